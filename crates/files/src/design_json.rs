@@ -1,0 +1,1 @@
+//! Designs (`*.sheet.json`): JSON to a kernel design and back.

@@ -1,0 +1,1 @@
+//! Patterns as DXF R12, and back.

@@ -1,0 +1,1 @@
+//! Whatever the main job takes, from a file or from standard input.

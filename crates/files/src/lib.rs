@@ -1,0 +1,17 @@
+//! Bytes to kernel values and back: the only crate that knows file formats.
+//!
+//! In: [`read_input`] makes a kernel [`Design`](sheetwright::design::Design) from a design file or
+//! a curve table. Out: [`output_files`] makes every file of a made design, in memory; the caller
+//! writes them. One module a format.
+
+mod design_json;
+mod dxf;
+mod input;
+mod obj;
+mod output;
+mod pdf;
+mod refold;
+mod report;
+mod stroke_font;
+mod svg;
+mod table;

@@ -1,0 +1,1 @@
+//! Patterns as PDF, true to scale, tiled to sheets of paper.

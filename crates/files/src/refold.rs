@@ -1,0 +1,1 @@
+//! Reads written patterns back and folds them up again.

@@ -1,0 +1,1 @@
+//! The report: `report.json` for scripts, `report.html` for people.

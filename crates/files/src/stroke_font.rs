@@ -1,0 +1,1 @@
+//! A single-stroke alphabet for engraved labels.

@@ -1,0 +1,91 @@
+//! A supporting plane: where the boundary projects onto a plane without crossing itself, the
+//! surface may be asked to lie over that plane like a roof over its floor plan.
+
+use super::Boundary;
+use crate::math::{Frame, Point2, Vec3, unit};
+use crate::predicate::{first_crossing, signed_area_doubled};
+use std::fmt;
+
+/// Which supporting plane a panel asks for.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum PlaneChoice {
+    /// The plane onto which the outer loop projects with the largest area, if it projects there
+    /// without crossing itself; else none.
+    #[default]
+    Auto,
+    /// None: any two samples may be joined.
+    None,
+    /// The plane with this normal.
+    Normal(Vec3),
+}
+
+/// A plane and the projection of all samples on it. Seen against its normal, the outer loop runs
+/// counter-clockwise.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SupportingPlane {
+    /// Where the plane stands; its normal is the frame's third direction.
+    pub frame: Frame,
+    /// The projected samples, mm, in the frame's first two directions.
+    pub projected: Vec<Point2>,
+}
+
+/// Why a chosen plane supports nothing.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PlaneError {
+    /// The normal has no direction.
+    NoDirection,
+    /// Projected on the plane, the boundary crosses itself.
+    Crossing {
+        /// The sample that the first edge begins at, counted through all loops from 0.
+        sample: usize,
+        /// The sample that the second edge begins at.
+        other: usize,
+    },
+}
+
+impl fmt::Display for PlaneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoDirection => write!(f, "the plane's normal has no direction"),
+            Self::Crossing { sample, other } => write!(
+                f,
+                "seen along the plane's normal, the boundary crosses itself after samples {} and {}",
+                sample + 1,
+                other + 1
+            ),
+        }
+    }
+}
+
+impl std::error::Error for PlaneError {}
+
+/// The supporting plane of a boundary, if there is to be one.
+///
+/// # Errors
+/// A chosen normal without direction, or one along which the outer loop crosses itself.
+pub fn supporting_plane(
+    boundary: &Boundary,
+    choice: PlaneChoice,
+) -> Result<Option<SupportingPlane>, PlaneError> {
+    match choice {
+        PlaneChoice::None => Ok(None),
+        PlaneChoice::Auto => Ok(project(boundary, boundary.area_vector()).ok()),
+        PlaneChoice::Normal(normal) => project(boundary, normal).map(Some),
+    }
+}
+
+fn project(boundary: &Boundary, normal: Vec3) -> Result<SupportingPlane, PlaneError> {
+    let normal = unit(normal).ok_or(PlaneError::NoDirection)?;
+    // The side of the plane that the loop runs counter-clockwise on.
+    let facing = if boundary.area_vector().dot(normal) < 0.0 { -normal } else { normal };
+    let origin = boundary.samples()[0].position;
+    let frame = Frame::with_normal(origin, facing).ok_or(PlaneError::NoDirection)?;
+    let projected: Vec<Point2> =
+        boundary.samples().iter().map(|s| frame.project(s.position)).collect();
+    let outer = boundary.loops()[0].clone();
+    if let Some((sample, other)) = first_crossing(&projected[outer.clone()]) {
+        return Err(PlaneError::Crossing { sample, other });
+    }
+    debug_assert!(signed_area_doubled(&projected[outer]) > 0.0);
+    Ok(SupportingPlane { frame, projected })
+}

@@ -1,0 +1,280 @@
+//! Findings: what is wrong with a panel, where, how bad, and what to do; and the verdict.
+
+use crate::boundary::Boundary;
+use crate::flatten::Flattened;
+use crate::material::{Material, warp_limit};
+use crate::math::to_deg;
+use crate::measure::{Measures, RungMeasures};
+use crate::tolerance::Tolerance;
+use crate::triangulate::Triangulation;
+
+/// How bad a finding is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// Good to know.
+    Note,
+    /// Look at it before cutting.
+    Warning,
+    /// Do not cut.
+    Error,
+}
+
+impl Severity {
+    /// How reports name it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Note => "note",
+            Self::Warning => "warning",
+            Self::Error => "error",
+        }
+    }
+}
+
+/// One thing found.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Finding {
+    /// How bad it is.
+    pub severity: Severity,
+    /// A name that scripts may rely on.
+    pub code: &'static str,
+    /// What is so, in words with units, and what to do.
+    pub text: String,
+    /// Where: `rungs 41–47`, `samples 3 and 12`; empty where it is the whole panel.
+    pub place: String,
+}
+
+/// Will it bend?
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// It takes its shape by bending alone.
+    Bends,
+    /// It takes its shape with some force: it must stretch a little.
+    BendsWithForce,
+    /// It does not take its shape.
+    WillNotBend,
+}
+
+impl Verdict {
+    /// How reports name it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Bends => "bends",
+            Self::BendsWithForce => "bends-with-force",
+            Self::WillNotBend => "will-not-bend",
+        }
+    }
+}
+
+/// The verdict on a panel and what it rests on, the worst first.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Checked {
+    /// Will it bend?
+    pub verdict: Verdict,
+    /// What was found.
+    pub findings: Vec<Finding>,
+}
+
+/// Up to this share of the warp limit a sheet goes into shape by itself; above it, with force.
+/// Half of the limit: by experience of plywood boats, which are clamped rather than rolled.
+const EASY_SHARE: f64 = 0.5;
+/// Creases above this angle, radians, are named as folds: 5°, as on the pattern.
+const FOLD_ANGLE_DEG: f64 = 5.0;
+
+/// Everything known of a panel when it is checked.
+#[derive(Clone, Copy, Debug)]
+pub struct Panel<'a> {
+    /// Its boundary.
+    pub boundary: &'a Boundary,
+    /// Its triangulation.
+    pub triangulation: &'a Triangulation,
+    /// Its flat pattern.
+    pub flat: &'a Flattened,
+    /// Its measures.
+    pub measures: &'a Measures,
+    /// Its material, if one is named.
+    pub material: Option<&'a Material>,
+}
+
+/// Checks a panel.
+pub fn check(panel: &Panel<'_>) -> Checked {
+    let checks = [warp, bend_radius, crossing, overlap, forced_rungs, folds, length_error];
+    let mut findings: Vec<Finding> = checks.iter().filter_map(|check| check(panel)).collect();
+    findings.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
+    let has = |code: &str, severity: Severity| {
+        findings.iter().any(|f| f.code == code && f.severity == severity)
+    };
+    let broken = ["warp-too-large", "radius-too-small", "self-crossing"];
+    let verdict = if broken.iter().any(|code| has(code, Severity::Error)) {
+        Verdict::WillNotBend
+    } else if has("warp-high", Severity::Warning) {
+        Verdict::BendsWithForce
+    } else {
+        Verdict::Bends
+    };
+    Checked { verdict, findings }
+}
+
+/// The finding that a written pattern does not fold back onto its surface; `None` if it does.
+/// `error_mm` is how far it comes from it, `size_mm` the size of the boundary.
+pub fn refolding(error_mm: f64, size_mm: f64) -> Option<Finding> {
+    let limit = Tolerance::REFOLD.length_mm(size_mm);
+    (error_mm.is_nan() || error_mm > limit).then(|| Finding {
+        severity: Severity::Error,
+        code: "refold",
+        text: format!(
+            "Folded up again, the written pattern misses the surface by {error_mm:.3} mm \
+             ({limit:.2e} mm is allowed). Do not cut it; this is a fault of the program."
+        ),
+        place: String::new(),
+    })
+}
+
+fn warp(panel: &Panel<'_>) -> Option<Finding> {
+    let limit = warp_limit(panel.material);
+    let measures = panel.measures;
+    let most = to_deg(measures.warp_max);
+    let beyond = |bound: f64| where_rungs(&measures.rungs, |r| r.warp > bound);
+    let sheet = panel.material.map_or("sheet", |m| m.title);
+    if measures.warp_max > limit {
+        let count = measures.rungs.iter().filter(|r| r.warp > limit).count();
+        return Some(Finding {
+            severity: Severity::Error,
+            code: "warp-too-large",
+            text: format!(
+                "The surface twists by up to {most:.1}° along its rulings, at {count} of {} of \
+                 them by more than the {:.1}° that {sheet} takes. Move the boundary there, or \
+                 divide the panel.",
+                measures.rungs.len(),
+                to_deg(limit)
+            ),
+            place: beyond(limit),
+        });
+    }
+    (measures.warp_max > EASY_SHARE * limit).then(|| Finding {
+        severity: Severity::Warning,
+        code: "warp-high",
+        text: format!(
+            "The surface twists by up to {most:.1}° along its rulings: within the {:.1}° that \
+             {sheet} takes, but it needs force.",
+            to_deg(limit)
+        ),
+        place: beyond(EASY_SHARE * limit),
+    })
+}
+
+fn bend_radius(panel: &Panel<'_>) -> Option<Finding> {
+    let material = panel.material?;
+    let least = panel.measures.bend_radius_min_mm;
+    (least < material.bend_radius_mm).then(|| Finding {
+        severity: Severity::Error,
+        code: "radius-too-small",
+        text: format!(
+            "The panel is bent to a radius of {least:.1} mm, and {} takes {:.1} mm. Take a \
+             thinner sheet, or a rounder boundary.",
+            material.title, material.bend_radius_mm
+        ),
+        place: where_rungs(&panel.measures.rungs, |r| {
+            r.bend_radius_mm < material.bend_radius_mm
+        }),
+    })
+}
+
+fn crossing(panel: &Panel<'_>) -> Option<Finding> {
+    let [t, u] = panel.measures.self_crossing?;
+    let corners = |t: crate::index::TriangleIndex| {
+        panel.triangulation.triangles[t.get()].map(|s| (s.get() + 1).to_string()).join(", ")
+    };
+    Some(Finding {
+        severity: Severity::Error,
+        code: "self-crossing",
+        text: "The surface passes through itself in space. Ask for a supporting plane, or change \
+               the boundary."
+            .to_owned(),
+        place: format!("triangles at samples {} and {}", corners(t), corners(u)),
+    })
+}
+
+fn overlap(panel: &Panel<'_>) -> Option<Finding> {
+    let (a, b) = panel.flat.overlap?;
+    Some(Finding {
+        severity: Severity::Error,
+        code: "overlap",
+        text: "Laid flat, the pattern overlaps itself, so it can't be cut from one sheet. Divide \
+               the panel."
+            .to_owned(),
+        place: format!("edges after samples {} and {}", a + 1, b + 1),
+    })
+}
+
+fn forced_rungs(panel: &Panel<'_>) -> Option<Finding> {
+    let count = panel.triangulation.forced_rungs;
+    (count > 0).then(|| Finding {
+        severity: Severity::Warning,
+        code: "rung-without-plane",
+        text: format!(
+            "{count} rungs run along the boundary's own direction, where no tangent plane is \
+             given, and no surface does without them. More samples may help."
+        ),
+        place: where_rungs(&panel.measures.rungs, |r| r.normals[0] == crate::math::Vec3::ZERO),
+    })
+}
+
+fn folds(panel: &Panel<'_>) -> Option<Finding> {
+    let is_fold = |r: &RungMeasures| to_deg(r.crease.abs()) > FOLD_ANGLE_DEG;
+    let count = panel.measures.rungs.iter().filter(|r| is_fold(r)).count();
+    (count > 0).then(|| Finding {
+        severity: Severity::Note,
+        code: "folds",
+        text: format!(
+            "{count} rulings turn by more than {FOLD_ANGLE_DEG:.0}° (up to {:.1}°); the pattern \
+             marks them as folds to score. More samples divide a smooth bend more finely.",
+            to_deg(panel.measures.crease_max)
+        ),
+        place: where_rungs(&panel.measures.rungs, is_fold),
+    })
+}
+
+fn length_error(panel: &Panel<'_>) -> Option<Finding> {
+    let most = panel.measures.length_error_max;
+    // Rounding of coordinates and lengths; an exact pattern has less by far.
+    let exact = 1e-9 * panel.boundary.size() / shortest_side(panel);
+    (most > exact.max(1e-9)).then(|| Finding {
+        severity: Severity::Warning,
+        code: "length-error",
+        text: format!("Lengths of the pattern differ from the surface by up to {:.3} %.", most * 100.0),
+        place: String::new(),
+    })
+}
+
+fn shortest_side(panel: &Panel<'_>) -> f64 {
+    let boundary = panel.boundary;
+    (0..boundary.len())
+        .map(|i| {
+            let at = |k: usize| boundary.samples()[k].position;
+            at(i).distance(at(boundary.next(i)))
+        })
+        .fold(f64::INFINITY, f64::min)
+}
+
+/// The rungs for which `is_so`, as ranges of their numbers from 1: `rungs 41–47, 60`.
+fn where_rungs(rungs: &[RungMeasures], is_so: impl Fn(&RungMeasures) -> bool) -> String {
+    let numbers: Vec<usize> = (0..rungs.len()).filter(|&n| is_so(&rungs[n])).map(|n| n + 1).collect();
+    let mut ranges: Vec<(usize, usize)> = Vec::new();
+    for n in numbers {
+        match ranges.last_mut() {
+            Some((_, end)) if *end + 1 == n => *end = n,
+            _ => ranges.push((n, n)),
+        }
+    }
+    // A long list helps nobody: the first few stand for all.
+    const SHOWN: usize = 6;
+    let more = ranges.len().saturating_sub(SHOWN);
+    let shown: Vec<String> = ranges
+        .iter()
+        .take(SHOWN)
+        .map(|&(a, b)| if a == b { a.to_string() } else { format!("{a}–{b}") })
+        .collect();
+    let rest = if more > 0 { format!(" and {more} more ranges") } else { String::new() };
+    let word = if ranges.len() == 1 && ranges[0].0 == ranges[0].1 { "rung" } else { "rungs" };
+    format!("{word} {}{rest}", shown.join(", "))
+}

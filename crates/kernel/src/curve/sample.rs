@@ -1,0 +1,249 @@
+//! Samples of curves, evenly by arc length, that keep the corners.
+//!
+//! The curves are split at their corners into smooth stretches. Every stretch begins and ends at a
+//! sample and is divided evenly; the divisions are shared out by length, at least one a stretch
+//! (largest remainder, the first of equals).
+
+use super::arc_length::{length, parameter_at};
+use super::{Cubic, Curve};
+use crate::math::{Point3, Vec3, angle_between};
+use std::fmt;
+
+/// Tangents at a joint that differ by less, radians, are one tangent: far below what a hand can
+/// draw or a sheet can show, far above rounding.
+const SAME_DIRECTION: f64 = 1e-7;
+
+/// A point of a curve with its tangents.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// Where it lies, mm.
+    pub position: Point3,
+    /// Unit tangent of the curve as it arrives.
+    pub tangent_in: Vec3,
+    /// Unit tangent of the curve as it leaves; that of arrival but at a corner.
+    pub tangent_out: Vec3,
+}
+
+impl Sample {
+    /// Whether the curve turns here.
+    pub fn is_corner(&self) -> bool {
+        self.tangent_in != self.tangent_out
+    }
+}
+
+/// Why curves cannot be sampled.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SampleError {
+    /// Fewer samples than the corners need.
+    TooFew {
+        /// How many were asked for.
+        asked: usize,
+        /// How many it takes to keep every corner.
+        needed: usize,
+    },
+}
+
+impl fmt::Display for SampleError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self::TooFew { asked, needed } = self;
+        write!(f, "{asked} samples cannot keep every corner: it takes at least {needed}")
+    }
+}
+
+impl std::error::Error for SampleError {}
+
+/// A smooth run of spans.
+struct Stretch {
+    spans: Vec<Cubic>,
+    lengths: Vec<f64>,
+    whole: f64,
+}
+
+impl Stretch {
+    fn new(spans: Vec<Cubic>) -> Self {
+        let lengths: Vec<f64> = spans.iter().map(|s| length(s, 0.0, 1.0)).collect();
+        let whole = lengths.iter().sum();
+        Self { spans, lengths, whole }
+    }
+
+    /// Position and unit tangent where `part` of `parts` equal parts of the stretch are behind.
+    fn at(&self, part: usize, parts: usize) -> (Point3, Vec3) {
+        let last = self.spans.len() - 1;
+        if part == 0 {
+            return (self.spans[0].position(0.0), self.spans[0].tangent(0.0));
+        }
+        if part == parts {
+            return (self.spans[last].position(1.0), self.spans[last].tangent(1.0));
+        }
+        let mut left = self.whole * (part as f64 / parts as f64);
+        let mut n = 0;
+        while n < last && left > self.lengths[n] {
+            left -= self.lengths[n];
+            n += 1;
+        }
+        let t = parameter_at(&self.spans[n], left, self.lengths[n]);
+        (self.spans[n].position(t), self.spans[n].tangent(t))
+    }
+}
+
+fn stretches_of(curve: &Curve) -> impl Iterator<Item = Stretch> {
+    let m = curve.spans().len();
+    curve
+        .stretches()
+        .into_iter()
+        .map(move |range| Stretch::new(range.map(|i| curve.spans()[i % m]).collect()))
+}
+
+/// `count` samples of an open curve, both ends among them.
+///
+/// # Errors
+/// Too few samples to keep every corner and both ends.
+pub fn sample_open(curve: &Curve, count: usize) -> Result<Vec<Sample>, SampleError> {
+    let stretches: Vec<Stretch> = stretches_of(curve).collect();
+    let needed = stretches.len() + 1;
+    if count < needed {
+        return Err(SampleError::TooFew { asked: count, needed });
+    }
+    let mut samples = walk(&stretches, count - 1);
+    let (position, tangent) = stretches[stretches.len() - 1].at(1, 1);
+    samples.push(Sample { position, tangent_in: tangent, tangent_out: tangent });
+    // Nothing arrives at the beginning of an open curve.
+    samples[0].tangent_in = samples[0].tangent_out;
+    Ok(samples)
+}
+
+/// `count` samples of the closed loop that `curves` make when chained end to end (or of the one
+/// closed curve among them). The loop begins where the first curve begins.
+///
+/// # Errors
+/// Too few samples to keep every corner and every joint between two curves; at least 3.
+pub fn sample_chain(curves: &[Curve], count: usize) -> Result<Vec<Sample>, SampleError> {
+    let stretches: Vec<Stretch> = curves.iter().flat_map(stretches_of).collect();
+    let needed = stretches.len().max(3);
+    if count < needed {
+        return Err(SampleError::TooFew { asked: count, needed });
+    }
+    let mut samples = walk(&stretches, count);
+    // A closed curve whose first point is no corner begins inside its last stretch; turn the
+    // samples so that they begin as near to its beginning as one lies.
+    if let [curve] = curves {
+        let start = curve.start();
+        let nearest = (0..samples.len())
+            .min_by(|&a, &b| {
+                let to = |i: usize| samples[i].position.distance(start);
+                to(a).total_cmp(&to(b)).then(a.cmp(&b))
+            })
+            .unwrap_or(0);
+        samples.rotate_left(nearest);
+    }
+    Ok(samples)
+}
+
+/// All samples of a ring of stretches but the one that ends the last: `divisions` of them.
+fn walk(stretches: &[Stretch], divisions: usize) -> Vec<Sample> {
+    let parts = shared_out(stretches, divisions);
+    let mut samples = Vec::with_capacity(divisions + 1);
+    let mut arriving = stretches[stretches.len() - 1].at(1, 1).1;
+    for (stretch, &parts) in stretches.iter().zip(&parts) {
+        for part in 0..parts {
+            let (position, tangent) = stretch.at(part, parts);
+            let smooth = part > 0 || angle_between(arriving, tangent) < SAME_DIRECTION;
+            let tangent_in = if smooth { tangent } else { arriving };
+            samples.push(Sample { position, tangent_in, tangent_out: tangent });
+        }
+        arriving = stretch.at(1, 1).1;
+    }
+    samples
+}
+
+/// How many divisions each stretch gets: by length, at least one each.
+fn shared_out(stretches: &[Stretch], divisions: usize) -> Vec<usize> {
+    let whole: f64 = stretches.iter().map(|s| s.whole).sum();
+    let spare = divisions - stretches.len();
+    let ideal: Vec<f64> = stretches
+        .iter()
+        .map(|s| (s.whole / whole * divisions as f64 - 1.0).max(0.0))
+        .collect();
+    // One is given already, so what is shared is the rest; short stretches want none of it.
+    let wanted: f64 = ideal.iter().sum();
+    let scale = if wanted > 0.0 { spare as f64 / wanted } else { 0.0 };
+    let mut parts: Vec<usize> = ideal.iter().map(|w| 1 + (w * scale).floor() as usize).collect();
+    let mut left = divisions.saturating_sub(parts.iter().sum());
+    let mut order: Vec<usize> = (0..stretches.len()).collect();
+    let rest = |i: usize| ideal[i] * scale - (ideal[i] * scale).floor();
+    order.sort_by(|&a, &b| rest(b).total_cmp(&rest(a)).then(a.cmp(&b)));
+    for &i in order.iter().cycle().take(stretches.len() * 2) {
+        if left == 0 {
+            break;
+        }
+        parts[i] += 1;
+        left -= 1;
+    }
+    parts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::curve::{CurveKind, CurvePoint};
+
+    fn square(side: f64) -> Curve {
+        let points = [[0.0, 0.0], [side, 0.0], [side, side], [0.0, side]]
+            .map(|[x, y]| CurvePoint::corner(Point3::new(x, y, 0.0)));
+        Curve::new(CurveKind::Polyline, &points, true).unwrap()
+    }
+
+    #[test]
+    fn a_square_keeps_its_corners_and_its_spacing() {
+        let samples = sample_chain(&[square(10.0)], 42).unwrap();
+        assert_eq!(samples.len(), 42);
+        assert_eq!(samples.iter().filter(|s| s.is_corner()).count(), 4);
+        let gaps: Vec<f64> = (0..42)
+            .map(|i| samples[i].position.distance(samples[(i + 1) % 42].position))
+            .collect();
+        assert!(gaps.iter().all(|g| (10.0 / 11.0 - 1e-9..=1.0 + 1e-9).contains(g)), "{gaps:?}");
+        assert!((gaps.iter().sum::<f64>() - 40.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn every_corner_needs_a_sample() {
+        let refused = sample_chain(&[square(1.0)], 3);
+        assert_eq!(refused, Err(SampleError::TooFew { asked: 3, needed: 4 }));
+    }
+
+    #[test]
+    fn a_smooth_loop_is_spaced_evenly_and_has_no_corner() {
+        let points: Vec<CurvePoint> = (0..12)
+            .map(|i| {
+                let t = std::f64::consts::TAU * f64::from(i) / 12.0;
+                CurvePoint::smooth(Point3::new(
+                    3.0 * crate::math::cos(t),
+                    crate::math::sin(t),
+                    crate::math::sin(2.0 * t),
+                ))
+            })
+            .collect();
+        let curve = Curve::new(CurveKind::Spline, &points, true).unwrap();
+        let samples = sample_chain(std::slice::from_ref(&curve), 1000).unwrap();
+        assert!(samples.iter().all(|s| !s.is_corner()));
+        assert!(samples[0].position.distance(curve.start()) < 1e-12);
+        let gaps: Vec<f64> = (0..1000)
+            .map(|i| samples[i].position.distance(samples[(i + 1) % 1000].position))
+            .collect();
+        let (least, most) =
+            gaps.iter().fold((f64::MAX, 0.0f64), |(a, b), &g| (a.min(g), b.max(g)));
+        assert!(most / least < 1.001, "{least} {most}");
+    }
+
+    #[test]
+    fn an_open_curve_keeps_both_ends() {
+        let points = [[0.0, 0.0], [1.0, 2.0], [4.0, 0.0]]
+            .map(|[x, y]| CurvePoint::smooth(Point3::new(x, y, 0.0)));
+        let curve = Curve::new(CurveKind::Spline, &points, false).unwrap();
+        let samples = sample_open(&curve, 7).unwrap();
+        assert_eq!(samples.len(), 7);
+        assert_eq!(samples[0].position, points[0].at);
+        assert_eq!(samples[6].position, points[2].at);
+        assert!(samples.iter().all(|s| !s.is_corner()));
+    }
+}

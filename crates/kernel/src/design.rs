@@ -1,0 +1,479 @@
+//! A design: all inputs as one plain value, from which [`make`] derives every stage.
+
+use crate::boundary::{
+    Boundary, BoundaryError, PlaneChoice, PlaneError, SupportingPlane, samples_from_points,
+    supporting_plane,
+};
+use crate::check::{Checked, Panel, check};
+use crate::cost::Prices;
+use crate::curve::{
+    Curve, CurveError, CurveKind, CurvePoint, Sample, SampleError, sample_chain, sample_open,
+};
+use crate::flatten::{FlattenError, Flattened, unroll};
+use crate::material::Material;
+use crate::measure::{Measures, measures};
+use crate::pattern::{PatternOptions, Piece, piece};
+use crate::surface::{Connectivity, ConnectivityError, Surface};
+use crate::tolerance::Tolerance;
+use crate::triangulate::{
+    Method, TriangulateError, TriangulateOptions, Triangulation, triangulate,
+};
+use crate::watch::{Stage, Watch};
+use std::fmt;
+
+/// A curve of a design, under its name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DesignCurve {
+    /// Its name; no two curves share one.
+    pub name: String,
+    /// How its points make the curve; `None` if the points are the samples themselves, with
+    /// tangents from central differences.
+    pub kind: Option<CurveKind>,
+    /// Whether it ends where it begins.
+    pub closed: bool,
+    /// Its points.
+    pub points: Vec<CurvePoint>,
+}
+
+/// A curve as a part of a loop.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CurveUse {
+    /// Its name.
+    pub name: String,
+    /// Whether it is run from its end to its beginning.
+    pub reversed: bool,
+}
+
+/// What bounds a panel.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PanelShape {
+    /// Two open curves, which may run either way; straight edges join their ends.
+    Rails([CurveUse; 2]),
+    /// Curves chained end to end to closed loops.
+    Loops {
+        /// The outer loop.
+        outer: Vec<CurveUse>,
+        /// The holes.
+        holes: Vec<Vec<CurveUse>>,
+    },
+}
+
+/// Which triangulations of a panel are looked at.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum PanelMethod {
+    /// All of them.
+    #[default]
+    Optimal,
+    /// Those whose every triangle has an edge of the boundary.
+    Bridge,
+    /// Those whose every rung joins the two rails; only for rails.
+    Rails,
+}
+
+impl PanelMethod {
+    /// How designs and reports name it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Optimal => "optimal",
+            Self::Bridge => "bridge",
+            Self::Rails => "rails",
+        }
+    }
+}
+
+/// A panel of a design.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DesignPanel {
+    /// Its name, which its files get; no two panels share one.
+    pub name: String,
+    /// What bounds it.
+    pub shape: PanelShape,
+    /// Samples of the outer loop, or of each rail.
+    pub samples: usize,
+    /// Which triangulations are looked at.
+    pub method: PanelMethod,
+    /// Which supporting plane it asks for.
+    pub plane: PlaneChoice,
+    /// The weight ν of the fold price.
+    pub fold: f64,
+}
+
+/// All inputs of the main job.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Design {
+    /// Its name.
+    pub name: String,
+    /// The sheet it is made from, if one is named.
+    pub material: Option<&'static Material>,
+    /// Its curves.
+    pub curves: Vec<DesignCurve>,
+    /// Its panels.
+    pub panels: Vec<DesignPanel>,
+}
+
+/// A panel with everything that was derived from it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MadePanel {
+    /// Its name.
+    pub name: String,
+    /// Which triangulations were looked at.
+    pub method: PanelMethod,
+    /// The weight ν of the fold price.
+    pub fold: f64,
+    /// The boundary as it was sampled.
+    pub boundary: Boundary,
+    /// The supporting plane, if there is one.
+    pub plane: Option<SupportingPlane>,
+    /// Its triangulation.
+    pub triangulation: Triangulation,
+    /// Its surface in space.
+    pub surface: Surface,
+    /// Its surface laid flat.
+    pub flat: Flattened,
+    /// What was measured.
+    pub measures: Measures,
+    /// The verdict and its findings.
+    pub checked: Checked,
+    /// The pattern to cut.
+    pub piece: Piece,
+}
+
+/// A design with everything that was derived from it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Made {
+    /// Its name.
+    pub name: String,
+    /// The sheet it is made from, if one is named.
+    pub material: Option<&'static Material>,
+    /// Its panels, in the order of the design.
+    pub panels: Vec<MadePanel>,
+}
+
+/// Why a design can't be made.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MakeError {
+    /// The panel; empty where it is a curve or the design as a whole.
+    pub panel: String,
+    /// The curve, if it is one.
+    pub curve: Option<String>,
+    /// What is wrong.
+    pub cause: MakeCause,
+}
+
+/// What is wrong with a panel or a curve.
+#[derive(Clone, Debug, PartialEq)]
+pub enum MakeCause {
+    /// A design without panels.
+    NoPanels,
+    /// A curve that the design does not have.
+    UnknownCurve {
+        /// The nearest name that it has, if one is near.
+        nearest: Option<String>,
+    },
+    /// Points that make no curve.
+    Curve(CurveError),
+    /// A closed curve as a rail or as one part of several of a loop.
+    ClosedCurve,
+    /// A loop of one open curve, or of curves whose ends do not meet.
+    NotChained {
+        /// The curve that should begin where this one ends.
+        next: String,
+        /// How far apart they are, mm.
+        gap_mm: f64,
+    },
+    /// Both rails are the same curve.
+    SameRails,
+    /// A rails method for a panel without rails.
+    NoRails,
+    /// Too few samples.
+    Sampling(SampleError),
+    /// Samples that are no boundary.
+    Boundary(BoundaryError),
+    /// A plane that supports nothing.
+    Plane(PlaneError),
+    /// No triangulation.
+    Triangulate(TriangulateError),
+    /// Triangles that are no surface.
+    Surface(ConnectivityError),
+    /// No flat pattern.
+    Flatten(FlattenError),
+}
+
+impl fmt::Display for MakeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (&self.panel[..], &self.curve) {
+            ("", None) => {}
+            ("", Some(curve)) => write!(f, "curve '{curve}': ")?,
+            (panel, None) => write!(f, "panel '{panel}': ")?,
+            (panel, Some(curve)) => write!(f, "panel '{panel}', curve '{curve}': ")?,
+        }
+        write!(f, "{}", self.cause)
+    }
+}
+
+impl std::error::Error for MakeError {}
+
+impl fmt::Display for MakeCause {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoPanels => write!(f, "the design has no panels"),
+            Self::UnknownCurve { .. } => write!(f, "there is no such curve"),
+            Self::Curve(error) => write!(f, "the curve {error}"),
+            Self::ClosedCurve => write!(f, "the curve is closed where an open one is needed"),
+            Self::NotChained { next, gap_mm } => {
+                write!(f, "the curve ends {gap_mm:.6} mm away from where '{next}' begins")
+            }
+            Self::SameRails => write!(f, "both rails are the same curve"),
+            Self::NoRails => write!(f, "the method 'rails' needs a panel with rails"),
+            Self::Sampling(error) => write!(f, "{error}"),
+            Self::Boundary(error) => write!(f, "{error}"),
+            Self::Plane(error) => write!(f, "{error}"),
+            Self::Triangulate(error) => write!(f, "{error}"),
+            Self::Surface(error) => write!(f, "{error}"),
+            Self::Flatten(error) => write!(f, "{error}"),
+        }
+    }
+}
+
+/// Makes a design: the surface, the flat pattern, the measures and the verdict of every panel.
+///
+/// # Errors
+/// The first panel or curve that can't be made, and why.
+pub fn make(design: &Design, watch: &mut dyn Watch) -> Result<Made, MakeError> {
+    if design.panels.is_empty() {
+        let cause = MakeCause::NoPanels;
+        return Err(MakeError { panel: String::new(), curve: None, cause });
+    }
+    let panels = design
+        .panels
+        .iter()
+        .map(|panel| make_panel(design, panel, watch))
+        .collect::<Result<Vec<MadePanel>, MakeError>>()?;
+    Ok(Made { name: design.name.clone(), material: design.material, panels })
+}
+
+fn make_panel(
+    design: &Design,
+    panel: &DesignPanel,
+    watch: &mut dyn Watch,
+) -> Result<MadePanel, MakeError> {
+    let failed = |cause: MakeCause| MakeError { panel: panel.name.clone(), curve: None, cause };
+    watch.begin(&panel.name, Stage::Sample);
+    let sampled = sampled(design, panel)?;
+    let method = match panel.method {
+        PanelMethod::Optimal => Method::Optimal,
+        PanelMethod::Bridge => Method::Bridge,
+        PanelMethod::Rails => Method::Rails {
+            first: sampled.on_first_rail.ok_or_else(|| failed(MakeCause::NoRails))?,
+        },
+    };
+    let boundary = Boundary::new(sampled.loops).map_err(|e| failed(MakeCause::Boundary(e)))?;
+    let plane =
+        supporting_plane(&boundary, panel.plane).map_err(|e| failed(MakeCause::Plane(e)))?;
+
+    watch.begin(&panel.name, Stage::Solve);
+    let mut options = TriangulateOptions { method, ..TriangulateOptions::default() };
+    options.price.fold = panel.fold;
+    let triangulation = triangulate(&boundary, plane.as_ref(), &options, watch)
+        .map_err(|e| failed(MakeCause::Triangulate(e)))?;
+    let connectivity = Connectivity::new(boundary.loops(), triangulation.triangles.clone())
+        .map_err(|e| failed(MakeCause::Surface(e)))?;
+    let surface = Surface::new(connectivity, boundary.positions());
+
+    watch.begin(&panel.name, Stage::Flatten);
+    let flat = unroll(surface.connectivity(), |a, b| surface.length(a, b), watch)
+        .map_err(|e| failed(MakeCause::Flatten(e)))?;
+
+    watch.begin(&panel.name, Stage::Check);
+    let prices = Prices::new(&boundary, plane.as_ref(), options.price);
+    let measures = measures(&surface, &flat, &prices);
+    let checked = check(&Panel {
+        boundary: &boundary,
+        triangulation: &triangulation,
+        flat: &flat,
+        measures: &measures,
+        material: design.material,
+    });
+    let piece = piece(&panel.name, &surface, &flat, &measures, &PatternOptions::default());
+    Ok(MadePanel {
+        name: panel.name.clone(),
+        method: panel.method,
+        fold: panel.fold,
+        boundary,
+        plane,
+        triangulation,
+        surface,
+        flat,
+        measures,
+        checked,
+        piece,
+    })
+}
+
+struct Sampled {
+    loops: Vec<Vec<Sample>>,
+    /// How many of the samples lie on the first rail.
+    on_first_rail: Option<usize>,
+}
+
+fn sampled(design: &Design, panel: &DesignPanel) -> Result<Sampled, MakeError> {
+    match &panel.shape {
+        PanelShape::Rails(rails) => sampled_rails(design, panel, rails),
+        PanelShape::Loops { outer, holes } => {
+            let outer = sampled_loop(design, panel, outer, |_| panel.samples)?;
+            let length: f64 = ring_length(&outer);
+            let spacing = length / outer.len() as f64;
+            let mut loops = vec![outer];
+            for hole in holes {
+                let as_spaced = |length: f64| (length / spacing).ceil() as usize;
+                loops.push(sampled_loop(design, panel, hole, as_spaced)?);
+            }
+            Ok(Sampled { loops, on_first_rail: None })
+        }
+    }
+}
+
+fn ring_length(samples: &[Sample]) -> f64 {
+    let m = samples.len();
+    (0..m).map(|i| samples[i].position.distance(samples[(i + 1) % m].position)).sum()
+}
+
+fn found<'a>(
+    design: &'a Design,
+    panel: &DesignPanel,
+    wanted: &CurveUse,
+) -> Result<&'a DesignCurve, MakeError> {
+    design.curves.iter().find(|curve| curve.name == wanted.name).ok_or_else(|| MakeError {
+        panel: panel.name.clone(),
+        curve: Some(wanted.name.clone()),
+        cause: MakeCause::UnknownCurve { nearest: None },
+    })
+}
+
+/// The curve of a name, run the way that it is used.
+fn built(design: &Design, panel: &DesignPanel, wanted: &CurveUse) -> Result<Curve, MakeError> {
+    let source = found(design, panel, wanted)?;
+    // Points that are samples themselves are joined straight when they are a part of something.
+    let kind = source.kind.unwrap_or(CurveKind::Polyline);
+    let curve = Curve::new(kind, &source.points, source.closed).map_err(|error| MakeError {
+        panel: String::new(),
+        curve: Some(wanted.name.clone()),
+        cause: MakeCause::Curve(error),
+    })?;
+    Ok(if wanted.reversed { curve.reversed() } else { curve })
+}
+
+fn sampled_loop(
+    design: &Design,
+    panel: &DesignPanel,
+    parts: &[CurveUse],
+    count: impl Fn(f64) -> usize,
+) -> Result<Vec<Sample>, MakeError> {
+    let failed = |curve: &str, cause: MakeCause| MakeError {
+        panel: panel.name.clone(),
+        curve: Some(curve.to_owned()),
+        cause,
+    };
+    if let [only] = parts {
+        let source = found(design, panel, only)?;
+        if source.kind.is_none() && source.closed {
+            let mut points = source.points.clone();
+            if only.reversed {
+                points.reverse();
+            }
+            return Ok(samples_from_points(&points));
+        }
+    }
+    let curves =
+        parts.iter().map(|part| built(design, panel, part)).collect::<Result<Vec<_>, _>>()?;
+    let size = crate::boundary::size_of(curves.iter().flat_map(|c| [c.start(), c.end()]));
+    for (n, curve) in curves.iter().enumerate() {
+        if curve.closed() {
+            if curves.len() > 1 {
+                return Err(failed(&parts[n].name, MakeCause::ClosedCurve));
+            }
+            continue;
+        }
+        let next = (n + 1) % curves.len();
+        let gap_mm = curve.end().distance(curves[next].start());
+        if gap_mm > Tolerance::CHAIN.length_mm(size) || size == 0.0 && curves.len() > 1 {
+            let cause = MakeCause::NotChained { next: parts[next].name.clone(), gap_mm };
+            return Err(failed(&parts[n].name, cause));
+        }
+    }
+    let length: f64 = curves.iter().map(Curve::length).sum();
+    sample_chain(&curves, count(length)).map_err(|error| MakeError {
+        panel: panel.name.clone(),
+        curve: None,
+        cause: MakeCause::Sampling(error),
+    })
+}
+
+fn sampled_rails(
+    design: &Design,
+    panel: &DesignPanel,
+    rails: &[CurveUse; 2],
+) -> Result<Sampled, MakeError> {
+    let failed = |curve: Option<&str>, cause: MakeCause| MakeError {
+        panel: panel.name.clone(),
+        curve: curve.map(str::to_owned),
+        cause,
+    };
+    if rails[0].name == rails[1].name {
+        return Err(failed(Some(&rails[0].name), MakeCause::SameRails));
+    }
+    let first = built(design, panel, &rails[0])?;
+    let mut second = built(design, panel, &rails[1])?;
+    for (curve, rail) in [&first, &second].into_iter().zip(rails) {
+        if curve.closed() {
+            return Err(failed(Some(&rail.name), MakeCause::ClosedCurve));
+        }
+    }
+    // The second runs back, from beside the end of the first to beside its beginning.
+    let joined = |second: &Curve| {
+        first.end().distance(second.start()) + second.end().distance(first.start())
+    };
+    if joined(&second.reversed()) < joined(&second) {
+        second = second.reversed();
+    }
+    let sample = |curve: &Curve| {
+        sample_open(curve, panel.samples).map_err(|e| failed(None, MakeCause::Sampling(e)))
+    };
+    let (mut first, mut second) = (sample(&first)?, sample(&second)?);
+    let size = crate::boundary::size_of(first.iter().chain(&second).map(|s| s.position));
+    let same = Tolerance::CHAIN.length_mm(size);
+    // Rails that meet at an end share that sample; it keeps the tangents of both.
+    let meet = |a: &[Sample], b: &[Sample]| {
+        let (end, start) = (a[a.len() - 1], b[0]);
+        (end.position.distance(start.position) <= same).then_some(start.tangent_out)
+    };
+    let (at_end, at_start) = (meet(&first, &second), meet(&second, &first));
+    if let Some(tangent) = at_end {
+        let last = first.len() - 1;
+        first[last].tangent_out = tangent;
+        second.remove(0);
+    }
+    if at_start.is_some()
+        && let Some(end) = second.pop()
+    {
+        first[0].tangent_in = end.tangent_in;
+    }
+    let on_first_rail = first.len();
+    first.extend(second);
+    close_ends(&mut first, on_first_rail, [at_start.is_some(), at_end.is_some()]);
+    Ok(Sampled { loops: vec![first], on_first_rail: Some(on_first_rail) })
+}
+
+/// Where straight edges join the ends of two rails, those ends are corners of the loop.
+fn close_ends(samples: &mut [Sample], on_first: usize, meeting: [bool; 2]) {
+    let m = samples.len();
+    for ((from, to), meeting) in
+        [((m - 1, 0), meeting[0]), ((on_first - 1, on_first % m), meeting[1])]
+    {
+        let across = crate::math::unit(samples[to].position - samples[from].position);
+        if let (false, Some(across)) = (meeting, across) {
+            samples[from].tangent_out = across;
+            samples[to].tangent_in = across;
+        }
+    }
+}

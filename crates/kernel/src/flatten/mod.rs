@@ -1,0 +1,55 @@
+//! Laying a surface flat.
+
+mod pose;
+mod refold;
+mod unroll;
+
+pub use refold::{RefoldError, refold};
+pub use unroll::unroll;
+
+use crate::math::Point2;
+use std::fmt;
+
+/// A surface laid flat.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Flattened {
+    /// Where the samples lie in the plane, mm, seen from the side that the surface faces. The
+    /// pattern lies in the rectangle of least area around it, its longer side along x, with its
+    /// lower left corner at the origin.
+    pub points: Vec<Point2>,
+    /// Two edges of the outer loop that cross in the plane, by the samples that they begin at:
+    /// the pattern overlaps itself and can't be cut from one sheet. Exact.
+    pub overlap: Option<(usize, usize)>,
+}
+
+/// Why a surface cannot be laid flat exactly.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FlattenError {
+    /// Its triangles hang together in a cycle (holes), so laying one beside the other need not
+    /// close.
+    Cycle,
+    /// It falls apart into pieces.
+    Pieces,
+    /// Three lengths that make no triangle.
+    NoTriangle {
+        /// The triangle.
+        triangle: crate::index::TriangleIndex,
+    },
+    /// The watcher asked to stop.
+    Stopped,
+}
+
+impl fmt::Display for FlattenError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Cycle => write!(f, "the surface has a hole and must be cut open first"),
+            Self::Pieces => write!(f, "the surface falls apart into pieces"),
+            Self::NoTriangle { triangle } => {
+                write!(f, "the lengths of triangle {triangle} make no triangle")
+            }
+            Self::Stopped => write!(f, "stopped"),
+        }
+    }
+}
+
+impl std::error::Error for FlattenError {}

@@ -1,0 +1,76 @@
+//! How a pattern lies: in the rectangle of least area around it.
+//!
+//! One side of that rectangle lies along a side of the convex hull [FreemanShapira1975]; all are
+//! tried. The longer side is laid along x and the lower left corner at the origin, so that a
+//! pattern needs as little sheet as can be and its size can be read off.
+
+use crate::math::{Point2, Vec2, unit2};
+use crate::predicate::{Box2, orientation};
+use std::ops::Range;
+
+/// The points turned and moved, not mirrored, so that those of the loop lie as told above.
+pub(super) fn posed(points: &[Point2], of_loop: &Range<usize>) -> Vec<Point2> {
+    let hull = convex_hull(&points[of_loop.clone()]);
+    let turned = |along: Vec2| {
+        let across = along.perp();
+        move |p: &Point2| Point2::new(p.to_vec().dot(along), p.to_vec().dot(across))
+    };
+    let mut best: Option<(f64, Vec2)> = None;
+    for (n, corner) in hull.iter().enumerate() {
+        let Some(along) = unit2(hull[(n + 1) % hull.len()] - *corner) else { continue };
+        let Some(around) = Box2::of_points(hull.iter().map(turned(along))) else { continue };
+        let size = around.max - around.min;
+        // Equal areas, as the sides of a rectangle give, must not be told apart by rounding.
+        if best.is_none_or(|(least, _)| size.x * size.y < least * (1.0 - 1e-9)) {
+            let longer = if size.x >= size.y { along } else { -along.perp() };
+            best = Some((size.x * size.y, longer));
+        }
+    }
+    let along = best.map_or(Vec2::X, |(_, along)| along);
+    let laid: Vec<Point2> = points.iter().map(turned(along)).collect();
+    let origin = Box2::of_points(laid[of_loop.clone()].iter().copied()).map_or(Vec2::ZERO, |b| {
+        b.min.to_vec()
+    });
+    laid.into_iter().map(|p| p + -origin).collect()
+}
+
+/// The corners of the convex hull, counter-clockwise (Andrew's monotone chain).
+fn convex_hull(points: &[Point2]) -> Vec<Point2> {
+    let mut sorted = points.to_vec();
+    sorted.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+    let chain = |points: &mut dyn Iterator<Item = Point2>| {
+        let mut hull: Vec<Point2> = Vec::new();
+        for p in points {
+            while let [.., a, b] = hull[..] {
+                if orientation(a, b, p).is_gt() {
+                    break;
+                }
+                hull.pop();
+            }
+            hull.push(p);
+        }
+        hull.pop();
+        hull
+    };
+    let mut hull = chain(&mut sorted.iter().copied());
+    hull.extend(chain(&mut sorted.iter().rev().copied()));
+    hull
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tilted_rectangle_is_laid_straight() {
+        let (c, s) = (0.8, 0.6);
+        let tilted = [[0.0, 0.0], [2.0, 0.0], [2.0, 5.0], [0.0, 5.0], [1.0, 3.0]]
+            .map(|[x, y]| Point2::new(7.0 + c * x - s * y, -3.0 + s * x + c * y));
+        let laid = posed(&tilted, &(0..5));
+        let around = Box2::of_points(laid.iter().copied()).unwrap();
+        assert!(around.min.to_vec().length() < 1e-12);
+        assert!((around.max.x - 5.0).abs() < 1e-12 && (around.max.y - 2.0).abs() < 1e-12);
+        let turn = (laid[1] - laid[0]).perp_dot(laid[2] - laid[1]);
+        assert!((turn - 10.0).abs() < 1e-12, "turned, not mirrored");
+    }
+}

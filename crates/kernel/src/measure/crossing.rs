@@ -1,0 +1,120 @@
+//! Whether a surface passes through itself, decided by exact predicates.
+//!
+//! Two triangles that share no side pass through one another only if a side of one meets the other
+//! somewhere else than at a common sample. So every pair of triangles whose boxes touch is looked
+//! at: each side of the one that has no end on the other against that other. Triangles in one plane
+//! are compared there. Samples on one spot (the two sides of a seam) count as common.
+
+use crate::index::TriangleIndex;
+use crate::math::{Point2, Point3, Vec3};
+use crate::predicate::{orientation, orientation3};
+use crate::surface::Surface;
+use std::cmp::Ordering;
+
+/// The first two triangles, by their numbers, that pass through one another.
+pub fn first_self_crossing(surface: &Surface) -> Option<[TriangleIndex; 2]> {
+    let count = surface.connectivity().triangles().len();
+    let corners: Vec<[Point3; 3]> =
+        (0..count).map(|n| surface.corners(TriangleIndex::new(n))).collect();
+    let boxes: Vec<(Vec3, Vec3)> = corners
+        .iter()
+        .map(|c| {
+            let [a, b, c] = c.map(Point3::to_vec);
+            (a.min(b).min(c), a.max(b).max(c))
+        })
+        .collect();
+    let mut order: Vec<usize> = (0..count).collect();
+    order.sort_by(|&i, &j| boxes[i].0.x.total_cmp(&boxes[j].0.x).then(i.cmp(&j)));
+    let mut first: Option<[usize; 2]> = None;
+    let mut open: Vec<usize> = Vec::new();
+    for &i in &order {
+        open.retain(|&j| boxes[j].1.x >= boxes[i].0.x);
+        for &j in &open {
+            let touch = boxes[i].0.cmple(boxes[j].1) & boxes[j].0.cmple(boxes[i].1);
+            let pair = [i.min(j), i.max(j)];
+            if touch.all() && first.is_none_or(|best| pair < best) && cross(corners[i], corners[j])
+            {
+                first = Some(pair);
+            }
+        }
+        open.push(i);
+    }
+    first.map(|pair| pair.map(TriangleIndex::new))
+}
+
+/// The two triangles at a rung are never told to cross here unless they lie in one plane, folded
+/// onto one another.
+fn cross(t: [Point3; 3], u: [Point3; 3]) -> bool {
+    let sides = |t: [Point3; 3]| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]];
+    let in_plane = u.iter().all(|&p| orientation3(t[0], t[1], t[2], p) == Ordering::Equal);
+    if in_plane {
+        return overlap_in_plane(t, u);
+    }
+    let meets = |t: [Point3; 3], u: [Point3; 3]| {
+        sides(t)
+            .into_iter()
+            .filter(|side| side.iter().all(|end| !u.contains(end)))
+            .any(|[a, b]| pierces(a, b, u))
+    };
+    meets(t, u) || meets(u, t)
+}
+
+/// Whether the segment a–b meets a triangle that it has no corner in common with.
+fn pierces(a: Point3, b: Point3, [p, q, r]: [Point3; 3]) -> bool {
+    let (from, to) = (orientation3(p, q, r, a), orientation3(p, q, r, b));
+    if from == to {
+        // Both on one side; or both in the plane, and then the triangle's own sides will tell.
+        return false;
+    }
+    let turns = [(p, q), (q, r), (r, p)].map(|(s, t)| orientation3(a, b, s, t));
+    let none = |sign: Ordering| turns.iter().all(|&turn| turn != sign);
+    none(Ordering::Less) || none(Ordering::Greater)
+}
+
+/// Whether two triangles in one plane have inner points in common.
+fn overlap_in_plane(t: [Point3; 3], u: [Point3; 3]) -> bool {
+    let normal = (t[1] - t[0]).cross(t[2] - t[0]).abs();
+    // Seen along the axis nearest to the normal, the order of points is kept.
+    let flat = |p: Point3| {
+        if normal.x >= normal.y && normal.x >= normal.z {
+            Point2::new(p.y, p.z)
+        } else if normal.y >= normal.z {
+            Point2::new(p.x, p.z)
+        } else {
+            Point2::new(p.x, p.y)
+        }
+    };
+    let [t, u] = [t.map(flat), u.map(flat)].map(counter_clockwise);
+    // Apart exactly if a side of one has the other wholly on its right or on its line.
+    let separated = |t: [Point2; 3], u: [Point2; 3]| {
+        (0..3).any(|n| {
+            u.iter().all(|&p| orientation(t[n], t[(n + 1) % 3], p) != Ordering::Greater)
+        })
+    };
+    !separated(t, u) && !separated(u, t)
+}
+
+fn counter_clockwise([a, b, c]: [Point2; 3]) -> [Point2; 3] {
+    if orientation(a, b, c) == Ordering::Less { [a, c, b] } else { [a, b, c] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn p(x: f64, y: f64, z: f64) -> Point3 {
+        Point3::new(x, y, z)
+    }
+
+    #[test]
+    fn triangles_that_cross_and_others() {
+        let t = [p(0., 0., 0.), p(4., 0., 0.), p(0., 4., 0.)];
+        assert!(cross(t, [p(1., 1., -1.), p(1., 1., 1.), p(9., 9., 1.)]));
+        assert!(!cross(t, [p(1., 1., 0.5), p(1., 1., 1.), p(9., 9., 1.)]));
+        assert!(!cross(t, [p(4., 0., 0.), p(0., 4., 0.), p(4., 4., 3.)]), "a common side");
+        assert!(!cross(t, [p(4., 0., 0.), p(8., 0., 1.), p(8., 1., -1.)]), "a common corner");
+        assert!(cross(t, [p(4., 0., 0.), p(0., 2., 1.), p(0., 2., -1.)]), "corner and crossing");
+        assert!(cross(t, [p(4., 0., 0.), p(0., 4., 0.), p(1., 1., 0.)]), "folded back in a plane");
+        assert!(!cross(t, [p(4., 0., 0.), p(0., 4., 0.), p(4., 4., 0.)]), "side by side");
+    }
+}

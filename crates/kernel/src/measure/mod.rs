@@ -1,0 +1,164 @@
+//! The catalogue of quantities that are measured on a surface and its flat pattern.
+//!
+//! | quantity | meaning | unit |
+//! |---|---|---|
+//! | twist w of a rung | 1 − cosine of the angle between the tangent planes at its ends | none |
+//! | warp angle of a rung | that angle | radians |
+//! | crease of a rung | angle between its two triangles, positive for a mountain | radians |
+//! | bend radius at a rung | how tightly the sheet is rolled across it, at its middle | mm |
+//! | length error of a side | \|flat − space\| / space | none |
+//! | area | of the triangles, in space and flat | mm² |
+//! | Gauss image | normals along the rungs, as points on the unit sphere | none |
+
+mod crossing;
+
+pub use crossing::first_self_crossing;
+
+use crate::cost::Prices;
+use crate::flatten::Flattened;
+use crate::index::TriangleIndex;
+use crate::math::{Point3, Vec3};
+use crate::rung::Rung;
+use crate::surface::{Hinge, Surface};
+
+/// What is measured at one rung.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RungMeasures {
+    /// The rung.
+    pub rung: Rung,
+    /// w, without unit, 0 ..= 2; 2 for a rung without tangent planes.
+    pub twist: f64,
+    /// The warp angle, radians, 0 ..= π; π for a rung without tangent planes.
+    pub warp: f64,
+    /// The angle between the two triangles, radians, positive for a mountain as seen from the side
+    /// that the surface faces.
+    pub crease: f64,
+    /// The radius that the sheet is rolled to at the middle of the rung, mm; infinite where flat.
+    pub bend_radius_mm: f64,
+    /// The unit normals of the tangent planes at its two ends; zero without tangent planes.
+    pub normals: [Vec3; 2],
+    /// The middle of the rung in space, mm.
+    pub middle: Point3,
+}
+
+/// What is measured on one panel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measures {
+    /// The rungs, in increasing order: along a strip between two rails, from one end to the other.
+    pub rungs: Vec<RungMeasures>,
+    /// W: the sum of all w, without unit. It grows with the sampling; people get warp angles.
+    pub twist_total: f64,
+    /// The largest warp angle, radians; 0 without rungs.
+    pub warp_max: f64,
+    /// The mean warp angle over the rungs, radians; 0 without rungs.
+    pub warp_mean: f64,
+    /// The largest angle between two triangles, radians; 0 without rungs.
+    pub crease_max: f64,
+    /// The smallest bend radius, mm; infinite for a flat surface.
+    pub bend_radius_min_mm: f64,
+    /// The area of the surface, mm².
+    pub area_space_mm2: f64,
+    /// The area of the pattern, mm².
+    pub area_flat_mm2: f64,
+    /// The largest relative length error of a side, without unit.
+    pub length_error_max: f64,
+    /// The mean relative length error over all sides, without unit.
+    pub length_error_mean: f64,
+    /// Two triangles that pass through one another, if any do. Exact.
+    pub self_crossing: Option<[TriangleIndex; 2]>,
+}
+
+/// Measures a surface and its flat pattern. `prices` are those of the boundary that it spans.
+pub fn measures(surface: &Surface, flat: &Flattened, prices: &Prices) -> Measures {
+    let rungs = rung_measures(surface, prices);
+    let most = |of: fn(&RungMeasures) -> f64| rungs.iter().map(of).fold(0.0, f64::max);
+    let count = rungs.len().max(1) as f64;
+    let errors = length_errors(surface, flat);
+    Measures {
+        twist_total: rungs.iter().map(|r| r.twist).sum(),
+        warp_max: most(|r| r.warp),
+        warp_mean: rungs.iter().map(|r| r.warp).sum::<f64>() / count,
+        crease_max: most(|r| r.crease.abs()),
+        bend_radius_min_mm: rungs.iter().map(|r| r.bend_radius_mm).fold(f64::INFINITY, f64::min),
+        area_space_mm2: area_space(surface),
+        area_flat_mm2: area_flat(surface, flat),
+        length_error_max: errors.iter().copied().fold(0.0, f64::max),
+        length_error_mean: errors.iter().sum::<f64>() / errors.len() as f64,
+        self_crossing: first_self_crossing(surface),
+        rungs,
+    }
+}
+
+fn rung_measures(surface: &Surface, prices: &Prices) -> Vec<RungMeasures> {
+    let connectivity = surface.connectivity();
+    let of_triangles = connectivity.hinges_of_triangles();
+    connectivity
+        .hinges()
+        .iter()
+        .map(|hinge| {
+            let [low, high] = hinge.rung.ends();
+            let planes = prices.planes(low.get(), high.get());
+            let near = hinge.triangles.iter().flat_map(|t| of_triangles[t.get()].iter());
+            let near = near.map(|&n| &connectivity.hinges()[n]);
+            RungMeasures {
+                rung: hinge.rung,
+                twist: planes.map_or(2.0, |p| p.twist),
+                warp: planes.map_or(std::f64::consts::PI, |p| p.warp()),
+                crease: surface.crease(hinge),
+                bend_radius_mm: bend_radius(surface, near),
+                normals: planes.map_or([Vec3::ZERO; 2], |p| p.at_ends),
+                middle: surface.position(low).lerp(surface.position(high), 0.5),
+            }
+        })
+        .collect()
+}
+
+/// The bend radius at some neighbouring hinges: the way across them over the angle that they turn.
+///
+/// Across the middle of its rungs, a triangle of height h is h/2 wide, half of it on the rung's
+/// side; so the creases of neighbouring rungs, which share one bend unevenly, are summed with
+/// a quarter of the height of both their triangles.
+fn bend_radius<'a>(surface: &Surface, hinges: impl Iterator<Item = &'a Hinge>) -> f64 {
+    let (mut way, mut angle) = (0.0, 0.0);
+    for hinge in hinges {
+        let [low, high] = hinge.rung.ends();
+        let length = surface.length(low, high);
+        for triangle in hinge.triangles {
+            way += 0.25 * 2.0 * surface.area_vector(triangle).length() / length;
+        }
+        angle += surface.crease(hinge);
+    }
+    if angle == 0.0 { f64::INFINITY } else { way / angle.abs() }
+}
+
+/// The relative length error of every side, edges of the boundary first, then rungs.
+pub fn length_errors(surface: &Surface, flat: &Flattened) -> Vec<f64> {
+    surface
+        .connectivity()
+        .sides()
+        .map(|[a, b]| {
+            let space = surface.length(a, b);
+            (flat.points[a.get()].distance(flat.points[b.get()]) - space).abs() / space
+        })
+        .collect()
+}
+
+/// The area of a surface, mm².
+pub fn area_space(surface: &Surface) -> f64 {
+    (0..surface.connectivity().triangles().len())
+        .map(|n| surface.area_vector(TriangleIndex::new(n)).length())
+        .sum()
+}
+
+/// The area of a pattern, mm²: of its triangles, so that what overlaps counts twice.
+pub fn area_flat(surface: &Surface, flat: &Flattened) -> f64 {
+    surface
+        .connectivity()
+        .triangles()
+        .iter()
+        .map(|t| {
+            let [a, b, c] = t.map(|s| flat.points[s.get()]);
+            0.5 * (b - a).perp_dot(c - a)
+        })
+        .sum()
+}

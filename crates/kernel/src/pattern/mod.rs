@@ -1,0 +1,223 @@
+//! The flat pattern as a workshop needs it: paths with roles, marks and labels.
+
+mod dimension;
+
+use crate::flatten::Flattened;
+use crate::index::SampleIndex;
+use crate::math::{Point2, Vec2, from_deg};
+use crate::measure::Measures;
+use crate::predicate::Box2;
+use crate::rung::Rung;
+use crate::surface::Surface;
+
+/// What a machine or a person does along a path.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Role {
+    /// Cut through.
+    Cut,
+    /// Score, crease or bend sharply: a fold line.
+    Score,
+    /// Mark lightly on the piece: names and ruling ticks.
+    Engrave,
+    /// For people alone: rungs, dimensions, reference squares. No machine follows these.
+    Note,
+}
+
+impl Role {
+    /// Every role, in the order in which files list them.
+    pub const ALL: [Self; 4] = [Self::Cut, Self::Score, Self::Engrave, Self::Note];
+
+    /// The name that files give to its group or layer.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Cut => "cut",
+            Self::Score => "score",
+            Self::Engrave => "engrave",
+            Self::Note => "note",
+        }
+    }
+}
+
+/// What a path shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PathKind {
+    /// The outline of the piece; its points are the samples of the boundary, in order.
+    Outline,
+    /// A rung, from its lower sample to its higher one.
+    Rung(Rung),
+    /// A tick at the end of a ruling, on the inside of the outline: where to lay the straightedge.
+    RulingTick,
+    /// A line of a dimension.
+    Dimension,
+}
+
+/// A polyline of a pattern.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PatternPath {
+    /// What is done along it.
+    pub role: Role,
+    /// What it shows.
+    pub kind: PathKind,
+    /// Its points, mm, two or more.
+    pub points: Vec<Point2>,
+    /// Whether the last point is joined to the first.
+    pub closed: bool,
+}
+
+/// A line of text of a pattern.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PatternLabel {
+    /// What is done along its strokes.
+    pub role: Role,
+    /// The middle of its base line, mm.
+    pub at: Point2,
+    /// Unit direction of its base line.
+    pub along: Vec2,
+    /// Height of a capital letter, mm.
+    pub height_mm: f64,
+    /// The text.
+    pub text: String,
+}
+
+/// One piece of sheet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Piece {
+    /// The name of its panel.
+    pub name: String,
+    /// Its paths: the outline first, then rungs, then marks.
+    pub paths: Vec<PatternPath>,
+    /// Its texts.
+    pub labels: Vec<PatternLabel>,
+    /// Width and height of the box around the outline, whose lower left corner is the origin, mm.
+    pub size: Vec2,
+}
+
+impl Piece {
+    /// The points of the outline, mm.
+    pub fn outline(&self) -> &[Point2] {
+        self.paths
+            .iter()
+            .find(|path| path.kind == PathKind::Outline)
+            .map_or(&[], |path| &path.points)
+    }
+
+    /// The box around everything on the piece, paths and dimensions, mm.
+    pub fn extent(&self) -> Box2 {
+        let points = self.paths.iter().flat_map(|path| path.points.iter().copied());
+        Box2::of_points(points).unwrap_or(Box2 { min: Point2::default(), max: Point2::default() })
+    }
+}
+
+/// How a pattern is marked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PatternOptions {
+    /// Creases above this angle, radians, are folds to score rather than parts of a smooth bend.
+    /// Default 5°: what a smooth bend of 90° has when it is divided into 18, the coarsest that
+    /// workshops fold by.
+    pub fold_angle: f64,
+    /// How many rulings get ticks, at the most. Default 24, as in the classical triangulation of
+    /// ducts.
+    pub ruling_ticks: usize,
+}
+
+impl Default for PatternOptions {
+    fn default() -> Self {
+        Self { fold_angle: from_deg(5.0), ruling_ticks: 24 }
+    }
+}
+
+/// Ticks are as long as this share of the shorter side of the piece, within 2 to 10 mm.
+const TICK_SHARE: f64 = 0.05;
+/// Labels are as high as this share of the shorter side of the piece, within 2 to 25 mm.
+const LABEL_SHARE: f64 = 0.08;
+
+/// The pattern of one panel.
+pub fn piece(
+    name: &str,
+    surface: &Surface,
+    flat: &Flattened,
+    measures: &Measures,
+    options: &PatternOptions,
+) -> Piece {
+    let outer = surface.connectivity().loops()[0].clone();
+    let outline: Vec<Point2> = flat.points[outer].to_vec();
+    let size = Box2::of_points(outline.iter().copied())
+        .map_or(Vec2::ZERO, |around| around.max - Point2::default());
+    let shorter = size.x.min(size.y);
+    let mut paths = vec![PatternPath {
+        role: Role::Cut,
+        kind: PathKind::Outline,
+        points: outline,
+        closed: true,
+    }];
+    for rung in &measures.rungs {
+        let is_fold = rung.crease.abs() > options.fold_angle;
+        paths.push(PatternPath {
+            role: if is_fold { Role::Score } else { Role::Note },
+            kind: PathKind::Rung(rung.rung),
+            points: rung.rung.ends().map(|s| flat.points[s.get()]).to_vec(),
+            closed: false,
+        });
+    }
+    let tick = (TICK_SHARE * shorter).clamp(2.0, 10.0);
+    paths.extend(ruling_ticks(flat, measures, options.ruling_ticks, tick));
+    let height_mm = (LABEL_SHARE * shorter).clamp(2.0, 25.0);
+    let (dimension_paths, mut labels) = dimension::overall(size, height_mm);
+    paths.extend(dimension_paths);
+    labels.insert(0, name_label(name, surface, flat, height_mm));
+    Piece { name: name.to_owned(), paths, labels, size }
+}
+
+/// Ticks at both ends of some rungs, spread evenly over those that bend: those whose crease turns
+/// the sheet.
+fn ruling_ticks(
+    flat: &Flattened,
+    measures: &Measures,
+    most: usize,
+    tick_mm: f64,
+) -> Vec<PatternPath> {
+    let bending: Vec<Rung> =
+        measures.rungs.iter().filter(|r| r.crease.abs() > 1e-9).map(|r| r.rung).collect();
+    let count = bending.len().min(most);
+    (0..count)
+        .flat_map(|n| {
+            let rung = bending[(2 * n + 1) * bending.len() / (2 * count)];
+            let [a, b] = rung.ends().map(|s: SampleIndex| flat.points[s.get()]);
+            let length = a.distance(b);
+            // Ticks that would meet in the middle say nothing.
+            let share = (tick_mm / length).min(0.2);
+            [(a, a.lerp(b, share)), (b, b.lerp(a, share))]
+        })
+        .map(|(from, to)| PatternPath {
+            role: Role::Engrave,
+            kind: PathKind::RulingTick,
+            points: vec![from, to],
+            closed: false,
+        })
+        .collect()
+}
+
+/// The name of the panel, in the middle of its largest triangle's neighbourhood: at the middle of
+/// the longest rung, which lies inside the piece; at the centre of a piece without rungs.
+fn name_label(name: &str, surface: &Surface, flat: &Flattened, height_mm: f64) -> PatternLabel {
+    let at = |s: SampleIndex| flat.points[s.get()];
+    let [a, b, c] = surface
+        .connectivity()
+        .triangles()
+        .iter()
+        .map(|t| t.map(at))
+        .max_by(|t, u| doubled_area(t).total_cmp(&doubled_area(u)))
+        .unwrap_or_default();
+    let middle = a + ((b - a) + (c - a)) / 3.0;
+    PatternLabel {
+        role: Role::Engrave,
+        at: middle,
+        along: Vec2::X,
+        height_mm,
+        text: name.to_owned(),
+    }
+}
+
+fn doubled_area([a, b, c]: &[Point2; 3]) -> f64 {
+    (*b - *a).perp_dot(*c - *a)
+}

@@ -1,0 +1,183 @@
+//! Exact orientation and crossing tests: topology is decided here, never by a tolerance.
+//!
+//! The answers are exact for the coordinates as they are stored (Shewchuk's adaptive predicates
+//! [Shewchuk1997], from the crate `robust`).
+
+use crate::math::{Point2, Point3};
+use std::cmp::Ordering;
+
+fn coord(p: Point2) -> robust::Coord<f64> {
+    robust::Coord { x: p.x, y: p.y }
+}
+
+fn coord3(p: Point3) -> robust::Coord3D<f64> {
+    robust::Coord3D { x: p.x, y: p.y, z: p.z }
+}
+
+/// On which side of the line from `a` to `b` the point `c` lies: `Greater` on the left, `Less` on
+/// the right, `Equal` on the line. Exact.
+pub fn orientation(a: Point2, b: Point2, c: Point2) -> Ordering {
+    robust::orient2d(coord(a), coord(b), coord(c)).total_cmp_zero()
+}
+
+/// On which side of the plane through `a`, `b`, `c` the point `d` lies: `Greater` where a, b, c
+/// run counter-clockwise as seen from `d`, `Equal` in the plane. Exact.
+pub fn orientation3(a: Point3, b: Point3, c: Point3, d: Point3) -> Ordering {
+    // Shewchuk's sign is positive when d lies below the plane.
+    robust::orient3d(coord3(a), coord3(b), coord3(c), coord3(d)).total_cmp_zero().reverse()
+}
+
+trait TotalCmpZero {
+    fn total_cmp_zero(self) -> Ordering;
+}
+
+impl TotalCmpZero for f64 {
+    fn total_cmp_zero(self) -> Ordering {
+        self.partial_cmp(&0.0).unwrap_or(Ordering::Equal)
+    }
+}
+
+/// Whether the closed segments `a`–`b` and `c`–`d` have a point in common. Exact.
+pub fn segments_touch(a: Point2, b: Point2, c: Point2, d: Point2) -> bool {
+    let (abc, abd) = (orientation(a, b, c), orientation(a, b, d));
+    let (cda, cdb) = (orientation(c, d, a), orientation(c, d, b));
+    if abc == Ordering::Equal && abd == Ordering::Equal {
+        // All on one line, or a segment without length.
+        return boxes_touch(a, b, c, d) && (cda == Ordering::Equal || cdb == Ordering::Equal);
+    }
+    abc != abd && cda != cdb
+}
+
+/// Whether the bounding boxes of two segments have a point in common.
+fn boxes_touch(a: Point2, b: Point2, c: Point2, d: Point2) -> bool {
+    a.x.min(b.x) <= c.x.max(d.x)
+        && c.x.min(d.x) <= a.x.max(b.x)
+        && a.y.min(b.y) <= c.y.max(d.y)
+        && c.y.min(d.y) <= a.y.max(b.y)
+}
+
+/// The first pair of edges of a closed polygon, in order, that touch without being neighbours, or
+/// that are neighbours folded back on one another; `None` for a simple polygon. Edge `i` runs from
+/// corner `i` to corner `i + 1`. Exact; time O(m log m) for polygons as people draw them.
+pub fn first_crossing(polygon: &[Point2]) -> Option<(usize, usize)> {
+    let m = polygon.len();
+    let edge = |i: usize| (polygon[i], polygon[(i + 1) % m]);
+    let boxes: Vec<Box2> = (0..m).map(|i| Box2::of_segment(edge(i).0, edge(i).1)).collect();
+    let mut first: Option<(usize, usize)> = None;
+    for_touching_boxes(&boxes, |i, j| {
+        let ((a, b), (c, d)) = (edge(i), edge(j));
+        let crossing = if (i + 1) % m == j {
+            folded_back(a, b, d)
+        } else if (j + 1) % m == i {
+            folded_back(c, d, b)
+        } else {
+            segments_touch(a, b, c, d)
+        };
+        if crossing && first.is_none_or(|best| (i, j) < best) {
+            first = Some((i, j));
+        }
+    });
+    first
+}
+
+/// Whether b–c runs back over a–b.
+fn folded_back(a: Point2, b: Point2, c: Point2) -> bool {
+    orientation(a, b, c) == Ordering::Equal && (a - b).dot(c - b) >= 0.0
+}
+
+/// An axis-parallel box in a plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Box2 {
+    /// Smallest coordinates.
+    pub min: Point2,
+    /// Largest coordinates.
+    pub max: Point2,
+}
+
+impl Box2 {
+    /// The box around a segment.
+    pub fn of_segment(a: Point2, b: Point2) -> Self {
+        Self {
+            min: Point2::new(a.x.min(b.x), a.y.min(b.y)),
+            max: Point2::new(a.x.max(b.x), a.y.max(b.y)),
+        }
+    }
+
+    /// The box around some points; `None` without any.
+    pub fn of_points(points: impl IntoIterator<Item = Point2>) -> Option<Self> {
+        points.into_iter().map(|p| Self { min: p, max: p }).reduce(|a, b| Self {
+            min: Point2::new(a.min.x.min(b.min.x), a.min.y.min(b.min.y)),
+            max: Point2::new(a.max.x.max(b.max.x), a.max.y.max(b.max.y)),
+        })
+    }
+}
+
+/// Calls `visit(i, j)` with i < j for every two boxes that touch: a sweep along x.
+fn for_touching_boxes(boxes: &[Box2], mut visit: impl FnMut(usize, usize)) {
+    let mut order: Vec<usize> = (0..boxes.len()).collect();
+    order.sort_by(|&a, &b| boxes[a].min.x.total_cmp(&boxes[b].min.x).then(a.cmp(&b)));
+    let mut open: Vec<usize> = Vec::new();
+    for &i in &order {
+        open.retain(|&j| boxes[j].max.x >= boxes[i].min.x);
+        for &j in &open {
+            if boxes[i].min.y <= boxes[j].max.y && boxes[j].min.y <= boxes[i].max.y {
+                visit(i.min(j), i.max(j));
+            }
+        }
+        open.push(i);
+    }
+}
+
+/// Twice the signed area of a closed polygon, mm²: positive when it runs counter-clockwise.
+pub fn signed_area_doubled(polygon: &[Point2]) -> f64 {
+    let Some(&origin) = polygon.first() else { return 0.0 };
+    let m = polygon.len();
+    (0..m).map(|i| (polygon[i] - origin).perp_dot(polygon[(i + 1) % m] - origin)).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn p(x: f64, y: f64) -> Point2 {
+        Point2::new(x, y)
+    }
+
+    #[test]
+    fn orientation_is_exact_where_rounding_is_not() {
+        let (a, b) = (p(12.0, 12.0), p(24.0, 24.0));
+        assert_eq!(orientation(a, b, p(0.5, 0.5)), Ordering::Equal);
+        let nudge = f64::EPSILON / 2.0;
+        assert_eq!(orientation(a, b, p(0.5, 0.5 + nudge)), Ordering::Greater);
+        assert_eq!(orientation(a, b, p(0.5, 0.5 - nudge)), Ordering::Less);
+    }
+
+    #[test]
+    fn segments_touch_at_ends_and_on_lines() {
+        assert!(segments_touch(p(0.0, 0.0), p(1.0, 0.0), p(1.0, 0.0), p(2.0, 5.0)));
+        assert!(segments_touch(p(0.0, 0.0), p(2.0, 0.0), p(1.0, 0.0), p(3.0, 0.0)));
+        assert!(!segments_touch(p(0.0, 0.0), p(1.0, 0.0), p(2.0, 0.0), p(3.0, 0.0)));
+        assert!(!segments_touch(p(0.0, 0.0), p(1.0, 0.0), p(0.0, 1.0), p(1.0, 1.0)));
+    }
+
+    #[test]
+    fn simple_polygons_and_others() {
+        let square = [p(0.0, 0.0), p(1.0, 0.0), p(1.0, 1.0), p(0.0, 1.0)];
+        assert_eq!(first_crossing(&square), None);
+        let bow = [p(0.0, 0.0), p(1.0, 1.0), p(1.0, 0.0), p(0.0, 1.0)];
+        assert_eq!(first_crossing(&bow), Some((0, 2)));
+        let spike = [p(0.0, 0.0), p(2.0, 0.0), p(1.0, 0.0), p(1.0, 1.0)];
+        assert_eq!(first_crossing(&spike), Some((0, 1)));
+        let straight_run = [p(0.0, 0.0), p(1.0, 0.0), p(2.0, 0.0), p(1.0, 1.0)];
+        assert_eq!(first_crossing(&straight_run), None);
+    }
+
+    #[test]
+    fn the_third_dimension_is_seen_from_d() {
+        let (a, b, c) =
+            (Point3::new(0.0, 0.0, 0.0), Point3::new(1.0, 0.0, 0.0), Point3::new(0.0, 1.0, 0.0));
+        assert_eq!(orientation3(a, b, c, Point3::new(0.0, 0.0, 1.0)), Ordering::Greater);
+        assert_eq!(orientation3(a, b, c, Point3::new(0.0, 0.0, -1.0)), Ordering::Less);
+        assert_eq!(orientation3(a, b, c, Point3::new(5.0, 5.0, 0.0)), Ordering::Equal);
+    }
+}

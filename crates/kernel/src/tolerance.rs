@@ -1,0 +1,42 @@
+//! A tolerance: positive by type, and relative to the size of the model.
+
+/// A positive, finite share of the size of a model, without unit.
+///
+/// Tolerances measure (is this close enough to show, to merge, to stop?); they never decide
+/// topology, which is for the exact tests of [`crate::predicate`].
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub struct Tolerance(f64);
+
+impl Tolerance {
+    /// Samples nearer than this share of the size count as one: coordinates of about 16 digits
+    /// that went through a file and a spline agree to some 12 of them.
+    pub const SAME_POINT: Self = Self(1e-12);
+    /// End points of curves that are chained, nearer than this share of the size, are the same
+    /// point: people type six digits or more.
+    pub const CHAIN: Self = Self(1e-6);
+    /// A written pattern that folds back onto its surface within this share of the size is right.
+    pub const REFOLD: Self = Self(1e-6);
+
+    /// A tolerance of `share` of the size; `None` unless it is positive and finite.
+    pub fn new(share: f64) -> Option<Self> {
+        (share > 0.0 && share.is_finite()).then_some(Self(share))
+    }
+
+    /// This tolerance as a length, mm, for a model of `size_mm`.
+    pub fn length_mm(self, size_mm: f64) -> f64 {
+        self.0 * size_mm
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_positive_shares_are_tolerances() {
+        assert!(Tolerance::new(0.0).is_none());
+        assert!(Tolerance::new(-1.0).is_none());
+        assert!(Tolerance::new(f64::NAN).is_none());
+        assert_eq!(Tolerance::new(1e-3).unwrap().length_mm(2000.0), 2.0);
+    }
+}

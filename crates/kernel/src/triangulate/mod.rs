@@ -1,0 +1,253 @@
+//! Triangulations of a boundary without interior vertices: rungs that leave only triangles.
+//!
+//! One file a method; each fills the same outcome. The price that is minimised is Π of
+//! [`crate::cost`], over the triangulations that the method admits.
+
+mod bridge;
+mod optimal;
+mod rails;
+
+pub use optimal::memory_needed;
+
+use crate::boundary::{Boundary, SupportingPlane};
+use crate::cost::{MAX_FOLD, PriceOptions, Prices};
+use crate::index::SampleIndex;
+use crate::math::Vec3;
+use crate::rung::{Rung, Visibility};
+use crate::watch::Watch;
+use std::fmt;
+
+/// Which triangulations are looked at.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Method {
+    /// All of them: equation (5). O(m³) time, O(m²) memory.
+    #[default]
+    Optimal,
+    /// Those whose every triangle has an edge of the boundary: equations (3) and (4). O(m²) both.
+    Bridge,
+    /// Those whose every rung joins two rails, [WT05]: a path through the lattice of their pairs.
+    /// O(m²) both.
+    Rails {
+        /// How many of the samples, from the first, lie on the first rail; the rest lie on the
+        /// second, which runs back.
+        first: usize,
+    },
+}
+
+/// How a boundary is triangulated.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TriangulateOptions {
+    /// Which triangulations are looked at.
+    pub method: Method,
+    /// How they are priced.
+    pub price: PriceOptions,
+    /// The most memory that tables may take, bytes. Default 4 GiB: `Optimal` up to some 16,000
+    /// samples.
+    pub memory_limit: u64,
+}
+
+impl Default for TriangulateOptions {
+    fn default() -> Self {
+        Self {
+            method: Method::Optimal,
+            price: PriceOptions::default(),
+            memory_limit: 4 << 30,
+        }
+    }
+}
+
+/// A triangulation and how good it is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Triangulation {
+    /// Its rungs, in increasing order; m − 3 for a loop of m samples.
+    pub rungs: Vec<Rung>,
+    /// Its triangles, corners in the order of the boundary; m − 2 of them, in increasing order.
+    pub triangles: Vec<[SampleIndex; 3]>,
+    /// Π: what was minimised, without unit; a multiple of [`crate::cost::QUANTUM`].
+    pub price: f64,
+    /// Whether no triangulation at all, of those that the supporting plane admits, is cheaper.
+    pub proven_optimal: bool,
+    /// Rungs without a tangent plane that no triangulation could do without; each counts as a
+    /// twist of 2.
+    pub forced_rungs: usize,
+}
+
+/// Why there is no triangulation.
+#[derive(Clone, Debug, PartialEq)]
+pub enum TriangulateError {
+    /// The boundary has holes, which no method here takes yet.
+    Holes {
+        /// How many.
+        count: usize,
+    },
+    /// The tables would not fit the memory that they may take.
+    TooLarge {
+        /// What they need, bytes.
+        needed: u64,
+        /// What they may take, bytes.
+        limit: u64,
+    },
+    /// The weight of the fold price is not within 0 ..= [`MAX_FOLD`].
+    Fold,
+    /// The rails do not divide the loop: each needs at least one sample.
+    Rails,
+    /// No triangulation of this method lies inside the projection on the supporting plane.
+    NoneInside,
+    /// The watcher asked to stop.
+    Stopped,
+}
+
+impl fmt::Display for TriangulateError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Holes { count } => write!(f, "the boundary has {count} holes"),
+            Self::TooLarge { needed, limit } => write!(
+                f,
+                "the tables need {:.1} GiB of memory and may take {:.1} GiB",
+                gib(*needed),
+                gib(*limit)
+            ),
+            Self::Fold => write!(f, "the fold price is not within 0 and {MAX_FOLD}"),
+            Self::Rails => write!(f, "each of the two rails needs at least one sample"),
+            Self::NoneInside => {
+                write!(f, "no such triangulation lies inside the projection on the plane")
+            }
+            Self::Stopped => write!(f, "stopped"),
+        }
+    }
+}
+
+impl std::error::Error for TriangulateError {}
+
+fn gib(bytes: u64) -> f64 {
+    bytes as f64 / f64::from(1u32 << 30)
+}
+
+/// The cheapest triangulation of a boundary that the method admits.
+///
+/// With a supporting plane, every rung lies inside the boundary's projection on it; without, any
+/// two samples may be joined and the surface may cross itself, which is measured afterwards.
+///
+/// # Errors
+/// See [`TriangulateError`].
+pub fn triangulate(
+    boundary: &Boundary,
+    plane: Option<&SupportingPlane>,
+    options: &TriangulateOptions,
+    watch: &mut dyn Watch,
+) -> Result<Triangulation, TriangulateError> {
+    if boundary.holes() > 0 {
+        return Err(TriangulateError::Holes { count: boundary.holes() });
+    }
+    if !(0.0..=MAX_FOLD).contains(&options.price.fold) {
+        return Err(TriangulateError::Fold);
+    }
+    let m = boundary.len();
+    let needed = match options.method {
+        Method::Optimal => memory_needed(m),
+        Method::Bridge | Method::Rails { .. } => bridge::memory_needed(m),
+    };
+    if needed > options.memory_limit {
+        return Err(TriangulateError::TooLarge { needed, limit: options.memory_limit });
+    }
+    let prices = Prices::new(boundary, plane, options.price);
+    let visibility = Visibility::new(plane, m);
+    // Rungs without a tangent plane are admitted only when nothing can be done without them.
+    for forced in [false, true] {
+        let terms = Terms { prices: &prices, visibility: &visibility, forced };
+        let found = match options.method {
+            Method::Optimal => optimal::solve(&terms, watch)?,
+            Method::Bridge => bridge::solve(&terms, watch)?,
+            Method::Rails { first } => rails::solve(&terms, first, watch)?,
+        };
+        if let Some(triangles) = found {
+            return Ok(outcome(&terms, triangles, options.method));
+        }
+    }
+    Err(TriangulateError::NoneInside)
+}
+
+/// What a method may use, and for what price.
+struct Terms<'a> {
+    prices: &'a Prices,
+    visibility: &'a Visibility,
+    /// Whether rungs without a tangent plane are admitted, as a twist of 2.
+    forced: bool,
+}
+
+/// A side of a triangle.
+#[derive(Clone, Copy)]
+struct Side {
+    /// Its price: 0 for an edge of the boundary, infinite for a rung that may not be used.
+    price: f64,
+    /// N, or zero for an edge of the boundary and for a rung without tangent planes.
+    mean: Vec3,
+}
+
+const EDGE: Side = Side { price: 0.0, mean: Vec3::ZERO };
+const BARRED: Side = Side { price: f64::INFINITY, mean: Vec3::ZERO };
+
+impl Terms<'_> {
+    /// The side between samples `i` and `j`, in either order.
+    fn side(&self, i: usize, j: usize) -> Side {
+        let (i, j) = (i.min(j), i.max(j));
+        if self.prices.neighbours(i, j) {
+            return EDGE;
+        }
+        if !self.visibility.allows(i, j) {
+            return BARRED;
+        }
+        match self.prices.planes(i, j) {
+            Some(planes) => {
+                Side { price: self.prices.rung(i, j, &planes), mean: planes.mean }
+            }
+            None if self.forced => Side { price: 2.0, mean: Vec3::ZERO },
+            None => BARRED,
+        }
+    }
+
+    /// The price of a triangle between three samples in any order.
+    fn triangle(&self, mut corners: [usize; 3]) -> f64 {
+        corners.sort_unstable();
+        let [i, k, j] = corners;
+        let means = [self.side(i, k).mean, self.side(k, j).mean, self.side(i, j).mean];
+        self.prices.triangle(corners, means)
+    }
+}
+
+/// Orders the triangles, lists their rungs and sums their price anew.
+fn outcome(terms: &Terms<'_>, mut triangles: Vec<[usize; 3]>, method: Method) -> Triangulation {
+    for triangle in &mut triangles {
+        triangle.sort_unstable();
+    }
+    triangles.sort_unstable();
+    let mut rungs: Vec<Rung> = triangles
+        .iter()
+        .flat_map(|&[i, k, j]| [(i, k), (k, j), (i, j)])
+        .filter(|&(a, b)| !terms.prices.neighbours(a, b))
+        .map(|(a, b)| Rung::new(a, b))
+        .collect();
+    rungs.sort_unstable();
+    rungs.dedup();
+    let ends = |rung: &Rung| rung.ends().map(SampleIndex::get);
+    let without_plane = |rung: &&Rung| {
+        let [i, j] = ends(rung);
+        terms.prices.planes(i, j).is_none()
+    };
+    let forced_rungs = rungs.iter().filter(without_plane).count();
+    let of_rungs: f64 = rungs
+        .iter()
+        .map(|rung| {
+            let [i, j] = ends(rung);
+            terms.side(i, j).price
+        })
+        .sum();
+    let of_folds: f64 = triangles.iter().map(|&corners| terms.triangle(corners)).sum();
+    Triangulation {
+        rungs,
+        triangles: triangles.iter().map(|t| t.map(SampleIndex::new)).collect(),
+        price: of_rungs + of_folds,
+        proven_optimal: method == Method::Optimal,
+        forced_rungs,
+    }
+}

@@ -1,0 +1,38 @@
+//! Progress out, stop in: how a long stage talks with whoever waits for it.
+
+/// The stages of the main job, in order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// Curves become samples.
+    Sample,
+    /// Samples become a triangulation.
+    Solve,
+    /// Samples move within their limits.
+    Vary,
+    /// The surface is laid flat.
+    Flatten,
+    /// Quantities are measured and findings made.
+    Check,
+}
+
+/// Someone who watches a stage at work, and may stop it.
+///
+/// The kernel reads no clock: whoever wants times notes them when [`Watch::begin`] is called.
+pub trait Watch {
+    /// A stage begins, for the panel of this name.
+    fn begin(&mut self, _panel: &str, _stage: Stage) {}
+
+    /// The stage at work is done to this part: 0 at its beginning, 1 at its end.
+    fn progress(&mut self, _done: f64) {}
+
+    /// Whether the stage should end now. Asked often; once true it must stay true.
+    fn stop(&self) -> bool {
+        false
+    }
+}
+
+/// Nobody watches: no progress, no stop.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Unwatched;
+
+impl Watch for Unwatched {}
