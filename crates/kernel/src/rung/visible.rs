@@ -60,6 +60,21 @@ impl Visibility {
         }
     }
 
+    /// What is seen between every `step`-th of m samples.
+    pub(crate) fn thinned(&self, step: usize, m: usize) -> Self {
+        let Self::Inside(pairs) = self else { return Self::Everywhere };
+        let kept = m.div_ceil(step);
+        let mut thinned = PairSet::new(kept);
+        for i in 0..kept {
+            for j in 0..i {
+                if pairs.contains(i * step, j * step) {
+                    thinned.insert(i, j);
+                }
+            }
+        }
+        Self::Inside(thinned)
+    }
+
     /// Whether samples `i` and `j`, which are no neighbours, may be joined.
     pub fn allows(&self, i: usize, j: usize) -> bool {
         match self {

@@ -10,7 +10,7 @@ mod rails;
 pub use optimal::memory_needed;
 
 use crate::boundary::{Boundary, SupportingPlane};
-use crate::cost::{MAX_FOLD, PriceOptions, Prices};
+use crate::cost::{MAX_FOLD, PriceOptions, Prices, RungColumn};
 use crate::index::SampleIndex;
 use crate::math::Vec3;
 use crate::rung::{Rung, Visibility};
@@ -175,6 +175,19 @@ struct Terms<'a> {
     forced: bool,
 }
 
+/// The terms of a loop that keeps only some of the samples.
+struct Thinned {
+    prices: Prices,
+    visibility: Visibility,
+    forced: bool,
+}
+
+impl Thinned {
+    fn terms(&self) -> Terms<'_> {
+        Terms { prices: &self.prices, visibility: &self.visibility, forced: self.forced }
+    }
+}
+
 /// A side of a triangle.
 #[derive(Clone, Copy)]
 struct Side {
@@ -185,9 +198,20 @@ struct Side {
 }
 
 const EDGE: Side = Side { price: 0.0, mean: Vec3::ZERO };
+/// A rung without tangent planes, where nothing can be done without it: the most that can be.
+const FORCED: Side = Side { price: 2.0, mean: Vec3::ZERO };
 const BARRED: Side = Side { price: f64::INFINITY, mean: Vec3::ZERO };
 
 impl Terms<'_> {
+    /// The terms of the loop of every `step`-th sample.
+    fn thinned(&self, step: usize) -> Thinned {
+        Thinned {
+            prices: self.prices.thinned(step),
+            visibility: self.visibility.thinned(step, self.prices.len()),
+            forced: self.forced,
+        }
+    }
+
     /// The side between samples `i` and `j`, in either order.
     fn side(&self, i: usize, j: usize) -> Side {
         let (i, j) = (i.min(j), i.max(j));
@@ -201,8 +225,30 @@ impl Terms<'_> {
             Some(planes) => {
                 Side { price: self.prices.rung(i, j, &planes), mean: planes.mean }
             }
-            None if self.forced => Side { price: 2.0, mean: Vec3::ZERO },
+            None if self.forced => FORCED,
             None => BARRED,
+        }
+    }
+
+    /// All sides from samples i < j to sample `j`, at once: what [`Self::side`] says of each.
+    #[inline(always)]
+    fn column(&self, j: usize, column: &mut RungColumn) {
+        self.prices.column(j, column);
+        let RungColumn { prices, means, .. } = column;
+        for i in 0..j {
+            if self.prices.neighbours(i, j) {
+                prices[i] = EDGE.price;
+            } else if !self.visibility.allows(i, j) {
+                prices[i] = BARRED.price;
+            } else {
+                if prices[i] == f64::INFINITY && self.forced {
+                    prices[i] = FORCED.price;
+                }
+                continue;
+            }
+            for mean in means.iter_mut() {
+                mean[i] = 0.0;
+            }
         }
     }
 

@@ -6,27 +6,49 @@
 //!    E(i,j) = w(i,j) + min over i<k<j of E(i,k) + E(k,j) + F(i,k,j),
 //!    with F the fold price of the triangle. Θ(m³) sums, Θ(m²) memory.
 //! 2. Row i (all k of E(i,k)) and column j (all k of E(k,j)) are both kept contiguous, so that the
-//!    inner loop runs over two slices and the compiler vectorises it.
+//!    inner loop runs over two slices and the compiler vectorises it, for the widest registers that
+//!    the processor has (crate `pulp`; the bits are the same with any).
 //! 3. F is never negative, and dear to work out. So a first k, the best one of the neighbouring
-//!    entry, sets a bound; the sums E(i,k) + E(k,j) are compared with it eight at a time; and F is
-//!    worked out only where a sum lies below it. On boundaries near to a developable surface that
-//!    is a handful of k for every entry.
-//! 4. Which k was best is not stored but found again on the way back, for the m − 2 entries that
+//!    entries, sets a bound; the sums E(i,k) + E(k,j) are compared with it eight at a time; where
+//!    one lies below, so is a bound of F from its three rungs alone, and F is worked out only where
+//!    that does not decide. With s the sum of the three N, no unit normal n makes
+//!    Σ (1 − n·N) less than 3 − |s| ≥ (9 − |s|²) / 6. That is done in f32, less a slack for its
+//!    rounding.
+//! 4. Prices are never negative, so no entry above the price of the answer is a part of it. A
+//!    bound on that price is guessed from the optimum of every fourth sample (a developable surface
+//!    has four times as much twist there, a hopeless boundary as much); entries above it are
+//!    dropped, and rungs whose own twist is above it are not even looked at. An answer at or below
+//!    the bound is the optimum of all; without one, the bound is raised.
+//! 5. Which k was best is not stored but found again on the way back, for the m − 2 entries that
 //!    belong to the answer. Of equal prices (prices are exact, see [`crate::cost`], so flat regions
 //!    do tie) the k with the least |P_i P_k| + |P_k P_j| wins, then the smallest: strips of compact
 //!    triangles rather than fans.
 
 use super::{Terms, TriangulateError};
+use crate::cost::{QUANTUM, RungColumn, quantised};
 use crate::math::Vec3;
 use crate::watch::Watch;
 
 /// How many sums are compared at once: two to four vector registers on common processors.
 const LANES: usize = 8;
+/// What the bound of F may lose to rounding in f32, for ν = 1: |s|² is at most 9 and comes from
+/// some ten operations with an error of 2⁻²⁴ each.
+const SLACK: f32 = 4e-6;
+
+/// Loops with fewer samples are solved without a bound: the guess would cost more than it saves.
+const LEAST_THINNED: usize = 64;
+/// The guess comes from every fourth sample, at a 64th of the cost.
+const THINNING: usize = 4;
+/// How much more than expected the answer may cost. Guesses that are too low cost little, as they
+/// leave few entries; those that are too high leave many.
+const GUESS: f64 = 1.3;
+/// Above it no bound is tried: a boundary like that needs all entries.
+const HIGHEST_BOUND: f64 = 100.0;
 
 /// What the table of m samples takes, bytes.
 pub fn memory_needed(m: usize) -> u64 {
     let pairs = (m as u64) * (m as u64).saturating_sub(1) / 2;
-    pairs * (2 * size_of::<f64>() + size_of::<Vec3>()) as u64
+    pairs * (2 * size_of::<f64>() + 6 * size_of::<f32>() + size_of::<Vec3>()) as u64
 }
 
 /// The triangles of the cheapest triangulation; `None` if there is none.
@@ -34,17 +56,32 @@ pub(super) fn solve(
     terms: &Terms<'_>,
     watch: &mut dyn Watch,
 ) -> Result<Option<Vec<[usize; 3]>>, TriangulateError> {
-    let m = terms.prices.len();
     let mut table = Table::new(terms);
-    for j in 1..m {
-        if watch.stop() {
-            return Err(TriangulateError::Stopped);
+    for bound in bounds(terms, watch)? {
+        if table.fill(bound, watch)? < f64::INFINITY {
+            return Ok(Some(table.trace()));
         }
-        let done = j as f64 / m as f64;
-        watch.progress(done * done * done);
-        table.fill_column(j);
     }
-    Ok(table.trace())
+    Ok(None)
+}
+
+/// Bounds to try on the price of the answer, one after the other; the last is none at all.
+fn bounds(terms: &Terms<'_>, watch: &mut dyn Watch) -> Result<Vec<f64>, TriangulateError> {
+    if terms.prices.len() < LEAST_THINNED {
+        return Ok(vec![f64::INFINITY]);
+    }
+    let thinned = terms.thinned(THINNING);
+    let coarse = thinned.terms();
+    let mut table = Table::new(&coarse);
+    for bound in bounds(&coarse, watch)? {
+        let price = table.fill(bound, watch)?;
+        if price < f64::INFINITY {
+            let steps = [GUESS / THINNING as f64, GUESS, GUESS * THINNING as f64];
+            let tried = steps.iter().map(|step| quantised((step * price).min(HIGHEST_BOUND)));
+            return Ok(tried.chain([f64::INFINITY]).collect());
+        }
+    }
+    Ok(vec![f64::INFINITY])
 }
 
 /// Packed triangles over pairs i < k.
@@ -55,9 +92,16 @@ struct Table<'a> {
     rows: Vec<f64>,
     /// E by columns: E(k,j) at column_start(j) + k.
     columns: Vec<f64>,
-    /// N by rows, as `rows`; empty when folds cost nothing.
+    /// N by rows, by rows and axis in f32, and by columns and axis in f32; all empty when folds
+    /// cost nothing.
     means: Vec<Vec3>,
+    mean_rows: [Vec<f32>; 3],
+    mean_columns: [Vec<f32>; 3],
     folds: bool,
+    /// Entries above it are infinite; a multiple of the quantum.
+    bound: f64,
+    /// The rungs to sample j, while column j is filled.
+    rungs: RungColumn,
     /// The best k of E(i, j − 1) for every i, while column j is filled.
     best_before: Vec<usize>,
 }
@@ -71,99 +115,182 @@ fn column_start(j: usize) -> usize {
     j * (j.max(1) - 1) / 2
 }
 
+/// The least price found so far, and where.
+#[derive(Clone, Copy)]
+struct Least {
+    price: f64,
+    k: usize,
+}
+
 impl<'a> Table<'a> {
     fn new(terms: &'a Terms<'a>) -> Self {
         let m = terms.prices.len();
         let pairs = m * (m - 1) / 2;
         let folds = terms.prices.options().fold > 0.0;
+        let of_folds = if folds { pairs } else { 0 };
         Self {
             terms,
             m,
             rows: vec![0.0; pairs],
             columns: vec![0.0; pairs],
-            means: vec![Vec3::ZERO; if folds { pairs } else { 0 }],
+            means: vec![Vec3::ZERO; of_folds],
+            mean_rows: [0, 1, 2].map(|_| vec![0.0; of_folds]),
+            mean_columns: [0, 1, 2].map(|_| vec![0.0; of_folds]),
             folds,
-            best_before: (0..m).map(|i| i + 1).collect(),
+            bound: f64::INFINITY,
+            rungs: RungColumn::default(),
+            best_before: vec![0; m],
         }
+    }
+
+    /// Fills the table with all entries up to `bound`, and returns the price of the answer.
+    fn fill(&mut self, bound: f64, watch: &mut dyn Watch) -> Result<f64, TriangulateError> {
+        self.bound = bound;
+        let registers = pulp::Arch::new();
+        for j in 1..self.m {
+            if watch.stop() {
+                return Err(TriangulateError::Stopped);
+            }
+            let done = j as f64 / self.m as f64;
+            watch.progress(done * done * done);
+            registers.dispatch(
+                #[inline(always)]
+                || self.fill_column(j),
+            );
+        }
+        Ok(self.rows[self.m - 2])
     }
 
     /// Fills E(i,j) for all i, from j − 1 down to 0.
+    #[inline(always)]
     fn fill_column(&mut self, j: usize) {
+        let mut rungs = std::mem::take(&mut self.rungs);
+        self.terms.column(j, &mut rungs);
         let mut best_below = j;
         for i in (0..j).rev() {
-            let side = self.terms.side(i, j);
             let here = row_start(self.m, i) + j - i - 1;
             if self.folds {
-                self.means[here] = side.mean;
+                self.keep_mean(i, j, here, [0, 1, 2].map(|axis| rungs.means[axis][i]));
             }
-            let price = if side.price == f64::INFINITY || i + 1 == j {
-                side.price
-            } else {
-                let first = [best_below.clamp(i + 1, j - 1), self.best_before[i].clamp(i + 1, j - 1)];
-                let (least, best) = self.least(i, j, first);
-                (best_below, self.best_before[i]) = (best, best);
-                least + side.price
-            };
+            let mut price = rungs.prices[i];
+            if price > self.bound {
+                price = f64::INFINITY;
+            } else if price < f64::INFINITY && i + 1 < j {
+                let first = [best_below, self.best_before[i]].map(|k| k.clamp(i + 1, j - 1));
+                // Prices up to the bound lie below the next multiple of the quantum.
+                let below = self.bound - price + QUANTUM;
+                let least = self.least(i, j, below, first);
+                (best_below, self.best_before[i]) = (least.k, least.k);
+                price = if least.price < below { price + least.price } else { f64::INFINITY };
+            }
             self.rows[here] = price;
             self.columns[column_start(j) + i] = price;
         }
+        self.rungs = rungs;
     }
 
-    /// The least of E(i,k) + E(k,j) + F(i,k,j), and a k that reaches it (without folds, the best of
-    /// `first`); `first` are the k to look at first.
-    fn least(&self, i: usize, j: usize, first: [usize; 2]) -> (f64, usize) {
+    #[inline(always)]
+    fn keep_mean(&mut self, i: usize, j: usize, here: usize, mean: [f64; 3]) {
+        self.means[here] = Vec3::from_array(mean);
+        for axis in 0..3 {
+            self.mean_rows[axis][here] = mean[axis] as f32;
+            self.mean_columns[axis][column_start(j) + i] = mean[axis] as f32;
+        }
+    }
+
+    /// The least of E(i,k) + E(k,j) + F(i,k,j) if it lies below `below`, and a k that reaches it
+    /// (without folds, or at or above `below`, one of `first`); `first` are the k to look at first.
+    #[inline(always)]
+    fn least(&self, i: usize, j: usize, below: f64, first: [usize; 2]) -> Least {
         let row = &self.rows[row_start(self.m, i)..][..j - i - 1];
         let column = &self.columns[column_start(j)..][i + 1..j];
         if !self.folds {
-            return (least_sum(row, column), first[0]);
+            return Least { price: least_sum(row, column), k: first[0] };
         }
-        let (mut least, mut best) = (f64::INFINITY, first[0]);
-        for k in first {
-            let price = row[k - i - 1] + column[k - i - 1];
-            if price < least {
-                let price = price + self.fold(i, k, j);
-                if price < least {
-                    (least, best) = (price, k);
-                }
+        let mut least = Least { price: below, k: first[0] };
+        // The ends too: their triangles have an edge of the boundary, for which the bound of F
+        // does not hold.
+        for k in [first[0], first[1], i + 1, j - 1] {
+            self.look_at(i, k, j, row[k - i - 1] + column[k - i - 1], &mut least);
+        }
+        if i == 0 && j + 1 == self.m {
+            // The last entry's own side is an edge as well.
+            for k in i + 2..j - 1 {
+                self.look_at(i, k, j, row[k - i - 1] + column[k - i - 1], &mut least);
             }
+            return least;
         }
         let (row_blocks, row_rest) = row.as_chunks::<LANES>();
         let (column_blocks, column_rest) = column.as_chunks::<LANES>();
         for (block, (a, b)) in row_blocks.iter().zip(column_blocks).enumerate() {
-            let sums: [f64; LANES] = std::array::from_fn(|n| a[n] + b[n]);
-            let below = sums.iter().fold(false, |any, &sum| any | (sum < least));
+            let mut below = false;
+            for n in 0..LANES {
+                below |= a[n] + b[n] < least.price;
+            }
             if below {
-                for (n, sum) in sums.into_iter().enumerate() {
-                    self.look_at(i, i + 1 + block * LANES + n, j, sum, &mut least, &mut best);
-                }
+                self.look_at_block(i, i + 1 + block * LANES, j, a, b, &mut least);
             }
         }
         let done = row_blocks.len() * LANES;
         for (n, (a, b)) in row_rest.iter().zip(column_rest).enumerate() {
-            self.look_at(i, i + 1 + done + n, j, a + b, &mut least, &mut best);
+            self.look_at(i, i + 1 + done + n, j, a + b, &mut least);
         }
-        (least, best)
+        least
     }
 
-    #[inline]
-    fn look_at(
+    /// Looks at the eight k from `start` on, of which some sum lies below the least price.
+    #[inline(always)]
+    fn look_at_block(
         &self,
         i: usize,
-        k: usize,
+        start: usize,
         j: usize,
-        sum: f64,
-        least: &mut f64,
-        best: &mut usize,
+        row: &[f64; LANES],
+        column: &[f64; LANES],
+        least: &mut Least,
     ) {
-        if sum < *least {
+        let block = |list: &[f32], at: usize| -> [f32; LANES] {
+            list[at..].first_chunk().copied().unwrap_or([0.0; LANES])
+        };
+        let row_at = row_start(self.m, i) + start - i - 1;
+        let column_at = column_start(j) + start;
+        let own = self.means[row_start(self.m, i) + j - i - 1];
+        let mut square = [0.0f32; LANES];
+        for axis in 0..3 {
+            let a = block(&self.mean_rows[axis], row_at);
+            let b = block(&self.mean_columns[axis], column_at);
+            let c = own[axis] as f32;
+            for n in 0..LANES {
+                let sum = a[n] + b[n] + c;
+                square[n] += sum * sum;
+            }
+        }
+        let fold = self.terms.prices.options().fold as f32;
+        let (sixth, slack) = (fold / 6.0, fold * SLACK);
+        let mut open = [false; LANES];
+        for n in 0..LANES {
+            let room = (least.price - (row[n] + column[n])) as f32;
+            open[n] = sixth * (9.0 - square[n]) - slack < room;
+        }
+        for n in 0..LANES {
+            if open[n] {
+                self.look_at(i, start + n, j, row[n] + column[n], least);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn look_at(&self, i: usize, k: usize, j: usize, sum: f64, least: &mut Least) {
+        if sum < least.price {
             let price = sum + self.fold(i, k, j);
-            if price < *least {
-                (*least, *best) = (price, k);
+            if price < least.price {
+                *least = Least { price, k };
             }
         }
     }
 
     /// F(i,k,j).
+    #[inline(always)]
     fn fold(&self, i: usize, k: usize, j: usize) -> f64 {
         if !self.folds {
             return 0.0;
@@ -172,11 +299,8 @@ impl<'a> Table<'a> {
         self.terms.prices.triangle([i, k, j], [mean(i, k), mean(k, j), mean(i, j)])
     }
 
-    /// The triangles below the edge ⟨0, m−1⟩; `None` if its price is infinite.
-    fn trace(&self) -> Option<Vec<[usize; 3]>> {
-        if self.rows[self.m - 2] == f64::INFINITY {
-            return None;
-        }
+    /// The triangles below the edge ⟨0, m−1⟩, whose price must be finite.
+    fn trace(&self) -> Vec<[usize; 3]> {
         let mut triangles = Vec::with_capacity(self.m - 2);
         let mut parts = vec![(0, self.m - 1)];
         while let Some((i, j)) = parts.pop() {
@@ -187,7 +311,7 @@ impl<'a> Table<'a> {
             triangles.push([i, k, j]);
             parts.extend([(i, k), (k, j)]);
         }
-        Some(triangles)
+        triangles
     }
 
     /// The k of E(i,j), by the rule for equals.
@@ -210,6 +334,7 @@ impl<'a> Table<'a> {
 }
 
 /// The least of the sums of two slices, element by element; infinite for empty ones.
+#[inline(always)]
 fn least_sum(row: &[f64], column: &[f64]) -> f64 {
     let (row_blocks, row_rest) = row.as_chunks::<LANES>();
     let (column_blocks, column_rest) = column.as_chunks::<LANES>();

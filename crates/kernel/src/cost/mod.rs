@@ -30,8 +30,13 @@
 //! order in which it is summed, equal prices are equal, and every method that finds the optimum
 //! finds the same number.
 
+mod planes;
+
+pub use planes::RungPlanes;
+
 use crate::boundary::{Boundary, SupportingPlane};
-use crate::math::{Vec3, atan2, cos, sin, turned, unit};
+use crate::math::{Vec3, unit};
+use planes::{End, smooth, special};
 
 /// What all prices are multiples of: 2⁻⁴⁴. As a twist it is a warp angle of 2·10⁻⁵ degrees, which
 /// is above the rounding of 1 − n·n (2⁻⁵²) and below anything that can be measured on a sheet.
@@ -43,11 +48,6 @@ pub const EXACT_BELOW: f64 = 512.0;
 pub const MAX_FOLD: f64 = 10.0;
 /// The default weight ν of the fold price; `docs/fold-price.md` has the table that argues for it.
 pub const DEFAULT_FOLD: f64 = 0.1;
-
-/// Sine of the angle between rung and tangent up to which they count as parallel. At it, the
-/// rounding of coordinates (10⁻¹⁶ of the size) still leaves the normal seven digits on rungs of the
-/// size of the boundary; samples would have to stand a million to a radian of turning to come near.
-const PARALLEL_SINE: f64 = 1e-9;
 
 /// Which form of equation (1) twist has.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -75,35 +75,8 @@ impl Default for PriceOptions {
     }
 }
 
-/// The tangent planes along a rung.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RungPlanes {
-    /// Unit normals at the two ends, towards the side that the surface faces; the end with the
-    /// lower sample number first.
-    pub at_ends: [Vec3; 2],
-    /// N: the direction of their sum; zero where they are opposite.
-    pub mean: Vec3,
-    /// w, 0 ..= 2, without unit: 1 minus the cosine of the angle between them.
-    pub twist: f64,
-}
-
-impl RungPlanes {
-    fn new(a: Vec3, b: Vec3) -> Self {
-        Self { at_ends: [a, b], mean: unit(a + b).unwrap_or(Vec3::ZERO), twist: half_square(a, b) }
-    }
-
-    /// The warp angle: how far the tangent plane turns along the rung, radians, 0 ..= π.
-    pub fn warp(&self) -> f64 {
-        crate::math::angle_between(self.at_ends[0], self.at_ends[1])
-    }
-}
-
-/// 1 − a·b of two unit vectors, without cancellation.
-fn half_square(a: Vec3, b: Vec3) -> f64 {
-    0.5 * (a - b).length_squared()
-}
-
 /// Rounds a price to a multiple of [`QUANTUM`]; for prices below 128.
+#[inline]
 pub fn quantised(price: f64) -> f64 {
     // Numbers in 256 .. 512 have an ulp of 2⁻⁴⁴, so the sum is rounded to it, ties to even.
     const SHIFT: f64 = 384.0;
@@ -114,29 +87,23 @@ pub fn quantised(price: f64) -> f64 {
 #[derive(Clone, Debug)]
 pub struct Prices {
     ends: Vec<End>,
+    /// Coordinates of positions and tangents by axis, for pricing many rungs at once.
+    positions: [Vec<f64>; 3],
+    tangents: [Vec<f64>; 3],
+    special_cosines_squared: Vec<f64>,
     options: PriceOptions,
     facing: Vec3,
 }
 
-/// What prices need to know of a sample.
-#[derive(Clone, Copy, Debug)]
-struct End {
-    position: Vec3,
-    tangent_in: Vec3,
-    tangent_out: Vec3,
-    /// Unit directions of the edges that arrive and leave.
-    edge_in: Vec3,
-    edge_out: Vec3,
-    /// Cosine of an angle to the tangent within which the sign of the normal may be open.
-    open_cosine: f64,
-}
-
-/// The normals that one end of a rung may have.
-#[derive(Clone, Copy)]
-enum Normals {
-    One(Vec3),
-    EitherSign(Vec3),
-    Sector(Vec3, Vec3),
+/// The rungs from all samples i < j to one sample j, priced at once. Neighbours and rungs without
+/// tangent planes are priced like the rest, as whatever comes out; the caller tells them apart.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct RungColumn {
+    /// The price of each rung, a multiple of [`QUANTUM`]; infinite without tangent planes.
+    pub(crate) prices: Vec<f64>,
+    /// N of each rung by axis; zero without tangent planes.
+    pub(crate) means: [Vec<f64>; 3],
+    special: Vec<bool>,
 }
 
 impl Prices {
@@ -146,24 +113,17 @@ impl Prices {
         plane: Option<&SupportingPlane>,
         options: PriceOptions,
     ) -> Self {
-        let outer = boundary.loops()[0].clone();
-        let ends = outer
+        let ends: Vec<End> = boundary.loops()[0]
+            .clone()
             .map(|i| {
                 let s = boundary.samples()[i];
                 let at = |k: usize| boundary.samples()[k].position;
-                let edge_in = unit(s.position - at(boundary.previous(i))).unwrap_or(Vec3::ZERO);
-                let edge_out = unit(at(boundary.next(i)) - s.position).unwrap_or(Vec3::ZERO);
-                // The open directions lie on and inside the cone whose diameter the edges are, so
-                // within twice the larger angle between the tangent and an edge.
-                let half = s.tangent_in.dot(edge_in).min(s.tangent_in.dot(edge_out)).max(0.0);
-                let open_cosine = (2.0 * half * half - 1.0).max(0.0) - 1e-12;
                 End {
                     position: s.position.to_vec(),
                     tangent_in: s.tangent_in,
                     tangent_out: s.tangent_out,
-                    edge_in,
-                    edge_out,
-                    open_cosine,
+                    edge_in: unit(s.position - at(boundary.previous(i))).unwrap_or(Vec3::ZERO),
+                    edge_out: unit(at(boundary.next(i)) - s.position).unwrap_or(Vec3::ZERO),
                 }
             })
             .collect();
@@ -171,7 +131,33 @@ impl Prices {
             || unit(boundary.area_vector()).unwrap_or(Vec3::Z),
             |plane| plane.frame.z,
         );
-        Self { ends, options, facing }
+        Self::of_ends(ends, options, facing)
+    }
+
+    /// The prices of the loop of every `step`-th sample, with the tangents that they have.
+    pub(crate) fn thinned(&self, step: usize) -> Self {
+        let mut ends: Vec<End> = self.ends.iter().step_by(step).copied().collect();
+        let m = ends.len();
+        for i in 0..m {
+            let edge = unit(ends[(i + 1) % m].position - ends[i].position).unwrap_or(Vec3::ZERO);
+            ends[i].edge_out = edge;
+            ends[(i + 1) % m].edge_in = edge;
+        }
+        Self::of_ends(ends, self.options, self.facing)
+    }
+
+    fn of_ends(ends: Vec<End>, options: PriceOptions, facing: Vec3) -> Self {
+        let by_axis = |of: fn(&End) -> Vec3| {
+            [0, 1, 2].map(|axis| ends.iter().map(|end| of(end)[axis]).collect())
+        };
+        Self {
+            positions: by_axis(|end| end.position),
+            tangents: by_axis(|end| end.tangent_out),
+            special_cosines_squared: ends.iter().map(End::special_cosine_squared).collect(),
+            ends,
+            options,
+            facing,
+        }
     }
 
     /// How many samples the loop has.
@@ -190,45 +176,60 @@ impl Prices {
     }
 
     /// Whether two samples are neighbours on the loop.
+    #[inline]
     pub fn neighbours(&self, i: usize, j: usize) -> bool {
         let apart = i.abs_diff(j);
         apart == 1 || apart + 1 == self.len()
     }
 
+    #[inline(always)]
+    fn smooth_end(&self, i: usize) -> ([f64; 3], [f64; 3], f64) {
+        (
+            [0, 1, 2].map(|axis| self.positions[axis][i]),
+            [0, 1, 2].map(|axis| self.tangents[axis][i]),
+            self.special_cosines_squared[i],
+        )
+    }
+
     /// The tangent planes along the rung between samples `i` < `j`; `None` where it has none,
     /// because it is parallel to a tangent or has no length.
     pub fn planes(&self, i: usize, j: usize) -> Option<RungPlanes> {
-        let (a, b) = (&self.ends[i], &self.ends[j]);
-        let d = unit(b.position - a.position)?;
-        let normals = (a.normals(d)?, b.normals(-d)?);
-        Some(match normals {
-            (Normals::One(u), Normals::One(v)) => RungPlanes::new(u, v),
-            (Normals::One(u), Normals::EitherSign(v)) => RungPlanes::new(u, along(v, u)),
-            (Normals::EitherSign(u), Normals::One(v)) => RungPlanes::new(along(u, v), v),
-            (Normals::EitherSign(u), Normals::EitherSign(v)) => {
-                let v = along(v, u);
-                let sign = if (u + v).dot(self.facing) < 0.0 { -1.0 } else { 1.0 };
-                RungPlanes::new(u * sign, v * sign)
-            }
-            (u, v) => self.between_sectors(u, v, d),
-        })
+        let smooth = smooth(self.smooth_end(i), self.smooth_end(j));
+        if smooth.is_special {
+            special(&self.ends[i], &self.ends[j], self.facing)
+        } else {
+            Some(smooth.into())
+        }
     }
 
-    /// The planes of a rung, along the unit direction `d`, that ends at a corner: the two normals,
-    /// one from each end, that differ least.
-    fn between_sectors(&self, u: Normals, v: Normals, d: Vec3) -> RungPlanes {
-        let mut best: Option<(f64, RungPlanes)> = None;
-        for u in u.sectors() {
-            for v in v.sectors() {
-                let planes = closest(u, v, d);
-                // Of equals, the one on the side that the loop faces.
-                let key = planes.twist - 1e-12 * planes.mean.dot(self.facing);
-                if best.is_none_or(|(least, _)| key < least) {
-                    best = Some((key, planes));
-                }
+    /// Prices the rungs from all samples i < j to sample `j`, into `column`.
+    #[inline(always)]
+    pub(crate) fn column(&self, j: usize, column: &mut RungColumn) {
+        let RungColumn { prices, means: [x, y, z], special } = column;
+        for list in [&mut *prices, &mut *x, &mut *y, &mut *z] {
+            list.resize(j, 0.0);
+        }
+        special.resize(j, false);
+        let to = self.smooth_end(j);
+        let [px, py, pz] = [0, 1, 2].map(|axis| &self.positions[axis][..j]);
+        let [tx, ty, tz] = [0, 1, 2].map(|axis| &self.tangents[axis][..j]);
+        let cosines = &self.special_cosines_squared[..j];
+        let (prices, x, y, z) = (&mut prices[..j], &mut x[..j], &mut y[..j], &mut z[..j]);
+        for i in 0..j {
+            let from = ([px[i], py[i], pz[i]], [tx[i], ty[i], tz[i]], cosines[i]);
+            let rung = smooth(from, to);
+            prices[i] = quantised(rung.twist);
+            [x[i], y[i], z[i]] = rung.mean;
+            special[i] = rung.is_special;
+        }
+        let printed = self.options.form == TwistForm::Printed;
+        for i in 0..j {
+            if special[i] || printed {
+                let planes = self.planes(i, j);
+                prices[i] = planes.map_or(f64::INFINITY, |planes| self.rung(i, j, &planes));
+                [x[i], y[i], z[i]] = planes.map_or(Vec3::ZERO, |planes| planes.mean).to_array();
             }
         }
-        best.map_or_else(|| RungPlanes::new(self.facing, self.facing), |(_, planes)| planes)
     }
 
     /// The price of the rung between samples `i` < `j` without its folds, a multiple of
@@ -251,6 +252,7 @@ impl Prices {
     /// The price of the triangle between samples i < k < j: ν Σ (1 − n · N) over those of its
     /// sides that are rungs, a multiple of [`QUANTUM`]. `means` are the N of the sides ⟨i,k⟩,
     /// ⟨k,j⟩, ⟨i,j⟩; zero for a side that is an edge of the boundary.
+    #[inline]
     pub fn triangle(&self, [i, k, j]: [usize; 3], means: [Vec3; 3]) -> f64 {
         let sides = [(i, k), (k, j), (i, j)];
         let rungs = sides.iter().filter(|(a, b)| !self.neighbours(*a, *b)).count();
@@ -264,6 +266,7 @@ impl Prices {
     }
 
     /// The price of the triangle i, k, j with this many rungs and this sum of their N.
+    #[inline]
     fn fold_price(&self, [i, k, j]: [usize; 3], rungs: f64, sum: Vec3) -> f64 {
         let at = |n: usize| self.ends[n].position;
         let area_vector = (at(k) - at(i)).cross(at(j) - at(i));
@@ -273,100 +276,12 @@ impl Prices {
     }
 }
 
-/// `v` or −`v`, whichever lies along `u`.
-fn along(v: Vec3, u: Vec3) -> Vec3 {
-    if v.dot(u) < 0.0 { -v } else { v }
-}
-
-impl End {
-    fn mean_tangent(&self) -> Vec3 {
-        unit(self.tangent_in + self.tangent_out).unwrap_or(self.tangent_in)
-    }
-
-    /// The normals of a rung that leaves this sample in the unit direction `d`.
-    fn normals(&self, d: Vec3) -> Option<Normals> {
-        let leaving = self.tangent_out.cross(d);
-        if self.tangent_in == self.tangent_out {
-            let sine = leaving.length();
-            if sine <= PARALLEL_SINE {
-                return None;
-            }
-            let normal = leaving / sine;
-            let open = self.tangent_out.dot(d).abs() >= self.open_cosine
-                && self.edge_in.cross(d).dot(self.edge_out.cross(d)) <= 0.0;
-            return Some(if open { Normals::EitherSign(normal) } else { Normals::One(normal) });
-        }
-        let arriving = self.tangent_in.cross(d);
-        let (sine_in, sine_out) = (arriving.length(), leaving.length());
-        let (lost_in, lost_out) = (sine_in <= PARALLEL_SINE, sine_out <= PARALLEL_SINE);
-        let on_own_edge = (lost_in && self.tangent_in.dot(d) < 0.0)
-            || (lost_out && self.tangent_out.dot(d) > 0.0);
-        match (lost_in, lost_out) {
-            _ if on_own_edge => None,
-            (true, true) => None,
-            (true, false) => Some(Normals::One(leaving / sine_out)),
-            (false, true) => Some(Normals::One(arriving / sine_in)),
-            (false, false) => Some(Normals::Sector(arriving / sine_in, leaving / sine_out)),
-        }
-    }
-}
-
-impl Normals {
-    /// As sectors from one normal to another by the shorter way.
-    fn sectors(self) -> impl Iterator<Item = (Vec3, Vec3)> {
-        let (first, second) = match self {
-            Self::One(n) => ((n, n), None),
-            Self::EitherSign(n) => ((n, n), Some((-n, -n))),
-            Self::Sector(a, b) => ((a, b), None),
-        };
-        std::iter::once(first).chain(second)
-    }
-}
-
-/// The two normals, one from each sector of the plane across the unit direction `d`, that differ
-/// least; where the sectors overlap, both are the middle of the overlap.
-fn closest(u: (Vec3, Vec3), v: (Vec3, Vec3), d: Vec3) -> RungPlanes {
-    let angle = |from: Vec3, to: Vec3| atan2(from.cross(to).dot(d), from.dot(to));
-    // All angles are measured about d from the first normal of u.
-    let span = |start: f64, turn: f64| (start.min(start + turn), start.max(start + turn));
-    let (u_low, u_high) = span(0.0, angle(u.0, u.1));
-    let (v_low, v_high) = span(angle(u.0, v.0), angle(v.0, v.1));
-    let at = |angle: f64| {
-        if angle == 0.0 { u.0 } else { unit(turned(u.0, d, angle)).unwrap_or(u.0) }
-    };
-    let mut best: Option<(f64, f64, f64)> = None;
-    for round in [0.0, -std::f64::consts::TAU, std::f64::consts::TAU] {
-        let (low, high) = (v_low + round, v_high + round);
-        let (gap, a, b) = if low > u_high {
-            (low - u_high, u_high, low)
-        } else if u_low > high {
-            (u_low - high, u_low, high)
-        } else {
-            let middle = 0.5 * (low.max(u_low) + high.min(u_high));
-            (0.0, middle, middle)
-        };
-        if best.is_none_or(|(least, ..)| gap < least) {
-            best = Some((gap, a, b));
-        }
-    }
-    let (gap, a, b) = best.unwrap_or((0.0, 0.0, 0.0));
-    let mut planes = RungPlanes::new(at(a), at(b));
-    // The gap itself, rather than the difference of two turned vectors, so that no rounding is
-    // left where there is no twist.
-    planes.twist = if gap == 0.0 { 0.0 } else { 2.0 * sin(0.5 * gap) * sin(0.5 * gap) };
-    if gap == 0.0 {
-        planes.at_ends[1] = planes.at_ends[0];
-    }
-    debug_assert!((planes.twist - (1.0 - cos(gap))).abs() < 1e-12);
-    planes
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::boundary::samples_from_points;
     use crate::curve::CurvePoint;
-    use crate::math::Point3;
+    use crate::math::{Point3, cos, sin};
 
     fn prices(list: &[[f64; 3]], corners: bool, options: PriceOptions) -> Prices {
         let points: Vec<CurvePoint> = list
@@ -449,18 +364,6 @@ mod tests {
             assert!(planes.twist == 0.0, "{j} {planes:?}");
             assert!(planes.warp() == 0.0);
         }
-    }
-
-    #[test]
-    fn sectors_find_the_least_gap_round_the_back_too() {
-        let n = |angle: f64| Vec3::new(cos(angle), sin(angle), 0.0);
-        let planes = closest((n(0.0), n(1.0)), (n(-3.0), n(-2.5)), Vec3::Z);
-        // Forwards from 1.0 to −3.0 + 2π the gap is 2.283; backwards from 0 to −2.5 it is 2.5.
-        let gap = std::f64::consts::TAU - 4.0;
-        assert!((planes.warp() - gap).abs() < 1e-12);
-        let planes = closest((n(0.0), n(1.0)), (n(0.5), n(2.0)), Vec3::Z);
-        assert_eq!(planes.twist, 0.0);
-        assert!((planes.mean - n(0.75)).length() < 1e-12);
     }
 
     #[test]
