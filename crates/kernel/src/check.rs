@@ -4,7 +4,7 @@ use crate::boundary::Boundary;
 use crate::flatten::Flattened;
 use crate::material::{Material, warp_limit};
 use crate::math::to_deg;
-use crate::measure::{Measures, RungMeasures};
+use crate::measure::{Measures, RungMeasures, SHARP_CREASE_DEG};
 use crate::tolerance::Tolerance;
 use crate::triangulate::Triangulation;
 
@@ -48,6 +48,8 @@ pub struct Finding {
 pub enum Verdict {
     /// It takes its shape by bending alone.
     Bends,
+    /// It takes its shape by bending and by sharp folds along scored lines.
+    BendsAndFolds,
     /// It takes its shape with some force: it must stretch a little.
     BendsWithForce,
     /// It does not take its shape.
@@ -59,6 +61,7 @@ impl Verdict {
     pub fn name(self) -> &'static str {
         match self {
             Self::Bends => "bends",
+            Self::BendsAndFolds => "bends-and-folds",
             Self::BendsWithForce => "bends-with-force",
             Self::WillNotBend => "will-not-bend",
         }
@@ -77,8 +80,6 @@ pub struct Checked {
 /// Up to this share of the warp limit a sheet goes into shape by itself; above it, with force.
 /// Half of the limit: by experience of plywood boats, which are clamped rather than rolled.
 const EASY_SHARE: f64 = 0.5;
-/// Creases above this angle, radians, are named as folds: 5°, as on the pattern.
-const FOLD_ANGLE_DEG: f64 = 5.0;
 
 /// Everything known of a panel when it is checked.
 #[derive(Clone, Copy, Debug)]
@@ -97,17 +98,20 @@ pub struct Panel<'a> {
 
 /// Checks a panel.
 pub fn check(panel: &Panel<'_>) -> Checked {
-    let checks = [warp, bend_radius, crossing, overlap, forced_rungs, folds, length_error];
+    let checks =
+        [warp, bend_radius, crossing, overlap, forced_rungs, folds, bend_lines, length_error];
     let mut findings: Vec<Finding> = checks.iter().filter_map(|check| check(panel)).collect();
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
     let has = |code: &str, severity: Severity| {
         findings.iter().any(|f| f.code == code && f.severity == severity)
     };
-    let broken = ["warp-too-large", "radius-too-small", "self-crossing"];
+    let broken = ["warp-too-large", "radius-too-small", "self-crossing", "folds"];
     let verdict = if broken.iter().any(|code| has(code, Severity::Error)) {
         Verdict::WillNotBend
     } else if has("warp-high", Severity::Warning) {
         Verdict::BendsWithForce
+    } else if has("folds", Severity::Warning) {
+        Verdict::BendsAndFolds
     } else {
         Verdict::Bends
     };
@@ -173,9 +177,7 @@ fn bend_radius(panel: &Panel<'_>) -> Option<Finding> {
              thinner sheet, or a rounder boundary.",
             material.title, material.bend_radius_mm
         ),
-        place: where_rungs(&panel.measures.rungs, |r| {
-            r.bend_radius_mm < material.bend_radius_mm
-        }),
+        place: where_rungs(&panel.measures.rungs, |r| r.bend_radius_mm < material.bend_radius_mm),
     })
 }
 
@@ -220,17 +222,42 @@ fn forced_rungs(panel: &Panel<'_>) -> Option<Finding> {
 }
 
 fn folds(panel: &Panel<'_>) -> Option<Finding> {
-    let is_fold = |r: &RungMeasures| to_deg(r.crease.abs()) > FOLD_ANGLE_DEG;
-    let count = panel.measures.rungs.iter().filter(|r| is_fold(r)).count();
-    (count > 0).then(|| Finding {
-        severity: Severity::Note,
+    let rungs = &panel.measures.rungs;
+    let sharpest = rungs.iter().filter(|r| r.is_fold).map(|r| r.crease.abs()).reduce(f64::max)?;
+    let count = rungs.iter().filter(|r| r.is_fold).count();
+    let (severity, advice) = match panel.material {
+        Some(m) if !m.folds() => {
+            (Severity::Error, format!("{} does not fold; move the boundary there.", m.title))
+        }
+        _ => (Severity::Warning, "The pattern marks it to be scored.".to_owned()),
+    };
+    Some(Finding {
+        severity,
         code: "folds",
         text: format!(
-            "{count} rulings turn by more than {FOLD_ANGLE_DEG:.0}° (up to {:.1}°); the pattern \
-             marks them as folds to score. More samples divide a smooth bend more finely.",
-            to_deg(panel.measures.crease_max)
+            "The surface has {count} sharp {}, of up to {:.1}°, where it can't bend smoothly. \
+             {advice}",
+            if count == 1 { "fold" } else { "folds" },
+            to_deg(sharpest)
         ),
-        place: where_rungs(&panel.measures.rungs, is_fold),
+        place: where_rungs(rungs, |r| r.is_fold),
+    })
+}
+
+fn bend_lines(panel: &Panel<'_>) -> Option<Finding> {
+    let is_line = |r: &RungMeasures| to_deg(r.crease.abs()) > SHARP_CREASE_DEG && !r.is_fold;
+    let lines = panel.measures.rungs.iter().filter(|r| is_line(r));
+    let sharpest = lines.clone().map(|r| r.crease.abs()).reduce(f64::max)?;
+    Some(Finding {
+        severity: Severity::Note,
+        code: "bend-lines",
+        text: format!(
+            "{} rulings turn by more than {SHARP_CREASE_DEG:.0}° (up to {:.1}°); the pattern marks \
+             them as lines to bend along. More samples divide the bend more finely.",
+            lines.count(),
+            to_deg(sharpest)
+        ),
+        place: where_rungs(&panel.measures.rungs, is_line),
     })
 }
 
@@ -241,7 +268,10 @@ fn length_error(panel: &Panel<'_>) -> Option<Finding> {
     (most > exact.max(1e-9)).then(|| Finding {
         severity: Severity::Warning,
         code: "length-error",
-        text: format!("Lengths of the pattern differ from the surface by up to {:.3} %.", most * 100.0),
+        text: format!(
+            "Lengths of the pattern differ from the surface by up to {:.3} %.",
+            most * 100.0
+        ),
         place: String::new(),
     })
 }
@@ -258,7 +288,8 @@ fn shortest_side(panel: &Panel<'_>) -> f64 {
 
 /// The rungs for which `is_so`, as ranges of their numbers from 1: `rungs 41–47, 60`.
 fn where_rungs(rungs: &[RungMeasures], is_so: impl Fn(&RungMeasures) -> bool) -> String {
-    let numbers: Vec<usize> = (0..rungs.len()).filter(|&n| is_so(&rungs[n])).map(|n| n + 1).collect();
+    let numbers: Vec<usize> =
+        (0..rungs.len()).filter(|&n| is_so(&rungs[n])).map(|n| n + 1).collect();
     let mut ranges: Vec<(usize, usize)> = Vec::new();
     for n in numbers {
         match ranges.last_mut() {

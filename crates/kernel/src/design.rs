@@ -166,10 +166,7 @@ pub enum MakeCause {
     /// A design without panels.
     NoPanels,
     /// A curve that the design does not have.
-    UnknownCurve {
-        /// The nearest name that it has, if one is near.
-        nearest: Option<String>,
-    },
+    UnknownCurve,
     /// Points that make no curve.
     Curve(CurveError),
     /// A closed curve as a rail or as one part of several of a loop.
@@ -217,7 +214,7 @@ impl fmt::Display for MakeCause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoPanels => write!(f, "the design has no panels"),
-            Self::UnknownCurve { .. } => write!(f, "there is no such curve"),
+            Self::UnknownCurve => write!(f, "there is no such curve"),
             Self::Curve(error) => write!(f, "the curve {error}"),
             Self::ClosedCurve => write!(f, "the curve is closed where an open one is needed"),
             Self::NotChained { next, gap_mm } => {
@@ -346,7 +343,7 @@ fn found<'a>(
     design.curves.iter().find(|curve| curve.name == wanted.name).ok_or_else(|| MakeError {
         panel: panel.name.clone(),
         curve: Some(wanted.name.clone()),
-        cause: MakeCause::UnknownCurve { nearest: None },
+        cause: MakeCause::UnknownCurve,
     })
 }
 

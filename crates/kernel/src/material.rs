@@ -58,6 +58,12 @@ pub const MATERIALS: [Material; 15] = [
 ];
 
 impl Material {
+    /// Whether it takes a sharp fold along a scored line: not plywood, whose bend radius is a
+    /// hundred times its thickness.
+    pub fn folds(&self) -> bool {
+        self.bend_radius_mm <= 10.0 * self.thickness_mm
+    }
+
     /// The material of a name.
     pub fn named(name: &str) -> Option<&'static Self> {
         MATERIALS.iter().find(|m| m.name == name)

@@ -260,7 +260,8 @@ mod tests {
 
     #[test]
     fn what_is_no_surface_is_refused() {
-        let refused = |list: &[[usize; 3]]| Connectivity::new(&[0..4], triangles(list)).unwrap_err();
+        let refused =
+            |list: &[[usize; 3]]| Connectivity::new(&[0..4], triangles(list)).unwrap_err();
         let s = SampleIndex::new;
         assert_eq!(refused(&[[0, 1, 2]]), ConnectivityError::OpenSide { from: s(2), to: s(3) });
         assert_eq!(

@@ -44,7 +44,8 @@ impl Developable for Cone {
         Point3::from_vec(self.ruling(u, v) * v)
     }
     fn flat(&self, u: f64, v: f64) -> Point2 {
-        let turn = u * sin(self.half_angle);
+        // Clockwise, as the parameters run as seen from outside.
+        let turn = -u * sin(self.half_angle);
         Point2::new(v * cos(turn), v * sin(turn))
     }
     fn ruling(&self, u: f64, _: f64) -> Vec3 {
@@ -89,7 +90,7 @@ impl Developable for ObliqueCone {
         };
         let turn: f64 = (0..=steps).map(|n| weight(n) * speed(n as f64 * h)).sum::<f64>() * h / 3.0;
         let r = v * self.way(u).length();
-        Point2::new(r * cos(turn), r * sin(turn))
+        Point2::new(r * cos(turn), -r * sin(turn))
     }
     fn ruling(&self, u: f64, _: f64) -> Vec3 {
         self.way(u)
@@ -120,7 +121,8 @@ impl Developable for HelixTangents {
         // The helix keeps its curvature r / (r² + h²) and becomes a circle.
         let radius = self.speed() * self.speed() / self.radius;
         let turn = self.speed() * u / radius;
-        Point2::new(radius * cos(turn) - v * sin(turn), radius * sin(turn) + v * cos(turn))
+        // Clockwise, as the parameters run as seen from outside.
+        Point2::new(radius * cos(turn) - v * sin(turn), -radius * sin(turn) - v * cos(turn))
     }
     fn ruling(&self, u: f64, _: f64) -> Vec3 {
         Vec3::new(-self.radius * sin(u), self.radius * cos(u), self.rise) / self.speed()

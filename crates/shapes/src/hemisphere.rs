@@ -10,10 +10,8 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 /// circles of latitude; the piece at the pole has three.
 pub fn piece(radius: f64, gores: usize, bands: usize, band: usize, m: usize) -> Boundary {
     let width = TAU / gores as f64;
-    let (low, high) = (
-        FRAC_PI_2 * band as f64 / bands as f64,
-        FRAC_PI_2 * (band + 1) as f64 / bands as f64,
-    );
+    let (low, high) =
+        (FRAC_PI_2 * band as f64 / bands as f64, FRAC_PI_2 * (band + 1) as f64 / bands as f64);
     let at = move |longitude: f64, latitude: f64| {
         let r = radius * cos(latitude);
         Point3::new(r * cos(longitude), r * sin(longitude), radius * sin(latitude))

@@ -30,7 +30,8 @@ impl Trace<'_> {
     fn tangent_at_end(&self, t: f64, from: f64, to: f64, inwards: f64) -> Vec3 {
         let h = 1e-4 * (to - from) * inwards;
         let at = |n: f64| (self.point)(t + n * h).to_vec();
-        let way = at(0.0) * -25.0 + at(1.0) * 48.0 - at(2.0) * 36.0 + at(3.0) * 16.0 - at(4.0) * 3.0;
+        let way =
+            at(0.0) * -25.0 + at(1.0) * 48.0 - at(2.0) * 36.0 + at(3.0) * 16.0 - at(4.0) * 3.0;
         unit(way * inwards).unwrap_or(Vec3::ZERO)
     }
 }
@@ -58,7 +59,8 @@ pub fn samples_along(trace: &Trace<'_>, count: usize) -> Vec<(f64, Sample)> {
                 let tangent = trace.tangent(t, from - 0.5, to + 0.5);
                 Sample { position, tangent_in: tangent, tangent_out: tangent }
             } else {
-                let before = if n == 0 { ends_before(&trace.corners) } else { trace.corners[n - 1] };
+                let before =
+                    if n == 0 { ends_before(&trace.corners) } else { trace.corners[n - 1] };
                 Sample {
                     position,
                     tangent_in: trace.tangent_at_end(t, before, from, -1.0),
@@ -98,7 +100,8 @@ fn shared_out(lengths: &[f64], count: usize) -> Vec<usize> {
     let whole: f64 = lengths.iter().sum();
     let mut parts: Vec<usize> =
         lengths.iter().map(|l| ((l / whole * count as f64).round() as usize).max(1)).collect();
-    let longest = (0..lengths.len()).max_by(|&a, &b| lengths[a].total_cmp(&lengths[b])).unwrap_or(0);
+    let longest =
+        (0..lengths.len()).max_by(|&a, &b| lengths[a].total_cmp(&lengths[b])).unwrap_or(0);
     let others: usize = parts.iter().sum::<usize>() - parts[longest];
     parts[longest] = count.saturating_sub(others).max(1);
     parts

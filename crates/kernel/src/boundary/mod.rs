@@ -338,10 +338,7 @@ mod tests {
             refused(&[SQUARE[0], SQUARE[1], SQUARE[1], SQUARE[2]]),
             E::Repeated { of_loop: 0, sample: 2, other_loop: 0, other: 1 }
         );
-        assert_eq!(
-            refused(&[[0.0; 3], [1.0; 3], [3.0; 3], [2.0; 3]]),
-            E::OnOneLine { of_loop: 0 }
-        );
+        assert_eq!(refused(&[[0.0; 3], [1.0; 3], [3.0; 3], [2.0; 3]]), E::OnOneLine { of_loop: 0 });
         assert_eq!(
             refused(&[SQUARE[0], SQUARE[2], SQUARE[1], SQUARE[3]]),
             E::Crossing { of_loop: 0, sample: 0, other_loop: 0, other: 2 }

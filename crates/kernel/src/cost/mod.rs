@@ -12,7 +12,8 @@
 //!   a rounded corner, whose tangents sweep from t⁻ to t⁺, and a rung takes the one that suits it
 //!   best. So the end of a rung at a corner has not one normal but the sector between t⁻ × d and
 //!   t⁺ × d, and the twist is the least between the two ends. A cone whose apex is a corner has no
-//!   twist, as it should. Where both ends leave a choice, the middle of it is taken.
+//!   twist, as it should. Where both ends are corners and leave a choice, the normal nearest to
+//!   those of the planes of their two tangents is taken.
 //! * At a **concave sample** a rung may leave between the two edges that meet there, where the
 //!   polyline cannot tell on which side of the tangent it lies: (e⁻ × d) · (e⁺ × d) ≤ 0. There the
 //!   sign of the normal is open, and the other end decides; where both are open, the supporting
@@ -47,7 +48,7 @@ pub const EXACT_BELOW: f64 = 512.0;
 /// range of exact sums.
 pub const MAX_FOLD: f64 = 10.0;
 /// The default weight ν of the fold price; `docs/fold-price.md` has the table that argues for it.
-pub const DEFAULT_FOLD: f64 = 0.1;
+pub const DEFAULT_FOLD: f64 = 1.0;
 
 /// Which form of equation (1) twist has.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -127,10 +128,8 @@ impl Prices {
                 }
             })
             .collect();
-        let facing = plane.map_or_else(
-            || unit(boundary.area_vector()).unwrap_or(Vec3::Z),
-            |plane| plane.frame.z,
-        );
+        let facing = plane
+            .map_or_else(|| unit(boundary.area_vector()).unwrap_or(Vec3::Z), |plane| plane.frame.z);
         Self::of_ends(ends, options, facing)
     }
 
@@ -350,10 +349,8 @@ mod tests {
             let t = 0.2 * f64::from(i);
             [cos(t), sin(t), 0.0]
         }));
-        let mut points: Vec<CurvePoint> = list
-            .iter()
-            .map(|p| CurvePoint::smooth(Point3::new(p[0], p[1], p[2])))
-            .collect();
+        let mut points: Vec<CurvePoint> =
+            list.iter().map(|p| CurvePoint::smooth(Point3::new(p[0], p[1], p[2]))).collect();
         for i in [0, 1, 9] {
             points[i].corner = true;
         }

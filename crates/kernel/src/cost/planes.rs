@@ -13,6 +13,11 @@ use crate::math::{Vec3, angle_between, atan2, cos, sin, turned, unit};
 /// size of the boundary; samples would have to stand a million to a radian of turning to come near.
 const PARALLEL_SINE: f64 = 1e-9;
 
+/// Sectors whose gap is below it, radians, touch: it is rounding, and as a twist far below the
+/// quantum of prices.
+const MEETING: f64 = 1e-12;
+const TURNS: [f64; 3] = [0.0, -std::f64::consts::TAU, std::f64::consts::TAU];
+
 /// The tangent planes along a rung.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RungPlanes {
@@ -63,6 +68,13 @@ impl End {
         // A little wider, so that rounding never takes an open direction for a plain one; and never
         // so narrow that a parallel rung escapes.
         (twice * twice - 1e-12).min(1.0 - 1e-12)
+    }
+
+    /// The normal of the plane of both tangents of a corner, on the side of `facing`: that of the
+    /// surface there, unless it has the apex of a cone. Zero for a smooth sample.
+    fn plane_normal(&self, facing: Vec3) -> Vec3 {
+        let normal = unit(self.tangent_in.cross(self.tangent_out)).unwrap_or(Vec3::ZERO);
+        along(normal, facing)
     }
 
     pub(super) fn mean_tangent(&self) -> Vec3 {
@@ -155,25 +167,27 @@ pub(super) fn special(from: &End, to: &End, facing: Vec3) -> Option<RungPlanes> 
             let sign = if (u + v).dot(facing) < 0.0 { -1.0 } else { 1.0 };
             RungPlanes::new(u * sign, v * sign)
         }
-        (u, v) => between_sectors(u, v, d, facing),
+        (u, v) => {
+            let reference = from.plane_normal(facing) + to.plane_normal(facing);
+            between_sectors(u, v, d, reference)
+        }
     })
 }
 
 /// The planes of a rung, along the unit direction `d`, that ends at a corner: the two normals, one
-/// from each end, that differ least.
-fn between_sectors(u: Normals, v: Normals, d: Vec3, facing: Vec3) -> RungPlanes {
+/// from each end, that differ least, and of those the nearest to `reference`.
+fn between_sectors(u: Normals, v: Normals, d: Vec3, reference: Vec3) -> RungPlanes {
     let mut best: Option<(f64, RungPlanes)> = None;
     for u in u.sectors() {
         for v in v.sectors() {
-            let planes = closest(u, v, d);
-            // Of equals, the one on the side that the loop faces.
-            let key = planes.twist - 1e-12 * planes.mean.dot(facing);
+            let planes = closest(u, v, d, reference);
+            let key = planes.twist - 1e-12 * planes.mean.dot(reference);
             if best.is_none_or(|(least, _)| key < least) {
                 best = Some((key, planes));
             }
         }
     }
-    best.map_or_else(|| RungPlanes::new(facing, facing), |(_, planes)| planes)
+    best.map_or_else(|| RungPlanes::new(reference, reference), |(_, planes)| planes)
 }
 
 /// `v` or −`v`, whichever lies along `u`.
@@ -222,32 +236,37 @@ impl Normals {
 }
 
 /// The two normals, one from each sector of the plane across the unit direction `d`, that differ
-/// least; where the sectors overlap, both are the middle of the overlap.
-fn closest(u: (Vec3, Vec3), v: (Vec3, Vec3), d: Vec3) -> RungPlanes {
+/// least; where the sectors overlap, both are what is nearest to `reference` in the overlap.
+fn closest(u: (Vec3, Vec3), v: (Vec3, Vec3), d: Vec3, reference: Vec3) -> RungPlanes {
     let angle = |from: Vec3, to: Vec3| atan2(from.cross(to).dot(d), from.dot(to));
     // All angles are measured about d from the first normal of u.
     let span = |start: f64, turn: f64| (start.min(start + turn), start.max(start + turn));
     let (u_low, u_high) = span(0.0, angle(u.0, u.1));
     let (v_low, v_high) = span(angle(u.0, v.0), angle(v.0, v.1));
+    let wanted = angle(u.0, reference - d * d.dot(reference));
     let at = |angle: f64| {
         if angle == 0.0 { u.0 } else { unit(turned(u.0, d, angle)).unwrap_or(u.0) }
     };
-    let mut best: Option<(f64, f64, f64)> = None;
-    for round in [0.0, -std::f64::consts::TAU, std::f64::consts::TAU] {
+    // (gap, how far from what is wanted, the two angles)
+    let mut best: Option<(f64, f64, f64, f64)> = None;
+    for round in TURNS {
         let (low, high) = (v_low + round, v_high + round);
         let (gap, a, b) = if low > u_high {
             (low - u_high, u_high, low)
         } else if u_low > high {
             (u_low - high, u_low, high)
         } else {
-            let middle = 0.5 * (low.max(u_low) + high.min(u_high));
-            (0.0, middle, middle)
+            let chosen = nearest(wanted, low.max(u_low), high.min(u_high));
+            (0.0, chosen, chosen)
         };
-        if best.is_none_or(|(least, ..)| gap < least) {
-            best = Some((gap, a, b));
+        let off = angle_off(wanted, a);
+        // Sectors that meet within rounding do meet.
+        let gap = if gap < MEETING { 0.0 } else { gap };
+        if best.is_none_or(|(least, least_off, ..)| (gap, off) < (least, least_off)) {
+            best = Some((gap, off, a, b));
         }
     }
-    let (gap, a, b) = best.unwrap_or((0.0, 0.0, 0.0));
+    let (gap, _, a, b) = best.unwrap_or((0.0, 0.0, 0.0, 0.0));
     let mut planes = RungPlanes::new(at(a), at(b));
     // The gap itself, rather than the difference of two turned vectors, so that no rounding is
     // left where there is no twist.
@@ -259,6 +278,21 @@ fn closest(u: (Vec3, Vec3), v: (Vec3, Vec3), d: Vec3) -> RungPlanes {
     planes
 }
 
+/// The angle of the interval `low` ..= `high`, at most a turn wide, that is nearest to `wanted`,
+/// round the back too; the lower end of two that are as near.
+fn nearest(wanted: f64, low: f64, high: f64) -> f64 {
+    match TURNS.map(|turn| wanted + turn).into_iter().find(|a| (low..=high).contains(a)) {
+        Some(inside) => inside,
+        None if angle_off(wanted, low) <= angle_off(wanted, high) => low,
+        None => high,
+    }
+}
+
+/// How far apart two angles within a turn and a half are, round the back too.
+fn angle_off(a: f64, b: f64) -> f64 {
+    TURNS.map(|turn| (a + turn - b).abs()).into_iter().fold(f64::INFINITY, f64::min)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -266,12 +300,14 @@ mod tests {
     #[test]
     fn sectors_find_the_least_gap_round_the_back_too() {
         let n = |angle: f64| Vec3::new(cos(angle), sin(angle), 0.0);
-        let planes = closest((n(0.0), n(1.0)), (n(-3.0), n(-2.5)), Vec3::Z);
+        let planes = closest((n(0.0), n(1.0)), (n(-3.0), n(-2.5)), Vec3::Z, n(0.0));
         // Forwards from 1.0 to −3.0 + 2π the gap is 2.283; backwards from 0 to −2.5 it is 2.5.
         let gap = std::f64::consts::TAU - 4.0;
         assert!((planes.warp() - gap).abs() < 1e-12);
-        let planes = closest((n(0.0), n(1.0)), (n(0.5), n(2.0)), Vec3::Z);
-        assert_eq!(planes.twist, 0.0);
-        assert!((planes.mean - n(0.75)).length() < 1e-12);
+        for (wanted, chosen) in [(0.75, 0.75), (0.2, 0.5), (1.7, 1.0), (-2.0, 0.5)] {
+            let planes = closest((n(0.0), n(1.0)), (n(0.5), n(2.0)), Vec3::Z, n(wanted));
+            assert_eq!(planes.twist, 0.0);
+            assert!((planes.mean - n(chosen)).length() < 1e-12, "{wanted} {planes:?}");
+        }
     }
 }

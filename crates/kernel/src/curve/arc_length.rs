@@ -95,8 +95,8 @@ mod tests {
 
     #[test]
     fn the_way_back_finds_the_parameter() {
-        let control =
-            [[0.0, 0.0], [0.0, 0.0], [5.0, 1.0], [1.0, -2.0]].map(|[x, y]| Point3::new(x, y, x * y));
+        let control = [[0.0, 0.0], [0.0, 0.0], [5.0, 1.0], [1.0, -2.0]]
+            .map(|[x, y]| Point3::new(x, y, x * y));
         let span = Cubic { control };
         let whole = length(&span, 0.0, 1.0);
         for step in 0..=20 {

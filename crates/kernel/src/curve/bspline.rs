@@ -16,9 +16,7 @@ pub(super) const BSPLINE: StretchMaker = StretchMaker { open: clamped, closed: p
 fn periodic(points: &[Point3]) -> Vec<Cubic> {
     let m = points.len();
     let knots = [-2.0, -1.0, 0.0, 1.0, 2.0, 3.0];
-    (0..m)
-        .map(|i| bezier([i + m - 1, i, i + 1, i + 2].map(|k| points[k % m]), knots))
-        .collect()
+    (0..m).map(|i| bezier([i + m - 1, i, i + 1, i + 2].map(|k| points[k % m]), knots)).collect()
 }
 
 /// The clamped B-spline with these control points (2 or more). Fewer than four make the one span
@@ -70,9 +68,7 @@ mod tests {
     use super::*;
 
     fn control(m: usize) -> Vec<Point3> {
-        (0..m)
-            .map(|i| Point3::new(i as f64, ((i * i) % 7) as f64, ((3 * i) % 5) as f64))
-            .collect()
+        (0..m).map(|i| Point3::new(i as f64, ((i * i) % 7) as f64, ((3 * i) % 5) as f64)).collect()
     }
 
     #[test]

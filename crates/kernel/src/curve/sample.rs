@@ -160,10 +160,8 @@ fn walk(stretches: &[Stretch], divisions: usize) -> Vec<Sample> {
 fn shared_out(stretches: &[Stretch], divisions: usize) -> Vec<usize> {
     let whole: f64 = stretches.iter().map(|s| s.whole).sum();
     let spare = divisions - stretches.len();
-    let ideal: Vec<f64> = stretches
-        .iter()
-        .map(|s| (s.whole / whole * divisions as f64 - 1.0).max(0.0))
-        .collect();
+    let ideal: Vec<f64> =
+        stretches.iter().map(|s| (s.whole / whole * divisions as f64 - 1.0).max(0.0)).collect();
     // One is given already, so what is shared is the rest; short stretches want none of it.
     let wanted: f64 = ideal.iter().sum();
     let scale = if wanted > 0.0 { spare as f64 / wanted } else { 0.0 };
@@ -198,9 +196,8 @@ mod tests {
         let samples = sample_chain(&[square(10.0)], 42).unwrap();
         assert_eq!(samples.len(), 42);
         assert_eq!(samples.iter().filter(|s| s.is_corner()).count(), 4);
-        let gaps: Vec<f64> = (0..42)
-            .map(|i| samples[i].position.distance(samples[(i + 1) % 42].position))
-            .collect();
+        let gaps: Vec<f64> =
+            (0..42).map(|i| samples[i].position.distance(samples[(i + 1) % 42].position)).collect();
         assert!(gaps.iter().all(|g| (10.0 / 11.0 - 1e-9..=1.0 + 1e-9).contains(g)), "{gaps:?}");
         assert!((gaps.iter().sum::<f64>() - 40.0).abs() < 1e-9);
     }
@@ -230,8 +227,7 @@ mod tests {
         let gaps: Vec<f64> = (0..1000)
             .map(|i| samples[i].position.distance(samples[(i + 1) % 1000].position))
             .collect();
-        let (least, most) =
-            gaps.iter().fold((f64::MAX, 0.0f64), |(a, b), &g| (a.min(g), b.max(g)));
+        let (least, most) = gaps.iter().fold((f64::MAX, 0.0f64), |(a, b), &g| (a.min(g), b.max(g)));
         assert!(most / least < 1.001, "{least} {most}");
     }
 

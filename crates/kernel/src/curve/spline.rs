@@ -108,7 +108,11 @@ mod tests {
         (0..m)
             .map(|i| {
                 let t = std::f64::consts::TAU * i as f64 / m as f64 + 0.1 * (i % 3) as f64;
-                Point3::new(crate::math::cos(t), crate::math::sin(t), 0.3 * crate::math::sin(3.0 * t))
+                Point3::new(
+                    crate::math::cos(t),
+                    crate::math::sin(t),
+                    0.3 * crate::math::sin(3.0 * t),
+                )
             })
             .collect()
     }

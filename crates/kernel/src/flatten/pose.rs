@@ -28,9 +28,8 @@ pub(super) fn posed(points: &[Point2], of_loop: &Range<usize>) -> Vec<Point2> {
     }
     let along = best.map_or(Vec2::X, |(_, along)| along);
     let laid: Vec<Point2> = points.iter().map(turned(along)).collect();
-    let origin = Box2::of_points(laid[of_loop.clone()].iter().copied()).map_or(Vec2::ZERO, |b| {
-        b.min.to_vec()
-    });
+    let origin = Box2::of_points(laid[of_loop.clone()].iter().copied())
+        .map_or(Vec2::ZERO, |b| b.min.to_vec());
     laid.into_iter().map(|p| p + -origin).collect()
 }
 

@@ -24,6 +24,8 @@ pub enum RefoldError {
     },
     /// The rungs leave parts of the outline that are no triangles.
     Rungs,
+    /// The outline runs clockwise: the pattern is mirrored.
+    Mirrored,
     /// The triangles make no surface.
     Surface(ConnectivityError),
     /// A triangle of the pattern, or of the surface, has no area, so nothing can be folded at it.
@@ -37,6 +39,7 @@ impl fmt::Display for RefoldError {
                 write!(f, "the outline has {found} points where the boundary has {wanted} samples")
             }
             Self::Rungs => write!(f, "the rungs do not cut the outline into triangles"),
+            Self::Mirrored => write!(f, "the pattern is mirrored"),
             Self::Surface(error) => write!(f, "{error}"),
             Self::NoArea => write!(f, "a triangle without area can't be folded"),
         }
@@ -57,8 +60,15 @@ pub fn refold(surface: &Surface, outline: &[Point2], rungs: &[Rung]) -> Result<f
         return Err(RefoldError::Outline { found: outline.len(), wanted });
     }
     let triangles = triangles_between(wanted, rungs).ok_or(RefoldError::Rungs)?;
-    let connectivity =
-        Connectivity::new(surface.connectivity().loops(), triangles).map_err(RefoldError::Surface)?;
+    let connectivity = Connectivity::new(surface.connectivity().loops(), triangles)
+        .map_err(RefoldError::Surface)?;
+    let area = |t: &[SampleIndex; 3]| {
+        let [a, b, c] = t.map(|s| outline[s.get()]);
+        (b - a).perp_dot(c - a)
+    };
+    if connectivity.triangles().iter().map(area).sum::<f64>() < 0.0 {
+        return Err(RefoldError::Mirrored);
+    }
     // Creases are those of the surface, looked up by rung; a rung that it does not have is wrong.
     let mut by_rung: Vec<(Rung, f64)> =
         surface.connectivity().hinges().iter().map(|h| (h.rung, surface.crease(h))).collect();

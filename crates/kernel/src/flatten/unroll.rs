@@ -29,7 +29,7 @@ pub fn unroll(
     if watch.stop() {
         return Err(FlattenError::Stopped);
     }
-    let order = Tree::new(connectivity).from_the_middle();
+    let order = Tree::new(connectivity).outwards();
     let mut points: Vec<Option<Point2>> = vec![None; connectivity.samples()];
     for &(triangle, entered_by) in &order {
         let [a, b, c] = match entered_by {
@@ -88,7 +88,7 @@ impl<'a> Tree<'a> {
     }
 
     /// All triangles, each after the one that it is laid at.
-    fn from_the_middle(&self) -> Vec<Laid> {
+    fn outwards(&self) -> Vec<Laid> {
         let first = TriangleIndex::new(0);
         let one_end = self.walk(first).last().map_or(first, |laid| laid.0);
         let back = self.walk(one_end);

@@ -87,9 +87,7 @@ fn overlap_in_plane(t: [Point3; 3], u: [Point3; 3]) -> bool {
     let [t, u] = [t.map(flat), u.map(flat)].map(counter_clockwise);
     // Apart exactly if a side of one has the other wholly on its right or on its line.
     let separated = |t: [Point2; 3], u: [Point2; 3]| {
-        (0..3).any(|n| {
-            u.iter().all(|&p| orientation(t[n], t[(n + 1) % 3], p) != Ordering::Greater)
-        })
+        (0..3).any(|n| u.iter().all(|&p| orientation(t[n], t[(n + 1) % 3], p) != Ordering::Greater))
     };
     !separated(t, u) && !separated(u, t)
 }

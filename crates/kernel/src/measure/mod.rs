@@ -5,6 +5,7 @@
 //! | twist w of a rung | 1 − cosine of the angle between the tangent planes at its ends | none |
 //! | warp angle of a rung | that angle | radians |
 //! | crease of a rung | angle between its two triangles, positive for a mountain | radians |
+//! | fold | whether a crease stands alone: a sharp fold, no part of a smooth bend | none |
 //! | bend radius at a rung | how tightly the sheet is rolled across it, at its middle | mm |
 //! | length error of a side | \|flat − space\| / space | none |
 //! | area | of the triangles, in space and flat | mm² |
@@ -17,9 +18,13 @@ pub use crossing::first_self_crossing;
 use crate::cost::Prices;
 use crate::flatten::Flattened;
 use crate::index::TriangleIndex;
-use crate::math::{Point3, Vec3};
+use crate::math::{Point3, Vec3, to_deg};
 use crate::rung::Rung;
 use crate::surface::{Hinge, Surface};
+
+/// Creases above this angle, degrees, are lines to bend or score along, not parts of a smooth
+/// bend: what a bend of 90° has when it is divided into 18, the coarsest that workshops bend by.
+pub const SHARP_CREASE_DEG: f64 = 5.0;
 
 /// What is measured at one rung.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,6 +38,9 @@ pub struct RungMeasures {
     /// The angle between the two triangles, radians, positive for a mountain as seen from the side
     /// that the surface faces.
     pub crease: f64,
+    /// Whether the crease is a fold: above [`SHARP_CREASE_DEG`], and more than twice as large as
+    /// those of the neighbouring rungs together, so that no finer sampling would divide it.
+    pub is_fold: bool,
     /// The radius that the sheet is rolled to at the middle of the rung, mm; infinite where flat.
     pub bend_radius_mm: f64,
     /// The unit normals of the tangent planes at its two ends; zero without tangent planes.
@@ -98,14 +106,23 @@ fn rung_measures(surface: &Surface, prices: &Prices) -> Vec<RungMeasures> {
         .map(|hinge| {
             let [low, high] = hinge.rung.ends();
             let planes = prices.planes(low.get(), high.get());
-            let near = hinge.triangles.iter().flat_map(|t| of_triangles[t.get()].iter());
-            let near = near.map(|&n| &connectivity.hinges()[n]);
+            // The rung itself comes once from each of its triangles, as its neighbours do.
+            let near = || {
+                let numbers = hinge.triangles.iter().flat_map(|t| of_triangles[t.get()].iter());
+                numbers.map(|&n| &connectivity.hinges()[n])
+            };
+            let crease = surface.crease(hinge);
+            let around: f64 = near()
+                .filter(|other| other.rung != hinge.rung)
+                .map(|other| surface.crease(other).abs())
+                .sum();
             RungMeasures {
                 rung: hinge.rung,
                 twist: planes.map_or(2.0, |p| p.twist),
                 warp: planes.map_or(std::f64::consts::PI, |p| p.warp()),
-                crease: surface.crease(hinge),
-                bend_radius_mm: bend_radius(surface, near),
+                crease,
+                is_fold: to_deg(crease.abs()) > SHARP_CREASE_DEG && crease.abs() > 2.0 * around,
+                bend_radius_mm: bend_radius(surface, near()),
                 normals: planes.map_or([Vec3::ZERO; 2], |p| p.at_ends),
                 middle: surface.position(low).lerp(surface.position(high), 0.5),
             }

@@ -5,7 +5,7 @@ mod dimension;
 use crate::flatten::Flattened;
 use crate::index::SampleIndex;
 use crate::math::{Point2, Vec2, from_deg};
-use crate::measure::Measures;
+use crate::measure::{Measures, SHARP_CREASE_DEG};
 use crate::predicate::Box2;
 use crate::rung::Rung;
 use crate::surface::Surface;
@@ -112,8 +112,7 @@ impl Piece {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PatternOptions {
     /// Creases above this angle, radians, are folds to score rather than parts of a smooth bend.
-    /// Default 5°: what a smooth bend of 90° has when it is divided into 18, the coarsest that
-    /// workshops fold by.
+    /// Default [`SHARP_CREASE_DEG`].
     pub fold_angle: f64,
     /// How many rulings get ticks, at the most. Default 24, as in the classical triangulation of
     /// ducts.
@@ -122,7 +121,7 @@ pub struct PatternOptions {
 
 impl Default for PatternOptions {
     fn default() -> Self {
-        Self { fold_angle: from_deg(5.0), ruling_ticks: 24 }
+        Self { fold_angle: from_deg(SHARP_CREASE_DEG), ruling_ticks: 24 }
     }
 }
 
@@ -197,8 +196,7 @@ fn ruling_ticks(
         .collect()
 }
 
-/// The name of the panel, in the middle of its largest triangle's neighbourhood: at the middle of
-/// the longest rung, which lies inside the piece; at the centre of a piece without rungs.
+/// The name of the panel, at the centre of its largest triangle, which lies inside the piece.
 fn name_label(name: &str, surface: &Surface, flat: &Flattened, height_mm: f64) -> PatternLabel {
     let at = |s: SampleIndex| flat.points[s.get()];
     let [a, b, c] = surface

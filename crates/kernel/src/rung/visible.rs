@@ -167,10 +167,8 @@ impl Ears {
         sides.sort_unstable();
         let mut beyond = vec![[None; 3]; corners.len()];
         for pair in sides.windows(2) {
-            let (([side, ..], t, n), ([other, ..], u, k)) = (
-                ([pair[0].0], pair[0].1, pair[0].2),
-                ([pair[1].0], pair[1].1, pair[1].2),
-            );
+            let (([side, ..], t, n), ([other, ..], u, k)) =
+                (([pair[0].0], pair[0].1, pair[0].2), ([pair[1].0], pair[1].1, pair[1].2));
             if side == other {
                 beyond[t][n] = Some(u);
                 beyond[u][k] = Some(t);
@@ -254,9 +252,7 @@ mod tests {
                 && segments_touch(polygon[i], polygon[j], polygon[k], polygon[l])
         });
         let through = (0..m).any(|k| {
-            k != i
-                && k != j
-                && segments_touch(polygon[i], polygon[j], polygon[k], polygon[k])
+            k != i && k != j && segments_touch(polygon[i], polygon[j], polygon[k], polygon[k])
         });
         leaves_inside(i, j) && leaves_inside(j, i) && !touched && !through
     }

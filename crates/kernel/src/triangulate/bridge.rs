@@ -93,12 +93,10 @@ impl Parts<'_> {
         if m == 3 {
             return Some(vec![[0, 1, 2]]);
         }
-        let both = |j: usize| {
-            self.least[j * m] + self.least[(m - j) * m + j] + self.side(0, j).price
-        };
-        let cut_off = self.least[(m - 2) * m + 1]
-            + self.side(1, m - 1).price
-            + self.triangle([m - 1, 0, 1]);
+        let both =
+            |j: usize| self.least[j * m] + self.least[(m - j) * m + j] + self.side(0, j).price;
+        let cut_off =
+            self.least[(m - 2) * m + 1] + self.side(1, m - 1).price + self.triangle([m - 1, 0, 1]);
         let best = (2..m - 1).min_by(|&a, &b| both(a).total_cmp(&both(b)).then(a.cmp(&b)));
         let mut triangles = Vec::with_capacity(m - 2);
         match best {

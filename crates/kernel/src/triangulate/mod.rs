@@ -48,11 +48,7 @@ pub struct TriangulateOptions {
 
 impl Default for TriangulateOptions {
     fn default() -> Self {
-        Self {
-            method: Method::Optimal,
-            price: PriceOptions::default(),
-            memory_limit: 4 << 30,
-        }
+        Self { method: Method::Optimal, price: PriceOptions::default(), memory_limit: 4 << 30 }
     }
 }
 
@@ -222,9 +218,7 @@ impl Terms<'_> {
             return BARRED;
         }
         match self.prices.planes(i, j) {
-            Some(planes) => {
-                Side { price: self.prices.rung(i, j, &planes), mean: planes.mean }
-            }
+            Some(planes) => Side { price: self.prices.rung(i, j, &planes), mean: planes.mean },
             None if self.forced => FORCED,
             None => BARRED,
         }

@@ -1,0 +1,105 @@
+//! The published hull: offsets of the UBC series fishing vessel [ZB18].
+#![allow(clippy::unwrap_used, clippy::print_stdout)] // tests panic and print what they measured
+
+use sheetwright::boundary::{Boundary, PlaneChoice};
+use sheetwright::cost::{PriceOptions, Prices};
+use sheetwright::curve::{Curve, CurveKind, CurvePoint, Sample, sample_open};
+use sheetwright::design::{
+    CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape, make,
+};
+use sheetwright::math::{Point3, to_deg};
+use sheetwright::triangulate::{Method, TriangulateOptions, triangulate};
+use sheetwright::watch::Unwatched;
+
+const TABLE: &str = include_str!("../../../examples/ubc-fishing-vessel.csv");
+
+/// The four curves of the table, in mm.
+fn curves() -> Vec<DesignCurve> {
+    let mut curves: Vec<DesignCurve> = Vec::new();
+    for line in TABLE.lines().skip(1) {
+        let [name, x, y, z] = line.split(',').collect::<Vec<_>>().try_into().unwrap();
+        let mm = |metres: &str| metres.parse::<f64>().unwrap() * 1000.0;
+        if curves.last().is_none_or(|curve| curve.name != name) {
+            let kind = Some(CurveKind::Spline);
+            curves.push(DesignCurve { name: name.into(), kind, closed: false, points: vec![] });
+        }
+        let at = Point3::new(mm(x), mm(y), mm(z));
+        curves.last_mut().unwrap().points.push(CurvePoint::smooth(at));
+    }
+    curves
+}
+
+/// Pairs of rails, with the largest and the mean warp angle of a plain least-twist path, degrees.
+const PLANKS: [(&str, &str, f64, f64); 3] = [
+    ("Main deck", "Upper chine", 3.9, 0.80),
+    ("Upper chine", "Lower chine", 1.9, 0.30),
+    ("Lower chine", "Profile", 26.6, 2.9),
+];
+
+#[test]
+fn every_plank_is_at_least_as_good_as_published() {
+    let one = |name: &str| CurveUse { name: name.into(), reversed: false };
+    for method in [PanelMethod::Optimal, PanelMethod::Bridge, PanelMethod::Rails] {
+        let panels = PLANKS
+            .iter()
+            .map(|(first, second, ..)| DesignPanel {
+                name: (*second).into(),
+                shape: PanelShape::Rails([one(first), one(second)]),
+                samples: 200,
+                method,
+                plane: PlaneChoice::Auto,
+                fold: sheetwright::cost::DEFAULT_FOLD,
+            })
+            .collect();
+        let design = Design { name: "hull".into(), material: None, curves: curves(), panels };
+        let made = make(&design, &mut Unwatched).unwrap();
+        for (panel, (.., most, mean)) in made.panels.iter().zip(PLANKS) {
+            let measures = &panel.measures;
+            let found = (to_deg(measures.warp_max), to_deg(measures.warp_mean));
+            println!("{method:?} {}: {:.2}° / {:.3}°", panel.name, found.0, found.1);
+            assert!(found.0 <= most && found.1 <= mean, "{} {found:?}", panel.name);
+            assert!(measures.length_error_max < 1e-12 && measures.self_crossing.is_none());
+            assert!(panel.flat.overlap.is_none());
+        }
+    }
+}
+
+/// Where the ends of the rails are no corners, so that rungs there must obey the tangent of their
+/// own rail, the numbers are the published ones: the free fans at the corners make the difference.
+#[test]
+fn without_corners_the_numbers_are_those_of_the_plain_path() {
+    let curves = curves();
+    let rail = |name: &str| -> Vec<Sample> {
+        let curve = curves.iter().find(|curve| curve.name == name).unwrap();
+        let curve = Curve::new(CurveKind::Spline, &curve.points, false).unwrap();
+        sample_open(&curve, 200).unwrap()
+    };
+    for (first, second, most, mean) in PLANKS {
+        let mut samples = rail(first);
+        samples.extend(rail(second).into_iter().rev().map(|s| Sample {
+            position: s.position,
+            tangent_in: -s.tangent_out,
+            tangent_out: -s.tangent_in,
+        }));
+        let boundary = Boundary::new(vec![samples]).unwrap();
+        let price = PriceOptions { fold: 0.0, ..Default::default() };
+        let method = Method::Rails { first: 200 };
+        let options = TriangulateOptions { method, price, ..Default::default() };
+        let found = triangulate(&boundary, None, &options, &mut Unwatched).unwrap();
+        let prices = Prices::new(&boundary, None, price);
+        // The first and last rung of the path are the ends of the strip, edges of the boundary.
+        let warps: Vec<f64> = found
+            .rungs
+            .iter()
+            .map(|rung| {
+                let [a, b] = rung.ends();
+                to_deg(prices.planes(a.get(), b.get()).unwrap().warp())
+            })
+            .collect();
+        let largest = warps.iter().copied().fold(0.0, f64::max);
+        let average = warps.iter().sum::<f64>() / warps.len() as f64;
+        println!("{first}–{second}: {largest:.2}° / {average:.3}°");
+        assert!((largest - most).abs() < 0.1, "{first}: {largest}");
+        assert!((average - mean).abs() < 0.05, "{first}: {average}");
+    }
+}
