@@ -111,7 +111,7 @@ fn fourier(m: usize, seed: u64, radius: f64) -> Boundary {
     let waves: Vec<[f64; 6]> = (1..=5)
         .map(|k| {
             let size = f64::from(k * k);
-            std::array::from_fn(|_| random.between(-0.5, 0.5) / size)
+            std::array::from_fn(|_| random.between(-1.0, 1.0) / size)
         })
         .collect();
     closed(m, &|t| {
