@@ -41,8 +41,7 @@ pub struct TriangulateOptions {
     pub method: Method,
     /// How they are priced.
     pub price: PriceOptions,
-    /// The most memory that tables may take, bytes. Default 4 GiB: `Optimal` up to some 16,000
-    /// samples.
+    /// The most memory that tables may take, bytes. Default 4 GiB: `Optimal` up to 11,000 samples.
     pub memory_limit: u64,
 }
 

@@ -28,6 +28,7 @@ use super::{Terms, TriangulateError};
 use crate::cost::{QUANTUM, RungColumn, quantised};
 use crate::math::Vec3;
 use crate::watch::Watch;
+use std::ops::Range;
 
 /// How many sums are compared at once: two to four vector registers on common processors.
 const LANES: usize = 8;
@@ -45,10 +46,12 @@ const GUESS: f64 = 1.3;
 /// Above it no bound is tried: a boundary like that needs all entries.
 const HIGHEST_BOUND: f64 = 100.0;
 
-/// What the table of m samples takes, bytes.
+/// What the tables of m samples take, bytes: this one, those of the thinned loops, a sixteenth each
+/// of the one before, and who sees whom.
 pub fn memory_needed(m: usize) -> u64 {
     let pairs = (m as u64) * (m as u64).saturating_sub(1) / 2;
-    pairs * (2 * size_of::<f64>() + 6 * size_of::<f32>() + size_of::<Vec3>()) as u64
+    let entry = 2 * size_of::<f64>() + 6 * size_of::<f32>() + size_of::<Vec3>();
+    pairs * (entry as u64) / 15 * 16 + pairs / 4
 }
 
 /// The triangles of the cheapest triangulation; `None` if there is none.
@@ -57,10 +60,14 @@ pub(super) fn solve(
     watch: &mut dyn Watch,
 ) -> Result<Option<Vec<[usize; 3]>>, TriangulateError> {
     let mut table = Table::new(terms);
+    let mut left = 1.0;
     for bound in bounds(terms, watch)? {
-        if table.fill(bound, watch)? < f64::INFINITY {
+        // Nobody knows how many bounds it takes: each gets half of what is left of the progress.
+        let share = 1.0 - left..1.0 - 0.5 * left;
+        if table.fill(bound, watch, share)? < f64::INFINITY {
             return Ok(Some(table.trace()));
         }
+        left *= 0.5;
     }
     Ok(None)
 }
@@ -74,7 +81,7 @@ fn bounds(terms: &Terms<'_>, watch: &mut dyn Watch) -> Result<Vec<f64>, Triangul
     let coarse = thinned.terms();
     let mut table = Table::new(&coarse);
     for bound in bounds(&coarse, watch)? {
-        let price = table.fill(bound, watch)?;
+        let price = table.fill(bound, watch, 0.0..0.0)?;
         if price < f64::INFINITY {
             let steps = [GUESS / THINNING as f64, GUESS, GUESS * THINNING as f64];
             let tried = steps.iter().map(|step| quantised((step * price).min(HIGHEST_BOUND)));
@@ -143,8 +150,14 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// Fills the table with all entries up to `bound`, and returns the price of the answer.
-    fn fill(&mut self, bound: f64, watch: &mut dyn Watch) -> Result<f64, TriangulateError> {
+    /// Fills the table with all entries up to `bound`, and returns the price of the answer. `share`
+    /// is the part of the progress that this is.
+    fn fill(
+        &mut self,
+        bound: f64,
+        watch: &mut dyn Watch,
+        share: Range<f64>,
+    ) -> Result<f64, TriangulateError> {
         self.bound = bound;
         let registers = pulp::Arch::new();
         for j in 1..self.m {
@@ -152,7 +165,7 @@ impl<'a> Table<'a> {
                 return Err(TriangulateError::Stopped);
             }
             let done = j as f64 / self.m as f64;
-            watch.progress(done * done * done);
+            watch.progress(share.start + (share.end - share.start) * done * done * done);
             registers.dispatch(
                 #[inline(always)]
                 || self.fill_column(j),
