@@ -76,7 +76,7 @@ pub struct Checked {
 
 /// Up to this share of the warp limit a sheet goes into shape by itself; above it, with force.
 /// Half of the limit: by experience of plywood boats, which are clamped rather than rolled.
-const EASY_SHARE: f64 = 0.5;
+pub const EASY_SHARE: f64 = 0.5;
 /// Creases above this angle, radians, are named as folds: 5°, as on the pattern.
 const FOLD_ANGLE_DEG: f64 = 5.0;
 
