@@ -15,3 +15,8 @@ mod report;
 mod stroke_font;
 mod svg;
 mod table;
+
+pub use report::{
+    Picture, flat_picture, gauss_picture, report_html, report_json, report_schema, side_by_side,
+    surface_picture, warp_chart,
+};
