@@ -2,7 +2,7 @@
 
 use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, line, number, text};
 use super::space_picture::rung_classes;
-use super::wording::millimetres;
+use super::wording::{millimetres, thinned};
 use sheetwright::design::MadePanel;
 use sheetwright::material::Material;
 use sheetwright::math::{Point2, Vec2, angle_between, from_deg, unit2};
@@ -14,7 +14,7 @@ use std::collections::BTreeSet;
 pub(super) const LEFT: f64 = 66.0;
 pub(super) const RIGHT: f64 = 34.0;
 const TOP: f64 = 32.0;
-const FOOT: f64 = 64.0;
+const FOOT: f64 = 66.0;
 /// Rulings drawn, at the most.
 const RULINGS: usize = 60;
 /// Edges with a letter, at the most: the longest.
@@ -67,24 +67,30 @@ fn rungs(
     place: impl Fn(Point2) -> Point2,
 ) -> String {
     let classes = rung_classes(panel, material, RULINGS);
-    let folds: BTreeSet<Rung> = panel
+    let scored: BTreeSet<Rung> = panel
         .piece
         .paths
         .iter()
         .filter(|path| path.role == Role::Score)
         .filter_map(|path| if let PathKind::Rung(rung) = path.kind { Some(rung) } else { None })
         .collect();
+    let measured = &panel.measures.rungs;
+    let is_fold = |n: &usize| scored.contains(&measured[*n].rung);
+    let of_class = |class: &str| {
+        (0..measured.len()).filter(|&n| classes[n] == Some(class)).collect::<Vec<usize>>()
+    };
+    let folds: Vec<usize> = (0..measured.len()).filter(is_fold).collect();
+    let rulings = of_class("r").into_iter().filter(|n| !is_fold(n)).collect();
     let mut body = String::new();
-    for class in ["r", "score", "x", "w"] {
+    for (class, list) in [
+        ("r", rulings),
+        ("score", thinned(&folds, RULINGS)),
+        ("x", of_class("x")),
+        ("w", of_class("w")),
+    ] {
         let mut path = PathData::default();
-        for (n, rung) in panel.measures.rungs.iter().enumerate() {
-            let drawn = match classes[n] {
-                Some("r") | None if folds.contains(&rung.rung) => Some("score"),
-                of_warp => of_warp,
-            };
-            if drawn == Some(class) {
-                path.line(rung.rung.ends().map(|s| place(panel.flat.points[s.get()])));
-            }
+        for n in list {
+            path.line(measured[n].rung.ends().map(|s| place(panel.flat.points[s.get()])));
         }
         body += &path.element(class);
     }
@@ -127,8 +133,8 @@ fn dimensions(size: Vec2, scale: f64, bottom: f64) -> String {
     for end in [bottom, bottom - height] {
         path.line([at(x - 5.0, end), at(x + 5.0, end)]);
     }
-    let below = at(LEFT + 0.5 * width, y + 19.0);
-    let beside = at(x - 9.0, bottom - 0.5 * height);
+    let below = at(LEFT + 0.5 * width, y + 21.0);
+    let beside = at(x - 10.0, bottom - 0.5 * height);
     // Turned, so that it reads from the right.
     let turned = format!(
         r#"<g transform="translate({} {}) rotate(-90)">{}</g>"#,

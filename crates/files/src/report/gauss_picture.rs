@@ -96,6 +96,8 @@ impl Image {
     /// Rungs, then the two sides of every strip; what is not `visible` lies behind the sphere.
     fn draw(&self, place: impl Fn(Vec3) -> Point2, visible: impl Fn(Vec3) -> bool) -> String {
         let mut body = String::new();
+        // Strips whose rungs all face one way.
+        let mut dots = String::new();
         for wanted in ["r", "x", "w"] {
             let mut path = PathData::default();
             for (class, normals) in &self.rungs {
@@ -124,9 +126,9 @@ impl Image {
                         run.push(at);
                     }
                 }
-                // A single point shows as a dot, for the line has round ends.
                 if let [only] = run[..] {
-                    run.push(Point2::new(only.x + 0.01, only.y));
+                    dots += &circle("head", only, 4.0);
+                    continue;
                 }
                 let path = if in_front { &mut front } else { &mut behind };
                 path.line(run);
@@ -134,7 +136,7 @@ impl Image {
             body += &behind.element("curve behind");
             body += &front.element(if side == 0 { "curve" } else { "curve other" });
         }
-        body
+        body + &dots
     }
 
     /// The image alone, angles from its middle to scale.
@@ -208,7 +210,7 @@ fn sphere(view: &View, centre: Point2) -> String {
             body += &line("axis", &[at(RADIUS), end]);
             let word = at(RADIUS * 0.86);
             let word = Point2::new(word.x, word.y + 4.0);
-            body += &text("small quiet", Anchor::Middle, word, &format!("{mark}{name}"));
+            body += &text("halo quiet", Anchor::Middle, word, &format!("{mark}{name}"));
         }
     }
     body

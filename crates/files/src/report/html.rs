@@ -7,7 +7,7 @@ use super::style::page_style;
 use super::view::box_of;
 use super::warp_chart::warp_chart;
 use super::wording::{
-    area, degrees, millimetres, per_cent, radius, refold, scientific, verdict_sentence,
+    area, decimal, degrees, millimetres, per_cent, radius, refold, scientific, verdict_sentence,
     verdict_word,
 };
 use super::worst_rung;
@@ -67,14 +67,14 @@ fn subtitle(made: &Made) -> String {
     };
     match made.material {
         Some(m) => format!(
-            "{panels} of {}: warp up to {}, bend radius from {}",
+            "{panels} of {}: takes a warp of {}° and a bend radius of {}",
             m.title,
-            degrees(to_deg(m.warp_limit)),
+            decimal(to_deg(m.warp_limit), 1),
             millimetres(m.bend_radius_mm)
         ),
         None => format!(
-            "{panels}, no material named: warp up to {} is accepted, any bend radius",
-            degrees(to_deg(warp_limit(None)))
+            "{panels}, no material named: a warp of {}° is accepted, and any bend radius",
+            decimal(to_deg(warp_limit(None)), 1)
         ),
     }
 }
@@ -111,6 +111,9 @@ const SUMMARY: [&str; 6] = [
     "Length error",
     "Refold error",
 ];
+
+/// A warp that is shown as none, degrees: half of the last digit that is printed.
+const NO_WARP_DEG: f64 = 0.005;
 
 /// A panel with all that its part of the page shows.
 struct Page<'a> {
@@ -196,33 +199,31 @@ impl Page<'_> {
                 p { (verdict_sentence(self.checked.verdict)) }
                 (self.findings())
                 div.figures {
-                    figure {
-                        (PreEscaped(surface_picture(panel, material).inline()))
-                        figcaption { (self.space_caption()) }
-                    }
-                    figure {
-                        (PreEscaped(flat_picture(panel, material).inline()))
-                        (self.flat_caption())
-                    }
-                    @if let Some(gauss) = gauss_picture(panel, material) {
-                        figure {
-                            (PreEscaped(gauss.inline()))
-                            figcaption {
-                                strong { "Which way it faces. " }
-                                "Each ruling is a point for each of its ends, in the direction \
-                                 that the sheet faces there. A thin curve means that it bends \
-                                 without stretching; a ribbon or an area means that it must \
-                                 stretch, as much as the ribbon is wide."
+                    div.column {
+                        figure.first {
+                            (PreEscaped(surface_picture(panel, material).inline()))
+                            figcaption { (self.space_caption()) }
+                        }
+                        @if let Some(gauss) = gauss_picture(panel, material) {
+                            figure.fourth {
+                                (PreEscaped(gauss.inline()))
+                                figcaption { (gauss_caption()) }
                             }
                         }
                     }
-                    @if let Some(chart) = warp_chart(panel, material) {
-                        figure {
-                            (PreEscaped(chart.inline()))
-                            figcaption { (self.warp_caption()) }
+                    div.column {
+                        figure.second {
+                            (PreEscaped(flat_picture(panel, material).inline()))
+                            (self.flat_caption())
                         }
-                    } @else {
-                        p { "One triangle: flat, so there is nothing to bend and nothing to chart." }
+                        @if let Some(chart) = warp_chart(panel, material) {
+                            figure.third {
+                                (PreEscaped(chart.inline()))
+                                figcaption { (self.warp_caption()) }
+                            }
+                        } @else {
+                            p.third { "One triangle is flat: there is nothing to bend." }
+                        }
                     }
                 }
                 (self.numbers())
@@ -287,7 +288,9 @@ impl Page<'_> {
             strong { "Warp. " }
             "How far the sheet twists from one end of each ruling to the other: the less, the \
              easier it bends."
-            @if let Some(worst) = worst_rung(measures) {
+            @if to_deg(measures.warp_max) < NO_WARP_DEG {
+                " No ruling of this panel twists."
+            } @else if let Some(worst) = worst_rung(measures) {
                 " The largest, " (degrees(to_deg(measures.warp_max))) ", is at ruling "
                 (worst + 1) " of " (measures.rungs.len()) "."
             }
@@ -328,6 +331,15 @@ impl Page<'_> {
         } else {
             refold(self.refold_error_mm)
         }
+    }
+}
+
+fn gauss_caption() -> Markup {
+    html! {
+        strong { "Which way it faces. " }
+        "Every direction is a point on a ball; each ruling is drawn from the direction at its one \
+         end (blue) to that at its other (green). One thin curve: the sheet bends without \
+         stretching. A ribbon or an area: it must stretch, the more the wider it is."
     }
 }
 

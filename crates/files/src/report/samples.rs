@@ -102,6 +102,7 @@ pub(super) fn between(
     let shape = PanelShape::Rails([used("a"), used("b")]);
     let mut panel = panel(name, shape, samples);
     panel.plane = PlaneChoice::None;
+    panel.method = PanelMethod::Rails;
     made(name, material, curves, vec![panel])
 }
 

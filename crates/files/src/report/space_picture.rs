@@ -12,11 +12,11 @@ use super::worst_rung;
 use sheetwright::design::MadePanel;
 use sheetwright::index::TriangleIndex;
 use sheetwright::material::{Material, warp_limit};
-use sheetwright::math::{Point2, Point3, Vec3, unit};
+use sheetwright::math::{Point2, Point3, Vec2, Vec3, unit};
 
 /// Room round the surface, and below it for the axes and the scale.
 const MARGIN: f64 = 16.0;
-const FOOT: f64 = 76.0;
+const FOOT: f64 = 96.0;
 /// The surface is drawn no higher than this.
 const MOST_HEIGHT: f64 = 330.0;
 /// The least difference of brightness that the shades are spread over: below it a surface is so
@@ -47,7 +47,7 @@ pub fn surface_picture(panel: &MadePanel, material: Option<&Material>) -> Pictur
         .collect();
     let total = MARGIN + drawn + FOOT;
     let mut body = Painter { panel, view: &view, points: &points, material }.paint();
-    body += &triad(&view, Point2::new(36.0, total - 34.0));
+    body += &triad(&view, Point2::new(46.0, total - 42.0));
     let bar = round_below(0.3 * WIDTH / scale);
     body += &scale_bar(Point2::new(WIDTH - MARGIN, total - 14.0), scale * bar, &length_short(bar));
     Picture::new(WIDTH, total, format!("{} in space", panel.name), body)
@@ -215,19 +215,28 @@ fn triangles_of_edges(panel: &MadePanel) -> Vec<([usize; 2], usize)> {
 
 /// Where x, y and z point.
 fn triad(view: &View, at: Point2) -> String {
-    const ARM: f64 = 24.0;
+    const ARM: f64 = 26.0;
+    const NAME_AWAY: f64 = 10.0;
     let mut body = String::new();
-    for (axis, name) in [(Vec3::X, "x"), (Vec3::Y, "y"), (Vec3::Z, "z")] {
-        let way = view.direction(axis).to_vec();
+    let mut drawn: Vec<Vec2> = Vec::new();
+    let mut axes = [(Vec3::X, "x"), (Vec3::Y, "y"), (Vec3::Z, "z")]
+        .map(|(axis, name)| (view.direction(axis).to_vec(), name));
+    // The long arms first: a short one makes way for them.
+    axes.sort_by(|a, b| b.0.length().total_cmp(&a.0.length()).then(a.1.cmp(b.1)));
+    for (way, name) in axes {
         // An axis that points at the eye is a dot, whose name would lie on those of the others.
         if way.length() < 0.2 {
             continue;
         }
         let end = Point2::new(at.x + ARM * way.x, at.y - ARM * way.y);
         body += &line("axis", &[at, end]);
-        let away = way / way.length() * 10.0;
-        body +=
-            &text("small", Anchor::Middle, Point2::new(end.x + away.x, end.y - away.y + 4.0), name);
+        let along = way / way.length();
+        let hidden = drawn.iter().any(|d| d.dot(along) > 0.0 && d.perp_dot(along).abs() < 0.4);
+        // Beside the arm where another arm runs on the same way.
+        let away = NAME_AWAY * if hidden { along.perp() } else { along };
+        let name_at = Point2::new(end.x + away.x, end.y - away.y + 4.0);
+        body += &text("small", Anchor::Middle, name_at, name);
+        drawn.push(along);
     }
     body
 }

@@ -64,8 +64,8 @@ font-family:system-ui,-apple-system,'Segoe UI',Roboto,'Helvetica Neue',Arial,san
 .pic text{font-size:13px;fill:var(--ink)}\
 .pic .ts{text-anchor:start}.pic .tm{text-anchor:middle}.pic .te{text-anchor:end}\
 .pic .quiet{fill:var(--quiet)}\
-.pic .halo,.pic .band{paint-order:stroke;stroke:var(--paper);stroke-width:4px;stroke-linejoin:round}\
-.pic .band{fill:var(--warm);stroke-width:0}\
+.pic .halo{paint-order:stroke;stroke:var(--paper);stroke-width:4px;stroke-linejoin:round}\
+.pic .band{fill:var(--warm)}\
 .pic .letter{font-weight:600}\
 .pic .r{stroke:var(--line);stroke-width:.7;stroke-opacity:.5}\
 .pic .x{stroke:var(--bad);stroke-width:1}\
@@ -86,7 +86,7 @@ font-family:system-ui,-apple-system,'Segoe UI',Roboto,'Helvetica Neue',Arial,san
 .pic .ball{fill:var(--tint);stroke:var(--quiet);stroke-width:1.2}\
 .pic .grid{stroke:var(--quiet);stroke-width:.6;stroke-opacity:.4}\
 .pic .curve{stroke:var(--bar);stroke-width:2.4}\
-.pic .other{stroke:var(--other)}\
+.pic .other{stroke:var(--other);stroke-dasharray:5 5}\
 .pic .behind{stroke-dasharray:2 4;stroke-width:1.4}\
 @media (max-width:560px){.pic text{font-size:16px}}";
 
@@ -112,7 +112,7 @@ main{max-width:1160px;margin:0 auto;padding:28px 16px 64px}\
 h1{font-size:1.8rem;line-height:1.2;margin:0 0 4px}\
 h2{font-size:1.4rem;line-height:1.25;margin:0 0 10px}\
 h3{font-size:1.05rem;margin:26px 0 8px}\
-h1,h2,h3,p,li,td,a{overflow-wrap:anywhere}\
+h1,h2,h3,p,li,a,tbody th{overflow-wrap:anywhere}td{overflow-wrap:break-word}\
 p{margin:0 0 10px}\
 .sub{color:var(--quiet);margin-bottom:22px}\
 .cards{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,320px),1fr));gap:12px;\
@@ -129,7 +129,9 @@ color:var(--good)}\
 text-align:center;font-size:.85em;background:currentColor}\
 .verdict b i{font-style:normal;color:var(--paper)}\
 .panel{border-top:2px solid var(--rule);padding-top:26px;margin-top:34px}\
-.figures{display:grid;grid-template-columns:1fr 1fr;gap:22px 32px;align-items:start}\
+.figures{display:grid;grid-template-columns:minmax(0,1fr) minmax(0,1fr);gap:22px 32px;\
+align-items:start;margin-top:18px}\
+.column{display:grid;gap:26px;min-width:0}\
 figure{margin:0;min-width:0}\
 figure svg{display:block;width:100%;height:auto;max-width:560px;margin:0 auto}\
 figcaption{font-size:.92rem;color:var(--quiet);margin-top:6px}\
@@ -153,9 +155,11 @@ tbody th{font-weight:600}\
 gap:0 32px;margin:0}\
 .numbers div{display:flex;justify-content:space-between;gap:14px;padding:4px 0;\
 border-bottom:1px solid var(--rule)}\
-.numbers dt{color:var(--quiet)}.numbers dd{margin:0;text-align:right;\
+.numbers dt{color:var(--quiet)}.numbers dd{margin:0;text-align:right;white-space:nowrap;\
 font-variant-numeric:tabular-nums}\
-@media (max-width:820px){.figures{grid-template-columns:1fr}\
+@media (max-width:820px){.figures{grid-template-columns:minmax(0,1fr)}\
+.column{display:contents}\
+.first{order:1}.second{order:2}.third{order:3}.fourth{order:4}\
 .summary thead{position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)}\
 .summary tr{display:block;padding:8px 0;border-bottom:1px solid var(--rule)}\
 .summary th,.summary td{display:flex;justify-content:space-between;gap:14px;border:0;\
@@ -168,6 +172,7 @@ padding:2px 0;text-align:right}\
 *{print-color-adjust:exact;-webkit-print-color-adjust:exact}\
 body{font-size:10.5pt}main{max-width:none;padding:0}\
 .panel{break-before:page;border:0;margin:0;padding:0}\
-.figures{grid-template-columns:1fr 1fr;gap:12px 20px}\
+.figures{grid-template-columns:minmax(0,1fr) minmax(0,1fr);gap:12px 20px}\
+.column{display:grid;gap:14px}\
 figure,.card,.findings li,tr,.numbers div{break-inside:avoid}\
 h2,h3{break-after:avoid}}";

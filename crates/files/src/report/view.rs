@@ -49,6 +49,8 @@ const ELEVATIONS: [(f64, f64); 5] =
 /// How much of the surface should look at the eye: head on (1) it seems flat, edge on (0) it can't
 /// be seen.
 const FACING: f64 = 0.78;
+/// How much of the panel's length should be seen: in full, a tube looks like a plate.
+const LENGTH: f64 = 0.9;
 
 /// The view of a panel, from the side that it faces: chosen among some dozens so that most of it is
 /// seen, aslant and at its full length, and so that nothing hides anything where that can be had.
@@ -79,23 +81,20 @@ fn score(view: &View, areas: &[Vec3], long: Vec3) -> f64 {
     let share =
         |sign: f64| areas.iter().map(|a| (sign * a.dot(view.toward)).max(0.0)).sum::<f64>() / whole;
     let (front, back) = (share(1.0), share(-1.0));
-    let length = view.direction(long).to_vec().length();
+    let along = view.direction(long);
     let facing = 1.0 - (front - FACING).abs();
-    2.0 * facing - 1.5 * back + length
+    let length = 1.0 - (along.to_vec().length() - LENGTH).abs();
+    // What lies left on the pattern should lie left here.
+    2.0 * facing - 1.5 * back + 1.5 * length + 0.5 * along.x
 }
 
-/// The way from the sample that is farthest from the first to the one farthest from that.
+/// Where the flat pattern's x, its longer side, points in space: the sum over all samples of the
+/// way from their middle in space, times that along x on the pattern.
 fn longest_direction(panel: &MadePanel) -> Vec3 {
-    let points = panel.surface.positions();
-    let farthest = |from: Point3| {
-        points
-            .iter()
-            .copied()
-            .reduce(|best, p| if from.distance(p) > from.distance(best) { p } else { best })
-            .unwrap_or(from)
-    };
-    let a = farthest(points[0]);
-    unit(farthest(a) - a).unwrap_or(Vec3::X)
+    let (space, flat) = (panel.surface.positions(), &panel.flat.points);
+    let middle = 0.5 * panel.piece.size.x;
+    let sum = space.iter().zip(flat).map(|(p, f)| (*p - space[0]) * (f.x - middle)).sum();
+    unit(sum).unwrap_or(Vec3::X)
 }
 
 /// Whether nothing hides anything: every triangle turns the same side to the eye and the boundary

@@ -8,6 +8,7 @@ use sheetwright::check::EASY_SHARE;
 use sheetwright::design::MadePanel;
 use sheetwright::material::{Material, warp_limit};
 use sheetwright::math::{Point2, Vec2, to_deg};
+use sheetwright::rung::Rung;
 
 const TOP: f64 = 14.0;
 const HEIGHT: f64 = 170.0;
@@ -28,10 +29,9 @@ pub fn warp_chart(panel: &MadePanel, material: Option<&Material>) -> Option<Pict
     let limit = to_deg(warp_limit(material));
     let most = to_deg(panel.measures.warp_max);
     let top = (limit / LIMIT_SHARE).max(1.08 * most);
-    let chart = Chart { panel, limit, top };
-    let mut body = chart.bands();
-    body += &chart.axes();
-    body += &chart.bars();
+    let chart = Chart { panel, limit, top, across: runs_across(panel) };
+    let [bands, names] = chart.bands();
+    let mut body = bands + &chart.axes() + &chart.bars() + &names;
     body += &chart.limit_line(material);
     let at = chart.place(worst);
     if most > limit {
@@ -45,15 +45,50 @@ pub fn warp_chart(panel: &MadePanel, material: Option<&Material>) -> Option<Pict
     ))
 }
 
+/// Whether the rungs follow one another across the pattern rather than along it, as on a tube that
+/// is longer than wide.
+fn runs_across(panel: &MadePanel) -> bool {
+    let spread = |of: fn(Point2) -> f64| {
+        let places = panel.measures.rungs.iter().map(|rung| of(middle(panel, rung.rung)));
+        let (least, most) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| {
+            (least.min(x), most.max(x))
+        });
+        most - least
+    };
+    spread(|p| p.y) > spread(|p| p.x)
+}
+
+/// The middle of a rung on the pattern, mm.
+fn middle(panel: &MadePanel, rung: Rung) -> Point2 {
+    let [a, b] = rung.ends().map(|s| panel.flat.points[s.get()]);
+    a.lerp(b, 0.5)
+}
+
 struct Chart<'a> {
     panel: &'a MadePanel,
     /// Degrees.
     limit: f64,
     /// The top of the scale, degrees.
     top: f64,
+    /// Whether places are counted across the pattern, from its lower side.
+    across: bool,
 }
 
 impl Chart<'_> {
+    /// What the places span, mm.
+    fn span(&self) -> f64 {
+        let size = self.panel.piece.size;
+        if self.across { size.y } else { size.x }
+    }
+
+    fn x(&self, place: f64) -> f64 {
+        if self.across {
+            return LEFT + (WIDTH - LEFT - RIGHT) / self.span().max(1e-12) * place;
+        }
+        // As in the picture of the pattern above it.
+        LEFT + scale_of(self.panel) * place
+    }
+
     fn y(&self, deg: f64) -> f64 {
         TOP + HEIGHT * (1.0 - deg / self.top)
     }
@@ -61,15 +96,16 @@ impl Chart<'_> {
     /// The head of a rung's bar.
     fn place(&self, rung: usize) -> Point2 {
         let measured = &self.panel.measures.rungs[rung];
-        let [a, b] = measured.rung.ends().map(|s| self.panel.flat.points[s.get()]);
-        let x = LEFT + scale_of(self.panel) * a.lerp(b, 0.5).x;
+        let middle = middle(self.panel, measured.rung);
+        let x = self.x(if self.across { middle.y } else { middle.x });
         Point2::new(x, self.y(to_deg(measured.warp)))
     }
 
-    fn bands(&self) -> String {
+    /// The bands, and their names, which lie over everything.
+    fn bands(&self) -> [String; 2] {
         let (right, left) = (WIDTH - RIGHT, LEFT);
         let easy = EASY_SHARE * self.limit;
-        let mut body = String::new();
+        let (mut body, mut names) = (String::new(), String::new());
         for (class, from, to, name) in [
             ("force", easy, self.limit, "needs force"),
             ("beyond", self.limit, self.top, "too much"),
@@ -79,10 +115,10 @@ impl Chart<'_> {
             body += &rectangle(class, Point2::new(left, high), size);
             if size.y >= BAND_FOR_TEXT {
                 let at = Point2::new(left + 7.0, 0.5 * (low + high) + 5.0);
-                body += &text("band", Anchor::Start, at, name);
+                names += &text("halo band", Anchor::Start, at, name);
             }
         }
-        body
+        [body, names]
     }
 
     fn axes(&self) -> String {
@@ -101,19 +137,23 @@ impl Chart<'_> {
             n += 1.0;
         }
         lines.line([at(left, TOP), at(left, bottom), at(right, bottom)]);
-        let length = self.panel.piece.size.x;
+        let length = self.span();
         let (unit, unit_mm) = if length >= 3000.0 { ("m", 1000.0) } else { ("mm", 1.0) };
         let step = round_below(length / 3.0);
         let decimals = usize::from(step < unit_mm);
         let mut n = 0.0;
         while n * step <= length {
-            let x = left + scale_of(self.panel) * n * step;
+            let x = self.x(n * step);
             lines.line([at(x, bottom), at(x, bottom + 5.0)]);
             let words = decimal(n * step / unit_mm, decimals);
             body += &text("", Anchor::Middle, at(x, bottom + 20.0), &words);
             n += 1.0;
         }
-        let title = format!("place along the flat pattern, {unit}");
+        let title = if self.across {
+            format!("place across the flat pattern, from below, {unit}")
+        } else {
+            format!("place along the flat pattern, {unit}")
+        };
         let middle = at(0.5 * (left + right), bottom + 41.0);
         lines.element("axis") + &body + &text("quiet", Anchor::Middle, middle, &title)
     }

@@ -130,7 +130,7 @@ pub(super) fn scientific(x: f64) -> String {
         return digits.to_owned();
     }
     let raised: String = power.chars().map(superscript).collect();
-    format!("{} × 10{raised}", digits.replace('-', "−"))
+    format!("{}\u{a0}×\u{a0}10{raised}", digits.replace('-', "−"))
 }
 
 fn superscript(c: char) -> char {
@@ -162,7 +162,7 @@ mod tests {
         assert_eq!(area(2500.0), "25.00\u{a0}cm²");
         assert_eq!(degrees(0.4), "0.40°");
         assert_eq!(per_cent(0.0123), "1.2300\u{a0}%");
-        assert_eq!(scientific(2.1e-13), "2.1 × 10⁻¹³");
+        assert_eq!(scientific(2.1e-13), "2.1\u{a0}×\u{a0}10⁻¹³");
         assert_eq!(scientific(1.5), "1.5");
         assert_eq!(radius(f64::INFINITY), "flat");
         assert_eq!(refold(f64::NAN), "not read back");
