@@ -193,8 +193,8 @@ mod tests {
 
     #[test]
     fn numbers_are_short() {
-        let list = [0.0, -0.001, 1.5, 10.0, -3.14159, 100.0];
-        assert_eq!(list.map(number), ["0", "0", "1.5", "10", "-3.14", "100"]);
+        let list = [0.0, -0.001, 1.5, 10.0, -3.256, 100.0];
+        assert_eq!(list.map(number), ["0", "0", "1.5", "10", "-3.26", "100"]);
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! `report.json`: what was measured and found, for scripts.
 
 use schemars::JsonSchema;
+use schemars::generate::SchemaSettings;
 use serde::Serialize;
 use sheetwright::check::Checked;
 use sheetwright::design::{Made, MadePanel};
@@ -132,7 +133,8 @@ pub fn report_json(made: &Made, refold_error_mm: &[f64], checked: &[Checked]) ->
 
 /// The JSON Schema of `report.json`.
 pub fn report_schema() -> Vec<u8> {
-    to_bytes(&schemars::schema_for!(Report<'_>))
+    let settings = SchemaSettings::draft2020_12().for_serialize();
+    to_bytes(&settings.into_generator().into_root_schema_for::<Report<'_>>())
 }
 
 /// Plain structs of numbers and strings: writing them to memory has no way to fail.

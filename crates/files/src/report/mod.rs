@@ -8,6 +8,7 @@
 mod canvas;
 mod flat_picture;
 mod gauss_picture;
+mod hidden;
 mod html;
 mod json;
 mod space_picture;

@@ -1,10 +1,11 @@
 //! The surface in space: shaded triangles, rulings and the boundary.
 //!
-//! Painter's algorithm: triangles from far to near, each side after the triangles that it belongs
-//! to. Where nothing hides anything (see [`is_plain`]) no order is needed, and triangles of one
-//! shade and all sides are one path each, which makes the page small.
+//! Painter's algorithm: triangles from far to near, then those parts of lines that no triangle
+//! hides. Where nothing hides anything (see [`is_plain`]) no order is needed, and triangles of one
+//! shade and all lines of a kind are one path each, which makes the page small.
 
 use super::canvas::{Anchor, PathData, Picture, WIDTH, line, round_below, scale_bar, text};
+use super::hidden::Seen;
 use super::style::SHADES;
 use super::view::{View, is_plain, view_of};
 use super::wording::{length_short, thinned};
@@ -138,39 +139,39 @@ impl Painter<'_> {
         let depths: Vec<f64> = (0..shades.len()).map(depth).collect();
         let mut order: Vec<usize> = (0..shades.len()).collect();
         order.sort_by(|&a, &b| depths[a].total_cmp(&depths[b]).then(a.cmp(&b)));
-        let mut place = vec![0; shades.len()];
-        for (n, &triangle) in order.iter().enumerate() {
-            place[triangle] = n;
-        }
-        // What is drawn after each triangle.
-        let mut after: Vec<Vec<(&'static str, [Point2; 2])>> = vec![Vec::new(); shades.len()];
-        for (n, class) in self.rung_classes().into_iter().enumerate() {
-            let triangles = connectivity.hinges()[n].triangles.map(|t| t.get());
-            if let Some(class) = class {
-                let last = triangles.into_iter().max_by_key(|&t| place[t]).unwrap_or(0);
-                after[last].push((class, self.rung_ends(n)));
-            }
-        }
-        let of_sides = triangles_of_edges(self.panel);
-        for ([a, b], triangle) in of_sides {
-            after[triangle].push(("e", [self.points[a], self.points[b]]));
-        }
         let mut body = String::new();
-        let (mut class, mut run) = (String::new(), PathData::default());
+        let (mut class, mut run) = ("", PathData::default());
         for &n in &order {
-            if class != shades[n] || !after[n].is_empty() {
-                body += &std::mem::take(&mut run).element(&class);
-                class.clone_from(&shades[n]);
+            if class != shades[n] {
+                body += &std::mem::take(&mut run).element(class);
+                class = &shades[n];
             }
             run.ring(self.corners(n));
-            if !after[n].is_empty() {
-                body += &std::mem::take(&mut run).element(&class);
+        }
+        body += &run.element(class);
+        let seen = Seen::new(self.panel, self.view, self.points);
+        let classes = self.rung_classes();
+        for class in ["r", "x", "w"] {
+            let mut path = PathData::default();
+            for n in (0..classes.len()).filter(|&n| classes[n] == Some(class)) {
+                for part in seen.visible(self.panel.measures.rungs[n].rung.ends()) {
+                    path.line(part);
+                }
             }
-            for (class, ends) in &after[n] {
-                body += &line(class, ends);
+            body += &path.element(class);
+        }
+        let mut edges: Vec<Vec<Point2>> = Vec::new();
+        for [from, to] in connectivity.edges().flat_map(|edge| seen.visible(edge)) {
+            match edges.last_mut() {
+                Some(edge) if edge.last() == Some(&from) => edge.push(to),
+                _ => edges.push(vec![from, to]),
             }
         }
-        body + &run.element(&class)
+        let mut path = PathData::default();
+        for edge in edges {
+            path.line(edge);
+        }
+        body + &path.element("e")
     }
 }
 
@@ -198,21 +199,6 @@ pub(super) fn rung_classes(
     classes
 }
 
-/// Every edge of the boundary with the triangle that it belongs to.
-fn triangles_of_edges(panel: &MadePanel) -> Vec<([usize; 2], usize)> {
-    let connectivity = panel.surface.connectivity();
-    let edges: std::collections::BTreeSet<[usize; 2]> =
-        connectivity.edges().map(|e| e.map(|s| s.get())).collect();
-    let mut found = Vec::new();
-    for (n, corners) in connectivity.triangles().iter().enumerate() {
-        let [a, b, c] = corners.map(|s| s.get());
-        found.extend(
-            [[a, b], [b, c], [c, a]].into_iter().filter(|e| edges.contains(e)).map(|e| (e, n)),
-        );
-    }
-    found
-}
-
 /// Where x, y and z point.
 fn triad(view: &View, at: Point2) -> String {
     const ARM: f64 = 26.0;
@@ -235,7 +221,7 @@ fn triad(view: &View, at: Point2) -> String {
         // Beside the arm where another arm runs on the same way.
         let away = NAME_AWAY * if hidden { along.perp() } else { along };
         let name_at = Point2::new(end.x + away.x, end.y - away.y + 4.0);
-        body += &text("small", Anchor::Middle, name_at, name);
+        body += &text("", Anchor::Middle, name_at, name);
         drawn.push(along);
     }
     body

@@ -54,7 +54,7 @@ mod tests {
 
     fn connectivity(samples: usize, triangles: &[[usize; 3]]) -> Connectivity {
         let triangles = triangles.iter().map(|t| t.map(SampleIndex::new)).collect();
-        Connectivity::new(&[0..samples], triangles).unwrap()
+        Connectivity::new(std::slice::from_ref(&(0..samples)), triangles).unwrap()
     }
 
     fn numbers(connectivity: &Connectivity) -> Vec<Vec<[usize; 2]>> {

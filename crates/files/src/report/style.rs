@@ -88,7 +88,7 @@ font-family:system-ui,-apple-system,'Segoe UI',Roboto,'Helvetica Neue',Arial,san
 .pic .curve{stroke:var(--bar);stroke-width:2.4}\
 .pic .other{stroke:var(--other);stroke-dasharray:5 5}\
 .pic .behind{stroke-dasharray:2 4;stroke-width:1.4}\
-@media (max-width:560px){.pic text{font-size:16px}}";
+@media screen and (max-width:560px){.pic text{font-size:16px}}";
 
 const PICTURE_DARK: &str = "\
 .pic{--ink:#e9eff5;--quiet:#9daab7;--paper:#12181f;--line:#dbe9f7;--bad:#ff9257;--warm:#e9bd5c;\
@@ -112,7 +112,7 @@ main{max-width:1160px;margin:0 auto;padding:28px 16px 64px}\
 h1{font-size:1.8rem;line-height:1.2;margin:0 0 4px}\
 h2{font-size:1.4rem;line-height:1.25;margin:0 0 10px}\
 h3{font-size:1.05rem;margin:26px 0 8px}\
-h1,h2,h3,p,li,a,tbody th{overflow-wrap:anywhere}td{overflow-wrap:break-word}\
+h1,h2,h3,p,li,a,tbody th{overflow-wrap:anywhere}td{overflow-wrap:break-word}tbody th{min-width:7em}\
 p{margin:0 0 10px}\
 .sub{color:var(--quiet);margin-bottom:22px}\
 .cards{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,320px),1fr));gap:12px;\
@@ -157,7 +157,7 @@ gap:0 32px;margin:0}\
 border-bottom:1px solid var(--rule)}\
 .numbers dt{color:var(--quiet)}.numbers dd{margin:0;text-align:right;white-space:nowrap;\
 font-variant-numeric:tabular-nums}\
-@media (max-width:820px){.figures{grid-template-columns:minmax(0,1fr)}\
+@media screen and (max-width:820px){.figures{grid-template-columns:minmax(0,1fr)}\
 .column{display:contents}\
 .first{order:1}.second{order:2}.third{order:3}.fourth{order:4}\
 .summary thead{position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)}\
@@ -170,9 +170,13 @@ padding:2px 0;text-align:right}\
 --card:#fff;--good:#14598f;--warm:#8a5a00;--bad:#b83c05}\
 @page{margin:14mm}\
 *{print-color-adjust:exact;-webkit-print-color-adjust:exact}\
-body{font-size:10.5pt}main{max-width:none;padding:0}\
+body{font-size:10pt}main{max-width:none;padding:0}\
 .panel{break-before:page;border:0;margin:0;padding:0}\
+.panel:only-of-type{break-before:auto;margin-top:18px}\
 .figures{grid-template-columns:minmax(0,1fr) minmax(0,1fr);gap:12px 20px}\
-.column{display:grid;gap:14px}\
+figcaption{font-size:8.5pt;line-height:1.4}\
+.numbers{grid-template-columns:repeat(3,1fr);gap:0 20px;font-size:8.5pt}\
+.numbers div{padding:2px 0}.summary{font-size:8.5pt}.summary thead th{font-size:inherit}.summary th,.summary td{padding-right:8px}\
+h1{font-size:18pt}h2{font-size:15pt}h3{margin-top:14px}\
 figure,.card,.findings li,tr,.numbers div{break-inside:avoid}\
 h2,h3{break-after:avoid}}";
