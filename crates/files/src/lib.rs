@@ -17,6 +17,6 @@ mod svg;
 mod table;
 
 pub use report::{
-    Picture, flat_picture, gauss_picture, report_html, report_json, report_schema, side_by_side,
-    surface_picture, warp_chart,
+    Picture, design_picture, flat_picture, gauss_picture, report_html, report_json, report_schema,
+    side_by_side, stacked, surface_picture, warp_chart,
 };

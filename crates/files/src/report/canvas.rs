@@ -53,18 +53,35 @@ impl Picture {
     }
 }
 
-/// Several pictures in a row, centred on one line, with a gap between.
+/// The gap between pictures that are put together.
+const GAP: f64 = 16.0;
+
+/// Several pictures in a row, centred on one line.
 pub fn side_by_side(title: &str, pictures: &[Picture]) -> Picture {
-    const GAP: f64 = 16.0;
     let height = pictures.iter().map(|p| p.height).fold(0.0, f64::max);
     let mut body = String::new();
     let mut left = 0.0;
     for picture in pictures {
-        let (x, y) = (number(left), number(0.5 * (height - picture.height)));
-        let _ = write!(body, r#"<g transform="translate({x} {y})">{}</g>"#, picture.body);
+        body += &moved(picture, left, 0.5 * (height - picture.height));
         left += picture.width + GAP;
     }
     Picture::new((left - GAP).max(0.0), height, title.to_owned(), body)
+}
+
+/// Several pictures in a column, flush on the left.
+pub fn stacked(title: &str, pictures: &[Picture]) -> Picture {
+    let width = pictures.iter().map(|p| p.width).fold(0.0, f64::max);
+    let mut body = String::new();
+    let mut top = 0.0;
+    for picture in pictures {
+        body += &moved(picture, 0.0, top);
+        top += picture.height + GAP;
+    }
+    Picture::new(width, (top - GAP).max(0.0), title.to_owned(), body)
+}
+
+fn moved(picture: &Picture, x: f64, y: f64) -> String {
+    format!(r#"<g transform="translate({} {})">{}</g>"#, number(x), number(y), picture.body)
 }
 
 /// A coordinate with two decimals at the most.

@@ -1,8 +1,8 @@
-//! Which parts of lines on a surface are hidden by the surface itself.
+//! Which parts of lines on a surface are hidden by the surfaces.
 
 use super::canvas::WIDTH;
+use super::paint::Part;
 use super::view::View;
-use sheetwright::design::MadePanel;
 use sheetwright::index::{SampleIndex, TriangleIndex};
 use sheetwright::math::{Point2, Vec2};
 
@@ -11,65 +11,75 @@ const COLUMNS: usize = 48;
 /// A line is decided in pieces of this length in the picture, at the most this many.
 const PIECE: f64 = 5.0;
 const MOST_PIECES: f64 = 96.0;
-/// A triangle hides what lies behind it by more than this share of the panel's size: what is
+/// A triangle hides what lies behind it by more than this share of the largest panel's size: what is
 /// nearer lies on the triangle itself, but for rounding.
 const BEHIND: f64 = 1e-6;
 
-/// A surface as it is seen.
+/// Surfaces as they are seen.
 pub(super) struct Seen<'a> {
-    panel: &'a MadePanel,
     view: &'a View,
-    /// Where the samples lie in the picture.
-    points: &'a [Point2],
-    columns: Vec<Vec<TriangleIndex>>,
+    parts: &'a [Part<'a>],
+    /// The size of all, mm.
+    size: f64,
+    columns: Vec<Vec<(usize, TriangleIndex)>>,
 }
 
 impl<'a> Seen<'a> {
-    pub(super) fn new(panel: &'a MadePanel, view: &'a View, points: &'a [Point2]) -> Self {
+    pub(super) fn new(view: &'a View, parts: &'a [Part<'a>]) -> Self {
         let mut columns = vec![Vec::new(); COLUMNS];
-        for (n, corners) in panel.surface.connectivity().triangles().iter().enumerate() {
-            let [a, b, c] = corners.map(|s| column(points[s.get()].x));
-            for column in &mut columns[a.min(b).min(c)..=a.max(b).max(c)] {
-                column.push(TriangleIndex::new(n));
+        for (part, Part { panel, points, .. }) in parts.iter().enumerate() {
+            for (n, corners) in panel.surface.connectivity().triangles().iter().enumerate() {
+                let [a, b, c] = corners.map(|s| column(points[s.get()].x));
+                for column in &mut columns[a.min(b).min(c)..=a.max(b).max(c)] {
+                    column.push((part, TriangleIndex::new(n)));
+                }
             }
         }
-        Self { panel, view, points, columns }
+        let size = parts.iter().map(|part| part.panel.boundary.size()).fold(0.0, f64::max);
+        Self { view, parts, size, columns }
     }
 
-    /// The parts of the line between two samples that are seen.
-    pub(super) fn visible(&self, ends: [SampleIndex; 2]) -> Vec<[Point2; 2]> {
-        let [a, b] = ends.map(|s| self.points[s.get()]);
-        let [near_a, near_b] = ends.map(|s| self.view.nearness(self.panel.surface.position(s)));
+    /// The pieces of the line between two samples of a part that are seen.
+    pub(super) fn visible(&self, part: usize, ends: [SampleIndex; 2]) -> Vec<[Point2; 2]> {
+        let Part { panel, points, .. } = &self.parts[part];
+        let [a, b] = ends.map(|s| points[s.get()]);
+        let [near_a, near_b] = ends.map(|s| self.view.nearness(panel.surface.position(s)));
         let pieces = (a.distance(b) / PIECE).ceil().clamp(1.0, MOST_PIECES);
-        let mut parts: Vec<[Point2; 2]> = Vec::new();
+        let mut found: Vec<[Point2; 2]> = Vec::new();
         let mut going_on = false;
         let mut n = 0.0;
         while n < pieces {
             let (from, middle, to) = (n / pieces, (n + 0.5) / pieces, (n + 1.0) / pieces);
             let nearness = near_a + middle * (near_b - near_a);
-            let seen = !self.is_hidden(a.lerp(b, middle), nearness, ends);
-            match parts.last_mut() {
+            let seen = !self.is_hidden(a.lerp(b, middle), nearness, (part, ends));
+            match found.last_mut() {
                 Some(last) if seen && going_on => last[1] = a.lerp(b, to),
-                _ if seen => parts.push([a.lerp(b, from), a.lerp(b, to)]),
+                _ if seen => found.push([a.lerp(b, from), a.lerp(b, to)]),
                 _ => {}
             }
             going_on = seen;
             n += 1.0;
         }
-        parts
+        found
     }
 
     /// Whether a triangle lies before a place on a line; those at the line's own ends do not count.
-    fn is_hidden(&self, at: Point2, nearness: f64, ends: [SampleIndex; 2]) -> bool {
-        let enough = BEHIND * self.panel.boundary.size();
-        self.columns[column(at.x)].iter().any(|&triangle| {
-            let corners = self.panel.surface.connectivity().triangles()[triangle.get()];
-            if corners.iter().any(|c| ends.contains(c)) {
+    fn is_hidden(
+        &self,
+        at: Point2,
+        nearness: f64,
+        (of_part, ends): (usize, [SampleIndex; 2]),
+    ) -> bool {
+        let enough = BEHIND * self.size;
+        self.columns[column(at.x)].iter().any(|&(part, triangle)| {
+            let Part { panel, points, .. } = &self.parts[part];
+            let corners = panel.surface.connectivity().triangles()[triangle.get()];
+            if part == of_part && corners.iter().any(|c| ends.contains(c)) {
                 return false;
             }
-            let places = corners.map(|s| self.points[s.get()]);
+            let places = corners.map(|s| points[s.get()]);
             let Some(weights) = weights(at, places) else { return false };
-            let of_corners = corners.map(|s| self.view.nearness(self.panel.surface.position(s)));
+            let of_corners = corners.map(|s| self.view.nearness(panel.surface.position(s)));
             let there: f64 = weights.iter().zip(of_corners).map(|(w, near)| w * near).sum();
             there > nearness + enough
         })

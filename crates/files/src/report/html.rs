@@ -2,7 +2,7 @@
 
 use super::flat_picture::{edges, flat_picture, outline_length};
 use super::gauss_picture::gauss_picture;
-use super::space_picture::surface_picture;
+use super::space_picture::{design_picture, surface_picture};
 use super::style::page_style;
 use super::view::box_of;
 use super::warp_chart::warp_chart;
@@ -49,6 +49,9 @@ pub fn report_html(made: &Made, refold_error_mm: &[f64], checked: &[Checked]) ->
                     h1 { (made.name) }
                     p.sub { (subtitle(made)) }
                     ul.cards { @for page in &pages { (page.card()) } }
+                    @if made.panels.len() > 1 {
+                        figure.whole { (PreEscaped(design_picture(made).inline())) }
+                    }
                     (summary(&pages))
                     @for page in &pages { (page.section()) }
                 }
@@ -287,7 +290,8 @@ impl Page<'_> {
         html! {
             strong { "Warp. " }
             "How far the sheet twists from one end of each ruling to the other: the less, the \
-             easier it bends."
+             easier it bends. The dashed line is the limit of "
+            (self.material.map_or("any sheet", |m| m.title)) "."
             @if to_deg(measures.warp_max) < NO_WARP_DEG {
                 " No ruling of this panel twists."
             } @else if let Some(worst) = worst_rung(measures) {

@@ -11,6 +11,7 @@ mod gauss_picture;
 mod hidden;
 mod html;
 mod json;
+mod paint;
 mod space_picture;
 mod strips;
 mod style;
@@ -18,12 +19,12 @@ mod view;
 mod warp_chart;
 mod wording;
 
-pub use canvas::{Picture, side_by_side};
+pub use canvas::{Picture, side_by_side, stacked};
 pub use flat_picture::flat_picture;
 pub use gauss_picture::gauss_picture;
 pub use html::report_html;
 pub use json::{report_json, report_schema};
-pub use space_picture::surface_picture;
+pub use space_picture::{design_picture, surface_picture};
 pub use warp_chart::warp_chart;
 
 use sheetwright::measure::Measures;

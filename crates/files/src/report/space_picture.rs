@@ -1,178 +1,68 @@
 //! The surface in space: shaded triangles, rulings and the boundary.
-//!
-//! Painter's algorithm: triangles from far to near, then those parts of lines that no triangle
-//! hides. Where nothing hides anything (see [`is_plain`]) no order is needed, and triangles of one
-//! shade and all lines of a kind are one path each, which makes the page small.
 
-use super::canvas::{Anchor, PathData, Picture, WIDTH, line, round_below, scale_bar, text};
-use super::hidden::Seen;
-use super::style::SHADES;
-use super::view::{View, is_plain, view_of};
+use super::canvas::{Anchor, Picture, WIDTH, line, round_below, scale_bar, text};
+use super::paint::{Part, paint};
+use super::view::{View, view_of};
 use super::wording::{length_short, thinned};
 use super::worst_rung;
-use sheetwright::design::MadePanel;
-use sheetwright::index::TriangleIndex;
+use sheetwright::design::{Made, MadePanel};
 use sheetwright::material::{Material, warp_limit};
-use sheetwright::math::{Point2, Point3, Vec2, Vec3, unit};
+use sheetwright::math::{Point2, Vec2, Vec3};
 
 /// Room round the surface, and below it for the axes and the scale.
 const MARGIN: f64 = 16.0;
 const FOOT: f64 = 96.0;
 /// The surface is drawn no higher than this.
 const MOST_HEIGHT: f64 = 330.0;
-/// The least difference of brightness that the shades are spread over: below it a surface is so
-/// flat that it may look so.
-const LEAST_CONTRAST: f64 = 0.18;
-/// Rulings drawn, at the most.
+/// Rulings drawn on a panel, at the most.
 const RULINGS: usize = 60;
 
 /// The surface of a panel in space, shaded, with rulings; those that warp more than the sheet takes
 /// stand out.
 pub fn surface_picture(panel: &MadePanel, material: Option<&Material>) -> Picture {
-    let view = view_of(panel);
-    let points: Vec<Point2> = panel.surface.positions().iter().map(|&p| view.project(p)).collect();
+    let title = format!("{} in space", panel.name);
+    pictured(std::slice::from_ref(panel), material, title)
+}
+
+/// The surfaces of all panels of a design, as they lie in space.
+pub fn design_picture(made: &Made) -> Picture {
+    pictured(&made.panels, made.material, format!("{} in space", made.name))
+}
+
+fn pictured(panels: &[MadePanel], material: Option<&Material>, title: String) -> Picture {
+    let view = view_of(panels);
+    let projected: Vec<Vec<Point2>> = panels
+        .iter()
+        .map(|panel| panel.surface.positions().iter().map(|&p| view.project(p)).collect())
+        .collect();
     let bound = |of: fn(&Point2) -> f64, start: f64, pick: fn(f64, f64) -> f64| {
-        points.iter().map(of).fold(start, pick)
+        projected.iter().flatten().map(of).fold(start, pick)
     };
     let (left, right) =
         (bound(|p| p.x, f64::INFINITY, f64::min), bound(|p| p.x, f64::NEG_INFINITY, f64::max));
     let (low, high) =
         (bound(|p| p.y, f64::INFINITY, f64::min), bound(|p| p.y, f64::NEG_INFINITY, f64::max));
-    let (width, height) = (right - left, high - low);
-    let scale = ((WIDTH - 2.0 * MARGIN) / width.max(1e-12)).min(MOST_HEIGHT / height.max(1e-12));
+    // A plate that is seen edge on still has a scale.
+    let (width, height) = ((right - left).max(1e-12), (high - low).max(1e-12));
+    let scale = ((WIDTH - 2.0 * MARGIN) / width).min(MOST_HEIGHT / height);
     let shift = 0.5 * (WIDTH - scale * width);
-    let drawn = scale * height;
-    let points: Vec<Point2> = points
+    let total = MARGIN + scale * height + FOOT;
+    let place =
+        |p: &Point2| Point2::new(shift + scale * (p.x - left), MARGIN + scale * (high - p.y));
+    let parts: Vec<Part<'_>> = panels
         .iter()
-        .map(|p| Point2::new(shift + scale * (p.x - left), MARGIN + scale * (high - p.y)))
+        .zip(&projected)
+        .map(|(panel, points)| Part {
+            panel,
+            points: points.iter().map(place).collect(),
+            rungs: rung_classes(panel, material, RULINGS),
+        })
         .collect();
-    let total = MARGIN + drawn + FOOT;
-    let mut body = Painter { panel, view: &view, points: &points, material }.paint();
+    let mut body = paint(&view, &parts);
     body += &triad(&view, Point2::new(46.0, total - 42.0));
     let bar = round_below(0.3 * WIDTH / scale);
     body += &scale_bar(Point2::new(WIDTH - MARGIN, total - 14.0), scale * bar, &length_short(bar));
-    Picture::new(WIDTH, total, format!("{} in space", panel.name), body)
-}
-
-struct Painter<'a> {
-    panel: &'a MadePanel,
-    view: &'a View,
-    points: &'a [Point2],
-    material: Option<&'a Material>,
-}
-
-impl Painter<'_> {
-    fn paint(&self) -> String {
-        let shades = self.shades();
-        if is_plain(self.view, self.panel) {
-            return self.paint_plain(&shades);
-        }
-        self.paint_by_depth(&shades)
-    }
-
-    /// The class of every triangle: the side that is seen, and how bright it is.
-    fn shades(&self) -> Vec<String> {
-        // A lamp above the left shoulder.
-        let view = self.view;
-        let lamp = unit(view.toward * 0.75 + view.up * 0.55 - view.right * 0.45).unwrap_or(Vec3::Z);
-        let count = self.panel.surface.connectivity().triangles().len();
-        let lit: Vec<(bool, f64)> = (0..count)
-            .map(|n| {
-                let normal = self.panel.surface.normal(TriangleIndex::new(n));
-                let normal = normal.unwrap_or(self.view.toward);
-                let front = normal.dot(view.toward) >= 0.0;
-                let seen = if front { normal } else { -normal };
-                (front, 0.5 + 0.5 * seen.dot(lamp))
-            })
-            .collect();
-        let most = lit.iter().map(|l| l.1).fold(0.0, f64::max);
-        let least = lit.iter().map(|l| l.1).fold(most - LEAST_CONTRAST, f64::min);
-        let class = |(front, brightness): (bool, f64)| {
-            let share = (brightness - least) / (most - least);
-            let shade = ((SHADES - 1) as f64 * share).round() as usize;
-            format!("{}{}", if front { 'f' } else { 'b' }, shade.min(SHADES - 1))
-        };
-        lit.into_iter().map(class).collect()
-    }
-
-    fn corners(&self, triangle: usize) -> [Point2; 3] {
-        let corners = self.panel.surface.connectivity().triangles()[triangle];
-        corners.map(|s| self.points[s.get()])
-    }
-
-    fn rung_ends(&self, rung: usize) -> [Point2; 2] {
-        self.panel.measures.rungs[rung].rung.ends().map(|s| self.points[s.get()])
-    }
-
-    /// The class of every rung that is drawn.
-    fn rung_classes(&self) -> Vec<Option<&'static str>> {
-        rung_classes(self.panel, self.material, RULINGS)
-    }
-
-    fn paint_plain(&self, shades: &[String]) -> String {
-        let mut fills: std::collections::BTreeMap<&str, PathData> = Default::default();
-        for (n, shade) in shades.iter().enumerate() {
-            fills.entry(shade).or_default().ring(self.corners(n));
-        }
-        let mut body: String = fills.iter().map(|(class, path)| path.element(class)).collect();
-        let classes = self.rung_classes();
-        for class in ["r", "x", "w"] {
-            let mut path = PathData::default();
-            for n in (0..classes.len()).filter(|&n| classes[n] == Some(class)) {
-                path.line(self.rung_ends(n));
-            }
-            body += &path.element(class);
-        }
-        let mut edge = PathData::default();
-        for range in self.panel.surface.connectivity().loops() {
-            edge.ring(self.points[range.clone()].iter().copied());
-        }
-        body + &edge.element("e")
-    }
-
-    fn paint_by_depth(&self, shades: &[String]) -> String {
-        let connectivity = self.panel.surface.connectivity();
-        let depth = |n: usize| {
-            let corners = self.panel.surface.corners(TriangleIndex::new(n));
-            corners.iter().map(|&p: &Point3| self.view.nearness(p)).sum::<f64>()
-        };
-        let depths: Vec<f64> = (0..shades.len()).map(depth).collect();
-        let mut order: Vec<usize> = (0..shades.len()).collect();
-        order.sort_by(|&a, &b| depths[a].total_cmp(&depths[b]).then(a.cmp(&b)));
-        let mut body = String::new();
-        let (mut class, mut run) = ("", PathData::default());
-        for &n in &order {
-            if class != shades[n] {
-                body += &std::mem::take(&mut run).element(class);
-                class = &shades[n];
-            }
-            run.ring(self.corners(n));
-        }
-        body += &run.element(class);
-        let seen = Seen::new(self.panel, self.view, self.points);
-        let classes = self.rung_classes();
-        for class in ["r", "x", "w"] {
-            let mut path = PathData::default();
-            for n in (0..classes.len()).filter(|&n| classes[n] == Some(class)) {
-                for part in seen.visible(self.panel.measures.rungs[n].rung.ends()) {
-                    path.line(part);
-                }
-            }
-            body += &path.element(class);
-        }
-        let mut edges: Vec<Vec<Point2>> = Vec::new();
-        for [from, to] in connectivity.edges().flat_map(|edge| seen.visible(edge)) {
-            match edges.last_mut() {
-                Some(edge) if edge.last() == Some(&from) => edge.push(to),
-                _ => edges.push(vec![from, to]),
-            }
-        }
-        let mut path = PathData::default();
-        for edge in edges {
-            path.line(edge);
-        }
-        body + &path.element("e")
-    }
+    Picture::new(WIDTH, total, title, body)
 }
 
 /// The class of every rung that is drawn: `w` the worst if it is beyond the limit, `x` beyond it,

@@ -88,7 +88,7 @@ font-family:system-ui,-apple-system,'Segoe UI',Roboto,'Helvetica Neue',Arial,san
 .pic .curve{stroke:var(--bar);stroke-width:2.4}\
 .pic .other{stroke:var(--other);stroke-dasharray:5 5}\
 .pic .behind{stroke-dasharray:2 4;stroke-width:1.4}\
-@media screen and (max-width:560px){.pic text{font-size:16px}}";
+@media screen and (max-width:560px){.pic text{font-size:17px}}";
 
 const PICTURE_DARK: &str = "\
 .pic{--ink:#e9eff5;--quiet:#9daab7;--paper:#12181f;--line:#dbe9f7;--bad:#ff9257;--warm:#e9bd5c;\
@@ -129,6 +129,7 @@ color:var(--good)}\
 text-align:center;font-size:.85em;background:currentColor}\
 .verdict b i{font-style:normal;color:var(--paper)}\
 .panel{border-top:2px solid var(--rule);padding-top:26px;margin-top:34px}\
+.whole{margin:0 0 26px}.whole svg{max-width:720px}\
 .figures{display:grid;grid-template-columns:minmax(0,1fr) minmax(0,1fr);gap:22px 32px;\
 align-items:start;margin-top:18px}\
 .column{display:grid;gap:26px;min-width:0}\

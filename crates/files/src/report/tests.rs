@@ -246,11 +246,12 @@ fn the_same_design_gives_the_same_bytes() {
 #[test]
 fn charts_show_the_limit_and_what_is_beyond_it() {
     let page = html(&quarter());
-    assert!(page.contains(r#"<path class="limit""#) && page.contains("limit 6.0°, plywood, 4 mm"));
+    assert!(page.contains(r#"<path class="limit""#) && page.contains(">limit 6.0°<"));
+    assert!(page.contains("The dashed line is the limit of plywood, 4 mm."));
     assert!(!page.contains("bar over"));
     let mut unnamed = quarter();
     unnamed.material = None;
-    assert!(html(&unnamed).contains("limit 6.0°, any sheet"));
+    assert!(html(&unnamed).contains("the limit of any sheet."));
     // The ramp warps beyond it: its worst ruling stands out in space, flat and on the chart.
     let page = html(&helicoid());
     assert!(page.contains("bar over"));
@@ -292,6 +293,18 @@ fn pictures_in_a_row_are_one_file() {
     let document = roxmltree::Document::parse(&text).unwrap();
     assert_eq!(document.root_element().attribute("width"), Some("976"));
     assert_eq!(document.descendants().filter(|n| n.has_tag_name("style")).count(), 1);
+}
+
+#[test]
+#[ignore = "writes docs/pictures/hull.svg"]
+fn picture_of_the_hull() {
+    let made = hull(200, "steel-5mm");
+    let flat: Vec<Picture> =
+        made.panels.iter().map(|panel| flat_picture(panel, made.material)).collect();
+    let title = "The planks of a hull in space, and laid flat";
+    let row = side_by_side(title, &[design_picture(&made), stacked("The flat planks", &flat)]);
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/pictures/hull.svg");
+    std::fs::write(path, row.standalone()).unwrap();
 }
 
 /// `REPORT_PAGES=DIR cargo test -p sheetwright-files -- --ignored pages_to_look_at`

@@ -52,13 +52,19 @@ const FACING: f64 = 0.78;
 /// How much of the panel's length should be seen: in full, a tube looks like a plate.
 const LENGTH: f64 = 0.9;
 
-/// The view of a panel, from the side that it faces: chosen among some dozens so that most of it is
-/// seen, aslant and at its full length, and so that nothing hides anything where that can be had.
-pub(super) fn view_of(panel: &MadePanel) -> View {
-    let count = panel.surface.connectivity().triangles().len();
-    let areas: Vec<Vec3> =
-        (0..count).map(|n| panel.surface.area_vector(TriangleIndex::new(n))).collect();
-    let long = longest_direction(panel);
+/// The view of some panels, from the side that they face: chosen among some dozens so that most of
+/// them is seen, aslant, nearly at full length and with little of their back.
+pub(super) fn view_of(panels: &[MadePanel]) -> View {
+    let mut areas: Vec<Vec3> = Vec::new();
+    let mut long = Vec3::ZERO;
+    for panel in panels {
+        let count = panel.surface.connectivity().triangles().len();
+        areas.extend((0..count).map(|n| panel.surface.area_vector(TriangleIndex::new(n))));
+        let of_panel = longest_direction(panel) * panel.boundary.size();
+        // The first panel says which way is right.
+        long += if of_panel.dot(long) < 0.0 { -of_panel } else { of_panel };
+    }
+    let long = unit(long).unwrap_or(Vec3::X);
     let mut best: Option<(f64, View)> = None;
     for step in 0..AZIMUTHS {
         let azimuth = from_deg(360.0 / f64::from(AZIMUTHS) * f64::from(step));
@@ -89,11 +95,11 @@ fn score(view: &View, areas: &[Vec3], long: Vec3) -> f64 {
 }
 
 /// Where the flat pattern's x, its longer side, points in space: the sum over all samples of the
-/// way from their middle in space, times that along x on the pattern.
+/// way to them in space, times how far right of the mean they lie on the pattern.
 fn longest_direction(panel: &MadePanel) -> Vec3 {
     let (space, flat) = (panel.surface.positions(), &panel.flat.points);
-    let middle = 0.5 * panel.piece.size.x;
-    let sum = space.iter().zip(flat).map(|(p, f)| (*p - space[0]) * (f.x - middle)).sum();
+    let mean = flat.iter().map(|p| p.x).sum::<f64>() / flat.len() as f64;
+    let sum = space.iter().zip(flat).map(|(p, f)| (*p - space[0]) * (f.x - mean)).sum();
     unit(sum).unwrap_or(Vec3::X)
 }
 

@@ -32,7 +32,7 @@ pub fn warp_chart(panel: &MadePanel, material: Option<&Material>) -> Option<Pict
     let chart = Chart { panel, limit, top, across: runs_across(panel) };
     let [bands, names] = chart.bands();
     let mut body = bands + &chart.axes() + &chart.bars() + &names;
-    body += &chart.limit_line(material);
+    body += &chart.limit_line();
     let at = chart.place(worst);
     if most > limit {
         body += &circle("ring", at, 6.0);
@@ -191,10 +191,9 @@ impl Chart<'_> {
         body
     }
 
-    fn limit_line(&self, material: Option<&Material>) -> String {
+    fn limit_line(&self) -> String {
         let (left, right, y) = (LEFT, WIDTH - RIGHT, self.y(self.limit));
-        let sheet = material.map_or("any sheet", |m| m.title);
-        let words = format!("limit {}°, {sheet}", decimal(self.limit, 1));
+        let words = format!("limit {}°", decimal(self.limit, 1));
         line("limit", &[Point2::new(left, y), Point2::new(right, y)])
             + &text("halo", Anchor::End, Point2::new(right - 5.0, y - 6.0), &words)
     }
