@@ -30,10 +30,12 @@ impl Picture {
         self.element("", "")
     }
 
-    /// A file of its own, with the style sheet inside.
+    /// A file of its own, with the style sheet and a sheet of paper behind: where it is shown, the
+    /// page may be light while the reader's theme is dark.
     pub fn standalone(&self) -> String {
         let size = format!(r#" width="{}" height="{}""#, number(self.width), number(self.height));
-        let style = format!("<style>{}</style>", style::picture_style());
+        let paper = rectangle("paper", Point2::default(), Vec2::new(self.width, self.height));
+        let style = format!("<style>{}</style>{paper}", style::picture_style());
         format!("{}\n", self.element(&size, &style))
     }
 

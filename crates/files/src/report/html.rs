@@ -50,7 +50,10 @@ pub fn report_html(made: &Made, refold_error_mm: &[f64], checked: &[Checked]) ->
                     p.sub { (subtitle(made)) }
                     ul.cards { @for page in &pages { (page.card()) } }
                     @if made.panels.len() > 1 {
-                        figure.whole { (PreEscaped(design_picture(made).inline())) }
+                        figure.whole {
+                            (PreEscaped(design_picture(made).inline()))
+                            figcaption { "All panels in space, with their rulings." }
+                        }
                     }
                     (summary(&pages))
                     @for page in &pages { (page.section()) }

@@ -72,7 +72,7 @@ font-family:system-ui,-apple-system,'Segoe UI',Roboto,'Helvetica Neue',Arial,san
 .pic .w{stroke:var(--bad);stroke-width:3}\
 .pic .e{stroke:var(--ink);stroke-width:2}\
 .pic .cut{stroke:var(--ink);stroke-width:2}\
-.pic .sheet{fill:var(--tint)}\
+.pic .paper{fill:var(--paper)}.pic .sheet{fill:var(--tint)}\
 .pic .score{stroke:var(--line);stroke-width:1.4;stroke-dasharray:7 4}\
 .pic .tick{stroke:var(--line);stroke-width:1.6}\
 .pic .axis{stroke:var(--quiet);stroke-width:1.1}\
@@ -129,7 +129,7 @@ color:var(--good)}\
 text-align:center;font-size:.85em;background:currentColor}\
 .verdict b i{font-style:normal;color:var(--paper)}\
 .panel{border-top:2px solid var(--rule);padding-top:26px;margin-top:34px}\
-.whole{margin:0 0 26px}.whole svg{max-width:720px}\
+.whole{margin:0 0 26px}.whole svg{max-width:600px}.whole figcaption{text-align:center}\
 .figures{display:grid;grid-template-columns:minmax(0,1fr) minmax(0,1fr);gap:22px 32px;\
 align-items:start;margin-top:18px}\
 .column{display:grid;gap:26px;min-width:0}\

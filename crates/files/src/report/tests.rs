@@ -298,7 +298,7 @@ fn pictures_in_a_row_are_one_file() {
 #[test]
 #[ignore = "writes docs/pictures/hull.svg"]
 fn picture_of_the_hull() {
-    let made = hull(200, "steel-5mm");
+    let made = hull(120, "steel-5mm");
     let flat: Vec<Picture> =
         made.panels.iter().map(|panel| flat_picture(panel, made.material)).collect();
     let title = "The planks of a hull in space, and laid flat";
