@@ -175,7 +175,8 @@ body{font-size:10pt}main{max-width:none;padding:0}\
 .panel{break-before:page;border:0;margin:0;padding:0}\
 .panel:only-of-type{break-before:auto;margin-top:18px}\
 .figures{grid-template-columns:minmax(0,1fr) minmax(0,1fr);gap:12px 20px}\
-figcaption{font-size:8.5pt;line-height:1.4}\
+figcaption{font-size:8.5pt;line-height:1.4}.whole svg{max-width:105mm}\
+.cards{grid-template-columns:repeat(auto-fill,minmax(54mm,1fr))}\
 .numbers{grid-template-columns:repeat(3,1fr);gap:0 20px;font-size:8.5pt}\
 .numbers div{padding:2px 0}.summary{font-size:8.5pt}.summary thead th{font-size:inherit}.summary th,.summary td{padding-right:8px}\
 h1{font-size:18pt}h2{font-size:15pt}h3{margin-top:14px}\
