@@ -15,3 +15,8 @@ mod report;
 mod stroke_font;
 mod svg;
 mod table;
+
+pub use report::{
+    Picture, design_picture, flat_picture, gauss_picture, report_html, report_json, report_schema,
+    side_by_side, stacked, surface_picture, warp_chart,
+};

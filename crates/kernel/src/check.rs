@@ -79,7 +79,7 @@ pub struct Checked {
 
 /// Up to this share of the warp limit a sheet goes into shape by itself; above it, with force.
 /// Half of the limit: by experience of plywood boats, which are clamped rather than rolled.
-const EASY_SHARE: f64 = 0.5;
+pub const EASY_SHARE: f64 = 0.5;
 
 /// Everything known of a panel when it is checked.
 #[derive(Clone, Copy, Debug)]
@@ -133,14 +133,22 @@ pub fn refolding(error_mm: f64, size_mm: f64) -> Option<Finding> {
     })
 }
 
+/// Twist is what is left of a warp angle after what the sampling can't tell from bending.
+fn twist_angle(rung: &RungMeasures) -> f64 {
+    (rung.warp - rung.resolution).max(0.0)
+}
+
 fn warp(panel: &Panel<'_>) -> Option<Finding> {
     let limit = warp_limit(panel.material);
-    let measures = panel.measures;
-    let most = to_deg(measures.warp_max);
-    let beyond = |bound: f64| where_rungs(&measures.rungs, |r| r.warp > bound);
+    let rungs = &panel.measures.rungs;
     let sheet = panel.material.map_or("sheet", |m| m.title);
-    if measures.warp_max > limit {
-        let count = measures.rungs.iter().filter(|r| r.warp > limit).count();
+    // As long as the twist itself is beyond a bound, the whole warp angle is what people are told.
+    let beyond = |bound: f64| move |r: &RungMeasures| twist_angle(r) > bound;
+    let largest = |bound: f64| {
+        rungs.iter().filter(|r| beyond(bound)(r)).map(|r| r.warp).reduce(f64::max).map(to_deg)
+    };
+    if let Some(most) = largest(limit) {
+        let count = rungs.iter().filter(|r| beyond(limit)(r)).count();
         return Some(Finding {
             severity: Severity::Error,
             code: "warp-too-large",
@@ -148,21 +156,33 @@ fn warp(panel: &Panel<'_>) -> Option<Finding> {
                 "The surface twists by up to {most:.1}° along its rulings, at {count} of {} of \
                  them by more than the {:.1}° that {sheet} takes. Move the boundary there, or \
                  divide the panel.",
-                measures.rungs.len(),
+                rungs.len(),
                 to_deg(limit)
             ),
-            place: beyond(limit),
+            place: where_rungs(rungs, beyond(limit)),
         });
     }
-    (measures.warp_max > EASY_SHARE * limit).then(|| Finding {
-        severity: Severity::Warning,
-        code: "warp-high",
+    if let Some(most) = largest(EASY_SHARE * limit) {
+        return Some(Finding {
+            severity: Severity::Warning,
+            code: "warp-high",
+            text: format!(
+                "The surface twists by up to {most:.1}° along its rulings, and {sheet} takes \
+                 {:.1}°: it needs force.",
+                to_deg(limit)
+            ),
+            place: where_rungs(rungs, beyond(EASY_SHARE * limit)),
+        });
+    }
+    (panel.measures.warp_max > limit).then(|| Finding {
+        severity: Severity::Note,
+        code: "coarse-samples",
         text: format!(
-            "The surface twists by up to {most:.1}° along its rulings: within the {:.1}° that \
-             {sheet} takes, but it needs force.",
-            to_deg(limit)
+            "Rungs turn by up to {:.1}° where the sheet bends from one sample to the next; that \
+             is the sampling, not twist. More samples show it.",
+            to_deg(panel.measures.warp_max)
         ),
-        place: beyond(EASY_SHARE * limit),
+        place: where_rungs(rungs, |r| r.warp > limit),
     })
 }
 

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::print_stdout)] // tests panic and print what they measured
 
 use sheetwright::boundary::{Boundary, PlaneChoice, samples_from_points, supporting_plane};
+use sheetwright::check::{Panel, Verdict, check};
 use sheetwright::cost::{DEFAULT_FOLD, PriceOptions, Prices};
 use sheetwright::curve::CurvePoint;
 use sheetwright::flatten::{Flattened, unroll};
@@ -202,6 +203,26 @@ fn concave_polygons_stay_flat() {
                     }
                 }
             }
+        }
+    }
+}
+
+/// The verdict on a perfect cone or cylinder does not depend on how it is sampled.
+#[test]
+fn coarse_samples_are_not_taken_for_twist() {
+    for blob in blobs() {
+        for m in [12, 24, 48, 100, 400] {
+            let (boundary, _) = blob.boundary(m);
+            let solved = solved(&boundary, PlaneChoice::Auto, DEFAULT_FOLD);
+            let checked = check(&Panel {
+                boundary: &boundary,
+                triangulation: &solved.triangulation,
+                flat: &solved.flat,
+                measures: &solved.measures,
+                material: None,
+            });
+            let warp = to_deg(solved.measures.warp_max);
+            assert_eq!(checked.verdict, Verdict::Bends, "{} {m}: {warp}° {checked:?}", blob.name);
         }
     }
 }

@@ -1,1 +1,42 @@
 //! The report: `report.json` for scripts, `report.html` for people.
+//!
+//! The page is one file that works offline: no scripts, no fonts, no references. Its pictures are
+//! drawn here rather than by a plotting crate, because one and the same picture has to follow the
+//! reader's light or dark theme, stay legible on a phone and on paper, and have the same bytes on
+//! every platform: all colours and sizes of letters are classes of one style sheet.
+
+mod canvas;
+mod flat_picture;
+mod gauss_picture;
+mod hidden;
+mod html;
+mod json;
+mod paint;
+mod space_picture;
+mod strips;
+mod style;
+mod view;
+mod warp_chart;
+mod wording;
+
+pub use canvas::{Picture, side_by_side, stacked};
+pub use flat_picture::flat_picture;
+pub use gauss_picture::gauss_picture;
+pub use html::report_html;
+pub use json::{report_json, report_schema};
+pub use space_picture::{design_picture, surface_picture};
+pub use warp_chart::warp_chart;
+
+use sheetwright::measure::Measures;
+
+/// The rung with the largest warp angle, by its number from 0, the first of equals; `None` without
+/// rungs.
+fn worst_rung(measures: &Measures) -> Option<usize> {
+    let rungs = &measures.rungs;
+    (0..rungs.len()).reduce(|best, n| if rungs[n].warp > rungs[best].warp { n } else { best })
+}
+
+#[cfg(test)]
+mod samples;
+#[cfg(test)]
+mod tests;

@@ -4,6 +4,7 @@
 //! |---|---|---|
 //! | twist w of a rung | 1 − cosine of the angle between the tangent planes at its ends | none |
 //! | warp angle of a rung | that angle | radians |
+//! | resolution of a rung | how much of its warp angle may come from the sampling | radians |
 //! | crease of a rung | angle between its two triangles, positive for a mountain | radians |
 //! | fold | whether a crease stands alone: a sharp fold, no part of a smooth bend | none |
 //! | bend radius at a rung | how tightly the sheet is rolled across it, at its middle | mm |
@@ -35,11 +36,17 @@ pub struct RungMeasures {
     pub twist: f64,
     /// The warp angle, radians, 0 ..= π; π for a rung without tangent planes.
     pub warp: f64,
+    /// How much of the warp angle the sampling can't tell from bending, radians. A rung ends at
+    /// samples and not where its ruling would, and on the way to the next sample the tangent plane
+    /// turns by the bend: so a perfect cylinder of 24 samples has rungs with a warp angle of 15°.
+    /// It is the sum of the creases, folds aside, at the rung and its neighbours, and falls with
+    /// the spacing of the samples; twist stays.
+    pub resolution: f64,
     /// The angle between the two triangles, radians, positive for a mountain as seen from the side
     /// that the surface faces.
     pub crease: f64,
     /// Whether the crease is a fold: above [`SHARP_CREASE_DEG`], and more than twice as large as
-    /// those of the neighbouring rungs together, so that no finer sampling would divide it.
+    /// those of the rungs around it together, so that no finer sampling would divide it.
     pub is_fold: bool,
     /// The radius that the sheet is rolled to at the middle of the rung, mm; infinite where flat.
     pub bend_radius_mm: f64,
@@ -99,30 +106,43 @@ pub fn measures(surface: &Surface, flat: &Flattened, prices: &Prices) -> Measure
 
 fn rung_measures(surface: &Surface, prices: &Prices) -> Vec<RungMeasures> {
     let connectivity = surface.connectivity();
+    let hinges = connectivity.hinges();
     let of_triangles = connectivity.hinges_of_triangles();
-    connectivity
-        .hinges()
-        .iter()
-        .map(|hinge| {
-            let [low, high] = hinge.rung.ends();
+    let creases: Vec<f64> = hinges.iter().map(|hinge| surface.crease(hinge)).collect();
+    // The rungs at both triangles of a rung, itself aside.
+    let around = |n: usize| {
+        let triangles = hinges[n].triangles.into_iter();
+        let numbers = triangles.flat_map(|t| of_triangles[t.get()].iter().copied());
+        numbers.filter(move |&other| other != n)
+    };
+    // A bend may have all of its crease on every other rung, so folds are compared with the
+    // neighbours' neighbours too.
+    let is_fold: Vec<bool> = (0..hinges.len())
+        .map(|n| {
+            let mut near: Vec<usize> = around(n).collect();
+            near.extend(around(n).flat_map(around).filter(|&other| other != n));
+            near.sort_unstable();
+            near.dedup();
+            let nearby: f64 = near.into_iter().map(|other| creases[other].abs()).sum();
+            to_deg(creases[n].abs()) > SHARP_CREASE_DEG && creases[n].abs() > 2.0 * nearby
+        })
+        .collect();
+    let bend = |n: usize| if is_fold[n] { 0.0 } else { creases[n].abs() };
+    (0..hinges.len())
+        .map(|n| {
+            let rung = hinges[n].rung;
+            let [low, high] = rung.ends();
             let planes = prices.planes(low.get(), high.get());
-            // The rung itself comes once from each of its triangles, as its neighbours do.
-            let near = || {
-                let numbers = hinge.triangles.iter().flat_map(|t| of_triangles[t.get()].iter());
-                numbers.map(|&n| &connectivity.hinges()[n])
-            };
-            let crease = surface.crease(hinge);
-            let around: f64 = near()
-                .filter(|other| other.rung != hinge.rung)
-                .map(|other| surface.crease(other).abs())
-                .sum();
+            // The rung itself counts twice, as the middle of its neighbours.
+            let near = around(n).chain([n, n]).map(|other| &hinges[other]);
             RungMeasures {
-                rung: hinge.rung,
+                rung,
                 twist: planes.map_or(2.0, |p| p.twist),
                 warp: planes.map_or(std::f64::consts::PI, |p| p.warp()),
-                crease,
-                is_fold: to_deg(crease.abs()) > SHARP_CREASE_DEG && crease.abs() > 2.0 * around,
-                bend_radius_mm: bend_radius(surface, near()),
+                resolution: bend(n) + around(n).map(bend).sum::<f64>(),
+                crease: creases[n],
+                is_fold: is_fold[n],
+                bend_radius_mm: bend_radius(surface, near),
                 normals: planes.map_or([Vec3::ZERO; 2], |p| p.at_ends),
                 middle: surface.position(low).lerp(surface.position(high), 0.5),
             }

@@ -1,0 +1,217 @@
+//! The Gauss image: the directions that the surface faces along its rungs, as points on a sphere.
+//!
+//! Along a ruling of a developable surface the tangent plane stays the same, so that both ends of
+//! a rung have one normal and the image is a curve. What warps spreads it to a ribbon, as wide as
+//! the warp angle.
+
+use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, line, round_below, scale_bar, text};
+use super::space_picture::rung_classes;
+use super::strips::strips;
+use super::view::View;
+use super::wording::decimal;
+use sheetwright::design::MadePanel;
+use sheetwright::material::Material;
+use sheetwright::math::{Point2, Vec3, angle_between, cos, from_deg, sin, to_deg, unit};
+
+const HEIGHT: f64 = 236.0;
+const RADIUS: f64 = 102.0;
+/// Beside the sphere, the image is enlarged if no normal is farther from its middle than this,
+/// degrees, so that an angle looks the same all over it,
+const WIDEST: f64 = 60.0;
+/// and if some normal is farther from it than this: below it, everything faces one way.
+const NARROWEST: f64 = 0.05;
+/// Rungs drawn, at the most.
+const RUNGS: usize = 70;
+/// Points of a curve that lie closer than this in the picture are left out.
+const APART: f64 = 0.5;
+
+/// The Gauss image of a panel, on the sphere and enlarged. `None` where no rung has normals.
+pub fn gauss_picture(panel: &MadePanel, material: Option<&Material>) -> Option<Picture> {
+    let image = Image::of(panel, material)?;
+    let spread = image.spread();
+    let enlarged = (NARROWEST..=WIDEST).contains(&to_deg(spread));
+    let centre = Point2::new(if enlarged { 116.0 } else { 0.5 * WIDTH }, 0.5 * HEIGHT);
+    let mut body = sphere(&image.view, centre);
+    let on_sphere = |n: Vec3| {
+        let p = image.view.direction(n);
+        Point2::new(centre.x + RADIUS * p.x, centre.y - RADIUS * p.y)
+    };
+    body += &image.draw(on_sphere, |n| n.dot(image.view.toward) >= 0.0);
+    if enlarged {
+        body += &image.enlarged(spread);
+    }
+    let title = format!("{}: directions that the surface faces", panel.name);
+    Some(Picture::new(WIDTH, HEIGHT, title, body))
+}
+
+/// How far the normals of a panel turn and spread, for the sentence under the picture: the largest
+/// angle between a normal and the middle of all, radians.
+struct Image {
+    view: View,
+    /// Runs of rungs, each with the normals on both sides of the strip.
+    strips: Vec<Vec<[Vec3; 2]>>,
+    /// Rungs that are drawn, with their class.
+    rungs: Vec<(&'static str, [Vec3; 2])>,
+}
+
+impl Image {
+    fn of(panel: &MadePanel, material: Option<&Material>) -> Option<Self> {
+        let measured = &panel.measures.rungs;
+        let known = |n: &usize| measured[*n].normals[0] != Vec3::ZERO;
+        let mut middle = Vec3::ZERO;
+        for n in (0..measured.len()).filter(known) {
+            middle += measured[n].normals[0] + measured[n].normals[1];
+        }
+        if !(0..measured.len()).any(|n| known(&n)) {
+            return None;
+        }
+        let facing = unit(middle).or(unit(panel.boundary.area_vector())).unwrap_or(Vec3::Z);
+        let mut found = Vec::new();
+        for strip in strips(panel.surface.connectivity()) {
+            let mut run = Vec::new();
+            for (n, sides) in strip {
+                if !known(&n) {
+                    found.push(std::mem::take(&mut run));
+                    continue;
+                }
+                let [low, high] = measured[n].normals;
+                let as_it_is = sides == measured[n].rung.ends();
+                run.push(if as_it_is { [low, high] } else { [high, low] });
+            }
+            found.push(run);
+        }
+        found.retain(|run| !run.is_empty());
+        let classes = rung_classes(panel, material, RUNGS);
+        let drawn = (0..measured.len()).filter(known);
+        let rungs = drawn.filter_map(|n| Some((classes[n]?, measured[n].normals))).collect();
+        Some(Self { view: View::from(facing), strips: found, rungs })
+    }
+
+    /// The largest angle between a normal and the middle, radians.
+    fn spread(&self) -> f64 {
+        let normals = self.strips.iter().flatten().flatten();
+        normals.map(|&n| angle_between(n, self.view.toward)).fold(0.0, f64::max)
+    }
+
+    /// Rungs, then the two sides of every strip; what is not `visible` lies behind the sphere.
+    fn draw(&self, place: impl Fn(Vec3) -> Point2, visible: impl Fn(Vec3) -> bool) -> String {
+        let mut body = String::new();
+        // Strips whose rungs all face one way.
+        let mut dots = String::new();
+        for wanted in ["r", "x", "w"] {
+            let mut path = PathData::default();
+            for (class, normals) in &self.rungs {
+                let ends = normals.map(&place);
+                let seen = normals.iter().all(|&n| visible(n));
+                if *class == wanted && seen && ends[0].distance(ends[1]) > 0.05 {
+                    path.line(ends);
+                }
+            }
+            body += &path.element(wanted);
+        }
+        for side in [0, 1] {
+            let (mut front, mut behind) = (PathData::default(), PathData::default());
+            for strip in &self.strips {
+                let mut run: Vec<Point2> = Vec::new();
+                let mut in_front = visible(strip[0][side]);
+                for pair in strip {
+                    let (at, seen) = (place(pair[side]), visible(pair[side]));
+                    if seen != in_front {
+                        run.push(at);
+                        let path = if in_front { &mut front } else { &mut behind };
+                        path.line(std::mem::take(&mut run));
+                        in_front = seen;
+                    }
+                    if run.last().is_none_or(|last| last.distance(at) >= APART) {
+                        run.push(at);
+                    }
+                }
+                if let [only] = run[..] {
+                    dots += &circle("head", only, 4.0);
+                    continue;
+                }
+                let path = if in_front { &mut front } else { &mut behind };
+                path.line(run);
+            }
+            body += &behind.element("curve behind");
+            body += &front.element(if side == 0 { "curve" } else { "curve other" });
+        }
+        body + &dots
+    }
+
+    /// The image alone, angles from its middle to scale.
+    fn enlarged(&self, spread: f64) -> String {
+        const HALF: f64 = 96.0;
+        let centre = Point2::new(WIDTH - 124.0, 0.5 * HEIGHT - 10.0);
+        let scale = HALF / to_deg(spread);
+        let place = |n: Vec3| {
+            let flat = self.view.direction(n).to_vec();
+            let length = flat.length();
+            // At the middle itself every direction is as good.
+            let way = if length > 0.0 { flat / length } else { flat };
+            let deg = to_deg(angle_between(n, self.view.toward));
+            Point2::new(centre.x + scale * deg * way.x, centre.y - scale * deg * way.y)
+        };
+        let bar = round_below(0.9 * HALF / scale);
+        let decimals = if bar >= 1.0 {
+            0
+        } else if bar >= 0.1 {
+            1
+        } else {
+            2
+        };
+        let label = format!("{}°", decimal(bar, decimals));
+        let corner = Point2::new(WIDTH - 20.0, HEIGHT - 8.0);
+        self.draw(place, |_| true)
+            + &scale_bar(corner, scale * bar, &label)
+            + &text("quiet", Anchor::Start, Point2::new(WIDTH - 228.0, HEIGHT - 8.0), "enlarged")
+    }
+}
+
+/// A ball with circles of latitude and longitude about z.
+fn sphere(view: &View, centre: Point2) -> String {
+    let mut grid = PathData::default();
+    let mut arc = |point: &dyn Fn(f64) -> Vec3, from: i32, to: i32| {
+        let mut run: Vec<Point2> = Vec::new();
+        for n in from..=to {
+            let at = point(from_deg(10.0 * f64::from(n)));
+            let p = view.direction(at);
+            // What lies behind is left out.
+            if at.dot(view.toward) >= 0.0 {
+                run.push(Point2::new(centre.x + RADIUS * p.x, centre.y - RADIUS * p.y));
+            } else if run.len() > 1 {
+                grid.line(std::mem::take(&mut run));
+            } else {
+                run.clear();
+            }
+        }
+        if run.len() > 1 {
+            grid.line(run);
+        }
+    };
+    for latitude in [-60.0, -30.0, 0.0, 30.0, 60.0] {
+        let (level, height) = (cos(from_deg(latitude)), sin(from_deg(latitude)));
+        arc(&|a| Vec3::new(level * cos(a), level * sin(a), height), 0, 36);
+    }
+    for longitude in 0..12 {
+        let a = from_deg(30.0 * f64::from(longitude));
+        arc(&|l| Vec3::new(cos(l) * cos(a), cos(l) * sin(a), sin(l)), -9, 9);
+    }
+    let mut body = circle("ball", centre, RADIUS) + &grid.element("grid");
+    for (axis, name) in [(Vec3::X, "x"), (Vec3::Y, "y"), (Vec3::Z, "z")] {
+        for (sign, mark) in [(1.0, "+"), (-1.0, "−")] {
+            let p = view.direction(axis * sign).to_vec();
+            // Axes that come out near the rim have room for their name.
+            if p.length() < 0.7 || axis.dot(view.toward) * sign < -0.05 {
+                continue;
+            }
+            let at = |r: f64| Point2::new(centre.x + r * p.x, centre.y - r * p.y);
+            let end = at(RADIUS + 8.0 / p.length());
+            body += &line("axis", &[at(RADIUS), end]);
+            let word = at(RADIUS * 0.86);
+            let word = Point2::new(word.x, word.y + 4.0);
+            body += &text("halo quiet", Anchor::Middle, word, &format!("{mark}{name}"));
+        }
+    }
+    body
+}

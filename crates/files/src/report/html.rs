@@ -1,0 +1,360 @@
+//! `report.html`: the report for people, one file that works offline.
+
+use super::flat_picture::{edges, flat_picture, outline_length};
+use super::gauss_picture::gauss_picture;
+use super::space_picture::{design_picture, surface_picture};
+use super::style::page_style;
+use super::view::box_of;
+use super::warp_chart::warp_chart;
+use super::wording::{
+    area, decimal, degrees, millimetres, per_cent, radius, refold, scientific, verdict_sentence,
+    verdict_word,
+};
+use super::worst_rung;
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+use sheetwright::check::{Checked, Severity, Verdict};
+use sheetwright::design::{Made, MadePanel};
+use sheetwright::material::{Material, warp_limit};
+use sheetwright::math::to_deg;
+
+/// `report.html` of a made design. `refold_error_mm` and `checked` have one entry a panel; a refold
+/// error that is not finite says that the written pattern could not be read back.
+///
+/// # Panics
+/// Unless there is one entry a panel.
+pub fn report_html(made: &Made, refold_error_mm: &[f64], checked: &[Checked]) -> Vec<u8> {
+    assert_eq!(made.panels.len(), refold_error_mm.len(), "one refold error a panel");
+    assert_eq!(made.panels.len(), checked.len(), "one verdict a panel");
+    let each = made.panels.iter().zip(refold_error_mm).zip(checked).enumerate();
+    let pages: Vec<Page<'_>> = each
+        .map(|(n, ((panel, &refold_error_mm), checked))| Page {
+            number: n + 1,
+            panel,
+            refold_error_mm,
+            checked,
+            material: made.material,
+        })
+        .collect();
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                title { (made.name) " – Sheetwright report" }
+                style { (PreEscaped(page_style())) }
+            }
+            body {
+                main {
+                    h1 { (made.name) }
+                    p.sub { (subtitle(made)) }
+                    ul.cards { @for page in &pages { (page.card()) } }
+                    @if made.panels.len() > 1 {
+                        figure.whole {
+                            (PreEscaped(design_picture(made).inline()))
+                            figcaption { "All panels in space, with their rulings." }
+                        }
+                    }
+                    (summary(&pages))
+                    @for page in &pages { (page.section()) }
+                }
+            }
+        }
+    };
+    let mut bytes = page.into_string().into_bytes();
+    bytes.push(b'\n');
+    bytes
+}
+
+fn subtitle(made: &Made) -> String {
+    let panels = match made.panels.len() {
+        1 => "1 panel".to_owned(),
+        n => format!("{n} panels"),
+    };
+    match made.material {
+        Some(m) => format!(
+            "{panels} of {}: takes a warp of {}° and a bend radius of {}",
+            m.title,
+            decimal(to_deg(m.warp_limit), 1),
+            millimetres(m.bend_radius_mm)
+        ),
+        None => format!(
+            "{panels}, no material named: a warp of {}° is accepted, and any bend radius",
+            decimal(to_deg(warp_limit(None)), 1)
+        ),
+    }
+}
+
+fn summary(pages: &[Page<'_>]) -> Markup {
+    html! {
+        table.summary {
+            caption { "All panels" }
+            thead {
+                tr {
+                    th scope="col" { "Panel" }
+                    @for label in SUMMARY { th scope="col" { (label) } }
+                }
+            }
+            tbody {
+                @for page in pages {
+                    tr {
+                        th scope="row" { (page.panel.name) }
+                        @for (label, value) in SUMMARY.into_iter().zip(page.summary()) {
+                            td data-label=(label) { (value) }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+const SUMMARY: [&str; 6] = [
+    "Flat size",
+    "Area",
+    "Warp, largest / mean",
+    "Tightest bend radius",
+    "Length error",
+    "Refold error",
+];
+
+/// A warp that is shown as none, degrees: half of the last digit that is printed.
+const NO_WARP_DEG: f64 = 0.005;
+
+/// A panel with all that its part of the page shows.
+struct Page<'a> {
+    /// From 1.
+    number: usize,
+    panel: &'a MadePanel,
+    refold_error_mm: f64,
+    checked: &'a Checked,
+    material: Option<&'a Material>,
+}
+
+impl Page<'_> {
+    /// How bad things are: the worst finding and the verdict together.
+    fn severity(&self) -> Severity {
+        let of_verdict = match self.checked.verdict {
+            Verdict::Bends => Severity::Note,
+            Verdict::BendsAndFolds | Verdict::BendsWithForce => Severity::Warning,
+            Verdict::WillNotBend => Severity::Error,
+        };
+        let of_findings = self.checked.findings.iter().map(|f| f.severity);
+        of_findings.fold(of_verdict, Severity::max)
+    }
+
+    fn verdict(&self) -> Markup {
+        let severity = self.severity();
+        let mark = match severity {
+            Severity::Note => "✓",
+            Severity::Warning => "!",
+            Severity::Error => "×",
+        };
+        let word = verdict_word(self.checked.verdict);
+        // A sheet that would bend may still be one that must not be cut.
+        let but = match (self.checked.verdict, severity) {
+            (Verdict::WillNotBend, _) => "",
+            (_, Severity::Error) => ", but do not cut it",
+            (Verdict::Bends, Severity::Warning) => ", but look before you cut",
+            _ => "",
+        };
+        html! {
+            span class={ "verdict " (severity.name()) } {
+                b aria-hidden="true" { i { (mark) } }
+                span { (word) (but) }
+            }
+        }
+    }
+
+    fn card(&self) -> Markup {
+        html! {
+            li class={ "card " (self.severity().name()) } {
+                div { a href={ "#panel-" (self.number) } { (self.panel.name) } }
+                (self.verdict())
+                p {
+                    @match self.checked.findings.first() {
+                        Some(finding) => (finding.text),
+                        None => "Nothing was found against it.",
+                    }
+                }
+            }
+        }
+    }
+
+    fn summary(&self) -> [String; 6] {
+        let (measures, size) = (&self.panel.measures, self.panel.piece.size);
+        [
+            format!("{} × {}", millimetres(size.x), millimetres(size.y)),
+            area(measures.area_flat_mm2),
+            format!(
+                "{} / {}",
+                degrees(to_deg(measures.warp_max)),
+                degrees(to_deg(measures.warp_mean))
+            ),
+            radius(measures.bend_radius_min_mm),
+            per_cent(measures.length_error_max),
+            refold(self.refold_error_mm),
+        ]
+    }
+
+    fn section(&self) -> Markup {
+        let (panel, material) = (self.panel, self.material);
+        html! {
+            section.panel id={ "panel-" (self.number) } {
+                h2 { (panel.name) }
+                p { (self.verdict()) }
+                p { (verdict_sentence(self.checked.verdict)) }
+                (self.findings())
+                div.figures {
+                    div.column {
+                        figure.first {
+                            (PreEscaped(surface_picture(panel, material).inline()))
+                            figcaption { (self.space_caption()) }
+                        }
+                        @if let Some(gauss) = gauss_picture(panel, material) {
+                            figure.fourth {
+                                (PreEscaped(gauss.inline()))
+                                figcaption { (gauss_caption()) }
+                            }
+                        }
+                    }
+                    div.column {
+                        figure.second {
+                            (PreEscaped(flat_picture(panel, material).inline()))
+                            (self.flat_caption())
+                        }
+                        @if let Some(chart) = warp_chart(panel, material) {
+                            figure.third {
+                                (PreEscaped(chart.inline()))
+                                figcaption { (self.warp_caption()) }
+                            }
+                        } @else {
+                            p.third { "One triangle is flat: there is nothing to bend." }
+                        }
+                    }
+                }
+                (self.numbers())
+            }
+        }
+    }
+
+    fn findings(&self) -> Markup {
+        html! {
+            @if self.checked.findings.is_empty() {
+                p { "Nothing was found against it." }
+            } @else {
+                ul.findings {
+                    @for finding in &self.checked.findings {
+                        li class=(finding.severity.name()) {
+                            span.kind { (severity_word(finding.severity)) } " "
+                            (finding.text)
+                            span.where {
+                                @if !finding.place.is_empty() { "Where: " (finding.place) ". " }
+                                code { (finding.code) }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    fn space_caption(&self) -> Markup {
+        let size = box_of(self.panel);
+        html! {
+            strong { "In space. " }
+            "The thin lines are rulings, along which the sheet stays straight. Blue is the side \
+             that the pattern shows, brown the other. It fills a box of "
+            (millimetres(size.x)) " × " (millimetres(size.y)) " × " (millimetres(size.z))
+            " (x, y, z)."
+        }
+    }
+
+    fn flat_caption(&self) -> Markup {
+        let edges = edges(self.panel);
+        html! {
+            figcaption {
+                strong { "Laid flat. " }
+                "The outline to cut. Short strokes mark where to lay the straightedge; dashed lines \
+                 are folds. The whole outline is " (millimetres(outline_length(self.panel)))
+                " long."
+                @if !edges.is_empty() {
+                    ul.edges {
+                        @for edge in &edges {
+                            li { b { (edge.letter) } " " (millimetres(edge.length_mm)) }
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    fn warp_caption(&self) -> Markup {
+        let measures = &self.panel.measures;
+        html! {
+            strong { "Warp. " }
+            "How far the sheet twists from one end of each ruling to the other: the less, the \
+             easier it bends. The dashed line is the limit of "
+            (self.material.map_or("any sheet", |m| m.title)) "."
+            @if to_deg(measures.warp_max) < NO_WARP_DEG {
+                " No ruling of this panel twists."
+            } @else if let Some(worst) = worst_rung(measures) {
+                " The largest, " (degrees(to_deg(measures.warp_max))) ", is at ruling "
+                (worst + 1) " of " (measures.rungs.len()) "."
+            }
+        }
+    }
+
+    fn numbers(&self) -> Markup {
+        let (panel, measures) = (self.panel, &self.panel.measures);
+        let optimal = if panel.triangulation.proven_optimal { "yes" } else { "not proven" };
+        let rows: [(&str, String); 15] = [
+            ("Samples", panel.boundary.len().to_string()),
+            ("Triangles", panel.surface.connectivity().triangles().len().to_string()),
+            ("Rulings (rungs)", measures.rungs.len().to_string()),
+            ("Method", panel.method.name().to_owned()),
+            ("Best possible", optimal.to_owned()),
+            ("Fold price ν", format!("{}", panel.fold)),
+            ("Price, total", scientific(panel.triangulation.price)),
+            ("Twist, total", scientific(measures.twist_total)),
+            ("Largest crease", degrees(to_deg(measures.crease_max))),
+            ("Tightest bend radius", radius(measures.bend_radius_min_mm)),
+            ("Area in space", area(measures.area_space_mm2)),
+            ("Area of the pattern", area(measures.area_flat_mm2)),
+            ("Length error, largest", scientific(measures.length_error_max)),
+            ("Length error, mean", scientific(measures.length_error_mean)),
+            ("Refold error", self.refold_number()),
+        ];
+        html! {
+            h3 { "Numbers" }
+            dl.numbers {
+                @for (name, value) in rows { div { dt { (name) } dd { (value) } } }
+            }
+        }
+    }
+
+    fn refold_number(&self) -> String {
+        if self.refold_error_mm.is_finite() {
+            format!("{}\u{a0}mm", scientific(self.refold_error_mm))
+        } else {
+            refold(self.refold_error_mm)
+        }
+    }
+}
+
+fn gauss_caption() -> Markup {
+    html! {
+        strong { "Which way it faces. " }
+        "Every direction is a point on a ball; each ruling is drawn from the direction at its one \
+         end (blue) to that at its other (green). One thin curve: the sheet bends without \
+         stretching. A ribbon or an area: it must stretch, the more the wider it is."
+    }
+}
+
+fn severity_word(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Note => "Note:",
+        Severity::Warning => "Warning:",
+        Severity::Error => "Error:",
+    }
+}

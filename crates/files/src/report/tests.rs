@@ -1,0 +1,322 @@
+use super::*;
+use samples::*;
+use sheetwright::check::Checked;
+use sheetwright::design::Made;
+
+fn all() -> Vec<Made> {
+    vec![hull(40, "steel-5mm"), concave(), triangle(), quarter(), cone(), helicoid()]
+}
+
+fn checks(made: &Made) -> (Vec<f64>, Vec<Checked>) {
+    let errors = made.panels.iter().map(|_| 2e-10).collect();
+    (errors, made.panels.iter().map(|p| p.checked.clone()).collect())
+}
+
+fn html(made: &Made) -> String {
+    let (errors, checked) = checks(made);
+    String::from_utf8(report_html(made, &errors, &checked)).unwrap()
+}
+
+fn json(made: &Made) -> serde_json::Value {
+    let (errors, checked) = checks(made);
+    serde_json::from_slice(&report_json(made, &errors, &checked)).unwrap()
+}
+
+/// The inline pictures of a page.
+fn pictures(page: &str) -> Vec<&str> {
+    page.match_indices("<svg")
+        .map(|(from, _)| {
+            let to = page[from..].find("</svg>").unwrap();
+            &page[from..from + to + "</svg>".len()]
+        })
+        .collect()
+}
+
+/// The contract's fields of a panel, in its order.
+const PANEL_FIELDS: [&str; 25] = [
+    "name",
+    "method",
+    "proven_optimal",
+    "samples",
+    "triangles",
+    "rungs",
+    "fold",
+    "price_total",
+    "twist_total",
+    "crease_max_deg",
+    "warp_max_deg",
+    "warp_mean_deg",
+    "length_error_max",
+    "length_error_mean",
+    "area_space_mm2",
+    "area_flat_mm2",
+    "refold_error_mm",
+    "overlaps",
+    "self_intersects",
+    "moved_max_mm",
+    "moved_total_mm",
+    "verdict",
+    "findings",
+    "bend_radius_min_mm",
+    "warp_limit_deg",
+];
+
+#[test]
+fn the_json_has_the_fields_of_the_contract_in_their_order() {
+    let made = hull(40, "steel-5mm");
+    let (errors, checked) = checks(&made);
+    let text = String::from_utf8(report_json(&made, &errors, &checked)).unwrap();
+    let place =
+        |field: &str| text.find(&format!("\"{field}\":")).unwrap_or_else(|| panic!("{field}"));
+    let places: Vec<usize> = PANEL_FIELDS.iter().skip(1).take(22).map(|f| place(f)).collect();
+    assert!(places.is_sorted(), "{places:?}");
+    assert!(place("sheetwright") < place("name") && place("name") < place("units"));
+    let panel = &json(&made)["panels"][2];
+    assert!(PANEL_FIELDS.iter().all(|f| panel.get(f).is_some()));
+    assert_eq!(panel["samples"], made.panels[2].boundary.len());
+    assert_eq!(panel["rungs"], made.panels[2].measures.rungs.len());
+    assert_eq!(panel["moved_max_mm"], 0.0);
+    assert_eq!(panel["refold_error_mm"], 2e-10);
+    let deg = sheetwright::math::to_deg(made.panels[2].measures.warp_max);
+    assert!(text.contains(&format!("\"warp_max_deg\": {deg},")), "in full precision");
+}
+
+#[test]
+fn what_has_no_number_is_null() {
+    let made = concave();
+    let checked = vec![made.panels[0].checked.clone()];
+    let value: serde_json::Value =
+        serde_json::from_slice(&report_json(&made, &[f64::NAN], &checked)).unwrap();
+    let panel = &value["panels"][0];
+    assert!(panel["refold_error_mm"].is_null() && panel["bend_radius_min_mm"].is_null());
+    assert_eq!(panel["name"], ODD_NAME);
+}
+
+/// The file is written anew by `UPDATE_SCHEMAS=1 cargo test -p sheetwright-files`.
+#[test]
+fn the_schema_in_the_docs_is_that_of_the_code() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/schema/report.schema.json");
+    if std::env::var_os("UPDATE_SCHEMAS").is_some() {
+        std::fs::write(path, report_schema()).unwrap();
+    }
+    let in_docs = std::fs::read(path).unwrap().into_iter().filter(|&b| b != b'\r');
+    assert!(in_docs.eq(report_schema()), "run the tests with UPDATE_SCHEMAS=1");
+}
+
+/// Walks a value along its schema: the very fields, and the kind of each.
+fn agrees(value: &serde_json::Value, schema: &serde_json::Value, root: &serde_json::Value) {
+    if let Some(path) = schema.get("$ref").and_then(|r| r.as_str()) {
+        return agrees(value, root.pointer(path.trim_start_matches('#')).unwrap(), root);
+    }
+    let kinds: Vec<&str> = match &schema["type"] {
+        serde_json::Value::Array(list) => list.iter().filter_map(|k| k.as_str()).collect(),
+        one => one.as_str().into_iter().collect(),
+    };
+    let kind = match value {
+        serde_json::Value::Null => "null",
+        serde_json::Value::Bool(_) => "boolean",
+        serde_json::Value::Number(n) if n.is_u64() && kinds.contains(&"integer") => "integer",
+        serde_json::Value::Number(_) => "number",
+        serde_json::Value::String(_) => "string",
+        serde_json::Value::Array(_) => "array",
+        serde_json::Value::Object(_) => "object",
+    };
+    assert!(kinds.contains(&kind), "{value} is not {kinds:?}");
+    if let Some(allowed) = schema.get("enum") {
+        assert!(allowed.as_array().unwrap().contains(value), "{value} is not in {allowed}");
+    }
+    if let Some(list) = value.as_array() {
+        list.iter().for_each(|item| agrees(item, &schema["items"], root));
+    }
+    if let Some(fields) = value.as_object() {
+        let names: std::collections::BTreeSet<&str> = fields.keys().map(String::as_str).collect();
+        let required = schema["required"].as_array().unwrap();
+        assert_eq!(names, required.iter().map(|n| n.as_str().unwrap()).collect());
+        assert_eq!(schema["additionalProperties"], false);
+        for (name, field) in fields {
+            agrees(field, &schema["properties"][name], root);
+        }
+    }
+}
+
+#[test]
+fn every_report_agrees_with_the_schema() {
+    let schema: serde_json::Value = serde_json::from_slice(&report_schema()).unwrap();
+    for made in all() {
+        agrees(&json(&made), &schema, &schema);
+    }
+}
+
+#[test]
+fn pictures_are_well_formed_and_every_class_has_a_rule() {
+    let css = style::picture_style();
+    for made in all() {
+        let page = html(&made);
+        let found = pictures(&page);
+        assert!(found.len() >= 2 * made.panels.len());
+        for picture in found {
+            let document = roxmltree::Document::parse(picture).unwrap();
+            let root = document.root_element();
+            assert!(root.attribute("viewBox").is_some() && root.attribute("aria-label").is_some());
+            let classes = document.descendants().filter_map(|node| node.attribute("class"));
+            for class in classes.flat_map(str::split_whitespace) {
+                let rule = css.match_indices(&format!(".{class}")).any(|(at, dotted)| {
+                    !css[at + dotted.len()..].starts_with(|c: char| c.is_ascii_alphanumeric())
+                });
+                assert!(rule, "no rule for {class}");
+            }
+        }
+    }
+}
+
+/// Whatever is drawn lies in its picture, and every number is one.
+#[test]
+fn pictures_stay_in_their_frames() {
+    for made in all() {
+        let page = html(&made);
+        for picture in pictures(&page) {
+            let document = roxmltree::Document::parse(picture).unwrap();
+            let frame: Vec<f64> = document
+                .root_element()
+                .attribute("viewBox")
+                .unwrap()
+                .split(' ')
+                .map(|n| n.parse().unwrap())
+                .collect();
+            for node in document.descendants().filter(|n| n.has_tag_name("path")) {
+                for point in node.attribute("d").unwrap().split(['M', 'L', 'Z']) {
+                    let point = point.replace('-', " -");
+                    let numbers: Vec<f64> =
+                        point.split_whitespace().map(|n| n.parse().unwrap()).collect();
+                    if let [x, y] = numbers[..] {
+                        assert!((0.0..=frame[2]).contains(&x), "{x} in {}", made.name);
+                        assert!((0.0..=frame[3]).contains(&y), "{y} in {}", made.name);
+                    } else {
+                        assert!(numbers.is_empty(), "{point}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn names_are_escaped() {
+    let page = html(&concave());
+    assert!(!page.contains("<b>\""), "the name became an element");
+    assert!(page.contains("<h2>&lt;b&gt;&quot;&amp;é</h2>"));
+    assert!(page.contains(r#"aria-label="&lt;b&gt;&quot;&amp;é laid flat""#));
+}
+
+#[test]
+fn a_page_refers_to_nothing_outside_itself() {
+    for made in all() {
+        let page = html(&made);
+        let without = page.replace(r#"xmlns="http://www.w3.org/2000/svg""#, "");
+        for word in ["http", "//", "url(", "@import", "<script", "<img", "<link", "src="] {
+            assert!(!without.contains(word), "{word} in {}", made.name);
+        }
+    }
+}
+
+#[test]
+fn no_number_fails_to_be_one() {
+    let mut pages: Vec<String> = all().iter().map(html).collect();
+    let made = quarter();
+    let checked = vec![made.panels[0].checked.clone()];
+    let unread = String::from_utf8(report_html(&made, &[f64::NAN], &checked)).unwrap();
+    assert!(unread.contains("not read back"));
+    pages.push(unread);
+    for page in pages {
+        let words = page.split(|c: char| !c.is_ascii_alphanumeric());
+        for word in words {
+            assert!(!["nan", "inf", "infinity"].contains(&word.to_lowercase().as_str()), "{word}");
+        }
+    }
+}
+
+#[test]
+fn the_same_design_gives_the_same_bytes() {
+    for (once, again) in all().iter().zip(&all()) {
+        assert_eq!(html(once), html(again));
+        assert_eq!(json(once), json(again));
+    }
+}
+
+#[test]
+fn charts_show_the_limit_and_what_is_beyond_it() {
+    let page = html(&quarter());
+    assert!(page.contains(r#"<path class="limit""#) && page.contains(">limit 6.0°<"));
+    assert!(page.contains("The dashed line is the limit of plywood, 4 mm."));
+    assert!(!page.contains("bar over"));
+    let mut unnamed = quarter();
+    unnamed.material = None;
+    assert!(html(&unnamed).contains("the limit of any sheet."));
+    // The ramp warps beyond it: its worst ruling stands out in space, flat and on the chart.
+    let page = html(&helicoid());
+    assert!(page.contains("bar over"));
+    let worst = pictures(&page).iter().filter(|p| p.contains(r#"class="w""#)).count();
+    assert_eq!(worst, 3, "in space, flat and on the sphere");
+}
+
+#[test]
+fn a_panel_without_rulings_has_no_chart() {
+    let page = html(&triangle());
+    assert_eq!(pictures(&page).len(), 2);
+    assert!(page.contains("One triangle is flat"));
+}
+
+#[test]
+fn an_error_is_not_hidden_behind_a_good_verdict() {
+    let made = helicoid();
+    let mut checked = made.panels[0].checked.clone();
+    checked.verdict = sheetwright::check::Verdict::Bends;
+    checked.findings.retain(|f| f.code == "overlap");
+    assert_eq!(checked.findings.len(), 1);
+    let page = String::from_utf8(report_html(&made, &[0.0], &[checked])).unwrap();
+    assert!(page.contains("Bends, but do not cut it"));
+    assert!(page.contains(r#"class="card error""#));
+}
+
+#[test]
+fn the_page_of_a_hull_stays_small() {
+    let bytes = html(&hull(200, "steel-5mm")).len();
+    assert!(bytes < 400_000, "{bytes} bytes");
+}
+
+#[test]
+fn pictures_in_a_row_are_one_file() {
+    let made = hull(40, "steel-5mm");
+    let panel = &made.panels[0];
+    let row = [surface_picture(panel, made.material), flat_picture(panel, made.material)];
+    let text = side_by_side("A plank & its pattern", &row).standalone();
+    let document = roxmltree::Document::parse(&text).unwrap();
+    assert_eq!(document.root_element().attribute("width"), Some("976"));
+    assert_eq!(document.descendants().filter(|n| n.has_tag_name("style")).count(), 1);
+}
+
+#[test]
+#[ignore = "writes docs/pictures/hull.svg"]
+fn picture_of_the_hull() {
+    let made = hull(120, "steel-5mm");
+    let flat: Vec<Picture> =
+        made.panels.iter().map(|panel| flat_picture(panel, made.material)).collect();
+    let title = "The planks of a hull in space, and laid flat";
+    let row = side_by_side(title, &[design_picture(&made), stacked("The flat planks", &flat)]);
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/pictures/hull.svg");
+    std::fs::write(path, row.standalone()).unwrap();
+}
+
+/// `REPORT_PAGES=DIR cargo test -p sheetwright-files -- --ignored pages_to_look_at`
+#[test]
+#[ignore = "writes pages to look at into the folder REPORT_PAGES"]
+fn pages_to_look_at() {
+    let dir = std::env::var("REPORT_PAGES").unwrap();
+    let mut list = all();
+    list.push(hull(200, "steel-5mm"));
+    for (n, made) in list.iter().enumerate() {
+        let (errors, checked) = checks(made);
+        std::fs::write(format!("{dir}/{n}.html"), html(made)).unwrap();
+        std::fs::write(format!("{dir}/{n}.json"), report_json(made, &errors, &checked)).unwrap();
+    }
+}

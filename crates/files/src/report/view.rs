@@ -1,0 +1,126 @@
+//! From where a surface is seen, so that its shape reads.
+
+use sheetwright::boundary::size_of;
+use sheetwright::design::MadePanel;
+use sheetwright::index::TriangleIndex;
+use sheetwright::math::{Point2, Point3, Vec3, cos, from_deg, sin, unit};
+use sheetwright::predicate::first_crossing;
+
+/// A parallel projection, world z up where that has a meaning.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct View {
+    pub(super) right: Vec3,
+    pub(super) up: Vec3,
+    /// From what is seen to the eye.
+    pub(super) toward: Vec3,
+}
+
+impl View {
+    /// The view of an eye that lies that way.
+    pub(super) fn from(toward: Vec3) -> Self {
+        let toward = unit(toward).unwrap_or(Vec3::Z);
+        // Seen from right above, y is up.
+        let vertical = if toward.z.abs() > 0.999 { Vec3::Y } else { Vec3::Z };
+        let right = unit(vertical.cross(toward)).unwrap_or(Vec3::X);
+        Self { right, up: toward.cross(right), toward }
+    }
+
+    /// Where a direction points in the picture; y is up.
+    pub(super) fn direction(&self, way: Vec3) -> Point2 {
+        Point2::new(way.dot(self.right), way.dot(self.up))
+    }
+
+    /// Where a point lies in the picture, mm; y is up.
+    pub(super) fn project(&self, point: Point3) -> Point2 {
+        self.direction(point.to_vec())
+    }
+
+    /// How near to the eye a point lies, mm.
+    pub(super) fn nearness(&self, point: Point3) -> f64 {
+        point.to_vec().dot(self.toward)
+    }
+}
+
+/// Steps round the horizon from which a surface is looked at.
+const AZIMUTHS: u32 = 24;
+/// Heights above the horizon from which it is looked at, degrees, and what speaks against each.
+const ELEVATIONS: [(f64, f64); 5] =
+    [(20.0, 0.0), (35.0, 0.0), (55.0, 0.1), (75.0, 0.2), (-25.0, 0.25)];
+/// How much of the surface should look at the eye: head on (1) it seems flat, edge on (0) it can't
+/// be seen.
+const FACING: f64 = 0.78;
+/// How much of the panel's length should be seen: in full, a tube looks like a plate.
+const LENGTH: f64 = 0.9;
+
+/// The view of some panels, from the side that they face: chosen among some dozens so that most of
+/// them is seen, aslant, nearly at full length and with little of their back.
+pub(super) fn view_of(panels: &[MadePanel]) -> View {
+    let mut areas: Vec<Vec3> = Vec::new();
+    let mut long = Vec3::ZERO;
+    for panel in panels {
+        let count = panel.surface.connectivity().triangles().len();
+        areas.extend((0..count).map(|n| panel.surface.area_vector(TriangleIndex::new(n))));
+        let of_panel = longest_direction(panel) * panel.boundary.size();
+        // The first panel says which way is right.
+        long += if of_panel.dot(long) < 0.0 { -of_panel } else { of_panel };
+    }
+    let long = unit(long).unwrap_or(Vec3::X);
+    let mut best: Option<(f64, View)> = None;
+    for step in 0..AZIMUTHS {
+        let azimuth = from_deg(360.0 / f64::from(AZIMUTHS) * f64::from(step));
+        for (elevation, against) in ELEVATIONS {
+            let (level, height) = (cos(from_deg(elevation)), sin(from_deg(elevation)));
+            let toward = Vec3::new(level * cos(azimuth), level * sin(azimuth), height);
+            let view = View::from(toward);
+            let score = score(&view, &areas, long) - against;
+            // Equal views are told apart by rounding alone: a margin makes the first of them win.
+            if best.is_none_or(|(most, _)| score > most + 1e-9) {
+                best = Some((score, view));
+            }
+        }
+    }
+    best.map_or(View::from(Vec3::Z), |(_, view)| view)
+}
+
+fn score(view: &View, areas: &[Vec3], long: Vec3) -> f64 {
+    let whole: f64 = areas.iter().map(|a| a.length()).sum();
+    let share =
+        |sign: f64| areas.iter().map(|a| (sign * a.dot(view.toward)).max(0.0)).sum::<f64>() / whole;
+    let (front, back) = (share(1.0), share(-1.0));
+    let along = view.direction(long);
+    let facing = 1.0 - (front - FACING).abs();
+    let length = 1.0 - (along.to_vec().length() - LENGTH).abs();
+    // What lies left on the pattern should lie left here.
+    2.0 * facing - 1.5 * back + 1.5 * length + 0.5 * along.x
+}
+
+/// Where the flat pattern's x, its longer side, points in space: the sum over all samples of the
+/// way to them in space, times how far right of the mean they lie on the pattern.
+fn longest_direction(panel: &MadePanel) -> Vec3 {
+    let (space, flat) = (panel.surface.positions(), &panel.flat.points);
+    let mean = flat.iter().map(|p| p.x).sum::<f64>() / flat.len() as f64;
+    let sum = space.iter().zip(flat).map(|(p, f)| (*p - space[0]) * (f.x - mean)).sum();
+    unit(sum).unwrap_or(Vec3::X)
+}
+
+/// Whether nothing hides anything: every triangle turns the same side to the eye and the boundary
+/// does not cross itself in the picture, so that the picture is one to one.
+pub(super) fn is_plain(view: &View, panel: &MadePanel) -> bool {
+    let connectivity = panel.surface.connectivity();
+    let signs: Vec<bool> = (0..connectivity.triangles().len())
+        .map(|n| panel.surface.area_vector(TriangleIndex::new(n)).dot(view.toward) > 0.0)
+        .collect();
+    let outer = connectivity.loops()[0].clone();
+    let ring: Vec<Point2> =
+        panel.surface.positions()[outer].iter().map(|&p| view.project(p)).collect();
+    let one_side = signs.iter().all(|&s| s == signs[0]);
+    one_side && connectivity.loops().len() == 1 && first_crossing(&ring).is_none()
+}
+
+/// Length, width and height of the box around a panel along the axes, mm.
+pub(super) fn box_of(panel: &MadePanel) -> Vec3 {
+    let points = panel.surface.positions();
+    let along =
+        |axis: Vec3| size_of(points.iter().map(|p| Point3::from_vec(axis * p.to_vec().dot(axis))));
+    Vec3::new(along(Vec3::X), along(Vec3::Y), along(Vec3::Z))
+}

@@ -1,0 +1,200 @@
+//! The warp along the panel: one bar a rung, over the place where it lies on the pattern.
+
+use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, line, rectangle, round_below, text};
+use super::flat_picture::{LEFT, RIGHT, scale_of};
+use super::wording::decimal;
+use super::worst_rung;
+use sheetwright::check::EASY_SHARE;
+use sheetwright::design::MadePanel;
+use sheetwright::material::{Material, warp_limit};
+use sheetwright::math::{Point2, Vec2, to_deg};
+use sheetwright::rung::Rung;
+
+const TOP: f64 = 14.0;
+const HEIGHT: f64 = 170.0;
+const FOOT: f64 = 50.0;
+/// The limit stands at this share of the height, unless the worst rung needs more room.
+const LIMIT_SHARE: f64 = 0.78;
+/// Bars stand on a grid of columns of this width; rungs in one column share its highest bar.
+const COLUMN: f64 = 2.0;
+/// Up to so many rungs, each bar has a head.
+const HEADS: usize = 60;
+/// A band lower than this has no room for its name.
+const BAND_FOR_TEXT: f64 = 20.0;
+
+/// The warp angle of every rung over its middle's place along the flat pattern, against the
+/// material's limit. `None` without rungs.
+pub fn warp_chart(panel: &MadePanel, material: Option<&Material>) -> Option<Picture> {
+    let worst = worst_rung(&panel.measures)?;
+    let limit = to_deg(warp_limit(material));
+    let most = to_deg(panel.measures.warp_max);
+    let top = (limit / LIMIT_SHARE).max(1.08 * most);
+    let chart = Chart { panel, limit, top, across: runs_across(panel) };
+    let [bands, names] = chart.bands();
+    let mut body = bands + &chart.axes() + &chart.bars() + &names;
+    body += &chart.limit_line();
+    let at = chart.place(worst);
+    if most > limit {
+        body += &circle("ring", at, 6.0);
+    }
+    Some(Picture::new(
+        WIDTH,
+        TOP + HEIGHT + FOOT,
+        format!("{}: warp of each ruling along the panel", panel.name),
+        body,
+    ))
+}
+
+/// Whether the rungs follow one another across the pattern rather than along it, as on a tube that
+/// is longer than wide.
+fn runs_across(panel: &MadePanel) -> bool {
+    let spread = |of: fn(Point2) -> f64| {
+        let places = panel.measures.rungs.iter().map(|rung| of(middle(panel, rung.rung)));
+        let (least, most) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| {
+            (least.min(x), most.max(x))
+        });
+        most - least
+    };
+    spread(|p| p.y) > spread(|p| p.x)
+}
+
+/// The middle of a rung on the pattern, mm.
+fn middle(panel: &MadePanel, rung: Rung) -> Point2 {
+    let [a, b] = rung.ends().map(|s| panel.flat.points[s.get()]);
+    a.lerp(b, 0.5)
+}
+
+struct Chart<'a> {
+    panel: &'a MadePanel,
+    /// Degrees.
+    limit: f64,
+    /// The top of the scale, degrees.
+    top: f64,
+    /// Whether places are counted across the pattern, from its lower side.
+    across: bool,
+}
+
+impl Chart<'_> {
+    /// What the places span, mm.
+    fn span(&self) -> f64 {
+        let size = self.panel.piece.size;
+        if self.across { size.y } else { size.x }
+    }
+
+    fn x(&self, place: f64) -> f64 {
+        if self.across {
+            return LEFT + (WIDTH - LEFT - RIGHT) / self.span().max(1e-12) * place;
+        }
+        // As in the picture of the pattern above it.
+        LEFT + scale_of(self.panel) * place
+    }
+
+    fn y(&self, deg: f64) -> f64 {
+        TOP + HEIGHT * (1.0 - deg / self.top)
+    }
+
+    /// The head of a rung's bar.
+    fn place(&self, rung: usize) -> Point2 {
+        let measured = &self.panel.measures.rungs[rung];
+        let middle = middle(self.panel, measured.rung);
+        let x = self.x(if self.across { middle.y } else { middle.x });
+        Point2::new(x, self.y(to_deg(measured.warp)))
+    }
+
+    /// The bands, and their names, which lie over everything.
+    fn bands(&self) -> [String; 2] {
+        let (right, left) = (WIDTH - RIGHT, LEFT);
+        let easy = EASY_SHARE * self.limit;
+        let (mut body, mut names) = (String::new(), String::new());
+        for (class, from, to, name) in [
+            ("force", easy, self.limit, "needs force"),
+            ("beyond", self.limit, self.top, "too much"),
+        ] {
+            let (low, high) = (self.y(from), self.y(to));
+            let size = Vec2::new(right - left, low - high);
+            body += &rectangle(class, Point2::new(left, high), size);
+            if size.y >= BAND_FOR_TEXT {
+                let at = Point2::new(left + 7.0, 0.5 * (low + high) + 5.0);
+                names += &text("halo band", Anchor::Start, at, name);
+            }
+        }
+        [body, names]
+    }
+
+    fn axes(&self) -> String {
+        let (left, right, bottom) = (LEFT, WIDTH - RIGHT, TOP + HEIGHT);
+        let at = Point2::new;
+        let mut lines = PathData::default();
+        let mut body = String::new();
+        let step = round_below(self.top / 3.0);
+        let decimals = usize::from(step < 1.0);
+        let mut n = 0.0;
+        while n * step <= self.top {
+            let y = self.y(n * step);
+            lines.line([at(left - 5.0, y), at(left, y)]);
+            let words = format!("{}°", decimal(n * step, decimals));
+            body += &text("", Anchor::End, at(left - 8.0, y + 5.0), &words);
+            n += 1.0;
+        }
+        lines.line([at(left, TOP), at(left, bottom), at(right, bottom)]);
+        let length = self.span();
+        let (unit, unit_mm) = if length >= 3000.0 { ("m", 1000.0) } else { ("mm", 1.0) };
+        let step = round_below(length / 3.0);
+        let decimals = usize::from(step < unit_mm);
+        let mut n = 0.0;
+        while n * step <= length {
+            let x = self.x(n * step);
+            lines.line([at(x, bottom), at(x, bottom + 5.0)]);
+            let words = decimal(n * step / unit_mm, decimals);
+            body += &text("", Anchor::Middle, at(x, bottom + 20.0), &words);
+            n += 1.0;
+        }
+        let title = if self.across {
+            format!("place across the flat pattern, from below, {unit}")
+        } else {
+            format!("place along the flat pattern, {unit}")
+        };
+        let middle = at(0.5 * (left + right), bottom + 41.0);
+        lines.element("axis") + &body + &text("quiet", Anchor::Middle, middle, &title)
+    }
+
+    fn bars(&self) -> String {
+        let bottom = TOP + HEIGHT;
+        let rungs = self.panel.measures.rungs.len();
+        // The highest head of each column.
+        let mut columns = std::collections::BTreeMap::<i64, Point2>::new();
+        for n in 0..rungs {
+            let head = self.place(n);
+            let column = ((head.x - LEFT) / COLUMN).floor() as i64;
+            let highest = columns.entry(column).or_insert(head);
+            if head.y < highest.y {
+                *highest = head;
+            }
+        }
+        let limit = self.y(self.limit);
+        let mut body = String::new();
+        for (class, over) in [("bar", false), ("bar over", true)] {
+            let mut path = PathData::default();
+            for (column, head) in columns.iter().filter(|(_, head)| (head.y < limit) == over) {
+                let x = LEFT + COLUMN * (*column as f64 + 0.5);
+                // A rung without warp still shows that it is there.
+                path.line([Point2::new(x, bottom), Point2::new(x, head.y.min(bottom - 1.0))]);
+            }
+            body += &path.element(class);
+        }
+        if rungs <= HEADS {
+            for head in columns.values() {
+                let class = if head.y < limit { "head over" } else { "head" };
+                body += &circle(class, *head, 3.0);
+            }
+        }
+        body
+    }
+
+    fn limit_line(&self) -> String {
+        let (left, right, y) = (LEFT, WIDTH - RIGHT, self.y(self.limit));
+        let words = format!("limit {}°", decimal(self.limit, 1));
+        line("limit", &[Point2::new(left, y), Point2::new(right, y)])
+            + &text("halo", Anchor::End, Point2::new(right - 5.0, y - 6.0), &words)
+    }
+}

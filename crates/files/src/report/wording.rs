@@ -1,0 +1,182 @@
+//! Numbers and verdicts as people read them.
+
+use sheetwright::check::Verdict;
+
+/// A verdict in a word or three.
+pub(super) fn verdict_word(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Bends => "Bends",
+        Verdict::BendsAndFolds => "Bends and folds",
+        Verdict::BendsWithForce => "Bends with force",
+        Verdict::WillNotBend => "Will not bend",
+    }
+}
+
+/// A verdict in a sentence.
+pub(super) fn verdict_sentence(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Bends => "The sheet takes this shape by bending alone.",
+        Verdict::BendsAndFolds => {
+            "The sheet takes this shape by bending, and by sharp folds along scored lines."
+        }
+        Verdict::BendsWithForce => {
+            "The sheet takes this shape when it is clamped: it has to stretch a little."
+        }
+        Verdict::WillNotBend => "The sheet does not take this shape.",
+    }
+}
+
+/// Digits in groups of three, with narrow blanks that do not break.
+fn grouped(digits: &str) -> String {
+    let (whole, rest) = digits.split_once('.').unwrap_or((digits, ""));
+    let mut out = String::new();
+    for (n, c) in whole.chars().enumerate() {
+        let left = whole.len() - n;
+        if n > 0 && left.is_multiple_of(3) && whole.len() > 4 && !out.ends_with('-') {
+            out.push('\u{202f}');
+        }
+        out.push(c);
+    }
+    if !rest.is_empty() {
+        out.push('.');
+        out.push_str(rest);
+    }
+    out
+}
+
+/// A number with this many decimals, its minus sign a real one.
+pub(super) fn decimal(x: f64, decimals: usize) -> String {
+    let text = format!("{x:.decimals$}");
+    let is_zero = text.chars().all(|c| "-0.".contains(c));
+    let text = if is_zero { text.trim_start_matches('-') } else { &text };
+    grouped(text).replace('-', "−")
+}
+
+/// A length: tenths of a millimetre below a metre, whole ones above.
+pub(super) fn millimetres(mm: f64) -> String {
+    format!("{}\u{a0}mm", decimal(mm, if mm.abs() < 1000.0 { 1 } else { 0 }))
+}
+
+/// A round length, in metres from one metre on.
+pub(super) fn length_short(mm: f64) -> String {
+    let plain = |x: f64| {
+        let text = format!("{x:.3}");
+        grouped(text.trim_end_matches('0').trim_end_matches('.'))
+    };
+    if mm >= 1000.0 {
+        format!("{}\u{a0}m", plain(mm / 1000.0))
+    } else if mm >= 0.001 {
+        format!("{}\u{a0}mm", plain(mm))
+    } else {
+        format!("{}\u{a0}nm", plain(mm * 1e6))
+    }
+}
+
+/// An area, in the unit that leaves three digits or so.
+pub(super) fn area(mm2: f64) -> String {
+    let with_digits = |x: f64, unit: &str| {
+        let decimals = if x < 10.0 {
+            3
+        } else if x < 100.0 {
+            2
+        } else {
+            1
+        };
+        format!("{}\u{a0}{unit}", decimal(x, decimals))
+    };
+    if mm2.abs() >= 1e5 {
+        with_digits(mm2 / 1e6, "m²")
+    } else if mm2.abs() >= 1e3 {
+        with_digits(mm2 / 1e2, "cm²")
+    } else {
+        with_digits(mm2, "mm²")
+    }
+}
+
+/// An angle in degrees.
+pub(super) fn degrees(deg: f64) -> String {
+    let decimals = if deg.abs() < 10.0 { 2 } else { 1 };
+    format!("{}°", decimal(deg, decimals))
+}
+
+/// A relative error as a share in per cent; what no workshop can measure is called so.
+pub(super) fn per_cent(share: f64) -> String {
+    if share < 1e-8 { "none".to_owned() } else { format!("{}\u{a0}%", decimal(100.0 * share, 4)) }
+}
+
+/// How far the pattern misses the surface when it is folded up again.
+pub(super) fn refold(error_mm: f64) -> String {
+    if !error_mm.is_finite() {
+        "not read back".to_owned()
+    } else if error_mm < 0.001 {
+        "below 0.001\u{a0}mm".to_owned()
+    } else {
+        format!("{}\u{a0}mm", decimal(error_mm, 3))
+    }
+}
+
+/// A bend radius; a flat panel has none.
+pub(super) fn radius(mm: f64) -> String {
+    if mm.is_finite() && mm < 1e7 { millimetres(mm) } else { "flat".to_owned() }
+}
+
+/// A small or large number with its power of ten: `2.1 × 10⁻¹³`.
+pub(super) fn scientific(x: f64) -> String {
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    if !x.is_finite() {
+        return "not known".to_owned();
+    }
+    let text = format!("{x:.1e}");
+    let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
+    if power == "0" {
+        return digits.to_owned();
+    }
+    let raised: String = power.chars().map(superscript).collect();
+    format!("{}\u{a0}×\u{a0}10{raised}", digits.replace('-', "−"))
+}
+
+fn superscript(c: char) -> char {
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    c.to_digit(10).map_or('⁻', |d| DIGITS[d as usize])
+}
+
+/// About `most` of a list, evenly, the first and the last among them; all if there are no more.
+pub(super) fn thinned(list: &[usize], most: usize) -> Vec<usize> {
+    if list.len() <= most || most < 2 {
+        return list.to_vec();
+    }
+    (0..most).map(|n| list[n * (list.len() - 1) / (most - 1)]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_read_well() {
+        assert_eq!(decimal(-0.001, 2), "0.00");
+        assert_eq!(decimal(-1234567.0, 0), "−1\u{202f}234\u{202f}567");
+        assert_eq!(millimetres(36_102.4), "36\u{202f}102\u{a0}mm");
+        assert_eq!(millimetres(5301.0), "5301\u{a0}mm");
+        assert_eq!(length_short(5000.0), "5\u{a0}m");
+        assert_eq!(length_short(0.2), "0.2\u{a0}mm");
+        assert_eq!(area(812_345.6), "0.812\u{a0}m²");
+        assert_eq!(area(2500.0), "25.00\u{a0}cm²");
+        assert_eq!(degrees(0.4), "0.40°");
+        assert_eq!(per_cent(0.0123), "1.2300\u{a0}%");
+        assert_eq!(scientific(2.1e-13), "2.1\u{a0}×\u{a0}10⁻¹³");
+        assert_eq!(scientific(1.5), "1.5");
+        assert_eq!(radius(f64::INFINITY), "flat");
+        assert_eq!(refold(f64::NAN), "not read back");
+    }
+
+    #[test]
+    fn thinning_keeps_both_ends() {
+        let list: Vec<usize> = (0..100).collect();
+        let few = thinned(&list, 7);
+        assert_eq!((few.len(), few[0], few[6]), (7, 0, 99));
+        assert_eq!(thinned(&list[..5], 7), [0, 1, 2, 3, 4]);
+    }
+}
