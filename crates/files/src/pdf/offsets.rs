@@ -41,16 +41,12 @@ pub(super) fn scale(piece: &Piece, paper: Paper) -> f64 {
     round_up((size.x / room.x).max(size.y / room.y), &[1.0, 2.0, 2.5, 4.0, 5.0])
 }
 
-/// The least of `steps` times a power of ten that is not below x; 1 for x up to 1.
+/// The least of `steps` times a power of ten that is not below x; the first step for x below it.
 fn round_up(x: f64, steps: &[f64]) -> f64 {
-    let mut power = 1.0;
-    loop {
-        if let Some(step) = steps.iter().find(|&&step| step * power >= x) {
-            return step * power;
-        }
-        // Also ends for infinity, which no piece is large enough for.
-        power *= 10.0;
-    }
+    let powers = std::iter::successors(Some(1.0), |power| Some(power * 10.0));
+    // Every finite number is below the last of them.
+    let rounded = powers.take(310).flat_map(|power| steps.iter().map(move |step| step * power));
+    rounded.into_iter().find(|&step| step >= x).unwrap_or(f64::INFINITY)
 }
 
 /// The page of a piece.
@@ -87,16 +83,11 @@ pub(super) fn page(piece: &Piece, reduced: &Reduced, paper: Paper) -> Page {
     page
 }
 
-/// The places of the stations along x: every `step`, and the end.
+/// The places of the stations along x: every whole `step`, and the end.
 fn stations(from: f64, to: f64, step: f64) -> Vec<f64> {
-    let mut stations = Vec::new();
-    let mut n = (from / step).ceil();
-    while n * step < to {
-        stations.push(n * step);
-        n += 1.0;
-    }
-    stations.push(to);
-    stations
+    let first = (from / step).ceil();
+    let whole = (0..=MAX_STATIONS as u32).map(|n| (first + f64::from(n)) * step);
+    whole.take_while(|&x| x < to).chain([to]).collect()
 }
 
 /// The heights at which the outline passes a station, mm, the lowest first.
@@ -169,5 +160,30 @@ fn table(page: &mut Page, piece: &Piece, stations: &[f64], top: f64, reduced: &R
         let y = first_row - ROW_MM * (MAX_CORNERS + 1) as f64;
         let more = format!("and {} more, see SVG or DXF", corners.len() - MAX_CORNERS);
         page.text(Point2::new(right_column, y), &more, Type::new(8.5));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stations_and_scales_are_round() {
+        assert_eq!(round_up(372.0, &[1.0, 2.0, 2.5, 4.0, 5.0]), 400.0);
+        assert_eq!(round_up(0.2, &[1.0, 2.0, 5.0]), 1.0);
+        assert_eq!(round_up(f64::NAN, &[1.0]), f64::INFINITY);
+        assert_eq!(stations(0.0, 5200.0, 2500.0), [0.0, 2500.0, 5000.0, 5200.0]);
+        assert_eq!(stations(0.0, 5000.0, 2500.0), [0.0, 2500.0, 5000.0]);
+    }
+
+    #[test]
+    fn offsets_are_the_heights_of_the_edges() {
+        let outline: Vec<Point2> = [(0.0, 1.0), (4.0, 0.0), (4.0, 3.0), (0.0, 2.0)]
+            .iter()
+            .map(|&(x, y)| Point2::new(x, y))
+            .collect();
+        assert_eq!(heights(&outline, 0.0), [1.0, 2.0]);
+        assert_eq!(heights(&outline, 2.0), [0.5, 2.5]);
+        assert_eq!(corners(&outline).len(), 4);
     }
 }
