@@ -116,14 +116,15 @@ pub fn output_files(made: &Made, formats: &[Format], paper: Paper) -> Result<Out
     let svg = of_panels(Format::Svg, &|panel| write_svg(&panel.piece));
     let dxf = of_panels(Format::Dxf, &|panel| write_dxf(&panel.piece));
     let pdf = asked(Format::Pdf).then(|| write_pdf(made, paper));
-    let bytes_of = |files: &[OutputFile], n: usize| files.get(n).map(|f| f.bytes.clone());
+    fn bytes_of(files: &[OutputFile], n: usize) -> Option<&[u8]> {
+        files.get(n).map(|file| &file.bytes[..])
+    }
 
     let mut panels = Vec::with_capacity(made.panels.len());
     let mut errors_mm = Vec::with_capacity(made.panels.len());
     for (n, panel) in made.panels.iter().enumerate() {
-        let (svg, dxf) = (bytes_of(&svg, n), bytes_of(&dxf, n));
         let mut checked = panel.checked.clone();
-        match refold_error_mm(panel, svg.as_deref(), dxf.as_deref()) {
+        match refold_error_mm(panel, bytes_of(&svg, n), bytes_of(&dxf, n)) {
             Ok(error_mm) => {
                 checked.findings.extend(refolding(error_mm, panel.boundary.size()));
                 errors_mm.push(error_mm);

@@ -13,6 +13,8 @@ use sheetwright::predicate::Box2;
 const CHECK_MM: f64 = 100.0;
 /// Pieces are drawn no higher than this, mm, so that at least one stands on the first page.
 const DRAWING_MM: f64 = 110.0;
+/// Pieces of one sheet are drawn no higher than this, mm: there is no grid to read off.
+const ONE_SHEET_MM: f64 = 55.0;
 /// Above the drawing of a piece, for its name and size, mm.
 const CAPTION_MM: f64 = 12.0;
 /// Between two pieces, mm.
@@ -33,8 +35,10 @@ impl Block {
                 Box2::of_points(piece.outline().iter().copied()).unwrap_or(none)
             }
         };
+        let one_sheet = matches!(plan, Plan::Tiled(tiling) if tiling.sheets.len() == 1);
+        let height_mm = if one_sheet { ONE_SHEET_MM } else { DRAWING_MM };
         let size = shown.max - shown.min;
-        Self { shown, scale: (size.x / width_mm).max(size.y / DRAWING_MM).max(1.0) }
+        Self { shown, scale: (size.x / width_mm).max(size.y / height_mm).max(1.0) }
     }
 
     fn height_mm(&self) -> f64 {
