@@ -5,18 +5,27 @@
 //! writes them. One module a format.
 
 mod design_json;
+mod drawing;
 mod dxf;
 mod input;
 mod obj;
 mod output;
 mod pdf;
+mod read_back;
 mod refold;
 mod report;
 mod stroke_font;
 mod svg;
 mod table;
 
+pub use dxf::{read_dxf, write_dxf};
+pub use obj::write_obj;
+pub use output::{Format, OutputError, OutputFile, Outputs, output_files};
+pub use pdf::{MAX_SHEETS, Paper, Reduced, WrittenPdf, write_pdf};
+pub use read_back::{PatternReadError, ReadPattern};
+pub use refold::{RefoldFileError, refold_error_mm};
 pub use report::{
     Picture, design_picture, flat_picture, gauss_picture, report_html, report_json, report_schema,
     side_by_side, stacked, surface_picture, warp_chart,
 };
+pub use svg::{read_svg, write_svg};

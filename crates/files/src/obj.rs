@@ -1,1 +1,38 @@
 //! Surfaces as OBJ.
+
+use crate::drawing::digits;
+use sheetwright::design::Made;
+use std::fmt::Write as _;
+
+/// The OBJ file of all panels: an object and a group a panel, places in space as vertices and
+/// places on the flat pattern as texture coordinates, both in mm and with all their digits.
+pub fn write_obj(made: &Made) -> Vec<u8> {
+    let mut obj = String::from(
+        "# Surface by Sheetwright. Units: mm. One group per panel.\n\
+         # v: places in space. vt: the same samples on the flat pattern, in mm as well.\n",
+    );
+    let mut before = 1;
+    for panel in &made.panels {
+        let name = one_word(&panel.name);
+        // `o` divides the file for Blender and trimesh, `g` for everyone else. Writing to a
+        // string does not fail.
+        let _ = writeln!(obj, "o {name}\ng {name}");
+        for p in panel.surface.positions() {
+            let _ = writeln!(obj, "v {} {} {}", digits(p.x), digits(p.y), digits(p.z));
+        }
+        for p in &panel.flat.points {
+            let _ = writeln!(obj, "vt {} {}", digits(p.x), digits(p.y));
+        }
+        for triangle in panel.surface.connectivity().triangles() {
+            let [a, b, c] = triangle.map(|s| before + s.get());
+            let _ = writeln!(obj, "f {a}/{a} {b}/{b} {c}/{c}");
+        }
+        before += panel.surface.positions().len();
+    }
+    obj.into_bytes()
+}
+
+/// A name as OBJ takes it: blanks would begin another group.
+fn one_word(name: &str) -> String {
+    name.chars().map(|c| if c.is_whitespace() || c.is_control() { '_' } else { c }).collect()
+}

@@ -1,1 +1,198 @@
 //! All files of a made design.
+
+use crate::dxf::write_dxf;
+use crate::obj::write_obj;
+use crate::pdf::{Paper, Reduced, write_pdf};
+use crate::refold::refold_error_mm;
+use crate::report::{report_html, report_json};
+use crate::svg::write_svg;
+use sheetwright::check::{Checked, Finding, Severity, refolding};
+use sheetwright::design::{Made, MadePanel};
+use std::collections::BTreeMap;
+use std::fmt;
+
+/// A kind of output.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Format {
+    /// `surface.obj`: the surfaces of all panels.
+    Obj,
+    /// `PANEL.svg`: the pattern of each panel.
+    Svg,
+    /// `PANEL.dxf`: the same for programs that read no SVG.
+    Dxf,
+    /// `pattern.pdf`: the patterns on sheets of paper.
+    Pdf,
+    /// `report.json` and `report.html`.
+    Report,
+}
+
+impl Format {
+    /// Every format, in the order in which files are written.
+    pub const ALL: [Self; 5] = [Self::Obj, Self::Svg, Self::Dxf, Self::Pdf, Self::Report];
+
+    /// How people ask for it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Obj => "obj",
+            Self::Svg => "svg",
+            Self::Dxf => "dxf",
+            Self::Pdf => "pdf",
+            Self::Report => "report",
+        }
+    }
+
+    /// The format of a name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|format| format.name() == name)
+    }
+}
+
+/// A file that is ready to be written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OutputFile {
+    /// Its name, without a folder.
+    pub name: String,
+    /// What it holds.
+    pub bytes: Vec<u8>,
+}
+
+/// The files of a made design, and what writing them has found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outputs {
+    /// The files, format after format in the order of [`Format::ALL`].
+    pub files: Vec<OutputFile>,
+    /// What is known of each panel: the findings of the kernel, those of the written files added,
+    /// the worst first. The verdict is the kernel's.
+    pub panels: Vec<Checked>,
+    /// How far the written files of each panel miss its surface when they are folded up, mm; NaN
+    /// where they can't be.
+    pub refold_error_mm: Vec<f64>,
+}
+
+/// Why no files can be made of a design.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum OutputError {
+    /// The name of a panel can't be the name of a file.
+    BadName {
+        /// The panel.
+        panel: String,
+    },
+    /// Two panels would write the same file, on a disk that does not tell capitals from small
+    /// letters.
+    SameName {
+        /// The panel that comes first.
+        panel: String,
+        /// The other.
+        other: String,
+    },
+}
+
+impl fmt::Display for OutputError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::BadName { panel } => write!(f, "panel '{panel}': no file can have this name"),
+            Self::SameName { panel, other } => {
+                write!(f, "panels '{panel}' and '{other}' would write the same file")
+            }
+        }
+    }
+}
+
+impl std::error::Error for OutputError {}
+
+/// Makes the files of the formats that are asked for, in memory. Whatever is asked for, the
+/// pattern of every panel is written, read back and folded up again.
+///
+/// # Errors
+/// Panels whose names make no files. A pattern that does not fold back is a finding.
+pub fn output_files(made: &Made, formats: &[Format], paper: Paper) -> Result<Outputs, OutputError> {
+    check_names(made)?;
+    let asked = |format: Format| formats.contains(&format);
+    let file = |name: String, bytes: Vec<u8>| OutputFile { name, bytes };
+    let of_panels = |format: Format, write: &dyn Fn(&MadePanel) -> Vec<u8>| -> Vec<OutputFile> {
+        let panels = made.panels.iter().filter(|_| asked(format));
+        panels.map(|p| file(format!("{}.{}", p.name, format.name()), write(p))).collect()
+    };
+    let svg = of_panels(Format::Svg, &|panel| write_svg(&panel.piece));
+    let dxf = of_panels(Format::Dxf, &|panel| write_dxf(&panel.piece));
+    let pdf = asked(Format::Pdf).then(|| write_pdf(made, paper));
+    fn bytes_of(files: &[OutputFile], n: usize) -> Option<&[u8]> {
+        files.get(n).map(|file| &file.bytes[..])
+    }
+
+    let mut panels = Vec::with_capacity(made.panels.len());
+    let mut errors_mm = Vec::with_capacity(made.panels.len());
+    for (n, panel) in made.panels.iter().enumerate() {
+        let mut checked = panel.checked.clone();
+        match refold_error_mm(panel, bytes_of(&svg, n), bytes_of(&dxf, n)) {
+            Ok(error_mm) => {
+                checked.findings.extend(refolding(error_mm, panel.boundary.size()));
+                errors_mm.push(error_mm);
+            }
+            Err(error) => {
+                checked.findings.push(Finding {
+                    severity: Severity::Error,
+                    code: "refold",
+                    text: format!(
+                        "{}. Do not cut it; this is a fault of the program.",
+                        capitalised(&error.to_string())
+                    ),
+                    place: String::new(),
+                });
+                errors_mm.push(f64::NAN);
+            }
+        }
+        let reduced = pdf.iter().flat_map(|pdf| &pdf.reduced).find(|r| r.panel == n);
+        checked.findings.extend(reduced.map(not_tiled));
+        checked.findings.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
+        panels.push(checked);
+    }
+
+    let mut files = Vec::new();
+    if asked(Format::Obj) {
+        files.push(file("surface.obj".to_owned(), write_obj(made)));
+    }
+    files.extend(svg);
+    files.extend(dxf);
+    files.extend(pdf.map(|pdf| file("pattern.pdf".to_owned(), pdf.bytes)));
+    if asked(Format::Report) {
+        files.push(file("report.json".to_owned(), report_json(made, &errors_mm, &panels)));
+        files.push(file("report.html".to_owned(), report_html(made, &errors_mm, &panels)));
+    }
+    Ok(Outputs { files, panels, refold_error_mm: errors_mm })
+}
+
+/// Readers of designs check names with a hint each; this is the last door before the disk.
+fn check_names(made: &Made) -> Result<(), OutputError> {
+    let mut seen: BTreeMap<String, &str> = BTreeMap::new();
+    for MadePanel { name, .. } in &made.panels {
+        let outside = |c: char| c.is_control() || "/\\:*?\"<>|".contains(c);
+        let blank = name.is_empty() || name.starts_with(['.', ' ']) || name.ends_with(['.', ' ']);
+        if blank || name.chars().any(outside) {
+            return Err(OutputError::BadName { panel: name.clone() });
+        }
+        if let Some(first) = seen.insert(name.to_lowercase(), name) {
+            return Err(OutputError::SameName { panel: first.to_owned(), other: name.clone() });
+        }
+    }
+    Ok(())
+}
+
+/// The finding that the PDF shows a panel smaller than it is.
+fn not_tiled(reduced: &Reduced) -> Finding {
+    Finding {
+        severity: Severity::Note,
+        code: "pdf-reduced",
+        text: format!(
+            "True to scale, this panel would take about {} sheets of paper, so pattern.pdf shows \
+             it at 1:{} with a table of offsets to mark it out by. SVG and DXF are true to scale.",
+            reduced.sheets, reduced.scale
+        ),
+        place: String::new(),
+    }
+}
+
+fn capitalised(text: &str) -> String {
+    let mut chars = text.chars();
+    chars.next().map_or_else(String::new, |c| c.to_uppercase().chain(chars).collect())
+}

@@ -1,1 +1,57 @@
 //! Reads written patterns back and folds them up again.
+
+use crate::dxf::read_dxf;
+use crate::read_back::{PatternReadError, ReadPattern};
+use crate::svg::{read_svg, write_svg};
+use sheetwright::design::MadePanel;
+use sheetwright::flatten::{RefoldError, refold};
+use std::fmt;
+
+/// Why a written pattern could not be folded up again.
+#[derive(Clone, Debug, PartialEq)]
+pub enum RefoldFileError {
+    /// It can't be read.
+    Read(PatternReadError),
+    /// It can't be folded.
+    Fold(RefoldError),
+}
+
+impl fmt::Display for RefoldFileError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Read(error) => write!(f, "the written pattern can't be read: {error}"),
+            Self::Fold(error) => write!(f, "the written pattern can't be folded: {error}"),
+        }
+    }
+}
+
+impl std::error::Error for RefoldFileError {}
+
+/// How far the written files of a panel come from its surface when they are read back and folded
+/// up, mm: the worse of those that are given. Without any, an SVG is written in memory, so that
+/// the answer always rests on a file.
+///
+/// # Errors
+/// A file that can't be read or folded.
+pub fn refold_error_mm(
+    panel: &MadePanel,
+    svg: Option<&[u8]>,
+    dxf: Option<&[u8]>,
+) -> Result<f64, RefoldFileError> {
+    let mut read: Vec<ReadPattern> = Vec::new();
+    if let Some(svg) = svg {
+        read.push(read_svg(svg).map_err(RefoldFileError::Read)?);
+    }
+    if let Some(dxf) = dxf {
+        read.push(read_dxf(dxf).map_err(RefoldFileError::Read)?);
+    }
+    if read.is_empty() {
+        read.push(read_svg(&write_svg(&panel.piece)).map_err(RefoldFileError::Read)?);
+    }
+    read.iter().try_fold(0.0, |worst: f64, pattern| {
+        let error_mm = refold(&panel.surface, &pattern.outline, &pattern.rungs)
+            .map_err(RefoldFileError::Fold)?;
+        // Unlike `max`, this keeps NaN.
+        Ok(if error_mm > worst || error_mm.is_nan() { error_mm } else { worst })
+    })
+}

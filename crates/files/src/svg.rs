@@ -1,1 +1,199 @@
 //! Patterns as SVG, and back.
+//!
+//! One unit is 1 mm, and `width`, `height` and `viewBox` say so in the same digits, which is what
+//! keeps a drawing its size in every program. Nothing is transformed, nothing is filled, and
+//! letters are strokes, so that no program looks for a font.
+
+use crate::drawing::{Shape, What, digits, extent, shapes};
+use crate::read_back::{MAX_BYTES, PatternReadError, ReadPattern, pattern};
+use sheetwright::math::Point2;
+use sheetwright::pattern::{Piece, Role};
+use std::fmt::Write as _;
+use svgtypes::{Length, LengthUnit, SimplePathSegment, SimplifyingPathParser, ViewBox};
+
+/// The width of every line, mm: thin enough for every laser to follow rather than to fill.
+const LINE_MM: f64 = 0.1;
+/// Between the drawing and the edge of the page, mm.
+const EDGE_MM: f64 = 5.0;
+
+/// The colours of the roles, for programs that go by colour: red is cut, blue scored, black
+/// engraved by the widest custom, and grey is followed by nobody.
+const fn colour(role: Role) -> &'static str {
+    match role {
+        Role::Cut => "#ff0000",
+        Role::Score => "#0000ff",
+        Role::Engrave => "#000000",
+        Role::Note => "#999999",
+    }
+}
+
+/// The SVG file of a piece. `docs/outputs.md` says what a reader may rely on.
+pub fn write_svg(piece: &Piece) -> Vec<u8> {
+    let shapes = shapes(piece);
+    let around = extent(&shapes);
+    // Whole millimetres, so that only the last bits of coordinates are rounded.
+    let (left, top) = ((around.min.x - EDGE_MM).floor(), (around.max.y + EDGE_MM).ceil());
+    let width = digits((around.max.x + EDGE_MM).ceil() - left);
+    let height = digits(top - (around.min.y - EDGE_MM).floor());
+    let place = |p: &Point2| format!("{},{}", digits(p.x - left), digits(top - p.y));
+    let name = escaped(&piece.name);
+    let mut svg = format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
+         <svg xmlns=\"http://www.w3.org/2000/svg\" \
+         xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" version=\"1.1\" \
+         width=\"{width}mm\" height=\"{height}mm\" viewBox=\"0 0 {width} {height}\">\n\
+         <title>{name}</title>\n\
+         <desc>Flat pattern of {name}, {:.1} × {:.1} mm, by Sheetwright. Units: mm, true scale. \
+         Groups: cut (red), score (blue), engrave (black), note (grey, for people alone).</desc>\n",
+        piece.size.x, piece.size.y
+    );
+    for role in Role::ALL {
+        let id = role.name();
+        let stroke = colour(role);
+        // Writing to a string does not fail.
+        let _ = writeln!(
+            svg,
+            "<g id=\"{id}\" inkscape:groupmode=\"layer\" inkscape:label=\"{id}\" fill=\"none\" \
+             stroke=\"{stroke}\" stroke-width=\"{LINE_MM}\" stroke-linecap=\"round\" \
+             stroke-linejoin=\"round\">"
+        );
+        for shape in shapes.iter().filter(|s| s.role == role && !s.lines.is_empty()) {
+            let _ = writeln!(svg, "<path {} d=\"{}\"/>", named(shape), drawn(shape, place));
+        }
+        svg.push_str("</g>\n");
+    }
+    svg.push_str("</svg>\n");
+    svg.into_bytes()
+}
+
+/// The attributes that say what a shape shows.
+fn named(shape: &Shape) -> String {
+    match &shape.what {
+        What::Outline => "id=\"outline\" class=\"outline\"".to_owned(),
+        What::Rung(rung) => {
+            let [low, high] = rung.ends().map(|s| s.get());
+            format!("class=\"rung\" data-rung=\"{low} {high}\"")
+        }
+        What::RulingTick => "class=\"tick\"".to_owned(),
+        What::Dimension => "class=\"dimension\"".to_owned(),
+        What::Label(text) => format!("class=\"label\" data-text=\"{}\"", escaped(text)),
+        What::Reference => "id=\"reference\" class=\"reference\"".to_owned(),
+    }
+}
+
+fn drawn(shape: &Shape, place: impl Fn(&Point2) -> String) -> String {
+    let lines = shape.lines.iter().map(|line| {
+        let points: Vec<String> = line.iter().map(&place).collect();
+        let close = if shape.closed { " Z" } else { "" };
+        format!("M{}{close}", points.join(" L"))
+    });
+    lines.collect::<Vec<_>>().join(" ")
+}
+
+/// A text as XML holds it; what XML has no way to hold is replaced visibly.
+fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\u{FFFE}' | '\u{FFFF}' => out.push('\u{FFFD}'),
+            c if c.is_control() => out.push('\u{FFFD}'),
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+/// Reads back the outline and the rungs of a pattern that [`write_svg`] wrote: the closed path of
+/// `cut`, and the segments of `score` and `note` between its corners. What the paths are named is
+/// not looked at; the unit is what `width` and `height` make of `viewBox`.
+///
+/// # Errors
+/// See [`PatternReadError`]. Transforms and curves are refused, since a pattern has none.
+pub fn read_svg(bytes: &[u8]) -> Result<ReadPattern, PatternReadError> {
+    if bytes.len() > MAX_BYTES {
+        return Err(PatternReadError::TooLarge);
+    }
+    let text = std::str::from_utf8(bytes).map_err(|_| PatternReadError::NotText)?;
+    let document =
+        roxmltree::Document::parse(text).map_err(|e| PatternReadError::Xml(e.to_string()))?;
+    let root = document.root_element();
+    if !root.has_tag_name(("http://www.w3.org/2000/svg", "svg")) {
+        return Err(PatternReadError::Missing("svg"));
+    }
+    let unit_mm = unit_mm(root)?;
+    if let Some(node) = root.descendants().find(|n| n.has_attribute("transform")) {
+        return Err(PatternReadError::Unexpected(format!(
+            "transform on '{}'",
+            node.tag_name().name()
+        )));
+    }
+    let mut cuts = Vec::new();
+    let mut segments = Vec::new();
+    for role in Role::ALL {
+        let group = root
+            .children()
+            .find(|n| n.has_tag_name("g") && n.attribute("id") == Some(role.name()))
+            .ok_or(PatternReadError::Missing(role.name()))?;
+        if role == Role::Engrave {
+            continue;
+        }
+        for path in group.descendants().filter(|n| n.has_tag_name("path")) {
+            for (points, closed) in lines(path.attribute("d").unwrap_or_default(), unit_mm)? {
+                match (role, &points[..]) {
+                    (Role::Cut, _) if closed => cuts.push(points),
+                    (Role::Cut, _) => {
+                        return Err(PatternReadError::Unexpected("open line to cut".to_owned()));
+                    }
+                    (_, &[from, to]) if !closed => segments.push([from, to]),
+                    _ => {}
+                }
+            }
+        }
+    }
+    pattern(cuts, segments)
+}
+
+/// How many millimetres a unit of the view box is.
+fn unit_mm(root: roxmltree::Node<'_, '_>) -> Result<f64, PatternReadError> {
+    let units = PatternReadError::Units;
+    let view: ViewBox =
+        root.attribute("viewBox").and_then(|v| v.parse().ok()).ok_or(units.clone())?;
+    let size = |name: &str| {
+        let length: Length = root.attribute(name)?.parse().ok()?;
+        let mm = match length.unit {
+            LengthUnit::Mm => 1.0,
+            LengthUnit::Cm => 10.0,
+            LengthUnit::In => 25.4,
+            LengthUnit::Pt => 25.4 / 72.0,
+            LengthUnit::Pc => 25.4 / 6.0,
+            LengthUnit::Px | LengthUnit::None => 25.4 / 96.0,
+            LengthUnit::Em | LengthUnit::Ex | LengthUnit::Percent => return None,
+        };
+        Some(length.number * mm)
+    };
+    let (Some(width), Some(height)) = (size("width"), size("height")) else { return Err(units) };
+    let (across, up) = (width / view.w, height / view.h);
+    // Rounding of two quotients; anything more would distort the drawing.
+    let agree = (across - up).abs() <= 1e-12 * up;
+    if agree && across > 0.0 && across.is_finite() { Ok(across) } else { Err(units) }
+}
+
+/// The polylines of path data with y turned upwards, mm, and whether each is closed.
+fn lines(data: &str, unit_mm: f64) -> Result<Vec<(Vec<Point2>, bool)>, PatternReadError> {
+    let at = |x: f64, y: f64| Point2::new(x * unit_mm, -y * unit_mm);
+    let mut lines: Vec<(Vec<Point2>, bool)> = Vec::new();
+    for segment in SimplifyingPathParser::from(data) {
+        let segment = segment.map_err(|_| PatternReadError::Unexpected("such path".to_owned()))?;
+        match (segment, lines.last_mut()) {
+            (SimplePathSegment::MoveTo { x, y }, _) => lines.push((vec![at(x, y)], false)),
+            (SimplePathSegment::LineTo { x, y }, Some((points, false))) => points.push(at(x, y)),
+            (SimplePathSegment::ClosePath, Some((_, closed))) => *closed = true,
+            _ => return Err(PatternReadError::Unexpected("curve".to_owned())),
+        }
+    }
+    Ok(lines)
+}

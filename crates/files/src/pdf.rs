@@ -1,1 +1,0 @@
-//! Patterns as PDF, true to scale, tiled to sheets of paper.

@@ -1,0 +1,198 @@
+//! The first pages: what there is, how to put it together, and whether it was printed right.
+
+use super::page::{Anchor, Page, Pen, Type};
+use super::piece::{Detail, View, draw};
+use super::sheets::{MARGIN_MM, Tiling};
+use super::{Paper, Plan, Reduced};
+use sheetwright::design::Made;
+use sheetwright::math::{Point2, Vec2};
+use sheetwright::pattern::Piece;
+use sheetwright::predicate::Box2;
+
+/// The side of the check square, mm.
+const CHECK_MM: f64 = 100.0;
+/// Pieces are drawn no higher than this, mm, so that at least one stands on the first page.
+const DRAWING_MM: f64 = 110.0;
+/// Pieces of one sheet are drawn no higher than this, mm: there is no grid to read off.
+const ONE_SHEET_MM: f64 = 55.0;
+/// Above the drawing of a piece, for its name and size, mm.
+const CAPTION_MM: f64 = 12.0;
+/// Between two pieces, mm.
+const GAP_MM: f64 = 6.0;
+
+/// The drawing of one piece: what it shows and how large it becomes.
+struct Block {
+    shown: Box2,
+    scale: f64,
+}
+
+impl Block {
+    fn new(piece: &Piece, plan: &Plan, width_mm: f64) -> Self {
+        let shown = match plan {
+            Plan::Tiled(tiling) => tiling.extent(),
+            Plan::Reduced(_) => {
+                let none = Box2 { min: Point2::default(), max: Point2::default() };
+                Box2::of_points(piece.outline().iter().copied()).unwrap_or(none)
+            }
+        };
+        let one_sheet = matches!(plan, Plan::Tiled(tiling) if tiling.sheets.len() == 1);
+        let height_mm = if one_sheet { ONE_SHEET_MM } else { DRAWING_MM };
+        let size = shown.max - shown.min;
+        Self { shown, scale: (size.x / width_mm).max(size.y / height_mm).max(1.0) }
+    }
+
+    fn height_mm(&self) -> f64 {
+        CAPTION_MM + (self.shown.max.y - self.shown.min.y) / self.scale + GAP_MM
+    }
+}
+
+/// The pages that stand before the sheets.
+pub(super) fn pages(made: &Made, plans: &[Plan], paper: Paper) -> Vec<Page> {
+    let size = paper.size_mm();
+    let width_mm = size.x - 2.0 * MARGIN_MM;
+    let pieces: Vec<&Piece> = made.panels.iter().map(|panel| &panel.piece).collect();
+    let blocks: Vec<Block> =
+        pieces.iter().zip(plans).map(|(piece, plan)| Block::new(piece, plan, width_mm)).collect();
+
+    // Where every block goes comes first: the captions name the pages that follow them.
+    let first_top = size.y - MARGIN_MM - 18.0 - CHECK_MM - 10.0;
+    let mut places: Vec<(usize, f64)> = Vec::new();
+    let (mut on_page, mut top) = (0, first_top);
+    for block in &blocks {
+        if top - block.height_mm() < MARGIN_MM - GAP_MM {
+            on_page += 1;
+            top = size.y - MARGIN_MM;
+        }
+        places.push((on_page, top));
+        top -= block.height_mm();
+    }
+
+    let mut pages: Vec<Page> = (0..=on_page).map(|_| Page::new(size)).collect();
+    first(&mut pages[0], made, paper);
+    let mut next_page = pages.len() + 1;
+    for (n, piece) in pieces.iter().enumerate() {
+        let (on_page, top) = places[n];
+        let take = match &plans[n] {
+            Plan::Tiled(tiling) => tiling.sheets.len(),
+            Plan::Reduced(_) => 1,
+        };
+        let on = (next_page, next_page + take - 1);
+        piece_block(&mut pages[on_page], piece, &plans[n], &blocks[n], top, on);
+        next_page += take;
+    }
+    pages
+}
+
+/// The head of the first page: title, check square, legend and what to do.
+fn first(page: &mut Page, made: &Made, paper: Paper) {
+    let size = page.size();
+    let (left, top) = (MARGIN_MM, size.y - MARGIN_MM);
+    let width_mm = size.x - 2.0 * MARGIN_MM;
+    let title = if made.name.is_empty() { "Pattern" } else { &made.name };
+    let at = Point2::new(left, top - 6.0);
+    page.fitted_text(at, title, Type::new(18.0).bold(), width_mm / 1.1);
+    let line = format!(
+        "Flat pattern on {} paper. Print at 100 % (\"actual size\"), never \"fit to page\".",
+        paper.title()
+    );
+    page.text(Point2::new(left, top - 12.5), &line, Type::new(9.0));
+
+    let corner = Point2::new(left, top - 18.0 - CHECK_MM);
+    let square = Box2 { min: corner, max: corner + Vec2::splat(CHECK_MM) };
+    page.rectangle(square, Pen::MARK);
+    let middle = corner + Vec2::splat(0.5 * CHECK_MM);
+    let set = Type::new(11.0).bold().at(Anchor::Middle);
+    page.text(middle + Vec2::new(0.0, 3.0), "Check square: 100 × 100 mm", set);
+    let lines =
+        ["Measure it both ways before you cut.", "If it is not 100 mm, print again at 100 %."];
+    for (n, line) in lines.iter().enumerate() {
+        let below = Vec2::new(0.0, -4.0 - 4.5 * n as f64);
+        page.text(middle + below, line, Type::new(9.0).at(Anchor::Middle));
+    }
+
+    let column = left + CHECK_MM + 8.0;
+    let mut y = square.max.y - 3.5;
+    let heading = |page: &mut Page, y: f64, text: &str| {
+        page.text(Point2::new(column, y), text, Type::new(10.0).bold());
+    };
+    heading(page, y, "Lines");
+    for (pen, text) in [
+        (Pen::CUT, "cut"),
+        (Pen::SCORE, "score or fold"),
+        (Pen::ENGRAVE, "mark: names, ends of rulings"),
+        (Pen::NOTE, "rulings: straight when bent"),
+        (Pen::SEAM, "where sheets meet"),
+    ] {
+        y -= 5.5;
+        page.line(Point2::new(column, y + 1.1), Point2::new(column + 14.0, y + 1.1), pen);
+        page.text(Point2::new(column + 17.0, y), text, Type::new(9.0));
+    }
+    y -= 11.0;
+    heading(page, y, "Putting sheets together");
+    for line in [
+        "Sheets are named by row and column: B3 is",
+        "the third of the second row from the top.",
+        "Neighbours overlap by 10 mm. Lay crosses on",
+        "crosses and dotted lines on dotted lines,",
+        "against a window if need be, then tape.",
+        "Sheets that show nothing are left out.",
+        "",
+        "Paper grows and shrinks with the weather:",
+        "check long pieces by the sizes given below.",
+    ] {
+        y -= 4.6;
+        page.text(Point2::new(column, y), line, Type::new(9.0));
+    }
+}
+
+/// One piece, with its sheets.
+fn piece_block(
+    page: &mut Page,
+    piece: &Piece,
+    plan: &Plan,
+    block: &Block,
+    top: f64,
+    on: (usize, usize),
+) {
+    let width_mm = page.size().x - 2.0 * MARGIN_MM;
+    let at = Point2::new(MARGIN_MM, top - 4.5);
+    page.fitted_text(at, &piece.name, Type::new(12.0).bold(), width_mm / 1.1);
+    let size = format!("{:.1} × {:.1} mm", piece.size.x, piece.size.y);
+    let pages =
+        if on.0 == on.1 { format!("page {}", on.0) } else { format!("pages {}–{}", on.0, on.1) };
+    let told = match plan {
+        Plan::Tiled(tiling) => {
+            let count = tiling.sheets.len();
+            let sheets = if count == 1 { "1 sheet".to_owned() } else { format!("{count} sheets") };
+            format!("{size}. {sheets} on {pages}. Drawn here at 1:{:.1}.", block.scale)
+        }
+        Plan::Reduced(Reduced { sheets, scale, .. }) => format!(
+            "{size}. About {sheets} sheets at 1:1, so it is drawn at 1:{scale} with a table of \
+             offsets on {pages}."
+        ),
+    };
+    page.fitted_text(Point2::new(MARGIN_MM, top - 9.5), &told, Type::new(9.0), width_mm);
+    let height_mm = (block.shown.max.y - block.shown.min.y) / block.scale;
+    let corner = Point2::new(MARGIN_MM, top - CAPTION_MM - height_mm);
+    let view = View { shown: block.shown, corner, scale: block.scale };
+    if let Plan::Tiled(tiling) = plan {
+        grid(page, tiling, &view);
+    }
+    draw(page, piece, &view, Detail::Lines);
+}
+
+/// The cells of the sheets with their names.
+fn grid(page: &mut Page, tiling: &Tiling, view: &View) {
+    for &sheet in &tiling.sheets {
+        let cell = tiling.cell(sheet);
+        let cell = Box2 { min: view.place(cell.min), max: view.place(cell.max) };
+        page.rectangle(cell, Pen::FRAME);
+        let room = cell.max - cell.min;
+        let name = sheet.name();
+        // As large as the cell lets it be, in its corner, where the outline rarely is.
+        let size_pt = (room.y * 1.6).min(room.x * 3.6 / name.len() as f64).min(8.0);
+        let capital_mm = 0.72 * size_pt * (25.4 / 72.0);
+        let base = Point2::new(cell.min.x + 0.5, cell.max.y - 0.5 - capital_mm);
+        page.text(base, &name, Type::new(size_pt));
+    }
+}

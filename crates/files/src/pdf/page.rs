@@ -1,0 +1,183 @@
+//! One page: lines and text in millimetres from its lower left corner.
+
+use super::text::{encoded, width};
+use pdf_writer::{Buf, Content, Name, Str};
+use sheetwright::math::{Point2, Vec2};
+use sheetwright::predicate::Box2;
+
+/// The name of Helvetica on a page.
+pub(super) const REGULAR: Name<'static> = Name(b"F1");
+/// The name of Helvetica Bold on a page.
+pub(super) const BOLD: Name<'static> = Name(b"F2");
+
+/// A length of a PDF, 1/72 inch, from mm. Coordinates of PDF hold about seven digits, which is
+/// 1e-5 mm on a page.
+pub(super) fn points(mm: f64) -> f32 {
+    (mm * (72.0 / 25.4)) as f32
+}
+
+/// How a line is drawn.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pen {
+    width_mm: f64,
+    /// 0 is black, 1 is white.
+    grey: f32,
+    /// Lengths of a dash and of a gap, mm.
+    dash_mm: Option<[f64; 2]>,
+}
+
+impl Pen {
+    pub(super) const CUT: Self = Self { width_mm: 0.35, grey: 0.0, dash_mm: None };
+    pub(super) const SCORE: Self = Self { width_mm: 0.25, grey: 0.0, dash_mm: Some([3.0, 1.5]) };
+    pub(super) const ENGRAVE: Self = Self { width_mm: 0.2, grey: 0.25, dash_mm: None };
+    pub(super) const NOTE: Self = Self { width_mm: 0.1, grey: 0.7, dash_mm: None };
+    /// Crosses, check squares and scale bars.
+    pub(super) const MARK: Self = Self { width_mm: 0.15, grey: 0.0, dash_mm: None };
+    /// The frame of what a page shows.
+    pub(super) const FRAME: Self = Self { width_mm: 0.1, grey: 0.6, dash_mm: None };
+    /// Where sheets meet.
+    pub(super) const SEAM: Self = Self { width_mm: 0.1, grey: 0.5, dash_mm: Some([0.5, 1.5]) };
+}
+
+/// Which point of a text lies at the place that is given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Anchor {
+    Start,
+    Middle,
+    End,
+}
+
+/// How a text is set.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Type {
+    pub(super) size_pt: f64,
+    pub(super) bold: bool,
+    pub(super) anchor: Anchor,
+    /// Whether it runs upwards.
+    pub(super) upwards: bool,
+}
+
+impl Type {
+    pub(super) const fn new(size_pt: f64) -> Self {
+        Self { size_pt, bold: false, anchor: Anchor::Start, upwards: false }
+    }
+
+    pub(super) const fn bold(self) -> Self {
+        Self { bold: true, ..self }
+    }
+
+    pub(super) const fn at(self, anchor: Anchor) -> Self {
+        Self { anchor, ..self }
+    }
+
+    pub(super) const fn upwards(self) -> Self {
+        Self { upwards: true, ..self }
+    }
+}
+
+/// A page that is being drawn.
+pub(super) struct Page {
+    size: Vec2,
+    content: Content,
+}
+
+impl Page {
+    /// An empty page of a size, mm.
+    pub(super) fn new(size: Vec2) -> Self {
+        let mut content = Content::new();
+        // Mitred corners would grow points where an outline turns sharply.
+        content
+            .set_line_join(pdf_writer::types::LineJoinStyle::RoundJoin)
+            .set_line_cap(pdf_writer::types::LineCapStyle::RoundCap);
+        Self { size, content }
+    }
+
+    /// Width and height, mm.
+    pub(super) fn size(&self) -> Vec2 {
+        self.size
+    }
+
+    pub(super) fn finish(self) -> (Vec2, Buf) {
+        (self.size, self.content.finish())
+    }
+
+    fn take(&mut self, pen: Pen) {
+        self.content.set_line_width(points(pen.width_mm)).set_stroke_gray(pen.grey);
+        self.content.set_dash_pattern(pen.dash_mm.into_iter().flatten().map(points), 0.0);
+    }
+
+    /// Draws polylines.
+    pub(super) fn lines(&mut self, lines: &[Vec<Point2>], pen: Pen) {
+        self.take(pen);
+        for line in lines {
+            for (n, point) in line.iter().enumerate() {
+                let (x, y) = (points(point.x), points(point.y));
+                if n == 0 {
+                    self.content.move_to(x, y)
+                } else {
+                    self.content.line_to(x, y)
+                };
+            }
+            self.content.stroke();
+        }
+    }
+
+    /// Draws one straight line.
+    pub(super) fn line(&mut self, from: Point2, to: Point2, pen: Pen) {
+        self.lines(&[vec![from, to]], pen);
+    }
+
+    /// Draws a rectangle.
+    pub(super) fn rectangle(&mut self, around: Box2, pen: Pen) {
+        self.take(pen);
+        self.path(around);
+        self.content.stroke();
+    }
+
+    fn path(&mut self, around: Box2) {
+        let size = around.max - around.min;
+        self.content.rect(
+            points(around.min.x),
+            points(around.min.y),
+            points(size.x),
+            points(size.y),
+        );
+    }
+
+    /// Draws what `draw` draws within a rectangle only.
+    pub(super) fn clipped(&mut self, to: Box2, draw: impl FnOnce(&mut Self)) {
+        self.content.save_state();
+        self.path(to);
+        self.content.clip_nonzero().end_path();
+        draw(self);
+        self.content.restore_state();
+    }
+
+    /// Writes a line of text; its base line begins, has its middle or ends at `at`.
+    pub(super) fn text(&mut self, at: Point2, text: &str, set: Type) {
+        let encoded = encoded(text);
+        // Bold letters are wider than those of the table, by less than a tenth.
+        let length_mm = width(&encoded) * set.size_pt * (25.4 / 72.0);
+        let back = match set.anchor {
+            Anchor::Start => 0.0,
+            Anchor::Middle => 0.5 * length_mm,
+            Anchor::End => length_mm,
+        };
+        let along = if set.upwards { Vec2::Y } else { Vec2::X };
+        let start = at + along * -back;
+        let (c, s) = (along.x as f32, along.y as f32);
+        self.content
+            .begin_text()
+            .set_font(if set.bold { BOLD } else { REGULAR }, set.size_pt as f32)
+            .set_text_matrix([c, s, -s, c, points(start.x), points(start.y)])
+            .show(Str(&encoded))
+            .end_text();
+    }
+
+    /// Writes a line of text no longer than `most_mm`, in smaller letters if need be.
+    pub(super) fn fitted_text(&mut self, at: Point2, text: &str, set: Type, most_mm: f64) {
+        let length_mm = width(&encoded(text)) * set.size_pt * (25.4 / 72.0);
+        let size_pt = set.size_pt * (most_mm / length_mm).min(1.0);
+        self.text(at, text, Type { size_pt, ..set });
+    }
+}

@@ -1,0 +1,384 @@
+//! The output files of made designs: what a reader relies on, and that they read back.
+#![allow(clippy::unwrap_used)] // Whatever fails here is a failed test.
+
+use sheetwright::boundary::PlaneChoice;
+use sheetwright::curve::{CurveKind, CurvePoint};
+use sheetwright::design::{
+    CurveUse, Design, DesignCurve, DesignPanel, Made, MadePanel, PanelMethod, PanelShape, make,
+};
+use sheetwright::math::{Point2, Point3, Vec2};
+use sheetwright::pattern::{PathKind, PatternLabel, PatternPath, Piece, Role};
+use sheetwright::rung::Rung;
+use sheetwright::watch::Unwatched;
+use sheetwright_files::{
+    Format, OutputError, Paper, PatternReadError, ReadPattern, output_files, read_dxf, read_svg,
+    refold_error_mm, write_dxf, write_obj, write_pdf, write_svg,
+};
+
+/// The planks of the hull of `examples/ubc-fishing-vessel.csv`, a metre of it `scale` mm long.
+fn hull(scale: f64) -> Made {
+    let table = include_str!("../../../examples/ubc-fishing-vessel.csv");
+    let mut curves: Vec<DesignCurve> = Vec::new();
+    for line in table.lines().skip(1) {
+        let (name, rest) = line.split_once(',').unwrap();
+        let xyz: Vec<f64> = rest.split(',').map(|f| f.parse::<f64>().unwrap() * scale).collect();
+        if curves.last().is_none_or(|curve| curve.name != name) {
+            let kind = Some(CurveKind::Spline);
+            curves.push(DesignCurve { name: name.into(), kind, closed: false, points: vec![] });
+        }
+        let point = CurvePoint::smooth(Point3::new(xyz[0], xyz[1], xyz[2]));
+        curves.last_mut().unwrap().points.push(point);
+    }
+    let rail = |name: &str| CurveUse { name: name.into(), reversed: false };
+    let panels = [
+        ("topside", "Main deck", "Upper chine"),
+        ("bilge", "Upper chine", "Lower chine"),
+        ("bottom", "Lower chine", "Profile"),
+    ];
+    let panels = panels.map(|(name, a, b)| DesignPanel {
+        name: name.into(),
+        shape: PanelShape::Rails([rail(a), rail(b)]),
+        samples: 60,
+        method: PanelMethod::Rails,
+        plane: PlaneChoice::None,
+        fold: 0.1,
+    });
+    let design = Design { name: "hull".into(), material: None, curves, panels: panels.to_vec() };
+    make(&design, &mut Unwatched).unwrap()
+}
+
+fn text(bytes: &[u8]) -> &str {
+    std::str::from_utf8(bytes).unwrap()
+}
+
+/// How often a text stands in another.
+fn count(bytes: &[u8], needle: &str) -> usize {
+    text(bytes).matches(needle).count()
+}
+
+fn rungs(panel: &MadePanel) -> Vec<Rung> {
+    panel.surface.connectivity().hinges().iter().map(|hinge| hinge.rung).collect()
+}
+
+/// The largest distance of a point read back from where it was, mm.
+fn missed(read: &ReadPattern, outline: &[Point2]) -> f64 {
+    assert_eq!(read.outline.len(), outline.len());
+    let low = outline.iter().fold(Vec2::splat(f64::INFINITY), |low, p| low.min(p.to_vec()));
+    let pairs = read.outline.iter().zip(outline);
+    pairs.map(|(a, b)| a.distance(*b + -low)).fold(0.0, f64::max)
+}
+
+#[test]
+fn planks_read_back_and_fold_up_at_every_size() {
+    // From a model to hold in the hand to one of 70 km, near the largest there may be.
+    for scale in [1.0, 1000.0, 1e6] {
+        for panel in &hull(scale).panels {
+            let (svg, dxf) = (write_svg(&panel.piece), write_dxf(&panel.piece));
+            let outline = panel.piece.outline();
+            let size = panel.boundary.size();
+            for read in [read_svg(&svg).unwrap(), read_dxf(&dxf).unwrap()] {
+                assert_eq!(read.rungs, rungs(panel));
+                assert!(missed(&read, outline) <= 1e-9_f64.max(1e-15 * size), "{scale}");
+            }
+            let error_mm = refold_error_mm(panel, Some(&svg), Some(&dxf)).unwrap();
+            assert!(error_mm <= 1e-12 * size, "{scale}: {error_mm}");
+            assert_eq!(
+                refold_error_mm(panel, None, None),
+                refold_error_mm(panel, Some(&svg), None)
+            );
+        }
+    }
+}
+
+#[test]
+fn dxf_keeps_every_bit() {
+    let panel = &hull(1000.0).panels[0];
+    let read = read_dxf(&write_dxf(&panel.piece)).unwrap();
+    assert_eq!(read.outline, panel.piece.outline());
+}
+
+/// Small whole numbers that look random, the same ones every time (a linear congruence).
+struct Dice(u64);
+
+impl Dice {
+    fn roll(&mut self, sides: u64) -> u64 {
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) % sides
+    }
+
+    fn share(&mut self) -> f64 {
+        self.roll(1 << 30) as f64 / (1 << 30) as f64
+    }
+}
+
+/// A piece between two lines of points, some of it folded, with awkward names and numbers.
+fn random_piece(dice: &mut Dice) -> Piece {
+    let n = 2 + dice.roll(30) as usize;
+    let size = [1e-3, 1.0, 333.3, 1e6][dice.roll(4) as usize];
+    let mut edge = |y: f64| -> Vec<Point2> {
+        (0..n)
+            .map(|i| Point2::new(size * (i as f64 + 0.4 * dice.share()), size * (y + dice.share())))
+            .collect()
+    };
+    let (lower, mut upper) = (edge(0.0), edge(3.0));
+    upper.reverse();
+    let outline: Vec<Point2> = lower.into_iter().chain(upper).collect();
+    let m = outline.len();
+    let mut paths = vec![PatternPath {
+        role: Role::Cut,
+        kind: PathKind::Outline,
+        points: outline.clone(),
+        closed: true,
+    }];
+    for i in 1..n - 1 {
+        let rung = Rung::new(i, m - 1 - i);
+        paths.push(PatternPath {
+            role: if dice.roll(2) == 0 { Role::Score } else { Role::Note },
+            kind: PathKind::Rung(rung),
+            points: rung.ends().map(|s| outline[s.get()]).to_vec(),
+            closed: false,
+        });
+    }
+    let label = PatternLabel {
+        role: Role::Engrave,
+        at: Point2::new(size, size),
+        along: Vec2::new(0.6, 0.8),
+        height_mm: 0.1 * size,
+        text: "a<b & \"c\" \u{1}\u{FFFF}]]> Łódź 板".into(),
+    };
+    let name = label.text.clone();
+    Piece { name, paths, labels: vec![label], size: Vec2::splat(size * n as f64) }
+}
+
+#[test]
+fn random_pieces_read_back() {
+    let mut dice = Dice(1);
+    for _ in 0..300 {
+        let piece = random_piece(&mut dice);
+        let expected: Vec<Rung> = {
+            let mut rungs: Vec<Rung> = piece
+                .paths
+                .iter()
+                .filter_map(|path| match path.kind {
+                    PathKind::Rung(rung) => Some(rung),
+                    _ => None,
+                })
+                .collect();
+            rungs.sort();
+            rungs
+        };
+        for read in [read_svg(&write_svg(&piece)), read_dxf(&write_dxf(&piece))] {
+            let read = read.unwrap();
+            assert!(missed(&read, piece.outline()) <= 1e-9);
+            assert_eq!(read.rungs, expected);
+        }
+    }
+}
+
+#[test]
+fn an_svg_says_its_unit_and_has_a_group_a_role() {
+    let svg = write_svg(&hull(10.0).panels[1].piece);
+    let document = roxmltree::Document::parse(text(&svg)).unwrap();
+    let root = document.root_element();
+    let view: Vec<&str> = root.attribute("viewBox").unwrap().split(' ').collect();
+    assert_eq!(view[..2], ["0", "0"]);
+    assert_eq!(root.attribute("width").unwrap(), format!("{}mm", view[2]));
+    assert_eq!(root.attribute("height").unwrap(), format!("{}mm", view[3]));
+    let groups = root.children().filter(|n| n.has_tag_name("g"));
+    let ids: Vec<&str> = groups.filter_map(|n| n.attribute("id")).collect();
+    assert_eq!(ids, ["cut", "score", "engrave", "note"]);
+    assert_eq!(count(&svg, "transform"), 0);
+}
+
+/// The sign of the area of an outline tells a pattern from its mirror image.
+#[test]
+fn no_pattern_is_mirrored() {
+    let panel = &hull(10.0).panels[0];
+    for read in [read_svg(&write_svg(&panel.piece)), read_dxf(&write_dxf(&panel.piece))] {
+        let doubled = sheetwright::predicate::signed_area_doubled(&read.unwrap().outline);
+        assert!(doubled > 0.0);
+        assert!((doubled / 2.0 / panel.measures.area_flat_mm2 - 1.0).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn a_wrong_unit_a_moved_corner_and_a_missing_rung_are_seen() {
+    let panel = &hull(10.0).panels[0];
+    let svg = write_svg(&panel.piece);
+    let refolded = |svg: &str| refold_error_mm(panel, Some(svg.as_bytes()), None);
+    let inches = text(&svg).replacen("mm\" height=\"", "in\" height=\"", 1);
+    assert_eq!(read_svg(inches.as_bytes()), Err(PatternReadError::Units));
+    let inches = inches.replacen("mm\" viewBox", "in\" viewBox", 1);
+    assert!(refolded(&inches).unwrap() > 1000.0);
+
+    let path = text(&svg).split("class=\"outline\" d=\"M").nth(1).unwrap();
+    let corner = path.split(" L").nth(7).unwrap();
+    let moved = text(&svg).replace(corner, &format!("0.5,{}", corner.split_once(',').unwrap().1));
+    assert!(refolded(&moved).unwrap() > 1.0);
+
+    let rung = text(&svg).lines().find(|line| line.contains("class=\"rung\"")).unwrap();
+    assert!(refolded(&text(&svg).replace(rung, "")).is_err());
+    let turned = text(&svg).replacen("<g id=\"cut\"", "<g transform=\"scale(2)\" id=\"cut\"", 1);
+    assert!(matches!(read_svg(turned.as_bytes()), Err(PatternReadError::Unexpected(_))));
+}
+
+#[test]
+fn another_reader_of_dxf_sees_the_same_polylines() {
+    let piece = &hull(1000.0).panels[2].piece;
+    let bytes = write_dxf(piece);
+    let drawing = dxf::Drawing::load(&mut std::io::Cursor::new(&bytes)).unwrap();
+    assert_eq!(drawing.header.version, dxf::enums::AcadVersion::R12);
+    let colours: Vec<(String, Option<u8>)> =
+        drawing.layers().map(|layer| (layer.name.clone(), layer.color.index())).collect();
+    for (name, colour) in [("cut", 1), ("score", 5), ("engrave", 7), ("note", 8)] {
+        assert!(colours.contains(&(name.to_owned(), Some(colour))), "{colours:?}");
+    }
+    let mut cut = 0;
+    for entity in drawing.entities() {
+        let dxf::entities::EntityType::Polyline(polyline) = &entity.specific else {
+            panic!("{:?}", entity.specific)
+        };
+        if entity.common.layer == "cut" {
+            cut += 1;
+            assert!(polyline.is_closed());
+            let points: Vec<Point2> =
+                polyline.vertices().map(|v| Point2::new(v.location.x, v.location.y)).collect();
+            assert_eq!(points, piece.outline());
+        }
+    }
+    assert_eq!(cut, 1);
+}
+
+#[test]
+fn an_obj_has_a_group_a_panel_and_the_flat_pattern() {
+    let made = hull(10.0);
+    let obj = write_obj(&made);
+    let lines = |tag: &str| text(&obj).lines().filter(|line| line.starts_with(tag)).count();
+    let samples: usize = made.panels.iter().map(|p| p.boundary.len()).sum();
+    assert_eq!((lines("g "), lines("v "), lines("vt ")), (3, samples, samples));
+    assert_eq!(lines("f "), samples - 2 * 3);
+    let first = made.panels[0].flat.points[3];
+    assert!(text(&obj).contains(&format!("vt {} {}\n", first.x + 0.0, first.y + 0.0)));
+}
+
+#[test]
+fn the_same_design_gives_the_same_bytes() {
+    let files = || output_files(&hull(20.0), &Format::ALL, Paper::A4).unwrap();
+    assert_eq!(files(), files());
+    let names: Vec<String> = files().files.into_iter().map(|file| file.name).collect();
+    assert_eq!(
+        names,
+        [
+            "surface.obj",
+            "topside.svg",
+            "bilge.svg",
+            "bottom.svg",
+            "topside.dxf",
+            "bilge.dxf",
+            "bottom.dxf",
+            "pattern.pdf",
+            "report.json",
+            "report.html"
+        ]
+    );
+}
+
+#[test]
+fn only_what_is_asked_for_is_made_but_it_is_always_folded() {
+    let made = hull(20.0);
+    let outputs = output_files(&made, &[Format::Obj], Paper::A4).unwrap();
+    assert_eq!(outputs.files.len(), 1);
+    assert!(outputs.refold_error_mm.iter().all(|error| *error < 1e-8));
+    for (panel, checked) in made.panels.iter().zip(&outputs.panels) {
+        assert_eq!(&panel.checked, checked);
+    }
+}
+
+#[test]
+fn a_pattern_that_does_not_fold_back_is_an_error_found() {
+    let mut made = hull(20.0);
+    made.panels[1].piece.paths.remove(7);
+    let outputs = output_files(&made, &[], Paper::A4).unwrap();
+    let first = &outputs.panels[1].findings[0];
+    assert_eq!((first.code, first.severity), ("refold", sheetwright::check::Severity::Error));
+    assert_eq!(outputs.panels[1].verdict, made.panels[1].checked.verdict);
+    assert!(outputs.refold_error_mm[1].is_nan() && outputs.refold_error_mm[0] < 1e-8);
+}
+
+#[test]
+fn names_that_make_no_files_are_refused() {
+    let mut made = hull(20.0);
+    made.panels[2].name = "TopSide".into();
+    let refused = |made: &Made| output_files(made, &[], Paper::A4).unwrap_err();
+    let same = OutputError::SameName { panel: "topside".into(), other: "TopSide".into() };
+    assert_eq!(refused(&made), same);
+    made.panels[2].name = "../up".into();
+    assert_eq!(refused(&made), OutputError::BadName { panel: "../up".into() });
+}
+
+/// Texts in the content of pages, which is not compressed.
+fn shown(pdf: &[u8], needle: &str) -> usize {
+    pdf.windows(needle.len()).filter(|window| *window == needle.as_bytes()).count()
+}
+
+#[test]
+fn a_pdf_is_tiled_or_says_that_it_is_reduced() {
+    for paper in Paper::ALL {
+        let tiled = write_pdf(&hull(20.0), paper);
+        assert!(tiled.reduced.is_empty());
+        assert_eq!(shown(&tiled.bytes, "Measure it both ways"), 1);
+        assert!(shown(&tiled.bytes, "This sheet: topside ") > 1);
+        assert_eq!(shown(&tiled.bytes, "at 1:1. Print"), shown(&tiled.bytes, "This sheet"));
+
+        let made = hull(1000.0);
+        let reduced = write_pdf(&made, paper);
+        let panels: Vec<usize> = reduced.reduced.iter().map(|r| r.panel).collect();
+        assert_eq!(panels, [0, 1, 2]);
+        assert_eq!(reduced.reduced[0].scale, 400.0);
+        assert_eq!(shown(&reduced.bytes, "Measure it both ways"), 1);
+        assert_eq!(shown(&reduced.bytes, "at 1:400. Print"), 3);
+        let noted = output_files(&made, &[Format::Pdf], paper).unwrap();
+        let codes = |n: usize| noted.panels[n].findings.iter().map(|f| f.code).collect::<Vec<_>>();
+        assert!((0..3).all(|n| codes(n).contains(&"pdf-reduced")));
+    }
+}
+
+#[test]
+fn readers_refuse_whatever_is_no_pattern_and_never_panic() {
+    let piece = &hull(20.0).panels[1].piece;
+    let (svg, dxf) = (write_svg(piece), write_dxf(piece));
+    for bytes in [&b""[..], b"\xFF\xFE", b"<svg/>", b"0\nEOF\n", b"  0\r\nSECTION\r\n"] {
+        assert!(read_svg(bytes).is_err());
+        assert!(read_dxf(bytes).is_err());
+    }
+    let deep = ["<svg xmlns=\"http://www.w3.org/2000/svg\">", &"<g>".repeat(200_000)].concat();
+    assert!(read_svg(deep.as_bytes()).is_err());
+    let closed = [&deep, &"</g>".repeat(200_000)[..], "</svg>"].concat();
+    assert_eq!(read_svg(closed.as_bytes()), Err(PatternReadError::Units));
+
+    let mut dice = Dice(7);
+    for _ in 0..400 {
+        for (bytes, read) in [
+            (&svg, read_svg as fn(&[u8]) -> Result<ReadPattern, PatternReadError>),
+            (&dxf, read_dxf),
+        ] {
+            let mut broken = bytes.clone();
+            for _ in 0..=dice.roll(4) {
+                let at = dice.roll(broken.len() as u64) as usize;
+                match dice.roll(4) {
+                    0 => broken.truncate(at.max(1)),
+                    1 => broken[at] = dice.roll(128) as u8,
+                    2 => drop(broken.drain(at..(at + 9).min(broken.len()))),
+                    _ => broken[at] = b"9-.eE0 \n"[dice.roll(8) as usize],
+                }
+                if broken.is_empty() {
+                    break;
+                }
+            }
+            if let Ok(pattern) = read(&broken) {
+                assert!(pattern.rungs.iter().all(|r| r.ends()[1].get() < pattern.outline.len()));
+            }
+        }
+    }
+}
