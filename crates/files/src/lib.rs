@@ -6,7 +6,10 @@
 
 mod design_json;
 mod dxf;
+mod hint;
 mod input;
+mod messages;
+mod names;
 mod obj;
 mod output;
 mod pdf;
@@ -15,3 +18,13 @@ mod report;
 mod stroke_font;
 mod svg;
 mod table;
+mod units;
+
+pub use design_json::write_design;
+pub use hint::hint_for;
+pub use input::{
+    InputError, InputFormat, MAX_INPUT_BYTES, ReadOptions, read_bytes, read_input, read_limited,
+};
+pub use messages::{PanelTimes, error_json, findings_json, timing_json};
+pub use table::{MAX_CURVES, MAX_ROWS, TableCurve, TablePoint, read_table, write_table};
+pub use units::Units;
