@@ -26,5 +26,6 @@ pub use input::{
     InputError, InputFormat, MAX_INPUT_BYTES, ReadOptions, read_bytes, read_input, read_limited,
 };
 pub use messages::{PanelTimes, error_json, findings_json, timing_json};
+pub use output::{Format, OutputError, OutputFile, Outputs, output_files};
 pub use table::{MAX_CURVES, MAX_ROWS, TableCurve, TablePoint, read_table, write_table};
 pub use units::Units;
