@@ -62,8 +62,12 @@ impl Failure {
         let words: Vec<&str> = block.split_whitespace().collect();
         let message = words.join(" ");
         let message = message.strip_prefix("error: ").unwrap_or(&message).to_owned();
-        let tips: Vec<&str> =
-            text.lines().filter_map(|line| line.trim().strip_prefix("tip: ")).collect();
+        // Nobody who mistypes an option wants to pass it as a value.
+        let tips: Vec<&str> = text
+            .lines()
+            .filter_map(|line| line.trim().strip_prefix("tip: "))
+            .filter(|tip| !tip.starts_with("to pass "))
+            .collect();
         let mut hint = tips.join("; ");
         if hint.is_empty() {
             hint = HELP.to_owned();

@@ -23,6 +23,10 @@ pub fn hint_for(error: &MakeError) -> String {
              closed curve the only one of its loop."
                 .to_owned()
         }
+        MakeCause::NotChained { next, .. } if error.curve.as_ref() == Some(next) => {
+            "Close the curve (\"closed\": true), or add the curves that lead back to its beginning."
+                .to_owned()
+        }
         MakeCause::NotChained { next, .. } => format!(
             "Give both curves the same end point, or put '-' before '{next}' or this one to run it \
              the other way."

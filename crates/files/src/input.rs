@@ -200,6 +200,10 @@ pub(crate) fn read_whole(path: &Path) -> Result<Vec<u8>, InputError> {
     refuse_folder(path)?;
     let place = path.display().to_string();
     let file = File::open(path).map_err(|error| unreadable(&place, &error))?;
+    // Said at once where the size is known; pipes are counted while they are read.
+    if file.metadata().is_ok_and(|data| data.len() > MAX_INPUT_BYTES) {
+        return Err(too_large(&place));
+    }
     read_limited(file, &place)
 }
 

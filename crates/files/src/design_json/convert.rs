@@ -1,7 +1,7 @@
 //! A design from its file's types to the kernel's.
 
 use super::grammar::{
-    CurveFile, DesignFile, KindName, MethodName, PanelFile, PlaneFile, PlaneName, PointFile,
+    CurveFile, DesignFile, KindName, MethodName, Object, PanelFile, PlaneFile, PlaneName, PointFile,
 };
 use super::table_path::Tables;
 use super::wrong_version;
@@ -164,7 +164,7 @@ fn curve_point(
 }
 
 fn panels(
-    list: Vec<PanelFile>,
+    list: Vec<Object<PanelFile>>,
     curves: &[DesignCurve],
     source: &Source<'_>,
 ) -> Result<Vec<DesignPanel>, InputError> {
@@ -175,7 +175,7 @@ fn panels(
     let known: BTreeMap<&str, &DesignCurve> = curves.iter().map(|c| (c.name.as_str(), c)).collect();
     let mut earlier: BTreeMap<String, usize> = BTreeMap::new();
     let mut panels = Vec::with_capacity(list.len());
-    for (n, file) in list.into_iter().enumerate() {
+    for (n, Object(file)) in list.into_iter().enumerate() {
         let path = format!("panels[{n}]");
         if let Some(why) = refused_for_file(&file.name) {
             let message = format!("the panel's name {} {why}", shown(&file.name));
@@ -255,12 +255,12 @@ impl PanelReader<'_> {
                 Ok(PanelShape::Rails(rails))
             }
             (None, Some(outer), holes) => {
-                let outer = self.uses(outer, ".boundary")?;
+                let outer = self.loop_of(outer, ".boundary")?;
                 let holes = holes
                     .unwrap_or_default()
                     .into_iter()
                     .enumerate()
-                    .map(|(n, hole)| self.uses(hole, &format!(".holes[{n}]")))
+                    .map(|(n, hole)| self.loop_of(hole, &format!(".holes[{n}]")))
                     .collect::<Result<Vec<_>, InputError>>()?;
                 Ok(PanelShape::Loops { outer, holes })
             }
@@ -302,6 +302,22 @@ impl PanelReader<'_> {
                 return Err(self.error(&format!("{field}[{n}]"), message, hint));
             }
             uses.push(CurveUse { name, reversed });
+        }
+        Ok(uses)
+    }
+
+    /// The curves of a loop. A seam is run there and back, but a loop that is nothing else encloses
+    /// no sheet.
+    fn loop_of(&self, names: Vec<String>, field: &str) -> Result<Vec<CurveUse>, InputError> {
+        let uses = self.uses(names, field)?;
+        let mut balance: BTreeMap<&str, i64> = BTreeMap::new();
+        for part in &uses {
+            *balance.entry(&part.name).or_default() += if part.reversed { -1 } else { 1 };
+        }
+        if balance.values().all(|&balance| balance == 0) {
+            let message = "the loop runs along each curve there and back, and encloses nothing";
+            let hint = "Name each curve of a loop once; only a seam is named twice.";
+            return Err(self.error(field, message, hint));
         }
         Ok(uses)
     }

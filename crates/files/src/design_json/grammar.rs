@@ -9,6 +9,7 @@ use serde::de::{self, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
+use std::marker::PhantomData;
 
 /// A design of Sheetwright: curves, and the panels between them.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -35,7 +36,8 @@ pub(super) struct DesignFile {
     #[schemars(with = "BTreeMap<String, CurveFile>")]
     pub(super) curves: NamedCurves,
     /// The panels; each becomes a piece of sheet.
-    pub(super) panels: Vec<PanelFile>,
+    #[schemars(with = "Vec<PanelFile>")]
+    pub(super) panels: Vec<Object<PanelFile>>,
     #[serde(default)]
     #[schemars(skip)]
     pub(super) vary: Option<IgnoredAny>,
@@ -170,6 +172,26 @@ pub(super) enum PlaneName {
     None,
 }
 
+/// A value that is written as an object. What serde derives would take a list of the fields, too.
+#[derive(Debug)]
+pub(super) struct Object<T>(pub(super) T);
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for Object<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Map<T>(PhantomData<T>);
+        impl<'de, T: Deserialize<'de>> Visitor<'de> for Map<T> {
+            type Value = T;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                write!(f, "an object")
+            }
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<T, A::Error> {
+                T::deserialize(de::value::MapAccessDeserializer::new(map))
+            }
+        }
+        deserializer.deserialize_map(Map(PhantomData)).map(Self)
+    }
+}
+
 /// Three numbers; said in one sentence where it is anything else.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Triple(pub(super) [f64; 3]);
@@ -293,7 +315,7 @@ impl<'de> Deserialize<'de> for NamedCurves {
                         let text = format!("the curve {shown} stands there twice");
                         return Err(de::Error::custom(text));
                     }
-                    let curve = map.next_value()?;
+                    let Object(curve) = map.next_value()?;
                     curves.push((name, curve));
                 }
                 Ok(NamedCurves(curves))

@@ -12,7 +12,8 @@ pub use write::write_design;
 
 use crate::input::{InputError, ReadOptions, display_name};
 use crate::names::{nearest, shown};
-use grammar::DesignFile;
+use crate::table::RANGE_HINT;
+use grammar::{DesignFile, Object};
 use serde::Deserialize;
 use sheetwright::design::Design;
 use std::path::Path;
@@ -37,7 +38,7 @@ pub(crate) fn read(
 
 fn parse(text: &str, place: &str) -> Result<DesignFile, InputError> {
     let mut json = serde_json::Deserializer::from_str(text);
-    let file = serde_path_to_error::deserialize(&mut json).map_err(|error| {
+    let Object(file) = serde_path_to_error::deserialize(&mut json).map_err(|error| {
         // Fields of a later version are not known here, which is not what is wrong with it.
         other_version(text, place).unwrap_or_else(|| {
             let path = error.path().to_string();
@@ -73,14 +74,22 @@ fn not_a_design(place: &str, path: &str, error: &serde_json::Error) -> InputErro
     let text = error.to_string();
     let at = format!(" at line {} column {}", error.line(), error.column());
     let text = text.strip_suffix(&at).unwrap_or(&text);
-    let place = format!("{place}:{}:{}", error.line(), error.column());
+    // Before the first character of a line there is no column.
+    let place = match error.column() {
+        0 => format!("{place}:{}", error.line()),
+        column => format!("{place}:{}:{column}", error.line()),
+    };
     let place = match path {
-        // At the top there is no path; serde_path_to_error says so with a dot.
-        "" | "." => place,
+        // At the top there is no path, and none where a key could not be read; serde_path_to_error
+        // says so with a dot and a question mark.
+        "" | "." | "?" => place,
         // A path repeats names of the file, of any length.
         path if path.len() > 200 => place,
         path => format!("{place}: {}", path.escape_debug()),
     };
+    if text == "number out of range" {
+        return InputError::at(place, "the number is out of range", RANGE_HINT);
+    }
     if !error.is_data() {
         return InputError::at(place, format!("this is no JSON: {text}"), SYNTAX_HINT);
     }
