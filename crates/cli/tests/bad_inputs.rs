@@ -1,5 +1,7 @@
 //! Every broken input of corpus/bad is refused in the words beside it, and nothing is written.
 
+#![allow(clippy::unwrap_used, reason = "a test that can't go on fails")]
+
 use std::fmt::Write as _;
 use std::fs;
 use std::io::Write as _;
@@ -155,7 +157,7 @@ fn bad_inputs_are_refused_in_the_words_beside_them() {
         }
         if output.status.code() != Some(2) || !output.stdout.is_empty() || out.exists() {
             let status = output.status;
-            write!(wrong, "{}: {status}, written: {}\n", case.name, out.exists()).unwrap();
+            writeln!(wrong, "{}: {status}, written: {}", case.name, out.exists()).unwrap();
         }
     }
     assert!(wrong.is_empty(), "{wrong}");

@@ -1,5 +1,7 @@
 //! The command as scripts use it: exit statuses, streams, JSON, conversions, whole files.
 
+#![allow(clippy::unwrap_used, reason = "a test that can't go on fails")]
+
 use serde_json::Value;
 use std::fs;
 use std::io::{Read, Write};
