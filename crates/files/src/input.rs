@@ -270,6 +270,7 @@ pub(crate) fn text_of<'a>(bytes: &'a [u8], name: &str) -> Result<&'a str, InputE
 #[cfg(test)]
 mod tests {
     use super::*;
+    use sheetwright::curve::Curve;
 
     #[test]
     fn the_ending_tells_the_format() {
@@ -292,5 +293,34 @@ mod tests {
     fn more_bytes_than_the_limit_are_not_kept() {
         let error = read_limited(io::repeat(b'x'), "endless").unwrap_err();
         assert_eq!(error.to_string(), "endless: the input is larger than 256 MiB");
+    }
+    fn example(name: &str) -> Design {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name);
+        read_input(&path, &ReadOptions::default()).unwrap()
+    }
+
+    #[test]
+    fn the_examples_read() {
+        let hull = example("ubc-fishing-vessel.sheet.json");
+        let names: Vec<&str> = hull.panels.iter().map(|p| p.name.as_str()).collect();
+        assert_eq!(names, ["topside", "chine-strake", "bottom"]);
+        assert_eq!(hull.material.map(|m| m.name), Some("steel-5mm"));
+        assert!(hull.curves.iter().all(|c| c.points.len() == 13 && !c.closed));
+        assert_eq!(hull.curves[0].points[0].at.x, 70_000.0);
+        let leaf = example("leaf.csv");
+        assert_eq!((leaf.panels.len(), leaf.curves[0].points.len()), (1, 64));
+    }
+
+    #[test]
+    fn the_circle_of_the_duct_is_round() {
+        let duct = example("square-to-round.sheet.json");
+        let circle = duct.curves.iter().find(|c| c.name == "circle").unwrap();
+        let curve = Curve::new(circle.kind.unwrap(), &circle.points, circle.closed).unwrap();
+        let spans = curve.spans().len();
+        for step in 0..=spans * 20 {
+            let p = curve.position(step as f64 / 20.0);
+            let off = (p.x * p.x + p.y * p.y).sqrt() - 150.0;
+            assert!(off.abs() < 0.01 && p.z == 350.0, "{step}: {off}");
+        }
     }
 }
