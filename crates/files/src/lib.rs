@@ -7,7 +7,10 @@
 mod design_json;
 mod drawing;
 mod dxf;
+mod hint;
 mod input;
+mod messages;
+mod names;
 mod obj;
 mod output;
 mod pdf;
@@ -17,8 +20,15 @@ mod report;
 mod stroke_font;
 mod svg;
 mod table;
+mod units;
 
+pub use design_json::write_design;
 pub use dxf::{read_dxf, write_dxf};
+pub use hint::hint_for;
+pub use input::{
+    InputError, InputFormat, MAX_INPUT_BYTES, ReadOptions, read_bytes, read_input, read_limited,
+};
+pub use messages::{PanelTimes, error_json, findings_json, timing_json};
 pub use obj::write_obj;
 pub use output::{Format, OutputError, OutputFile, Outputs, output_files};
 pub use pdf::{MAX_SHEETS, Paper, Reduced, WrittenPdf, write_pdf};
@@ -29,3 +39,5 @@ pub use report::{
     side_by_side, stacked, surface_picture, warp_chart,
 };
 pub use svg::{read_svg, write_svg};
+pub use table::{MAX_CURVES, MAX_ROWS, TableCurve, TablePoint, read_table, write_table};
+pub use units::Units;

@@ -1,1 +1,451 @@
-//! Curve tables (`*.csv`).
+//! Curve tables (`*.csv`): one row a point, one or more curves. The grammar is in docs/files.md.
+
+use crate::input::{InputError, ReadOptions, display_name, stem};
+use crate::names::{did_you_mean, refused_for_curve, refused_for_file, shown};
+use crate::units::Units;
+use sheetwright::boundary::{MAX_COORDINATE_MM, MAX_SAMPLES, PlaneChoice};
+use sheetwright::cost::PriceOptions;
+use sheetwright::curve::{CurveKind, CurvePoint};
+use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelShape};
+use sheetwright::math::Point3;
+use std::collections::BTreeMap;
+
+/// A table has this many rows at the most, as a boundary has samples.
+pub const MAX_ROWS: usize = MAX_SAMPLES;
+/// A table or a design has this many curves at the most.
+pub const MAX_CURVES: usize = 10_000;
+/// What the only curve of a table without the column `curve` is called.
+const UNNAMED: &str = "outline";
+/// The columns, required ones first.
+const COLUMNS: [&str; 6] = ["x", "y", "z", "curve", "corner", "move"];
+const HEADER_HINT: &str = "The first line names the columns, as in: curve,x,y,z";
+const NUMBER_HINT: &str = "Write numbers as in 12.5 or 1e-3, with a decimal point and no unit.";
+const COMMA_HINT: &str =
+    "Decimals have a point (12.5), not a comma, and columns are separated by commas.";
+
+/// A point of a table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TablePoint {
+    /// Where it lies, mm.
+    pub at: Point3,
+    /// Whether the curve has a corner here.
+    pub corner: bool,
+    /// The largest distance that it may be moved, mm; 0 where it is fixed.
+    pub move_mm: f64,
+}
+
+/// A curve of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TableCurve {
+    /// Its name.
+    pub name: String,
+    /// Its points, in the order of the rows; a last one that repeats the first is still there.
+    pub points: Vec<TablePoint>,
+}
+
+impl TableCurve {
+    /// Its points for the kernel. Of a closed curve, a last point that repeats the first is
+    /// dropped.
+    pub fn curve_points(&self, closed: bool) -> Vec<CurvePoint> {
+        let mut points: Vec<CurvePoint> =
+            self.points.iter().map(|p| CurvePoint { at: p.at, corner: p.corner }).collect();
+        if let (true, [first, .., last]) = (closed, points.as_mut_slice())
+            && first.at == last.at
+        {
+            // The two are one point: a corner at either is one.
+            first.corner |= last.corner;
+            points.pop();
+        }
+        points
+    }
+}
+
+/// The curves of a table, in the order in which they begin. `name` is the file's, for messages.
+///
+/// # Errors
+/// A header without x, y and z, a row that has other columns, or a value that is none; each with
+/// its line.
+pub fn read_table(text: &str, name: &str, units: Units) -> Result<Vec<TableCurve>, InputError> {
+    let place = display_name(name);
+    let mut rows = csv::ReaderBuilder::new()
+        .has_headers(false)
+        .flexible(true)
+        .trim(csv::Trim::All)
+        .from_reader(text.as_bytes());
+    let mut row = csv::StringRecord::new();
+    // The reader of rows sees memory, and the text is text: it has nothing to fail with.
+    let unreadable = |error: csv::Error| InputError::at(place, error.to_string(), HEADER_HINT);
+    if !rows.read_record(&mut row).map_err(unreadable)? {
+        return Err(InputError::at(place, "the table has no header", HEADER_HINT));
+    }
+    let columns = Columns::of_header(&row, &format!("{place}:{}", line_of(&row, text)))?;
+    let mut curves = Curves::default();
+    let mut count = 0;
+    while rows.read_record(&mut row).map_err(unreadable)? {
+        count += 1;
+        let place = format!("{place}:{}", line_of(&row, text));
+        if count > MAX_ROWS {
+            let message = format!("the table has more than {MAX_ROWS} rows");
+            let hint = "Leave rows out, or divide the table; a few hundred points show a curve.";
+            return Err(InputError::at(place, message, hint));
+        }
+        let (curve, point) = columns.read(&row, &place, units)?;
+        curves.push(curve, point, &place)?;
+    }
+    if curves.list.is_empty() {
+        let hint = "Add one row a point, in the order of the curve.";
+        return Err(InputError::at(place, "the table has no rows below its header", hint));
+    }
+    Ok(curves.list)
+}
+
+/// The line that a row stands on. The reader notes where the row before ended, which is before the
+/// second half of a CRLF and before empty lines.
+fn line_of(row: &csv::StringRecord, text: &str) -> u64 {
+    let Some(position) = row.position() else { return 0 };
+    let start = usize::try_from(position.byte()).unwrap_or(usize::MAX);
+    let rest = text.as_bytes().get(start..).unwrap_or_default();
+    let ends = rest.iter().take_while(|b| b"\r\n".contains(b)).filter(|&&b| b == b'\n');
+    position.line() + ends.count() as u64
+}
+
+/// The curves so far.
+#[derive(Default)]
+struct Curves {
+    list: Vec<TableCurve>,
+    by_name: BTreeMap<String, usize>,
+    /// The curve of the row before, which is that of most rows.
+    last: usize,
+}
+
+impl Curves {
+    fn push(&mut self, name: &str, point: TablePoint, place: &str) -> Result<(), InputError> {
+        if self.list.get(self.last).is_none_or(|curve| curve.name != name) {
+            self.last = match self.by_name.get(name) {
+                Some(&known) => known,
+                None => self.begin(name, place)?,
+            };
+        }
+        self.list[self.last].points.push(point);
+        Ok(())
+    }
+
+    fn begin(&mut self, name: &str, place: &str) -> Result<usize, InputError> {
+        if let Some(why) = refused_for_curve(name) {
+            let message = format!("the curve's name {} {why}", shown(name));
+            let hint = "Give every row the name of its curve, or leave the column `curve` out.";
+            return Err(InputError::at(place, message, hint));
+        }
+        if self.list.len() == MAX_CURVES {
+            let message = format!("the table has more than {MAX_CURVES} curves");
+            let hint = "The rows of a curve have one name; divide a table of so many curves.";
+            return Err(InputError::at(place, message, hint));
+        }
+        self.by_name.insert(name.to_owned(), self.list.len());
+        self.list.push(TableCurve { name: name.to_owned(), points: Vec::new() });
+        Ok(self.list.len() - 1)
+    }
+}
+
+/// Where the header says that each column stands.
+struct Columns {
+    count: usize,
+    xyz: [usize; 3],
+    curve: Option<usize>,
+    corner: Option<usize>,
+    movable: Option<usize>,
+}
+
+impl Columns {
+    fn of_header(header: &csv::StringRecord, place: &str) -> Result<Self, InputError> {
+        let names: Vec<String> = header.iter().map(str::to_ascii_lowercase).collect();
+        if let [only] = names.as_slice()
+            && (only.contains(';') || only.contains('\t'))
+        {
+            let message = "the columns are not separated by commas";
+            return Err(InputError::at(place, message, COMMA_HINT));
+        }
+        if names.iter().all(|name| name.parse::<f64>().is_ok()) {
+            return Err(InputError::at(place, "the table has no header", HEADER_HINT));
+        }
+        for (n, name) in names.iter().enumerate() {
+            if !COLUMNS.contains(&name.as_str()) {
+                let message = format!("the column {} is not known", shown(name));
+                return Err(InputError::at(place, message, did_you_mean(name, &COLUMNS)));
+            }
+            if names[..n].contains(name) {
+                let message = format!("the column '{name}' stands there twice");
+                return Err(InputError::at(place, message, "Keep one of them."));
+            }
+        }
+        let find = |wanted: &str| names.iter().position(|name| name == wanted);
+        let required = |wanted: &str| {
+            find(wanted).ok_or_else(|| {
+                let message = format!("the table has no column '{wanted}'");
+                InputError::at(place, message, "The columns x, y and z are required.")
+            })
+        };
+        Ok(Self {
+            count: names.len(),
+            xyz: [required("x")?, required("y")?, required("z")?],
+            curve: find("curve"),
+            corner: find("corner"),
+            movable: find("move"),
+        })
+    }
+
+    /// The curve's name and the point of a row.
+    fn read<'a>(
+        &self,
+        row: &'a csv::StringRecord,
+        place: &str,
+        units: Units,
+    ) -> Result<(&'a str, TablePoint), InputError> {
+        let failed = |message: String, hint: &str| InputError::at(place, message, hint);
+        if row.len() != self.count {
+            let message = format!("the row has {} values for {} columns", row.len(), self.count);
+            let hint = if row.len() > self.count {
+                COMMA_HINT
+            } else {
+                "Give a value for every column; those of `corner` and `move` may be empty."
+            };
+            return Err(failed(message, hint));
+        }
+        let value = |column: usize| row.get(column).unwrap_or("");
+        let mut xyz = [0.0; 3];
+        for (n, &column) in self.xyz.iter().enumerate() {
+            xyz[n] = length_mm(COLUMNS[n], value(column), units)
+                .map_err(|(message, hint)| failed(message, hint))?;
+        }
+        let corner = match self.corner.map_or("", value) {
+            "" | "0" => false,
+            "1" => true,
+            other => {
+                let message = format!("the corner is {}", shown(other));
+                return Err(failed(message, "Write 1 at a corner, and 0 or nothing elsewhere."));
+            }
+        };
+        let move_mm = match self.movable.map_or("", value) {
+            "" => 0.0,
+            text => {
+                length_mm("move", text, units).map_err(|(message, hint)| failed(message, hint))?
+            }
+        };
+        if move_mm < 0.0 {
+            let message = format!("the point may move by {move_mm} mm");
+            return Err(failed(message, "Write a distance, or 0 or nothing where it is fixed."));
+        }
+        let at = Point3::new(xyz[0], xyz[1], xyz[2]);
+        Ok((self.curve.map_or(UNNAMED, value), TablePoint { at, corner, move_mm }))
+    }
+}
+
+/// The length of a cell, mm; or what is wrong with it and what to do.
+fn length_mm(column: &str, text: &str, units: Units) -> Result<f64, (String, &'static str)> {
+    if text.is_empty() {
+        return Err((format!("{column} is empty"), NUMBER_HINT));
+    }
+    let Ok(number) = text.parse::<f64>() else {
+        let with_point = text.replacen(',', ".", 1);
+        let hint = if with_point.parse::<f64>().is_ok() { COMMA_HINT } else { NUMBER_HINT };
+        return Err((format!("{column} is {}, which is no number", shown(text)), hint));
+    };
+    in_range_mm(number, units).ok_or_else(|| {
+        let message = format!("{column} is {}, which is out of range", shown(text));
+        (message, RANGE_HINT)
+    })
+}
+
+pub(crate) const RANGE_HINT: &str =
+    "Lengths are finite numbers within ±1e9 mm (a thousand kilometres).";
+
+/// A number as a length, mm; `None` unless it is finite and within the range of the kernel.
+pub(crate) fn in_range_mm(number: f64, units: Units) -> Option<f64> {
+    let mm = number * units.in_mm();
+    (mm.abs() <= MAX_COORDINATE_MM).then_some(mm)
+}
+
+/// A table as a design: one panel, whose outer loop is the first curve and whose holes are the
+/// others.
+pub(crate) fn read_as_design(
+    text: &str,
+    name: &str,
+    options: &ReadOptions,
+) -> Result<Design, InputError> {
+    let table = read_table(text, name, options.units.unwrap_or_default())?;
+    let called = stem(name);
+    if let Some(why) = refused_for_file(&called) {
+        let message = format!("the panel would be called {}, which {why}", shown(&called));
+        let hint = "Rename the file: the panel and its output files are named after it.";
+        return Err(InputError::at(display_name(name), message, hint));
+    }
+    // Rows are the samples themselves unless a number of samples is asked for.
+    let kind = options.samples.map(|_| CurveKind::Spline);
+    let curves: Vec<DesignCurve> = table
+        .iter()
+        .map(|curve| DesignCurve {
+            name: curve.name.clone(),
+            kind,
+            closed: true,
+            points: curve.curve_points(true),
+        })
+        .collect();
+    let whole = |curve: &DesignCurve| vec![CurveUse { name: curve.name.clone(), reversed: false }];
+    let panel = DesignPanel {
+        name: called.clone(),
+        shape: PanelShape::Loops {
+            outer: whole(&curves[0]),
+            holes: curves[1..].iter().map(whole).collect(),
+        },
+        samples: options.samples.unwrap_or(curves[0].points.len()),
+        method: options.method.unwrap_or_default(),
+        plane: PlaneChoice::Auto,
+        fold: options.fold.unwrap_or(PriceOptions::default().fold),
+    };
+    Ok(Design { name: called, material: None, curves, panels: vec![panel] })
+}
+
+/// The points of curves as a table in millimetres, which reads back to the same bits.
+///
+/// A table says neither how its points make a curve nor whether it is closed: the reader does.
+/// Every point of a polyline is marked as a corner.
+pub fn write_table(curves: &[DesignCurve]) -> Vec<u8> {
+    let is_corner =
+        |curve: &DesignCurve, p: &CurvePoint| p.corner || curve.kind == Some(CurveKind::Polyline);
+    let corners = curves.iter().any(|c| c.points.iter().any(|p| is_corner(c, p)));
+    let mut table = String::from(if corners { "curve,x,y,z,corner\n" } else { "curve,x,y,z\n" });
+    for curve in curves {
+        let name = quoted(&curve.name);
+        for point in &curve.points {
+            let [x, y, z] = [point.at.x, point.at.y, point.at.z].map(number);
+            let corner = match (corners, is_corner(curve, point)) {
+                (false, _) => "",
+                (true, false) => ",0",
+                (true, true) => ",1",
+            };
+            table.push_str(&format!("{name},{x},{y},{z}{corner}\n"));
+        }
+    }
+    table.into_bytes()
+}
+
+/// A cell, in quotation marks where commas or such marks in it ask for them.
+fn quoted(text: &str) -> String {
+    if text.contains([',', '"']) {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text.to_owned()
+    }
+}
+
+/// The fewest digits that read back to the same number.
+fn number(value: f64) -> String {
+    let size = value.abs();
+    if size == 0.0 || (1e-5..1e16).contains(&size) {
+        format!("{value}")
+    } else {
+        format!("{value:e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Result<Vec<TableCurve>, InputError> {
+        read_table(text, "t.csv", Units::Millimetres)
+    }
+
+    fn refused(text: &str) -> String {
+        read(text).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn columns_stand_in_any_order() {
+        let curves =
+            read("move,z,curve,x,corner,y\n5,3,a,1,1,2\n,6, b ,4,0,5\n0,9,a,7,,8\n").unwrap();
+        let point =
+            |x, y, z, corner, move_mm| TablePoint { at: Point3::new(x, y, z), corner, move_mm };
+        assert_eq!(
+            curves,
+            [
+                TableCurve {
+                    name: "a".into(),
+                    points: vec![point(1.0, 2.0, 3.0, true, 5.0), point(7.0, 8.0, 9.0, false, 0.0)]
+                },
+                TableCurve { name: "b".into(), points: vec![point(4.0, 5.0, 6.0, false, 0.0)] },
+            ]
+        );
+    }
+
+    #[test]
+    fn errors_name_the_line_of_the_file() {
+        assert_eq!(
+            refused("x,y,z\r\n1,2,3\r\n1,2\r\n"),
+            "t.csv:3: the row has 2 values for 3 columns"
+        );
+        assert_eq!(refused("x,y,z\n\n\n1,2,a\n"), "t.csv:4: z is 'a', which is no number");
+        assert_eq!(refused("x,y,z\n1,\"2,5\",3\n"), "t.csv:2: y is '2,5', which is no number");
+        assert_eq!(refused("x,y,z\n1,2,inf\n"), "t.csv:2: z is 'inf', which is out of range");
+        assert_eq!(refused("x,y,z,move\n1,2,3,-1\n"), "t.csv:2: the point may move by -1 mm");
+        assert_eq!(refused("x;y;z\n"), "t.csv:1: the columns are not separated by commas");
+        assert_eq!(refused("1,2,3\n4,5,6\n"), "t.csv:1: the table has no header");
+    }
+
+    #[test]
+    fn units_become_millimetres() {
+        let curves = read_table("x,y,z,move\n1,2,0.5,1\n", "t.csv", Units::Inches).unwrap();
+        let point = curves[0].points[0];
+        assert_eq!((point.at, point.move_mm), (Point3::new(25.4, 50.8, 12.7), 25.4));
+    }
+
+    #[test]
+    fn a_closed_curve_drops_a_last_point_that_repeats_the_first() {
+        let curves = read("x,y,z,corner\n0,0,0,0\n1,0,0,0\n1,1,0,0\n0,0,0,1\n").unwrap();
+        assert_eq!(curves[0].curve_points(false).len(), 4);
+        let closed = curves[0].curve_points(true);
+        assert_eq!(closed.len(), 3);
+        assert!(closed[0].corner);
+    }
+
+    #[test]
+    fn rows_are_samples_unless_a_number_is_asked_for() {
+        let text = "x,y,z\n0,0,0\n1,0,0\n1,1,0\n0,0,0\n";
+        let design = read_as_design(text, "a/leaf.csv", &ReadOptions::default()).unwrap();
+        assert_eq!((design.name.as_str(), design.panels[0].name.as_str()), ("leaf", "leaf"));
+        assert_eq!((design.curves[0].kind, design.panels[0].samples), (None, 3));
+        let options = ReadOptions { samples: Some(50), ..ReadOptions::default() };
+        let design = read_as_design(text, "leaf.csv", &options).unwrap();
+        assert_eq!(design.curves[0].kind, Some(CurveKind::Spline));
+        assert_eq!(design.panels[0].samples, 50);
+        let error = read_as_design(text, "con.csv", &ReadOptions::default()).unwrap_err();
+        assert!(error.message.contains("device on Windows"));
+    }
+
+    #[test]
+    fn what_is_written_reads_back_to_the_same_bits() {
+        let values = [0.1 + 0.2, -0.0, 1.0 / 3.0, 5e-324, 1e-5, 123_456_789.123_456_78, -1e9];
+        let points: Vec<CurvePoint> = (0..values.len())
+            .map(|i| CurvePoint {
+                at: Point3::new(values[i], values[(i + 1) % 7], values[(i + 3) % 7]),
+                corner: i == 2,
+            })
+            .collect();
+        let curve = |name: &str| DesignCurve {
+            name: name.into(),
+            kind: None,
+            closed: true,
+            points: points.clone(),
+        };
+        let written = write_table(&[curve("a, \"b\""), curve("c")]);
+        let read = read(std::str::from_utf8(&written).unwrap()).unwrap();
+        assert_eq!(read.len(), 2);
+        assert_eq!(read[0].name, "a, \"b\"");
+        for curve in &read {
+            for (p, q) in curve.curve_points(true).iter().zip(&points) {
+                let bits = |p: Point3| [p.x, p.y, p.z].map(f64::to_bits);
+                assert_eq!((bits(p.at), p.corner), (bits(q.at), q.corner));
+            }
+        }
+    }
+}

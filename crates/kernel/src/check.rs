@@ -133,16 +133,15 @@ pub fn refolding(error_mm: f64, size_mm: f64) -> Option<Finding> {
     })
 }
 
-/// Twist is what is left of a warp angle after what the sampling can't tell from bending.
+/// A warp angle counts as twist unless the sampling explains it.
 fn twist_angle(rung: &RungMeasures) -> f64 {
-    (rung.warp - rung.resolution).max(0.0)
+    if rung.warp > rung.resolution { rung.warp } else { 0.0 }
 }
 
 fn warp(panel: &Panel<'_>) -> Option<Finding> {
     let limit = warp_limit(panel.material);
     let rungs = &panel.measures.rungs;
     let sheet = panel.material.map_or("sheet", |m| m.title);
-    // As long as the twist itself is beyond a bound, the whole warp angle is what people are told.
     let beyond = |bound: f64| move |r: &RungMeasures| twist_angle(r) > bound;
     let largest = |bound: f64| {
         rungs.iter().filter(|r| beyond(bound)(r)).map(|r| r.warp).reduce(f64::max).map(to_deg)
@@ -175,11 +174,11 @@ fn warp(panel: &Panel<'_>) -> Option<Finding> {
         });
     }
     (panel.measures.warp_max > limit).then(|| Finding {
-        severity: Severity::Note,
+        severity: Severity::Warning,
         code: "coarse-samples",
         text: format!(
-            "Rungs turn by up to {:.1}° where the sheet bends from one sample to the next; that \
-             is the sampling, not twist. More samples show it.",
+            "Rungs turn by up to {:.1}° where the sheet bends from one sample to the next. It looks \
+             like bending, not twist; ask for more samples to be sure.",
             to_deg(panel.measures.warp_max)
         ),
         place: where_rungs(rungs, |r| r.warp > limit),

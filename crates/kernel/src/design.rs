@@ -1,8 +1,8 @@
 //! A design: all inputs as one plain value, from which [`make`] derives every stage.
 
 use crate::boundary::{
-    Boundary, BoundaryError, PlaneChoice, PlaneError, SupportingPlane, samples_from_points,
-    supporting_plane,
+    Boundary, BoundaryError, MAX_SAMPLES, PlaneChoice, PlaneError, SupportingPlane,
+    samples_from_points, supporting_plane,
 };
 use crate::check::{Checked, Panel, check};
 use crate::cost::Prices;
@@ -393,13 +393,18 @@ fn sampled_loop(
         }
         let next = (n + 1) % curves.len();
         let gap_mm = curve.end().distance(curves[next].start());
-        if gap_mm > Tolerance::CHAIN.length_mm(size) || size == 0.0 && curves.len() > 1 {
+        if gap_mm > Tolerance::CHAIN.length_mm(size) {
             let cause = MakeCause::NotChained { next: parts[next].name.clone(), gap_mm };
             return Err(failed(&parts[n].name, cause));
         }
     }
     let length: f64 = curves.iter().map(Curve::length).sum();
-    sample_chain(&curves, count(length)).map_err(|error| MakeError {
+    let count = count(length);
+    if count > MAX_SAMPLES {
+        let cause = MakeCause::Boundary(BoundaryError::TooManySamples { found: count });
+        return Err(MakeError { panel: panel.name.clone(), curve: None, cause });
+    }
+    sample_chain(&curves, count).map_err(|error| MakeError {
         panel: panel.name.clone(),
         curve: None,
         cause: MakeCause::Sampling(error),
@@ -420,23 +425,21 @@ fn sampled_rails(
         return Err(failed(Some(&rails[0].name), MakeCause::SameRails));
     }
     let first = built(design, panel, &rails[0])?;
-    let mut second = built(design, panel, &rails[1])?;
+    let second = built(design, panel, &rails[1])?;
     for (curve, rail) in [&first, &second].into_iter().zip(rails) {
         if curve.closed() {
             return Err(failed(Some(&rail.name), MakeCause::ClosedCurve));
         }
     }
-    // The second runs back, from beside the end of the first to beside its beginning.
-    let joined = |second: &Curve| {
-        first.end().distance(second.start()) + second.end().distance(first.start())
-    };
-    if joined(&second.reversed()) < joined(&second) {
-        second = second.reversed();
-    }
     let sample = |curve: &Curve| {
         sample_open(curve, panel.samples).map_err(|e| failed(None, MakeCause::Sampling(e)))
     };
     let (mut first, mut second) = (sample(&first)?, sample(&second)?);
+    // The second runs back: the way that leaves the rails nearer to one another all along. Their
+    // ends alone would not tell where each rail ends where it begins, as those of a duct do.
+    if apart(&first, &second) < apart(&first, &run_back(&second)) {
+        second = run_back(&second);
+    }
     let size = crate::boundary::size_of(first.iter().chain(&second).map(|s| s.position));
     let same = Tolerance::CHAIN.length_mm(size);
     // Rails that meet at an end share that sample; it keeps the tangents of both.
@@ -459,6 +462,21 @@ fn sampled_rails(
     first.extend(second);
     close_ends(&mut first, on_first_rail, [at_start.is_some(), at_end.is_some()]);
     Ok(Sampled { loops: vec![first], on_first_rail: Some(on_first_rail) })
+}
+
+/// How far apart two rails of as many samples are, run side by side: the sum over their samples, mm.
+fn apart(first: &[Sample], second: &[Sample]) -> f64 {
+    first.iter().zip(second).map(|(a, b)| a.position.distance(b.position)).sum()
+}
+
+/// The same rail, from its end to its beginning.
+fn run_back(rail: &[Sample]) -> Vec<Sample> {
+    let back = |s: &Sample| Sample {
+        position: s.position,
+        tangent_in: -s.tangent_out,
+        tangent_out: -s.tangent_in,
+    };
+    rail.iter().rev().map(back).collect()
 }
 
 /// Where straight edges join the ends of two rails, those ends are corners of the loop.

@@ -92,15 +92,15 @@ fn what_has_no_number_is_null() {
     assert_eq!(panel["name"], ODD_NAME);
 }
 
-/// The file is written anew by `UPDATE_SCHEMAS=1 cargo test -p sheetwright-files`.
+/// The file is written anew by `SHEETWRIGHT_REWRITE=1 cargo test -p sheetwright-files`.
 #[test]
 fn the_schema_in_the_docs_is_that_of_the_code() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/schema/report.schema.json");
-    if std::env::var_os("UPDATE_SCHEMAS").is_some() {
+    if std::env::var_os("SHEETWRIGHT_REWRITE").is_some() {
         std::fs::write(path, report_schema()).unwrap();
     }
     let in_docs = std::fs::read(path).unwrap().into_iter().filter(|&b| b != b'\r');
-    assert!(in_docs.eq(report_schema()), "run the tests with UPDATE_SCHEMAS=1");
+    assert!(in_docs.eq(report_schema()), "run the tests with SHEETWRIGHT_REWRITE=1");
 }
 
 /// Walks a value along its schema: the very fields, and the kind of each.

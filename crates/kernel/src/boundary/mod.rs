@@ -72,6 +72,11 @@ pub enum BoundaryError {
         /// The loop.
         of_loop: usize,
     },
+    /// A loop whose every edge is walked both ways, so that it bounds nothing.
+    BoundsNothing {
+        /// The loop.
+        of_loop: usize,
+    },
     /// Two edges that cross or touch.
     Crossing {
         /// The loop.
@@ -111,6 +116,9 @@ impl fmt::Display for BoundaryError {
             }
             Self::OnOneLine { of_loop } => {
                 write!(f, "all samples of {} lie on one straight line", name(of_loop))
+            }
+            Self::BoundsNothing { of_loop } => {
+                write!(f, "{} runs back along itself and bounds nothing", name(of_loop))
             }
             Self::Crossing { of_loop, sample, other_loop, other } if of_loop == other_loop => {
                 let name = name(of_loop);
@@ -343,6 +351,8 @@ mod tests {
             refused(&[SQUARE[0], SQUARE[2], SQUARE[1], SQUARE[3]]),
             E::Crossing { of_loop: 0, sample: 0, other_loop: 0, other: 2 }
         );
+        let there_and_back = [0, 1, 2, 3, 2, 1].map(|i| SQUARE[i]);
+        assert_eq!(refused(&there_and_back), E::BoundsNothing { of_loop: 0 });
         // A figure of eight that passes twice through one sample.
         assert_eq!(
             refused(&[

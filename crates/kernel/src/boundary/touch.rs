@@ -12,7 +12,7 @@ use crate::tolerance::Tolerance;
 const TOUCH: f64 = 1e-9;
 
 /// Refuses a boundary with two samples on one spot, or two edges that touch, unless both belong to
-/// an edge that is walked both ways.
+/// an edge that is walked both ways; and a loop of nothing but such edges.
 pub(super) fn refuse_touching(boundary: &Boundary) -> Result<(), BoundaryError> {
     let edges = Edges::new(boundary);
     let mut worst: Option<(usize, usize, bool)> = None;
@@ -24,7 +24,7 @@ pub(super) fn refuse_touching(boundary: &Boundary) -> Result<(), BoundaryError> 
             worst = Some(found);
         }
     });
-    let Some((i, j, same_spot)) = worst else { return Ok(()) };
+    let Some((i, j, same_spot)) = worst else { return edges.refuse_bounding_nothing() };
     let (other_loop, other) = boundary.within_loop(i);
     let (of_loop, sample) = boundary.within_loop(j);
     Err(if same_spot {
@@ -57,6 +57,23 @@ impl<'a> Edges<'a> {
         self.at(i).distance(self.at(j)) <= self.same
     }
 
+    /// Refuses a loop whose every edge is walked both ways.
+    fn refuse_bounding_nothing(&self) -> Result<(), BoundaryError> {
+        let b = self.boundary;
+        let mut walked_back = vec![false; b.len()];
+        self.for_touching_boxes(self.same, |i, j| {
+            if self.same_spot(i, b.next(j)) && self.same_spot(j, b.next(i)) {
+                (walked_back[i], walked_back[j]) = (true, true);
+            }
+        });
+        let nothing =
+            |range: &std::ops::Range<usize>| walked_back[range.clone()].iter().all(|w| *w);
+        match b.loops().iter().position(nothing) {
+            Some(of_loop) => Err(BoundaryError::BoundsNothing { of_loop }),
+            None => Ok(()),
+        }
+    }
+
     /// Whether samples `i` and `j`, on one spot, lie on an edge that is walked both ways.
     fn on_seam(&self, i: usize, j: usize) -> bool {
         let b = self.boundary;
@@ -69,6 +86,11 @@ impl<'a> Edges<'a> {
     /// Calls `found(i, j, same_spot)` with i < j for samples i, j on one spot and for edges i, j
     /// (which begin at samples i, j) that touch though they share no end.
     fn for_near_pairs(&self, near: f64, mut found: impl FnMut(usize, usize, bool)) {
+        self.for_touching_boxes(near, |i, j| self.look_at(i, j, near, &mut found));
+    }
+
+    /// Calls `visit(i, j)` with i < j for any two edges whose boxes, `near` wider, touch.
+    fn for_touching_boxes(&self, near: f64, mut visit: impl FnMut(usize, usize)) {
         let b = self.boundary;
         let m = b.len();
         let low_high = |i: usize| {
@@ -84,7 +106,7 @@ impl<'a> Edges<'a> {
             for &j in &open {
                 let overlap = boxes[i].0.cmple(boxes[j].1) & boxes[j].0.cmple(boxes[i].1);
                 if overlap.all() {
-                    self.look_at(i.min(j), i.max(j), near, &mut found);
+                    visit(i.min(j), i.max(j));
                 }
             }
             open.push(i);

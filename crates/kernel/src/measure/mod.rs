@@ -39,8 +39,8 @@ pub struct RungMeasures {
     /// How much of the warp angle the sampling can't tell from bending, radians. A rung ends at
     /// samples and not where its ruling would, and on the way to the next sample the tangent plane
     /// turns by the bend: so a perfect cylinder of 24 samples has rungs with a warp angle of 15°.
-    /// It is the sum of the creases, folds aside, at the rung and its neighbours, and falls with
-    /// the spacing of the samples; twist stays.
+    /// It is twice the largest crease, folds aside, of the rung and its neighbours: a step from one
+    /// sample to the next takes two rungs. It falls with the spacing of the samples; twist stays.
     pub resolution: f64,
     /// The angle between the two triangles, radians, positive for a mountain as seen from the side
     /// that the surface faces.
@@ -139,7 +139,7 @@ fn rung_measures(surface: &Surface, prices: &Prices) -> Vec<RungMeasures> {
                 rung,
                 twist: planes.map_or(2.0, |p| p.twist),
                 warp: planes.map_or(std::f64::consts::PI, |p| p.warp()),
-                resolution: bend(n) + around(n).map(bend).sum::<f64>(),
+                resolution: 2.0 * around(n).map(bend).fold(bend(n), f64::max),
                 crease: creases[n],
                 is_fold: is_fold[n],
                 bend_radius_mm: bend_radius(surface, near),

@@ -1,0 +1,213 @@
+//! The command line.
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
+use sheetwright::design::PanelMethod;
+use sheetwright_files::{Format, InputFormat, Paper, ReadOptions, Units};
+use std::path::PathBuf;
+
+const EXAMPLES: &str = "\
+Examples:
+  sheetwright make dinghy.sheet.json --out build
+      Every panel of the design: patterns, surface and report into build/
+  sheetwright make leaf.csv --out build --samples 300 --formats svg,report
+      A closed curve from a spreadsheet, smoothed through its points
+  sheetwright check dinghy.sheet.json
+      Will it bend? The verdict alone
+  sheetwright convert leaf.csv leaf.sheet.json
+      A curve table becomes a design to go on with
+
+Exit status:
+  0  done, and no finding is an error
+  1  done, and some finding is an error: a panel will not bend, or overlaps itself
+  2  the input or the call can't be used; nothing is written";
+
+const MAKE_EXAMPLES: &str = "\
+Examples:
+  sheetwright make dinghy.sheet.json --out build
+  sheetwright make leaf.csv --out build --units in --samples 300
+  generate-curve | sheetwright make - --from csv --out build
+  sheetwright make dinghy.sheet.json --out build --json --formats dxf,report";
+
+const CHECK_EXAMPLES: &str = "\
+Examples:
+  sheetwright check dinghy.sheet.json
+  sheetwright check leaf.csv --samples 300 --method bridge
+  sheetwright check dinghy.sheet.json --json";
+
+const CONVERT_EXAMPLES: &str = "\
+Examples:
+  sheetwright convert leaf.csv leaf.sheet.json        a table becomes a design
+  sheetwright convert dinghy.sheet.json curves.csv    the points of its curves
+  sheetwright convert dinghy.sheet.json dinghy.obj    all surfaces; also .pdf, .html, .json
+  sheetwright convert leaf.csv leaf.dxf               the pattern of a single panel; also .svg";
+
+/// From boundary curves to the developable surface that fits them best, and its flat pattern.
+#[derive(Debug, Parser)]
+#[command(name = "sheetwright", version, after_help = EXAMPLES, arg_required_else_help = true)]
+pub(crate) struct Cli {
+    /// Make findings and errors machine-readable: JSON, one object a line
+    #[arg(long, global = true)]
+    pub(crate) json: bool,
+    /// Show no progress and no notes
+    #[arg(long, short, global = true)]
+    pub(crate) quiet: bool,
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+/// Everything that the command does.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Make surfaces, flat patterns and a report
+    #[command(after_help = MAKE_EXAMPLES)]
+    Make(MakeArgs),
+    /// Say whether the panels will bend
+    #[command(after_help = CHECK_EXAMPLES)]
+    Check(CheckArgs),
+    /// Turn one format into another, by the endings of the names
+    #[command(after_help = CONVERT_EXAMPLES)]
+    Convert(ConvertArgs),
+    /// Print the completions of a shell
+    Completions {
+        /// The shell
+        shell: Shell,
+    },
+    /// Print the manual page, or that of a command
+    Man {
+        /// The command
+        command: Option<String>,
+    },
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct MakeArgs {
+    #[command(flatten)]
+    pub(crate) source: SourceArgs,
+    /// The folder for the files; it is created if need be, and keeps what is not written
+    #[arg(long, short, value_name = "DIR")]
+    pub(crate) out: PathBuf,
+    /// What flattening makes small where it can't be exact. Every panel that this version makes
+    /// flattens exactly, so it makes no difference yet
+    #[arg(long, value_enum, value_name = "AIM")]
+    pub(crate) aim: Option<Aim>,
+    /// The formats to write, separated by commas [default: all of them]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = format_parser())]
+    pub(crate) formats: Vec<Format>,
+    /// The paper that the PDF is tiled to
+    #[arg(long, value_name = "PAPER", default_value = "a4", value_parser = paper_parser())]
+    pub(crate) paper: Paper,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CheckArgs {
+    #[command(flatten)]
+    pub(crate) source: SourceArgs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ConvertArgs {
+    #[command(flatten)]
+    pub(crate) source: SourceArgs,
+    /// The file to write: .sheet.json (design), .csv (table), .obj, .pdf, .html or .json (report),
+    /// or, of a single panel, .svg or .dxf
+    #[arg(value_name = "OUT")]
+    pub(crate) out: PathBuf,
+    /// The paper that a PDF is tiled to
+    #[arg(long, value_name = "PAPER", default_value = "a4", value_parser = paper_parser())]
+    pub(crate) paper: Paper,
+}
+
+/// What is read, and what is set instead of it.
+#[derive(Debug, Args)]
+pub(crate) struct SourceArgs {
+    /// A design (.sheet.json), a curve table (.csv), or - for standard input
+    #[arg(value_name = "INPUT")]
+    pub(crate) input: PathBuf,
+    /// The format of standard input
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    pub(crate) from: Option<From>,
+    /// Samples of each outer loop or rail; a curve table is smoothed by a spline through its points
+    #[arg(long, value_name = "N")]
+    samples: Option<usize>,
+    /// The weight of the fold price, from 0 (twist alone) to 10
+    #[arg(long, value_name = "NU", allow_negative_numbers = true)]
+    fold: Option<f64>,
+    /// Which triangulations are looked at
+    #[arg(long, value_enum, value_name = "METHOD")]
+    method: Option<MethodArg>,
+    /// The unit of a curve table [default: mm]; a design says its own
+    #[arg(long, value_name = "UNITS", value_parser = units_parser())]
+    units: Option<Units>,
+}
+
+impl SourceArgs {
+    pub(crate) fn options(&self) -> ReadOptions {
+        ReadOptions {
+            samples: self.samples,
+            fold: self.fold,
+            method: self.method.map(|method| match method {
+                MethodArg::Optimal => PanelMethod::Optimal,
+                MethodArg::Bridge => PanelMethod::Bridge,
+                MethodArg::Rails => PanelMethod::Rails,
+            }),
+            units: self.units,
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum From {
+    /// A curve table
+    Csv,
+    /// A design
+    Json,
+}
+
+impl From {
+    pub(crate) fn format(self) -> InputFormat {
+        match self {
+            Self::Csv => InputFormat::Table,
+            Self::Json => InputFormat::Design,
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum MethodArg {
+    /// All of them: the best there is
+    Optimal,
+    /// Those whose every triangle has an edge of the boundary: faster for many samples
+    Bridge,
+    /// Those whose every rung joins the two rails; for panels with rails
+    Rails,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum Aim {
+    /// The mean length error
+    Mean,
+    /// The largest length error
+    Max,
+    /// The error of the seams, which stay exact
+    Seams,
+}
+
+fn format_parser() -> impl TypedValueParser<Value = Format> {
+    let names = Format::ALL.map(Format::name);
+    PossibleValuesParser::new(names)
+        .try_map(|name| Format::from_name(&name).ok_or("this format is not known"))
+}
+
+fn paper_parser() -> impl TypedValueParser<Value = Paper> {
+    let names = Paper::ALL.map(Paper::name);
+    PossibleValuesParser::new(names)
+        .try_map(|name| Paper::from_name(&name).ok_or("this paper is not known"))
+}
+
+fn units_parser() -> impl TypedValueParser<Value = Units> {
+    let names = Units::ALL.map(Units::name);
+    PossibleValuesParser::new(names)
+        .try_map(|name| Units::from_name(&name).ok_or("this unit is not known"))
+}

@@ -1,0 +1,85 @@
+//! `sheetwright convert`: one format to another.
+
+use crate::args::ConvertArgs;
+use crate::failure::Failure;
+use crate::make::made;
+use crate::source;
+use crate::voice::{Voice, found_errors, in_words, say};
+use crate::watcher::Watcher;
+use crate::whole::write_one;
+use sheetwright::curve::CurveKind;
+use sheetwright::design::Design;
+use sheetwright_files::{Format, findings_json, write_design, write_table};
+use std::path::Path;
+
+/// What a file is turned into.
+enum Target {
+    Table,
+    Design,
+    /// A file of this format, whose name ends so.
+    Made(Format, &'static str),
+}
+
+impl Target {
+    fn of(path: &Path) -> Result<Self, Failure> {
+        let name = path.file_name().and_then(|n| n.to_str()).unwrap_or_default().to_lowercase();
+        if name.ends_with(".sheet.json") {
+            return Ok(Self::Design);
+        }
+        match name.rsplit_once('.').map_or("", |(_, ending)| ending) {
+            "csv" => Ok(Self::Table),
+            "obj" => Ok(Self::Made(Format::Obj, ".obj")),
+            "pdf" => Ok(Self::Made(Format::Pdf, ".pdf")),
+            "html" => Ok(Self::Made(Format::Report, ".html")),
+            "json" => Ok(Self::Made(Format::Report, ".json")),
+            "svg" => Ok(Self::Made(Format::Svg, ".svg")),
+            "dxf" => Ok(Self::Made(Format::Dxf, ".dxf")),
+            _ => Err(Failure::new(
+                "the name does not end in a format that is written",
+                "End it in .sheet.json, .csv, .obj, .pdf, .html, .json, .svg or .dxf.",
+            )
+            .at(path.display().to_string())),
+        }
+    }
+}
+
+pub(crate) fn run(args: &ConvertArgs, voice: Voice) -> Result<bool, Failure> {
+    let target = Target::of(&args.out)?;
+    let design = source::design(&args.source)?;
+    match target {
+        Target::Table => write_one(&args.out, &table(&design)?).map(|()| false),
+        Target::Design => write_one(&args.out, &write_design(&design)).map(|()| false),
+        Target::Made(format, ending) => {
+            let single = matches!(format, Format::Svg | Format::Dxf);
+            if single && design.panels.len() > 1 {
+                let message = format!("{ending} is for one panel, and there are several");
+                let hint = "`sheetwright make` writes one file a panel; .pdf takes all of them.";
+                return Err(Failure::new(message, hint).at(args.out.display().to_string()));
+            }
+            let mut watcher = Watcher::new(voice);
+            let input = source::name(&args.source);
+            let (made, outputs) = made(&design, &[format], args.paper, &mut watcher, &input)?;
+            let file = outputs.files.iter().find(|file| file.name.ends_with(ending));
+            let file = file.ok_or_else(|| {
+                Failure::new(format!("no {ending} came out"), "This is a fault of the program.")
+            })?;
+            write_one(&args.out, &file.bytes)?;
+            // The answer is the file; what was found is said beside it.
+            if voice.json {
+                say(&findings_json(&made, &outputs.panels, None));
+            } else if !voice.quiet {
+                say(&in_words(&made, &outputs.panels));
+            }
+            Ok(found_errors(&outputs.panels))
+        }
+    }
+}
+
+fn table(design: &Design) -> Result<Vec<u8>, Failure> {
+    if let Some(curve) = design.curves.iter().find(|c| c.kind == Some(CurveKind::BSpline)) {
+        let message = format!("the points of the curve '{}' do not lie on it", curve.name);
+        let hint = "A table has points of curves, not control points: make the curve a spline.";
+        return Err(Failure::new(message, hint));
+    }
+    Ok(write_table(&design.curves))
+}

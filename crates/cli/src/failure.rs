@@ -1,0 +1,83 @@
+//! Why a command can't do what was asked: what, where, and what to do.
+
+use clap::error::ErrorKind;
+use sheetwright::design::MakeError;
+use sheetwright_files::{InputError, hint_for};
+use std::io;
+use std::path::Path;
+
+const HELP: &str = "`sheetwright --help` shows the commands with examples.";
+
+/// Why a command can't do what was asked.
+#[derive(Debug)]
+pub(crate) struct Failure {
+    /// What is wrong.
+    pub(crate) message: String,
+    /// Where: a file, with a line or a JSON path.
+    pub(crate) place: Option<String>,
+    /// What to do.
+    pub(crate) hint: String,
+}
+
+impl Failure {
+    pub(crate) fn new(message: impl Into<String>, hint: impl Into<String>) -> Self {
+        Self { message: message.into(), place: None, hint: hint.into() }
+    }
+
+    pub(crate) fn at(mut self, place: impl Into<String>) -> Self {
+        self.place = Some(place.into());
+        self
+    }
+
+    /// A design that can't be made. `input` is what it was read from.
+    pub(crate) fn of_make(error: &MakeError, input: &str) -> Self {
+        Self::new(error.to_string(), hint_for(error)).at(input)
+    }
+
+    /// A file that can't be written.
+    pub(crate) fn of_write(path: &Path, error: &io::Error) -> Self {
+        let (message, hint) = match error.kind() {
+            io::ErrorKind::PermissionDenied => {
+                ("it may not be written".to_owned(), "Check the permissions of the folder.")
+            }
+            io::ErrorKind::NotFound => {
+                ("there is no such folder".to_owned(), "Create it, or check the spelling.")
+            }
+            io::ErrorKind::StorageFull => {
+                ("the disk is full".to_owned(), "Make room, or write to another disk.")
+            }
+            _ => (format!("it can't be written: {error}"), "Check the path and the disk."),
+        };
+        Self::new(message, hint).at(path.display().to_string())
+    }
+
+    /// A call that the command line does not take.
+    pub(crate) fn of_call(error: &clap::Error) -> Self {
+        if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+            return Self::new("no command is given", HELP);
+        }
+        let text = error.render().to_string();
+        // The first block says what is wrong, in one or more lines; tips may follow.
+        let block = text.split("\n\n").next().unwrap_or_default();
+        let words: Vec<&str> = block.split_whitespace().collect();
+        let message = words.join(" ");
+        let message = message.strip_prefix("error: ").unwrap_or(&message).to_owned();
+        // Nobody who mistypes an option wants to pass it as a value.
+        let tips: Vec<&str> = text
+            .lines()
+            .filter_map(|line| line.trim().strip_prefix("tip: "))
+            .filter(|tip| !tip.starts_with("to pass "))
+            .collect();
+        let mut hint = tips.join("; ");
+        if hint.is_empty() {
+            hint = HELP.to_owned();
+        }
+        Self::new(message, hint)
+    }
+}
+
+impl From<InputError> for Failure {
+    fn from(error: InputError) -> Self {
+        Self { message: error.message, place: error.place, hint: error.hint }
+    }
+}

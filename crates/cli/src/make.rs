@@ -1,0 +1,77 @@
+//! `sheetwright make`: every file of a design.
+
+use crate::args::{Aim, MakeArgs};
+use crate::failure::Failure;
+use crate::source;
+use crate::voice::{Voice, found_errors, in_words, print};
+use crate::watcher::Watcher;
+use crate::whole::Folder;
+use sheetwright::design::{Design, Made, make};
+use sheetwright_files::{Format, Outputs, Paper, findings_json, output_files, timing_json};
+use std::time::Instant;
+
+const FAULT: &str = "This is a fault of the program: please report it with the input.";
+
+pub(crate) fn run(args: &MakeArgs, voice: Voice) -> Result<bool, Failure> {
+    let formats: Vec<Format> = Format::ALL
+        .into_iter()
+        .filter(|format| args.formats.is_empty() || args.formats.contains(format))
+        .collect();
+    let start = Instant::now();
+    let design = source::design(&args.source)?;
+    // What can't be written to is said before anybody waits.
+    let folder = Folder::new(&args.out)?;
+    if let Some(aim) = args.aim {
+        voice.note(&aim_note(aim));
+    }
+    let mut watcher = Watcher::new(voice);
+    let input = source::name(&args.source);
+    let (made, outputs) = made(&design, &formats, args.paper, &mut watcher, &input)?;
+    let mut names: Vec<String> = outputs.files.iter().map(|file| file.name.clone()).collect();
+
+    let mut batch = folder.batch()?;
+    for file in &outputs.files {
+        batch.add(&file.name, &file.bytes)?;
+    }
+    if formats.contains(&Format::Report) {
+        const TIMING: &str = "timing.json";
+        let times = watcher.times(&design);
+        batch.add(TIMING, &timing_json(&times, start.elapsed().as_secs_f64()))?;
+        names.push(TIMING.to_owned());
+    }
+    batch.keep()?;
+    let answer = if voice.json {
+        findings_json(&made, &outputs.panels, Some(&names))
+    } else {
+        in_words(&made, &outputs.panels)
+    };
+    print(&answer)?;
+    voice.note(&format!("{} files written to {}", names.len(), args.out.display()));
+    Ok(found_errors(&outputs.panels))
+}
+
+/// A design, made, and its files in memory.
+pub(crate) fn made(
+    design: &Design,
+    formats: &[Format],
+    paper: Paper,
+    watcher: &mut Watcher,
+    input: &str,
+) -> Result<(Made, Outputs), Failure> {
+    let made = make(design, watcher);
+    watcher.end();
+    let made = made.map_err(|error| Failure::of_make(&error, input))?;
+    watcher.begin_writing();
+    let outputs = output_files(&made, formats, paper)
+        .map_err(|e| Failure::new(e.to_string(), FAULT).at(input))?;
+    Ok((made, outputs))
+}
+
+fn aim_note(aim: Aim) -> String {
+    let aim = match aim {
+        Aim::Mean => "mean",
+        Aim::Max => "max",
+        Aim::Seams => "seams",
+    };
+    format!("note: every panel is flattened exactly, so --aim {aim} makes no difference")
+}

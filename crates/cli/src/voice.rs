@@ -1,0 +1,80 @@
+//! What the command says: answers on standard output, everything else on standard error.
+
+use crate::failure::Failure;
+use sheetwright::check::{Checked, Severity, Verdict};
+use sheetwright::design::Made;
+use sheetwright_files::error_json;
+use std::io::{self, Write};
+
+/// How the command speaks.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Voice {
+    /// In JSON rather than in words.
+    pub(crate) json: bool,
+    /// Without progress and notes.
+    pub(crate) quiet: bool,
+}
+
+impl Voice {
+    /// Says why the command can't do what was asked.
+    pub(crate) fn fail(self, failure: &Failure) {
+        let Failure { message, place, hint } = failure;
+        say(&if self.json {
+            error_json(message, place.as_deref(), hint)
+        } else {
+            let place = place.as_ref().map_or(String::new(), |place| format!("{place}: "));
+            format!("error: {place}{message}\nhint: {hint}\n")
+        });
+    }
+
+    /// Says something about the work, unless silence is asked for.
+    pub(crate) fn note(self, text: &str) {
+        if !self.quiet && !self.json {
+            say(&format!("{text}\n"));
+        }
+    }
+}
+
+/// Writes to standard error. If nobody can hear it, there is nobody to tell.
+pub(crate) fn say(text: &str) {
+    let _ = io::stderr().lock().write_all(text.as_bytes());
+}
+
+/// Writes to standard output. A reader that has seen enough and left is no failure.
+pub(crate) fn print(text: &str) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::new(
+            format!("standard output can't be written: {error}"),
+            "Check where it leads to.",
+        )),
+        _ => Ok(()),
+    }
+}
+
+/// The verdict on every panel in words, each followed by its findings, one a line.
+pub(crate) fn in_words(made: &Made, panels: &[Checked]) -> String {
+    let mut text = String::new();
+    for (panel, checked) in made.panels.iter().zip(panels) {
+        let verdict = match checked.verdict {
+            Verdict::Bends => "bends",
+            Verdict::BendsAndFolds => "bends, with sharp folds",
+            Verdict::BendsWithForce => "bends with some force",
+            Verdict::WillNotBend => "will not bend",
+        };
+        text.push_str(&format!("{}: {verdict}\n", panel.name));
+        for finding in &checked.findings {
+            let place = match finding.place.as_str() {
+                "" => String::new(),
+                place => format!(" ({place})"),
+            };
+            text.push_str(&format!("  {}: {}{place}\n", finding.severity.name(), finding.text));
+        }
+    }
+    text
+}
+
+/// Whether some finding is an error.
+pub(crate) fn found_errors(panels: &[Checked]) -> bool {
+    panels.iter().flat_map(|p| &p.findings).any(|finding| finding.severity == Severity::Error)
+}

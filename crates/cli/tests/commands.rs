@@ -1,0 +1,350 @@
+//! The command as scripts use it: exit statuses, streams, JSON, conversions, whole files.
+
+#![allow(clippy::unwrap_used, reason = "a test that can't go on fails")]
+
+use serde_json::Value;
+use std::fs;
+use std::io::{Read, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+/// A flat square with a corner at every row.
+const SQUARE: &str = "x,y,z,corner\n0,0,0,1\n100,0,0,1\n100,100,0,1\n0,100,0,1\n";
+/// A strip 4 by 1, rounded at its ends and turned by 90°: no sheet bends to that.
+const TWISTED: &str = r#"{ "sheetwright": 1, "name": "twisted", "curves": {
+    "rim": { "kind": "spline", "closed": true, "points": [
+        [0,-50,0], [100,-46,-19], [200,-35,-35], [300,-19,-46], [400,0,-50], [430,0,0],
+        [400,0,50], [300,19,46], [200,35,35], [100,46,19], [0,50,0], [-30,0,0]] } },
+  "panels": [{ "name": "seat", "boundary": ["rim"], "samples": 60 }] }"#;
+const TWO_PANELS: &str = r#"{ "sheetwright": 1, "curves": {
+    "a": { "kind": "polyline", "points": [[0,0,0], [100,0,0]] },
+    "b": { "kind": "polyline", "points": [[0,50,0], [100,50,0]] },
+    "c": { "kind": "spline", "points": [[0,90,0], [50,100,10], [100,90,0]] } },
+  "panels": [{ "name": "one", "rails": ["a", "b"], "samples": 9 },
+             { "name": "two", "rails": ["b", "-c"], "samples": 9, "method": "rails" }] }"#;
+
+struct Desk(tempfile::TempDir);
+
+impl Desk {
+    fn new(files: &[(&str, &str)]) -> Self {
+        let desk = Self(tempfile::tempdir().unwrap());
+        for (name, text) in files {
+            fs::write(desk.path(name), text).unwrap();
+        }
+        desk
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    fn command(&self, args: &str) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_sheetwright"));
+        command.current_dir(self.0.path()).args(args.split_whitespace()).stdin(Stdio::null());
+        command
+    }
+
+    fn run(&self, args: &str) -> Output {
+        self.command(args).output().unwrap()
+    }
+
+    /// Runs a call that must end with `status`; what it says on both streams.
+    fn says(&self, args: &str, status: i32) -> (String, String) {
+        let output = self.run(args);
+        let texts = (text(&output.stdout), text(&output.stderr));
+        assert_eq!(output.status.code(), Some(status), "{args}: {texts:?}");
+        texts
+    }
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+fn names_in(folder: &Path) -> Vec<String> {
+    let mut names: Vec<String> = fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn the_exit_status_says_how_it_went() {
+    let desk = Desk::new(&[("square.csv", SQUARE), ("twisted.sheet.json", TWISTED)]);
+    let (words, _) = desk.says("check square.csv", 0);
+    assert_eq!(words, "square: bends\n");
+    let (words, _) = desk.says("check twisted.sheet.json", 1);
+    assert!(words.starts_with("seat: will not bend\n  error: "), "{words}");
+    desk.says("make twisted.sheet.json --out out", 1);
+    // Files are written all the same: the pattern shows what is wrong.
+    assert!(desk.path("out/report.json").exists());
+    desk.says("check nothing.csv", 2);
+    desk.says("chek square.csv", 2);
+    desk.says("", 2);
+    desk.says("--help", 0);
+    desk.says("--version", 0);
+}
+
+#[test]
+fn make_writes_every_format_or_those_asked_for() {
+    let desk = Desk::new(&[("two.sheet.json", TWO_PANELS)]);
+    desk.says("make two.sheet.json --out deep/er", 0);
+    let all = [
+        "one.dxf",
+        "one.svg",
+        "pattern.pdf",
+        "report.html",
+        "report.json",
+        "surface.obj",
+        "timing.json",
+        "two.dxf",
+        "two.svg",
+    ];
+    assert_eq!(names_in(&desk.path("deep/er")), all);
+    desk.says("make two.sheet.json --out few --formats dxf,obj", 0);
+    assert_eq!(names_in(&desk.path("few")), ["one.dxf", "surface.obj", "two.dxf"]);
+}
+
+#[test]
+fn the_same_input_gives_the_same_bytes() {
+    let desk = Desk::new(&[("two.sheet.json", TWO_PANELS)]);
+    desk.says("make two.sheet.json --out first", 0);
+    desk.says("make two.sheet.json --out second --quiet", 0);
+    let names = names_in(&desk.path("first"));
+    assert_eq!(names, names_in(&desk.path("second")));
+    for name in names.iter().filter(|name| *name != "timing.json") {
+        let bytes = |folder: &str| fs::read(desk.path(folder).join(name)).unwrap();
+        assert_eq!(bytes("first"), bytes("second"), "{name}");
+    }
+}
+
+#[test]
+fn times_stand_in_a_file_of_their_own() {
+    let desk = Desk::new(&[("two.sheet.json", TWO_PANELS)]);
+    desk.says("make two.sheet.json --out out", 0);
+    let times: Value =
+        serde_json::from_slice(&fs::read(desk.path("out/timing.json")).unwrap()).unwrap();
+    let panels = times["panels"].as_array().unwrap();
+    assert_eq!(panels.len(), 2);
+    assert_eq!(panels[1]["name"], "two");
+    let mut sum = 0.0;
+    for panel in panels {
+        for field in ["solve", "vary", "flatten", "write"] {
+            let seconds = panel[field].as_f64().unwrap();
+            assert!((0.0..100.0).contains(&seconds));
+            sum += seconds;
+        }
+        assert_eq!(panel["vary"], 0.0);
+        assert!(panel["solve"].as_f64().unwrap() > 0.0);
+    }
+    assert!(times["total"].as_f64().unwrap() >= sum * 0.999);
+}
+
+#[test]
+fn an_existing_folder_keeps_what_is_not_written() {
+    let desk = Desk::new(&[("square.csv", SQUARE)]);
+    fs::create_dir(desk.path("out")).unwrap();
+    fs::write(desk.path("out/notes.txt"), "mine").unwrap();
+    fs::write(desk.path("out/surface.obj"), "old").unwrap();
+    desk.says("make square.csv --out out --formats obj", 0);
+    assert_eq!(names_in(&desk.path("out")), ["notes.txt", "surface.obj"]);
+    assert_eq!(fs::read(desk.path("out/notes.txt")).unwrap(), b"mine");
+    assert_ne!(fs::read(desk.path("out/surface.obj")).unwrap(), b"old");
+}
+
+#[test]
+fn nothing_is_written_where_something_can_not_be() {
+    let desk = Desk::new(&[("square.csv", SQUARE), ("taken", "")]);
+    let (_, error) = desk.says("make square.csv --out taken", 2);
+    assert!(error.starts_with("error: taken: this is no folder\nhint: "), "{error}");
+    // A folder with the name of a file of the run.
+    fs::create_dir_all(desk.path("out/report.json")).unwrap();
+    let (_, error) = desk.says("make square.csv --out out", 2);
+    assert!(error.contains("report.json: a folder has this name"), "{error}");
+    assert_eq!(names_in(&desk.path("out")), ["report.json"]);
+    desk.says("make square.csv --out taken/deeper", 2);
+    let (_, error) = desk.says("convert square.csv nowhere/square.obj", 2);
+    assert!(error.contains("there is no such folder"), "{error}");
+}
+
+#[cfg(unix)]
+#[test]
+fn files_are_as_open_to_others_as_any_new_file() {
+    use std::os::unix::fs::PermissionsExt;
+    let desk = Desk::new(&[("square.csv", SQUARE)]);
+    desk.says("make square.csv --out out --formats obj", 0);
+    let mode = |name: &str| fs::metadata(desk.path(name)).unwrap().permissions().mode();
+    assert_eq!(mode("out/surface.obj"), mode("square.csv"));
+}
+
+#[test]
+fn json_is_for_machines() {
+    let desk = Desk::new(&[("two.sheet.json", TWO_PANELS), ("twisted.sheet.json", TWISTED)]);
+    let (out, err) = desk.says("check twisted.sheet.json --json", 1);
+    let found: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!((out.lines().count(), err.as_str()), (1, ""));
+    assert_eq!(found["name"], "twisted");
+    assert_eq!(found["panels"][0]["verdict"], "will-not-bend");
+    assert_eq!(found["panels"][0]["findings"][0]["severity"], "error");
+    assert_eq!(found["panels"][0]["findings"][0]["code"], "warp-too-large");
+    assert_eq!(found.get("files"), None);
+
+    let (out, _) = desk.says("--json make two.sheet.json --out out --formats svg", 0);
+    let found: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(found["files"], serde_json::json!(["one.svg", "two.svg"]));
+
+    let (out, err) = desk.says("check nothing.csv --json", 2);
+    let error: Value = serde_json::from_str(&err).unwrap();
+    assert_eq!(out, "");
+    assert_eq!(error["error"], "there is no such file");
+    assert_eq!(error["where"], "nothing.csv");
+    assert!(error["hint"].as_str().unwrap().ends_with('.'));
+    let (_, err) = desk.says("make --json", 2);
+    assert!(serde_json::from_str::<Value>(&err).unwrap()["error"].is_string());
+}
+
+#[test]
+fn standard_input_is_an_input() {
+    let desk = Desk::new(&[]);
+    let feed = |args: &str, input: &str| {
+        let mut command = desk.command(args);
+        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut child = command.spawn().unwrap();
+        child.stdin.take().unwrap().write_all(input.as_bytes()).unwrap();
+        child.wait_with_output().unwrap()
+    };
+    let output = feed("check - --from csv", SQUARE);
+    assert_eq!((output.status.code(), text(&output.stdout).as_str()), (Some(0), "panel: bends\n"));
+    let output = feed("make - --from json --out out --formats svg", TWO_PANELS);
+    assert_eq!(output.status.code(), Some(0));
+    assert_eq!(names_in(&desk.path("out")), ["one.svg", "two.svg"]);
+    let output = feed("check - --from csv", "x,y,z\n1,2\n");
+    assert!(text(&output.stderr).starts_with("error: standard input:2: the row has 2 values"));
+    let table = r#"{ "sheetwright": 1, "curves": { "a": { "kind": "spline", "table": "a.csv" } },
+        "panels": [] }"#;
+    let output = feed("check - --from json", table);
+    assert!(text(&output.stderr).contains("curves.a.table: a design from standard input"));
+}
+
+#[test]
+fn conversions_come_back() {
+    let desk = Desk::new(&[("leaf.csv", SQUARE), ("two.sheet.json", TWO_PANELS)]);
+    // A table, a design, and the same table again.
+    desk.says("convert leaf.csv leaf.sheet.json", 0);
+    desk.says("convert leaf.sheet.json once.csv", 0);
+    desk.says("convert once.csv again.sheet.json", 0);
+    desk.says("convert again.sheet.json twice.csv", 0);
+    let read = |name: &str| fs::read_to_string(desk.path(name)).unwrap();
+    assert_eq!(read("once.csv"), read("twice.csv"));
+    assert!(read("once.csv").starts_with("curve,x,y,z,corner\noutline,0,0,0,1\n"));
+    let verdict = |name: &str| desk.says(&format!("check {name} --json"), 0).0;
+    assert_eq!(verdict("leaf.csv"), verdict("leaf.sheet.json"));
+    // A design, written anew, is the same design.
+    desk.says("convert two.sheet.json anew.sheet.json", 0);
+    desk.says("convert anew.sheet.json twice.sheet.json", 0);
+    assert_eq!(read("anew.sheet.json"), read("twice.sheet.json"));
+    let (words, _) = desk.says("check two.sheet.json", 0);
+    assert_eq!(words, desk.says("check anew.sheet.json", 0).0);
+}
+
+#[test]
+fn conversions_write_what_make_writes() {
+    let desk = Desk::new(&[("leaf.csv", SQUARE), ("two.sheet.json", TWO_PANELS)]);
+    desk.says("make leaf.csv --out out", 0);
+    for (out, file) in [
+        ("a.obj", "surface.obj"),
+        ("a.pdf", "pattern.pdf"),
+        ("a.html", "report.html"),
+        ("a.json", "report.json"),
+        ("a.svg", "leaf.svg"),
+        ("a.dxf", "leaf.dxf"),
+    ] {
+        desk.says(&format!("convert leaf.csv {out}"), 0);
+        let made = fs::read(desk.path("out").join(file)).unwrap();
+        assert_eq!(fs::read(desk.path(out)).unwrap(), made, "{out}");
+    }
+    let (_, error) = desk.says("convert two.sheet.json two.svg", 2);
+    assert!(error.contains("`sheetwright make` writes one file a panel"), "{error}");
+    assert!(!desk.path("two.svg").exists());
+    let (_, error) = desk.says("convert leaf.csv leaf.step", 2);
+    assert!(error.contains("hint: End it in .sheet.json, .csv"), "{error}");
+}
+
+#[test]
+fn line_ends_and_marks_of_other_systems_are_fine() {
+    let desk = Desk::new(&[
+        ("plain.csv", SQUARE),
+        ("crlf.csv", &SQUARE.replace('\n', "\r\n")),
+        ("bom.csv", &format!("\u{feff}{SQUARE}")),
+        ("bom.sheet.json", &format!("\u{feff}{TWO_PANELS}")),
+    ]);
+    for name in ["plain", "crlf", "bom"] {
+        desk.says(&format!("convert {name}.csv {name}-out.csv"), 0);
+    }
+    let read = |name: &str| fs::read(desk.path(name)).unwrap();
+    assert_eq!(read("plain-out.csv"), read("crlf-out.csv"));
+    assert_eq!(read("plain-out.csv"), read("bom-out.csv"));
+    desk.says("check bom.sheet.json", 0);
+}
+
+#[test]
+fn what_the_call_sets_comes_before_what_the_input_says() {
+    let desk = Desk::new(&[("leaf.csv", SQUARE), ("two.sheet.json", TWO_PANELS)]);
+    desk.says("convert leaf.csv inches.csv --units in", 0);
+    let table = fs::read_to_string(desk.path("inches.csv")).unwrap();
+    assert!(table.contains("outline,2540,2540,0,1\n"), "{table}");
+    desk.says("convert two.sheet.json set.sheet.json --samples 5 --method bridge --fold 2.5", 0);
+    let design = fs::read_to_string(desk.path("set.sheet.json")).unwrap();
+    let panel = "\"samples\": 5, \"method\": \"bridge\", \"plane\": \"auto\", \"fold\": 2.5";
+    assert_eq!(design.matches(panel).count(), 2, "{design}");
+    let (_, note) = desk.says("make leaf.csv --out out --aim max", 0);
+    assert!(note.contains("--aim max makes no difference"), "{note}");
+    let (_, note) = desk.says("make leaf.csv --out out --aim max --quiet", 0);
+    assert_eq!(note, "");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_reader_that_leaves_is_no_failure() {
+    let desk = Desk::new(&[("square.csv", SQUARE)]);
+    for args in ["--help", "completions bash", "man", "check square.csv"] {
+        let mut command = desk.command(args);
+        let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        // Nobody reads from the pipe any more when the command writes to it, or soon after.
+        drop(child.stdout.take());
+        let mut said = String::new();
+        child.stderr.take().unwrap().read_to_string(&mut said).unwrap();
+        assert_eq!((child.wait().unwrap().code(), said.as_str()), (Some(0), ""), "{args}");
+    }
+}
+
+#[test]
+fn shells_and_manuals_know_the_commands() {
+    let desk = Desk::new(&[]);
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        assert!(desk.says(&format!("completions {shell}"), 0).0.contains("convert"), "{shell}");
+    }
+    assert!(desk.says("man", 0).0.contains("sheetwright"));
+    // Manual pages have their hyphens behind backslashes.
+    assert!(desk.says("man make", 0).0.replace('\\', "").contains("--formats"));
+    let (_, error) = desk.says("man mkae", 2);
+    assert!(error.contains("there is no command 'mkae'"), "{error}");
+}
+
+#[test]
+fn the_examples_can_be_made() {
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    let desk = Desk::new(&[]);
+    for (name, status) in [
+        ("leaf.csv", 0),
+        ("square-to-round.sheet.json", 0),
+        // Its bottom twists by more than plate takes, as the hull was not drawn developable.
+        ("ubc-fishing-vessel.sheet.json", 1),
+    ] {
+        let mut command = desk.command("check");
+        let output = command.arg(examples.join(name)).output().unwrap();
+        assert_eq!(output.status.code(), Some(status), "{name}: {}", text(&output.stderr));
+    }
+}

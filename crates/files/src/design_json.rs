@@ -1,1 +1,0 @@
-//! Designs (`*.sheet.json`): JSON to a kernel design and back.

@@ -1,0 +1,370 @@
+//! A design from its file's types to the kernel's.
+
+use super::grammar::{
+    CurveFile, DesignFile, KindName, MethodName, Object, PanelFile, PlaneFile, PlaneName, PointFile,
+};
+use super::table_path::Tables;
+use super::wrong_version;
+use crate::input::{InputError, ReadOptions, stem};
+use crate::names::{
+    did_you_mean, folded, refused_anywhere, refused_for_curve, refused_for_file, shown,
+};
+use crate::table::{MAX_CURVES, RANGE_HINT, in_range_mm};
+use crate::units::Units;
+use sheetwright::boundary::{MAX_SAMPLES, PlaneChoice};
+use sheetwright::cost::{MAX_FOLD, PriceOptions};
+use sheetwright::curve::{CurveKind, CurvePoint};
+use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape};
+use sheetwright::material::{MATERIALS, Material};
+use sheetwright::math::{Point3, Vec3};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// Samples of each rail unless the design says: a ruling every half per cent of the length, finer
+/// than hands can mark, in well under a second.
+const RAIL_SAMPLES: usize = 200;
+/// Samples of an outer loop unless the design says: as many as two rails have.
+const LOOP_SAMPLES: usize = 400;
+/// A design has this many panels, and a panel this many uses of curves, at the most.
+const MAX_PANELS: usize = MAX_CURVES;
+const VARY_HINT: &str = "Leave it out: this version keeps every sample where the curves put it.";
+
+/// Where a design comes from, and what the caller sets instead of it.
+pub(super) struct Source<'a> {
+    /// The file's name, or `-`.
+    pub(super) name: &'a str,
+    /// How messages name it.
+    pub(super) place: &'a str,
+    /// The folder of its tables.
+    pub(super) folder: Option<&'a Path>,
+    /// What the caller sets.
+    pub(super) options: &'a ReadOptions,
+}
+
+impl Source<'_> {
+    /// An error at a JSON path.
+    pub(super) fn error(
+        &self,
+        path: &str,
+        message: impl Into<String>,
+        hint: impl Into<String>,
+    ) -> InputError {
+        InputError::at(format!("{}: {path}", self.place), message, hint)
+    }
+}
+
+pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, InputError> {
+    if let Some(error) = wrong_version(file.sheetwright, source.place) {
+        return Err(error);
+    }
+    if file.vary.is_some() {
+        return Err(source.error("vary", "samples can't be varied yet", VARY_HINT));
+    }
+    let name = match file.name {
+        None => stem(source.name),
+        Some(name) => match refused_anywhere(&name) {
+            None => name,
+            Some(why) => {
+                let message = format!("the name {} {why}", shown(&name));
+                return Err(source.error("name", message, "Give it a short name in one line."));
+            }
+        },
+    };
+    let material = match file.material {
+        None => None,
+        Some(wanted) => Some(Material::named(&wanted).ok_or_else(|| {
+            let known: Vec<&str> = MATERIALS.iter().map(|m| m.name).collect();
+            let message = format!("the material {} is not known", shown(&wanted));
+            source.error("material", message, did_you_mean(&wanted, &known))
+        })?),
+    };
+    let curves = curves(file.curves.0, file.units, source)?;
+    let panels = panels(file.panels, &curves, source)?;
+    Ok(Design { name, material, curves, panels })
+}
+
+fn curves(
+    list: Vec<(String, CurveFile)>,
+    units: Units,
+    source: &Source<'_>,
+) -> Result<Vec<DesignCurve>, InputError> {
+    if list.len() > MAX_CURVES {
+        let message = format!("the design has {} curves", list.len());
+        return Err(source.error("curves", message, format!("{MAX_CURVES} are the most.")));
+    }
+    let mut tables = Tables::new(source, units);
+    let mut curves = Vec::with_capacity(list.len());
+    for (name, file) in list {
+        if let Some(why) = refused_for_curve(&name) {
+            let message = format!("the curve's name {} {why}", shown(&name));
+            return Err(source.error("curves", message, "Give it a short name in one line."));
+        }
+        let path = format!("curves.{name}");
+        let kind = match file.kind {
+            KindName::Polyline => Some(CurveKind::Polyline),
+            KindName::Spline => Some(CurveKind::Spline),
+            KindName::BSpline => Some(CurveKind::BSpline),
+            KindName::Samples => None,
+        };
+        let points = match (file.points, file.table) {
+            (Some(points), None) if file.curve.is_none() => points
+                .0
+                .into_iter()
+                .enumerate()
+                .map(|(n, point)| {
+                    let path = || format!("{path}.points[{n}]");
+                    curve_point(&point, units, source, &path)
+                })
+                .collect::<Result<Vec<CurvePoint>, InputError>>()?,
+            (None, Some(table)) => {
+                tables.points(&table, file.curve.as_deref(), file.closed, &path)?
+            }
+            (Some(_), None) => {
+                let message = "`curve` names a curve of a table, and there is no `table`";
+                return Err(source.error(&format!("{path}.curve"), message, "Leave it out."));
+            }
+            (Some(_), Some(_)) => {
+                let message = "the curve has both `points` and a `table`";
+                return Err(source.error(&path, message, "Keep one of the two."));
+            }
+            (None, None) => {
+                let message = "the curve has neither `points` nor a `table`";
+                let hint = "Add \"points\": [[x, y, z], …] or \"table\": \"offsets.csv\".";
+                return Err(source.error(&path, message, hint));
+            }
+        };
+        curves.push(DesignCurve { name, kind, closed: file.closed, points });
+    }
+    Ok(curves)
+}
+
+fn curve_point(
+    point: &PointFile,
+    units: Units,
+    source: &Source<'_>,
+    path: &dyn Fn() -> String,
+) -> Result<CurvePoint, InputError> {
+    let (xyz, corner, movable) = match point {
+        PointFile::Bare(xyz) => (xyz, false, 0.0),
+        PointFile::Full(full) => (&full.at.0, full.corner, full.movable),
+    };
+    let mut mm = [0.0; 3];
+    for (n, &number) in xyz.iter().enumerate() {
+        mm[n] = in_range_mm(number, units).ok_or_else(|| {
+            let message = format!("the coordinate {number:e} {} is out of range", units.name());
+            source.error(&path(), message, RANGE_HINT)
+        })?;
+    }
+    if in_range_mm(movable, units).is_none_or(|mm| mm < 0.0) {
+        let message = format!("the point may move by {movable} {}", units.name());
+        let hint = "Write a distance, or 0 where it is fixed.";
+        return Err(source.error(&format!("{}.move", path()), message, hint));
+    }
+    Ok(CurvePoint { at: Point3::new(mm[0], mm[1], mm[2]), corner })
+}
+
+fn panels(
+    list: Vec<Object<PanelFile>>,
+    curves: &[DesignCurve],
+    source: &Source<'_>,
+) -> Result<Vec<DesignPanel>, InputError> {
+    if list.len() > MAX_PANELS {
+        let message = format!("the design has {} panels", list.len());
+        return Err(source.error("panels", message, format!("{MAX_PANELS} are the most.")));
+    }
+    let known: BTreeMap<&str, &DesignCurve> = curves.iter().map(|c| (c.name.as_str(), c)).collect();
+    let mut earlier: BTreeMap<String, usize> = BTreeMap::new();
+    let mut panels = Vec::with_capacity(list.len());
+    for (n, Object(file)) in list.into_iter().enumerate() {
+        let path = format!("panels[{n}]");
+        if let Some(why) = refused_for_file(&file.name) {
+            let message = format!("the panel's name {} {why}", shown(&file.name));
+            let hint = "Its files are named after it, on every system: letters, digits, spaces, \
+                        - and _ are safe.";
+            return Err(source.error(&format!("{path}.name"), message, hint));
+        }
+        if let Some(other) = earlier.insert(folded(&file.name), n) {
+            let message = format!("the name {} is that of panels[{other}] too", shown(&file.name));
+            let hint = "Give each panel a name of its own; upper and lower case count as one, as \
+                        on many disks.";
+            return Err(source.error(&format!("{path}.name"), message, hint));
+        }
+        panels.push(PanelReader { path: &path, known: &known, source }.panel(file)?);
+    }
+    Ok(panels)
+}
+
+struct PanelReader<'a> {
+    path: &'a str,
+    known: &'a BTreeMap<&'a str, &'a DesignCurve>,
+    source: &'a Source<'a>,
+}
+
+impl PanelReader<'_> {
+    fn error(
+        &self,
+        field: &str,
+        message: impl Into<String>,
+        hint: impl Into<String>,
+    ) -> InputError {
+        self.source.error(&format!("{}{field}", self.path), message, hint)
+    }
+
+    fn panel(&self, file: PanelFile) -> Result<DesignPanel, InputError> {
+        if file.vary.is_some() {
+            return Err(self.error(".vary", "samples can't be varied yet", VARY_HINT));
+        }
+        let shape = self.shape(file.rails, file.boundary, file.holes)?;
+        self.refuse_many_points(&shape)?;
+        let options = self.source.options;
+        let method = options.method.unwrap_or(match file.method {
+            None | Some(MethodName::Optimal) => PanelMethod::Optimal,
+            Some(MethodName::Bridge) => PanelMethod::Bridge,
+            Some(MethodName::Rails) => PanelMethod::Rails,
+        });
+        let plane = match file.plane {
+            None | Some(PlaneFile::Named(PlaneName::Auto)) => PlaneChoice::Auto,
+            Some(PlaneFile::Named(PlaneName::None)) => PlaneChoice::None,
+            Some(PlaneFile::Normal([x, y, z])) => PlaneChoice::Normal(Vec3::new(x, y, z)),
+        };
+        Ok(DesignPanel {
+            name: file.name,
+            samples: self.samples(file.samples, &shape)?,
+            shape,
+            method,
+            plane,
+            fold: self.fold(file.fold)?,
+        })
+    }
+
+    fn shape(
+        &self,
+        rails: Option<Vec<String>>,
+        boundary: Option<Vec<String>>,
+        holes: Option<Vec<Vec<String>>>,
+    ) -> Result<PanelShape, InputError> {
+        match (rails, boundary, holes) {
+            (Some(rails), None, None) => {
+                let uses = self.uses(rails, ".rails")?;
+                let found = uses.len();
+                let rails = <[CurveUse; 2]>::try_from(uses).map_err(|_| {
+                    let message = format!("the panel has {found} rails");
+                    let hint = "Name two open curves; a loop of more goes into `boundary`.";
+                    self.error(".rails", message, hint)
+                })?;
+                Ok(PanelShape::Rails(rails))
+            }
+            (None, Some(outer), holes) => {
+                let outer = self.loop_of(outer, ".boundary")?;
+                let holes = holes
+                    .unwrap_or_default()
+                    .into_iter()
+                    .enumerate()
+                    .map(|(n, hole)| self.loop_of(hole, &format!(".holes[{n}]")))
+                    .collect::<Result<Vec<_>, InputError>>()?;
+                Ok(PanelShape::Loops { outer, holes })
+            }
+            (Some(_), None, Some(_)) => {
+                let hint = "Chain the rails and the edges between their ends to a `boundary`.";
+                Err(self.error(".holes", "a panel with rails has no holes", hint))
+            }
+            (Some(_), Some(_), _) => {
+                let message = "the panel has both `rails` and a `boundary`";
+                Err(self.error("", message, "Keep one of the two."))
+            }
+            (None, None, _) => {
+                let message = "the panel has neither `rails` nor a `boundary`";
+                let hint = "Add \"rails\": [\"keel\", \"chine\"] or \"boundary\": [\"rim\"].";
+                Err(self.error("", message, hint))
+            }
+        }
+    }
+
+    fn uses(&self, names: Vec<String>, field: &str) -> Result<Vec<CurveUse>, InputError> {
+        if names.is_empty() {
+            let hint = "Name the curves that make it, in order.";
+            return Err(self.error(field, "the list of curves is empty", hint));
+        }
+        if names.len() > MAX_CURVES {
+            let message = format!("the list names {} curves", names.len());
+            return Err(self.error(field, message, format!("{MAX_CURVES} are the most.")));
+        }
+        let mut uses = Vec::with_capacity(names.len());
+        for (n, written) in names.into_iter().enumerate() {
+            let (name, reversed) = match written.strip_prefix('-') {
+                Some(name) => (name.to_owned(), true),
+                None => (written, false),
+            };
+            if !self.known.contains_key(name.as_str()) {
+                let known: Vec<&str> = self.known.keys().copied().collect();
+                let message = format!("there is no curve {}", shown(&name));
+                let hint = did_you_mean(&name, &known);
+                return Err(self.error(&format!("{field}[{n}]"), message, hint));
+            }
+            uses.push(CurveUse { name, reversed });
+        }
+        Ok(uses)
+    }
+
+    /// The curves of a loop. A seam is run there and back, but a loop that is nothing else encloses
+    /// no sheet.
+    fn loop_of(&self, names: Vec<String>, field: &str) -> Result<Vec<CurveUse>, InputError> {
+        let uses = self.uses(names, field)?;
+        let mut balance: BTreeMap<&str, i64> = BTreeMap::new();
+        for part in &uses {
+            *balance.entry(&part.name).or_default() += if part.reversed { -1 } else { 1 };
+        }
+        if balance.values().all(|&balance| balance == 0) {
+            let message = "the loop runs along each curve there and back, and encloses nothing";
+            let hint = "Name each curve of a loop once; only a seam is named twice.";
+            return Err(self.error(field, message, hint));
+        }
+        Ok(uses)
+    }
+
+    /// A curve may be used many times, and the kernel builds it anew each time.
+    fn refuse_many_points(&self, shape: &PanelShape) -> Result<(), InputError> {
+        let uses: Vec<&CurveUse> = match shape {
+            PanelShape::Rails(rails) => rails.iter().collect(),
+            PanelShape::Loops { outer, holes } => {
+                outer.iter().chain(holes.iter().flatten()).collect()
+            }
+        };
+        let count: usize = uses
+            .iter()
+            .filter_map(|u| self.known.get(u.name.as_str()))
+            .map(|c| c.points.len())
+            .sum();
+        if count > MAX_SAMPLES {
+            let message = format!("the curves of the panel have {count} points together");
+            return Err(self.error("", message, format!("{MAX_SAMPLES} are the most.")));
+        }
+        Ok(())
+    }
+
+    fn samples(&self, written: Option<u64>, shape: &PanelShape) -> Result<usize, InputError> {
+        let default = match shape {
+            PanelShape::Rails(_) => RAIL_SAMPLES,
+            PanelShape::Loops { .. } => LOOP_SAMPLES,
+        };
+        let Some(written) = written else {
+            return Ok(self.source.options.samples.unwrap_or(default));
+        };
+        let within = usize::try_from(written).ok().filter(|&n| n <= MAX_SAMPLES);
+        let samples = within.ok_or_else(|| {
+            let message = format!("{written} samples are asked for");
+            let hint = format!("{MAX_SAMPLES} are the most; a few hundred show most panels well.");
+            self.error(".samples", message, hint)
+        })?;
+        Ok(self.source.options.samples.unwrap_or(samples))
+    }
+
+    fn fold(&self, written: Option<f64>) -> Result<f64, InputError> {
+        let fold = written.unwrap_or(PriceOptions::default().fold);
+        if !(0.0..=MAX_FOLD).contains(&fold) {
+            let message = format!("a fold price of {fold} is asked for");
+            return Err(self.error(".fold", message, "Ask for 0 (twist alone) to 10."));
+        }
+        Ok(self.source.options.fold.unwrap_or(fold))
+    }
+}

@@ -1,0 +1,326 @@
+//! The design as it stands in its file: what serde reads and writes, and the JSON Schema.
+//!
+//! The doc comments of these types are the descriptions in docs/schema/design.schema.json.
+
+use crate::table::MAX_ROWS;
+use crate::units::Units;
+use schemars::JsonSchema;
+use serde::de::{self, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
+use serde::{Deserialize, Serialize};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
+use std::marker::PhantomData;
+
+/// A design of Sheetwright: curves, and the panels between them.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "Sheetwright design")]
+pub(super) struct DesignFile {
+    /// Where this schema lies, for editors; not used otherwise.
+    #[serde(rename = "$schema", default)]
+    #[allow(dead_code, reason = "editors read it, this program does not")]
+    schema: Option<String>,
+    /// The version of this format: 1.
+    #[schemars(range(min = 1, max = 1))]
+    pub(super) sheetwright: u64,
+    /// The design's name. Default: the name of the file without its ending.
+    #[serde(default)]
+    pub(super) name: Option<String>,
+    /// The unit of all points, and of the tables that they are taken from. Default: mm.
+    #[serde(default)]
+    pub(super) units: Units,
+    /// The sheet it is made from, such as `plywood-4mm`. Default: a sheet that takes 6° of warp.
+    #[serde(default)]
+    pub(super) material: Option<String>,
+    /// The curves, by name.
+    #[schemars(with = "BTreeMap<String, CurveFile>")]
+    pub(super) curves: NamedCurves,
+    /// The panels; each becomes a piece of sheet.
+    #[schemars(with = "Vec<PanelFile>")]
+    pub(super) panels: Vec<Object<PanelFile>>,
+    #[serde(default)]
+    #[schemars(skip)]
+    pub(super) vary: Option<IgnoredAny>,
+}
+
+/// A curve. It has `points`, or a `table` that they are taken from.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct CurveFile {
+    /// How the points make the curve.
+    pub(super) kind: KindName,
+    /// Whether it ends where it begins; its last point does not repeat the first. Default: false.
+    #[serde(default)]
+    pub(super) closed: bool,
+    /// Its points, in order.
+    #[serde(default)]
+    #[schemars(with = "Option<Vec<PointFile>>")]
+    pub(super) points: Option<Points>,
+    /// A curve table, by a path relative to the design's folder, at or below it.
+    #[serde(default)]
+    pub(super) table: Option<String>,
+    /// Which curve of the table. Default: the only one.
+    #[serde(default)]
+    pub(super) curve: Option<String>,
+}
+
+/// How points make a curve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum KindName {
+    /// Straight from point to point; every point is a corner.
+    Polyline,
+    /// An interpolating cubic spline: natural at open ends and corners, periodic when closed.
+    Spline,
+    /// A uniform cubic B-spline with the points as control points.
+    BSpline,
+    /// The points of a closed curve are the samples themselves; tangents are central differences.
+    Samples,
+}
+
+/// A point: `[x, y, z]`, or an object that says more.
+#[derive(Debug, JsonSchema)]
+#[schemars(untagged)]
+pub(super) enum PointFile {
+    /// Where it lies.
+    Bare([f64; 3]),
+    /// Where it lies, and more.
+    Full(FullPoint),
+}
+
+/// A point that is a corner, or that may move.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct FullPoint {
+    /// Where it lies: `[x, y, z]`.
+    #[schemars(with = "[f64; 3]")]
+    pub(super) at: Triple,
+    /// Whether the curve has a corner here. Default: false.
+    #[serde(default)]
+    pub(super) corner: bool,
+    /// How far it may be moved; 0 where it is fixed. This version moves no points. Default: 0.
+    #[serde(default, rename = "move")]
+    #[schemars(range(min = 0))]
+    pub(super) movable: f64,
+}
+
+/// A panel. It has two `rails`, or a `boundary` with or without `holes`.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct PanelFile {
+    /// Its name, which its files get.
+    pub(super) name: String,
+    /// Two open curves, which may run either way; straight edges join their ends.
+    #[serde(default)]
+    #[schemars(length(min = 2, max = 2))]
+    pub(super) rails: Option<Vec<String>>,
+    /// Curves chained end to end to the outer loop; `-name` is reversed.
+    #[serde(default)]
+    #[schemars(length(min = 1))]
+    pub(super) boundary: Option<Vec<String>>,
+    /// Loops inside the outer one, each a list of curves.
+    #[serde(default)]
+    pub(super) holes: Option<Vec<Vec<String>>>,
+    /// Samples of the outer loop, or of each rail. Default: 400 of a loop, 200 of a rail.
+    #[serde(default)]
+    #[schemars(range(min = 2, max = 1_000_000))]
+    pub(super) samples: Option<u64>,
+    /// Which triangulations are looked at. Default: optimal.
+    #[serde(default)]
+    pub(super) method: Option<MethodName>,
+    /// The supporting plane: `auto`, `none` or a normal `[x, y, z]`. Default: auto.
+    #[serde(default)]
+    pub(super) plane: Option<PlaneFile>,
+    /// The weight of the fold price; 0 is twist alone. Default: as the documentation argues.
+    #[serde(default)]
+    #[schemars(range(min = 0, max = 10))]
+    pub(super) fold: Option<f64>,
+    #[serde(default)]
+    #[schemars(skip)]
+    pub(super) vary: Option<IgnoredAny>,
+}
+
+/// Which triangulations are looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum MethodName {
+    /// All of them.
+    Optimal,
+    /// Those whose every triangle has an edge of the boundary.
+    Bridge,
+    /// Those whose every rung joins the two rails.
+    Rails,
+}
+
+/// The supporting plane.
+#[derive(Debug, JsonSchema)]
+#[schemars(untagged)]
+pub(super) enum PlaneFile {
+    /// Whether there is one.
+    Named(PlaneName),
+    /// Its normal.
+    Normal([f64; 3]),
+}
+
+/// Whether there is a supporting plane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum PlaneName {
+    /// The best-fit plane, where the boundary projects onto it without crossing itself.
+    Auto,
+    /// None.
+    None,
+}
+
+/// A value that is written as an object. What serde derives would take a list of the fields, too.
+#[derive(Debug)]
+pub(super) struct Object<T>(pub(super) T);
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for Object<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Map<T>(PhantomData<T>);
+        impl<'de, T: Deserialize<'de>> Visitor<'de> for Map<T> {
+            type Value = T;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                write!(f, "an object")
+            }
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<T, A::Error> {
+                T::deserialize(de::value::MapAccessDeserializer::new(map))
+            }
+        }
+        deserializer.deserialize_map(Map(PhantomData)).map(Self)
+    }
+}
+
+/// Three numbers; said in one sentence where it is anything else.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Triple(pub(super) [f64; 3]);
+
+impl Triple {
+    fn from_seq<'de, A: SeqAccess<'de>>(mut seq: A) -> Result<Self, A::Error> {
+        let mut numbers = [0.0; 3];
+        for (n, number) in numbers.iter_mut().enumerate() {
+            *number = seq.next_element()?.ok_or_else(|| {
+                de::Error::custom(format!("{n} numbers stand where three are needed"))
+            })?;
+        }
+        match seq.next_element::<IgnoredAny>()? {
+            None => Ok(Self(numbers)),
+            Some(_) => Err(de::Error::custom("more than three numbers stand where three belong")),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Triple {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Three;
+        impl<'de> Visitor<'de> for Three {
+            type Value = Triple;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                write!(f, "three numbers [x, y, z]")
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Triple, A::Error> {
+                Triple::from_seq(seq)
+            }
+        }
+        deserializer.deserialize_seq(Three)
+    }
+}
+
+impl<'de> Deserialize<'de> for PointFile {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Point;
+        impl<'de> Visitor<'de> for Point {
+            type Value = PointFile;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                write!(f, "a point [x, y, z] or an object with `at`")
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<PointFile, A::Error> {
+                Triple::from_seq(seq).map(|triple| PointFile::Bare(triple.0))
+            }
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<PointFile, A::Error> {
+                FullPoint::deserialize(de::value::MapAccessDeserializer::new(map))
+                    .map(PointFile::Full)
+            }
+        }
+        deserializer.deserialize_any(Point)
+    }
+}
+
+impl<'de> Deserialize<'de> for PlaneFile {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Plane;
+        impl<'de> Visitor<'de> for Plane {
+            type Value = PlaneFile;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                write!(f, "\"auto\", \"none\" or a normal [x, y, z]")
+            }
+            fn visit_str<E: de::Error>(self, text: &str) -> Result<PlaneFile, E> {
+                PlaneName::deserialize(de::value::StrDeserializer::new(text)).map(PlaneFile::Named)
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<PlaneFile, A::Error> {
+                Triple::from_seq(seq).map(|triple| PlaneFile::Normal(triple.0))
+            }
+        }
+        deserializer.deserialize_any(Plane)
+    }
+}
+
+/// The points of a curve, counted as they are read.
+#[derive(Debug)]
+pub(super) struct Points(pub(super) Vec<PointFile>);
+
+impl<'de> Deserialize<'de> for Points {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct List;
+        impl<'de> Visitor<'de> for List {
+            type Value = Points;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                write!(f, "a list of points")
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Points, A::Error> {
+                let mut points = Vec::new();
+                while let Some(point) = seq.next_element()? {
+                    if points.len() == MAX_ROWS {
+                        let text = format!("the curve has more than {MAX_ROWS} points");
+                        return Err(de::Error::custom(text));
+                    }
+                    points.push(point);
+                }
+                Ok(Points(points))
+            }
+        }
+        deserializer.deserialize_seq(List)
+    }
+}
+
+/// The curves with their names, in the order of the file; no name stands there twice.
+#[derive(Debug)]
+pub(super) struct NamedCurves(pub(super) Vec<(String, CurveFile)>);
+
+impl<'de> Deserialize<'de> for NamedCurves {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Named;
+        impl<'de> Visitor<'de> for Named {
+            type Value = NamedCurves;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                write!(f, "an object with a curve a name")
+            }
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<NamedCurves, A::Error> {
+                let mut curves = Vec::new();
+                let mut names = BTreeSet::new();
+                while let Some(name) = map.next_key::<String>()? {
+                    if !names.insert(name.clone()) {
+                        let shown = crate::names::shown(&name);
+                        let text = format!("the curve {shown} stands there twice");
+                        return Err(de::Error::custom(text));
+                    }
+                    let Object(curve) = map.next_value()?;
+                    curves.push((name, curve));
+                }
+                Ok(NamedCurves(curves))
+            }
+        }
+        deserializer.deserialize_map(Named)
+    }
+}

@@ -1,0 +1,299 @@
+//! Designs (`*.sheet.json`): JSON to a kernel design and back.
+//!
+//! Reading has two steps: serde makes the file's own types ([`grammar`]) and knows lines; then
+//! [`convert`] makes the kernel's and knows JSON paths.
+
+mod convert;
+mod grammar;
+mod table_path;
+mod write;
+
+pub use write::write_design;
+
+use crate::input::{InputError, ReadOptions, display_name};
+use crate::names::{nearest, shown};
+use crate::table::RANGE_HINT;
+use grammar::{DesignFile, Object};
+use serde::Deserialize;
+use sheetwright::design::Design;
+use std::path::Path;
+
+/// The version of the format that this program reads and writes.
+const VERSION: u64 = 1;
+const GRAMMAR_HINT: &str = "docs/files.md says what each field takes.";
+const SYNTAX_HINT: &str =
+    "Look for a missing comma, quotation mark or bracket, or for something after the last one.";
+
+/// The design in a text. Tables that it refers to lie in `folder` or below.
+pub(crate) fn read(
+    text: &str,
+    name: &str,
+    folder: Option<&Path>,
+    options: &ReadOptions,
+) -> Result<Design, InputError> {
+    let place = display_name(name);
+    let file = parse(text, place)?;
+    convert::design(file, &convert::Source { name, place, folder, options })
+}
+
+fn parse(text: &str, place: &str) -> Result<DesignFile, InputError> {
+    let mut json = serde_json::Deserializer::from_str(text);
+    let Object(file) = serde_path_to_error::deserialize(&mut json).map_err(|error| {
+        // Fields of a later version are not known here, which is not what is wrong with it.
+        other_version(text, place).unwrap_or_else(|| {
+            let path = error.path().to_string();
+            not_a_design(place, &path, error.inner())
+        })
+    })?;
+    json.end().map_err(|error| not_a_design(place, "", &error))?;
+    Ok(file)
+}
+
+/// The error for a design of another version, if that is what the text is.
+fn other_version(text: &str, place: &str) -> Option<InputError> {
+    #[derive(Deserialize)]
+    struct Versioned {
+        sheetwright: u64,
+    }
+    let versioned: Versioned = serde_json::from_str(text).ok()?;
+    wrong_version(versioned.sheetwright, place)
+}
+
+fn wrong_version(version: u64, place: &str) -> Option<InputError> {
+    (version != VERSION).then(|| {
+        InputError::at(
+            format!("{place}: sheetwright"),
+            format!("the design is of version {version} of the format"),
+            format!("This program reads version {VERSION}: write \"sheetwright\": {VERSION}."),
+        )
+    })
+}
+
+/// What serde says, in our words.
+fn not_a_design(place: &str, path: &str, error: &serde_json::Error) -> InputError {
+    let text = error.to_string();
+    let at = format!(" at line {} column {}", error.line(), error.column());
+    let text = text.strip_suffix(&at).unwrap_or(&text);
+    // Before the first character of a line there is no column.
+    let place = match error.column() {
+        0 => format!("{place}:{}", error.line()),
+        column => format!("{place}:{}:{column}", error.line()),
+    };
+    let place = match path {
+        // At the top there is no path, and none where a key could not be read; serde_path_to_error
+        // says so with a dot and a question mark.
+        "" | "." | "?" => place,
+        // A path repeats names of the file, of any length.
+        path if path.len() > 200 => place,
+        path => format!("{place}: {}", path.escape_debug()),
+    };
+    if text == "number out of range" {
+        return InputError::at(place, "the number is out of range", RANGE_HINT);
+    }
+    if !error.is_data() {
+        return InputError::at(place, format!("this is no JSON: {text}"), SYNTAX_HINT);
+    }
+    let (message, hint) = in_our_words(text);
+    InputError::at(place, message, hint)
+}
+
+fn in_our_words(text: &str) -> (String, String) {
+    for (what, beginning) in [("field", "unknown field `"), ("value", "unknown variant `")] {
+        if let Some(rest) = text.strip_prefix(beginning)
+            && let Some((wrong, known)) = rest.rsplit_once("`, expected ")
+        {
+            // The known names stand between backticks: every second part.
+            let known: Vec<&str> = known.split('`').skip(1).step_by(2).collect();
+            // `$schema` is for editors, and `vary` is known only to be refused.
+            let known: Vec<&str> =
+                known.into_iter().filter(|n| !["$schema", "vary"].contains(n)).collect();
+            let nearest = match nearest(wrong, known.iter().copied()) {
+                Some(name) => format!("Did you mean `{name}`? "),
+                None => String::new(),
+            };
+            let hint = format!("{nearest}Known here: {}.", known.join(", "));
+            return (format!("the {what} {} is not known", shown(wrong)), hint);
+        }
+    }
+    if let Some(field) = text.strip_prefix("missing field `") {
+        let field = field.trim_end_matches('`');
+        return (format!("the field `{field}` is missing"), format!("Add it: {GRAMMAR_HINT}"));
+    }
+    if let Some(field) = text.strip_prefix("duplicate field `") {
+        let field = field.trim_end_matches('`');
+        return (format!("the field `{field}` stands there twice"), "Keep one of them.".to_owned());
+    }
+    if text.ends_with("stands there twice") {
+        return (text.to_owned(), "Keep one of them, or give the other a new name.".to_owned());
+    }
+    for kind in ["invalid type: ", "invalid value: "] {
+        if let Some(rest) = text.strip_prefix(kind)
+            && let Some((found, wanted)) = rest.rsplit_once(", expected ")
+        {
+            let message =
+                format!("here stands {}, not {}", found_in_words(found), wanted_in_words(wanted));
+            return (message, GRAMMAR_HINT.to_owned());
+        }
+    }
+    (text.to_owned(), GRAMMAR_HINT.to_owned())
+}
+
+/// What serde found: `string "12,5"`, `integer `5``, `map`, `sequence`, `null`.
+fn found_in_words(found: &str) -> String {
+    match found {
+        "map" => "an object".to_owned(),
+        "sequence" => "a list".to_owned(),
+        "null" => "null".to_owned(),
+        _ => match found.split_once(' ') {
+            Some(("string", text)) => {
+                format!("the text {}", shown(text.trim_matches('"')))
+            }
+            Some(("boolean", value)) => value.trim_matches('`').to_owned(),
+            Some(("integer", value)) => format!("the number {}", value.trim_matches('`')),
+            Some(("floating", value)) => {
+                let value = value.trim_start_matches("point ").trim_matches('`');
+                format!("the number {value}")
+            }
+            _ => shown(found),
+        },
+    }
+}
+
+fn wanted_in_words(wanted: &str) -> &str {
+    match wanted {
+        "f64" => "a number",
+        "u64" => "a whole number of 0 or more",
+        "a string" => "a text",
+        "a boolean" => "true or false",
+        "a sequence" => "a list",
+        _ if wanted.starts_with("struct ") => "an object",
+        _ if wanted.contains("enum ") || wanted.contains("variant") => "one of the known words",
+        _ => wanted,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::input::{InputFormat, read_bytes};
+    use sheetwright::curve::CurveKind;
+    use sheetwright::design::{CurveUse, PanelMethod, PanelShape};
+    use sheetwright::math::Point3;
+
+    const DINGHY: &str = r#"{
+  "sheetwright": 1, "name": "dinghy", "units": "m", "material": "plywood-4mm",
+  "curves": {
+    "keel": { "kind": "spline", "points": [[0,0,0], [1,0,0.1], {"at": [2,0,0.3], "corner": true, "move": 0.01}] },
+    "chine": { "kind": "polyline", "closed": false, "points": [[0,1,0], [2,1,0.2]] },
+    "rim": { "kind": "bspline", "closed": true, "points": [[0,0,0], [1,0,0], [1,1,0], [0,1,0]] }
+  },
+  "panels": [
+    { "name": "bottom", "rails": ["keel", "-chine"], "method": "rails", "fold": 0 },
+    { "name": "lid", "boundary": ["-rim"], "holes": [["rim"]], "samples": 50, "plane": [0, 0, 1] }
+  ]
+}"#;
+
+    fn read(text: &str) -> Result<Design, InputError> {
+        let options = ReadOptions::default();
+        read_bytes(InputFormat::Design, text.as_bytes(), "d.sheet.json", None, &options)
+    }
+
+    fn refused(from: &str, to: &str) -> (String, String) {
+        assert!(DINGHY.contains(from), "{from}");
+        let error = read(&DINGHY.replacen(from, to, 1)).unwrap_err();
+        (error.to_string(), error.hint)
+    }
+
+    #[test]
+    fn a_design_is_read() {
+        let design = read(DINGHY).unwrap();
+        assert_eq!(design.material.map(|m| m.name), Some("plywood-4mm"));
+        let names: Vec<&str> = design.curves.iter().map(|c| c.name.as_str()).collect();
+        assert_eq!(names, ["keel", "chine", "rim"]);
+        let keel = &design.curves[0];
+        assert_eq!((keel.kind, keel.closed), (Some(CurveKind::Spline), false));
+        assert_eq!(keel.points[2].at, Point3::new(2000.0, 0.0, 300.0));
+        assert!(keel.points[2].corner && !keel.points[1].corner);
+        let [bottom, lid] = design.panels.as_slice() else { panic!() };
+        let rails = [("keel", false), ("chine", true)]
+            .map(|(name, reversed)| CurveUse { name: name.into(), reversed });
+        assert_eq!(bottom.shape, PanelShape::Rails(rails));
+        assert_eq!((bottom.method, bottom.fold), (PanelMethod::Rails, 0.0));
+        assert_eq!((bottom.samples, lid.samples), (200, 50));
+    }
+
+    #[test]
+    fn a_design_reads_back_equal() {
+        let design = read(DINGHY).unwrap();
+        let written = write_design(&design);
+        let again = read(std::str::from_utf8(&written).unwrap()).unwrap();
+        assert_eq!(design, again);
+        assert_eq!(written, write_design(&again));
+    }
+
+    #[test]
+    fn what_the_caller_sets_comes_first() {
+        let options = ReadOptions {
+            samples: Some(77),
+            fold: Some(2.0),
+            method: Some(PanelMethod::Bridge),
+            units: None,
+        };
+        let design =
+            read_bytes(InputFormat::Design, DINGHY.as_bytes(), "d.json", None, &options).unwrap();
+        for panel in &design.panels {
+            assert_eq!((panel.samples, panel.fold), (77, 2.0));
+            assert_eq!(panel.method, PanelMethod::Bridge);
+        }
+    }
+
+    #[test]
+    fn an_unknown_field_names_the_nearest_known_one() {
+        let (error, hint) = refused("\"samples\": 50", "\"sampels\": 50");
+        assert!(error.starts_with("d.sheet.json:10:"), "{error}");
+        assert!(error.ends_with("panels[1].sampels: the field 'sampels' is not known"), "{error}");
+        assert!(hint.starts_with("Did you mean `samples`? Known here: name, rails,"), "{hint}");
+        assert!(!hint.contains("vary"), "{hint}");
+    }
+
+    #[test]
+    fn a_later_version_is_named_before_its_fields() {
+        let (error, _) = refused("\"sheetwright\": 1,", "\"sheetwright\": 2, \"skins\": [],");
+        assert_eq!(error, "d.sheet.json: sheetwright: the design is of version 2 of the format");
+    }
+
+    #[test]
+    fn errors_know_their_path() {
+        for (from, to, path) in [
+            ("[1,0,0.1]", "[1,0]", "curves.keel.points[1]"),
+            ("[1,0,0.1]", "[1,0,\"a\"]", "curves.keel.points[1][2]"),
+            ("[1,0,0.1]", "[1,0,1e9]", "curves.keel.points[1]"),
+            ("\"-chine\"", "\"-chin\"", "panels[0].rails[1]"),
+            ("\"lid\"", "\"BOTTOM\"", "panels[1].name"),
+            ("\"fold\": 0", "\"fold\": 11", "panels[0].fold"),
+            ("\"plane\": [0, 0, 1]", "\"plane\": \"automatic\"", "panels[1].plane"),
+            ("\"samples\": 50", "\"vary\": {\"budget\": 1}", "panels[1].vary"),
+            ("plywood-4mm", "plywod-4mm", "material"),
+            ("\"m\"", "\"metre\"", "units"),
+        ] {
+            let (error, _) = refused(from, to);
+            assert!(error.contains(&format!(": {path}: ")), "{path}: {error}");
+        }
+    }
+
+    #[test]
+    fn the_schema_is_that_of_the_code() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/schema/design.schema.json");
+        let schema = schemars::schema_for!(DesignFile);
+        let current = serde_json::to_string_pretty(&schema).unwrap() + "\n";
+        if std::env::var_os("SHEETWRIGHT_REWRITE").is_some() {
+            std::fs::write(path, &current).unwrap();
+        }
+        let kept = std::fs::read_to_string(path).unwrap_or_default();
+        assert!(
+            kept == current,
+            "docs/schema/design.schema.json differs from the code; write it anew with \
+             SHEETWRIGHT_REWRITE=1 cargo test -p sheetwright-files schema"
+        );
+    }
+}

@@ -1,0 +1,120 @@
+//! Points that a design takes from a table beside it. A design may come from a stranger, so its
+//! tables lie in its own folder or below, and nowhere else.
+
+use super::convert::Source;
+use crate::input::{InputError, MAX_INPUT_BYTES, read_whole, text_of};
+use crate::names::{did_you_mean, shown};
+use crate::table::{TableCurve, read_table};
+use crate::units::Units;
+use sheetwright::curve::CurvePoint;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// The tables of a design, each read once.
+pub(super) struct Tables<'a> {
+    source: &'a Source<'a>,
+    units: Units,
+    read: BTreeMap<PathBuf, Vec<TableCurve>>,
+    /// How many more bytes the tables of the design may have together.
+    bytes_left: u64,
+}
+
+impl<'a> Tables<'a> {
+    pub(super) fn new(source: &'a Source<'a>, units: Units) -> Self {
+        Self { source, units, read: BTreeMap::new(), bytes_left: MAX_INPUT_BYTES }
+    }
+
+    /// The points of a curve of a table. `path` is the JSON path of the curve that asks.
+    pub(super) fn points(
+        &mut self,
+        table: &str,
+        wanted: Option<&str>,
+        closed: bool,
+        path: &str,
+    ) -> Result<Vec<CurvePoint>, InputError> {
+        let source = self.source;
+        let file = self.file_of(table, path)?;
+        if !self.read.contains_key(&file) {
+            let curves = self.read_anew(&file, table, path)?;
+            self.read.insert(file.clone(), curves);
+        }
+        let curves = self.read.get(&file).map_or(&[][..], Vec::as_slice);
+        let curve = match (wanted, curves) {
+            (Some(wanted), _) => curves.iter().find(|c| c.name == wanted),
+            (None, [only]) => Some(only),
+            (None, _) => None,
+        };
+        let curve = curve.ok_or_else(|| {
+            let known: Vec<&str> = curves.iter().map(|c| c.name.as_str()).collect();
+            let message = match wanted {
+                Some(name) => format!("{} has no curve {}", shown(table), shown(name)),
+                None => format!("{} has {} curves, and none is named", shown(table), curves.len()),
+            };
+            let hint = match wanted {
+                Some(name) => did_you_mean(name, &known),
+                None => format!("Name one with \"curve\". {}", did_you_mean("", &known)),
+            };
+            source.error(&format!("{path}.curve"), message, hint)
+        })?;
+        Ok(curve.curve_points(closed))
+    }
+
+    /// The file that a table's path leads to, inside the design's folder.
+    fn file_of(&self, table: &str, path: &str) -> Result<PathBuf, InputError> {
+        let path = format!("{path}.table");
+        let Some(folder) = self.source.folder else {
+            let message = "a design from standard input can't take points from a table";
+            let hint = "Save the design as a file in the folder of its tables.";
+            return Err(self.source.error(&path, message, hint));
+        };
+        let leaves = || {
+            let message = format!("the table {} is not inside the design's folder", shown(table));
+            let hint = "Put the table beside the design or below it, and write its path from \
+                        there, with / between folders.";
+            self.source.error(&path, message, hint)
+        };
+        // The same paths are refused on every system, so that a design means the same on each.
+        let parts = || table.split('/');
+        let odd = |c: char| c.is_control() || c == '\\' || c == ':';
+        if table.contains(odd) || parts().any(|part| part.is_empty() || part == "..") {
+            return Err(leaves());
+        }
+        let missing = |_| {
+            let message = format!("there is no table {}", shown(table));
+            self.source.error(&path, message, "Check the path; it begins at the design's folder.")
+        };
+        // Links are followed before the question is asked.
+        let home = folder.canonicalize().map_err(missing)?;
+        let file = home.join(Path::new(table)).canonicalize().map_err(missing)?;
+        if !file.starts_with(&home) {
+            return Err(leaves());
+        }
+        // A pipe or a device would wait, or never end.
+        if !file.is_file() {
+            let message = format!("{} is no file", shown(table));
+            return Err(self.source.error(&path, message, "Name a curve table (.csv)."));
+        }
+        Ok(file)
+    }
+
+    fn read_anew(
+        &mut self,
+        file: &Path,
+        table: &str,
+        path: &str,
+    ) -> Result<Vec<TableCurve>, InputError> {
+        let bytes = read_whole(file).map_err(|error| InputError {
+            // The resolved path is of no use to whoever wrote the design.
+            place: Some(table.to_owned()),
+            ..error
+        })?;
+        let size = bytes.len() as u64;
+        if size > self.bytes_left {
+            let message = "the tables of the design are larger than 256 MiB together";
+            let hint = "Leave points out; a few hundred show a curve.";
+            return Err(self.source.error(&format!("{path}.table"), message, hint));
+        }
+        self.bytes_left -= size;
+        read_table(text_of(&bytes, table)?, table, self.units)
+    }
+}

@@ -1,0 +1,88 @@
+//! A kernel design as JSON, a curve a block, a point a line and a panel a line.
+
+use super::VERSION;
+use super::grammar::{KindName, MethodName};
+use serde::Serialize;
+use sheetwright::boundary::PlaneChoice;
+use sheetwright::curve::{CurveKind, CurvePoint};
+use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape};
+
+/// A design as the bytes of its file, in millimetres, with every default written out. It reads
+/// back equal, but for distances that points may move, which the kernel does not keep.
+pub fn write_design(design: &Design) -> Vec<u8> {
+    let mut fields = vec![
+        format!("  \"sheetwright\": {VERSION}"),
+        format!("  \"name\": {}", json(&design.name)),
+        "  \"units\": \"mm\"".to_owned(),
+    ];
+    if let Some(material) = design.material {
+        fields.push(format!("  \"material\": {}", json(&material.name)));
+    }
+    let curves: Vec<String> = design.curves.iter().map(curve).collect();
+    fields.push(format!("  \"curves\": {{\n{}\n  }}", curves.join(",\n")));
+    let panels: Vec<String> = design.panels.iter().map(panel).collect();
+    fields.push(format!("  \"panels\": [\n{}\n  ]", panels.join(",\n")));
+    format!("{{\n{}\n}}\n", fields.join(",\n")).into_bytes()
+}
+
+fn curve(curve: &DesignCurve) -> String {
+    let kind = match curve.kind {
+        None => KindName::Samples,
+        Some(CurveKind::Polyline) => KindName::Polyline,
+        Some(CurveKind::Spline) => KindName::Spline,
+        Some(CurveKind::BSpline) => KindName::BSpline,
+    };
+    let points: Vec<String> =
+        curve.points.iter().map(|point| format!("        {}", self::point(point))).collect();
+    format!(
+        "    {}: {{\n      \"kind\": {},\n      \"closed\": {},\n      \"points\": [\n{}\n      ]\n    }}",
+        json(&curve.name),
+        json(&kind),
+        curve.closed,
+        points.join(",\n")
+    )
+}
+
+fn point(point: &CurvePoint) -> String {
+    let at = json(&[point.at.x, point.at.y, point.at.z]);
+    if point.corner { format!("{{\"at\":{at},\"corner\":true}}") } else { at }
+}
+
+fn panel(panel: &DesignPanel) -> String {
+    let names = |uses: &[CurveUse]| -> Vec<String> {
+        let name = |u: &CurveUse| format!("{}{}", if u.reversed { "-" } else { "" }, u.name);
+        uses.iter().map(name).collect()
+    };
+    let mut fields = vec![format!("\"name\": {}", json(&panel.name))];
+    match &panel.shape {
+        PanelShape::Rails(rails) => fields.push(format!("\"rails\": {}", json(&names(rails)))),
+        PanelShape::Loops { outer, holes } => {
+            fields.push(format!("\"boundary\": {}", json(&names(outer))));
+            if !holes.is_empty() {
+                let holes: Vec<Vec<String>> = holes.iter().map(|hole| names(hole)).collect();
+                fields.push(format!("\"holes\": {}", json(&holes)));
+            }
+        }
+    }
+    fields.push(format!("\"samples\": {}", panel.samples));
+    let method = match panel.method {
+        PanelMethod::Optimal => MethodName::Optimal,
+        PanelMethod::Bridge => MethodName::Bridge,
+        PanelMethod::Rails => MethodName::Rails,
+    };
+    fields.push(format!("\"method\": {}", json(&method)));
+    fields.push(match panel.plane {
+        PlaneChoice::Auto => "\"plane\": \"auto\"".to_owned(),
+        PlaneChoice::None => "\"plane\": \"none\"".to_owned(),
+        PlaneChoice::Normal(normal) => {
+            format!("\"plane\": {}", json(&[normal.x, normal.y, normal.z]))
+        }
+    });
+    fields.push(format!("\"fold\": {}", json(&panel.fold)));
+    format!("    {{ {} }}", fields.join(", "))
+}
+
+/// Numbers, texts and lists of them have nothing that JSON can't say.
+fn json(value: &impl Serialize) -> String {
+    serde_json::to_string(value).unwrap_or_default()
+}

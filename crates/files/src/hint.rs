@@ -1,0 +1,153 @@
+//! What to do about a design that can't be made: one sentence for each cause.
+
+use sheetwright::boundary::{BoundaryError, PlaneError};
+use sheetwright::curve::{CurveError, SampleError};
+use sheetwright::design::{MakeCause, MakeError};
+use sheetwright::flatten::FlattenError;
+use sheetwright::surface::ConnectivityError;
+use sheetwright::triangulate::TriangulateError;
+
+const FAULT: &str = "This is a fault of the program: please report it with the input.";
+
+/// What a person can do about the error.
+pub fn hint_for(error: &MakeError) -> String {
+    match &error.cause {
+        MakeCause::NoPanels => {
+            "Add a panel, such as { \"name\": \"side\", \"boundary\": [\"rim\"] }.".to_owned()
+        }
+        MakeCause::UnknownCurve => "Check the names of the curves.".to_owned(),
+        MakeCause::Curve(error) => curve(error).to_owned(),
+        MakeCause::ClosedCurve => {
+            "A rail, or a curve chained with others, has two ends: leave `closed` out, or make the \
+             closed curve the only one of its loop."
+                .to_owned()
+        }
+        MakeCause::NotChained { next, .. } if error.curve.as_ref() == Some(next) => {
+            "Close the curve (\"closed\": true), or add the curves that lead back to its beginning."
+                .to_owned()
+        }
+        MakeCause::NotChained { next, .. } => format!(
+            "Give both curves the same end point, or put '-' before '{next}' or this one to run it \
+             the other way."
+        ),
+        MakeCause::SameRails => "Name two different curves.".to_owned(),
+        MakeCause::NoRails => {
+            "Give the panel two rails, or take the method optimal or bridge.".to_owned()
+        }
+        MakeCause::Sampling(SampleError::TooFew { needed, .. }) => {
+            format!("Ask for {needed} samples or more; a few hundred show most panels well.")
+        }
+        MakeCause::Boundary(error) => boundary(error).to_owned(),
+        MakeCause::Plane(error) => plane(error).to_owned(),
+        MakeCause::Triangulate(error) => triangulation(error).to_owned(),
+        MakeCause::Surface(error) => surface(error).to_owned(),
+        MakeCause::Flatten(error) => flat(error).to_owned(),
+    }
+}
+
+fn curve(error: &CurveError) -> &'static str {
+    match error {
+        CurveError::TooFewPoints { .. } => {
+            "An open curve takes two points or more, a closed one three or more."
+        }
+        CurveError::NotFinite { .. } => "Write plain numbers.",
+        CurveError::Repeated { .. } => {
+            "Remove one of the two; a closed curve does not repeat its first point."
+        }
+    }
+}
+
+fn boundary(error: &BoundaryError) -> &'static str {
+    match error {
+        BoundaryError::TooFewSamples { .. } => {
+            "A panel has three corners or more: add points, or ask for more samples."
+        }
+        BoundaryError::TooManySamples { .. } => "Ask for fewer samples.",
+        BoundaryError::OutOfRange { .. } => {
+            "Lengths are finite numbers within ±1e9 mm: check the units and the numbers."
+        }
+        BoundaryError::TooSmall => "Check the units: all points lie on one spot, or nearly.",
+        BoundaryError::Repeated { .. } => {
+            "A loop passes each place once: remove the repeated point, or divide the panel where \
+             the loop meets itself."
+        }
+        BoundaryError::OnOneLine { .. } => {
+            "A panel needs area: check that the points do not all lie in a row."
+        }
+        BoundaryError::BoundsNothing { .. } => {
+            "A loop goes round something: name curves that enclose the panel."
+        }
+        BoundaryError::Crossing { .. } => {
+            "Order the points along the boundary, or divide the panel where it crosses itself."
+        }
+    }
+}
+
+fn plane(error: &PlaneError) -> &'static str {
+    match error {
+        PlaneError::NoDirection => "Give a normal such as [0, 0, 1], or \"auto\".",
+        PlaneError::Crossing { .. } => {
+            "Choose a normal along which the boundary is seen as a simple loop, or \"auto\" or \
+             \"none\"."
+        }
+    }
+}
+
+fn triangulation(error: &TriangulateError) -> &'static str {
+    match error {
+        TriangulateError::Holes { .. } => {
+            "This version can't do holes yet: leave them out and cut them after flattening, or \
+             divide the panel through them."
+        }
+        TriangulateError::TooLarge { .. } => {
+            "Ask for fewer samples, or take the method bridge, which needs less."
+        }
+        TriangulateError::Fold => "Ask for a fold price of 0 (twist alone) to 10.",
+        TriangulateError::Rails => "Ask for more samples.",
+        TriangulateError::NoneInside => {
+            "Take the method optimal, or another plane (\"none\" admits every triangulation)."
+        }
+        TriangulateError::Stopped => "Start it again to finish it.",
+    }
+}
+
+fn surface(error: &ConnectivityError) -> &'static str {
+    match error {
+        ConnectivityError::NotManifold { .. }
+        | ConnectivityError::OpenSide { .. }
+        | ConnectivityError::BadTriangle(_) => FAULT,
+    }
+}
+
+fn flat(error: &FlattenError) -> &'static str {
+    match error {
+        FlattenError::Cycle => "This version can't do holes yet: divide the panel through them.",
+        FlattenError::Pieces => FAULT,
+        FlattenError::NoTriangle { .. } => {
+            "Three samples lie on one line or spot there: move the boundary apart, or change the \
+             number of samples."
+        }
+        FlattenError::Stopped => "Start it again to finish it.",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_hint_is_a_sentence_of_its_own() {
+        let causes = [
+            MakeCause::NoPanels,
+            MakeCause::NotChained { next: "keel".into(), gap_mm: 1.0 },
+            MakeCause::Sampling(SampleError::TooFew { asked: 1, needed: 3 }),
+            MakeCause::Triangulate(TriangulateError::Holes { count: 1 }),
+        ];
+        for cause in causes {
+            let error = MakeError { panel: "p".into(), curve: None, cause };
+            let hint = hint_for(&error);
+            assert!(hint.ends_with(['.', '?']), "{hint}");
+            assert!(!error.to_string().contains(&hint));
+        }
+    }
+}

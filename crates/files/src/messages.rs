@@ -1,0 +1,120 @@
+//! What the command tells other programs: errors, findings and times as JSON. docs/files.md lists
+//! the fields.
+
+use serde::Serialize;
+use sheetwright::check::Checked;
+use sheetwright::design::Made;
+
+#[derive(Serialize)]
+struct ErrorFile<'a> {
+    error: &'a str,
+    #[serde(rename = "where", skip_serializing_if = "Option::is_none")]
+    place: Option<&'a str>,
+    hint: &'a str,
+}
+
+#[derive(Serialize)]
+struct FindingsFile<'a> {
+    sheetwright: u32,
+    name: &'a str,
+    panels: Vec<PanelFile<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    files: Option<&'a [String]>,
+}
+
+#[derive(Serialize)]
+struct PanelFile<'a> {
+    name: &'a str,
+    verdict: &'a str,
+    findings: Vec<FindingFile<'a>>,
+}
+
+#[derive(Serialize)]
+struct FindingFile<'a> {
+    severity: &'a str,
+    code: &'a str,
+    text: &'a str,
+    #[serde(rename = "where")]
+    place: &'a str,
+}
+
+/// How long each stage of a panel took, in seconds.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct PanelTimes {
+    /// The panel.
+    pub name: String,
+    /// From curves to a triangulation.
+    pub solve: f64,
+    /// Moving samples within their limits.
+    pub vary: f64,
+    /// Laying the surface flat, measuring and checking it.
+    pub flatten: f64,
+    /// Making and writing its files; what panels share is divided evenly.
+    pub write: f64,
+}
+
+#[derive(Serialize)]
+struct TimingFile<'a> {
+    panels: &'a [PanelTimes],
+    total: f64,
+}
+
+/// An error as one line of JSON: `{"error": …, "where": …, "hint": …}`.
+pub fn error_json(message: &str, place: Option<&str>, hint: &str) -> String {
+    line(&ErrorFile { error: message, place, hint })
+}
+
+/// The verdict and the findings of every panel as one line of JSON, panels and findings as in
+/// `report.json`. `panels` are in the order of `made`; `files` are the files that were written, if
+/// any were asked for.
+pub fn findings_json(made: &Made, panels: &[Checked], files: Option<&[String]>) -> String {
+    let panels = made.panels.iter().zip(panels).map(|(panel, checked)| PanelFile {
+        name: &panel.name,
+        verdict: checked.verdict.name(),
+        findings: checked
+            .findings
+            .iter()
+            .map(|f| FindingFile {
+                severity: f.severity.name(),
+                code: f.code,
+                text: &f.text,
+                place: &f.place,
+            })
+            .collect(),
+    });
+    line(&FindingsFile { sheetwright: 1, name: &made.name, panels: panels.collect(), files })
+}
+
+/// `timing.json`: how long each panel and the whole took, in seconds.
+pub fn timing_json(panels: &[PanelTimes], total: f64) -> Vec<u8> {
+    line(&TimingFile { panels, total }).into_bytes()
+}
+
+/// Texts and finite numbers have nothing that JSON can't say.
+fn line(value: &impl Serialize) -> String {
+    serde_json::to_string(value).unwrap_or_default() + "\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_is_one_line() {
+        assert_eq!(
+            error_json("a \"b\"\nc", Some("f.csv:2"), "do"),
+            "{\"error\":\"a \\\"b\\\"\\nc\",\"where\":\"f.csv:2\",\"hint\":\"do\"}\n"
+        );
+        assert_eq!(error_json("a", None, "do"), "{\"error\":\"a\",\"hint\":\"do\"}\n");
+    }
+
+    #[test]
+    fn times_are_as_the_contract_says() {
+        let panel = PanelTimes { name: "bottom".into(), solve: 0.5, ..PanelTimes::default() };
+        assert_eq!(
+            String::from_utf8(timing_json(&[panel], 0.75)).unwrap(),
+            "{\"panels\":[{\"name\":\"bottom\",\"solve\":0.5,\"vary\":0.0,\"flatten\":0.0,\
+             \"write\":0.0}],\"total\":0.75}\n"
+        );
+    }
+}

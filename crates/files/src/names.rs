@@ -1,0 +1,179 @@
+//! Names that people gave: which are taken, and how they are shown in messages.
+//!
+//! A panel's name becomes the name of its files, on whatever system the design is opened, so the
+//! same names are refused everywhere.
+
+/// A name has this many bytes at the most: with an ending added it stays below the 255 bytes that
+/// file systems take, and it fits on a label.
+pub(crate) const MAX_NAME_BYTES: usize = 100;
+
+/// Characters that some file system gives a meaning of its own.
+const SEPARATORS: [char; 9] = ['/', '\\', ':', '*', '?', '"', '<', '>', '|'];
+
+/// Names that Windows keeps for devices, with any ending.
+const RESERVED: [&str; 4] = ["con", "prn", "aux", "nul"];
+/// Names that Windows keeps for devices when a digit follows.
+const RESERVED_NUMBERED: [&str; 2] = ["com", "lpt"];
+
+/// Why a name is not taken, as the end of a sentence that begins with the name.
+pub(crate) fn refused_anywhere(name: &str) -> Option<&'static str> {
+    if name.is_empty() {
+        Some("is empty")
+    } else if name.len() > MAX_NAME_BYTES {
+        Some("is longer than 100 bytes")
+    } else if name.chars().any(is_invisible) {
+        Some("has a control character in it")
+    } else if name.trim() != name {
+        Some("begins or ends with a space")
+    } else {
+        None
+    }
+}
+
+/// Why a curve can't have this name, as the end of a sentence that begins with it.
+pub(crate) fn refused_for_curve(name: &str) -> Option<&'static str> {
+    // `-name` is the curve run backwards.
+    refused_anywhere(name).or(name.starts_with('-').then_some("begins with a minus sign"))
+}
+
+/// Why no file can have this name on every system, as the end of a sentence that begins with it.
+pub(crate) fn refused_for_file(name: &str) -> Option<&'static str> {
+    if let Some(why) = refused_anywhere(name) {
+        return Some(why);
+    }
+    if name.contains(SEPARATORS) {
+        return Some("has one of / \\ : * ? \" < > | in it");
+    }
+    if name.starts_with('.') {
+        return Some("begins with a dot");
+    }
+    if name.ends_with('.') {
+        return Some("ends with a dot");
+    }
+    let stem = name.split('.').next().unwrap_or(name).trim_end().to_lowercase();
+    let numbered = |device: &str| {
+        stem.strip_prefix(device).is_some_and(|rest| {
+            let mut rest = rest.chars();
+            let digit = rest.next().is_some_and(|c| c.is_ascii_digit() || "¹²³".contains(c));
+            digit && rest.next().is_none()
+        })
+    };
+    (RESERVED.contains(&stem.as_str()) || RESERVED_NUMBERED.iter().any(|d| numbered(d)))
+        .then_some("is the name of a device on Windows")
+}
+
+/// A name as two disks that do not tell upper from lower case see it.
+pub(crate) fn folded(name: &str) -> String {
+    name.to_lowercase()
+}
+
+/// Control characters, and those that turn the direction of writing and so hide an ending.
+fn is_invisible(c: char) -> bool {
+    c.is_control()
+        || matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}')
+}
+
+/// What stands in a file, fit for a message: quoted, short, in one line.
+pub(crate) fn shown(text: &str) -> String {
+    const SHOWN: usize = 60;
+    let clean = |c: char| if is_invisible(c) { '\u{fffd}' } else { c };
+    let mut short: String = text.chars().take(SHOWN).map(clean).collect();
+    if text.chars().nth(SHOWN).is_some() {
+        short.push('…');
+    }
+    format!("'{short}'")
+}
+
+/// The known name that is nearest to `wanted`, if one is near.
+pub(crate) fn nearest<'a>(
+    wanted: &str,
+    known: impl IntoIterator<Item = &'a str>,
+) -> Option<&'a str> {
+    // Beyond a third of the letters it is another word; a long text is no slip of the fingers.
+    const NEAR: f64 = 0.65;
+    if wanted.len() > MAX_NAME_BYTES {
+        return None;
+    }
+    let wanted = folded(wanted);
+    let mut best: Option<(f64, &str)> = None;
+    for name in known {
+        let score = strsim::normalized_damerau_levenshtein(&wanted, &folded(name));
+        if score > best.map_or(NEAR, |(score, _)| score) {
+            best = Some((score, name));
+        }
+    }
+    best.map(|(_, name)| name)
+}
+
+/// A hint that names the nearest of the known names and lists them: `Did you mean 'keel'? Known
+/// here: 'keel', 'sheer'.`
+pub(crate) fn did_you_mean(wanted: &str, known: &[&str]) -> String {
+    const LISTED: usize = 20;
+    let mut hint = match nearest(wanted, known.iter().copied()) {
+        Some(name) => format!("Did you mean {}? ", shown(name)),
+        None => String::new(),
+    };
+    if known.is_empty() {
+        hint.push_str("There are none here.");
+        return hint;
+    }
+    let list: Vec<String> = known.iter().take(LISTED).map(|name| shown(name)).collect();
+    let more = known.len().saturating_sub(LISTED);
+    let rest = if more > 0 { format!(" and {more} more") } else { String::new() };
+    hint.push_str(&format!("Known here: {}{rest}.", list.join(", ")));
+    hint
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_that_some_system_does_not_take_are_refused_on_all() {
+        for name in [
+            "",
+            ".",
+            "..",
+            "a/b",
+            "a\\b",
+            "c:d",
+            "CON",
+            "con.old",
+            "Com1",
+            "lpt9.x",
+            "nul ",
+            ".hidden",
+            "dot.",
+            "space ",
+            "a\nb",
+            "a\u{202e}gvs",
+            "COM²",
+            &"x".repeat(101),
+        ] {
+            assert!(refused_for_file(name).is_some(), "{name:?}");
+        }
+        for name in ["bottom", "Seite 1", "contour", "com10", "comma", "größe", "a.b", "-a"] {
+            assert_eq!(refused_for_file(name), None, "{name:?}");
+        }
+        assert!(refused_for_curve("-a").is_some());
+    }
+
+    #[test]
+    fn the_nearest_name_is_found_unless_none_is_near() {
+        let known = ["rails", "boundary", "holes"];
+        assert_eq!(nearest("boundry", known), Some("boundary"));
+        assert_eq!(nearest("RAILS", known), Some("rails"));
+        assert_eq!(nearest("colour", known), None);
+        assert_eq!(nearest(&"rails".repeat(1000), known), None);
+        assert_eq!(
+            did_you_mean("hole", &known),
+            "Did you mean 'holes'? Known here: 'rails', 'boundary', 'holes'."
+        );
+    }
+
+    #[test]
+    fn what_is_shown_is_short_and_in_one_line() {
+        assert_eq!(shown("a\nb"), "'a\u{fffd}b'");
+        assert_eq!(shown(&"y".repeat(100)).chars().count(), 63);
+    }
+}
