@@ -1,17 +1,20 @@
 //! Chores of the project: `cargo xtask` lists them.
 #![allow(clippy::print_stdout, clippy::print_stderr)] // a program for the terminal
 
+mod figures;
 mod fold_price;
 
 use std::process::ExitCode;
 
 const HELP: &str = "Chores of the project:
+  cargo xtask figures      writes docs/pictures/: the hull in space and laid flat
   cargo xtask fold-price   writes docs/fold-price.md: what the fold price costs and what it buys
 ";
 
 fn main() -> ExitCode {
     let chore = std::env::args().nth(1).unwrap_or_default();
     let done = match chore.as_str() {
+        "figures" => figures::write(),
         "fold-price" => fold_price::write(),
         _ => {
             print!("{HELP}");

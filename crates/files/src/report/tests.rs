@@ -294,29 +294,3 @@ fn pictures_in_a_row_are_one_file() {
     assert_eq!(document.root_element().attribute("width"), Some("976"));
     assert_eq!(document.descendants().filter(|n| n.has_tag_name("style")).count(), 1);
 }
-
-#[test]
-#[ignore = "writes docs/pictures/hull.svg"]
-fn picture_of_the_hull() {
-    let made = hull(120, "steel-5mm");
-    let flat: Vec<Picture> =
-        made.panels.iter().map(|panel| flat_picture(panel, made.material)).collect();
-    let title = "The planks of a hull in space, and laid flat";
-    let row = side_by_side(title, &[design_picture(&made), stacked("The flat planks", &flat)]);
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/pictures/hull.svg");
-    std::fs::write(path, row.standalone()).unwrap();
-}
-
-/// `REPORT_PAGES=DIR cargo test -p sheetwright-files -- --ignored pages_to_look_at`
-#[test]
-#[ignore = "writes pages to look at into the folder REPORT_PAGES"]
-fn pages_to_look_at() {
-    let dir = std::env::var("REPORT_PAGES").unwrap();
-    let mut list = all();
-    list.push(hull(200, "steel-5mm"));
-    for (n, made) in list.iter().enumerate() {
-        let (errors, checked) = checks(made);
-        std::fs::write(format!("{dir}/{n}.html"), html(made)).unwrap();
-        std::fs::write(format!("{dir}/{n}.json"), report_json(made, &errors, &checked)).unwrap();
-    }
-}
