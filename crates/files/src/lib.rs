@@ -15,6 +15,7 @@ mod obj;
 mod output;
 mod pdf;
 mod read_back;
+mod reading;
 mod refold;
 mod report;
 mod stroke_font;
@@ -25,14 +26,13 @@ mod units;
 pub use design_json::write_design;
 pub use dxf::{read_dxf, write_dxf};
 pub use hint::hint_for;
-pub use input::{
-    InputError, InputFormat, MAX_INPUT_BYTES, ReadOptions, read_bytes, read_input, read_limited,
-};
+pub use input::{InputFormat, read_bytes, read_input};
 pub use messages::{PanelTimes, error_json, findings_json, timing_json};
 pub use obj::write_obj;
 pub use output::{Format, OutputError, OutputFile, Outputs, output_files};
 pub use pdf::{MAX_SHEETS, Paper, Reduced, WrittenPdf, write_pdf};
 pub use read_back::{PatternReadError, ReadPattern};
+pub use reading::{InputError, MAX_INPUT_BYTES, ReadOptions, read_limited};
 pub use refold::{RefoldFileError, refold_error_mm};
 pub use report::{
     Picture, design_picture, flat_picture, gauss_picture, report_html, report_json, report_schema,

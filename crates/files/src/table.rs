@@ -1,7 +1,7 @@
 //! Curve tables (`*.csv`): one row a point, one or more curves. The grammar is in docs/files.md.
 
-use crate::input::{InputError, ReadOptions, display_name, stem};
 use crate::names::{did_you_mean, refused_for_curve, refused_for_file, shown};
+use crate::reading::{InputError, ReadOptions, display_name, stem};
 use crate::units::Units;
 use sheetwright::boundary::{MAX_COORDINATE_MM, MAX_SAMPLES, PlaneChoice};
 use sheetwright::cost::PriceOptions;

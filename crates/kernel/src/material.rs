@@ -1,9 +1,9 @@
 //! What sheets can do: the limits that a verdict is given against.
 //!
 //! The numbers are working rules, not data sheets; each names where it comes from. A warp angle
-//! along a ruling means that a sheet must stretch there; metal shipbuilding accepts 6° [ZB18], and
+//! along a ruling means that a sheet must stretch there; metal shipbuilding accepts 6° \[ZB18\], and
 //! so does this list for every sheet that hardly stretches. Bend radii of plywood are those of
-//! [APA-E30] for bending dry across the face grain; thinner plywood by the same ratio to its
+//! \[APA-E30\] for bending dry across the face grain; thinner plywood by the same ratio to its
 //! thickness. Radii of metal are inner radii for cold bending, as a multiple of the thickness.
 
 use crate::math::from_deg;
@@ -23,7 +23,7 @@ pub struct Material {
     pub warp_limit: f64,
 }
 
-/// The largest warp angle of a sheet that nothing is known of, degrees: metal shipbuilding [ZB18].
+/// The largest warp angle of a sheet that nothing is known of, degrees: metal shipbuilding \[ZB18\].
 pub const DEFAULT_WARP_LIMIT_DEG: f64 = 6.0;
 
 const fn material(

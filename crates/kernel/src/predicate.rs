@@ -1,7 +1,7 @@
 //! Exact orientation and crossing tests: topology is decided here, never by a tolerance.
 //!
 //! The answers are exact for the coordinates as they are stored (Shewchuk's adaptive predicates
-//! [Shewchuk1997], from the crate `robust`).
+//! \[Shewchuk1997\], from the crate `robust`).
 
 use crate::math::{Point2, Point3};
 use std::cmp::Ordering;

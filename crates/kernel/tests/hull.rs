@@ -1,4 +1,4 @@
-//! The published hull: offsets of the UBC series fishing vessel [ZB18].
+//! The published hull: offsets of the UBC series fishing vessel \[ZB18\].
 #![allow(clippy::unwrap_used, clippy::print_stdout)] // tests panic and print what they measured
 
 use sheetwright::boundary::{Boundary, PlaneChoice};

@@ -3,12 +3,13 @@
 use super::grammar::{
     CurveFile, DesignFile, KindName, MethodName, Object, PanelFile, PlaneFile, PlaneName, PointFile,
 };
+use super::source::Source;
 use super::table_path::Tables;
 use super::wrong_version;
-use crate::input::{InputError, ReadOptions, stem};
 use crate::names::{
     did_you_mean, folded, refused_anywhere, refused_for_curve, refused_for_file, shown,
 };
+use crate::reading::{InputError, stem};
 use crate::table::{MAX_CURVES, RANGE_HINT, in_range_mm};
 use crate::units::Units;
 use sheetwright::boundary::{MAX_SAMPLES, PlaneChoice};
@@ -18,7 +19,6 @@ use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelMetho
 use sheetwright::material::{MATERIALS, Material};
 use sheetwright::math::{Point3, Vec3};
 use std::collections::BTreeMap;
-use std::path::Path;
 
 /// Samples of each rail unless the design says: a ruling every half per cent of the length, finer
 /// than hands can mark, in well under a second.
@@ -28,30 +28,6 @@ const LOOP_SAMPLES: usize = 400;
 /// A design has this many panels, and a panel this many uses of curves, at the most.
 const MAX_PANELS: usize = MAX_CURVES;
 const VARY_HINT: &str = "Leave it out: this version keeps every sample where the curves put it.";
-
-/// Where a design comes from, and what the caller sets instead of it.
-pub(super) struct Source<'a> {
-    /// The file's name, or `-`.
-    pub(super) name: &'a str,
-    /// How messages name it.
-    pub(super) place: &'a str,
-    /// The folder of its tables.
-    pub(super) folder: Option<&'a Path>,
-    /// What the caller sets.
-    pub(super) options: &'a ReadOptions,
-}
-
-impl Source<'_> {
-    /// An error at a JSON path.
-    pub(super) fn error(
-        &self,
-        path: &str,
-        message: impl Into<String>,
-        hint: impl Into<String>,
-    ) -> InputError {
-        InputError::at(format!("{}: {path}", self.place), message, hint)
-    }
-}
 
 pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, InputError> {
     if let Some(error) = wrong_version(file.sheetwright, source.place) {

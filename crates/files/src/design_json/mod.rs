@@ -5,13 +5,14 @@
 
 mod convert;
 mod grammar;
+mod source;
 mod table_path;
 mod write;
 
 pub use write::write_design;
 
-use crate::input::{InputError, ReadOptions, display_name};
 use crate::names::{nearest, shown};
+use crate::reading::{InputError, ReadOptions, display_name};
 use crate::table::RANGE_HINT;
 use grammar::{DesignFile, Object};
 use serde::Deserialize;
@@ -33,7 +34,7 @@ pub(crate) fn read(
 ) -> Result<Design, InputError> {
     let place = display_name(name);
     let file = parse(text, place)?;
-    convert::design(file, &convert::Source { name, place, folder, options })
+    convert::design(file, &source::Source { name, place, folder, options })
 }
 
 fn parse(text: &str, place: &str) -> Result<DesignFile, InputError> {

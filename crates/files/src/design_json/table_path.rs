@@ -1,9 +1,9 @@
 //! Points that a design takes from a table beside it. A design may come from a stranger, so its
 //! tables lie in its own folder or below, and nowhere else.
 
-use super::convert::Source;
-use crate::input::{InputError, MAX_INPUT_BYTES, read_whole, text_of};
+use super::source::Source;
 use crate::names::{did_you_mean, shown};
+use crate::reading::{InputError, MAX_INPUT_BYTES, read_whole, text_of};
 use crate::table::{TableCurve, read_table};
 use crate::units::Units;
 use sheetwright::curve::CurvePoint;

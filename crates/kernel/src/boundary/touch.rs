@@ -136,7 +136,7 @@ impl<'a> Edges<'a> {
     }
 }
 
-/// The distance between two segments in space, mm [Ericson2005, 5.1.9].
+/// The distance between two segments in space, mm \[Ericson2005, 5.1.9\].
 fn segment_gap(a: Point3, b: Point3, c: Point3, d: Point3) -> f64 {
     let (u, v, w) = (b - a, d - c, a - c);
     let (uu, vv, uv) = (u.dot(u), v.dot(v), u.dot(v));

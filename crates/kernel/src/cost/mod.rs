@@ -1,6 +1,6 @@
 //! What a rung and a triangle cost: twist, and the price of folds.
 //!
-//! **Twist** (equation 1, normalised as in [L11] and [WT05]). With t_i the unit tangent at P_i,
+//! **Twist** (equation 1, normalised as in \[L11\] and \[WT05\]). With t_i the unit tangent at P_i,
 //! n_i^j = (P_j − P_i) × t_i and n_j^i = (P_i − P_j) × t_j, both normalised,
 //! w(i,j) = 1 − n_i^j · n_j^i. It is computed as ½ |n_i^j − n_j^i|², the same number without
 //! cancellation. Here both normals are turned round, t_i × (P_j − P_i), so that they point to the
@@ -56,7 +56,7 @@ pub enum TwistForm {
     /// With unit normals: only twist counts.
     #[default]
     Normalised,
-    /// As printed in the seed and in [G14], divided by the length of the rung alone: oblique rungs
+    /// As printed in the seed and in \[G14\], divided by the length of the rung alone: oblique rungs
     /// cost too. For comparison.
     Printed,
 }

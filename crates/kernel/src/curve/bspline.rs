@@ -1,6 +1,6 @@
 //! The uniform cubic B-spline.
 //!
-//! Every span is turned into Bézier form by its blossom [Ramshaw1989]: over the knots
+//! Every span is turned into Bézier form by its blossom \[Ramshaw1989\]: over the knots
 //! u_1 … u_6 that a span [u_3, u_4] depends on, the control point of Bézier form with k of its
 //! three arguments at the end of the span is the blossom at (u_3 … u_3, u_4 … u_4). Open ends are
 //! clamped: the knots there are repeated, so that the curve begins at the first control point and

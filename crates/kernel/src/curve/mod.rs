@@ -2,7 +2,7 @@
 //!
 //! A polyline, an interpolating spline and a B-spline differ only in how their spans are made
 //! (one file each); from there on they are the same thing, evaluated with exact derivatives and
-//! sampled evenly by arc length in [`sample`].
+//! sampled evenly by arc length.
 
 mod arc_length;
 mod bspline;

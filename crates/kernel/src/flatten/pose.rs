@@ -1,6 +1,6 @@
 //! How a pattern lies: in the rectangle of least area around it.
 //!
-//! One side of that rectangle lies along a side of the convex hull [FreemanShapira1975]; all are
+//! One side of that rectangle lies along a side of the convex hull \[FreemanShapira1975\]; all are
 //! tried. The longer side is laid along x and the lower left corner at the origin, so that a
 //! pattern needs as little sheet as can be and its size can be read off.
 

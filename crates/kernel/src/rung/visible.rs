@@ -1,6 +1,6 @@
 //! Which rungs lie inside the projection of the boundary on its supporting plane.
 //!
-//! Triangular expansion [Bungiu2014], with exact predicates:
+//! Triangular expansion \[Bungiu2014\], with exact predicates:
 //! 1. The projected loop is cut into triangles by clipping ears; which triangles does not matter.
 //! 2. A sample sees its own triangles. Through the side opposite to it, it looks into the next
 //!    triangle, within the window between that side's ends.

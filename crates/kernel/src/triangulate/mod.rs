@@ -25,7 +25,7 @@ pub enum Method {
     Optimal,
     /// Those whose every triangle has an edge of the boundary: equations (3) and (4). O(m²) both.
     Bridge,
-    /// Those whose every rung joins two rails, [WT05]: a path through the lattice of their pairs.
+    /// Those whose every rung joins two rails, \[WT05\]: a path through the lattice of their pairs.
     /// O(m²) both.
     Rails {
         /// How many of the samples, from the first, lie on the first rail; the rest lie on the

@@ -1,4 +1,4 @@
-//! The cheapest strip between two rails, [WT05].
+//! The cheapest strip between two rails, \[WT05\].
 //!
 //! Every rung joins sample i of the first rail to sample j of the second, so a strip is a path of
 //! steps through the lattice of pairs (i, j), each step a triangle: along the first rail or along

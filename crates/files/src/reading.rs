@@ -1,0 +1,182 @@
+//! What every reader needs: errors with a place and a hint, what the caller sets, and bytes and text
+//! within bounds.
+
+use crate::units::Units;
+use sheetwright::design::PanelMethod;
+use std::fmt;
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+/// A file has this many bytes at the most: more than a million rows of 250 characters.
+pub const MAX_INPUT_BYTES: u64 = 256 << 20;
+
+/// What every unknown ending is answered with.
+pub(crate) const TAKEN: &str = "A design (.sheet.json or .json) or a curve table (.csv) is taken.";
+
+/// Why an input can't be read, where, and what to do.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct InputError {
+    /// What is wrong.
+    pub message: String,
+    /// Where: the file, with a line (`leaf.csv:12`), a line and a column (`a.sheet.json:3:14`) or
+    /// a JSON path (`a.sheet.json: panels[0].rails[1]`).
+    pub place: Option<String>,
+    /// What to do.
+    pub hint: String,
+}
+
+impl InputError {
+    /// An error in the file of this name, or at this place of it.
+    pub(crate) fn at(
+        place: impl Into<String>,
+        message: impl Into<String>,
+        hint: impl Into<String>,
+    ) -> Self {
+        Self { message: message.into(), place: Some(place.into()), hint: hint.into() }
+    }
+}
+
+impl fmt::Display for InputError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.place {
+            Some(place) => write!(f, "{place}: {}", self.message),
+            None => write!(f, "{}", self.message),
+        }
+    }
+}
+
+impl std::error::Error for InputError {}
+
+/// What the caller sets instead of the file.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ReadOptions {
+    /// Samples of each outer loop or rail. A curve table becomes splines with it. Default: as the
+    /// design says; the rows of a table as they are.
+    pub samples: Option<usize>,
+    /// The weight ν of the fold price, 0 ..= 10. Default: as the design says.
+    pub fold: Option<f64>,
+    /// Which triangulations are looked at. Default: as the design says.
+    pub method: Option<PanelMethod>,
+    /// The unit of a curve table. Default: millimetres. A design says its own.
+    pub units: Option<Units>,
+}
+
+/// How messages name the input.
+pub(crate) fn display_name(name: &str) -> &str {
+    if name == "-" { "standard input" } else { name }
+}
+
+/// What an input without a name of its own is called: the file's name without its endings.
+pub(crate) fn stem(name: &str) -> String {
+    if name == "-" {
+        return "panel".to_owned();
+    }
+    let file = Path::new(name).file_name().and_then(|n| n.to_str()).unwrap_or(name);
+    let lower = file.to_lowercase();
+    let ending = [".sheet.json", ".json", ".csv"].into_iter().find(|e| lower.ends_with(e));
+    // Lower case may change the length of other characters, never that of an ASCII ending.
+    let kept = file.len() - ending.map_or(0, str::len);
+    file.get(..kept).unwrap_or(file).to_owned()
+}
+
+/// A folder is no input, whatever its name ends in.
+pub(crate) fn refuse_folder(path: &Path) -> Result<(), InputError> {
+    if path.is_dir() {
+        let message = "this is a folder";
+        return Err(InputError::at(path.display().to_string(), message, TAKEN));
+    }
+    Ok(())
+}
+
+/// All bytes of a file, if they are few enough.
+pub(crate) fn read_whole(path: &Path) -> Result<Vec<u8>, InputError> {
+    refuse_folder(path)?;
+    let place = path.display().to_string();
+    let file = File::open(path).map_err(|error| unreadable(&place, &error))?;
+    // Said at once where the size is known; pipes are counted while they are read.
+    if file.metadata().is_ok_and(|data| data.len() > MAX_INPUT_BYTES) {
+        return Err(too_large(&place));
+    }
+    read_limited(file, &place)
+}
+
+/// All bytes of a reader, if they are few enough. `place` is named in the error.
+///
+/// # Errors
+/// More than [`MAX_INPUT_BYTES`], or whatever the reader fails with.
+pub fn read_limited(reader: impl Read, place: &str) -> Result<Vec<u8>, InputError> {
+    let mut bytes = Vec::new();
+    reader
+        .take(MAX_INPUT_BYTES + 1)
+        .read_to_end(&mut bytes)
+        .map_err(|error| unreadable(place, &error))?;
+    if bytes.len() as u64 > MAX_INPUT_BYTES { Err(too_large(place)) } else { Ok(bytes) }
+}
+
+/// The error for more bytes than are taken.
+pub(crate) fn too_large(place: &str) -> InputError {
+    InputError::at(
+        place,
+        "the input is larger than 256 MiB",
+        "A boundary needs a few thousand points at the most; leave out what lies between.",
+    )
+}
+
+fn unreadable(place: &str, error: &io::Error) -> InputError {
+    // The texts of the system differ from one to the next; the common causes get our own.
+    let (message, hint) = match error.kind() {
+        io::ErrorKind::NotFound => {
+            ("there is no such file".to_owned(), "Check the path and the spelling.")
+        }
+        io::ErrorKind::PermissionDenied => {
+            ("the file may not be read".to_owned(), "Check its permissions.")
+        }
+        _ => (format!("the file can't be read: {error}"), "Check the path and the disk."),
+    };
+    InputError::at(place, message, hint)
+}
+
+/// The text without the mark that some editors put before it.
+pub(crate) fn text_of<'a>(bytes: &'a [u8], name: &str) -> Result<&'a str, InputError> {
+    let place = display_name(name);
+    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+        let hint = "Save it as UTF-8 (in a spreadsheet: CSV UTF-8).";
+        return Err(InputError::at(place, "the text is encoded as UTF-16", hint));
+    }
+    if bytes.contains(&0) {
+        return Err(InputError::at(place, "this is no text but binary data", TAKEN));
+    }
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let text = std::str::from_utf8(bytes).map_err(|error| {
+        let line = 1 + bytes[..error.valid_up_to()].iter().filter(|&&b| b == b'\n').count();
+        InputError::at(
+            format!("{place}:{line}"),
+            "the text is not encoded as UTF-8",
+            "Save it as UTF-8 (in a spreadsheet: CSV UTF-8).",
+        )
+    })?;
+    if text.trim().is_empty() {
+        return Err(InputError::at(place, "the input is empty", TAKEN));
+    }
+    Ok(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_stem_drops_every_known_ending() {
+        assert_eq!(stem("a/dinghy.sheet.json"), "dinghy");
+        assert_eq!(stem("Leaf.CSV"), "Leaf");
+        assert_eq!(stem("İ.csv"), "İ");
+        assert_eq!(stem("-"), "panel");
+    }
+
+    #[test]
+    fn more_bytes_than_the_limit_are_not_kept() {
+        let error = read_limited(io::repeat(b'x'), "endless").unwrap_err();
+        assert_eq!(error.to_string(), "endless: the input is larger than 256 MiB");
+    }
+}
