@@ -1,7 +1,7 @@
 //! Which parts of lines on a surface are hidden by the surfaces.
 
 use super::canvas::WIDTH;
-use super::paint::Part;
+use super::part::Part;
 use super::view::View;
 use sheetwright::index::{SampleIndex, TriangleIndex};
 use sheetwright::math::{Point2, Vec2};

@@ -12,6 +12,7 @@ mod hidden;
 mod html;
 mod json;
 mod paint;
+mod part;
 mod space_picture;
 mod strips;
 mod style;

@@ -6,10 +6,10 @@
 
 use super::canvas::PathData;
 use super::hidden::Seen;
+use super::part::Part;
 use super::style::SHADES;
 use super::view::{View, is_plain};
-use sheetwright::design::MadePanel;
-use sheetwright::index::{SampleIndex, TriangleIndex};
+use sheetwright::index::TriangleIndex;
 use sheetwright::math::{Point2, Vec3, unit};
 use std::collections::BTreeMap;
 
@@ -18,28 +18,6 @@ use std::collections::BTreeMap;
 const LEAST_CONTRAST: f64 = 0.18;
 /// The classes of rungs, in the order in which they are drawn.
 const RUNG_CLASSES: [&str; 3] = ["r", "x", "w"];
-
-/// A panel as it lies in the picture.
-pub(super) struct Part<'a> {
-    pub(super) panel: &'a MadePanel,
-    /// Where its samples lie in the picture.
-    pub(super) points: Vec<Point2>,
-    /// The class of every rung that is drawn.
-    pub(super) rungs: Vec<Option<&'static str>>,
-}
-
-impl Part<'_> {
-    fn corners(&self, triangle: TriangleIndex) -> [Point2; 3] {
-        let corners = self.panel.surface.connectivity().triangles()[triangle.get()];
-        corners.map(|s| self.points[s.get()])
-    }
-
-    /// The rungs of a class, by their samples.
-    fn rungs_of(&self, class: &'static str) -> impl Iterator<Item = [SampleIndex; 2]> + '_ {
-        let rungs = self.panel.measures.rungs.iter().zip(&self.rungs);
-        rungs.filter(move |(_, c)| **c == Some(class)).map(|(rung, _)| rung.rung.ends())
-    }
-}
 
 /// A triangle of a part, with the class of its shade.
 struct Facet {

@@ -1,7 +1,8 @@
 //! The surface in space: shaded triangles, rulings and the boundary.
 
 use super::canvas::{Anchor, Picture, WIDTH, line, round_below, scale_bar, text};
-use super::paint::{Part, paint};
+use super::paint::paint;
+use super::part::Part;
 use super::view::{View, view_of};
 use super::wording::{length_short, thinned};
 use super::worst_rung;
