@@ -3,7 +3,7 @@
 //! The answers are exact for the coordinates as they are stored (Shewchuk's adaptive predicates
 //! \[Shewchuk1997\], from the crate `robust`).
 
-use crate::math::{Point2, Point3};
+use crate::math::{Point2, Point3, Vec3};
 use std::cmp::Ordering;
 
 fn coord(p: Point2) -> robust::Coord<f64> {
@@ -62,7 +62,12 @@ fn boxes_touch(a: Point2, b: Point2, c: Point2, d: Point2) -> bool {
 pub fn first_crossing(polygon: &[Point2]) -> Option<(usize, usize)> {
     let m = polygon.len();
     let edge = |i: usize| (polygon[i], polygon[(i + 1) % m]);
-    let boxes: Vec<Box2> = (0..m).map(|i| Box2::of_segment(edge(i).0, edge(i).1)).collect();
+    let boxes: Vec<(Vec3, Vec3)> = (0..m)
+        .map(|i| {
+            let (a, b) = (edge(i).0.to_vec().extend(0.0), edge(i).1.to_vec().extend(0.0));
+            (a.min(b), a.max(b))
+        })
+        .collect();
     let mut first: Option<(usize, usize)> = None;
     for_touching_boxes(&boxes, |i, j| {
         let ((a, b), (c, d)) = (edge(i), edge(j));
@@ -95,14 +100,6 @@ pub struct Box2 {
 }
 
 impl Box2 {
-    /// The box around a segment.
-    pub fn of_segment(a: Point2, b: Point2) -> Self {
-        Self {
-            min: Point2::new(a.x.min(b.x), a.y.min(b.y)),
-            max: Point2::new(a.x.max(b.x), a.y.max(b.y)),
-        }
-    }
-
     /// The box around some points; `None` without any.
     pub fn of_points(points: impl IntoIterator<Item = Point2>) -> Option<Self> {
         points.into_iter().map(|p| Self { min: p, max: p }).reduce(|a, b| Self {
@@ -112,15 +109,16 @@ impl Box2 {
     }
 }
 
-/// Calls `visit(i, j)` with i < j for every two boxes that touch: a sweep along x.
-fn for_touching_boxes(boxes: &[Box2], mut visit: impl FnMut(usize, usize)) {
+/// Calls `visit(i, j)` with i < j for every two boxes, given by their smallest and largest
+/// coordinates, that touch: a sweep along x.
+pub(crate) fn for_touching_boxes(boxes: &[(Vec3, Vec3)], mut visit: impl FnMut(usize, usize)) {
     let mut order: Vec<usize> = (0..boxes.len()).collect();
-    order.sort_by(|&a, &b| boxes[a].min.x.total_cmp(&boxes[b].min.x).then(a.cmp(&b)));
+    order.sort_by(|&i, &j| boxes[i].0.x.total_cmp(&boxes[j].0.x).then(i.cmp(&j)));
     let mut open: Vec<usize> = Vec::new();
     for &i in &order {
-        open.retain(|&j| boxes[j].max.x >= boxes[i].min.x);
+        open.retain(|&j| boxes[j].1.x >= boxes[i].0.x);
         for &j in &open {
-            if boxes[i].min.y <= boxes[j].max.y && boxes[j].min.y <= boxes[i].max.y {
+            if (boxes[i].0.cmple(boxes[j].1) & boxes[j].0.cmple(boxes[i].1)).all() {
                 visit(i.min(j), i.max(j));
             }
         }

@@ -5,6 +5,7 @@
 
 use super::{Boundary, BoundaryError};
 use crate::math::{Point3, Vec3};
+use crate::predicate::for_touching_boxes;
 use crate::tolerance::Tolerance;
 
 /// Edges nearer than this share of the size touch: more than rounding (1e-16) by far, less than
@@ -98,19 +99,7 @@ impl<'a> Edges<'a> {
             (p.min(q) - near, p.max(q) + near)
         };
         let boxes: Vec<(Vec3, Vec3)> = (0..m).map(low_high).collect();
-        let mut order: Vec<usize> = (0..m).collect();
-        order.sort_by(|&i, &j| boxes[i].0.x.total_cmp(&boxes[j].0.x).then(i.cmp(&j)));
-        let mut open: Vec<usize> = Vec::new();
-        for &i in &order {
-            open.retain(|&j| boxes[j].1.x >= boxes[i].0.x);
-            for &j in &open {
-                let overlap = boxes[i].0.cmple(boxes[j].1) & boxes[j].0.cmple(boxes[i].1);
-                if overlap.all() {
-                    visit(i.min(j), i.max(j));
-                }
-            }
-            open.push(i);
-        }
+        for_touching_boxes(&boxes, &mut visit);
     }
 
     fn look_at(&self, i: usize, j: usize, near: f64, found: &mut impl FnMut(usize, usize, bool)) {

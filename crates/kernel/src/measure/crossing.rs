@@ -7,7 +7,7 @@
 
 use crate::index::TriangleIndex;
 use crate::math::{Point2, Point3, Vec3};
-use crate::predicate::{orientation, orientation3};
+use crate::predicate::{for_touching_boxes, orientation, orientation3};
 use crate::surface::Surface;
 use std::cmp::Ordering;
 
@@ -23,22 +23,12 @@ pub fn first_self_crossing(surface: &Surface) -> Option<[TriangleIndex; 2]> {
             (a.min(b).min(c), a.max(b).max(c))
         })
         .collect();
-    let mut order: Vec<usize> = (0..count).collect();
-    order.sort_by(|&i, &j| boxes[i].0.x.total_cmp(&boxes[j].0.x).then(i.cmp(&j)));
     let mut first: Option<[usize; 2]> = None;
-    let mut open: Vec<usize> = Vec::new();
-    for &i in &order {
-        open.retain(|&j| boxes[j].1.x >= boxes[i].0.x);
-        for &j in &open {
-            let touch = boxes[i].0.cmple(boxes[j].1) & boxes[j].0.cmple(boxes[i].1);
-            let pair = [i.min(j), i.max(j)];
-            if touch.all() && first.is_none_or(|best| pair < best) && cross(corners[i], corners[j])
-            {
-                first = Some(pair);
-            }
+    for_touching_boxes(&boxes, |i, j| {
+        if first.is_none_or(|best| [i, j] < best) && cross(corners[i], corners[j]) {
+            first = Some([i, j]);
         }
-        open.push(i);
-    }
+    });
     first.map(|pair| pair.map(TriangleIndex::new))
 }
 
