@@ -100,6 +100,14 @@ pub struct Box2 {
 }
 
 impl Box2 {
+    /// The box around a segment.
+    pub fn of_segment(a: Point2, b: Point2) -> Self {
+        Self {
+            min: Point2::new(a.x.min(b.x), a.y.min(b.y)),
+            max: Point2::new(a.x.max(b.x), a.y.max(b.y)),
+        }
+    }
+
     /// The box around some points; `None` without any.
     pub fn of_points(points: impl IntoIterator<Item = Point2>) -> Option<Self> {
         points.into_iter().map(|p| Self { min: p, max: p }).reduce(|a, b| Self {
