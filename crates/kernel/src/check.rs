@@ -133,16 +133,11 @@ pub fn refolding(error_mm: f64, size_mm: f64) -> Option<Finding> {
     })
 }
 
-/// A warp angle counts as twist unless the sampling explains it.
-fn twist_angle(rung: &RungMeasures) -> f64 {
-    if rung.warp > rung.resolution { rung.warp } else { 0.0 }
-}
-
 fn warp(panel: &Panel<'_>) -> Option<Finding> {
     let limit = warp_limit(panel.material);
     let rungs = &panel.measures.rungs;
     let sheet = panel.material.map_or("sheet", |m| m.title);
-    let beyond = |bound: f64| move |r: &RungMeasures| twist_angle(r) > bound;
+    let beyond = |bound: f64| move |r: &RungMeasures| r.warp_beyond_sampling() > bound;
     let largest = |bound: f64| {
         rungs.iter().filter(|r| beyond(bound)(r)).map(|r| r.warp).reduce(f64::max).map(to_deg)
     };

@@ -75,10 +75,10 @@ pub(super) fn rung_classes(
 ) -> Vec<Option<&'static str>> {
     let limit = warp_limit(material);
     let rungs = &panel.measures.rungs;
-    let worst = worst_rung(&panel.measures).filter(|&n| rungs[n].warp > limit);
+    let worst = worst_rung(&panel.measures).filter(|&n| rungs[n].warp_beyond_sampling() > limit);
     let mut classes = vec![None; rungs.len()];
     let (beyond, within): (Vec<usize>, Vec<usize>) =
-        (0..rungs.len()).partition(|&n| rungs[n].warp > limit);
+        (0..rungs.len()).partition(|&n| rungs[n].warp_beyond_sampling() > limit);
     for (list, class) in [(within, "r"), (beyond, "x")] {
         for n in thinned(&list, most) {
             classes[n] = Some(class);

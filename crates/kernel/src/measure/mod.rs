@@ -56,6 +56,13 @@ pub struct RungMeasures {
     pub middle: Point3,
 }
 
+impl RungMeasures {
+    /// The warp angle, unless the sampling explains it: then 0. Radians.
+    pub fn warp_beyond_sampling(&self) -> f64 {
+        if self.warp > self.resolution { self.warp } else { 0.0 }
+    }
+}
+
 /// What is measured on one panel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measures {
