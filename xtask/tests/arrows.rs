@@ -49,6 +49,8 @@ fn dependencies(manifest: &Path, section: &str) -> Vec<String> {
     let mut found = Vec::new();
     for line in text.lines().map(str::trim) {
         if line.starts_with('[') {
+            let hidden = line.starts_with("[target") || line.starts_with("[dependencies.");
+            assert!(!hidden, "{}: {line} hides dependencies from this test", manifest.display());
             inside = line == format!("[{section}]");
         } else if inside && !line.is_empty() && !line.starts_with('#') {
             let name = line.split(['=', '.']).next().unwrap().trim();
@@ -121,6 +123,8 @@ fn kernel_modules_use_only_those_above_them() {
             if line.trim_start().starts_with("//") {
                 continue;
             }
+            let whole = format!("{}:{}: one path a `use` of the crate", inside.display(), n + 1);
+            assert!(!line.contains("crate::{"), "{whole}, so that arrows can be read");
             for part in line.split("crate::").skip(1) {
                 let end = part.find(|c: char| !c.is_alphanumeric() && c != '_');
                 let used = &part[..end.unwrap_or(part.len())];

@@ -127,7 +127,7 @@ pub(crate) struct SourceArgs {
     pub(crate) input: PathBuf,
     /// The format of standard input
     #[arg(long, value_enum, value_name = "FORMAT")]
-    pub(crate) from: Option<From>,
+    pub(crate) from: Option<StdinFormat>,
     /// Samples of each outer loop or rail; a curve table is smoothed by a spline through its points
     #[arg(long, value_name = "N")]
     samples: Option<usize>,
@@ -158,14 +158,14 @@ impl SourceArgs {
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
-pub(crate) enum From {
+pub(crate) enum StdinFormat {
     /// A curve table
     Csv,
     /// A design
     Json,
 }
 
-impl From {
+impl StdinFormat {
     pub(crate) fn format(self) -> InputFormat {
         match self {
             Self::Csv => InputFormat::Table,

@@ -39,13 +39,14 @@ pub(crate) fn run(args: &MakeArgs, voice: Voice) -> Result<bool, Failure> {
         batch.add(TIMING, &timing_json(&times, start.elapsed().as_secs_f64()))?;
         names.push(TIMING.to_owned());
     }
-    batch.keep()?;
     let answer = if voice.json {
         findings_json(&made, &outputs.panels, Some(&names))
     } else {
         in_words(&made, &outputs.panels)
     };
+    // The answer first: where it can't be given, nothing is written.
     print(&answer)?;
+    batch.keep()?;
     voice.note(&format!("{} files written to {}", names.len(), args.out.display()));
     Ok(found_errors(&outputs.panels))
 }

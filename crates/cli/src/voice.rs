@@ -60,6 +60,7 @@ pub(crate) fn in_words(made: &Made, panels: &[Checked]) -> String {
             Verdict::Bends => "bends",
             Verdict::BendsAndFolds => "bends, with sharp folds",
             Verdict::BendsWithForce => "bends with some force",
+            Verdict::Undecided => "can't tell yet",
             Verdict::WillNotBend => "will not bend",
         };
         text.push_str(&format!("{}: {verdict}\n", panel.name));

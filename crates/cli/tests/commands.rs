@@ -77,6 +77,13 @@ fn the_exit_status_says_how_it_went() {
     assert_eq!(words, "square: bends\n");
     let (words, _) = desk.says("check twisted.sheet.json", 1);
     assert!(words.starts_with("seat: will not bend\n  error: "), "{words}");
+    // Too few samples to tell are never taken for a yes.
+    for samples in [12, 14, 16, 20, 24, 30, 36, 48, 100, 300] {
+        let args = ["check", "twisted.sheet.json", "--samples", &samples.to_string()].join(" ");
+        let output = desk.run(&args);
+        let words = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert!(!words.starts_with("seat: bends\n"), "{samples}: {words}");
+    }
     desk.says("make twisted.sheet.json --out out", 1);
     // Files are written all the same: the pattern shows what is wrong.
     assert!(desk.path("out/report.json").exists());

@@ -146,7 +146,7 @@ fn ascii(text: &str) -> String {
 }
 
 /// Reads back the outline and the rungs of a pattern that [`write_dxf`] wrote: the closed polyline
-/// on `cut`, and the segments on `score` and `note` between its corners.
+/// on `cut`, and the segments on the other layers between its corners.
 ///
 /// # Errors
 /// See [`PatternReadError`]. Another release than 12 and other entities than polylines are refused.
@@ -164,7 +164,7 @@ pub fn read_dxf(bytes: &[u8]) -> Result<ReadPattern, PatternReadError> {
             (Some(Role::Cut), _) => {
                 return Err(PatternReadError::Unexpected("open line to cut".to_owned()));
             }
-            (Some(Role::Score | Role::Note), &[from, to]) if !closed => segments.push([from, to]),
+            (Some(_), &[from, to]) if !closed => segments.push([from, to]),
             (Some(_), _) => {}
             (None, _) => {
                 return Err(PatternReadError::Unexpected(format!("layer '{layer}'")));

@@ -50,7 +50,9 @@ fn curve(error: &CurveError) -> &'static str {
         CurveError::TooFewPoints { .. } => {
             "An open curve takes two points or more, a closed one three or more."
         }
-        CurveError::NotFinite { .. } => "Write plain numbers.",
+        CurveError::OutOfRange { .. } => {
+            "Lengths are finite numbers within ±1e9 mm: check the units and the numbers."
+        }
         CurveError::Repeated { .. } => {
             "Remove one of the two; a closed curve does not repeat its first point."
         }

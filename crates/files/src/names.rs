@@ -3,6 +3,8 @@
 //! A panel's name becomes the name of its files, on whatever system the design is opened, so the
 //! same names are refused everywhere.
 
+use unicode_normalization::UnicodeNormalization;
+
 /// A name has this many bytes at the most: with an ending added it stays below the 255 bytes that
 /// file systems take, and it fits on a label.
 pub(crate) const MAX_NAME_BYTES: usize = 100;
@@ -62,9 +64,11 @@ pub(crate) fn refused_for_file(name: &str) -> Option<&'static str> {
         .then_some("is the name of a device on Windows")
 }
 
-/// A name as two disks that do not tell upper from lower case see it.
+/// A name as disks see it that tell neither upper from lower case nor the ways apart in which
+/// Unicode composes a letter and its accent.
 pub(crate) fn folded(name: &str) -> String {
-    name.to_lowercase()
+    let composed: String = name.nfc().collect();
+    composed.to_lowercase().nfc().collect()
 }
 
 /// Control characters, and those that turn the direction of writing and so hide an ending.

@@ -2,6 +2,7 @@
 
 use crate::drawing::digits;
 use sheetwright::design::Made;
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 /// The OBJ file of all panels: an object and a group a panel, places in space as vertices and
@@ -12,8 +13,9 @@ pub fn write_obj(made: &Made) -> Vec<u8> {
          # v: places in space. vt: the same samples on the flat pattern, in mm as well.\n",
     );
     let mut before = 1;
+    let mut taken = BTreeSet::new();
     for panel in &made.panels {
-        let name = one_word(&panel.name);
+        let name = one_word(&panel.name, &mut taken);
         // `o` divides the file for Blender and trimesh, `g` for everyone else. Writing to a
         // string does not fail.
         let _ = writeln!(obj, "o {name}\ng {name}");
@@ -32,7 +34,24 @@ pub fn write_obj(made: &Made) -> Vec<u8> {
     obj.into_bytes()
 }
 
-/// A name as OBJ takes it: blanks would begin another group.
-fn one_word(name: &str) -> String {
-    name.chars().map(|c| if c.is_whitespace() || c.is_control() { '_' } else { c }).collect()
+/// A name as OBJ takes it: blanks would begin another group. Names that differ in blanks alone are
+/// told apart by a number.
+fn one_word(name: &str, taken: &mut BTreeSet<String>) -> String {
+    let word: String =
+        name.chars().map(|c| if c.is_whitespace() || c.is_control() { '_' } else { c }).collect();
+    let numbered = (2..).map(|n| format!("{word}_{n}"));
+    let mut words = std::iter::once(word.clone()).chain(numbered);
+    words.find(|word| taken.insert(word.clone())).unwrap_or(word)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_panel_keeps_a_group_of_its_own() {
+        let mut taken = BTreeSet::new();
+        let words = ["a b", "a_b", "a\tb"].map(|name| one_word(name, &mut taken));
+        assert_eq!(words, ["a_b", "a_b_2", "a_b_3"]);
+    }
 }

@@ -108,7 +108,7 @@ fn escaped(text: &str) -> String {
 }
 
 /// Reads back the outline and the rungs of a pattern that [`write_svg`] wrote: the closed path of
-/// `cut`, and the segments of `score` and `note` between its corners. What the paths are named is
+/// `cut`, and the segments of the other groups between its corners. What the paths are named is
 /// not looked at; the unit is what `width` and `height` make of `viewBox`.
 ///
 /// # Errors
@@ -138,9 +138,6 @@ pub fn read_svg(bytes: &[u8]) -> Result<ReadPattern, PatternReadError> {
             .children()
             .find(|n| n.has_tag_name("g") && n.attribute("id") == Some(role.name()))
             .ok_or(PatternReadError::Missing(role.name()))?;
-        if role == Role::Engrave {
-            continue;
-        }
         for path in group.descendants().filter(|n| n.has_tag_name("path")) {
             for (points, closed) in lines(path.attribute("d").unwrap_or_default(), unit_mm)? {
                 match (role, &points[..]) {

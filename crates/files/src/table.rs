@@ -3,8 +3,9 @@
 use crate::names::{did_you_mean, refused_for_curve, refused_for_file, shown};
 use crate::reading::{InputError, ReadOptions, display_name, stem};
 use crate::units::Units;
-use sheetwright::boundary::{MAX_COORDINATE_MM, MAX_SAMPLES, PlaneChoice};
+use sheetwright::boundary::{MAX_SAMPLES, PlaneChoice};
 use sheetwright::cost::PriceOptions;
+use sheetwright::curve::MAX_COORDINATE_MM;
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelShape};
 use sheetwright::math::Point3;

@@ -2,8 +2,8 @@
 
 use crate::boundary::Boundary;
 use crate::flatten::Flattened;
-use crate::material::{Material, warp_limit};
-use crate::math::to_deg;
+use crate::material::{Material, warp_limit_deg};
+use crate::math::{from_deg, to_deg};
 use crate::measure::{Measures, RungMeasures, SHARP_CREASE_DEG};
 use crate::tolerance::Tolerance;
 use crate::triangulate::Triangulation;
@@ -52,17 +52,29 @@ pub enum Verdict {
     BendsAndFolds,
     /// It takes its shape with some force: it must stretch a little.
     BendsWithForce,
+    /// The sampling is too coarse to tell bending from twist.
+    Undecided,
     /// It does not take its shape.
     WillNotBend,
 }
 
 impl Verdict {
+    /// Every verdict, the best first.
+    pub const ALL: [Self; 5] = [
+        Self::Bends,
+        Self::BendsAndFolds,
+        Self::BendsWithForce,
+        Self::Undecided,
+        Self::WillNotBend,
+    ];
+
     /// How reports name it.
     pub fn name(self) -> &'static str {
         match self {
             Self::Bends => "bends",
             Self::BendsAndFolds => "bends-and-folds",
             Self::BendsWithForce => "bends-with-force",
+            Self::Undecided => "undecided",
             Self::WillNotBend => "will-not-bend",
         }
     }
@@ -80,6 +92,9 @@ pub struct Checked {
 /// Up to this share of the warp limit a sheet goes into shape by itself; above it, with force.
 /// Half of the limit: by experience of plywood boats, which are clamped rather than rolled.
 pub const EASY_SHARE: f64 = 0.5;
+/// Length errors below it, as a share of the size over the shortest side, are rounding: an exact
+/// pattern has a thousandth of it.
+const ROUNDING: f64 = 1e-9;
 
 /// Everything known of a panel when it is checked.
 #[derive(Clone, Copy, Debug)]
@@ -98,8 +113,17 @@ pub struct Panel<'a> {
 
 /// Checks a panel.
 pub fn check(panel: &Panel<'_>) -> Checked {
-    let checks =
-        [warp, bend_radius, crossing, overlap, forced_rungs, folds, bend_lines, length_error];
+    let checks = [
+        warp,
+        coarse_samples,
+        bend_radius,
+        crossing,
+        overlap,
+        forced_rungs,
+        folds,
+        bend_lines,
+        length_error,
+    ];
     let mut findings: Vec<Finding> = checks.iter().filter_map(|check| check(panel)).collect();
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
     let has = |code: &str, severity: Severity| {
@@ -108,6 +132,8 @@ pub fn check(panel: &Panel<'_>) -> Checked {
     let broken = ["warp-too-large", "radius-too-small", "self-crossing", "folds"];
     let verdict = if broken.iter().any(|code| has(code, Severity::Error)) {
         Verdict::WillNotBend
+    } else if has("coarse-samples", Severity::Warning) {
+        Verdict::Undecided
     } else if has("warp-high", Severity::Warning) {
         Verdict::BendsWithForce
     } else if has("folds", Severity::Warning) {
@@ -134,7 +160,7 @@ pub fn refolding(error_mm: f64, size_mm: f64) -> Option<Finding> {
 }
 
 fn warp(panel: &Panel<'_>) -> Option<Finding> {
-    let limit = warp_limit(panel.material);
+    let limit = from_deg(warp_limit_deg(panel.material));
     let rungs = &panel.measures.rungs;
     let sheet = panel.material.map_or("sheet", |m| m.title);
     let beyond = |bound: f64| move |r: &RungMeasures| r.warp_beyond_sampling() > bound;
@@ -168,15 +194,22 @@ fn warp(panel: &Panel<'_>) -> Option<Finding> {
             place: where_rungs(rungs, beyond(EASY_SHARE * limit)),
         });
     }
-    (panel.measures.warp_max > limit).then(|| Finding {
+    None
+}
+
+fn coarse_samples(panel: &Panel<'_>) -> Option<Finding> {
+    let limit = from_deg(warp_limit_deg(panel.material));
+    let rungs = &panel.measures.rungs;
+    let told = |r: &RungMeasures| r.warp <= limit || r.warp_beyond_sampling() > 0.0;
+    (!rungs.iter().all(told)).then(|| Finding {
         severity: Severity::Warning,
         code: "coarse-samples",
         text: format!(
-            "Rungs turn by up to {:.1}° where the sheet bends from one sample to the next. It looks \
-             like bending, not twist; ask for more samples to be sure.",
+            "Rungs turn by up to {:.1}°, which may be the bend from one sample to the next or \
+             twist: these samples are too coarse to tell. Ask for more.",
             to_deg(panel.measures.warp_max)
         ),
-        place: where_rungs(rungs, |r| r.warp > limit),
+        place: where_rungs(rungs, |r| !told(r)),
     })
 }
 
@@ -277,9 +310,8 @@ fn bend_lines(panel: &Panel<'_>) -> Option<Finding> {
 
 fn length_error(panel: &Panel<'_>) -> Option<Finding> {
     let most = panel.measures.length_error_max;
-    // Rounding of coordinates and lengths; an exact pattern has less by far.
-    let exact = 1e-9 * panel.boundary.size() / shortest_side(panel);
-    (most > exact.max(1e-9)).then(|| Finding {
+    let exact = ROUNDING * panel.boundary.size() / shortest_side(panel);
+    (most > exact.max(ROUNDING)).then(|| Finding {
         severity: Severity::Warning,
         code: "length-error",
         text: format!(

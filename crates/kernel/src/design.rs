@@ -16,7 +16,7 @@ use crate::pattern::{PatternOptions, Piece, piece};
 use crate::surface::{Connectivity, ConnectivityError, Surface};
 use crate::tolerance::Tolerance;
 use crate::triangulate::{
-    Method, TriangulateError, TriangulateOptions, Triangulation, triangulate,
+    Method, TriangulateError, TriangulateOptions, Triangulation, refuse, triangulate,
 };
 use crate::watch::{Stage, Watch};
 use std::fmt;
@@ -264,13 +264,16 @@ fn make_panel(
             first: sampled.on_first_rail.ok_or_else(|| failed(MakeCause::NoRails))?,
         },
     };
+    let mut options = TriangulateOptions { method, ..TriangulateOptions::default() };
+    options.price.fold = panel.fold;
+    // Before the boundary is looked at, which takes its time for a long one.
+    let m = sampled.loops.iter().map(Vec::len).sum();
+    refuse(m, sampled.loops.len() - 1, &options).map_err(|e| failed(MakeCause::Triangulate(e)))?;
     let boundary = Boundary::new(sampled.loops).map_err(|e| failed(MakeCause::Boundary(e)))?;
     let plane =
         supporting_plane(&boundary, panel.plane).map_err(|e| failed(MakeCause::Plane(e)))?;
 
     watch.begin(&panel.name, Stage::Solve);
-    let mut options = TriangulateOptions { method, ..TriangulateOptions::default() };
-    options.price.fold = panel.fold;
     let triangulation = triangulate(&boundary, plane.as_ref(), &options, watch)
         .map_err(|e| failed(MakeCause::Triangulate(e)))?;
     let connectivity = Connectivity::new(boundary.loops(), triangulation.triangles.clone())
@@ -383,7 +386,8 @@ fn sampled_loop(
     }
     let curves =
         parts.iter().map(|part| built(design, panel, part)).collect::<Result<Vec<_>, _>>()?;
-    let size = crate::boundary::size_of(curves.iter().flat_map(|c| [c.start(), c.end()]));
+    let controls = curves.iter().flat_map(|c| c.spans()).flat_map(|span| span.control);
+    let size = crate::boundary::size_of(controls);
     for (n, curve) in curves.iter().enumerate() {
         if curve.closed() {
             if curves.len() > 1 {

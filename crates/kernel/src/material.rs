@@ -6,8 +6,6 @@
 //! \[APA-E30\] for bending dry across the face grain; thinner plywood by the same ratio to its
 //! thickness. Radii of metal are inner radii for cold bending, as a multiple of the thickness.
 
-use crate::math::from_deg;
-
 /// A sheet material of a thickness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
@@ -19,12 +17,16 @@ pub struct Material {
     pub thickness_mm: f64,
     /// The smallest radius that it is bent to, mm.
     pub bend_radius_mm: f64,
-    /// The largest warp angle that it takes, radians.
-    pub warp_limit: f64,
+    /// The largest warp angle that it takes, degrees.
+    pub warp_limit_deg: f64,
 }
 
 /// The largest warp angle of a sheet that nothing is known of, degrees: metal shipbuilding \[ZB18\].
 pub const DEFAULT_WARP_LIMIT_DEG: f64 = 6.0;
+
+/// A sheet that is bent to no less than this many thicknesses breaks when it is folded; solid board,
+/// scored, is at the limit.
+const MOST_THICKNESSES: f64 = 10.0;
 
 const fn material(
     name: &'static str,
@@ -33,8 +35,7 @@ const fn material(
     bend_radius_mm: f64,
     warp_limit_deg: f64,
 ) -> Material {
-    let warp_limit = warp_limit_deg * (std::f64::consts::PI / 180.0);
-    Material { name, title, thickness_mm, bend_radius_mm, warp_limit }
+    Material { name, title, thickness_mm, bend_radius_mm, warp_limit_deg }
 }
 
 /// Every material, by name.
@@ -61,7 +62,7 @@ impl Material {
     /// Whether it takes a sharp fold along a scored line: not plywood, whose bend radius is a
     /// hundred times its thickness.
     pub fn folds(&self) -> bool {
-        self.bend_radius_mm <= 10.0 * self.thickness_mm
+        self.bend_radius_mm <= MOST_THICKNESSES * self.thickness_mm
     }
 
     /// The material of a name.
@@ -70,9 +71,9 @@ impl Material {
     }
 }
 
-/// The largest warp angle that is accepted, radians: the material's, or the default without one.
-pub fn warp_limit(material: Option<&Material>) -> f64 {
-    material.map_or(from_deg(DEFAULT_WARP_LIMIT_DEG), |m| m.warp_limit)
+/// The largest warp angle that is accepted, degrees: the material's, or the default without one.
+pub fn warp_limit_deg(material: Option<&Material>) -> f64 {
+    material.map_or(DEFAULT_WARP_LIMIT_DEG, |m| m.warp_limit_deg)
 }
 
 #[cfg(test)]

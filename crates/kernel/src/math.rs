@@ -199,11 +199,6 @@ pub fn cos(radians: f64) -> f64 {
     libm::cos(radians)
 }
 
-/// Tangent of an angle in radians, the same bits on every platform.
-pub fn tan(radians: f64) -> f64 {
-    libm::tan(radians)
-}
-
 /// The angle of the direction (x, y), radians in −π ..= π, the same bits on every platform.
 pub fn atan2(y: f64, x: f64) -> f64 {
     libm::atan2(y, x)

@@ -58,7 +58,8 @@ fn boxes_touch(a: Point2, b: Point2, c: Point2, d: Point2) -> bool {
 
 /// The first pair of edges of a closed polygon, in order, that touch without being neighbours, or
 /// that are neighbours folded back on one another; `None` for a simple polygon. Edge `i` runs from
-/// corner `i` to corner `i + 1`. Exact; time O(m log m) for polygons as people draw them.
+/// corner `i` to corner `i + 1`. Exact; time O(m log m) for polygons as people
+/// draw them, O(m²) at worst.
 pub fn first_crossing(polygon: &[Point2]) -> Option<(usize, usize)> {
     let m = polygon.len();
     let edge = |i: usize| (polygon[i], polygon[(i + 1) % m]);

@@ -222,7 +222,8 @@ fn coarse_samples_are_not_taken_for_twist() {
                 material: None,
             });
             let warp = to_deg(solved.measures.warp_max);
-            assert_eq!(checked.verdict, Verdict::Bends, "{} {m}: {warp}° {checked:?}", blob.name);
+            let wanted = if warp > 6.0 { Verdict::Undecided } else { Verdict::Bends };
+            assert_eq!(checked.verdict, wanted, "{} {m}: {warp}° {checked:?}", blob.name);
         }
     }
 }

@@ -80,6 +80,8 @@ fn curves(
             KindName::Polyline => Some(CurveKind::Polyline),
             KindName::Spline => Some(CurveKind::Spline),
             KindName::BSpline => Some(CurveKind::BSpline),
+            // More or fewer samples than there are points are those of a spline through them.
+            KindName::Samples if source.options.samples.is_some() => Some(CurveKind::Spline),
             KindName::Samples => None,
         };
         let points = match (file.points, file.table) {

@@ -14,7 +14,7 @@ use super::worst_rung;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use sheetwright::check::{Checked, Severity, Verdict};
 use sheetwright::design::{Made, MadePanel};
-use sheetwright::material::{Material, warp_limit};
+use sheetwright::material::{Material, warp_limit_deg};
 use sheetwright::math::to_deg;
 
 /// `report.html` of a made design. `refold_error_mm` and `checked` have one entry a panel; a refold
@@ -75,12 +75,12 @@ fn subtitle(made: &Made) -> String {
         Some(m) => format!(
             "{panels} of {}: takes a warp of {}° and a bend radius of {}",
             m.title,
-            decimal(to_deg(m.warp_limit), 1),
+            decimal(m.warp_limit_deg, 1),
             millimetres(m.bend_radius_mm)
         ),
         None => format!(
             "{panels}, no material named: a warp of {}° is accepted, and any bend radius",
-            decimal(to_deg(warp_limit(None)), 1)
+            decimal(warp_limit_deg(None), 1)
         ),
     }
 }
@@ -136,7 +136,9 @@ impl Page<'_> {
     fn severity(&self) -> Severity {
         let of_verdict = match self.checked.verdict {
             Verdict::Bends => Severity::Note,
-            Verdict::BendsAndFolds | Verdict::BendsWithForce => Severity::Warning,
+            Verdict::BendsAndFolds | Verdict::BendsWithForce | Verdict::Undecided => {
+                Severity::Warning
+            }
             Verdict::WillNotBend => Severity::Error,
         };
         let of_findings = self.checked.findings.iter().map(|f| f.severity);

@@ -3,9 +3,9 @@
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::Serialize;
-use sheetwright::check::Checked;
+use sheetwright::check::{Checked, Verdict};
 use sheetwright::design::{Made, MadePanel};
-use sheetwright::material::warp_limit;
+use sheetwright::material::warp_limit_deg;
 use sheetwright::math::to_deg;
 
 /// The version of the format.
@@ -87,7 +87,7 @@ struct PanelReport<'a> {
     /// All distances that samples were moved, summed, mm.
     moved_total_mm: f64,
     /// Will it bend?
-    #[schemars(extend("enum" = ["bends", "bends-with-force", "will-not-bend"]))]
+    #[schemars(extend("enum" = Verdict::ALL.map(Verdict::name)))]
     verdict: &'static str,
     /// What was found, the worst first.
     findings: Vec<FindingReport<'a>>,
@@ -117,7 +117,7 @@ struct FindingReport<'a> {
 pub fn report_json(made: &Made, refold_error_mm: &[f64], checked: &[Checked]) -> Vec<u8> {
     assert_eq!(made.panels.len(), refold_error_mm.len(), "one refold error a panel");
     assert_eq!(made.panels.len(), checked.len(), "one verdict a panel");
-    let limit = to_deg(warp_limit(made.material));
+    let limit = warp_limit_deg(made.material);
     let each = made.panels.iter().zip(refold_error_mm).zip(checked);
     let report = Report {
         sheetwright: VERSION,

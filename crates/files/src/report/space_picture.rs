@@ -7,8 +7,8 @@ use super::view::{View, view_of};
 use super::wording::{length_short, thinned};
 use super::worst_rung;
 use sheetwright::design::{Made, MadePanel};
-use sheetwright::material::{Material, warp_limit};
-use sheetwright::math::{Point2, Vec2, Vec3};
+use sheetwright::material::{Material, warp_limit_deg};
+use sheetwright::math::{Point2, Vec2, Vec3, from_deg};
 
 /// Room round the surface, and below it for the axes and the scale.
 const MARGIN: f64 = 16.0;
@@ -73,7 +73,7 @@ pub(super) fn rung_classes(
     material: Option<&Material>,
     most: usize,
 ) -> Vec<Option<&'static str>> {
-    let limit = warp_limit(material);
+    let limit = from_deg(warp_limit_deg(material));
     let rungs = &panel.measures.rungs;
     let worst = worst_rung(&panel.measures).filter(|&n| rungs[n].warp_beyond_sampling() > limit);
     let mut classes = vec![None; rungs.len()];

@@ -6,7 +6,7 @@ use super::wording::decimal;
 use super::worst_rung;
 use sheetwright::check::EASY_SHARE;
 use sheetwright::design::MadePanel;
-use sheetwright::material::{Material, warp_limit};
+use sheetwright::material::{Material, warp_limit_deg};
 use sheetwright::math::{Point2, Vec2, to_deg};
 use sheetwright::rung::Rung;
 
@@ -26,7 +26,7 @@ const BAND_FOR_TEXT: f64 = 20.0;
 /// material's limit. `None` without rungs.
 pub fn warp_chart(panel: &MadePanel, material: Option<&Material>) -> Option<Picture> {
     let worst = worst_rung(&panel.measures)?;
-    let limit = to_deg(warp_limit(material));
+    let limit = warp_limit_deg(material);
     let most = to_deg(panel.measures.warp_max);
     let top = (limit / LIMIT_SHARE).max(1.08 * most);
     let chart = Chart { panel, limit, top, across: runs_across(panel) };

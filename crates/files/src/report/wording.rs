@@ -8,6 +8,7 @@ pub(super) fn verdict_word(verdict: Verdict) -> &'static str {
         Verdict::Bends => "Bends",
         Verdict::BendsAndFolds => "Bends and folds",
         Verdict::BendsWithForce => "Bends with force",
+        Verdict::Undecided => "Can't tell yet",
         Verdict::WillNotBend => "Will not bend",
     }
 }
@@ -21,6 +22,9 @@ pub(super) fn verdict_sentence(verdict: Verdict) -> &'static str {
         }
         Verdict::BendsWithForce => {
             "The sheet takes this shape when it is clamped: it has to stretch a little."
+        }
+        Verdict::Undecided => {
+            "These samples are too coarse to tell bending from twist: ask for more."
         }
         Verdict::WillNotBend => "The sheet does not take this shape.",
     }

@@ -8,7 +8,7 @@ mod touch;
 
 pub use plane::{PlaneChoice, PlaneError, SupportingPlane, supporting_plane};
 
-use crate::curve::Sample;
+use crate::curve::{MAX_COORDINATE_MM, Sample};
 use crate::index::SampleIndex;
 use crate::math::{Point3, Vec3, unit};
 use crate::tolerance::Tolerance;
@@ -17,9 +17,6 @@ use std::ops::Range;
 
 /// Samples of all loops at the most: what the typed indices and the solvers are made for.
 pub const MAX_SAMPLES: usize = 1_000_000;
-/// Largest size of a coordinate, mm (a thousand km): its cubes stay far inside the range of the
-/// exact predicates, and nobody bends a larger sheet.
-pub const MAX_COORDINATE_MM: f64 = 1e9;
 /// Smallest size of a boundary, mm (a nanometre): below it, coordinates have no digits left.
 pub const MIN_SIZE_MM: f64 = 1e-6;
 

@@ -33,7 +33,9 @@ pub(super) fn length(span: &Cubic, from: f64, to: f64) -> f64 {
 fn halved(span: &Cubic, from: f64, to: f64, whole: f64, enough: f64, halvings: u32) -> f64 {
     let middle = 0.5 * (from + to);
     let (a, b) = (quadrature(span, from, middle), quadrature(span, middle, to));
-    if (a + b - whole).abs() <= enough || halvings == 0 {
+    // Written so that a length which is no number ends it too.
+    let apart = (a + b - whole).abs() > enough;
+    if !apart || halvings == 0 {
         return a + b;
     }
     halved(span, from, middle, a, enough, halvings - 1)

@@ -17,6 +17,10 @@ pub use sample::{Sample, SampleError, sample_chain, sample_open};
 use crate::math::{Point3, Vec3};
 use std::fmt;
 
+/// Largest size of a coordinate, mm (a thousand km): its cubes stay far inside the range of the
+/// exact predicates, and nobody bends a larger sheet.
+pub const MAX_COORDINATE_MM: f64 = 1e9;
+
 /// A point that a curve is made from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurvePoint {
@@ -61,8 +65,8 @@ pub enum CurveError {
         /// How many it takes.
         needed: usize,
     },
-    /// A coordinate that is no finite number.
-    NotFinite {
+    /// A coordinate that is no finite number, or beyond [`MAX_COORDINATE_MM`].
+    OutOfRange {
         /// The point, counted from 0.
         point: usize,
     },
@@ -79,9 +83,11 @@ impl fmt::Display for CurveError {
             Self::TooFewPoints { found, needed } => {
                 write!(f, "has {found} points and needs at least {needed}")
             }
-            Self::NotFinite { point } => {
-                write!(f, "has a coordinate at point {} that is not a finite number", point + 1)
-            }
+            Self::OutOfRange { point } => write!(
+                f,
+                "has a coordinate at point {} that is not a number within ±1e9 mm",
+                point + 1
+            ),
             Self::Repeated { point } => {
                 write!(f, "has point {} on the same spot as the one before", point + 1)
             }
@@ -111,8 +117,9 @@ impl Curve {
         if points.len() < needed {
             return Err(CurveError::TooFewPoints { found: points.len(), needed });
         }
-        if let Some(point) = points.iter().position(|p| !p.at.is_finite()) {
-            return Err(CurveError::NotFinite { point });
+        let in_range = |p: Point3| p.to_vec().abs().max_element() <= MAX_COORDINATE_MM;
+        if let Some(point) = points.iter().position(|p| !p.at.is_finite() || !in_range(p.at)) {
+            return Err(CurveError::OutOfRange { point });
         }
         let pairs = if closed { points.len() } else { points.len() - 1 };
         for i in 0..pairs {
@@ -215,8 +222,8 @@ struct StretchMaker {
 
 /// Splits the points at corners and lets `maker` make the spans of each stretch. A closed curve
 /// with corners begins at its first point all the same; where that is no corner, the spans are
-/// turned back so that they begin there as nearly as the kind allows (at the span that its point
-/// belongs to).
+/// turned back by as many as points precede the first corner: a spline begins at its first point,
+/// a B-spline somewhere before that corner.
 fn spread_over_stretches(points: &[CurvePoint], closed: bool, maker: &StretchMaker) -> Curve {
     let m = points.len();
     let at: Vec<Point3> = points.iter().map(|p| p.at).collect();
@@ -349,6 +356,6 @@ mod tests {
         assert_eq!(refused, Err(CurveError::Repeated { point: 3 }));
         twice[3].at.y = f64::NAN;
         let refused = Curve::new(CurveKind::Polyline, &twice, false);
-        assert_eq!(refused, Err(CurveError::NotFinite { point: 3 }));
+        assert_eq!(refused, Err(CurveError::OutOfRange { point: 3 }));
     }
 }

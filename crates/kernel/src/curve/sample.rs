@@ -2,11 +2,13 @@
 //!
 //! The curves are split at their corners into smooth stretches. Every stretch begins and ends at a
 //! sample and is divided evenly; the divisions are shared out by length, at least one a stretch
-//! (largest remainder, the first of equals).
+//! (largest remainder, the first of equals). A stretch that is walked back along another, as the
+//! two sides of a seam are, gets as many, and the same bits for its samples.
 
 use super::arc_length::{length, parameter_at};
 use super::{Cubic, Curve};
 use crate::math::{Point3, Vec3, angle_between};
+use std::collections::BTreeMap;
 use std::fmt;
 
 /// Tangents at a joint that differ by less, radians, are one tangent: far below what a hand can
@@ -57,13 +59,15 @@ struct Stretch {
     spans: Vec<Cubic>,
     lengths: Vec<f64>,
     whole: f64,
+    /// The earlier stretch that this one is walked back along, if there is one.
+    back_along: Option<usize>,
 }
 
 impl Stretch {
     fn new(spans: Vec<Cubic>) -> Self {
         let lengths: Vec<f64> = spans.iter().map(|s| length(s, 0.0, 1.0)).collect();
         let whole = lengths.iter().sum();
-        Self { spans, lengths, whole }
+        Self { spans, lengths, whole, back_along: None }
     }
 
     /// Position and unit tangent where `part` of `parts` equal parts of the stretch are behind.
@@ -83,6 +87,44 @@ impl Stretch {
         }
         let t = parameter_at(&self.spans[n], left, self.lengths[n]);
         (self.spans[n].position(t), self.spans[n].tangent(t))
+    }
+}
+
+/// Position and unit tangent where `part` of `parts` equal parts of stretch `n` are behind.
+fn at(stretches: &[Stretch], n: usize, part: usize, parts: usize) -> (Point3, Vec3) {
+    match stretches[n].back_along {
+        None => stretches[n].at(part, parts),
+        Some(forth) => {
+            let (position, tangent) = stretches[forth].at(parts - part, parts);
+            (position, -tangent)
+        }
+    }
+}
+
+/// Notes which stretches are walked back along earlier ones: exactly, as the uses of one curve are.
+fn pair_seams(stretches: &mut [Stretch]) {
+    let bits = |p: Point3| [p.x, p.y, p.z].map(f64::to_bits);
+    let mut by_ends: BTreeMap<_, Vec<usize>> = BTreeMap::new();
+    for n in 0..stretches.len() {
+        let ends = |s: &Stretch| {
+            (bits(s.spans[0].position(0.0)), bits(s.spans[s.spans.len() - 1].position(1.0)))
+        };
+        let (start, end) = ends(&stretches[n]);
+        let same = |forth: &usize| {
+            let (back, forth) = (&stretches[n].spans, &stretches[*forth].spans);
+            back.len() == forth.len()
+                && back.iter().zip(forth.iter().rev()).all(|(b, f)| *b == f.reversed())
+        };
+        // Each is walked back along once.
+        let waiting = by_ends.get_mut(&(end, start));
+        let found = waiting.and_then(|list| {
+            let place = list.iter().position(same)?;
+            Some(list.remove(place))
+        });
+        match found {
+            Some(forth) => stretches[n].back_along = Some(forth),
+            None => by_ends.entry((start, end)).or_default().push(n),
+        }
     }
 }
 
@@ -118,7 +160,8 @@ pub fn sample_open(curve: &Curve, count: usize) -> Result<Vec<Sample>, SampleErr
 /// # Errors
 /// Too few samples to keep every corner and every joint between two curves; at least 3.
 pub fn sample_chain(curves: &[Curve], count: usize) -> Result<Vec<Sample>, SampleError> {
-    let stretches: Vec<Stretch> = curves.iter().flat_map(stretches_of).collect();
+    let mut stretches: Vec<Stretch> = curves.iter().flat_map(stretches_of).collect();
+    pair_seams(&mut stretches);
     let needed = stretches.len().max(3);
     if count < needed {
         return Err(SampleError::TooFew { asked: count, needed });
@@ -143,39 +186,54 @@ pub fn sample_chain(curves: &[Curve], count: usize) -> Result<Vec<Sample>, Sampl
 fn walk(stretches: &[Stretch], divisions: usize) -> Vec<Sample> {
     let parts = shared_out(stretches, divisions);
     let mut samples = Vec::with_capacity(divisions + 1);
-    let mut arriving = stretches[stretches.len() - 1].at(1, 1).1;
-    for (stretch, &parts) in stretches.iter().zip(&parts) {
+    let mut arriving = at(stretches, stretches.len() - 1, 1, 1).1;
+    for (n, &parts) in parts.iter().enumerate() {
         for part in 0..parts {
-            let (position, tangent) = stretch.at(part, parts);
+            let (position, tangent) = at(stretches, n, part, parts);
             let smooth = part > 0 || angle_between(arriving, tangent) < SAME_DIRECTION;
             let tangent_in = if smooth { tangent } else { arriving };
             samples.push(Sample { position, tangent_in, tangent_out: tangent });
         }
-        arriving = stretch.at(1, 1).1;
+        arriving = at(stretches, n, 1, 1).1;
     }
     samples
 }
 
-/// How many divisions each stretch gets: by length, at least one each.
+/// How many divisions each stretch gets: by length, at least one each, as many for both sides of a
+/// seam.
 fn shared_out(stretches: &[Stretch], divisions: usize) -> Vec<usize> {
     let whole: f64 = stretches.iter().map(|s| s.whole).sum();
     let spare = divisions - stretches.len();
-    let ideal: Vec<f64> =
-        stretches.iter().map(|s| (s.whole / whole * divisions as f64 - 1.0).max(0.0)).collect();
     // One is given already, so what is shared is the rest; short stretches want none of it.
+    let length = |n: usize| stretches[stretches[n].back_along.unwrap_or(n)].whole;
+    let ideal: Vec<f64> = (0..stretches.len())
+        .map(|n| (length(n) / whole * divisions as f64 - 1.0).max(0.0))
+        .collect();
     let wanted: f64 = ideal.iter().sum();
     let scale = if wanted > 0.0 { spare as f64 / wanted } else { 0.0 };
     let mut parts: Vec<usize> = ideal.iter().map(|w| 1 + (w * scale).floor() as usize).collect();
     let mut left = divisions.saturating_sub(parts.iter().sum());
-    let mut order: Vec<usize> = (0..stretches.len()).collect();
-    let rest = |i: usize| ideal[i] * scale - (ideal[i] * scale).floor();
-    order.sort_by(|&a, &b| rest(b).total_cmp(&rest(a)).then(a.cmp(&b)));
-    for &i in order.iter().cycle().take(stretches.len() * 2) {
+    // Those that share a remainder: a stretch alone, or both sides of a seam.
+    let mut sides: Vec<Vec<usize>> = (0..stretches.len()).map(|n| vec![n]).collect();
+    for n in 0..stretches.len() {
+        if let Some(forth) = stretches[n].back_along {
+            sides[n].clear();
+            sides[forth].push(n);
+        }
+    }
+    sides.retain(|side| !side.is_empty());
+    let rest = |n: usize| ideal[n] * scale - (ideal[n] * scale).floor();
+    sides.sort_by(|a, b| rest(b[0]).total_cmp(&rest(a[0])).then(a[0].cmp(&b[0])));
+    // What no seam can share goes to the others, so that at most as many rounds as there are
+    // remainders are needed; a loop of nothing but seams keeps one too few.
+    for side in sides.iter().cycle().take(2 * divisions) {
+        if left >= side.len() {
+            side.iter().for_each(|&n| parts[n] += 1);
+            left -= side.len();
+        }
         if left == 0 {
             break;
         }
-        parts[i] += 1;
-        left -= 1;
     }
     parts
 }
@@ -229,6 +287,31 @@ mod tests {
             .collect();
         let (least, most) = gaps.iter().fold((f64::MAX, 0.0f64), |(a, b), &g| (a.min(g), b.max(g)));
         assert!(most / least < 1.001, "{least} {most}");
+    }
+
+    #[test]
+    fn both_sides_of_a_seam_have_the_same_samples() {
+        let open = |points: &[[f64; 3]]| {
+            let points: Vec<CurvePoint> =
+                points.iter().map(|p| CurvePoint::smooth(Point3::new(p[0], p[1], p[2]))).collect();
+            Curve::new(CurveKind::Spline, &points, false).unwrap()
+        };
+        let ring = |z: f64| {
+            open(&[[9.0, 0.0, z], [0.0, 9.0, z], [-9.0, 0.0, z], [0.0, -9.0, z], [9.0, 0.0, z]])
+        };
+        let seam = open(&[[9.0, 0.0, 0.0], [9.3, 0.1, 4.0], [9.0, 0.0, 10.0]]);
+        let tube = [ring(0.0), seam.clone(), ring(10.0).reversed(), seam.reversed()];
+        for count in 20..160 {
+            let samples = sample_chain(&tube, count).unwrap();
+            assert_eq!(samples.len(), count);
+            let doubled = (0..count)
+                .filter(|&i| {
+                    let at = |k: usize| samples[k % count].position;
+                    (0..count).any(|j| at(i) == at(j + 1) && at(i + 1) == at(j))
+                })
+                .count();
+            assert!(doubled >= 2 && doubled % 2 == 0, "{count}: {doubled}");
+        }
     }
 
     #[test]

@@ -5,17 +5,21 @@
 //! at: each side of the one that has no end on the other against that other. Triangles in one plane
 //! are compared there. Samples on one spot (the two sides of a seam) count as common.
 
+use crate::boundary::size_of;
 use crate::index::TriangleIndex;
 use crate::math::{Point2, Point3, Vec3};
 use crate::predicate::{for_touching_boxes, orientation, orientation3};
 use crate::surface::Surface;
+use crate::tolerance::Tolerance;
 use std::cmp::Ordering;
 
 /// The first two triangles, by their numbers, that pass through one another.
 pub fn first_self_crossing(surface: &Surface) -> Option<[TriangleIndex; 2]> {
     let count = surface.connectivity().triangles().len();
-    let corners: Vec<[Point3; 3]> =
-        (0..count).map(|n| surface.corners(TriangleIndex::new(n))).collect();
+    let spots = spots(surface.positions());
+    let corners: Vec<[Point3; 3]> = (0..count)
+        .map(|n| surface.connectivity().triangles()[n].map(|sample| spots[sample.get()]))
+        .collect();
     let boxes: Vec<(Vec3, Vec3)> = corners
         .iter()
         .map(|c| {
@@ -30,6 +34,24 @@ pub fn first_self_crossing(surface: &Surface) -> Option<[TriangleIndex; 2]> {
         }
     });
     first.map(|pair| pair.map(TriangleIndex::new))
+}
+
+/// The samples, each moved to the first of those that lie on its spot.
+fn spots(positions: &[Point3]) -> Vec<Point3> {
+    let same = Tolerance::SAME_POINT.length_mm(size_of(positions.iter().copied()));
+    let mut order: Vec<usize> = (0..positions.len()).collect();
+    order.sort_by(|&i, &j| positions[i].x.total_cmp(&positions[j].x).then(i.cmp(&j)));
+    let mut first: Vec<usize> = (0..positions.len()).collect();
+    for (n, &i) in order.iter().enumerate() {
+        let before = order[..n].iter().rev().copied();
+        for j in before.take_while(|&j| positions[i].x - positions[j].x <= same) {
+            if positions[i].distance(positions[j]) <= same {
+                first[i] = first[j];
+                break;
+            }
+        }
+    }
+    first.into_iter().map(|i| positions[i]).collect()
 }
 
 /// The two triangles at a rung are never told to cross here unless they lie in one plane, folded

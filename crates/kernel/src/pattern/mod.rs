@@ -4,7 +4,7 @@ mod dimension;
 
 use crate::flatten::Flattened;
 use crate::index::SampleIndex;
-use crate::math::{Point2, Vec2, from_deg};
+use crate::math::{Point2, Vec2, to_deg};
 use crate::measure::{Measures, SHARP_CREASE_DEG};
 use crate::predicate::Box2;
 use crate::rung::Rung;
@@ -15,9 +15,9 @@ use crate::surface::Surface;
 pub enum Role {
     /// Cut through.
     Cut,
-    /// Score, crease or bend sharply: a fold line.
+    /// Score or crease: a sharp fold.
     Score,
-    /// Mark lightly on the piece: names and ruling ticks.
+    /// Mark lightly on the piece: names, lines to bend along, ruling ticks.
     Engrave,
     /// For people alone: rungs, dimensions, reference squares. No machine follows these.
     Note,
@@ -111,9 +111,6 @@ impl Piece {
 /// How a pattern is marked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PatternOptions {
-    /// Creases above this angle, radians, are folds to score rather than parts of a smooth bend.
-    /// Default [`SHARP_CREASE_DEG`].
-    pub fold_angle: f64,
     /// How many rulings get ticks, at the most. Default 24, as in the classical triangulation of
     /// ducts.
     pub ruling_ticks: usize,
@@ -121,10 +118,12 @@ pub struct PatternOptions {
 
 impl Default for PatternOptions {
     fn default() -> Self {
-        Self { fold_angle: from_deg(SHARP_CREASE_DEG), ruling_ticks: 24 }
+        Self { ruling_ticks: 24 }
     }
 }
 
+/// Creases below it, radians, do not bend the sheet.
+const FLAT: f64 = 1e-9;
 /// Ticks are as long as this share of the shorter side of the piece, within 2 to 10 mm.
 const TICK_SHARE: f64 = 0.05;
 /// Labels are as high as this share of the shorter side of the piece, within 2 to 25 mm.
@@ -150,9 +149,15 @@ pub fn piece(
         closed: true,
     }];
     for rung in &measures.rungs {
-        let is_fold = rung.crease.abs() > options.fold_angle;
+        let role = if rung.is_fold {
+            Role::Score
+        } else if to_deg(rung.crease.abs()) > SHARP_CREASE_DEG {
+            Role::Engrave
+        } else {
+            Role::Note
+        };
         paths.push(PatternPath {
-            role: if is_fold { Role::Score } else { Role::Note },
+            role,
             kind: PathKind::Rung(rung.rung),
             points: rung.rung.ends().map(|s| flat.points[s.get()]).to_vec(),
             closed: false,
@@ -176,7 +181,7 @@ fn ruling_ticks(
     tick_mm: f64,
 ) -> Vec<PatternPath> {
     let bending: Vec<Rung> =
-        measures.rungs.iter().filter(|r| r.crease.abs() > 1e-9).map(|r| r.rung).collect();
+        measures.rungs.iter().filter(|r| r.crease.abs() > FLAT).map(|r| r.rung).collect();
     let count = bending.len().min(most);
     (0..count)
         .flat_map(|n| {

@@ -9,7 +9,8 @@
 //! 4. A boundary edge ends the view.
 //!
 //! The triangles of a simple polygon form a tree, so a sample meets each at most once: O(m) for
-//! each sample, O(m²) for all, plus the ears, O(m²) at worst. A rung that touches the boundary
+//! each sample, O(m²) for all, plus the ears: O(m²) for outlines as people draw them, O(m³) for
+//! spirals. A rung that touches the boundary
 //! between its ends is not inside.
 
 use crate::boundary::SupportingPlane;
@@ -17,18 +18,16 @@ use crate::math::Point2;
 use crate::predicate::orientation;
 use std::cmp::Ordering;
 
-/// Which pairs of samples of the outer loop may be joined.
+/// Which pairs of samples of the outer loop may be joined: any two, or those whose rung lies inside
+/// the projection.
 #[derive(Clone, Debug)]
-pub enum Visibility {
-    /// Any two.
-    Everywhere,
-    /// Those whose rung lies inside the projection; one bit a pair.
-    Inside(PairSet),
+pub struct Visibility {
+    inside: Option<PairSet>,
 }
 
-/// A set of unordered pairs of samples.
+/// A set of unordered pairs of samples, one bit each.
 #[derive(Clone, Debug)]
-pub struct PairSet {
+struct PairSet {
     words: Vec<u64>,
     words_a_row: usize,
 }
@@ -54,15 +53,12 @@ impl Visibility {
     /// What a plane lets be seen of the outer loop, whose samples are the first `m`; everything
     /// without a plane.
     pub fn new(plane: Option<&SupportingPlane>, m: usize) -> Self {
-        match plane {
-            None => Self::Everywhere,
-            Some(plane) => Self::Inside(inside_pairs(&plane.projected[..m])),
-        }
+        Self { inside: plane.map(|plane| inside_pairs(&plane.projected[..m])) }
     }
 
     /// What is seen between every `step`-th of m samples.
     pub(crate) fn thinned(&self, step: usize, m: usize) -> Self {
-        let Self::Inside(pairs) = self else { return Self::Everywhere };
+        let Some(pairs) = &self.inside else { return Self { inside: None } };
         let kept = m.div_ceil(step);
         let mut thinned = PairSet::new(kept);
         for i in 0..kept {
@@ -72,15 +68,12 @@ impl Visibility {
                 }
             }
         }
-        Self::Inside(thinned)
+        Self { inside: Some(thinned) }
     }
 
     /// Whether samples `i` and `j`, which are no neighbours, may be joined.
     pub fn allows(&self, i: usize, j: usize) -> bool {
-        match self {
-            Self::Everywhere => true,
-            Self::Inside(pairs) => pairs.contains(i, j),
-        }
+        self.inside.as_ref().is_none_or(|pairs| pairs.contains(i, j))
     }
 }
 
@@ -93,7 +86,6 @@ fn inside_pairs(polygon: &[Point2]) -> PairSet {
     for i in 0..m {
         pairs.insert(i, (i + 1) % m);
     }
-    // Every triangle hangs below one edge, seen from the last; its corners are increasing.
     for source in 0..m {
         ears.look_from(source, polygon, &mut |seen| pairs.insert(source, seen));
     }
@@ -167,8 +159,7 @@ impl Ears {
         sides.sort_unstable();
         let mut beyond = vec![[None; 3]; corners.len()];
         for pair in sides.windows(2) {
-            let (([side, ..], t, n), ([other, ..], u, k)) =
-                (([pair[0].0], pair[0].1, pair[0].2), ([pair[1].0], pair[1].1, pair[1].2));
+            let ((side, t, n), (other, u, k)) = (pair[0], pair[1]);
             if side == other {
                 beyond[t][n] = Some(u);
                 beyond[u][k] = Some(t);

@@ -10,7 +10,7 @@ mod rails;
 pub use optimal::memory_needed;
 
 use crate::boundary::{Boundary, SupportingPlane};
-use crate::cost::{MAX_FOLD, PriceOptions, Prices, RungColumn};
+use crate::cost::{EXACT_BELOW, MAX_FOLD, PriceOptions, Prices, RungColumn};
 use crate::index::SampleIndex;
 use crate::math::Vec3;
 use crate::rung::{Rung, Visibility};
@@ -58,9 +58,11 @@ pub struct Triangulation {
     pub rungs: Vec<Rung>,
     /// Its triangles, corners in the order of the boundary; m − 2 of them, in increasing order.
     pub triangles: Vec<[SampleIndex; 3]>,
-    /// Π: what was minimised, without unit; a multiple of [`crate::cost::QUANTUM`].
+    /// Π: what was minimised, without unit; below [`EXACT_BELOW`] an exact multiple of
+    /// [`crate::cost::QUANTUM`].
     pub price: f64,
-    /// Whether no triangulation at all, of those that the supporting plane admits, is cheaper.
+    /// Whether no triangulation at all, of those that the supporting plane admits, is cheaper. Not
+    /// claimed for prices of [`EXACT_BELOW`] and more, whose sums are rounded: hopeless boundaries.
     pub proven_optimal: bool,
     /// Rungs without a tangent plane that no triangulation could do without; each counts as a
     /// twist of 2.
@@ -131,20 +133,8 @@ pub fn triangulate(
     options: &TriangulateOptions,
     watch: &mut dyn Watch,
 ) -> Result<Triangulation, TriangulateError> {
-    if boundary.holes() > 0 {
-        return Err(TriangulateError::Holes { count: boundary.holes() });
-    }
-    if !(0.0..=MAX_FOLD).contains(&options.price.fold) {
-        return Err(TriangulateError::Fold);
-    }
     let m = boundary.len();
-    let needed = match options.method {
-        Method::Optimal => memory_needed(m),
-        Method::Bridge | Method::Rails { .. } => bridge::memory_needed(m),
-    };
-    if needed > options.memory_limit {
-        return Err(TriangulateError::TooLarge { needed, limit: options.memory_limit });
-    }
+    refuse(m, boundary.holes(), options)?;
     let prices = Prices::new(boundary, plane, options.price);
     let visibility = Visibility::new(plane, m);
     // Rungs without a tangent plane are admitted only when nothing can be done without them.
@@ -160,6 +150,32 @@ pub fn triangulate(
         }
     }
     Err(TriangulateError::NoneInside)
+}
+
+/// Refuses a boundary of m samples that can't be triangulated, before anything is worked out or
+/// taken: holes, options out of range, tables that would not fit.
+///
+/// # Errors
+/// See [`TriangulateError`].
+pub fn refuse(
+    m: usize,
+    holes: usize,
+    options: &TriangulateOptions,
+) -> Result<(), TriangulateError> {
+    if holes > 0 {
+        return Err(TriangulateError::Holes { count: holes });
+    }
+    if !(0.0..=MAX_FOLD).contains(&options.price.fold) {
+        return Err(TriangulateError::Fold);
+    }
+    let needed = match options.method {
+        Method::Optimal => memory_needed(m),
+        Method::Bridge | Method::Rails { .. } => bridge::memory_needed(m),
+    };
+    if needed > options.memory_limit {
+        return Err(TriangulateError::TooLarge { needed, limit: options.memory_limit });
+    }
+    Ok(())
 }
 
 /// What a method may use, and for what price.
@@ -282,11 +298,12 @@ fn outcome(terms: &Terms<'_>, mut triangles: Vec<[usize; 3]>, method: Method) ->
         })
         .sum();
     let of_folds: f64 = triangles.iter().map(|&corners| terms.triangle(corners)).sum();
+    let price = of_rungs + of_folds;
     Triangulation {
         rungs,
         triangles: triangles.iter().map(|t| t.map(SampleIndex::new)).collect(),
-        price: of_rungs + of_folds,
-        proven_optimal: method == Method::Optimal,
+        price,
+        proven_optimal: method == Method::Optimal && price < EXACT_BELOW,
         forced_rungs,
     }
 }
