@@ -50,7 +50,7 @@ pub(crate) struct Cli {
     /// Make findings and errors machine-readable: JSON, one object a line
     #[arg(long, global = true)]
     pub(crate) json: bool,
-    /// Show no progress and no notes
+    /// Show no progress and no messages beside the answer
     #[arg(long, short, global = true)]
     pub(crate) quiet: bool,
     #[command(subcommand)]

@@ -99,7 +99,8 @@ fn triangulation(error: &TriangulateError) -> &'static str {
     match error {
         TriangulateError::Holes { .. } => {
             "This version can't do holes yet: leave them out and cut them after flattening, or \
-             divide the panel through them."
+             divide the panel through them. If the curves are two open edges, name them as the \
+             rails of a panel in a design."
         }
         TriangulateError::TooLarge { .. } => {
             "Ask for fewer samples, or take the method bridge, which needs less."

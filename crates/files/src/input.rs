@@ -147,6 +147,18 @@ mod tests {
     }
 
     #[test]
+    fn every_material_stands_in_the_docs_with_its_limits() {
+        let docs = include_str!("../../../docs/files.md");
+        for m in sheetwright::material::MATERIALS {
+            let row = format!(
+                "| `{}` | {} | {} | {} | {} |",
+                m.name, m.title, m.thickness_mm, m.bend_radius_mm, m.warp_limit_deg
+            );
+            assert!(docs.contains(&row), "{row}");
+        }
+    }
+
+    #[test]
     fn the_circle_of_the_duct_is_round() {
         let duct = example("square-to-round.sheet.json");
         let circle = duct.curves.iter().find(|c| c.name == "circle").unwrap();

@@ -1,9 +1,10 @@
 //! Findings: what is wrong with a panel, where, how bad, and what to do; and the verdict.
 
 use crate::boundary::Boundary;
+use crate::curve::CurvePoint;
 use crate::flatten::Flattened;
 use crate::material::{Material, warp_limit_deg};
-use crate::math::{from_deg, to_deg};
+use crate::math::{angle_between, from_deg, to_deg};
 use crate::measure::{Measures, RungMeasures, SHARP_CREASE_DEG};
 use crate::tolerance::Tolerance;
 use crate::triangulate::Triangulation;
@@ -89,6 +90,14 @@ pub struct Checked {
     pub findings: Vec<Finding>,
 }
 
+impl Checked {
+    /// Adds a finding in its place: the worst first.
+    pub fn add(&mut self, finding: Finding) {
+        let place = self.findings.partition_point(|other| other.severity >= finding.severity);
+        self.findings.insert(place, finding);
+    }
+}
+
 /// Up to this share of the warp limit a sheet goes into shape by itself; above it, with force.
 /// Half of the limit: by experience of plywood boats, which are clamped rather than rolled.
 pub const EASY_SHARE: f64 = 0.5;
@@ -144,6 +153,39 @@ pub fn check(panel: &Panel<'_>) -> Checked {
     Checked { verdict, findings }
 }
 
+/// Points where a spline turns by more than this without being a corner, degrees, are named: what
+/// was typed as a corner comes out round. A smooth curve of eight points turns by 45° at each.
+const ROUNDED_CORNER_DEG: f64 = 60.0;
+
+/// The finding that the points of a spline turn sharply where no corner is marked, so that the curve
+/// runs round a corner that its maker may have meant; `None` if they do not. `points` are those of
+/// the curve of this name.
+pub fn rounded_corner(name: &str, points: &[CurvePoint], closed: bool) -> Option<Finding> {
+    let m = points.len();
+    let inner = if closed { 0..m } else { 1..m.saturating_sub(1) };
+    let turn = |i: usize| {
+        let at = |k: usize| points[k % m].at;
+        to_deg(angle_between(at(i) - at(i + m - 1), at(i + 1) - at(i)))
+    };
+    let rounded: Vec<(usize, f64)> = inner
+        .filter(|&i| !points[i].corner)
+        .map(|i| (i, turn(i)))
+        .filter(|(_, turn)| *turn > ROUNDED_CORNER_DEG)
+        .collect();
+    let sharpest = rounded.iter().map(|(_, turn)| *turn).reduce(f64::max)?;
+    let (first, more) = (rounded[0].0 + 1, rounded.len() - 1);
+    let others = if more > 0 { format!(" and {more} more") } else { String::new() };
+    Some(Finding {
+        severity: Severity::Warning,
+        code: "rounded-corner",
+        text: format!(
+            "The points of the curve '{name}' turn by up to {sharpest:.0}°, and the spline runs \
+             round there. If that is a corner, mark it as one."
+        ),
+        place: format!("point {first}{others} of '{name}'"),
+    })
+}
+
 /// The finding that a written pattern does not fold back onto its surface; `None` if it does.
 /// `error_mm` is how far it comes from it, `size_mm` the size of the boundary.
 pub fn refolding(error_mm: f64, size_mm: f64) -> Option<Finding> {
@@ -162,7 +204,7 @@ pub fn refolding(error_mm: f64, size_mm: f64) -> Option<Finding> {
 fn warp(panel: &Panel<'_>) -> Option<Finding> {
     let limit = from_deg(warp_limit_deg(panel.material));
     let rungs = &panel.measures.rungs;
-    let sheet = panel.material.map_or("sheet", |m| m.title);
+    let sheet = panel.material.map_or("a sheet", |m| m.title);
     let beyond = |bound: f64| move |r: &RungMeasures| r.warp_beyond_sampling() > bound;
     let largest = |bound: f64| {
         rungs.iter().filter(|r| beyond(bound)(r)).map(|r| r.warp).reduce(f64::max).map(to_deg)

@@ -4,7 +4,7 @@ use crate::boundary::{
     Boundary, BoundaryError, MAX_SAMPLES, PlaneChoice, PlaneError, SupportingPlane,
     samples_from_points, supporting_plane,
 };
-use crate::check::{Checked, Panel, check};
+use crate::check::{Checked, Panel, check, rounded_corner};
 use crate::cost::Prices;
 use crate::curve::{
     Curve, CurveError, CurveKind, CurvePoint, Sample, SampleError, sample_chain, sample_open,
@@ -287,13 +287,18 @@ fn make_panel(
     watch.begin(&panel.name, Stage::Check);
     let prices = Prices::new(&boundary, plane.as_ref(), options.price);
     let measures = measures(&surface, &flat, &prices);
-    let checked = check(&Panel {
+    let mut checked = check(&Panel {
         boundary: &boundary,
         triangulation: &triangulation,
         flat: &flat,
         measures: &measures,
         material: design.material,
     });
+    for curve in used(design, &panel.shape).filter(|c| c.kind == Some(CurveKind::Spline)) {
+        if let Some(finding) = rounded_corner(&curve.name, &curve.points, curve.closed) {
+            checked.add(finding);
+        }
+    }
     let piece = piece(&panel.name, &surface, &flat, &measures, &PatternOptions::default());
     Ok(MadePanel {
         name: panel.name.clone(),
@@ -308,6 +313,17 @@ fn make_panel(
         checked,
         piece,
     })
+}
+
+/// The curves that bound a panel.
+fn used<'a>(design: &'a Design, shape: &'a PanelShape) -> impl Iterator<Item = &'a DesignCurve> {
+    let names: Vec<&str> = match shape {
+        PanelShape::Rails(rails) => rails.iter().map(|rail| rail.name.as_str()).collect(),
+        PanelShape::Loops { outer, holes } => {
+            std::iter::once(outer).chain(holes).flatten().map(|part| part.name.as_str()).collect()
+        }
+    };
+    design.curves.iter().filter(move |curve| names.contains(&curve.name.as_str()))
 }
 
 struct Sampled {

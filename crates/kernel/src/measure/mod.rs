@@ -16,6 +16,7 @@ mod crossing;
 
 pub use crossing::first_self_crossing;
 
+use crate::boundary::size_of;
 use crate::cost::Prices;
 use crate::flatten::Flattened;
 use crate::index::TriangleIndex;
@@ -39,8 +40,9 @@ pub struct RungMeasures {
     /// How much of the warp angle the sampling can't tell from bending, radians. A rung ends at
     /// samples and not where its ruling would, and on the way to the next sample the tangent plane
     /// turns by the bend: so a perfect cylinder of 24 samples has rungs with a warp angle of 15°.
-    /// It is twice the largest crease, folds aside, of the rung and its neighbours: a step from one
-    /// sample to the next takes two rungs. It falls with the spacing of the samples; twist stays.
+    /// It is twice the largest crease, folds aside, of the rung and its neighbours (a step from one
+    /// sample to the next takes two rungs), or that of any rung that shares a sample with it (where
+    /// a fan has its bend at its end). It falls with the spacing of the samples; twist stays.
     pub resolution: f64,
     /// The angle between the two triangles, radians, positive for a mountain as seen from the side
     /// that the surface faces.
@@ -48,7 +50,8 @@ pub struct RungMeasures {
     /// Whether the crease is a fold: above [`SHARP_CREASE_DEG`], and more than twice as large as
     /// those of the rungs around it together, so that no finer sampling would divide it.
     pub is_fold: bool,
-    /// The radius that the sheet is rolled to at the middle of the rung, mm; infinite where flat.
+    /// The radius that the sheet is rolled to around the middle of the rung, measured over a
+    /// hundredth of the size of the surface, mm; infinite where flat.
     pub bend_radius_mm: f64,
     /// The unit normals of the tangent planes at its two ends; zero without tangent planes.
     pub normals: [Vec3; 2],
@@ -134,22 +137,30 @@ fn rung_measures(surface: &Surface, prices: &Prices) -> Vec<RungMeasures> {
             to_deg(creases[n].abs()) > SHARP_CREASE_DEG && creases[n].abs() > 2.0 * nearby
         })
         .collect();
+    // All rungs that end at a sample bend together: a fan has its bend where it ends.
+    let mut sharpest_at = vec![0.0f64; connectivity.samples()];
     let bend = |n: usize| if is_fold[n] { 0.0 } else { creases[n].abs() };
+    for n in 0..hinges.len() {
+        for sample in hinges[n].rung.ends() {
+            let sharpest = &mut sharpest_at[sample.get()];
+            *sharpest = sharpest.max(bend(n));
+        }
+    }
+    let bends = Bends::new(surface, &creases, &of_triangles);
     (0..hinges.len())
         .map(|n| {
             let rung = hinges[n].rung;
             let [low, high] = rung.ends();
             let planes = prices.planes(low.get(), high.get());
-            // The rung itself counts twice, as the middle of its neighbours.
-            let near = around(n).chain([n, n]).map(|other| &hinges[other]);
             RungMeasures {
                 rung,
                 twist: planes.map_or(2.0, |p| p.twist),
                 warp: planes.map_or(std::f64::consts::PI, |p| p.warp()),
-                resolution: 2.0 * around(n).map(bend).fold(bend(n), f64::max),
+                resolution: (2.0 * around(n).map(bend).fold(bend(n), f64::max))
+                    .max(sharpest_at[low.get()].max(sharpest_at[high.get()])),
                 crease: creases[n],
                 is_fold: is_fold[n],
-                bend_radius_mm: bend_radius(surface, near),
+                bend_radius_mm: bends.radius_at(n),
                 normals: planes.map_or([Vec3::ZERO; 2], |p| p.at_ends),
                 middle: surface.position(low).lerp(surface.position(high), 0.5),
             }
@@ -157,22 +168,59 @@ fn rung_measures(surface: &Surface, prices: &Prices) -> Vec<RungMeasures> {
         .collect()
 }
 
-/// The bend radius at some neighbouring hinges: the way across them over the angle that they turn.
-///
-/// Across the middle of its rungs, a triangle of height h is h/2 wide, half of it on the rung's
-/// side; so the creases of neighbouring rungs, which share one bend unevenly, are summed with
-/// a quarter of the height of both their triangles.
-fn bend_radius<'a>(surface: &Surface, hinges: impl Iterator<Item = &'a Hinge>) -> f64 {
-    let (mut way, mut angle) = (0.0, 0.0);
-    for hinge in hinges {
-        let [low, high] = hinge.rung.ends();
-        let length = surface.length(low, high);
-        for triangle in hinge.triangles {
-            way += 0.25 * 2.0 * surface.area_vector(triangle).length() / length;
-        }
-        angle += surface.crease(hinge);
+/// The width, as a share of the size of the surface, over which a bend is measured: a sheet is
+/// stiff and rounds off what is narrower, and a bend in finer steps than that is the sampling's.
+const BEND_WIDTH: f64 = 0.01;
+
+/// What a bend radius is measured from.
+struct Bends<'a> {
+    hinges: &'a [Hinge],
+    of_triangles: &'a [Vec<usize>],
+    creases: &'a [f64],
+    /// How wide the strip is that each rung stands for, at its middle, mm.
+    widths: Vec<f64>,
+    /// The width to measure over, mm.
+    wanted: f64,
+}
+
+impl<'a> Bends<'a> {
+    fn new(surface: &'a Surface, creases: &'a [f64], of_triangles: &'a [Vec<usize>]) -> Self {
+        let hinges = surface.connectivity().hinges();
+        // Across the middle of its rungs, a triangle of height h is h/2 wide, half of it on the
+        // side of each.
+        let width = |hinge: &Hinge| {
+            let [low, high] = hinge.rung.ends();
+            let areas = hinge.triangles.map(|t| surface.area_vector(t).length());
+            0.5 * (areas[0] + areas[1]) / surface.length(low, high)
+        };
+        let widths = hinges.iter().map(width).collect();
+        let wanted = BEND_WIDTH * size_of(surface.positions().iter().copied());
+        Self { hinges, of_triangles, creases, widths, wanted }
     }
-    if angle == 0.0 { f64::INFINITY } else { way / angle.abs() }
+
+    /// The bend radius around a rung, mm: the way across it and its neighbours, nearest first, until
+    /// it is as wide as wanted, over the angle that they turn together.
+    fn radius_at(&self, n: usize) -> f64 {
+        let mut around = vec![n];
+        let (mut width, mut angle) = (0.0, 0.0);
+        let mut next = 0;
+        while let Some(&rung) = around.get(next) {
+            next += 1;
+            width += self.widths[rung];
+            angle += self.creases[rung];
+            if width >= self.wanted {
+                break;
+            }
+            for triangle in self.hinges[rung].triangles {
+                for &other in &self.of_triangles[triangle.get()] {
+                    if !around.contains(&other) {
+                        around.push(other);
+                    }
+                }
+            }
+        }
+        if angle == 0.0 { f64::INFINITY } else { width / angle.abs() }
+    }
 }
 
 /// The relative length error of every side, edges of the boundary first, then rungs.

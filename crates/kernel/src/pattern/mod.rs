@@ -201,17 +201,34 @@ fn ruling_ticks(
         .collect()
 }
 
-/// The name of the panel, at the centre of its largest triangle, which lies inside the piece.
+/// Places that are tried for the name, at the most.
+const LABEL_PLACES: usize = 60;
+
+/// The name of the panel, where the piece is widest: of the middles of some rungs and triangles, the
+/// one that lies farthest from the outline.
 fn name_label(name: &str, surface: &Surface, flat: &Flattened, height_mm: f64) -> PatternLabel {
+    let connectivity = surface.connectivity();
     let at = |s: SampleIndex| flat.points[s.get()];
-    let [a, b, c] = surface
-        .connectivity()
-        .triangles()
+    let rungs = connectivity.hinges().iter().map(|hinge| {
+        let [a, b] = hinge.rung.ends().map(at);
+        a.lerp(b, 0.5)
+    });
+    let triangles = connectivity.triangles().iter().map(|triangle| {
+        let [a, b, c] = triangle.map(at);
+        a + ((b - a) + (c - a)) / 3.0
+    });
+    let places: Vec<Point2> = rungs.chain(triangles).collect();
+    let step = places.len().div_ceil(LABEL_PLACES);
+    let to_outline = |place: Point2| {
+        let distances = connectivity.edges().map(|edge| segment_distance(place, edge.map(at)));
+        distances.fold(f64::INFINITY, f64::min)
+    };
+    let middle = places
         .iter()
-        .map(|t| t.map(at))
-        .max_by(|t, u| doubled_area(t).total_cmp(&doubled_area(u)))
-        .unwrap_or_default();
-    let middle = a + ((b - a) + (c - a)) / 3.0;
+        .step_by(step.max(1))
+        .map(|&place| (to_outline(place), place))
+        .reduce(|best, tried| if tried.0 > best.0 { tried } else { best })
+        .map_or(Point2::default(), |(_, place)| place);
     PatternLabel {
         role: Role::Engrave,
         at: middle,
@@ -221,6 +238,9 @@ fn name_label(name: &str, surface: &Surface, flat: &Flattened, height_mm: f64) -
     }
 }
 
-fn doubled_area([a, b, c]: &[Point2; 3]) -> f64 {
-    (*b - *a).perp_dot(*c - *a)
+/// The distance of a point from a segment, mm.
+fn segment_distance(p: Point2, [a, b]: [Point2; 2]) -> f64 {
+    let along = b - a;
+    let share = (p - a).dot(along) / along.length_squared();
+    p.distance(a.lerp(b, if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 }))
 }
