@@ -4,7 +4,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use sheetwright::design::PanelMethod;
-use sheetwright_files::{Format, InputFormat, Paper, ReadOptions, Units};
+use sheetwright_files::{Format, InputFormat, MaxSheets, Paper, PdfOptions, ReadOptions, Units};
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
@@ -95,9 +95,8 @@ pub(crate) struct MakeArgs {
     /// The formats to write, separated by commas [default: all of them]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = format_parser())]
     pub(crate) formats: Vec<Format>,
-    /// The paper that the PDF is tiled to
-    #[arg(long, value_name = "PAPER", default_value = "a4", value_parser = paper_parser())]
-    pub(crate) paper: Paper,
+    #[command(flatten)]
+    pub(crate) pdf: PdfArgs,
 }
 
 #[derive(Debug, Args)]
@@ -114,9 +113,31 @@ pub(crate) struct ConvertArgs {
     /// or, of a single panel, .svg or .dxf
     #[arg(value_name = "OUT")]
     pub(crate) out: PathBuf,
-    /// The paper that a PDF is tiled to
+    #[command(flatten)]
+    pub(crate) pdf: PdfArgs,
+}
+
+/// How patterns come to paper.
+#[derive(Debug, Args)]
+pub(crate) struct PdfArgs {
+    /// The paper that the PDF is tiled to
     #[arg(long, value_name = "PAPER", default_value = "a4", value_parser = paper_parser())]
-    pub(crate) paper: Paper,
+    paper: Paper,
+    /// The most sheets that a panel may take in the PDF [default: 200]; a larger one is drawn to a
+    /// smaller scale on one page, with a table of offsets. Up to 20000
+    #[arg(long, value_name = "N", value_parser = max_sheets)]
+    max_sheets: Option<MaxSheets>,
+}
+
+impl PdfArgs {
+    pub(crate) fn options(&self) -> PdfOptions {
+        PdfOptions { paper: self.paper, max_sheets: self.max_sheets.unwrap_or_default() }
+    }
+}
+
+fn max_sheets(given: &str) -> Result<MaxSheets, String> {
+    let number = given.parse().ok().and_then(MaxSheets::new);
+    number.ok_or_else(|| format!("give a whole number from 1 to {}", MaxSheets::MOST.get()))
 }
 
 /// What is read, and what is set instead of it.

@@ -58,7 +58,8 @@ pub(crate) fn run(args: &ConvertArgs, voice: Voice) -> Result<bool, Failure> {
             }
             let mut watcher = Watcher::new(voice);
             let input = source::name(&args.source);
-            let (made, outputs) = made(&design, &[format], args.paper, &mut watcher, &input)?;
+            let pdf = args.pdf.options();
+            let (made, outputs) = made(&design, &[format], &pdf, &mut watcher, &input)?;
             let file = outputs.files.iter().find(|file| file.name.ends_with(ending));
             let file = file.ok_or_else(|| {
                 Failure::new(format!("no {ending} came out"), "This is a fault of the program.")

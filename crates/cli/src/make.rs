@@ -7,7 +7,7 @@ use crate::voice::{Voice, found_errors, in_words, print};
 use crate::watcher::Watcher;
 use crate::whole::Folder;
 use sheetwright::design::{Design, Made, make};
-use sheetwright_files::{Format, Outputs, Paper, findings_json, output_files, timing_json};
+use sheetwright_files::{Format, Outputs, PdfOptions, findings_json, output_files, timing_json};
 use std::time::Instant;
 
 const FAULT: &str = "This is a fault of the program: please report it with the input.";
@@ -26,7 +26,8 @@ pub(crate) fn run(args: &MakeArgs, voice: Voice) -> Result<bool, Failure> {
     }
     let mut watcher = Watcher::new(voice);
     let input = source::name(&args.source);
-    let (made, outputs) = made(&design, &formats, args.paper, &mut watcher, &input)?;
+    let pdf = args.pdf.options();
+    let (made, outputs) = made(&design, &formats, &pdf, &mut watcher, &input)?;
     let mut names: Vec<String> = outputs.files.iter().map(|file| file.name.clone()).collect();
 
     let mut batch = folder.batch()?;
@@ -55,7 +56,7 @@ pub(crate) fn run(args: &MakeArgs, voice: Voice) -> Result<bool, Failure> {
 pub(crate) fn made(
     design: &Design,
     formats: &[Format],
-    paper: Paper,
+    pdf: &PdfOptions,
     watcher: &mut Watcher,
     input: &str,
 ) -> Result<(Made, Outputs), Failure> {
@@ -63,7 +64,7 @@ pub(crate) fn made(
     watcher.end();
     let made = made.map_err(|error| Failure::of_make(&error, input))?;
     watcher.begin_writing();
-    let outputs = output_files(&made, formats, paper)
+    let outputs = output_files(&made, formats, pdf)
         .map_err(|e| Failure::new(e.to_string(), FAULT).at(input))?;
     Ok((made, outputs))
 }

@@ -312,6 +312,101 @@ fn what_the_call_sets_comes_before_what_the_input_says() {
     assert_eq!(note, "");
 }
 
+/// A flat rectangle of 3 by 4 metres: some 180 sheets of A4, and fewer than 300.
+const LARGE: &str = "x,y,z,corner\n0,0,0,1\n4000,0,0,1\n4000,3000,0,1\n0,3000,0,1\n";
+
+/// The boxes of the pages of a PDF, without repetitions.
+fn page_boxes(path: &Path) -> Vec<String> {
+    let bytes = fs::read(path).unwrap();
+    let pdf = String::from_utf8_lossy(&bytes);
+    let rest = pdf.split("/MediaBox [").skip(1);
+    let mut boxes: Vec<String> = rest.map(|r| r.split(']').next().unwrap().to_owned()).collect();
+    boxes.sort();
+    boxes.dedup();
+    boxes
+}
+
+#[test]
+fn patterns_come_on_the_paper_that_is_asked_for() {
+    let desk = Desk::new(&[("square.csv", SQUARE)]);
+    desk.says("make square.csv --out a4 --formats pdf", 0);
+    desk.says("make square.csv --out letter --formats pdf --paper letter", 0);
+    desk.says("convert square.csv letter.pdf --paper letter", 0);
+    let a4 = page_boxes(&desk.path("a4/pattern.pdf"));
+    assert!(a4.iter().all(|page| page.contains("595.2756") && page.contains("841.8898")), "{a4:?}");
+    let letter = page_boxes(&desk.path("letter/pattern.pdf"));
+    assert!(letter.iter().all(|page| page.contains("612") && page.contains("792")), "{letter:?}");
+    let bytes = |name: &str| fs::read(desk.path(name)).unwrap();
+    assert_eq!(bytes("letter/pattern.pdf"), bytes("letter.pdf"));
+    let (_, error) = desk.says("make square.csv --out no --paper a0", 2);
+    assert!(error.contains("invalid value 'a0' for '--paper <PAPER>'"), "{error}");
+}
+
+#[test]
+fn a_large_panel_is_tiled_if_so_many_sheets_are_allowed() {
+    let desk = Desk::new(&[("large.csv", LARGE)]);
+    let (words, _) = desk.says("make large.csv --out few --formats pdf", 0);
+    let asked = words.split("--max-sheets ").nth(1).unwrap_or_else(|| panic!("{words}"));
+    let enough = asked.split('.').next().unwrap();
+    let pages = |name: &str| {
+        let bytes = fs::read(desk.path(name)).unwrap();
+        String::from_utf8_lossy(&bytes).matches("/Type /Page\n").count()
+    };
+    assert_eq!(pages("few/pattern.pdf"), 2);
+    let (words, _) = desk.says(&format!("make large.csv --out all --max-sheets {enough}"), 0);
+    assert_eq!(words, "large: bends\n");
+    assert_eq!(pages("all/pattern.pdf"), 1 + enough.parse::<usize>().unwrap());
+    desk.says(&format!("convert large.csv all.pdf --max-sheets {enough}"), 0);
+    assert_eq!(
+        fs::read(desk.path("all.pdf")).unwrap(),
+        fs::read(desk.path("all/pattern.pdf")).unwrap()
+    );
+    for wrong in ["0", "20001", "-1", "many", "1e3"] {
+        let (_, error) = desk.says(&format!("make large.csv --out no --max-sheets={wrong}"), 2);
+        assert!(error.contains("give a whole number from 1 to 20000"), "{error}");
+    }
+    assert!(!desk.path("no").exists());
+}
+
+/// Everything is done in one thread; whoever adds more keeps the bytes.
+#[test]
+fn the_number_of_threads_changes_no_bytes() {
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    let desk = Desk::new(&[]);
+    let example = examples.join("square-to-round.sheet.json");
+    let run = |out: &str, mut command: Command| {
+        command.current_dir(desk.0.path()).stdin(Stdio::null());
+        command.arg("make").arg(&example).args(["--quiet", "--samples", "60", "--out", out]);
+        let output = command.output().unwrap();
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    };
+    let program = || Command::new(env!("CARGO_BIN_EXE_sheetwright"));
+    run("all", program());
+    let mut outs = vec!["all"];
+    for threads in ["1", "7"] {
+        let mut command = program();
+        command.env("RAYON_NUM_THREADS", threads).env("LC_ALL", "de_DE.UTF-8").env("TZ", "UTC-9");
+        run(threads, command);
+        outs.push(threads);
+    }
+    // On one core alone, where the system has a command for it.
+    if cfg!(target_os = "linux") && Command::new("taskset").arg("--version").output().is_ok() {
+        let mut command = Command::new("taskset");
+        command.args(["-c", "0", env!("CARGO_BIN_EXE_sheetwright")]);
+        run("core", command);
+        outs.push("core");
+    }
+    let names = names_in(&desk.path("all"));
+    assert!(names.len() > 5);
+    for out in outs {
+        assert_eq!(names_in(&desk.path(out)), names);
+        for name in names.iter().filter(|name| *name != "timing.json") {
+            let bytes = |folder: &str| fs::read(desk.path(folder).join(name)).unwrap();
+            assert!(bytes(out) == bytes("all"), "{out}/{name}");
+        }
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn a_reader_that_leaves_is_no_failure() {

@@ -30,7 +30,7 @@ pub use input::{InputFormat, read_bytes, read_input};
 pub use messages::{PanelTimes, error_json, findings_json, timing_json};
 pub use obj::write_obj;
 pub use output::{Format, OutputError, OutputFile, Outputs, output_files};
-pub use pdf::{MAX_SHEETS, Paper, Reduced, WrittenPdf, write_pdf};
+pub use pdf::{MaxSheets, Paper, PdfOptions, Reduced, WrittenPdf, write_pdf};
 pub use read_back::{PatternReadError, ReadPattern};
 pub use reading::{InputError, MAX_INPUT_BYTES, ReadOptions, read_limited};
 pub use refold::{RefoldFileError, refold_error_mm};

@@ -2,7 +2,7 @@
 
 use crate::dxf::write_dxf;
 use crate::obj::write_obj;
-use crate::pdf::{Paper, Reduced, write_pdf};
+use crate::pdf::{MaxSheets, PdfOptions, Reduced, write_pdf};
 use crate::refold::refold_error_mm;
 use crate::report::{report_html, report_json};
 use crate::svg::write_svg;
@@ -105,7 +105,11 @@ impl std::error::Error for OutputError {}
 ///
 /// # Errors
 /// Panels whose names make no files. A pattern that does not fold back is a finding.
-pub fn output_files(made: &Made, formats: &[Format], paper: Paper) -> Result<Outputs, OutputError> {
+pub fn output_files(
+    made: &Made,
+    formats: &[Format],
+    pdf: &PdfOptions,
+) -> Result<Outputs, OutputError> {
     check_names(made)?;
     let asked = |format: Format| formats.contains(&format);
     let file = |name: String, bytes: Vec<u8>| OutputFile { name, bytes };
@@ -115,7 +119,7 @@ pub fn output_files(made: &Made, formats: &[Format], paper: Paper) -> Result<Out
     };
     let svg = of_panels(Format::Svg, &|panel| write_svg(&panel.piece));
     let dxf = of_panels(Format::Dxf, &|panel| write_dxf(&panel.piece));
-    let pdf = asked(Format::Pdf).then(|| write_pdf(made, paper));
+    let pdf = asked(Format::Pdf).then(|| write_pdf(made, pdf));
     fn bytes_of(files: &[OutputFile], n: usize) -> Option<&[u8]> {
         files.get(n).map(|file| &file.bytes[..])
     }
@@ -180,13 +184,28 @@ fn check_names(made: &Made) -> Result<(), OutputError> {
 
 /// The finding that the PDF shows a panel smaller than it is.
 fn not_tiled(reduced: &Reduced) -> Finding {
+    let Reduced { sheets, scale, file_full, .. } = *reduced;
+    let most = MaxSheets::MOST.get();
+    let (too_many, instead) = if file_full {
+        (
+            format!(", for which the panels before it leave no room among the {most} of one PDF"),
+            "Make it in a design of its own to print it true to scale. ".to_owned(),
+        )
+    } else if sheets > most {
+        (format!("; {most} are the most that a PDF takes"), String::new())
+    } else {
+        (
+            String::new(),
+            format!("To print it true to scale all the same, add --max-sheets {sheets}. "),
+        )
+    };
     Finding {
         severity: Severity::Note,
         code: "pdf-reduced",
         text: format!(
-            "True to scale, this panel would take about {} sheets of paper, so pattern.pdf shows \
-             it at 1:{} with a table of offsets to mark it out by. SVG and DXF are true to scale.",
-            reduced.sheets, reduced.scale
+            "True to scale, this panel would take about {sheets} sheets of paper{too_many}. So \
+             pattern.pdf shows it at 1:{scale} with a table of offsets to mark it out by. \
+             {instead}SVG and DXF are true to scale."
         ),
         place: String::new(),
     }

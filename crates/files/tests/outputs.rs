@@ -1,6 +1,7 @@
 //! The output files of made designs: what a reader relies on, and that they read back.
 #![allow(clippy::unwrap_used)] // Whatever fails here is a failed test.
 
+use miniz_oxide::inflate::decompress_to_vec_zlib;
 use sheetwright::boundary::PlaneChoice;
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
@@ -11,8 +12,8 @@ use sheetwright::pattern::{PathKind, PatternLabel, PatternPath, Piece, Role};
 use sheetwright::rung::Rung;
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
-    Format, OutputError, Paper, PatternReadError, ReadPattern, output_files, read_dxf, read_svg,
-    refold_error_mm, write_dxf, write_obj, write_pdf, write_svg,
+    Format, MaxSheets, OutputError, Paper, PatternReadError, PdfOptions, ReadPattern, Reduced,
+    output_files, read_dxf, read_svg, refold_error_mm, write_dxf, write_obj, write_pdf, write_svg,
 };
 
 /// The planks of the hull of `examples/ubc-fishing-vessel.csv`, a metre of it `scale` mm long.
@@ -264,7 +265,7 @@ fn an_obj_has_a_group_a_panel_and_the_flat_pattern() {
 
 #[test]
 fn the_same_design_gives_the_same_bytes() {
-    let files = || output_files(&hull(20.0), &Format::ALL, Paper::A4).unwrap();
+    let files = || output_files(&hull(20.0), &Format::ALL, &PdfOptions::default()).unwrap();
     assert_eq!(files(), files());
     let names: Vec<String> = files().files.into_iter().map(|file| file.name).collect();
     assert_eq!(
@@ -287,7 +288,7 @@ fn the_same_design_gives_the_same_bytes() {
 #[test]
 fn only_what_is_asked_for_is_made_but_it_is_always_folded() {
     let made = hull(20.0);
-    let outputs = output_files(&made, &[Format::Obj], Paper::A4).unwrap();
+    let outputs = output_files(&made, &[Format::Obj], &PdfOptions::default()).unwrap();
     assert_eq!(outputs.files.len(), 1);
     assert!(outputs.refold_error_mm.iter().all(|error| *error < 1e-8));
     for (panel, checked) in made.panels.iter().zip(&outputs.panels) {
@@ -299,7 +300,7 @@ fn only_what_is_asked_for_is_made_but_it_is_always_folded() {
 fn a_pattern_that_does_not_fold_back_is_an_error_found() {
     let mut made = hull(20.0);
     made.panels[1].piece.paths.remove(7);
-    let outputs = output_files(&made, &[], Paper::A4).unwrap();
+    let outputs = output_files(&made, &[], &PdfOptions::default()).unwrap();
     let first = &outputs.panels[1].findings[0];
     assert_eq!((first.code, first.severity), ("refold", sheetwright::check::Severity::Error));
     assert_eq!(outputs.panels[1].verdict, made.panels[1].checked.verdict);
@@ -310,38 +311,104 @@ fn a_pattern_that_does_not_fold_back_is_an_error_found() {
 fn names_that_make_no_files_are_refused() {
     let mut made = hull(20.0);
     made.panels[2].name = "TopSide".into();
-    let refused = |made: &Made| output_files(made, &[], Paper::A4).unwrap_err();
+    let refused = |made: &Made| output_files(made, &[], &PdfOptions::default()).unwrap_err();
     let same = OutputError::SameName { panel: "topside".into(), other: "TopSide".into() };
     assert_eq!(refused(&made), same);
     made.panels[2].name = "../up".into();
     assert_eq!(refused(&made), OutputError::BadName { panel: "../up".into() });
 }
 
-/// Texts in the content of pages, which is not compressed.
+/// How often a text stands in the content of pages, which is compressed.
 fn shown(pdf: &[u8], needle: &str) -> usize {
-    pdf.windows(needle.len()).filter(|window| *window == needle.as_bytes()).count()
+    let places = |bytes: &[u8], needle: &[u8]| -> Vec<usize> {
+        let windows = bytes.windows(needle.len()).enumerate();
+        windows.filter(|(_, window)| *window == needle).map(|(at, _)| at).collect()
+    };
+    // Both words end so; streams do not hold them by any chance that a test would meet.
+    let streams = places(pdf, b"stream\n").into_iter().filter(|&at| !pdf[..at].ends_with(b"end"));
+    streams
+        .map(|at| {
+            let content = &pdf[at + b"stream\n".len()..];
+            let end = places(content, b"\nendstream")[0];
+            places(&decompress_to_vec_zlib(&content[..end]).unwrap(), needle.as_bytes()).len()
+        })
+        .sum()
 }
 
 #[test]
 fn a_pdf_is_tiled_or_says_that_it_is_reduced() {
     for paper in Paper::ALL {
-        let tiled = write_pdf(&hull(20.0), paper);
+        let options = PdfOptions { paper, ..PdfOptions::default() };
+        let tiled = write_pdf(&hull(20.0), &options);
         assert!(tiled.reduced.is_empty());
         assert_eq!(shown(&tiled.bytes, "Measure it both ways"), 1);
         assert!(shown(&tiled.bytes, "This sheet: topside ") > 1);
         assert_eq!(shown(&tiled.bytes, "at 1:1. Print"), shown(&tiled.bytes, "This sheet"));
 
         let made = hull(1000.0);
-        let reduced = write_pdf(&made, paper);
+        let reduced = write_pdf(&made, &options);
         let panels: Vec<usize> = reduced.reduced.iter().map(|r| r.panel).collect();
         assert_eq!(panels, [0, 1, 2]);
         assert_eq!(reduced.reduced[0].scale, 400.0);
         assert_eq!(shown(&reduced.bytes, "Measure it both ways"), 1);
         assert_eq!(shown(&reduced.bytes, "at 1:400. Print"), 3);
-        let noted = output_files(&made, &[Format::Pdf], paper).unwrap();
+        let noted = output_files(&made, &[Format::Pdf], &options).unwrap();
         let codes = |n: usize| noted.panels[n].findings.iter().map(|f| f.code).collect::<Vec<_>>();
         assert!((0..3).all(|n| codes(n).contains(&"pdf-reduced")));
     }
+}
+
+/// The texts of the findings that a PDF shows panels smaller.
+fn reductions(made: &Made, max_sheets: MaxSheets) -> Vec<String> {
+    let options = PdfOptions { max_sheets, ..PdfOptions::default() };
+    let outputs = output_files(made, &[Format::Pdf], &options).unwrap();
+    let findings = outputs.panels.into_iter().flat_map(|panel| panel.findings);
+    findings.filter(|finding| finding.code == "pdf-reduced").map(|finding| finding.text).collect()
+}
+
+#[test]
+fn as_many_sheets_as_the_finding_names_are_enough() {
+    let made = hull(100.0);
+    let reduced = write_pdf(&made, &PdfOptions { max_sheets: sheets(10), ..Default::default() });
+    assert_eq!(reduced.reduced.len(), 3);
+    for Reduced { panel, sheets: enough, file_full, .. } in reduced.reduced {
+        assert!(!file_full);
+        let texts = reductions(&made, sheets(10));
+        assert!(texts[panel].contains(&format!(" add --max-sheets {enough}. ")), "{texts:?}");
+        let options = PdfOptions { max_sheets: sheets(enough), ..Default::default() };
+        let left = write_pdf(&made, &options).reduced;
+        assert!(left.iter().all(|reduced| reduced.panel != panel && reduced.sheets > enough));
+    }
+    assert_eq!(reductions(&made, MaxSheets::MOST), [""; 0]);
+}
+
+#[test]
+fn one_pdf_takes_so_many_sheets_and_no_more() {
+    assert_eq!(
+        [0, 1, 20_000, 20_001].map(|n| MaxSheets::new(n).is_some()),
+        [false, true, true, false]
+    );
+    let most = MaxSheets::MOST.get();
+    // Two panels in rectangles of 20,000 sheets each, and then of more than there are.
+    let made = hull(1090.0);
+    let texts = reductions(&made, MaxSheets::MOST);
+    let full = format!("no room among the {most} of one PDF");
+    assert_eq!(
+        texts.iter().map(|text| text.contains(&full)).collect::<Vec<_>>(),
+        [true],
+        "{texts:?}"
+    );
+    let texts = reductions(&hull(10_000.0), MaxSheets::MOST);
+    assert_eq!(texts.len(), 3);
+    assert!(
+        texts.iter().all(|text| text.contains("20000 are the most that a PDF takes")),
+        "{texts:?}"
+    );
+    assert!(texts.iter().all(|text| !text.contains("--max-sheets")));
+}
+
+fn sheets(most: usize) -> MaxSheets {
+    MaxSheets::new(most).unwrap()
 }
 
 #[test]

@@ -12,11 +12,13 @@ mod piece;
 mod sheets;
 mod text;
 
+use miniz_oxide::deflate::compress_to_vec_zlib;
 use page::Page;
-use pdf_writer::{Finish, Name, Pdf, Rect, Ref, TextStr};
+use pdf_writer::{Filter, Finish, Name, Pdf, Rect, Ref, TextStr};
 use sheets::Tiling;
-use sheetwright::design::Made;
+use sheetwright::design::{Made, MadePanel};
 use sheetwright::math::Vec2;
+use sheetwright::pattern::Piece;
 
 /// A size of paper.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -62,6 +64,46 @@ impl Paper {
     }
 }
 
+/// How many sheets a piece may take before it is drawn smaller instead.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct MaxSheets(usize);
+
+impl MaxSheets {
+    /// So many sheets fit into one PDF, those of all pieces together: a file of some 35 MB, as many
+    /// sheets as 40 reams have.
+    pub const MOST: Self = Self(20_000);
+
+    /// From 1 to [`MaxSheets::MOST`] sheets; nothing for other numbers.
+    pub fn new(sheets: usize) -> Option<Self> {
+        (1..=Self::MOST.0).contains(&sheets).then_some(Self(sheets))
+    }
+
+    /// The number of sheets.
+    pub const fn get(self) -> usize {
+        self.0
+    }
+}
+
+/// 200: taped together for a day, they are as long as a bus.
+impl Default for MaxSheets {
+    fn default() -> Self {
+        Self(200)
+    }
+}
+
+/// How patterns come to paper.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PdfOptions {
+    /// The size of a sheet. Default: A4.
+    pub paper: Paper,
+    /// The most sheets of a piece. Default: 200.
+    pub max_sheets: MaxSheets,
+}
+
+/// How hard pages are compressed, of 10: sheets repeat much, so they become a tenth of their size
+/// at every level, and this one hardly takes time.
+const COMPRESSION: u8 = 6;
+
 /// A written PDF.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WrittenPdf {
@@ -76,14 +118,15 @@ pub struct WrittenPdf {
 pub struct Reduced {
     /// Its number among the panels, from 0.
     pub panel: usize,
-    /// About how many sheets it would take: those that its bounding rectangle takes.
+    /// About how many sheets it would take: those that its bounding rectangle takes. If so many are
+    /// allowed, it is tiled, unless the file is full.
     pub sheets: usize,
     /// The scale, as 400 of 1:400.
     pub scale: f64,
+    /// Whether its sheets would be few enough, but those of the panels before it leave it no room
+    /// among [`MaxSheets::MOST`].
+    pub file_full: bool,
 }
-
-/// A piece may take so many sheets: taped together for a day, they are as long as a bus.
-pub const MAX_SHEETS: usize = 200;
 
 /// How a piece comes to paper.
 enum Plan {
@@ -92,26 +135,27 @@ enum Plan {
 }
 
 /// The PDF of all pieces of a design. `docs/outputs.md` says what a reader may rely on.
-pub fn write_pdf(made: &Made, paper: Paper) -> WrittenPdf {
-    let plans: Vec<Plan> = made
-        .panels
-        .iter()
-        .enumerate()
-        .map(|(panel, made)| match sheets::tiling(&made.piece, paper) {
-            Ok(tiling) => Plan::Tiled(tiling),
-            Err(sheets) => {
-                let scale = offsets::scale(&made.piece, paper);
-                Plan::Reduced(Reduced { panel, sheets, scale })
+pub fn write_pdf(made: &Made, options: &PdfOptions) -> WrittenPdf {
+    let PdfOptions { paper, max_sheets } = *options;
+    let mut room = MaxSheets::MOST.get();
+    let mut plans = Vec::with_capacity(made.panels.len());
+    for (panel, MadePanel { piece, .. }) in made.panels.iter().enumerate() {
+        plans.push(match sheets::tiling(piece, paper, room.min(max_sheets.get())) {
+            Ok(tiling) => {
+                room -= tiling.sheets.len();
+                Plan::Tiled(tiling)
             }
-        })
-        .collect();
-    let mut pages = overview::pages(made, &plans, paper);
-    for (panel, plan) in made.panels.iter().zip(&plans) {
-        match plan {
-            Plan::Tiled(tiling) => pages.extend(sheets::pages(&panel.piece, tiling)),
-            Plan::Reduced(reduced) => pages.push(offsets::page(&panel.piece, reduced, paper)),
-        }
+            Err(sheets) => {
+                let scale = offsets::scale(piece, paper);
+                let file_full = sheets <= max_sheets.get();
+                Plan::Reduced(Reduced { panel, sheets, scale, file_full })
+            }
+        });
     }
+    let overview = overview::pages(made, &plans, paper);
+    let pieces = made.panels.iter().map(|panel| &panel.piece).zip(&plans);
+    let pages =
+        overview.into_iter().chain(pieces.flat_map(|(piece, plan)| pages(piece, plan, paper)));
     let reduced = plans.iter().filter_map(|plan| match plan {
         Plan::Tiled(_) => None,
         Plan::Reduced(reduced) => Some(*reduced),
@@ -119,8 +163,20 @@ pub fn write_pdf(made: &Made, paper: Paper) -> WrittenPdf {
     WrittenPdf { bytes: document(&made.name, pages), reduced: reduced.collect() }
 }
 
-/// The file that holds the pages.
-fn document(title: &str, pages: Vec<Page>) -> Vec<u8> {
+/// The pages of a piece, drawn when they are asked for.
+fn pages<'a>(
+    piece: &'a Piece,
+    plan: &'a Plan,
+    paper: Paper,
+) -> Box<dyn Iterator<Item = Page> + 'a> {
+    match plan {
+        Plan::Tiled(tiling) => Box::new(sheets::pages(piece, tiling)),
+        Plan::Reduced(reduced) => Box::new(std::iter::once(offsets::page(piece, reduced, paper))),
+    }
+}
+
+/// The file that holds the pages, which are taken one after the other.
+fn document(title: &str, pages: impl Iterator<Item = Page>) -> Vec<u8> {
     let mut free = 1..;
     let mut id = || Ref::new(free.next().unwrap_or(i32::MAX));
     let (catalog, tree, info, regular, bold) = (id(), id(), id(), id(), id());
@@ -134,7 +190,7 @@ fn document(title: &str, pages: Vec<Page>) -> Vec<u8> {
     for (font, name) in [(regular, &b"Helvetica"[..]), (bold, b"Helvetica-Bold")] {
         pdf.type1_font(font).base_font(Name(name)).encoding_predefined(Name(b"WinAnsiEncoding"));
     }
-    let mut kids = Vec::with_capacity(pages.len());
+    let mut kids = Vec::new();
     for page in pages {
         let (size, content) = page.finish();
         let (page_id, content_id) = (id(), id());
@@ -148,7 +204,8 @@ fn document(title: &str, pages: Vec<Page>) -> Vec<u8> {
         resources.fonts().pair(page::REGULAR, regular).pair(page::BOLD, bold);
         resources.finish();
         written.finish();
-        pdf.stream(content_id, &content);
+        let content = compress_to_vec_zlib(&content, COMPRESSION);
+        pdf.stream(content_id, &content).filter(Filter::FlateDecode);
     }
     let count = i32::try_from(kids.len()).unwrap_or(i32::MAX);
     pdf.pages(tree).kids(kids).count(count);

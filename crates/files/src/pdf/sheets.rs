@@ -4,12 +4,13 @@
 //! shows a window of the piece that overlaps its neighbours' by 10 mm; the seams run along the
 //! middle of the overlaps, and where they cross, all four sheets print the same cross.
 
+use super::Paper;
 use super::page::{Anchor, Page, Pen, Type};
 use super::piece::{Detail, View, draw, overlap};
-use super::{MAX_SHEETS, Paper};
 use sheetwright::math::{Point2, Vec2};
 use sheetwright::pattern::Piece;
 use sheetwright::predicate::Box2;
+use std::ops::Range;
 
 /// Printers leave the edge of a sheet blank, few more than this, mm.
 pub(super) const MARGIN_MM: f64 = 10.0;
@@ -65,10 +66,11 @@ impl Sheet {
 /// The sheets that a piece takes, on paper upright or lying, whichever takes fewer.
 ///
 /// # Errors
-/// About how many, if they are more than [`MAX_SHEETS`].
-pub(super) fn tiling(piece: &Piece, paper: Paper) -> Result<Tiling, usize> {
+/// About how many, if they are more than `most`. So many would always be enough.
+pub(super) fn tiling(piece: &Piece, paper: Paper, most: usize) -> Result<Tiling, usize> {
     let upright = paper.size_mm();
-    let candidates = [upright, Vec2::new(upright.y, upright.x)].map(|page| on_page(piece, page));
+    let candidates =
+        [upright, Vec2::new(upright.y, upright.x)].map(|page| on_page(piece, page, most));
     let [first, second] = candidates;
     match (first, second) {
         (Ok(first), Ok(second)) if second.sheets.len() < first.sheets.len() => Ok(second),
@@ -82,7 +84,7 @@ fn window(page: Vec2) -> Vec2 {
     page - Vec2::new(2.0 * MARGIN_MM, 2.0 * MARGIN_MM + HEADER_MM)
 }
 
-fn on_page(piece: &Piece, page: Vec2) -> Result<Tiling, usize> {
+fn on_page(piece: &Piece, page: Vec2, most: usize) -> Result<Tiling, usize> {
     let around = Box2::of_points(piece.outline().iter().copied())
         .unwrap_or(Box2 { min: Point2::default(), max: Point2::default() });
     let step = window(page) - Vec2::splat(OVERLAP_MM);
@@ -92,7 +94,7 @@ fn on_page(piece: &Piece, page: Vec2) -> Result<Tiling, usize> {
     let (columns, rows) = (count(need.x, step.x), count(need.y, step.y));
     // Pieces lie in the rectangle of least area around them, so few leave most of it empty.
     let grid = columns.saturating_mul(rows);
-    if grid > 20 * MAX_SHEETS {
+    if grid > most.saturating_mul(20) {
         return Err(grid);
     }
     let size = Vec2::new(columns as f64 * step.x, rows as f64 * step.y) + Vec2::splat(OVERLAP_MM);
@@ -103,7 +105,7 @@ fn on_page(piece: &Piece, page: Vec2) -> Result<Tiling, usize> {
     let origin = Point2::new(rounded(corner.x), rounded(corner.y));
     let mut tiling = Tiling { page, origin, columns, rows, sheets: Vec::new() };
     tiling.sheets = tiling.touched(piece.outline());
-    if tiling.sheets.len() > MAX_SHEETS { Err(grid) } else { Ok(tiling) }
+    if tiling.sheets.len() > most { Err(grid) } else { Ok(tiling) }
 }
 
 impl Tiling {
@@ -136,16 +138,62 @@ impl Tiling {
         Box2 { min: self.window(lower_left).min, max: self.window(upper_right).max }
     }
 
-    /// The sheets whose cells have a point of the piece.
+    /// The sheets whose cells have a point of the piece: those that its outline passes through, and
+    /// those whose middle lies inside. Edges look at the cells about them alone.
     fn touched(&self, outline: &[Point2]) -> Vec<Sheet> {
-        let all = (0..self.rows)
-            .flat_map(|row| (0..self.columns).map(move |column| Sheet { row, column }));
-        all.filter(|&sheet| {
+        let middle = |sheet| {
             let cell = self.cell(sheet);
-            edges(outline).any(|(a, b)| crosses(cell, a, b))
-                || holds(outline, cell.min.lerp(cell.max, 0.5))
-        })
-        .collect()
+            cell.min.lerp(cell.max, 0.5)
+        };
+        let columns: Vec<f64> =
+            (0..self.columns).map(|column| middle(Sheet { row: 0, column }).x).collect();
+        let mut passed = vec![false; self.rows * self.columns];
+        // Whether an odd number of edges crosses the middle of a row between the middles of two
+        // columns, the first one left of the middle of column 0.
+        let width = self.columns + 1;
+        let mut odd = vec![false; self.rows * width];
+        for (a, b) in edges(outline) {
+            let around = Box2::of_segment(a, b);
+            for row in self.rows_about(around) {
+                let y = middle(Sheet { row, column: 0 }).y;
+                if (a.y > y) != (b.y > y) {
+                    let x = a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x);
+                    odd[row * width + columns.partition_point(|&middle| middle < x)] ^= true;
+                }
+                for column in self.columns_about(around) {
+                    passed[row * self.columns + column] |=
+                        crosses(self.cell(Sheet { row, column }), a, b);
+                }
+            }
+        }
+        let mut sheets = Vec::new();
+        for row in 0..self.rows {
+            let mut inside = false;
+            for column in 0..self.columns {
+                inside ^= odd[row * width + column];
+                if inside || passed[row * self.columns + column] {
+                    sheets.push(Sheet { row, column });
+                }
+            }
+        }
+        sheets
+    }
+
+    /// The columns whose cells a box may have a point of.
+    fn columns_about(&self, around: Box2) -> Range<usize> {
+        let step = window(self.page).x - OVERLAP_MM;
+        about(
+            (around.min.x - self.origin.x) / step,
+            (around.max.x - self.origin.x) / step,
+            self.columns,
+        )
+    }
+
+    /// The rows whose cells a box may have a point of.
+    fn rows_about(&self, around: Box2) -> Range<usize> {
+        let step = window(self.page).y - OVERLAP_MM;
+        let top = self.origin.y + self.rows as f64 * step;
+        about((top - around.max.y) / step, (top - around.min.y) / step, self.rows)
     }
 
     fn has(&self, sheet: Sheet) -> bool {
@@ -189,12 +237,12 @@ fn crosses(cell: Box2, a: Point2, b: Point2) -> bool {
     from <= to
 }
 
-/// Whether a point lies inside an outline.
-fn holds(outline: &[Point2], at: Point2) -> bool {
-    let crossings = edges(outline).filter(|(a, b)| {
-        (a.y > at.y) != (b.y > at.y) && at.x < a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x)
-    });
-    crossings.count() % 2 == 1
+/// The cells of a row or column of `count` between two places, in cells from its beginning, and
+/// one more on either side: cells begin half an overlap later than windows.
+fn about(from: f64, to: f64, count: usize) -> Range<usize> {
+    // Conversion saturates, so that what lies outside is cut off.
+    let first = ((from - 1.0).floor() as usize).min(count);
+    first..((to + 2.0).ceil() as usize).min(count)
 }
 
 /// The sheets of a piece.

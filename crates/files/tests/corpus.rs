@@ -1,0 +1,127 @@
+//! The named boundaries of `corpus/good`: whatever is known of each of them holds.
+#![allow(clippy::unwrap_used)] // Whatever fails here is a failed test.
+
+use serde_json::{Map, Value};
+use sheetwright::design::{Made, MadePanel, make};
+use sheetwright::watch::Unwatched;
+use sheetwright_files::{
+    Format, Outputs, PdfOptions, ReadOptions, ReadPattern, output_files, read_dxf, read_input,
+    read_svg,
+};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Lengths in space and flat agree to this share, whatever the boundary.
+const LENGTH_ERROR: f64 = 1e-9;
+/// So do areas, in which the errors of two lengths meet.
+const AREA_ERROR: f64 = 1e-9;
+/// What was written, folded up again, misses the surface by less than this share of its size.
+const REFOLD_ERROR: f64 = 1e-6;
+
+/// The tables in the order of their names.
+fn tables() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../corpus/good");
+    let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let mut tables: Vec<PathBuf> =
+        entries.filter(|path| path.extension().is_some_and(|ending| ending == "csv")).collect();
+    tables.sort();
+    tables
+}
+
+#[test]
+fn the_facts_of_every_boundary_hold() {
+    let tables = tables();
+    assert!(tables.len() >= 13, "{tables:?}");
+    let mut wrong = Vec::new();
+    for table in tables {
+        let name = table.file_stem().unwrap().to_string_lossy();
+        let facts = fs::read(table.with_extension("facts.json")).unwrap();
+        let facts: Map<String, Value> = serde_json::from_slice(&facts).unwrap();
+        let made =
+            make(&read_input(&table, &ReadOptions::default()).unwrap(), &mut Unwatched).unwrap();
+        let outputs = output_files(&made, &Format::ALL, &PdfOptions::default()).unwrap();
+        let report: Value = serde_json::from_slice(file(&outputs, "report.json")).unwrap();
+        let problems = differences(&report["panels"][0], &facts);
+        let problems = problems.into_iter().chain(always(&made, &outputs));
+        wrong.extend(problems.map(|what| format!("{name}: {what}")));
+    }
+    assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
+}
+
+fn file<'a>(outputs: &'a Outputs, name: &str) -> &'a [u8] {
+    &outputs.files.iter().find(|file| file.name == name).unwrap().bytes
+}
+
+/// How a panel of a report differs from the facts. Those that are listed under `not_yet` must: who
+/// mends one strikes it off the list.
+fn differences(panel: &Value, facts: &Map<String, Value>) -> Vec<String> {
+    let none = Map::new();
+    let not_yet = facts.get("not_yet").map_or(&none, |list| list.as_object().unwrap());
+    assert!(not_yet.keys().all(|fact| facts.contains_key(fact)), "{not_yet:?}");
+    let facts = facts.iter().filter(|(fact, _)| *fact != "not_yet");
+    let problems = facts.map(|(fact, wanted)| (fact, differs(panel, fact, wanted)));
+    let problems = problems.filter_map(|(fact, problem)| match not_yet.get(fact) {
+        None => problem,
+        Some(_) if problem.is_some() => None,
+        Some(_) => Some(format!("{fact} holds by now: take it out of not_yet")),
+    });
+    problems.collect()
+}
+
+/// How a panel of a report differs from a fact, if it does.
+fn differs(panel: &Value, fact: &str, wanted: &Value) -> Option<String> {
+    let found = &panel[fact];
+    let holds = match (fact, wanted) {
+        ("about", Value::String(_)) => true,
+        ("findings", Value::Array(codes)) => codes.iter().all(|code| {
+            assert!(code.is_string(), "findings are codes, not {code}");
+            found.as_array().unwrap().iter().any(|finding| finding["code"] == *code)
+        }),
+        (_, Value::String(_) | Value::Bool(_)) => found == wanted,
+        (_, Value::Array(range)) => {
+            let range: Vec<f64> = range.iter().map(|end| end.as_f64().unwrap()).collect();
+            assert_eq!(range.len(), 2, "{fact}: a range has two ends");
+            found.as_f64().is_some_and(|found| range[0] <= found && found <= range[1])
+        }
+        _ => panic!("{fact}: {wanted} is no fact"),
+    };
+    (!holds).then(|| format!("{fact} is {found}, not {wanted}"))
+}
+
+/// What must hold of every boundary, and does not.
+fn always(made: &Made, outputs: &Outputs) -> Vec<String> {
+    assert_eq!((made.panels.len(), outputs.refold_error_mm.len()), (1, 1));
+    let panel = &made.panels[0];
+    let (measures, size) = (&panel.measures, panel.boundary.size());
+    let refold = outputs.refold_error_mm[0] / size;
+    let areas = measures.area_flat_mm2 / measures.area_space_mm2 - 1.0;
+    let mut wrong = Vec::new();
+    for (what, found, most) in [
+        ("length error", measures.length_error_max, LENGTH_ERROR),
+        ("refold error by size", refold, REFOLD_ERROR),
+        ("areas, flat by space, less 1", areas.abs(), AREA_ERROR),
+    ] {
+        // NaN is no error below a limit.
+        if !(found < most) {
+            wrong.push(format!("{what} is {found}, not below {most}"));
+        }
+    }
+    let name = &panel.name;
+    let svg = read_svg(file(outputs, &format!("{name}.svg"))).unwrap();
+    let dxf = read_dxf(file(outputs, &format!("{name}.dxf"))).unwrap();
+    for (format, read) in [("SVG", svg), ("DXF", dxf)] {
+        if !is_pattern_of(&read, panel) {
+            wrong.push(format!("the {format} reads back as another pattern"));
+        }
+    }
+    wrong
+}
+
+fn is_pattern_of(read: &ReadPattern, panel: &MadePanel) -> bool {
+    let hinges = panel.surface.connectivity().hinges();
+    let near = 1e-9_f64.max(1e-12 * panel.boundary.size());
+    let mut corners = read.outline.iter().zip(panel.piece.outline());
+    read.rungs.iter().eq(hinges.iter().map(|hinge| &hinge.rung))
+        && read.outline.len() == panel.boundary.len()
+        && corners.all(|(read, corner)| read.distance(*corner) <= near)
+}

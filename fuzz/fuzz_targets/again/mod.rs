@@ -1,0 +1,56 @@
+//! What must hold of whatever is read as a pattern, and of the same pattern written once more.
+
+use sheetwright::math::Point2;
+use sheetwright::pattern::{PathKind, PatternPath, Piece, Role};
+use sheetwright_files::{PatternReadError, ReadPattern};
+
+/// Patterns up to this size, mm, and down to its inverse, are written again: what the kernel makes.
+const SIZE_MM: f64 = 1e9;
+
+/// Checks a pattern that was read; `again` writes and reads it. A corner is then so `near` to where
+/// it was, as a share of the size of the file.
+pub fn check(
+    read: &ReadPattern,
+    again: impl Fn(&Piece) -> Result<ReadPattern, PatternReadError>,
+    near: f64,
+) {
+    let corners = read.outline.len();
+    assert!(corners > 0 && read.rungs.is_sorted());
+    let ends = || read.rungs.iter().flat_map(|rung| rung.ends().map(|end| end.get()));
+    assert!(ends().all(|end| end < corners));
+    let (width, height) = read.outline.iter().fold((0.0_f64, 0.0_f64), |(width, height), at| {
+        assert!(at.x >= 0.0 && at.y >= 0.0);
+        (width.max(at.x), height.max(at.y))
+    });
+    let size = width.max(height);
+    if !(1.0 / SIZE_MM..=SIZE_MM).contains(&size) {
+        return;
+    }
+    let twice = again(&piece(read)).expect("what was written reads");
+    let far = |(a, b): (&Point2, &Point2)| a.distance(*b) > near * (size + PAGE_MM);
+    assert_eq!(twice.outline.len(), corners);
+    assert!(!read.outline.iter().zip(&twice.outline).any(far));
+    // Corners that lie on one another may lend each other their rungs.
+    let apart = 1e-9 * size;
+    let alone = |end: usize| {
+        let at = read.outline[end];
+        read.outline.iter().filter(|other| other.distance(at) <= apart).count() == 1
+    };
+    if size > PAGE_MM && ends().all(alone) {
+        assert_eq!(read.rungs, twice.rungs);
+    }
+}
+
+/// Pages begin so far from the pattern at the most, mm, which is what small ones are rounded to.
+const PAGE_MM: f64 = 100.0;
+
+fn piece(read: &ReadPattern) -> Piece {
+    let path = |role, kind, points: Vec<Point2>, closed| PatternPath { role, kind, points, closed };
+    let rungs = read.rungs.iter().map(|&rung| {
+        let ends = rung.ends().map(|end| read.outline[end.get()]);
+        path(Role::Note, PathKind::Rung(rung), ends.to_vec(), false)
+    });
+    let outline = path(Role::Cut, PathKind::Outline, read.outline.clone(), true);
+    let paths = std::iter::once(outline).chain(rungs).collect();
+    Piece { name: "again".to_owned(), paths, labels: Vec::new(), size: Default::default() }
+}

@@ -1,0 +1,18 @@
+//! Any bytes as the SVG of a pattern: words of why not, or an outline and rungs that hold together
+//! and that survive being written and read once more.
+#![no_main]
+
+mod again;
+
+use libfuzzer_sys::fuzz_target;
+use sheetwright_files::{read_svg, write_svg};
+
+/// How far rounding takes a corner, as a share of the size: that of a subtraction or two.
+const ROUNDED: f64 = 1e-14;
+
+fuzz_target!(|bytes: &[u8]| {
+    match read_svg(bytes) {
+        Err(error) => assert!(!error.to_string().is_empty()),
+        Ok(read) => again::check(&read, |piece| read_svg(&write_svg(piece)), ROUNDED),
+    }
+});
