@@ -1,6 +1,7 @@
 //! All files of a made design.
 
 use crate::dxf::write_dxf;
+use crate::names::{folded, refused_for_file};
 use crate::obj::write_obj;
 use crate::pdf::{MaxSheets, PdfOptions, Reduced, write_pdf};
 use crate::refold::refold_error_mm;
@@ -170,12 +171,10 @@ pub fn output_files(
 fn check_names(made: &Made) -> Result<(), OutputError> {
     let mut seen: BTreeMap<String, &str> = BTreeMap::new();
     for MadePanel { name, .. } in &made.panels {
-        let outside = |c: char| c.is_control() || "/\\:*?\"<>|".contains(c);
-        let blank = name.is_empty() || name.starts_with(['.', ' ']) || name.ends_with(['.', ' ']);
-        if blank || name.chars().any(outside) {
+        if refused_for_file(name).is_some() {
             return Err(OutputError::BadName { panel: name.clone() });
         }
-        if let Some(first) = seen.insert(name.to_lowercase(), name) {
+        if let Some(first) = seen.insert(folded(name), name) {
             return Err(OutputError::SameName { panel: first.to_owned(), other: name.clone() });
         }
     }
