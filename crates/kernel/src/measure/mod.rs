@@ -198,26 +198,29 @@ impl<'a> Bends<'a> {
         Self { hinges, of_triangles, creases, widths, wanted }
     }
 
-    /// The bend radius around a rung, mm: the way across it and its neighbours, nearest first, until
-    /// it is as wide as wanted, over the angle that they turn together.
+    /// The bend radius around a rung, mm: the way across it and its neighbours, ring by ring, until
+    /// it is as wide as wanted, over the angle that they turn together. The last ring counts half,
+    /// so that a bend with all of its crease on every other rung is measured right.
     fn radius_at(&self, n: usize) -> f64 {
-        let mut around = vec![n];
+        let mut seen = vec![n];
+        let mut ring = vec![n];
         let (mut width, mut angle) = (0.0, 0.0);
-        let mut next = 0;
-        while let Some(&rung) = around.get(next) {
-            next += 1;
-            width += self.widths[rung];
-            angle += self.creases[rung];
-            if width >= self.wanted {
+        loop {
+            width += ring.iter().map(|&rung| self.widths[rung]).sum::<f64>();
+            angle += ring.iter().map(|&rung| self.creases[rung]).sum::<f64>();
+            let triangles = ring.iter().flat_map(|&rung| self.hinges[rung].triangles);
+            let rungs = triangles.flat_map(|t| self.of_triangles[t.get()].iter().copied());
+            let mut next: Vec<usize> = rungs.filter(|rung| !seen.contains(rung)).collect();
+            next.sort_unstable();
+            next.dedup();
+            let half_width = 0.5 * next.iter().map(|&rung| self.widths[rung]).sum::<f64>();
+            if next.is_empty() || width + half_width >= self.wanted {
+                width += half_width;
+                angle += 0.5 * next.iter().map(|&rung| self.creases[rung]).sum::<f64>();
                 break;
             }
-            for triangle in self.hinges[rung].triangles {
-                for &other in &self.of_triangles[triangle.get()] {
-                    if !around.contains(&other) {
-                        around.push(other);
-                    }
-                }
-            }
+            seen.extend(&next);
+            ring = next;
         }
         if angle == 0.0 { f64::INFINITY } else { width / angle.abs() }
     }
