@@ -21,8 +21,7 @@ const UNNAMED: &str = "outline";
 const COLUMNS: [&str; 6] = ["x", "y", "z", "curve", "corner", "move"];
 const HEADER_HINT: &str = "The first line names the columns, as in: curve,x,y,z";
 const NUMBER_HINT: &str = "Write numbers as in 12.5 or 1e-3, with a decimal point and no unit.";
-const COMMA_HINT: &str =
-    "Decimals have a point (12.5), not a comma, and columns are separated by commas.";
+const COMMA_HINT: &str = "Where columns are separated by commas, decimals have a point (12.5). Or separate by semicolons.";
 
 /// A point of a table.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,7 +67,9 @@ impl TableCurve {
 /// its line.
 pub fn read_table(text: &str, name: &str, units: Units) -> Result<Vec<TableCurve>, InputError> {
     let place = display_name(name);
+    let separator = separator_of(text);
     let mut rows = csv::ReaderBuilder::new()
+        .delimiter(separator)
         .has_headers(false)
         .flexible(true)
         .trim(csv::Trim::All)
@@ -79,7 +80,8 @@ pub fn read_table(text: &str, name: &str, units: Units) -> Result<Vec<TableCurve
     if !rows.read_record(&mut row).map_err(unreadable)? {
         return Err(InputError::at(place, "the table has no header", HEADER_HINT));
     }
-    let columns = Columns::of_header(&row, &format!("{place}:{}", line_of(&row, text)))?;
+    let mut columns = Columns::of_header(&row, &format!("{place}:{}", line_of(&row, text)))?;
+    columns.decimal_comma = separator != b',';
     let mut curves = Curves::default();
     let mut count = 0;
     while rows.read_record(&mut row).map_err(unreadable)? {
@@ -98,6 +100,14 @@ pub fn read_table(text: &str, name: &str, units: Units) -> Result<Vec<TableCurve
         return Err(InputError::at(place, "the table has no rows below its header", hint));
     }
     Ok(curves.list)
+}
+
+/// What separates the columns: a comma; or, as spreadsheets write where the comma is taken for
+/// decimals, the semicolon or the tabulator that the header has instead.
+fn separator_of(text: &str) -> u8 {
+    let header = text.lines().find(|line| !line.trim().is_empty()).unwrap_or("");
+    let has = |separator: &u8| header.as_bytes().contains(separator);
+    [b',', b';', b'\t'].into_iter().find(has).unwrap_or(b',')
 }
 
 /// The line that a row stands on. The reader notes where the row before ended, which is before the
@@ -155,17 +165,13 @@ struct Columns {
     curve: Option<usize>,
     corner: Option<usize>,
     movable: Option<usize>,
+    /// Whether numbers may have a comma for the decimal point, as it separates no columns.
+    decimal_comma: bool,
 }
 
 impl Columns {
     fn of_header(header: &csv::StringRecord, place: &str) -> Result<Self, InputError> {
         let names: Vec<String> = header.iter().map(str::to_ascii_lowercase).collect();
-        if let [only] = names.as_slice()
-            && (only.contains(';') || only.contains('\t'))
-        {
-            let message = "the columns are not separated by commas";
-            return Err(InputError::at(place, message, COMMA_HINT));
-        }
         if names.iter().all(|name| name.parse::<f64>().is_ok()) {
             return Err(InputError::at(place, "the table has no header", HEADER_HINT));
         }
@@ -192,6 +198,7 @@ impl Columns {
             curve: find("curve"),
             corner: find("corner"),
             movable: find("move"),
+            decimal_comma: false,
         })
     }
 
@@ -215,7 +222,8 @@ impl Columns {
         let value = |column: usize| row.get(column).unwrap_or("");
         let mut xyz = [0.0; 3];
         for (n, &column) in self.xyz.iter().enumerate() {
-            xyz[n] = length_mm(COLUMNS[n], value(column), units)
+            xyz[n] = self
+                .length_mm(COLUMNS[n], value(column), units)
                 .map_err(|(message, hint)| failed(message, hint))?;
         }
         let corner = match self.corner.map_or("", value) {
@@ -229,7 +237,8 @@ impl Columns {
         let move_mm = match self.movable.map_or("", value) {
             "" => 0.0,
             text => {
-                length_mm("move", text, units).map_err(|(message, hint)| failed(message, hint))?
+                let length = self.length_mm("move", text, units);
+                length.map_err(|(message, hint)| failed(message, hint))?
             }
         };
         if move_mm < 0.0 {
@@ -238,6 +247,21 @@ impl Columns {
         }
         let at = Point3::new(xyz[0], xyz[1], xyz[2]);
         Ok((self.curve.map_or(UNNAMED, value), TablePoint { at, corner, move_mm }))
+    }
+}
+
+impl Columns {
+    /// The length of a cell, mm; or what is wrong with it and what to do.
+    fn length_mm(
+        &self,
+        column: &str,
+        text: &str,
+        units: Units,
+    ) -> Result<f64, (String, &'static str)> {
+        if self.decimal_comma {
+            return length_mm(column, &text.replacen(',', ".", 1), units);
+        }
+        length_mm(column, text, units)
     }
 }
 
@@ -380,6 +404,15 @@ mod tests {
     }
 
     #[test]
+    fn spreadsheets_of_every_country_are_read() {
+        let point = read("x,y,z\n0.5,1e3,-2").unwrap();
+        for text in ["x;y;z\n0,5;1e3;-2", "x\ty\tz\n0,5\t1000\t-2", "\n x;y;z \r\n0.5;1000;-2\r\n"]
+        {
+            assert_eq!(read(text), Ok(point.clone()), "{text}");
+        }
+    }
+
+    #[test]
     fn errors_name_the_line_of_the_file() {
         assert_eq!(
             refused("x,y,z\r\n1,2,3\r\n1,2\r\n"),
@@ -389,7 +422,6 @@ mod tests {
         assert_eq!(refused("x,y,z\n1,\"2,5\",3\n"), "t.csv:2: y is '2,5', which is no number");
         assert_eq!(refused("x,y,z\n1,2,inf\n"), "t.csv:2: z is 'inf', which is out of range");
         assert_eq!(refused("x,y,z,move\n1,2,3,-1\n"), "t.csv:2: the point may move by -1 mm");
-        assert_eq!(refused("x;y;z\n"), "t.csv:1: the columns are not separated by commas");
         assert_eq!(refused("1,2,3\n4,5,6\n"), "t.csv:1: the table has no header");
     }
 
