@@ -16,6 +16,15 @@ const PARALLEL_SINE: f64 = 1e-9;
 /// Sectors whose gap is below it, radians, touch: it is rounding, and as a twist far below the
 /// quantum of prices.
 const MEETING: f64 = 1e-12;
+/// How much wider special directions are taken than they are, as a squared cosine: rounding (2⁻⁵²)
+/// must never take an open direction for a plain one, and at its square root, a millionth of a
+/// radian, a parallel rung is special too.
+const COSINE_MARGIN: f64 = 1e-12;
+/// Squared length of the sum of two unit normals below which they are opposite and have no mean: a
+/// millionth of a radian from it.
+const OPPOSITE: f64 = 1e-12;
+/// What a side is worth where two choices twist alike: below the quantum of prices.
+const TIE: f64 = 1e-14;
 const TURNS: [f64; 3] = [0.0, -std::f64::consts::TAU, std::f64::consts::TAU];
 
 /// The tangent planes along a rung.
@@ -67,7 +76,7 @@ impl End {
         let twice = (2.0 * to_edge.max(0.0) * to_edge.max(0.0) - 1.0).max(0.0);
         // A little wider, so that rounding never takes an open direction for a plain one; and never
         // so narrow that a parallel rung escapes.
-        (twice * twice - 1e-12).min(1.0 - 1e-12)
+        (twice * twice - COSINE_MARGIN).min(1.0 - COSINE_MARGIN)
     }
 
     /// The normal of the plane of both tangents of a corner, on the side of `facing`: that of the
@@ -112,7 +121,7 @@ pub(super) fn smooth(
     // `&` and `|` rather than `&&` and `||`: no branches.
     let plain = (along_from * along_from < from_special * length_squared)
         & (along_to * along_to < to_special * length_squared)
-        & (sum_squared > 1e-12);
+        & (sum_squared > OPPOSITE);
     Smooth {
         normals: [a, b],
         mean: scaled(sum, 1.0 / sum_squared.sqrt()),
@@ -181,7 +190,7 @@ fn between_sectors(u: Normals, v: Normals, d: Vec3, reference: Vec3) -> RungPlan
     for u in u.sectors() {
         for v in v.sectors() {
             let planes = closest(u, v, d, reference);
-            let key = planes.twist - 1e-12 * planes.mean.dot(reference);
+            let key = planes.twist - TIE * planes.mean.dot(reference);
             if best.is_none_or(|(least, _)| key < least) {
                 best = Some((key, planes));
             }
