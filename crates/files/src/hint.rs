@@ -103,7 +103,7 @@ fn triangulation(error: &TriangulateError) -> &'static str {
              rails of a panel in a design."
         }
         TriangulateError::TooLarge { .. } => {
-            "Ask for fewer samples, or take the method bridge, which needs less."
+            "Ask for fewer samples; for a panel of two rails, the method rails needs far less."
         }
         TriangulateError::Fold => "Ask for a fold price of 0 (twist alone) to 10.",
         TriangulateError::Rails => "Ask for more samples.",

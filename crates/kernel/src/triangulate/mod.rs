@@ -170,7 +170,8 @@ pub fn refuse(
     }
     let needed = match options.method {
         Method::Optimal => memory_needed(m),
-        Method::Bridge | Method::Rails { .. } => bridge::memory_needed(m),
+        Method::Bridge => bridge::memory_needed(m),
+        Method::Rails { first } => rails::memory_needed(first, m),
     };
     if needed > options.memory_limit {
         return Err(TriangulateError::TooLarge { needed, limit: options.memory_limit });
