@@ -123,7 +123,7 @@ pub(crate) struct PdfArgs {
     /// The paper that the PDF is tiled to
     #[arg(long, value_name = "PAPER", default_value = "a4", value_parser = paper_parser())]
     paper: Paper,
-    /// The most sheets that a panel may take in the PDF [default: 200]; a larger one is drawn to a
+    /// The most sheets that a panel may take in the PDF [default: 2000]; a larger one is drawn to a
     /// smaller scale on one page, with a table of offsets. Up to 20000
     #[arg(long, value_name = "N", value_parser = max_sheets)]
     max_sheets: Option<MaxSheets>,

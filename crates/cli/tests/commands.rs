@@ -345,7 +345,7 @@ fn patterns_come_on_the_paper_that_is_asked_for() {
 #[test]
 fn a_large_panel_is_tiled_if_so_many_sheets_are_allowed() {
     let desk = Desk::new(&[("large.csv", LARGE)]);
-    let (words, _) = desk.says("make large.csv --out few --formats pdf", 0);
+    let (words, _) = desk.says("make large.csv --out few --formats pdf --max-sheets 200", 0);
     let asked = words.split("--max-sheets ").nth(1).unwrap_or_else(|| panic!("{words}"));
     let enough = asked.split('.').next().unwrap();
     let pages = |name: &str| {

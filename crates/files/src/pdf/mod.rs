@@ -84,10 +84,11 @@ impl MaxSheets {
     }
 }
 
-/// 200: taped together for a day, they are as long as a bus.
+/// 2,000: a PDF is true to scale for everything that fits a workshop, the planks of a vessel of 20 m
+/// among it, in a file of a few MB.
 impl Default for MaxSheets {
     fn default() -> Self {
-        Self(200)
+        Self(2_000)
     }
 }
 
@@ -96,7 +97,7 @@ impl Default for MaxSheets {
 pub struct PdfOptions {
     /// The size of a sheet. Default: A4.
     pub paper: Paper,
-    /// The most sheets of a piece. Default: 200.
+    /// The most sheets of a piece. Default: 2,000.
     pub max_sheets: MaxSheets,
 }
 
