@@ -31,7 +31,9 @@ fn main() {
             println!(" {:>9.2}", exponent(&SIZES[1..], &times[1..]));
         };
         row("plain, ν = 0", &|b| least_time(b, || plain_table(b)));
-        for (name, fold) in [("optimal, ν = 0", 0.0), ("optimal, ν = 1", DEFAULT_FOLD)] {
+        let folds =
+            [("optimal, ν = 0", 0.0), ("optimal, ν = 0.1", 0.1), ("optimal, ν = 1", DEFAULT_FOLD)];
+        for (name, fold) in folds {
             row(name, &|b| least_time(b, || solve(b, Method::Optimal, PlaneChoice::None, fold)));
         }
         row("optimal, ν = 1, plane", &|b| {

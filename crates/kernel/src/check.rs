@@ -99,7 +99,7 @@ impl Checked {
 }
 
 /// Up to this share of the warp limit a sheet goes into shape by itself; above it, with force.
-/// Half of the limit: by experience of plywood boats, which are clamped rather than rolled.
+/// Half of the limit: a choice, not a measurement, so that a warning comes well before the limit.
 pub const EASY_SHARE: f64 = 0.5;
 /// Length errors below it, as a share of the size over the shortest side, are rounding: an exact
 /// pattern has a thousandth of it.

@@ -1,10 +1,12 @@
 //! What sheets can do: the limits that a verdict is given against.
 //!
-//! The numbers are working rules, not data sheets; each names where it comes from. A warp angle
-//! along a ruling means that a sheet must stretch there; metal shipbuilding accepts 6° \[ZB18\], and
-//! so does this list for every sheet that hardly stretches. Bend radii of plywood are those of
-//! \[APA-E30\] for bending dry across the face grain; thinner plywood by the same ratio to its
-//! thickness. Radii of metal are inner radii for cold bending, as a multiple of the thickness.
+//! The numbers are working rules to begin with, and only one of them has a source that was read:
+//! metal shipbuilding accepts a warp angle of 6° \[ZB18\]. A warp angle along a ruling means that a
+//! sheet must stretch there, so this list takes 6° for every sheet that hardly stretches, and assumes
+//! twice as much for those that do. The radii are rules of thumb that were not looked up: for plywood
+//! of 6 and 9 mm, bent dry across the face grain, as commonly quoted from \[APA-E30\], thinner
+//! plywood by the same ratio to its thickness; for metal a multiple of the thickness. Check them
+//! against the sheet that is to be cut.
 
 /// A sheet material of a thickness.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,8 +26,8 @@ pub struct Material {
 /// The largest warp angle of a sheet that nothing is known of, degrees: metal shipbuilding \[ZB18\].
 pub const DEFAULT_WARP_LIMIT_DEG: f64 = 6.0;
 
-/// A sheet that is bent to no less than this many thicknesses breaks when it is folded; solid board,
-/// scored, is at the limit.
+/// A sheet that is bent to no less than this many thicknesses is taken to break when it is folded:
+/// between solid board (10) and plywood (96), nearer to the board.
 const MOST_THICKNESSES: f64 = 10.0;
 
 const fn material(
@@ -45,7 +47,7 @@ pub const MATERIALS: [Material; 15] = [
     material("aluminium-4mm", "aluminium 5083, 4 mm", 4.0, 6.0, 6.0),
     material("card-0.3mm", "card, 0.3 mm", 0.3, 1.0, 6.0),
     material("cardboard-1.5mm", "solid board, 1.5 mm", 1.5, 15.0, 6.0),
-    // Leather, cloth and soft plastic stretch a few per cent, which forgives twice the warp.
+    // Leather, cloth and soft plastic stretch a few per cent: assumed to forgive twice the warp.
     material("canvas", "canvas or sailcloth", 0.5, 0.5, 12.0),
     material("leather-2mm", "leather, 2 mm", 2.0, 2.0, 12.0),
     material("paper", "paper, 80 to 160 g/m²", 0.15, 0.5, 6.0),
