@@ -177,6 +177,23 @@ impl Boundary {
         Ok(boundary)
     }
 
+    /// The same boundary with one hole, counted from 1, run the other way round. Its first sample
+    /// stays the first.
+    ///
+    /// # Panics
+    /// If there is no such hole.
+    #[must_use]
+    pub fn with_hole_turned(&self, hole: usize) -> Self {
+        assert!(hole > 0, "the outer loop is no hole");
+        let mut turned = self.clone();
+        let samples = &mut turned.samples[self.loops[hole].clone()];
+        samples[1..].reverse();
+        for sample in samples {
+            (sample.tangent_in, sample.tangent_out) = (-sample.tangent_out, -sample.tangent_in);
+        }
+        turned
+    }
+
     /// All samples, loop after loop.
     pub fn samples(&self) -> &[Sample] {
         &self.samples

@@ -64,9 +64,24 @@ pub struct Triangulation {
     /// Whether no triangulation at all, of those that the supporting plane admits, is cheaper. Not
     /// claimed for prices of [`EXACT_BELOW`] and more, whose sums are rounded: hopeless boundaries.
     pub proven_optimal: bool,
+    /// No triangulation at all, of those that the supporting plane admits, is cheaper than this:
+    /// the price itself where that is proven, 0 where nothing is known.
+    pub lower_bound: f64,
     /// Rungs without a tangent plane that no triangulation could do without; each counts as a
     /// twist of 2.
     pub forced_rungs: usize,
+}
+
+impl Triangulation {
+    /// How much of the price may be more than need be, as a share of it, 0 ..= 1: 0 where it is
+    /// proven optimal, 1 where nothing is known.
+    pub fn gap(&self) -> f64 {
+        if self.proven_optimal || self.price <= 0.0 {
+            0.0
+        } else {
+            ((self.price - self.lower_bound) / self.price).clamp(0.0, 1.0)
+        }
+    }
 }
 
 /// Why there is no triangulation.
@@ -136,7 +151,7 @@ pub fn triangulate(
     let m = boundary.len();
     refuse(m, boundary.holes(), options)?;
     let prices = Prices::new(boundary, plane, options.price);
-    let visibility = Visibility::new(plane, m);
+    let visibility = Visibility::new(boundary, plane);
     // Rungs without a tangent plane are admitted only when nothing can be done without them.
     for forced in [false, true] {
         let terms = Terms { prices: &prices, visibility: &visibility, forced };
@@ -300,11 +315,13 @@ fn outcome(terms: &Terms<'_>, mut triangles: Vec<[usize; 3]>, method: Method) ->
         .sum();
     let of_folds: f64 = triangles.iter().map(|&corners| terms.triangle(corners)).sum();
     let price = of_rungs + of_folds;
+    let proven_optimal = method == Method::Optimal && price < EXACT_BELOW;
     Triangulation {
         rungs,
         triangles: triangles.iter().map(|t| t.map(SampleIndex::new)).collect(),
         price,
-        proven_optimal: method == Method::Optimal && price < EXACT_BELOW,
+        proven_optimal,
+        lower_bound: if proven_optimal { price } else { 0.0 },
         forced_rungs,
     }
 }
