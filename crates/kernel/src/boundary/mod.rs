@@ -194,6 +194,30 @@ impl Boundary {
         turned
     }
 
+    /// The outer loop and some of the holes, counted from 1.
+    pub(crate) fn with_holes(&self, holes: &[usize]) -> Self {
+        let loops = std::iter::once(0).chain(holes.iter().copied());
+        self.of_lists(loops.map(|n| self.samples[self.loops[n].clone()].to_vec()))
+    }
+
+    /// About so many samples of each loop, evenly chosen, with the tangents that they have; at least
+    /// three.
+    pub(crate) fn thinned(&self, samples: usize) -> Self {
+        self.of_lists(self.loops.iter().map(|of_loop| {
+            let step = (of_loop.len() / samples.max(3)).max(1);
+            self.samples[of_loop.clone()].iter().step_by(step).copied().collect()
+        }))
+    }
+
+    fn of_lists(&self, lists: impl Iterator<Item = Vec<Sample>>) -> Self {
+        let mut part = Self { samples: Vec::new(), loops: Vec::new(), size: self.size };
+        for list in lists {
+            part.loops.push(part.samples.len()..part.samples.len() + list.len());
+            part.samples.extend(list);
+        }
+        part
+    }
+
     /// All samples, loop after loop.
     pub fn samples(&self) -> &[Sample] {
         &self.samples

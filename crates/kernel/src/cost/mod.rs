@@ -84,11 +84,15 @@ pub fn quantised(price: f64) -> f64 {
     (price + SHIFT) - SHIFT
 }
 
+/// No sample.
+const NONE: usize = usize::MAX;
+
 /// Prices of the rungs and triangles between the samples of a boundary.
 #[derive(Clone, Debug)]
 pub struct Prices {
     ends: Vec<End>,
-    /// The sample that follows each on its loop; empty where there is one loop, in order.
+    /// The sample that follows each on its loop, along an edge; empty where there is one loop, in
+    /// order.
     after: Vec<usize>,
     /// The samples of the boundary that the members of a chain are; empty where each is itself.
     numbers: Vec<usize>,
@@ -140,6 +144,28 @@ impl Prices {
         prices
     }
 
+    /// The prices of the closed polygon that walks the samples of `order`; it may pass a sample
+    /// more than once, as the banks of a cut do, and `is_cut` says which of its edges are banks.
+    /// Rungs and triangles have the same bits as here.
+    pub(crate) fn chain(&self, order: &[usize], is_cut: impl Fn(usize, usize) -> bool) -> Self {
+        let ends = order.iter().map(|&i| self.ends[i]).collect();
+        let numbers = order.iter().map(|&i| self.number(i)).collect();
+        let next = |i: usize| if i + 1 == order.len() { 0 } else { i + 1 };
+        let after = |i: usize| if is_cut(order[i], order[next(i)]) { NONE } else { next(i) };
+        let after = (0..order.len()).map(after).collect();
+        Self { numbers, after, ..Self::of_ends(ends, self.options, self.facing) }
+    }
+
+    /// Whether two samples that follow one another on a chain are the ends of a cut.
+    #[inline]
+    pub(crate) fn is_bank(&self, i: usize, j: usize) -> bool {
+        let apart = i.abs_diff(j);
+        !self.numbers.is_empty()
+            && !self.after.is_empty()
+            && (apart == 1 || apart + 1 == self.len())
+            && !self.neighbours(i, j)
+    }
+
     /// The sample of the boundary that a member of the chain is.
     #[inline]
     fn number(&self, i: usize) -> usize {
@@ -189,6 +215,11 @@ impl Prices {
     /// How prices are made up.
     pub fn options(&self) -> PriceOptions {
         self.options
+    }
+
+    /// Whether there is only one loop.
+    pub(crate) fn one_loop(&self) -> bool {
+        self.after.is_empty()
     }
 
     /// Whether two samples are neighbours on a loop.
@@ -290,10 +321,14 @@ impl Prices {
         self.fold_price([i, k, j], rungs as f64, means[0] + means[1] + means[2])
     }
 
+    /// The distance between two samples, mm.
+    pub(crate) fn length(&self, i: usize, j: usize) -> f64 {
+        (self.ends[j].position - self.ends[i].position).length()
+    }
+
     /// The length of the way from `i` over `k` to `j`, mm.
     pub(crate) fn detour(&self, i: usize, k: usize, j: usize) -> f64 {
-        let at = |n: usize| self.ends[n].position;
-        (at(k) - at(i)).length() + (at(j) - at(k)).length()
+        self.length(i, k) + self.length(k, j)
     }
 
     /// The price of the triangle i, k, j with this many rungs and this sum of their N.

@@ -57,6 +57,20 @@ impl Visibility {
         Self { inside: plane.map(|plane| inside_pairs(&plane.projected, boundary.loops())) }
     }
 
+    /// What is seen between the members of a chain of `m`, as `sees` says of two of them, the lower
+    /// first.
+    pub(crate) fn of_pairs(m: usize, mut sees: impl FnMut(usize, usize) -> bool) -> Self {
+        let mut pairs = PairSet::new(m);
+        for j in 0..m {
+            for i in 0..j {
+                if sees(i, j) {
+                    pairs.insert(i, j);
+                }
+            }
+        }
+        Self { inside: Some(pairs) }
+    }
+
     /// What is seen between every `step`-th of m samples.
     pub(crate) fn thinned(&self, step: usize, m: usize) -> Self {
         let Some(pairs) = &self.inside else { return Self { inside: None } };
