@@ -5,6 +5,7 @@
 
 use crate::math::{Point2, Point3, Vec3};
 use std::cmp::Ordering;
+use std::ops::Range;
 
 fn coord(p: Point2) -> robust::Coord<f64> {
     robust::Coord { x: p.x, y: p.y }
@@ -61,9 +62,21 @@ fn boxes_touch(a: Point2, b: Point2, c: Point2, d: Point2) -> bool {
 /// corner `i` to corner `i + 1`. Exact; time O(m log m) for polygons as people
 /// draw them, O(m²) at worst.
 pub fn first_crossing(polygon: &[Point2]) -> Option<(usize, usize)> {
-    let m = polygon.len();
-    let edge = |i: usize| (polygon[i], polygon[(i + 1) % m]);
-    let boxes: Vec<(Vec3, Vec3)> = (0..m)
+    first_crossing_of_loops(polygon, std::slice::from_ref(&(0..polygon.len())))
+}
+
+/// The same for the edges of several closed polygons, each a range of the points, that follow one
+/// another.
+pub fn first_crossing_of_loops(
+    points: &[Point2],
+    loops: &[Range<usize>],
+) -> Option<(usize, usize)> {
+    let mut next: Vec<usize> = (1..points.len() + 1).collect();
+    for range in loops.iter().filter(|range| !range.is_empty()) {
+        next[range.end - 1] = range.start;
+    }
+    let edge = |i: usize| (points[i], points[next[i]]);
+    let boxes: Vec<(Vec3, Vec3)> = (0..points.len())
         .map(|i| {
             let (a, b) = (edge(i).0.to_vec().extend(0.0), edge(i).1.to_vec().extend(0.0));
             (a.min(b), a.max(b))
@@ -72,9 +85,9 @@ pub fn first_crossing(polygon: &[Point2]) -> Option<(usize, usize)> {
     let mut first: Option<(usize, usize)> = None;
     for_touching_boxes(&boxes, |i, j| {
         let ((a, b), (c, d)) = (edge(i), edge(j));
-        let crossing = if (i + 1) % m == j {
+        let crossing = if next[i] == j {
             folded_back(a, b, d)
-        } else if (j + 1) % m == i {
+        } else if next[j] == i {
             folded_back(c, d, b)
         } else {
             segments_touch(a, b, c, d)

@@ -17,9 +17,24 @@ impl Tolerance {
     /// A written pattern that folds back onto its surface within this share of the size is right.
     pub const REFOLD: Self = Self(1e-6);
 
+    /// Sides of a cut that lie this near to one another on the pattern, as a share of the size, meet
+    /// but for rounding: lengths are exact to some 13 digits and add up along the way round.
+    pub const ROUNDING: Self = Self(1e-9);
+    /// A cut that gapes by no more than this share of the size is closed if it can be: half a
+    /// millimetre in a metre is the width of the finest saw.
+    pub const CLOSING: Self = Self(5e-4);
+    /// Lengths are changed by no more than this share to close a cut: half a millimetre in a metre
+    /// is what a sheet of any material stretches without being bent out of shape.
+    pub const STRETCH: Self = Self(5e-4);
+
     /// A tolerance of `share` of the size; `None` unless it is positive and finite.
     pub fn new(share: f64) -> Option<Self> {
         (share > 0.0 && share.is_finite()).then_some(Self(share))
+    }
+
+    /// The share.
+    pub fn share(self) -> f64 {
+        self.0
     }
 
     /// This tolerance as a length, mm, for a model of `size_mm`.

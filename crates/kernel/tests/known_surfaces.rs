@@ -5,7 +5,7 @@ use sheetwright::boundary::{Boundary, PlaneChoice, samples_from_points, supporti
 use sheetwright::check::{Panel, Verdict, check};
 use sheetwright::cost::{DEFAULT_FOLD, PriceOptions, Prices};
 use sheetwright::curve::CurvePoint;
-use sheetwright::flatten::{Flattened, unroll};
+use sheetwright::flatten::{Flattened, Sheet, unroll};
 use sheetwright::index::SampleIndex;
 use sheetwright::math::{Point2, Point3, angle_between, to_deg};
 use sheetwright::measure::{Measures, area_flat, measures};
@@ -32,7 +32,12 @@ fn solved(boundary: &Boundary, choice: PlaneChoice, fold: f64) -> Solved {
         Connectivity::new(boundary.loops(), triangulation.triangles.clone()).unwrap();
     let surface = Surface::new(connectivity, boundary.positions());
     let flat = unroll(surface.connectivity(), |a, b| surface.length(a, b), &mut Unwatched).unwrap();
-    let measures = measures(&surface, &flat, &Prices::new(boundary, plane.as_ref(), price));
+    let measures = measures(
+        &surface,
+        &Sheet::whole(&surface),
+        &flat,
+        &Prices::new(boundary, plane.as_ref(), price),
+    );
     Solved { triangulation, surface, flat, measures }
 }
 

@@ -3,7 +3,7 @@
 
 use sheetwright::boundary::{Boundary, PlaneChoice, supporting_plane};
 use sheetwright::cost::{DEFAULT_FOLD, PriceOptions, Prices};
-use sheetwright::flatten::{RefoldError, refold, unroll};
+use sheetwright::flatten::{RefoldError, Sheet, refold, unroll};
 use sheetwright::measure::{area_flat, area_space, length_errors, measures};
 use sheetwright::surface::{Connectivity, Surface};
 use sheetwright::triangulate::{Method, TriangulateError, TriangulateOptions, triangulate};
@@ -53,7 +53,7 @@ fn every_result_is_a_surface_that_unrolls_and_folds_back() {
                 let (space, laid) = (area_space(&surface), area_flat(&surface, &flat));
                 assert!((space - laid).abs() < 1e-9 * boundary.size() * boundary.size());
                 let prices = Prices::new(&boundary, plane.as_ref(), PriceOptions::default());
-                let measured = measures(&surface, &flat, &prices);
+                let measured = measures(&surface, &Sheet::whole(&surface), &flat, &prices);
                 if plane.is_some() && found.forced_rungs == 0 {
                     assert_eq!(measured.self_crossing, None, "a roof does not cross itself");
                 }

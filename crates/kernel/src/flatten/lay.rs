@@ -1,0 +1,130 @@
+//! From a surface with or without holes to its sheet and flat pattern.
+
+use super::choose::cuts;
+use super::close::{closed, gap_mm};
+use super::pose::posed;
+use super::sheet::Sheet;
+use super::unroll::unroll;
+use super::{FlattenError, Flattened};
+use crate::boundary::size_of;
+use crate::index::SampleIndex;
+use crate::math::{Point2, Point3, Vec2};
+use crate::predicate::{first_crossing_of_loops, signed_area_doubled};
+use crate::surface::Surface;
+use crate::tolerance::Tolerance;
+use crate::watch::Watch;
+
+/// Lays a surface flat, cut open where it must be: as few cuts are left as can be, and round
+/// windows in a panel that lies flat by itself there are none. `near` are places in space, mm, at
+/// which the user wants the cuts; rungs with their middles nearest to them are taken.
+///
+/// A cut whose two sides come to lie on one another is closed again. So is one that gapes by no
+/// more than [`Tolerance::CLOSING`] of the size, where changing lengths by no more than
+/// [`Tolerance::STRETCH`] closes it; all other lengths are exact.
+///
+/// # Errors
+/// See [`FlattenError`].
+pub fn lay_flat(
+    surface: &Surface,
+    near: &[Point3],
+    watch: &mut dyn Watch,
+) -> Result<(Sheet, Flattened), FlattenError> {
+    if surface.connectivity().loops().len() == 1 {
+        let flat = unroll(surface.connectivity(), |a, b| surface.length(a, b), watch)?;
+        return Ok((Sheet::whole(surface), flat));
+    }
+    let cuts = cuts(surface, near, Tolerance::CLOSING);
+    let mut sheet = Sheet::cut(surface, &cuts, 0)?;
+    let opened = sheet.surface();
+    let mut flat = unroll(opened.connectivity(), |a, b| opened.length(a, b), watch)?;
+    let closing = close_what_closes(&sheet, &mut flat, watch)?;
+    if !closing.is_empty() {
+        let left: Vec<usize> =
+            (0..cuts.len()).filter(|n| !closing.contains(n)).map(|n| cuts[n]).collect();
+        (sheet, flat) = rejoined(surface, &left, &sheet, &flat)?;
+    }
+    for seam in sheet.seams_mut() {
+        seam.gap_mm = gap_mm(seam, &flat.points);
+    }
+    Ok((sheet, flat))
+}
+
+/// Which seams can be closed, and the pattern on which their sides meet.
+fn close_what_closes(
+    sheet: &Sheet,
+    flat: &mut Flattened,
+    watch: &mut dyn Watch,
+) -> Result<Vec<usize>, FlattenError> {
+    let size = size_of(sheet.surface().positions().iter().copied());
+    let gaps: Vec<f64> = sheet.seams().iter().map(|seam| gap_mm(seam, &flat.points)).collect();
+    let within = |tolerance: Tolerance| move |gap: f64| gap <= tolerance.length_mm(size);
+    let mut closing: Vec<usize> =
+        (0..gaps.len()).filter(|&n| within(Tolerance::CLOSING)(gaps[n])).collect();
+    // Widest last, to be given up first.
+    closing.sort_by(|&a, &b| gaps[a].total_cmp(&gaps[b]).then(a.cmp(&b)));
+    while let Some(&widest) = closing.last() {
+        if within(Tolerance::ROUNDING)(gaps[widest]) {
+            break;
+        }
+        if let Some(found) = closed(sheet, &closing, flat, watch)?
+            && stretch(sheet, &found.points) <= Tolerance::STRETCH.share()
+        {
+            *flat = found;
+            break;
+        }
+        closing.pop();
+    }
+    closing.sort_unstable();
+    Ok(closing)
+}
+
+/// The largest relative change of a length.
+fn stretch(sheet: &Sheet, points: &[Point2]) -> f64 {
+    let surface = sheet.surface();
+    let errors = surface.connectivity().sides().map(|[a, b]| {
+        let space = surface.length(a, b);
+        (points[a.get()].distance(points[b.get()]) - space).abs() / space
+    });
+    errors.fold(0.0, f64::max)
+}
+
+/// The sheet with fewer cuts, and the pattern on it; what becomes one sample lies in the middle.
+fn rejoined(
+    surface: &Surface,
+    cuts: &[usize],
+    before: &Sheet,
+    flat: &Flattened,
+) -> Result<(Sheet, Flattened), FlattenError> {
+    let mut sheet = Sheet::cut(surface, cuts, 0)?;
+    let mut points = carried(before, &flat.points, &sheet);
+    // The outline runs counter-clockwise and the holes clockwise, whatever they are in space.
+    let loops = sheet.surface().connectivity().loops();
+    let area = |n: &usize| signed_area_doubled(&points[loops[*n].clone()]);
+    let outer = (0..loops.len()).max_by(|a, b| area(a).total_cmp(&area(b)).then(b.cmp(a)));
+    if let Some(outer) = outer.filter(|&outer| outer > 0) {
+        let sample = sheet.origin(SampleIndex::new(loops[outer].start)).get();
+        let first = surface.connectivity().loops().partition_point(|l| l.end <= sample);
+        sheet = Sheet::cut(surface, cuts, first)?;
+        points = carried(before, &flat.points, &sheet);
+    }
+    let loops = sheet.surface().connectivity().loops();
+    let points = posed(&points, &loops[0]);
+    let overlap = first_crossing_of_loops(&points, loops);
+    Ok((sheet, Flattened { points, overlap }))
+}
+
+/// The points of one sheet on another of the same surface, which has fewer samples.
+fn carried(from: &Sheet, points: &[Point2], to: &Sheet) -> Vec<Point2> {
+    let [before, after] = [from, to].map(|sheet| sheet.surface().connectivity());
+    // Which samples of the one are which of the other, by the corners of the triangles.
+    let mut becomes = vec![0; before.samples()];
+    for (b, a) in before.triangles().iter().flatten().zip(after.triangles().iter().flatten()) {
+        becomes[b.get()] = a.get();
+    }
+    let mut sums = vec![(Vec2::ZERO, 0.0); after.samples()];
+    for (b, &a) in becomes.iter().enumerate() {
+        sums[a].0 += points[b].to_vec();
+        sums[a].1 += 1.0;
+    }
+    sums.into_iter().map(|(sum, count)| Point2::default() + sum / count).collect()
+}
