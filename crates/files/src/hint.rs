@@ -88,6 +88,9 @@ fn boundary(error: &BoundaryError) -> &'static str {
 fn plane(error: &PlaneError) -> &'static str {
     match error {
         PlaneError::NoDirection => "Give a normal such as [0, 0, 1], or \"auto\".",
+        PlaneError::HoleOutside { .. } => {
+            "Move the hole inside the outline, or write \"plane\": \"none\" for a tube."
+        }
         PlaneError::Crossing { .. } => {
             "Choose a normal along which the boundary is seen as a simple loop, or \"auto\" or \
              \"none\"."

@@ -18,6 +18,7 @@ use crate::surface::{Connectivity, ConnectivityError, Surface};
 use crate::tolerance::Tolerance;
 use crate::triangulate::{
     Method, TriangulateError, TriangulateOptions, Triangulation, refuse, triangulate,
+    with_holes_facing,
 };
 use crate::watch::{Stage, Watch};
 use std::fmt;
@@ -273,13 +274,22 @@ fn make_panel(
     let mut options = TriangulateOptions { method, ..TriangulateOptions::default() };
     options.price.fold = panel.fold;
     // Before the boundary is looked at, which takes its time for a long one.
-    let m = sampled.loops.iter().map(Vec::len).sum();
-    refuse(m, sampled.loops.len() - 1, &options).map_err(|e| failed(MakeCause::Triangulate(e)))?;
+    let lengths: Vec<usize> = sampled.loops.iter().map(Vec::len).collect();
+    refuse(&lengths, &options).map_err(|e| failed(MakeCause::Triangulate(e)))?;
     let boundary = Boundary::new(sampled.loops).map_err(|e| failed(MakeCause::Boundary(e)))?;
     let plane =
         supporting_plane(&boundary, panel.plane).map_err(|e| failed(MakeCause::Plane(e)))?;
 
     watch.begin(&panel.name, Stage::Solve);
+    let (boundary, plane) = if boundary.holes() == 0 {
+        (boundary, plane)
+    } else {
+        let facing = with_holes_facing(&boundary, plane.as_ref(), &options, watch)
+            .map_err(|e| failed(MakeCause::Triangulate(e)))?;
+        let plane =
+            supporting_plane(&facing, panel.plane).map_err(|e| failed(MakeCause::Plane(e)))?;
+        (facing, plane)
+    };
     let triangulation = triangulate(&boundary, plane.as_ref(), &options, watch)
         .map_err(|e| failed(MakeCause::Triangulate(e)))?;
     let connectivity = Connectivity::new(boundary.loops(), triangulation.triangles.clone())

@@ -65,15 +65,15 @@ pub fn first_crossing(polygon: &[Point2]) -> Option<(usize, usize)> {
     first_crossing_of_loops(polygon, std::slice::from_ref(&(0..polygon.len())))
 }
 
-/// The same for the edges of several closed polygons, each a range of the points, that follow one
-/// another.
+/// The same for the edges of several closed polygons together, whose corners follow one another in
+/// `points`; those of each are the numbers in one of `loops`.
 pub fn first_crossing_of_loops(
     points: &[Point2],
     loops: &[Range<usize>],
 ) -> Option<(usize, usize)> {
-    let mut next: Vec<usize> = (1..points.len() + 1).collect();
-    for range in loops.iter().filter(|range| !range.is_empty()) {
-        next[range.end - 1] = range.start;
+    let mut next: Vec<usize> = (1..=points.len()).collect();
+    for of_loop in loops.iter().filter(|of_loop| !of_loop.is_empty()) {
+        next[of_loop.end - 1] = of_loop.start;
     }
     let edge = |i: usize| (points[i], points[next[i]]);
     let boxes: Vec<(Vec3, Vec3)> = (0..points.len())
@@ -97,6 +97,19 @@ pub fn first_crossing_of_loops(
         }
     });
     first
+}
+
+/// Whether a point lies inside a closed polygon that does not touch it: on which side of the
+/// polygon a ray leaves it. Exact.
+pub fn inside(polygon: &[Point2], p: Point2) -> bool {
+    let m = polygon.len();
+    let crossed = |a: Point2, b: Point2| {
+        let upwards = a.y <= p.y && p.y < b.y;
+        let downwards = b.y <= p.y && p.y < a.y;
+        (upwards && orientation(a, b, p) == Ordering::Greater)
+            || (downwards && orientation(a, b, p) == Ordering::Less)
+    };
+    (0..m).filter(|&i| crossed(polygon[i], polygon[(i + 1) % m])).count() % 2 == 1
 }
 
 /// Whether b–c runs back over a–b.
@@ -161,6 +174,23 @@ mod tests {
 
     fn p(x: f64, y: f64) -> Point2 {
         Point2::new(x, y)
+    }
+
+    #[test]
+    fn loops_cross_and_contain_one_another() {
+        let square = |x: f64, y: f64, r: f64| {
+            [p(x - r, y - r), p(x + r, y - r), p(x + r, y + r), p(x - r, y + r)]
+        };
+        let outer = square(0.0, 0.0, 4.0);
+        let together = |hole: [Point2; 4]| {
+            let points: Vec<Point2> = outer.iter().chain(&hole).copied().collect();
+            first_crossing_of_loops(&points, &[0..4, 4..8])
+        };
+        assert_eq!(together(square(1.0, 1.0, 1.0)), None);
+        assert_eq!(together(square(4.0, 0.0, 1.0)), Some((1, 4)));
+        for (at, is_inside) in [(p(1.0, 1.0), true), (p(5.0, 0.0), false), (p(-5.0, -4.0), false)] {
+            assert_eq!(inside(&outer, at), is_inside);
+        }
     }
 
     #[test]

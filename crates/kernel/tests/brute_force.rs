@@ -55,7 +55,7 @@ impl Loop {
     fn new(boundary: &Boundary, choice: PlaneChoice, options: PriceOptions) -> Self {
         let plane = supporting_plane(boundary, choice).unwrap();
         let prices = Prices::new(boundary, plane.as_ref(), options);
-        let visibility = Visibility::new(plane.as_ref(), boundary.len());
+        let visibility = Visibility::new(boundary, plane.as_ref());
         let side = |i: usize, j: usize| match prices.planes(i, j) {
             _ if prices.neighbours(i, j) => Side::Edge,
             _ if !visibility.allows(i, j) => Side::Hidden,

@@ -177,6 +177,47 @@ impl Boundary {
         Ok(boundary)
     }
 
+    /// The same boundary with one hole, counted from 1, run the other way round. Its first sample
+    /// stays the first.
+    ///
+    /// # Panics
+    /// If there is no such hole.
+    #[must_use]
+    pub fn with_hole_turned(&self, hole: usize) -> Self {
+        assert!(hole > 0, "the outer loop is no hole");
+        let mut turned = self.clone();
+        let samples = &mut turned.samples[self.loops[hole].clone()];
+        samples[1..].reverse();
+        for sample in samples {
+            (sample.tangent_in, sample.tangent_out) = (-sample.tangent_out, -sample.tangent_in);
+        }
+        turned
+    }
+
+    /// The outer loop and some of the holes, counted from 1.
+    pub(crate) fn with_holes(&self, holes: &[usize]) -> Self {
+        let loops = std::iter::once(0).chain(holes.iter().copied());
+        self.of_lists(loops.map(|n| self.samples[self.loops[n].clone()].to_vec()))
+    }
+
+    /// About so many samples of each loop, evenly chosen, with the tangents that they have; at least
+    /// three.
+    pub(crate) fn thinned(&self, samples: usize) -> Self {
+        self.of_lists(self.loops.iter().map(|of_loop| {
+            let step = (of_loop.len() / samples.max(3)).max(1);
+            self.samples[of_loop.clone()].iter().step_by(step).copied().collect()
+        }))
+    }
+
+    fn of_lists(&self, lists: impl Iterator<Item = Vec<Sample>>) -> Self {
+        let mut part = Self { samples: Vec::new(), loops: Vec::new(), size: self.size };
+        for list in lists {
+            part.loops.push(part.samples.len()..part.samples.len() + list.len());
+            part.samples.extend(list);
+        }
+        part
+    }
+
     /// All samples, loop after loop.
     pub fn samples(&self) -> &[Sample] {
         &self.samples

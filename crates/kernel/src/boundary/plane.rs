@@ -3,14 +3,14 @@
 
 use super::Boundary;
 use crate::math::{Frame, Point2, Vec3, unit};
-use crate::predicate::{first_crossing, signed_area_doubled};
+use crate::predicate::{first_crossing_of_loops, inside, signed_area_doubled};
 use std::fmt;
 
 /// Which supporting plane a panel asks for.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum PlaneChoice {
-    /// The plane onto which the outer loop projects with the largest area, if it projects there
-    /// without crossing itself; else none.
+    /// The plane onto which the outer loop projects with the largest area, if the boundary projects
+    /// there without crossing itself, with its holes beside one another inside; else none.
     #[default]
     Auto,
     /// None: any two samples may be joined.
@@ -41,6 +41,11 @@ pub enum PlaneError {
         /// The sample that the second edge begins at.
         other: usize,
     },
+    /// Projected on the plane, a hole lies outside the outer loop, or inside another hole.
+    HoleOutside {
+        /// Which hole, from 1.
+        hole: usize,
+    },
 }
 
 impl fmt::Display for PlaneError {
@@ -53,6 +58,9 @@ impl fmt::Display for PlaneError {
                 sample + 1,
                 other + 1
             ),
+            Self::HoleOutside { hole } => {
+                write!(f, "seen along the plane's normal, hole {hole} lies outside the panel")
+            }
         }
     }
 }
@@ -62,7 +70,8 @@ impl std::error::Error for PlaneError {}
 /// The supporting plane of a boundary, if there is to be one.
 ///
 /// # Errors
-/// A chosen normal without direction, or one along which the outer loop crosses itself.
+/// A chosen normal without direction, or one along which the boundary crosses itself or a hole
+/// lies outside.
 pub fn supporting_plane(
     boundary: &Boundary,
     choice: PlaneChoice,
@@ -82,10 +91,18 @@ fn project(boundary: &Boundary, normal: Vec3) -> Result<SupportingPlane, PlaneEr
     let frame = Frame::with_normal(origin, facing).ok_or(PlaneError::NoDirection)?;
     let projected: Vec<Point2> =
         boundary.samples().iter().map(|s| frame.project(s.position)).collect();
-    let outer = boundary.loops()[0].clone();
-    if let Some((sample, other)) = first_crossing(&projected[outer.clone()]) {
+    let loops = boundary.loops();
+    if let Some((sample, other)) = first_crossing_of_loops(&projected, loops) {
         return Err(PlaneError::Crossing { sample, other });
     }
-    debug_assert!(signed_area_doubled(&projected[outer]) > 0.0);
+    for hole in 1..loops.len() {
+        // Loops that do not cross lie wholly inside or outside one another.
+        let start = projected[loops[hole].start];
+        let within = |of_loop: usize| inside(&projected[loops[of_loop].clone()], start);
+        if !within(0) || (1..loops.len()).any(|other| other != hole && within(other)) {
+            return Err(PlaneError::HoleOutside { hole });
+        }
+    }
+    debug_assert!(signed_area_doubled(&projected[loops[0].clone()]) > 0.0);
     Ok(SupportingPlane { frame, projected })
 }

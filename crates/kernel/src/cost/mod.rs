@@ -84,10 +84,18 @@ pub fn quantised(price: f64) -> f64 {
     (price + SHIFT) - SHIFT
 }
 
-/// Prices of the rungs and triangles of one loop.
+/// No sample.
+const NONE: usize = usize::MAX;
+
+/// Prices of the rungs and triangles between the samples of a boundary.
 #[derive(Clone, Debug)]
 pub struct Prices {
     ends: Vec<End>,
+    /// The sample that follows each on its loop, along an edge; empty where there is one loop, in
+    /// order.
+    after: Vec<usize>,
+    /// The samples of the boundary that the members of a chain are; empty where each is itself.
+    numbers: Vec<usize>,
     /// Coordinates of positions and tangents by axis, for pricing many rungs at once.
     positions: [Vec<f64>; 3],
     tangents: [Vec<f64>; 3],
@@ -108,14 +116,13 @@ pub(crate) struct RungColumn {
 }
 
 impl Prices {
-    /// The prices of the outer loop of `boundary`.
+    /// The prices of `boundary`, all of its loops.
     pub fn new(
         boundary: &Boundary,
         plane: Option<&SupportingPlane>,
         options: PriceOptions,
     ) -> Self {
-        let ends: Vec<End> = boundary.loops()[0]
-            .clone()
+        let ends: Vec<End> = (0..boundary.len())
             .map(|i| {
                 let s = boundary.samples()[i];
                 let at = |k: usize| boundary.samples()[k].position;
@@ -130,7 +137,39 @@ impl Prices {
             .collect();
         let facing = plane
             .map_or_else(|| unit(boundary.area_vector()).unwrap_or(Vec3::Z), |plane| plane.frame.z);
-        Self::of_ends(ends, options, facing)
+        let mut prices = Self::of_ends(ends, options, facing);
+        if boundary.holes() > 0 {
+            prices.after = (0..boundary.len()).map(|i| boundary.next(i)).collect();
+        }
+        prices
+    }
+
+    /// The prices of the closed polygon that walks the samples of `order`; it may pass a sample
+    /// more than once, as the banks of a cut do, and `is_cut` says which of its edges are banks.
+    /// Rungs and triangles have the same bits as here.
+    pub(crate) fn chain(&self, order: &[usize], is_cut: impl Fn(usize, usize) -> bool) -> Self {
+        let ends = order.iter().map(|&i| self.ends[i]).collect();
+        let numbers = order.iter().map(|&i| self.number(i)).collect();
+        let next = |i: usize| if i + 1 == order.len() { 0 } else { i + 1 };
+        let after = |i: usize| if is_cut(order[i], order[next(i)]) { NONE } else { next(i) };
+        let after = (0..order.len()).map(after).collect();
+        Self { numbers, after, ..Self::of_ends(ends, self.options, self.facing) }
+    }
+
+    /// Whether two samples that follow one another on a chain are the ends of a cut.
+    #[inline]
+    pub(crate) fn is_bank(&self, i: usize, j: usize) -> bool {
+        let apart = i.abs_diff(j);
+        !self.numbers.is_empty()
+            && !self.after.is_empty()
+            && (apart == 1 || apart + 1 == self.len())
+            && !self.neighbours(i, j)
+    }
+
+    /// The sample of the boundary that a member of the chain is.
+    #[inline]
+    fn number(&self, i: usize) -> usize {
+        if self.numbers.is_empty() { i } else { self.numbers[i] }
     }
 
     /// The prices of the loop of every `step`-th sample, with the tangents that they have.
@@ -142,7 +181,9 @@ impl Prices {
             ends[i].edge_out = edge;
             ends[(i + 1) % m].edge_in = edge;
         }
-        Self::of_ends(ends, self.options, self.facing)
+        let mut thinned = Self::of_ends(ends, self.options, self.facing);
+        thinned.numbers = self.numbers.iter().step_by(step).copied().collect();
+        thinned
     }
 
     fn of_ends(ends: Vec<End>, options: PriceOptions, facing: Vec3) -> Self {
@@ -154,17 +195,19 @@ impl Prices {
             tangents: by_axis(|end| end.tangent_out),
             special_cosines_squared: ends.iter().map(End::special_cosine_squared).collect(),
             ends,
+            after: Vec::new(),
+            numbers: Vec::new(),
             options,
             facing,
         }
     }
 
-    /// How many samples the loop has.
+    /// How many samples there are.
     pub fn len(&self) -> usize {
         self.ends.len()
     }
 
-    /// Never: a loop has at least three samples.
+    /// Never: a boundary has at least three samples.
     pub fn is_empty(&self) -> bool {
         self.ends.is_empty()
     }
@@ -174,9 +217,17 @@ impl Prices {
         self.options
     }
 
-    /// Whether two samples are neighbours on the loop.
+    /// Whether there is only one loop.
+    pub(crate) fn one_loop(&self) -> bool {
+        self.after.is_empty()
+    }
+
+    /// Whether two samples are neighbours on a loop.
     #[inline]
     pub fn neighbours(&self, i: usize, j: usize) -> bool {
+        if !self.after.is_empty() {
+            return self.after[i] == j || self.after[j] == i;
+        }
         let apart = i.abs_diff(j);
         apart == 1 || apart + 1 == self.len()
     }
@@ -195,6 +246,8 @@ impl Prices {
     pub fn planes(&self, i: usize, j: usize) -> Option<RungPlanes> {
         let smooth = smooth(self.smooth_end(i), self.smooth_end(j));
         if smooth.is_special {
+            // In the order of the boundary, so that rounding does not depend on the chain.
+            let (i, j) = if self.number(i) < self.number(j) { (i, j) } else { (j, i) };
             special(&self.ends[i], &self.ends[j], self.facing)
         } else {
             Some(smooth.into())
@@ -248,20 +301,34 @@ impl Prices {
         1.0 - a.mean_tangent().cross(d).dot(b.mean_tangent().cross(-d))
     }
 
-    /// The price of the triangle between samples i < k < j: ν Σ (1 − n · N) over those of its
-    /// sides that are rungs, a multiple of [`QUANTUM`]. `means` are the N of the sides ⟨i,k⟩,
-    /// ⟨k,j⟩, ⟨i,j⟩; zero for a side that is an edge of the boundary.
+    /// The price of the triangle with corners i, k, j, counter-clockwise as seen from the side that
+    /// the surface faces (on one loop: in its order): ν Σ (1 − n · N) over those of its sides that
+    /// are rungs, a multiple of [`QUANTUM`]. `means` are the N of the sides ⟨i,k⟩, ⟨k,j⟩, ⟨i,j⟩;
+    /// zero for a side that is an edge of the boundary.
     #[inline]
     pub fn triangle(&self, [i, k, j]: [usize; 3], means: [Vec3; 3]) -> f64 {
+        // The lowest sample first, so that rounding does not depend on who asks.
+        let [a, b, c] = [self.number(i), self.number(k), self.number(j)];
+        let ([i, k, j], means) = if a < b && a < c {
+            ([i, k, j], means)
+        } else if b < c {
+            ([k, j, i], [means[1], means[2], means[0]])
+        } else {
+            ([j, i, k], [means[2], means[0], means[1]])
+        };
         let sides = [(i, k), (k, j), (i, j)];
         let rungs = sides.iter().filter(|(a, b)| !self.neighbours(*a, *b)).count();
         self.fold_price([i, k, j], rungs as f64, means[0] + means[1] + means[2])
     }
 
+    /// The distance between two samples, mm.
+    pub(crate) fn length(&self, i: usize, j: usize) -> f64 {
+        (self.ends[j].position - self.ends[i].position).length()
+    }
+
     /// The length of the way from `i` over `k` to `j`, mm.
     pub(crate) fn detour(&self, i: usize, k: usize, j: usize) -> f64 {
-        let at = |n: usize| self.ends[n].position;
-        (at(k) - at(i)).length() + (at(j) - at(k)).length()
+        self.length(i, k) + self.length(k, j)
     }
 
     /// The price of the triangle i, k, j with this many rungs and this sum of their N.

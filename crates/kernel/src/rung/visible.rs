@@ -1,25 +1,27 @@
 //! Which rungs lie inside the projection of the boundary on its supporting plane.
 //!
 //! Triangular expansion \[Bungiu2014\], with exact predicates:
-//! 1. The projected loop is cut into triangles by clipping ears; which triangles does not matter.
+//! 1. The domain between the projected loops is cut into triangles (a constrained Delaunay
+//!    triangulation, crate `spade`); which triangles does not matter.
 //! 2. A sample sees its own triangles. Through the side opposite to it, it looks into the next
 //!    triangle, within the window between that side's ends.
 //! 3. The far corner of that triangle is seen if it lies strictly inside the window; it splits the
 //!    window in two. Otherwise the window passes on one side of it, unchanged.
 //! 4. A boundary edge ends the view.
 //!
-//! The triangles of a simple polygon form a tree, so a sample meets each at most once: O(m) for
-//! each sample, O(m²) for all, plus the ears: O(m²) for outlines as people draw them, O(m³) for
-//! spirals. A rung that touches the boundary
-//! between its ends is not inside.
+//! Without holes the triangles form a tree, so a sample meets each at most once: O(m) for each
+//! sample, O(m²) for all. Round h holes it may meet a triangle from h + 1 sides. A rung that touches
+//! the boundary between its ends is not inside.
 
+use crate::boundary::Boundary;
 use crate::boundary::SupportingPlane;
 use crate::math::Point2;
 use crate::predicate::orientation;
+use spade::{ConstrainedDelaunayTriangulation, Triangulation};
 use std::cmp::Ordering;
+use std::ops::Range;
 
-/// Which pairs of samples of the outer loop may be joined: any two, or those whose rung lies inside
-/// the projection.
+/// Which pairs of samples may be joined: any two, or those whose rung lies inside the projection.
 #[derive(Clone, Debug)]
 pub struct Visibility {
     inside: Option<PairSet>,
@@ -50,10 +52,23 @@ impl PairSet {
 }
 
 impl Visibility {
-    /// What a plane lets be seen of the outer loop, whose samples are the first `m`; everything
-    /// without a plane.
-    pub fn new(plane: Option<&SupportingPlane>, m: usize) -> Self {
-        Self { inside: plane.map(|plane| inside_pairs(&plane.projected[..m])) }
+    /// What a plane lets be seen of a boundary; everything without a plane.
+    pub fn new(boundary: &Boundary, plane: Option<&SupportingPlane>) -> Self {
+        Self { inside: plane.map(|plane| inside_pairs(&plane.projected, boundary.loops())) }
+    }
+
+    /// What is seen between the members of a chain of `m`, as `sees` says of two of them, the lower
+    /// first.
+    pub(crate) fn of_pairs(m: usize, mut sees: impl FnMut(usize, usize) -> bool) -> Self {
+        let mut pairs = PairSet::new(m);
+        for j in 0..m {
+            for i in 0..j {
+                if sees(i, j) {
+                    pairs.insert(i, j);
+                }
+            }
+        }
+        Self { inside: Some(pairs) }
     }
 
     /// What is seen between every `step`-th of m samples.
@@ -77,92 +92,89 @@ impl Visibility {
     }
 }
 
-/// The pairs that see one another inside a simple polygon that runs counter-clockwise, neighbours
-/// included.
-fn inside_pairs(polygon: &[Point2]) -> PairSet {
-    let m = polygon.len();
-    let ears = Ears::clip(polygon);
-    let mut pairs = PairSet::new(m);
-    for i in 0..m {
-        pairs.insert(i, (i + 1) % m);
-    }
-    for source in 0..m {
-        ears.look_from(source, polygon, &mut |seen| pairs.insert(source, seen));
+/// The pairs that see one another inside polygons that do not touch, the outer one running
+/// counter-clockwise and the holes clockwise, neighbours included.
+fn inside_pairs(points: &[Point2], loops: &[Range<usize>]) -> PairSet {
+    let view = Triangles::between(points, loops);
+    let mut pairs = PairSet::new(points.len());
+    for source in 0..points.len() {
+        view.look_from(source, points, &mut |seen| pairs.insert(source, seen));
     }
     pairs
 }
 
-/// A triangulation of a polygon, for looking through.
-struct Ears {
-    /// Corners of each triangle, in the order of the polygon.
+/// A triangulation of the domain, for looking through.
+struct Triangles {
+    /// Corners of each triangle, counter-clockwise.
     corners: Vec<[usize; 3]>,
     /// The triangle beyond the side opposite to each corner.
     beyond: Vec<[Option<usize>; 3]>,
-    /// The triangles at each corner of the polygon.
+    /// The triangles at each sample.
     around: Vec<Vec<usize>>,
 }
 
-impl Ears {
-    fn clip(polygon: &[Point2]) -> Self {
-        let m = polygon.len();
-        let mut next: Vec<usize> = (0..m).map(|i| (i + 1) % m).collect();
-        let mut previous: Vec<usize> = (0..m).map(|i| (i + m - 1) % m).collect();
-        let mut corners = Vec::with_capacity(m.saturating_sub(2));
-        let is_ear = |next: &[usize], previous: &[usize], i: usize| {
-            let (a, b) = (previous[i], next[i]);
-            if orientation(polygon[a], polygon[i], polygon[b]) != Ordering::Greater {
-                return false;
-            }
-            let mut k = next[b];
-            while k != a {
-                if in_closed_triangle(polygon[k], polygon[a], polygon[i], polygon[b]) {
-                    return false;
-                }
-                k = next[k];
-            }
-            true
+impl Triangles {
+    fn between(points: &[Point2], loops: &[Range<usize>]) -> Self {
+        // Coordinates too small for the crate only choose other triangles.
+        let vertex = |p: &Point2| spade::mitigate_underflow(spade::Point2::new(p.x, p.y));
+        let edges: Vec<[usize; 2]> = loops
+            .iter()
+            .flat_map(|l| l.clone().map(|i| [i, if i + 1 == l.end { l.start } else { i + 1 }]))
+            .collect();
+        let vertices = points.iter().map(vertex).collect();
+        let none = Self { corners: vec![], beyond: vec![], around: vec![vec![]; points.len()] };
+        // Nothing is seen of what is no domain; a boundary has passed the door and is one.
+        let Ok(all) = ConstrainedDelaunayTriangulation::<spade::Point2<f64>>::try_bulk_load_cdt(
+            vertices,
+            edges.clone(),
+            |_| {},
+        ) else {
+            return none;
         };
-        let (mut left, mut at, mut since_last) = (m, 0, 0);
-        // A simple polygon always has an ear, so a whole round without one can't be.
-        while left > 3 && since_last <= left {
-            if is_ear(&next, &previous, at) {
-                let (a, b) = (previous[at], next[at]);
-                corners.push([a, at, b]);
-                next[a] = b;
-                previous[b] = a;
-                left -= 1;
-                since_last = 0;
-                // Skip one, so that ears come from all round and the triangles stay compact.
-                at = next[b];
-            } else {
-                at = next[at];
-                since_last += 1;
+        if all.num_vertices() != points.len() {
+            return none;
+        }
+        // The domain lies to the left of every edge of the boundary; from there it is flooded.
+        let mut number = vec![None; all.num_all_faces()];
+        let mut found = Vec::new();
+        let mut reached: Vec<_> = edges
+            .iter()
+            .filter_map(|&[a, b]| {
+                let handle = spade::handles::FixedVertexHandle::from_index;
+                all.get_edge_from_neighbors(handle(a), handle(b))
+            })
+            .filter_map(|edge| edge.face().as_inner())
+            .collect();
+        while let Some(face) = reached.pop() {
+            let place = &mut number[face.fix().index()];
+            if place.is_some() {
+                continue;
             }
+            *place = Some(found.len());
+            found.push(face);
+            let inner = face.adjacent_edges().into_iter().filter(|e| !e.is_constraint_edge());
+            reached.extend(inner.filter_map(|edge| edge.rev().face().as_inner()));
         }
-        debug_assert_eq!(left, 3, "a simple polygon always has an ear");
-        corners.push([previous[at], at, next[at]]);
-        for triangle in &mut corners {
-            triangle.sort_unstable();
-        }
-        Self::linked(corners, m)
-    }
-
-    fn linked(corners: Vec<[usize; 3]>, m: usize) -> Self {
-        let mut sides: Vec<([usize; 2], usize, usize)> = Vec::with_capacity(3 * corners.len());
-        let mut around = vec![Vec::new(); m];
-        for (t, &[a, b, c]) in corners.iter().enumerate() {
-            sides.extend([([b, c], t, 0), ([a, c], t, 1), ([a, b], t, 2)]);
-            for corner in [a, b, c] {
+        let corners: Vec<[usize; 3]> =
+            found.iter().map(|face| face.vertices().map(|v| v.fix().index())).collect();
+        let beyond = found
+            .iter()
+            .zip(&corners)
+            .map(|(face, corners)| {
+                let mut beyond = [None; 3];
+                for edge in face.adjacent_edges().into_iter().filter(|e| !e.is_constraint_edge()) {
+                    let ends = edge.vertices().map(|v| v.fix().index());
+                    if let Some(n) = corners.iter().position(|c| !ends.contains(c)) {
+                        beyond[n] = number[edge.rev().face().fix().index()];
+                    }
+                }
+                beyond
+            })
+            .collect();
+        let mut around = vec![Vec::new(); points.len()];
+        for (t, corners) in corners.iter().enumerate() {
+            for &corner in corners {
                 around[corner].push(t);
-            }
-        }
-        sides.sort_unstable();
-        let mut beyond = vec![[None; 3]; corners.len()];
-        for pair in sides.windows(2) {
-            let ((side, t, n), (other, u, k)) = (pair[0], pair[1]);
-            if side == other {
-                beyond[t][n] = Some(u);
-                beyond[u][k] = Some(t);
             }
         }
         Self { corners, beyond, around }
@@ -174,7 +186,6 @@ impl Ears {
         let mut views: Vec<(usize, [usize; 2], usize, usize)> = Vec::new();
         for &t in &self.around[source] {
             let n = self.corners[t].iter().position(|&c| c == source).unwrap_or(0);
-            // Counter-clockwise from the source, the corners are increasing but for one wrap.
             let (right, left) = (self.corners[t][(n + 1) % 3], self.corners[t][(n + 2) % 3]);
             see(right);
             see(left);
@@ -213,17 +224,14 @@ impl Ears {
     }
 }
 
-/// Whether `p` lies in the triangle a, b, c (counter-clockwise) or on its border.
-fn in_closed_triangle(p: Point2, a: Point2, b: Point2, c: Point2) -> bool {
-    orientation(a, b, p) != Ordering::Less
-        && orientation(b, c, p) != Ordering::Less
-        && orientation(c, a, p) != Ordering::Less
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::predicate::{first_crossing, segments_touch, signed_area_doubled};
+
+    fn one_loop(polygon: &[Point2]) -> PairSet {
+        inside_pairs(polygon, std::slice::from_ref(&(0..polygon.len())))
+    }
 
     /// Seen or not by the definition: the rung leaves into the inside at both ends and touches no
     /// edge but at its ends.
@@ -273,7 +281,7 @@ mod tests {
                 continue;
             }
             tried += 1;
-            let pairs = inside_pairs(&polygon);
+            let pairs = one_loop(&polygon);
             let m = polygon.len();
             for i in 0..m {
                 for j in i + 2..m {

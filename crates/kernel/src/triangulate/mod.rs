@@ -4,9 +4,12 @@
 //! [`crate::cost`], over the triangulations that the method admits.
 
 mod bridge;
+mod facing;
+mod holes;
 mod optimal;
 mod rails;
 
+pub use facing::with_holes_facing;
 pub use optimal::memory_needed;
 
 use crate::boundary::{Boundary, SupportingPlane};
@@ -64,15 +67,30 @@ pub struct Triangulation {
     /// Whether no triangulation at all, of those that the supporting plane admits, is cheaper. Not
     /// claimed for prices of [`EXACT_BELOW`] and more, whose sums are rounded: hopeless boundaries.
     pub proven_optimal: bool,
+    /// No triangulation at all, of those that the supporting plane admits, is cheaper than this:
+    /// the price itself where that is proven, 0 where nothing is known.
+    pub lower_bound: f64,
     /// Rungs without a tangent plane that no triangulation could do without; each counts as a
     /// twist of 2.
     pub forced_rungs: usize,
 }
 
+impl Triangulation {
+    /// How much of the price may be more than need be, as a share of it, 0 ..= 1: 0 where it is
+    /// proven optimal, 1 where nothing is known.
+    pub fn gap(&self) -> f64 {
+        if self.proven_optimal || self.price <= 0.0 {
+            0.0
+        } else {
+            ((self.price - self.lower_bound) / self.price).clamp(0.0, 1.0)
+        }
+    }
+}
+
 /// Why there is no triangulation.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TriangulateError {
-    /// The boundary has holes, which no method here takes yet.
+    /// The boundary has holes, which only the optimal method takes.
     Holes {
         /// How many.
         count: usize,
@@ -97,7 +115,9 @@ pub enum TriangulateError {
 impl fmt::Display for TriangulateError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Holes { count } => write!(f, "the boundary has {count} holes"),
+            Self::Holes { count } => {
+                write!(f, "the boundary has {count} holes, which only 'optimal' takes")
+            }
             Self::TooLarge { needed, limit } => write!(
                 f,
                 "the tables need {:.1} GiB of memory and may take {:.1} GiB",
@@ -133,43 +153,43 @@ pub fn triangulate(
     options: &TriangulateOptions,
     watch: &mut dyn Watch,
 ) -> Result<Triangulation, TriangulateError> {
-    let m = boundary.len();
-    refuse(m, boundary.holes(), options)?;
+    let lengths: Vec<usize> = boundary.loops().iter().map(ExactSizeIterator::len).collect();
+    refuse(&lengths, options)?;
     let prices = Prices::new(boundary, plane, options.price);
-    let visibility = Visibility::new(plane, m);
+    let visibility = Visibility::new(boundary, plane);
     // Rungs without a tangent plane are admitted only when nothing can be done without them.
     for forced in [false, true] {
         let terms = Terms { prices: &prices, visibility: &visibility, forced };
+        let simple = |triangles| Found { triangles, lower_bound: None };
         let found = match options.method {
-            Method::Optimal => optimal::solve(&terms, watch)?,
-            Method::Bridge => bridge::solve(&terms, watch)?,
-            Method::Rails { first } => rails::solve(&terms, first, watch)?,
+            Method::Optimal if boundary.holes() > 0 => {
+                holes::solve(&terms, plane, boundary.loops(), watch)?
+            }
+            Method::Optimal => optimal::solve(&terms, watch)?.map(simple),
+            Method::Bridge => bridge::solve(&terms, watch)?.map(simple),
+            Method::Rails { first } => rails::solve(&terms, first, watch)?.map(simple),
         };
-        if let Some(triangles) = found {
-            return Ok(outcome(&terms, triangles, options.method));
+        if let Some(found) = found {
+            return Ok(outcome(&terms, found, options.method));
         }
     }
     Err(TriangulateError::NoneInside)
 }
 
-/// Refuses a boundary of m samples that can't be triangulated, before anything is worked out or
-/// taken: holes, options out of range, tables that would not fit.
+/// Refuses loops of so many samples, the outer one first, that can't be triangulated, before
+/// anything is worked out or taken: options out of range, tables that would not fit.
 ///
 /// # Errors
 /// See [`TriangulateError`].
-pub fn refuse(
-    m: usize,
-    holes: usize,
-    options: &TriangulateOptions,
-) -> Result<(), TriangulateError> {
-    if holes > 0 {
-        return Err(TriangulateError::Holes { count: holes });
-    }
+pub fn refuse(lengths: &[usize], options: &TriangulateOptions) -> Result<(), TriangulateError> {
+    let (m, holes) = (lengths[0], lengths.len() - 1);
     if !(0.0..=MAX_FOLD).contains(&options.price.fold) {
         return Err(TriangulateError::Fold);
     }
     let needed = match options.method {
+        Method::Optimal if holes > 0 => holes::memory_needed(lengths),
         Method::Optimal => memory_needed(m),
+        _ if holes > 0 => return Err(TriangulateError::Holes { count: holes }),
         Method::Bridge => bridge::memory_needed(m),
         Method::Rails { first } => rails::memory_needed(first, m),
     };
@@ -177,6 +197,23 @@ pub fn refuse(
         return Err(TriangulateError::TooLarge { needed, limit: options.memory_limit });
     }
     Ok(())
+}
+
+/// The triangles that a method has found.
+struct Found {
+    /// Corners counter-clockwise as seen from the side that the surface faces; on one loop in any
+    /// order.
+    triangles: Vec<[usize; 3]>,
+    /// What no triangulation at all is cheaper than, if that is less than the price of this one, or
+    /// may be.
+    lower_bound: Option<f64>,
+}
+
+/// Triangles on the way, and their price.
+#[derive(Clone, Debug)]
+struct Solved {
+    price: f64,
+    triangles: Vec<[usize; 3]>,
 }
 
 /// What a method may use, and for what price.
@@ -230,6 +267,10 @@ impl Terms<'_> {
         if self.prices.neighbours(i, j) {
             return EDGE;
         }
+        if self.prices.is_bank(i, j) {
+            let mean = self.prices.planes(i, j).map_or(Vec3::ZERO, |planes| planes.mean);
+            return Side { price: 0.0, mean };
+        }
         if !self.visibility.allows(i, j) {
             return BARRED;
         }
@@ -248,6 +289,9 @@ impl Terms<'_> {
         for i in 0..j {
             if self.prices.neighbours(i, j) {
                 prices[i] = EDGE.price;
+            } else if self.prices.is_bank(i, j) {
+                prices[i] = 0.0;
+                continue;
             } else if !self.visibility.allows(i, j) {
                 prices[i] = BARRED.price;
             } else {
@@ -262,9 +306,8 @@ impl Terms<'_> {
         }
     }
 
-    /// The price of a triangle between three samples in any order.
-    fn triangle(&self, mut corners: [usize; 3]) -> f64 {
-        corners.sort_unstable();
+    /// The price of a triangle with corners counter-clockwise.
+    fn triangle(&self, corners: [usize; 3]) -> f64 {
         let [i, k, j] = corners;
         let means = [self.side(i, k).mean, self.side(k, j).mean, self.side(i, j).mean];
         self.prices.triangle(corners, means)
@@ -272,9 +315,15 @@ impl Terms<'_> {
 }
 
 /// Orders the triangles, lists their rungs and sums their price anew.
-fn outcome(terms: &Terms<'_>, mut triangles: Vec<[usize; 3]>, method: Method) -> Triangulation {
+fn outcome(terms: &Terms<'_>, found: Found, method: Method) -> Triangulation {
+    let mut triangles = found.triangles;
     for triangle in &mut triangles {
-        triangle.sort_unstable();
+        if terms.prices.one_loop() {
+            triangle.sort_unstable();
+        } else {
+            let lowest = (0..3).min_by_key(|&n| triangle[n]).unwrap_or(0);
+            triangle.rotate_left(lowest);
+        }
     }
     triangles.sort_unstable();
     let mut rungs: Vec<Rung> = triangles
@@ -300,11 +349,14 @@ fn outcome(terms: &Terms<'_>, mut triangles: Vec<[usize; 3]>, method: Method) ->
         .sum();
     let of_folds: f64 = triangles.iter().map(|&corners| terms.triangle(corners)).sum();
     let price = of_rungs + of_folds;
+    let lower_bound = found.lower_bound.unwrap_or(price);
+    let proven_optimal = method == Method::Optimal && price < EXACT_BELOW && lower_bound >= price;
     Triangulation {
         rungs,
         triangles: triangles.iter().map(|t| t.map(SampleIndex::new)).collect(),
         price,
-        proven_optimal: method == Method::Optimal && price < EXACT_BELOW,
+        proven_optimal,
+        lower_bound: if method == Method::Optimal { lower_bound.min(price) } else { 0.0 },
         forced_rungs,
     }
 }

@@ -24,7 +24,7 @@
 //!    do tie) the k with the least |P_i P_k| + |P_k P_j| wins, then the smallest: strips of compact
 //!    triangles rather than fans.
 
-use super::{Terms, TriangulateError};
+use super::{Solved, Terms, TriangulateError};
 use crate::cost::{QUANTUM, RungColumn, quantised};
 use crate::math::Vec3;
 use crate::watch::Watch;
@@ -59,17 +59,39 @@ pub(super) fn solve(
     terms: &Terms<'_>,
     watch: &mut dyn Watch,
 ) -> Result<Option<Vec<[usize; 3]>>, TriangulateError> {
+    Ok(solve_priced(terms, watch)?.map(|solved| solved.triangles))
+}
+
+/// The same, with its price.
+pub(super) fn solve_priced(
+    terms: &Terms<'_>,
+    watch: &mut dyn Watch,
+) -> Result<Option<Solved>, TriangulateError> {
     let mut table = Table::new(terms);
     let mut left = 1.0;
     for bound in bounds(terms, watch)? {
         // Nobody knows how many bounds it takes: each gets half of what is left of the progress.
         let share = 1.0 - left..1.0 - 0.5 * left;
-        if table.fill(bound, watch, share)? < f64::INFINITY {
-            return Ok(Some(table.trace()));
+        let price = table.fill(bound, watch, share)?;
+        if price < f64::INFINITY {
+            return Ok(Some(Solved { price, triangles: table.trace() }));
         }
         left *= 0.5;
     }
     Ok(None)
+}
+
+/// The triangles of the cheapest triangulation up to the price `bound`, and that price; `None` if
+/// there is none.
+pub(super) fn solve_within(
+    terms: &Terms<'_>,
+    bound: f64,
+    watch: &mut dyn Watch,
+) -> Result<Option<Solved>, TriangulateError> {
+    let mut table = Table::new(terms);
+    let bound = if bound > HIGHEST_BOUND { f64::INFINITY } else { bound };
+    let price = table.fill(bound, watch, 0.0..0.0)?;
+    Ok((price < f64::INFINITY).then(|| Solved { price, triangles: table.trace() }))
 }
 
 /// Bounds to try on the price of the answer, one after the other; the last is none at all.

@@ -1,0 +1,711 @@
+//! The cheapest triangulation of a ring domain: a cheapest closed walk round the band between its
+//! two chains.
+//!
+//! 1. In a triangulation of a ring, the rungs that join the two chains follow one another round the
+//!    band: after ⟨i,a⟩ comes ⟨j,a⟩, with a triangle on the side ⟨i,j⟩, whose other side is an edge
+//!    or closes off a pocket, or ⟨i,b⟩ likewise. They are a closed walk on the torus of all pairs
+//!    that winds once round each chain; a step costs the pocket that it jumps over, the fold price
+//!    of its triangle and the twist of the rung that it reaches.
+//! 2. The band is laid out on its universal cover, outer places I = 0, 1, 2, … and inner places A.
+//!    The same pair of samples stands there once for each way to wind round the hole. On a
+//!    supporting plane a rung is straight and has one way: whether it crosses a reference cut ⟨o,e⟩,
+//!    and on which side of that cut it leaves where it begins at o or e, says which, exactly.
+//! 3. Every walk jumps over the outer edge before o once, from a place P before it to a place Q at
+//!    or behind it, along some inner place A. For given (Q, A) the walk is a shortest path from
+//!    (Q, A) to (Q + m, A + k) through an acyclic grid: O(m k (m + k)).
+//! 4. For a set of starts, the cheapest path from any of them to the image of any other is a lower
+//!    bound on all of their walks, and the answer if it happens to close. Sets are halved between
+//!    start and end until the cheapest path of all closes (branch and bound, as for circular
+//!    shortest paths \[Appleton2003\]); a set dearer than a walk that is known is dropped.
+//! 5. A walk with fewer than three steps along one chain, or one that takes all steps along one
+//!    chain before all along the other, uses a rung twice and is no surface. It is possible only
+//!    without a plane. Where the cheapest walk is one of those, the search is run again over paths
+//!    that count their steps and turns.
+
+use super::super::{Side, Solved, TriangulateError};
+use super::chains::{Chains, Spot, in_sector};
+use super::pockets::{Pockets, Walk, least_of};
+use crate::cost::QUANTUM;
+use crate::math::Point2;
+use crate::predicate::orientation;
+use crate::watch::Watch;
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+/// What the tables of two chains of m and k samples take, bytes.
+pub(super) fn memory_needed(m: usize, k: usize) -> u64 {
+    let grid = (m as u64) * (k as u64);
+    let joins = grid * (size_of::<Side>() + size_of::<i8>()) as u64;
+    let paths = 4 * grid * 2 * size_of::<f64>() as u64;
+    Pockets::memory_needed(m) + Pockets::memory_needed(k) + joins + paths
+}
+
+/// The triangles of the cheapest triangulation of the ring between two chains, and its price
+/// without that of its cuts; `None` if there is none up to `bound`. Without `counting`, the search over
+/// paths that count is not gone through: if it would be needed, `None`.
+pub(super) fn solve(
+    chains: &Chains<'_>,
+    bound: f64,
+    counting: bool,
+    watch: &mut dyn Watch,
+) -> Result<Option<Solved>, TriangulateError> {
+    let Some(band) = Band::new(chains, bound, watch)? else { return Ok(None) };
+    for counting in if counting { &[false, true][..] } else { &[false] } {
+        let Some(walk) = band.cheapest_walk(*counting, bound, watch)? else { return Ok(None) };
+        if *counting || walk.is_simple() {
+            let triangles = band.triangles(&walk);
+            return Ok(Some(Solved { price: walk.price, triangles }));
+        }
+    }
+    Ok(None)
+}
+
+/// A pair of places on the cover: an outer and an inner one.
+type Pair = (usize, i64);
+
+/// A rung that may join the chains.
+#[derive(Clone, Copy)]
+struct Join {
+    side: Side,
+    /// How often its inner place winds round the hole, seen from its outer place in 0 .. m.
+    winding: i8,
+}
+
+struct Band<'c, 'a> {
+    chains: &'c Chains<'a>,
+    outer: Walk,
+    inner: Walk,
+    /// The joining rungs at outer · k + inner.
+    joins: Vec<Join>,
+    outer_pockets: Pockets,
+    inner_pockets: Pockets,
+}
+
+/// A set of starts: outer places and inner places on the cover, both ends included.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Starts {
+    outer: (usize, usize),
+    inner: (i64, i64),
+}
+
+/// A walk from a start to the image of an end.
+struct BandWalk {
+    price: f64,
+    /// The pairs from the start to the one before the last step, which jumps over the edge before
+    /// o along the chain with m places.
+    pairs: Vec<Pair>,
+    /// Where the last step arrives, less one round.
+    end: Pair,
+    m: usize,
+    k: i64,
+}
+
+impl BandWalk {
+    fn start(&self) -> Pair {
+        self.pairs[0]
+    }
+
+    fn closes(&self) -> bool {
+        self.start() == self.end
+    }
+
+    /// All pairs, the end included, on the cover.
+    fn steps(&self) -> impl Iterator<Item = [Pair; 2]> + '_ {
+        let last = (self.end.0 + self.m, self.end.1 + self.k);
+        let next = self.pairs[1..].iter().copied().chain(std::iter::once(last));
+        self.pairs.iter().copied().zip(next).map(|(from, to)| [from, to])
+    }
+
+    /// Whether a closed walk uses no rung twice.
+    fn is_simple(&self) -> bool {
+        let count = self.steps().fold(Count::START, |count, [from, to]| {
+            count.after(if from.1 == to.1 { Along::Outer } else { Along::Inner })
+        });
+        count.is_simple()
+    }
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Along {
+    Outer,
+    Inner,
+}
+
+/// The steps of a walk along both chains, up to three, and its turns from one to the other, up to
+/// four or five. A walk begins after a step along the outer chain, its last.
+#[derive(Clone, Copy)]
+struct Count {
+    outer: usize,
+    inner: usize,
+    turns: usize,
+}
+
+impl Count {
+    const START: Self = Self { outer: 0, inner: 0, turns: 0 };
+    const ALL: usize = 4 * 4 * 6;
+
+    fn after(self, along: Along) -> Self {
+        let last = if self.turns.is_multiple_of(2) { Along::Outer } else { Along::Inner };
+        let turns = match self.turns + usize::from(along != last) {
+            6 => 4,
+            turns => turns,
+        };
+        match along {
+            Along::Outer => Self { outer: (self.outer + 1).min(3), turns, ..self },
+            Along::Inner => Self { inner: (self.inner + 1).min(3), turns, ..self },
+        }
+    }
+
+    fn is_simple(self) -> bool {
+        self.outer == 3 && self.inner == 3 && self.turns >= 4
+    }
+
+    fn number(self) -> usize {
+        (self.outer * 4 + self.inner) * 6 + self.turns
+    }
+
+    fn of_number(number: usize) -> Self {
+        Self { outer: number / 24, inner: number / 6 % 4, turns: number % 6 }
+    }
+}
+
+/// A set of starts waiting to be halved; the cheapest first.
+struct Open {
+    walk: BandWalk,
+    starts: Starts,
+}
+
+impl Ord for Open {
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.walk.price.total_cmp(&self.walk.price).then(other.starts.cmp(&self.starts))
+    }
+}
+
+impl PartialOrd for Open {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Open {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Open {}
+
+/// How rungs wind round the hole of a band on a supporting plane.
+struct Winding<'c, 'a> {
+    chains: &'c Chains<'a>,
+    /// The reference cut, and where it lies.
+    o: Spot,
+    e: Spot,
+    points: &'c dyn Fn(usize) -> Point2,
+}
+
+impl Winding<'_, '_> {
+    /// Whether a rung from o or e leaves in front of the cut, as the band is walked, rather than
+    /// behind it.
+    fn leaves_in_front(&self, from: Spot, to: usize) -> bool {
+        let own = (self.points)(self.chains.sample(from));
+        let next = (self.points)(self.chains.next(from));
+        let across = if from == self.o { self.e } else { self.o };
+        let along_cut = (self.points)(self.chains.sample(across));
+        let between = in_sector(own, next, along_cut, (self.points)(to));
+        // The boundary goes with the walk at o and against it at e.
+        between == (from == self.o)
+    }
+
+    fn crosses(&self, a: usize, b: usize) -> bool {
+        let cut = [self.o, self.e].map(|spot| self.chains.sample(spot));
+        self.chains.crosses([a, b], cut)
+    }
+
+    /// How often the inner place of a joining rung winds round the hole.
+    fn of_join(&self, p: Spot, q: Spot) -> i8 {
+        let [a, b] = [p, q].map(|spot| self.chains.sample(spot));
+        match (p == self.o, q == self.e) {
+            (true, true) => 0,
+            (true, false) => -i8::from(!self.leaves_in_front(p, b)),
+            (false, true) => i8::from(!self.leaves_in_front(q, a)),
+            (false, false) if !self.crosses(a, b) => 0,
+            (false, false) => {
+                let [o, e] = [self.o, self.e].map(|spot| (self.points)(self.chains.sample(spot)));
+                // To the right of the cut lies what is in front of it.
+                if orientation(o, e, (self.points)(a)) == Ordering::Less { -1 } else { 1 }
+            }
+        }
+    }
+
+    /// Whether the rung between two places of a walk that begins at o or e closes off the run from
+    /// the first on to the second.
+    fn closes(&self, walk: &Walk, s: usize, q: usize) -> bool {
+        let (low, high) = (s.min(q), s.max(q));
+        let over_cut = if low == 0 {
+            !self.leaves_in_front(walk.spots[0], walk.samples[high])
+        } else {
+            self.crosses(walk.samples[low], walk.samples[high])
+        };
+        (s > q) == over_cut
+    }
+}
+
+impl<'c, 'a> Band<'c, 'a> {
+    fn new(
+        chains: &'c Chains<'a>,
+        bound: f64,
+        watch: &mut dyn Watch,
+    ) -> Result<Option<Self>, TriangulateError> {
+        let Some((o, e)) = shortest_join(chains) else { return Ok(None) };
+        let outer = Walk::new(chains, 0, o.at, false);
+        let inner = Walk::new(chains, 1, e.at, true);
+        let points = |sample: usize| chains.point(sample).unwrap_or_default();
+        let winding = chains.has_plane().then_some(Winding { chains, o, e, points: &points });
+        let joins = outer
+            .spots
+            .iter()
+            .flat_map(|&p| inner.spots.iter().map(move |&q| (p, q)))
+            .map(|(p, q)| {
+                let side = chains.side(p, q);
+                let winding = match &winding {
+                    Some(winding) if side.price < f64::INFINITY => winding.of_join(p, q),
+                    _ => 0,
+                };
+                Join { side, winding }
+            })
+            .collect();
+        let closes = |walk: &Walk, s: usize, q: usize| {
+            winding.as_ref().is_none_or(|winding| winding.closes(walk, s, q))
+        };
+        let outer_pockets =
+            Pockets::new(chains, &outer, |s, q| closes(&outer, s, q), bound, watch)?;
+        let inner_pockets =
+            Pockets::new(chains, &inner, |s, q| closes(&inner, s, q), bound, watch)?;
+        Ok(Some(Self { chains, outer, inner, joins, outer_pockets, inner_pockets }))
+    }
+
+    fn m(&self) -> usize {
+        self.outer.len()
+    }
+
+    fn k(&self) -> i64 {
+        self.inner.len() as i64
+    }
+
+    /// The inner place below a place on the cover.
+    fn below(&self, a: i64) -> usize {
+        a.rem_euclid(self.k()) as usize
+    }
+
+    fn join(&self, p: usize, a: i64) -> Join {
+        self.joins[p * self.inner.len() + self.below(a)]
+    }
+
+    /// The price of a joining rung between places on the cover; infinite if it winds otherwise.
+    fn join_price(&self, p: usize, a: i64) -> f64 {
+        let join = self.join(p, a);
+        let winds = !self.chains.has_plane() || i64::from(join.winding) == a.div_euclid(self.k());
+        if winds { join.side.price } else { f64::INFINITY }
+    }
+
+    /// The fold price of the triangle of a step along the outer chain.
+    fn outer_fold(&self, p: usize, q: usize, a: i64) -> f64 {
+        let [p, q] = [p, q].map(|place| place % self.m());
+        let (at_p, at_q) = (self.join(p, a).side.mean, self.join(q, a).side.mean);
+        let corners =
+            [self.outer.samples[p], self.outer.samples[q], self.inner.samples[self.below(a)]];
+        self.chains.fold(corners, [self.outer_pockets.mean(p, q), at_q, at_p])
+    }
+
+    /// The fold price of the triangle of a step along the inner chain.
+    fn inner_fold(&self, p: usize, a: i64, b: i64) -> f64 {
+        let (at_a, at_b) = (self.join(p, a).side.mean, self.join(p, b).side.mean);
+        let [a, b] = [a, b].map(|place| self.below(place));
+        let corners = [self.outer.samples[p], self.inner.samples[b], self.inner.samples[a]];
+        self.chains.fold(corners, [at_b, self.inner_pockets.mean(a, b), at_a])
+    }
+
+    /// The cheapest closed walk up to `bound`; with `counting`, of those that use no rung twice.
+    fn cheapest_walk(
+        &self,
+        counting: bool,
+        mut bound: f64,
+        watch: &mut dyn Watch,
+    ) -> Result<Option<BandWalk>, TriangulateError> {
+        let sweep = |starts: &Starts, bound: f64, watch: &mut dyn Watch| {
+            if counting {
+                self.counting_sweep(starts, bound, watch)
+            } else {
+                self.sweep(starts, bound, watch)
+            }
+        };
+        let (m, k) = (self.m(), self.k());
+        // A walk through the reference cut gives a first bound.
+        let through_cut = Starts { outer: (0, 0), inner: (0, 0) };
+        let mut open = BinaryHeap::new();
+        if let Some(walk) = sweep(&through_cut, bound, watch)? {
+            bound = bound.min(walk.price);
+            open.push(Open { walk, starts: through_cut });
+        }
+        let (first, all) = if self.chains.has_plane() {
+            ((-k, k - 1), (-k, 2 * k - 1))
+        } else {
+            ((0, k - 1), (0, k - 1))
+        };
+        let mut sets =
+            vec![Starts { outer: (0, 0), inner: first }, Starts { outer: (1, m - 1), inner: all }];
+        loop {
+            for starts in sets.drain(..) {
+                if let Some(walk) = sweep(&starts, bound, watch)? {
+                    if walk.closes() {
+                        bound = bound.min(walk.price);
+                    }
+                    open.push(Open { walk, starts });
+                }
+            }
+            let Some(Open { walk, starts }) = open.pop() else { return Ok(None) };
+            if walk.closes() {
+                return Ok(Some(walk));
+            }
+            sets.extend(starts.halved(walk.start(), walk.end));
+        }
+    }
+
+    /// The cheapest path from one of the starts to the image of one of them.
+    fn sweep(
+        &self,
+        starts: &Starts,
+        bound: f64,
+        watch: &mut dyn Watch,
+    ) -> Result<Option<BandWalk>, TriangulateError> {
+        let grid = Grid::new(starts, self.m(), self.k());
+        let mut least = Least::new(&grid);
+        for c in 0..grid.columns {
+            if watch.stop() {
+                return Err(TriangulateError::Stopped);
+            }
+            for r in 0..grid.rows {
+                let (p, a) = grid.pair(c, r);
+                let price = self.join_price(p, a);
+                if price > bound {
+                    continue;
+                }
+                let reached = if starts.contain((p, a)) {
+                    Some(0.0)
+                } else {
+                    let below = bound - price + QUANTUM;
+                    self.arrive(&grid, &least, (c, r), below).map(|(least, _)| price + least)
+                };
+                if let Some(reached) = reached {
+                    least.set(&grid, (c, r), reached);
+                }
+            }
+        }
+        Ok(self.last_step(&grid, &least, starts, bound).map(|(price, (c, r), end)| {
+            let mut at = (c, r);
+            let mut pairs = vec![grid.pair(c, r)];
+            while !starts.contain(grid.pair(at.0, at.1)) {
+                let Some((_, before)) = self.arrive(&grid, &least, at, f64::INFINITY) else {
+                    break;
+                };
+                at = before;
+                pairs.push(grid.pair(at.0, at.1));
+            }
+            pairs.reverse();
+            BandWalk { price, pairs, end, m: self.m(), k: self.k() }
+        }))
+    }
+
+    /// The cheapest way to arrive at a pair, without its own rung, if it is below `below`.
+    fn arrive(
+        &self,
+        grid: &Grid,
+        least: &Least,
+        (c, r): (usize, usize),
+        below: f64,
+    ) -> Option<(f64, (usize, usize))> {
+        let (m, k) = (self.m(), self.inner.len());
+        let (p, a) = grid.pair(c, r);
+        let jumps = &self.outer_pockets.ending_at(p % m)[m - c..];
+        let outer = least_of(&least.row(grid, r)[..c], jumps, below, |c| {
+            self.outer_fold(grid.pair(c, r).0, p, a)
+        });
+        let first = r.saturating_sub(k - 1);
+        let below = outer.map_or(below, |(price, _)| price);
+        let jumps = &self.inner_pockets.ending_at(self.below(a))[k - (r - first)..];
+        let inner = least_of(&least.column(grid, c)[first..r], jumps, below, |at| {
+            self.inner_fold(p, grid.pair(c, first + at).1, a)
+        });
+        inner
+            .map(|(price, at)| (price, (c, first + at)))
+            .or(outer.map(|(price, at)| (price, (at, r))))
+    }
+
+    /// The cheapest last step of all paths: its price, where it begins, and where it arrives.
+    fn last_step(
+        &self,
+        grid: &Grid,
+        least: &Least,
+        starts: &Starts,
+        bound: f64,
+    ) -> Option<(f64, (usize, usize), Pair)> {
+        let mut best: Option<(f64, (usize, usize), Pair)> = None;
+        for q in starts.outer.0..=starts.outer.1 {
+            for a in starts.inner.0..=starts.inner.1 {
+                let price = self.join_price(q, a);
+                if price > bound {
+                    continue;
+                }
+                let r = grid.row_of(a + self.k());
+                let below = best.map_or(bound + QUANTUM, |best| best.0) - price;
+                if let Some((sum, c)) = self.closing(grid, least.row(grid, r), (q, a), below) {
+                    best = Some((price + sum, (c, r), (q, a)));
+                }
+            }
+        }
+        best
+    }
+
+    /// The cheapest last step that arrives at the image of (q, a), below `below`, from a row of
+    /// prices: without the rung that it arrives at, and the column where it begins.
+    fn closing(&self, grid: &Grid, row: &[f64], (q, a): Pair, below: f64) -> Option<(f64, usize)> {
+        let m = self.m();
+        // From the first place behind q, over m − 1 edges at the most.
+        let first = q + 1 - grid.first.0;
+        if first >= grid.columns {
+            return None;
+        }
+        let longest = q + m - grid.pair(first, 0).0;
+        let jumps = &self.outer_pockets.ending_at(q)[m - longest..][..grid.columns - first];
+        least_of(&row[first..], jumps, below, |at| {
+            self.outer_fold(grid.pair(first + at, 0).0, q, a)
+        })
+        .map(|(price, at)| (price, first + at))
+    }
+
+    /// As [`Self::sweep`], over paths that count their steps, of which only simple walks count.
+    fn counting_sweep(
+        &self,
+        starts: &Starts,
+        bound: f64,
+        watch: &mut dyn Watch,
+    ) -> Result<Option<BandWalk>, TriangulateError> {
+        let grid = Grid::new(starts, self.m(), self.k());
+        let mut layers: Vec<Least> = (0..Count::ALL).map(|_| Least::new(&grid)).collect();
+        let mut from: Vec<Option<(u32, u32, u8)>> = vec![None; Count::ALL * grid.cells()];
+        let steps: Vec<Vec<(usize, Along)>> =
+            (0..Count::ALL).map(|number| before(Count::of_number(number)).collect()).collect();
+        for c in 0..grid.columns {
+            if watch.stop() {
+                return Err(TriangulateError::Stopped);
+            }
+            for r in 0..grid.rows {
+                let (p, a) = grid.pair(c, r);
+                let price = self.join_price(p, a);
+                if price > bound {
+                    continue;
+                }
+                if starts.contain((p, a)) {
+                    layers[Count::START.number()].set(&grid, (c, r), 0.0);
+                }
+                for number in 0..Count::ALL {
+                    let here = layers[number].at(&grid, (c, r));
+                    let mut arrived: Vec<(f64, usize, (usize, usize))> = Vec::new();
+                    for &(before, along) in &steps[number] {
+                        let layer = &layers[before];
+                        let below = (bound - price + QUANTUM).min(here);
+                        let found = self.arrive_along(&grid, layer, (c, r), below, along);
+                        arrived.extend(found.map(|(sum, at)| (price + sum, before, at)));
+                    }
+                    let best = arrived.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
+                    if let Some((sum, before, at)) = best.filter(|best| best.0 < here) {
+                        layers[number].set(&grid, (c, r), sum);
+                        from[number * grid.cells() + grid.cell((c, r))] =
+                            Some((at.0 as u32, at.1 as u32, before as u8));
+                    }
+                }
+            }
+        }
+        let mut best: Option<(f64, (usize, usize), Pair, usize)> = None;
+        for (number, layer) in layers.iter().enumerate() {
+            if Count::of_number(number).after(Along::Outer).is_simple() {
+                let bound = best.map_or(bound, |best| best.0);
+                if let Some((price, at, end)) = self.last_step(&grid, layer, starts, bound)
+                    && best.is_none_or(|best| price < best.0)
+                {
+                    best = Some((price, at, end, number));
+                }
+            }
+        }
+        Ok(best.map(|(price, mut at, end, mut number)| {
+            let mut pairs = vec![grid.pair(at.0, at.1)];
+            while let Some((c, r, before)) = from[number * grid.cells() + grid.cell(at)] {
+                (at, number) = ((c as usize, r as usize), usize::from(before));
+                pairs.push(grid.pair(at.0, at.1));
+            }
+            pairs.reverse();
+            BandWalk { price, pairs, end, m: self.m(), k: self.k() }
+        }))
+    }
+
+    /// As [`Self::arrive`], along one chain only.
+    fn arrive_along(
+        &self,
+        grid: &Grid,
+        least: &Least,
+        (c, r): (usize, usize),
+        below: f64,
+        along: Along,
+    ) -> Option<(f64, (usize, usize))> {
+        let (m, k) = (self.m(), self.inner.len());
+        let (p, a) = grid.pair(c, r);
+        match along {
+            Along::Outer => {
+                let jumps = &self.outer_pockets.ending_at(p % m)[m - c..];
+                least_of(&least.row(grid, r)[..c], jumps, below, |c| {
+                    self.outer_fold(grid.pair(c, r).0, p, a)
+                })
+                .map(|(price, at)| (price, (at, r)))
+            }
+            Along::Inner => {
+                let first = r.saturating_sub(k - 1);
+                let jumps = &self.inner_pockets.ending_at(self.below(a))[k - (r - first)..];
+                least_of(&least.column(grid, c)[first..r], jumps, below, |at| {
+                    self.inner_fold(p, grid.pair(c, first + at).1, a)
+                })
+                .map(|(price, at)| (price, (c, first + at)))
+            }
+        }
+    }
+
+    /// The triangles of a closed walk and its pockets.
+    fn triangles(&self, walk: &BandWalk) -> Vec<[usize; 3]> {
+        let mut triangles = Vec::new();
+        for [(p, a), (q, b)] in walk.steps() {
+            let [p_at, q_at] = [p, q].map(|place| place % self.m());
+            let [a_at, b_at] = [a, b].map(|place| self.below(place));
+            let [p_is, q_is] = [p_at, q_at].map(|place| self.outer.samples[place]);
+            let [a_is, b_is] = [a_at, b_at].map(|place| self.inner.samples[place]);
+            if a == b {
+                triangles.push([p_is, q_is, a_is]);
+                self.outer_pockets.trace(self.chains, &self.outer, p_at, q - p, &mut triangles);
+            } else {
+                triangles.push([p_is, b_is, a_is]);
+                let length = (b - a) as usize;
+                self.inner_pockets.trace(self.chains, &self.inner, a_at, length, &mut triangles);
+            }
+        }
+        triangles
+    }
+}
+
+/// The counts from which one step leads to a count, with the chain that the step runs along.
+fn before(count: Count) -> impl Iterator<Item = (usize, Along)> {
+    (0..Count::ALL).flat_map(move |number| {
+        let from = Count::of_number(number);
+        [Along::Outer, Along::Inner]
+            .into_iter()
+            .filter(move |&along| from.after(along).number() == count.number())
+            .map(move |along| (number, along))
+    })
+}
+
+/// The joining rung that is allowed and shortest; of equals, the first.
+fn shortest_join(chains: &Chains<'_>) -> Option<(Spot, Spot)> {
+    let mut best: Option<(f64, (Spot, Spot))> = None;
+    for p in (0..chains.len(0)).map(|at| Spot { chain: 0, at }) {
+        for q in (0..chains.len(1)).map(|at| Spot { chain: 1, at }) {
+            let length = chains.terms.prices.length(chains.sample(p), chains.sample(q));
+            if best.is_none_or(|(least, _)| length < least)
+                && chains.side(p, q).price < f64::INFINITY
+            {
+                best = Some((length, (p, q)));
+            }
+        }
+    }
+    best.map(|(_, pair)| pair)
+}
+
+impl Starts {
+    fn contain(&self, (p, a): Pair) -> bool {
+        (self.outer.0..=self.outer.1).contains(&p) && (self.inner.0..=self.inner.1).contains(&a)
+    }
+
+    /// Two sets, one with each of two different pairs.
+    fn halved(self, one: Pair, other: Pair) -> [Self; 2] {
+        let mut halves = [self, self];
+        if one.1 == other.1 {
+            let middle = usize::midpoint(one.0, other.0);
+            halves[0].outer.1 = middle;
+            halves[1].outer.0 = middle + 1;
+        } else {
+            let middle = one.1.min(other.1) + (one.1 - other.1).abs() / 2;
+            halves[0].inner.1 = middle;
+            halves[1].inner.0 = middle + 1;
+        }
+        halves
+    }
+}
+
+/// The part of the cover that paths from some starts pass.
+struct Grid {
+    first: Pair,
+    columns: usize,
+    rows: usize,
+}
+
+impl Grid {
+    fn new(starts: &Starts, m: usize, k: i64) -> Self {
+        Self {
+            first: (starts.outer.0, starts.inner.0),
+            columns: m - starts.outer.0,
+            rows: (starts.inner.1 - starts.inner.0 + k + 1) as usize,
+        }
+    }
+
+    fn pair(&self, c: usize, r: usize) -> Pair {
+        (self.first.0 + c, self.first.1 + r as i64)
+    }
+
+    fn row_of(&self, a: i64) -> usize {
+        (a - self.first.1) as usize
+    }
+
+    fn cells(&self) -> usize {
+        self.columns * self.rows
+    }
+
+    fn cell(&self, (c, r): (usize, usize)) -> usize {
+        c * self.rows + r
+    }
+}
+
+/// The least price of a path to each pair, by rows and by columns.
+struct Least {
+    rows: Vec<f64>,
+    columns: Vec<f64>,
+}
+
+impl Least {
+    fn new(grid: &Grid) -> Self {
+        Self { rows: vec![f64::INFINITY; grid.cells()], columns: vec![f64::INFINITY; grid.cells()] }
+    }
+
+    fn set(&mut self, grid: &Grid, (c, r): (usize, usize), price: f64) {
+        self.rows[r * grid.columns + c] = price;
+        self.columns[c * grid.rows + r] = price;
+    }
+
+    fn at(&self, grid: &Grid, (c, r): (usize, usize)) -> f64 {
+        self.columns[c * grid.rows + r]
+    }
+
+    fn row(&self, grid: &Grid, r: usize) -> &[f64] {
+        &self.rows[r * grid.columns..][..grid.columns]
+    }
+
+    fn column(&self, grid: &Grid, c: usize) -> &[f64] {
+        &self.columns[c * grid.rows..][..grid.rows]
+    }
+}

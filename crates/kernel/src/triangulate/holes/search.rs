@@ -1,0 +1,190 @@
+//! A good triangulation of a domain with several holes: cuts, and what each can be replaced by.
+//!
+//! Any h joining rungs that tie h + 1 loops together cut the domain open into one chain, whose
+//! cheapest triangulation the table finds. From then on the triangulation is improved one cut at a
+//! time: h − 1 of its own rungs are kept as cuts, so that a ring is left, and the ring's cheapest
+//! triangulation ([`super::band`]) can only be as cheap or cheaper. Which rungs are kept changes from
+//! round to round; it ends when a round of each kind has brought nothing.
+
+use super::super::{Solved, TriangulateError};
+use super::chains::{Chains, Spot};
+use super::{band, polygon};
+use crate::watch::Watch;
+use std::collections::BTreeMap;
+
+/// A triangulation as directed sides, each with the far corner of the triangle to its left.
+pub(super) struct Sides {
+    far: BTreeMap<(usize, usize), usize>,
+}
+
+impl Sides {
+    /// The sides of some triangles; `None` if one is used twice in the same direction, or is an
+    /// edge of the boundary as well: then they are no surface.
+    pub(super) fn new(chains: &Chains<'_>, triangles: &[[usize; 3]]) -> Option<Self> {
+        let mut far = BTreeMap::new();
+        for &[a, b, c] in triangles {
+            for (from, to, beyond) in [(a, b, c), (b, c, a), (c, a, b)] {
+                if far.insert((from, to), beyond).is_some() {
+                    return None;
+                }
+            }
+        }
+        let inner = |a: usize, b: usize| far.contains_key(&(a, b)) && far.contains_key(&(b, a));
+        let folded = far.keys().any(|&(a, b)| chains.terms.prices.neighbours(a, b) && inner(a, b));
+        (!folded).then_some(Self { far })
+    }
+
+    /// The closed chains that bound the surface when it is cut along `cuts`, that of sample 0 first.
+    fn bounds(&self, chains: &Chains<'_>, cuts: &[[usize; 2]]) -> Vec<Vec<usize>> {
+        let is_border = |a: usize, b: usize| {
+            chains.terms.prices.neighbours(a, b) || cuts.contains(&[a.min(b), a.max(b)])
+        };
+        let mut left: BTreeMap<(usize, usize), ()> =
+            self.far.keys().filter(|&&(a, b)| is_border(a, b)).map(|&side| (side, ())).collect();
+        let mut bounds = Vec::new();
+        while let Some((start, ())) = left.pop_first() {
+            let (mut chain, mut side) = (vec![start.0], start);
+            loop {
+                // Round the end of the side, from triangle to triangle, to the next border.
+                let end = side.1;
+                let mut next = self.far[&side];
+                while !is_border(end, next) {
+                    next = self.far[&(next, end)];
+                }
+                side = (end, next);
+                if side == start {
+                    break;
+                }
+                left.remove(&side);
+                chain.push(end);
+            }
+            bounds.push(chain);
+        }
+        bounds
+    }
+}
+
+/// A cheap triangulation of a domain with several holes: the best that cuts and their replacement
+/// find. `None` if there is none, or none was found.
+pub(super) fn solve(
+    chains: &Chains<'_>,
+    watch: &mut dyn Watch,
+) -> Result<Option<Solved>, TriangulateError> {
+    let Some(mut best) = first(chains, watch)? else { return Ok(None) };
+    for round in 0.. {
+        let mut better = false;
+        for kind in [Prefer::Short, Prefer::Long, Prefer::Straight] {
+            better |= improve(chains, &mut best, kind, watch)?;
+        }
+        if !better || round >= MOST_ROUNDS {
+            break;
+        }
+    }
+    Ok(Some(best))
+}
+
+/// Rounds of improvement at the most; two or three are usual.
+const MOST_ROUNDS: usize = 12;
+
+/// Cases of rungs used from both banks that are tried at the most for a first triangulation.
+const MOST_CASES: usize = 500;
+
+/// Which rungs are kept as cuts.
+#[derive(Clone, Copy)]
+enum Prefer {
+    Short,
+    Long,
+    /// Those with the least twist.
+    Straight,
+}
+
+/// A first triangulation: the loops are tied together by the shortest rungs.
+fn first(chains: &Chains<'_>, watch: &mut dyn Watch) -> Result<Option<Solved>, TriangulateError> {
+    let mut cut = chains.clone();
+    while cut.chains.len() > 1 {
+        let mut shortest: Option<(f64, Spot, Spot)> = None;
+        for (chain, list) in cut.chains.iter().enumerate().skip(1) {
+            for q in (0..list.len()).map(|at| Spot { chain, at }) {
+                for p in (0..cut.len(0)).map(|at| Spot { chain: 0, at }) {
+                    let length = cut.terms.prices.length(cut.sample(p), cut.sample(q));
+                    if shortest.is_none_or(|(least, ..)| length < least)
+                        && cut.side(p, q).price < f64::INFINITY
+                    {
+                        shortest = Some((length, p, q));
+                    }
+                }
+            }
+        }
+        let Some((_, p, q)) = shortest else { return Ok(None) };
+        cut = cut.with_cut(p, q);
+    }
+    polygon::solve_simple(&cut, f64::INFINITY, MOST_CASES, watch)
+}
+
+/// Replaces the cuts of one choice, one after the other; whether that made it cheaper.
+fn improve(
+    chains: &Chains<'_>,
+    best: &mut Solved,
+    prefer: Prefer,
+    watch: &mut dyn Watch,
+) -> Result<bool, TriangulateError> {
+    let mut better = false;
+    for left_out in 0..chains.chains.len() - 1 {
+        let Some(sides) = Sides::new(chains, &best.triangles) else { return Ok(better) };
+        let mut cuts = tree(chains, &sides, prefer);
+        if left_out >= cuts.len() {
+            break;
+        }
+        cuts.remove(left_out);
+        let ring = Chains { chains: sides.bounds(chains, &cuts), cuts, ..chains.clone() };
+        if ring.chains.len() != 2 {
+            continue;
+        }
+        let of_cuts = ring.price_of_cuts();
+        if let Some(solved) = band::solve(&ring, best.price - of_cuts, false, watch)?
+            && solved.price + of_cuts < best.price
+            && Sides::new(chains, &solved.triangles).is_some()
+        {
+            *best = Solved { price: solved.price + of_cuts, ..solved };
+            better = true;
+        }
+    }
+    Ok(better)
+}
+
+/// Rungs that tie all loops together, those that are preferred first.
+fn tree(chains: &Chains<'_>, sides: &Sides, prefer: Prefer) -> Vec<[usize; 2]> {
+    let mut of_loop = BTreeMap::new();
+    for (chain, list) in chains.chains.iter().enumerate() {
+        of_loop.extend(list.iter().map(|&sample| (sample, chain)));
+    }
+    let mut joining: Vec<(f64, [usize; 2])> = sides
+        .far
+        .keys()
+        .filter(|(a, b)| a < b && of_loop[a] != of_loop[b])
+        .map(|&(a, b)| {
+            let length = chains.terms.prices.length(a, b);
+            let key = match prefer {
+                Prefer::Short => length,
+                Prefer::Long => -length,
+                Prefer::Straight => chains.terms.side(a, b).price,
+            };
+            (key, [a, b])
+        })
+        .collect();
+    joining.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let mut group: Vec<usize> = (0..chains.chains.len()).collect();
+    let mut tree = Vec::new();
+    for (_, [a, b]) in joining {
+        let (a_group, b_group) = (group[of_loop[&a]], group[of_loop[&b]]);
+        if a_group != b_group {
+            for member in &mut group {
+                if *member == b_group {
+                    *member = a_group;
+                }
+            }
+            tree.push([a, b]);
+        }
+    }
+    tree
+}
