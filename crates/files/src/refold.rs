@@ -3,7 +3,6 @@
 use crate::dxf::read_dxf;
 use crate::read_back::{PatternReadError, ReadPattern};
 use crate::svg::{read_svg, write_svg};
-use sheetwright::check::lengths_are_exact;
 use sheetwright::design::MadePanel;
 use sheetwright::flatten::{RefoldError, refold};
 use sheetwright::rung::Rung;
@@ -69,10 +68,10 @@ pub fn refold_error_mm(
 }
 
 /// How far the pattern of a panel comes from its surface before it is written, mm, where closing its
-/// windows has changed lengths; 0 where all lengths are exact. What the written files may miss by
-/// without being wrong.
+/// windows may have changed lengths; 0 where there are none. What the written files may miss by
+/// without being wrong: that the lengths are right is measured by themselves.
 pub(crate) fn known_miss_mm(panel: &MadePanel) -> f64 {
-    if lengths_are_exact(&panel.boundary, &panel.measures) {
+    if panel.sheet.surface().connectivity().loops().len() == 1 {
         return 0.0;
     }
     let sheet = panel.sheet.surface();

@@ -361,21 +361,26 @@ fn bend_lines(panel: &Panel<'_>) -> Option<Finding> {
 }
 
 fn length_error(panel: &Panel<'_>) -> Option<Finding> {
-    (!lengths_are_exact(panel.boundary, panel.measures)).then(|| Finding {
-        severity: Severity::Warning,
+    let most = panel.measures.length_error_max;
+    let exact = ROUNDING * panel.boundary.size() / shortest_side(panel.boundary);
+    let per_cent = most * 100.0;
+    // As many digits as show two of the number.
+    let digits = (1..9).find(|&d| per_cent * 10f64.powi(d) >= 10.0).unwrap_or(9) as usize;
+    // Closing windows changes lengths by less than anyone cuts to, or they are left open.
+    let of_windows = panel.boundary.holes() > 0 && most <= Tolerance::STRETCH.share();
+    (most > exact.max(ROUNDING)).then(|| Finding {
+        severity: if of_windows { Severity::Note } else { Severity::Warning },
         code: "length-error",
-        text: format!(
-            "Lengths of the pattern differ from the surface by up to {:.3} %.",
-            panel.measures.length_error_max * 100.0
-        ),
+        text: if of_windows {
+            format!(
+                "Lengths of the pattern differ from the surface by up to {per_cent:.digits$} %, so \
+                 that its holes close when it is laid flat."
+            )
+        } else {
+            format!("Lengths of the pattern differ from the surface by up to {per_cent:.3} %.")
+        },
         place: String::new(),
     })
-}
-
-/// Whether lengths of the pattern differ from those of the surface by rounding alone.
-pub fn lengths_are_exact(boundary: &Boundary, measures: &Measures) -> bool {
-    let exact = ROUNDING * boundary.size() / shortest_side(boundary);
-    measures.length_error_max <= exact.max(ROUNDING)
 }
 
 /// A seam that gapes by no more than this share of the size is one round a window that nearly
@@ -384,6 +389,9 @@ pub fn lengths_are_exact(boundary: &Boundary, measures: &Measures) -> bool {
 const WINDOW_GAP: f64 = 1e-2;
 
 fn open_windows(panel: &Panel<'_>) -> Option<Finding> {
+    if panel.flat.overlap.is_some() {
+        return None;
+    }
     let nearly = |seam: &Seam| seam.gap_mm <= WINDOW_GAP * panel.boundary.size();
     let widest = panel.sheet.seams().iter().filter(|s| nearly(s)).map(|s| s.gap_mm);
     let widest = widest.reduce(f64::max)?;

@@ -13,6 +13,7 @@ use crate::predicate::{first_crossing_of_loops, signed_area_doubled};
 use crate::surface::Surface;
 use crate::tolerance::Tolerance;
 use crate::watch::Watch;
+use std::ops::Range;
 
 /// Lays a surface flat, cut open where it must be: as few cuts are left as can be, and round
 /// windows in a panel that lies flat by itself there are none. `near` are places in space, mm, at
@@ -41,7 +42,17 @@ pub fn lay_flat(
     if !closing.is_empty() {
         let left: Vec<usize> =
             (0..cuts.len()).filter(|n| !closing.contains(n)).map(|n| cuts[n]).collect();
-        (sheet, flat) = rejoined(surface, &left, &sheet, &flat)?;
+        let (closed, pattern) = rejoined(surface, &left, &sheet, &flat)?;
+        // A hole that comes to lie counter-clockwise is none: the sheet passes over it twice. Left
+        // open, the pattern crosses its own outline, which is found.
+        let loops = closed.surface().connectivity().loops();
+        let is_hole = |l: &Range<usize>| signed_area_doubled(&pattern.points[l.clone()]) < 0.0;
+        if loops[1..].iter().all(is_hole) {
+            (sheet, flat) = (closed, pattern);
+        } else {
+            let opened = sheet.surface();
+            flat = unroll(opened.connectivity(), |a, b| opened.length(a, b), watch)?;
+        }
     }
     for seam in sheet.seams_mut() {
         seam.gap_mm = gap_mm(seam, &flat.points);
