@@ -31,8 +31,8 @@ pub struct Flattened {
 /// Why a surface cannot be laid flat exactly.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FlattenError {
-    /// Its triangles hang together in a cycle (holes), so laying one beside the other need not
-    /// close.
+    /// Its triangles hang together in a cycle, as round a hole that was not cut open, so laying one
+    /// beside the other need not close.
     Cycle,
     /// It falls apart into pieces.
     Pieces,
