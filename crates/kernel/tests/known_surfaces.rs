@@ -199,7 +199,7 @@ fn concave_polygons_stay_flat() {
                     // The triangles have the area of the polygon and none is turned over, so none
                     // lies outside.
                     let area = 0.5 * signed_area_doubled(&polygon);
-                    let flat = area_flat(&solved.surface, &solved.flat);
+                    let flat = area_flat(&Sheet::whole(&solved.surface), &solved.flat);
                     assert!((flat - area).abs() < 1e-9 * area, "{case}");
                     let at = |s: SampleIndex| polygon[s.get()];
                     for triangle in solved.surface.connectivity().triangles() {
@@ -222,6 +222,7 @@ fn coarse_samples_are_not_taken_for_twist() {
             let checked = check(&Panel {
                 boundary: &boundary,
                 triangulation: &solved.triangulation,
+                sheet: &Sheet::whole(&solved.surface),
                 flat: &solved.flat,
                 measures: &solved.measures,
                 material: None,
