@@ -1,9 +1,11 @@
 //! The cheapest triangulation of a domain with holes.
 
 mod band;
+mod bound;
 mod chains;
 mod pockets;
 mod polygon;
+mod prove;
 mod search;
 
 use super::Found;
@@ -42,5 +44,7 @@ pub(super) fn solve(
         return Ok(found.map(|found| Found { triangles: found.triangles, lower_bound: None }));
     }
     let found = search::solve(&chains, watch)?;
-    Ok(found.map(|found| Found { triangles: found.triangles, lower_bound: Some(0.0) }))
+    let Some(best) = found else { return Ok(None) };
+    let (best, lower_bound) = prove::prove(&chains, best, watch)?;
+    Ok(Some(Found { triangles: best.triangles, lower_bound }))
 }

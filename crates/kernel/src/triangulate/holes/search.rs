@@ -34,6 +34,26 @@ impl Sides {
         (!folded).then_some(Self { far })
     }
 
+    /// Whether the triangles around each sample hang together: one fan from edge to edge.
+    pub(super) fn fans_are_whole(&self, triangles: &[[usize; 3]]) -> bool {
+        let mut at: BTreeMap<usize, usize> = BTreeMap::new();
+        for &corner in triangles.iter().flatten() {
+            *at.entry(corner).or_default() += 1;
+        }
+        // Where a side leaves a sample that no triangle walks back along, a fan begins.
+        let begins: Vec<(usize, usize)> =
+            self.far.keys().copied().filter(|&(a, b)| !self.far.contains_key(&(b, a))).collect();
+        begins.len() == at.len()
+            && begins.iter().all(|&(sample, first)| {
+                let (mut turned, mut next) = (0, first);
+                while let Some(&far) = self.far.get(&(sample, next)) {
+                    turned += 1;
+                    next = far;
+                }
+                at.get(&sample) == Some(&turned)
+            })
+    }
+
     /// The closed chains that bound the surface when it is cut along `cuts`, that of sample 0 first.
     fn bounds(&self, chains: &Chains<'_>, cuts: &[[usize; 2]]) -> Vec<Vec<usize>> {
         let is_border = |a: usize, b: usize| {
@@ -187,4 +207,19 @@ fn tree(chains: &Chains<'_>, sides: &Sides, prefer: Prefer) -> Vec<[usize; 2]> {
         }
     }
     tree
+}
+
+/// The chain that is left when a triangulation is cut along rungs that tie all loops together. Its
+/// last edge, to its first sample, is an edge of the boundary.
+pub(super) fn one_chain(chains: &Chains<'_>, best: &Solved) -> Vec<usize> {
+    let Some(sides) = Sides::new(chains, &best.triangles) else { return Vec::new() };
+    let mut chain = sides.bounds(chains, &tree(chains, &sides, Prefer::Short)).swap_remove(0);
+    let edge = |at: usize| {
+        let before = chain[(at + chain.len() - 1) % chain.len()];
+        chains.terms.prices.neighbours(before, chain[at])
+    };
+    if let Some(start) = (0..chain.len()).find(|&at| edge(at)) {
+        chain.rotate_left(start);
+    }
+    chain
 }

@@ -1,0 +1,188 @@
+//! The optimum of a domain with several holes, or how far from it the best known triangulation can
+//! be.
+//!
+//! The bound of [`super::bound`] drops all triangles that no cheaper triangulation has; mostly none
+//! are left, and the best known triangulation is proven optimal. What is left otherwise is searched:
+//! beginning at an edge of the boundary, the side that waits for a triangle and has the fewest to
+//! choose from gets one after the other, and the bound is raised anew. A surface that grows to the
+//! end this way is cheaper than the best, and is checked to be one: without a plane, the relaxation
+//! also admits holes that are closed by a lid of their own, and the like. The search ends after a
+//! stated amount of work; then the lowest bound of what was not searched is the lower bound.
+
+use super::super::{Solved, TriangulateError};
+use super::bound::{Left, Relaxation, price_of, units};
+use super::chains::Chains;
+use super::search::{Sides, one_chain};
+use crate::watch::Watch;
+use std::collections::BTreeSet;
+
+/// Triangles that are looked at, at the most, before the search is given up: some ten seconds.
+const MOST_WORK: u64 = 1_500_000_000;
+/// Sweeps at the most before the search begins, and at each of its steps.
+const FIRST_SWEEPS: usize = 400;
+const SWEEPS: usize = 12;
+/// Sweeps that close less than a hundredth of the gap have stalled; so many in a row are enough.
+const STALLED: i64 = 100;
+const ENOUGH_STALLED: usize = 4;
+
+/// The best triangulation, and what no triangulation is cheaper than if that is not its own price.
+pub(super) fn prove(
+    chains: &Chains<'_>,
+    best: Solved,
+    watch: &mut dyn Watch,
+) -> Result<(Solved, Option<f64>), TriangulateError> {
+    let chain = one_chain(chains, &best);
+    let Some(relaxation) = Relaxation::new(chains, &chain, &best, watch)? else {
+        return Ok((best, Some(0.0)));
+    };
+    let mut left = relaxation.whole();
+    if !raise(&relaxation, &mut left, FIRST_SWEEPS, watch)? {
+        return Ok((best, None));
+    }
+    let (relaxation, left) = relaxation.without_dropped(&left);
+    let mut search = Search {
+        chains,
+        limit: relaxation.limit,
+        relaxation,
+        best,
+        work: left.work,
+        open_bound: None,
+        wanted: 0,
+    };
+    search.wanted = chains.terms.prices.len() + 2 * chains.chains.len() - 4;
+    search.grow(left, &Grown::default(), watch)?;
+    let lower_bound = search.open_bound.map(price_of);
+    Ok((search.best, lower_bound))
+}
+
+/// Raises the bound by sweeps until it stalls; false if nothing below the limit is left.
+fn raise(
+    relaxation: &Relaxation,
+    left: &mut Left,
+    most: usize,
+    watch: &dyn Watch,
+) -> Result<bool, TriangulateError> {
+    let mut stalled = 0;
+    for sweep in 0..most {
+        if watch.stop() {
+            return Err(TriangulateError::Stopped);
+        }
+        let before = left.bound;
+        if !left.sweep(relaxation, sweep % 2 == 0) {
+            return Ok(false);
+        }
+        let gap = relaxation.limit - left.bound;
+        stalled = if (left.bound - before).saturating_mul(STALLED) < gap { stalled + 1 } else { 0 };
+        if stalled >= ENOUGH_STALLED || left.work > MOST_WORK / 2 {
+            break;
+        }
+    }
+    Ok(true)
+}
+
+/// A surface on the way: its triangles, the sides it has walked and those that wait for another.
+#[derive(Clone, Default)]
+struct Grown {
+    triangles: Vec<u32>,
+    walked: BTreeSet<u32>,
+    waiting: BTreeSet<u32>,
+}
+
+struct Search<'c, 'a> {
+    chains: &'c Chains<'a>,
+    relaxation: Relaxation,
+    best: Solved,
+    limit: i64,
+    work: u64,
+    /// The lowest bound of what was not searched, in half quanta.
+    open_bound: Option<i64>,
+    /// How many triangles a triangulation has.
+    wanted: usize,
+}
+
+impl Search<'_, '_> {
+    /// Searches everything that contains what has grown so far.
+    fn grow(
+        &mut self,
+        mut left: Left,
+        grown: &Grown,
+        watch: &mut dyn Watch,
+    ) -> Result<(), TriangulateError> {
+        let mut grown = grown.clone();
+        self.relaxation.limit = self.limit;
+        if grown.waiting.is_empty() && !grown.triangles.is_empty() {
+            self.finish(&grown);
+            return Ok(());
+        }
+        if self.work > MOST_WORK {
+            self.open_bound = Some(self.open_bound.map_or(left.bound, |b| b.min(left.bound)));
+            return Ok(());
+        }
+        left.work = 0;
+        let any = raise(&self.relaxation, &mut left, SWEEPS, watch)?;
+        self.work += left.work + 1000;
+        if !any {
+            return Ok(());
+        }
+        let candidates = |way: u32| {
+            let list = self.relaxation.on(way).iter().copied();
+            list.filter(|&t| !left.is_dropped(t)).collect::<Vec<u32>>()
+        };
+        let ways = if grown.triangles.is_empty() {
+            self.relaxation.edges().to_vec()
+        } else {
+            grown.waiting.iter().copied().collect()
+        };
+        let fewest = ways.into_iter().map(|way| (candidates(way), way)).min_by_key(|c| c.0.len());
+        let Some((mut candidates, _)) = fewest else { return Ok(()) };
+        candidates.sort_by_key(|&t| (left.with(t), t));
+        let before = grown.clone();
+        for triangle in candidates {
+            if grown.take(&self.relaxation, triangle) {
+                let mut left = left.clone();
+                for way in self.relaxation.ways[triangle as usize] {
+                    let others = self.relaxation.on(way).iter().filter(|&&t| t != triangle);
+                    others.for_each(|&t| left.drop_triangle(t));
+                }
+                self.grow(left, &grown, watch)?;
+            }
+            grown = before.clone();
+        }
+        Ok(())
+    }
+
+    /// Takes a surface that is complete, if it is one and cheaper than the best.
+    fn finish(&mut self, grown: &Grown) {
+        let price: i64 = grown.triangles.iter().map(|&t| self.relaxation.prices[t as usize]).sum();
+        let triangles: Vec<[usize; 3]> = grown
+            .triangles
+            .iter()
+            .map(|&t| self.relaxation.corners[t as usize].map(|sample| sample as usize))
+            .collect();
+        let edges = self.relaxation.edges();
+        let complete = triangles.len() == self.wanted
+            && edges.iter().all(|edge| grown.walked.contains(edge))
+            && Sides::new(self.chains, &triangles)
+                .is_some_and(|sides| sides.fans_are_whole(&triangles));
+        if complete && price < self.limit {
+            self.best = Solved { price: price_of(price), triangles };
+            self.limit = units(self.best.price);
+        }
+    }
+}
+
+impl Grown {
+    /// Adds a triangle; false if it does not fit.
+    fn take(&mut self, relaxation: &Relaxation, triangle: u32) -> bool {
+        self.triangles.push(triangle);
+        for way in relaxation.ways[triangle as usize] {
+            if !self.walked.insert(way) {
+                return false;
+            }
+            if !self.waiting.remove(&way) && !relaxation.is_edge(way) {
+                self.waiting.insert(way ^ 1);
+            }
+        }
+        true
+    }
+}
