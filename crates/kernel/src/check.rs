@@ -365,11 +365,13 @@ fn length_error(panel: &Panel<'_>) -> Option<Finding> {
     let exact = ROUNDING * panel.boundary.size() / shortest_side(panel.boundary);
     let per_cent = most * 100.0;
     // As many digits as show two of the number.
-    let digits = (1..9).find(|&d| per_cent * 10f64.powi(d) >= 10.0).unwrap_or(9) as usize;
-    // Closing windows changes lengths by less than anyone cuts to, or they are left open.
-    let of_windows = panel.boundary.holes() > 0 && most <= Tolerance::STRETCH.share();
+    let shifted = std::iter::successors(Some(per_cent), |x| Some(x * 10.0));
+    let digits = shifted.take(9).take_while(|x| *x < 10.0).count();
+    // What closing windows changes is mostly less than anyone cuts to.
+    let of_windows = panel.boundary.holes() > 0;
+    let unseen = of_windows && most <= Tolerance::STRETCH.share();
     (most > exact.max(ROUNDING)).then(|| Finding {
-        severity: if of_windows { Severity::Note } else { Severity::Warning },
+        severity: if unseen { Severity::Note } else { Severity::Warning },
         code: "length-error",
         text: if of_windows {
             format!(
@@ -384,9 +386,8 @@ fn length_error(panel: &Panel<'_>) -> Option<Finding> {
 }
 
 /// A seam that gapes by no more than this share of the size is one round a window that nearly
-/// lies flat, not one that opens a tube: of a slight cone it may be either, and telling costs
-/// nothing.
-const WINDOW_GAP: f64 = 1e-2;
+/// lies flat, not one that opens a tube. (A ring that rises by 2° gapes by as much.)
+const WINDOW_GAP: f64 = 2e-3;
 
 fn open_windows(panel: &Panel<'_>) -> Option<Finding> {
     if panel.flat.overlap.is_some() {

@@ -21,7 +21,8 @@ use std::ops::Range;
 ///
 /// A cut whose two sides come to lie on one another is closed again. So is one that gapes by no
 /// more than [`Tolerance::CLOSING`] of the size, where changing lengths by no more than
-/// [`Tolerance::STRETCH`] closes it; all other lengths are exact.
+/// [`Tolerance::STRETCH`] closes it; or [`Tolerance::MOST_STRETCH`], where the pattern would else
+/// overlap itself. Without such cuts, all lengths are exact.
 ///
 /// # Errors
 /// See [`FlattenError`].
@@ -35,24 +36,21 @@ pub fn lay_flat(
         return Ok((Sheet::whole(surface), flat));
     }
     let cuts = cuts(surface, near, Tolerance::CLOSING);
-    let mut sheet = Sheet::cut(surface, &cuts, 0)?;
-    let opened = sheet.surface();
-    let mut flat = unroll(opened.connectivity(), |a, b| opened.length(a, b), watch)?;
-    let closing = close_what_closes(&sheet, &mut flat, watch)?;
-    if !closing.is_empty() {
-        let left: Vec<usize> =
-            (0..cuts.len()).filter(|n| !closing.contains(n)).map(|n| cuts[n]).collect();
-        let (closed, pattern) = rejoined(surface, &left, &sheet, &flat)?;
-        // A hole that comes to lie counter-clockwise is none: the sheet passes over it twice. Left
-        // open, the pattern crosses its own outline, which is found.
-        let loops = closed.surface().connectivity().loops();
-        let is_hole = |l: &Range<usize>| signed_area_doubled(&pattern.points[l.clone()]) < 0.0;
-        if loops[1..].iter().all(is_hole) {
-            (sheet, flat) = (closed, pattern);
-        } else {
-            let opened = sheet.surface();
-            flat = unroll(opened.connectivity(), |a, b| opened.length(a, b), watch)?;
-        }
+    let opened = Sheet::cut(surface, &cuts, 0)?;
+    let length = |a: SampleIndex, b: SampleIndex| opened.surface().length(a, b);
+    let exact = unroll(opened.surface().connectivity(), length, watch)?;
+    let close = |stretch: Tolerance, watch: &mut dyn Watch| {
+        closed_within(surface, &cuts, &opened, &exact, stretch, watch)
+    };
+    let (mut sheet, mut flat) = match close(Tolerance::STRETCH, watch)? {
+        Some(found) => found,
+        None => (opened.clone(), exact.clone()),
+    };
+    if flat.overlap.is_some()
+        && let Some(found) = close(Tolerance::MOST_STRETCH, watch)?
+        && found.1.overlap.is_none()
+    {
+        (sheet, flat) = found;
     }
     for seam in sheet.seams_mut() {
         seam.gap_mm = gap_mm(seam, &flat.points);
@@ -60,33 +58,45 @@ pub fn lay_flat(
     Ok((sheet, flat))
 }
 
-/// Which seams can be closed, and the pattern on which their sides meet.
-fn close_what_closes(
-    sheet: &Sheet,
-    flat: &mut Flattened,
+/// The sheet and pattern with those cuts closed that can be without changing a length by more than
+/// `most`; `None` if none can.
+fn closed_within(
+    surface: &Surface,
+    cuts: &[usize],
+    opened: &Sheet,
+    exact: &Flattened,
+    most: Tolerance,
     watch: &mut dyn Watch,
-) -> Result<Vec<usize>, FlattenError> {
-    let size = size_of(sheet.surface().positions().iter().copied());
-    let gaps: Vec<f64> = sheet.seams().iter().map(|seam| gap_mm(seam, &flat.points)).collect();
-    let within = |tolerance: Tolerance| move |gap: f64| gap <= tolerance.length_mm(size);
+) -> Result<Option<(Sheet, Flattened)>, FlattenError> {
+    let size = size_of(surface.positions().iter().copied());
+    let gaps: Vec<f64> = opened.seams().iter().map(|seam| gap_mm(seam, &exact.points)).collect();
+    let within = |tolerance: Tolerance, n: usize| gaps[n] <= tolerance.length_mm(size);
     let mut closing: Vec<usize> =
-        (0..gaps.len()).filter(|&n| within(Tolerance::CLOSING)(gaps[n])).collect();
+        (0..gaps.len()).filter(|&n| within(Tolerance::CLOSING, n)).collect();
     // Widest last, to be given up first.
     closing.sort_by(|&a, &b| gaps[a].total_cmp(&gaps[b]).then(a.cmp(&b)));
     while let Some(&widest) = closing.last() {
-        if within(Tolerance::ROUNDING)(gaps[widest]) {
-            break;
-        }
-        if let Some(found) = closed(sheet, &closing, flat, watch)?
-            && stretch(sheet, &found.points) <= Tolerance::STRETCH.share()
-        {
-            *flat = found;
-            break;
+        let found = if within(Tolerance::ROUNDING, widest) {
+            Some(exact.clone())
+        } else {
+            closed(opened, &closing, exact, watch)?
+                .filter(|found| stretch(opened, &found.points) <= most.share())
+        };
+        if let Some(found) = found {
+            let left: Vec<usize> =
+                (0..cuts.len()).filter(|n| !closing.contains(n)).map(|n| cuts[n]).collect();
+            let (sheet, flat) = rejoined(surface, &left, opened, &found)?;
+            // A hole that comes to lie counter-clockwise is none: the sheet passes over it twice.
+            // Left open, the pattern crosses its own outline, which is found.
+            let loops = sheet.surface().connectivity().loops();
+            let is_hole = |l: &Range<usize>| signed_area_doubled(&flat.points[l.clone()]) < 0.0;
+            if loops[1..].iter().all(is_hole) {
+                return Ok(Some((sheet, flat)));
+            }
         }
         closing.pop();
     }
-    closing.sort_unstable();
-    Ok(closing)
+    Ok(None)
 }
 
 /// The largest relative change of a length.

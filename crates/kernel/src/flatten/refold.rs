@@ -10,6 +10,7 @@ use crate::index::SampleIndex;
 use crate::math::{Frame, Point2, Point3, Vec3, turned, unit};
 use crate::rung::Rung;
 use crate::surface::{Connectivity, Surface};
+use std::collections::VecDeque;
 use std::fmt;
 
 /// Why a pattern can't be folded onto a surface.
@@ -87,8 +88,9 @@ fn fold(surface: &Surface, points: &[Point2]) -> Result<Vec<[Point3; 3]>, Refold
         let p = points[sample.get()];
         Point3::new(p.x, p.y, 0.0)
     }));
-    let mut waiting = vec![(root, Vec3::Z)];
-    while let Some((triangle, normal)) = waiting.pop() {
+    // Nearest first, so that no way round a hole is longer than need be.
+    let mut waiting = VecDeque::from([(root, Vec3::Z)]);
+    while let Some((triangle, normal)) = waiting.pop_front() {
         for &n in &hinges[triangle] {
             let hinge = connectivity.hinges()[n];
             let first = hinge.triangles[0].get() == triangle;
@@ -123,7 +125,7 @@ fn fold(surface: &Surface, points: &[Point2]) -> Result<Vec<[Point3; 3]>, Refold
                     at_far
                 }
             }));
-            waiting.push((other.get(), normal));
+            waiting.push_back((other.get(), normal));
         }
     }
     placed.into_iter().collect::<Option<Vec<[Point3; 3]>>>().ok_or(RefoldError::Rungs)
