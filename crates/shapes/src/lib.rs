@@ -1,13 +1,18 @@
 //! Boundaries of known surfaces, with their developments: for tests, benchmarks and figures.
 //!
-//! [`developable`] has surfaces whose flat form is known in closed form, [`family`] the curve
-//! families that programs of this field are compared on, [`hemisphere`] the pieces of a gored
-//! hemisphere and [`random`] a generator of numbers and boundaries.
+//! [`developable`] has surfaces whose flat form is known in closed form, [`rings`] the same with
+//! holes, [`family`] the curve families that programs of this field are compared on, [`hemisphere`]
+//! the pieces of a gored hemisphere, [`random`] a generator of numbers and boundaries, [`pierced`]
+//! random boundaries with holes, and [`domain`] the definition of what a triangulation of such a
+//! boundary is.
 
 pub mod developable;
+pub mod domain;
 pub mod family;
 pub mod hemisphere;
+pub mod pierced;
 pub mod random;
+pub mod rings;
 mod trace;
 
 pub use trace::{Trace, samples_along};
