@@ -232,7 +232,7 @@ fn what_is_no_sheet_is_refused() {
     let here = polygon(&square(0.0, 0.0));
     assert_eq!(plain(&here, &polygon(&square(5.0, 0.0))).unwrap_err(), JoinCause::Apart);
     assert_eq!(plain(&here, &here).unwrap_err(), JoinCause::Closed);
-    assert_eq!(together(&[here.clone()]).unwrap_err(), JoinCause::TooFew);
+    assert_eq!(together(std::slice::from_ref(&here)).unwrap_err(), JoinCause::TooFew);
     // The same side with and without a sample on it.
     let finer = polygon(&[[1., 0., 0.], [2., 0., 0.], [2., 1., 0.], [1., 1., 0.], [1., 0.5, 0.]]);
     assert_eq!(plain(&here, &finer).unwrap_err(), JoinCause::LooseSamples { count: 2 });
@@ -420,7 +420,6 @@ fn joints_become_smooth() {
         assert_eq!(coarse.boundary.len(), count);
         let (tangent, bend) = jumps(&coarse);
         let (fine_tangent, fine_bend) = jumps(&joined(400, smooth));
-        println!("{smooth:?}: {tangent} {fine_tangent}, {bend} {fine_bend}");
         assert!(fine_tangent < 0.3 * tangent, "{smooth:?}: {tangent} {fine_tangent}");
         if smooth == Continuity::G2 {
             assert!(fine_bend < 0.35 * bend, "{bend} {fine_bend}");

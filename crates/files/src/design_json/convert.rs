@@ -3,6 +3,7 @@
 use super::grammar::{
     CurveFile, DesignFile, KindName, MethodName, Object, PanelFile, PlaneFile, PlaneName, PointFile,
 };
+use super::join::check_joins;
 use super::source::Source;
 use super::table_path::Tables;
 use super::wrong_version;
@@ -55,7 +56,7 @@ pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, In
         })?),
     };
     let curves = curves(file.curves.0, file.units, source)?;
-    let panels = panels(file.panels, &curves, source)?;
+    let panels = panels(file.panels, &curves, file.units, source)?;
     Ok(Design { name, material, curves, panels })
 }
 
@@ -144,6 +145,7 @@ fn curve_point(
 fn panels(
     list: Vec<Object<PanelFile>>,
     curves: &[DesignCurve],
+    units: Units,
     source: &Source<'_>,
 ) -> Result<Vec<DesignPanel>, InputError> {
     if list.len() > MAX_PANELS {
@@ -167,19 +169,31 @@ fn panels(
                         on many disks.";
             return Err(source.error(&format!("{path}.name"), message, hint));
         }
-        panels.push(PanelReader { path: &path, known: &known, source }.panel(file)?);
+        panels.push(PanelReader { path: &path, known: &known, source }.panel(file, units)?);
     }
+    check_joins(&panels, &known, &|path, message, hint| source.error(path, message, hint))?;
     Ok(panels)
 }
 
-struct PanelReader<'a> {
+/// How many points the curves of a panel have, each counted as often as it is used: the kernel
+/// builds it anew each time.
+pub(super) fn points_of(shape: &PanelShape, known: &BTreeMap<&str, &DesignCurve>) -> usize {
+    let uses: Vec<&CurveUse> = match shape {
+        PanelShape::Rails(rails) => rails.iter().collect(),
+        PanelShape::Loops { outer, holes } => outer.iter().chain(holes.iter().flatten()).collect(),
+        PanelShape::Join(_) => Vec::new(),
+    };
+    uses.iter().filter_map(|u| known.get(u.name.as_str())).map(|c| c.points.len()).sum()
+}
+
+pub(super) struct PanelReader<'a> {
     path: &'a str,
     known: &'a BTreeMap<&'a str, &'a DesignCurve>,
     source: &'a Source<'a>,
 }
 
 impl PanelReader<'_> {
-    fn error(
+    pub(super) fn error(
         &self,
         field: &str,
         message: impl Into<String>,
@@ -188,11 +202,14 @@ impl PanelReader<'_> {
         self.source.error(&format!("{}{field}", self.path), message, hint)
     }
 
-    fn panel(&self, file: PanelFile) -> Result<DesignPanel, InputError> {
+    fn panel(&self, file: PanelFile, units: Units) -> Result<DesignPanel, InputError> {
         if file.vary.is_some() {
             return Err(self.error(".vary", "samples can't be varied yet", VARY_HINT));
         }
-        let shape = self.shape(file.rails, file.boundary, file.holes)?;
+        let shape = match self.join(&file, units)? {
+            Some(join) => join,
+            None => self.shape(file.rails, file.boundary, file.holes)?,
+        };
         self.refuse_many_points(&shape)?;
         let options = self.source.options;
         let method = options.method.unwrap_or(match file.method {
@@ -251,8 +268,9 @@ impl PanelReader<'_> {
                 Err(self.error("", message, "Keep one of the two."))
             }
             (None, None, _) => {
-                let message = "the panel has neither `rails` nor a `boundary`";
-                let hint = "Add \"rails\": [\"keel\", \"chine\"] or \"boundary\": [\"rim\"].";
+                let message = "the panel has neither `rails` nor a `boundary`, and joins no others";
+                let hint = "Add \"rails\": [\"keel\", \"chine\"], \"boundary\": [\"rim\"] or \
+                            \"join\": [\"left\", \"right\"].";
                 Err(self.error("", message, hint))
             }
         }
@@ -300,19 +318,8 @@ impl PanelReader<'_> {
         Ok(uses)
     }
 
-    /// A curve may be used many times, and the kernel builds it anew each time.
     fn refuse_many_points(&self, shape: &PanelShape) -> Result<(), InputError> {
-        let uses: Vec<&CurveUse> = match shape {
-            PanelShape::Rails(rails) => rails.iter().collect(),
-            PanelShape::Loops { outer, holes } => {
-                outer.iter().chain(holes.iter().flatten()).collect()
-            }
-        };
-        let count: usize = uses
-            .iter()
-            .filter_map(|u| self.known.get(u.name.as_str()))
-            .map(|c| c.points.len())
-            .sum();
+        let count = points_of(shape, self.known);
         if count > MAX_SAMPLES {
             let message = format!("the curves of the panel have {count} points together");
             return Err(self.error("", message, format!("{MAX_SAMPLES} are the most.")));
@@ -323,7 +330,7 @@ impl PanelReader<'_> {
     fn samples(&self, written: Option<u64>, shape: &PanelShape) -> Result<usize, InputError> {
         let default = match shape {
             PanelShape::Rails(_) => RAIL_SAMPLES,
-            PanelShape::Loops { .. } => LOOP_SAMPLES,
+            PanelShape::Loops { .. } | PanelShape::Join(_) => LOOP_SAMPLES,
         };
         let Some(written) = written else {
             return Ok(self.source.options.samples.unwrap_or(default));

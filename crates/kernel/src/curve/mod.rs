@@ -12,6 +12,7 @@ mod sample;
 mod spline;
 
 pub use cubic::Cubic;
+pub(crate) use sample::chained_samples;
 pub use sample::{Sample, SampleError, sample_chain, sample_open};
 
 use crate::math::{Point3, Vec3};
@@ -197,6 +198,11 @@ impl Curve {
         let m = spans.len();
         let corner_before = (0..m).map(|i| self.corner_before[(m - i) % m]).collect();
         Self { spans, corner_before, closed: self.closed }
+    }
+
+    /// How many smooth runs its corners divide it into: the fewest divisions that keep them.
+    pub(crate) fn stretch_count(&self) -> usize {
+        self.stretches().len()
     }
 
     /// The runs of spans between corners, as ranges of span numbers; a range may run over the end

@@ -1,0 +1,335 @@
+//! The samples of a panel that joins others: theirs, sampled alike along what they share.
+//!
+//! A panel shares curves with its neighbours, and ⊕ looks for shared samples. So each curve of each
+//! part is sampled by itself, always from its beginning, and curves that lie on one another get as
+//! many samples; the others share out those that are asked for by their lengths.
+
+use super::{
+    CurveUse, Design, DesignPanel, MakeCause, MakeError, PanelShape, Sampled, apart, built, found,
+    run_back, sampled as sampled_alone,
+};
+use crate::boundary::{
+    Boundary, Continuity, JoinError, JoinOptions, Joined, Within, join_all, samples_from_points,
+    size_of,
+};
+use crate::check::{smoothed_joints, turned_round};
+use crate::curve::{
+    Curve, CurveKind, CurvePoint, Sample, SampleError, chained_samples, sample_chain, sample_open,
+};
+use crate::math::{Point3, Vec3};
+use crate::predicate::for_touching_boxes;
+use crate::tolerance::Tolerance;
+
+/// Panels that are joined to one: P1 ⊕ P2 ⊕ … of their boundaries.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Join {
+    /// The names of the panels, two or more, none of them a join.
+    pub parts: Vec<String>,
+    /// How smooth the boundary is made where two of them meet on it.
+    pub smooth: Continuity,
+    /// How far from there it may be changed for that.
+    pub within: Within,
+    /// Whether the parts are made too. Otherwise this panel takes their place.
+    pub keep_parts: bool,
+}
+
+/// Samples are shared out anew at most this often, until the outer loop has as many as were asked
+/// for: twice is enough unless a ring closes.
+const ROUNDS: usize = 6;
+
+/// The joined boundary of the parts of `panel`.
+pub(super) fn sampled(
+    design: &Design,
+    panel: &DesignPanel,
+    join: &Join,
+) -> Result<Sampled, MakeError> {
+    let failed = |cause: MakeCause| MakeError { panel: panel.name.clone(), curve: None, cause };
+    let parts = parts_of(design, join).map_err(failed)?;
+    let mut sources = Vec::new();
+    for part in &parts {
+        // Whatever is wrong with a part is said as where it is made by itself.
+        sampled_alone(design, part)?;
+        sources.push(source_loops(design, part)?);
+    }
+    let links = Links::new(&sources);
+    let options = JoinOptions { same: Tolerance::CHAIN, smooth: join.smooth, within: join.within };
+    let mut asked = links.first_guess(panel.samples);
+    let mut round = 0;
+    let joined = loop {
+        let divisions = links.shared_out(asked).map_err(|e| failed(MakeCause::Sampling(e)))?;
+        let joined = joined_with(&parts, &sources, &divisions, &options, &failed)?;
+        let found = joined.boundary.loops()[0].len();
+        round += 1;
+        if found == panel.samples || round == ROUNDS || links.free_length == 0.0 {
+            break joined;
+        }
+        asked = if found.abs_diff(panel.samples) > 4 {
+            (asked as f64 * panel.samples as f64 / found as f64).round() as usize
+        } else {
+            (asked + panel.samples).saturating_sub(found)
+        };
+    };
+    let mut findings = Vec::new();
+    findings.extend(smoothed_joints(&joined));
+    findings.extend(turned_round(&joined, &join.parts));
+    let boundary = joined.boundary;
+    let loops = boundary.loops().iter().map(|l| boundary.samples()[l.clone()].to_vec()).collect();
+    Ok(Sampled { loops, on_first_rail: None, findings })
+}
+
+fn parts_of<'a>(design: &'a Design, join: &Join) -> Result<Vec<&'a DesignPanel>, MakeCause> {
+    let part = |name: &String| {
+        let part = design.panels.iter().find(|panel| panel.name == *name);
+        match part {
+            None => Err(MakeCause::UnknownPanel { name: name.clone() }),
+            Some(DesignPanel { shape: PanelShape::Join(_), .. }) => {
+                Err(MakeCause::JoinOfJoins { name: name.clone() })
+            }
+            Some(part) => Ok(part),
+        }
+    };
+    join.parts.iter().map(part).collect()
+}
+
+/// A curve on a loop of a part.
+struct Link {
+    /// As it was drawn.
+    curve: Curve,
+    /// Whether it is run from its end to its beginning.
+    reversed: bool,
+}
+
+/// What a loop of a part is made from.
+enum LoopSource {
+    Links(Vec<Link>),
+    /// Points that are samples themselves.
+    Samples(Vec<Sample>),
+}
+
+/// The loops of a part, which can be made by itself, the outer one first.
+fn source_loops(design: &Design, part: &DesignPanel) -> Result<Vec<LoopSource>, MakeError> {
+    match &part.shape {
+        PanelShape::Rails(rails) => Ok(vec![LoopSource::Links(rail_links(design, part, rails)?)]),
+        PanelShape::Loops { outer, holes } => std::iter::once(outer)
+            .chain(holes)
+            .map(|uses| source_loop(design, part, uses))
+            .collect(),
+        // Refused before.
+        PanelShape::Join(_) => Ok(Vec::new()),
+    }
+}
+
+fn source_loop(
+    design: &Design,
+    part: &DesignPanel,
+    uses: &[CurveUse],
+) -> Result<LoopSource, MakeError> {
+    if let [only] = uses {
+        let source = found(design, part, only)?;
+        if source.kind.is_none() && source.closed {
+            let samples = samples_from_points(&source.points);
+            return Ok(LoopSource::Samples(if only.reversed {
+                run_back(&samples)
+            } else {
+                samples
+            }));
+        }
+    }
+    uses.iter()
+        .map(|wanted| link(design, part, wanted))
+        .collect::<Result<_, _>>()
+        .map(LoopSource::Links)
+}
+
+fn link(design: &Design, part: &DesignPanel, wanted: &CurveUse) -> Result<Link, MakeError> {
+    let drawn = CurveUse { name: wanted.name.clone(), reversed: false };
+    Ok(Link { curve: built(design, part, &drawn)?, reversed: wanted.reversed })
+}
+
+/// The loop of two rails and the straight edges between their ends.
+fn rail_links(
+    design: &Design,
+    part: &DesignPanel,
+    rails: &[CurveUse; 2],
+) -> Result<Vec<Link>, MakeError> {
+    let failed = |cause: MakeCause| MakeError { panel: part.name.clone(), curve: None, cause };
+    let [first, mut second] = [link(design, part, &rails[0])?, link(design, part, &rails[1])?];
+    let along = |link: &Link| {
+        let samples =
+            sample_open(&link.curve, part.samples).map_err(|e| failed(MakeCause::Sampling(e)))?;
+        Ok(if link.reversed { run_back(&samples) } else { samples })
+    };
+    let (near, far) = (along(&first)?, along(&second)?);
+    // As where rails are sampled: the second runs back.
+    if apart(&near, &far) < apart(&near, &run_back(&far)) {
+        second.reversed = !second.reversed;
+    }
+    let ends = |link: &Link| {
+        let ends = [link.curve.start(), link.curve.end()];
+        if link.reversed { [ends[1], ends[0]] } else { ends }
+    };
+    let ([a, b], [c, d]) = (ends(&first), ends(&second));
+    let size = size_of(near.iter().chain(&far).map(|s| s.position));
+    let edge = |from: Point3, to: Point3| {
+        let straight = [from, to].map(CurvePoint::corner);
+        let apart = from.distance(to) > Tolerance::CHAIN.length_mm(size);
+        let curve = apart.then(|| Curve::new(CurveKind::Polyline, &straight, false));
+        let curve = curve.transpose().map_err(|error| failed(MakeCause::Curve(error)))?;
+        Ok(curve.map(|curve| Link { curve, reversed: false }))
+    };
+    let (at_end, at_start) = (edge(b, c)?, edge(d, a)?);
+    Ok([Some(first), at_end, Some(second), at_start].into_iter().flatten().collect())
+}
+
+/// How long the links of all parts are, and which of them lie on one another. Links are counted
+/// through all loops of all parts.
+struct Links {
+    lengths: Vec<f64>,
+    /// The fewest divisions that keep the corners of each.
+    least: Vec<usize>,
+    /// The first link that lies on this one: of another part, or the way back along a seam.
+    on: Vec<Option<usize>>,
+    is_shared: Vec<bool>,
+    /// The length of those that nothing lies on, mm, and how much of it belongs to outer loops.
+    free_length: f64,
+    free_outer_length: f64,
+}
+
+impl Links {
+    fn new(sources: &[Vec<LoopSource>]) -> Self {
+        // The loop of each link, counted within its part.
+        let mut list: Vec<(usize, &Link)> = Vec::new();
+        for (n, source) in sources.iter().flat_map(|loops| loops.iter().enumerate()) {
+            if let LoopSource::Links(links) = source {
+                list.extend(links.iter().map(|link| (n, link)));
+            }
+        }
+        let controls = list.iter().flat_map(|(_, link)| link.curve.spans());
+        let size = size_of(controls.flat_map(|span| span.control));
+        let near = Tolerance::CHAIN.length_mm(size);
+        let middle = |link: &Link| link.curve.position(0.5 * link.curve.spans().len() as f64);
+        let middles: Vec<Point3> = list.iter().map(|(_, link)| middle(link)).collect();
+        let boxes: Vec<(Vec3, Vec3)> =
+            middles.iter().map(|p| (p.to_vec() - near, p.to_vec() + near)).collect();
+        let lengths: Vec<f64> = list.iter().map(|(_, link)| link.curve.length()).collect();
+        let mut on = vec![None; list.len()];
+        let mut is_shared = vec![false; list.len()];
+        for_touching_boxes(&boxes, |i, j| {
+            let (a, b) = (&list[i].1.curve, &list[j].1.curve);
+            let meet = |p: Point3, q: Point3| p.distance(q) <= near;
+            let alike = (meet(a.start(), b.start()) && meet(a.end(), b.end()))
+                || (meet(a.start(), b.end()) && meet(a.end(), b.start()));
+            let as_long = (lengths[i] - lengths[j]).abs() <= near;
+            if alike && as_long && meet(middles[i], middles[j]) {
+                (is_shared[i], is_shared[j]) = (true, true);
+                on[j] = Some(on[j].map_or(i, |earlier: usize| earlier.min(i)));
+            }
+        });
+        let free = |outer_only: bool| -> f64 {
+            let counts = |n: &usize| !is_shared[*n] && (!outer_only || list[*n].0 == 0);
+            (0..list.len()).filter(counts).map(|n| lengths[n]).sum()
+        };
+        let (free_length, free_outer_length) = (free(false), free(true));
+        let least = list.iter().map(|(_, link)| link.curve.stretch_count()).collect();
+        Self { lengths, least, on, is_shared, free_length, free_outer_length }
+    }
+
+    /// How many divisions the free links get together so that the outer ones have `samples`.
+    fn first_guess(&self, samples: usize) -> usize {
+        if self.free_outer_length > 0.0 {
+            (samples as f64 * self.free_length / self.free_outer_length).round() as usize
+        } else {
+            samples
+        }
+    }
+
+    /// The divisions of every link: `asked` among the free ones, by length (largest remainder, the
+    /// first of equals); the same spacing on those that are shared.
+    fn shared_out(&self, asked: usize) -> Result<Vec<usize>, SampleError> {
+        let free: Vec<usize> = (0..self.lengths.len()).filter(|n| !self.is_shared[*n]).collect();
+        let needed: usize = free.iter().map(|&n| self.least[n]).sum();
+        if asked < needed && !free.is_empty() {
+            return Err(SampleError::TooFew { asked, needed });
+        }
+        let per_mm = if self.free_length > 0.0 { asked as f64 / self.free_length } else { 0.0 };
+        let mut divisions = vec![0; self.lengths.len()];
+        for n in 0..divisions.len() {
+            if self.is_shared[n] {
+                let wanted = (self.lengths[n] * per_mm).round() as usize;
+                divisions[n] = match self.on[n] {
+                    Some(earlier) => divisions[earlier],
+                    None => wanted.max(self.least[n]),
+                };
+            }
+        }
+        // The least is given already, so what is shared is the rest.
+        let ideal: Vec<f64> = free
+            .iter()
+            .map(|&n| (self.lengths[n] * per_mm - self.least[n] as f64).max(0.0))
+            .collect();
+        let wanted: f64 = ideal.iter().sum();
+        let scale = if wanted > 0.0 { (asked - needed.min(asked)) as f64 / wanted } else { 0.0 };
+        let mut left = asked;
+        for (&n, ideal) in free.iter().zip(&ideal) {
+            divisions[n] = self.least[n] + (ideal * scale).floor() as usize;
+            left = left.saturating_sub(divisions[n]);
+        }
+        let rest = |k: usize| ideal[k] * scale - (ideal[k] * scale).floor();
+        let mut order: Vec<usize> = (0..free.len()).collect();
+        order.sort_by(|&a, &b| rest(b).total_cmp(&rest(a)).then(a.cmp(&b)));
+        for &k in order.iter().cycle().take(left.min(asked) * usize::from(!free.is_empty())) {
+            divisions[free[k]] += 1;
+        }
+        Ok(divisions)
+    }
+}
+
+fn joined_with(
+    parts: &[&DesignPanel],
+    sources: &[Vec<LoopSource>],
+    divisions: &[usize],
+    options: &JoinOptions,
+    failed: &dyn Fn(MakeCause) -> MakeError,
+) -> Result<Joined, MakeError> {
+    let mut divisions = divisions.iter();
+    let mut boundaries = Vec::new();
+    for (part, loops) in parts.iter().zip(sources) {
+        let mut sampled = Vec::new();
+        for source in loops {
+            sampled.push(match source {
+                LoopSource::Samples(samples) => samples.clone(),
+                LoopSource::Links(links) => loop_samples(links, &mut divisions)
+                    .map_err(|error| failed(MakeCause::Sampling(error)))?,
+            });
+        }
+        let boundary = Boundary::new(sampled).map_err(|error| MakeError {
+            panel: part.name.clone(),
+            curve: None,
+            cause: MakeCause::Boundary(error),
+        })?;
+        boundaries.push(boundary);
+    }
+    let boundaries: Vec<&Boundary> = boundaries.iter().collect();
+    join_all(&boundaries, options).map_err(|JoinError { part, cause }| {
+        let part = part.map(|n| parts[n].name.clone());
+        failed(MakeCause::Join { part, cause })
+    })
+}
+
+/// The samples of a loop of curves with these divisions.
+fn loop_samples<'a>(
+    links: &[Link],
+    divisions: &mut impl Iterator<Item = &'a usize>,
+) -> Result<Vec<Sample>, SampleError> {
+    let mut pieces = Vec::new();
+    for link in links {
+        let divisions = divisions.next().copied().unwrap_or(1);
+        if link.curve.closed() {
+            let samples = sample_chain(std::slice::from_ref(&link.curve), divisions)?;
+            return Ok(if link.reversed { run_back(&samples) } else { samples });
+        }
+        let samples = sample_open(&link.curve, divisions + 1)?;
+        pieces.push(if link.reversed { run_back(&samples) } else { samples });
+    }
+    Ok(chained_samples(&pieces))
+}
