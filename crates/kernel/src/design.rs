@@ -129,8 +129,13 @@ impl Design {
                 names.extend(join.parts.iter().map(String::as_str));
             }
         }
-        let is_made = |name: &str| !replaced.contains(name) || kept.contains(name);
-        self.panels.iter().filter(|panel| is_made(&panel.name)).collect()
+        // A join is no part of another, whatever is written there; making it says so.
+        let is_made = |panel: &&DesignPanel| {
+            let name = panel.name.as_str();
+            let is_join = matches!(panel.shape, PanelShape::Join(_));
+            is_join || !replaced.contains(name) || kept.contains(name)
+        };
+        self.panels.iter().filter(is_made).collect()
     }
 }
 

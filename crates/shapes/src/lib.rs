@@ -8,6 +8,7 @@ pub mod developable;
 pub mod family;
 pub mod hemisphere;
 pub mod random;
+pub mod three_cones;
 mod trace;
 
 pub use trace::{Trace, samples_along};

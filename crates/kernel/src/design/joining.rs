@@ -333,3 +333,96 @@ fn loop_samples<'a>(
     }
     Ok(chained_samples(&pieces))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::boundary::PlaneChoice;
+    use crate::design::{DesignCurve, PanelMethod};
+    use crate::math::{cos, from_deg, sin};
+
+    /// Two halves of a tube about the axis z, of radius 50 and height 80.
+    fn tube() -> Design {
+        let arc = |from: f64, z: f64| -> Vec<CurvePoint> {
+            (0..=12)
+                .map(|n| {
+                    let a = from_deg(from + 15.0 * f64::from(n));
+                    CurvePoint::smooth(Point3::new(50.0 * cos(a), 50.0 * sin(a), z))
+                })
+                .collect()
+        };
+        let line =
+            |x: f64| [0.0, 80.0].map(|z| CurvePoint::corner(Point3::new(x, 0.0, z))).to_vec();
+        let curve = |name: &str, kind: CurveKind, points: Vec<CurvePoint>| DesignCurve {
+            name: name.into(),
+            kind: Some(kind),
+            closed: false,
+            points,
+        };
+        let panel = |name: &str, shape: PanelShape| DesignPanel {
+            name: name.into(),
+            shape,
+            samples: 90,
+            method: PanelMethod::Optimal,
+            plane: PlaneChoice::Auto,
+            fold: 1.0,
+        };
+        let loop_of = |uses: [(&str, bool); 4]| PanelShape::Loops {
+            outer: uses.map(|(name, reversed)| CurveUse { name: name.into(), reversed }).to_vec(),
+            holes: Vec::new(),
+        };
+        Design {
+            name: "tube".into(),
+            material: None,
+            curves: vec![
+                curve("low-front", CurveKind::Spline, arc(180.0, 0.0)),
+                curve("low-back", CurveKind::Spline, arc(0.0, 0.0)),
+                curve("high-front", CurveKind::Spline, arc(180.0, 80.0)),
+                curve("high-back", CurveKind::Spline, arc(0.0, 80.0)),
+                curve("east", CurveKind::Polyline, line(50.0)),
+                curve("west", CurveKind::Polyline, line(-50.0)),
+            ],
+            panels: vec![
+                panel(
+                    "front",
+                    loop_of([
+                        ("low-front", false),
+                        ("east", false),
+                        ("high-front", true),
+                        ("west", true),
+                    ]),
+                ),
+                // Drawn from inside.
+                panel(
+                    "back",
+                    loop_of([
+                        ("west", false),
+                        ("high-back", true),
+                        ("east", true),
+                        ("low-back", false),
+                    ]),
+                ),
+            ],
+        }
+    }
+
+    #[test]
+    fn a_tube_of_two_halves_has_two_loops() {
+        let design = tube();
+        let join = Join {
+            parts: vec!["front".into(), "back".into()],
+            smooth: Continuity::G1,
+            within: Within::default(),
+            keep_parts: false,
+        };
+        let panel =
+            DesignPanel { shape: PanelShape::Join(join.clone()), ..design.panels[0].clone() };
+        let Ok(tube) = sampled(&design, &panel, &join) else { panic!() };
+        let counts: Vec<usize> = tube.loops.iter().map(Vec::len).collect();
+        assert_eq!(counts, [90, 90]);
+        // Natural ends of the arcs leave small corners where they meet, which are made smooth.
+        assert!(tube.loops.iter().flatten().all(|s| !s.is_corner()));
+        let codes: Vec<&str> = tube.findings.iter().map(|f| f.code).collect();
+        assert_eq!(codes, ["joint-smoothed"]);
+    }
+}
