@@ -91,14 +91,15 @@ fn boundary(error: &BoundaryError) -> &'static str {
 fn join(cause: &JoinCause) -> &'static str {
     match cause {
         JoinCause::TooFew => "Name two panels or more.",
+        JoinCause::TooLarge { .. } => "Leave points out; a few hundred show a curve.",
         JoinCause::Within => "Ask for a distance above 0, or for a share above 0 and up to 0.5.",
         JoinCause::Apart => {
             "Panels are joined along curves that both have: name the same curve in both, or give \
              their curves the same points."
         }
         JoinCause::LooseSamples { .. } => {
-            "Give both panels the same curves along what they share: divide a long curve where the \
-             shorter one ends."
+            "Let both run along the same curve where they meet: two curves that only pass through \
+             the same points differ between them."
         }
         JoinCause::ManySheets => "Join two panels along an edge, and make the third by itself.",
         JoinCause::OneSided => {

@@ -1,6 +1,7 @@
 //! A design: all inputs as one plain value, from which [`make`] derives every stage.
 
 mod joining;
+mod links;
 
 pub use joining::Join;
 

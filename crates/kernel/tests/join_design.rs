@@ -176,6 +176,57 @@ fn panels_between_rails_join_along_a_rail() {
     assert_eq!(refused(&design).cause, MakeCause::NoRails);
 }
 
+/// A closed polyline round a rectangle, as a panel.
+fn rectangle(
+    name: &str,
+    [x, y]: [f64; 2],
+    [width, height]: [f64; 2],
+) -> (DesignCurve, DesignPanel) {
+    let points = [[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]]
+        .map(|[a, b]| Point3::new(x + a, y + b, 0.0))
+        .to_vec();
+    let rim = DesignCurve { closed: true, ..curve(name, CurveKind::Polyline, points) };
+    (rim, bounded(name, &[name]))
+}
+
+fn flat(parts: Vec<(DesignCurve, DesignPanel)>, samples: usize) -> Design {
+    let names: Vec<String> = parts.iter().map(|(_, part)| part.name.clone()).collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let (curves, mut panels): (Vec<_>, Vec<_>) = parts.into_iter().unzip();
+    panels.push(panel("whole", joining(&names, Continuity::G0), samples));
+    Design { name: "flat".into(), material: None, curves, panels }
+}
+
+#[test]
+fn closed_outlines_share_their_edges_and_parts_of_them() {
+    // Beside one another; and a long edge beside two short ones, in every order.
+    let pair = flat(
+        vec![rectangle("a", [0., 0.], [70., 100.]), rectangle("b", [70., 0.], [110., 100.])],
+        93,
+    );
+    let whole = &made(&pair)[0];
+    assert_eq!(whole.boundary.len(), 93);
+    assert!((whole.measures.area_flat_mm2 - 18_000.0).abs() < 1e-6);
+    for order in [[0, 1, 2], [1, 0, 2], [1, 2, 0]] {
+        let parts = [
+            rectangle("long", [0., 0.], [50., 201.5]),
+            rectangle("low", [50., 0.], [33., 90.1]),
+            rectangle("high", [50., 90.1], [44., 111.4]),
+        ];
+        let parts = order.map(|n| parts[n].clone()).to_vec();
+        let whole = &made(&flat(parts, 120))[0];
+        assert_eq!(whole.boundary.len(), 120);
+        let area = 50.0 * 201.5 + 33.0 * 90.1 + 44.0 * 111.4;
+        assert!((whole.measures.area_flat_mm2 - area).abs() < 1e-6);
+    }
+    // One corner in common, and the sample there goes: as many as were asked for are left.
+    let touching = flat(
+        vec![rectangle("a", [0., 0.], [50., 50.]), rectangle("b", [50., 50.], [80., 50.])],
+        90,
+    );
+    assert_eq!(made(&touching)[0].boundary.len(), 90);
+}
+
 #[test]
 fn what_cannot_be_joined_names_the_part() {
     let mut design = cylinder();

@@ -44,7 +44,11 @@ impl PanelReader<'_> {
             return Err(self.error("", message, hint));
         }
         if !(2..=MAX_PARTS).contains(&parts.len()) {
-            let message = format!("the panel joins {} panels", parts.len());
+            let message = match parts.len() {
+                0 => "the panel joins none".to_owned(),
+                1 => "the panel joins one alone".to_owned(),
+                many => format!("the panel joins {many} panels"),
+            };
             let hint = format!("Name 2 to {MAX_PARTS} panels that share an edge or a sample.");
             return Err(self.error(".join", message, hint));
         }

@@ -251,7 +251,7 @@ mod tests {
             ("\"east\"]", "\"eest\"]", "panels[0].join[1]: there is no panel 'eest'"),
             ("\"east\"]", "\"west\"]", "panels[0].join[1]: the panel 'west' stands there twice"),
             ("\"east\"]", "\"whole\"]", "panels[0].join[1]: the panel joins itself"),
-            (", \"east\"]", "]", "panels[0].join: the panel joins 1 panels"),
+            (", \"east\"]", "]", "panels[0].join: the panel joins one alone"),
             ("\"G2\"", "\"G3\"", "panels[0].smooth: the value 'G3' is not known"),
             ("\"G2\"", "\"none\"", "panels[0].within: `within` is for joints that are made smooth"),
             ("0.5", "0", "panels[0].within: `within` is no distance above 0"),

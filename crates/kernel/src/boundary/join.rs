@@ -71,6 +71,13 @@ pub struct JoinError {
 pub enum JoinCause {
     /// Fewer than two boundaries.
     TooFew,
+    /// More samples or spans of curves than can be compared with one another in a moment.
+    TooLarge {
+        /// How many there are.
+        found: usize,
+        /// How many may be.
+        most: usize,
+    },
     /// A distance or share that is not positive and finite, or a share above ½.
     Within,
     /// It shares no sample with the others.
@@ -111,6 +118,10 @@ impl fmt::Display for JoinCause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::TooFew => write!(f, "it takes two boundaries or more to join"),
+            Self::TooLarge { found, most } => write!(
+                f,
+                "the panels have {found} samples and pieces of curves together; {most} are the most"
+            ),
             Self::Within => write!(
                 f,
                 "the way within which joints are made smooth is no length above 0, and no share \

@@ -1,24 +1,19 @@
 //! The samples of a panel that joins others: theirs, sampled alike along what they share.
 //!
-//! A panel shares curves with its neighbours, and ⊕ looks for shared samples. So each curve of each
-//! part is sampled by itself, always from its beginning, and curves that lie on one another get as
-//! many samples; the others share out those that are asked for by their lengths.
+//! Panels share edges, and ⊕ looks for shared samples. So each run of each part, from corner to
+//! corner or to where another part ends on it, is sampled by itself, from where it was drawn from;
+//! runs that lie on one another get as many samples, and the others share out by their lengths
+//! those that are asked for.
 
-use super::{
-    CurveUse, Design, DesignPanel, MakeCause, MakeError, PanelShape, Sampled, apart, built, found,
-    run_back, sampled as sampled_alone,
-};
-use crate::boundary::{
-    Boundary, Continuity, JoinError, JoinOptions, Joined, Within, join_all, samples_from_points,
-    size_of,
-};
+use super::links::{Link, LoopSource, loop_samples, near_mm, sources};
+use super::{Design, DesignPanel, MakeCause, MakeError, PanelMethod, PanelShape, Sampled};
+use crate::boundary::{Boundary, Continuity, JoinError, JoinOptions, Joined, Within, join_all};
 use crate::check::{smoothed_joints, turned_round};
-use crate::curve::{
-    Curve, CurveKind, CurvePoint, Sample, SampleError, chained_samples, sample_chain, sample_open,
-};
+use crate::curve::{SampleError, sample_chain, sample_open};
 use crate::math::{Point3, Vec3};
 use crate::predicate::for_touching_boxes;
 use crate::tolerance::Tolerance;
+use crate::triangulate::{Method, TriangulateOptions, refuse};
 
 /// Panels that are joined to one: P1 ⊕ P2 ⊕ … of their boundaries.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,12 +40,15 @@ pub(super) fn sampled(
 ) -> Result<Sampled, MakeError> {
     let failed = |cause: MakeCause| MakeError { panel: panel.name.clone(), curve: None, cause };
     let parts = parts_of(design, join).map_err(failed)?;
-    let mut sources = Vec::new();
-    for part in &parts {
-        // Whatever is wrong with a part is said as where it is made by itself.
-        sampled_alone(design, part)?;
-        sources.push(source_loops(design, part)?);
-    }
+    // Before anything is worked out that takes its time.
+    let method = match panel.method {
+        PanelMethod::Optimal => Method::Optimal,
+        PanelMethod::Bridge => Method::Bridge,
+        PanelMethod::Rails => return Err(failed(MakeCause::NoRails)),
+    };
+    let solved = TriangulateOptions { method, ..TriangulateOptions::default() };
+    refuse(panel.samples, 0, &solved).map_err(|error| failed(MakeCause::Triangulate(error)))?;
+    let sources = sources(design, &parts, &failed)?;
     let links = Links::new(&sources);
     let options = JoinOptions { same: Tolerance::CHAIN, smooth: join.smooth, within: join.within };
     let mut asked = links.first_guess(panel.samples);
@@ -91,101 +89,11 @@ fn parts_of<'a>(design: &'a Design, join: &Join) -> Result<Vec<&'a DesignPanel>,
     join.parts.iter().map(part).collect()
 }
 
-/// A curve on a loop of a part.
-struct Link {
-    /// As it was drawn.
-    curve: Curve,
-    /// Whether it is run from its end to its beginning.
-    reversed: bool,
-}
-
-/// What a loop of a part is made from.
-enum LoopSource {
-    Links(Vec<Link>),
-    /// Points that are samples themselves.
-    Samples(Vec<Sample>),
-}
-
-/// The loops of a part, which can be made by itself, the outer one first.
-fn source_loops(design: &Design, part: &DesignPanel) -> Result<Vec<LoopSource>, MakeError> {
-    match &part.shape {
-        PanelShape::Rails(rails) => Ok(vec![LoopSource::Links(rail_links(design, part, rails)?)]),
-        PanelShape::Loops { outer, holes } => std::iter::once(outer)
-            .chain(holes)
-            .map(|uses| source_loop(design, part, uses))
-            .collect(),
-        // Refused before.
-        PanelShape::Join(_) => Ok(Vec::new()),
-    }
-}
-
-fn source_loop(
-    design: &Design,
-    part: &DesignPanel,
-    uses: &[CurveUse],
-) -> Result<LoopSource, MakeError> {
-    if let [only] = uses {
-        let source = found(design, part, only)?;
-        if source.kind.is_none() && source.closed {
-            let samples = samples_from_points(&source.points);
-            return Ok(LoopSource::Samples(if only.reversed {
-                run_back(&samples)
-            } else {
-                samples
-            }));
-        }
-    }
-    uses.iter()
-        .map(|wanted| link(design, part, wanted))
-        .collect::<Result<_, _>>()
-        .map(LoopSource::Links)
-}
-
-fn link(design: &Design, part: &DesignPanel, wanted: &CurveUse) -> Result<Link, MakeError> {
-    let drawn = CurveUse { name: wanted.name.clone(), reversed: false };
-    Ok(Link { curve: built(design, part, &drawn)?, reversed: wanted.reversed })
-}
-
-/// The loop of two rails and the straight edges between their ends.
-fn rail_links(
-    design: &Design,
-    part: &DesignPanel,
-    rails: &[CurveUse; 2],
-) -> Result<Vec<Link>, MakeError> {
-    let failed = |cause: MakeCause| MakeError { panel: part.name.clone(), curve: None, cause };
-    let [first, mut second] = [link(design, part, &rails[0])?, link(design, part, &rails[1])?];
-    let along = |link: &Link| {
-        let samples =
-            sample_open(&link.curve, part.samples).map_err(|e| failed(MakeCause::Sampling(e)))?;
-        Ok(if link.reversed { run_back(&samples) } else { samples })
-    };
-    let (near, far) = (along(&first)?, along(&second)?);
-    // As where rails are sampled: the second runs back.
-    if apart(&near, &far) < apart(&near, &run_back(&far)) {
-        second.reversed = !second.reversed;
-    }
-    let ends = |link: &Link| {
-        let ends = [link.curve.start(), link.curve.end()];
-        if link.reversed { [ends[1], ends[0]] } else { ends }
-    };
-    let ([a, b], [c, d]) = (ends(&first), ends(&second));
-    let size = size_of(near.iter().chain(&far).map(|s| s.position));
-    let edge = |from: Point3, to: Point3| {
-        let straight = [from, to].map(CurvePoint::corner);
-        let apart = from.distance(to) > Tolerance::CHAIN.length_mm(size);
-        let curve = apart.then(|| Curve::new(CurveKind::Polyline, &straight, false));
-        let curve = curve.transpose().map_err(|error| failed(MakeCause::Curve(error)))?;
-        Ok(curve.map(|curve| Link { curve, reversed: false }))
-    };
-    let (at_end, at_start) = (edge(b, c)?, edge(d, a)?);
-    Ok([Some(first), at_end, Some(second), at_start].into_iter().flatten().collect())
-}
-
 /// How long the links of all parts are, and which of them lie on one another. Links are counted
 /// through all loops of all parts.
 struct Links {
     lengths: Vec<f64>,
-    /// The fewest divisions that keep the corners of each.
+    /// The fewest divisions of each: one, or three of a closed one.
     least: Vec<usize>,
     /// The first link that lies on this one: of another part, or the way back along a seam.
     on: Vec<Option<usize>>,
@@ -204,15 +112,12 @@ impl Links {
                 list.extend(links.iter().map(|link| (n, link)));
             }
         }
-        let controls = list.iter().flat_map(|(_, link)| link.curve.spans());
-        let size = size_of(controls.flat_map(|span| span.control));
-        let near = Tolerance::CHAIN.length_mm(size);
-        let middle = |link: &Link| link.curve.position(0.5 * link.curve.spans().len() as f64);
+        let near = near_mm(list.iter().map(|(_, link)| *link));
         let middles: Vec<Point3> = list.iter().map(|(_, link)| middle(link)).collect();
         let boxes: Vec<(Vec3, Vec3)> =
             middles.iter().map(|p| (p.to_vec() - near, p.to_vec() + near)).collect();
         let lengths: Vec<f64> = list.iter().map(|(_, link)| link.curve.length()).collect();
-        let mut on = vec![None; list.len()];
+        let mut on: Vec<Option<usize>> = vec![None; list.len()];
         let mut is_shared = vec![false; list.len()];
         for_touching_boxes(&boxes, |i, j| {
             let (a, b) = (&list[i].1.curve, &list[j].1.curve);
@@ -222,7 +127,7 @@ impl Links {
             let as_long = (lengths[i] - lengths[j]).abs() <= near;
             if alike && as_long && meet(middles[i], middles[j]) {
                 (is_shared[i], is_shared[j]) = (true, true);
-                on[j] = Some(on[j].map_or(i, |earlier: usize| earlier.min(i)));
+                on[j] = Some(on[j].map_or(i, |earlier| earlier.min(i)));
             }
         });
         let free = |outer_only: bool| -> f64 {
@@ -230,7 +135,7 @@ impl Links {
             (0..list.len()).filter(counts).map(|n| lengths[n]).sum()
         };
         let (free_length, free_outer_length) = (free(false), free(true));
-        let least = list.iter().map(|(_, link)| link.curve.stretch_count()).collect();
+        let least = list.iter().map(|(_, link)| if link.curve.closed() { 3 } else { 1 }).collect();
         Self { lengths, least, on, is_shared, free_length, free_outer_length }
     }
 
@@ -284,6 +189,17 @@ impl Links {
     }
 }
 
+/// The point of a link with as much of it on both sides.
+fn middle(link: &Link) -> Point3 {
+    let curve = &link.curve;
+    let samples = if curve.closed() {
+        sample_chain(std::slice::from_ref(curve), 4).map(|samples| samples[2])
+    } else {
+        sample_open(curve, 3).map(|samples| samples[1])
+    };
+    samples.map_or(curve.start(), |sample| sample.position)
+}
+
 fn joined_with(
     parts: &[&DesignPanel],
     sources: &[Vec<LoopSource>],
@@ -316,29 +232,12 @@ fn joined_with(
     })
 }
 
-/// The samples of a loop of curves with these divisions.
-fn loop_samples<'a>(
-    links: &[Link],
-    divisions: &mut impl Iterator<Item = &'a usize>,
-) -> Result<Vec<Sample>, SampleError> {
-    let mut pieces = Vec::new();
-    for link in links {
-        let divisions = divisions.next().copied().unwrap_or(1);
-        if link.curve.closed() {
-            let samples = sample_chain(std::slice::from_ref(&link.curve), divisions)?;
-            return Ok(if link.reversed { run_back(&samples) } else { samples });
-        }
-        let samples = sample_open(&link.curve, divisions + 1)?;
-        pieces.push(if link.reversed { run_back(&samples) } else { samples });
-    }
-    Ok(chained_samples(&pieces))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::boundary::PlaneChoice;
-    use crate::design::{DesignCurve, PanelMethod};
+    use crate::curve::{CurveKind, CurvePoint};
+    use crate::design::{CurveUse, DesignCurve};
     use crate::math::{cos, from_deg, sin};
 
     /// Two halves of a tube about the axis z, of radius 50 and height 80.
