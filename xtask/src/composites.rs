@@ -23,9 +23,14 @@ pub(crate) fn write() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn files() -> Result<[(&'static str, Vec<u8>); 2], Box<dyn Error>> {
-    let example = write_design(&design(SAMPLES));
-    Ok([("docs/composites.md", page()?.into_bytes()), ("examples/three-cones.sheet.json", example)])
+/// A file of the checkout and what it should hold.
+type Kept = (&'static str, Vec<u8>);
+
+fn files() -> Result<[Kept; 2], Box<dyn Error>> {
+    Ok([
+        ("docs/composites.md", page()?.into_bytes()),
+        ("examples/three-cones.sheet.json", write_design(&design(SAMPLES))),
+    ])
 }
 
 /// The three cones joined, with the best triangulation of a method.
