@@ -228,6 +228,46 @@ fn closed_outlines_share_their_edges_and_parts_of_them() {
 }
 
 #[test]
+fn outlines_of_fixed_samples_keep_them() {
+    // A square of eight samples beside a rectangle of five; the seam is two edges of each.
+    let around = [[0, 0], [1, 0], [2, 0], [2, 1], [2, 2], [1, 2], [0, 2], [0, 1]];
+    let points = around.map(|[x, y]| Point3::new(25.0 * f64::from(x), 25.0 * f64::from(y), 0.0));
+    let points = points.map(|at| CurvePoint { at, corner: true }).to_vec();
+    let rim = DesignCurve { name: "a".into(), kind: None, closed: true, points };
+    let part = bounded("a", &["a"]);
+    let other: Vec<Point3> = [[50., 0.], [90., 0.], [90., 50.], [50., 50.], [50., 25.]]
+        .map(|[x, y]| Point3::new(x, y, 0.0))
+        .to_vec();
+    let points = other.into_iter().map(CurvePoint::corner).collect();
+    let next = DesignCurve { name: "b".into(), kind: None, closed: true, points };
+    let fixed = flat(vec![(rim, part), (next, bounded("b", &["b"]))], 400);
+    assert_eq!(made(&fixed)[0].boundary.len(), 8 + 5 - 2 - 2);
+    // A seam that is a thousand times as long as what is left of both parts, nearly.
+    let zigzag: Vec<Point3> = (0..=400)
+        .map(|n| Point3::new(if n % 2 == 0 { 0.0 } else { 50.0 }, 0.1 * f64::from(n), 0.0))
+        .collect();
+    let side = |x: f64| {
+        let points = [[0., 0.], [x, -5.], [x, 45.], [0., 40.]];
+        points.map(|[x, y]| Point3::new(x, y, 0.0)).to_vec()
+    };
+    let design = Design {
+        name: "comb".into(),
+        material: None,
+        curves: vec![
+            curve("left", CurveKind::Polyline, side(-9.0)),
+            curve("right", CurveKind::Polyline, side(59.0)),
+            curve("seam", CurveKind::Polyline, zigzag),
+        ],
+        panels: vec![
+            bounded("west", &["seam", "-left"]),
+            bounded("east", &["right", "-seam"]),
+            panel("whole", joining(&["west", "east"], Continuity::G0), 60),
+        ],
+    };
+    assert_eq!(made(&design)[0].boundary.len(), 60);
+}
+
+#[test]
 fn what_cannot_be_joined_names_the_part() {
     let mut design = cylinder();
     let with = |design: &mut Design, parts: &[&str]| {

@@ -5,15 +5,16 @@
 //! runs that lie on one another get as many samples, and the others share out by their lengths
 //! those that are asked for.
 
-use super::links::{Link, LoopSource, loop_samples, near_mm, sources};
-use super::{Design, DesignPanel, MakeCause, MakeError, PanelMethod, PanelShape, Sampled};
-use crate::boundary::{Boundary, Continuity, JoinError, JoinOptions, Joined, Within, join_all};
+use super::links::{Link, LoopSource, MAX_PIECES, loop_samples, near_mm, sources};
+use super::{Design, DesignPanel, MakeCause, MakeError, PanelShape, Sampled};
+use crate::boundary::{
+    Boundary, Continuity, JoinCause, JoinError, JoinOptions, Joined, Within, join_all,
+};
 use crate::check::{smoothed_joints, turned_round};
 use crate::curve::{SampleError, sample_chain, sample_open};
 use crate::math::{Point3, Vec3};
 use crate::predicate::for_touching_boxes;
 use crate::tolerance::Tolerance;
-use crate::triangulate::{Method, TriangulateOptions, refuse};
 
 /// Panels that are joined to one: P1 ⊕ P2 ⊕ … of their boundaries.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,6 +33,11 @@ pub struct Join {
 /// for: twice is enough unless a ring closes.
 const ROUNDS: usize = 6;
 
+/// Samples of all parts at the most, whatever it takes to have as many on the outer loop as were
+/// asked for: an outline of fixed samples never gets more of them, and an edge that two parts share
+/// may be much longer than what is left of both.
+const MOST: usize = 2 * MAX_PIECES;
+
 /// The joined boundary of the parts of `panel`.
 pub(super) fn sampled(
     design: &Design,
@@ -40,33 +46,38 @@ pub(super) fn sampled(
 ) -> Result<Sampled, MakeError> {
     let failed = |cause: MakeCause| MakeError { panel: panel.name.clone(), curve: None, cause };
     let parts = parts_of(design, join).map_err(failed)?;
-    // Before anything is worked out that takes its time.
-    let method = match panel.method {
-        PanelMethod::Optimal => Method::Optimal,
-        PanelMethod::Bridge => Method::Bridge,
-        PanelMethod::Rails => return Err(failed(MakeCause::NoRails)),
-    };
-    let solved = TriangulateOptions { method, ..TriangulateOptions::default() };
-    refuse(panel.samples, 0, &solved).map_err(|error| failed(MakeCause::Triangulate(error)))?;
+    if panel.samples > MAX_PIECES {
+        let cause = JoinCause::TooLarge { found: panel.samples, most: MAX_PIECES };
+        return Err(failed(MakeCause::Join { part: None, cause }));
+    }
     let sources = sources(design, &parts, &failed)?;
     let links = Links::new(&sources);
     let options = JoinOptions { same: Tolerance::CHAIN, smooth: join.smooth, within: join.within };
-    let mut asked = links.first_guess(panel.samples);
-    let mut round = 0;
-    let joined = loop {
+    let with = |asked: usize| {
         let divisions = links.shared_out(asked).map_err(|e| failed(MakeCause::Sampling(e)))?;
-        let joined = joined_with(&parts, &sources, &divisions, &options, &failed)?;
-        let found = joined.boundary.loops()[0].len();
-        round += 1;
-        if found == panel.samples || round == ROUNDS || links.free_length == 0.0 {
-            break joined;
+        joined_with(&parts, &sources, &divisions, &options, &failed)
+    };
+    let on_outer = |joined: &Joined| joined.boundary.loops()[0].len();
+    let mut asked = links.first_guess(panel.samples);
+    let mut joined = with(asked)?;
+    let mut found = on_outer(&joined);
+    for _ in 1..ROUNDS {
+        if found == panel.samples || links.free_length == 0.0 {
+            break;
         }
         asked = if found.abs_diff(panel.samples) > 4 {
             (asked as f64 * panel.samples as f64 / found as f64).round() as usize
         } else {
             (asked + panel.samples).saturating_sub(found)
         };
-    };
+        asked = asked.min(MOST);
+        // Where fewer do not do, those that there are are as near as it comes.
+        let Ok(tried) = with(asked) else { break };
+        found = on_outer(&tried);
+        if found.abs_diff(panel.samples) < on_outer(&joined).abs_diff(panel.samples) {
+            joined = tried;
+        }
+    }
     let mut findings = Vec::new();
     findings.extend(smoothed_joints(&joined));
     findings.extend(turned_round(&joined, &join.parts));
@@ -142,7 +153,8 @@ impl Links {
     /// How many divisions the free links get together so that the outer ones have `samples`.
     fn first_guess(&self, samples: usize) -> usize {
         if self.free_outer_length > 0.0 {
-            (samples as f64 * self.free_length / self.free_outer_length).round() as usize
+            let all = samples as f64 * self.free_length / self.free_outer_length;
+            (all.round() as usize).min(MOST)
         } else {
             samples
         }
@@ -157,10 +169,12 @@ impl Links {
             return Err(SampleError::TooFew { asked, needed });
         }
         let per_mm = if self.free_length > 0.0 { asked as f64 / self.free_length } else { 0.0 };
+        let shared_length: f64 = self.lengths.iter().sum::<f64>() - self.free_length;
+        let shared_per_mm = per_mm.min(MOST as f64 / shared_length.max(f64::MIN_POSITIVE));
         let mut divisions = vec![0; self.lengths.len()];
         for n in 0..divisions.len() {
             if self.is_shared[n] {
-                let wanted = (self.lengths[n] * per_mm).round() as usize;
+                let wanted = (self.lengths[n] * shared_per_mm).round() as usize;
                 divisions[n] = match self.on[n] {
                     Some(earlier) => divisions[earlier],
                     None => wanted.max(self.least[n]),
@@ -237,7 +251,7 @@ mod tests {
     use super::*;
     use crate::boundary::PlaneChoice;
     use crate::curve::{CurveKind, CurvePoint};
-    use crate::design::{CurveUse, DesignCurve};
+    use crate::design::{CurveUse, DesignCurve, PanelMethod};
     use crate::math::{cos, from_deg, sin};
 
     /// Two halves of a tube about the axis z, of radius 50 and height 80.

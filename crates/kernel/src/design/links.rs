@@ -14,7 +14,7 @@ use crate::tolerance::Tolerance;
 
 /// Spans of curves and samples of all parts at the most: each is compared with those that lie
 /// beside it, which are all others where they stand in a row.
-const MAX_PIECES: usize = 50_000;
+pub(super) const MAX_PIECES: usize = 50_000;
 
 /// A smooth run of a curve on a loop of a part: from corner to corner, or a closed smooth curve.
 pub(super) struct Link {
