@@ -91,7 +91,9 @@ fn boundary(error: &BoundaryError) -> &'static str {
 fn join(cause: &JoinCause) -> &'static str {
     match cause {
         JoinCause::TooFew => "Name two panels or more.",
-        JoinCause::TooLarge { .. } => "Leave points out; a few hundred show a curve.",
+        JoinCause::TooLarge { .. } => {
+            "Ask for fewer samples, or leave points out; a few hundred show most panels well."
+        }
         JoinCause::Within => "Ask for a distance above 0, or for a share above 0 and up to 0.5.",
         JoinCause::Apart => {
             "Panels are joined along curves that both have: name the same curve in both, or give \
