@@ -1,19 +1,22 @@
 //! Chores of the project: `cargo xtask` lists them.
 #![allow(clippy::print_stdout, clippy::print_stderr)] // a program for the terminal
 
+mod composites;
 mod figures;
 mod fold_price;
 
 use std::process::ExitCode;
 
 const HELP: &str = "Chores of the project:
-  cargo xtask figures      writes docs/pictures/: the hull in space and laid flat
+  cargo xtask composites   writes docs/composites.md and examples/three-cones.sheet.json
+  cargo xtask figures      writes docs/pictures/: the hull, the three cones
   cargo xtask fold-price   writes docs/fold-price.md: what the fold price costs and what it buys
 ";
 
 fn main() -> ExitCode {
     let chore = std::env::args().nth(1).unwrap_or_default();
     let done = match chore.as_str() {
+        "composites" => composites::write(),
         "figures" => figures::write(),
         "fold-price" => fold_price::write(),
         _ => {

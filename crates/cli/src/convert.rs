@@ -51,7 +51,7 @@ pub(crate) fn run(args: &ConvertArgs, voice: Voice) -> Result<bool, Failure> {
         Target::Design => write_one(&args.out, &write_design(&design)).map(|()| false),
         Target::Made(format, ending) => {
             let single = matches!(format, Format::Svg | Format::Dxf);
-            if single && design.panels.len() > 1 {
+            if single && design.panels_to_make().len() > 1 {
                 let message = format!("{ending} is for one panel, and there are several");
                 let hint = "`sheetwright make` writes one file a panel; .pdf takes all of them.";
                 return Err(Failure::new(message, hint).at(args.out.display().to_string()));

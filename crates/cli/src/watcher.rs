@@ -51,15 +51,16 @@ impl Watcher {
         self.writing = Some(Instant::now());
     }
 
-    /// The times of all panels until now, in the order of the design.
+    /// The times of all panels that are made until now, in the order of the design.
     pub(crate) fn times(&self, design: &Design) -> Vec<PanelTimes> {
         let writing = self.writing.map_or(0.0, |start| start.elapsed().as_secs_f64());
-        let write = writing / design.panels.len() as f64;
+        let panels = design.panels_to_make();
+        let write = writing / panels.len() as f64;
         let times = |name: &String| {
             let known = self.times.get(name).cloned().unwrap_or_default();
             PanelTimes { name: name.clone(), write, ..known }
         };
-        design.panels.iter().map(|panel| times(&panel.name)).collect()
+        panels.into_iter().map(|panel| times(&panel.name)).collect()
     }
 
     fn note_time(&mut self) {

@@ -1,6 +1,6 @@
 //! What to do about a design that can't be made: one sentence for each cause.
 
-use sheetwright::boundary::{BoundaryError, PlaneError};
+use sheetwright::boundary::{BoundaryError, JoinCause, PlaneError};
 use sheetwright::curve::{CurveError, SampleError};
 use sheetwright::design::{MakeCause, MakeError};
 use sheetwright::flatten::FlattenError;
@@ -34,6 +34,9 @@ pub fn hint_for(error: &MakeError) -> String {
         MakeCause::NoRails => {
             "Give the panel two rails, or take the method optimal or bridge.".to_owned()
         }
+        MakeCause::UnknownPanel { .. } => "Check the names of the panels.".to_owned(),
+        MakeCause::JoinOfJoins { .. } => "Name the panels that it is made of.".to_owned(),
+        MakeCause::Join { cause, .. } => join(cause).to_owned(),
         MakeCause::Sampling(SampleError::TooFew { needed, .. }) => {
             format!("Ask for {needed} samples or more; a few hundred show most panels well.")
         }
@@ -82,6 +85,31 @@ fn boundary(error: &BoundaryError) -> &'static str {
         BoundaryError::Crossing { .. } => {
             "Order the points along the boundary, or divide the panel where it crosses itself."
         }
+    }
+}
+
+fn join(cause: &JoinCause) -> &'static str {
+    match cause {
+        JoinCause::TooFew => "Name two panels or more.",
+        JoinCause::TooLarge { .. } => {
+            "Ask for fewer samples, or leave points out; a few hundred show most panels well."
+        }
+        JoinCause::Within => "Ask for a distance above 0, or for a share above 0 and up to 0.5.",
+        JoinCause::Apart => {
+            "Panels are joined along curves that both have: name the same curve in both, or give \
+             their curves the same points."
+        }
+        JoinCause::LooseSamples { .. } => {
+            "Let both run along the same curve where they meet: two curves that only pass through \
+             the same points differ between them."
+        }
+        JoinCause::ManySheets => "Join two panels along an edge, and make the third by itself.",
+        JoinCause::OneSided => {
+            "Leave one of them out: a band that closes with half a turn has no side to face."
+        }
+        JoinCause::Handle | JoinCause::Closed => "Leave one of them out and make it by itself.",
+        JoinCause::NoRoom => "Ask for more samples.",
+        JoinCause::Boundary(error) => boundary(error),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Findings: what is wrong with a panel, where, how bad, and what to do; and the verdict.
 
-use crate::boundary::Boundary;
+use crate::boundary::{Boundary, Joined};
 use crate::curve::CurvePoint;
 use crate::flatten::{Flattened, Seam, Sheet};
 use crate::index::SampleIndex;
@@ -189,6 +189,45 @@ pub fn rounded_corner(name: &str, points: &[CurvePoint], closed: bool) -> Option
              round there. If that is a corner, mark it as one."
         ),
         place: format!("point {first}{others} of '{name}'"),
+    })
+}
+
+/// The finding that a boundary was made smooth where the panels that it joins meet; `None` if it
+/// was left as it came.
+pub fn smoothed_joints(joined: &Joined) -> Option<Finding> {
+    let smoothed = joined.joints.iter().filter(|joint| joint.window.is_some());
+    let places: Vec<String> = smoothed.map(|joint| (joint.sample.get() + 1).to_string()).collect();
+    let count = match places.len() {
+        0 => return None,
+        1 => "one place".to_owned(),
+        count => format!("{count} places"),
+    };
+    Some(Finding {
+        severity: Severity::Note,
+        code: "joint-smoothed",
+        text: format!(
+            "The boundary was made smooth at {count} where joined panels meet, and lies up to \
+             {:.2} mm from theirs.",
+            joined.deviation_mm()
+        ),
+        place: format!("around samples {}", places.join(", ")),
+    })
+}
+
+/// The finding that some of the joined panels were turned round to face as the first does; `None`
+/// if all do. `names` are theirs.
+pub fn turned_round(joined: &Joined, names: &[String]) -> Option<Finding> {
+    let turned = names.iter().zip(&joined.turned).filter(|(_, turned)| **turned);
+    let turned: Vec<String> = turned.map(|(name, _)| format!("'{name}'")).collect();
+    let first = names.first()?;
+    (!turned.is_empty()).then(|| Finding {
+        severity: Severity::Note,
+        code: "turned-round",
+        text: format!(
+            "{} faced the other way, and was turned round to face as '{first}' does.",
+            turned.join(", ")
+        ),
+        place: String::new(),
     })
 }
 

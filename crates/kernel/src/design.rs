@@ -1,10 +1,15 @@
 //! A design: all inputs as one plain value, from which [`make`] derives every stage.
 
+mod joining;
+mod links;
+
+pub use joining::Join;
+
 use crate::boundary::{
-    Boundary, BoundaryError, MAX_SAMPLES, PlaneChoice, PlaneError, SupportingPlane,
+    Boundary, BoundaryError, JoinCause, MAX_SAMPLES, PlaneChoice, PlaneError, SupportingPlane,
     samples_from_points, supporting_plane,
 };
-use crate::check::{Checked, Panel, check, rounded_corner};
+use crate::check::{Checked, Finding, Panel, check, rounded_corner};
 use crate::cost::Prices;
 use crate::curve::{
     Curve, CurveError, CurveKind, CurvePoint, Sample, SampleError, sample_chain, sample_open,
@@ -21,6 +26,7 @@ use crate::triangulate::{
     with_holes_facing,
 };
 use crate::watch::{Stage, Watch};
+use std::collections::BTreeSet;
 use std::fmt;
 
 /// A curve of a design, under its name.
@@ -58,6 +64,8 @@ pub enum PanelShape {
         /// The holes.
         holes: Vec<Vec<CurveUse>>,
     },
+    /// Other panels, joined.
+    Join(Join),
 }
 
 /// Which triangulations of a panel are looked at.
@@ -116,6 +124,27 @@ pub struct Design {
     pub panels: Vec<DesignPanel>,
 }
 
+impl Design {
+    /// The panels that are made, in order: all but those that a join takes the place of.
+    pub fn panels_to_make(&self) -> Vec<&DesignPanel> {
+        let mut replaced: BTreeSet<&str> = BTreeSet::new();
+        let mut kept: BTreeSet<&str> = BTreeSet::new();
+        for panel in &self.panels {
+            if let PanelShape::Join(join) = &panel.shape {
+                let names = if join.keep_parts { &mut kept } else { &mut replaced };
+                names.extend(join.parts.iter().map(String::as_str));
+            }
+        }
+        // A join is no part of another, whatever is written there; making it says so.
+        let is_made = |panel: &&DesignPanel| {
+            let name = panel.name.as_str();
+            let is_join = matches!(panel.shape, PanelShape::Join(_));
+            is_join || !replaced.contains(name) || kept.contains(name)
+        };
+        self.panels.iter().filter(is_made).collect()
+    }
+}
+
 /// A panel with everything that was derived from it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MadePanel {
@@ -152,7 +181,7 @@ pub struct Made {
     pub name: String,
     /// The sheet it is made from, if one is named.
     pub material: Option<&'static Material>,
-    /// Its panels, in the order of the design.
+    /// Its panels, in the order of the design, without those that a join takes the place of.
     pub panels: Vec<MadePanel>,
 }
 
@@ -189,6 +218,23 @@ pub enum MakeCause {
     SameRails,
     /// A rails method for a panel without rails.
     NoRails,
+    /// A join of a panel that the design does not have.
+    UnknownPanel {
+        /// Its name.
+        name: String,
+    },
+    /// A join of a panel that is a join itself.
+    JoinOfJoins {
+        /// Its name.
+        name: String,
+    },
+    /// Panels that can't be joined.
+    Join {
+        /// The one that is not like the others, where it is one.
+        part: Option<String>,
+        /// What is wrong.
+        cause: JoinCause,
+    },
     /// Too few samples.
     Sampling(SampleError),
     /// Samples that are no boundary.
@@ -229,6 +275,10 @@ impl fmt::Display for MakeCause {
             }
             Self::SameRails => write!(f, "both rails are the same curve"),
             Self::NoRails => write!(f, "the method 'rails' needs a panel with rails"),
+            Self::UnknownPanel { name } => write!(f, "there is no panel '{name}' to join"),
+            Self::JoinOfJoins { name } => write!(f, "the panel '{name}' is a join itself"),
+            Self::Join { part: Some(part), cause } => write!(f, "joining '{part}': {cause}"),
+            Self::Join { part: None, cause } => write!(f, "{cause}"),
             Self::Sampling(error) => write!(f, "{error}"),
             Self::Boundary(error) => write!(f, "{error}"),
             Self::Plane(error) => write!(f, "{error}"),
@@ -249,8 +299,8 @@ pub fn make(design: &Design, watch: &mut dyn Watch) -> Result<Made, MakeError> {
         return Err(MakeError { panel: String::new(), curve: None, cause });
     }
     let panels = design
-        .panels
-        .iter()
+        .panels_to_make()
+        .into_iter()
         .map(|panel| make_panel(design, panel, watch))
         .collect::<Result<Vec<MadePanel>, MakeError>>()?;
     Ok(Made { name: design.name.clone(), material: design.material, panels })
@@ -316,6 +366,7 @@ fn make_panel(
             checked.add(finding);
         }
     }
+    sampled.findings.into_iter().for_each(|finding| checked.add(finding));
     let piece = piece(&panel.name, &sheet, &flat, &measures, &PatternOptions::default());
     Ok(MadePanel {
         name: panel.name.clone(),
@@ -333,13 +384,24 @@ fn make_panel(
     })
 }
 
-/// The curves that bound a panel.
+/// The curves that bound a panel, or the panels that it joins.
 fn used<'a>(design: &'a Design, shape: &'a PanelShape) -> impl Iterator<Item = &'a DesignCurve> {
-    let names: Vec<&str> = match shape {
-        PanelShape::Rails(rails) => rails.iter().map(|rail| rail.name.as_str()).collect(),
-        PanelShape::Loops { outer, holes } => {
-            std::iter::once(outer).chain(holes).flatten().map(|part| part.name.as_str()).collect()
+    fn names(shape: &PanelShape) -> Vec<&str> {
+        match shape {
+            PanelShape::Rails(rails) => rails.iter().map(|rail| rail.name.as_str()).collect(),
+            PanelShape::Loops { outer, holes } => {
+                let uses = std::iter::once(outer).chain(holes).flatten();
+                uses.map(|part| part.name.as_str()).collect()
+            }
+            PanelShape::Join(_) => Vec::new(),
         }
+    }
+    let names = match shape {
+        PanelShape::Join(join) => {
+            let parts = design.panels.iter().filter(|panel| join.parts.contains(&panel.name));
+            parts.flat_map(|part| names(&part.shape)).collect()
+        }
+        _ => names(shape),
     };
     design.curves.iter().filter(move |curve| names.contains(&curve.name.as_str()))
 }
@@ -348,11 +410,14 @@ struct Sampled {
     loops: Vec<Vec<Sample>>,
     /// How many of the samples lie on the first rail.
     on_first_rail: Option<usize>,
+    /// What is to be said of the samples.
+    findings: Vec<Finding>,
 }
 
 fn sampled(design: &Design, panel: &DesignPanel) -> Result<Sampled, MakeError> {
     match &panel.shape {
         PanelShape::Rails(rails) => sampled_rails(design, panel, rails),
+        PanelShape::Join(join) => joining::sampled(design, panel, join),
         PanelShape::Loops { outer, holes } => {
             let outer = sampled_loop(design, panel, outer, |_| panel.samples)?;
             let length: f64 = ring_length(&outer);
@@ -362,7 +427,7 @@ fn sampled(design: &Design, panel: &DesignPanel) -> Result<Sampled, MakeError> {
                 let as_spaced = |length: f64| (length / spacing).ceil() as usize;
                 loops.push(sampled_loop(design, panel, hole, as_spaced)?);
             }
-            Ok(Sampled { loops, on_first_rail: None })
+            Ok(Sampled { loops, on_first_rail: None, findings: Vec::new() })
         }
     }
 }
@@ -499,7 +564,8 @@ fn sampled_rails(
     let on_first_rail = first.len();
     first.extend(second);
     close_ends(&mut first, on_first_rail, [at_start.is_some(), at_end.is_some()]);
-    Ok(Sampled { loops: vec![first], on_first_rail: Some(on_first_rail) })
+    let loops = vec![first];
+    Ok(Sampled { loops, on_first_rail: Some(on_first_rail), findings: Vec::new() })
 }
 
 /// How far apart two rails of as many samples are, run side by side: the sum over their samples, mm.

@@ -145,13 +145,17 @@ impl Box2 {
 }
 
 /// Calls `visit(i, j)` with i < j for every two boxes, given by their smallest and largest
-/// coordinates, that touch: a sweep along x.
+/// coordinates, that touch: a sweep along the axis that they spread over farthest.
 pub(crate) fn for_touching_boxes(boxes: &[(Vec3, Vec3)], mut visit: impl FnMut(usize, usize)) {
     let mut order: Vec<usize> = (0..boxes.len()).collect();
-    order.sort_by(|&i, &j| boxes[i].0.x.total_cmp(&boxes[j].0.x).then(i.cmp(&j)));
+    let low = boxes.iter().fold(Vec3::INFINITY, |low, b| low.min(b.0));
+    let high = boxes.iter().fold(Vec3::NEG_INFINITY, |high, b| high.max(b.0));
+    let spread = high - low;
+    let axis = (1..3).fold(0, |best, axis| if spread[axis] > spread[best] { axis } else { best });
+    order.sort_by(|&i, &j| boxes[i].0[axis].total_cmp(&boxes[j].0[axis]).then(i.cmp(&j)));
     let mut open: Vec<usize> = Vec::new();
     for &i in &order {
-        open.retain(|&j| boxes[j].1.x >= boxes[i].0.x);
+        open.retain(|&j| boxes[j].1[axis] >= boxes[i].0[axis]);
         for &j in &open {
             if (boxes[i].0.cmple(boxes[j].1) & boxes[j].0.cmple(boxes[i].1)).all() {
                 visit(i.min(j), i.max(j));

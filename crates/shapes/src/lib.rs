@@ -13,6 +13,7 @@ pub mod hemisphere;
 pub mod pierced;
 pub mod random;
 pub mod rings;
+pub mod three_cones;
 mod trace;
 
 pub use trace::{Trace, samples_along};

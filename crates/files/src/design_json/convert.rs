@@ -4,6 +4,7 @@ use super::grammar::{
     CurveFile, DesignFile, KindName, MethodName, Object, PanelFile, PlaneFile, PlaneName,
     PointFile, Triple,
 };
+use super::join::check_joins;
 use super::source::Source;
 use super::table_path::Tables;
 use super::wrong_version;
@@ -182,10 +183,22 @@ fn panels(
         }
         panels.push(PanelReader { path: &path, known: &known, units, source }.panel(file)?);
     }
+    check_joins(&panels, &known, &|path, message, hint| source.error(path, message, hint))?;
     Ok(panels)
 }
 
-struct PanelReader<'a> {
+/// How many points the curves of a panel have, each counted as often as it is used: the kernel
+/// builds it anew each time.
+pub(super) fn points_of(shape: &PanelShape, known: &BTreeMap<&str, &DesignCurve>) -> usize {
+    let uses: Vec<&CurveUse> = match shape {
+        PanelShape::Rails(rails) => rails.iter().collect(),
+        PanelShape::Loops { outer, holes } => outer.iter().chain(holes.iter().flatten()).collect(),
+        PanelShape::Join(_) => Vec::new(),
+    };
+    uses.iter().filter_map(|u| known.get(u.name.as_str())).map(|c| c.points.len()).sum()
+}
+
+pub(super) struct PanelReader<'a> {
     path: &'a str,
     known: &'a BTreeMap<&'a str, &'a DesignCurve>,
     units: Units,
@@ -193,7 +206,7 @@ struct PanelReader<'a> {
 }
 
 impl PanelReader<'_> {
-    fn error(
+    pub(super) fn error(
         &self,
         field: &str,
         message: impl Into<String>,
@@ -206,7 +219,10 @@ impl PanelReader<'_> {
         if file.vary.is_some() {
             return Err(self.error(".vary", "samples can't be varied yet", VARY_HINT));
         }
-        let shape = self.shape(file.rails, file.boundary, file.holes)?;
+        let shape = match self.join(&file, self.units)? {
+            Some(join) => join,
+            None => self.shape(file.rails, file.boundary, file.holes)?,
+        };
         self.refuse_many_points(&shape)?;
         let options = self.source.options;
         let method = options.method.unwrap_or(match file.method {
@@ -284,8 +300,9 @@ impl PanelReader<'_> {
                 Err(self.error("", message, "Keep one of the two."))
             }
             (None, None, _) => {
-                let message = "the panel has neither `rails` nor a `boundary`";
-                let hint = "Add \"rails\": [\"keel\", \"chine\"] or \"boundary\": [\"rim\"].";
+                let message = "the panel has neither `rails` nor a `boundary`, and joins no others";
+                let hint = "Add \"rails\": [\"keel\", \"chine\"], \"boundary\": [\"rim\"] or \
+                            \"join\": [\"left\", \"right\"].";
                 Err(self.error("", message, hint))
             }
         }
@@ -333,19 +350,8 @@ impl PanelReader<'_> {
         Ok(uses)
     }
 
-    /// A curve may be used many times, and the kernel builds it anew each time.
     fn refuse_many_points(&self, shape: &PanelShape) -> Result<(), InputError> {
-        let uses: Vec<&CurveUse> = match shape {
-            PanelShape::Rails(rails) => rails.iter().collect(),
-            PanelShape::Loops { outer, holes } => {
-                outer.iter().chain(holes.iter().flatten()).collect()
-            }
-        };
-        let count: usize = uses
-            .iter()
-            .filter_map(|u| self.known.get(u.name.as_str()))
-            .map(|c| c.points.len())
-            .sum();
+        let count = points_of(shape, self.known);
         if count > MAX_SAMPLES {
             let message = format!("the curves of the panel have {count} points together");
             return Err(self.error("", message, format!("{MAX_SAMPLES} are the most.")));
@@ -356,7 +362,7 @@ impl PanelReader<'_> {
     fn samples(&self, written: Option<u64>, shape: &PanelShape) -> Result<usize, InputError> {
         let default = match shape {
             PanelShape::Rails(_) => RAIL_SAMPLES,
-            PanelShape::Loops { .. } => LOOP_SAMPLES,
+            PanelShape::Loops { .. } | PanelShape::Join(_) => LOOP_SAMPLES,
         };
         let Some(written) = written else {
             return Ok(self.source.options.samples.unwrap_or(default));

@@ -104,7 +104,7 @@ pub(super) struct FullPoint {
     pub(super) movable: f64,
 }
 
-/// A panel. It has two `rails`, or a `boundary` with or without `holes`.
+/// A panel. It has two `rails`, or a `boundary` with or without `holes`, or it is a `join`.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct PanelFile {
@@ -121,6 +121,20 @@ pub(super) struct PanelFile {
     /// Loops inside the outer one, each a list of curves.
     #[serde(default)]
     pub(super) holes: Option<Vec<Vec<String>>>,
+    /// Other panels whose boundaries are joined along what they share.
+    #[serde(default)]
+    #[schemars(length(min = 2, max = 100))]
+    pub(super) join: Option<Vec<String>>,
+    /// How smooth the boundary of a join is made where two panels meet on it. Default: none.
+    #[serde(default)]
+    pub(super) smooth: Option<SmoothName>,
+    /// How far from there it may be changed for that, along the boundary to both sides: a distance,
+    /// or a share of the length of its loop. Default: a share of 0.05.
+    #[serde(default)]
+    pub(super) within: Option<WithinFile>,
+    /// Whether the panels that are joined are made too. Default: false, the join takes their place.
+    #[serde(default)]
+    pub(super) keep_parts: Option<bool>,
     /// Samples of the outer loop, or of each rail. Default: 400 of a loop, 200 of a rail.
     #[serde(default)]
     #[schemars(range(min = 2, max = 1_000_000))]
@@ -156,6 +170,37 @@ pub(super) enum MethodName {
     Bridge,
     /// Those whose every rung joins the two rails.
     Rails,
+}
+
+/// How smooth a joint is made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub(super) enum SmoothName {
+    /// As it comes, mostly with a corner.
+    #[serde(rename = "none")]
+    None,
+    /// One tangent.
+    G1,
+    /// One tangent and one curvature.
+    G2,
+}
+
+/// How far from a joint.
+#[derive(Debug, JsonSchema)]
+#[schemars(untagged)]
+pub(super) enum WithinFile {
+    /// A distance along the boundary, in the design's units.
+    Way(#[schemars(range(min = 0))] f64),
+    /// A share of the length of the boundary.
+    Share(ShareFile),
+}
+
+/// A share of a length.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ShareFile {
+    /// The share, above 0 and up to 0.5.
+    #[schemars(range(min = 0, max = 0.5))]
+    pub(super) share: f64,
 }
 
 /// The supporting plane.
@@ -250,6 +295,32 @@ impl<'de> Deserialize<'de> for PointFile {
             }
         }
         deserializer.deserialize_any(Point)
+    }
+}
+
+impl<'de> Deserialize<'de> for WithinFile {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Within;
+        impl<'de> Visitor<'de> for Within {
+            type Value = WithinFile;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                write!(f, "a distance or an object with `share`")
+            }
+            fn visit_f64<E: de::Error>(self, way: f64) -> Result<WithinFile, E> {
+                Ok(WithinFile::Way(way))
+            }
+            fn visit_u64<E: de::Error>(self, way: u64) -> Result<WithinFile, E> {
+                Ok(WithinFile::Way(way as f64))
+            }
+            fn visit_i64<E: de::Error>(self, way: i64) -> Result<WithinFile, E> {
+                Ok(WithinFile::Way(way as f64))
+            }
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<WithinFile, A::Error> {
+                ShareFile::deserialize(de::value::MapAccessDeserializer::new(map))
+                    .map(WithinFile::Share)
+            }
+        }
+        deserializer.deserialize_any(Within)
     }
 }
 

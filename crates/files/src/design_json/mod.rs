@@ -5,6 +5,7 @@
 
 mod convert;
 mod grammar;
+mod join;
 mod source;
 mod table_path;
 mod write;
@@ -177,6 +178,7 @@ fn wanted_in_words(wanted: &str) -> &str {
 mod tests {
     use super::*;
     use crate::input::{InputFormat, read_bytes};
+    use sheetwright::boundary::{Continuity, Within};
     use sheetwright::curve::CurveKind;
     use sheetwright::design::{CurveUse, PanelMethod, PanelShape};
     use sheetwright::math::Point3;
@@ -194,15 +196,79 @@ mod tests {
   ]
 }"#;
 
+    const QUILT: &str = r#"{
+  "sheetwright": 1, "name": "quilt", "units": "cm",
+  "curves": {
+    "left": { "kind": "polyline", "points": [[4,9,0], [0,9,0], [0,0,0], [4,0,0]] },
+    "seam": { "kind": "spline", "points": [[4,0,0], [5,4,1], [4,9,0]] },
+    "right": { "kind": "polyline", "points": [[4,0,0], [9,0,0], [9,9,0], [4,9,0]] }
+  },
+  "panels": [
+    { "name": "whole", "join": ["west", "east"], "smooth": "G2", "within": 0.5, "samples": 60 },
+    { "name": "west", "boundary": ["left", "seam"] },
+    { "name": "east", "boundary": ["right", "-seam"] }
+  ]
+}"#;
+
     fn read(text: &str) -> Result<Design, InputError> {
         let options = ReadOptions::default();
         read_bytes(InputFormat::Design, text.as_bytes(), "d.sheet.json", None, &options)
     }
 
-    fn refused(from: &str, to: &str) -> (String, String) {
-        assert!(DINGHY.contains(from), "{from}");
-        let error = read(&DINGHY.replacen(from, to, 1)).unwrap_err();
+    fn refused_in(text: &str, from: &str, to: &str) -> (String, String) {
+        assert!(text.contains(from), "{from}");
+        let error = read(&text.replacen(from, to, 1)).unwrap_err();
         (error.to_string(), error.hint)
+    }
+
+    fn refused(from: &str, to: &str) -> (String, String) {
+        refused_in(DINGHY, from, to)
+    }
+
+    #[test]
+    fn a_join_is_read_and_written() {
+        let within = |text: &str| {
+            let design = read(&QUILT.replace("\"within\": 0.5", text)).unwrap();
+            let again = read(std::str::from_utf8(&write_design(&design)).unwrap()).unwrap();
+            assert_eq!(design, again);
+            let PanelShape::Join(join) = &design.panels[0].shape else { panic!() };
+            assert_eq!(join.parts, ["west", "east"]);
+            assert_eq!((join.smooth, design.panels[0].samples), (Continuity::G2, 60));
+            (join.within, join.keep_parts)
+        };
+        assert_eq!(within("\"within\": 0.5"), (Within::Mm(5.0), false));
+        assert_eq!(within("\"within\": 2, \"keep_parts\": true"), (Within::Mm(20.0), true));
+        assert_eq!(within("\"within\": {\"share\": 0.07}"), (Within::Share(0.07), false));
+        assert_eq!(within("\"method\": \"bridge\""), (Within::default(), false));
+        let sharp = QUILT.replace("\"smooth\": \"G2\", \"within\": 0.5, ", "");
+        let design = read(&sharp).unwrap();
+        assert_eq!(read(std::str::from_utf8(&write_design(&design)).unwrap()), Ok(design));
+    }
+
+    #[test]
+    fn joins_that_say_nothing_are_refused() {
+        for (from, to, said) in [
+            ("\"east\"]", "\"eest\"]", "panels[0].join[1]: there is no panel 'eest'"),
+            ("\"east\"]", "\"west\"]", "panels[0].join[1]: the panel 'west' stands there twice"),
+            ("\"east\"]", "\"whole\"]", "panels[0].join[1]: the panel joins itself"),
+            (", \"east\"]", "]", "panels[0].join: the panel joins one alone"),
+            ("\"G2\"", "\"G3\"", "panels[0].smooth: the value 'G3' is not known"),
+            ("\"G2\"", "\"none\"", "panels[0].within: `within` is for joints that are made smooth"),
+            ("0.5", "0", "panels[0].within: `within` is no distance above 0"),
+            ("0.5", "{\"share\": 0.6}", "panels[0].within: `within` is no distance above 0"),
+            ("0.5", "{\"part\": 0.6}", "panels[0].within.part: the field 'part' is not known"),
+            ("0.5", "\"5%\"", "panels[0].within: here stands the text '5%', not a distance or"),
+            ("0.5", "1e300", "panels[0].within: the distance 1e300 cm is out of range"),
+            ("\"join\"", "\"rails\"", "panels[0].smooth: the panel joins no others"),
+            ("\"samples\"", "\"holes\": [], \"samples\"", "panels[0]: the panel joins others and"),
+        ] {
+            let (error, hint) = refused_in(QUILT, from, to);
+            assert!(error.contains(&format!(": {said}")), "{said}: {error}");
+            assert!(hint.ends_with('.'), "{hint}");
+        }
+        let join = "\"join\": [\"whole\", \"west\"]";
+        let (error, _) = refused_in(QUILT, "\"boundary\": [\"right\", \"-seam\"]", join);
+        assert!(error.ends_with("panels[0].join[1]: the panel 'east' is a join itself"), "{error}");
     }
 
     #[test]

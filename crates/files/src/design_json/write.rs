@@ -1,9 +1,9 @@
 //! A kernel design as JSON, a curve a block, a point a line and a panel a line.
 
 use super::VERSION;
-use super::grammar::{KindName, MethodName};
+use super::grammar::{KindName, MethodName, SmoothName};
 use serde::Serialize;
-use sheetwright::boundary::PlaneChoice;
+use sheetwright::boundary::{Continuity, PlaneChoice, Within};
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape};
 
@@ -62,6 +62,23 @@ fn panel(panel: &DesignPanel) -> String {
                 let holes: Vec<Vec<String>> = holes.iter().map(|hole| names(hole)).collect();
                 fields.push(format!("\"holes\": {}", json(&holes)));
             }
+        }
+        PanelShape::Join(join) => {
+            fields.push(format!("\"join\": {}", json(&join.parts)));
+            let smooth = match join.smooth {
+                Continuity::G0 => SmoothName::None,
+                Continuity::G1 => SmoothName::G1,
+                Continuity::G2 => SmoothName::G2,
+            };
+            fields.push(format!("\"smooth\": {}", json(&smooth)));
+            // Where nothing is made smooth, a way within which it would be is refused.
+            if smooth != SmoothName::None {
+                fields.push(match join.within {
+                    Within::Mm(mm) => format!("\"within\": {}", json(&mm)),
+                    Within::Share(share) => format!("\"within\": {{\"share\": {}}}", json(&share)),
+                });
+            }
+            fields.push(format!("\"keep_parts\": {}", join.keep_parts));
         }
     }
     fields.push(format!("\"samples\": {}", panel.samples));

@@ -3,10 +3,14 @@
 //! The first loop is the outer one and runs counter-clockwise as seen from the side that the
 //! surface faces; the others are holes. Samples are counted through all loops from 0.
 
+mod join;
 mod plane;
+mod smooth;
 mod touch;
 
+pub use join::{JoinCause, JoinError, JoinOptions, Joined, join, join_all};
 pub use plane::{PlaneChoice, PlaneError, SupportingPlane, supporting_plane};
+pub use smooth::{Continuity, Joint, Within};
 
 use crate::curve::{MAX_COORDINATE_MM, Sample};
 use crate::index::SampleIndex;

@@ -54,6 +54,35 @@ impl Cubic {
             .unwrap_or(Vec3::ZERO)
     }
 
+    /// The span up to `t` and from there on (de Casteljau).
+    pub(super) fn halves(&self, t: f64) -> [Self; 2] {
+        let [a, b, c, d] = self.control;
+        let (ab, bc, cd) = (a.lerp(b, t), b.lerp(c, t), c.lerp(d, t));
+        let (abc, bcd) = (ab.lerp(bc, t), bc.lerp(cd, t));
+        let middle = abc.lerp(bcd, t);
+        [Self { control: [a, ab, abc, middle] }, Self { control: [middle, bcd, cd, d] }]
+    }
+
+    /// The parameter of the point of the span that lies nearest to `p`: of 17 points spread over
+    /// it the nearest, improved by Newton's method.
+    pub(crate) fn nearest(&self, p: Point3) -> f64 {
+        const STEPS: usize = 16;
+        let off = |t: f64| self.position(t).distance(p);
+        let tried = (0..=STEPS).map(|n| n as f64 / STEPS as f64);
+        let mut best = tried.reduce(|best, t| if off(t) < off(best) { t } else { best });
+        let mut t = best.unwrap_or(0.0);
+        for _ in 0..STEPS {
+            let (way, first) = (self.position(t) - p, self.derivative(t));
+            let slope = first.length_squared() + way.dot(self.second_derivative(t));
+            if slope <= 0.0 {
+                break;
+            }
+            t = (t - way.dot(first) / slope).clamp(0.0, 1.0);
+            best = best.map(|best| if off(t) < off(best) { t } else { best });
+        }
+        best.unwrap_or(0.0)
+    }
+
     /// The span run the other way.
     pub fn reversed(&self) -> Self {
         let [a, b, c, d] = self.control;
@@ -64,6 +93,20 @@ impl Cubic {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn halves_join_where_the_nearest_point_is() {
+        let p = Point3::new;
+        let span = Cubic { control: [p(0., 0., 0.), p(1., 2., 0.), p(3., -1., 2.), p(4., 1., 1.)] };
+        for t in [0.1, 0.37, 0.9] {
+            assert!((span.nearest(span.position(t)) - t).abs() < 1e-9);
+            let [first, second] = span.halves(t);
+            assert!(first.position(1.0).distance(span.position(t)) < 1e-14);
+            assert!(first.position(0.5).distance(span.position(0.5 * t)) < 1e-14);
+            assert!(second.position(0.5).distance(span.position(0.5 + 0.5 * t)) < 1e-14);
+        }
+        assert_eq!((span.nearest(p(-3., -3., 0.)), span.nearest(p(9., 3., 0.))), (0.0, 1.0));
+    }
 
     #[test]
     fn the_tangent_at_a_doubled_control_point_is_the_limit() {

@@ -12,6 +12,7 @@ mod sample;
 mod spline;
 
 pub use cubic::Cubic;
+pub(crate) use sample::chained_samples;
 pub use sample::{Sample, SampleError, sample_chain, sample_open};
 
 use crate::math::{Point3, Vec3};
@@ -197,6 +198,39 @@ impl Curve {
         let m = spans.len();
         let corner_before = (0..m).map(|i| self.corner_before[(m - i) % m]).collect();
         Self { spans, corner_before, closed: self.closed }
+    }
+
+    /// The smooth runs between its corners, as curves: open ones in order, or the closed curve
+    /// itself if it has no corner.
+    pub(crate) fn smooth_runs(&self) -> Vec<Self> {
+        let m = self.spans.len();
+        if self.closed && !self.corner_before.contains(&true) {
+            return vec![self.clone()];
+        }
+        let run = |range: std::ops::Range<usize>| {
+            let spans: Vec<Cubic> = range.map(|i| self.spans[i % m]).collect();
+            let corner_before = (0..spans.len()).map(|n| n == 0).collect();
+            Self::from_spans(spans, corner_before, false)
+        };
+        self.stretches().into_iter().map(run).collect()
+    }
+
+    /// An open curve cut in two inside span `span`, at its parameter `t`; at a joint of two spans
+    /// for `t` = 0. The two have at least one span each.
+    pub(crate) fn cut(&self, span: usize, t: f64) -> [Self; 2] {
+        debug_assert!(!self.closed && (span > 0 || t > 0.0) && t < 1.0);
+        let mut before = self.spans[..span].to_vec();
+        let mut after = self.spans[span..].to_vec();
+        if t > 0.0 {
+            let [first, second] = self.spans[span].halves(t);
+            before.push(first);
+            after[0] = second;
+        }
+        let mut corners = self.corner_before[..before.len()].to_vec();
+        corners[0] = true;
+        let mut corners_after = self.corner_before[span..].to_vec();
+        corners_after[0] = true;
+        [Self::from_spans(before, corners, false), Self::from_spans(after, corners_after, false)]
     }
 
     /// The runs of spans between corners, as ranges of span numbers; a range may run over the end

@@ -182,6 +182,25 @@ pub fn sample_chain(curves: &[Curve], count: usize) -> Result<Vec<Sample>, Sampl
     Ok(samples)
 }
 
+/// The samples of the closed loop that open curves make when chained end to end, from the samples
+/// of each with both its ends. Where one ends the next begins: that sample has the place where it
+/// begins, and the tangents of both.
+pub(crate) fn chained_samples(curves: &[Vec<Sample>]) -> Vec<Sample> {
+    let mut samples: Vec<Sample> = Vec::new();
+    let mut arriving = curves.last().and_then(|curve| curve.last()).copied();
+    for curve in curves {
+        let Some((last, others)) = curve.split_last() else { continue };
+        let first = samples.len();
+        samples.extend(others);
+        if let (Some(begin), Some(end)) = (samples.get_mut(first), arriving) {
+            let smooth = angle_between(end.tangent_out, begin.tangent_out) < SAME_DIRECTION;
+            begin.tangent_in = if smooth { begin.tangent_out } else { end.tangent_out };
+        }
+        arriving = Some(*last);
+    }
+    samples
+}
+
 /// All samples of a ring of stretches but the one that ends the last: `divisions` of them.
 fn walk(stretches: &[Stretch], divisions: usize) -> Vec<Sample> {
     let parts = shared_out(stretches, divisions);

@@ -5,14 +5,17 @@
 //! the two ends of a tube, each way bounds a surface of its own, and the cheaper one is meant: a
 //! tube rather than one that passes through itself. That is decided on a few of the samples.
 
-use super::{Method, TriangulateError, TriangulateOptions, triangulate};
+use super::{Method, Terms, TriangulateError, TriangulateOptions, holes, outcome};
 use crate::boundary::Boundary;
 use crate::boundary::SupportingPlane;
+use crate::cost::PriceOptions;
+use crate::cost::Prices;
 use crate::predicate::signed_area_doubled;
+use crate::rung::Visibility;
 use crate::watch::Watch;
 
 /// Samples of each loop that the choice is made on, about.
-const FEW: usize = 24;
+const FEW: usize = 16;
 
 /// The boundary with those holes turned that run the wrong way. `plane` is the supporting plane, if
 /// there is one.
@@ -33,33 +36,71 @@ pub fn with_holes_facing(
         let wrong = holes.filter(turned);
         return Ok(wrong.fold(boundary.clone(), |turned, hole| turned.with_hole_turned(hole)));
     }
-    let options = TriangulateOptions { method: Method::Optimal, ..options.clone() };
-    let mut price = |few: &Boundary| match triangulate(few, None, &options, watch) {
-        Ok(found) => Ok(found.price),
-        Err(TriangulateError::Stopped) => Err(TriangulateError::Stopped),
-        Err(_) => Ok(f64::INFINITY),
-    };
+    // Progress is that of the surface to come.
+    let watch = &mut Silent(watch);
     let mut few = boundary.thinned(FEW);
     let mut turned = vec![false; boundary.holes() + 1];
     // Each hole with the outer loop alone, then, where there are several, each among all others.
     for hole in holes.clone() {
-        let pair = few.with_holes(&[hole]);
-        if price(&pair.with_hole_turned(1))? < price(&pair)? {
+        let drawn = few.with_holes(&[hole]);
+        if is_cheaper(&drawn.with_hole_turned(1), &drawn, options.price, watch)? {
             few = few.with_hole_turned(hole);
             turned[hole] = !turned[hole];
         }
     }
     if boundary.holes() > 1 {
-        let mut least = price(&few)?;
         for hole in holes.clone() {
             let other = few.with_hole_turned(hole);
-            let tried = price(&other)?;
-            if tried < least {
-                (least, few) = (tried, other);
+            if is_cheaper(&other, &few, options.price, watch)? {
+                few = other;
                 turned[hole] = !turned[hole];
             }
         }
     }
     let wrong = holes.filter(|&hole| turned[hole]);
     Ok(wrong.fold(boundary.clone(), |turned, hole| turned.with_hole_turned(hole)))
+}
+
+/// Whether the surface of one boundary is cheaper than that of another.
+fn is_cheaper(
+    one: &Boundary,
+    other: &Boundary,
+    price: PriceOptions,
+    watch: &mut dyn Watch,
+) -> Result<bool, TriangulateError> {
+    // A tube through itself is slow to search, so the cheaper one by a first guess goes first, and
+    // the other is searched up to its price.
+    let guess = |boundary: &Boundary, watch: &mut dyn Watch| {
+        with_terms(boundary, price, |terms| holes::guess(terms, boundary.loops(), watch))
+    };
+    let one_first = guess(one, watch)? < guess(other, watch)?;
+    let (first, second) = if one_first { (one, other) } else { (other, one) };
+    let least = |boundary: &Boundary, bound: f64, watch: &mut dyn Watch| {
+        with_terms(boundary, price, |terms| {
+            holes::solve(terms, None, boundary.loops(), bound, watch)
+                .map(|found| found.map(|found| outcome(terms, found, Method::Optimal).price))
+        })
+    };
+    let first_price = least(first, f64::INFINITY, watch)?.unwrap_or(f64::INFINITY);
+    let second_price = least(second, first_price, watch)?.unwrap_or(f64::INFINITY);
+    Ok(if one_first { first_price < second_price } else { second_price < first_price })
+}
+
+fn with_terms<T>(
+    boundary: &Boundary,
+    price: PriceOptions,
+    what: impl FnOnce(&Terms<'_>) -> T,
+) -> T {
+    let prices = Prices::new(boundary, None, price);
+    let visibility = Visibility::new(boundary, None);
+    what(&Terms { prices: &prices, visibility: &visibility, forced: true })
+}
+
+/// Passes on a wish to stop, and no progress.
+struct Silent<'w>(&'w mut dyn Watch);
+
+impl Watch for Silent<'_> {
+    fn stop(&self) -> bool {
+        self.0.stop()
+    }
 }

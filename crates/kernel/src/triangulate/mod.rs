@@ -116,7 +116,8 @@ impl fmt::Display for TriangulateError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Holes { count } => {
-                write!(f, "the boundary has {count} holes, which only 'optimal' takes")
+                let word = if *count == 1 { "hole" } else { "holes" };
+                write!(f, "the boundary has {count} {word}, which only 'optimal' takes")
             }
             Self::TooLarge { needed, limit } => write!(
                 f,
@@ -163,7 +164,7 @@ pub fn triangulate(
         let simple = |triangles| Found { triangles, lower_bound: None };
         let found = match options.method {
             Method::Optimal if boundary.holes() > 0 => {
-                holes::solve(&terms, plane, boundary.loops(), watch)?
+                holes::solve(&terms, plane, boundary.loops(), f64::INFINITY, watch)?
             }
             Method::Optimal => optimal::solve(&terms, watch)?.map(simple),
             Method::Bridge => bridge::solve(&terms, watch)?.map(simple),

@@ -45,13 +45,15 @@ pub(super) fn memory_needed(m: usize, k: usize) -> u64 {
 /// Cells of all layers of a grid of paths that count, at the most: 28 bytes each, so 3 GiB.
 const MOST_COUNTING_CELLS: usize = 100_000_000;
 
-/// The cheapest triangulation of a ring; `None` if there is none. `first` is one that is known.
+/// The cheapest triangulation of a ring; `None` if there is none up to `bound`. `first` is one that
+/// is known.
 pub(super) fn solve_exactly(
     chains: &Chains<'_>,
     first: Option<Solved>,
+    bound: f64,
     watch: &mut dyn Watch,
 ) -> Result<Option<Found>, TriangulateError> {
-    let bound = first.as_ref().map_or(f64::INFINITY, |first| first.price);
+    let bound = first.as_ref().map_or(bound, |first| first.price.min(bound));
     let Some(band) = Band::new(chains, bound, &mut Part::new(watch, 0.0..0.3))? else {
         return Ok(None);
     };

@@ -34,22 +34,25 @@ pub(super) fn memory_needed(lengths: &[usize]) -> u64 {
 struct Part<'w> {
     watch: &'w mut dyn Watch,
     share: Range<f64>,
+    told: f64,
 }
 
 impl<'w> Part<'w> {
     fn new(watch: &'w mut dyn Watch, share: Range<f64>) -> Self {
-        Self { watch, share }
+        Self { watch, share, told: f64::NEG_INFINITY }
     }
 
     /// A part whose progress nobody can tell.
     fn silent(watch: &'w mut dyn Watch) -> Self {
-        Self { watch, share: f64::NAN..f64::NAN }
+        Self { watch, share: 0.0..0.0, told: f64::INFINITY }
     }
 }
 
 impl Watch for Part<'_> {
     fn progress(&mut self, done: f64) {
-        if self.share.start.is_finite() {
+        // Some work is done in several goes, which begin anew.
+        if done > self.told {
+            self.told = done;
             self.watch.progress(self.share.start + (self.share.end - self.share.start) * done);
         }
     }
@@ -59,21 +62,34 @@ impl Watch for Part<'_> {
     }
 }
 
-/// The cheapest triangles between the loops; `None` if there are none.
+/// The cheapest triangles between the loops; `None` if there are none up to the price `bound`.
 pub(super) fn solve(
     terms: &Terms<'_>,
     plane: Option<&SupportingPlane>,
     loops: &[Range<usize>],
+    bound: f64,
     watch: &mut dyn Watch,
 ) -> Result<Option<Found>, TriangulateError> {
     let chains = Chains::new(terms, plane, loops);
+    let watch = &mut Part::new(watch, 0.0..1.0);
     if loops.len() == 2 {
-        let first = search::first(&chains, WORTH_A_BOUND, &mut Part::new(watch, 0.0..0.1))?;
-        return band::solve_exactly(&chains, first, &mut Part::new(watch, 0.1..1.0));
+        let worth = bound.min(WORTH_A_BOUND);
+        let first = search::first(&chains, worth, &mut Part::new(watch, 0.0..0.1))?;
+        return band::solve_exactly(&chains, first, bound, &mut Part::new(watch, 0.1..1.0));
     }
-    let first = search::first(&chains, f64::INFINITY, &mut Part::new(watch, 0.0..0.1))?;
+    let first = search::first(&chains, bound, &mut Part::new(watch, 0.0..0.1))?;
     let Some(first) = first else { return Ok(None) };
     let best = search::improved(&chains, first, &mut Part::new(watch, 0.1..0.5))?;
     let (best, lower_bound) = prove::prove(&chains, best, &mut Part::new(watch, 0.5..1.0))?;
     Ok(Some(Found { triangles: best.triangles, lower_bound }))
+}
+
+/// The price of a first triangulation without a plane; infinite if none is found.
+pub(super) fn guess(
+    terms: &Terms<'_>,
+    loops: &[Range<usize>],
+    watch: &mut dyn Watch,
+) -> Result<f64, TriangulateError> {
+    let first = search::first(&Chains::new(terms, None, loops), f64::INFINITY, watch)?;
+    Ok(first.map_or(f64::INFINITY, |first| first.price))
 }

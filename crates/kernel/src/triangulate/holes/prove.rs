@@ -10,6 +10,7 @@
 //! stated amount of work; then the lowest bound of what was not searched is the lower bound.
 
 use super::super::{Solved, TriangulateError};
+use super::Part;
 use super::bound::{Left, Relaxation, price_of, units};
 use super::chains::Chains;
 use super::search::{Sides, one_chain};
@@ -32,8 +33,10 @@ const HALVING: usize = 40;
 /// Without a plane, this part of the price to beat is taken off every triangle at the beginning: a
 /// lid over a hole saves four of them.
 const FOR_COUNT: i64 = 4;
-/// With so many times as many triangles as are needed, a search would come to nothing.
+/// Without a plane, with so many times as many triangles as are needed and more of them than this, a
+/// search would come to nothing.
 const HOPELESS: usize = 40;
+const SEARCHED: usize = 20_000;
 /// Sweeps that close less than a hundredth of the gap have stalled, or a thousandth without a plane;
 /// so many in a row are enough.
 const STALLED: i64 = 100;
@@ -56,13 +59,15 @@ pub(super) fn prove(
     if !chains.has_plane() && chains.terms.prices.options().fold > 0.0 {
         left.take(relaxation.limit / FOR_COUNT, wanted);
     }
-    if !raise(chains, &relaxation, &mut left, FIRST_SWEEPS, watch)? {
+    let mut any = raise(chains, &relaxation, &mut left, FIRST_SWEEPS, watch)?;
+    if any && !left.is_bound() {
+        left = relaxation.whole();
+        any = raise(chains, &relaxation, &mut left, FIRST_SWEEPS, watch)?;
+    }
+    if !any {
         return Ok((best, None));
     }
-    if !left.is_bound() {
-        return Ok((best, Some(0.0)));
-    }
-    if !chains.has_plane() && left.triangles() > HOPELESS * wanted {
+    if !chains.has_plane() && left.triangles() > (HOPELESS * wanted).max(SEARCHED) {
         return Ok((best, Some(price_of(left.bound).max(0.0))));
     }
     let (relaxation, left) = relaxation.without_dropped(&left);
@@ -156,7 +161,8 @@ impl Search<'_, '_> {
             return Ok(());
         }
         left.work = 0;
-        let any = raise(self.chains, &self.relaxation, &mut left, SWEEPS, watch)?;
+        let part = &mut Part::silent(watch);
+        let any = raise(self.chains, &self.relaxation, &mut left, SWEEPS, part)?;
         self.work += left.work + 1000;
         if !any {
             return Ok(());

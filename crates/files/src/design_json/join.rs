@@ -1,0 +1,133 @@
+//! Panels that join others: the fields that say so, and what the names of the others must be.
+
+use super::convert::{PanelReader, points_of};
+use super::grammar::{PanelFile, SmoothName, WithinFile};
+use crate::names::{did_you_mean, shown};
+use crate::reading::InputError;
+use crate::table::{RANGE_HINT, in_range_mm};
+use crate::units::Units;
+use sheetwright::boundary::{Continuity, MAX_SAMPLES, Within};
+use sheetwright::design::{DesignCurve, DesignPanel, Join, PanelShape};
+use std::collections::BTreeMap;
+
+/// A panel joins this many at the most: they are tried in turn until all hang together.
+const MAX_PARTS: usize = 100;
+
+impl PanelReader<'_> {
+    /// The join that a panel is; `None` if it is none.
+    pub(super) fn join(
+        &self,
+        file: &PanelFile,
+        units: Units,
+    ) -> Result<Option<PanelShape>, InputError> {
+        let Some(parts) = &file.join else {
+            for (field, given) in [
+                (".smooth", file.smooth.is_some()),
+                (".within", file.within.is_some()),
+                (".keep_parts", file.keep_parts.is_some()),
+            ] {
+                if given {
+                    let hint = "Add \"join\": [\"left\", \"right\"], or leave it out.";
+                    return Err(self.error(field, "the panel joins no others", hint));
+                }
+            }
+            return Ok(None);
+        };
+        let others = [
+            ("rails", file.rails.is_some()),
+            ("boundary", file.boundary.is_some()),
+            ("holes", file.holes.is_some()),
+        ];
+        if let Some((field, _)) = others.into_iter().find(|(_, given)| *given) {
+            let message = format!("the panel joins others and has `{field}` of its own");
+            let hint = "Keep one of the two: a join has the boundary, and the holes, of its parts.";
+            return Err(self.error("", message, hint));
+        }
+        if !(2..=MAX_PARTS).contains(&parts.len()) {
+            let message = match parts.len() {
+                0 => "the panel joins none".to_owned(),
+                1 => "the panel joins one alone".to_owned(),
+                many => format!("the panel joins {many} panels"),
+            };
+            let hint = format!("Name 2 to {MAX_PARTS} panels that share an edge or a sample.");
+            return Err(self.error(".join", message, hint));
+        }
+        let smooth = match file.smooth {
+            None | Some(SmoothName::None) => Continuity::G0,
+            Some(SmoothName::G1) => Continuity::G1,
+            Some(SmoothName::G2) => Continuity::G2,
+        };
+        if smooth == Continuity::G0 && file.within.is_some() {
+            let message = "`within` is for joints that are made smooth";
+            let hint = "Add \"smooth\": \"G1\" or \"G2\", or leave it out.";
+            return Err(self.error(".within", message, hint));
+        }
+        let within = match &file.within {
+            None => Within::default(),
+            Some(WithinFile::Way(way)) => {
+                let mm = in_range_mm(*way, units).ok_or_else(|| {
+                    let message = format!("the distance {way:e} {} is out of range", units.name());
+                    self.error(".within", message, RANGE_HINT)
+                })?;
+                Within::Mm(mm)
+            }
+            Some(WithinFile::Share(of)) => Within::Share(of.share),
+        };
+        if !within.is_valid() {
+            let message = "`within` is no distance above 0, and no share above 0 and up to 0.5";
+            let hint = "Write a distance, such as 40, or a share of the boundary, such as \
+                        {\"share\": 0.05}.";
+            return Err(self.error(".within", message, hint));
+        }
+        let keep_parts = file.keep_parts.unwrap_or(false);
+        Ok(Some(PanelShape::Join(Join { parts: parts.clone(), smooth, within, keep_parts })))
+    }
+}
+
+/// Refuses joins of panels that are not there, twice there, or joins themselves.
+pub(super) fn check_joins(
+    panels: &[DesignPanel],
+    curves: &BTreeMap<&str, &DesignCurve>,
+    error: &dyn Fn(&str, String, String) -> InputError,
+) -> Result<(), InputError> {
+    let known: BTreeMap<&str, &DesignPanel> = panels.iter().map(|p| (p.name.as_str(), p)).collect();
+    for (n, panel) in panels.iter().enumerate() {
+        let PanelShape::Join(join) = &panel.shape else { continue };
+        let mut points = 0;
+        for (place, name) in join.parts.iter().enumerate() {
+            let refused = |message: String, hint: String| {
+                error(&format!("panels[{n}].join[{place}]"), message, hint)
+            };
+            let shown = shown(name);
+            match known.get(name.as_str()) {
+                None => {
+                    let simple = |p: &&DesignPanel| !matches!(p.shape, PanelShape::Join(_));
+                    let names: Vec<&str> =
+                        panels.iter().filter(simple).map(|p| p.name.as_str()).collect();
+                    let hint = did_you_mean(name, &names);
+                    return Err(refused(format!("there is no panel {shown}"), hint));
+                }
+                Some(part) if matches!(part.shape, PanelShape::Join(_)) => {
+                    let message = if *name == panel.name {
+                        "the panel joins itself".to_owned()
+                    } else {
+                        format!("the panel {shown} is a join itself")
+                    };
+                    let hint = "Name the panels that it is made of.".to_owned();
+                    return Err(refused(message, hint));
+                }
+                Some(part) => points += points_of(&part.shape, curves),
+            }
+            if join.parts[..place].contains(name) {
+                let hint = "Name each panel once.".to_owned();
+                return Err(refused(format!("the panel {shown} stands there twice"), hint));
+            }
+        }
+        if points > MAX_SAMPLES {
+            let message = format!("the curves of the joined panels have {points} points together");
+            let hint = format!("{MAX_SAMPLES} are the most.");
+            return Err(error(&format!("panels[{n}].join"), message, hint));
+        }
+    }
+    Ok(())
+}
