@@ -47,12 +47,17 @@ def area(points):
     return 0.5 * abs(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1)))
 
 
+def corner_count(panel):
+    """Corners of the outline and the holes: every seam makes two samples lie there twice."""
+    return panel["samples"] + 2 * len(panel["seams"])
+
+
 def near(a, b, relative):
     return abs(a - b) <= relative * abs(b)
 
 
 def check_dxf(checks, path, panel):
-    """Returns the outline, y upwards."""
+    """Returns the outline and the holes, y upwards."""
     name = path.name
     drawing = ezdxf.readfile(path)
     audit = drawing.audit()
@@ -70,22 +75,26 @@ def check_dxf(checks, path, panel):
         return np.array([tuple(vertex.dxf.location)[:2] for vertex in entity.vertices])
 
     cut = [entity for entity in entities if entity.dxf.layer == "cut"]
-    checks.that(f"{name}: one closed outline", len(cut) == 1 and cut[0].is_closed, len(cut))
-    outline = corners(cut[0])
-    checks.that(f"{name}: samples", len(outline) == panel["samples"], len(outline))
+    lines = 1 + panel["holes_flat"]
+    closed = len(cut) == lines and all(entity.is_closed for entity in cut)
+    checks.that(f"{name}: closed outline and holes", closed, len(cut))
+    loops = [corners(entity) for entity in cut]
+    count = sum(len(loop) for loop in loops)
+    checks.that(f"{name}: samples", count == corner_count(panel), count)
     report = panel["area_flat_mm2"]
-    checks.that(f"{name}: area", near(area(outline), report, 1e-6), (area(outline), report))
+    inside = area(loops[0]) - sum(area(loop) for loop in loops[1:])
+    checks.that(f"{name}: area", near(inside, report, 1e-6), (inside, report))
     squares = [
         corners(e) for e in entities if e.dxf.layer == "note" and e.is_closed and len(e.vertices) == 4
     ]
     sides = [np.linalg.norm(s - np.roll(s, 1, axis=0), axis=1) for s in squares]
     exact = any(np.allclose(side, 100, rtol=0, atol=1e-9) for side in sides)
     checks.that(f"{name}: reference square", exact, sides)
-    return outline
+    return loops
 
 
 def check_svg(checks, path, panel):
-    """Returns the outline, y upwards."""
+    """Returns the outline and the holes, y upwards."""
     name = path.name
     root = ElementTree.parse(path).getroot()
     view = root.get("viewBox").split()
@@ -98,16 +107,26 @@ def check_svg(checks, path, panel):
     checks.that(f"{name}: nothing filled", not filled, filled)
 
     document = svgpathtools.Document(str(path))
-    cut = [p for p in document.paths() if p.element.get("id") == "outline"]
-    checks.that(f"{name}: one outline", len(cut) == 1 and cut[0].isclosed(), len(cut))
+    cut = [p for p in document.paths() if p.element.get("class") in ("outline", "hole")]
+    closed = all(path.isclosed() for path in cut)
+    checks.that(f"{name}: closed outline and holes", closed and len(cut) == 1 + panel["holes_flat"], len(cut))
+    checks.that(f"{name}: outline first", cut[0].element.get("id") == "outline")
     report = panel["area_flat_mm2"]
-    found = abs(cut[0].area())
+    # Holes run the other way round.
+    found = abs(sum(path.area() for path in cut))
     checks.that(f"{name}: area", near(found, report, 1e-6), (found, report))
     in_cut = root.findall(f"{SVG}g[@id='cut']/{SVG}path")
-    checks.that(f"{name}: only the outline is cut", len(in_cut) == 1, len(in_cut))
-    lines = [line for line in cut[0] if line.start != line.end]
-    outline = np.array([[line.start.real, -line.start.imag] for line in lines])
-    checks.that(f"{name}: samples", len(outline) == panel["samples"], len(outline))
+    checks.that(f"{name}: nothing else is cut", len(in_cut) == len(cut), len(in_cut))
+    marks = [e.get("data-text") for e in root.iter() if (e.get("data-text") or "").startswith("S")]
+    for seam in panel["seams"]:
+        checks.that(f"{name}: both sides of {seam['mark']} marked", marks.count(seam["mark"]) == 2, marks)
+    loops = [
+        np.array([[line.start.real, -line.start.imag] for line in path if line.start != line.end])
+        for path in cut
+    ]
+    count = sum(len(loop) for loop in loops)
+    checks.that(f"{name}: samples", count == corner_count(panel), count)
+    outline = loops[0]
 
     # At 25.4 units per inch, a unit of svgelements is 1 mm, whatever the file calls it; but it takes
     # a millimetre for 0.0393701 inch, which is off by 5e-7.
@@ -120,7 +139,7 @@ def check_svg(checks, path, panel):
     left, top, right, bottom = pieces["reference"].bbox()
     square = np.array([right - left, bottom - top])
     checks.that(f"{name}: reference square", np.allclose(square, 100, rtol=1e-6), square)
-    return outline
+    return loops
 
 
 def check_obj(checks, path, panels):
@@ -133,7 +152,9 @@ def check_obj(checks, path, panels):
         sides = np.vstack([mesh.faces[:, [0, 1]], mesh.faces[:, [1, 2]], mesh.faces[:, [2, 0]]])
         lengths = [np.linalg.norm(p[sides[:, 0]] - p[sides[:, 1]], axis=1) for p in (mesh.vertices, flat)]
         worst = np.max(np.abs(lengths[0] - lengths[1])) / np.max(mesh.extents)
-        checks.that(f"surface.obj, {name}: flat lengths are those in space", worst < 1e-9, worst)
+        errors = [p["length_error_max"] for p in panels if re.sub(r"\s", "_", p["name"]) == name]
+        most = 1e-9 + max(errors, default=0)
+        checks.that(f"surface.obj, {name}: flat lengths are those in space", worst < most, worst)
 
 
 def drawn_points(page):
@@ -179,7 +200,10 @@ def check_pdf(checks, path, panels, outlines):
 
         # An edge is covered if a hundred points along it are.
         steps = np.linspace(0, 1, 100, endpoint=False)[:, None, None]
-        along = [(o + steps * (np.roll(o, -1, axis=0) - o)).reshape(-1, 2) for o in outlines]
+        def points_along(loop):
+            return (loop + steps * (np.roll(loop, -1, axis=0) - loop)).reshape(-1, 2)
+
+        along = [np.vstack([points_along(loop) for loop in loops]) for loops in outlines]
         covered = [np.zeros(len(points), dtype=bool) for points in along]
         sheets = set()
         order = []
@@ -193,7 +217,7 @@ def check_pdf(checks, path, panels, outlines):
             sheet = (match["piece"], match["sheet"])
             checks.that(f"pattern.pdf, {sheet}: only once", sheet not in sheets)
             sheets.add(sheet)
-            check_sheet(checks, page, match, outlines[n], covered[n], along[n])
+            check_sheet(checks, page, match, np.vstack(outlines[n]), covered[n], along[n])
         checks.that("pattern.pdf: every panel", len(order) == len(panels), order)
         for panel, points in zip(panels, covered):
             text = f"pattern.pdf, {panel['name']}: sheets cover the pattern"
@@ -208,11 +232,12 @@ def check_folder(checks, folder):
         for check, suffix in ((check_dxf, "dxf"), (check_svg, "svg")):
             path = folder / f"{panel['name']}.{suffix}"
             if path.exists():
-                outline = check(checks, path, panel)
-                found.append(outline - outline.min(axis=0))
+                loops = check(checks, path, panel)
+                found.append([loop - loops[0].min(axis=0) for loop in loops])
         if len(found) == 2:
-            worst = np.max(np.abs(found[0] - found[1]))
-            checks.that(f"{panel['name']}: SVG and DXF agree", worst < 1e-9 * np.max(found[0]) + 1e-12, worst)
+            dxf, svg = (np.vstack(loops) for loops in found)
+            worst = np.max(np.abs(dxf - svg))
+            checks.that(f"{panel['name']}: SVG and DXF agree", worst < 1e-9 * np.max(dxf) + 1e-12, worst)
         outlines.extend(found[:1])
     if (folder / "surface.obj").exists():
         check_obj(checks, folder / "surface.obj", panels)

@@ -3,7 +3,7 @@
 use sheetwright::boundary::{Boundary, PlaneChoice, samples_from_points, supporting_plane};
 use sheetwright::cost::{PriceOptions, Prices};
 use sheetwright::curve::CurvePoint;
-use sheetwright::flatten::unroll;
+use sheetwright::flatten::{Sheet, unroll};
 use sheetwright::math::to_deg;
 use sheetwright::measure::{Measures, measures};
 use sheetwright::surface::{Connectivity, Surface};
@@ -114,7 +114,12 @@ fn measured(boundary: &Boundary, fold: f64) -> Result<Measures, Box<dyn Error>> 
     let connectivity = Connectivity::new(boundary.loops(), found.triangles)?;
     let surface = Surface::new(connectivity, boundary.positions());
     let flat = unroll(surface.connectivity(), |a, b| surface.length(a, b), &mut Unwatched)?;
-    Ok(measures(&surface, &flat, &Prices::new(boundary, plane.as_ref(), price)))
+    Ok(measures(
+        &surface,
+        &Sheet::whole(&surface),
+        &flat,
+        &Prices::new(boundary, plane.as_ref(), price),
+    ))
 }
 
 /// The same samples with central differences for tangents everywhere.

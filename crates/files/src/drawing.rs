@@ -18,8 +18,10 @@ const CAPTION_MM: f64 = 8.0;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum What {
     Outline,
+    Hole,
     Rung(Rung),
     RulingTick,
+    SeamTick,
     Dimension,
     /// A text, which its lines are the strokes of.
     Label(String),
@@ -47,8 +49,10 @@ pub(crate) fn shapes(piece: &Piece) -> Vec<Shape> {
             role: path.role,
             what: match path.kind {
                 PathKind::Outline => What::Outline,
+                PathKind::Hole => What::Hole,
                 PathKind::Rung(rung) => What::Rung(rung),
                 PathKind::RulingTick => What::RulingTick,
+                PathKind::SeamTick => What::SeamTick,
                 PathKind::Dimension => What::Dimension,
             },
             lines: vec![path.points.clone()],

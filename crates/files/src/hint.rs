@@ -101,9 +101,8 @@ fn plane(error: &PlaneError) -> &'static str {
 fn triangulation(error: &TriangulateError) -> &'static str {
     match error {
         TriangulateError::Holes { .. } => {
-            "This version can't do holes yet: leave them out and cut them after flattening, or \
-             divide the panel through them. If the curves are two open edges, name them as the \
-             rails of a panel in a design."
+            "Take the method optimal. If the curves are two open edges, name them as the rails of \
+             a panel in a design."
         }
         TriangulateError::TooLarge { .. } => {
             "Ask for fewer samples; for a panel of two rails, the method rails needs far less."
@@ -127,8 +126,7 @@ fn surface(error: &ConnectivityError) -> &'static str {
 
 fn flat(error: &FlattenError) -> &'static str {
     match error {
-        FlattenError::Cycle => "This version can't do holes yet: divide the panel through them.",
-        FlattenError::Pieces => FAULT,
+        FlattenError::Cycle | FlattenError::Pieces => FAULT,
         FlattenError::NoTriangle { .. } => {
             "Three samples lie on one line or spot there: move the boundary apart, or change the \
              number of samples."

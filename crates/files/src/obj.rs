@@ -12,7 +12,7 @@ pub fn write_obj(made: &Made) -> Vec<u8> {
         "# Surface by Sheetwright. Units: mm. One group per panel.\n\
          # v: places in space. vt: the same samples on the flat pattern, in mm as well.\n",
     );
-    let mut before = 1;
+    let (mut before, mut before_flat) = (1, 1);
     let mut taken = BTreeSet::new();
     for panel in &made.panels {
         let name = one_word(&panel.name, &mut taken);
@@ -25,11 +25,15 @@ pub fn write_obj(made: &Made) -> Vec<u8> {
         for p in &panel.flat.points {
             let _ = writeln!(obj, "vt {} {}", digits(p.x), digits(p.y));
         }
-        for triangle in panel.surface.connectivity().triangles() {
+        // Along a seam, a sample lies on the pattern twice.
+        let on_sheet = panel.sheet.surface().connectivity().triangles();
+        for (triangle, flat) in panel.surface.connectivity().triangles().iter().zip(on_sheet) {
             let [a, b, c] = triangle.map(|s| before + s.get());
-            let _ = writeln!(obj, "f {a}/{a} {b}/{b} {c}/{c}");
+            let [p, q, r] = flat.map(|s| before_flat + s.get());
+            let _ = writeln!(obj, "f {a}/{p} {b}/{q} {c}/{r}");
         }
         before += panel.surface.positions().len();
+        before_flat += panel.flat.points.len();
     }
     obj.into_bytes()
 }

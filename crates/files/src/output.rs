@@ -4,7 +4,7 @@ use crate::dxf::write_dxf;
 use crate::names::{folded, refused_for_file};
 use crate::obj::write_obj;
 use crate::pdf::{MaxSheets, PdfOptions, Reduced, write_pdf};
-use crate::refold::refold_error_mm;
+use crate::refold::{known_miss_mm, refold_error_mm};
 use crate::report::{report_html, report_json};
 use crate::svg::write_svg;
 use sheetwright::check::{Checked, Finding, Severity, refolding};
@@ -131,7 +131,11 @@ pub fn output_files(
         let mut checked = panel.checked.clone();
         match refold_error_mm(panel, bytes_of(&svg, n), bytes_of(&dxf, n)) {
             Ok(error_mm) => {
-                checked.findings.extend(refolding(error_mm, panel.boundary.size()));
+                checked.findings.extend(refolding(
+                    error_mm,
+                    panel.boundary.size(),
+                    known_miss_mm(panel),
+                ));
                 errors_mm.push(error_mm);
             }
             Err(error) => {

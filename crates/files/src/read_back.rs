@@ -1,7 +1,8 @@
-//! What is read back from a written pattern: the outline and the rungs, by where their lines lie.
+//! What is read back from a written pattern: the outline, the holes and the rungs, by where their
+//! lines lie.
 
 use sheetwright::math::Point2;
-use sheetwright::predicate::{Box2, orientation};
+use sheetwright::predicate::{Box2, orientation, signed_area_doubled};
 use sheetwright::rung::Rung;
 use std::cmp::Ordering;
 use std::fmt;
@@ -18,8 +19,18 @@ pub struct ReadPattern {
     /// The corners of the outline in the order of the file, mm, y upwards, moved so that the lower
     /// left corner of the box around them is the origin.
     pub outline: Vec<Point2>,
-    /// The rungs, by the numbers of the corners that they join, in increasing order.
+    /// The corners of each hole, in the order of the file, mm.
+    pub holes: Vec<Vec<Point2>>,
+    /// The rungs, by the numbers of the corners that they join, counted through the outline and the
+    /// holes; in increasing order.
     pub rungs: Vec<Rung>,
+}
+
+impl ReadPattern {
+    /// The corners of the outline and then of the holes, mm.
+    pub fn points(&self) -> Vec<Point2> {
+        self.outline.iter().chain(self.holes.iter().flatten()).copied().collect()
+    }
 }
 
 /// Why a file is no pattern.
@@ -44,7 +55,8 @@ pub enum PatternReadError {
     Missing(&'static str),
     /// Something that a pattern does not have, such as a transform, a curve or another entity.
     Unexpected(String),
-    /// Not one closed line to cut, but so many.
+    /// So many closed lines to cut, of which none encloses all others and they run its other way
+    /// round.
     Outlines(usize),
     /// A coordinate that is not finite.
     NotFinite,
@@ -60,7 +72,9 @@ impl fmt::Display for PatternReadError {
             Self::Units => write!(f, "width, height and viewBox give no size in millimetres"),
             Self::Missing(name) => write!(f, "there is no '{name}'"),
             Self::Unexpected(what) => write!(f, "a pattern has no {what}"),
-            Self::Outlines(count) => write!(f, "'cut' has {count} closed lines instead of one"),
+            Self::Outlines(count) => {
+                write!(f, "the {count} closed lines on 'cut' are no outline with holes")
+            }
             Self::NotFinite => write!(f, "a coordinate is not a finite number"),
         }
     }
@@ -75,21 +89,33 @@ pub(crate) fn pattern(
     mut segments: Vec<[Point2; 2]>,
 ) -> Result<ReadPattern, PatternReadError> {
     let count = cuts.len();
-    let (Some(mut outline), 1) = (cuts.pop(), count) else {
-        return Err(PatternReadError::Outlines(count));
-    };
     let finite = |p: &Point2| p.x.is_finite() && p.y.is_finite();
-    if !outline.iter().chain(segments.iter().flatten()).all(finite) {
+    if !cuts.iter().flatten().chain(segments.iter().flatten()).all(finite) {
         return Err(PatternReadError::NotFinite);
     }
-    let Some(around) = Box2::of_points(outline.iter().copied()) else {
-        return Err(PatternReadError::Outlines(0));
+    let area = |line: &Vec<Point2>| signed_area_doubled(line);
+    let largest = (0..count)
+        .max_by(|&a, &b| area(&cuts[a]).abs().total_cmp(&area(&cuts[b]).abs()).then(b.cmp(&a)));
+    let around = largest
+        .and_then(|largest| Box2::of_points(cuts[largest].iter().copied()).zip(Some(largest)));
+    let Some((around, largest)) = around else { return Err(PatternReadError::Outlines(count)) };
+    let outline = cuts.remove(largest);
+    let is_hole = |line: &Vec<Point2>| {
+        let within = |p: &Point2| {
+            (around.min.x..=around.max.x).contains(&p.x)
+                && (around.min.y..=around.max.y).contains(&p.y)
+        };
+        line.iter().all(within) && (area(line) < 0.0) == (area(&outline) > 0.0)
     };
+    if !cuts.iter().all(is_hole) {
+        return Err(PatternReadError::Outlines(count));
+    }
+    cuts.insert(0, outline);
     let to_origin = -around.min.to_vec();
-    for point in outline.iter_mut().chain(segments.iter_mut().flatten()) {
+    for point in cuts.iter_mut().flatten().chain(segments.iter_mut().flatten()) {
         *point = *point + to_origin;
     }
-    let corners = Corners::new(&outline, SAME_POINT * around.min.distance(around.max));
+    let corners = Corners::new(&cuts, SAME_POINT * around.min.distance(around.max));
     let mut rungs: Vec<Rung> = segments
         .iter()
         .filter_map(|&[from, to]| {
@@ -99,33 +125,42 @@ pub(crate) fn pattern(
         .collect();
     rungs.sort_unstable();
     rungs.dedup();
-    Ok(ReadPattern { outline, rungs })
+    let outline = cuts.remove(0);
+    Ok(ReadPattern { outline, holes: cuts, rungs })
 }
 
-/// The corners of an outline, found by where they lie.
-struct Corners<'a> {
-    outline: &'a [Point2],
+/// The corners of closed lines, found by where they lie.
+struct Corners {
+    points: Vec<Point2>,
+    /// The numbers of the corners before and after each on its line.
+    beside: Vec<[usize; 2]>,
     /// The numbers of the corners by increasing x.
     by_x: Vec<usize>,
     near_mm: f64,
 }
 
-impl<'a> Corners<'a> {
-    fn new(outline: &'a [Point2], near_mm: f64) -> Self {
-        let mut by_x: Vec<usize> = (0..outline.len()).collect();
-        by_x.sort_by(|&i, &j| outline[i].x.total_cmp(&outline[j].x).then(i.cmp(&j)));
-        Self { outline, by_x, near_mm }
+impl Corners {
+    fn new(lines: &[Vec<Point2>], near_mm: f64) -> Self {
+        let points: Vec<Point2> = lines.iter().flatten().copied().collect();
+        let mut beside = Vec::with_capacity(points.len());
+        for line in lines {
+            let (start, m) = (beside.len(), line.len());
+            beside.extend((0..m).map(|i| [start + (i + m - 1) % m, start + (i + 1) % m]));
+        }
+        let mut by_x: Vec<usize> = (0..points.len()).collect();
+        by_x.sort_by(|&i, &j| points[i].x.total_cmp(&points[j].x).then(i.cmp(&j)));
+        Self { points, beside, by_x, near_mm }
     }
 
     /// The corner that lies at `point`. Where the sides of a cut lie on one another, several do:
     /// then the first from which the way `to` the other end starts inside the outline.
     fn at(&self, point: Point2, to: Point2) -> Option<usize> {
-        let first = self.by_x.partition_point(|&i| self.outline[i].x < point.x - self.near_mm);
+        let first = self.by_x.partition_point(|&i| self.points[i].x < point.x - self.near_mm);
         let near: Vec<usize> = self.by_x[first..]
             .iter()
             .copied()
-            .take_while(|&i| self.outline[i].x <= point.x + self.near_mm)
-            .filter(|&i| self.outline[i].distance(point) <= self.near_mm)
+            .take_while(|&i| self.points[i].x <= point.x + self.near_mm)
+            .filter(|&i| self.points[i].distance(point) <= self.near_mm)
             .collect();
         match near[..] {
             [] => None,
@@ -134,12 +169,11 @@ impl<'a> Corners<'a> {
         }
     }
 
-    /// Whether the way from corner `i` to a point starts inside an outline that runs
-    /// counter-clockwise.
+    /// Whether the way from corner `i` to a point starts inside: to the left of its line, as of an
+    /// outline that runs counter-clockwise and of a hole that runs clockwise.
     fn inside(&self, i: usize, to: Point2) -> bool {
-        let m = self.outline.len();
-        let (at, next, previous) =
-            (self.outline[i], self.outline[(i + 1) % m], self.outline[(i + m - 1) % m]);
+        let [previous, next] = self.beside[i].map(|k| self.points[k]);
+        let at = self.points[i];
         let left_of_next = orientation(at, next, to) == Ordering::Greater;
         let right_of_previous = orientation(at, previous, to) == Ordering::Less;
         if orientation(at, next, previous) == Ordering::Greater {

@@ -5,6 +5,7 @@ use crate::read_back::{PatternReadError, ReadPattern};
 use crate::svg::{read_svg, write_svg};
 use sheetwright::design::MadePanel;
 use sheetwright::flatten::{RefoldError, refold};
+use sheetwright::rung::Rung;
 use std::fmt;
 
 /// Why a written pattern could not be folded up again.
@@ -12,6 +13,8 @@ use std::fmt;
 pub enum RefoldFileError {
     /// It can't be read.
     Read(PatternReadError),
+    /// Its outline and holes are not those of the panel.
+    Lines,
     /// It can't be folded.
     Fold(RefoldError),
 }
@@ -20,6 +23,9 @@ impl fmt::Display for RefoldFileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Read(error) => write!(f, "the written pattern can't be read: {error}"),
+            Self::Lines => {
+                write!(f, "the written pattern has another outline or other holes than the panel")
+            }
             Self::Fold(error) => write!(f, "the written pattern can't be folded: {error}"),
         }
     }
@@ -49,9 +55,27 @@ pub fn refold_error_mm(
         read.push(read_svg(&write_svg(&panel.piece)).map_err(RefoldFileError::Read)?);
     }
     read.iter().try_fold(0.0, |worst: f64, pattern| {
-        let error_mm = refold(&panel.surface, &pattern.outline, &pattern.rungs)
-            .map_err(RefoldFileError::Fold)?;
+        let sheet = panel.sheet.surface();
+        let lines = std::iter::once(&pattern.outline).chain(&pattern.holes).map(Vec::len);
+        if !lines.eq(sheet.connectivity().loops().iter().map(ExactSizeIterator::len)) {
+            return Err(RefoldFileError::Lines);
+        }
+        let error_mm =
+            refold(sheet, &pattern.points(), &pattern.rungs).map_err(RefoldFileError::Fold)?;
         // Unlike `max`, this keeps NaN.
         Ok(if error_mm > worst || error_mm.is_nan() { error_mm } else { worst })
     })
+}
+
+/// How far the pattern of a panel comes from its surface before it is written, mm, where closing its
+/// windows may have changed lengths; 0 where there are none. What the written files may miss by
+/// without being wrong: that the lengths are right is measured by themselves.
+pub(crate) fn known_miss_mm(panel: &MadePanel) -> f64 {
+    if panel.sheet.surface().connectivity().loops().len() == 1 {
+        return 0.0;
+    }
+    let sheet = panel.sheet.surface();
+    let rungs: Vec<Rung> = sheet.connectivity().hinges().iter().map(|hinge| hinge.rung).collect();
+    // What can't be folded before it is written can't be afterwards, and is told then.
+    refold(sheet, &panel.flat.points, &rungs).unwrap_or(0.0)
 }

@@ -70,11 +70,13 @@ pub fn write_svg(piece: &Piece) -> Vec<u8> {
 fn named(shape: &Shape) -> String {
     match &shape.what {
         What::Outline => "id=\"outline\" class=\"outline\"".to_owned(),
+        What::Hole => "class=\"hole\"".to_owned(),
         What::Rung(rung) => {
             let [low, high] = rung.ends().map(|s| s.get());
             format!("class=\"rung\" data-rung=\"{low} {high}\"")
         }
         What::RulingTick => "class=\"tick\"".to_owned(),
+        What::SeamTick => "class=\"seam-tick\"".to_owned(),
         What::Dimension => "class=\"dimension\"".to_owned(),
         What::Label(text) => format!("class=\"label\" data-text=\"{}\"", escaped(text)),
         What::Reference => "id=\"reference\" class=\"reference\"".to_owned(),
@@ -107,8 +109,8 @@ fn escaped(text: &str) -> String {
     out
 }
 
-/// Reads back the outline and the rungs of a pattern that [`write_svg`] wrote: the closed path of
-/// `cut`, and the segments of the other groups between its corners. What the paths are named is
+/// Reads back the outline, the holes and the rungs of a pattern that [`write_svg`] wrote: the closed
+/// paths of `cut`, and the segments of the other groups between its corners. What the paths are named is
 /// not looked at; the unit is what `width` and `height` make of `viewBox`.
 ///
 /// # Errors

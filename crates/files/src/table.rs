@@ -326,6 +326,7 @@ pub(crate) fn read_as_design(
         method: options.method.unwrap_or_default(),
         plane: PlaneChoice::Auto,
         fold: options.fold.unwrap_or(PriceOptions::default().fold),
+        cut: Vec::new(),
     };
     Ok(Design { name: called, material: None, curves, panels: vec![panel] })
 }

@@ -43,6 +43,7 @@ fn hull(scale: f64) -> Made {
         method: PanelMethod::Rails,
         plane: PlaneChoice::None,
         fold: 0.1,
+        cut: Vec::new(),
     });
     let design = Design { name: "hull".into(), material: None, curves, panels: panels.to_vec() };
     make(&design, &mut Unwatched).unwrap()

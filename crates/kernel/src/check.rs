@@ -2,10 +2,12 @@
 
 use crate::boundary::Boundary;
 use crate::curve::CurvePoint;
-use crate::flatten::Flattened;
+use crate::flatten::{Flattened, Seam, Sheet};
+use crate::index::SampleIndex;
 use crate::material::{Material, warp_limit_deg};
 use crate::math::{angle_between, from_deg, to_deg};
 use crate::measure::{Measures, RungMeasures, SHARP_CREASE_DEG};
+use crate::pattern::seam_mark;
 use crate::tolerance::Tolerance;
 use crate::triangulate::Triangulation;
 
@@ -112,6 +114,8 @@ pub struct Panel<'a> {
     pub boundary: &'a Boundary,
     /// Its triangulation.
     pub triangulation: &'a Triangulation,
+    /// Its sheet.
+    pub sheet: &'a Sheet,
     /// Its flat pattern.
     pub flat: &'a Flattened,
     /// Its measures.
@@ -132,6 +136,8 @@ pub fn check(panel: &Panel<'_>) -> Checked {
         folds,
         bend_lines,
         length_error,
+        open_windows,
+        seams,
     ];
     let mut findings: Vec<Finding> = checks.iter().filter_map(|check| check(panel)).collect();
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
@@ -187,9 +193,10 @@ pub fn rounded_corner(name: &str, points: &[CurvePoint], closed: bool) -> Option
 }
 
 /// The finding that a written pattern does not fold back onto its surface; `None` if it does.
-/// `error_mm` is how far it comes from it, `size_mm` the size of the boundary.
-pub fn refolding(error_mm: f64, size_mm: f64) -> Option<Finding> {
-    let limit = Tolerance::REFOLD.length_mm(size_mm);
+/// `error_mm` is how far it comes from it, `size_mm` the size of the boundary; `known_mm` is how
+/// far the pattern comes from it before it is written, where its lengths are not exact: else 0.
+pub fn refolding(error_mm: f64, size_mm: f64, known_mm: f64) -> Option<Finding> {
+    let limit = Tolerance::REFOLD.length_mm(size_mm) + known_mm;
     (error_mm.is_nan() || error_mm > limit).then(|| Finding {
         severity: Severity::Error,
         code: "refold",
@@ -289,13 +296,14 @@ fn crossing(panel: &Panel<'_>) -> Option<Finding> {
 
 fn overlap(panel: &Panel<'_>) -> Option<Finding> {
     let (a, b) = panel.flat.overlap?;
+    let sample = |n: usize| panel.sheet.origin(SampleIndex::new(n)).get() + 1;
     Some(Finding {
         severity: Severity::Error,
         code: "overlap",
         text: "Laid flat, the pattern overlaps itself, so it can't be cut from one sheet. Divide \
                the panel."
             .to_owned(),
-        place: format!("edges after samples {} and {}", a + 1, b + 1),
+        place: format!("edges after samples {} and {}", sample(a), sample(b)),
     })
 }
 
@@ -354,20 +362,96 @@ fn bend_lines(panel: &Panel<'_>) -> Option<Finding> {
 
 fn length_error(panel: &Panel<'_>) -> Option<Finding> {
     let most = panel.measures.length_error_max;
-    let exact = ROUNDING * panel.boundary.size() / shortest_side(panel);
+    let exact = ROUNDING * panel.boundary.size() / shortest_side(panel.boundary);
+    let per_cent = most * 100.0;
+    // As many digits as show two of the number.
+    let shifted = std::iter::successors(Some(per_cent), |x| Some(x * 10.0));
+    let digits = shifted.take(9).take_while(|x| *x < 10.0).count();
+    // What closing windows changes is mostly less than anyone cuts to.
+    let of_windows = panel.boundary.holes() > 0;
+    let unseen = of_windows && most <= Tolerance::STRETCH.share();
     (most > exact.max(ROUNDING)).then(|| Finding {
-        severity: Severity::Warning,
+        severity: if unseen { Severity::Note } else { Severity::Warning },
         code: "length-error",
-        text: format!(
-            "Lengths of the pattern differ from the surface by up to {:.3} %.",
-            most * 100.0
-        ),
+        text: if of_windows {
+            format!(
+                "Lengths of the pattern differ from the surface by up to {per_cent:.digits$} %, so \
+                 that its holes close when it is laid flat."
+            )
+        } else {
+            format!("Lengths of the pattern differ from the surface by up to {per_cent:.3} %.")
+        },
         place: String::new(),
     })
 }
 
-fn shortest_side(panel: &Panel<'_>) -> f64 {
-    let boundary = panel.boundary;
+/// A seam that gapes by no more than this share of the size is one round a window that nearly
+/// lies flat, not one that opens a tube. (A ring that rises by 2° gapes by as much.)
+const WINDOW_GAP: f64 = 2e-3;
+
+fn open_windows(panel: &Panel<'_>) -> Option<Finding> {
+    if panel.flat.overlap.is_some() {
+        return None;
+    }
+    let nearly = |seam: &Seam| seam.gap_mm <= WINDOW_GAP * panel.boundary.size();
+    let widest = panel.sheet.seams().iter().filter(|s| nearly(s)).map(|s| s.gap_mm);
+    let widest = widest.reduce(f64::max)?;
+    Some(Finding {
+        severity: Severity::Warning,
+        code: "window-gap",
+        text: format!(
+            "Round a hole the panel lies flat but for a gap of {widest:.2} mm. Closing it would \
+             change lengths by more than {} %, so the pattern is cut from edge to edge there.",
+            Tolerance::STRETCH.share() * 100.0
+        ),
+        place: where_seams(panel.sheet, nearly),
+    })
+}
+
+fn seams(panel: &Panel<'_>) -> Option<Finding> {
+    let list = panel.sheet.seams();
+    let length = |seam: &Seam| {
+        let [a, b] = seam.rung.ends();
+        panel.boundary.position(a).distance(panel.boundary.position(b))
+    };
+    let (count, what) = match list {
+        [] => return None,
+        [only] => ("a seam".to_owned(), format!("{:.1} mm long", length(only))),
+        _ => (
+            format!("{} seams", list.len()),
+            format!("{:.1} mm long together", list.iter().map(length).sum::<f64>()),
+        ),
+    };
+    Some(Finding {
+        severity: Severity::Note,
+        code: "seam",
+        text: format!(
+            "In one piece it does not lie flat, so it is cut open along {count}, {what}. Join the \
+             sides that have the same mark."
+        ),
+        place: where_seams(panel.sheet, |_| true),
+    })
+}
+
+/// The seams for which `is_so`: `S1 from sample 3 to 17`.
+fn where_seams(sheet: &Sheet, is_so: impl Fn(&Seam) -> bool) -> String {
+    const SHOWN: usize = 6;
+    let list: Vec<String> = sheet
+        .seams()
+        .iter()
+        .enumerate()
+        .filter(|(_, seam)| is_so(seam))
+        .map(|(n, seam)| {
+            let [a, b] = seam.rung.ends().map(|s| s.get() + 1);
+            format!("{} from sample {a} to {b}", seam_mark(n))
+        })
+        .collect();
+    let more = list.len().saturating_sub(SHOWN);
+    let rest = if more > 0 { format!(" and {more} more") } else { String::new() };
+    format!("{}{rest}", list[..list.len().min(SHOWN)].join(", "))
+}
+
+fn shortest_side(boundary: &Boundary) -> f64 {
     (0..boundary.len())
         .map(|i| {
             let at = |k: usize| boundary.samples()[k].position;

@@ -9,8 +9,9 @@ use crate::cost::Prices;
 use crate::curve::{
     Curve, CurveError, CurveKind, CurvePoint, Sample, SampleError, sample_chain, sample_open,
 };
-use crate::flatten::{FlattenError, Flattened, unroll};
+use crate::flatten::{FlattenError, Flattened, Sheet, lay_flat};
 use crate::material::Material;
+use crate::math::Point3;
 use crate::measure::{Measures, measures};
 use crate::pattern::{PatternOptions, Piece, piece};
 use crate::surface::{Connectivity, ConnectivityError, Surface};
@@ -97,6 +98,9 @@ pub struct DesignPanel {
     pub plane: PlaneChoice,
     /// The weight ν of the fold price.
     pub fold: f64,
+    /// Where the pattern is to be cut open if it must be, mm: along the rungs from loop to loop
+    /// whose middles lie nearest. Empty: where the cuts are shortest.
+    pub cut: Vec<Point3>,
 }
 
 /// All inputs of the main job.
@@ -129,7 +133,9 @@ pub struct MadePanel {
     pub triangulation: Triangulation,
     /// Its surface in space.
     pub surface: Surface,
-    /// Its surface laid flat.
+    /// Its surface as it is cut open to lie flat: itself where there are no seams.
+    pub sheet: Sheet,
+    /// Its sheet laid flat.
     pub flat: Flattened,
     /// What was measured.
     pub measures: Measures,
@@ -291,15 +297,16 @@ fn make_panel(
     let surface = Surface::new(connectivity, boundary.positions());
 
     watch.begin(&panel.name, Stage::Flatten);
-    let flat = unroll(surface.connectivity(), |a, b| surface.length(a, b), watch)
-        .map_err(|e| failed(MakeCause::Flatten(e)))?;
+    let (sheet, flat) =
+        lay_flat(&surface, &panel.cut, watch).map_err(|e| failed(MakeCause::Flatten(e)))?;
 
     watch.begin(&panel.name, Stage::Check);
     let prices = Prices::new(&boundary, plane.as_ref(), options.price);
-    let measures = measures(&surface, &flat, &prices);
+    let measures = measures(&surface, &sheet, &flat, &prices);
     let mut checked = check(&Panel {
         boundary: &boundary,
         triangulation: &triangulation,
+        sheet: &sheet,
         flat: &flat,
         measures: &measures,
         material: design.material,
@@ -309,7 +316,7 @@ fn make_panel(
             checked.add(finding);
         }
     }
-    let piece = piece(&panel.name, &surface, &flat, &measures, &PatternOptions::default());
+    let piece = piece(&panel.name, &sheet, &flat, &measures, &PatternOptions::default());
     Ok(MadePanel {
         name: panel.name.clone(),
         method: panel.method,
@@ -318,6 +325,7 @@ fn make_panel(
         plane,
         triangulation,
         surface,
+        sheet,
         flat,
         measures,
         checked,

@@ -39,6 +39,7 @@
 //!         method: PanelMethod::Optimal,
 //!         plane: PlaneChoice::Auto,
 //!         fold: sheetwright::cost::DEFAULT_FOLD,
+//!         cut: Vec::new(),
 //!     }],
 //! };
 //!

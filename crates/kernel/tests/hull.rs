@@ -49,6 +49,7 @@ fn every_plank_is_at_least_as_good_as_published() {
                 method,
                 plane: PlaneChoice::Auto,
                 fold: sheetwright::cost::DEFAULT_FOLD,
+                cut: Vec::new(),
             })
             .collect();
         let design = Design { name: "hull".into(), material: None, curves: curves(), panels };

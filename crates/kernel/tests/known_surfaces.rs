@@ -5,7 +5,7 @@ use sheetwright::boundary::{Boundary, PlaneChoice, samples_from_points, supporti
 use sheetwright::check::{Panel, Verdict, check};
 use sheetwright::cost::{DEFAULT_FOLD, PriceOptions, Prices};
 use sheetwright::curve::CurvePoint;
-use sheetwright::flatten::{Flattened, unroll};
+use sheetwright::flatten::{Flattened, Sheet, unroll};
 use sheetwright::index::SampleIndex;
 use sheetwright::math::{Point2, Point3, angle_between, to_deg};
 use sheetwright::measure::{Measures, area_flat, measures};
@@ -32,7 +32,12 @@ fn solved(boundary: &Boundary, choice: PlaneChoice, fold: f64) -> Solved {
         Connectivity::new(boundary.loops(), triangulation.triangles.clone()).unwrap();
     let surface = Surface::new(connectivity, boundary.positions());
     let flat = unroll(surface.connectivity(), |a, b| surface.length(a, b), &mut Unwatched).unwrap();
-    let measures = measures(&surface, &flat, &Prices::new(boundary, plane.as_ref(), price));
+    let measures = measures(
+        &surface,
+        &Sheet::whole(&surface),
+        &flat,
+        &Prices::new(boundary, plane.as_ref(), price),
+    );
     Solved { triangulation, surface, flat, measures }
 }
 
@@ -194,7 +199,7 @@ fn concave_polygons_stay_flat() {
                     // The triangles have the area of the polygon and none is turned over, so none
                     // lies outside.
                     let area = 0.5 * signed_area_doubled(&polygon);
-                    let flat = area_flat(&solved.surface, &solved.flat);
+                    let flat = area_flat(&Sheet::whole(&solved.surface), &solved.flat);
                     assert!((flat - area).abs() < 1e-9 * area, "{case}");
                     let at = |s: SampleIndex| polygon[s.get()];
                     for triangle in solved.surface.connectivity().triangles() {
@@ -217,6 +222,7 @@ fn coarse_samples_are_not_taken_for_twist() {
             let checked = check(&Panel {
                 boundary: &boundary,
                 triangulation: &solved.triangulation,
+                sheet: &Sheet::whole(&solved.surface),
                 flat: &solved.flat,
                 measures: &solved.measures,
                 material: None,

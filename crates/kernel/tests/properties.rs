@@ -3,7 +3,7 @@
 
 use sheetwright::boundary::{Boundary, PlaneChoice, supporting_plane};
 use sheetwright::cost::{DEFAULT_FOLD, PriceOptions, Prices};
-use sheetwright::flatten::{RefoldError, refold, unroll};
+use sheetwright::flatten::{RefoldError, Sheet, refold, unroll};
 use sheetwright::measure::{area_flat, area_space, length_errors, measures};
 use sheetwright::surface::{Connectivity, Surface};
 use sheetwright::triangulate::{Method, TriangulateError, TriangulateOptions, triangulate};
@@ -48,12 +48,13 @@ fn every_result_is_a_surface_that_unrolls_and_folds_back() {
                 let flat =
                     unroll(surface.connectivity(), |a, b| surface.length(a, b), &mut Unwatched)
                         .unwrap();
-                let worst = length_errors(&surface, &flat).into_iter().fold(0.0, f64::max);
+                let sheet = Sheet::whole(&surface);
+                let worst = length_errors(&sheet, &flat).into_iter().fold(0.0, f64::max);
                 assert!(worst < 1e-9, "{worst}");
-                let (space, laid) = (area_space(&surface), area_flat(&surface, &flat));
+                let (space, laid) = (area_space(&surface), area_flat(&sheet, &flat));
                 assert!((space - laid).abs() < 1e-9 * boundary.size() * boundary.size());
                 let prices = Prices::new(&boundary, plane.as_ref(), PriceOptions::default());
-                let measured = measures(&surface, &flat, &prices);
+                let measured = measures(&surface, &sheet, &flat, &prices);
                 if plane.is_some() && found.forced_rungs == 0 {
                     assert_eq!(measured.self_crossing, None, "a roof does not cross itself");
                 }

@@ -1,7 +1,8 @@
 //! A design from its file's types to the kernel's.
 
 use super::grammar::{
-    CurveFile, DesignFile, KindName, MethodName, Object, PanelFile, PlaneFile, PlaneName, PointFile,
+    CurveFile, DesignFile, KindName, MethodName, Object, PanelFile, PlaneFile, PlaneName,
+    PointFile, Triple,
 };
 use super::source::Source;
 use super::table_path::Tables;
@@ -55,7 +56,7 @@ pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, In
         })?),
     };
     let curves = curves(file.curves.0, file.units, source)?;
-    let panels = panels(file.panels, &curves, source)?;
+    let panels = panels(file.panels, &curves, file.units, source)?;
     Ok(Design { name, material, curves, panels })
 }
 
@@ -126,6 +127,22 @@ fn curve_point(
         PointFile::Bare(xyz) => (xyz, false, 0.0),
         PointFile::Full(full) => (&full.at.0, full.corner, full.movable),
     };
+    let at = point_mm(xyz, units, source, path)?;
+    if in_range_mm(movable, units).is_none_or(|mm| mm < 0.0) {
+        let message = format!("the point may move by {movable} {}", units.name());
+        let hint = "Write a distance, or 0 where it is fixed.";
+        return Err(source.error(&format!("{}.move", path()), message, hint));
+    }
+    Ok(CurvePoint { at, corner })
+}
+
+/// A point in the unit of the design.
+fn point_mm(
+    xyz: &[f64; 3],
+    units: Units,
+    source: &Source<'_>,
+    path: &dyn Fn() -> String,
+) -> Result<Point3, InputError> {
     let mut mm = [0.0; 3];
     for (n, &number) in xyz.iter().enumerate() {
         mm[n] = in_range_mm(number, units).ok_or_else(|| {
@@ -133,17 +150,13 @@ fn curve_point(
             source.error(&path(), message, RANGE_HINT)
         })?;
     }
-    if in_range_mm(movable, units).is_none_or(|mm| mm < 0.0) {
-        let message = format!("the point may move by {movable} {}", units.name());
-        let hint = "Write a distance, or 0 where it is fixed.";
-        return Err(source.error(&format!("{}.move", path()), message, hint));
-    }
-    Ok(CurvePoint { at: Point3::new(mm[0], mm[1], mm[2]), corner })
+    Ok(Point3::new(mm[0], mm[1], mm[2]))
 }
 
 fn panels(
     list: Vec<Object<PanelFile>>,
     curves: &[DesignCurve],
+    units: Units,
     source: &Source<'_>,
 ) -> Result<Vec<DesignPanel>, InputError> {
     if list.len() > MAX_PANELS {
@@ -167,7 +180,7 @@ fn panels(
                         on many disks.";
             return Err(source.error(&format!("{path}.name"), message, hint));
         }
-        panels.push(PanelReader { path: &path, known: &known, source }.panel(file)?);
+        panels.push(PanelReader { path: &path, known: &known, units, source }.panel(file)?);
     }
     Ok(panels)
 }
@@ -175,6 +188,7 @@ fn panels(
 struct PanelReader<'a> {
     path: &'a str,
     known: &'a BTreeMap<&'a str, &'a DesignCurve>,
+    units: Units,
     source: &'a Source<'a>,
 }
 
@@ -208,11 +222,30 @@ impl PanelReader<'_> {
         Ok(DesignPanel {
             name: file.name,
             samples: self.samples(file.samples, &shape)?,
+            cut: self.cut(&file.cut.unwrap_or_default(), &shape)?,
             shape,
             method,
             plane,
             fold: self.fold(file.fold)?,
         })
+    }
+
+    fn cut(&self, places: &[Triple], shape: &PanelShape) -> Result<Vec<Point3>, InputError> {
+        let holes = if let PanelShape::Loops { holes, .. } = shape { holes.len() } else { 0 };
+        if places.len() > holes {
+            let (message, hint) = if holes == 0 {
+                ("a panel without holes is not cut open".to_owned(), "Leave it out.".to_owned())
+            } else {
+                let message = format!("{} points stand for the cuts", places.len());
+                (message, format!("Name {holes} at the most: one a hole."))
+            };
+            return Err(self.error(".cut", message, hint));
+        }
+        let point = |(n, place): (usize, &Triple)| {
+            let path = || format!("{}.cut[{n}]", self.path);
+            point_mm(&place.0, self.units, self.source, &path)
+        };
+        places.iter().enumerate().map(point).collect()
     }
 
     fn shape(

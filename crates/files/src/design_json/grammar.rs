@@ -135,6 +135,12 @@ pub(super) struct PanelFile {
     #[serde(default)]
     #[schemars(range(min = 0, max = 10))]
     pub(super) fold: Option<f64>,
+    /// Where the pattern of a panel with holes is to be cut open, if it must be: points `[x, y, z]`,
+    /// at the most one a hole. Cuts run from loop to loop, where their middles lie nearest to the
+    /// points. Default: where they are shortest.
+    #[serde(default)]
+    #[schemars(with = "Option<Vec<[f64; 3]>>")]
+    pub(super) cut: Option<Vec<Triple>>,
     #[serde(default)]
     #[schemars(skip)]
     pub(super) vary: Option<IgnoredAny>,

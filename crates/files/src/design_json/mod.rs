@@ -190,7 +190,7 @@ mod tests {
   },
   "panels": [
     { "name": "bottom", "rails": ["keel", "-chine"], "method": "rails", "fold": 0 },
-    { "name": "lid", "boundary": ["-rim"], "holes": [["rim"]], "samples": 50, "plane": [0, 0, 1] }
+    { "name": "lid", "boundary": ["-rim"], "holes": [["rim"]], "samples": 50, "plane": [0, 0, 1], "cut": [[0.5, 0, 0]] }
   ]
 }"#;
 
@@ -221,6 +221,7 @@ mod tests {
         assert_eq!(bottom.shape, PanelShape::Rails(rails));
         assert_eq!((bottom.method, bottom.fold), (PanelMethod::Rails, 0.0));
         assert_eq!((bottom.samples, lid.samples), (200, 50));
+        assert_eq!((bottom.cut.len(), lid.cut[0]), (0, Point3::new(500.0, 0.0, 0.0)));
     }
 
     #[test]
@@ -274,6 +275,9 @@ mod tests {
             ("\"fold\": 0", "\"fold\": 11", "panels[0].fold"),
             ("\"plane\": [0, 0, 1]", "\"plane\": \"automatic\"", "panels[1].plane"),
             ("\"samples\": 50", "\"vary\": {\"budget\": 1}", "panels[1].vary"),
+            ("\"cut\": [[0.5, 0, 0]]", "\"cut\": [0.5, 0, 0]", "panels[1].cut[0]"),
+            ("\"cut\": [[0.5, 0, 0]]", "\"cut\": [[0.5, 0, 1e9]]", "panels[1].cut[0]"),
+            ("\"fold\": 0", "\"cut\": [[0, 0, 0]]", "panels[0].cut"),
             ("plywood-4mm", "plywod-4mm", "material"),
             ("\"m\"", "\"metre\"", "units"),
         ] {

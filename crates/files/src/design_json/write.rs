@@ -79,6 +79,10 @@ fn panel(panel: &DesignPanel) -> String {
         }
     });
     fields.push(format!("\"fold\": {}", json(&panel.fold)));
+    if !panel.cut.is_empty() {
+        let cut: Vec<[f64; 3]> = panel.cut.iter().map(|p| [p.x, p.y, p.z]).collect();
+        fields.push(format!("\"cut\": {}", json(&cut)));
+    }
     format!("    {{ {} }}", fields.join(", "))
 }
 

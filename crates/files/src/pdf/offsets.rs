@@ -90,11 +90,13 @@ fn stations(from: f64, to: f64, step: f64) -> Vec<f64> {
     whole.take_while(|&x| x < to).chain([to]).collect()
 }
 
-/// The heights at which the outline passes a station, mm, the lowest first.
-fn heights(outline: &[Point2], x: f64) -> Vec<f64> {
+/// The heights at which the outline and the holes pass a station, mm, the lowest first.
+fn heights<'a>(loops: impl Iterator<Item = &'a [Point2]>, x: f64) -> Vec<f64> {
     let mut heights: Vec<f64> = Vec::new();
-    for (n, a) in outline.iter().enumerate() {
-        let b = outline[(n + 1) % outline.len()];
+    let edges = |line: &'a [Point2]| {
+        line.iter().enumerate().map(move |(n, a)| (a, line[(n + 1) % line.len()]))
+    };
+    for (a, b) in loops.flat_map(edges) {
         if a.x.min(b.x) <= x && x <= a.x.max(b.x) {
             if a.x == b.x {
                 heights.extend([a.y, b.y]);
@@ -140,7 +142,7 @@ fn table(page: &mut Page, piece: &Piece, stations: &[f64], top: f64, reduced: &R
     for (n, &x) in stations.iter().enumerate() {
         let y = first_row - ROW_MM * (n + 1) as f64;
         page.text(Point2::new(end(0.0), y), &format!("{x:.1}"), number);
-        let heights = heights(piece.outline(), x);
+        let heights = heights(piece.loops(), x);
         for (column, height) in heights.iter().take(fit).enumerate() {
             let at = Point2::new(end(20.0 * (column + 1) as f64), y);
             page.text(at, &format!("{height:.1}"), number);
@@ -150,7 +152,7 @@ fn table(page: &mut Page, piece: &Piece, stations: &[f64], top: f64, reduced: &R
             page.text(at, &format!("and {} more", heights.len() - fit), Type::new(8.5));
         }
     }
-    let corners = corners(piece.outline());
+    let corners: Vec<Point2> = piece.loops().flat_map(corners).collect();
     for (n, corner) in corners.iter().take(MAX_CORNERS).enumerate() {
         let y = first_row - ROW_MM * (n + 1) as f64;
         page.text(Point2::new(right_column + 20.0, y), &format!("{:.1}", corner.x), number);
@@ -182,8 +184,8 @@ mod tests {
             .iter()
             .map(|&(x, y)| Point2::new(x, y))
             .collect();
-        assert_eq!(heights(&outline, 0.0), [1.0, 2.0]);
-        assert_eq!(heights(&outline, 2.0), [0.5, 2.5]);
+        assert_eq!(heights(std::iter::once(&outline[..]), 0.0), [1.0, 2.0]);
+        assert_eq!(heights(std::iter::once(&outline[..]), 2.0), [0.5, 2.5]);
         assert_eq!(corners(&outline).len(), 4);
     }
 }

@@ -104,7 +104,7 @@ fn on_page(piece: &Piece, page: Vec2, most: usize) -> Result<Tiling, usize> {
     let rounded = |x: f64| (x * 1000.0).round() / 1000.0;
     let origin = Point2::new(rounded(corner.x), rounded(corner.y));
     let mut tiling = Tiling { page, origin, columns, rows, sheets: Vec::new() };
-    tiling.sheets = tiling.touched(piece.outline());
+    tiling.sheets = tiling.touched(piece.loops());
     if tiling.sheets.len() > most { Err(grid) } else { Ok(tiling) }
 }
 
@@ -138,9 +138,9 @@ impl Tiling {
         Box2 { min: self.window(lower_left).min, max: self.window(upper_right).max }
     }
 
-    /// The sheets whose cells have a point of the piece: those that its outline passes through, and
-    /// those whose middle lies inside. Edges look at the cells about them alone.
-    fn touched(&self, outline: &[Point2]) -> Vec<Sheet> {
+    /// The sheets whose cells have a point of the piece: those that its outline or a hole passes
+    /// through, and those whose middle lies inside. Edges look at the cells about them alone.
+    fn touched<'a>(&self, loops: impl Iterator<Item = &'a [Point2]>) -> Vec<Sheet> {
         let middle = |sheet| {
             let cell = self.cell(sheet);
             cell.min.lerp(cell.max, 0.5)
@@ -152,7 +152,7 @@ impl Tiling {
         // columns, the first one left of the middle of column 0.
         let width = self.columns + 1;
         let mut odd = vec![false; self.rows * width];
-        for (a, b) in edges(outline) {
+        for (a, b) in loops.flat_map(edges) {
             let around = Box2::of_segment(a, b);
             for row in self.rows_about(around) {
                 let y = middle(Sheet { row, column: 0 }).y;

@@ -4,11 +4,13 @@ use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, line, number, text
 use super::space_picture::rung_classes;
 use super::wording::{millimetres, thinned};
 use sheetwright::design::MadePanel;
+use sheetwright::index::SampleIndex;
 use sheetwright::material::Material;
 use sheetwright::math::{Point2, Vec2, angle_between, from_deg, unit2};
-use sheetwright::pattern::{PathKind, Role};
+use sheetwright::pattern::{PathKind, Role, seam_mark};
 use sheetwright::rung::Rung;
 use std::collections::BTreeSet;
+use std::ops::Range;
 
 /// Room left and right of the pattern; the chart of warp has the same, so that the two line up.
 pub(super) const LEFT: f64 = 66.0;
@@ -27,8 +29,8 @@ const LETTER_APART: f64 = 22.0;
 
 /// An edge of the outline from corner to corner.
 pub(super) struct Edge {
-    /// Its letter in the picture.
-    pub(super) letter: char,
+    /// Its letter in the picture; of a side of a seam, the mark of the seam.
+    pub(super) letter: String,
     /// Its length, mm.
     pub(super) length_mm: f64,
     /// Its middle and the way out of the piece there, in the picture.
@@ -46,7 +48,10 @@ pub fn flat_picture(panel: &MadePanel, material: Option<&Material>) -> Picture {
     let bottom = TOP + scale * size.y;
     let place = |p: Point2| Point2::new(LEFT + scale * p.x, bottom - scale * p.y);
     let mut outline = PathData::default();
-    outline.ring(panel.piece.outline().iter().map(|&p| place(p)));
+    // Holes run the other way round, so that they are not filled.
+    for line in panel.piece.loops() {
+        outline.ring(line.iter().map(|&p| place(p)));
+    }
     let mut body = outline.element("sheet");
     body += &rungs(panel, material, place);
     body += &marks(panel, place);
@@ -56,7 +61,7 @@ pub fn flat_picture(panel: &MadePanel, material: Option<&Material>) -> Picture {
     for edge in edges(panel) {
         body += &circle("tag", edge.at, 9.5);
         let below = Point2::new(edge.at.x, edge.at.y + 4.5);
-        body += &text("letter", Anchor::Middle, below, &edge.letter.to_string());
+        body += &text("letter", Anchor::Middle, below, &edge.letter);
     }
     Picture::new(WIDTH, bottom + FOOT, format!("{} laid flat", panel.name), body)
 }
@@ -75,7 +80,11 @@ fn rungs(
         .filter_map(|path| if let PathKind::Rung(rung) = path.kind { Some(rung) } else { None })
         .collect();
     let measured = &panel.measures.rungs;
-    let is_fold = |n: &usize| scored.contains(&measured[*n].rung);
+    let on_sheet = |n: usize| panel.sheet.rung_ends(n);
+    let is_fold = |n: &usize| {
+        let [a, b] = on_sheet(*n).map(|s| s.get());
+        scored.contains(&Rung::new(a, b))
+    };
     let of_class = |class: &str| {
         (0..measured.len()).filter(|&n| classes[n] == Some(class)).collect::<Vec<usize>>()
     };
@@ -90,17 +99,18 @@ fn rungs(
     ] {
         let mut path = PathData::default();
         for n in list {
-            path.line(measured[n].rung.ends().map(|s| place(panel.flat.points[s.get()])));
+            path.line(on_sheet(n).map(|s| place(panel.flat.points[s.get()])));
         }
         body += &path.element(class);
     }
     body
 }
 
-/// The ticks that are engraved at the ends of rulings.
+/// The ticks that are engraved at the ends of rulings and on the sides of seams.
 fn marks(panel: &MadePanel, place: impl Fn(Point2) -> Point2) -> String {
     let mut path = PathData::default();
-    for tick in panel.piece.paths.iter().filter(|p| p.kind == PathKind::RulingTick) {
+    let is_tick = |kind: PathKind| matches!(kind, PathKind::RulingTick | PathKind::SeamTick);
+    for tick in panel.piece.paths.iter().filter(|p| is_tick(p.kind)) {
         path.line(tick.points.iter().map(|&p| place(p)));
     }
     path.element("tick")
@@ -111,7 +121,7 @@ fn overlap(panel: &MadePanel, place: impl Fn(Point2) -> Point2) -> String {
     let Some((a, b)) = panel.flat.overlap else { return String::new() };
     let mut body = String::new();
     for i in [a, b] {
-        let ends = [i, panel.boundary.next(i)].map(|k| place(panel.flat.points[k]));
+        let ends = [i, next_on_sheet(panel, i)].map(|k| place(panel.flat.points[k]));
         body += &line("w", &ends);
         if i == a {
             body += &circle("ring", ends[0].lerp(ends[1], 0.5), 13.0);
@@ -147,55 +157,85 @@ fn dimensions(size: Vec2, scale: f64, bottom: f64) -> String {
 
 /// The length of the whole outline, mm.
 pub(super) fn outline_length(panel: &MadePanel) -> f64 {
-    let outer = panel.surface.connectivity().loops()[0].clone();
-    outer.map(|i| step(panel, i)).sum()
+    outer_loop(panel).map(|i| step(panel, i)).sum()
+}
+
+/// The samples of the outline on the sheet.
+fn outer_loop(panel: &MadePanel) -> Range<usize> {
+    panel.sheet.surface().connectivity().loops()[0].clone()
+}
+
+/// The sample after one on its loop of the sheet.
+fn next_on_sheet(panel: &MadePanel, i: usize) -> usize {
+    let loops = panel.sheet.surface().connectivity().loops();
+    let own = &loops[loops.partition_point(|range| range.end <= i)];
+    if i + 1 == own.end { own.start } else { i + 1 }
 }
 
 fn step(panel: &MadePanel, i: usize) -> f64 {
-    panel.flat.points[i].distance(panel.flat.points[panel.boundary.next(i)])
+    panel.flat.points[i].distance(panel.flat.points[next_on_sheet(panel, i)])
 }
 
-/// The longest edges of the outline, from corner to corner, in the order of the boundary; none
-/// where it has fewer than two corners.
+/// The longest edges of the outline, from corner to corner, in the order of the boundary, and the
+/// sides of seams; none where it has fewer than two corners.
 pub(super) fn edges(panel: &MadePanel) -> Vec<Edge> {
     let corners = corners(panel);
     if corners.len() < 2 {
         return Vec::new();
     }
+    let mut sides: Vec<Edge> = Vec::new();
+    for (n, seam) in panel.sheet.seams().iter().enumerate() {
+        for side in seam.sides {
+            let (length_mm, at) = stretch(panel, &side.map(|s| s.get()));
+            sides.push(Edge { letter: seam_mark(n), length_mm, at });
+        }
+    }
+    let is_seam = |samples: &[usize]| {
+        let sides = panel.sheet.seams().iter().flat_map(|seam| seam.sides);
+        sides.map(|side| side.map(|s| s.get())).any(|side| side == samples)
+    };
     let mut stretches: Vec<(usize, f64, Point2)> = (0..corners.len())
-        .map(|n| {
+        .filter_map(|n| {
             let to = corners[(n + 1) % corners.len()];
             let mut samples = vec![corners[n]];
             loop {
-                let next = panel.boundary.next(samples[samples.len() - 1]);
+                let next = next_on_sheet(panel, samples[samples.len() - 1]);
                 samples.push(next);
                 if next == to {
                     break;
                 }
             }
             let (length, at) = stretch(panel, &samples);
-            (n, length, at)
+            (!is_seam(&samples)).then_some((n, length, at))
         })
         .collect();
     stretches.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
     let mut chosen: Vec<(usize, f64, Point2)> = Vec::new();
     for found in stretches {
-        let free = chosen.iter().all(|other| other.2.distance(found.2) >= LETTER_APART);
+        let tags = chosen.iter().map(|other| other.2).chain(sides.iter().map(|side| side.at));
+        let free = tags.into_iter().all(|other| other.distance(found.2) >= LETTER_APART);
         if free && chosen.len() < LETTERED {
             chosen.push(found);
         }
     }
     chosen.sort_by_key(|c| c.0);
     let named = chosen.into_iter().zip('A'..='Z');
-    named.map(|((_, length_mm, at), letter)| Edge { letter, length_mm, at }).collect()
+    let mut edges: Vec<Edge> = named
+        .map(|((_, length_mm, at), letter)| Edge { letter: letter.to_string(), length_mm, at })
+        .collect();
+    edges.extend(sides);
+    edges
 }
 
 fn corners(panel: &MadePanel) -> Vec<usize> {
-    let outer = panel.surface.connectivity().loops()[0].clone();
-    outer
+    // The ends of a seam are corners of the pattern wherever they lie.
+    let of_seams: BTreeSet<usize> =
+        panel.sheet.seams().iter().flat_map(|seam| seam.sides).flatten().map(|s| s.get()).collect();
+    outer_loop(panel)
         .filter(|&i| {
-            let sample = panel.boundary.samples()[i];
-            angle_between(sample.tangent_in, sample.tangent_out) > from_deg(CORNER_DEG)
+            let sample = panel.boundary.samples()[panel.sheet.origin(SampleIndex::new(i)).get()];
+            of_seams.contains(&i)
+                || angle_between(sample.tangent_in, sample.tangent_out) > from_deg(CORNER_DEG)
         })
         .collect()
 }

@@ -16,6 +16,8 @@ use sheetwright::check::{Checked, Severity, Verdict};
 use sheetwright::design::{Made, MadePanel};
 use sheetwright::material::{Material, warp_limit_deg};
 use sheetwright::math::to_deg;
+use sheetwright::pattern::seam_mark;
+use std::collections::BTreeSet;
 
 /// `report.html` of a made design. `refold_error_mm` and `checked` have one entry a panel; a refold
 /// error that is not finite says that the written pattern could not be read back.
@@ -273,16 +275,25 @@ impl Page<'_> {
     }
 
     fn flat_caption(&self) -> Markup {
-        let edges = edges(self.panel);
+        let (panel, edges) = (self.panel, edges(self.panel));
+        // Both sides of a seam are one length.
+        let mut seen = BTreeSet::new();
         html! {
             figcaption {
                 strong { "Laid flat. " }
                 "The outline to cut. Short strokes mark where to lay the straightedge; dashed lines \
                  are folds. The whole outline is " (millimetres(outline_length(self.panel)))
                 " long."
+                @if !panel.sheet.seams().is_empty() {
+                    " It is cut open along " b { (seam_mark(0)) }
+                    @if panel.sheet.seams().len() > 1 {
+                        " to " b { (seam_mark(panel.sheet.seams().len() - 1)) }
+                    }
+                    ": join the sides that have the same mark."
+                }
                 @if !edges.is_empty() {
                     ul.edges {
-                        @for edge in &edges {
+                        @for edge in edges.iter().filter(|edge| seen.insert(&edge.letter)) {
                             li { b { (edge.letter) } " " (millimetres(edge.length_mm)) }
                         }
                     }

@@ -7,6 +7,7 @@ use sheetwright::check::{Checked, Verdict};
 use sheetwright::design::{Made, MadePanel};
 use sheetwright::material::warp_limit_deg;
 use sheetwright::math::to_deg;
+use sheetwright::pattern::seam_mark;
 
 /// The version of the format.
 const VERSION: u32 = 1;
@@ -75,6 +76,11 @@ struct PanelReport<'a> {
     flat_width_mm: f64,
     /// The height of the flat pattern, mm.
     flat_height_mm: f64,
+    /// Holes that the flat pattern has.
+    holes_flat: usize,
+    /// Where the pattern had to be cut open, to be joined again; none where there are no holes or
+    /// it lies flat with them.
+    seams: Vec<SeamReport>,
     /// How far the pattern as it was written comes from the surface when it is folded up again,
     /// mm; null if it could not be read back.
     refold_error_mm: Option<f64>,
@@ -91,6 +97,23 @@ struct PanelReport<'a> {
     verdict: &'static str,
     /// What was found, the worst first.
     findings: Vec<FindingReport<'a>>,
+}
+
+/// A cut of the pattern whose two sides are joined.
+#[derive(Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "Seam")]
+struct SeamReport {
+    /// How both sides are marked on the pattern.
+    mark: String,
+    /// How long it is, mm.
+    length_mm: f64,
+    /// The sample of the boundary that it begins at, counted from 1 through all loops.
+    from_sample: usize,
+    /// The sample that it ends at.
+    to_sample: usize,
+    /// How far apart the two places of a sample lie on the pattern, the larger of both, mm.
+    gap_mm: f64,
 }
 
 /// One thing found.
@@ -159,6 +182,16 @@ fn of_panel<'a>(
         text: &finding.text,
         r#where: &finding.place,
     });
+    let seams = panel.sheet.seams().iter().enumerate().map(|(n, seam)| {
+        let [from, to] = seam.rung.ends();
+        SeamReport {
+            mark: seam_mark(n),
+            length_mm: panel.surface.length(from, to),
+            from_sample: from.get() + 1,
+            to_sample: to.get() + 1,
+            gap_mm: seam.gap_mm,
+        }
+    });
     PanelReport {
         name: &panel.name,
         method: panel.method.name(),
@@ -180,6 +213,8 @@ fn of_panel<'a>(
         area_flat_mm2: measures.area_flat_mm2,
         flat_width_mm: panel.piece.size.x,
         flat_height_mm: panel.piece.size.y,
+        holes_flat: panel.sheet.surface().connectivity().loops().len() - 1,
+        seams: seams.collect(),
         refold_error_mm: finite(refold_error_mm),
         overlaps: panel.flat.overlap.is_some(),
         self_intersects: measures.self_crossing.is_some(),

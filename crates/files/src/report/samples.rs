@@ -17,7 +17,7 @@ fn used(name: &str) -> CurveUse {
 
 fn panel(name: &str, shape: PanelShape, samples: usize) -> DesignPanel {
     let (method, plane) = (PanelMethod::Optimal, PlaneChoice::Auto);
-    DesignPanel { name: name.to_owned(), shape, samples, method, plane, fold: 0.1 }
+    DesignPanel { name: name.to_owned(), shape, samples, method, plane, fold: 0.1, cut: Vec::new() }
 }
 
 fn made(name: &str, material: &str, curves: Vec<DesignCurve>, panels: Vec<DesignPanel>) -> Made {

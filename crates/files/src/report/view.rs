@@ -99,7 +99,14 @@ fn score(view: &View, areas: &[Vec3], long: Vec3) -> f64 {
 fn longest_direction(panel: &MadePanel) -> Vec3 {
     let (space, flat) = (panel.surface.positions(), &panel.flat.points);
     let mean = flat.iter().map(|p| p.x).sum::<f64>() / flat.len() as f64;
-    let sum = space.iter().zip(flat).map(|(p, f)| (*p - space[0]) * (f.x - mean)).sum();
+    let sum = panel
+        .sheet
+        .surface()
+        .positions()
+        .iter()
+        .zip(flat)
+        .map(|(p, f)| (*p - space[0]) * (f.x - mean))
+        .sum();
     unit(sum).unwrap_or(Vec3::X)
 }
 

@@ -8,7 +8,6 @@ use sheetwright::check::EASY_SHARE;
 use sheetwright::design::MadePanel;
 use sheetwright::material::{Material, warp_limit_deg};
 use sheetwright::math::{Point2, Vec2, to_deg};
-use sheetwright::rung::Rung;
 
 const TOP: f64 = 14.0;
 const HEIGHT: f64 = 170.0;
@@ -49,7 +48,7 @@ pub fn warp_chart(panel: &MadePanel, material: Option<&Material>) -> Option<Pict
 /// is longer than wide.
 fn runs_across(panel: &MadePanel) -> bool {
     let spread = |of: fn(Point2) -> f64| {
-        let places = panel.measures.rungs.iter().map(|rung| of(middle(panel, rung.rung)));
+        let places = (0..panel.measures.rungs.len()).map(|rung| of(middle(panel, rung)));
         let (least, most) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| {
             (least.min(x), most.max(x))
         });
@@ -58,9 +57,9 @@ fn runs_across(panel: &MadePanel) -> bool {
     spread(|p| p.y) > spread(|p| p.x)
 }
 
-/// The middle of a rung on the pattern, mm.
-fn middle(panel: &MadePanel, rung: Rung) -> Point2 {
-    let [a, b] = rung.ends().map(|s| panel.flat.points[s.get()]);
+/// The middle of a rung, by its number, on the pattern, mm.
+fn middle(panel: &MadePanel, rung: usize) -> Point2 {
+    let [a, b] = panel.sheet.rung_ends(rung).map(|s| panel.flat.points[s.get()]);
     a.lerp(b, 0.5)
 }
 
@@ -96,7 +95,7 @@ impl Chart<'_> {
     /// The head of a rung's bar.
     fn place(&self, rung: usize) -> Point2 {
         let measured = &self.panel.measures.rungs[rung];
-        let middle = middle(self.panel, measured.rung);
+        let middle = middle(self.panel, rung);
         let x = self.x(if self.across { middle.y } else { middle.x });
         Point2::new(x, self.y(to_deg(measured.warp)))
     }

@@ -1,10 +1,16 @@
 //! Laying a surface flat.
 
+mod choose;
+mod close;
+mod lay;
 mod pose;
 mod refold;
+mod sheet;
 mod unroll;
 
+pub use lay::lay_flat;
 pub use refold::{RefoldError, refold};
+pub use sheet::{Seam, Sheet};
 pub use unroll::unroll;
 
 use crate::math::Point2;
@@ -13,20 +19,20 @@ use std::fmt;
 /// A surface laid flat.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flattened {
-    /// Where the samples lie in the plane, mm, seen from the side that the surface faces. The
+    /// Where the samples of the sheet lie in the plane, mm, seen from the side that the surface faces. The
     /// pattern lies in the rectangle of least area around it, its longer side along x, with its
     /// lower left corner at the origin.
     pub points: Vec<Point2>,
-    /// Two edges of the outer loop that cross in the plane, by the samples that they begin at:
-    /// the pattern overlaps itself and can't be cut from one sheet. Exact.
+    /// Two edges of the loops that cross in the plane, by the samples that they begin at: the
+    /// pattern overlaps itself and can't be cut from one sheet. Exact.
     pub overlap: Option<(usize, usize)>,
 }
 
 /// Why a surface cannot be laid flat exactly.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FlattenError {
-    /// Its triangles hang together in a cycle (holes), so laying one beside the other need not
-    /// close.
+    /// Its triangles hang together in a cycle, as round a hole that was not cut open, so laying one
+    /// beside the other need not close.
     Cycle,
     /// It falls apart into pieces.
     Pieces,
@@ -42,7 +48,7 @@ pub enum FlattenError {
 impl fmt::Display for FlattenError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Cycle => write!(f, "the surface has a hole and must be cut open first"),
+            Self::Cycle => write!(f, "the surface hangs together in a cycle that no cut opens"),
             Self::Pieces => write!(f, "the surface falls apart into pieces"),
             Self::NoTriangle { triangle } => {
                 write!(f, "the lengths of triangle {triangle} make no triangle")

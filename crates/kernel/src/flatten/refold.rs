@@ -9,25 +9,24 @@
 use crate::index::SampleIndex;
 use crate::math::{Frame, Point2, Point3, Vec3, turned, unit};
 use crate::rung::Rung;
-use crate::surface::{Connectivity, ConnectivityError, Surface};
+use crate::surface::{Connectivity, Surface};
+use std::collections::VecDeque;
 use std::fmt;
 
 /// Why a pattern can't be folded onto a surface.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RefoldError {
-    /// The outline has another number of points than the boundary has samples.
+    /// The pattern has another number of points than the sheet has samples.
     Outline {
-        /// How many points the outline has.
+        /// How many points its outline and its holes have.
         found: usize,
-        /// How many samples the boundary has.
+        /// How many samples the sheet has.
         wanted: usize,
     },
-    /// The rungs leave parts of the outline that are no triangles.
+    /// The rungs are not those of the surface.
     Rungs,
     /// The outline runs clockwise: the pattern is mirrored.
     Mirrored,
-    /// The triangles make no surface.
-    Surface(ConnectivityError),
     /// A triangle of the pattern, or of the surface, has no area, so nothing can be folded at it.
     NoArea,
 }
@@ -36,11 +35,10 @@ impl fmt::Display for RefoldError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Outline { found, wanted } => {
-                write!(f, "the outline has {found} points where the boundary has {wanted} samples")
+                write!(f, "the outline has {found} points where the sheet has {wanted} samples")
             }
-            Self::Rungs => write!(f, "the rungs do not cut the outline into triangles"),
+            Self::Rungs => write!(f, "the rungs are not those of the surface"),
             Self::Mirrored => write!(f, "the pattern is mirrored"),
-            Self::Surface(error) => write!(f, "{error}"),
             Self::NoArea => write!(f, "a triangle without area can't be folded"),
         }
     }
@@ -48,111 +46,89 @@ impl fmt::Display for RefoldError {
 
 impl std::error::Error for RefoldError {}
 
-/// The largest distance, mm, between a sample of `surface` and where it comes to lie when the
-/// pattern is folded. `outline` are the points of the pattern in the order of the samples, mm;
-/// `rungs` are its rungs, as they were read.
+/// The largest distance, mm, between a sample of `surface`, which is that of a sheet, and where it
+/// comes to lie when the pattern is folded. `points` are those of the pattern in the order of the
+/// samples, loop after loop, mm; `rungs` are its rungs, as they were read.
+///
+/// Triangles that hang together in a cycle, round a hole, are folded along a tree of them; since
+/// every corner of every triangle is compared, the others must agree.
 ///
 /// # Errors
 /// See [`RefoldError`].
-pub fn refold(surface: &Surface, outline: &[Point2], rungs: &[Rung]) -> Result<f64, RefoldError> {
+pub fn refold(surface: &Surface, points: &[Point2], rungs: &[Rung]) -> Result<f64, RefoldError> {
     let wanted = surface.positions().len();
-    if outline.len() != wanted {
-        return Err(RefoldError::Outline { found: outline.len(), wanted });
+    if points.len() != wanted {
+        return Err(RefoldError::Outline { found: points.len(), wanted });
     }
-    let triangles = triangles_between(wanted, rungs).ok_or(RefoldError::Rungs)?;
-    let connectivity = Connectivity::new(surface.connectivity().loops(), triangles)
-        .map_err(RefoldError::Surface)?;
+    // The rungs decide the triangles: those of the surface if the rungs are.
+    let connectivity = surface.connectivity();
+    let mut rungs = rungs.to_vec();
+    rungs.sort_unstable();
+    rungs.dedup();
+    if !rungs.iter().eq(connectivity.hinges().iter().map(|hinge| &hinge.rung)) {
+        return Err(RefoldError::Rungs);
+    }
     let area = |t: &[SampleIndex; 3]| {
-        let [a, b, c] = t.map(|s| outline[s.get()]);
+        let [a, b, c] = t.map(|s| points[s.get()]);
         (b - a).perp_dot(c - a)
     };
     if connectivity.triangles().iter().map(area).sum::<f64>() < 0.0 {
         return Err(RefoldError::Mirrored);
     }
-    // Creases are those of the surface, looked up by rung; a rung that it does not have is wrong.
-    let mut by_rung: Vec<(Rung, f64)> =
-        surface.connectivity().hinges().iter().map(|h| (h.rung, surface.crease(h))).collect();
-    by_rung.sort_by_key(|entry| entry.0);
-    let crease_of = |rung: Rung| {
-        by_rung.binary_search_by_key(&rung, |entry| entry.0).ok().map(|n| by_rung[n].1)
-    };
-    let folded = fold(&connectivity, outline, crease_of)?;
-    laid_on(surface, &connectivity, &folded)
+    laid_on(surface, &fold(surface, points)?)
 }
 
-/// The triangles that the rungs of a loop of m samples leave; `None` if they leave anything else.
-fn triangles_between(m: usize, rungs: &[Rung]) -> Option<Vec<[SampleIndex; 3]>> {
-    let mut joined: Vec<Vec<usize>> = (0..m).map(|i| vec![(i + 1) % m, (i + m - 1) % m]).collect();
-    for rung in rungs {
-        let [a, b] = rung.ends().map(SampleIndex::get);
-        if b >= m {
-            return None;
-        }
-        joined[a].push(b);
-        joined[b].push(a);
-    }
-    for list in &mut joined {
-        list.sort_unstable();
-        list.dedup();
-    }
-    let sides: usize = joined.iter().map(Vec::len).sum();
-    if sides != 2 * (2 * m - 3) {
-        return None;
-    }
-    // Below every side i < j there is one triangle, with the corner between them that both join.
-    let mut triangles = Vec::with_capacity(m - 2);
-    let mut below = vec![(0, m - 1)];
-    while let Some((i, j)) = below.pop() {
-        if j - i < 2 {
-            continue;
-        }
-        let k = joined[i]
-            .iter()
-            .copied()
-            .filter(|&k| i < k && k < j)
-            .rfind(|k| joined[*k].binary_search(&j).is_ok())?;
-        triangles.push([i, k, j].map(SampleIndex::new));
-        below.extend([(i, k), (k, j)]);
-    }
-    (triangles.len() == m - 2).then_some(triangles)
-}
-
-/// The outline folded along the hinges, in a frame of its own.
-fn fold(
-    connectivity: &Connectivity,
-    outline: &[Point2],
-    crease_of: impl Fn(Rung) -> Option<f64>,
-) -> Result<Vec<Point3>, RefoldError> {
-    let root = largest_triangle(connectivity, outline);
+/// The corners of every triangle of the pattern folded along the hinges, in a frame of its own.
+fn fold(surface: &Surface, points: &[Point2]) -> Result<Vec<[Point3; 3]>, RefoldError> {
+    let connectivity = surface.connectivity();
+    let root = largest_triangle(connectivity, points);
     let hinges = connectivity.hinges_of_triangles();
-    let mut placed: Vec<Option<Point3>> = vec![None; outline.len()];
-    for sample in connectivity.triangles()[root] {
-        let p = outline[sample.get()];
-        placed[sample.get()] = Some(Point3::new(p.x, p.y, 0.0));
-    }
-    let mut waiting = vec![(root, None, Vec3::Z)];
-    while let Some((triangle, entered, normal)) = waiting.pop() {
-        for &n in hinges[triangle].iter().filter(|&&n| Some(n) != entered) {
+    let mut placed: Vec<Option<[Point3; 3]>> = vec![None; connectivity.triangles().len()];
+    placed[root] = Some(connectivity.triangles()[root].map(|sample| {
+        let p = points[sample.get()];
+        Point3::new(p.x, p.y, 0.0)
+    }));
+    // Nearest first, so that no way round a hole is longer than need be.
+    let mut waiting = VecDeque::from([(root, Vec3::Z)]);
+    while let Some((triangle, normal)) = waiting.pop_front() {
+        for &n in &hinges[triangle] {
             let hinge = connectivity.hinges()[n];
-            let crease = crease_of(hinge.rung).ok_or(RefoldError::Rungs)?;
-            let [low, high] = hinge.rung.ends();
             let first = hinge.triangles[0].get() == triangle;
             let other = hinge.triangles[usize::from(first)];
+            if placed[other.get()].is_some() {
+                continue;
+            }
+            let crease = surface.crease(&hinge);
+            let [low, high] = hinge.rung.ends();
             let far = connectivity.far_corner(other, [low, high]);
-            let (Some(at_low), Some(at_high)) = (placed[low.get()], placed[high.get()]) else {
+            let at = |wanted: SampleIndex| {
+                let corners = connectivity.triangles()[triangle];
+                let corner = corners.iter().position(|&s| s == wanted)?;
+                Some(placed[triangle]?[corner])
+            };
+            let (Some(at_low), Some(at_high)) = (at(low), at(high)) else {
                 return Err(RefoldError::Rungs);
             };
             let along = unit(at_high - at_low).ok_or(RefoldError::NoArea)?;
             // Over a mountain, the normal turns about low → high on the way from the first.
             let turn = if first { crease } else { -crease };
             let normal = turned(normal, along, turn);
-            let (flat_along, flat_across) = flat_coordinates(outline, low, high, far)?;
+            let (flat_along, flat_across) = flat_coordinates(points, low, high, far)?;
             let across = normal.cross(along);
-            placed[far.get()] = Some(at_low + along * flat_along + across * flat_across);
-            waiting.push((other.get(), Some(n), normal));
+            let at_far = at_low + along * flat_along + across * flat_across;
+            placed[other.get()] = Some(connectivity.triangles()[other.get()].map(|sample| {
+                if sample == low {
+                    at_low
+                } else if sample == high {
+                    at_high
+                } else {
+                    at_far
+                }
+            }));
+            waiting.push_back((other.get(), normal));
         }
     }
-    placed.into_iter().collect::<Option<Vec<Point3>>>().ok_or(RefoldError::Rungs)
+    placed.into_iter().collect::<Option<Vec<[Point3; 3]>>>().ok_or(RefoldError::Rungs)
 }
 
 /// Where a far corner lies along low → high and to the left of it, in the plane, mm.
@@ -180,34 +156,29 @@ fn largest_triangle(connectivity: &Connectivity, outline: &[Point2]) -> usize {
         .unwrap_or(0)
 }
 
-/// Moves the folded samples so that they lie on the surface as well as they can at one triangle,
+/// Moves the folded triangles so that they lie on the surface as well as they can at one of them,
 /// and returns the largest distance, mm. The triangle with the largest area gives the frame.
-fn laid_on(
-    surface: &Surface,
-    connectivity: &Connectivity,
-    folded: &[Point3],
-) -> Result<f64, RefoldError> {
-    let area = |t: &[SampleIndex; 3]| {
-        let [a, b, c] = t.map(|s| surface.position(s));
+fn laid_on(surface: &Surface, folded: &[[Point3; 3]]) -> Result<f64, RefoldError> {
+    let triangles = surface.connectivity().triangles();
+    let area = |n: &usize| {
+        let [a, b, c] = triangles[*n].map(|s| surface.position(s));
         (b - a).cross(c - a).length()
     };
-    let largest = connectivity
-        .triangles()
-        .iter()
-        .max_by(|a, b| area(a).total_cmp(&area(b)).then(b.cmp(a)))
+    let largest = (0..triangles.len())
+        .max_by(|a, b| area(a).total_cmp(&area(b)).then(triangles[*b].cmp(&triangles[*a])))
         .ok_or(RefoldError::NoArea)?;
-    let frame = |at: &dyn Fn(SampleIndex) -> Point3| {
-        let [a, b, c] = largest.map(at);
+    let frame = |[a, b, c]: [Point3; 3]| {
         let z = unit((b - a).cross(c - a))?;
         let x = unit(b - a)?;
         Some(Frame { origin: a, x, y: z.cross(x), z })
     };
-    let from = frame(&|s| folded[s.get()]).ok_or(RefoldError::NoArea)?;
-    let to = frame(&|s| surface.position(s)).ok_or(RefoldError::NoArea)?;
+    let from = frame(folded[largest]).ok_or(RefoldError::NoArea)?;
+    let to = frame(triangles[largest].map(|s| surface.position(s))).ok_or(RefoldError::NoArea)?;
     let moved = |p: Point3| {
         let way = p - from.origin;
         to.origin + to.x * way.dot(from.x) + to.y * way.dot(from.y) + to.z * way.dot(from.z)
     };
-    let distances = folded.iter().zip(surface.positions()).map(|(p, q)| moved(*p).distance(*q));
+    let corners = triangles.iter().flatten().zip(folded.iter().flatten());
+    let distances = corners.map(|(&s, &p)| moved(p).distance(surface.position(s)));
     Ok(distances.fold(0.0, f64::max))
 }

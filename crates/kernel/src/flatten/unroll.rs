@@ -55,7 +55,7 @@ pub fn unroll(
 
 /// The third corner of a triangle to the left of a–b, whose sides are ab, ac and bc long; `None`
 /// where the lengths make no triangle.
-fn beside(a: Point2, b: Point2, ab: f64, ac: f64, bc: f64) -> Option<Point2> {
+pub(super) fn beside(a: Point2, b: Point2, ab: f64, ac: f64, bc: f64) -> Option<Point2> {
     // From the nearer end, so that the foot of the height loses no digits.
     let (origin, near, far, sign) = if ac <= bc { (a, ac, bc, 1.0) } else { (b, bc, ac, -1.0) };
     // near² − far² as a product keeps digits where both are much longer than ab.

@@ -18,7 +18,7 @@ pub use crossing::first_self_crossing;
 
 use crate::boundary::size_of;
 use crate::cost::Prices;
-use crate::flatten::Flattened;
+use crate::flatten::{Flattened, Sheet};
 use crate::index::TriangleIndex;
 use crate::math::{Point3, Vec3, to_deg};
 use crate::rung::Rung;
@@ -93,12 +93,13 @@ pub struct Measures {
     pub self_crossing: Option<[TriangleIndex; 2]>,
 }
 
-/// Measures a surface and its flat pattern. `prices` are those of the boundary that it spans.
-pub fn measures(surface: &Surface, flat: &Flattened, prices: &Prices) -> Measures {
+/// Measures a surface and the flat pattern of its sheet. `prices` are those of the boundary that it
+/// spans. A rung that is cut is measured as every other: the seam is joined in space.
+pub fn measures(surface: &Surface, sheet: &Sheet, flat: &Flattened, prices: &Prices) -> Measures {
     let rungs = rung_measures(surface, prices);
     let most = |of: fn(&RungMeasures) -> f64| rungs.iter().map(of).fold(0.0, f64::max);
     let count = rungs.len().max(1) as f64;
-    let errors = length_errors(surface, flat);
+    let errors = length_errors(sheet, flat);
     Measures {
         twist_total: rungs.iter().map(|r| r.twist).sum(),
         warp_max: most(|r| r.warp),
@@ -106,7 +107,7 @@ pub fn measures(surface: &Surface, flat: &Flattened, prices: &Prices) -> Measure
         crease_max: most(|r| r.crease.abs()),
         bend_radius_min_mm: rungs.iter().map(|r| r.bend_radius_mm).fold(f64::INFINITY, f64::min),
         area_space_mm2: area_space(surface),
-        area_flat_mm2: area_flat(surface, flat),
+        area_flat_mm2: area_flat(sheet, flat),
         length_error_max: errors.iter().copied().fold(0.0, f64::max),
         length_error_mean: errors.iter().sum::<f64>() / errors.len() as f64,
         self_crossing: first_self_crossing(surface),
@@ -226,8 +227,9 @@ impl<'a> Bends<'a> {
     }
 }
 
-/// The relative length error of every side, edges of the boundary first, then rungs.
-pub fn length_errors(surface: &Surface, flat: &Flattened) -> Vec<f64> {
+/// The relative length error of every side of the sheet, edges of its border first, then rungs.
+pub fn length_errors(sheet: &Sheet, flat: &Flattened) -> Vec<f64> {
+    let surface = sheet.surface();
     surface
         .connectivity()
         .sides()
@@ -246,8 +248,9 @@ pub fn area_space(surface: &Surface) -> f64 {
 }
 
 /// The area of a pattern, mm²: of its triangles, so that what overlaps counts twice.
-pub fn area_flat(surface: &Surface, flat: &Flattened) -> f64 {
-    surface
+pub fn area_flat(sheet: &Sheet, flat: &Flattened) -> f64 {
+    sheet
+        .surface()
         .connectivity()
         .triangles()
         .iter()

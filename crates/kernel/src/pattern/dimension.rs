@@ -39,6 +39,6 @@ pub(super) fn overall(size: Vec2, height_mm: f64) -> (Vec<PatternPath>, Vec<Patt
 }
 
 /// A length as people read it: tenths of a millimetre.
-fn millimetres(length: f64) -> String {
+pub(super) fn millimetres(length: f64) -> String {
     format!("{length:.1} mm")
 }

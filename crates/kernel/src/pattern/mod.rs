@@ -1,14 +1,16 @@
 //! The flat pattern as a workshop needs it: paths with roles, marks and labels.
 
 mod dimension;
+mod seam;
 
-use crate::flatten::Flattened;
+pub use seam::seam_mark;
+
+use crate::flatten::{Flattened, Sheet};
 use crate::index::SampleIndex;
 use crate::math::{Point2, Vec2, to_deg};
-use crate::measure::{Measures, SHARP_CREASE_DEG};
+use crate::measure::{Measures, RungMeasures, SHARP_CREASE_DEG};
 use crate::predicate::Box2;
 use crate::rung::Rung;
-use crate::surface::Surface;
 
 /// What a machine or a person does along a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -41,12 +43,16 @@ impl Role {
 /// What a path shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PathKind {
-    /// The outline of the piece; its points are the samples of the boundary, in order.
+    /// The outline of the piece; its points are the samples of its loop on the sheet, in order.
     Outline,
-    /// A rung, from its lower sample to its higher one.
+    /// A hole of the piece, clockwise; likewise.
+    Hole,
+    /// A rung, by samples of the sheet, from its lower sample to its higher one.
     Rung(Rung),
     /// A tick at the end of a ruling, on the inside of the outline: where to lay the straightedge.
     RulingTick,
+    /// A tick in the middle of a side of a seam, which meets that of the other side.
+    SeamTick,
     /// A line of a dimension.
     Dimension,
 }
@@ -84,7 +90,7 @@ pub struct PatternLabel {
 pub struct Piece {
     /// The name of its panel.
     pub name: String,
-    /// Its paths: the outline first, then rungs, then marks.
+    /// Its paths: the outline first, then holes, rungs and marks.
     pub paths: Vec<PatternPath>,
     /// Its texts.
     pub labels: Vec<PatternLabel>,
@@ -99,6 +105,12 @@ impl Piece {
             .iter()
             .find(|path| path.kind == PathKind::Outline)
             .map_or(&[], |path| &path.points)
+    }
+
+    /// The points of each closed line that is cut, mm: the outline, and then the holes.
+    pub fn loops(&self) -> impl Iterator<Item = &[Point2]> {
+        let is_loop = |path: &&PatternPath| matches!(path.kind, PathKind::Outline | PathKind::Hole);
+        self.paths.iter().filter(is_loop).map(|path| &path.points[..])
     }
 
     /// The box around everything on the piece, paths and dimensions, mm.
@@ -129,26 +141,27 @@ const TICK_SHARE: f64 = 0.05;
 /// Labels are as high as this share of the shorter side of the piece, within 2 to 25 mm.
 const LABEL_SHARE: f64 = 0.08;
 
-/// The pattern of one panel.
+/// The pattern of one panel. `measures` are those of its surface in space.
 pub fn piece(
     name: &str,
-    surface: &Surface,
+    sheet: &Sheet,
     flat: &Flattened,
     measures: &Measures,
     options: &PatternOptions,
 ) -> Piece {
-    let outer = surface.connectivity().loops()[0].clone();
-    let outline: Vec<Point2> = flat.points[outer].to_vec();
-    let size = Box2::of_points(outline.iter().copied())
+    let mut paths: Vec<PatternPath> = Vec::new();
+    for of_loop in sheet.surface().connectivity().loops() {
+        let kind = if paths.is_empty() { PathKind::Outline } else { PathKind::Hole };
+        let points = flat.points[of_loop.clone()].to_vec();
+        paths.push(PatternPath { role: Role::Cut, kind, points, closed: true });
+    }
+    let size = Box2::of_points(paths[0].points.iter().copied())
         .map_or(Vec2::ZERO, |around| around.max - Point2::default());
     let shorter = size.x.min(size.y);
-    let mut paths = vec![PatternPath {
-        role: Role::Cut,
-        kind: PathKind::Outline,
-        points: outline,
-        closed: true,
-    }];
-    for rung in &measures.rungs {
+    let is_cut = |rung: Rung| sheet.seams().iter().any(|seam| seam.rung == rung);
+    let left: Vec<(usize, &RungMeasures)> =
+        measures.rungs.iter().enumerate().filter(|(_, r)| !is_cut(r.rung)).collect();
+    for &(n, rung) in &left {
         let role = if rung.is_fold {
             Role::Score
         } else if to_deg(rung.crease.abs()) > SHARP_CREASE_DEG {
@@ -156,37 +169,40 @@ pub fn piece(
         } else {
             Role::Note
         };
+        let [a, b] = sheet.rung_ends(n).map(|s| s.get());
+        let on_sheet = Rung::new(a, b);
         paths.push(PatternPath {
             role,
-            kind: PathKind::Rung(rung.rung),
-            points: rung.rung.ends().map(|s| flat.points[s.get()]).to_vec(),
+            kind: PathKind::Rung(on_sheet),
+            points: on_sheet.ends().map(|s| flat.points[s.get()]).to_vec(),
             closed: false,
         });
     }
     let tick = (TICK_SHARE * shorter).clamp(2.0, 10.0);
-    paths.extend(ruling_ticks(flat, measures, options.ruling_ticks, tick));
+    let bending: Vec<[Point2; 2]> = left
+        .iter()
+        .filter(|(_, rung)| rung.crease.abs() > FLAT)
+        .map(|&(n, _)| sheet.rung_ends(n).map(|s| flat.points[s.get()]))
+        .collect();
+    paths.extend(ruling_ticks(&bending, options.ruling_ticks, tick));
     let height_mm = (LABEL_SHARE * shorter).clamp(2.0, 25.0);
-    let (dimension_paths, mut labels) = dimension::overall(size, height_mm);
+    let (seam_paths, seam_labels) = seam::marks(sheet, flat, tick, height_mm);
+    paths.extend(seam_paths);
+    let (dimension_paths, dimension_labels) = dimension::overall(size, height_mm);
     paths.extend(dimension_paths);
-    labels.insert(0, name_label(name, surface, flat, height_mm));
+    let mut labels = vec![name_label(name, sheet, flat, height_mm)];
+    labels.extend(seam_labels);
+    labels.extend(dimension_labels);
     Piece { name: name.to_owned(), paths, labels, size }
 }
 
 /// Ticks at both ends of some rungs, spread evenly over those that bend: those whose crease turns
 /// the sheet.
-fn ruling_ticks(
-    flat: &Flattened,
-    measures: &Measures,
-    most: usize,
-    tick_mm: f64,
-) -> Vec<PatternPath> {
-    let bending: Vec<Rung> =
-        measures.rungs.iter().filter(|r| r.crease.abs() > FLAT).map(|r| r.rung).collect();
+fn ruling_ticks(bending: &[[Point2; 2]], most: usize, tick_mm: f64) -> Vec<PatternPath> {
     let count = bending.len().min(most);
     (0..count)
         .flat_map(|n| {
-            let rung = bending[(2 * n + 1) * bending.len() / (2 * count)];
-            let [a, b] = rung.ends().map(|s: SampleIndex| flat.points[s.get()]);
+            let [a, b] = bending[(2 * n + 1) * bending.len() / (2 * count)];
             let length = a.distance(b);
             // Ticks that would meet in the middle say nothing.
             let share = (tick_mm / length).min(0.2);
@@ -206,8 +222,8 @@ const LABEL_PLACES: usize = 60;
 
 /// The name of the panel, where the piece is widest: of the middles of some rungs and triangles, the
 /// one that lies farthest from the outline.
-fn name_label(name: &str, surface: &Surface, flat: &Flattened, height_mm: f64) -> PatternLabel {
-    let connectivity = surface.connectivity();
+fn name_label(name: &str, sheet: &Sheet, flat: &Flattened, height_mm: f64) -> PatternLabel {
+    let connectivity = sheet.surface().connectivity();
     let at = |s: SampleIndex| flat.points[s.get()];
     let rungs = connectivity.hinges().iter().map(|hinge| {
         let [a, b] = hinge.rung.ends().map(at);

@@ -22,7 +22,8 @@
 //!    without a plane. Where the cheapest walk is one of those, the search is run again over paths
 //!    that count their steps and turns.
 
-use super::super::{Side, Solved, TriangulateError};
+use super::super::{Found, Side, Solved, TriangulateError};
+use super::Part;
 use super::chains::{Chains, Spot, in_sector};
 use super::pockets::{Pockets, Walk, least_of};
 use crate::cost::QUANTUM;
@@ -35,29 +36,51 @@ use std::collections::BinaryHeap;
 /// What the tables of two chains of m and k samples take, bytes.
 pub(super) fn memory_needed(m: usize, k: usize) -> u64 {
     let grid = (m as u64) * (k as u64);
-    let joins = grid * (size_of::<Side>() + size_of::<i8>()) as u64;
+    let joins = grid * size_of::<Join>() as u64;
+    // Grids are up to four rounds high on a plane, and up to two without.
     let paths = 4 * grid * 2 * size_of::<f64>() as u64;
     Pockets::memory_needed(m) + Pockets::memory_needed(k) + joins + paths
 }
 
-/// The triangles of the cheapest triangulation of the ring between two chains, and its price
-/// without that of its cuts; `None` if there is none up to `bound`. Without `counting`, the search over
-/// paths that count is not gone through: if it would be needed, `None`.
+/// Cells of all layers of a grid of paths that count, at the most: 28 bytes each, so 3 GiB.
+const MOST_COUNTING_CELLS: usize = 100_000_000;
+
+/// The cheapest triangulation of a ring; `None` if there is none. `first` is one that is known.
+pub(super) fn solve_exactly(
+    chains: &Chains<'_>,
+    first: Option<Solved>,
+    watch: &mut dyn Watch,
+) -> Result<Option<Found>, TriangulateError> {
+    let bound = first.as_ref().map_or(f64::INFINITY, |first| first.price);
+    let Some(band) = Band::new(chains, bound, &mut Part::new(watch, 0.0..0.3))? else {
+        return Ok(None);
+    };
+    let mut part = Part::new(watch, 0.3..0.7);
+    let Some(walk) = band.cheapest_walk(false, bound, &mut part)? else { return Ok(None) };
+    if walk.is_simple() {
+        return Ok(Some(Found { triangles: band.triangles(&walk), lower_bound: None }));
+    }
+    if 2 * chains.len(0) * chains.len(1) * Count::ALL > MOST_COUNTING_CELLS {
+        // The cheapest walk of all is no surface, but no surface is cheaper.
+        let lower_bound = Some(walk.price);
+        return Ok(first.map(|first| Found { triangles: first.triangles, lower_bound }));
+    }
+    let walk = band.cheapest_walk(true, bound, &mut Part::new(watch, 0.7..1.0))?;
+    Ok(walk.map(|walk| Found { triangles: band.triangles(&walk), lower_bound: None }))
+}
+
+/// The cheapest triangulation of the ring between two chains up to `bound`, without the price of
+/// its cuts; `None` if there is none, or it is no surface.
 pub(super) fn solve(
     chains: &Chains<'_>,
     bound: f64,
-    counting: bool,
     watch: &mut dyn Watch,
 ) -> Result<Option<Solved>, TriangulateError> {
     let Some(band) = Band::new(chains, bound, watch)? else { return Ok(None) };
-    for counting in if counting { &[false, true][..] } else { &[false] } {
-        let Some(walk) = band.cheapest_walk(*counting, bound, watch)? else { return Ok(None) };
-        if *counting || walk.is_simple() {
-            let triangles = band.triangles(&walk);
-            return Ok(Some(Solved { price: walk.price, triangles }));
-        }
-    }
-    Ok(None)
+    let walk = band.cheapest_walk(false, bound, watch)?;
+    Ok(walk
+        .filter(BandWalk::is_simple)
+        .map(|walk| Solved { price: walk.price, triangles: band.triangles(&walk) }))
 }
 
 /// A pair of places on the cover: an outer and an inner one.
@@ -278,10 +301,12 @@ impl<'c, 'a> Band<'c, 'a> {
         let closes = |walk: &Walk, s: usize, q: usize| {
             winding.as_ref().is_none_or(|winding| winding.closes(walk, s, q))
         };
+        let mut part = Part::new(watch, 0.0..0.7);
         let outer_pockets =
-            Pockets::new(chains, &outer, |s, q| closes(&outer, s, q), bound, watch)?;
+            Pockets::new(chains, &outer, |s, q| closes(&outer, s, q), bound, &mut part)?;
+        let mut part = Part::new(watch, 0.7..1.0);
         let inner_pockets =
-            Pockets::new(chains, &inner, |s, q| closes(&inner, s, q), bound, watch)?;
+            Pockets::new(chains, &inner, |s, q| closes(&inner, s, q), bound, &mut part)?;
         Ok(Some(Self { chains, outer, inner, joins, outer_pockets, inner_pockets }))
     }
 
@@ -355,9 +380,13 @@ impl<'c, 'a> Band<'c, 'a> {
         };
         let mut sets =
             vec![Starts { outer: (0, 0), inner: first }, Starts { outer: (1, m - 1), inner: all }];
+        let mut left = 1.0;
         loop {
             for starts in sets.drain(..) {
-                if let Some(walk) = sweep(&starts, bound, watch)? {
+                // Nobody knows how often sets are halved: each sweep gets half of what is left.
+                let mut part = Part::new(watch, 1.0 - left..1.0 - 0.5 * left);
+                left *= 0.5;
+                if let Some(walk) = sweep(&starts, bound, &mut part)? {
                     if walk.closes() {
                         bound = bound.min(walk.price);
                     }
@@ -385,6 +414,7 @@ impl<'c, 'a> Band<'c, 'a> {
             if watch.stop() {
                 return Err(TriangulateError::Stopped);
             }
+            watch.progress(c as f64 / grid.columns as f64);
             for r in 0..grid.rows {
                 let (p, a) = grid.pair(c, r);
                 let price = self.join_price(p, a);
@@ -500,6 +530,7 @@ impl<'c, 'a> Band<'c, 'a> {
             if watch.stop() {
                 return Err(TriangulateError::Stopped);
             }
+            watch.progress(c as f64 / grid.columns as f64);
             for r in 0..grid.rows {
                 let (p, a) = grid.pair(c, r);
                 let price = self.join_price(p, a);

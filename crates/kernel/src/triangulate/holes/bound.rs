@@ -13,9 +13,13 @@
 //!    side. Moved whole, one sweep works out equation (5), and on a simple polygon the whole price
 //!    of the optimum arrives at the last edge. Rungs that cross a cut are swept along.
 //! 3. Sweeps back and forth level out what the cuts have upset; then it is better to move a part
-//!    ([`SHARE`]). The bound never falls.
+//!    of it. The bound never falls.
 //! 4. A triangle that is left with more than the gap belongs to no cheaper triangulation and is
 //!    dropped.
+//!
+//! 5. Every triangulation has the same number of triangles, so that any amount may be taken off all
+//!    of them alike. Without a plane that is needed: a lid over each hole, and the panel closed
+//!    behind it, has fewer.
 //!
 //! All prices are whole numbers of half quanta, so that the bound is exact.
 
@@ -27,16 +31,20 @@ use crate::watch::Watch;
 use std::cmp::Ordering;
 use std::ops::Range;
 
-/// What of the difference a rung moves, in sixteenths: 8 would leave both sides as much, 16 leaves
-/// the side it comes from nothing. Of 8, 10, 12, 14 and 16, 12 closed the gap of panels with two to
-/// eight holes in the fewest sweeps.
-const SHARE: i64 = 12;
 /// No side.
 const NONE: u32 = u32::MAX;
 /// What dropped triangles are left with.
 const DROPPED: i64 = i64::MAX;
 /// Triangles at the most, of 50 bytes each.
 const MOST_TRIANGLES: usize = 20_000_000;
+
+/// What the tables of m samples take, bytes.
+pub(super) fn memory_needed(m: usize) -> u64 {
+    // The number of every pair, the sides, and the triangles with their places in lists.
+    let pairs = (m as u64) * (m as u64);
+    let triangles = (pairs * m as u64 / 3).min(MOST_TRIANGLES as u64);
+    pairs * 48 + triangles * 50
+}
 
 /// A price in half quanta.
 pub(super) fn units(price: f64) -> i64 {
@@ -239,6 +247,16 @@ impl Left {
         self.of_triangles[triangle as usize]
     }
 
+    /// Whether no triangle is left with less than nothing, so that the bound is one.
+    pub(super) fn is_bound(&self) -> bool {
+        self.of_triangles.iter().all(|&left| left >= 0)
+    }
+
+    /// How many triangles are not dropped.
+    pub(super) fn triangles(&self) -> usize {
+        self.of_triangles.iter().filter(|&&left| left != DROPPED).count()
+    }
+
     pub(super) fn drop_triangle(&mut self, triangle: u32) {
         self.of_triangles[triangle as usize] = DROPPED;
     }
@@ -257,8 +275,18 @@ impl Left {
         }
     }
 
-    /// One sweep, and what is dropped after it; false if nothing below the limit is left.
-    pub(super) fn sweep(&mut self, relaxation: &Relaxation, forwards: bool) -> bool {
+    /// Takes `amount` off every triangle, of which every triangulation has `count`. It may leave
+    /// some with less than nothing; until sweeps have made up for that, nothing is bounded.
+    pub(super) fn take(&mut self, amount: i64, count: usize) {
+        for left in &mut self.of_triangles {
+            *left -= amount;
+        }
+        self.bound += amount * count as i64;
+    }
+
+    /// One sweep, and what is dropped after it; false if nothing below the limit is left. A rung
+    /// moves `share` sixteenths of the difference.
+    pub(super) fn sweep(&mut self, relaxation: &Relaxation, forwards: bool, share: i64) -> bool {
         let moved = relaxation.order.len();
         for n in 0..moved {
             let inner = relaxation.order[if forwards { n } else { moved - 1 - n }];
@@ -270,7 +298,7 @@ impl Left {
                 (DROPPED, _) => to.iter().for_each(|&t| self.drop_triangle(t)),
                 (_, DROPPED) => from.iter().for_each(|&t| self.drop_triangle(t)),
                 (has, other) => {
-                    let amount = has - (has + other) * (16 - SHARE) / 16;
+                    let amount = has - (has + other) * (16 - share) / 16;
                     if amount != 0 {
                         self.add(from, -amount);
                         self.add(to, amount);
@@ -285,6 +313,9 @@ impl Left {
             }
             self.bound += least;
             self.add(relaxation.on(edge), -least);
+        }
+        if !self.is_bound() {
+            return true;
         }
         for left in &mut self.of_triangles {
             if *left != DROPPED && *left + self.bound >= relaxation.limit {

@@ -11,22 +11,51 @@ mod search;
 use super::Found;
 use super::Terms;
 use super::TriangulateError;
+use super::memory_needed as memory_needed_for_chain;
 use crate::boundary::SupportingPlane;
 use crate::watch::Watch;
 use chains::Chains;
 use std::ops::Range;
 
+/// Prices above which a bound prunes little on a ring, so that it isn't worth looking for one.
+const WORTH_A_BOUND: f64 = 4.0;
+
 /// What the tables of loops of these lengths take, bytes.
 pub(super) fn memory_needed(lengths: &[usize]) -> u64 {
-    band::memory_needed(lengths[0], lengths[1..].iter().sum())
+    let holes = lengths.len() - 1;
+    let all = lengths.iter().sum::<usize>() + 2 * holes;
+    let chain = memory_needed_for_chain(all);
+    let band = band::memory_needed(all - lengths[holes], lengths[holes]);
+    let bound = if holes > 1 { bound::memory_needed(all) } else { 0 };
+    chain.max(band).max(bound)
 }
 
-/// Passes on a wish to stop, and no progress: parts of the work do not know how much there is.
-struct Quiet<'w>(&'w mut dyn Watch);
+/// A part of the work, and the part of its progress that this is.
+struct Part<'w> {
+    watch: &'w mut dyn Watch,
+    share: Range<f64>,
+}
 
-impl Watch for Quiet<'_> {
+impl<'w> Part<'w> {
+    fn new(watch: &'w mut dyn Watch, share: Range<f64>) -> Self {
+        Self { watch, share }
+    }
+
+    /// A part whose progress nobody can tell.
+    fn silent(watch: &'w mut dyn Watch) -> Self {
+        Self { watch, share: f64::NAN..f64::NAN }
+    }
+}
+
+impl Watch for Part<'_> {
+    fn progress(&mut self, done: f64) {
+        if self.share.start.is_finite() {
+            self.watch.progress(self.share.start + (self.share.end - self.share.start) * done);
+        }
+    }
+
     fn stop(&self) -> bool {
-        self.0.stop()
+        self.watch.stop()
     }
 }
 
@@ -37,14 +66,14 @@ pub(super) fn solve(
     loops: &[Range<usize>],
     watch: &mut dyn Watch,
 ) -> Result<Option<Found>, TriangulateError> {
-    let watch = &mut Quiet(watch);
     let chains = Chains::new(terms, plane, loops);
     if loops.len() == 2 {
-        let found = band::solve(&chains, f64::INFINITY, true, watch)?;
-        return Ok(found.map(|found| Found { triangles: found.triangles, lower_bound: None }));
+        let first = search::first(&chains, WORTH_A_BOUND, &mut Part::new(watch, 0.0..0.1))?;
+        return band::solve_exactly(&chains, first, &mut Part::new(watch, 0.1..1.0));
     }
-    let found = search::solve(&chains, watch)?;
-    let Some(best) = found else { return Ok(None) };
-    let (best, lower_bound) = prove::prove(&chains, best, watch)?;
+    let first = search::first(&chains, f64::INFINITY, &mut Part::new(watch, 0.0..0.1))?;
+    let Some(first) = first else { return Ok(None) };
+    let best = search::improved(&chains, first, &mut Part::new(watch, 0.1..0.5))?;
+    let (best, lower_bound) = prove::prove(&chains, best, &mut Part::new(watch, 0.5..1.0))?;
     Ok(Some(Found { triangles: best.triangles, lower_bound }))
 }

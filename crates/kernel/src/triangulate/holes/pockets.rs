@@ -65,7 +65,8 @@ pub(super) struct Pockets {
 impl Pockets {
     /// What the tables of a chain take, bytes.
     pub(super) fn memory_needed(n: usize) -> u64 {
-        (n as u64) * (n as u64) * (2 * size_of::<f64>() + size_of::<Vec3>()) as u64
+        let entry = 2 * size_of::<f64>() + size_of::<Vec3>() + size_of::<Side>();
+        (n as u64) * (n as u64) * entry as u64
     }
 
     /// The pockets of a walk up to the price `bound`. `closes(s, q)` says whether the rung between
@@ -100,6 +101,7 @@ impl Pockets {
             if watch.stop() {
                 return Err(TriangulateError::Stopped);
             }
+            watch.progress(length as f64 / n as f64);
             for s in 0..n {
                 let q = (s + length) % n;
                 let Side { price, .. } = sides[s * n + q];

@@ -2,6 +2,7 @@
 
 use super::super::optimal;
 use super::super::{Solved, Terms, TriangulateError};
+use super::Part;
 use super::chains::{Chains, Spot};
 use crate::rung::Visibility;
 use crate::watch::Watch;
@@ -85,7 +86,7 @@ fn solve(
     let visibility = Visibility::of_pairs(n, |i, j| chains.sees(spot(i), spot(j)));
     let terms = Terms { prices: &prices, visibility: &visibility, forced: chains.terms.forced };
     let found = if bound < f64::INFINITY {
-        optimal::solve_within(&terms, bound - of_cuts, watch)?
+        optimal::solve_within(&terms, bound - of_cuts, &mut Part::silent(watch))?
     } else {
         optimal::solve_priced(&terms, watch)?
     };

@@ -8,7 +8,7 @@
 
 use super::super::{Solved, TriangulateError};
 use super::chains::{Chains, Spot};
-use super::{band, polygon};
+use super::{Part, band, polygon};
 use crate::watch::Watch;
 use std::collections::BTreeMap;
 
@@ -84,23 +84,26 @@ impl Sides {
     }
 }
 
-/// A cheap triangulation of a domain with several holes: the best that cuts and their replacement
-/// find. `None` if there is none, or none was found.
-pub(super) fn solve(
+/// The best triangulation that the replacement of cuts finds, beginning with `best`.
+pub(super) fn improved(
     chains: &Chains<'_>,
+    mut best: Solved,
     watch: &mut dyn Watch,
-) -> Result<Option<Solved>, TriangulateError> {
-    let Some(mut best) = first(chains, watch)? else { return Ok(None) };
-    for round in 0.. {
+) -> Result<Solved, TriangulateError> {
+    let mut left = 1.0;
+    for _ in 0..MOST_ROUNDS {
         let mut better = false;
         for kind in [Prefer::Short, Prefer::Long, Prefer::Straight] {
-            better |= improve(chains, &mut best, kind, watch)?;
+            // Nobody knows how many rounds it takes: each gets a part of what is left.
+            let mut part = Part::new(watch, 1.0 - left..1.0 - 0.8 * left);
+            better |= improve(chains, &mut best, kind, &mut part)?;
+            left *= 0.8;
         }
-        if !better || round >= MOST_ROUNDS {
+        if !better {
             break;
         }
     }
-    Ok(Some(best))
+    Ok(best)
 }
 
 /// Rounds of improvement at the most; two or three are usual.
@@ -118,8 +121,13 @@ enum Prefer {
     Straight,
 }
 
-/// A first triangulation: the loops are tied together by the shortest rungs.
-fn first(chains: &Chains<'_>, watch: &mut dyn Watch) -> Result<Option<Solved>, TriangulateError> {
+/// A first triangulation: the loops are tied together by the shortest rungs. `None` if there is
+/// none up to `bound`, or none was found.
+pub(super) fn first(
+    chains: &Chains<'_>,
+    bound: f64,
+    watch: &mut dyn Watch,
+) -> Result<Option<Solved>, TriangulateError> {
     let mut cut = chains.clone();
     while cut.chains.len() > 1 {
         let mut shortest: Option<(f64, Spot, Spot)> = None;
@@ -138,7 +146,7 @@ fn first(chains: &Chains<'_>, watch: &mut dyn Watch) -> Result<Option<Solved>, T
         let Some((_, p, q)) = shortest else { return Ok(None) };
         cut = cut.with_cut(p, q);
     }
-    polygon::solve_simple(&cut, f64::INFINITY, MOST_CASES, watch)
+    polygon::solve_simple(&cut, bound, MOST_CASES, watch)
 }
 
 /// Replaces the cuts of one choice, one after the other; whether that made it cheaper.
@@ -149,7 +157,9 @@ fn improve(
     watch: &mut dyn Watch,
 ) -> Result<bool, TriangulateError> {
     let mut better = false;
-    for left_out in 0..chains.chains.len() - 1 {
+    let holes = chains.chains.len() - 1;
+    for left_out in 0..holes {
+        watch.progress(left_out as f64 / holes as f64);
         let Some(sides) = Sides::new(chains, &best.triangles) else { return Ok(better) };
         let mut cuts = tree(chains, &sides, prefer);
         if left_out >= cuts.len() {
@@ -161,7 +171,7 @@ fn improve(
             continue;
         }
         let of_cuts = ring.price_of_cuts();
-        if let Some(solved) = band::solve(&ring, best.price - of_cuts, false, watch)?
+        if let Some(solved) = band::solve(&ring, best.price - of_cuts, &mut Part::silent(watch))?
             && solved.price + of_cuts < best.price
             && Sides::new(chains, &solved.triangles).is_some()
         {

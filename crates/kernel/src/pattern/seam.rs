@@ -1,0 +1,67 @@
+//! The marks of a seam: the same letters and a tick in the middle of both its sides, and how long it
+//! is.
+
+use super::dimension::millimetres;
+use super::{PathKind, PatternLabel, PatternPath, Role};
+use crate::flatten::{Flattened, Sheet};
+use crate::math::{Point2, Vec2, unit2};
+
+/// Letters of a mark are as high as this share of the seam at the most, and as the letters of the
+/// piece times [`BESIDE_NAME`], but no lower than [`LEAST_MM`].
+const HEIGHT_SHARE: f64 = 0.12;
+/// Marks are smaller than the name of the piece.
+const BESIDE_NAME: f64 = 0.6;
+/// Smaller letters can't be engraved.
+const LEAST_MM: f64 = 1.5;
+
+/// How the `n`-th seam of a piece is marked, from 0: `S1` and so on. Edges have letters in reports,
+/// so seams have another name.
+pub fn seam_mark(n: usize) -> String {
+    format!("S{}", n + 1)
+}
+
+/// The marks of all seams of a sheet. `tick_mm` is the length of a tick on it, `height_mm` the
+/// height of its letters.
+pub(super) fn marks(
+    sheet: &Sheet,
+    flat: &Flattened,
+    tick_mm: f64,
+    height_mm: f64,
+) -> (Vec<PatternPath>, Vec<PatternLabel>) {
+    let (mut paths, mut labels) = (Vec::new(), Vec::new());
+    for (n, seam) in sheet.seams().iter().enumerate() {
+        let mark = seam_mark(n);
+        for (side, ends) in seam.sides.iter().enumerate() {
+            let [from, to] = ends.map(|s| flat.points[s.get()]);
+            let length = from.distance(to);
+            let height_mm = (HEIGHT_SHARE * length).min(BESIDE_NAME * height_mm).max(LEAST_MM);
+            // The sheet lies to the left of its border.
+            let along = unit2(to - from).unwrap_or(Vec2::X);
+            let inside = along.perp();
+            let middle = from.lerp(to, 0.5);
+            paths.push(PatternPath {
+                role: Role::Engrave,
+                kind: PathKind::SeamTick,
+                points: vec![middle, middle + inside * tick_mm.min(0.2 * length)],
+                closed: false,
+            });
+            // Beside the tick, with its feet on the seam, so that the marks of both sides stand
+            // foot to foot when it is joined.
+            let beside = |at: Point2| at + along * (1.2 * height_mm) + inside * (0.4 * height_mm);
+            let label = |role: Role, at: Point2, along: Vec2, text: String| PatternLabel {
+                role,
+                at,
+                along,
+                height_mm,
+                text,
+            };
+            labels.push(label(Role::Engrave, beside(middle), along, mark.clone()));
+            if side == 0 {
+                let outside = middle + inside * (-1.5 * height_mm);
+                let text = format!("seam {mark}, {}", millimetres(length));
+                labels.push(label(Role::Note, outside, along, text));
+            }
+        }
+    }
+    (paths, labels)
+}
