@@ -3,6 +3,7 @@
 
 use sheetwright::boundary::{PlaneChoice, supporting_plane};
 use sheetwright::cost::Prices;
+use sheetwright::flatten::lay_flat;
 use sheetwright::index::{SampleIndex, TriangleIndex};
 use sheetwright::math::{Point2, angle_between, sin, to_deg};
 use sheetwright::measure::area_space;
@@ -134,6 +135,45 @@ fn flat_error(shape: &Pierced, solved: &Solved) -> f64 {
     largest_distance_after_fitting(&flat, &development) / solved.sampled.boundary.size()
 }
 
+/// The same of the pattern as it is made, cut open where it must be. Which turn a sample is
+/// developed in is found by walking from triangle to triangle, not across cuts.
+fn pattern_error(shape: &Pierced, solved: &Solved) -> f64 {
+    let (sheet, flat) = lay_flat(&solved.surface, &[], &mut Unwatched).unwrap();
+    assert_eq!(flat.overlap, None, "{}", shape.name);
+    // A ring needs one cut; windows in what unrolls exactly close again.
+    assert_eq!(sheet.seams().len(), usize::from(shape.has_ends()), "{}", shape.name);
+    let connectivity = sheet.surface().connectivity();
+    let of_triangles = connectivity.hinges_of_triangles();
+    let mut turns: Vec<Option<[f64; 2]>> = vec![None; flat.points.len()];
+    let parameters = |s: SampleIndex, near: f64| {
+        parameters_near(shape, solved.sampled.parameters[sheet.origin(s).get()], near)
+    };
+    let first = connectivity.triangles()[0][0];
+    turns[first.get()] = Some(parameters(first, 0.0));
+    let mut reached = vec![0];
+    let mut next = 0;
+    while next < reached.len() {
+        let t = reached[next];
+        next += 1;
+        let corners = connectivity.triangles()[t];
+        let [u, _] = corners.iter().find_map(|s| turns[s.get()]).unwrap();
+        for s in corners {
+            turns[s.get()] = turns[s.get()].or(Some(parameters(s, u)));
+        }
+        for &n in &of_triangles[t] {
+            let both = connectivity.hinges()[n].triangles.map(TriangleIndex::get);
+            for other in both {
+                if !reached.contains(&other) {
+                    reached.push(other);
+                }
+            }
+        }
+    }
+    let development: Vec<Point2> =
+        turns.into_iter().map(|at| at.unwrap()).map(|[u, v]| shape.surface.flat(u, v)).collect();
+    largest_distance_after_fitting(&flat.points, &development) / solved.sampled.boundary.size()
+}
+
 /// What is measured on one shape at one sampling.
 struct Measured {
     off: OffRulings,
@@ -141,6 +181,7 @@ struct Measured {
     area: f64,
     length: f64,
     flat: f64,
+    pattern: f64,
 }
 
 fn measured(shape: &Pierced, m: usize) -> Measured {
@@ -151,10 +192,11 @@ fn measured(shape: &Pierced, m: usize) -> Measured {
         area: (area_space(&solved.surface) / shape.area() - 1.0).abs(),
         length: length_error(shape, &solved),
         flat: flat_error(shape, &solved),
+        pattern: pattern_error(shape, &solved),
     };
     println!(
         "{} {m}: {:.2}° off, {:.2} spacings, W {:.4}, area {:.1e}, lengths {:.1e}, flat {:.1e}, \
-         gap {:.2}",
+         pattern {:.1e}, gap {:.2}",
         shape.name,
         to_deg(measured.off.angle),
         measured.off.miss,
@@ -162,6 +204,7 @@ fn measured(shape: &Pierced, m: usize) -> Measured {
         measured.area,
         measured.length,
         measured.flat,
+        measured.pattern,
         solved.triangulation.gap()
     );
     measured
@@ -176,6 +219,7 @@ fn assert_is_developed(shape: &Pierced, at_400: &Measured) {
     assert!(at_400.length < 5e-4, "{name}: lengths {}", at_400.length);
     assert!(at_400.area < 5e-4, "{name}: area {}", at_400.area);
     assert!(at_400.flat < 5e-4, "{name}: flat {}", at_400.flat);
+    assert!(at_400.pattern < 5e-4, "{name}: pattern {}", at_400.pattern);
     if !shape.has_straight_sides() {
         assert!(to_deg(at_400.off.angle) < 7.0, "{name}: {}°", to_deg(at_400.off.angle));
     }

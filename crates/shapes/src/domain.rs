@@ -83,3 +83,30 @@ fn parts(m: usize, triangles: &[[usize; 3]]) -> usize {
     }
     (0..m).filter(|&i| part[i] == i).count()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Six triangles round a ring of three and three samples.
+    const ROUND: [[usize; 3]; 6] =
+        [[0, 1, 3], [5, 3, 1], [1, 2, 5], [4, 5, 2], [2, 0, 4], [3, 4, 0]];
+
+    #[test]
+    fn a_ring_is_a_triangulation_and_what_is_none_is_named() {
+        let loops = [0..3, 3..6];
+        assert_eq!(fault(&loops, &ROUND), None);
+        let named = |triangles: &[[usize; 3]], words: &str| {
+            let fault = fault(&loops, triangles).unwrap_or_default();
+            assert!(fault.contains(words), "{fault:?} says nothing of {words:?}");
+        };
+        named(&ROUND[1..], "no triangle at the edge from 0 to 1");
+        named(&ROUND.map(|[a, b, c]| [a, c, b]), "no triangle at the edge from 0 to 1");
+        let over_the_edge =
+            fault(std::slice::from_ref(&(0..4)), &[[0, 1, 2], [0, 2, 3], [1, 0, 3]]);
+        assert!(over_the_edge.is_some_and(|f| f.contains("outside the edge from 0 to 1")));
+        named(&[&ROUND[..], &[[0, 1, 4]]].concat(), "two triangles run from 0 to 1");
+        named(&[&ROUND[..], &[[0, 0, 4]]].concat(), "is no triangle");
+        named(&[[0, 1, 2], [3, 4, 5]], "2 parts");
+    }
+}

@@ -111,7 +111,7 @@ pub fn roof(random: &mut Random, sizes: &[usize]) -> Option<Boundary> {
     over_its_plan(random, &loops, 0.0)
 }
 
-/// The same on a coarse grid, so that rungs and triangles tie, lie on lines, pass through samples
+/// A plate on a coarse grid, so that rungs and triangles tie, lie on lines, pass through samples
 /// and run along tangents.
 pub fn grid_plate(random: &mut Random, sizes: &[usize]) -> Option<Boundary> {
     let flat = random.unit() < 0.5;
