@@ -115,7 +115,7 @@ fn a_ring_is_cut_open_and_marked_on_both_sides() {
     assert_eq!(svg.matches("class=\"hole\"").count(), 0);
     assert_eq!(svg.matches("data-text=\"S1\"").count(), 2);
     assert_eq!(svg.matches("class=\"seam-tick\"").count(), 2);
-    let slant = f64::hypot(100.0, 120.0);
+    let slant = Vec2::new(100.0, 120.0).length();
     assert_eq!(svg.matches(&format!("data-text=\"seam S1, {slant:.1} mm\"")).count(), 1);
     let report = report(&outputs);
     assert_eq!(report["holes_flat"], 0);
@@ -163,7 +163,7 @@ fn the_user_says_where_to_cut() {
     };
     for [x, y] in [[-150.0, 0.0], [0.0, 150.0], [100.0, -110.0]] {
         let middle = seam(json!([[x, y, 60.0]]));
-        let off = f64::hypot(middle.x - x, middle.y - y);
+        let off = Vec2::new(middle.x - x, middle.y - y).length();
         assert!(off < 15.0, "{middle:?}");
     }
 }
