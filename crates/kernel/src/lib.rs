@@ -83,3 +83,5 @@ pub mod pattern;
 pub mod check;
 
 pub mod design;
+
+pub mod template;

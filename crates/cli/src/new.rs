@@ -1,0 +1,33 @@
+//! `sheetwright new`: a design from a template.
+
+use crate::args::NewArgs;
+use crate::failure::Failure;
+use crate::voice::{Voice, print};
+use crate::whole::write_one;
+use sheetwright::template::template;
+use sheetwright_files::{
+    catalogue_json, catalogue_text, design_from_template, template_text, write_design,
+};
+
+pub(crate) fn run(args: &NewArgs, voice: Voice) -> Result<(), Failure> {
+    let name = args.template.as_deref();
+    if args.list {
+        let one = name.and_then(template);
+        return match (one, name) {
+            // A name that is none is answered as it is where a design is wanted.
+            (None, Some(name)) => {
+                design_from_template(name, &[]).map(|_| ()).map_err(Failure::from)
+            }
+            _ if voice.json => print(&catalogue_json(one)),
+            (Some(template), _) => print(&template_text(template)),
+            (None, None) => print(&catalogue_text()),
+        };
+    }
+    let design = design_from_template(name.unwrap_or_default(), &args.set)?;
+    let bytes = write_design(&design);
+    match &args.out {
+        Some(path) => write_one(path, &bytes)?,
+        None => print(&String::from_utf8_lossy(&bytes))?,
+    }
+    Ok(())
+}
