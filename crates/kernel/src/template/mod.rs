@@ -9,6 +9,12 @@
 //! refuses itself, in words.
 
 mod cone;
+mod dome;
+mod duct;
+mod elbow;
+mod gores;
+mod hopper;
+mod revolution;
 mod sketch;
 
 use crate::design::Design;
@@ -212,7 +218,21 @@ pub fn catalogue() -> &'static [Template] {
     &CATALOGUE
 }
 
-static CATALOGUE: [Template; 1] = [cone::CONE];
+static CATALOGUE: [Template; 13] = [
+    dome::DOME,
+    dome::BALL,
+    dome::BALLOON,
+    dome::AIRSHIP,
+    revolution::HEMISPHERE,
+    revolution::REVOLUTION,
+    duct::SQUARE_TO_ROUND,
+    duct::REDUCER,
+    elbow::ELBOW,
+    elbow::Y_BRANCH,
+    hopper::HOPPER,
+    cone::CONE,
+    cone::LAMPSHADE,
+];
 
 /// The template of a name.
 pub fn template(name: &str) -> Option<&'static Template> {
@@ -360,4 +380,26 @@ const fn count(
 ) -> Parameter {
     let range = Range { least: least as f64, most: most as f64, default: default as f64 };
     Parameter { name, meaning, kind: Kind::Count(range) }
+}
+
+/// An angle, degrees.
+const fn angle(
+    name: &'static str,
+    meaning: &'static str,
+    least: f64,
+    most: f64,
+    default: f64,
+) -> Parameter {
+    Parameter { name, meaning, kind: Kind::Angle(Range { least, most, default }) }
+}
+
+/// A plain number.
+const fn number(
+    name: &'static str,
+    meaning: &'static str,
+    least: f64,
+    most: f64,
+    default: f64,
+) -> Parameter {
+    Parameter { name, meaning, kind: Kind::Number(Range { least, most, default }) }
 }
