@@ -196,8 +196,7 @@ fn y_branch(values: &Values) -> Drawn {
         return Err(TemplateError::together("trunk-length", message, hint));
     }
     let mut sketch = Sketch::default();
-    // The trunk, with its seam below one crotch side: from the front round, where it is longest, the
-    // seam would be longest too, so it runs at +x, where the cut is lowest.
+    // The seam of the trunk runs at +x, where its upper edge is lowest and the seam shortest.
     let top = |angle: f64| {
         let x = big * cos(angle);
         Point3::new(x, big * sin(angle), middle + slope * x.abs())
