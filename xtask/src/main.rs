@@ -4,6 +4,8 @@
 mod composites;
 mod figures;
 mod fold_price;
+mod measured;
+mod templates;
 
 use std::process::ExitCode;
 
@@ -11,6 +13,8 @@ const HELP: &str = "Chores of the project:
   cargo xtask composites   writes docs/composites.md and examples/three-cones.sheet.json
   cargo xtask figures      writes docs/pictures/: the hull, the three cones
   cargo xtask fold-price   writes docs/fold-price.md: what the fold price costs and what it buys
+  cargo xtask measured     writes docs/measured.md: gores against the sphere, a duct against tradition
+  cargo xtask templates    writes docs/templates.md and its pictures, from the catalogue
 ";
 
 fn main() -> ExitCode {
@@ -19,6 +23,8 @@ fn main() -> ExitCode {
         "composites" => composites::write(),
         "figures" => figures::write(),
         "fold-price" => fold_price::write(),
+        "measured" => measured::write(),
+        "templates" => templates::write(),
         _ => {
             print!("{HELP}");
             return if chore.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(2) };

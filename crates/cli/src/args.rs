@@ -1,10 +1,12 @@
 //! The command line.
 
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser, StringValueParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use sheetwright::design::PanelMethod;
+use sheetwright::template::catalogue;
 use sheetwright_files::{Format, InputFormat, MaxSheets, Paper, PdfOptions, ReadOptions, Units};
+use std::ffi::OsStr;
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
@@ -15,6 +17,10 @@ Examples:
       A closed curve from a spreadsheet, smoothed through its points
   sheetwright check dinghy.sheet.json
       Will it bend? The verdict alone
+  sheetwright new --list
+      Shapes to begin with: cones, ducts, domes and what they take
+  sheetwright new cone --set bottom=40cm --make build
+      From a template to patterns in one go; with -o hood.sheet.json, a design to go on with
   sheetwright convert leaf.csv leaf.sheet.json
       A curve table becomes a design to go on with
 
@@ -43,6 +49,14 @@ Examples:
   sheetwright convert dinghy.sheet.json dinghy.obj    all surfaces; also .pdf, .html, .json
   sheetwright convert leaf.csv leaf.dxf               the pattern of a single panel; also .svg";
 
+const NEW_EXAMPLES: &str = "\
+Examples:
+  sheetwright new --list                              what there is, and what it takes
+  sheetwright new cone --list                         the same of one template
+  sheetwright new cone --set bottom=40cm --set height='15 3/4in' -o hood.sheet.json
+  sheetwright new hemisphere --make build             the patterns and the report at once
+  sheetwright new cone --set material=steel-1mm | sheetwright check - --from json";
+
 /// From boundary curves to the developable surface that fits them best, and its flat pattern.
 #[derive(Debug, Parser)]
 #[command(name = "sheetwright", version, after_help = EXAMPLES, arg_required_else_help = true)]
@@ -66,6 +80,9 @@ pub(crate) enum Command {
     /// Say whether the panels will bend
     #[command(after_help = CHECK_EXAMPLES)]
     Check(CheckArgs),
+    /// Write a design from a template
+    #[command(after_help = NEW_EXAMPLES)]
+    New(NewArgs),
     /// Turn one format into another, by the endings of the names
     #[command(after_help = CONVERT_EXAMPLES)]
     Convert(ConvertArgs),
@@ -103,6 +120,26 @@ pub(crate) struct MakeArgs {
 pub(crate) struct CheckArgs {
     #[command(flatten)]
     pub(crate) source: SourceArgs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct NewArgs {
+    /// The template
+    #[arg(value_name = "TEMPLATE", required_unless_present = "list", value_parser = TemplateName)]
+    pub(crate) template: Option<String>,
+    /// Say which templates there are and what they take, or what this one takes
+    #[arg(long, conflicts_with_all = ["set", "out", "make"])]
+    pub(crate) list: bool,
+    /// Set a parameter: a length in mm or with a unit (400mm, 40cm, 0.4m, 15 3/4in, 1' 4"), an
+    /// angle in degrees, a number or a choice
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub(crate) set: Vec<String>,
+    /// The design to write [default: standard output]
+    #[arg(long, short, value_name = "FILE")]
+    pub(crate) out: Option<PathBuf>,
+    /// Make it at once, as `make` does: the design, its patterns and its report go into this folder
+    #[arg(long, value_name = "DIR", conflicts_with = "out")]
+    pub(crate) make: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]
@@ -213,6 +250,29 @@ pub(crate) enum Aim {
     Max,
     /// The error of the seams, which stay exact
     Seams,
+}
+
+/// Any name, while completions and help show the known ones: the refusal of an unknown one comes with
+/// the nearest known one, as everywhere.
+#[derive(Clone, Debug)]
+struct TemplateName;
+
+impl TypedValueParser for TemplateName {
+    type Value = String;
+
+    fn parse_ref(
+        &self,
+        command: &clap::Command,
+        arg: Option<&clap::Arg>,
+        value: &OsStr,
+    ) -> Result<String, clap::Error> {
+        StringValueParser::new().parse_ref(command, arg, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        let known = catalogue().iter();
+        Some(Box::new(known.map(|one| PossibleValue::new(one.name).help(one.title))))
+    }
 }
 
 fn format_parser() -> impl TypedValueParser<Value = Format> {

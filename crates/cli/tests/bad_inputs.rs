@@ -34,7 +34,12 @@ fn run(case: &Case, out: &Path) -> Output {
     } else {
         Command::new(program)
     };
-    command.current_dir(&case.folder).arg("make").arg(&case.input).arg("--out").arg(out);
+    command.current_dir(&case.folder);
+    if case.input.ends_with(".new") {
+        command.arg("new").arg("--out").arg(out);
+    } else {
+        command.arg("make").arg(&case.input).arg("--out").arg(out);
+    }
     command.args(&case.args).stdin(Stdio::null()).output().unwrap()
 }
 
@@ -57,6 +62,11 @@ fn case(file: String, scratch: &Path) -> Option<Case> {
     let name = name.rsplit_once('.').map_or(name, |(stem, _)| stem).to_owned();
     let args = fs::read_to_string(corpus().join(format!("{name}.args"))).unwrap_or_default();
     let args = args.split_whitespace().map(str::to_owned).collect();
+    if file.ends_with(".new") {
+        let args = fs::read_to_string(corpus().join(&file)).unwrap();
+        let args = args.lines().map(str::to_owned).collect();
+        return Some(Case { name, folder: corpus(), input: file, args });
+    }
     let (folder, input) = if file.ends_with(".generate") {
         let recipe = fs::read_to_string(corpus().join(&file)).unwrap();
         let folder = scratch.join(&name);

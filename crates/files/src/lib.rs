@@ -1,9 +1,10 @@
 //! Bytes to kernel values and back: the only crate that knows file formats.
 //!
 //! In: [`read_input`] makes a kernel [`Design`](sheetwright::design::Design) from a design file or
-//! a curve table. Out: [`output_files`] makes every file of a made design, in memory; the caller
+//! a curve table, [`design_from_template`] from a template. Out: [`output_files`] makes every file of a made design, in memory; the caller
 //! writes them. One module a format.
 
+mod catalogue;
 mod design_json;
 mod drawing;
 mod dxf;
@@ -14,6 +15,7 @@ mod names;
 mod obj;
 mod output;
 mod pdf;
+mod quantity;
 mod read_back;
 mod reading;
 mod refold;
@@ -21,8 +23,10 @@ mod report;
 mod stroke_font;
 mod svg;
 mod table;
+mod template_call;
 mod units;
 
+pub use catalogue::{catalogue_json, catalogue_text, parameter_table, template_text};
 pub use design_json::write_design;
 pub use dxf::{read_dxf, write_dxf};
 pub use hint::hint_for;
@@ -40,4 +44,5 @@ pub use report::{
 };
 pub use svg::{read_svg, write_svg};
 pub use table::{MAX_CURVES, MAX_ROWS, TableCurve, TablePoint, read_table, write_table};
+pub use template_call::design_from_template;
 pub use units::Units;

@@ -84,3 +84,5 @@ pub mod pattern;
 pub mod check;
 
 pub mod design;
+
+pub mod template;

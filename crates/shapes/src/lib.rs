@@ -2,18 +2,21 @@
 //!
 //! [`developable`] has surfaces whose flat form is known in closed form, [`rings`] the same with
 //! holes, [`family`] the curve families that programs of this field are compared on, [`hemisphere`]
-//! the pieces of a gored hemisphere, [`random`] a generator of numbers and boundaries, [`pierced`]
-//! random boundaries with holes, and [`domain`] the definition of what a triangulation of such a
-//! boundary is.
+//! the pieces of a gored hemisphere, [`gored`] what gores lose of a sphere, [`transition`] the
+//! classical square-to-round duct, [`three_cones`] a sheet that branches, [`random`] a generator of
+//! numbers and boundaries, [`pierced`] random boundaries with holes, and [`domain`] the definition of
+//! what a triangulation of such a boundary is.
 
 pub mod developable;
 pub mod domain;
 pub mod family;
+pub mod gored;
 pub mod hemisphere;
 pub mod pierced;
 pub mod random;
 pub mod rings;
 pub mod three_cones;
 mod trace;
+pub mod transition;
 
 pub use trace::{Trace, samples_along};

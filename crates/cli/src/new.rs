@@ -1,0 +1,47 @@
+//! `sheetwright new`: a design from a template.
+
+use crate::args::NewArgs;
+use crate::failure::Failure;
+use crate::make::Job;
+use crate::voice::{Voice, print};
+use crate::whole::write_one;
+use sheetwright::template::template;
+use sheetwright_files::{
+    Format, PdfOptions, catalogue_json, catalogue_text, design_from_template, template_text,
+    write_design,
+};
+use std::time::Instant;
+
+/// Writes the design, makes it, or says what there is; whether some finding is an error.
+pub(crate) fn run(args: &NewArgs, voice: Voice) -> Result<bool, Failure> {
+    let name = args.template.as_deref();
+    if args.list {
+        return list(name, voice).map(|()| false);
+    }
+    let start = Instant::now();
+    let name = name.unwrap_or_default();
+    let design = design_from_template(name, &args.set)?;
+    let bytes = write_design(&design);
+    if let Some(out) = &args.make {
+        let beside = Some((format!("{}.sheet.json", design.name), bytes));
+        let pdf = PdfOptions::default();
+        let job = Job { input: name, out, formats: &Format::ALL, pdf, beside };
+        return job.run(&design, start, voice);
+    }
+    match &args.out {
+        Some(path) => write_one(path, &bytes)?,
+        None => print(&String::from_utf8_lossy(&bytes))?,
+    }
+    Ok(false)
+}
+
+fn list(name: Option<&str>, voice: Voice) -> Result<(), Failure> {
+    let one = name.and_then(template);
+    match (one, name) {
+        // A name that is none is answered as it is where a design is wanted.
+        (None, Some(name)) => design_from_template(name, &[]).map(|_| ()).map_err(Failure::from),
+        _ if voice.json => print(&catalogue_json(one)),
+        (Some(template), _) => print(&template_text(template)),
+        (None, None) => print(&catalogue_text()),
+    }
+}

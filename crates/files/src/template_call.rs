@@ -1,0 +1,303 @@
+//! A template as it is called: its name and `NAME=VALUE` texts, to a design.
+
+use crate::names::{did_you_mean, nearest, shown};
+use crate::quantity::{LENGTH_EXAMPLES, angle_deg, length_mm, plain};
+use crate::reading::InputError;
+use sheetwright::design::Design;
+use sheetwright::material::{MATERIALS, Material};
+use sheetwright::template::{
+    Kind, Parameter, Template, TemplateError, Value, Values, catalogue, template,
+};
+
+/// What every template takes beside its parameters.
+pub(crate) const MATERIAL: &str = "material";
+
+/// The design that a template draws with these settings, each a text `NAME=VALUE`; what is not set
+/// is at its default. Lengths are in millimetres unless they have a unit, angles in degrees.
+/// `material` sets the sheet of any template.
+///
+/// # Errors
+/// An unknown template or parameter, a value that can't be read or is out of range, a setting that
+/// stands there twice, values that do not go together.
+pub fn design_from_template(name: &str, settings: &[String]) -> Result<Design, InputError> {
+    let template = template(name).ok_or_else(|| InputError {
+        message: format!("there is no template {}", shown(name)),
+        place: None,
+        hint: meant(name) + "`sheetwright new --list` describes all there are.",
+    })?;
+    let mut values = template.defaults();
+    let mut seen: Vec<&str> = Vec::new();
+    for setting in settings {
+        let Some((name, text)) = setting.split_once('=') else {
+            let message = format!("the setting {} has no value", shown(setting));
+            let hint = format!("Write NAME=VALUE, such as {}.", example(template));
+            return Err(InputError::at(template.name, message, hint));
+        };
+        let (name, text) = (name.trim(), text.trim());
+        if seen.contains(&name) {
+            let message = format!("{} is set twice", shown(name));
+            return Err(InputError::at(template.name, message, "Keep one of them."));
+        }
+        seen.push(name);
+        set(&mut values, name, text)?;
+    }
+    values.design().map_err(|error| in_words(&error, template, ""))
+}
+
+/// The templates that may be meant by a name that none has: one of a name like it, or those that are
+/// searched for by this word.
+fn meant(wanted: &str) -> String {
+    let by_name = nearest(wanted, catalogue().iter().map(|template| template.name));
+    let words = catalogue().iter().flat_map(|template| template.words.iter().copied());
+    let word = nearest(wanted, words);
+    let is_meant = |template: &&Template| match (by_name, word) {
+        (Some(name), _) => template.name == name,
+        (None, Some(word)) => template.words.contains(&word),
+        (None, None) => false,
+    };
+    let found: Vec<String> =
+        catalogue().iter().filter(is_meant).map(|template| shown(template.name)).collect();
+    match found.is_empty() {
+        true => String::new(),
+        false => format!("Did you mean {}? ", found.join(" or ")),
+    }
+}
+
+fn set(values: &mut Values, name: &str, text: &str) -> Result<(), InputError> {
+    let template = values.template();
+    if name == MATERIAL {
+        values.material = Some(Material::named(text).ok_or_else(|| {
+            let known: Vec<&str> = MATERIALS.iter().map(|m| m.name).collect();
+            let message = format!("the material {} is not known", shown(text));
+            InputError::at(place(template, MATERIAL), message, did_you_mean(text, &known))
+        })?);
+        return Ok(());
+    }
+    let Some(parameter) = template.parameter(name) else {
+        let mut known: Vec<&str> = template.parameters.iter().map(|p| p.name).collect();
+        known.push(MATERIAL);
+        let message = format!("there is no parameter {}", shown(name));
+        return Err(InputError::at(template.name, message, did_you_mean(name, &known)));
+    };
+    let value = read(&parameter.kind, text).ok_or_else(|| {
+        let message = format!("{} is no {}", shown(text), what(&parameter.kind));
+        InputError::at(place(template, parameter.name), message, how(&parameter.kind))
+    })?;
+    values.set(parameter.name, value).map_err(|error| in_words(&error, template, text))
+}
+
+/// The value in a text.
+fn read(kind: &Kind, text: &str) -> Option<Value> {
+    match kind {
+        Kind::Length(_) => length_mm(text).map(Value::Number),
+        Kind::Angle(_) => angle_deg(text).map(Value::Number),
+        Kind::Count(_) | Kind::Number(_) => plain(text).map(Value::Number),
+        Kind::Lengths { .. } => {
+            text.split(',').map(length_mm).collect::<Option<Vec<f64>>>().map(Value::Numbers)
+        }
+        Kind::Choice(_) => Some(Value::Choice(text.to_owned())),
+    }
+}
+
+fn what(kind: &Kind) -> &'static str {
+    match kind {
+        Kind::Length(_) => "length",
+        Kind::Angle(_) => "angle",
+        Kind::Count(_) | Kind::Number(_) => "number",
+        Kind::Lengths { .. } => "list of lengths",
+        Kind::Choice(_) => "choice",
+    }
+}
+
+fn how(kind: &Kind) -> String {
+    match kind {
+        Kind::Length(_) => format!("Write a length such as {LENGTH_EXAMPLES}."),
+        Kind::Angle(_) => "Write an angle in degrees such as 45, 22.5deg or -30°.".to_owned(),
+        Kind::Count(_) => "Write a whole number such as 12.".to_owned(),
+        Kind::Number(_) => "Write a number such as 0.5, without a unit.".to_owned(),
+        Kind::Lengths { .. } => {
+            format!("Write lengths with commas between them, each such as {LENGTH_EXAMPLES}.")
+        }
+        Kind::Choice(_) => "Write one of the choices.".to_owned(),
+    }
+}
+
+fn place(template: &Template, parameter: &str) -> String {
+    format!("{}: {parameter}", template.name)
+}
+
+/// What the kernel says, with the value as it was typed and what the parameter takes.
+fn in_words(error: &TemplateError, template: &Template, typed: &str) -> InputError {
+    let parameter = error.parameter().and_then(|name| template.parameter(name));
+    let Some(parameter) = parameter else {
+        return InputError::at(template.name, error.to_string(), "Leave it out.");
+    };
+    let place = place(template, parameter.name);
+    let takes = format!("It takes {}.", takes(&parameter.kind));
+    let (message, hint) = match error {
+        TemplateError::Together { message, hint, .. } => (message.clone(), hint.clone()),
+        TemplateError::OutOfRange { value, .. } => {
+            let value = with_unit(&parameter.kind, *value);
+            // Whoever forgot a unit sees what the number was taken for.
+            let typed = match typed {
+                typed if typed.replace(' ', "") == value.replace(' ', "") => String::new(),
+                typed if typed.contains(',') => String::new(),
+                typed => format!(" ({})", shown(typed)),
+            };
+            (format!("{value}{typed} is out of range"), takes)
+        }
+        TemplateError::NotWhole { .. } => (format!("{} is no whole number", shown(typed)), takes),
+        TemplateError::WrongCount { found: 1, .. } => ("there is 1 length".to_owned(), takes),
+        TemplateError::WrongCount { found, .. } => (format!("there are {found} lengths"), takes),
+        TemplateError::UnknownChoice { wanted, .. } => {
+            let Kind::Choice(choices) = parameter.kind else {
+                return InputError::at(place, error.to_string(), takes);
+            };
+            let known: Vec<&str> = choices.iter().map(|choice| choice.name).collect();
+            (format!("{} can't be chosen", shown(wanted)), did_you_mean(wanted, &known))
+        }
+        TemplateError::WrongKind { .. } | TemplateError::UnknownParameter { .. } => {
+            (error.to_string(), takes)
+        }
+    };
+    InputError::at(place, message, hint)
+}
+
+/// What a parameter takes, in words: `a length from 10 mm to 20 m`.
+fn takes(kind: &Kind) -> String {
+    let what = match kind {
+        Kind::Length(_) => "a length from ",
+        Kind::Angle(_) => "an angle from ",
+        Kind::Count(_) => "a whole number from ",
+        Kind::Number(_) => "a number from ",
+        Kind::Lengths { .. } | Kind::Choice(_) => "",
+    };
+    format!("{what}{}", range(kind))
+}
+
+/// The least and the most that a parameter takes: `10 mm to 20 m`.
+pub(crate) fn range(kind: &Kind) -> String {
+    let between =
+        |least: f64, most: f64| format!("{} to {}", with_unit(kind, least), with_unit(kind, most));
+    match kind {
+        Kind::Length(range) | Kind::Angle(range) | Kind::Count(range) | Kind::Number(range) => {
+            between(range.least, range.most)
+        }
+        Kind::Lengths { least, most, fewest, longest, .. } => {
+            format!("{fewest} to {longest} lengths from {}", between(*least, *most))
+        }
+        Kind::Choice(choices) => {
+            let names: Vec<&str> = choices.iter().map(|choice| choice.name).collect();
+            match names.split_last() {
+                Some((last, rest)) if !rest.is_empty() => {
+                    format!("{} or {last}", rest.join(", "))
+                }
+                _ => names.concat(),
+            }
+        }
+    }
+}
+
+/// The default of a parameter, as it could be typed.
+pub(crate) fn default(kind: &Kind) -> String {
+    match kind.default() {
+        Value::Number(number) => with_unit(kind, number),
+        Value::Numbers(list) => {
+            let list: Vec<String> = list.iter().map(|&mm| with_unit(kind, mm)).collect();
+            list.join(", ")
+        }
+        Value::Choice(name) => name,
+    }
+}
+
+/// A number with the unit that people would give it.
+fn with_unit(kind: &Kind, number: f64) -> String {
+    match kind {
+        Kind::Length(_) | Kind::Lengths { .. } if number.abs() >= 1000.0 => {
+            format!("{} m", short(number / 1000.0))
+        }
+        Kind::Length(_) | Kind::Lengths { .. } => format!("{} mm", short(number)),
+        Kind::Angle(_) => format!("{}°", short(number)),
+        Kind::Count(_) | Kind::Number(_) | Kind::Choice(_) => short(number),
+    }
+}
+
+/// As short as it can be without hiding why a number is out of range.
+fn short(number: f64) -> String {
+    if number != 0.0 && !(1e-4..1e9).contains(&number.abs()) {
+        return format!("{number:e}");
+    }
+    number.to_string()
+}
+
+/// A setting of the template as an example.
+fn example(template: &Template) -> String {
+    template.parameters.first().map_or_else(
+        || format!("{MATERIAL}=paper"),
+        |Parameter { name, kind, .. }| format!("{name}={}", default(kind).replace(' ', "")),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::input::{InputFormat, read_bytes};
+    use crate::reading::ReadOptions;
+    use crate::write_design;
+
+    fn settings(list: &[&str]) -> Vec<String> {
+        list.iter().map(|&text| text.to_owned()).collect()
+    }
+
+    fn refused(list: &[&str]) -> String {
+        let error = design_from_template("cone", &settings(list)).unwrap_err();
+        format!("{error} / {}", error.hint)
+    }
+
+    #[test]
+    fn settings_have_units() {
+        let metric = settings(&["bottom=40cm", "top = 400 mm", "height=0.4m"]);
+        let metric = design_from_template("cone", &metric).unwrap();
+        assert_eq!(metric, {
+            let bare = settings(&["bottom=400", "top=400", "height=400"]);
+            design_from_template("cone", &bare).unwrap()
+        });
+        let paper = design_from_template("cone", &settings(&["material=paper"])).unwrap();
+        assert_eq!(paper.material.map(|m| m.name), Some("paper"));
+    }
+
+    #[test]
+    fn errors_say_what_is_taken() {
+        for (list, words) in [
+            (&["bottom"][..], "cone: the setting 'bottom' has no value / Write NAME=VALUE,"),
+            (&["botom=3"], "cone: there is no parameter 'botom' / Did you mean 'bottom'?"),
+            (&["bottom=3kg"], "cone: bottom: '3kg' is no length / Write a length such as 400,"),
+            (&["bottom=1mm"], "cone: bottom: 1 mm is out of range / It takes a length"),
+            (&["bottom=20", "bottom=30"], "cone: 'bottom' is set twice / "),
+            (&["bottom=1/4 in"], "cone: bottom: 6.35 mm ('1/4 in') is out of range / It takes a"),
+            (&["pieces=1.5"], "cone: pieces: '1.5' is no whole number / It takes a whole number"),
+            (&["material=papper"], "cone: material: the material 'papper' is not known / Did you"),
+        ] {
+            let said = refused(list);
+            assert!(said.starts_with(words), "{said}");
+        }
+        let error = design_from_template("kone", &[]).unwrap_err();
+        assert_eq!(error.message, "there is no template 'kone'");
+        assert!(error.hint.starts_with("Did you mean 'cone'? `"), "{}", error.hint);
+        // What people search for leads there too.
+        let hint = design_from_template("Zepelin", &[]).unwrap_err().hint;
+        assert!(hint.starts_with("Did you mean 'airship'? `"), "{hint}");
+    }
+
+    #[test]
+    fn every_template_is_written_and_read_back_equal() {
+        for template in catalogue() {
+            let design = design_from_template(template.name, &[]).unwrap();
+            let written = write_design(&design);
+            let options = ReadOptions::default();
+            let read =
+                read_bytes(InputFormat::Design, &written, "d.sheet.json", None, &options).unwrap();
+            assert_eq!(read, design, "{}", template.name);
+        }
+    }
+}

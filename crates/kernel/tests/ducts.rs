@@ -1,0 +1,151 @@
+//! The square-to-round duct against what is known of it, and pipes that are cut by planes.
+#![allow(clippy::unwrap_used, clippy::print_stdout)] // tests panic and print what they measured
+
+use sheetwright::check::Verdict;
+use sheetwright::curve::Curve;
+use sheetwright::design::{Design, PanelMethod, make};
+use sheetwright::math::{Point3, cos, sin};
+use sheetwright::template::{Value, template};
+use sheetwright::watch::Unwatched;
+use sheetwright_shapes::transition::{Transition, lengths, neither_flat_nor_conical};
+
+const CONCENTRIC: Transition = Transition {
+    rectangle: [400.0, 400.0],
+    diameter: 300.0,
+    height: 350.0,
+    offset: [0.0, 0.0],
+    tilt_deg: 0.0,
+};
+const OFFSET: Transition =
+    Transition { rectangle: [400.0, 300.0], offset: [120.0, 60.0], ..CONCENTRIC };
+const TILTED: Transition = Transition { offset: [80.0, 0.0], tilt_deg: 30.0, ..CONCENTRIC };
+
+/// Half the turn of the round end from one of so many samples to the next, radians.
+fn half_step(samples: usize) -> f64 {
+    std::f64::consts::PI / (samples - 1) as f64
+}
+
+#[test]
+fn four_flat_triangles_and_four_cones_come_out_by_themselves() {
+    for (name, duct) in [("concentric", CONCENTRIC), ("offset", OFFSET), ("tilted", TILTED)] {
+        // As the template samples it, and where no sample lies at a quarter of the round end.
+        for (samples, flat) in [(241, 1e-6), (200, half_step(200)), (137, half_step(137))] {
+            let share = neither_flat_nor_conical(&duct.made(samples), flat);
+            println!("{name}, {samples}: {:.5} % of the area is neither", 100.0 * share);
+            assert!(share <= 0.001, "{name}, {samples}: {share}");
+        }
+    }
+}
+
+#[test]
+fn they_are_the_optimum_over_all_triangulations_too() {
+    for duct in [CONCENTRIC, OFFSET, TILTED] {
+        for (samples, flat) in [(81, 1e-6), (90, half_step(90))] {
+            let mut design = duct.design();
+            design.panels[0].samples = samples;
+            design.panels[0].method = PanelMethod::Optimal;
+            let made = make(&design, &mut Unwatched).unwrap().panels.remove(0);
+            assert!(made.triangulation.proven_optimal);
+            let share = neither_flat_nor_conical(&made, flat);
+            println!("{samples}: {:.5} % of the area is neither", 100.0 * share);
+            assert!(share <= 0.001, "{share}");
+        }
+    }
+}
+
+#[test]
+fn lengths_are_those_of_the_classical_triangulation() {
+    const DIVISIONS: usize = 24;
+    for duct in [CONCENTRIC, OFFSET] {
+        let classical = duct.classical(DIVISIONS);
+        let ours = lengths(&duct.made(241), DIVISIONS);
+        println!("{classical:?}\n{ours:?}");
+        for (a, b) in classical.elements.iter().zip(&ours.elements) {
+            assert!((a - b).abs() < 1e-3, "{a} {b}");
+        }
+        // Chords of 15° are shorter than their arcs by 0.285 %.
+        let arc = std::f64::consts::PI * duct.diameter;
+        assert!((classical.round / arc - 1.0 + 0.00285).abs() < 1e-4);
+        assert!((ours.round / arc - 1.0).abs() < 3e-5);
+        // With as many divisions as ours has samples the two patterns are one.
+        let fine = duct.classical(240);
+        assert!((fine.round_span - ours.round_span).abs() < 0.05, "{fine:?}");
+        assert!((fine.square_span - ours.square_span).abs() < 0.05, "{fine:?}");
+    }
+}
+
+/// The points of the curve of a name.
+fn points(design: &Design, name: &str) -> Vec<Point3> {
+    let curve = design.curves.iter().find(|curve| curve.name == name).unwrap();
+    curve.points.iter().map(|point| point.at).collect()
+}
+
+#[test]
+fn the_pieces_of_an_elbow_meet_and_unroll_to_their_formula() {
+    let design = template("elbow").unwrap().defaults().design().unwrap();
+    // Of its defaults: a pipe of 200 mm, a bend of 300 mm by 90° in 5 segments.
+    let (r, bend, half) = (100.0, 300.0, std::f64::consts::FRAC_PI_2 / 8.0);
+    for n in 1..5 {
+        let (one, other) =
+            (points(&design, &format!("cut-{n}b")), points(&design, &format!("cut-{}a", n + 1)));
+        let apart = one.iter().zip(&other).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
+        assert!(apart < 1e-9, "cut {n}: {apart}");
+    }
+    let made = make(&design, &mut Unwatched).unwrap();
+    for panel in &made.panels {
+        assert_eq!(panel.checked.verdict, Verdict::Bends);
+        assert!(panel.checked.findings.is_empty(), "{:?}", panel.checked.findings);
+    }
+    let segment = &made.panels[2];
+    let tan = sin(half) / cos(half);
+    // Across the throat, where the seam is, across the heel, and round the pipe.
+    let (flat, m) = (&segment.flat.points, segment.flat.points.len());
+    let (throat, heel) = (flat[0].distance(flat[m - 1]), flat[m / 4].distance(flat[3 * m / 4]));
+    let round = flat[0].distance(flat[m / 2 - 1]);
+    for (ours, exact) in [
+        (throat, 2.0 * (bend - r) * tan),
+        (heel, 2.0 * (bend + r) * tan),
+        (round, std::f64::consts::TAU * r),
+    ] {
+        println!("{ours} {exact}");
+        assert!((ours / exact - 1.0).abs() < 5e-4, "{ours} instead of {exact}");
+    }
+}
+
+#[test]
+fn the_pieces_of_a_y_branch_meet() {
+    for (trunk, branch, angle) in [(250.0, 180.0, 40.0), (200.0, 200.0, 60.0), (200.0, 215.0, 45.0)]
+    {
+        let mut values = template("y-branch").unwrap().defaults();
+        for (name, value) in [("trunk", trunk), ("branch", branch), ("angle", angle)] {
+            values.set(name, Value::Number(value)).unwrap();
+        }
+        let design = values.design().unwrap();
+        let cut = points(&design, "right-cut");
+        let (on_trunk, between): (Vec<Point3>, Vec<Point3>) =
+            cut.into_iter().partition(|p| p.x > 1e-9);
+        assert!(on_trunk.len() > 10 && between.len() > 10);
+        // Beyond the plane between the branches the cut runs on the trunk, and on its upper edge.
+        for p in on_trunk {
+            let away = (p.x * p.x + p.y * p.y).sqrt();
+            assert!((away - trunk / 2.0).abs() < 1e-9, "{p:?}: {away}");
+        }
+        assert!(between.iter().all(|p| p.x.abs() < 1e-9));
+        // The upper edge of the trunk is that same cut on one side and its mirror image on the other.
+        let source = design.curves.iter().find(|curve| curve.name == "right-cut").unwrap();
+        let curve = Curve::new(source.kind.unwrap(), &source.points, false).unwrap();
+        let fine: Vec<Point3> = (0..=20_000)
+            .map(|n| curve.position(curve.spans().len() as f64 * n as f64 / 2e4))
+            .collect();
+        for p in points(&design, "trunk-top") {
+            let mirrored = Point3::new(p.x.abs(), p.y, p.z);
+            let off = fine.iter().map(|q| q.distance(mirrored)).fold(f64::INFINITY, f64::min);
+            assert!(off < 0.05, "{p:?}: {off}");
+        }
+        let made = make(&design, &mut Unwatched).unwrap();
+        for panel in &made.panels {
+            println!("{} {}", panel.name, sheetwright::math::to_deg(panel.measures.warp_max));
+            assert_eq!(panel.checked.verdict, Verdict::Bends, "{}", panel.name);
+        }
+    }
+}
