@@ -8,8 +8,14 @@
 //! with values within their ranges. What no range can say (a neck that is wider than the belly) it
 //! refuses itself, in words.
 
+mod bag;
+mod boat;
 mod cone;
+mod facade;
+mod hull_form;
+mod ramp;
 mod sketch;
+mod tent;
 
 use crate::design::Design;
 use crate::material::Material;
@@ -212,7 +218,16 @@ pub fn catalogue() -> &'static [Template] {
     &CATALOGUE
 }
 
-static CATALOGUE: [Template; 1] = [cone::CONE];
+static CATALOGUE: [Template; 8] = [
+    cone::CONE,
+    boat::DINGHY,
+    boat::PRAM,
+    boat::KAYAK,
+    bag::BAG,
+    tent::TENT,
+    facade::FACADE,
+    ramp::RAMP,
+];
 
 /// The template of a name.
 pub fn template(name: &str) -> Option<&'static Template> {
@@ -348,6 +363,17 @@ const fn length(
     default: f64,
 ) -> Parameter {
     Parameter { name, meaning, kind: Kind::Length(Range { least, most, default }) }
+}
+
+/// An angle, degrees.
+const fn angle(
+    name: &'static str,
+    meaning: &'static str,
+    least: f64,
+    most: f64,
+    default: f64,
+) -> Parameter {
+    Parameter { name, meaning, kind: Kind::Angle(Range { least, most, default }) }
 }
 
 /// A whole number.

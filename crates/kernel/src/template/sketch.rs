@@ -14,9 +14,16 @@ use crate::math::Point3;
 pub(super) struct Sketch {
     curves: Vec<DesignCurve>,
     panels: Vec<DesignPanel>,
+    /// What it is usually made of.
+    material: Option<&'static Material>,
 }
 
 impl Sketch {
+    /// Names the sheet that it is made of unless another one is asked for.
+    pub(super) fn sheet(&mut self, name: &str) {
+        self.material = Material::named(name);
+    }
+
     /// A curve that runs straight from point to point.
     pub(super) fn polyline(&mut self, name: impl Into<String>, points: &[Point3]) {
         self.curve(name, CurveKind::Polyline, points);
@@ -32,6 +39,11 @@ impl Sketch {
     pub(super) fn along(&mut self, name: impl Into<String>, turn: f64, at: impl Fn(f64) -> Point3) {
         let points: Vec<Point3> = stations(turn).into_iter().map(at).collect();
         self.spline(name, &points);
+    }
+
+    /// A smooth curve that control points draw to themselves.
+    pub(super) fn bspline(&mut self, name: impl Into<String>, points: &[Point3]) {
+        self.curve(name, CurveKind::BSpline, points);
     }
 
     fn curve(&mut self, name: impl Into<String>, kind: CurveKind, points: &[Point3]) {
@@ -68,8 +80,9 @@ impl Sketch {
         self.panels.push(DesignPanel { name: name.into(), shape, samples, method, plane, fold });
     }
 
-    /// The design.
+    /// The design, of this material or else of the usual one.
     pub(super) fn design(self, name: &str, material: Option<&'static Material>) -> Design {
+        let material = material.or(self.material);
         Design { name: name.to_owned(), material, curves: self.curves, panels: self.panels }
     }
 }

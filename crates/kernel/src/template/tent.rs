@@ -1,0 +1,70 @@
+//! Tents.
+
+use super::sketch::{Drawn, Sketch};
+use super::{Parameter, Template, Values, length};
+use crate::math::{Point3, cos, sin};
+use std::f64::consts::PI;
+
+/// A tunnel tent on three hoops.
+pub(super) const TENT: Template = Template {
+    name: "tent",
+    title: "Tunnel tent on three hoops, with flat end walls",
+    who: "Tent and awning makers sew it, and growers cover a polytunnel with it (of canvas unless \
+          material says otherwise): two bays that bend over elliptic hoops, each in one panel.",
+    words: &[
+        "tent",
+        "tunnel tent",
+        "tent panel",
+        "awning",
+        "canopy",
+        "hoop house",
+        "polytunnel",
+        "covered wagon",
+        "shelter",
+        "tarp",
+    ],
+    parameters: &PARAMETERS,
+    build: tent,
+};
+
+const PARAMETERS: [Parameter; 8] = [
+    length("front-width", "of the front hoop on the ground", 300.0, 10_000.0, 1400.0),
+    length("front-height", "of the front hoop", 200.0, 5000.0, 1000.0),
+    length("middle-width", "of the middle hoop on the ground", 300.0, 10_000.0, 2200.0),
+    length("middle-height", "of the middle hoop", 200.0, 5000.0, 1200.0),
+    length("rear-width", "of the rear hoop on the ground", 300.0, 10_000.0, 1600.0),
+    length("rear-height", "of the rear hoop", 200.0, 5000.0, 900.0),
+    length("front-length", "from the front hoop to the middle one", 200.0, 10_000.0, 1400.0),
+    length("rear-length", "from the middle hoop to the rear one", 200.0, 10_000.0, 1300.0),
+];
+
+/// Hoops in parallel planes: straight lines between points where they run in the same direction
+/// make a developable surface, whatever their sizes are.
+fn tent(values: &Values) -> Drawn {
+    let hoops = [
+        ("front", 0.0),
+        ("middle", values.number("front-length")),
+        ("rear", values.number("front-length") + values.number("rear-length")),
+    ];
+    let mut sketch = Sketch::default();
+    for (hoop, x) in hoops {
+        let half = values.number(&format!("{hoop}-width")) / 2.0;
+        let height = values.number(&format!("{hoop}-height"));
+        let at = |t: f64| match t {
+            // The ends stand on the ground, not a rounding above it.
+            0.0 => Point3::new(x, -half, 0.0),
+            1.0 => Point3::new(x, half, 0.0),
+            t => Point3::new(x, -half * cos(PI * t), height * sin(PI * t)),
+        };
+        sketch.along(format!("{hoop}-hoop"), PI, at);
+        if hoop != "middle" {
+            sketch.polyline(format!("{hoop}-sill"), &[at(1.0), at(0.0)]);
+        }
+    }
+    sketch.strip("front-bay", ["middle-hoop", "front-hoop"], 200);
+    sketch.strip("rear-bay", ["rear-hoop", "middle-hoop"], 200);
+    sketch.patch("front-wall", &["front-hoop", "front-sill"], 200);
+    sketch.patch("rear-wall", &["-rear-hoop", "-rear-sill"], 200);
+    sketch.sheet("canvas");
+    Ok(sketch)
+}
