@@ -1,8 +1,8 @@
 //! Bags of leather or cloth.
 
 use super::sketch::{Drawn, Sketch};
-use super::{Parameter, Template, TemplateError, Values, length};
-use crate::math::Point3;
+use super::{Parameter, Template, TemplateError, Values, angle, length, number};
+use crate::math::{Point3, cos, sin};
 
 /// A tote: two walls and one gusset that runs round them.
 pub(super) const BAG: Template = Template {
@@ -26,50 +26,57 @@ pub(super) const BAG: Template = Template {
 };
 
 const PARAMETERS: [Parameter; 6] = [
-    length("width", "of the front at the mouth", 100.0, 1000.0, 380.0),
-    length("bottom-width", "of the front at the bottom, between the corners", 80.0, 1000.0, 320.0),
-    length("height", "of the bag, upright", 80.0, 1000.0, 330.0),
-    length("depth", "of the gusset at the bottom", 20.0, 500.0, 120.0),
-    length("mouth-depth", "of the gusset at the mouth", 10.0, 500.0, 80.0),
-    length("corner", "how far round corners reach along the bottom and up", 20.0, 300.0, 90.0),
+    length("width", "of the front at the mouth", 200.0, 1000.0, 380.0),
+    length("height", "of the bag, upright", 120.0, 800.0, 330.0),
+    length("depth", "of the gusset at the bottom", 60.0, 400.0, 120.0),
+    angle("taper", "that the sides lean outwards from bottom to mouth", -10.0, 15.0, 5.0),
+    angle("lean", "that front and back lean towards one another", -10.0, 8.0, 3.5),
+    number(
+        "corner",
+        "how far round corners reach, as a share of the bottom's width or the height",
+        0.15,
+        0.45,
+        0.28,
+    ),
 ];
 
-/// Corners reach along at most this share of the bottom and of the height each: the two of a bottom
-/// leave a straight piece between them.
-const LARGEST_CORNER: f64 = 0.45;
-/// The walls lean by at most this much of their height, so that they still stand: 45°.
-const LARGEST_LEAN: f64 = 1.0;
+/// The bottom of a front is this wide or wider, mm, and the gusset at the mouth a third of it: less
+/// takes no needle.
+const NARROWEST: f64 = 30.0;
+/// Samples of the gusset lie this far apart at the most, as a share of the reach of a corner: its
+/// tightest bend has a third of that for its radius, and so turns by 5° from one to the next.
+const SAMPLE: f64 = 0.03;
+/// Samples of the gusset at the least and at the most.
+const SAMPLES: [f64; 2] = [200.0, 1600.0];
 
 /// The seam is a curve in the upright plane of the front, pushed forward by half of the depth at
 /// its height. The back has its mirror image, and so all straight lines of the gusset run across:
 /// it is a cylinder.
 fn bag(values: &Values) -> Drawn {
-    let (mouth, bottom) = (values.number("width"), values.number("bottom-width"));
-    let (height, corner) = (values.number("height"), values.number("corner"));
-    let (depth, mouth_depth) = (values.number("depth"), values.number("mouth-depth"));
-    let room = LARGEST_CORNER * bottom.min(height);
-    if corner > room {
+    let (mouth, height) = (values.number("width"), values.number("height"));
+    let (depth, lean) = (values.number("depth"), slope(values.radians("lean")));
+    let bottom = mouth - 2.0 * height * slope(values.radians("taper"));
+    if bottom < NARROWEST {
         return Err(TemplateError::together(
-            "corner",
-            format!("round corners of {corner} mm do not fit the bottom and the height"),
-            format!("Take {room:.0} mm or less."),
+            "taper",
+            format!(
+                "the sides come together at the bottom, which is {:.0} mm wide",
+                bottom.max(0.0)
+            ),
+            "Let them lean less, or make the bag wider or lower.",
         ));
     }
-    for (parameter, lean) in [
-        ("bottom-width", (mouth - bottom).abs() / 2.0),
-        ("mouth-depth", (depth - mouth_depth).abs() / 2.0),
-    ] {
-        if lean > LARGEST_LEAN * height {
-            return Err(TemplateError::together(
-                parameter,
-                format!("a wall leans over {lean:.0} mm and is {height} mm high"),
-                "Bring the sizes at mouth and bottom nearer together, or make the bag higher.",
-            ));
-        }
+    if depth - 2.0 * height * lean < NARROWEST / 3.0 {
+        return Err(TemplateError::together(
+            "lean",
+            "front and back come together below the mouth",
+            "Let them lean less, or make the bag deeper or lower.",
+        ));
     }
 
-    let outline = outline([mouth / 2.0, height], bottom / 2.0, corner);
-    let half_depth = |z: f64| (depth + (mouth_depth - depth) * z / height) / 2.0;
+    let reach = values.number("corner") * bottom.min(height);
+    let outline = outline([mouth / 2.0, height], bottom / 2.0, reach);
+    let half_depth = |z: f64| depth / 2.0 - z * lean;
     let seam = |side: f64| -> Vec<Point3> {
         outline.iter().map(|&[x, z]| Point3::new(x, side * half_depth(z), z)).collect()
     };
@@ -78,8 +85,10 @@ fn bag(values: &Values) -> Drawn {
     sketch.bspline("front-seam", &front);
     sketch.bspline("back-seam", &back);
     sketch.polyline("mouth", &[front[front.len() - 1], front[0]]);
-    sketch.patch("front", &["front-seam", "mouth"], 200);
-    sketch.strip("gusset", ["back-seam", "front-seam"], 200);
+    sketch.patch("front", &["front-seam", "mouth"], 400);
+    let [least, most] = SAMPLES;
+    let samples = ((bottom + 2.0 * height) / (reach * SAMPLE)).clamp(least, most) as usize;
+    sketch.strip("gusset", ["back-seam", "front-seam"], samples);
     sketch.sheet("leather-2mm");
     Ok(sketch)
 }
@@ -104,4 +113,9 @@ fn outline(mouth: [f64; 2], bottom: f64, reach: f64) -> Vec<[f64; 2]> {
     let mirrored: Vec<[f64; 2]> = half.iter().rev().map(|&[x, z]| [-x, z]).collect();
     half.extend(mirrored);
     half
+}
+
+/// The tangent of an angle below a right one.
+fn slope(angle: f64) -> f64 {
+    sin(angle) / cos(angle)
 }

@@ -2,8 +2,8 @@
 
 use super::hull_form::{Dimensions, End, LONG_SAMPLES, Style, hull};
 use super::sketch::Drawn;
-use super::{Parameter, Template, Values, angle, length};
-use crate::math::Point3;
+use super::{Parameter, Template, Values, angle, length, number};
+use crate::math::{Point3, cos, sin};
 
 /// A pointed boat with a transom.
 pub(super) const DINGHY: Template = Template {
@@ -30,25 +30,20 @@ pub(super) const DINGHY: Template = Template {
 const DINGHY_PARAMETERS: [Parameter; 11] = [
     length("length", "from the top of the transom to the top of the stem", 2000.0, 6000.0, 3000.0),
     length("beam", "across the sheer at the widest station", 900.0, 2400.0, 1300.0),
-    length("chine-beam", "across the chines there", 500.0, 2200.0, 950.0),
-    length("depth", "from keel to sheer there: draught and freeboard", 300.0, 900.0, 480.0),
-    length("chine-height", "of the chine above the keel there", 20.0, 300.0, 110.0),
-    length("bow-height", "of the sheer at the bow above the keel's lowest", 400.0, 1200.0, 620.0),
-    length("stern-height", "of the sheer at the stern above the same", 300.0, 1000.0, 450.0),
-    length("bow-rise", "of the line of the keel towards the bow", 50.0, 450.0, 260.0),
-    length("stern-rise", "of the line of the keel towards the stern", 0.0, 200.0, 50.0),
-    length("transom-width", "of the transom at the sheer", 500.0, 2200.0, 1000.0),
-    angle("transom-rake", "of the transom from upright", 0.0, 35.0, 12.0),
+    length("depth", "from keel to sheer amidships: draught and freeboard", 300.0, 900.0, 480.0),
+    angle("flare", "that the sides lean outwards", 0.0, 45.0, 25.0),
+    angle("deadrise", "that the bottom rises from keel to chine, amidships", 0.0, 25.0, 13.0),
+    length("bow-sheer", "that the sheer is higher at the bow than amidships", -100.0, 500.0, 140.0),
+    length("stern-sheer", "that it is higher at the stern", -100.0, 300.0, -30.0),
+    length("bow-rise", "that the line of the keel rises towards the bow", 20.0, 450.0, 260.0),
+    length("stern-rise", "that it rises towards the stern: rocker", 0.0, 200.0, 50.0),
+    number("transom-width", "of the transom at the sheer, as a share of the beam", 0.3, 0.85, 0.77),
+    angle("transom-rake", "that the transom leans outwards", 0.0, 35.0, 12.0),
 ];
 
 fn dinghy(values: &Values) -> Drawn {
-    let style = Style {
-        widest: 0.42,
-        lowest: 0.45,
-        keel_powers: [3, 2],
-        sweep: 0.6,
-        fullness: 0.0,
-    };
+    let style =
+        Style { widest: 0.42, lowest: 0.45, keel_powers: [3, 2], sweep: 0.6, fullness: 0.0 };
     let transom = transom(values, "transom-width", "transom-rake");
     let mut drawn = hull(dimensions(values, End::Stem, transom, style))?.sketch;
     drawn.sheet("plywood-6mm");
@@ -81,27 +76,22 @@ pub(super) const PRAM: Template = Template {
 const PRAM_PARAMETERS: [Parameter; 13] = [
     length("length", "from the top of one transom to the other", 1500.0, 5000.0, 2400.0),
     length("beam", "across the sheer at the widest station", 800.0, 2000.0, 1200.0),
-    length("chine-beam", "across the chines there", 500.0, 1800.0, 900.0),
-    length("depth", "from keel to sheer there: draught and freeboard", 250.0, 800.0, 420.0),
-    length("chine-height", "of the chine above the keel there", 20.0, 250.0, 90.0),
-    length("bow-height", "of the sheer at the bow above the keel's lowest", 350.0, 1000.0, 480.0),
-    length("stern-height", "of the sheer at the stern above the same", 300.0, 900.0, 420.0),
-    length("bow-rise", "of the line of the keel towards the bow", 50.0, 350.0, 260.0),
-    length("stern-rise", "of the line of the keel towards the stern", 0.0, 200.0, 70.0),
-    length("bow-width", "of the bow transom at the sheer", 400.0, 1500.0, 600.0),
-    angle("bow-rake", "of the bow transom from upright", 0.0, 50.0, 35.0),
-    length("transom-width", "of the transom at the sheer", 500.0, 1800.0, 950.0),
-    angle("transom-rake", "of the transom from upright", 0.0, 35.0, 10.0),
+    length("depth", "from keel to sheer amidships: draught and freeboard", 300.0, 800.0, 420.0),
+    angle("flare", "that the sides lean outwards", 0.0, 45.0, 24.0),
+    angle("deadrise", "that the bottom rises from keel to chine, amidships", 0.0, 20.0, 11.0),
+    length("bow-sheer", "that the sheer is higher at the bow than amidships", -50.0, 400.0, 60.0),
+    length("stern-sheer", "that it is higher at the stern", -50.0, 300.0, 0.0),
+    length("bow-rise", "that the line of the keel rises towards the bow", 20.0, 280.0, 240.0),
+    length("stern-rise", "that it rises towards the stern: rocker", 0.0, 200.0, 70.0),
+    number("bow-width", "of the bow transom at the sheer, as a share of the beam", 0.3, 0.8, 0.5),
+    angle("bow-rake", "that the bow transom leans outwards", 0.0, 50.0, 35.0),
+    number("transom-width", "of the transom at the sheer, likewise", 0.4, 0.9, 0.79),
+    angle("transom-rake", "that the transom leans outwards", 0.0, 35.0, 10.0),
 ];
 
 fn pram(values: &Values) -> Drawn {
-    let style = Style {
-        widest: 0.42,
-        lowest: 0.45,
-        keel_powers: [2, 2],
-        sweep: 0.4,
-        fullness: 0.0,
-    };
+    let style =
+        Style { widest: 0.42, lowest: 0.45, keel_powers: [2, 2], sweep: 0.4, fullness: 0.0 };
     let bow = transom(values, "bow-width", "bow-rake");
     let stern = transom(values, "transom-width", "transom-rake");
     let mut drawn = hull(dimensions(values, bow, stern, style))?.sketch;
@@ -134,24 +124,18 @@ pub(super) const KAYAK: Template = Template {
 const KAYAK_PARAMETERS: [Parameter; 10] = [
     length("length", "from stem to stem at the sheer", 3000.0, 6500.0, 4800.0),
     length("beam", "across the sheer amidships", 450.0, 900.0, 600.0),
-    length("chine-beam", "across the chines there", 250.0, 800.0, 420.0),
-    length("depth", "from keel to sheer there: draught and freeboard", 180.0, 450.0, 280.0),
-    length("chine-height", "of the chine above the keel there", 10.0, 150.0, 70.0),
-    length("bow-height", "of the sheer at the bow above the keel's lowest", 250.0, 600.0, 370.0),
-    length("stern-height", "of the sheer at the stern above the same", 250.0, 600.0, 340.0),
-    length("bow-rise", "of the line of the keel towards the bow", 0.0, 200.0, 90.0),
-    length("stern-rise", "of the line of the keel towards the stern", 0.0, 200.0, 70.0),
+    length("depth", "from keel to sheer amidships: draught and freeboard", 180.0, 450.0, 280.0),
+    angle("flare", "that the sides lean outwards", 0.0, 40.0, 23.0),
+    angle("deadrise", "that the bottom rises from keel to chine", 0.0, 30.0, 18.0),
+    length("bow-sheer", "that the sheer is higher at the bow than amidships", -50.0, 300.0, 90.0),
+    length("stern-sheer", "that it is higher at the stern", -50.0, 300.0, 60.0),
+    length("bow-rise", "that the line of the keel rises towards the bow", 0.0, 200.0, 90.0),
+    length("stern-rise", "that it rises towards the stern", 0.0, 200.0, 70.0),
     length("deck-rise", "of the deck's ridge above the sheer amidships", 0.0, 150.0, 50.0),
 ];
 
 fn kayak(values: &Values) -> Drawn {
-    let style = Style {
-        widest: 0.5,
-        lowest: 0.5,
-        keel_powers: [4, 4],
-        sweep: 0.0,
-        fullness: 0.35,
-    };
+    let style = Style { widest: 0.5, lowest: 0.5, keel_powers: [4, 4], sweep: 0.0, fullness: 0.35 };
     let drawn = hull(dimensions(values, End::Stem, End::Stem, style))?;
     // The deck is a cylinder too: the sheer, carried inwards along a line that rises.
     let slope = values.number("deck-rise") / (values.number("beam") / 2.0);
@@ -166,14 +150,15 @@ fn kayak(values: &Values) -> Drawn {
 
 /// The dimensions that all of them take.
 fn dimensions(values: &Values, bow: End, stern: End, style: Style) -> Dimensions {
+    let depth = values.number("depth");
     Dimensions {
         length: values.number("length"),
         beam: values.number("beam"),
-        chine_beam: values.number("chine-beam"),
-        depth: values.number("depth"),
-        chine_height: values.number("chine-height"),
-        bow_height: values.number("bow-height"),
-        stern_height: values.number("stern-height"),
+        depth,
+        flare: slope(values.radians("flare")),
+        deadrise: slope(values.radians("deadrise")),
+        bow_height: depth + values.number("bow-sheer"),
+        stern_height: depth + values.number("stern-sheer"),
         bow_rise: values.number("bow-rise"),
         stern_rise: values.number("stern-rise"),
         bow,
@@ -183,5 +168,13 @@ fn dimensions(values: &Values, bow: End, stern: End, style: Style) -> Dimensions
 }
 
 fn transom(values: &Values, width: &str, rake: &str) -> End {
-    End::Transom { width: values.number(width), rake: values.radians(rake) }
+    End::Transom {
+        width: values.number(width) * values.number("beam"),
+        lean: slope(values.radians(rake)),
+    }
+}
+
+/// The tangent of an angle below a right one.
+fn slope(angle: f64) -> f64 {
+    sin(angle) / cos(angle)
 }

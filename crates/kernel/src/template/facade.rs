@@ -32,7 +32,13 @@ const PARAMETERS: [Parameter; 6] = [
     length("upper-radius", "of the upper arc, in plan", 300.0, 100_000.0, 6800.0),
     length("height", "of the upper arc above the lower one", 100.0, 20_000.0, 1500.0),
     angle("angle", "that both arcs turn through, in plan", 5.0, 350.0, 60.0),
-    length("lean", "how far the upper arc is moved outwards as a whole", -10_000.0, 10_000.0, 400.0),
+    length(
+        "lean",
+        "how far the upper arc is moved outwards as a whole",
+        -10_000.0,
+        10_000.0,
+        400.0,
+    ),
     count("panels", "that the strip is divided into", 1, 60, 6),
 ];
 

@@ -16,7 +16,7 @@
 
 use super::TemplateError;
 use super::sketch::Sketch;
-use crate::math::{Point3, cos, sin};
+use crate::math::{Point3, cos};
 use std::f64::consts::PI;
 
 /// What a hull is drawn from; lengths in mm.
@@ -26,12 +26,12 @@ pub(super) struct Dimensions {
     pub length: f64,
     /// Across the sheer at the widest station.
     pub beam: f64,
-    /// Across the chines there.
-    pub chine_beam: f64,
-    /// From the keel to the sheer there.
+    /// From the lowest point of the keel to the sheer there.
     pub depth: f64,
-    /// Of the chine above the keel there.
-    pub chine_height: f64,
+    /// How far the sides lean outwards, for each mm upwards.
+    pub flare: f64,
+    /// How far the bottom rises, for each mm outwards.
+    pub deadrise: f64,
     /// Of the sheer at the bow, above the lowest point of the keel.
     pub bow_height: f64,
     /// Of the sheer at the stern, likewise.
@@ -57,8 +57,8 @@ pub(super) enum End {
     Transom {
         /// Its width at the sheer, mm.
         width: f64,
-        /// How far it leans outwards from upright, radians.
-        rake: f64,
+        /// How far it leans outwards, for each mm upwards.
+        lean: f64,
     },
 }
 
@@ -99,9 +99,12 @@ pub(super) const LONG_SAMPLES: usize = 400;
 const FLAT_SAMPLES: usize = 100;
 /// A side is nowhere lower than this, mm: less can't be stitched or nailed.
 const LEAST_SIDE: f64 = 20.0;
+/// The chines are amidships at least this share of the beam from the middle: a narrower bottom is
+/// not what anybody sets.
+const LEAST_BOTTOM: f64 = 0.1;
 /// A transom is no narrower than this at the chine, mm each side of the middle, likewise.
 const LEAST_HALF_WIDTH: f64 = 20.0;
-/// The bottom and the side have each a slope against the other; where the product of the two comes
+/// The bottom and the sides have each a slope against the other; where the product of the two comes
 /// to 1 they are parallel and never meet. This is the most.
 const STEEPEST: f64 = 0.9;
 /// The line of the keel comes up to this share of the height of the sheer at the most.
@@ -160,10 +163,6 @@ struct Form {
     of: Dimensions,
     /// Where the widest station lies, mm.
     widest: f64,
-    /// Outwards by height, of the side.
-    flare: f64,
-    /// Up by breadth, of the bottom.
-    deadrise: f64,
     /// Half-breadth at the height of the bow, at the widest station, mm.
     peak: f64,
     /// Factors of the second, third and fourth power of the distance from there.
@@ -244,11 +243,10 @@ impl Form {
     fn new(of: Dimensions) -> Result<Self, TemplateError> {
         refuse_dimensions(&of)?;
         let widest = of.style.widest * of.length;
-        let flare = (of.beam - of.chine_beam) / 2.0 / (of.depth - of.chine_height);
         let half = |end: End| if let End::Transom { width, .. } = end { width / 2.0 } else { 0.0 };
         // Half-breadths of the side where it is carried to the height of the bow.
-        let peak = of.beam / 2.0 + (of.bow_height - of.depth) * flare;
-        let aft = half(of.stern) + (of.bow_height - of.stern_height) * flare;
+        let peak = of.beam / 2.0 + (of.bow_height - of.depth) * of.flare;
+        let aft = half(of.stern) + (of.bow_height - of.stern_height) * of.flare;
         let fore = half(of.bow);
         for (width, names) in [(fore, &BOW), (aft, &STERN)] {
             if width > peak {
@@ -260,10 +258,7 @@ impl Form {
         let fall = |width: f64, far: f64| (peak - width) / (far * far) - fourth * far * far;
         let third = (fall(fore, to_bow) - fall(aft, to_stern)) / (to_bow + to_stern);
         let second = fall(aft, to_stern) + third * to_stern;
-        let mut form =
-            Self { of, widest, flare, deadrise: 0.0, peak, falls: [second, third, fourth] };
-        let chine = of.chine_beam / 2.0;
-        form.deadrise = (of.chine_height - form.keel(widest + of.style.sweep * chine)) / chine;
+        let form = Self { of, widest, peak, falls: [second, third, fourth] };
         form.refuse_shape()?;
         Ok(form)
     }
@@ -289,12 +284,12 @@ impl Form {
 
     /// Half-breadth of the side, mm.
     fn side(&self, x: f64, z: f64) -> f64 {
-        self.plan(x) - (self.of.bow_height - z) * self.flare
+        self.plan(x) - (self.of.bow_height - z) * self.of.flare
     }
 
     /// Height of the bottom, mm.
     fn bottom(&self, x: f64, y: f64) -> f64 {
-        self.keel(x + self.of.style.sweep * y) + self.deadrise * y
+        self.keel(x + self.of.style.sweep * y) + self.of.deadrise * y
     }
 
     /// Where the bottom and the side meet.
@@ -323,15 +318,12 @@ impl Form {
         names: &EndNames,
     ) -> Result<Corners, TemplateError> {
         let at_bow = names.board == BOW.board;
-        let (x, top) = if at_bow {
-            (self.of.length, self.of.bow_height)
-        } else {
-            (0.0, self.of.stern_height)
-        };
+        let (x, top) =
+            if at_bow { (self.of.length, self.of.bow_height) } else { (0.0, self.of.stern_height) };
         match end {
             End::Stem => Ok(self.stem(sketch, [x, top], names)),
-            End::Transom { width, rake } => {
-                let lean = sin(rake) / cos(rake) * if at_bow { -1.0 } else { 1.0 };
+            End::Transom { width, lean } => {
+                let lean = if at_bow { -lean } else { lean };
                 let room = LONGEST_LEAN * (x - self.widest).abs();
                 if lean.abs() * top > room {
                     return Err(TemplateError::together(
@@ -377,8 +369,7 @@ impl Form {
             return Err(TemplateError::together(
                 names.width,
                 "the sides meet above the bottom of the transom",
-                "Make the transom wider, or let the sides lean out less: bring chine-beam nearer \
-                 to beam.",
+                "Make the transom wider, or take less flare.",
             ));
         }
         let mut side: Vec<Point3> = spread(chine.z, sheer.z, TRANSOM_POINTS)
@@ -390,6 +381,15 @@ impl Form {
                 Point3::new(plane(z), y, z)
             })
             .collect();
+        let met = MET * self.of.length;
+        let missed = |p: &Point3| !((p.z - self.bottom(p.x, p.y)).abs() <= met);
+        if bottom.iter().any(missed) || bottom.iter().any(|p| p.z > sheer.z - LEAST_SIDE) {
+            return Err(TemplateError::together(
+                names.rise,
+                format!("the bottom comes up to the top of the transom at the {}", names.end),
+                "Let the keel rise less, or raise the sheer there.",
+            ));
+        }
         (side[0], side[TRANSOM_POINTS - 1]) = (chine, sheer);
         (bottom[0], bottom[TRANSOM_POINTS - 1]) = (keel, chine);
         let mirrored = |p: &Point3| Point3::new(p.x, -p.y, p.z);
@@ -404,23 +404,22 @@ impl Form {
     /// Refuses surfaces that do not meet in a chine, and plans that swell twice.
     fn refuse_shape(&self) -> Result<(), TemplateError> {
         let of = &self.of;
-        if self.deadrise < 0.0 {
+        let chine = self.chine(self.widest);
+        if chine.y < LEAST_BOTTOM * of.beam {
             return Err(TemplateError::together(
-                "chine-height",
-                "the keel is higher than the chine at the widest station",
-                "Raise the chine, or take a lower bow-rise.",
+                "flare",
+                format!("the bottom is only {:.0} mm wide", 2.0 * chine.y.max(0.0)),
+                "Let the sides lean out less, or make the boat wider or not so deep.",
             ));
         }
-        let forward = self.widest.max(of.length * of.style.lowest);
-        let power = f64::from(of.style.keel_powers[0]);
-        let steepest = power * of.bow_rise / (of.length - of.style.lowest * of.length);
-        let slope = of.style.sweep * steepest + self.deadrise;
-        let across = of.chine_height / (of.chine_beam / 2.0);
-        if forward >= of.length || self.flare * slope.max(across) > STEEPEST {
+        let lowest = of.style.lowest * of.length;
+        let steepest = f64::from(of.style.keel_powers[0]) * of.bow_rise / (of.length - lowest);
+        let slope = (of.style.sweep * steepest + of.deadrise).max(chine.z / chine.y);
+        if of.flare * slope > STEEPEST {
             return Err(TemplateError::together(
-                "chine-height",
-                "the bottom is as steep as the sides, so that there is no chine",
-                "Lower the chine, or bring chine-beam nearer to beam.",
+                "flare",
+                "the sides lean out as far as the bottom rises, so that there is no chine",
+                "Take less flare or less deadrise, or let the keel rise less at the bow.",
             ));
         }
         for n in 0..=PLAN_CHECKS {
@@ -440,9 +439,9 @@ impl Form {
         let back = |line: &[Point3]| line.windows(2).any(|p| p[1].x <= p[0].x);
         if chine.iter().any(missed) || [keel, chine, sheer].into_iter().any(back) {
             return Err(TemplateError::together(
-                "chine-height",
+                "flare",
                 "the bottom and the sides do not meet all along",
-                "Lower the chine, or bring chine-beam nearer to beam.",
+                "Take less flare or less deadrise.",
             ));
         }
         let low = chine.iter().map(|p| self.sheer(p.x).z - p.z).fold(f64::INFINITY, f64::min);
@@ -450,36 +449,27 @@ impl Form {
             return Err(TemplateError::together(
                 "depth",
                 format!("the sides come down to {low:.0} mm between chine and sheer"),
-                format!("{LEAST_SIDE:.0} mm are the least: make the boat deeper or the chine lower."),
+                format!(
+                    "{LEAST_SIDE:.0} mm are the least: make the boat deeper, or take less deadrise."
+                ),
             ));
         }
         Ok(())
     }
 }
 
-/// Refuses dimensions that contradict one another before anything is derived from them.
+/// Refuses a keel that rises to the sheer, before anything is derived from it.
 fn refuse_dimensions(of: &Dimensions) -> Result<(), TemplateError> {
-    if of.chine_beam > of.beam {
-        return Err(TemplateError::together(
-            "chine-beam",
-            format!("the chines are {} mm apart and the sheer {} mm", of.chine_beam, of.beam),
-            "Bring the chines nearer together, or make beam larger: sides lean outwards.",
-        ));
-    }
-    if of.depth - of.chine_height < LEAST_SIDE {
-        return Err(TemplateError::together(
-            "chine-height",
-            format!("the chine is {} mm high and the sheer {} mm", of.chine_height, of.depth),
-            format!("Lower the chine: the side is {LEAST_SIDE:.0} mm high or more."),
-        ));
-    }
     for (rise, height, names) in
         [(of.bow_rise, of.bow_height, &BOW), (of.stern_rise, of.stern_height, &STERN)]
     {
         if rise > HIGHEST_RISE * height {
             return Err(TemplateError::together(
                 names.rise,
-                format!("the keel rises to {rise} mm at the {}, the sheer to {height} mm", names.end),
+                format!(
+                    "the keel rises to {rise} mm at the {}, the sheer to {height} mm",
+                    names.end
+                ),
                 format!("Take {:.0} mm or less, or raise the sheer there.", HIGHEST_RISE * height),
             ));
         }

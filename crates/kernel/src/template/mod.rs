@@ -376,6 +376,17 @@ const fn angle(
     Parameter { name, meaning, kind: Kind::Angle(Range { least, most, default }) }
 }
 
+/// A plain number.
+const fn number(
+    name: &'static str,
+    meaning: &'static str,
+    least: f64,
+    most: f64,
+    default: f64,
+) -> Parameter {
+    Parameter { name, meaning, kind: Kind::Number(Range { least, most, default }) }
+}
+
 /// A whole number.
 const fn count(
     name: &'static str,

@@ -27,7 +27,7 @@ pub(super) const RAMP: Template = Template {
 };
 
 const PARAMETERS: [Parameter; 4] = [
-    length("radius", "of the transition", 1000.0, 5000.0, 2000.0),
+    length("radius", "of the transition", 1200.0, 5000.0, 2000.0),
     length("height", "of the deck above the ground", 200.0, 3600.0, 1200.0),
     length("width", "of the ramp", 400.0, 6000.0, 1220.0),
     length("deck", "how far the deck reaches back", 100.0, 3000.0, 400.0),

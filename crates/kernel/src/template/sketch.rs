@@ -56,17 +56,17 @@ impl Sketch {
         });
     }
 
-    /// A panel between two rails.
+    /// A panel between two rails, which may bend by more than half a turn: no plane supports it.
     pub(super) fn strip(&mut self, name: impl Into<String>, rails: [&str; 2], samples: usize) {
         let shape = PanelShape::Rails(rails.map(used));
-        self.panel(name, shape, samples, PanelMethod::Rails);
+        self.panel(name, shape, samples, PanelMethod::Rails, PlaneChoice::None);
     }
 
     /// A panel within a loop of curves; `-name` is run backwards.
     pub(super) fn patch(&mut self, name: impl Into<String>, outer: &[&str], samples: usize) {
         let outer = outer.iter().copied().map(used).collect();
         let shape = PanelShape::Loops { outer, holes: Vec::new() };
-        self.panel(name, shape, samples, PanelMethod::Optimal);
+        self.panel(name, shape, samples, PanelMethod::Optimal, PlaneChoice::Auto);
     }
 
     fn panel(
@@ -75,8 +75,9 @@ impl Sketch {
         shape: PanelShape,
         samples: usize,
         method: PanelMethod,
+        plane: PlaneChoice,
     ) {
-        let (plane, fold) = (PlaneChoice::Auto, DEFAULT_FOLD);
+        let fold = DEFAULT_FOLD;
         self.panels.push(DesignPanel { name: name.into(), shape, samples, method, plane, fold });
     }
 
