@@ -11,7 +11,6 @@ pub(super) const BAG: Template = Template {
     who: "Leather workers and bag makers sew it as a tote or a handbag (of 2 mm leather unless \
           material says otherwise); the back is the front cut once more.",
     words: &[
-        "bag",
         "tote",
         "handbag",
         "satchel",
@@ -26,11 +25,11 @@ pub(super) const BAG: Template = Template {
 };
 
 const PARAMETERS: [Parameter; 6] = [
-    length("width", "of the front at the mouth", 200.0, 1000.0, 380.0),
-    length("height", "of the bag, upright", 120.0, 800.0, 330.0),
-    length("depth", "of the gusset at the bottom", 60.0, 400.0, 120.0),
-    angle("taper", "that the sides lean outwards from bottom to mouth", -10.0, 15.0, 5.0),
-    angle("lean", "that front and back lean towards one another", -10.0, 8.0, 3.5),
+    length("width", "width of the front at the mouth", 200.0, 1000.0, 380.0),
+    length("height", "height of the bag, upright", 120.0, 800.0, 330.0),
+    length("depth", "width of the gusset at the bottom", 60.0, 400.0, 120.0),
+    angle("taper", "how far the sides lean outwards from bottom to mouth", -10.0, 15.0, 5.0),
+    angle("lean", "how far front and back lean towards one another", -10.0, 8.0, 3.5),
     number(
         "corner",
         "how far round corners reach, as a share of the bottom's width or the height",

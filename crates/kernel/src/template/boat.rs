@@ -12,7 +12,6 @@ pub(super) const DINGHY: Template = Template {
     who: "Home builders stitch and glue it from plywood (6 mm unless material says otherwise); \
           bottom and side are one half, to be cut twice, once turned over.",
     words: &[
-        "dinghy",
         "rowing boat",
         "skiff",
         "tender",
@@ -28,17 +27,41 @@ pub(super) const DINGHY: Template = Template {
 };
 
 const DINGHY_PARAMETERS: [Parameter; 11] = [
-    length("length", "from the top of the transom to the top of the stem", 2000.0, 6000.0, 3000.0),
-    length("beam", "across the sheer at the widest station", 900.0, 2400.0, 1300.0),
-    length("depth", "from keel to sheer amidships: draught and freeboard", 300.0, 900.0, 480.0),
-    angle("flare", "that the sides lean outwards", 0.0, 45.0, 25.0),
-    angle("deadrise", "that the bottom rises from keel to chine, amidships", 0.0, 25.0, 13.0),
-    length("bow-sheer", "that the sheer is higher at the bow than amidships", -100.0, 500.0, 140.0),
-    length("stern-sheer", "that it is higher at the stern", -100.0, 300.0, -30.0),
-    length("bow-rise", "that the line of the keel rises towards the bow", 20.0, 450.0, 260.0),
-    length("stern-rise", "that it rises towards the stern: rocker", 0.0, 200.0, 50.0),
-    number("transom-width", "of the transom at the sheer, as a share of the beam", 0.3, 0.85, 0.77),
-    angle("transom-rake", "that the transom leans outwards", 0.0, 35.0, 12.0),
+    length(
+        "length",
+        "length from the top of the transom to the top of the stem",
+        2000.0,
+        6000.0,
+        3000.0,
+    ),
+    length("beam", "width across the sheer at the widest station", 900.0, 2400.0, 1300.0),
+    length(
+        "depth",
+        "height from keel to sheer amidships: draught and freeboard",
+        300.0,
+        900.0,
+        480.0,
+    ),
+    angle("flare", "how far the sides lean outwards", 0.0, 45.0, 25.0),
+    angle("deadrise", "how far the bottom rises from keel to chine, amidships", 0.0, 25.0, 13.0),
+    length(
+        "bow-sheer",
+        "how much higher the sheer is at the bow than amidships",
+        -100.0,
+        500.0,
+        140.0,
+    ),
+    length("stern-sheer", "how much higher it is at the stern", -100.0, 300.0, -30.0),
+    length("bow-rise", "how far the line of the keel rises towards the bow", 20.0, 450.0, 260.0),
+    length("stern-rise", "how far it rises towards the stern: rocker", 0.0, 200.0, 50.0),
+    number(
+        "transom-width",
+        "width of the transom at the sheer, as a share of the beam",
+        0.3,
+        0.85,
+        0.77,
+    ),
+    angle("transom-rake", "how far the transom leans outwards", 0.0, 35.0, 12.0),
 ];
 
 fn dinghy(values: &Values) -> Drawn {
@@ -58,7 +81,6 @@ pub(super) const PRAM: Template = Template {
           plywood (6 mm unless material says otherwise); bottom and side are one half, to be cut \
           twice, once turned over.",
     words: &[
-        "pram",
         "pram dinghy",
         "optimist",
         "punt",
@@ -74,19 +96,43 @@ pub(super) const PRAM: Template = Template {
 };
 
 const PRAM_PARAMETERS: [Parameter; 13] = [
-    length("length", "from the top of one transom to the other", 1500.0, 5000.0, 2400.0),
-    length("beam", "across the sheer at the widest station", 800.0, 2000.0, 1200.0),
-    length("depth", "from keel to sheer amidships: draught and freeboard", 300.0, 800.0, 420.0),
-    angle("flare", "that the sides lean outwards", 0.0, 45.0, 24.0),
-    angle("deadrise", "that the bottom rises from keel to chine, amidships", 0.0, 20.0, 11.0),
-    length("bow-sheer", "that the sheer is higher at the bow than amidships", -50.0, 400.0, 60.0),
-    length("stern-sheer", "that it is higher at the stern", -50.0, 300.0, 0.0),
-    length("bow-rise", "that the line of the keel rises towards the bow", 20.0, 280.0, 240.0),
-    length("stern-rise", "that it rises towards the stern: rocker", 0.0, 200.0, 70.0),
-    number("bow-width", "of the bow transom at the sheer, as a share of the beam", 0.3, 0.8, 0.5),
-    angle("bow-rake", "that the bow transom leans outwards", 0.0, 50.0, 35.0),
-    number("transom-width", "of the transom at the sheer, likewise", 0.4, 0.9, 0.79),
-    angle("transom-rake", "that the transom leans outwards", 0.0, 35.0, 10.0),
+    length(
+        "length",
+        "length from the top of one transom to the top of the other",
+        1500.0,
+        5000.0,
+        2400.0,
+    ),
+    length("beam", "width across the sheer at the widest station", 800.0, 2000.0, 1200.0),
+    length(
+        "depth",
+        "height from keel to sheer amidships: draught and freeboard",
+        300.0,
+        800.0,
+        420.0,
+    ),
+    angle("flare", "how far the sides lean outwards", 0.0, 45.0, 24.0),
+    angle("deadrise", "how far the bottom rises from keel to chine, amidships", 0.0, 20.0, 11.0),
+    length(
+        "bow-sheer",
+        "how much higher the sheer is at the bow than amidships",
+        -50.0,
+        400.0,
+        60.0,
+    ),
+    length("stern-sheer", "how much higher it is at the stern", -50.0, 300.0, 0.0),
+    length("bow-rise", "how far the line of the keel rises towards the bow", 20.0, 280.0, 240.0),
+    length("stern-rise", "how far it rises towards the stern: rocker", 0.0, 200.0, 70.0),
+    number(
+        "bow-width",
+        "width of the bow transom at the sheer, as a share of the beam",
+        0.3,
+        0.8,
+        0.5,
+    ),
+    angle("bow-rake", "how far the bow transom leans outwards", 0.0, 50.0, 35.0),
+    number("transom-width", "width of the transom at the stern, likewise", 0.4, 0.9, 0.79),
+    angle("transom-rake", "how far the transom leans outwards", 0.0, 35.0, 10.0),
 ];
 
 fn pram(values: &Values) -> Drawn {
@@ -107,7 +153,6 @@ pub(super) const KAYAK: Template = Template {
           every panel is one half, to be cut twice, once turned over, and the cockpit is cut out \
           of the deck by its rim.",
     words: &[
-        "kayak",
         "sea kayak",
         "canoe",
         "double-ender",
@@ -122,16 +167,28 @@ pub(super) const KAYAK: Template = Template {
 };
 
 const KAYAK_PARAMETERS: [Parameter; 10] = [
-    length("length", "from stem to stem at the sheer", 3000.0, 6500.0, 4800.0),
-    length("beam", "across the sheer amidships", 450.0, 900.0, 600.0),
-    length("depth", "from keel to sheer amidships: draught and freeboard", 180.0, 450.0, 280.0),
-    angle("flare", "that the sides lean outwards", 0.0, 40.0, 23.0),
-    angle("deadrise", "that the bottom rises from keel to chine", 0.0, 30.0, 18.0),
-    length("bow-sheer", "that the sheer is higher at the bow than amidships", -50.0, 300.0, 90.0),
-    length("stern-sheer", "that it is higher at the stern", -50.0, 300.0, 60.0),
-    length("bow-rise", "that the line of the keel rises towards the bow", 0.0, 200.0, 90.0),
-    length("stern-rise", "that it rises towards the stern", 0.0, 200.0, 70.0),
-    length("deck-rise", "of the deck's ridge above the sheer amidships", 0.0, 150.0, 50.0),
+    length("length", "length from stem to stem at the sheer", 3000.0, 6500.0, 4800.0),
+    length("beam", "width across the sheer amidships", 450.0, 900.0, 600.0),
+    length(
+        "depth",
+        "height from keel to sheer amidships: draught and freeboard",
+        180.0,
+        450.0,
+        280.0,
+    ),
+    angle("flare", "how far the sides lean outwards", 0.0, 40.0, 23.0),
+    angle("deadrise", "how far the bottom rises from keel to chine", 0.0, 30.0, 18.0),
+    length(
+        "bow-sheer",
+        "how much higher the sheer is at the bow than amidships",
+        -50.0,
+        300.0,
+        90.0,
+    ),
+    length("stern-sheer", "how much higher it is at the stern", -50.0, 300.0, 60.0),
+    length("bow-rise", "how far the line of the keel rises towards the bow", 0.0, 200.0, 90.0),
+    length("stern-rise", "how far it rises towards the stern", 0.0, 200.0, 70.0),
+    length("deck-rise", "height of the deck's ridge above the sheer amidships", 0.0, 150.0, 50.0),
 ];
 
 fn kayak(values: &Values) -> Drawn {

@@ -12,7 +12,6 @@ pub(super) const FACADE: Template = Template {
           (of 2 mm aluminium unless material says otherwise): single-curved panels between arcs \
           at two heights, divided along their straight lines.",
     words: &[
-        "facade",
         "façade",
         "cladding",
         "curved wall",
@@ -28,10 +27,10 @@ pub(super) const FACADE: Template = Template {
 };
 
 const PARAMETERS: [Parameter; 6] = [
-    length("lower-radius", "of the lower arc, in plan", 300.0, 100_000.0, 6000.0),
-    length("upper-radius", "of the upper arc, in plan", 300.0, 100_000.0, 6800.0),
-    length("height", "of the upper arc above the lower one", 100.0, 20_000.0, 1500.0),
-    angle("angle", "that both arcs turn through, in plan", 5.0, 350.0, 60.0),
+    length("lower-radius", "radius of the lower arc", 300.0, 100_000.0, 6000.0),
+    length("upper-radius", "radius of the upper arc", 300.0, 100_000.0, 6800.0),
+    length("height", "height of the upper arc above the lower one", 100.0, 20_000.0, 1500.0),
+    angle("angle", "how far round both arcs run", 5.0, 350.0, 60.0),
     length(
         "lean",
         "how far the upper arc is moved outwards as a whole",
@@ -39,7 +38,7 @@ const PARAMETERS: [Parameter; 6] = [
         10_000.0,
         400.0,
     ),
-    count("panels", "that the strip is divided into", 1, 60, 6),
+    count("panels", "panels that the strip is divided into", 1, 60, 6),
 ];
 
 /// Arcs in parallel planes run in the same direction at the same angle; straight lines between such

@@ -11,7 +11,6 @@ pub(super) const RAMP: Template = Template {
     who: "Skaters, BMX riders and skate-park builders bend the surface from plywood (9 mm unless \
           material says otherwise) over ribs cut like the side.",
     words: &[
-        "ramp",
         "quarter pipe",
         "quarterpipe",
         "half pipe",
@@ -27,10 +26,10 @@ pub(super) const RAMP: Template = Template {
 };
 
 const PARAMETERS: [Parameter; 4] = [
-    length("radius", "of the transition", 1200.0, 5000.0, 2000.0),
-    length("height", "of the deck above the ground", 200.0, 3600.0, 1200.0),
-    length("width", "of the ramp", 400.0, 6000.0, 1220.0),
-    length("deck", "how far the deck reaches back", 100.0, 3000.0, 400.0),
+    length("radius", "radius of the transition", 1200.0, 5000.0, 2000.0),
+    length("height", "height of the deck above the ground", 200.0, 3600.0, 1200.0),
+    length("width", "width of the ramp", 400.0, 6000.0, 1220.0),
+    length("deck", "length of the deck, from the edge to the back", 100.0, 3000.0, 400.0),
 ];
 
 /// The surface is an arc from the ground up, carried across the ramp. The side has the same arc.

@@ -12,7 +12,6 @@ pub(super) const TENT: Template = Template {
     who: "Tent and awning makers sew it, and growers cover a polytunnel with it (of canvas unless \
           material says otherwise): two bays that bend over elliptic hoops, each in one panel.",
     words: &[
-        "tent",
         "tunnel tent",
         "tent panel",
         "awning",
@@ -28,14 +27,14 @@ pub(super) const TENT: Template = Template {
 };
 
 const PARAMETERS: [Parameter; 8] = [
-    length("front-width", "of the front hoop on the ground", 600.0, 6000.0, 1400.0),
-    length("front-height", "of the front hoop", 400.0, 2500.0, 1000.0),
-    length("middle-width", "of the middle hoop on the ground", 600.0, 6000.0, 2200.0),
-    length("middle-height", "of the middle hoop", 400.0, 2500.0, 1200.0),
-    length("rear-width", "of the rear hoop on the ground", 600.0, 6000.0, 1600.0),
-    length("rear-height", "of the rear hoop", 400.0, 2500.0, 900.0),
-    length("front-length", "from the front hoop to the middle one", 200.0, 10_000.0, 1400.0),
-    length("rear-length", "from the middle hoop to the rear one", 200.0, 10_000.0, 1300.0),
+    length("front-width", "width of the front hoop on the ground", 600.0, 6000.0, 1400.0),
+    length("front-height", "height of the front hoop", 400.0, 2500.0, 1000.0),
+    length("middle-width", "width of the middle hoop on the ground", 600.0, 6000.0, 2200.0),
+    length("middle-height", "height of the middle hoop", 400.0, 2500.0, 1200.0),
+    length("rear-width", "width of the rear hoop on the ground", 600.0, 6000.0, 1600.0),
+    length("rear-height", "height of the rear hoop", 400.0, 2500.0, 900.0),
+    length("front-length", "length from the front hoop to the middle one", 200.0, 10_000.0, 1400.0),
+    length("rear-length", "length from the middle hoop to the rear one", 200.0, 10_000.0, 1300.0),
 ];
 
 /// A hoop is at most so many times as high as half of its width, or as little of it: more is nothing
