@@ -1,6 +1,6 @@
 //! A template as it is called: its name and `NAME=VALUE` texts, to a design.
 
-use crate::names::{did_you_mean, shown};
+use crate::names::{did_you_mean, nearest, shown};
 use crate::quantity::{LENGTH_EXAMPLES, angle_deg, length_mm, plain};
 use crate::reading::InputError;
 use sheetwright::design::Design;
@@ -20,13 +20,10 @@ pub(crate) const MATERIAL: &str = "material";
 /// An unknown template or parameter, a value that can't be read or is out of range, a setting that
 /// stands there twice, values that do not go together.
 pub fn design_from_template(name: &str, settings: &[String]) -> Result<Design, InputError> {
-    let template = template(name).ok_or_else(|| {
-        let known: Vec<&str> = catalogue().iter().map(|template| template.name).collect();
-        InputError {
-            message: format!("there is no template {}", shown(name)),
-            place: None,
-            hint: did_you_mean(name, &known) + " `sheetwright new --list` describes them.",
-        }
+    let template = template(name).ok_or_else(|| InputError {
+        message: format!("there is no template {}", shown(name)),
+        place: None,
+        hint: meant(name) + "`sheetwright new --list` describes all there are.",
     })?;
     let mut values = template.defaults();
     let mut seen: Vec<&str> = Vec::new();
@@ -45,6 +42,25 @@ pub fn design_from_template(name: &str, settings: &[String]) -> Result<Design, I
         set(&mut values, name, text)?;
     }
     values.design().map_err(|error| in_words(&error, template, ""))
+}
+
+/// The templates that may be meant by a name that none has: one of a name like it, or those that are
+/// searched for by this word.
+fn meant(wanted: &str) -> String {
+    let by_name = nearest(wanted, catalogue().iter().map(|template| template.name));
+    let words = catalogue().iter().flat_map(|template| template.words.iter().copied());
+    let word = nearest(wanted, words);
+    let is_meant = |template: &&Template| match (by_name, word) {
+        (Some(name), _) => template.name == name,
+        (None, Some(word)) => template.words.contains(&word),
+        (None, None) => false,
+    };
+    let found: Vec<String> =
+        catalogue().iter().filter(is_meant).map(|template| shown(template.name)).collect();
+    match found.is_empty() {
+        true => String::new(),
+        false => format!("Did you mean {}? ", found.join(" or ")),
+    }
 }
 
 fn set(values: &mut Values, name: &str, text: &str) -> Result<(), InputError> {
@@ -259,7 +275,10 @@ mod tests {
         }
         let error = design_from_template("kone", &[]).unwrap_err();
         assert_eq!(error.message, "there is no template 'kone'");
-        assert!(error.hint.starts_with("Did you mean 'cone'?"), "{}", error.hint);
+        assert!(error.hint.starts_with("Did you mean 'cone'? `"), "{}", error.hint);
+        // What people search for leads there too.
+        let hint = design_from_template("Zepelin", &[]).unwrap_err().hint;
+        assert!(hint.starts_with("Did you mean 'airship'? `"), "{hint}");
     }
 
     #[test]

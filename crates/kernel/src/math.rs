@@ -199,6 +199,11 @@ pub fn cos(radians: f64) -> f64 {
     libm::cos(radians)
 }
 
+/// `base` to a power, the same bits on every platform.
+pub fn pow(base: f64, exponent: f64) -> f64 {
+    libm::pow(base, exponent)
+}
+
 /// The angle of the direction (x, y), radians in −π ..= π, the same bits on every platform.
 pub fn atan2(y: f64, x: f64) -> f64 {
     libm::atan2(y, x)

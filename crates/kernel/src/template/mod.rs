@@ -11,9 +11,15 @@
 mod bag;
 mod boat;
 mod cone;
+mod dome;
+mod duct;
+mod elbow;
 mod facade;
+mod gores;
+mod hopper;
 mod hull_form;
 mod ramp;
+mod revolution;
 mod sketch;
 mod tent;
 
@@ -218,8 +224,20 @@ pub fn catalogue() -> &'static [Template] {
     &CATALOGUE
 }
 
-static CATALOGUE: [Template; 8] = [
+static CATALOGUE: [Template; 20] = [
+    dome::DOME,
+    dome::BALL,
+    dome::BALLOON,
+    dome::AIRSHIP,
+    revolution::HEMISPHERE,
+    revolution::REVOLUTION,
+    duct::SQUARE_TO_ROUND,
+    duct::REDUCER,
+    elbow::ELBOW,
+    elbow::Y_BRANCH,
+    hopper::HOPPER,
     cone::CONE,
+    cone::LAMPSHADE,
     boat::DINGHY,
     boat::PRAM,
     boat::KAYAK,
@@ -365,6 +383,18 @@ const fn length(
     Parameter { name, meaning, kind: Kind::Length(Range { least, most, default }) }
 }
 
+/// A whole number.
+const fn count(
+    name: &'static str,
+    meaning: &'static str,
+    least: u32,
+    most: u32,
+    default: u32,
+) -> Parameter {
+    let range = Range { least: least as f64, most: most as f64, default: default as f64 };
+    Parameter { name, meaning, kind: Kind::Count(range) }
+}
+
 /// An angle, degrees.
 const fn angle(
     name: &'static str,
@@ -385,16 +415,4 @@ const fn number(
     default: f64,
 ) -> Parameter {
     Parameter { name, meaning, kind: Kind::Number(Range { least, most, default }) }
-}
-
-/// A whole number.
-const fn count(
-    name: &'static str,
-    meaning: &'static str,
-    least: u32,
-    most: u32,
-    default: u32,
-) -> Parameter {
-    let range = Range { least: least as f64, most: most as f64, default: default as f64 };
-    Parameter { name, meaning, kind: Kind::Count(range) }
 }

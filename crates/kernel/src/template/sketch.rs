@@ -18,6 +18,15 @@ pub(super) struct Sketch {
     material: Option<&'static Material>,
 }
 
+/// What a template's function gives back.
+pub(super) type Drawn = Result<Sketch, TemplateError>;
+
+/// A smooth part of a curve: how far it turns in all, radians, and where it is at 0 to 1.
+pub(super) struct Part<'a> {
+    pub(super) turn: f64,
+    pub(super) at: &'a dyn Fn(f64) -> Point3,
+}
+
 impl Sketch {
     /// Names the sheet that it is made of unless another one is asked for.
     pub(super) fn sheet(&mut self, name: &str) {
@@ -26,28 +35,43 @@ impl Sketch {
 
     /// A curve that runs straight from point to point.
     pub(super) fn polyline(&mut self, name: impl Into<String>, points: &[Point3]) {
+        let points = points.iter().map(|&at| CurvePoint::smooth(at)).collect();
         self.curve(name, CurveKind::Polyline, points);
     }
 
     /// A smooth curve through points.
     pub(super) fn spline(&mut self, name: impl Into<String>, points: &[Point3]) {
+        let points = points.iter().map(|&at| CurvePoint::smooth(at)).collect();
         self.curve(name, CurveKind::Spline, points);
     }
 
     /// A smooth open curve along `at` from 0 to 1, which moves about evenly and turns by `turn`
     /// radians in all.
     pub(super) fn along(&mut self, name: impl Into<String>, turn: f64, at: impl Fn(f64) -> Point3) {
-        let points: Vec<Point3> = stations(turn).into_iter().map(at).collect();
-        self.spline(name, &points);
+        self.jointed(name, &[Part { turn, at: &at }]);
     }
 
     /// A smooth curve that control points draw to themselves.
     pub(super) fn bspline(&mut self, name: impl Into<String>, points: &[Point3]) {
+        let points = points.iter().map(|&at| CurvePoint::smooth(at)).collect();
         self.curve(name, CurveKind::BSpline, points);
     }
 
-    fn curve(&mut self, name: impl Into<String>, kind: CurveKind, points: &[Point3]) {
-        let points = points.iter().map(|&at| CurvePoint::smooth(at)).collect();
+    /// An open curve of smooth parts, with a corner wherever two meet.
+    pub(super) fn jointed(&mut self, name: impl Into<String>, parts: &[Part<'_>]) {
+        let mut points: Vec<CurvePoint> = Vec::new();
+        for part in parts {
+            let mut stations = stations(part.turn).into_iter();
+            if let Some(joint) = points.last_mut() {
+                joint.corner = true;
+                stations.next();
+            }
+            points.extend(stations.map(|t| CurvePoint::smooth((part.at)(t))));
+        }
+        self.curve(name, CurveKind::Spline, points);
+    }
+
+    fn curve(&mut self, name: impl Into<String>, kind: CurveKind, points: Vec<CurvePoint>) {
         self.curves.push(DesignCurve {
             name: name.into(),
             kind: Some(kind),
@@ -56,7 +80,8 @@ impl Sketch {
         });
     }
 
-    /// A panel between two rails, which may bend by more than half a turn: no plane supports it.
+    /// A panel between two rails, whose every rung joins the two. It needs no supporting plane: the
+    /// order of the rails is enough, and what is rolled round a pipe has none.
     pub(super) fn strip(&mut self, name: impl Into<String>, rails: [&str; 2], samples: usize) {
         let shape = PanelShape::Rails(rails.map(used));
         self.panel(name, shape, samples, PanelMethod::Rails, PlaneChoice::None);
@@ -88,9 +113,6 @@ impl Sketch {
     }
 }
 
-/// How a template ends that has drawn everything.
-pub(super) type Drawn = Result<Sketch, TemplateError>;
-
 fn used(name: &str) -> CurveUse {
     match name.strip_prefix('-') {
         Some(name) => CurveUse { name: name.to_owned(), reversed: true },
@@ -98,23 +120,55 @@ fn used(name: &str) -> CurveUse {
     }
 }
 
+/// The name of one of several pieces; a single one needs no number.
+pub(super) fn numbered(name: &str, piece: usize, pieces: usize) -> String {
+    if pieces == 1 { name.to_owned() } else { format!("{name}-{}", piece + 1) }
+}
+
 /// Points of a curve are at most so far apart, radians of its turning (5°): a spline through points
-/// of a circle then lies within 10⁻⁷ of its radius.
+/// of a circle then lies within 10⁻⁶ of its radius.
 const STEP: f64 = 0.0873;
+/// A curve has this many steps at the least, however little it turns.
+const FEWEST_STEPS: usize = 8;
 /// How often the step is halved towards the ends. A natural spline is straight at its ends, where
-/// these curves are not, and so comes off by the square of its last step and turns off by the last
-/// step itself: 64 times smaller, that is 2·10⁻⁶ of the radius and 0.02°.
+/// these curves are not, and turns off there in proportion to its last step: 64 times shorter, that
+/// is 0.02°.
 const HALVINGS: u32 = 6;
 
 /// Where points of a curve lie that turns by `turn` radians: from 0 to 1, closer towards the ends.
 pub(super) fn stations(turn: f64) -> Vec<f64> {
-    let steps = ((turn / STEP).ceil() as usize).max(8);
+    let steps = ((turn.abs() / STEP).ceil() as usize).max(FEWEST_STEPS);
     let step = 1.0 / steps as f64;
-    let mut near: Vec<f64> = (1..=HALVINGS).rev().map(|n| step / f64::from(1 << n)).collect();
+    let near: Vec<f64> = (1..=HALVINGS).rev().map(|n| step / f64::from(1 << n)).collect();
     let far: Vec<f64> = near.iter().rev().map(|t| 1.0 - t).collect();
-    near.insert(0, 0.0);
-    near.extend((1..steps).map(|n| n as f64 * step));
-    near.extend(far);
-    near.push(1.0);
-    near
+    let even = (1..steps).map(|n| n as f64 * step);
+    std::iter::once(0.0).chain(near).chain(even).chain(far).chain([1.0]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::curve::Curve;
+    use crate::math::{angle_between, atan2, cos, sin};
+
+    #[test]
+    fn a_spline_through_the_stations_is_the_circle() {
+        for turn in [0.1, 1.0, 3.0, std::f64::consts::TAU] {
+            let on = |t: f64| Point3::new(cos(turn * t), sin(turn * t), 0.0);
+            let points: Vec<CurvePoint> =
+                stations(turn).into_iter().map(|t| CurvePoint::smooth(on(t))).collect();
+            let curve = Curve::new(CurveKind::Spline, &points, false).unwrap();
+            let mut off: f64 = 0.0;
+            let mut aslant: f64 = 0.0;
+            for n in 0..=10_000 {
+                let u = curve.spans().len() as f64 * f64::from(n) / 10_000.0;
+                let (p, d) = (curve.position(u), curve.derivative(u));
+                off = off.max((p.to_vec().length() - 1.0).abs());
+                let at = atan2(p.y, p.x);
+                let along = crate::math::Vec3::new(-sin(at), cos(at), 0.0);
+                aslant = aslant.max(angle_between(d, along).to_degrees());
+            }
+            assert!(off < 1e-6 && aslant < 0.03, "{turn}: {off:e} {aslant}");
+        }
+    }
 }
