@@ -6,8 +6,9 @@ use crate::voice::{Voice, print};
 use crate::whole::write_one;
 use sheetwright::template::template;
 use sheetwright_files::{
-    catalogue_json, catalogue_text, design_from_template, template_text, write_design,
+    catalogue_json, catalogue_text, design_from_template, template_text, written_from_template,
 };
+use std::path::Path;
 
 pub(crate) fn run(args: &NewArgs, voice: Voice) -> Result<(), Failure> {
     let name = args.template.as_deref();
@@ -23,8 +24,12 @@ pub(crate) fn run(args: &NewArgs, voice: Voice) -> Result<(), Failure> {
             (None, None) => print(&catalogue_text()),
         };
     }
-    let design = design_from_template(name.unwrap_or_default(), &args.set)?;
-    let bytes = write_design(&design);
+    // Tables are named from the folder of the design, as in the design itself.
+    let folder = match args.out.as_deref().and_then(Path::parent) {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
+    };
+    let bytes = written_from_template(name.unwrap_or_default(), &args.set, folder)?;
     match &args.out {
         Some(path) => write_one(path, &bytes)?,
         None => print(&String::from_utf8_lossy(&bytes))?,

@@ -1,16 +1,21 @@
 //! A template as it is called: its name and `NAME=VALUE` texts, to a design.
 
+use crate::design_json::{table_beside, write_design, write_design_of_table};
 use crate::names::{did_you_mean, nearest, shown};
 use crate::quantity::{LENGTH_EXAMPLES, angle_deg, length_mm, plain};
 use crate::reading::InputError;
+use crate::units::Units;
 use sheetwright::design::Design;
 use sheetwright::material::{MATERIALS, Material};
 use sheetwright::template::{
-    Kind, Parameter, Range, Template, TemplateError, Value, Values, catalogue, template,
+    Kind, NamedCurve, Parameter, Range, Template, TemplateError, Value, Values, catalogue, template,
 };
+use std::path::Path;
 
 /// What every template takes beside its parameters.
 pub(crate) const MATERIAL: &str = "material";
+/// What a template with a table calls the unit of its numbers.
+const UNITS: &str = "units";
 
 /// The design that a template draws with these settings, each a text `NAME=VALUE`; what is not set
 /// is at its default. Lengths are in millimetres unless they have a unit, angles in degrees.
@@ -20,6 +25,40 @@ pub(crate) const MATERIAL: &str = "material";
 /// An unknown template or parameter, a value that can't be read or is out of range, a setting that
 /// stands there twice, values that do not go together.
 pub fn design_from_template(name: &str, settings: &[String]) -> Result<Design, InputError> {
+    called(name, settings, None).map(|(design, _)| design)
+}
+
+/// The same as the bytes of its file, which is to lie in `folder`. A setting that is a table names
+/// one in that folder or below; the design then takes its points from there, so that it follows
+/// when the table is corrected.
+///
+/// # Errors
+/// Those of [`design_from_template`]; a table that is not there or can't be read.
+pub fn written_from_template(
+    name: &str,
+    settings: &[String],
+    folder: &Path,
+) -> Result<Vec<u8>, InputError> {
+    let (design, table) = called(name, settings, Some(folder))?;
+    Ok(match table {
+        Some(table) => write_design_of_table(&design, &table.path, table.units),
+        None => write_design(&design),
+    })
+}
+
+/// A table that a template was given.
+struct Table {
+    /// Its path from the design's folder.
+    path: String,
+    /// What its numbers are in.
+    units: Units,
+}
+
+fn called(
+    name: &str,
+    settings: &[String],
+    folder: Option<&Path>,
+) -> Result<(Design, Option<Table>), InputError> {
     let template = template(name).ok_or_else(|| InputError {
         message: format!("there is no template {}", shown(name)),
         place: None,
@@ -27,6 +66,8 @@ pub fn design_from_template(name: &str, settings: &[String]) -> Result<Design, I
     })?;
     let mut values = template.defaults();
     let mut seen: Vec<&str> = Vec::new();
+    let mut tables: Vec<(&str, &str)> = Vec::new();
+    let mut units = Units::Millimetres;
     for setting in settings {
         let Some((name, text)) = setting.split_once('=') else {
             let message = format!("the setting {} has no value", shown(setting));
@@ -39,9 +80,42 @@ pub fn design_from_template(name: &str, settings: &[String]) -> Result<Design, I
             return Err(InputError::at(template.name, message, "Keep one of them."));
         }
         seen.push(name);
-        set(&mut values, name, text)?;
+        match template.parameter(name).map(|parameter| parameter.kind) {
+            // Read when its units are known.
+            Some(Kind::Table) => tables.push((name, text)),
+            _ => set(&mut values, name, text)?,
+        }
+        if let (UNITS, Some(unit)) = (name, Units::from_name(text)) {
+            units = unit;
+        }
     }
-    values.design().map_err(|error| in_words(&error, template, ""))
+    let mut table = None;
+    for (name, path) in tables {
+        set_table(&mut values, name, path, units, folder)?;
+        table = Some(Table { path: path.to_owned(), units });
+    }
+    let design = values.design().map_err(|error| in_words(&error, template, ""))?;
+    Ok((design, table))
+}
+
+fn set_table(
+    values: &mut Values,
+    name: &str,
+    path: &str,
+    units: Units,
+    folder: Option<&Path>,
+) -> Result<(), InputError> {
+    let template = values.template();
+    let place = place(template, name);
+    let Some(folder) = folder else {
+        let message = "a table can't be read here";
+        return Err(InputError::at(place, message, "Leave it out."));
+    };
+    let curves = table_beside(folder, path, units, &place)?
+        .into_iter()
+        .map(|curve| NamedCurve { points: curve.curve_points(false), name: curve.name })
+        .collect();
+    values.set(name, Value::Table(curves)).map_err(|error| in_words(&error, template, path))
 }
 
 /// The templates that may be meant by a name that none has: one of a name like it, or those that are
@@ -96,6 +170,7 @@ fn read(kind: &Kind, text: &str) -> Option<Value> {
             text.split(',').map(length_mm).collect::<Option<Vec<f64>>>().map(Value::Numbers)
         }
         Kind::Choice(_) => Some(Value::Choice(text.to_owned())),
+        Kind::Table => None,
     }
 }
 
@@ -106,6 +181,7 @@ fn what(kind: &Kind) -> &'static str {
         Kind::Count(_) | Kind::Number(_) => "number",
         Kind::Lengths { .. } => "list of lengths",
         Kind::Choice(_) => "choice",
+        Kind::Table => "table",
     }
 }
 
@@ -119,6 +195,7 @@ fn how(kind: &Kind) -> String {
             format!("Write lengths with commas between them, each such as {LENGTH_EXAMPLES}.")
         }
         Kind::Choice(_) => "Write one of the choices.".to_owned(),
+        Kind::Table => "Name a curve table (.csv) in the design's folder.".to_owned(),
     }
 }
 
@@ -178,6 +255,7 @@ pub(crate) fn takes(kind: &Kind) -> String {
             let (least, most) = (with_unit(kind, *least), with_unit(kind, *most));
             format!("{fewest} to {longest} lengths from {least} to {most}")
         }
+        Kind::Table => "a curve table (.csv) in the design's folder".to_owned(),
         Kind::Choice(choices) => {
             let names: Vec<&str> = choices.iter().map(|choice| choice.name).collect();
             match names.split_last() {
@@ -199,6 +277,7 @@ pub(crate) fn default(kind: &Kind) -> String {
             list.join(", ")
         }
         Value::Choice(name) => name,
+        Value::Table(_) => "none".to_owned(),
     }
 }
 
@@ -210,7 +289,7 @@ pub(crate) fn with_unit(kind: &Kind, number: f64) -> String {
         }
         Kind::Length(_) | Kind::Lengths { .. } => format!("{} mm", short(number)),
         Kind::Angle(_) => format!("{}°", short(number)),
-        Kind::Count(_) | Kind::Number(_) | Kind::Choice(_) => short(number),
+        Kind::Count(_) | Kind::Number(_) | Kind::Choice(_) | Kind::Table => short(number),
     }
 }
 
@@ -235,7 +314,6 @@ mod tests {
     use super::*;
     use crate::input::{InputFormat, read_bytes};
     use crate::reading::ReadOptions;
-    use crate::write_design;
 
     fn settings(list: &[&str]) -> Vec<String> {
         list.iter().map(|&text| text.to_owned()).collect()

@@ -51,6 +51,11 @@ impl Sketch {
         self.jointed(name, &[Part { turn, at: &at }]);
     }
 
+    /// A smooth curve through points that may be corners.
+    pub(super) fn through(&mut self, name: impl Into<String>, points: Vec<CurvePoint>) {
+        self.curve(name, CurveKind::Spline, points);
+    }
+
     /// A smooth curve that control points draw to themselves.
     pub(super) fn bspline(&mut self, name: impl Into<String>, points: &[Point3]) {
         let points = points.iter().map(|&at| CurvePoint::smooth(at)).collect();
@@ -85,6 +90,12 @@ impl Sketch {
     pub(super) fn strip(&mut self, name: impl Into<String>, rails: [&str; 2], samples: usize) {
         let shape = PanelShape::Rails(rails.map(used));
         self.panel(name, shape, samples, PanelMethod::Rails, PlaneChoice::None);
+    }
+
+    /// A panel between two lines that nobody drew as rails of a strip: all its rungs are looked at.
+    pub(super) fn plank(&mut self, name: impl Into<String>, rails: [&str; 2], samples: usize) {
+        let shape = PanelShape::Rails(rails.map(used));
+        self.panel(name, shape, samples, PanelMethod::Optimal, PlaneChoice::Auto);
     }
 
     /// A panel within a loop of curves; `-name` is run backwards.
