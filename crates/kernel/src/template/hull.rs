@@ -3,7 +3,7 @@
 use super::sketch::{Drawn, Sketch};
 use super::{Choice, Kind, NamedCurve, Parameter, Template, TemplateError, Values};
 use crate::curve::CurvePoint;
-use crate::math::Point3;
+use crate::math::{Point3, Vec3};
 
 /// A hull from a table of offsets.
 pub(super) const HULL: Template = Template {
@@ -33,7 +33,7 @@ pub(super) const HULL: Template = Template {
 const PARAMETERS: [Parameter; 2] = [
     Parameter {
         name: "table",
-        meaning: "a curve for each line from keel to sheer, stern to bow: x forward, y out, z up",
+        meaning: "a curve for each line, from the keel to the sheer: x along, y out, z up",
         kind: Kind::Table,
     },
     Parameter { name: "units", meaning: "unit of the table's numbers", kind: Kind::Choice(&UNITS) },
@@ -130,15 +130,25 @@ fn hull(values: &Values) -> Drawn {
     for line in lines {
         sketch.through(&line.name, line.points.clone());
     }
-    let last = lines.len() - 2;
-    for (n, pair) in lines.windows(2).enumerate() {
+    // Tables list lines from the keel up or from the sheer down.
+    let mut upwards: Vec<&NamedCurve> = lines.iter().collect();
+    if middle(upwards[0]).z > middle(upwards[upwards.len() - 1]).z {
+        upwards.reverse();
+    }
+    let sheer = middle(upwards[upwards.len() - 1]);
+    let inside = Point3::new(sheer.x, 0.0, sheer.z);
+    let last = upwards.len() - 2;
+    for (n, pair) in upwards.windows(2).enumerate() {
         let name = match n {
             0 => "bottom".to_owned(),
             n if n == last => "side".to_owned(),
             n => format!("strake-{n}"),
         };
-        // Upper line first: of lines to port that run forward, that is the outside.
-        sketch.plank(name, [&pair[1].name, &pair[0].name], SAMPLES);
+        let [mut first, mut second] = [pair[1], pair[0]];
+        if !faces_away(first, second, inside) {
+            (first, second) = (second, first);
+        }
+        sketch.plank(name, [&first.name, &second.name], SAMPLES);
     }
     if table.is_empty() {
         sketch.sheet("plywood-6mm");
@@ -149,4 +159,18 @@ fn hull(values: &Values) -> Drawn {
 fn line(name: &str, points: &[[f64; 3]]) -> NamedCurve {
     let points = points.iter().map(|&[x, y, z]| CurvePoint::smooth(Point3::new(x, y, z))).collect();
     NamedCurve { name: name.to_owned(), points }
+}
+
+/// The mean of the points of a line.
+fn middle(line: &NamedCurve) -> Point3 {
+    let sum = line.points.iter().fold(Vec3::ZERO, |sum, point| sum + point.at.to_vec());
+    Point3::from_vec(sum / line.points.len() as f64)
+}
+
+/// Whether a plank whose boundary runs along `first` and back along `second` faces away from a point.
+fn faces_away(first: &NamedCurve, second: &NamedCurve, from: Point3) -> bool {
+    let along = first.points[first.points.len() - 1].at - first.points[0].at;
+    let across = middle(second) - middle(first);
+    let plank = middle(first).lerp(middle(second), 0.5);
+    along.cross(across).dot(plank - from) >= 0.0
 }
