@@ -3,12 +3,14 @@
 
 mod figures;
 mod fold_price;
+mod templates;
 
 use std::process::ExitCode;
 
 const HELP: &str = "Chores of the project:
   cargo xtask figures      writes docs/pictures/: the hull in space and laid flat
   cargo xtask fold-price   writes docs/fold-price.md: what the fold price costs and what it buys
+  cargo xtask templates    writes docs/templates.md and its pictures, from the catalogue
 ";
 
 fn main() -> ExitCode {
@@ -16,6 +18,7 @@ fn main() -> ExitCode {
     let done = match chore.as_str() {
         "figures" => figures::write(),
         "fold-price" => fold_price::write(),
+        "templates" => templates::write(),
         _ => {
             print!("{HELP}");
             return if chore.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(2) };

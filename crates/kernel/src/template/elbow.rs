@@ -104,8 +104,8 @@ fn elbow(values: &Values) -> Drawn {
                 + along * (side * reach)
         };
         let (low, high) = (format!("cut-{}a", n + 1), format!("cut-{}b", n + 1));
-        sketch.along(&low, TAU, |t| rim(seam - TAU * t, -1.0, first && square));
-        sketch.along(&high, TAU, |t| rim(seam - TAU * t, 1.0, last && square));
+        sketch.along(&low, TAU, |t| rim(seam + TAU * t, -1.0, first && square));
+        sketch.along(&high, TAU, |t| rim(seam + TAU * t, 1.0, last && square));
         sketch.strip(format!("segment-{}", n + 1), [&low, &high], SAMPLES);
     }
     Ok(sketch)

@@ -52,7 +52,8 @@ pub(super) fn gores(profile: &[Station], n: usize) -> Drawn {
     }
     let samples = samples(profile, TAU / n as f64);
     for k in 0..n {
-        let rails = [k, (k + 1) % n].map(|k| format!("meridian-{}", k + 1));
+        // Profiles run upwards: down on the left and up on the right is counter-clockwise from outside.
+        let rails = [(k + 1) % n, k].map(|k| format!("meridian-{}", k + 1));
         sketch.strip(format!("gore-{}", k + 1), [&rails[0], &rails[1]], samples);
     }
     Ok(sketch)
