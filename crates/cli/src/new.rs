@@ -6,7 +6,7 @@ use crate::voice::{Voice, print};
 use crate::whole::write_one;
 use sheetwright::template::template;
 use sheetwright_files::{
-    catalogue_json, catalogue_text, design_from_template, template_text, written_from_template,
+    catalogue_json, catalogue_text, design_from_template, new_design, template_text,
 };
 use std::path::Path;
 
@@ -29,7 +29,7 @@ pub(crate) fn run(args: &NewArgs, voice: Voice) -> Result<(), Failure> {
         Some(folder) if folder != Path::new("") => folder,
         _ => Path::new("."),
     };
-    let bytes = written_from_template(name.unwrap_or_default(), &args.set, folder)?;
+    let bytes = new_design(name.unwrap_or_default(), &args.set, folder)?.bytes();
     match &args.out {
         Some(path) => write_one(path, &bytes)?,
         None => print(&String::from_utf8_lossy(&bytes))?,

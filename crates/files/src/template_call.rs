@@ -25,28 +25,28 @@ const UNITS: &str = "units";
 /// An unknown template or parameter, a value that can't be read or is out of range, a setting that
 /// stands there twice, values that do not go together.
 pub fn design_from_template(name: &str, settings: &[String]) -> Result<Design, InputError> {
-    called(name, settings, None).map(|(design, _)| design)
+    called(name, settings, None).map(|new| new.design)
 }
 
-/// The same as the bytes of its file, which is to lie in `folder`. A setting that is a table names
-/// one in that folder or below; the design then takes its points from there, so that it follows
-/// when the table is corrected.
+/// The same for a file that is to lie in `folder`: a setting that is a table names one in that
+/// folder or below.
 ///
 /// # Errors
 /// Those of [`design_from_template`]; a table that is not there or can't be read.
-pub fn written_from_template(
-    name: &str,
-    settings: &[String],
-    folder: &Path,
-) -> Result<Vec<u8>, InputError> {
-    let (design, table) = called(name, settings, Some(folder))?;
-    Ok(match table {
-        Some(table) => write_design_of_table(&design, &table.path, table.units),
-        None => write_design(&design),
-    })
+pub fn new_design(name: &str, settings: &[String], folder: &Path) -> Result<NewDesign, InputError> {
+    called(name, settings, Some(folder))
+}
+
+/// A design from a template.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NewDesign {
+    /// The design.
+    pub design: Design,
+    table: Option<Table>,
 }
 
 /// A table that a template was given.
+#[derive(Clone, Debug, PartialEq)]
 struct Table {
     /// Its path from the design's folder.
     path: String,
@@ -54,11 +54,18 @@ struct Table {
     units: Units,
 }
 
-fn called(
-    name: &str,
-    settings: &[String],
-    folder: Option<&Path>,
-) -> Result<(Design, Option<Table>), InputError> {
+impl NewDesign {
+    /// The bytes of its file. Points of a table stay there, so that the design follows when the
+    /// table is corrected.
+    pub fn bytes(&self) -> Vec<u8> {
+        match &self.table {
+            Some(table) => write_design_of_table(&self.design, &table.path, table.units),
+            None => write_design(&self.design),
+        }
+    }
+}
+
+fn called(name: &str, settings: &[String], folder: Option<&Path>) -> Result<NewDesign, InputError> {
     let template = template(name).ok_or_else(|| InputError {
         message: format!("there is no template {}", shown(name)),
         place: None,
@@ -95,7 +102,7 @@ fn called(
         table = Some(Table { path: path.to_owned(), units });
     }
     let design = values.design().map_err(|error| in_words(&error, template, ""))?;
-    Ok((design, table))
+    Ok(NewDesign { design, table })
 }
 
 fn set_table(
@@ -357,6 +364,20 @@ mod tests {
         // What people search for leads there too.
         let hint = design_from_template("Zepelin", &[]).unwrap_err().hint;
         assert!(hint.starts_with("Did you mean 'airship'? `"), "{hint}");
+    }
+
+    /// Whoever reads a table knows the units that its template lets people choose.
+    #[test]
+    fn units_of_tables_are_those_of_files() {
+        for template in catalogue() {
+            let tables = template.parameters.iter().any(|p| p.kind == Kind::Table);
+            let names: Vec<&str> = match template.parameter(UNITS).map(|p| p.kind) {
+                Some(Kind::Choice(choices)) => choices.iter().map(|choice| choice.name).collect(),
+                _ => Vec::new(),
+            };
+            let known = if tables { Units::ALL.map(Units::name).to_vec() } else { Vec::new() };
+            assert_eq!(names, known, "{}", template.name);
+        }
     }
 
     #[test]

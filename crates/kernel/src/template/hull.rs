@@ -174,3 +174,49 @@ fn faces_away(first: &NamedCurve, second: &NamedCurve, from: Point3) -> bool {
     let plank = middle(first).lerp(middle(second), 0.5);
     along.cross(across).dot(plank - from) >= 0.0
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::design::{Design, PanelShape};
+    use crate::template::{Value, template};
+
+    fn drawn(lines: Vec<NamedCurve>) -> Result<Design, TemplateError> {
+        let mut values = template("hull").unwrap().defaults();
+        values.set("table", Value::Table(lines)).unwrap();
+        values.design()
+    }
+
+    fn skiff() -> Vec<NamedCurve> {
+        SKIFF.iter().map(|(name, points)| line(name, points)).collect()
+    }
+
+    #[test]
+    fn planks_are_the_same_from_either_end_of_the_table() {
+        let upwards = drawn(skiff()).unwrap();
+        let names: Vec<&str> = upwards.panels.iter().map(|panel| panel.name.as_str()).collect();
+        assert_eq!(names, ["bottom", "side"]);
+        let PanelShape::Rails([first, second]) = &upwards.panels[0].shape else { panic!() };
+        assert_eq!([&first.name[..], &second.name[..]], ["chine", "keel"]);
+        let downwards = drawn(skiff().into_iter().rev().collect()).unwrap();
+        assert_eq!(downwards.panels, upwards.panels);
+        // Run aft, the same lines are rails the other way round, and the planks still face outwards.
+        let mut aft = skiff();
+        aft.iter_mut().for_each(|line| line.points.reverse());
+        let PanelShape::Rails([first, _]) = &drawn(aft).unwrap().panels[0].shape else { panic!() };
+        assert_eq!(first.name, "keel");
+    }
+
+    #[test]
+    fn what_is_no_hull_is_refused() {
+        let one = drawn(skiff().into_iter().take(1).collect()).unwrap_err();
+        assert!(one.to_string().contains("one line"), "{one}");
+        let mut short = skiff();
+        short[1].points.truncate(1);
+        let short = drawn(short).unwrap_err();
+        assert!(short.to_string().contains("'chine' has a single point"), "{short}");
+        let mut values = template("hull").unwrap().defaults();
+        values.set("units", Value::Choice("ft".to_owned())).unwrap();
+        assert_eq!(values.design().unwrap_err().parameter(), Some("units"));
+    }
+}

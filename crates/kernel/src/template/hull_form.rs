@@ -408,7 +408,10 @@ impl Form {
         if chine.y < LEAST_BOTTOM * of.beam {
             return Err(TemplateError::together(
                 "flare",
-                format!("the bottom is only {:.0} mm wide", 2.0 * chine.y.max(0.0)),
+                format!(
+                    "the sides lean so far that they leave a bottom of {:.0} mm",
+                    2.0 * chine.y.max(0.0)
+                ),
                 "Let the sides lean out less, or make the boat wider or not so deep.",
             ));
         }
