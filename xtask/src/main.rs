@@ -3,6 +3,7 @@
 
 mod figures;
 mod fold_price;
+mod measured;
 mod templates;
 
 use std::process::ExitCode;
@@ -10,6 +11,7 @@ use std::process::ExitCode;
 const HELP: &str = "Chores of the project:
   cargo xtask figures      writes docs/pictures/: the hull in space and laid flat
   cargo xtask fold-price   writes docs/fold-price.md: what the fold price costs and what it buys
+  cargo xtask measured     writes docs/measured.md: gores against the sphere, a duct against tradition
   cargo xtask templates    writes docs/templates.md and its pictures, from the catalogue
 ";
 
@@ -18,6 +20,7 @@ fn main() -> ExitCode {
     let done = match chore.as_str() {
         "figures" => figures::write(),
         "fold-price" => fold_price::write(),
+        "measured" => measured::write(),
         "templates" => templates::write(),
         _ => {
             print!("{HELP}");
