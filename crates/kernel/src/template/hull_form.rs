@@ -382,7 +382,7 @@ impl Form {
             })
             .collect();
         let met = MET * self.of.length;
-        let missed = |p: &Point3| !((p.z - self.bottom(p.x, p.y)).abs() <= met);
+        let missed = |p: &Point3| (p.z - self.bottom(p.x, p.y)).abs() > met;
         if bottom.iter().any(missed) || bottom.iter().any(|p| p.z > sheer.z - LEAST_SIDE) {
             return Err(TemplateError::together(
                 names.rise,
@@ -438,7 +438,7 @@ impl Form {
     /// Refuses a chine that rises to the sheer, or curves that turn back.
     fn refuse_unfair(&self, [keel, chine, sheer]: [&[Point3]; 3]) -> Result<(), TemplateError> {
         let met = MET * self.of.length;
-        let missed = |p: &Point3| !((p.z - self.bottom(p.x, p.y)).abs() <= met && p.y >= -met);
+        let missed = |p: &Point3| (p.z - self.bottom(p.x, p.y)).abs() > met || p.y < -met;
         let back = |line: &[Point3]| line.windows(2).any(|p| p[1].x <= p[0].x);
         if chine.iter().any(missed) || [keel, chine, sheer].into_iter().any(back) {
             return Err(TemplateError::together(
