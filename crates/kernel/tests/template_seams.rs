@@ -5,8 +5,8 @@
 use sheetwright::check::Verdict;
 use sheetwright::curve::Curve;
 use sheetwright::design::{Design, DesignPanel, Made, MadePanel, PanelShape, make};
-use sheetwright::math::Point3;
-use sheetwright::template::template;
+use sheetwright::math::{Point3, Vec3};
+use sheetwright::template::{Value, template};
 use sheetwright::watch::Unwatched;
 
 /// Edges of two panels that are to be joined differ by this share of their length at the most: a
@@ -109,5 +109,45 @@ fn panels_of_boats_hardly_twist() {
             println!("{name}: {}: {warp:.3}°", panel.name);
             assert!(warp < 0.5, "{name}: {}: {warp}°", panel.name);
         }
+    }
+}
+
+/// The area of a boundary as a vector: half the sum of the cross products of its samples.
+fn faces(panel: &MadePanel) -> Vec3 {
+    let samples = panel.boundary.samples();
+    let at = |i: usize| samples[i % samples.len()].position.to_vec();
+    (0..samples.len()).fold(Vec3::ZERO, |sum, i| sum + at(i).cross(at(i + 1)) * 0.5)
+}
+
+#[test]
+fn both_halves_of_a_boat_are_drawn_and_face_outwards() {
+    for name in ["dinghy", "pram", "kayak"] {
+        let mut values = template(name).unwrap().defaults();
+        values.set("halves", Value::Choice("both".to_owned())).unwrap();
+        let design = values.design().unwrap();
+        let made = make(&design, &mut Unwatched).unwrap();
+        let panel = |name: &str| made.panels.iter().find(|panel| panel.name == name);
+        for (half, outwards) in [("bottom", -Vec3::Z), ("side", Vec3::Y), ("deck", Vec3::Z)] {
+            let (Some(port), Some(starboard)) =
+                (panel(&format!("{half}-port")), panel(&format!("{half}-starboard")))
+            else {
+                assert!(half == "deck" && name != "kayak", "{name} has no {half}");
+                continue;
+            };
+            let image = |v: Vec3| Vec3::new(v.x, -v.y, v.z);
+            let (a, b) = (faces(port), faces(starboard));
+            assert!(a.dot(outwards) > 0.0 && b.dot(image(outwards)) > 0.0, "{name}: {half}");
+            assert!((image(a) - b).length() < 1e-9 * a.length(), "{name}: {half}: {a} {b}");
+            assert_eq!(starboard.checked.verdict, Verdict::Bends);
+            let areas = [port, starboard].map(|panel| panel.measures.area_flat_mm2);
+            assert!((areas[0] - areas[1]).abs() < 1e-6 * areas[0], "{name}: {half}: {areas:?}");
+        }
+        for (board, outwards) in [("transom", -Vec3::X), ("bow-transom", Vec3::X)] {
+            if let Some(board) = panel(board) {
+                assert!(faces(board).dot(outwards) > 0.0, "{name}: {}", board.name);
+            }
+        }
+        let on_keel = |panel: &&DesignPanel| curves_of(panel).contains(&"keel");
+        assert_eq!(design.panels.iter().filter(on_keel).count(), 2, "{name}");
     }
 }

@@ -1,22 +1,34 @@
 //! Small boats of plywood with one chine: dinghy, pram and kayak.
 
 use super::hull_form::{Dimensions, End, LONG_SAMPLES, Style, hull};
-use super::sketch::Drawn;
-use super::{Parameter, Template, Values, angle, length, number};
+use super::sketch::{Drawn, Sketch};
+use super::{Choice, Kind, Parameter, Template, Values, angle, length, number};
 use crate::math::{Point3, cos, sin};
+
+/// Which halves of a boat are drawn.
+const HALVES: Parameter = Parameter {
+    name: "halves",
+    meaning: "halves of the boat that are drawn",
+    kind: Kind::Choice(&[PORT, BOTH]),
+};
+
+const PORT: Choice =
+    Choice { name: "port", meaning: "the port half, to be cut twice, once turned over" };
+const BOTH: Choice = Choice { name: "both", meaning: "port and starboard, each cut once" };
 
 /// A pointed boat with a transom.
 pub(super) const DINGHY: Template = Template {
     name: "dinghy",
     title: "Dinghy with a pointed bow, a chine and a transom",
     who: "Home builders stitch and glue it from plywood (6 mm unless material says otherwise); \
-          bottom and side are one half, to be cut twice, once turned over.",
+          bottom and side are the port half, to be cut twice, once turned over.",
     words: &[
         "rowing boat",
         "skiff",
         "tender",
         "stitch and glue",
         "plywood boat",
+        "boat",
         "hard chine",
         "chine and sheer",
         "boat plans",
@@ -26,7 +38,7 @@ pub(super) const DINGHY: Template = Template {
     build: dinghy,
 };
 
-const DINGHY_PARAMETERS: [Parameter; 11] = [
+const DINGHY_PARAMETERS: [Parameter; 12] = [
     length(
         "length",
         "length from the top of the transom to the top of the stem",
@@ -62,15 +74,15 @@ const DINGHY_PARAMETERS: [Parameter; 11] = [
         0.77,
     ),
     angle("transom-rake", "how far the transom leans outwards", 0.0, 35.0, 12.0),
+    HALVES,
 ];
 
 fn dinghy(values: &Values) -> Drawn {
     let style =
         Style { widest: 0.42, lowest: 0.45, keel_powers: [3, 2], sweep: 0.6, fullness: 0.0 };
     let transom = transom(values, "transom-width", "transom-rake");
-    let mut drawn = hull(dimensions(values, End::Stem, transom, style))?.sketch;
-    drawn.sheet("plywood-6mm");
-    Ok(drawn)
+    let drawn = hull(dimensions(values, End::Stem, transom, style))?.sketch;
+    Ok(finished(drawn, values, &["bottom", "side"], "plywood-6mm"))
 }
 
 /// A boat with two transoms.
@@ -78,8 +90,8 @@ pub(super) const PRAM: Template = Template {
     name: "pram",
     title: "Pram: a boat with a transom at the bow too",
     who: "Home builders and sailing schools build it as the shortest boat that carries two, of \
-          plywood (6 mm unless material says otherwise); bottom and side are one half, to be cut \
-          twice, once turned over.",
+          plywood (6 mm unless material says otherwise); bottom and side are the port half, to \
+          be cut twice, once turned over.",
     words: &[
         "pram dinghy",
         "optimist",
@@ -88,6 +100,7 @@ pub(super) const PRAM: Template = Template {
         "tender",
         "stitch and glue",
         "plywood boat",
+        "boat",
         "hard chine",
         "two transoms",
     ],
@@ -95,7 +108,7 @@ pub(super) const PRAM: Template = Template {
     build: pram,
 };
 
-const PRAM_PARAMETERS: [Parameter; 13] = [
+const PRAM_PARAMETERS: [Parameter; 14] = [
     length(
         "length",
         "length from the top of one transom to the top of the other",
@@ -133,6 +146,7 @@ const PRAM_PARAMETERS: [Parameter; 13] = [
     angle("bow-rake", "how far the bow transom leans outwards", 0.0, 50.0, 35.0),
     number("transom-width", "width of the transom at the stern, likewise", 0.4, 0.9, 0.79),
     angle("transom-rake", "how far the transom leans outwards", 0.0, 35.0, 10.0),
+    HALVES,
 ];
 
 fn pram(values: &Values) -> Drawn {
@@ -140,9 +154,8 @@ fn pram(values: &Values) -> Drawn {
         Style { widest: 0.42, lowest: 0.45, keel_powers: [2, 2], sweep: 0.4, fullness: 0.0 };
     let bow = transom(values, "bow-width", "bow-rake");
     let stern = transom(values, "transom-width", "transom-rake");
-    let mut drawn = hull(dimensions(values, bow, stern, style))?.sketch;
-    drawn.sheet("plywood-6mm");
-    Ok(drawn)
+    let drawn = hull(dimensions(values, bow, stern, style))?.sketch;
+    Ok(finished(drawn, values, &["bottom", "side"], "plywood-6mm"))
 }
 
 /// A boat that is pointed at both ends, with a deck.
@@ -150,8 +163,8 @@ pub(super) const KAYAK: Template = Template {
     name: "kayak",
     title: "Kayak with a chine and a ridged deck",
     who: "Home builders stitch and glue it from plywood (4 mm unless material says otherwise); \
-          every panel is one half, to be cut twice, once turned over, and the cockpit is cut out \
-          of the deck by its rim.",
+          panels are the port half, to be cut twice, once turned over, and the cockpit is cut \
+          out of the deck by its rim.",
     words: &[
         "sea kayak",
         "canoe",
@@ -159,6 +172,7 @@ pub(super) const KAYAK: Template = Template {
         "paddling",
         "stitch and glue",
         "plywood boat",
+        "boat",
         "hard chine",
         "chine and sheer",
     ],
@@ -166,7 +180,7 @@ pub(super) const KAYAK: Template = Template {
     build: kayak,
 };
 
-const KAYAK_PARAMETERS: [Parameter; 10] = [
+const KAYAK_PARAMETERS: [Parameter; 11] = [
     length("length", "length from stem to stem at the sheer", 3000.0, 6500.0, 4800.0),
     length("beam", "width across the sheer amidships", 450.0, 900.0, 600.0),
     length(
@@ -189,6 +203,7 @@ const KAYAK_PARAMETERS: [Parameter; 10] = [
     length("bow-rise", "how far the line of the keel rises towards the bow", 0.0, 200.0, 90.0),
     length("stern-rise", "how far it rises towards the stern", 0.0, 200.0, 70.0),
     length("deck-rise", "height of the deck's ridge above the sheer amidships", 0.0, 150.0, 50.0),
+    HALVES,
 ];
 
 fn kayak(values: &Values) -> Drawn {
@@ -201,8 +216,7 @@ fn kayak(values: &Values) -> Drawn {
     let mut sketch = drawn.sketch;
     sketch.spline("ridge", &ridge);
     sketch.patch("deck", &["ridge", "-sheer"], LONG_SAMPLES);
-    sketch.sheet("plywood-4mm");
-    Ok(sketch)
+    Ok(finished(sketch, values, &["bottom", "side", "deck"], "plywood-4mm"))
 }
 
 /// The dimensions that all of them take.
@@ -229,6 +243,15 @@ fn transom(values: &Values, width: &str, rake: &str) -> End {
         width: values.number(width) * values.number("beam"),
         lean: slope(values.radians(rake)),
     }
+}
+
+/// The boat with the halves that are wanted, of its usual sheet.
+fn finished(mut sketch: Sketch, values: &Values, halves: &[&str], sheet: &str) -> Sketch {
+    if values.choice(HALVES.name) == BOTH.name {
+        sketch.mirror(halves);
+    }
+    sketch.sheet(sheet);
+    sketch
 }
 
 /// The tangent of an angle below a right one.

@@ -15,7 +15,7 @@
 //! together at the ends, where a natural spline is least true; neighbours share the very same curve.
 
 use super::TemplateError;
-use super::sketch::Sketch;
+use super::sketch::{Sketch, mirrored};
 use crate::math::{Point3, cos};
 use std::f64::consts::PI;
 
@@ -392,12 +392,12 @@ impl Form {
         }
         (side[0], side[TRANSOM_POINTS - 1]) = (chine, sheer);
         (bottom[0], bottom[TRANSOM_POINTS - 1]) = (keel, chine);
-        let mirrored = |p: &Point3| Point3::new(p.x, -p.y, p.z);
         for (points, [port, starboard]) in [(&bottom, names.bottom), (&side, names.side)] {
             sketch.spline(port, points);
-            sketch.spline(starboard, &points.iter().map(mirrored).collect::<Vec<Point3>>());
+            sketch
+                .spline(starboard, &points.iter().copied().map(mirrored).collect::<Vec<Point3>>());
         }
-        sketch.polyline(names.top, &[sheer, mirrored(&sheer)]);
+        sketch.polyline(names.top, &[sheer, mirrored(sheer)]);
         Ok(Corners { keel, chine, sheer })
     }
 

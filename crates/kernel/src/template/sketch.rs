@@ -105,6 +105,56 @@ impl Sketch {
         self.panel(name, shape, samples, PanelMethod::Optimal, PlaneChoice::Auto);
     }
 
+    /// Adds the starboard halves of these panels, which were drawn to port of the plane y = 0:
+    /// `NAME` becomes `NAME-port` and `NAME-starboard`. They share the curves that lie in the plane.
+    pub(super) fn mirror(&mut self, panels: &[&str]) {
+        let port: Vec<DesignPanel> =
+            self.panels.iter().filter(|panel| panels.contains(&&panel.name[..])).cloned().collect();
+        self.panels.retain(|panel| !panels.contains(&&panel.name[..]));
+        for mut panel in port {
+            let name = panel.name.clone();
+            panel.name = format!("{name}-port");
+            let shape = match &panel.shape {
+                PanelShape::Rails([first, second]) => {
+                    PanelShape::Rails([self.starboard(second), self.starboard(first)])
+                }
+                // Seen in a mirror, a loop runs the other way round.
+                PanelShape::Loops { outer, holes } => {
+                    let mut back = |part: &CurveUse| {
+                        let part = self.starboard(part);
+                        CurveUse { reversed: !part.reversed, ..part }
+                    };
+                    let outer = outer.iter().rev().map(&mut back).collect();
+                    let mut hole =
+                        |hole: &Vec<CurveUse>| hole.iter().rev().map(&mut back).collect();
+                    PanelShape::Loops { outer, holes: holes.iter().map(&mut hole).collect() }
+                }
+            };
+            let starboard =
+                DesignPanel { name: format!("{name}-starboard"), shape, ..panel.clone() };
+            self.panels.extend([panel, starboard]);
+        }
+    }
+
+    /// The image of a curve to starboard, which is drawn unless it is there; itself if it lies in
+    /// the plane.
+    fn starboard(&mut self, part: &CurveUse) -> CurveUse {
+        let Some(curve) = self.curves.iter().find(|curve| curve.name == part.name) else {
+            return part.clone();
+        };
+        if curve.points.iter().all(|point| point.at.y == 0.0) {
+            return part.clone();
+        }
+        let name = format!("{}-starboard", part.name);
+        if !self.curves.iter().any(|curve| curve.name == name) {
+            let mut image = curve.clone();
+            image.name.clone_from(&name);
+            image.points.iter_mut().for_each(|point| point.at = mirrored(point.at));
+            self.curves.push(image);
+        }
+        CurveUse { name, reversed: part.reversed }
+    }
+
     fn panel(
         &mut self,
         name: impl Into<String>,
@@ -122,6 +172,12 @@ impl Sketch {
         let material = material.or(self.material);
         Design { name: name.to_owned(), material, curves: self.curves, panels: self.panels }
     }
+}
+
+/// The mirror image of a point in the plane y = 0.
+pub(super) fn mirrored(point: Point3) -> Point3 {
+    // Not -y, which would make -0 of a point in the plane.
+    Point3::new(point.x, 0.0 - point.y, point.z)
 }
 
 fn used(name: &str) -> CurveUse {
