@@ -19,8 +19,8 @@ Examples:
       Will it bend? The verdict alone
   sheetwright new --list
       Shapes to begin with: cones, ducts, domes and what they take
-  sheetwright new cone --set bottom=40cm -o hood.sheet.json
-      A design from a template
+  sheetwright new cone --set bottom=40cm --make build
+      From a template to patterns in one go; with -o hood.sheet.json, a design to go on with
   sheetwright convert leaf.csv leaf.sheet.json
       A curve table becomes a design to go on with
 
@@ -54,6 +54,7 @@ Examples:
   sheetwright new --list                              what there is, and what it takes
   sheetwright new cone --list                         the same of one template
   sheetwright new cone --set bottom=40cm --set height='15 3/4in' -o hood.sheet.json
+  sheetwright new hemisphere --make build             the patterns and the report at once
   sheetwright new cone --set material=steel-1mm | sheetwright check - --from json";
 
 /// From boundary curves to the developable surface that fits them best, and its flat pattern.
@@ -127,15 +128,18 @@ pub(crate) struct NewArgs {
     #[arg(value_name = "TEMPLATE", required_unless_present = "list", value_parser = TemplateName)]
     pub(crate) template: Option<String>,
     /// Say which templates there are and what they take, or what this one takes
-    #[arg(long, conflicts_with_all = ["set", "out"])]
+    #[arg(long, conflicts_with_all = ["set", "out", "make"])]
     pub(crate) list: bool,
-    /// Set a parameter: a length in mm or with a unit (400mm, 40cm, 0.4m, 15 3/4in, 1' 4\"), an
+    /// Set a parameter: a length in mm or with a unit (400mm, 40cm, 0.4m, 15 3/4in, 1' 4"), an
     /// angle in degrees, a number or a choice
     #[arg(long, value_name = "NAME=VALUE")]
     pub(crate) set: Vec<String>,
     /// The design to write [default: standard output]
     #[arg(long, short, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
+    /// Make it at once, as `make` does: the design, its patterns and its report go into this folder
+    #[arg(long, value_name = "DIR", conflicts_with = "out")]
+    pub(crate) make: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]

@@ -48,7 +48,7 @@ fn run(command: &Command, voice: Voice) -> Result<bool, Failure> {
     match command {
         Command::Make(args) => make::run(args, voice),
         Command::Check(args) => check::run(args, voice),
-        Command::New(args) => new::run(args, voice).map(|()| false),
+        Command::New(args) => new::run(args, voice),
         Command::Convert(args) => convert::run(args, voice),
         Command::Completions { shell } => pages::completions(*shell).map(|()| false),
         Command::Man { command } => pages::man(command.as_deref()).map(|()| false),

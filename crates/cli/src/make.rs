@@ -8,6 +8,7 @@ use crate::watcher::Watcher;
 use crate::whole::Folder;
 use sheetwright::design::{Design, Made, make};
 use sheetwright_files::{Format, Outputs, PdfOptions, findings_json, output_files, timing_json};
+use std::path::Path;
 use std::time::Instant;
 
 const FAULT: &str = "This is a fault of the program: please report it with the input.";
@@ -19,37 +20,74 @@ pub(crate) fn run(args: &MakeArgs, voice: Voice) -> Result<bool, Failure> {
         .collect();
     let start = Instant::now();
     let design = source::design(&args.source)?;
-    // What can't be written to is said before anybody waits.
-    let folder = Folder::new(&args.out)?;
     if let Some(aim) = args.aim {
         voice.note(&aim_note(aim));
     }
-    let mut watcher = Watcher::new(voice);
     let input = source::name(&args.source);
-    let pdf = args.pdf.options();
-    let (made, outputs) = made(&design, &formats, &pdf, &mut watcher, &input)?;
-    let mut names: Vec<String> = outputs.files.iter().map(|file| file.name.clone()).collect();
-
-    let mut batch = folder.batch()?;
-    for file in &outputs.files {
-        batch.add(&file.name, &file.bytes)?;
-    }
-    if formats.contains(&Format::Report) {
-        const TIMING: &str = "timing.json";
-        let times = watcher.times(&design);
-        batch.add(TIMING, &timing_json(&times, start.elapsed().as_secs_f64()))?;
-        names.push(TIMING.to_owned());
-    }
-    let answer = if voice.json {
-        findings_json(&made, &outputs.panels, Some(&names))
-    } else {
-        in_words(&made, &outputs.panels)
+    let job = Job {
+        input: &input,
+        out: &args.out,
+        formats: &formats,
+        pdf: args.pdf.options(),
+        beside: None,
     };
-    // The answer first: where it can't be given, nothing is written.
-    print(&answer)?;
-    batch.keep()?;
-    voice.note(&format!("{} files written to {}", names.len(), args.out.display()));
-    Ok(found_errors(&outputs.panels))
+    job.run(&design, start, voice)
+}
+
+/// What is made of a design, and where to.
+pub(crate) struct Job<'a> {
+    /// How messages name the design.
+    pub(crate) input: &'a str,
+    /// The folder for the files.
+    pub(crate) out: &'a Path,
+    /// The formats to write.
+    pub(crate) formats: &'a [Format],
+    /// How patterns come to paper.
+    pub(crate) pdf: PdfOptions,
+    /// A file that goes with them: its name and its bytes.
+    pub(crate) beside: Option<(String, Vec<u8>)>,
+}
+
+impl Job<'_> {
+    /// Makes the design, writes its files and says its verdict; whether some finding is an error.
+    pub(crate) fn run(
+        &self,
+        design: &Design,
+        start: Instant,
+        voice: Voice,
+    ) -> Result<bool, Failure> {
+        let formats = self.formats;
+        // What can't be written to is said before anybody waits.
+        let folder = Folder::new(self.out)?;
+        let mut watcher = Watcher::new(voice);
+        let (made, outputs) = made(design, formats, &self.pdf, &mut watcher, self.input)?;
+        let mut names: Vec<String> = outputs.files.iter().map(|file| file.name.clone()).collect();
+
+        let mut batch = folder.batch()?;
+        for file in &outputs.files {
+            batch.add(&file.name, &file.bytes)?;
+        }
+        if formats.contains(&Format::Report) {
+            const TIMING: &str = "timing.json";
+            let times = watcher.times(design);
+            batch.add(TIMING, &timing_json(&times, start.elapsed().as_secs_f64()))?;
+            names.push(TIMING.to_owned());
+        }
+        if let Some((name, bytes)) = &self.beside {
+            batch.add(name, bytes)?;
+            names.push(name.clone());
+        }
+        let answer = if voice.json {
+            findings_json(&made, &outputs.panels, Some(&names))
+        } else {
+            in_words(&made, &outputs.panels)
+        };
+        // The answer first: where it can't be given, nothing is written.
+        print(&answer)?;
+        batch.keep()?;
+        voice.note(&format!("{} files written to {}", names.len(), self.out.display()));
+        Ok(found_errors(&outputs.panels))
+    }
 }
 
 /// A design, made, and its files in memory.

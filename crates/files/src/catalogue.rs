@@ -1,11 +1,14 @@
 //! The catalogue of templates, for people, for programs and for the docs.
 
-use crate::template_call::{MATERIAL, default, takes};
+use crate::template_call::{MATERIAL, default, range};
 use serde::Serialize;
 use sheetwright::template::{Kind, Parameter, Template, Value, catalogue};
 use std::fmt::Write;
 
+/// Characters in a line, as far as words allow.
 const LINE: usize = 96;
+/// Where the meaning of a parameter begins.
+const COLUMN: usize = 28;
 
 /// The catalogue in words: one line for each template to choose from, then each with what it takes.
 pub fn catalogue_text() -> String {
@@ -18,8 +21,11 @@ pub fn catalogue_text() -> String {
         "\nWrite one with its defaults, then see whether it bends and make its patterns:\n  \
          sheetwright new NAME -o part.sheet.json\n  \
          sheetwright make part.sheet.json --out build\n\
-         Change what it takes with --set, as often as need be: --set diameter=40cm. Lengths are in\n\
-         mm or have a unit: 400mm, 40cm, 0.4m, 15 3/4in, 1' 4\". Angles are in degrees.\n",
+         or both at once:\n  \
+         sheetwright new NAME --make build\n\
+         Each has its parameters below, with what they are unless they are set: --set diameter=40cm,\n\
+         as often as need be. Lengths are in mm or have a unit (400mm, 40cm, 0.4m, 15 3/4in, 1' 4\"),\n\
+         angles are in degrees.\n",
     );
     line(
         &mut text,
@@ -38,19 +44,21 @@ pub fn template_text(template: &Template) -> String {
     line(&mut text, &format!("{}: {}", template.name, template.title));
     wrapped(&mut text, "  ", template.who);
     wrapped(&mut text, "  ", &format!("Also searched for as: {}.", template.words.join(", ")));
-    let widest = template.parameters.iter().map(|p| p.name.len()).max().unwrap_or(0);
-    for parameter in template.parameters {
-        let said = format!(
-            "{:widest$}  {} [{}; takes {}]",
-            parameter.name,
-            parameter.meaning,
-            default(&parameter.kind),
-            takes(&parameter.kind)
-        );
-        let indent = " ".repeat(widest + 6);
-        wrapped_after(&mut text, "    ", &indent, &said);
-        if let Kind::Choice(choices) = parameter.kind {
-            for choice in choices {
+    let indent = " ".repeat(COLUMN);
+    for Parameter { name, meaning, kind } in template.parameters {
+        let setting = format!("    {name} = {}", default(kind));
+        let said = match kind {
+            Kind::Choice(_) => format!("{meaning}:"),
+            _ => format!("{meaning} ({})", range(kind)),
+        };
+        if setting.chars().count() + 2 > COLUMN {
+            line(&mut text, &setting);
+            wrapped_after(&mut text, &indent, &indent, &said);
+        } else {
+            wrapped_after(&mut text, &format!("{setting:COLUMN$}"), &indent, &said);
+        }
+        if let Kind::Choice(choices) = kind {
+            for choice in *choices {
                 let said = format!("{}: {}", choice.name, choice.meaning);
                 wrapped_after(&mut text, &format!("{indent}- "), &format!("{indent}  "), &said);
             }
@@ -99,7 +107,7 @@ pub fn parameter_table(template: &Template) -> String {
                 let _ = write!(meaning, "<br>`{}`: {}", choice.name, choice.meaning);
             }
         }
-        let _ = writeln!(table, "| `{name}` | {meaning} | {} | {} |", default(kind), takes(kind));
+        let _ = writeln!(table, "| `{name}` | {meaning} | {} | {} |", default(kind), range(kind));
     }
     table
 }

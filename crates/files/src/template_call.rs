@@ -8,7 +8,7 @@ use crate::units::Units;
 use sheetwright::design::Design;
 use sheetwright::material::{MATERIALS, Material};
 use sheetwright::template::{
-    Kind, NamedCurve, Parameter, Range, Template, TemplateError, Value, Values, catalogue, template,
+    Kind, NamedCurve, Parameter, Template, TemplateError, Value, Values, catalogue, template,
 };
 use std::path::Path;
 
@@ -248,19 +248,27 @@ fn in_words(error: &TemplateError, template: &Template, typed: &str) -> InputErr
 }
 
 /// What a parameter takes, in words: `a length from 10 mm to 20 m`.
-pub(crate) fn takes(kind: &Kind) -> String {
-    let between = |what: &str, range: &Range| {
-        let (least, most) = (with_unit(kind, range.least), with_unit(kind, range.most));
-        format!("{what} from {least} to {most}")
+fn takes(kind: &Kind) -> String {
+    let what = match kind {
+        Kind::Length(_) => "a length from ",
+        Kind::Angle(_) => "an angle from ",
+        Kind::Count(_) => "a whole number from ",
+        Kind::Number(_) => "a number from ",
+        Kind::Lengths { .. } | Kind::Choice(_) | Kind::Table => "",
     };
+    format!("{what}{}", range(kind))
+}
+
+/// The least and the most that a parameter takes: `10 mm to 20 m`.
+pub(crate) fn range(kind: &Kind) -> String {
+    let between =
+        |least: f64, most: f64| format!("{} to {}", with_unit(kind, least), with_unit(kind, most));
     match kind {
-        Kind::Length(range) => between("a length", range),
-        Kind::Angle(range) => between("an angle", range),
-        Kind::Count(range) => between("a whole number", range),
-        Kind::Number(range) => between("a number", range),
+        Kind::Length(range) | Kind::Angle(range) | Kind::Count(range) | Kind::Number(range) => {
+            between(range.least, range.most)
+        }
         Kind::Lengths { least, most, fewest, longest, .. } => {
-            let (least, most) = (with_unit(kind, *least), with_unit(kind, *most));
-            format!("{fewest} to {longest} lengths from {least} to {most}")
+            format!("{fewest} to {longest} lengths from {}", between(*least, *most))
         }
         Kind::Table => "a curve table (.csv) in the design's folder".to_owned(),
         Kind::Choice(choices) => {
@@ -289,7 +297,7 @@ pub(crate) fn default(kind: &Kind) -> String {
 }
 
 /// A number with the unit that people would give it.
-pub(crate) fn with_unit(kind: &Kind, number: f64) -> String {
+fn with_unit(kind: &Kind, number: f64) -> String {
     match kind {
         Kind::Length(_) | Kind::Lengths { .. } if number.abs() >= 1000.0 => {
             format!("{} m", short(number / 1000.0))

@@ -1,7 +1,11 @@
 //! The square-to-round duct against what is known of it, and pipes that are cut by planes.
 #![allow(clippy::unwrap_used, clippy::print_stdout)] // tests panic and print what they measured
 
-use sheetwright::design::{PanelMethod, make};
+use sheetwright::check::Verdict;
+use sheetwright::curve::Curve;
+use sheetwright::design::{Design, PanelMethod, make};
+use sheetwright::math::{Point3, cos, sin};
+use sheetwright::template::{Value, template};
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::transition::{Transition, lengths, neither_flat_nor_conical};
 
@@ -67,5 +71,81 @@ fn lengths_are_those_of_the_classical_triangulation() {
         let fine = duct.classical(240);
         assert!((fine.round_span - ours.round_span).abs() < 0.05, "{fine:?}");
         assert!((fine.square_span - ours.square_span).abs() < 0.05, "{fine:?}");
+    }
+}
+
+/// The points of the curve of a name.
+fn points(design: &Design, name: &str) -> Vec<Point3> {
+    let curve = design.curves.iter().find(|curve| curve.name == name).unwrap();
+    curve.points.iter().map(|point| point.at).collect()
+}
+
+#[test]
+fn the_pieces_of_an_elbow_meet_and_unroll_to_their_formula() {
+    let design = template("elbow").unwrap().defaults().design().unwrap();
+    // Of its defaults: a pipe of 200 mm, a bend of 300 mm by 90° in 5 segments.
+    let (r, bend, half) = (100.0, 300.0, std::f64::consts::FRAC_PI_2 / 8.0);
+    for n in 1..5 {
+        let (one, other) =
+            (points(&design, &format!("cut-{n}b")), points(&design, &format!("cut-{}a", n + 1)));
+        let apart = one.iter().zip(&other).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
+        assert!(apart < 1e-9, "cut {n}: {apart}");
+    }
+    let made = make(&design, &mut Unwatched).unwrap();
+    for panel in &made.panels {
+        assert_eq!(panel.checked.verdict, Verdict::Bends);
+        assert!(panel.checked.findings.is_empty(), "{:?}", panel.checked.findings);
+    }
+    let segment = &made.panels[2];
+    let tan = sin(half) / cos(half);
+    // Across the throat, where the seam is, across the heel, and round the pipe.
+    let (flat, m) = (&segment.flat.points, segment.flat.points.len());
+    let (throat, heel) = (flat[0].distance(flat[m - 1]), flat[m / 4].distance(flat[3 * m / 4]));
+    let round = flat[0].distance(flat[m / 2 - 1]);
+    for (ours, exact) in [
+        (throat, 2.0 * (bend - r) * tan),
+        (heel, 2.0 * (bend + r) * tan),
+        (round, std::f64::consts::TAU * r),
+    ] {
+        println!("{ours} {exact}");
+        assert!((ours / exact - 1.0).abs() < 5e-4, "{ours} instead of {exact}");
+    }
+}
+
+#[test]
+fn the_pieces_of_a_y_branch_meet() {
+    for (trunk, branch, angle) in [(250.0, 180.0, 40.0), (200.0, 200.0, 60.0), (200.0, 215.0, 45.0)]
+    {
+        let mut values = template("y-branch").unwrap().defaults();
+        for (name, value) in [("trunk", trunk), ("branch", branch), ("angle", angle)] {
+            values.set(name, Value::Number(value)).unwrap();
+        }
+        let design = values.design().unwrap();
+        let cut = points(&design, "right-cut");
+        let (on_trunk, between): (Vec<Point3>, Vec<Point3>) =
+            cut.into_iter().partition(|p| p.x > 1e-9);
+        assert!(on_trunk.len() > 10 && between.len() > 10);
+        // Beyond the plane between the branches the cut runs on the trunk, and on its upper edge.
+        for p in on_trunk {
+            let away = (p.x * p.x + p.y * p.y).sqrt();
+            assert!((away - trunk / 2.0).abs() < 1e-9, "{p:?}: {away}");
+        }
+        assert!(between.iter().all(|p| p.x.abs() < 1e-9));
+        // The upper edge of the trunk is that same cut on one side and its mirror image on the other.
+        let source = design.curves.iter().find(|curve| curve.name == "right-cut").unwrap();
+        let curve = Curve::new(source.kind.unwrap(), &source.points, false).unwrap();
+        let fine: Vec<Point3> = (0..=20_000)
+            .map(|n| curve.position(curve.spans().len() as f64 * n as f64 / 2e4))
+            .collect();
+        for p in points(&design, "trunk-top") {
+            let mirrored = Point3::new(p.x.abs(), p.y, p.z);
+            let off = fine.iter().map(|q| q.distance(mirrored)).fold(f64::INFINITY, f64::min);
+            assert!(off < 0.05, "{p:?}: {off}");
+        }
+        let made = make(&design, &mut Unwatched).unwrap();
+        for panel in &made.panels {
+            println!("{} {}", panel.name, sheetwright::math::to_deg(panel.measures.warp_max));
+            assert_eq!(panel.checked.verdict, Verdict::Bends, "{}", panel.name);
+        }
     }
 }

@@ -162,7 +162,7 @@ pub(super) const AIRSHIP: Template = Template {
             "diameter of the discs that close nose and tail, 0 for none",
             0.0,
             10_000.0,
-            60.0,
+            100.0,
         ),
         count("gores", "gores", 3, 48, 8),
     ],

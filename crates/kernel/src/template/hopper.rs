@@ -8,7 +8,7 @@ use crate::math::Point3;
 pub(super) const HOPPER: Template = Template {
     name: "hopper",
     title: "Hopper",
-    who: "Farm, grain and dust-collector shops fold or weld it from plate, and bakers from card.",
+    who: "Farm, mill and workshop builders weld it from plates, or fold it from one sheet.",
     words: &["funnel", "square funnel", "chute", "bin", "rectangular reducer", "pyramid", "silo"],
     parameters: &[
         length("width", "width of the upper opening, along x", 20.0, 20_000.0, 800.0),

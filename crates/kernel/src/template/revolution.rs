@@ -11,7 +11,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 pub(super) const REVOLUTION: Template = Template {
     name: "revolution",
     title: "Vase, bowl or any turned shape in gores",
-    who: "Makers of vases, planters, columns and papier-mâché turn a profile into equal pieces.",
+    who: "Makers of vases, planters, columns and lamps turn a profile into equal pieces.",
     words: &["surface of revolution", "turned", "lathe", "vase", "bowl", "pot", "planter", "urn"],
     parameters: &[
         Parameter {
@@ -20,13 +20,7 @@ pub(super) const REVOLUTION: Template = Template {
             kind: Kind::Choice(&PROFILES),
         },
         length("height", "height", 10.0, 20_000.0, 400.0),
-        length(
-            "diameter",
-            "largest diameter of the radii below it; of no effect on `measured`",
-            10.0,
-            20_000.0,
-            260.0,
-        ),
+        length("diameter", "largest diameter; of no effect on `measured`", 10.0, 20_000.0, 260.0),
         Parameter {
             name: "radii",
             meaning: "radii measured at equal heights from the foot to the rim, for `measured`",
@@ -116,7 +110,7 @@ pub(super) const HEMISPHERE: Template = Template {
     name: "hemisphere",
     title: "Hemisphere in bands of pieces",
     who: "Architects and model makers panel a dome with small pieces: 36 of them by default.",
-    words: &["dome panels", "panelled dome", "half sphere", "geodesic", "radome", "planetarium"],
+    words: &["dome panels", "panelled dome", "half sphere", "radome", "planetarium"],
     parameters: &[
         length("diameter", "diameter", 20.0, 50_000.0, 400.0),
         count("gores", "pieces in each band", 4, 48, 12),
