@@ -108,10 +108,11 @@ impl Sketch {
     /// Adds the starboard halves of these panels, which were drawn to port of the plane y = 0:
     /// `NAME` becomes `NAME-port` and `NAME-starboard`. They share the curves that lie in the plane.
     pub(super) fn mirror(&mut self, panels: &[&str]) {
-        let port: Vec<DesignPanel> =
-            self.panels.iter().filter(|panel| panels.contains(&&panel.name[..])).cloned().collect();
-        self.panels.retain(|panel| !panels.contains(&&panel.name[..]));
-        for mut panel in port {
+        for mut panel in std::mem::take(&mut self.panels) {
+            if !panels.contains(&&panel.name[..]) {
+                self.panels.push(panel);
+                continue;
+            }
             let name = panel.name.clone();
             panel.name = format!("{name}-port");
             let shape = match &panel.shape {
