@@ -9,7 +9,7 @@ use sheetwright_files::{
 use std::error::Error;
 use std::fmt::Write;
 
-/// Samples of each rail or loop at the most: enough for a smooth picture, few enough for a small
+/// Samples of each rail or loop: enough for a smooth picture, few enough for a small
 /// file.
 const SAMPLES: usize = 49;
 /// Flat panels shown beside the shape in space, at the most.
@@ -77,7 +77,8 @@ fn page() -> String {
 
 fn picture(template: &Template, mut design: Design) -> Result<Picture, Box<dyn Error>> {
     for panel in &mut design.panels {
-        panel.samples = panel.samples.min(SAMPLES);
+        // What asks for many has a tight bend somewhere.
+        panel.samples = panel.samples.min(SAMPLES.max(panel.samples / 4 + 1));
     }
     let made = make(&design, &mut Unwatched)?;
     let flat: Vec<Picture> =

@@ -1,6 +1,6 @@
 //! Domes, balls, balloons and airships: round things in gores.
 
-use super::gores::{Station, gores, profile};
+use super::gores::{Names, Station, gores, profile};
 use super::sketch::Drawn;
 use super::{Template, TemplateError, Values, count, length, number};
 use crate::math::{atan2, cos, pow, sin};
@@ -44,7 +44,11 @@ fn dome(values: &Values) -> Drawn {
         let angle = whole - turn * t;
         Station { r: radius * sin(angle), z: radius * (cos(angle) - cos(whole)) }
     };
-    gores(&profile(turn, sphere), values.count("gores"))
+    gores(&profile(turn, sphere), values.count("gores"), named("opening"))
+}
+
+fn named(opening: &'static str) -> Names {
+    Names { count: "gores", opening }
 }
 
 /// An opening takes at most this share of the foot.
@@ -85,7 +89,7 @@ fn ball(values: &Values) -> Drawn {
         let angle = PI - start - turn * t;
         Station { r: radius * sin(angle), z: radius * (1.0 + cos(angle)) }
     };
-    gores(&profile(turn, sphere), values.count("gores"))
+    gores(&profile(turn, sphere), values.count("gores"), named("opening"))
 }
 
 /// A sphere that runs out in a cone.
@@ -119,6 +123,11 @@ fn balloon(values: &Values) -> Drawn {
         let hint = "Make it at most nine tenths of the diameter.";
         return Err(TemplateError::together("mouth", message, hint));
     }
+    if values.number("height") > TALLEST * 2.0 * radius {
+        let message = format!("the height is many times the diameter of {} mm", 2.0 * radius);
+        let hint = format!("Make it at most {TALLEST} times the diameter.");
+        return Err(TemplateError::together("height", message, hint));
+    }
     let away = (below * below + mouth * mouth).sqrt();
     if below <= 0.0 || away < (1.0 + CONE_SHARE) * radius {
         let outside = (1.0 + CONE_SHARE) * radius;
@@ -135,9 +144,11 @@ fn balloon(values: &Values) -> Drawn {
     let side = |t: f64| Station { r: mouth + (last.r - mouth) * t, z: last.z * t };
     let mut points = profile(0.0, side);
     points.extend(profile(touch, |t| sphere(touch * (1.0 - t))).into_iter().skip(1));
-    gores(&points, values.count("gores"))
+    gores(&points, values.count("gores"), named("mouth"))
 }
 
+/// The tallest balloon, in diameters.
+const TALLEST: f64 = 3.0;
 /// The straight side begins at least this share of the radius outside of the sphere.
 const CONE_SHARE: f64 = 0.01;
 
@@ -200,7 +211,7 @@ fn airship(values: &Values) -> Drawn {
     let widest = 2.0 * atan2(fullest.sqrt(), (1.0 - fullest).sqrt()) / PI;
     let nose = where_radius(&hull, caps, [0.0, widest]);
     let tail = where_radius(&hull, caps, [1.0, widest]);
-    gores(&profile(PI, |t| hull(nose + (tail - nose) * t)), values.count("gores"))
+    gores(&profile(PI, |t| hull(nose + (tail - nose) * t)), values.count("gores"), named("caps"))
 }
 
 /// The longest hull, in diameters: its nose and tail are so sharp that no sampling shows them well.

@@ -79,6 +79,12 @@ fn elbow(values: &Values) -> Drawn {
         return Err(TemplateError::together("segments", message, hint));
     }
     let cut = (sin(step / 2.0) / cos(step / 2.0)).abs();
+    let shortest = (bend - r) * cut;
+    if shortest < LEAST_THROAT * r {
+        let message = format!("half a segment is only {shortest:.2} mm long at the throat");
+        let hint = "Ask for fewer segments, or for a larger radius of the bend.";
+        return Err(TemplateError::together("segments", message, hint));
+    }
     let mut sketch = Sketch::default();
     for n in 0..segments {
         let (first, last) = (n == 0, n + 1 == segments);
@@ -110,6 +116,10 @@ fn elbow(values: &Values) -> Drawn {
     }
     Ok(sketch)
 }
+
+/// Half a segment is at least this long at the throat, as a share of the radius of the pipe: a
+/// quarter of what lies between two samples. On what is slimmer, rungs run along the edge.
+const LEAST_THROAT: f64 = 0.0065;
 
 /// From one segment to the next a pipe turns by less than this, radians (150°): beyond it the cuts
 /// run away along the pipe.

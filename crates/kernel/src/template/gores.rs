@@ -7,6 +7,7 @@
 //! share of 1 − cos(π/n) of the radius at the middle of a gore, and of 1 − sin(π/n)/(π/n) of the
 //! girth.
 
+use super::TemplateError;
 use super::sketch::{Drawn, Sketch, stations};
 use crate::curve::{Curve, CurveKind, CurvePoint};
 use crate::math::{Point3, cos, sin};
@@ -25,20 +26,51 @@ pub(super) struct Station {
 const FEWEST_SAMPLES: usize = 101;
 /// … and at the most so many, where the files would grow and hands can't follow.
 const MOST_SAMPLES: usize = 401;
-/// Between samples the meridian turns by at most this share of the angle between the rails, where so
-/// many are enough for it. Rungs that are not level join a sample to the next one on the other rail;
-/// at the point of a slim gore they run almost along it, and their tangent planes say little unless
-/// the meridian turns little beside the width of the gore.
-const TURN_SHARE: f64 = 1.0 / 15.0;
+/// Between samples the meridian turns by at most this, radians (4°), where so many are enough for it.
+const TURN: f64 = 0.07;
+/// Tangent planes along a rung that is not level turn by at most this, radians (3.8°), where so many
+/// samples are enough for it.
+const SLANT_TURN: f64 = 1.0 / 15.0;
+/// Where even the most samples leave that turn this many times too large, the gores are too slim.
+const TOO_SLIM: f64 = 1.4;
 
 /// The points of a profile along `at` from 0 to 1, which turns by `turn` radians in all.
 pub(super) fn profile(turn: f64, at: impl Fn(f64) -> Station) -> Vec<Station> {
     stations(turn).into_iter().map(at).collect()
 }
 
-/// The panels `gore-1` to `gore-n` of the surface that the spline through a profile sweeps.
-pub(super) fn gores(profile: &[Station], n: usize) -> Drawn {
+/// What the parameters of a template in gores are called.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Names {
+    /// The one that sets how many gores there are.
+    pub(super) count: &'static str,
+    /// The one that sets how wide the ends are open.
+    pub(super) opening: &'static str,
+}
+
+/// The panels `gore-1` to `gore-n` of the surface that the spline through a profile sweeps. Profiles
+/// run upwards.
+///
+/// # Errors
+/// Ends that are neither closed nor open, and gores that run to points too slim to be drawn.
+pub(super) fn gores(profile: &[Station], n: usize, names: Names) -> Drawn {
     let largest = profile.iter().map(|s| s.r).fold(0.0, f64::max);
+    for end in [profile[0], profile[profile.len() - 1]] {
+        if end.r > ON_AXIS * largest && end.r < LEAST_OPENING * largest {
+            return Err(TemplateError::together(
+                names.opening,
+                format!("an end is open by no more than {} mm", 2.0 * end.r),
+                "Open it by a hundredth of the largest diameter or more, or close it where it may be closed.",
+            ));
+        }
+    }
+    let samples = samples(profile, n).ok_or_else(|| {
+        TemplateError::together(
+            names.count,
+            format!("{n} gores of this shape run to points that are too slim"),
+            "Ask for fewer of them, or for openings or caps where they meet.",
+        )
+    })?;
     let mut sketch = Sketch::default();
     for k in 0..n {
         let angle = TAU * k as f64 / n as f64;
@@ -50,9 +82,8 @@ pub(super) fn gores(profile: &[Station], n: usize) -> Drawn {
         let points: Vec<Point3> = profile.iter().map(point).collect();
         sketch.spline(format!("meridian-{}", k + 1), &points);
     }
-    let samples = samples(profile, TAU / n as f64);
     for k in 0..n {
-        // Profiles run upwards: down on the left and up on the right is counter-clockwise from outside.
+        // Down on the left and up on the right is counter-clockwise from outside.
         let rails = [(k + 1) % n, k].map(|k| format!("meridian-{}", k + 1));
         sketch.strip(format!("gore-{}", k + 1), [&rails[0], &rails[1]], samples);
     }
@@ -61,23 +92,35 @@ pub(super) fn gores(profile: &[Station], n: usize) -> Drawn {
 
 /// What is nearer to the axis, as a share of the largest radius, is on it: rounding is.
 const ON_AXIS: f64 = 1e-9;
+/// An end that is open is at least so wide, as a share of the largest radius: the edge of a gore
+/// there is then not much shorter than what lies between two samples.
+const LEAST_OPENING: f64 = 0.01;
 
-/// How many samples, evenly along it, show the tightest bend of a profile in gores of this width,
-/// radians.
-fn samples(profile: &[Station], width: f64) -> usize {
+/// How many samples, evenly along it, show a profile in n gores; `None` if none do.
+///
+/// Every other rung joins a sample to the next one of the other rail. Where the curvature is κ, the
+/// distance from the axis r and that from sample to sample h, the tangent planes at its two ends
+/// turn by about κh · h / (2πr/n): by the bend of one step, times how aslant the rung lies. At a
+/// point, r counts as h, its value at the first sample after it.
+fn samples(profile: &[Station], n: usize) -> Option<usize> {
     let points: Vec<CurvePoint> =
         profile.iter().map(|s| CurvePoint::smooth(Point3::new(s.r, 0.0, s.z))).collect();
-    let Ok(curve) = Curve::new(CurveKind::Spline, &points, false) else { return FEWEST_SAMPLES };
-    let spans = curve.spans().len();
-    // Curvature |c' × c''| / |c'|³, at both ends of spans and in their middles.
-    let tightest = (0..=2 * spans)
-        .map(|n| {
-            let u = n as f64 / 2.0;
-            let (along, bend) = (curve.derivative(u), curve.second_derivative(u));
-            let speed = along.length();
-            along.cross(bend).length() / (speed * speed * speed)
-        })
-        .fold(0.0, f64::max);
-    let wanted = curve.length() * tightest / (TURN_SHARE * width);
-    (wanted.ceil() as usize).clamp(FEWEST_SAMPLES, MOST_SAMPLES)
+    let curve = Curve::new(CurveKind::Spline, &points, false).ok()?;
+    let length = curve.length();
+    let (mut bend, mut slant) = (0.0_f64, 0.0_f64);
+    for half in 0..=2 * curve.spans().len() {
+        let u = half as f64 / 2.0;
+        let (along, by) = (curve.derivative(u), curve.second_derivative(u));
+        let speed = along.length();
+        let curvature = along.cross(by).length() / (speed * speed * speed);
+        bend = bend.max(length * curvature / TURN);
+        // κ n h² / (2π SLANT_TURN) may be max(r, h).
+        let per_mm = curvature * n as f64 / (TAU * SLANT_TURN);
+        if per_mm > 0.0 {
+            let step = (1.0 / per_mm).max((curve.position(u).x.max(0.0) / per_mm).sqrt());
+            slant = slant.max(length / step);
+        }
+    }
+    let enough = slant <= TOO_SLIM * MOST_SAMPLES as f64;
+    enough.then(|| (bend.max(slant).ceil() as usize).clamp(FEWEST_SAMPLES, MOST_SAMPLES))
 }

@@ -65,7 +65,7 @@ pub enum Kind {
     /// A length, mm.
     Length(Range),
     /// An angle, in degrees here because its ends and its default are what people type;
-    /// [`Values::radians`] turns it over.
+    /// the curves are drawn with radians.
     Angle(Range),
     /// A whole number.
     Count(Range),

@@ -1,6 +1,6 @@
 //! Surfaces of revolution from a few radii, and the hemisphere in bands.
 
-use super::gores::{Station, gores};
+use super::gores::{Names, Station, gores};
 use super::sketch::{Drawn, Sketch};
 use super::{Choice, Kind, Parameter, Template, TemplateError, Value, Values, count, length};
 use crate::curve::{Curve, CurveKind, CurvePoint};
@@ -79,7 +79,8 @@ fn revolution(values: &Values) -> Drawn {
             "Only the foot and the top may close: make the radii between them larger.",
         ));
     }
-    gores(&stations, values.count("pieces"))
+    let names = Names { count: "pieces", opening: "radii" };
+    gores(&stations, values.count("pieces"), names)
 }
 
 /// Radii between the ends are at least this share of the largest.
@@ -113,7 +114,7 @@ pub(super) const HEMISPHERE: Template = Template {
     words: &["dome panels", "panelled dome", "half sphere", "radome", "planetarium"],
     parameters: &[
         length("diameter", "diameter", 20.0, 50_000.0, 400.0),
-        count("gores", "pieces in each band", 4, 48, 12),
+        count("gores", "pieces in each band", 4, 32, 12),
         count("bands", "bands from the foot to the pole", 2, 12, 3),
     ],
     build: hemisphere,
