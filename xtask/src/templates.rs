@@ -33,6 +33,9 @@ around the last two. Angles are in degrees. Lists of lengths have commas between
 also takes `material=NAME` ([the list](files.md#materials)), and the verdict then knows how tightly
 that sheet bends.
 
+A table is a [curve table](files.md#curve-table-csv) in the folder of the design that is written; the
+design takes its points from there, and follows when the table is corrected.
+
 The design that is written is a file like any other: its curves have names and points to go on with.
 Shapes that are rolled into a ring are cut open at a seam; add for the joint what your trade adds.
 

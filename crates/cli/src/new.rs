@@ -7,9 +7,10 @@ use crate::voice::{Voice, print};
 use crate::whole::write_one;
 use sheetwright::template::template;
 use sheetwright_files::{
-    Format, PdfOptions, catalogue_json, catalogue_text, design_from_template, template_text,
-    write_design,
+    Format, PdfOptions, catalogue_json, catalogue_text, design_from_template, new_design,
+    template_text, write_design,
 };
+use std::path::Path;
 use std::time::Instant;
 
 /// Writes the design, makes it, or says what there is; whether some finding is an error.
@@ -20,14 +21,20 @@ pub(crate) fn run(args: &NewArgs, voice: Voice) -> Result<bool, Failure> {
     }
     let start = Instant::now();
     let name = name.unwrap_or_default();
-    let design = design_from_template(name, &args.set)?;
-    let bytes = write_design(&design);
+    // Tables are named from the folder of the design, as in the design itself.
+    let folder = match args.out.as_deref().and_then(Path::parent) {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
+    };
+    let new = new_design(name, &args.set, folder)?;
     if let Some(out) = &args.make {
-        let beside = Some((format!("{}.sheet.json", design.name), bytes));
+        // Tables need not lie in the folder of the patterns: the design there has their points.
+        let beside = Some((format!("{}.sheet.json", new.design.name), write_design(&new.design)));
         let pdf = PdfOptions::default();
         let job = Job { input: name, out, formats: &Format::ALL, pdf, beside };
-        return job.run(&design, start, voice);
+        return job.run(&new.design, start, voice);
     }
+    let bytes = new.bytes();
     match &args.out {
         Some(path) => write_one(path, &bytes)?,
         None => print(&String::from_utf8_lossy(&bytes))?,

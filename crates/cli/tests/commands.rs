@@ -94,6 +94,38 @@ fn the_exit_status_says_how_it_went() {
     desk.says("--version", 0);
 }
 
+/// The points stay in the table, so that corrected offsets need no new design.
+#[test]
+fn a_hull_follows_its_table_of_offsets() {
+    let table = "curve,x,y,z\nkeel,0,0,0\nkeel,5,0,0\nkeel,9,0,0\n\
+                 chine,0,2,1\nchine,5,2,1\nchine,9,2,1\n";
+    let desk = Desk::new(&[]);
+    fs::create_dir(desk.path("boat")).unwrap();
+    fs::write(desk.path("boat/offsets.csv"), table).unwrap();
+    // The table is named from the folder of the design, wherever the command runs.
+    desk.says("new hull --set table=offsets.csv --set units=ft -o boat/hull.sheet.json", 0);
+    let design = fs::read_to_string(desk.path("boat/hull.sheet.json")).unwrap();
+    assert!(!design.contains("\"points\""), "{design}");
+    let width = || -> f64 {
+        desk.says("make boat/hull.sheet.json --out out --formats report", 0);
+        let report = fs::read_to_string(desk.path("out/report.json")).unwrap();
+        let report: Value = serde_json::from_str(&report).unwrap();
+        report["panels"][0]["flat_width_mm"].as_f64().unwrap()
+    };
+    assert!((width() - 9.0 * 304.8).abs() < 1e-6);
+    fs::write(desk.path("boat/offsets.csv"), table.replace(",9,", ",10,")).unwrap();
+    assert!((width() - 10.0 * 304.8).abs() < 1e-6);
+    // Where the design goes to standard output, tables lie where the command runs.
+    let (_, error) = desk.says("new hull --set table=offsets.csv", 2);
+    assert!(error.starts_with("error: hull: table: there is no table 'offsets.csv'"), "{error}");
+    desk.says("new hull --set table=boat/offsets.csv", 0);
+    // Made at once, the design beside the patterns has the points and needs no table.
+    desk.says("new hull --set table=boat/offsets.csv --set units=ft --make made", 0);
+    let beside = fs::read_to_string(desk.path("made/hull.sheet.json")).unwrap();
+    assert!(beside.contains("\"points\"") && !beside.contains("offsets.csv"), "{beside}");
+    desk.says("check made/hull.sheet.json", 0);
+}
+
 #[test]
 fn make_writes_every_format_or_those_asked_for() {
     let desk = Desk::new(&[("two.sheet.json", TWO_PANELS)]);

@@ -158,6 +158,7 @@ enum ValueFile {
     Number(f64),
     Numbers(Vec<f64>),
     Choice(String),
+    None,
 }
 
 /// The catalogue, or this one template of it, as one line of JSON; docs/files.md lists the fields.
@@ -187,13 +188,14 @@ fn parameter_file(parameter: &Parameter) -> ParameterFile {
         Kind::Number(_) => ("number", None),
         Kind::Lengths { .. } => ("lengths", Some("mm")),
         Kind::Choice(_) => ("choice", None),
+        Kind::Table => ("table", None),
     };
     let (least, most) = match *kind {
         Kind::Length(range) | Kind::Angle(range) | Kind::Count(range) | Kind::Number(range) => {
             (Some(range.least), Some(range.most))
         }
         Kind::Lengths { least, most, .. } => (Some(least), Some(most)),
-        Kind::Choice(_) => (None, None),
+        Kind::Choice(_) | Kind::Table => (None, None),
     };
     let lengths = match *kind {
         Kind::Lengths { fewest, longest, .. } => Some([fewest, longest]),
@@ -210,6 +212,7 @@ fn parameter_file(parameter: &Parameter) -> ParameterFile {
         Value::Number(number) => ValueFile::Number(number),
         Value::Numbers(list) => ValueFile::Numbers(list),
         Value::Choice(name) => ValueFile::Choice(name),
+        Value::Table(_) => ValueFile::None,
     };
     ParameterFile {
         name: parameter.name,

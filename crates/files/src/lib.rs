@@ -44,5 +44,5 @@ pub use report::{
 };
 pub use svg::{read_svg, write_svg};
 pub use table::{MAX_CURVES, MAX_ROWS, TableCurve, TablePoint, read_table, write_table};
-pub use template_call::design_from_template;
+pub use template_call::{NewDesign, design_from_template, new_design};
 pub use units::Units;

@@ -1,16 +1,21 @@
 //! A template as it is called: its name and `NAME=VALUE` texts, to a design.
 
+use crate::design_json::{table_beside, write_design, write_design_of_table};
 use crate::names::{did_you_mean, nearest, shown};
 use crate::quantity::{LENGTH_EXAMPLES, angle_deg, length_mm, plain};
 use crate::reading::InputError;
+use crate::units::Units;
 use sheetwright::design::Design;
 use sheetwright::material::{MATERIALS, Material};
 use sheetwright::template::{
-    Kind, Parameter, Template, TemplateError, Value, Values, catalogue, template,
+    Kind, NamedCurve, Parameter, Template, TemplateError, Value, Values, catalogue, template,
 };
+use std::path::Path;
 
 /// What every template takes beside its parameters.
 pub(crate) const MATERIAL: &str = "material";
+/// What a template with a table calls the unit of its numbers.
+const UNITS: &str = "units";
 
 /// The design that a template draws with these settings, each a text `NAME=VALUE`; what is not set
 /// is at its default. Lengths are in millimetres unless they have a unit, angles in degrees.
@@ -20,6 +25,47 @@ pub(crate) const MATERIAL: &str = "material";
 /// An unknown template or parameter, a value that can't be read or is out of range, a setting that
 /// stands there twice, values that do not go together.
 pub fn design_from_template(name: &str, settings: &[String]) -> Result<Design, InputError> {
+    called(name, settings, None).map(|new| new.design)
+}
+
+/// The same for a file that is to lie in `folder`: a setting that is a table names one in that
+/// folder or below.
+///
+/// # Errors
+/// Those of [`design_from_template`]; a table that is not there or can't be read.
+pub fn new_design(name: &str, settings: &[String], folder: &Path) -> Result<NewDesign, InputError> {
+    called(name, settings, Some(folder))
+}
+
+/// A design from a template.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NewDesign {
+    /// The design.
+    pub design: Design,
+    table: Option<Table>,
+}
+
+/// A table that a template was given.
+#[derive(Clone, Debug, PartialEq)]
+struct Table {
+    /// Its path from the design's folder.
+    path: String,
+    /// What its numbers are in.
+    units: Units,
+}
+
+impl NewDesign {
+    /// The bytes of its file. Points of a table stay there, so that the design follows when the
+    /// table is corrected.
+    pub fn bytes(&self) -> Vec<u8> {
+        match &self.table {
+            Some(table) => write_design_of_table(&self.design, &table.path, table.units),
+            None => write_design(&self.design),
+        }
+    }
+}
+
+fn called(name: &str, settings: &[String], folder: Option<&Path>) -> Result<NewDesign, InputError> {
     let template = template(name).ok_or_else(|| InputError {
         message: format!("there is no template {}", shown(name)),
         place: None,
@@ -27,6 +73,8 @@ pub fn design_from_template(name: &str, settings: &[String]) -> Result<Design, I
     })?;
     let mut values = template.defaults();
     let mut seen: Vec<&str> = Vec::new();
+    let mut tables: Vec<(&str, &str)> = Vec::new();
+    let mut units = Units::Millimetres;
     for setting in settings {
         let Some((name, text)) = setting.split_once('=') else {
             let message = format!("the setting {} has no value", shown(setting));
@@ -39,9 +87,42 @@ pub fn design_from_template(name: &str, settings: &[String]) -> Result<Design, I
             return Err(InputError::at(template.name, message, "Keep one of them."));
         }
         seen.push(name);
-        set(&mut values, name, text)?;
+        match template.parameter(name).map(|parameter| parameter.kind) {
+            // Read when its units are known.
+            Some(Kind::Table) => tables.push((name, text)),
+            _ => set(&mut values, name, text)?,
+        }
+        if let (UNITS, Some(unit)) = (name, Units::from_name(text)) {
+            units = unit;
+        }
     }
-    values.design().map_err(|error| in_words(&error, template, ""))
+    let mut table = None;
+    for (name, path) in tables {
+        set_table(&mut values, name, path, units, folder)?;
+        table = Some(Table { path: path.to_owned(), units });
+    }
+    let design = values.design().map_err(|error| in_words(&error, template, ""))?;
+    Ok(NewDesign { design, table })
+}
+
+fn set_table(
+    values: &mut Values,
+    name: &str,
+    path: &str,
+    units: Units,
+    folder: Option<&Path>,
+) -> Result<(), InputError> {
+    let template = values.template();
+    let place = place(template, name);
+    let Some(folder) = folder else {
+        let message = "a table can't be read here";
+        return Err(InputError::at(place, message, "Leave it out."));
+    };
+    let curves = table_beside(folder, path, units, &place)?
+        .into_iter()
+        .map(|curve| NamedCurve { points: curve.curve_points(false), name: curve.name })
+        .collect();
+    values.set(name, Value::Table(curves)).map_err(|error| in_words(&error, template, path))
 }
 
 /// The templates that may be meant by a name that none has: one of a name like it, or those that are
@@ -96,6 +177,7 @@ fn read(kind: &Kind, text: &str) -> Option<Value> {
             text.split(',').map(length_mm).collect::<Option<Vec<f64>>>().map(Value::Numbers)
         }
         Kind::Choice(_) => Some(Value::Choice(text.to_owned())),
+        Kind::Table => None,
     }
 }
 
@@ -106,6 +188,7 @@ fn what(kind: &Kind) -> &'static str {
         Kind::Count(_) | Kind::Number(_) => "number",
         Kind::Lengths { .. } => "list of lengths",
         Kind::Choice(_) => "choice",
+        Kind::Table => "table",
     }
 }
 
@@ -119,6 +202,7 @@ fn how(kind: &Kind) -> String {
             format!("Write lengths with commas between them, each such as {LENGTH_EXAMPLES}.")
         }
         Kind::Choice(_) => "Write one of the choices.".to_owned(),
+        Kind::Table => "Name a curve table (.csv) in the design's folder.".to_owned(),
     }
 }
 
@@ -170,7 +254,7 @@ fn takes(kind: &Kind) -> String {
         Kind::Angle(_) => "an angle from ",
         Kind::Count(_) => "a whole number from ",
         Kind::Number(_) => "a number from ",
-        Kind::Lengths { .. } | Kind::Choice(_) => "",
+        Kind::Lengths { .. } | Kind::Choice(_) | Kind::Table => "",
     };
     format!("{what}{}", range(kind))
 }
@@ -186,6 +270,7 @@ pub(crate) fn range(kind: &Kind) -> String {
         Kind::Lengths { least, most, fewest, longest, .. } => {
             format!("{fewest} to {longest} lengths from {}", between(*least, *most))
         }
+        Kind::Table => "a curve table (.csv) in the design's folder".to_owned(),
         Kind::Choice(choices) => {
             let names: Vec<&str> = choices.iter().map(|choice| choice.name).collect();
             match names.split_last() {
@@ -207,6 +292,7 @@ pub(crate) fn default(kind: &Kind) -> String {
             list.join(", ")
         }
         Value::Choice(name) => name,
+        Value::Table(_) => "none".to_owned(),
     }
 }
 
@@ -218,7 +304,7 @@ fn with_unit(kind: &Kind, number: f64) -> String {
         }
         Kind::Length(_) | Kind::Lengths { .. } => format!("{} mm", short(number)),
         Kind::Angle(_) => format!("{}°", short(number)),
-        Kind::Count(_) | Kind::Number(_) | Kind::Choice(_) => short(number),
+        Kind::Count(_) | Kind::Number(_) | Kind::Choice(_) | Kind::Table => short(number),
     }
 }
 
@@ -243,7 +329,6 @@ mod tests {
     use super::*;
     use crate::input::{InputFormat, read_bytes};
     use crate::reading::ReadOptions;
-    use crate::write_design;
 
     fn settings(list: &[&str]) -> Vec<String> {
         list.iter().map(|&text| text.to_owned()).collect()
@@ -287,6 +372,20 @@ mod tests {
         // What people search for leads there too.
         let hint = design_from_template("Zepelin", &[]).unwrap_err().hint;
         assert!(hint.starts_with("Did you mean 'airship'? `"), "{hint}");
+    }
+
+    /// Whoever reads a table knows the units that its template lets people choose.
+    #[test]
+    fn units_of_tables_are_those_of_files() {
+        for template in catalogue() {
+            let tables = template.parameters.iter().any(|p| p.kind == Kind::Table);
+            let names: Vec<&str> = match template.parameter(UNITS).map(|p| p.kind) {
+                Some(Kind::Choice(choices)) => choices.iter().map(|choice| choice.name).collect(),
+                _ => Vec::new(),
+            };
+            let known = if tables { Units::ALL.map(Units::name).to_vec() } else { Vec::new() };
+            assert_eq!(names, known, "{}", template.name);
+        }
     }
 
     #[test]

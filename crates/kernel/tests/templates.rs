@@ -2,9 +2,12 @@
 #![allow(clippy::unwrap_used, clippy::print_stdout)] // tests panic and print what they measured
 
 use sheetwright::check::Severity;
+use sheetwright::curve::CurvePoint;
 use sheetwright::design::{Design, make};
-use sheetwright::math::pow;
-use sheetwright::template::{Kind, Parameter, Template, TemplateError, Value, catalogue};
+use sheetwright::math::{Point3, pow};
+use sheetwright::template::{
+    Kind, NamedCurve, Parameter, Template, TemplateError, Value, catalogue,
+};
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::random::Random;
 
@@ -34,6 +37,7 @@ fn ends(kind: &Kind) -> Vec<Value> {
         Kind::Choice(choices) => {
             choices.iter().map(|choice| Value::Choice(choice.name.to_owned())).collect()
         }
+        Kind::Table => vec![Value::Table(Vec::new())],
     }
 }
 
@@ -98,7 +102,22 @@ fn any_value(kind: &Kind, random: &mut Random) -> Value {
         Kind::Choice(choices) => {
             Value::Choice(choices[random.below(choices.len())].name.to_owned())
         }
+        Kind::Table => Value::Table((0..random.below(5)).map(|n| any_curve(n, random)).collect()),
     }
+}
+
+/// A line of a hull as a table may have it, or hardly.
+fn any_curve(n: usize, random: &mut Random) -> NamedCurve {
+    let point = |x: usize, random: &mut Random| {
+        let at = Point3::new(
+            300.0 * x as f64 + random.between(-50.0, 50.0),
+            300.0 * n as f64 + random.between(-100.0, 100.0),
+            200.0 * n as f64 + random.between(-50.0, 50.0),
+        );
+        CurvePoint { at, corner: random.below(10) == 0 }
+    };
+    let points = (0..1 + random.below(12)).map(|x| point(x, random)).collect();
+    NamedCurve { name: format!("line {n}"), points }
 }
 
 /// Fewer panels and samples: enough to pass through every stage.

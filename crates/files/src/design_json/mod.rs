@@ -10,7 +10,9 @@ mod source;
 mod table_path;
 mod write;
 
+pub(crate) use table_path::table_beside;
 pub use write::write_design;
+pub(crate) use write::write_design_of_table;
 
 use crate::names::{nearest, shown};
 use crate::reading::{InputError, ReadOptions, display_name};

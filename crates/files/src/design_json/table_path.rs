@@ -67,34 +67,7 @@ impl<'a> Tables<'a> {
             let hint = "Save the design as a file in the folder of its tables.";
             return Err(self.source.error(&path, message, hint));
         };
-        let leaves = || {
-            let message = format!("the table {} is not inside the design's folder", shown(table));
-            let hint = "Put the table beside the design or below it, and write its path from \
-                        there, with / between folders.";
-            self.source.error(&path, message, hint)
-        };
-        // The same paths are refused on every system, so that a design means the same on each.
-        let parts = || table.split('/');
-        let odd = |c: char| c.is_control() || c == '\\' || c == ':';
-        if table.contains(odd) || parts().any(|part| part.is_empty() || part == "..") {
-            return Err(leaves());
-        }
-        let missing = |_| {
-            let message = format!("there is no table {}", shown(table));
-            self.source.error(&path, message, "Check the path; it begins at the design's folder.")
-        };
-        // Links are followed before the question is asked.
-        let home = folder.canonicalize().map_err(missing)?;
-        let file = home.join(Path::new(table)).canonicalize().map_err(missing)?;
-        if !file.starts_with(&home) {
-            return Err(leaves());
-        }
-        // A pipe or a device would wait, or never end.
-        if !file.is_file() {
-            let message = format!("{} is no file", shown(table));
-            return Err(self.source.error(&path, message, "Name a curve table (.csv)."));
-        }
-        Ok(file)
+        file_beside(folder, table, &|message, hint| self.source.error(&path, message, hint))
     }
 
     fn read_anew(
@@ -117,4 +90,52 @@ impl<'a> Tables<'a> {
         self.bytes_left -= size;
         read_table(text_of(&bytes, table)?, table, self.units)
     }
+}
+
+/// All curves of a table inside a folder. `place` is what messages about its path begin with.
+pub(crate) fn table_beside(
+    folder: &Path,
+    table: &str,
+    units: Units,
+    place: &str,
+) -> Result<Vec<TableCurve>, InputError> {
+    let file = file_beside(folder, table, &|message, hint| InputError::at(place, message, hint))?;
+    let bytes =
+        read_whole(&file).map_err(|error| InputError { place: Some(table.to_owned()), ..error })?;
+    read_table(text_of(&bytes, table)?, table, units)
+}
+
+/// The file that a table's path leads to, inside a design's folder.
+fn file_beside(
+    folder: &Path,
+    table: &str,
+    error: &dyn Fn(String, &str) -> InputError,
+) -> Result<PathBuf, InputError> {
+    let leaves = || {
+        let message = format!("the table {} is not inside the design's folder", shown(table));
+        let hint = "Put the table beside the design or below it, and write its path from there, \
+                    with / between folders.";
+        error(message, hint)
+    };
+    // The same paths are refused on every system, so that a design means the same on each.
+    let parts = || table.split('/');
+    let odd = |c: char| c.is_control() || c == '\\' || c == ':';
+    if table.contains(odd) || parts().any(|part| part.is_empty() || part == "..") {
+        return Err(leaves());
+    }
+    let missing = |_| {
+        let message = format!("there is no table {}", shown(table));
+        error(message, "Check the path; it begins at the design's folder.")
+    };
+    // Links are followed before the question is asked.
+    let home = folder.canonicalize().map_err(missing)?;
+    let file = home.join(Path::new(table)).canonicalize().map_err(missing)?;
+    if !file.starts_with(&home) {
+        return Err(leaves());
+    }
+    // A pipe or a device would wait, or never end.
+    if !file.is_file() {
+        return Err(error(format!("{} is no file", shown(table)), "Name a curve table (.csv)."));
+    }
+    Ok(file)
 }

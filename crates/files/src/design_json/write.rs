@@ -2,6 +2,7 @@
 
 use super::VERSION;
 use super::grammar::{KindName, MethodName, SmoothName};
+use crate::units::Units;
 use serde::Serialize;
 use sheetwright::boundary::{Continuity, PlaneChoice, Within};
 use sheetwright::curve::{CurveKind, CurvePoint};
@@ -10,10 +11,29 @@ use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelMetho
 /// A design as the bytes of its file, in millimetres, with every default written out. It reads
 /// back equal, but for distances that points may move, which the kernel does not keep.
 pub fn write_design(design: &Design) -> Vec<u8> {
+    write(design, Units::Millimetres, curve)
+}
+
+/// The same with the points of all curves left where they are: in a table beside the design, in
+/// these units.
+pub(crate) fn write_design_of_table(design: &Design, table: &str, units: Units) -> Vec<u8> {
+    write(design, units, |curve| {
+        format!(
+            "    {}: {{ \"kind\": {}, \"closed\": {}, \"table\": {}, \"curve\": {} }}",
+            json(&curve.name),
+            json(&kind(curve)),
+            curve.closed,
+            json(&table),
+            json(&curve.name)
+        )
+    })
+}
+
+fn write(design: &Design, units: Units, curve: impl Fn(&DesignCurve) -> String) -> Vec<u8> {
     let mut fields = vec![
         format!("  \"sheetwright\": {VERSION}"),
         format!("  \"name\": {}", json(&design.name)),
-        "  \"units\": \"mm\"".to_owned(),
+        format!("  \"units\": {}", json(&units)),
     ];
     if let Some(material) = design.material {
         fields.push(format!("  \"material\": {}", json(&material.name)));
@@ -25,19 +45,22 @@ pub fn write_design(design: &Design) -> Vec<u8> {
     format!("{{\n{}\n}}\n", fields.join(",\n")).into_bytes()
 }
 
-fn curve(curve: &DesignCurve) -> String {
-    let kind = match curve.kind {
+fn kind(curve: &DesignCurve) -> KindName {
+    match curve.kind {
         None => KindName::Samples,
         Some(CurveKind::Polyline) => KindName::Polyline,
         Some(CurveKind::Spline) => KindName::Spline,
         Some(CurveKind::BSpline) => KindName::BSpline,
-    };
+    }
+}
+
+fn curve(curve: &DesignCurve) -> String {
     let points: Vec<String> =
         curve.points.iter().map(|point| format!("        {}", self::point(point))).collect();
     format!(
         "    {}: {{\n      \"kind\": {},\n      \"closed\": {},\n      \"points\": [\n{}\n      ]\n    }}",
         json(&curve.name),
-        json(&kind),
+        json(&kind(curve)),
         curve.closed,
         points.join(",\n")
     )

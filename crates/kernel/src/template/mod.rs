@@ -8,15 +8,23 @@
 //! with values within their ranges. What no range can say (a neck that is wider than the belly) it
 //! refuses itself, in words.
 
+mod bag;
+mod boat;
 mod cone;
 mod dome;
 mod duct;
 mod elbow;
+mod facade;
 mod gores;
 mod hopper;
+mod hull;
+mod hull_form;
+mod ramp;
 mod revolution;
 mod sketch;
+mod tent;
 
+use crate::curve::CurvePoint;
 use crate::design::Design;
 use crate::material::Material;
 use crate::math::from_deg;
@@ -78,6 +86,8 @@ pub enum Kind {
     },
     /// One of these; the first unless it is set.
     Choice(&'static [Choice]),
+    /// The curves of a curve table, which whoever calls reads; none unless it is set.
+    Table,
 }
 
 /// The numbers that a parameter takes, both ends included.
@@ -109,6 +119,17 @@ pub enum Value {
     Numbers(Vec<f64>),
     /// The name of a choice.
     Choice(String),
+    /// The curves of a table, mm.
+    Table(Vec<NamedCurve>),
+}
+
+/// A curve of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NamedCurve {
+    /// Its name.
+    pub name: String,
+    /// Its points, mm.
+    pub points: Vec<CurvePoint>,
 }
 
 /// A value for every parameter of a template.
@@ -218,7 +239,7 @@ pub fn catalogue() -> &'static [Template] {
     &CATALOGUE
 }
 
-static CATALOGUE: [Template; 13] = [
+static CATALOGUE: [Template; 21] = [
     dome::DOME,
     dome::BALL,
     dome::BALLOON,
@@ -232,6 +253,14 @@ static CATALOGUE: [Template; 13] = [
     hopper::HOPPER,
     cone::CONE,
     cone::LAMPSHADE,
+    boat::DINGHY,
+    boat::PRAM,
+    boat::KAYAK,
+    hull::HULL,
+    bag::BAG,
+    tent::TENT,
+    facade::FACADE,
+    ramp::RAMP,
 ];
 
 /// The template of a name.
@@ -261,6 +290,7 @@ impl Kind {
             }
             Self::Lengths { default, .. } => Value::Numbers(default.to_vec()),
             Self::Choice(choices) => Value::Choice(choices[0].name.to_owned()),
+            Self::Table => Value::Table(Vec::new()),
         }
     }
 }
@@ -306,6 +336,7 @@ impl Values {
                     return Err(TemplateError::UnknownChoice { parameter, wanted });
                 }
             }
+            (Kind::Table, Value::Table(_)) => {}
             _ => return Err(TemplateError::WrongKind { parameter }),
         }
         self.list[place] = value;
@@ -348,6 +379,14 @@ impl Values {
     /// A whole number.
     fn count(&self, name: &str) -> usize {
         self.number(name) as usize
+    }
+
+    /// The curves of a table; none if it is not set.
+    fn table(&self, name: &str) -> &[NamedCurve] {
+        match self.value(name) {
+            Value::Table(curves) => curves,
+            _ => panic!("'{name}' of {} is no table", self.template.name),
+        }
     }
 
     /// The name of what was chosen.

@@ -5,7 +5,7 @@ use super::TemplateError;
 use crate::boundary::PlaneChoice;
 use crate::cost::DEFAULT_FOLD;
 use crate::curve::{CurveKind, CurvePoint};
-use crate::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape};
+use crate::design::{CurveUse, Design, DesignCurve, DesignPanel, Join, PanelMethod, PanelShape};
 use crate::material::Material;
 use crate::math::Point3;
 
@@ -14,6 +14,8 @@ use crate::math::Point3;
 pub(super) struct Sketch {
     curves: Vec<DesignCurve>,
     panels: Vec<DesignPanel>,
+    /// What it is usually made of.
+    material: Option<&'static Material>,
 }
 
 /// What a template's function gives back.
@@ -26,6 +28,11 @@ pub(super) struct Part<'a> {
 }
 
 impl Sketch {
+    /// Names the sheet that it is made of unless another one is asked for.
+    pub(super) fn sheet(&mut self, name: &str) {
+        self.material = Material::named(name);
+    }
+
     /// A curve that runs straight from point to point.
     pub(super) fn polyline(&mut self, name: impl Into<String>, points: &[Point3]) {
         let points = points.iter().map(|&at| CurvePoint::smooth(at)).collect();
@@ -42,6 +49,17 @@ impl Sketch {
     /// radians in all.
     pub(super) fn along(&mut self, name: impl Into<String>, turn: f64, at: impl Fn(f64) -> Point3) {
         self.jointed(name, &[Part { turn, at: &at }]);
+    }
+
+    /// A smooth curve through points that may be corners.
+    pub(super) fn through(&mut self, name: impl Into<String>, points: Vec<CurvePoint>) {
+        self.curve(name, CurveKind::Spline, points);
+    }
+
+    /// A smooth curve that control points draw to themselves.
+    pub(super) fn bspline(&mut self, name: impl Into<String>, points: &[Point3]) {
+        let points = points.iter().map(|&at| CurvePoint::smooth(at)).collect();
+        self.curve(name, CurveKind::BSpline, points);
     }
 
     /// An open curve of smooth parts, with a corner wherever two meet.
@@ -74,11 +92,72 @@ impl Sketch {
         self.panel(name, shape, samples, PanelMethod::Rails, PlaneChoice::None);
     }
 
+    /// A panel between two lines that nobody drew as rails of a strip: all its rungs are looked at.
+    pub(super) fn plank(&mut self, name: impl Into<String>, rails: [&str; 2], samples: usize) {
+        let shape = PanelShape::Rails(rails.map(used));
+        self.panel(name, shape, samples, PanelMethod::Optimal, PlaneChoice::Auto);
+    }
+
     /// A panel within a loop of curves; `-name` is run backwards.
     pub(super) fn patch(&mut self, name: impl Into<String>, outer: &[&str], samples: usize) {
         let outer = outer.iter().copied().map(used).collect();
         let shape = PanelShape::Loops { outer, holes: Vec::new() };
         self.panel(name, shape, samples, PanelMethod::Optimal, PlaneChoice::Auto);
+    }
+
+    /// Adds the starboard halves of these panels, which were drawn to port of the plane y = 0:
+    /// `NAME` becomes `NAME-port` and `NAME-starboard`. They share the curves that lie in the plane.
+    pub(super) fn mirror(&mut self, panels: &[&str]) {
+        for mut panel in std::mem::take(&mut self.panels) {
+            if !panels.contains(&&panel.name[..]) {
+                self.panels.push(panel);
+                continue;
+            }
+            let name = panel.name.clone();
+            panel.name = format!("{name}-port");
+            let shape = match &panel.shape {
+                PanelShape::Rails([first, second]) => {
+                    PanelShape::Rails([self.starboard(second), self.starboard(first)])
+                }
+                // Seen in a mirror, a loop runs the other way round.
+                PanelShape::Loops { outer, holes } => {
+                    let mut back = |part: &CurveUse| {
+                        let part = self.starboard(part);
+                        CurveUse { reversed: !part.reversed, ..part }
+                    };
+                    let outer = outer.iter().rev().map(&mut back).collect();
+                    let mut hole =
+                        |hole: &Vec<CurveUse>| hole.iter().rev().map(&mut back).collect();
+                    PanelShape::Loops { outer, holes: holes.iter().map(&mut hole).collect() }
+                }
+                PanelShape::Join(join) => {
+                    let parts = join.parts.iter().map(|part| format!("{part}-starboard"));
+                    PanelShape::Join(Join { parts: parts.collect(), ..join.clone() })
+                }
+            };
+            let starboard =
+                DesignPanel { name: format!("{name}-starboard"), shape, ..panel.clone() };
+            self.panels.extend([panel, starboard]);
+        }
+    }
+
+    /// The image of a curve to starboard, which is drawn unless it is there; itself if it lies in
+    /// the plane.
+    fn starboard(&mut self, part: &CurveUse) -> CurveUse {
+        let Some(curve) = self.curves.iter().find(|curve| curve.name == part.name) else {
+            return part.clone();
+        };
+        if curve.points.iter().all(|point| point.at.y == 0.0) {
+            return part.clone();
+        }
+        let name = format!("{}-starboard", part.name);
+        if !self.curves.iter().any(|curve| curve.name == name) {
+            let mut image = curve.clone();
+            image.name.clone_from(&name);
+            image.points.iter_mut().for_each(|point| point.at = mirrored(point.at));
+            self.curves.push(image);
+        }
+        CurveUse { name, reversed: part.reversed }
     }
 
     fn panel(
@@ -102,10 +181,17 @@ impl Sketch {
         });
     }
 
-    /// The design.
+    /// The design, of this material or else of the usual one.
     pub(super) fn design(self, name: &str, material: Option<&'static Material>) -> Design {
+        let material = material.or(self.material);
         Design { name: name.to_owned(), material, curves: self.curves, panels: self.panels }
     }
+}
+
+/// The mirror image of a point in the plane y = 0.
+pub(super) fn mirrored(point: Point3) -> Point3 {
+    // Not -y, which would make -0 of a point in the plane.
+    Point3::new(point.x, 0.0 - point.y, point.z)
 }
 
 fn used(name: &str) -> CurveUse {

@@ -1,0 +1,154 @@
+//! The pieces of a template fit: what two panels share is one curve, and its two edges in the flat
+//! have one length.
+#![allow(clippy::unwrap_used, clippy::print_stdout)] // tests panic and print what they measured
+
+use sheetwright::check::Verdict;
+use sheetwright::curve::Curve;
+use sheetwright::design::{Design, DesignPanel, Made, MadePanel, PanelShape, make};
+use sheetwright::math::{Point3, Vec3};
+use sheetwright::template::{Value, template};
+use sheetwright::watch::Unwatched;
+
+/// Edges of two panels that are to be joined differ by this share of their length at the most: a
+/// fiftieth of a millimetre on a metre, from sampling one curve twice.
+const FITS: f64 = 2e-5;
+
+fn made(name: &str) -> (Design, Made) {
+    let design = template(name).unwrap().defaults().design().unwrap();
+    let made = make(&design, &mut Unwatched).unwrap();
+    (design, made)
+}
+
+fn curves_of(panel: &DesignPanel) -> Vec<&str> {
+    match &panel.shape {
+        PanelShape::Rails(rails) => rails.iter().map(|rail| rail.name.as_str()).collect(),
+        PanelShape::Loops { outer, .. } => outer.iter().map(|part| part.name.as_str()).collect(),
+        PanelShape::Join(join) => panic!("no template joins panels: {join:?}"),
+    }
+}
+
+/// How long the edge of a flat panel is between the samples at the ends of a curve: of the two ways
+/// round, the one that is nearer to the length of the curve.
+fn flat_length(panel: &MadePanel, curve: &Curve) -> f64 {
+    let samples = panel.boundary.samples();
+    let nearest = |end: Point3| {
+        let far = |i: &usize| samples[*i].position.distance(end);
+        (0..samples.len()).min_by(|a, b| far(a).total_cmp(&far(b))).unwrap()
+    };
+    let walk = |from: usize, to: usize| {
+        let (mut at, mut length) = (from, 0.0);
+        while at != to {
+            let next = (at + 1) % samples.len();
+            length += panel.flat.points[at].distance(panel.flat.points[next]);
+            at = next;
+        }
+        length
+    };
+    let (start, end) = (nearest(curve.start()), nearest(curve.end()));
+    let off = |length: &f64| (length - curve.length()).abs();
+    let ways = [walk(start, end), walk(end, start)];
+    ways.into_iter().min_by(|a, b| off(a).total_cmp(&off(b))).unwrap()
+}
+
+#[test]
+fn seams_have_one_length_on_both_sides() {
+    for (name, shared) in [
+        ("dinghy", &["chine", "transom-bottom", "transom-side"][..]),
+        ("pram", &["chine", "bow-transom-bottom", "bow-transom-side", "transom-side"]),
+        ("kayak", &["chine", "sheer"]),
+        ("hull", &["chine"]),
+        ("bag", &["front-seam"]),
+        ("tent", &["front-hoop", "middle-hoop", "rear-hoop"]),
+        ("ramp", &["right-curve", "right-deck"]),
+    ] {
+        let (design, made) = made(name);
+        for wanted in shared {
+            let drawn = design.curves.iter().find(|curve| curve.name == *wanted).unwrap();
+            let curve = Curve::new(drawn.kind.unwrap(), &drawn.points, drawn.closed).unwrap();
+            let lengths: Vec<f64> = design
+                .panels
+                .iter()
+                .zip(&made.panels)
+                .filter(|(panel, _)| curves_of(panel).contains(wanted))
+                .map(|(_, made)| flat_length(made, &curve))
+                .collect();
+            println!("{name}: {wanted}: {lengths:?}");
+            let [a, b] = lengths[..] else { panic!("{name}: {wanted} is in {lengths:?}") };
+            assert!((a - b).abs() <= FITS * curve.length(), "{name}: {wanted}: {a} and {b}");
+        }
+    }
+}
+
+#[test]
+fn panels_bend_in_their_usual_sheet() {
+    for (name, sheet) in [
+        ("dinghy", "plywood-6mm"),
+        ("pram", "plywood-6mm"),
+        ("kayak", "plywood-4mm"),
+        ("hull", "plywood-6mm"),
+        ("bag", "leather-2mm"),
+        ("tent", "canvas"),
+        ("facade", "aluminium-2mm"),
+        ("ramp", "plywood-9mm"),
+    ] {
+        let (design, made) = made(name);
+        assert_eq!(design.material.map(|m| m.name), Some(sheet), "{name}");
+        for panel in &made.panels {
+            assert_eq!(panel.checked.verdict, Verdict::Bends, "{name}: {}", panel.name);
+            assert!(panel.checked.findings.is_empty(), "{name}: {:?}", panel.checked.findings);
+        }
+    }
+}
+
+/// A boat's panels are cut from cylinders, so that all the twist there is comes from sampling and
+/// from drawing curves through a few points.
+#[test]
+fn panels_of_boats_hardly_twist() {
+    for name in ["dinghy", "pram", "kayak"] {
+        for panel in made(name).1.panels {
+            let warp = panel.measures.warp_max.to_degrees();
+            println!("{name}: {}: {warp:.3}°", panel.name);
+            assert!(warp < 0.5, "{name}: {}: {warp}°", panel.name);
+        }
+    }
+}
+
+/// The area of a boundary as a vector: half the sum of the cross products of its samples.
+fn faces(panel: &MadePanel) -> Vec3 {
+    let samples = panel.boundary.samples();
+    let at = |i: usize| samples[i % samples.len()].position.to_vec();
+    (0..samples.len()).fold(Vec3::ZERO, |sum, i| sum + at(i).cross(at(i + 1)) * 0.5)
+}
+
+#[test]
+fn both_halves_of_a_boat_are_drawn_and_face_outwards() {
+    for name in ["dinghy", "pram", "kayak"] {
+        let mut values = template(name).unwrap().defaults();
+        values.set("halves", Value::Choice("both".to_owned())).unwrap();
+        let design = values.design().unwrap();
+        let made = make(&design, &mut Unwatched).unwrap();
+        let panel = |name: &str| made.panels.iter().find(|panel| panel.name == name);
+        for (half, outwards) in [("bottom", -Vec3::Z), ("side", Vec3::Y), ("deck", Vec3::Z)] {
+            let (Some(port), Some(starboard)) =
+                (panel(&format!("{half}-port")), panel(&format!("{half}-starboard")))
+            else {
+                assert!(half == "deck" && name != "kayak", "{name} has no {half}");
+                continue;
+            };
+            let image = |v: Vec3| Vec3::new(v.x, -v.y, v.z);
+            let (a, b) = (faces(port), faces(starboard));
+            assert!(a.dot(outwards) > 0.0 && b.dot(image(outwards)) > 0.0, "{name}: {half}");
+            assert!((image(a) - b).length() < 1e-9 * a.length(), "{name}: {half}: {a} {b}");
+            assert_eq!(starboard.checked.verdict, Verdict::Bends);
+            let areas = [port, starboard].map(|panel| panel.measures.area_flat_mm2);
+            assert!((areas[0] - areas[1]).abs() < 1e-6 * areas[0], "{name}: {half}: {areas:?}");
+        }
+        for (board, outwards) in [("transom", -Vec3::X), ("bow-transom", Vec3::X)] {
+            if let Some(board) = panel(board) {
+                assert!(faces(board).dot(outwards) > 0.0, "{name}: {}", board.name);
+            }
+        }
+        let on_keel = |panel: &&DesignPanel| curves_of(panel).contains(&"keel");
+        assert_eq!(design.panels.iter().filter(on_keel).count(), 2, "{name}");
+    }
+}
