@@ -76,6 +76,10 @@ fn boundary(error: &BoundaryError) -> &'static str {
             "A loop passes each place once: remove the repeated point, or divide the panel where \
              the loop meets itself."
         }
+        BoundaryError::OneSided { .. } => {
+            "Leave a gap between the two ends of the band and join them after cutting, or take out \
+             the half turn."
+        }
         BoundaryError::OnOneLine { .. } => {
             "A panel needs area: check that the points do not all lie in a row."
         }

@@ -138,6 +138,7 @@ pub fn check(panel: &Panel<'_>) -> Checked {
         length_error,
         open_windows,
         seams,
+        not_proven,
     ];
     let mut findings: Vec<Finding> = checks.iter().filter_map(|check| check(panel)).collect();
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
@@ -356,6 +357,20 @@ fn forced_rungs(panel: &Panel<'_>) -> Option<Finding> {
              given, and no surface does without them. More samples may help."
         ),
         place: where_rungs(&panel.measures.rungs, |r| r.normals[0] == crate::math::Vec3::ZERO),
+    })
+}
+
+fn not_proven(panel: &Panel<'_>) -> Option<Finding> {
+    let gap = panel.triangulation.gap().filter(|&gap| gap > 0.0)?;
+    Some(Finding {
+        severity: Severity::Note,
+        code: "not-proven",
+        text: format!(
+            "This is the best surface that was found. A better one may exist, with a price up to \
+             {:.2} % lower; the pattern is exact for this one.",
+            100.0 * gap
+        ),
+        place: String::new(),
     })
 }
 

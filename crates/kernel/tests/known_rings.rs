@@ -196,7 +196,7 @@ fn measured(shape: &Pierced, m: usize) -> Measured {
     };
     println!(
         "{} {m}: {:.2}° off, {:.2} spacings, W {:.4}, area {:.1e}, lengths {:.1e}, flat {:.1e}, \
-         pattern {:.1e}, gap {:.2}",
+         pattern {:.1e}, gap {:.2?}",
         shape.name,
         to_deg(measured.off.angle),
         measured.off.miss,

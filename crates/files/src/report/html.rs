@@ -320,13 +320,17 @@ impl Page<'_> {
 
     fn numbers(&self) -> Markup {
         let (panel, measures) = (self.panel, &self.panel.measures);
-        let optimal = if panel.triangulation.proven_optimal { "yes" } else { "not proven" };
+        let optimal = match panel.triangulation.gap() {
+            Some(0.0) => "yes".to_owned(),
+            Some(gap) => format!("within {:.2} %", 100.0 * gap),
+            None => "not proven".to_owned(),
+        };
         let rows: [(&str, String); 15] = [
             ("Samples", panel.boundary.len().to_string()),
             ("Triangles", panel.surface.connectivity().triangles().len().to_string()),
             ("Rulings (rungs)", measures.rungs.len().to_string()),
             ("Method", panel.method.name().to_owned()),
-            ("Best possible", optimal.to_owned()),
+            ("Best possible", optimal),
             ("Fold price ν", format!("{}", panel.fold)),
             ("Price, total", scientific(panel.triangulation.price)),
             ("Twist, total", scientific(measures.twist_total)),

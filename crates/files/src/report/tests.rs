@@ -33,7 +33,7 @@ fn pictures(page: &str) -> Vec<&str> {
 }
 
 /// The contract's fields of a panel, in its order.
-const PANEL_FIELDS: [&str; 25] = [
+const PANEL_FIELDS: [&str; 26] = [
     "name",
     "method",
     "proven_optimal",
@@ -59,6 +59,7 @@ const PANEL_FIELDS: [&str; 25] = [
     "findings",
     "bend_radius_min_mm",
     "warp_limit_deg",
+    "gap",
 ];
 
 #[test]

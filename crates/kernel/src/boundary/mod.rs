@@ -68,6 +68,18 @@ pub enum BoundaryError {
         /// The earlier one.
         other: usize,
     },
+    /// An edge that is walked twice in the same direction, at samples on the same spot: a band that
+    /// closes with a half turn, a Möbius strip, which has one side only.
+    OneSided {
+        /// The loop.
+        of_loop: usize,
+        /// The sample.
+        sample: usize,
+        /// The loop of the earlier one.
+        other_loop: usize,
+        /// The earlier one.
+        other: usize,
+    },
     /// All samples of a loop on one straight line.
     OnOneLine {
         /// The loop.
@@ -114,6 +126,15 @@ impl fmt::Display for BoundaryError {
             Self::Repeated { of_loop, sample, other_loop, other } => {
                 write!(f, "sample {} of {} lies on ", sample + 1, name(of_loop))?;
                 write!(f, "sample {} of {}", other + 1, name(other_loop))
+            }
+            Self::OneSided { of_loop, sample, other_loop, other } => {
+                write!(
+                    f,
+                    "an edge is walked twice in the same direction, at sample {} of ",
+                    sample + 1
+                )?;
+                write!(f, "{} and sample {} of {}: ", name(of_loop), other + 1, name(other_loop))?;
+                write!(f, "the band closes with a half turn and has one side only")
             }
             Self::OnOneLine { of_loop } => {
                 write!(f, "all samples of {} lie on one straight line", name(of_loop))

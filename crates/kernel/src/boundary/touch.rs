@@ -28,7 +28,9 @@ pub(super) fn refuse_touching(boundary: &Boundary) -> Result<(), BoundaryError> 
     let Some((i, j, same_spot)) = worst else { return edges.refuse_bounding_nothing() };
     let (other_loop, other) = boundary.within_loop(i);
     let (of_loop, sample) = boundary.within_loop(j);
-    Err(if same_spot {
+    Err(if same_spot && edges.walked_twice(i, j) {
+        BoundaryError::OneSided { of_loop, sample, other_loop, other }
+    } else if same_spot {
         BoundaryError::Repeated { of_loop, sample, other_loop, other }
     } else {
         BoundaryError::Crossing {
@@ -52,6 +54,14 @@ impl<'a> Edges<'a> {
 
     fn at(&self, i: usize) -> Point3 {
         self.boundary.samples()[i].position
+    }
+
+    /// Whether the edges before or behind two samples on one spot are one edge, walked twice in the
+    /// same direction.
+    fn walked_twice(&self, i: usize, j: usize) -> bool {
+        let boundary = self.boundary;
+        self.same_spot(boundary.next(i), boundary.next(j))
+            || self.same_spot(boundary.previous(i), boundary.previous(j))
     }
 
     fn same_spot(&self, i: usize, j: usize) -> bool {

@@ -77,12 +77,12 @@ pub struct Triangulation {
 
 impl Triangulation {
     /// How much of the price may be more than need be, as a share of it, 0 ..= 1: 0 where it is
-    /// proven optimal, 1 where nothing is known.
-    pub fn gap(&self) -> f64 {
-        if self.proven_optimal || self.price <= 0.0 {
-            0.0
+    /// proven optimal; `None` where nothing is known.
+    pub fn gap(&self) -> Option<f64> {
+        if self.proven_optimal {
+            Some(0.0)
         } else {
-            ((self.price - self.lower_bound) / self.price).clamp(0.0, 1.0)
+            (self.lower_bound > 0.0).then(|| (self.price - self.lower_bound) / self.price)
         }
     }
 }
