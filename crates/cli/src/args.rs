@@ -3,6 +3,7 @@
 use clap::builder::{PossibleValue, PossibleValuesParser, StringValueParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
+use sheetwright::boundary::PlaneChoice;
 use sheetwright::design::PanelMethod;
 use sheetwright::template::catalogue;
 use sheetwright_files::{Format, InputFormat, MaxSheets, Paper, PdfOptions, ReadOptions, Units};
@@ -195,6 +196,10 @@ pub(crate) struct SourceArgs {
     /// Which triangulations are looked at
     #[arg(long, value_enum, value_name = "METHOD")]
     method: Option<MethodArg>,
+    /// Whether the surface must lie over a plane that the boundary projects onto [default: as the
+    /// design says, or auto: over the best-fit plane where there is one]
+    #[arg(long, value_enum, value_name = "PLANE")]
+    plane: Option<PlaneArg>,
     /// The unit of a curve table [default: mm]; a design says its own
     #[arg(long, value_name = "UNITS", value_parser = units_parser())]
     units: Option<Units>,
@@ -210,9 +215,21 @@ impl SourceArgs {
                 MethodArg::Bridge => PanelMethod::Bridge,
                 MethodArg::Rails => PanelMethod::Rails,
             }),
+            plane: self.plane.map(|plane| match plane {
+                PlaneArg::Auto => PlaneChoice::Auto,
+                PlaneArg::None => PlaneChoice::None,
+            }),
             units: self.units,
         }
     }
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum PlaneArg {
+    /// Over the best-fit plane, where the boundary projects onto it without crossing itself
+    Auto,
+    /// Anywhere in space: for sheets that wrap round or hang over
+    None,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]

@@ -2,6 +2,7 @@
 //! within bounds.
 
 use crate::units::Units;
+use sheetwright::boundary::PlaneChoice;
 use sheetwright::design::PanelMethod;
 use std::fmt;
 use std::fs::File;
@@ -58,6 +59,8 @@ pub struct ReadOptions {
     pub fold: Option<f64>,
     /// Which triangulations are looked at. Default: as the design says.
     pub method: Option<PanelMethod>,
+    /// The supporting plane of every panel. Default: as the design says, or `auto`.
+    pub plane: Option<PlaneChoice>,
     /// The unit of a curve table. Default: millimetres. A design says its own.
     pub units: Option<Units>,
 }

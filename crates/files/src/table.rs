@@ -3,7 +3,7 @@
 use crate::names::{did_you_mean, refused_for_curve, refused_for_file, shown};
 use crate::reading::{InputError, ReadOptions, display_name, stem};
 use crate::units::Units;
-use sheetwright::boundary::{MAX_SAMPLES, PlaneChoice};
+use sheetwright::boundary::MAX_SAMPLES;
 use sheetwright::cost::PriceOptions;
 use sheetwright::curve::MAX_COORDINATE_MM;
 use sheetwright::curve::{CurveKind, CurvePoint};
@@ -324,7 +324,7 @@ pub(crate) fn read_as_design(
         },
         samples: options.samples.unwrap_or(curves[0].points.len()),
         method: options.method.unwrap_or_default(),
-        plane: PlaneChoice::Auto,
+        plane: options.plane.unwrap_or_default(),
         fold: options.fold.unwrap_or(PriceOptions::default().fold),
         cut: Vec::new(),
     };

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used)] // Whatever fails here is a failed test.
 
 use serde_json::{Map, Value};
+use sheetwright::boundary::PlaneChoice;
 use sheetwright::design::{Made, MadePanel, make};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
@@ -37,8 +38,12 @@ fn the_facts_of_every_boundary_hold() {
         let name = table.file_stem().unwrap().to_string_lossy();
         let facts = fs::read(table.with_extension("facts.json")).unwrap();
         let facts: Map<String, Value> = serde_json::from_slice(&facts).unwrap();
-        let made =
-            make(&read_input(&table, &ReadOptions::default()).unwrap(), &mut Unwatched).unwrap();
+        let plane = facts.get("plane").map(|plane| match plane.as_str() {
+            Some("none") => PlaneChoice::None,
+            _ => panic!("{name}: {plane}"),
+        });
+        let options = ReadOptions { plane, ..ReadOptions::default() };
+        let made = make(&read_input(&table, &options).unwrap(), &mut Unwatched).unwrap();
         let outputs = output_files(&made, &Format::ALL, &PdfOptions::default()).unwrap();
         let report: Value = serde_json::from_slice(file(&outputs, "report.json")).unwrap();
         let problems = differences(&report["panels"][0], &facts);
@@ -72,7 +77,7 @@ fn differences(panel: &Value, facts: &Map<String, Value>) -> Vec<String> {
 fn differs(panel: &Value, fact: &str, wanted: &Value) -> Option<String> {
     let found = &panel[fact];
     let holds = match (fact, wanted) {
-        ("about", Value::String(_)) => true,
+        ("about" | "plane", Value::String(_)) => true,
         ("findings", Value::Array(codes)) => codes.iter().all(|code| {
             assert!(code.is_string(), "findings are codes, not {code}");
             found.as_array().unwrap().iter().any(|finding| finding["code"] == *code)

@@ -360,6 +360,21 @@ fn forced_rungs(panel: &Panel<'_>) -> Option<Finding> {
     })
 }
 
+/// The finding that a surface which need not lie over the supporting plane has a much lower price.
+pub fn better_without_plane(with: f64, without: f64) -> Finding {
+    Finding {
+        severity: Severity::Note,
+        code: "better-without-plane",
+        text: format!(
+            "Seen along its normal the boundary is a simple outline, so the surface was laid over that \
+             plane. Where it may wrap round or hang over, there is one that bends better, at {:.0} % \
+             of the price: ask for the plane \"none\".",
+            100.0 * without / with
+        ),
+        place: String::new(),
+    }
+}
+
 fn not_proven(panel: &Panel<'_>) -> Option<Finding> {
     let gap = panel.triangulation.gap().filter(|&gap| gap > 0.0)?;
     Some(Finding {

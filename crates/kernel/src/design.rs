@@ -9,7 +9,7 @@ use crate::boundary::{
     Boundary, BoundaryError, JoinCause, MAX_SAMPLES, PlaneChoice, PlaneError, SupportingPlane,
     samples_from_points, supporting_plane,
 };
-use crate::check::{Checked, Finding, Panel, check, rounded_corner};
+use crate::check::{Checked, Finding, Panel, Verdict, better_without_plane, check, rounded_corner};
 use crate::cost::Prices;
 use crate::curve::{
     Curve, CurveError, CurveKind, CurvePoint, Sample, SampleError, sample_chain, sample_open,
@@ -17,7 +17,7 @@ use crate::curve::{
 use crate::flatten::{FlattenError, Flattened, Sheet, lay_flat};
 use crate::material::Material;
 use crate::math::Point3;
-use crate::measure::{Measures, measures};
+use crate::measure::{Measures, first_self_crossing, measures};
 use crate::pattern::{PatternOptions, Piece, piece};
 use crate::surface::{Connectivity, ConnectivityError, Surface};
 use crate::tolerance::Tolerance;
@@ -306,6 +306,9 @@ pub fn make(design: &Design, watch: &mut dyn Watch) -> Result<Made, MakeError> {
     Ok(Made { name: design.name.clone(), material: design.material, panels })
 }
 
+/// A surface that need not lie over the plane is worth a word if its price is below this share.
+const MUCH_CHEAPER: f64 = 0.5;
+
 fn make_panel(
     design: &Design,
     panel: &DesignPanel,
@@ -364,6 +367,20 @@ fn make_panel(
     for curve in used(design, &panel.shape).filter(|c| c.kind == Some(CurveKind::Spline)) {
         if let Some(finding) = rounded_corner(&curve.name, &curve.points, curve.closed) {
             checked.add(finding);
+        }
+    }
+    let bends = checked.verdict == Verdict::Bends;
+    if panel.plane == PlaneChoice::Auto && plane.is_some() && boundary.holes() < 2 && !bends {
+        // The plane, rather than the boundary, may be what keeps it from bending.
+        let free = triangulate(&boundary, None, &options, watch)
+            .map_err(|e| failed(MakeCause::Triangulate(e)))?;
+        let connectivity = Connectivity::new(boundary.loops(), free.triangles)
+            .map_err(|e| failed(MakeCause::Surface(e)))?;
+        let surface = Surface::new(connectivity, boundary.positions());
+        if free.price < MUCH_CHEAPER * triangulation.price
+            && first_self_crossing(&surface).is_none()
+        {
+            checked.add(better_without_plane(triangulation.price, free.price));
         }
     }
     sampled.findings.into_iter().for_each(|finding| checked.add(finding));

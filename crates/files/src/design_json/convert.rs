@@ -241,7 +241,7 @@ impl PanelReader<'_> {
             cut: self.cut(&file.cut.unwrap_or_default(), &shape)?,
             shape,
             method,
-            plane,
+            plane: self.source.options.plane.unwrap_or(plane),
             fold: self.fold(file.fold)?,
         })
     }

@@ -304,6 +304,7 @@ mod tests {
     #[test]
     fn what_the_caller_sets_comes_first() {
         let options = ReadOptions {
+            plane: Some(sheetwright::boundary::PlaneChoice::None),
             samples: Some(77),
             fold: Some(2.0),
             method: Some(PanelMethod::Bridge),
