@@ -436,18 +436,24 @@ fn sampled(design: &Design, panel: &DesignPanel) -> Result<Sampled, MakeError> {
         PanelShape::Rails(rails) => sampled_rails(design, panel, rails),
         PanelShape::Join(join) => joining::sampled(design, panel, join),
         PanelShape::Loops { outer, holes } => {
-            let outer = sampled_loop(design, panel, outer, |_| panel.samples)?;
+            let outer = sampled_loop(design, panel, outer, |_| panel.samples, 0)?;
             let length: f64 = ring_length(&outer);
             let spacing = length / outer.len() as f64;
             let mut loops = vec![outer];
             for hole in holes {
-                let as_spaced = |length: f64| (length / spacing).ceil() as usize;
-                loops.push(sampled_loop(design, panel, hole, as_spaced)?);
+                let as_spaced = |length: f64| (length / spacing - SAME_SPACING).ceil() as usize;
+                loops.push(sampled_loop(design, panel, hole, as_spaced, LEAST_OF_HOLE)?);
             }
             Ok(Sampled { loops, on_first_rail: None, findings: Vec::new() })
         }
     }
 }
+
+/// Lengths that differ by less than this share of the spacing get as many samples: two equal circles
+/// are built from different numbers.
+const SAME_SPACING: f64 = 1e-6;
+/// Samples of a hole at the least, however small it is: a round one must not be cut as a triangle.
+const LEAST_OF_HOLE: usize = 24;
 
 fn ring_length(samples: &[Sample]) -> f64 {
     let m = samples.len();
@@ -484,6 +490,7 @@ fn sampled_loop(
     panel: &DesignPanel,
     parts: &[CurveUse],
     count: impl Fn(f64) -> usize,
+    least: usize,
 ) -> Result<Vec<Sample>, MakeError> {
     let failed = |curve: &str, cause: MakeCause| MakeError {
         panel: panel.name.clone(),
@@ -519,12 +526,17 @@ fn sampled_loop(
         }
     }
     let length: f64 = curves.iter().map(Curve::length).sum();
-    let count = count(length);
+    let count = count(length).max(least);
     if count > MAX_SAMPLES {
         let cause = MakeCause::Boundary(BoundaryError::TooManySamples { found: count });
         return Err(MakeError { panel: panel.name.clone(), curve: None, cause });
     }
-    sample_chain(&curves, count).map_err(|error| MakeError {
+    let sampled = match sample_chain(&curves, count) {
+        // Nobody asked for a number of samples of a hole.
+        Err(SampleError::TooFew { needed, .. }) if least > 0 => sample_chain(&curves, needed),
+        sampled => sampled,
+    };
+    sampled.map_err(|error| MakeError {
         panel: panel.name.clone(),
         curve: None,
         cause: MakeCause::Sampling(error),

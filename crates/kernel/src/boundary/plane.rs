@@ -4,6 +4,7 @@
 use super::Boundary;
 use crate::math::{Frame, Point2, Vec3, unit};
 use crate::predicate::{first_crossing_of_loops, inside, signed_area_doubled};
+use crate::tolerance::Tolerance;
 use std::fmt;
 
 /// Which supporting plane a panel asks for.
@@ -70,7 +71,8 @@ impl std::error::Error for PlaneError {}
 /// The supporting plane of a boundary, if there is to be one.
 ///
 /// # Errors
-/// A chosen normal without direction, or one along which the boundary crosses itself or a hole
+/// A hole of a flat panel that lies outside it or in another; a chosen normal without direction, or
+/// one along which the boundary crosses itself or a hole
 /// lies outside.
 pub fn supporting_plane(
     boundary: &Boundary,
@@ -78,9 +80,23 @@ pub fn supporting_plane(
 ) -> Result<Option<SupportingPlane>, PlaneError> {
     match choice {
         PlaneChoice::None => Ok(None),
-        PlaneChoice::Auto => Ok(project(boundary, boundary.area_vector()).ok()),
+        PlaneChoice::Auto => match project(boundary, boundary.area_vector()) {
+            Ok(plane) => Ok(Some(plane)),
+            // Loops that all lie in one plane are a flat panel, whose holes are inside it.
+            Err(error @ PlaneError::HoleOutside { .. }) if is_flat(boundary) => Err(error),
+            Err(_) => Ok(None),
+        },
         PlaneChoice::Normal(normal) => project(boundary, normal).map(Some),
     }
+}
+
+/// Whether all loops lie in the plane of the outer one, to within rounding.
+fn is_flat(boundary: &Boundary) -> bool {
+    let Some(normal) = unit(boundary.area_vector()) else { return false };
+    let origin = boundary.samples()[0].position;
+    let off = |s: &crate::curve::Sample| (s.position - origin).dot(normal).abs();
+    let within = Tolerance::SAME_POINT.length_mm(boundary.size());
+    boundary.samples().iter().all(|s| off(s) <= within)
 }
 
 fn project(boundary: &Boundary, normal: Vec3) -> Result<SupportingPlane, PlaneError> {

@@ -31,6 +31,9 @@ struct Joint {
     length_mm: f64,
 }
 
+/// Rungs up to this share longer than the shortest are as good, and of those the one is taken that
+/// keeps farthest from all other loops: nobody can weld a seam a millimetre beside a window.
+const AS_SHORT: f64 = 0.02;
 /// Lengths nearer to one another than this share are equal, and the first rung is taken: of the
 /// rulings of a cone, rounding must not choose.
 const SAME_LENGTH: f64 = 1e-9;
@@ -51,7 +54,7 @@ pub(super) fn cuts(surface: &Surface, near: &[Point3], closing: Tolerance) -> Ve
     for &place in near {
         joined.nearest(surface, &joints, place);
     }
-    let shortest = shortest_between(&joints);
+    let shortest = shortest_between(surface, &joints);
     while joined.two_open_ones(&shortest, &opens) {}
     joined.others(&shortest);
     joined.cuts.sort_unstable();
@@ -70,21 +73,45 @@ fn joints(surface: &Surface) -> Vec<Joint> {
     connectivity.hinges().iter().map(|h| h.rung.ends()).enumerate().filter_map(of_hinge).collect()
 }
 
-/// The shortest rung between every two loops that have any, in the order of the loops.
-fn shortest_between(joints: &[Joint]) -> Vec<Joint> {
-    let mut of_pairs: BTreeMap<[usize; 2], Joint> = BTreeMap::new();
+/// The rung between every two loops that have any to cut along, in the order of the loops: the
+/// shortest, or one as good that keeps clear of other loops.
+fn shortest_between(surface: &Surface, joints: &[Joint]) -> Vec<Joint> {
+    let mut of_pairs: BTreeMap<[usize; 2], Vec<Joint>> = BTreeMap::new();
     for joint in joints {
         let [a, b] = joint.loops;
-        of_pairs
-            .entry([a.min(b), a.max(b)])
-            .and_modify(|best| {
-                if joint.length_mm < best.length_mm * (1.0 - SAME_LENGTH) {
-                    *best = *joint;
-                }
-            })
-            .or_insert(*joint);
+        of_pairs.entry([a.min(b), a.max(b)]).or_default().push(*joint);
     }
-    of_pairs.into_values().collect()
+    let best = |of_pair: Vec<Joint>| {
+        let shortest = of_pair.iter().map(|j| j.length_mm).fold(f64::INFINITY, f64::min);
+        let clear = |joint: &Joint| clearance_mm(surface, joint);
+        of_pair.into_iter().filter(|j| j.length_mm <= shortest * (1.0 + AS_SHORT)).reduce(
+            |best, other| {
+                let (clear, better) = (clear(&best), clear(&other));
+                let as_clear = (clear - better).abs() <= SAME_LENGTH * clear || clear == better;
+                let shorter = other.length_mm < best.length_mm * (1.0 - SAME_LENGTH);
+                if if as_clear { shorter } else { better > clear } { other } else { best }
+            },
+        )
+    };
+    of_pairs.into_values().filter_map(best).collect()
+}
+
+/// How far a rung keeps from the samples of the loops that it does not join, mm; infinite where
+/// there are no others.
+fn clearance_mm(surface: &Surface, joint: &Joint) -> f64 {
+    let [a, b] = surface.connectivity().hinges()[joint.hinge].rung.ends();
+    let (from, to) = (surface.position(a), surface.position(b));
+    let along = to - from;
+    let away = |p: Point3| {
+        let share = ((p - from).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+        p.distance(from.lerp(to, share))
+    };
+    let others = surface.connectivity().loops().iter().enumerate();
+    others
+        .filter(|(n, _)| !joint.loops.contains(n))
+        .flat_map(|(_, of_loop)| surface.positions()[of_loop.clone()].iter().copied())
+        .map(away)
+        .fold(f64::INFINITY, f64::min)
 }
 
 /// The loops as a forest of those that are joined by cuts.

@@ -172,6 +172,8 @@ fn rung_measures(surface: &Surface, prices: &Prices) -> Vec<RungMeasures> {
 /// The width, as a share of the size of the surface, over which a bend is measured: a sheet is
 /// stiff and rounds off what is narrower, and a bend in finer steps than that is the sampling's.
 const BEND_WIDTH: f64 = 0.01;
+/// Turns below it, radians, are rounding: the sheet is flat there.
+const FLAT: f64 = 1e-9;
 
 /// What a bend radius is measured from.
 struct Bends<'a> {
@@ -223,7 +225,7 @@ impl<'a> Bends<'a> {
             seen.extend(&next);
             ring = next;
         }
-        if angle == 0.0 { f64::INFINITY } else { width / angle.abs() }
+        if angle.abs() < FLAT { f64::INFINITY } else { width / angle.abs() }
     }
 }
 

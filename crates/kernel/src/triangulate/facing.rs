@@ -5,7 +5,7 @@
 //! the two ends of a tube, each way bounds a surface of its own, and the cheaper one is meant: a
 //! tube rather than one that passes through itself. That is decided on a few of the samples.
 
-use super::{Method, Terms, TriangulateError, TriangulateOptions, holes, outcome};
+use super::{Terms, TriangulateError, TriangulateOptions, holes};
 use crate::boundary::Boundary;
 use crate::boundary::SupportingPlane;
 use crate::cost::PriceOptions;
@@ -77,12 +77,11 @@ fn is_cheaper(
     let (first, second) = if one_first { (one, other) } else { (other, one) };
     let least = |boundary: &Boundary, bound: f64, watch: &mut dyn Watch| {
         with_terms(boundary, price, |terms| {
-            holes::solve(terms, None, boundary.loops(), bound, watch)
-                .map(|found| found.map(|found| outcome(terms, found, Method::Optimal).price))
+            holes::good_price(terms, boundary.loops(), bound, watch)
         })
     };
-    let first_price = least(first, f64::INFINITY, watch)?.unwrap_or(f64::INFINITY);
-    let second_price = least(second, first_price, watch)?.unwrap_or(f64::INFINITY);
+    let first_price = least(first, f64::INFINITY, watch)?;
+    let second_price = least(second, first_price, watch)?;
     Ok(if one_first { first_price < second_price } else { second_price < first_price })
 }
 

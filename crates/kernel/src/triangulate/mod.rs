@@ -106,7 +106,8 @@ pub enum TriangulateError {
     Fold,
     /// The rails do not divide the loop: each needs at least one sample.
     Rails,
-    /// No triangulation of this method lies inside the projection on the supporting plane.
+    /// No triangulation of this method lies inside the projection on the supporting plane; without
+    /// a plane, and with several holes, none was found.
     NoneInside,
     /// The watcher asked to stop.
     Stopped,
@@ -128,7 +129,7 @@ impl fmt::Display for TriangulateError {
             Self::Fold => write!(f, "the fold price is not within 0 and {MAX_FOLD}"),
             Self::Rails => write!(f, "each of the two rails needs at least one sample"),
             Self::NoneInside => {
-                write!(f, "no such triangulation lies inside the projection on the plane")
+                write!(f, "no surface of this kind was found that spans the boundary")
             }
             Self::Stopped => write!(f, "stopped"),
         }

@@ -23,9 +23,9 @@
 //!    that count their steps and turns.
 
 use super::super::{Found, Side, Solved, TriangulateError};
-use super::Part;
 use super::chains::{Chains, Spot, in_sector};
 use super::pockets::{Pockets, Walk, least_of};
+use super::{Part, search};
 use crate::cost::QUANTUM;
 use crate::math::Point2;
 use crate::predicate::orientation;
@@ -39,11 +39,12 @@ pub(super) fn memory_needed(m: usize, k: usize) -> u64 {
     let joins = grid * size_of::<Join>() as u64;
     // Grids are up to four rounds high on a plane, and up to two without.
     let paths = 4 * grid * 2 * size_of::<f64>() as u64;
-    Pockets::memory_needed(m) + Pockets::memory_needed(k) + joins + paths
+    let counting = (2 * grid * Count::ALL as u64).min(MOST_COUNTING_CELLS) * 32;
+    Pockets::memory_needed(m) + Pockets::memory_needed(k) + joins + paths.max(counting)
 }
 
-/// Cells of all layers of a grid of paths that count, at the most: 28 bytes each, so 3 GiB.
-const MOST_COUNTING_CELLS: usize = 100_000_000;
+/// Cells of all layers of a grid of paths that count, at the most: 32 bytes each, so 1.8 GiB.
+const MOST_COUNTING_CELLS: u64 = 60_000_000;
 
 /// The cheapest triangulation of a ring; `None` if there is none up to `bound`. `first` is one that
 /// is known.
@@ -62,9 +63,13 @@ pub(super) fn solve_exactly(
     if walk.is_simple() {
         return Ok(Some(Found { triangles: band.triangles(&walk), lower_bound: None }));
     }
-    if 2 * chains.len(0) * chains.len(1) * Count::ALL > MOST_COUNTING_CELLS {
+    if 2 * (chains.len(0) * chains.len(1) * Count::ALL) as u64 > MOST_COUNTING_CELLS {
         // The cheapest walk of all is no surface, but no surface is cheaper.
         let lower_bound = Some(walk.price);
+        let first = match first {
+            Some(first) => Some(first),
+            None => search::first(chains, bound, &mut Part::silent(watch))?,
+        };
         return Ok(first.map(|first| Found { triangles: first.triangles, lower_bound }));
     }
     let walk = band.cheapest_walk(true, bound, &mut Part::new(watch, 0.7..1.0))?;
@@ -371,7 +376,9 @@ impl<'c, 'a> Band<'c, 'a> {
         // A walk through the reference cut gives a first bound.
         let through_cut = Starts { outer: (0, 0), inner: (0, 0) };
         let mut open = BinaryHeap::new();
-        if let Some(walk) = sweep(&through_cut, bound, watch)? {
+        let mut left = 1.0;
+        let mut part = Part::new(watch, 0.0..0.3);
+        if let Some(walk) = sweep(&through_cut, bound, &mut part)? {
             bound = bound.min(walk.price);
             open.push(Open { walk, starts: through_cut });
         }
@@ -382,7 +389,7 @@ impl<'c, 'a> Band<'c, 'a> {
         };
         let mut sets =
             vec![Starts { outer: (0, 0), inner: first }, Starts { outer: (1, m - 1), inner: all }];
-        let mut left = 1.0;
+        left *= 0.7;
         loop {
             for starts in sets.drain(..) {
                 // Nobody knows how often sets are halved: each sweep gets half of what is left.

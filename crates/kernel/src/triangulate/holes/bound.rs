@@ -139,6 +139,9 @@ impl Relaxation {
                 return Err(TriangulateError::Stopped);
             }
             for (n, &b) in later[a].iter().enumerate() {
+                if relaxation.corners.len() > MOST_TRIANGLES {
+                    return Ok(None);
+                }
                 for &c in &later[a][n + 1..] {
                     if number[b * m + c] == NONE {
                         continue;
@@ -160,9 +163,6 @@ impl Relaxation {
                         }
                     }
                 }
-            }
-            if relaxation.corners.len() > MOST_TRIANGLES {
-                return Ok(None);
             }
         }
         relaxation.sides = found
@@ -226,8 +226,11 @@ impl Relaxation {
             corners: kept.iter().map(|&t| self.corners[t]).collect(),
             ways: kept.iter().map(|&t| self.ways[t]).collect(),
             prices: kept.iter().map(|&t| self.prices[t]).collect(),
+            sides: self.sides.clone(),
             lists: Vec::new(),
-            ..self.clone()
+            order: Vec::new(),
+            edges: self.edges.clone(),
+            limit: self.limit,
         };
         small.list();
         let of_triangles = kept.iter().map(|&t| left.of_triangles[t]).collect();

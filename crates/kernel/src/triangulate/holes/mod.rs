@@ -9,9 +9,11 @@ mod prove;
 mod search;
 
 use super::Found;
+use super::Method;
 use super::Terms;
 use super::TriangulateError;
 use super::memory_needed as memory_needed_for_chain;
+use super::outcome;
 use crate::boundary::SupportingPlane;
 use crate::watch::Watch;
 use chains::Chains;
@@ -82,6 +84,25 @@ pub(super) fn solve(
     let best = search::improved(&chains, first, &mut Part::new(watch, 0.1..0.5))?;
     let (best, lower_bound) = prove::prove(&chains, best, &mut Part::new(watch, 0.5..1.0))?;
     Ok(Some(Found { triangles: best.triangles, lower_bound }))
+}
+
+/// The price of a good triangulation without a plane up to `bound`: the best on a ring, and with more
+/// holes the best that is found without proof; infinite if none is.
+pub(super) fn good_price(
+    terms: &Terms<'_>,
+    loops: &[Range<usize>],
+    bound: f64,
+    watch: &mut dyn Watch,
+) -> Result<f64, TriangulateError> {
+    let chains = Chains::new(terms, None, loops);
+    if loops.len() == 2 {
+        let found = solve(terms, None, loops, bound, watch)?;
+        return Ok(
+            found.map_or(f64::INFINITY, |found| outcome(terms, found, Method::Optimal).price)
+        );
+    }
+    let Some(first) = search::first(&chains, bound, watch)? else { return Ok(f64::INFINITY) };
+    Ok(search::improved(&chains, first, watch)?.price)
 }
 
 /// The price of a first triangulation without a plane; infinite if none is found.

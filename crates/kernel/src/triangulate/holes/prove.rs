@@ -14,6 +14,7 @@ use super::Part;
 use super::bound::{Left, Relaxation, price_of, units};
 use super::chains::Chains;
 use super::search::{Sides, one_chain};
+use crate::cost::EXACT_BELOW;
 use crate::watch::Watch;
 use std::collections::BTreeSet;
 
@@ -49,6 +50,10 @@ pub(super) fn prove(
     best: Solved,
     watch: &mut dyn Watch,
 ) -> Result<(Solved, Option<f64>), TriangulateError> {
+    if best.price >= EXACT_BELOW {
+        // Its price is rounded itself, so that no whole number stands for it.
+        return Ok((best, Some(0.0)));
+    }
     let chain = one_chain(chains, &best);
     let Some(relaxation) = Relaxation::new(chains, &chain, &best, watch)? else {
         return Ok((best, Some(0.0)));
@@ -57,7 +62,7 @@ pub(super) fn prove(
     let mut left = relaxation.whole();
     // Without a price on folds, pairs of triangles back to back cost nothing and undo it.
     if !chains.has_plane() && chains.terms.prices.options().fold > 0.0 {
-        left.take(relaxation.limit / FOR_COUNT, wanted);
+        left.take((relaxation.limit / FOR_COUNT).min(i64::MAX / 4 / wanted as i64), wanted);
     }
     let mut any = raise(chains, &relaxation, &mut left, FIRST_SWEEPS, watch)?;
     if any && !left.is_bound() {
@@ -80,7 +85,7 @@ pub(super) fn prove(
         open_bound: None,
         wanted,
     };
-    search.grow(left, &Grown::default(), watch)?;
+    search.grow(left, Grown::default(), watch)?;
     let lower_bound = search.open_bound.map(price_of);
     Ok((search.best, lower_bound))
 }
@@ -99,7 +104,9 @@ fn raise(
         if watch.stop() {
             return Err(TriangulateError::Stopped);
         }
-        watch.progress(left.bound as f64 / relaxation.limit.max(1) as f64);
+        if left.is_bound() {
+            watch.progress((left.bound as f64 / relaxation.limit.max(1) as f64).clamp(0.0, 1.0));
+        }
         let before = left.bound;
         let share = match chains.has_plane() {
             true => SHARE,
@@ -147,25 +154,60 @@ impl Search<'_, '_> {
     fn grow(
         &mut self,
         mut left: Left,
-        grown: &Grown,
+        mut grown: Grown,
         watch: &mut dyn Watch,
     ) -> Result<(), TriangulateError> {
-        let mut grown = grown.clone();
+        loop {
+            let Some(mut candidates) = self.candidates(&mut left, &grown, watch)? else {
+                return Ok(());
+            };
+            candidates.sort_by_key(|&t| (left.with(t), t));
+            // One after the other where there is no choice; a step down for each choice else.
+            let [.., last] = candidates[..] else { return Ok(()) };
+            for &triangle in &candidates[..candidates.len() - 1] {
+                let (mut left, mut grown) = (left.clone(), grown.clone());
+                if self.take(&mut left, &mut grown, triangle) {
+                    self.grow(left, grown, watch)?;
+                }
+            }
+            if !self.take(&mut left, &mut grown, last) {
+                return Ok(());
+            }
+        }
+    }
+
+    /// Adds a triangle, and drops those that it shuts out; false if it does not fit.
+    fn take(&self, left: &mut Left, grown: &mut Grown, triangle: u32) -> bool {
+        for way in self.relaxation.ways[triangle as usize] {
+            let others = self.relaxation.on(way).iter().filter(|&&t| t != triangle);
+            others.for_each(|&t| left.drop_triangle(t));
+        }
+        grown.take(&self.relaxation, triangle)
+    }
+
+    /// What can stand at the side that waits and has the fewest triangles to choose from; `None` if
+    /// nothing waits, nothing cheaper is left, or the search is given up.
+    fn candidates(
+        &mut self,
+        left: &mut Left,
+        grown: &Grown,
+        watch: &mut dyn Watch,
+    ) -> Result<Option<Vec<u32>>, TriangulateError> {
         self.relaxation.limit = self.limit;
         if grown.waiting.is_empty() && !grown.triangles.is_empty() {
-            self.finish(&grown);
-            return Ok(());
+            self.finish(grown);
+            return Ok(None);
         }
         if self.work > MOST_WORK {
             self.open_bound = Some(self.open_bound.map_or(left.bound, |b| b.min(left.bound)));
-            return Ok(());
+            return Ok(None);
         }
         left.work = 0;
         let part = &mut Part::silent(watch);
-        let any = raise(self.chains, &self.relaxation, &mut left, SWEEPS, part)?;
+        let any = raise(self.chains, &self.relaxation, left, SWEEPS, part)?;
         self.work += left.work + 1000;
         if !any {
-            return Ok(());
+            return Ok(None);
         }
         let candidates = |way: u32| {
             let list = self.relaxation.on(way).iter().copied();
@@ -176,22 +218,7 @@ impl Search<'_, '_> {
         } else {
             grown.waiting.iter().copied().collect()
         };
-        let fewest = ways.into_iter().map(|way| (candidates(way), way)).min_by_key(|c| c.0.len());
-        let Some((mut candidates, _)) = fewest else { return Ok(()) };
-        candidates.sort_by_key(|&t| (left.with(t), t));
-        let before = grown.clone();
-        for triangle in candidates {
-            if grown.take(&self.relaxation, triangle) {
-                let mut left = left.clone();
-                for way in self.relaxation.ways[triangle as usize] {
-                    let others = self.relaxation.on(way).iter().filter(|&&t| t != triangle);
-                    others.for_each(|&t| left.drop_triangle(t));
-                }
-                self.grow(left, &grown, watch)?;
-            }
-            grown = before.clone();
-        }
-        Ok(())
+        Ok(ways.into_iter().map(candidates).min_by_key(Vec::len))
     }
 
     /// Takes a surface that is complete, if it is one and cheaper than the best.

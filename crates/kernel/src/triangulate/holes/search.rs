@@ -107,10 +107,10 @@ pub(super) fn improved(
 }
 
 /// Rounds of improvement at the most; two or three are usual.
-const MOST_ROUNDS: usize = 12;
+const MOST_ROUNDS: usize = 6;
 
 /// Cases of rungs used from both banks that are tried at the most for a first triangulation.
-const MOST_CASES: usize = 500;
+const MOST_CASES: usize = 200;
 
 /// Which rungs are kept as cuts.
 #[derive(Clone, Copy)]
