@@ -1,4 +1,5 @@
-//! How fast the methods are, on one thread: `cargo bench -p sheetwright`.
+//! How fast the methods are, on one thread: `cargo bench -p sheetwright`; with `-- holes`, only
+//! the domains with holes.
 //!
 //! Method: for every curve family and every number of samples, the least of five runs (three at
 //! 1,600) of the whole of `triangulate`, visibility and bound included. The table of a plain
@@ -7,17 +8,24 @@
 //! the logarithms of all sizes from 200 on.
 #![allow(clippy::print_stdout, clippy::unwrap_used)] // it prints; what fails should stop it
 
-use sheetwright::boundary::{Boundary, PlaneChoice, supporting_plane};
+use sheetwright::boundary::{Boundary, PlaneChoice, samples_from_points, supporting_plane};
 use sheetwright::cost::{DEFAULT_FOLD, PriceOptions, Prices};
+use sheetwright::curve::CurvePoint;
+use sheetwright::math::{Point3, cos, sin};
 use sheetwright::triangulate::{Method, TriangulateOptions, triangulate};
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::family::Family;
+use std::f64::consts::TAU;
 use std::hint::black_box;
 use std::time::Instant;
 
 const SIZES: [usize; 5] = [100, 200, 400, 800, 1600];
 
 fn main() {
+    holes();
+    if std::env::args().any(|argument| argument == "holes") {
+        return;
+    }
     println!("optimal triangulation, one thread, least of several runs, milliseconds\n");
     print!("{:<16} {:<22}", "family", "method");
     SIZES.iter().for_each(|m| print!(" {:>9}", format!("m = {m}")));
@@ -43,6 +51,90 @@ fn main() {
             least_time(b, || solve(b, Method::Bridge, PlaneChoice::None, DEFAULT_FOLD))
         });
     }
+}
+
+/// Rings of two loops of 200 samples, and a bent panel of 4 × 8 with round windows in two rows, 200
+/// samples on its rim and 25 on each: time, and how far from the best the answer may be.
+fn holes() {
+    println!("domains with holes, one thread, least of three runs\n");
+    println!("{:<34} {:>9} {:>9} {:>9} {:>9}", "domain", "samples", "ν", "ms", "gap, %");
+    let circle = |radius: f64, z: f64| move |t: f64| [radius * cos(t), radius * sin(t), z];
+    let wild = |t: f64| [100.0 * cos(t) + 20.0 * cos(2.0 * t), 115.0 * sin(t), 20.0 * sin(3.0 * t)];
+    let rings = [
+        ("frustum", loops(200, &circle(100.0, 0.0), &[&circle(50.0, 80.0)], 200)),
+        ("cylinder, no plane", loops(200, &circle(100.0, 0.0), &[&circle(100.0, 80.0)], 200)),
+        ("far from developable", loops(200, &wild, &[&circle(40.0, 90.0)], 200)),
+    ];
+    type Bent = fn(f64, f64) -> [f64; 3];
+    let bent: [(&str, Bent); 3] = [
+        ("cylinder", |u, v| [4.0 * sin(u / 4.0), v, 4.0 * cos(u / 4.0)]),
+        ("waves both ways", |u, v| [u, v, 0.4 * sin(0.8 * u) * cos(0.9 * v)]),
+        ("saddle", |u, v| [u, v, 0.15 * u * v]),
+    ];
+    let rows = rings.into_iter().map(|(name, boundary)| (name.to_owned(), boundary));
+    let panels = bent.into_iter().flat_map(|(name, bent)| {
+        [2, 8].map(|windows| (format!("{name}, {windows} windows"), panel(bent, windows)))
+    });
+    for (name, boundary) in rows.chain(panels) {
+        for fold in [0.0, DEFAULT_FOLD] {
+            let plane = supporting_plane(&boundary, PlaneChoice::Auto).unwrap();
+            let price = PriceOptions { fold, ..Default::default() };
+            let options = TriangulateOptions { price, ..Default::default() };
+            let (mut least, mut gap) = (f64::INFINITY, None);
+            for _ in 0..3 {
+                let start = Instant::now();
+                let found = triangulate(&boundary, plane.as_ref(), &options, &mut Unwatched);
+                least = least.min(start.elapsed().as_secs_f64());
+                gap = found.unwrap().gap();
+            }
+            let gap = gap.map_or("unknown".to_owned(), |gap| format!("{:.2}", 100.0 * gap));
+            println!("{name:<34} {:>9} {fold:>9} {:>9.1} {gap:>9}", boundary.len(), least * 1e3);
+        }
+    }
+    println!();
+}
+
+/// A closed curve of a parameter that runs round once.
+type Closed<'a> = &'a dyn Fn(f64) -> [f64; 3];
+
+/// The boundary of an outer curve of m samples and holes of k, each a function of a parameter that
+/// runs round counter-clockwise.
+fn loops(m: usize, outer: Closed<'_>, holes: &[Closed<'_>], k: usize) -> Boundary {
+    let sampled = |n: usize, curve: Closed<'_>, backwards: bool| {
+        let at = |i: usize| {
+            let i = if backwards { n - i } else { i };
+            let [x, y, z] = curve(TAU * i as f64 / n as f64);
+            CurvePoint::smooth(Point3::new(x, y, z))
+        };
+        samples_from_points(&(0..n).map(at).collect::<Vec<_>>())
+    };
+    let holes = holes.iter().map(|hole| sampled(k, *hole, true));
+    Boundary::new(std::iter::once(sampled(m, outer, false)).chain(holes).collect()).unwrap()
+}
+
+/// A rectangle of 8 × 4 with round windows in two rows, bent.
+fn panel(bent: impl Fn(f64, f64) -> [f64; 3], windows: usize) -> Boundary {
+    let rim = |t: f64| {
+        // Round the rectangle from its lower left corner.
+        let s = 24.0 * t / TAU;
+        let (u, v) = match s {
+            s if s < 8.0 => (s - 4.0, -2.0),
+            s if s < 12.0 => (4.0, s - 10.0),
+            s if s < 20.0 => (16.0 - s, 2.0),
+            s => (-4.0, 22.0 - s),
+        };
+        bent(u, v)
+    };
+    let columns = windows.div_ceil(2) as f64;
+    let window = |n: usize| {
+        let (x, y) =
+            (((n / 2) as f64 + 0.5) / columns, if n.is_multiple_of(2) { -0.9 } else { 0.85 });
+        let bent = &bent;
+        move |t: f64| bent(8.0 * x - 4.0 + 0.6 * cos(t), y + 0.5 * sin(t))
+    };
+    let curves: Vec<_> = (0..windows).map(window).collect();
+    let holes: Vec<Closed<'_>> = curves.iter().map(|curve| curve as Closed<'_>).collect();
+    loops(200, &rim, &holes, 25)
 }
 
 fn solve(boundary: &Boundary, method: Method, plane: PlaneChoice, fold: f64) -> f64 {

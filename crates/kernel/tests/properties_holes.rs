@@ -309,7 +309,6 @@ fn the_watcher_may_stop() {
 }
 
 #[test]
-#[ignore = "rings and panels with holes report no progress yet"]
 fn the_watcher_sees_progress() {
     for (boundary, choice) in watched() {
         let plane = supporting_plane(&boundary, choice).unwrap();

@@ -23,7 +23,7 @@ use std::fmt;
 /// Which triangulations are looked at.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Method {
-    /// All of them: equation (5). O(m³) time, O(m²) memory.
+    /// All of them: equation (5). O(m³) time, O(m²) memory; with holes, see `docs/holes.md`.
     #[default]
     Optimal,
     /// Those whose every triangle has an edge of the boundary: equations (3) and (4). O(m²) both.
@@ -44,7 +44,8 @@ pub struct TriangulateOptions {
     pub method: Method,
     /// How they are priced.
     pub price: PriceOptions,
-    /// The most memory that tables may take, bytes. Default 4 GiB: `Optimal` up to 11,000 samples.
+    /// The most memory that tables may take, bytes. Default 4 GiB: `Optimal` up to 11,000 samples
+    /// without holes.
     pub memory_limit: u64,
 }
 
@@ -57,9 +58,10 @@ impl Default for TriangulateOptions {
 /// A triangulation and how good it is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Triangulation {
-    /// Its rungs, in increasing order; m − 3 for a loop of m samples.
+    /// Its rungs, in increasing order; m + 3 h − 3 for m samples and h holes.
     pub rungs: Vec<Rung>,
-    /// Its triangles, corners in the order of the boundary; m − 2 of them, in increasing order.
+    /// Its triangles, corners counter-clockwise as seen from the side that the surface faces, the
+    /// lowest first (on one loop: in its order); m + 2 h − 2 of them, in increasing order.
     pub triangles: Vec<[SampleIndex; 3]>,
     /// Π: what was minimised, without unit; below [`EXACT_BELOW`] an exact multiple of
     /// [`crate::cost::QUANTUM`].

@@ -16,7 +16,6 @@
 //!    of it. The bound never falls.
 //! 4. A triangle that is left with more than the gap belongs to no cheaper triangulation and is
 //!    dropped.
-//!
 //! 5. Every triangulation has the same number of triangles, so that any amount may be taken off all
 //!    of them alike. Without a plane that is needed: a lid over each hole, and the panel closed
 //!    behind it, has fewer.

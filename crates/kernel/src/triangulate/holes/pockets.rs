@@ -211,7 +211,7 @@ impl Pockets {
     }
 }
 
-/// The least of first + second + F below `below`, element by element, and where it first is. F is
+/// The least of first + second + F below `below`, element by element, and where it is. F is
 /// never negative and dear, so it is worked out only where the sum does not decide.
 #[inline]
 pub(super) fn least_of(
@@ -233,6 +233,13 @@ pub(super) fn least_of(
             }
         }
     };
+    // The shortest step and the first one are good guesses, and spare most of the others their F.
+    if let [a, .., b] = first
+        && let [c, .., d] = second
+    {
+        look(first.len() - 1, b + d, &mut least);
+        look(0, a + c, &mut least);
+    }
     for (block, (a, b)) in first_blocks.iter().zip(second_blocks).enumerate() {
         let mut some = false;
         for n in 0..LANES {
