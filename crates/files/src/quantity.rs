@@ -54,7 +54,7 @@ fn finite(number: f64) -> Option<f64> {
 }
 
 fn unit_of(name: &str) -> Option<Units> {
-    match name {
+    match &name.to_ascii_lowercase()[..] {
         "\"" | "″" | "”" | "''" | "inch" | "inches" => Some(Units::Inches),
         "'" | "′" | "’" | "foot" | "feet" => Some(Units::Feet),
         name => Units::from_name(name),
@@ -83,14 +83,14 @@ fn terms(text: &str) -> Option<(f64, Vec<(f64, &str)>)> {
     (!terms.is_empty()).then_some((sign, terms))
 }
 
-/// The number that a text begins with, and the rest: `3/4`, `15 3/4`, `0.4`, `1e3`.
+/// The number that a text begins with, and the rest: `3/4`, `15 3/4`, `15-3/4`, `0.4`, `1e3`.
 fn number(text: &str) -> Option<(f64, &str)> {
     let (first, rest) = decimal(text)?;
     if let Some(below) = rest.strip_prefix('/') {
         return fraction(first, below);
     }
-    // A whole number may have a fraction behind it.
-    let behind = rest.trim_start();
+    // A whole number may have a fraction behind it, after a space or a hyphen.
+    let behind = rest.strip_prefix('-').unwrap_or(rest).trim_start();
     if behind.len() < rest.len()
         && let Some((over, slash)) = decimal(behind)
         && let Some(below) = slash.strip_prefix('/')
@@ -141,6 +141,8 @@ mod tests {
             (".4m", 400.0),
             ("4e2", 400.0),
             ("15 3/4in", 400.05),
+            ("15-3/4in", 400.05),
+            ("400MM", 400.0),
             ("15 3/4\"", 400.05),
             ("15.75 inches", 400.05),
             ("3/4in", 19.05),

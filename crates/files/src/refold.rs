@@ -5,7 +5,9 @@ use crate::read_back::{PatternReadError, ReadPattern};
 use crate::svg::{read_svg, write_svg};
 use sheetwright::design::MadePanel;
 use sheetwright::flatten::{RefoldError, refold};
+use sheetwright::math::Point2;
 use sheetwright::rung::Rung;
+use sheetwright::tolerance::Tolerance;
 use std::fmt;
 
 /// Why a written pattern could not be folded up again.
@@ -15,6 +17,11 @@ pub enum RefoldFileError {
     Read(PatternReadError),
     /// Its outline and holes are not those of the panel.
     Lines,
+    /// A point of its outline or of a hole is not where it was laid.
+    Moved {
+        /// By how much, mm.
+        by_mm: f64,
+    },
     /// It can't be folded.
     Fold(RefoldError),
 }
@@ -25,6 +32,9 @@ impl fmt::Display for RefoldFileError {
             Self::Read(error) => write!(f, "the written pattern can't be read: {error}"),
             Self::Lines => {
                 write!(f, "the written pattern has another outline or other holes than the panel")
+            }
+            Self::Moved { by_mm } => {
+                write!(f, "the written pattern has a point that is {by_mm:.6} mm off")
             }
             Self::Fold(error) => write!(f, "the written pattern can't be folded: {error}"),
         }
@@ -60,8 +70,15 @@ pub fn refold_error_mm(
         if !lines.eq(sheet.connectivity().loops().iter().map(ExactSizeIterator::len)) {
             return Err(RefoldFileError::Lines);
         }
+        let off = |(read, laid): (&Point2, &Point2)| read.distance(*laid);
+        let by_mm = pattern.points().iter().zip(&panel.flat.points).map(off).fold(0.0, f64::max);
         let error_mm =
             refold(sheet, &pattern.points(), &pattern.rungs).map_err(RefoldFileError::Fold)?;
+        // Where closing holes lets folding miss, that must not hide a point that has moved.
+        let allowed_mm = Tolerance::REFOLD.length_mm(panel.boundary.size());
+        if by_mm > allowed_mm && error_mm <= known_miss_mm(panel) + allowed_mm {
+            return Err(RefoldFileError::Moved { by_mm });
+        }
         // Unlike `max`, this keeps NaN.
         Ok(if error_mm > worst || error_mm.is_nan() { error_mm } else { worst })
     })

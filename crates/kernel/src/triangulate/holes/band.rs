@@ -24,12 +24,12 @@
 //!    that count their steps and turns.
 
 use super::super::{Found, Side, Solved, TriangulateError};
-use super::chains::{Chains, Spot, in_sector};
+use super::chains::{Chains, Spot};
+use super::cover::{Along, BandWalk, Count, Grid, Least, Pair, Starts, before};
 use super::pockets::{Pockets, Walk, least_of};
+use super::winding::Winding;
 use super::{Part, search};
 use crate::cost::QUANTUM;
-use crate::math::Point2;
-use crate::predicate::orientation;
 use crate::watch::Watch;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -91,9 +91,6 @@ pub(super) fn solve(
         .map(|walk| Solved { price: walk.price, triangles: band.triangles(&walk) }))
 }
 
-/// A pair of places on the cover: an outer and an inner one.
-type Pair = (usize, i64);
-
 /// A rung that may join the chains.
 #[derive(Clone, Copy)]
 struct Join {
@@ -110,94 +107,6 @@ struct Band<'c, 'a> {
     joins: Vec<Join>,
     outer_pockets: Pockets,
     inner_pockets: Pockets,
-}
-
-/// A set of starts: outer places and inner places on the cover, both ends included.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct Starts {
-    outer: (usize, usize),
-    inner: (i64, i64),
-}
-
-/// A walk from a start to the image of an end.
-struct BandWalk {
-    price: f64,
-    /// The pairs from the start to the one before the last step, which jumps over the edge before
-    /// o along the chain with m places.
-    pairs: Vec<Pair>,
-    /// Where the last step arrives, less one round.
-    end: Pair,
-    m: usize,
-    k: i64,
-}
-
-impl BandWalk {
-    fn start(&self) -> Pair {
-        self.pairs[0]
-    }
-
-    fn closes(&self) -> bool {
-        self.start() == self.end
-    }
-
-    /// All pairs, the end included, on the cover.
-    fn steps(&self) -> impl Iterator<Item = [Pair; 2]> + '_ {
-        let last = (self.end.0 + self.m, self.end.1 + self.k);
-        let next = self.pairs[1..].iter().copied().chain(std::iter::once(last));
-        self.pairs.iter().copied().zip(next).map(|(from, to)| [from, to])
-    }
-
-    /// Whether a closed walk uses no rung twice.
-    fn is_simple(&self) -> bool {
-        let count = self.steps().fold(Count::START, |count, [from, to]| {
-            count.after(if from.1 == to.1 { Along::Outer } else { Along::Inner })
-        });
-        count.is_simple()
-    }
-}
-
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Along {
-    Outer,
-    Inner,
-}
-
-/// The steps of a walk along both chains, up to three, and its turns from one to the other, up to
-/// four or five. A walk begins after a step along the outer chain, its last.
-#[derive(Clone, Copy)]
-struct Count {
-    outer: usize,
-    inner: usize,
-    turns: usize,
-}
-
-impl Count {
-    const START: Self = Self { outer: 0, inner: 0, turns: 0 };
-    const ALL: usize = 4 * 4 * 6;
-
-    fn after(self, along: Along) -> Self {
-        let last = if self.turns.is_multiple_of(2) { Along::Outer } else { Along::Inner };
-        let turns = match self.turns + usize::from(along != last) {
-            6 => 4,
-            turns => turns,
-        };
-        match along {
-            Along::Outer => Self { outer: (self.outer + 1).min(3), turns, ..self },
-            Along::Inner => Self { inner: (self.inner + 1).min(3), turns, ..self },
-        }
-    }
-
-    fn is_simple(self) -> bool {
-        self.outer == 3 && self.inner == 3 && self.turns >= 4
-    }
-
-    fn number(self) -> usize {
-        (self.outer * 4 + self.inner) * 6 + self.turns
-    }
-
-    fn of_number(number: usize) -> Self {
-        Self { outer: number / 24, inner: number / 6 % 4, turns: number % 6 }
-    }
 }
 
 /// A set of starts waiting to be halved; the cheapest first.
@@ -226,62 +135,6 @@ impl PartialEq for Open {
 }
 
 impl Eq for Open {}
-
-/// How rungs wind round the hole of a band on a supporting plane.
-struct Winding<'c, 'a> {
-    chains: &'c Chains<'a>,
-    /// The reference cut, and where it lies.
-    o: Spot,
-    e: Spot,
-    points: &'c dyn Fn(usize) -> Point2,
-}
-
-impl Winding<'_, '_> {
-    /// Whether a rung from o or e leaves in front of the cut, as the band is walked, rather than
-    /// behind it.
-    fn leaves_in_front(&self, from: Spot, to: usize) -> bool {
-        let own = (self.points)(self.chains.sample(from));
-        let next = (self.points)(self.chains.next(from));
-        let across = if from == self.o { self.e } else { self.o };
-        let along_cut = (self.points)(self.chains.sample(across));
-        let between = in_sector(own, next, along_cut, (self.points)(to));
-        // The boundary goes with the walk at o and against it at e.
-        between == (from == self.o)
-    }
-
-    fn crosses(&self, a: usize, b: usize) -> bool {
-        let cut = [self.o, self.e].map(|spot| self.chains.sample(spot));
-        self.chains.crosses([a, b], cut)
-    }
-
-    /// How often the inner place of a joining rung winds round the hole.
-    fn of_join(&self, p: Spot, q: Spot) -> i8 {
-        let [a, b] = [p, q].map(|spot| self.chains.sample(spot));
-        match (p == self.o, q == self.e) {
-            (true, true) => 0,
-            (true, false) => -i8::from(!self.leaves_in_front(p, b)),
-            (false, true) => i8::from(!self.leaves_in_front(q, a)),
-            (false, false) if !self.crosses(a, b) => 0,
-            (false, false) => {
-                let [o, e] = [self.o, self.e].map(|spot| (self.points)(self.chains.sample(spot)));
-                // To the right of the cut lies what is in front of it.
-                if orientation(o, e, (self.points)(a)) == Ordering::Less { -1 } else { 1 }
-            }
-        }
-    }
-
-    /// Whether the rung between two places of a walk that begins at o or e closes off the run from
-    /// the first on to the second.
-    fn closes(&self, walk: &Walk, s: usize, q: usize) -> bool {
-        let (low, high) = (s.min(q), s.max(q));
-        let over_cut = if low == 0 {
-            !self.leaves_in_front(walk.spots[0], walk.samples[high])
-        } else {
-            self.crosses(walk.samples[low], walk.samples[high])
-        };
-        (s > q) == over_cut
-    }
-}
 
 impl<'c, 'a> Band<'c, 'a> {
     fn new(
@@ -644,17 +497,6 @@ impl<'c, 'a> Band<'c, 'a> {
     }
 }
 
-/// The counts from which one step leads to a count, with the chain that the step runs along.
-fn before(count: Count) -> impl Iterator<Item = (usize, Along)> {
-    (0..Count::ALL).flat_map(move |number| {
-        let from = Count::of_number(number);
-        [Along::Outer, Along::Inner]
-            .into_iter()
-            .filter(move |&along| from.after(along).number() == count.number())
-            .map(move |along| (number, along))
-    })
-}
-
 /// The joining rung that is allowed and shortest; of equals, the first.
 fn shortest_join(chains: &Chains<'_>) -> Option<(Spot, Spot)> {
     let mut best: Option<(f64, (Spot, Spot))> = None;
@@ -669,87 +511,4 @@ fn shortest_join(chains: &Chains<'_>) -> Option<(Spot, Spot)> {
         }
     }
     best.map(|(_, pair)| pair)
-}
-
-impl Starts {
-    fn contain(&self, (p, a): Pair) -> bool {
-        (self.outer.0..=self.outer.1).contains(&p) && (self.inner.0..=self.inner.1).contains(&a)
-    }
-
-    /// Two sets, one with each of two different pairs.
-    fn halved(self, one: Pair, other: Pair) -> [Self; 2] {
-        let mut halves = [self, self];
-        if one.1 == other.1 {
-            let middle = usize::midpoint(one.0, other.0);
-            halves[0].outer.1 = middle;
-            halves[1].outer.0 = middle + 1;
-        } else {
-            let middle = one.1.min(other.1) + (one.1 - other.1).abs() / 2;
-            halves[0].inner.1 = middle;
-            halves[1].inner.0 = middle + 1;
-        }
-        halves
-    }
-}
-
-/// The part of the cover that paths from some starts pass.
-struct Grid {
-    first: Pair,
-    columns: usize,
-    rows: usize,
-}
-
-impl Grid {
-    fn new(starts: &Starts, m: usize, k: i64) -> Self {
-        Self {
-            first: (starts.outer.0, starts.inner.0),
-            columns: m - starts.outer.0,
-            rows: (starts.inner.1 - starts.inner.0 + k + 1) as usize,
-        }
-    }
-
-    fn pair(&self, c: usize, r: usize) -> Pair {
-        (self.first.0 + c, self.first.1 + r as i64)
-    }
-
-    fn row_of(&self, a: i64) -> usize {
-        (a - self.first.1) as usize
-    }
-
-    fn cells(&self) -> usize {
-        self.columns * self.rows
-    }
-
-    fn cell(&self, (c, r): (usize, usize)) -> usize {
-        c * self.rows + r
-    }
-}
-
-/// The least price of a path to each pair, by rows and by columns.
-struct Least {
-    rows: Vec<f64>,
-    columns: Vec<f64>,
-}
-
-impl Least {
-    fn new(grid: &Grid) -> Self {
-        Self { rows: vec![f64::INFINITY; grid.cells()], columns: vec![f64::INFINITY; grid.cells()] }
-    }
-
-    fn set(&mut self, grid: &Grid, (c, r): (usize, usize), price: f64) {
-        self.rows[r * grid.columns + c] = price;
-        self.columns[c * grid.rows + r] = price;
-    }
-
-    fn at(&self, grid: &Grid, (c, r): (usize, usize)) -> f64 {
-        self.columns[c * grid.rows + r]
-    }
-
-    fn row(&self, grid: &Grid, r: usize) -> &[f64] {
-        &self.rows[r * grid.columns..][..grid.columns]
-    }
-
-    fn column(&self, grid: &Grid, c: usize) -> &[f64] {
-        &self.columns[c * grid.rows..][..grid.rows]
-    }
 }

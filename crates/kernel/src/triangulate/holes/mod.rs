@@ -3,10 +3,12 @@
 mod band;
 mod bound;
 mod chains;
+mod cover;
 mod pockets;
 mod polygon;
 mod prove;
 mod search;
+mod winding;
 
 use super::Found;
 use super::Method;
