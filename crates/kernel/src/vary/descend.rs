@@ -1,0 +1,132 @@
+//! Spectral projected gradient (Birgin, Martínez and Raydan 2000): steps as long as the last change
+//! of the slopes suggests (Barzilai and Borwein), projected on the limits, along which the value must
+//! fall below the largest of the last few.
+
+use super::limit::Limit;
+use crate::math::Vec3;
+
+/// How many values back a step is compared with.
+const MEMORY: usize = 8;
+/// How much of the fall that the slopes promise a step must keep (Armijo).
+const KEPT: f64 = 1e-4;
+/// How often a step is shortened.
+const SHORTENED: usize = 25;
+/// Lengths of steps, mm² a unit of value, are held within this factor of the first either way.
+const STEP_RANGE: f64 = 1e12;
+/// The first step moves the farthest unknown by this share of what it may.
+const FIRST_MOVE: f64 = 0.01;
+/// A step below this share of what may be moved is none.
+const NO_MOVE: f64 = 1e-9;
+
+/// How a descent ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum DescentEnd {
+    /// No direction within the limits goes down any more, but for rounding, or none was found.
+    Converged,
+    /// All steps are used.
+    Steps,
+    /// Asked to stop.
+    Stopped,
+}
+
+/// The best point of a descent.
+pub(super) struct Descent {
+    pub(super) point: Vec<Vec3>,
+    pub(super) value: f64,
+    pub(super) first_value: f64,
+    pub(super) end: DescentEnd,
+}
+
+/// Descends from `start`, which obeys the limit, by at most so many steps. `value` gives the value
+/// at a point and fills in its slopes; it may be infinite, where nothing can be.
+pub(super) fn descend(
+    start: &[Vec3],
+    limit: &Limit,
+    steps: usize,
+    value: &mut dyn FnMut(&[Vec3], &mut [Vec3]) -> f64,
+    stop: &dyn Fn() -> bool,
+) -> Descent {
+    let count = start.len();
+    let mut at = start.to_vec();
+    let mut slopes = vec![Vec3::ZERO; count];
+    let mut here = value(&at, &mut slopes);
+    let first_value = here;
+    let mut best = (here, at.clone());
+    let reach = limit.farthest_mm();
+    let steepest = farthest(&slopes);
+    let ended =
+        |best: (f64, Vec<Vec3>), end| Descent { value: best.0, point: best.1, first_value, end };
+    if !(steepest > 0.0 && reach > 0.0 && here.is_finite()) {
+        return ended(best, DescentEnd::Converged);
+    }
+    let first_length = FIRST_MOVE * reach / steepest;
+    let mut length = first_length;
+    let mut recent = vec![here];
+    let mut direction = vec![Vec3::ZERO; count];
+    let mut trial = at.clone();
+    let mut trial_slopes = slopes.clone();
+    for _ in 0..steps {
+        if stop() {
+            return ended(best, DescentEnd::Stopped);
+        }
+        for n in 0..count {
+            direction[n] = at[n] - slopes[n] * length;
+        }
+        limit.project(&mut direction);
+        for n in 0..count {
+            direction[n] -= at[n];
+        }
+        let promised = dot(&slopes, &direction);
+        if farthest(&direction) <= NO_MOVE * reach || promised >= 0.0 {
+            return ended(best, DescentEnd::Converged);
+        }
+        let bar = recent.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let mut share = 1.0;
+        let mut found = None;
+        for _ in 0..SHORTENED {
+            for n in 0..count {
+                trial[n] = at[n] + direction[n] * share;
+            }
+            let there = value(&trial, &mut trial_slopes);
+            if there <= bar + KEPT * share * promised {
+                found = Some(there);
+                break;
+            }
+            // Where the parabola through both values has its least, within reason.
+            let curved = there - here - share * promised;
+            let least = -0.5 * promised * share * share / curved;
+            let within = least.is_finite() && least > 0.1 * share && least < 0.5 * share;
+            share = if within { least } else { 0.5 * share };
+        }
+        let Some(there) = found else { return ended(best, DescentEnd::Converged) };
+        let (mut moved, mut turned) = (0.0, 0.0);
+        for n in 0..count {
+            let step = trial[n] - at[n];
+            moved += step.length_squared();
+            turned += step.dot(trial_slopes[n] - slopes[n]);
+        }
+        let longest = first_length * STEP_RANGE;
+        length = if turned > 0.0 { moved / turned } else { longest };
+        length = length.clamp(first_length / STEP_RANGE, longest);
+        std::mem::swap(&mut at, &mut trial);
+        std::mem::swap(&mut slopes, &mut trial_slopes);
+        here = there;
+        if here < best.0 {
+            best = (here, at.clone());
+        }
+        if recent.len() == MEMORY {
+            recent.remove(0);
+        }
+        recent.push(here);
+    }
+    ended(best, DescentEnd::Steps)
+}
+
+fn dot(a: &[Vec3], b: &[Vec3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a.dot(*b)).sum()
+}
+
+/// The length of the longest.
+fn farthest(list: &[Vec3]) -> f64 {
+    list.iter().map(|way| way.length()).fold(0.0, f64::max)
+}
