@@ -1,5 +1,5 @@
-//! Spectral projected gradient (Birgin, Martínez and Raydan 2000): steps as long as the last change
-//! of the slopes suggests (Barzilai and Borwein), projected on the limits, along which the value must
+//! Spectral projected gradient, \[BMR00\]: steps as long as the last change of the slopes suggests
+//! (Barzilai and Borwein), projected on the limits, along which the value must
 //! fall below the largest of the last few.
 
 use super::limit::Limit;
@@ -11,12 +11,19 @@ const MEMORY: usize = 8;
 const KEPT: f64 = 1e-4;
 /// How often a step is shortened.
 const SHORTENED: usize = 25;
-/// Lengths of steps, mm² a unit of value, are held within this factor of the first either way.
-const STEP_RANGE: f64 = 1e12;
+/// No step would move an unknown by more than this many times what it may: beyond, projections lose
+/// digits and gain nothing.
+const LONGEST_MOVE: f64 = 1e3;
 /// The first step moves the farthest unknown by this share of what it may.
 const FIRST_MOVE: f64 = 0.01;
 /// A step below this share of what may be moved is none.
 const NO_MOVE: f64 = 1e-9;
+
+/// A descent ends when this many steps,
+const PATIENCE: usize = 20;
+/// together, have lowered the best value by less than this share of it: the triangulation changes
+/// before more can be told.
+const LEAST_FALL: f64 = 1e-4;
 
 /// How a descent ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,13 +66,13 @@ pub(super) fn descend(
     if !(steepest > 0.0 && reach > 0.0 && here.is_finite()) {
         return ended(best, DescentEnd::Converged);
     }
-    let first_length = FIRST_MOVE * reach / steepest;
-    let mut length = first_length;
+    let mut length = FIRST_MOVE * reach / steepest;
     let mut recent = vec![here];
     let mut direction = vec![Vec3::ZERO; count];
     let mut trial = at.clone();
     let mut trial_slopes = slopes.clone();
-    for _ in 0..steps {
+    let mut milestone = here;
+    for step in 1..=steps {
         if stop() {
             return ended(best, DescentEnd::Stopped);
         }
@@ -105,11 +112,14 @@ pub(super) fn descend(
             moved += step.length_squared();
             turned += step.dot(trial_slopes[n] - slopes[n]);
         }
-        let longest = first_length * STEP_RANGE;
-        length = if turned > 0.0 { moved / turned } else { longest };
-        length = length.clamp(first_length / STEP_RANGE, longest);
         std::mem::swap(&mut at, &mut trial);
         std::mem::swap(&mut slopes, &mut trial_slopes);
+        let steepest = farthest(&slopes);
+        if steepest == 0.0 {
+            return ended(if there < best.0 { (there, at) } else { best }, DescentEnd::Converged);
+        }
+        let longest = LONGEST_MOVE * reach / steepest;
+        length = if turned > 0.0 { (moved / turned).min(longest) } else { longest };
         here = there;
         if here < best.0 {
             best = (here, at.clone());
@@ -118,6 +128,12 @@ pub(super) fn descend(
             recent.remove(0);
         }
         recent.push(here);
+        if step % PATIENCE == 0 {
+            if milestone - best.0 <= LEAST_FALL * best.0.abs() {
+                return ended(best, DescentEnd::Converged);
+            }
+            milestone = best.0;
+        }
     }
     ended(best, DescentEnd::Steps)
 }

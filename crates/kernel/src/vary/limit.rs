@@ -91,6 +91,8 @@ impl Limit {
         assert_eq!(self.len(), displacements.len(), "one displacement an unknown");
         match self {
             Self::Budget { total_mm, weights } => {
+                // Twice, since what is very long loses the digits that the budget is counted in.
+                project_on_budget(displacements, weights, *total_mm);
                 project_on_budget(displacements, weights, *total_mm);
             }
             Self::Each { radii_mm } => {

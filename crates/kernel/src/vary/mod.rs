@@ -29,6 +29,7 @@ mod descend;
 mod limit;
 mod motion;
 mod reach;
+mod sampling;
 mod state;
 mod value;
 
@@ -36,11 +37,9 @@ pub use limit::Limit;
 pub use motion::{Lean, Motion, Share, control_shares, motions, motions_of_samples};
 
 use crate::boundary::{Boundary, BoundaryError, PlaneChoice, PlaneError, SupportingPlane};
-use crate::cost::{Piece, Prices, TwistForm};
+use crate::cost::{Piece, TwistForm};
 use crate::math::{Vec3, to_deg};
-use crate::measure::rung_measures;
 use crate::rung::Rung;
-use crate::surface::{Connectivity, Surface};
 use crate::triangulate::{TriangulateError, TriangulateOptions, Triangulation};
 use crate::watch::Watch;
 use descend::{DescentEnd, descend};
@@ -93,9 +92,9 @@ pub struct VaryOptions {
     pub rounds: usize,
     /// Steps between two triangulations at the most. Default 200.
     pub steps: usize,
-    /// Whether boundaries stay as they are where the sampling explains every warp angle (see
-    /// [`crate::measure::RungMeasures::resolution`]): they are developable already, as far as the
-    /// samples tell. Default true.
+    /// Whether boundaries stay as they are where the sampling explains every warp angle, as the
+    /// sheet bends by as much from one sample to the next: they are developable already, as far as
+    /// the samples tell. Default true.
     pub leave_developable: bool,
 }
 
@@ -124,7 +123,9 @@ pub enum Ended {
     Closest {
         /// The goal, radians.
         wanted: f64,
-        /// The largest warp angle, radians.
+        /// The largest warp angle at the start, radians.
+        before: f64,
+        /// The largest warp angle that was reached, radians.
         reached: f64,
         /// The rungs above the goal, with the numbers of their panels.
         resisting: Vec<(usize, Rung)>,
@@ -140,18 +141,24 @@ impl fmt::Display for Ended {
             Self::Rounds => write!(f, "all rounds are used; more would gain more"),
             Self::Stopped => write!(f, "stopped on the way"),
             Self::Reached => write!(f, "every rung is within the angle asked for"),
-            Self::Closest { wanted, reached, resisting } => {
+            Self::Closest { wanted, before, reached, resisting } => {
                 let (count, verb) = match resisting.len() {
                     1 => ("1 rung".to_owned(), "stays"),
                     n => (format!("{n} rungs"), "stay"),
                 };
-                write!(
-                    f,
-                    "{count} {verb} above {:.1}°: within the limits, the largest warp angle comes \
-                     down to {:.1}° and no further",
-                    to_deg(*wanted),
-                    to_deg(*reached)
-                )
+                let [wanted, before, reached] = [wanted, before, reached].map(|a| to_deg(*a));
+                write!(f, "{count} {verb} above {wanted:.1}°: within the limits, ")?;
+                if reached < before {
+                    write!(
+                        f,
+                        "the largest warp angle comes down from {before:.1}° to {reached:.1}°"
+                    )
+                } else {
+                    write!(
+                        f,
+                        "nothing was found that lowers the largest warp angle of {before:.1}°"
+                    )
+                }
             }
         }
     }
@@ -303,14 +310,15 @@ pub fn vary(
     };
     let warp_max_before = start.warp_max();
     let mut way = Way { panels, options, prices: vec![start.price], twists: vec![start.twist] };
-    let (state, ended) = if within || (options.leave_developable && is_developable(&start)) {
-        (start, Ended::NothingToDo)
-    } else {
-        match options.goal {
-            Goal::Price => least_price(&mut way, start, limit, watch),
-            Goal::Warp { largest } => reach::reach(&mut way, start, limit, largest, watch),
-        }
-    };
+    let (state, ended) =
+        if within || (options.leave_developable && start.panels.iter().all(sampling::explains)) {
+            (start, Ended::NothingToDo)
+        } else {
+            match options.goal {
+                Goal::Price => least_price(&mut way, start, limit, watch),
+                Goal::Warp { largest } => reach::reach(&mut way, start, limit, largest, watch),
+            }
+        };
     Ok(varied(panels, state, ended, way, warp_max_before))
 }
 
@@ -400,20 +408,6 @@ fn refuse(panels: &[VaryPanel<'_>], limit: &Limit, options: &VaryOptions) -> Res
         }
     }
     Ok(())
-}
-
-/// Whether the sampling explains every warp angle.
-fn is_developable(state: &State) -> bool {
-    state.panels.iter().all(|panel| {
-        let triangles = panel.triangulation.triangles.clone();
-        let Ok(connectivity) = Connectivity::new(panel.boundary.loops(), triangles) else {
-            return false;
-        };
-        let surface = Surface::new(connectivity, panel.boundary.positions());
-        let options = crate::cost::PriceOptions::default();
-        let prices = Prices::new(&panel.boundary, panel.plane.as_ref(), options);
-        rung_measures(&surface, &prices).iter().all(|rung| rung.warp_beyond_sampling() == 0.0)
-    })
 }
 
 /// Equation (6): alternates descents and triangulations while the true price falls.

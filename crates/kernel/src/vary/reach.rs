@@ -9,11 +9,13 @@ use crate::watch::Watch;
 /// Descents aim this share below the angle, so that squares of excess, which press less the less is
 /// left, come below it.
 const AIM: f64 = 0.98;
-/// What excess counts beside the price at first, and how much more from round to round: a rung a
-/// tenth of a radian too far counts like its own price, then like that of its panel.
-const FIRST_WEIGHT: f64 = 10.0;
+/// What excess counts beside the price at first, about as much as twist, and how much more when that
+/// helps no further, up to where a rung a hundredth of a degree too far outweighs most panels.
+const FIRST_WEIGHT: f64 = 1.0;
 const HEAVIER: f64 = 10.0;
 const HEAVIEST: f64 = 1e6;
+/// A round that gains less than this share is the last with its weight.
+const WORTH_ANOTHER: f64 = 0.2;
 /// The displacements are as small as they get when the bisection is within this share of them.
 const CLOSE_ENOUGH: f64 = 0.03;
 /// Bisections of the limit at the most.
@@ -38,15 +40,16 @@ pub(super) fn reach(
 ) -> (State, Ended) {
     let goal = Goal::Warp { largest };
     let rounds = way.options.rounds;
-    let (mut state, attempt) = come_below(way, start.clone(), limit, goal, rounds, watch);
+    let before = start.warp_max();
+    let (mut state, attempt) = come_below(way, start, limit, goal, rounds, watch);
     match attempt {
         Attempt::Stopped => return (state, Ended::Stopped),
         Attempt::Above => {
             let reached = state.warp_max();
             let resisting = state.above(largest);
-            return (state, Ended::Closest { wanted: largest, reached, resisting });
+            return (state, Ended::Closest { wanted: largest, before, reached, resisting });
         }
-        Attempt::Within => {}
+        Attempt::Within => way.note(&state),
     }
     let (mut too_small, mut enough) = (0.0, limit.used(&state.unknowns));
     for bisection in 0..BISECTIONS {
@@ -76,9 +79,10 @@ pub(super) fn reach(
 }
 
 /// Descends with growing weight of the excess until no warp angle is above the goal's; takes a step
-/// only if the true excess falls.
+/// only if the true price and excess, so weighed, fall. Where the goal is not reached, what came
+/// nearest is kept, which may be the start.
 fn come_below(
-    way: &mut Way<'_>,
+    way: &Way<'_>,
     start: State,
     limit: &Limit,
     goal: Goal,
@@ -88,6 +92,7 @@ fn come_below(
     let Goal::Warp { largest } = goal else { return (start, Attempt::Within) };
     let aim = Goal::Warp { largest: AIM * largest };
     let mut weight = FIRST_WEIGHT;
+    let mut nearest = start.clone();
     let mut state = start;
     for _ in 0..rounds {
         if state.warp_max() <= largest {
@@ -95,18 +100,32 @@ fn come_below(
         }
         let descent = way.descend(&state, limit, aim, weight, watch);
         if descent.end == DescentEnd::Stopped {
-            return (state, Attempt::Stopped);
+            return (nearest, Attempt::Stopped);
         }
-        let before = state.excess(goal);
-        let accepted = |next: &State| next.excess(goal) < before;
-        match way.first_accepted(&state, &descent.point, accepted, watch) {
-            Err(_) => return (state, Attempt::Stopped),
-            Ok(Some(next)) => state = next,
-            Ok(None) if weight >= HEAVIEST => break,
-            Ok(None) => {}
+        let merit = |state: &State| state.price + weight * state.excess(aim);
+        let before = merit(&state);
+        let accepted = |next: &State| merit(next) < before;
+        let (gained, stuck) = match way.first_accepted(&state, &descent.point, accepted, watch) {
+            Err(_) => return (nearest, Attempt::Stopped),
+            Ok(None) => (0.0, weight >= HEAVIEST),
+            Ok(Some(next)) => {
+                let gained = before - merit(&next);
+                state = next;
+                (gained, false)
+            }
+        };
+        if state.warp_max() < nearest.warp_max() {
+            nearest = state.clone();
         }
-        weight = (weight * HEAVIER).min(HEAVIEST);
+        if stuck {
+            break;
+        }
+        if gained < WORTH_ANOTHER * before {
+            weight = (weight * HEAVIER).min(HEAVIEST);
+        }
     }
-    let attempt = if state.warp_max() <= largest { Attempt::Within } else { Attempt::Above };
-    (state, attempt)
+    if state.warp_max() <= largest {
+        return (state, Attempt::Within);
+    }
+    (nearest, Attempt::Above)
 }
