@@ -7,7 +7,8 @@ use sheetwright::curve::CurvePoint;
 use sheetwright::math::{Point3, cos, from_deg, sin, to_deg};
 use sheetwright::triangulate::{TriangulateOptions, triangulate};
 use sheetwright::vary::{
-    Ended, Goal, Limit, Motion, Varied, VaryError, VaryOptions, VaryPanel, motions_of_samples, vary,
+    Ended, Goal, Limit, Motion, Varied, VaryError, VaryOptions, VaryPanel, control_shares,
+    counted_shares, motions, motions_of_samples, vary,
 };
 use sheetwright::watch::{Unwatched, Watch};
 use sheetwright_shapes::developable::blobs;
@@ -136,9 +137,8 @@ fn a_strip_twisted_by_a_right_angle_says_how_close_it_came() {
     }
 }
 
-#[test]
-fn a_warp_angle_is_reached_by_small_displacements() {
-    // A wave round a circle, three times up and down.
+/// A wave round a circle, three times up and down.
+fn wave() -> Boundary {
     let points: Vec<CurvePoint> = (0..60)
         .map(|i| {
             let angle = std::f64::consts::TAU * f64::from(i) / 60.0;
@@ -146,7 +146,12 @@ fn a_warp_angle_is_reached_by_small_displacements() {
             CurvePoint::smooth(Point3::new(100.0 * cos(angle), 100.0 * sin(angle), height))
         })
         .collect();
-    let boundary = Boundary::new(vec![samples_from_points(&points)]).unwrap();
+    Boundary::new(vec![samples_from_points(&points)]).unwrap()
+}
+
+#[test]
+fn a_warp_angle_is_reached_by_small_displacements() {
+    let boundary = wave();
     let radius_mm = 0.05 * boundary.size();
     let still = VaryOptions { leave_developable: false, ..Default::default() };
     let before = varied(&boundary, 0.0, &still);
@@ -164,6 +169,33 @@ fn a_warp_angle_is_reached_by_small_displacements() {
     assert_eq!(found.ended, Ended::Reached);
     assert!(found.warp_max <= largest);
     assert!(found.moved_max_mm > 0.0 && found.moved_max_mm < 0.5 * radius_mm);
+}
+
+#[test]
+fn a_budget_for_samples_holds_for_control_points() {
+    let boundary = wave();
+    let m = boundary.len();
+    // The first half of the loop follows eight control points, the rest is fixed.
+    let shares = |i: usize| match i {
+        0..=30 => control_shares(i as f64 / 30.0, 0, 8),
+        _ => Vec::new(),
+    };
+    let motions = motions(&boundary, (0..m).map(shares).collect());
+    let total_mm = 0.05 * boundary.size();
+    let limit = Limit::Budget { total_mm, weights: counted_shares(&motions, 8) };
+    let triangulate = TriangulateOptions::default();
+    let options = VaryOptions { leave_developable: false, ..Default::default() };
+    let panels = [panel(&boundary, &triangulate, &motions)];
+    let found = vary(&panels, &limit, &options, &mut Unwatched).unwrap();
+    println!(
+        "{:?} moved {:.2} of {total_mm:.2} mm: {}",
+        found.prices, found.moved_total_mm, found.ended
+    );
+    assert!(found.prices.len() > 1);
+    assert!(found.moved_total_mm > 0.0 && found.moved_total_mm <= total_mm + 1e-9);
+    for i in 31..m {
+        assert_eq!(found.panels[0].boundary.samples()[i].position, boundary.samples()[i].position);
+    }
 }
 
 #[test]

@@ -103,6 +103,23 @@ pub fn control_shares(along: f64, first: usize, controls: usize) -> Vec<Share> {
     shares.filter(|share| share.factor != 0.0).collect()
 }
 
+/// What a budget for samples counts of each unknown: the sum of the shares that the samples of these
+/// motions have in it, so that the displacements of the samples add up to no more. Give the copies of
+/// a shared sample once. 1 for an unknown without samples, which nothing moves.
+///
+/// # Panics
+/// If a motion follows an unknown that is not below `unknowns`.
+pub fn counted_shares<'a>(
+    motions: impl IntoIterator<Item = &'a Motion>,
+    unknowns: usize,
+) -> Vec<f64> {
+    let mut sums = vec![0.0; unknowns];
+    for share in motions.into_iter().flat_map(|motion| &motion.position) {
+        sums[share.unknown] += share.factor.abs();
+    }
+    sums.into_iter().map(|sum| if sum > 0.0 { sum } else { 1.0 }).collect()
+}
+
 /// One share an unknown, in increasing order, without those that cancel.
 fn gathered(mut shares: Vec<Share>) -> Vec<Share> {
     shares.sort_by_key(|share| share.unknown);

@@ -1,7 +1,7 @@
 //! The target form: no warp angle above a given one, by small displacements.
 
 use super::descend::DescentEnd;
-use super::state::State;
+use super::state::{NoState, State};
 use super::{Ended, Goal, Limit, Way};
 use crate::math::Vec3;
 use crate::watch::Watch;
@@ -61,9 +61,13 @@ pub(super) fn reach(
         let drawn_in = limit.scaled(share);
         let mut unknowns: Vec<Vec3> = state.unknowns.clone();
         drawn_in.project(&mut unknowns);
-        let Ok(from) = State::new(way.panels, unknowns, Some(&state), watch) else {
-            too_small = share;
-            continue;
+        let from = match State::new(way.panels, unknowns, Some(&state), watch) {
+            Ok(from) => from,
+            Err(NoState::Stopped) => return (state, Ended::Stopped),
+            Err(NoState::Refused(_)) => {
+                too_small = share;
+                continue;
+            }
         };
         match come_below(way, from, &drawn_in, goal, ROUNDS_DRAWN_IN, watch) {
             (next, Attempt::Within) => {
@@ -87,7 +91,7 @@ fn come_below(
     limit: &Limit,
     goal: Goal,
     rounds: usize,
-    watch: &mut dyn Watch,
+    watch: &dyn Watch,
 ) -> (State, Attempt) {
     let Goal::Warp { largest } = goal else { return (start, Attempt::Within) };
     let aim = Goal::Warp { largest: AIM * largest };

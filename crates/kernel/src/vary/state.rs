@@ -33,6 +33,15 @@ pub(super) struct State {
     pub(super) twist: f64,
 }
 
+/// Passes on whether to stop, but not the progress of what is only a part of a stage.
+struct Quiet<'a>(&'a dyn Watch);
+
+impl Watch for Quiet<'_> {
+    fn stop(&self) -> bool {
+        self.0.stop()
+    }
+}
+
 /// Why there is no such state.
 pub(super) enum NoState {
     /// The samples can't stand there: they touch, or have no triangulation.
@@ -47,7 +56,7 @@ impl State {
         panels: &[VaryPanel<'_>],
         unknowns: Vec<Vec3>,
         before: Option<&Self>,
-        watch: &mut dyn Watch,
+        watch: &dyn Watch,
     ) -> Result<Self, NoState> {
         let mut states: Vec<PanelState> = Vec::with_capacity(panels.len());
         for (n, panel) in panels.iter().enumerate() {
@@ -64,11 +73,12 @@ impl State {
                 .map_err(|error| refused(VaryError::Boundary { panel: n, error }))?;
             let plane = supporting_plane(&boundary, panel.plane)
                 .map_err(|error| refused(VaryError::Plane { panel: n, error }))?;
-            let triangulation = triangulate(&boundary, plane.as_ref(), panel.triangulate, watch)
-                .map_err(|error| match error {
-                    TriangulateError::Stopped => NoState::Stopped,
-                    error => refused(VaryError::Triangulate { panel: n, error }),
-                })?;
+            let triangulation =
+                triangulate(&boundary, plane.as_ref(), panel.triangulate, &mut Quiet(watch))
+                    .map_err(|error| match error {
+                        TriangulateError::Stopped => NoState::Stopped,
+                        error => refused(VaryError::Triangulate { panel: n, error }),
+                    })?;
             let prices = Prices::new(&boundary, plane.as_ref(), panel.triangulate.price);
             let planes = |rung: &Rung| {
                 let [i, j] = rung.ends().map(SampleIndex::get);
