@@ -130,6 +130,8 @@ fn project_on_budget(displacements: &mut [Vec3], weights: &[f64], total_mm: f64)
         }
         (sum, squares, shrink) = (with_sum, with_squares, shrink_with);
     }
+    // Summed in another order, the excess may vanish in rounding; nothing is ever made longer.
+    let shrink = shrink.max(0.0);
     for (n, way) in displacements.iter_mut().enumerate() {
         let left = lengths[n] - shrink * weights[n];
         *way = if total_mm > 0.0 && left > 0.0 { *way * (left / lengths[n]) } else { Vec3::ZERO };
