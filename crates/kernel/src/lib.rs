@@ -77,6 +77,8 @@ pub mod flatten;
 
 pub mod measure;
 
+pub mod vary;
+
 pub mod material;
 
 pub mod pattern;

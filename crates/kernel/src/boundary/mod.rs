@@ -234,6 +234,13 @@ impl Boundary {
         }))
     }
 
+    /// The same loops with other samples, as many; not validated.
+    pub(crate) fn with_samples(&self, samples: Vec<Sample>) -> Self {
+        debug_assert_eq!(samples.len(), self.samples.len());
+        let size = size_of(samples.iter().map(|s| s.position));
+        Self { samples, loops: self.loops.clone(), size }
+    }
+
     fn of_lists(&self, lists: impl Iterator<Item = Vec<Sample>>) -> Self {
         let mut part = Self { samples: Vec::new(), loops: Vec::new(), size: self.size };
         for list in lists {

@@ -32,8 +32,10 @@
 //! finds the same number.
 
 mod planes;
+mod slopes;
 
 pub use planes::RungPlanes;
+pub use slopes::{Piece, SampleSlope};
 
 use crate::boundary::{Boundary, SupportingPlane};
 use crate::math::{Vec3, unit};

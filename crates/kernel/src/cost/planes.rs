@@ -81,7 +81,7 @@ impl End {
 
     /// The normal of the plane of both tangents of a corner, on the side of `facing`: that of the
     /// surface there, unless it has the apex of a cone. Zero for a smooth sample.
-    fn plane_normal(&self, facing: Vec3) -> Vec3 {
+    pub(super) fn plane_normal(&self, facing: Vec3) -> Vec3 {
         let normal = unit(self.tangent_in.cross(self.tangent_out)).unwrap_or(Vec3::ZERO);
         along(normal, facing)
     }

@@ -115,7 +115,9 @@ pub fn measures(surface: &Surface, sheet: &Sheet, flat: &Flattened, prices: &Pri
     }
 }
 
-fn rung_measures(surface: &Surface, prices: &Prices) -> Vec<RungMeasures> {
+/// Measures the rungs of a surface alone, in increasing order. `prices` are those of the boundary
+/// that it spans.
+pub fn rung_measures(surface: &Surface, prices: &Prices) -> Vec<RungMeasures> {
     let connectivity = surface.connectivity();
     let hinges = connectivity.hinges();
     let of_triangles = connectivity.hinges_of_triangles();

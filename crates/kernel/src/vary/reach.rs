@@ -1,0 +1,135 @@
+//! The target form: no warp angle above a given one, by small displacements.
+
+use super::descend::DescentEnd;
+use super::state::{NoState, State};
+use super::{Ended, Goal, Limit, Way};
+use crate::math::Vec3;
+use crate::watch::Watch;
+
+/// Descents aim this share below the angle, so that squares of excess, which press less the less is
+/// left, come below it.
+const AIM: f64 = 0.98;
+/// What excess counts beside the price at first, about as much as twist, and how much more when that
+/// helps no further, up to where a rung a hundredth of a degree too far outweighs most panels.
+const FIRST_WEIGHT: f64 = 1.0;
+const HEAVIER: f64 = 10.0;
+const HEAVIEST: f64 = 1e6;
+/// A round that gains less than this share is the last with its weight.
+const WORTH_ANOTHER: f64 = 0.2;
+/// The displacements are as small as they get when the bisection is within this share of them.
+const CLOSE_ENOUGH: f64 = 0.03;
+/// Bisections of the limit at the most.
+const BISECTIONS: usize = 8;
+/// Rounds of each bisection.
+const ROUNDS_DRAWN_IN: usize = 4;
+
+/// How an attempt to come below the angle ended.
+enum Attempt {
+    Within,
+    Above,
+    Stopped,
+}
+
+/// Brings every warp angle to `largest` or below, then draws the limit in while that can be kept.
+pub(super) fn reach(
+    way: &mut Way<'_>,
+    start: State,
+    limit: &Limit,
+    largest: f64,
+    watch: &mut dyn Watch,
+) -> (State, Ended) {
+    let goal = Goal::Warp { largest };
+    let rounds = way.options.rounds;
+    let before = start.warp_max();
+    let (mut state, attempt) = come_below(way, start, limit, goal, rounds, watch);
+    match attempt {
+        Attempt::Stopped => return (state, Ended::Stopped),
+        Attempt::Above => {
+            let reached = state.warp_max();
+            let resisting = state.above(largest);
+            return (state, Ended::Closest { wanted: largest, before, reached, resisting });
+        }
+        Attempt::Within => way.note(&state),
+    }
+    let (mut too_small, mut enough) = (0.0, limit.used(&state.unknowns));
+    for bisection in 0..BISECTIONS {
+        watch.progress(0.5 + 0.5 * bisection as f64 / BISECTIONS as f64);
+        if enough - too_small <= CLOSE_ENOUGH * enough {
+            break;
+        }
+        let share = 0.5 * (too_small + enough);
+        let drawn_in = limit.scaled(share);
+        let mut unknowns: Vec<Vec3> = state.unknowns.clone();
+        drawn_in.project(&mut unknowns);
+        let from = match State::new(way.panels, unknowns, Some(&state), watch) {
+            Ok(from) => from,
+            Err(NoState::Stopped) => return (state, Ended::Stopped),
+            Err(NoState::Refused(_)) => {
+                too_small = share;
+                continue;
+            }
+        };
+        match come_below(way, from, &drawn_in, goal, ROUNDS_DRAWN_IN, watch) {
+            (next, Attempt::Within) => {
+                enough = limit.used(&next.unknowns).min(share);
+                state = next;
+                way.note(&state);
+            }
+            (_, Attempt::Above) => too_small = share,
+            (_, Attempt::Stopped) => return (state, Ended::Stopped),
+        }
+    }
+    (state, Ended::Reached)
+}
+
+/// Descends with growing weight of the excess until no warp angle is above the goal's; takes a step
+/// only if the true price and excess, so weighed, fall. Where the goal is not reached, what came
+/// nearest is kept, which may be the start.
+fn come_below(
+    way: &Way<'_>,
+    start: State,
+    limit: &Limit,
+    goal: Goal,
+    rounds: usize,
+    watch: &dyn Watch,
+) -> (State, Attempt) {
+    let Goal::Warp { largest } = goal else { return (start, Attempt::Within) };
+    let aim = Goal::Warp { largest: AIM * largest };
+    let mut weight = FIRST_WEIGHT;
+    let mut nearest = start.clone();
+    let mut state = start;
+    for _ in 0..rounds {
+        if state.warp_max() <= largest {
+            return (state, Attempt::Within);
+        }
+        let descent = way.descend(&state, limit, aim, weight, watch);
+        if descent.end == DescentEnd::Stopped {
+            return (nearest, Attempt::Stopped);
+        }
+        let merit = |state: &State| state.price + weight * state.excess(aim);
+        let before = merit(&state);
+        let accepted = |next: &State| merit(next) < before;
+        let (gained, stuck) = match way.first_accepted(&state, &descent.point, accepted, watch) {
+            Err(_) => return (nearest, Attempt::Stopped),
+            Ok(None) => (0.0, weight >= HEAVIEST),
+            Ok(Some(next)) => {
+                let gained = before - merit(&next);
+                state = next;
+                (gained, false)
+            }
+        };
+        if state.warp_max() < nearest.warp_max() {
+            nearest = state.clone();
+        }
+        if stuck {
+            break;
+        }
+        if gained < WORTH_ANOTHER * before {
+            weight = (weight * HEAVIER).min(HEAVIEST);
+        }
+    }
+    if state.warp_max() <= largest {
+        return (state, Attempt::Within);
+    }
+    (nearest, Attempt::Above)
+}

@@ -1,0 +1,119 @@
+//! Panels where the unknowns have moved them, triangulated anew: what a step is judged by.
+
+use super::motion::moved;
+use super::{Goal, VaryError, VaryPanel};
+use crate::boundary::{Boundary, SupportingPlane, supporting_plane};
+use crate::cost::Prices;
+use crate::index::SampleIndex;
+use crate::math::Vec3;
+use crate::rung::Rung;
+use crate::triangulate::{TriangulateError, Triangulation, triangulate};
+use crate::watch::Watch;
+use std::f64::consts::PI;
+
+/// A panel where it stands now.
+#[derive(Clone, Debug)]
+pub(super) struct PanelState {
+    pub(super) boundary: Boundary,
+    pub(super) plane: Option<SupportingPlane>,
+    pub(super) triangulation: Triangulation,
+    /// The warp angle of each rung, radians; π without tangent planes.
+    pub(super) warps: Vec<f64>,
+    twist: f64,
+}
+
+/// All panels where they stand now.
+#[derive(Clone, Debug)]
+pub(super) struct State {
+    pub(super) unknowns: Vec<Vec3>,
+    pub(super) panels: Vec<PanelState>,
+    /// Π, summed over the panels.
+    pub(super) price: f64,
+    /// W, summed over the panels.
+    pub(super) twist: f64,
+}
+
+/// Passes on whether to stop, but not the progress of what is only a part of a stage.
+struct Quiet<'a>(&'a dyn Watch);
+
+impl Watch for Quiet<'_> {
+    fn stop(&self) -> bool {
+        self.0.stop()
+    }
+}
+
+/// Why there is no such state.
+pub(super) enum NoState {
+    /// The samples can't stand there: they touch, or have no triangulation.
+    Refused(VaryError),
+    Stopped,
+}
+
+impl State {
+    /// The panels where the unknowns move them. Those whose samples stay where they are in `before`
+    /// are taken from there.
+    pub(super) fn new(
+        panels: &[VaryPanel<'_>],
+        unknowns: Vec<Vec3>,
+        before: Option<&Self>,
+        watch: &dyn Watch,
+    ) -> Result<Self, NoState> {
+        let mut states: Vec<PanelState> = Vec::with_capacity(panels.len());
+        for (n, panel) in panels.iter().enumerate() {
+            let refused = |error: VaryError| NoState::Refused(error);
+            let samples = moved(panel.boundary.samples(), panel.motions, &unknowns)
+                .ok_or_else(|| refused(VaryError::Tangent { panel: n }))?;
+            let known = before.map(|state| &state.panels[n]);
+            if let Some(known) = known.filter(|known| known.boundary.samples() == samples) {
+                states.push(known.clone());
+                continue;
+            }
+            let loops = panel.boundary.loops().iter().map(|l| samples[l.clone()].to_vec());
+            let boundary = Boundary::new(loops.collect())
+                .map_err(|error| refused(VaryError::Boundary { panel: n, error }))?;
+            let plane = supporting_plane(&boundary, panel.plane)
+                .map_err(|error| refused(VaryError::Plane { panel: n, error }))?;
+            let triangulation =
+                triangulate(&boundary, plane.as_ref(), panel.triangulate, &mut Quiet(watch))
+                    .map_err(|error| match error {
+                        TriangulateError::Stopped => NoState::Stopped,
+                        error => refused(VaryError::Triangulate { panel: n, error }),
+                    })?;
+            let prices = Prices::new(&boundary, plane.as_ref(), panel.triangulate.price);
+            let planes = |rung: &Rung| {
+                let [i, j] = rung.ends().map(SampleIndex::get);
+                prices.planes(i, j)
+            };
+            let warps =
+                triangulation.rungs.iter().map(|r| planes(r).map_or(PI, |p| p.warp())).collect();
+            let twist =
+                triangulation.rungs.iter().map(|r| planes(r).map_or(2.0, |p| p.twist)).sum();
+            states.push(PanelState { boundary, plane, triangulation, warps, twist });
+        }
+        let price = states.iter().map(|panel| panel.triangulation.price).sum();
+        let twist = states.iter().map(|panel| panel.twist).sum();
+        Ok(Self { unknowns, panels: states, price, twist })
+    }
+
+    /// The largest warp angle of all rungs, radians; 0 without rungs.
+    pub(super) fn warp_max(&self) -> f64 {
+        self.panels.iter().flat_map(|panel| &panel.warps).copied().fold(0.0, f64::max)
+    }
+
+    /// The sum of the squares of what warp angles are above the goal's, radians²; 0 without a goal.
+    pub(super) fn excess(&self, goal: Goal) -> f64 {
+        let Goal::Warp { largest } = goal else { return 0.0 };
+        let above = |warp: &f64| (warp - largest).max(0.0);
+        let warps = self.panels.iter().flat_map(|panel| &panel.warps);
+        warps.map(above).map(|excess| excess * excess).sum()
+    }
+
+    /// The rungs whose warp angle is above `angle`, radians, with their panels.
+    pub(super) fn above(&self, angle: f64) -> Vec<(usize, Rung)> {
+        let of_panel = |(n, panel): (usize, &PanelState)| {
+            let rungs = panel.triangulation.rungs.iter().zip(&panel.warps);
+            rungs.filter(|(_, warp)| **warp > angle).map(|(r, _)| (n, *r)).collect::<Vec<_>>()
+        };
+        self.panels.iter().enumerate().flat_map(of_panel).collect()
+    }
+}

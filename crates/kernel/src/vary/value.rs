@@ -1,0 +1,145 @@
+//! What a displacement is worth, for triangulations that stay: the price, the excess of warp angles
+//! and the zig-zag, with their slopes.
+
+use super::motion::{carry, displacement, moved};
+use super::{Goal, VaryPanel, Weights};
+use crate::boundary::{Boundary, SupportingPlane};
+use crate::cost::{Piece, Prices, SampleSlope};
+use crate::curve::Sample;
+use crate::index::SampleIndex;
+use crate::math::{Vec3, sin};
+use crate::rung::Rung;
+use crate::triangulate::Triangulation;
+
+/// Sines of warp angles are held above it, so that a rung whose planes are opposite has a slope.
+const LEAST_SINE: f64 = 1e-6;
+
+/// The rungs and triangles of a panel, as the sums walk over them.
+struct Net {
+    rungs: Vec<[usize; 2]>,
+    /// Corners, and the rungs among the sides.
+    triangles: Vec<([usize; 3], [Option<usize>; 3])>,
+}
+
+impl Net {
+    fn new(triangulation: &Triangulation) -> Self {
+        let number = |a: SampleIndex, b: SampleIndex| {
+            triangulation.rungs.binary_search(&Rung::new(a.get(), b.get())).ok()
+        };
+        let triangles = triangulation.triangles.iter().map(|&[i, k, j]| {
+            ([i, k, j].map(SampleIndex::get), [number(i, k), number(k, j), number(i, j)])
+        });
+        Self {
+            rungs: triangulation.rungs.iter().map(|r| r.ends().map(SampleIndex::get)).collect(),
+            triangles: triangles.collect(),
+        }
+    }
+}
+
+/// One panel with a triangulation that stays.
+pub(super) struct PanelValue<'a> {
+    panel: &'a VaryPanel<'a>,
+    plane: Option<&'a SupportingPlane>,
+    net: Net,
+}
+
+impl<'a> PanelValue<'a> {
+    pub(super) fn new(
+        panel: &'a VaryPanel<'a>,
+        plane: Option<&'a SupportingPlane>,
+        triangulation: &Triangulation,
+    ) -> Self {
+        Self { panel, plane, net: Net::new(triangulation) }
+    }
+
+    /// The value at the unknowns; adds its slopes. Infinite where a tangent has lost its direction.
+    pub(super) fn add(&self, weights: &Weights, unknowns: &[Vec3], with: &mut [Vec3]) -> f64 {
+        let start = self.panel.boundary.samples();
+        let Some(samples) = moved(start, self.panel.motions, unknowns) else {
+            return f64::INFINITY;
+        };
+        let boundary = self.panel.boundary.with_samples(samples);
+        let mut slopes = vec![SampleSlope::default(); boundary.len()];
+        let mut value = self.price(&boundary, weights, &mut slopes);
+        if weights.fairness > 0.0 {
+            value += self.zig_zag(weights.fairness, unknowns, &mut slopes);
+        }
+        carry(start, boundary.samples(), self.panel.motions, unknowns, &slopes, with);
+        value
+    }
+
+    fn price(&self, boundary: &Boundary, weights: &Weights, slopes: &mut [SampleSlope]) -> f64 {
+        let prices = Prices::new(boundary, self.plane, self.panel.triangulate.price);
+        let rungs: Vec<_> = self.net.rungs.iter().map(|&[i, j]| prices.sloped_rung(i, j)).collect();
+        let mean =
+            |n: Option<usize>| n.and_then(|n| rungs[n].planes).map_or(Vec3::ZERO, |p| p.mean);
+        let mut with_means = vec![Vec3::ZERO; rungs.len()];
+        let mut total = 0.0;
+        for (corners, sides) in &self.net.triangles {
+            let sum = sides.iter().map(|&side| mean(side)).sum();
+            let count = sides.iter().flatten().count() as f64;
+            let (price, with_sum) = prices.carry_triangle(*corners, count, sum, slopes);
+            total += price;
+            sides.iter().flatten().for_each(|&side| with_means[side] += with_sum);
+        }
+        for (rung, with_mean) in rungs.iter().zip(with_means) {
+            let Some(planes) = rung.planes else {
+                total += 2.0;
+                continue;
+            };
+            total += planes.twist;
+            let mut with_twist = 1.0;
+            if let Goal::Warp { largest } = weights.goal {
+                let warp = planes.warp();
+                let excess = (warp - largest).max(0.0);
+                total += weights.excess * excess * excess;
+                with_twist += weights.excess * 2.0 * excess / sin(warp).max(LEAST_SINE);
+            }
+            prices.carry_rung(rung, with_twist, with_mean, slopes);
+        }
+        total
+    }
+
+    /// The squares of the angles by which the edges of the boundary turn against one another as the
+    /// samples move, at samples that are no corners.
+    fn zig_zag(&self, weight: f64, unknowns: &[Vec3], slopes: &mut [SampleSlope]) -> f64 {
+        let boundary = self.panel.boundary;
+        let samples = boundary.samples();
+        let motions = self.panel.motions;
+        let way = |n: usize| displacement(&motions[n].position, unknowns);
+        let mut total = 0.0;
+        for (n, sample) in samples.iter().enumerate() {
+            let (before, after) = (boundary.previous(n), boundary.next(n));
+            let at = |n: usize| samples[n].position;
+            let spacing = 0.5 * at(after).distance(at(before));
+            let fixed = [before, n, after].iter().all(|&n| motions[n].position.is_empty());
+            if Sample::is_corner(sample) || fixed || spacing == 0.0 {
+                continue;
+            }
+            let turn = (way(before) + way(after) - way(n) * 2.0) / spacing;
+            total += weight * turn.length_squared();
+            let with_turn = turn * (2.0 * weight / spacing);
+            slopes[before].position += with_turn;
+            slopes[after].position += with_turn;
+            slopes[n].position -= with_turn * 2.0;
+        }
+        total
+    }
+
+    /// Which piece of its price is active on each rung, and whether its warp angle is above the
+    /// goal's.
+    pub(super) fn pieces(&self, goal: Goal, unknowns: &[Vec3]) -> Option<Vec<(Piece, bool)>> {
+        let samples = moved(self.panel.boundary.samples(), self.panel.motions, unknowns)?;
+        let boundary = self.panel.boundary.with_samples(samples);
+        let prices = Prices::new(&boundary, self.plane, self.panel.triangulate.price);
+        let largest = match goal {
+            Goal::Price => f64::INFINITY,
+            Goal::Warp { largest } => largest,
+        };
+        let piece = |&[i, j]: &[usize; 2]| {
+            let rung = prices.sloped_rung(i, j);
+            (rung.piece, rung.planes.is_some_and(|planes| planes.warp() > largest))
+        };
+        Some(self.net.rungs.iter().map(piece).collect())
+    }
+}
