@@ -9,7 +9,7 @@
 
 use sheetwright::boundary::{Boundary, PlaneChoice, supporting_plane};
 use sheetwright::cost::{DEFAULT_FOLD, PriceOptions, Prices};
-use sheetwright::triangulate::{Method, TriangulateOptions, triangulate};
+use sheetwright::triangulate::{Goal, Method, TriangulateOptions, triangulate};
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::family::Family;
 use std::hint::black_box;
@@ -42,7 +42,13 @@ fn main() {
         row("bridge, ν = 1", &|b| {
             least_time(b, || solve(b, Method::Bridge, PlaneChoice::None, DEFAULT_FOLD))
         });
+        row("worst warp, ν = 1", &|b| least_time(b, || solve_worst(b)));
     }
+}
+
+fn solve_worst(boundary: &Boundary) -> f64 {
+    let options = TriangulateOptions { goal: Goal::WorstWarp, ..Default::default() };
+    triangulate(boundary, None, &options, &mut Unwatched).unwrap().largest_twist
 }
 
 fn solve(boundary: &Boundary, method: Method, plane: PlaneChoice, fold: f64) -> f64 {

@@ -22,7 +22,7 @@ use crate::pattern::{PatternOptions, Piece, piece};
 use crate::surface::{Connectivity, ConnectivityError, Surface};
 use crate::tolerance::Tolerance;
 use crate::triangulate::{
-    Method, TriangulateError, TriangulateOptions, Triangulation, refuse, triangulate,
+    Goal, Method, TriangulateError, TriangulateOptions, Triangulation, refuse, triangulate,
     with_holes_facing,
 };
 use crate::watch::{Stage, Watch};
@@ -102,6 +102,8 @@ pub struct DesignPanel {
     pub samples: usize,
     /// Which triangulations are looked at.
     pub method: PanelMethod,
+    /// What is made as small as can be.
+    pub goal: Goal,
     /// Which supporting plane it asks for.
     pub plane: PlaneChoice,
     /// The weight ν of the fold price.
@@ -152,6 +154,8 @@ pub struct MadePanel {
     pub name: String,
     /// Which triangulations were looked at.
     pub method: PanelMethod,
+    /// What was made as small as could be.
+    pub goal: Goal,
     /// The weight ν of the fold price.
     pub fold: f64,
     /// The boundary as it was sampled.
@@ -321,7 +325,8 @@ fn make_panel(
             first: sampled.on_first_rail.ok_or_else(|| failed(MakeCause::NoRails))?,
         },
     };
-    let mut options = TriangulateOptions { method, ..TriangulateOptions::default() };
+    let mut options =
+        TriangulateOptions { method, goal: panel.goal, ..TriangulateOptions::default() };
     options.price.fold = panel.fold;
     // Before the boundary is looked at, which takes its time for a long one.
     let lengths: Vec<usize> = sampled.loops.iter().map(Vec::len).collect();
@@ -371,6 +376,7 @@ fn make_panel(
     Ok(MadePanel {
         name: panel.name.clone(),
         method: panel.method,
+        goal: panel.goal,
         fold: panel.fold,
         boundary,
         plane,

@@ -8,7 +8,7 @@ use sheetwright::design::{
     CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape, make,
 };
 use sheetwright::math::{Point3, to_deg};
-use sheetwright::triangulate::{Method, TriangulateOptions, triangulate};
+use sheetwright::triangulate::{Goal, Method, TriangulateOptions, triangulate};
 use sheetwright::watch::Unwatched;
 
 const TABLE: &str = include_str!("../../../examples/ubc-fishing-vessel.csv");
@@ -47,6 +47,7 @@ fn every_plank_is_at_least_as_good_as_published() {
                 shape: PanelShape::Rails([one(first), one(second)]),
                 samples: 200,
                 method,
+                goal: Goal::Price,
                 plane: PlaneChoice::Auto,
                 fold: sheetwright::cost::DEFAULT_FOLD,
                 cut: Vec::new(),

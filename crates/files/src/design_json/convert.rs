@@ -1,7 +1,7 @@
 //! A design from its file's types to the kernel's.
 
 use super::grammar::{
-    CurveFile, DesignFile, KindName, MethodName, Object, PanelFile, PlaneFile, PlaneName,
+    CurveFile, DesignFile, GoalName, KindName, MethodName, Object, PanelFile, PlaneFile, PlaneName,
     PointFile, Triple,
 };
 use super::join::check_joins;
@@ -20,6 +20,7 @@ use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape};
 use sheetwright::material::{MATERIALS, Material};
 use sheetwright::math::{Point3, Vec3};
+use sheetwright::triangulate::Goal;
 use std::collections::BTreeMap;
 
 /// Samples of each rail unless the design says: a ruling every half per cent of the length, finer
@@ -230,6 +231,10 @@ impl PanelReader<'_> {
             Some(MethodName::Bridge) => PanelMethod::Bridge,
             Some(MethodName::Rails) => PanelMethod::Rails,
         });
+        let goal = match file.goal {
+            None | Some(GoalName::Price) => Goal::Price,
+            Some(GoalName::WorstWarp) => Goal::WorstWarp,
+        };
         let plane = match file.plane {
             None | Some(PlaneFile::Named(PlaneName::Auto)) => PlaneChoice::Auto,
             Some(PlaneFile::Named(PlaneName::None)) => PlaneChoice::None,
@@ -241,6 +246,7 @@ impl PanelReader<'_> {
             cut: self.cut(&file.cut.unwrap_or_default(), &shape)?,
             shape,
             method,
+            goal,
             plane,
             fold: self.fold(file.fold)?,
         })

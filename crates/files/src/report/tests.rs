@@ -33,9 +33,10 @@ fn pictures(page: &str) -> Vec<&str> {
 }
 
 /// The contract's fields of a panel, in its order.
-const PANEL_FIELDS: [&str; 25] = [
+const PANEL_FIELDS: [&str; 26] = [
     "name",
     "method",
+    "goal",
     "proven_optimal",
     "samples",
     "triangles",

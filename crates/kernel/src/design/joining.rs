@@ -253,6 +253,7 @@ mod tests {
     use crate::curve::{CurveKind, CurvePoint};
     use crate::design::{CurveUse, DesignCurve, PanelMethod};
     use crate::math::{cos, from_deg, sin};
+    use crate::triangulate::Goal;
 
     /// Two halves of a tube about the axis z, of radius 50 and height 80.
     fn tube() -> Design {
@@ -277,6 +278,7 @@ mod tests {
             shape,
             samples: 90,
             method: PanelMethod::Optimal,
+            goal: Goal::Price,
             plane: PlaneChoice::Auto,
             fold: 1.0,
             cut: Vec::new(),
