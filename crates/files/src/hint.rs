@@ -31,6 +31,9 @@ pub fn hint_for(error: &MakeError) -> String {
              the other way."
         ),
         MakeCause::SameRails => "Name two different curves.".to_owned(),
+        MakeCause::RunOn => {
+            "Leave `run_on` out, or name two open curves as the rails of the panel.".to_owned()
+        }
         MakeCause::NoRails => {
             "Give the panel two rails, or take the method optimal or bridge.".to_owned()
         }

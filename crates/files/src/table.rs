@@ -326,6 +326,7 @@ pub(crate) fn read_as_design(
         samples: options.samples.unwrap_or(curves[0].points.len()),
         method: options.method.unwrap_or_default(),
         goal: Goal::Price,
+        run_on: false,
         plane: PlaneChoice::Auto,
         fold: options.fold.unwrap_or(PriceOptions::default().fold),
         cut: Vec::new(),

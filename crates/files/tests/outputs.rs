@@ -43,6 +43,7 @@ fn hull(scale: f64) -> Made {
         samples: 60,
         method: PanelMethod::Rails,
         goal: Goal::Price,
+        run_on: false,
         plane: PlaneChoice::None,
         fold: 0.1,
         cut: Vec::new(),

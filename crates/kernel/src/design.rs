@@ -2,6 +2,7 @@
 
 mod joining;
 mod links;
+mod run_on;
 
 pub use joining::Join;
 
@@ -9,8 +10,8 @@ use crate::boundary::{
     Boundary, BoundaryError, JoinCause, MAX_SAMPLES, PlaneChoice, PlaneError, SupportingPlane,
     samples_from_points, supporting_plane,
 };
-use crate::check::{Checked, Finding, Panel, check, rounded_corner};
-use crate::cost::Prices;
+use crate::check::{Checked, Finding, Panel, check, ran_on, rounded_corner};
+use crate::cost::{PriceOptions, Prices};
 use crate::curve::{
     Curve, CurveError, CurveKind, CurvePoint, Sample, SampleError, sample_chain, sample_open,
 };
@@ -106,6 +107,9 @@ pub struct DesignPanel {
     pub goal: Goal,
     /// Which supporting plane it asks for.
     pub plane: PlaneChoice,
+    /// Whether the rails run on beyond their ends, so that rulings may leave the strip there; its
+    /// ends are then no longer straight. Only for rails.
+    pub run_on: bool,
     /// The weight ν of the fold price.
     pub fold: f64,
     /// Where the pattern is to be cut open if it must be, mm: along the rungs from loop to loop
@@ -222,6 +226,8 @@ pub enum MakeCause {
     SameRails,
     /// A rails method for a panel without rails.
     NoRails,
+    /// Rails that run on, for a panel without rails or one that is joined to others.
+    RunOn,
     /// A join of a panel that the design does not have.
     UnknownPanel {
         /// Its name.
@@ -279,6 +285,9 @@ impl fmt::Display for MakeCause {
             }
             Self::SameRails => write!(f, "both rails are the same curve"),
             Self::NoRails => write!(f, "the method 'rails' needs a panel with rails"),
+            Self::RunOn => {
+                write!(f, "only a panel with rails of its own, joined to no other, can run on")
+            }
             Self::UnknownPanel { name } => write!(f, "there is no panel '{name}' to join"),
             Self::JoinOfJoins { name } => write!(f, "the panel '{name}' is a join itself"),
             Self::Join { part: Some(part), cause } => write!(f, "joining '{part}': {cause}"),
@@ -371,6 +380,11 @@ fn make_panel(
             checked.add(finding);
         }
     }
+    if let Some(bulges_mm) = sampled.new_ends {
+        let straight = DesignPanel { run_on: false, ..panel.clone() };
+        let straight = make_panel(design, &straight, watch).ok();
+        checked.add(ran_on(bulges_mm, &measures, straight.as_ref().map(|made| &made.measures)));
+    }
     sampled.findings.into_iter().for_each(|finding| checked.add(finding));
     let piece = piece(&panel.name, &sheet, &flat, &measures, &PatternOptions::default());
     Ok(MadePanel {
@@ -416,11 +430,17 @@ struct Sampled {
     loops: Vec<Vec<Sample>>,
     /// How many of the samples lie on the first rail.
     on_first_rail: Option<usize>,
+    /// Where rails ran on: how far each end bulges from the straight line, mm, if it does.
+    new_ends: Option<[Option<f64>; 2]>,
     /// What is to be said of the samples.
     findings: Vec<Finding>,
 }
 
 fn sampled(design: &Design, panel: &DesignPanel) -> Result<Sampled, MakeError> {
+    if panel.run_on && !matches!(panel.shape, PanelShape::Rails(_)) {
+        let cause = MakeCause::RunOn;
+        return Err(MakeError { panel: panel.name.clone(), curve: None, cause });
+    }
     match &panel.shape {
         PanelShape::Rails(rails) => sampled_rails(design, panel, rails),
         PanelShape::Join(join) => joining::sampled(design, panel, join),
@@ -433,7 +453,7 @@ fn sampled(design: &Design, panel: &DesignPanel) -> Result<Sampled, MakeError> {
                 let as_spaced = |length: f64| (length / spacing).ceil() as usize;
                 loops.push(sampled_loop(design, panel, hole, as_spaced)?);
             }
-            Ok(Sampled { loops, on_first_rail: None, findings: Vec::new() })
+            Ok(Sampled { loops, on_first_rail: None, new_ends: None, findings: Vec::new() })
         }
     }
 }
@@ -543,14 +563,23 @@ fn sampled_rails(
     let sample = |curve: &Curve| {
         sample_open(curve, panel.samples).map_err(|e| failed(None, MakeCause::Sampling(e)))
     };
-    let (mut first, mut second) = (sample(&first)?, sample(&second)?);
+    let curves = [first, second];
+    let (mut first, mut second) = (sample(&curves[0])?, sample(&curves[1])?);
     // The second runs back: the way that leaves the rails nearer to one another all along. Their
     // ends alone would not tell where each rail ends where it begins, as those of a duct do.
-    if apart(&first, &second) < apart(&first, &run_back(&second)) {
+    let turned = apart(&first, &second) < apart(&first, &run_back(&second));
+    if turned {
         second = run_back(&second);
     }
     let size = crate::boundary::size_of(first.iter().chain(&second).map(|s| s.position));
     let same = Tolerance::CHAIN.length_mm(size);
+    let mut new_ends = None;
+    if panel.run_on {
+        let price = PriceOptions { fold: panel.fold, ..PriceOptions::default() };
+        let ran = run_on::run_on(&first, &second, same, price);
+        new_ends = Some(ran.bulges_mm);
+        [first, second] = ran.rails;
+    }
     // Rails that meet at an end share that sample; it keeps the tangents of both.
     let meet = |a: &[Sample], b: &[Sample]| {
         let (end, start) = (a[a.len() - 1], b[0]);
@@ -571,7 +600,8 @@ fn sampled_rails(
     first.extend(second);
     close_ends(&mut first, on_first_rail, [at_start.is_some(), at_end.is_some()]);
     let loops = vec![first];
-    Ok(Sampled { loops, on_first_rail: Some(on_first_rail), findings: Vec::new() })
+    let findings = Vec::new();
+    Ok(Sampled { loops, on_first_rail: Some(on_first_rail), new_ends, findings })
 }
 
 /// How far apart two rails of as many samples are, run side by side: the sum over their samples, mm.

@@ -39,6 +39,7 @@
 //!         samples: 50,
 //!         method: PanelMethod::Optimal,
 //!         goal: Goal::Price,
+//!         run_on: false,
 //!         plane: PlaneChoice::Auto,
 //!         fold: sheetwright::cost::DEFAULT_FOLD,
 //!         cut: Vec::new(),

@@ -27,6 +27,7 @@ fn panel(name: &str, shape: PanelShape, samples: usize) -> DesignPanel {
         samples,
         method: PanelMethod::Optimal,
         goal: Goal::Price,
+        run_on: false,
         plane: PlaneChoice::Auto,
         fold: sheetwright::cost::DEFAULT_FOLD,
         cut: Vec::new(),

@@ -116,6 +116,7 @@ pub fn design(samples: usize) -> Design {
         samples,
         method: PanelMethod::Optimal,
         goal: Goal::Price,
+        run_on: false,
         plane: PlaneChoice::Auto,
         fold: DEFAULT_FOLD,
         cut: Vec::new(),

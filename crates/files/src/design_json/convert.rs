@@ -235,6 +235,11 @@ impl PanelReader<'_> {
             None | Some(GoalName::Price) => Goal::Price,
             Some(GoalName::WorstWarp) => Goal::WorstWarp,
         };
+        let run_on = file.run_on.unwrap_or(false);
+        if run_on && !matches!(shape, PanelShape::Rails(_)) {
+            let hint = "Leave it out, or name two open curves as `rails`.";
+            return Err(self.error(".run_on", "only rails can run on", hint));
+        }
         let plane = match file.plane {
             None | Some(PlaneFile::Named(PlaneName::Auto)) => PlaneChoice::Auto,
             Some(PlaneFile::Named(PlaneName::None)) => PlaneChoice::None,
@@ -247,6 +252,7 @@ impl PanelReader<'_> {
             shape,
             method,
             goal,
+            run_on,
             plane,
             fold: self.fold(file.fold)?,
         })

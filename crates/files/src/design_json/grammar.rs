@@ -145,6 +145,10 @@ pub(super) struct PanelFile {
     /// What is made as small as can be. Default: price.
     #[serde(default)]
     pub(super) goal: Option<GoalName>,
+    /// Whether the rails run on beyond their ends, so that rulings may leave the panel there; its
+    /// ends are then curves. Only for rails. Default: false.
+    #[serde(default)]
+    pub(super) run_on: Option<bool>,
     /// The supporting plane: `auto`, `none` or a normal `[x, y, z]`. Default: auto.
     #[serde(default)]
     pub(super) plane: Option<PlaneFile>,

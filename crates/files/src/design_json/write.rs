@@ -117,6 +117,9 @@ fn panel(panel: &DesignPanel) -> String {
         Goal::WorstWarp => GoalName::WorstWarp,
     };
     fields.push(format!("\"goal\": {}", json(&goal)));
+    if panel.run_on {
+        fields.push("\"run_on\": true".to_owned());
+    }
     fields.push(match panel.plane {
         PlaneChoice::Auto => "\"plane\": \"auto\"".to_owned(),
         PlaneChoice::None => "\"plane\": \"none\"".to_owned(),

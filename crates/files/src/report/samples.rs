@@ -25,6 +25,7 @@ fn panel(name: &str, shape: PanelShape, samples: usize) -> DesignPanel {
         method,
         plane,
         goal: Goal::Price,
+        run_on: false,
         fold: 0.1,
         cut: Vec::new(),
     }

@@ -177,6 +177,7 @@ impl Sketch {
             samples,
             method,
             goal: Goal::Price,
+            run_on: false,
             plane,
             fold,
             cut,
