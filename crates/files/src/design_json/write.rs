@@ -9,8 +9,9 @@ use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape};
 use sheetwright::triangulate::Goal;
 
-/// A design as the bytes of its file, in millimetres, with every default written out. It reads
-/// back equal, but for distances that points may move, which the kernel does not keep.
+/// A design as the bytes of its file, in millimetres, with every default written out but for what
+/// few designs ask for (`goal`, `run_on`, `cut`). It reads back equal, but for distances that points
+/// may move, which the kernel does not keep.
 pub fn write_design(design: &Design) -> Vec<u8> {
     write(design, Units::Millimetres, curve)
 }
@@ -112,11 +113,10 @@ fn panel(panel: &DesignPanel) -> String {
         PanelMethod::Rails => MethodName::Rails,
     };
     fields.push(format!("\"method\": {}", json(&method)));
-    let goal = match panel.goal {
-        Goal::Price => GoalName::Price,
-        Goal::WorstWarp => GoalName::WorstWarp,
-    };
-    fields.push(format!("\"goal\": {}", json(&goal)));
+    match panel.goal {
+        Goal::Price => {}
+        Goal::WorstWarp => fields.push(format!("\"goal\": {}", json(&GoalName::WorstWarp))),
+    }
     if panel.run_on {
         fields.push("\"run_on\": true".to_owned());
     }
