@@ -257,6 +257,20 @@ pub fn ran_on(
     Finding { severity, code: "ran-on", text, place: String::new() }
 }
 
+/// The finding that the ends that the rails of a panel would run on to make no panel, and why, so
+/// that its ends stay straight.
+pub fn stayed_straight(cause: &str) -> Finding {
+    Finding {
+        severity: Severity::Warning,
+        code: "ran-on",
+        text: format!(
+            "The rails can't run on: with the ends that they would get, {cause}. The ends of the \
+             panel stay straight."
+        ),
+        place: String::new(),
+    }
+}
+
 /// The finding that some of the joined panels were turned round to face as the first does; `None`
 /// if all do. `names` are theirs.
 pub fn turned_round(joined: &Joined, names: &[String]) -> Option<Finding> {

@@ -10,7 +10,7 @@ use crate::boundary::{
     Boundary, BoundaryError, JoinCause, MAX_SAMPLES, PlaneChoice, PlaneError, SupportingPlane,
     samples_from_points, supporting_plane,
 };
-use crate::check::{Checked, Finding, Panel, check, ran_on, rounded_corner};
+use crate::check::{Checked, Finding, Panel, check, ran_on, rounded_corner, stayed_straight};
 use crate::cost::{PriceOptions, Prices};
 use crate::curve::{
     Curve, CurveError, CurveKind, CurvePoint, Sample, SampleError, sample_chain, sample_open,
@@ -324,6 +324,22 @@ fn make_panel(
     panel: &DesignPanel,
     watch: &mut dyn Watch,
 ) -> Result<MadePanel, MakeError> {
+    match make_as_asked(design, panel, watch) {
+        Err(error) if panel.run_on && error.cause != MakeCause::RunOn && !watch.stop() => {
+            let straight = DesignPanel { run_on: false, ..panel.clone() };
+            let mut made = make_as_asked(design, &straight, watch)?;
+            made.checked.add(stayed_straight(&error.cause.to_string()));
+            Ok(made)
+        }
+        made => made,
+    }
+}
+
+fn make_as_asked(
+    design: &Design,
+    panel: &DesignPanel,
+    watch: &mut dyn Watch,
+) -> Result<MadePanel, MakeError> {
     let failed = |cause: MakeCause| MakeError { panel: panel.name.clone(), curve: None, cause };
     watch.begin(&panel.name, Stage::Sample);
     let sampled = sampled(design, panel)?;
@@ -382,7 +398,7 @@ fn make_panel(
     }
     if let Some(bulges_mm) = sampled.new_ends {
         let straight = DesignPanel { run_on: false, ..panel.clone() };
-        let straight = make_panel(design, &straight, watch).ok();
+        let straight = make_as_asked(design, &straight, watch).ok();
         checked.add(ran_on(bulges_mm, &measures, straight.as_ref().map(|made| &made.measures)));
     }
     sampled.findings.into_iter().for_each(|finding| checked.add(finding));

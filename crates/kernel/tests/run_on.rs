@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::print_stdout)] // tests panic and print what they measured
 
 use sheetwright::boundary::PlaneChoice;
+use sheetwright::check::Finding;
 use sheetwright::cost::DEFAULT_FOLD;
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
@@ -11,6 +12,7 @@ use sheetwright::design::{
 use sheetwright::math::{Point3, cos, from_deg, sin, to_deg};
 use sheetwright::triangulate::Goal;
 use sheetwright::watch::Unwatched;
+use sheetwright_shapes::random::Random;
 
 const RADIUS: f64 = 100.0;
 
@@ -127,4 +129,39 @@ fn only_rails_of_their_own_run_on() {
     assert_eq!(make(&joined, &mut Unwatched).unwrap_err().cause, MakeCause::RunOn);
     joined.panels[0].run_on = false;
     assert!(make(&joined, &mut Unwatched).is_ok());
+}
+
+/// Whatever the rails, what is made is exact, and the rails themselves stay.
+#[test]
+fn wild_rails_run_on_without_harm() {
+    let (mut ran, mut refused) = (0, 0);
+    for seed in 0..150 {
+        let mut random = Random::new(seed);
+        let mut wild = |name: &str, y: f64| {
+            let points = (0..5)
+                .map(|n| {
+                    let [a, b, c] = [0; 3].map(|_| random.between(-40.0, 40.0));
+                    CurvePoint::smooth(Point3::new(100.0 * f64::from(n) + a, y + b, c))
+                })
+                .collect();
+            let kind = Some([CurveKind::Spline, CurveKind::BSpline][(seed % 2) as usize]);
+            DesignCurve { name: name.into(), kind, closed: false, points }
+        };
+        let rails = [wild("low", 0.0), wild("high", 150.0)];
+        let method = [PanelMethod::Optimal, PanelMethod::Rails][(seed % 3 % 2) as usize];
+        let panel = made(rails.clone(), method, true);
+        assert!(panel.measures.length_error_max < 1e-9, "{seed}");
+        let straight = made(rails, method, false);
+        let samples = panel.boundary.positions();
+        assert!(straight.boundary.positions().iter().all(|p| samples.contains(p)), "{seed}");
+        ran += usize::from(samples.len() > straight.boundary.len());
+        let can_not = |finding: &&Finding| finding.text.starts_with("The rails can't run on");
+        if let Some(finding) = panel.checked.findings.iter().find(can_not) {
+            println!("{seed}: {}", finding.text);
+            assert_eq!(panel.boundary, straight.boundary);
+            refused += 1;
+        }
+    }
+    println!("{ran} ran on, {refused} were refused");
+    assert!(ran > 100 && (1..10).contains(&refused));
 }
