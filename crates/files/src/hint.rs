@@ -31,6 +31,9 @@ pub fn hint_for(error: &MakeError) -> String {
              the other way."
         ),
         MakeCause::SameRails => "Name two different curves.".to_owned(),
+        MakeCause::RunOn => {
+            "Leave `run_on` out, or name two open curves as the rails of the panel.".to_owned()
+        }
         MakeCause::NoRails => {
             "Give the panel two rails, or take the method optimal or bridge.".to_owned()
         }
@@ -136,6 +139,7 @@ fn triangulation(error: &TriangulateError) -> &'static str {
             "Take the method optimal. If the curves are two open edges, name them as the rails of \
              a panel in a design."
         }
+        TriangulateError::GoalWithHoles { .. } => "Leave `goal` out, or fill the holes.",
         TriangulateError::TooLarge { .. } => {
             "Ask for fewer samples; for a panel of two rails, the method rails needs far less."
         }
@@ -178,6 +182,7 @@ mod tests {
             MakeCause::NotChained { next: "keel".into(), gap_mm: 1.0 },
             MakeCause::Sampling(SampleError::TooFew { asked: 1, needed: 3 }),
             MakeCause::Triangulate(TriangulateError::Holes { count: 1 }),
+            MakeCause::Triangulate(TriangulateError::GoalWithHoles { count: 1 }),
         ];
         for cause in causes {
             let error = MakeError { panel: "p".into(), curve: None, cause };

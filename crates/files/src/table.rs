@@ -9,6 +9,7 @@ use sheetwright::curve::MAX_COORDINATE_MM;
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelShape};
 use sheetwright::math::Point3;
+use sheetwright::triangulate::Goal;
 use std::collections::BTreeMap;
 
 /// A table has this many rows at the most, as a boundary has samples.
@@ -324,6 +325,8 @@ pub(crate) fn read_as_design(
         },
         samples: options.samples.unwrap_or(curves[0].points.len()),
         method: options.method.unwrap_or_default(),
+        goal: Goal::Price,
+        run_on: false,
         plane: options.plane.unwrap_or_default(),
         fold: options.fold.unwrap_or(PriceOptions::default().fold),
         cut: Vec::new(),

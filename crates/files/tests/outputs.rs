@@ -10,6 +10,7 @@ use sheetwright::design::{
 use sheetwright::math::{Point2, Point3, Vec2};
 use sheetwright::pattern::{PathKind, PatternLabel, PatternPath, Piece, Role};
 use sheetwright::rung::Rung;
+use sheetwright::triangulate::Goal;
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
     Format, MaxSheets, OutputError, Paper, PatternReadError, PdfOptions, ReadPattern, Reduced,
@@ -41,6 +42,8 @@ fn hull(scale: f64) -> Made {
         shape: PanelShape::Rails([rail(a), rail(b)]),
         samples: 60,
         method: PanelMethod::Rails,
+        goal: Goal::Price,
+        run_on: false,
         plane: PlaneChoice::None,
         fold: 0.1,
         cut: Vec::new(),

@@ -12,7 +12,7 @@ use sheetwright::boundary::{Boundary, PlaneChoice, samples_from_points, supporti
 use sheetwright::cost::{DEFAULT_FOLD, PriceOptions, Prices};
 use sheetwright::curve::CurvePoint;
 use sheetwright::math::{Point3, cos, sin};
-use sheetwright::triangulate::{Method, TriangulateOptions, triangulate};
+use sheetwright::triangulate::{Goal, Method, TriangulateOptions, triangulate};
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::family::Family;
 use std::f64::consts::TAU;
@@ -50,6 +50,7 @@ fn main() {
         row("bridge, ν = 1", &|b| {
             least_time(b, || solve(b, Method::Bridge, PlaneChoice::None, DEFAULT_FOLD))
         });
+        row("worst warp, ν = 1", &|b| least_time(b, || solve_worst(b)));
     }
 }
 
@@ -135,6 +136,11 @@ fn panel(bent: impl Fn(f64, f64) -> [f64; 3], windows: usize) -> Boundary {
     let curves: Vec<_> = (0..windows).map(window).collect();
     let holes: Vec<Closed<'_>> = curves.iter().map(|curve| curve as Closed<'_>).collect();
     loops(200, &rim, &holes, 25)
+}
+
+fn solve_worst(boundary: &Boundary) -> f64 {
+    let options = TriangulateOptions { goal: Goal::WorstWarp, ..Default::default() };
+    triangulate(boundary, None, &options, &mut Unwatched).unwrap().largest_twist
 }
 
 fn solve(boundary: &Boundary, method: Method, plane: PlaneChoice, fold: f64) -> f64 {

@@ -215,6 +215,63 @@ pub fn smoothed_joints(joined: &Joined) -> Option<Finding> {
     })
 }
 
+/// The finding that the rails of a panel were let run on, what became of its ends, and whether that
+/// was worth it: a warning if both the largest warp and the smallest bend radius are worse. `bulges_mm` is how far the end at the beginning of the first rail, and that at its
+/// end, bulge from the straight line, mm; `None` for an end that stays straight. `straight` are the
+/// measures of the same panel with straight ends, if it can be made.
+pub fn ran_on(
+    bulges_mm: [Option<f64>; 2],
+    measures: &Measures,
+    straight: Option<&Measures>,
+) -> Finding {
+    let said = |bulge: Option<f64>| match bulge {
+        Some(mm) => format!("a curve up to {mm:.2} mm beside the straight line"),
+        None => "straight".to_owned(),
+    };
+    let [start, end] = bulges_mm.map(said);
+    let mut severity = Severity::Note;
+    let mut text = format!(
+        "The rails were let run on beyond their ends. The end of the panel where the first rail \
+         begins is {start}; the one where it ends is {end}."
+    );
+    if bulges_mm == [None; 2] {
+        text.push_str(" Rulings would gain nothing by leaving there.");
+    } else if let Some(straight) = straight {
+        let said = [measures, straight].map(|m| {
+            let warp = to_deg(m.warp_max);
+            match m.bend_radius_min_mm {
+                r if r.is_finite() => format!("{warp:.2}° and {r:.1} mm"),
+                _ => format!("{warp:.2}°, and it is flat"),
+            }
+        });
+        text.push_str(&format!(
+            " Largest warp and smallest bend radius are {}; with straight ends they are {}.",
+            said[0], said[1]
+        ));
+        let is_worse = measures.warp_max > straight.warp_max
+            && measures.bend_radius_min_mm < straight.bend_radius_min_mm;
+        if is_worse {
+            severity = Severity::Warning;
+            text.push_str(" The panel bends better with straight ends.");
+        }
+    }
+    Finding { severity, code: "ran-on", text, place: String::new() }
+}
+
+/// The finding that the ends that the rails of a panel would run on to make no panel, and why, so
+/// that its ends stay straight.
+pub fn stayed_straight(cause: &str) -> Finding {
+    Finding {
+        severity: Severity::Warning,
+        code: "ran-on",
+        text: format!(
+            "The rails can't run on: with the ends that they would get, {cause}. The ends of the \
+             panel stay straight."
+        ),
+        place: String::new(),
+    }
+}
+
 /// The finding that some of the joined panels were turned round to face as the first does; `None`
 /// if all do. `names` are theirs.
 pub fn turned_round(joined: &Joined, names: &[String]) -> Option<Finding> {

@@ -2,6 +2,7 @@
 
 mod joining;
 mod links;
+mod run_on;
 
 pub use joining::Join;
 
@@ -9,8 +10,11 @@ use crate::boundary::{
     Boundary, BoundaryError, JoinCause, MAX_SAMPLES, PlaneChoice, PlaneError, SupportingPlane,
     samples_from_points, supporting_plane,
 };
-use crate::check::{Checked, Finding, Panel, Verdict, better_without_plane, check, rounded_corner};
-use crate::cost::Prices;
+use crate::check::{
+    Checked, Finding, Panel, Verdict, better_without_plane, check, ran_on, rounded_corner,
+    stayed_straight,
+};
+use crate::cost::{PriceOptions, Prices};
 use crate::curve::{
     Curve, CurveError, CurveKind, CurvePoint, Sample, SampleError, sample_chain, sample_open,
 };
@@ -22,7 +26,7 @@ use crate::pattern::{PatternOptions, Piece, piece};
 use crate::surface::{Connectivity, ConnectivityError, Surface};
 use crate::tolerance::Tolerance;
 use crate::triangulate::{
-    Method, TriangulateError, TriangulateOptions, Triangulation, refuse, triangulate,
+    Goal, Method, TriangulateError, TriangulateOptions, Triangulation, refuse, triangulate,
     with_holes_facing,
 };
 use crate::watch::{Stage, Watch};
@@ -102,8 +106,13 @@ pub struct DesignPanel {
     pub samples: usize,
     /// Which triangulations are looked at.
     pub method: PanelMethod,
+    /// What is made as small as can be.
+    pub goal: Goal,
     /// Which supporting plane it asks for.
     pub plane: PlaneChoice,
+    /// Whether the rails run on beyond their ends, so that rulings may leave the strip there; its
+    /// ends are then no longer straight. Only for rails.
+    pub run_on: bool,
     /// The weight ν of the fold price.
     pub fold: f64,
     /// Where the pattern is to be cut open if it must be, mm: along the rungs from loop to loop
@@ -152,6 +161,8 @@ pub struct MadePanel {
     pub name: String,
     /// Which triangulations were looked at.
     pub method: PanelMethod,
+    /// What was made as small as could be.
+    pub goal: Goal,
     /// The weight ν of the fold price.
     pub fold: f64,
     /// The boundary as it was sampled.
@@ -218,6 +229,8 @@ pub enum MakeCause {
     SameRails,
     /// A rails method for a panel without rails.
     NoRails,
+    /// Rails that run on, for a panel without rails or one that is joined to others.
+    RunOn,
     /// A join of a panel that the design does not have.
     UnknownPanel {
         /// Its name.
@@ -275,6 +288,9 @@ impl fmt::Display for MakeCause {
             }
             Self::SameRails => write!(f, "both rails are the same curve"),
             Self::NoRails => write!(f, "the method 'rails' needs a panel with rails"),
+            Self::RunOn => {
+                write!(f, "only a panel with rails of its own, joined to no other, can run on")
+            }
             Self::UnknownPanel { name } => write!(f, "there is no panel '{name}' to join"),
             Self::JoinOfJoins { name } => write!(f, "the panel '{name}' is a join itself"),
             Self::Join { part: Some(part), cause } => write!(f, "joining '{part}': {cause}"),
@@ -314,6 +330,22 @@ fn make_panel(
     panel: &DesignPanel,
     watch: &mut dyn Watch,
 ) -> Result<MadePanel, MakeError> {
+    match make_as_asked(design, panel, watch) {
+        Err(error) if panel.run_on && error.cause != MakeCause::RunOn && !watch.stop() => {
+            let straight = DesignPanel { run_on: false, ..panel.clone() };
+            let mut made = make_as_asked(design, &straight, watch)?;
+            made.checked.add(stayed_straight(&error.cause.to_string()));
+            Ok(made)
+        }
+        made => made,
+    }
+}
+
+fn make_as_asked(
+    design: &Design,
+    panel: &DesignPanel,
+    watch: &mut dyn Watch,
+) -> Result<MadePanel, MakeError> {
     let failed = |cause: MakeCause| MakeError { panel: panel.name.clone(), curve: None, cause };
     watch.begin(&panel.name, Stage::Sample);
     let sampled = sampled(design, panel)?;
@@ -324,7 +356,8 @@ fn make_panel(
             first: sampled.on_first_rail.ok_or_else(|| failed(MakeCause::NoRails))?,
         },
     };
-    let mut options = TriangulateOptions { method, ..TriangulateOptions::default() };
+    let mut options =
+        TriangulateOptions { method, goal: panel.goal, ..TriangulateOptions::default() };
     options.price.fold = panel.fold;
     // Before the boundary is looked at, which takes its time for a long one.
     let lengths: Vec<usize> = sampled.loops.iter().map(Vec::len).collect();
@@ -383,11 +416,17 @@ fn make_panel(
             checked.add(better_without_plane(triangulation.price, free.price));
         }
     }
+    if let Some(bulges_mm) = sampled.new_ends {
+        let straight = DesignPanel { run_on: false, ..panel.clone() };
+        let straight = make_as_asked(design, &straight, watch).ok();
+        checked.add(ran_on(bulges_mm, &measures, straight.as_ref().map(|made| &made.measures)));
+    }
     sampled.findings.into_iter().for_each(|finding| checked.add(finding));
     let piece = piece(&panel.name, &sheet, &flat, &measures, &PatternOptions::default());
     Ok(MadePanel {
         name: panel.name.clone(),
         method: panel.method,
+        goal: panel.goal,
         fold: panel.fold,
         boundary,
         plane,
@@ -427,11 +466,17 @@ struct Sampled {
     loops: Vec<Vec<Sample>>,
     /// How many of the samples lie on the first rail.
     on_first_rail: Option<usize>,
+    /// Where rails ran on: how far each end bulges from the straight line, mm, if it does.
+    new_ends: Option<[Option<f64>; 2]>,
     /// What is to be said of the samples.
     findings: Vec<Finding>,
 }
 
 fn sampled(design: &Design, panel: &DesignPanel) -> Result<Sampled, MakeError> {
+    if panel.run_on && !matches!(panel.shape, PanelShape::Rails(_)) {
+        let cause = MakeCause::RunOn;
+        return Err(MakeError { panel: panel.name.clone(), curve: None, cause });
+    }
     match &panel.shape {
         PanelShape::Rails(rails) => sampled_rails(design, panel, rails),
         PanelShape::Join(join) => joining::sampled(design, panel, join),
@@ -444,7 +489,7 @@ fn sampled(design: &Design, panel: &DesignPanel) -> Result<Sampled, MakeError> {
                 let as_spaced = |length: f64| (length / spacing - SAME_SPACING).ceil() as usize;
                 loops.push(sampled_loop(design, panel, hole, as_spaced, LEAST_OF_HOLE)?);
             }
-            Ok(Sampled { loops, on_first_rail: None, findings: Vec::new() })
+            Ok(Sampled { loops, on_first_rail: None, new_ends: None, findings: Vec::new() })
         }
     }
 }
@@ -566,14 +611,23 @@ fn sampled_rails(
     let sample = |curve: &Curve| {
         sample_open(curve, panel.samples).map_err(|e| failed(None, MakeCause::Sampling(e)))
     };
-    let (mut first, mut second) = (sample(&first)?, sample(&second)?);
+    let curves = [first, second];
+    let (mut first, mut second) = (sample(&curves[0])?, sample(&curves[1])?);
     // The second runs back: the way that leaves the rails nearer to one another all along. Their
     // ends alone would not tell where each rail ends where it begins, as those of a duct do.
-    if apart(&first, &second) < apart(&first, &run_back(&second)) {
+    let turned = apart(&first, &second) < apart(&first, &run_back(&second));
+    if turned {
         second = run_back(&second);
     }
     let size = crate::boundary::size_of(first.iter().chain(&second).map(|s| s.position));
     let same = Tolerance::CHAIN.length_mm(size);
+    let mut new_ends = None;
+    if panel.run_on {
+        let price = PriceOptions { fold: panel.fold, ..PriceOptions::default() };
+        let ran = run_on::run_on(&first, &second, same, price);
+        new_ends = Some(ran.bulges_mm);
+        [first, second] = ran.rails;
+    }
     // Rails that meet at an end share that sample; it keeps the tangents of both.
     let meet = |a: &[Sample], b: &[Sample]| {
         let (end, start) = (a[a.len() - 1], b[0]);
@@ -594,7 +648,8 @@ fn sampled_rails(
     first.extend(second);
     close_ends(&mut first, on_first_rail, [at_start.is_some(), at_end.is_some()]);
     let loops = vec![first];
-    Ok(Sampled { loops, on_first_rail: Some(on_first_rail), findings: Vec::new() })
+    let findings = Vec::new();
+    Ok(Sampled { loops, on_first_rail: Some(on_first_rail), new_ends, findings })
 }
 
 /// How far apart two rails of as many samples are, run side by side: the sum over their samples, mm.

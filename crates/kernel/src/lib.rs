@@ -15,6 +15,7 @@
 //! use sheetwright::curve::{CurveKind, CurvePoint};
 //! use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape, make};
 //! use sheetwright::math::Point3;
+//! use sheetwright::triangulate::Goal;
 //! use sheetwright::watch::Unwatched;
 //!
 //! // A strip between two rails: the chine and the sheer of a small boat, in mm.
@@ -37,6 +38,8 @@
 //!         shape: PanelShape::Rails([on("chine"), on("sheer")]),
 //!         samples: 50,
 //!         method: PanelMethod::Optimal,
+//!         goal: Goal::Price,
+//!         run_on: false,
 //!         plane: PlaneChoice::Auto,
 //!         fold: sheetwright::cost::DEFAULT_FOLD,
 //!         cut: Vec::new(),

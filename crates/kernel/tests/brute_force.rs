@@ -5,7 +5,9 @@ use sheetwright::boundary::{Boundary, PlaneChoice, supporting_plane};
 use sheetwright::cost::{DEFAULT_FOLD, PriceOptions, Prices, TwistForm};
 use sheetwright::math::Vec3;
 use sheetwright::rung::Visibility;
-use sheetwright::triangulate::{Method, TriangulateError, TriangulateOptions, triangulate};
+use sheetwright::triangulate::{
+    Goal, Method, TriangulateError, TriangulateOptions, Triangulation, triangulate,
+};
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::random::{Random, grid, star, tangle};
 use std::sync::OnceLock;
@@ -117,6 +119,59 @@ impl Loop {
             .or_else(|| least(&mut priced.iter()).map(|price| (price, true)))
     }
 
+    /// The largest twist of the rungs of a triangulation that has a price.
+    fn worst(&self, triangles: &Triangles) -> f64 {
+        let twist = |&[i, _, j]: &[usize; 3]| match self.sides[i][j] {
+            Side::Edge => 0.0,
+            Side::WithoutPlanes => 2.0,
+            Side::Rung(twist, _) => twist,
+            Side::Hidden => panic!("it has no price"),
+        };
+        triangles.iter().map(twist).fold(0.0, f64::max)
+    }
+
+    /// The largest twist and the price of the triangulation whose largest twist is the least, and
+    /// of those the cheapest.
+    fn least_worst(&self, admits: impl Fn(&Triangles) -> bool) -> Option<(f64, f64)> {
+        let all = &all_triangulations()[self.prices.len()];
+        let priced: Vec<(usize, f64, f64)> = all
+            .iter()
+            .filter(|t| admits(t))
+            .filter_map(|t| self.price(t).map(|(p, forced)| (forced.min(1), self.worst(t), p)))
+            .collect();
+        let least = priced.into_iter().reduce(|a, b| if b < a { b } else { a });
+        least.map(|(_, worst, price)| (worst, price))
+    }
+
+    /// The least that the largest twist can be, by the plain table.
+    fn bottleneck(&self) -> f64 {
+        let m = self.prices.len();
+        let mut least = vec![vec![0.0f64; m]; m];
+        for length in 2..m {
+            for i in 0..m - length {
+                let j = i + length;
+                let parts = (i + 1..j).map(|k| f64::max(least[i][k], least[k][j]));
+                let own = match self.sides[i][j] {
+                    Side::Edge => 0.0,
+                    Side::Rung(twist, _) => twist,
+                    Side::Hidden | Side::WithoutPlanes => f64::INFINITY,
+                };
+                least[i][j] = own.max(parts.fold(f64::INFINITY, f64::min));
+            }
+        }
+        least[0][m - 1]
+    }
+
+    /// The same loop without its rungs above a twist.
+    fn barred(mut self, bar: f64) -> Self {
+        for side in self.sides.iter_mut().flatten() {
+            if matches!(side, Side::Rung(twist, _) if *twist > bar) {
+                *side = Side::Hidden;
+            }
+        }
+        self
+    }
+
     /// Equations (2) and (5) as they are written, over L(i) for the sample `i`: the table of both
     /// sides of every rung, by start and length round the loop.
     fn least_over_rungs_of(&self, i: usize) -> f64 {
@@ -165,9 +220,17 @@ fn has_edge_everywhere(prices: &Prices) -> impl Fn(&Triangles) -> bool {
 }
 
 fn found(boundary: &Boundary, choice: PlaneChoice, options: &TriangulateOptions) -> Option<f64> {
+    solved(boundary, choice, options).map(|found| found.price)
+}
+
+fn solved(
+    boundary: &Boundary,
+    choice: PlaneChoice,
+    options: &TriangulateOptions,
+) -> Option<Triangulation> {
     let plane = supporting_plane(boundary, choice).unwrap();
     match triangulate(boundary, plane.as_ref(), options, &mut Unwatched) {
-        Ok(found) => Some(found.price),
+        Ok(found) => Some(found),
         Err(TriangulateError::NoneInside) => None,
         Err(error) => panic!("{error}"),
     }
@@ -241,6 +304,85 @@ fn rails_are_the_least_of_all_strips() {
                 triangles.iter().all(|&[i, _, j]| brute.prices.neighbours(i, j) || joins(i, j))
             });
             assert_eq!(found(&boundary, PlaneChoice::None, &options), least, "{seed} {first}");
+        }
+    }
+}
+
+/// The least largest twist of all, and the least price with it, bit by bit.
+#[test]
+fn the_worst_warp_is_the_least_of_all() {
+    let (mut solvable, mut better) = (0, 0);
+    let forced = std::cell::Cell::new(0);
+    for (seed, boundary) in boundaries(200).enumerate() {
+        let m = boundary.len();
+        let first = 1 + seed % (m - 1);
+        let joins = |i: usize, j: usize| (i < first) != (j < first);
+        for (choice, fold, form) in [
+            (PlaneChoice::Auto, DEFAULT_FOLD, TwistForm::Normalised),
+            (PlaneChoice::None, DEFAULT_FOLD, TwistForm::Normalised),
+            (PlaneChoice::None, 0.0, TwistForm::Normalised),
+            (PlaneChoice::None, 0.05, TwistForm::Printed),
+        ] {
+            let price = PriceOptions { fold, form };
+            let brute = Loop::new(&boundary, choice, price);
+            let check = |method: Method, admits: &dyn Fn(&Triangles) -> bool| {
+                let options = TriangulateOptions { method, price, ..Default::default() };
+                let cheapest = solved(&boundary, choice, &options);
+                let options = TriangulateOptions { goal: Goal::WorstWarp, ..options };
+                let found = solved(&boundary, choice, &options);
+                let pair = found.as_ref().map(|found| (found.largest_twist, found.price));
+                assert_eq!(pair, brute.least_worst(admits), "{method:?} {seed} {boundary:?}");
+                let rungs = found.as_ref().map_or(0, |found| found.forced_rungs);
+                forced.set(forced.get() + usize::from(rungs > 0));
+                (cheapest, found)
+            };
+            let (cheapest, found) = check(Method::Optimal, &|_| true);
+            if let (Some(cheapest), Some(found)) = (cheapest, found) {
+                assert!(found.proven_optimal && found.lower_bound == found.price);
+                assert!(found.largest_twist <= cheapest.largest_twist);
+                assert!(found.price >= cheapest.price);
+                solvable += 1;
+                better += usize::from(found.largest_twist < cheapest.largest_twist);
+            }
+            check(Method::Bridge, &has_edge_everywhere(&brute.prices));
+            check(Method::Rails { first }, &|triangles| {
+                triangles.iter().all(|&[i, _, j]| brute.prices.neighbours(i, j) || joins(i, j))
+            });
+        }
+    }
+    let forced = forced.get();
+    println!("{solvable} solvable, {better} with a smaller largest twist, {forced} forced");
+    assert!(better > 50 && forced > 0);
+}
+
+/// Long loops, whose tables are filled up to a guessed bound, against the plain tables.
+#[test]
+fn bounds_do_not_change_the_worst_warp() {
+    for seed in 0..60 {
+        let mut random = Random::new(3000 + seed);
+        let m = 64 + random.below(60);
+        let boundary = match seed % 3 {
+            0 => star(&mut random, m, 0.1),
+            1 => tangle(&mut random, m, 0.1),
+            _ => grid(&mut random, m),
+        };
+        let Some(boundary) = boundary else { continue };
+        for choice in [PlaneChoice::Auto, PlaneChoice::None] {
+            for fold in [0.0, DEFAULT_FOLD] {
+                let price = PriceOptions { fold, form: TwistForm::Normalised };
+                let brute = Loop::new(&boundary, choice, price);
+                let worst = brute.bottleneck();
+                if worst.is_finite() {
+                    let options = TriangulateOptions {
+                        price,
+                        goal: Goal::WorstWarp,
+                        ..TriangulateOptions::default()
+                    };
+                    let found = solved(&boundary, choice, &options).unwrap();
+                    let least = brute.barred(worst).least_over_rungs_of(0);
+                    assert_eq!((found.largest_twist, found.price), (worst, least), "{seed}");
+                }
+            }
         }
     }
 }

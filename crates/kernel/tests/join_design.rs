@@ -10,6 +10,7 @@ use sheetwright::design::{
     PanelShape, make,
 };
 use sheetwright::math::{Point2, Point3, cos, from_deg, sin};
+use sheetwright::triangulate::Goal;
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::developable::largest_distance_after_fitting;
 use sheetwright_shapes::three_cones;
@@ -25,6 +26,8 @@ fn panel(name: &str, shape: PanelShape, samples: usize) -> DesignPanel {
         shape,
         samples,
         method: PanelMethod::Optimal,
+        goal: Goal::Price,
+        run_on: false,
         plane: PlaneChoice::Auto,
         fold: sheetwright::cost::DEFAULT_FOLD,
         cut: Vec::new(),

@@ -9,7 +9,8 @@ use sheetwright::math::{Point3, Vec3, from_deg, turned, unit};
 use sheetwright::predicate::{orientation, segments_touch, signed_area_doubled};
 use sheetwright::surface::Connectivity;
 use sheetwright::triangulate::{
-    Method, TriangulateError, TriangulateOptions, Triangulation, triangulate, with_holes_facing,
+    Goal, Method, TriangulateError, TriangulateOptions, Triangulation, triangulate,
+    with_holes_facing,
 };
 use sheetwright::watch::{Unwatched, Watch};
 use sheetwright_shapes::domain::fault;
@@ -254,6 +255,9 @@ fn only_the_optimal_method_takes_holes() {
         let refused = triangulate(&boundary, None, &options, &mut Unwatched);
         assert_eq!(refused, Err(TriangulateError::Holes { count: boundary.holes() }));
     }
+    let options = TriangulateOptions { goal: Goal::WorstWarp, ..Default::default() };
+    let refused = triangulate(&boundary, None, &options, &mut Unwatched);
+    assert_eq!(refused, Err(TriangulateError::GoalWithHoles { count: boundary.holes() }));
     let options = TriangulateOptions { memory_limit: 10_000, ..Default::default() };
     let refused = triangulate(&boundary, None, &options, &mut Unwatched);
     assert!(matches!(refused, Err(TriangulateError::TooLarge { limit: 10_000, .. })));

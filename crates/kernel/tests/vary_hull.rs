@@ -40,6 +40,8 @@ fn hull(samples: usize) -> Made {
             method: PanelMethod::Optimal,
             plane: PlaneChoice::Auto,
             fold: sheetwright::cost::DEFAULT_FOLD,
+            goal: Default::default(),
+            run_on: false,
             cut: Vec::new(),
         })
         .collect();

@@ -8,7 +8,7 @@ use sheetwright::math::{Point2, Point3, Vec3, cos, sin};
 use sheetwright::predicate::signed_area_doubled;
 use std::f64::consts::TAU;
 
-/// The plane that [`plate`], [`grid_plate`] and [`ring`] have for certain: seen from above.
+/// The plane that [`plate`] and [`grid_plate`] have for certain: seen from above.
 pub const FROM_ABOVE: PlaneChoice = PlaneChoice::Normal(Vec3::Z);
 
 /// How often a hole is thrown anew before a plate is given up.

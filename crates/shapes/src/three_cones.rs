@@ -12,6 +12,7 @@ use sheetwright::design::{
     CurveUse, Design, DesignCurve, DesignPanel, Join, PanelMethod, PanelShape,
 };
 use sheetwright::math::{Point2, Point3, Vec2, Vec3, atan2, cos, from_deg, sin};
+use sheetwright::triangulate::Goal;
 
 /// The distance of each ruling that bounds the flat middle from the origin, mm.
 const TO_RULING: f64 = 110.0;
@@ -114,6 +115,8 @@ pub fn design(samples: usize) -> Design {
         shape,
         samples,
         method: PanelMethod::Optimal,
+        goal: Goal::Price,
+        run_on: false,
         plane: PlaneChoice::Auto,
         fold: DEFAULT_FOLD,
         cut: Vec::new(),

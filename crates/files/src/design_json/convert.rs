@@ -1,7 +1,7 @@
 //! A design from its file's types to the kernel's.
 
 use super::grammar::{
-    CurveFile, DesignFile, KindName, MethodName, Object, PanelFile, PlaneFile, PlaneName,
+    CurveFile, DesignFile, GoalName, KindName, MethodName, Object, PanelFile, PlaneFile, PlaneName,
     PointFile, Triple,
 };
 use super::join::check_joins;
@@ -20,6 +20,7 @@ use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape};
 use sheetwright::material::{MATERIALS, Material};
 use sheetwright::math::{Point3, Vec3};
+use sheetwright::triangulate::Goal;
 use std::collections::BTreeMap;
 
 /// Samples of each rail unless the design says: a ruling every half per cent of the length, finer
@@ -230,6 +231,15 @@ impl PanelReader<'_> {
             Some(MethodName::Bridge) => PanelMethod::Bridge,
             Some(MethodName::Rails) => PanelMethod::Rails,
         });
+        let goal = match file.goal {
+            None | Some(GoalName::Price) => Goal::Price,
+            Some(GoalName::WorstWarp) => Goal::WorstWarp,
+        };
+        let run_on = file.run_on.unwrap_or(false);
+        if run_on && !matches!(shape, PanelShape::Rails(_)) {
+            let hint = "Leave it out, or name two open curves as `rails`.";
+            return Err(self.error(".run_on", "only rails can run on", hint));
+        }
         let plane = match file.plane {
             None | Some(PlaneFile::Named(PlaneName::Auto)) => PlaneChoice::Auto,
             Some(PlaneFile::Named(PlaneName::None)) => PlaneChoice::None,
@@ -241,6 +251,8 @@ impl PanelReader<'_> {
             cut: self.cut(&file.cut.unwrap_or_default(), &shape)?,
             shape,
             method,
+            goal,
+            run_on,
             plane: self.source.options.plane.unwrap_or(plane),
             fold: self.fold(file.fold)?,
         })

@@ -142,6 +142,13 @@ pub(super) struct PanelFile {
     /// Which triangulations are looked at. Default: optimal.
     #[serde(default)]
     pub(super) method: Option<MethodName>,
+    /// What is made as small as can be. Default: price.
+    #[serde(default)]
+    pub(super) goal: Option<GoalName>,
+    /// Whether the rails run on beyond their ends, so that rulings may leave the panel there; its
+    /// ends are then curves. Only for rails. Default: false.
+    #[serde(default)]
+    pub(super) run_on: Option<bool>,
     /// The supporting plane: `auto`, `none` or a normal `[x, y, z]`. Default: auto.
     #[serde(default)]
     pub(super) plane: Option<PlaneFile>,
@@ -170,6 +177,17 @@ pub(super) enum MethodName {
     Bridge,
     /// Those whose every rung joins the two rails.
     Rails,
+}
+
+/// What is made as small as can be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum GoalName {
+    /// Twist and folds in all.
+    Price,
+    /// The largest warp angle first, and of the surfaces that share the smallest, twist and folds
+    /// in all. Not for panels with holes.
+    WorstWarp,
 }
 
 /// How smooth a joint is made.

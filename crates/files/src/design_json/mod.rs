@@ -184,6 +184,7 @@ mod tests {
     use sheetwright::curve::CurveKind;
     use sheetwright::design::{CurveUse, PanelMethod, PanelShape};
     use sheetwright::math::Point3;
+    use sheetwright::triangulate::Goal;
 
     const DINGHY: &str = r#"{
   "sheetwright": 1, "name": "dinghy", "units": "m", "material": "plywood-4mm",
@@ -193,7 +194,7 @@ mod tests {
     "rim": { "kind": "bspline", "closed": true, "points": [[0,0,0], [1,0,0], [1,1,0], [0,1,0]] }
   },
   "panels": [
-    { "name": "bottom", "rails": ["keel", "-chine"], "method": "rails", "fold": 0 },
+    { "name": "bottom", "rails": ["keel", "-chine"], "method": "rails", "goal": "worst-warp", "run_on": true, "fold": 0 },
     { "name": "lid", "boundary": ["-rim"], "holes": [["rim"]], "samples": 50, "plane": [0, 0, 1], "cut": [[0.5, 0, 0]] }
   ]
 }"#;
@@ -288,6 +289,8 @@ mod tests {
             .map(|(name, reversed)| CurveUse { name: name.into(), reversed });
         assert_eq!(bottom.shape, PanelShape::Rails(rails));
         assert_eq!((bottom.method, bottom.fold), (PanelMethod::Rails, 0.0));
+        assert_eq!((bottom.goal, lid.goal), (Goal::WorstWarp, Goal::Price));
+        assert!(bottom.run_on && !lid.run_on);
         assert_eq!((bottom.samples, lid.samples), (200, 50));
         assert_eq!((bottom.cut.len(), lid.cut[0]), (0, Point3::new(500.0, 0.0, 0.0)));
     }
@@ -343,6 +346,8 @@ mod tests {
             ("\"lid\"", "\"BOTTOM\"", "panels[1].name"),
             ("\"fold\": 0", "\"fold\": 11", "panels[0].fold"),
             ("\"plane\": [0, 0, 1]", "\"plane\": \"automatic\"", "panels[1].plane"),
+            ("\"worst-warp\"", "\"max\"", "panels[0].goal"),
+            ("\"samples\": 50", "\"run_on\": true", "panels[1].run_on"),
             ("\"samples\": 50", "\"vary\": {\"budget\": 1}", "panels[1].vary"),
             ("\"cut\": [[0.5, 0, 0]]", "\"cut\": [0.5, 0, 0]", "panels[1].cut[0]"),
             ("\"cut\": [[0.5, 0, 0]]", "\"cut\": [[0.5, 0, 1e9]]", "panels[1].cut[0]"),

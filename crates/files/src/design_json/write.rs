@@ -1,15 +1,17 @@
 //! A kernel design as JSON, a curve a block, a point a line and a panel a line.
 
 use super::VERSION;
-use super::grammar::{KindName, MethodName, SmoothName};
+use super::grammar::{GoalName, KindName, MethodName, SmoothName};
 use crate::units::Units;
 use serde::Serialize;
 use sheetwright::boundary::{Continuity, PlaneChoice, Within};
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape};
+use sheetwright::triangulate::Goal;
 
-/// A design as the bytes of its file, in millimetres, with every default written out. It reads
-/// back equal, but for distances that points may move, which the kernel does not keep.
+/// A design as the bytes of its file, in millimetres, with every default written out but for what
+/// few designs ask for (`goal`, `run_on`, `cut`). It reads back equal, but for distances that points
+/// may move, which the kernel does not keep.
 pub fn write_design(design: &Design) -> Vec<u8> {
     write(design, Units::Millimetres, curve)
 }
@@ -111,6 +113,13 @@ fn panel(panel: &DesignPanel) -> String {
         PanelMethod::Rails => MethodName::Rails,
     };
     fields.push(format!("\"method\": {}", json(&method)));
+    match panel.goal {
+        Goal::Price => {}
+        Goal::WorstWarp => fields.push(format!("\"goal\": {}", json(&GoalName::WorstWarp))),
+    }
+    if panel.run_on {
+        fields.push("\"run_on\": true".to_owned());
+    }
     fields.push(match panel.plane {
         PlaneChoice::Auto => "\"plane\": \"auto\"".to_owned(),
         PlaneChoice::None => "\"plane\": \"none\"".to_owned(),

@@ -17,6 +17,7 @@ use sheetwright::design::{Made, MadePanel};
 use sheetwright::material::{Material, warp_limit_deg};
 use sheetwright::math::to_deg;
 use sheetwright::pattern::seam_mark;
+use sheetwright::triangulate::Goal;
 use std::collections::BTreeSet;
 
 /// `report.html` of a made design. `refold_error_mm` and `checked` have one entry a panel; a refold
@@ -325,11 +326,16 @@ impl Page<'_> {
             Some(gap) => format!("within {:.2} %", 100.0 * gap),
             None => "not proven".to_owned(),
         };
-        let rows: [(&str, String); 15] = [
+        let goal = match panel.goal {
+            Goal::Price => "price",
+            Goal::WorstWarp => "worst warp, then price",
+        };
+        let rows: [(&str, String); 16] = [
             ("Samples", panel.boundary.len().to_string()),
             ("Triangles", panel.surface.connectivity().triangles().len().to_string()),
             ("Rulings (rungs)", measures.rungs.len().to_string()),
             ("Method", panel.method.name().to_owned()),
+            ("Made least", goal.to_owned()),
             ("Best possible", optimal),
             ("Fold price ν", format!("{}", panel.fold)),
             ("Price, total", scientific(panel.triangulation.price)),

@@ -8,6 +8,7 @@ use sheetwright::design::{Made, MadePanel};
 use sheetwright::material::warp_limit_deg;
 use sheetwright::math::to_deg;
 use sheetwright::pattern::seam_mark;
+use sheetwright::triangulate::Goal;
 
 /// The version of the format.
 const VERSION: u32 = 1;
@@ -39,7 +40,12 @@ struct PanelReport<'a> {
     name: &'a str,
     /// Which triangulations were looked at: `optimal`, `bridge` or `rails`.
     method: &'static str,
-    /// Whether no triangulation at all, of those that the supporting plane admits, is cheaper.
+    /// What was made as small as could be: `price`, or `worst-warp`, which is the largest twist
+    /// first and then the price.
+    #[schemars(extend("enum" = [Goal::Price.name(), Goal::WorstWarp.name()]))]
+    goal: &'static str,
+    /// Whether no triangulation at all, of those that the supporting plane admits, is better by
+    /// that goal.
     proven_optimal: bool,
     /// The share of the price that a cheaper one could save at the most: 0 where there is none, null
     /// where nothing is known.
@@ -52,7 +58,7 @@ struct PanelReport<'a> {
     rungs: usize,
     /// The weight of the fold price.
     fold: f64,
-    /// What was minimised: twist and weighted folds, summed. Without unit.
+    /// The price: twist and weighted folds, summed. Without unit.
     price_total: f64,
     /// The sum of the twist (1 - cosine of the warp angle) of all rungs. Without unit.
     twist_total: f64,
@@ -198,6 +204,7 @@ fn of_panel<'a>(
     PanelReport {
         name: &panel.name,
         method: panel.method.name(),
+        goal: panel.goal.name(),
         proven_optimal: panel.triangulation.proven_optimal,
         gap: panel.triangulation.gap(),
         samples: panel.boundary.len(),

@@ -7,6 +7,7 @@ use sheetwright::design::{
 };
 use sheetwright::material::Material;
 use sheetwright::math::{Point3, cos, from_deg, sin};
+use sheetwright::triangulate::Goal;
 use sheetwright::watch::Unwatched;
 
 pub(super) const ODD_NAME: &str = "<b>\"&é";
@@ -17,7 +18,17 @@ fn used(name: &str) -> CurveUse {
 
 fn panel(name: &str, shape: PanelShape, samples: usize) -> DesignPanel {
     let (method, plane) = (PanelMethod::Optimal, PlaneChoice::Auto);
-    DesignPanel { name: name.to_owned(), shape, samples, method, plane, fold: 0.1, cut: Vec::new() }
+    DesignPanel {
+        name: name.to_owned(),
+        shape,
+        samples,
+        method,
+        plane,
+        goal: Goal::Price,
+        run_on: false,
+        fold: 0.1,
+        cut: Vec::new(),
+    }
 }
 
 fn made(name: &str, material: &str, curves: Vec<DesignCurve>, panels: Vec<DesignPanel>) -> Made {

@@ -33,9 +33,10 @@ fn pictures(page: &str) -> Vec<&str> {
 }
 
 /// The contract's fields of a panel, in its order.
-const PANEL_FIELDS: [&str; 26] = [
+const PANEL_FIELDS: [&str; 27] = [
     "name",
     "method",
+    "goal",
     "proven_optimal",
     "samples",
     "triangles",
@@ -69,7 +70,7 @@ fn the_json_has_the_fields_of_the_contract_in_their_order() {
     let text = String::from_utf8(report_json(&made, &errors, &checked)).unwrap();
     let place =
         |field: &str| text.find(&format!("\"{field}\":")).unwrap_or_else(|| panic!("{field}"));
-    let places: Vec<usize> = PANEL_FIELDS.iter().skip(1).take(22).map(|f| place(f)).collect();
+    let places: Vec<usize> = PANEL_FIELDS.iter().skip(1).take(23).map(|f| place(f)).collect();
     assert!(places.is_sorted(), "{places:?}");
     assert!(place("sheetwright") < place("name") && place("name") < place("units"));
     let panel = &json(&made)["panels"][2];

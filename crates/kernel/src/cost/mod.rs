@@ -38,6 +38,7 @@ pub use planes::RungPlanes;
 pub use slopes::{Piece, SampleSlope};
 
 use crate::boundary::{Boundary, SupportingPlane};
+use crate::curve::Sample;
 use crate::math::{Vec3, unit};
 use planes::{End, smooth, special};
 
@@ -144,6 +145,24 @@ impl Prices {
             prices.after = (0..boundary.len()).map(|i| boundary.next(i)).collect();
         }
         prices
+    }
+
+    /// The prices of a loop of samples that need not be the boundary of anything; it faces along
+    /// its area vector.
+    pub(crate) fn of_ring(samples: &[Sample], options: PriceOptions) -> Self {
+        let m = samples.len();
+        let at = |k: usize| samples[k % m].position;
+        let edge = |i: usize| unit(at(i + 1) - at(i)).unwrap_or(Vec3::ZERO);
+        let ends = samples.iter().enumerate().map(|(i, s)| End {
+            position: s.position.to_vec(),
+            tangent_in: s.tangent_in,
+            tangent_out: s.tangent_out,
+            edge_in: edge(i + m - 1),
+            edge_out: edge(i),
+        });
+        let twice = |i: usize| (at(i) - at(0)).cross(at(i + 1) - at(0));
+        let area_vector = (0..m).fold(Vec3::ZERO, |sum, i| sum + twice(i));
+        Self::of_ends(ends.collect(), options, unit(area_vector).unwrap_or(Vec3::Z))
     }
 
     /// The prices of the closed polygon that walks the samples of `order`; it may pass a sample

@@ -83,7 +83,7 @@ pub(super) fn sampled(
     findings.extend(turned_round(&joined, &join.parts));
     let boundary = joined.boundary;
     let loops = boundary.loops().iter().map(|l| boundary.samples()[l.clone()].to_vec()).collect();
-    Ok(Sampled { loops, on_first_rail: None, findings })
+    Ok(Sampled { loops, on_first_rail: None, new_ends: None, findings })
 }
 
 fn parts_of<'a>(design: &'a Design, join: &Join) -> Result<Vec<&'a DesignPanel>, MakeCause> {
@@ -94,6 +94,7 @@ fn parts_of<'a>(design: &'a Design, join: &Join) -> Result<Vec<&'a DesignPanel>,
             Some(DesignPanel { shape: PanelShape::Join(_), .. }) => {
                 Err(MakeCause::JoinOfJoins { name: name.clone() })
             }
+            Some(part) if part.run_on => Err(MakeCause::RunOn),
             Some(part) => Ok(part),
         }
     };
@@ -253,6 +254,7 @@ mod tests {
     use crate::curve::{CurveKind, CurvePoint};
     use crate::design::{CurveUse, DesignCurve, PanelMethod};
     use crate::math::{cos, from_deg, sin};
+    use crate::triangulate::Goal;
 
     /// Two halves of a tube about the axis z, of radius 50 and height 80.
     fn tube() -> Design {
@@ -277,6 +279,8 @@ mod tests {
             shape,
             samples: 90,
             method: PanelMethod::Optimal,
+            goal: Goal::Price,
+            run_on: false,
             plane: PlaneChoice::Auto,
             fold: 1.0,
             cut: Vec::new(),

@@ -8,6 +8,7 @@ use crate::curve::{CurveKind, CurvePoint};
 use crate::design::{CurveUse, Design, DesignCurve, DesignPanel, Join, PanelMethod, PanelShape};
 use crate::material::Material;
 use crate::math::Point3;
+use crate::triangulate::Goal;
 
 /// Curves and panels as they are drawn.
 #[derive(Debug, Default)]
@@ -175,6 +176,8 @@ impl Sketch {
             shape,
             samples,
             method,
+            goal: Goal::Price,
+            run_on: false,
             plane,
             fold,
             cut,

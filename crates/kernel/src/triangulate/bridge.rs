@@ -70,19 +70,28 @@ impl Parts<'_> {
         sorted.sort_unstable();
         let [i, k, j] = sorted;
         let means = [self.side(i, k).mean, self.side(k, j).mean, self.side(i, j).mean];
-        self.terms.prices.triangle(sorted, means)
+        self.terms.fold(sorted, means)
+    }
+
+    /// The price of three parts together.
+    fn three(&self, a: f64, b: f64, c: f64) -> f64 {
+        self.terms.together(self.terms.together(a, b), c)
     }
 
     fn fill(&mut self, i: usize, length: usize) {
         let m = self.m;
         let [i_next, j_before, j] = [i + 1, i + length - 1, i + length].map(|k| k % m);
         // With an edge at the start, the part from i+ to j is left; at the end, from i to j−.
-        let start = self.least[(length - 1) * m + i_next]
-            + self.side(i_next, j).price
-            + self.triangle([i, i_next, j]);
-        let end = self.least[(length - 1) * m + i]
-            + self.side(i, j_before).price
-            + self.triangle([i, j_before, j]);
+        let start = self.three(
+            self.least[(length - 1) * m + i_next],
+            self.side(i_next, j).price,
+            self.triangle([i, i_next, j]),
+        );
+        let end = self.three(
+            self.least[(length - 1) * m + i],
+            self.side(i, j_before).price,
+            self.triangle([i, j_before, j]),
+        );
         self.at_start[length * m + i] = start <= end;
         self.least[length * m + i] = if start <= end { start } else { end };
     }
@@ -93,10 +102,14 @@ impl Parts<'_> {
         if m == 3 {
             return Some(vec![[0, 1, 2]]);
         }
-        let both =
-            |j: usize| self.least[j * m] + self.least[(m - j) * m + j] + self.side(0, j).price;
-        let cut_off =
-            self.least[(m - 2) * m + 1] + self.side(1, m - 1).price + self.triangle([m - 1, 0, 1]);
+        let both = |j: usize| {
+            self.three(self.least[j * m], self.least[(m - j) * m + j], self.side(0, j).price)
+        };
+        let cut_off = self.three(
+            self.least[(m - 2) * m + 1],
+            self.side(1, m - 1).price,
+            self.triangle([m - 1, 0, 1]),
+        );
         let best = (2..m - 1).min_by(|&a, &b| both(a).total_cmp(&both(b)).then(a.cmp(&b)));
         let mut triangles = Vec::with_capacity(m - 2);
         match best {

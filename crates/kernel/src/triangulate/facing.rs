@@ -92,7 +92,7 @@ fn with_terms<T>(
 ) -> T {
     let prices = Prices::new(boundary, None, price);
     let visibility = Visibility::new(boundary, None);
-    what(&Terms { prices: &prices, visibility: &visibility, forced: true })
+    what(&Terms::new(&prices, &visibility, true))
 }
 
 /// Passes on a wish to stop, and no progress.

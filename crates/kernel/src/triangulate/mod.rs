@@ -2,11 +2,21 @@
 //!
 //! One file a method; each fills the same outcome. The price that is minimised is Π of
 //! [`crate::cost`], over the triangulations that the method admits.
+//!
+//! **The least worst warp** ([`Goal::WorstWarp`]) takes two passes of the same method. The first
+//! puts parts together by the larger of their prices instead of the sum, (max, min) for (+, min),
+//! and counts no folds: that gives the least that the worst rung can be. The second minimises Π
+//! with all rungs above that barred. Looking for the worst by bisection over the sorted twists
+//! would do as well, but is code of its own for each method; this is two lines in each, exact
+//! because a maximum rounds nothing, and of the same order. A rung without a tangent plane counts
+//! 2, the most there is, in both passes: where one is needed the worst can't be helped, nothing is
+//! barred, and the least Π decides.
 
 mod bridge;
 mod facing;
 mod holes;
 mod optimal;
+mod part;
 mod rails;
 
 pub use facing::with_holes_facing;
@@ -18,6 +28,7 @@ use crate::index::SampleIndex;
 use crate::math::Vec3;
 use crate::rung::{Rung, Visibility};
 use crate::watch::Watch;
+use part::Part;
 use std::fmt;
 
 /// Which triangulations are looked at.
@@ -37,11 +48,34 @@ pub enum Method {
     },
 }
 
+/// What is made as small as can be.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Goal {
+    /// The price Π: least twist and folds in all.
+    #[default]
+    Price,
+    /// The twist of the worst rung first, and of those triangulations the price Π. For one loop
+    /// only.
+    WorstWarp,
+}
+
+impl Goal {
+    /// How designs and reports name it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Price => "price",
+            Self::WorstWarp => "worst-warp",
+        }
+    }
+}
+
 /// How a boundary is triangulated.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TriangulateOptions {
     /// Which triangulations are looked at.
     pub method: Method,
+    /// What is made as small as can be.
+    pub goal: Goal,
     /// How they are priced.
     pub price: PriceOptions,
     /// The most memory that tables may take, bytes. Default 4 GiB: `Optimal` up to 11,000 samples
@@ -51,7 +85,12 @@ pub struct TriangulateOptions {
 
 impl Default for TriangulateOptions {
     fn default() -> Self {
-        Self { method: Method::Optimal, price: PriceOptions::default(), memory_limit: 4 << 30 }
+        Self {
+            method: Method::Optimal,
+            goal: Goal::Price,
+            price: PriceOptions::default(),
+            memory_limit: 4 << 30,
+        }
     }
 }
 
@@ -63,14 +102,20 @@ pub struct Triangulation {
     /// Its triangles, corners counter-clockwise as seen from the side that the surface faces, the
     /// lowest first (on one loop: in its order); m + 2 h − 2 of them, in increasing order.
     pub triangles: Vec<[SampleIndex; 3]>,
-    /// Π: what was minimised, without unit; below [`EXACT_BELOW`] an exact multiple of
+    /// Π: what was minimised, at last, without unit; below [`EXACT_BELOW`] an exact multiple of
     /// [`crate::cost::QUANTUM`].
     pub price: f64,
-    /// Whether no triangulation at all, of those that the supporting plane admits, is cheaper. Not
-    /// claimed for prices of [`EXACT_BELOW`] and more, whose sums are rounded: hopeless boundaries.
+    /// The price of its dearest rung alone: its largest twist, without unit, a multiple of
+    /// [`crate::cost::QUANTUM`]; 0 for a triangle.
+    pub largest_twist: f64,
+    /// Whether no triangulation at all, of those that the supporting plane admits, is better: is
+    /// cheaper or, if the goal was the worst warp, has a smaller largest twist, or the same and is
+    /// cheaper. Not claimed for prices of [`EXACT_BELOW`] and more, whose sums are rounded:
+    /// hopeless boundaries.
     pub proven_optimal: bool,
-    /// No triangulation at all, of those that the supporting plane admits, is cheaper than this:
-    /// the price itself where that is proven, 0 where nothing is known.
+    /// No triangulation at all, of those that the supporting plane admits, is cheaper than this; if
+    /// the goal was the worst warp, none of those whose largest twist is no larger. The price
+    /// itself where that is proven, 0 where nothing is known.
     pub lower_bound: f64,
     /// Rungs without a tangent plane that no triangulation could do without; each counts as a
     /// twist of 2.
@@ -94,6 +139,11 @@ impl Triangulation {
 pub enum TriangulateError {
     /// The boundary has holes, which only the optimal method takes.
     Holes {
+        /// How many.
+        count: usize,
+    },
+    /// The boundary has holes, and the goal is the worst warp.
+    GoalWithHoles {
         /// How many.
         count: usize,
     },
@@ -121,6 +171,13 @@ impl fmt::Display for TriangulateError {
             Self::Holes { count } => {
                 let word = if *count == 1 { "hole" } else { "holes" };
                 write!(f, "the boundary has {count} {word}, which only 'optimal' takes")
+            }
+            Self::GoalWithHoles { count } => {
+                let word = if *count == 1 { "hole" } else { "holes" };
+                write!(
+                    f,
+                    "the boundary has {count} {word}, which the goal 'worst-warp' does not take"
+                )
             }
             Self::TooLarge { needed, limit } => write!(
                 f,
@@ -163,21 +220,37 @@ pub fn triangulate(
     let visibility = Visibility::new(boundary, plane);
     // Rungs without a tangent plane are admitted only when nothing can be done without them.
     for forced in [false, true] {
-        let terms = Terms { prices: &prices, visibility: &visibility, forced };
+        let mut terms = Terms::new(&prices, &visibility, forced);
         let simple = |triangles| Found { triangles, lower_bound: None };
-        let found = match options.method {
-            Method::Optimal if boundary.holes() > 0 => {
-                holes::solve(&terms, plane, boundary.loops(), f64::INFINITY, watch)?
-            }
-            Method::Optimal => optimal::solve(&terms, watch)?.map(simple),
-            Method::Bridge => bridge::solve(&terms, watch)?.map(simple),
-            Method::Rails { first } => rails::solve(&terms, first, watch)?.map(simple),
+        let found = if boundary.holes() > 0 {
+            holes::solve(&terms, plane, boundary.loops(), f64::INFINITY, watch)?
+        } else if options.goal == Goal::Price {
+            one_loop(&terms, options.method, watch)?.map(simple)
+        } else {
+            let worst = Terms { rule: Rule::Worst, ..terms };
+            let first = one_loop(&worst, options.method, &mut Part::new(watch, 0.0..0.5))?;
+            let Some(first) = first else { continue };
+            terms.bar = terms.largest(&first);
+            one_loop(&terms, options.method, &mut Part::new(watch, 0.5..1.0))?.map(simple)
         };
         if let Some(found) = found {
             return Ok(outcome(&terms, found, options.method));
         }
     }
     Err(TriangulateError::NoneInside)
+}
+
+/// The best triangles of one loop; `None` if there are none.
+fn one_loop(
+    terms: &Terms<'_>,
+    method: Method,
+    watch: &mut dyn Watch,
+) -> Result<Option<Vec<[usize; 3]>>, TriangulateError> {
+    match method {
+        Method::Optimal => optimal::solve(terms, watch),
+        Method::Bridge => bridge::solve(terms, watch),
+        Method::Rails { first } => rails::solve(terms, first, watch),
+    }
 }
 
 /// Refuses loops of so many samples, the outer one first, that can't be triangulated, before
@@ -189,6 +262,9 @@ pub fn refuse(lengths: &[usize], options: &TriangulateOptions) -> Result<(), Tri
     let (m, holes) = (lengths[0], lengths.len() - 1);
     if !(0.0..=MAX_FOLD).contains(&options.price.fold) {
         return Err(TriangulateError::Fold);
+    }
+    if holes > 0 && options.goal == Goal::WorstWarp {
+        return Err(TriangulateError::GoalWithHoles { count: holes });
     }
     let needed = match options.method {
         Method::Optimal if holes > 0 => holes::memory_needed(lengths),
@@ -221,11 +297,25 @@ struct Solved {
 }
 
 /// What a method may use, and for what price.
+#[derive(Clone, Copy)]
 struct Terms<'a> {
     prices: &'a Prices,
     visibility: &'a Visibility,
     /// Whether rungs without a tangent plane are admitted, as a twist of 2.
     forced: bool,
+    /// How parts are priced together.
+    rule: Rule,
+    /// Rungs that are dearer are not admitted.
+    bar: f64,
+}
+
+/// What the price of parts together is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Rule {
+    /// Their sum.
+    Sum,
+    /// The larger one; folds cost nothing.
+    Worst,
 }
 
 /// The terms of a loop that keeps only some of the samples.
@@ -233,11 +323,14 @@ struct Thinned {
     prices: Prices,
     visibility: Visibility,
     forced: bool,
+    rule: Rule,
 }
 
 impl Thinned {
+    /// Without the bar: fewer samples may have no answer below it, and a guess needs one.
     fn terms(&self) -> Terms<'_> {
-        Terms { prices: &self.prices, visibility: &self.visibility, forced: self.forced }
+        let terms = Terms::new(&self.prices, &self.visibility, self.forced);
+        Terms { rule: self.rule, ..terms }
     }
 }
 
@@ -255,14 +348,49 @@ const EDGE: Side = Side { price: 0.0, mean: Vec3::ZERO };
 const FORCED: Side = Side { price: 2.0, mean: Vec3::ZERO };
 const BARRED: Side = Side { price: f64::INFINITY, mean: Vec3::ZERO };
 
-impl Terms<'_> {
+impl<'a> Terms<'a> {
+    /// Sums of prices, and nothing barred.
+    fn new(prices: &'a Prices, visibility: &'a Visibility, forced: bool) -> Self {
+        Self { prices, visibility, forced, rule: Rule::Sum, bar: f64::INFINITY }
+    }
+
     /// The terms of the loop of every `step`-th sample.
     fn thinned(&self, step: usize) -> Thinned {
         Thinned {
             prices: self.prices.thinned(step),
             visibility: self.visibility.thinned(step, self.prices.len()),
             forced: self.forced,
+            rule: self.rule,
         }
+    }
+
+    /// The price of two parts together.
+    #[inline(always)]
+    fn together(&self, a: f64, b: f64) -> f64 {
+        match self.rule {
+            Rule::Sum => a + b,
+            Rule::Worst => a.max(b),
+        }
+    }
+
+    /// The fold price of a triangle, see [`Prices::triangle`].
+    #[inline(always)]
+    fn fold(&self, corners: [usize; 3], means: [Vec3; 3]) -> f64 {
+        match self.rule {
+            Rule::Sum => self.prices.triangle(corners, means),
+            Rule::Worst => 0.0,
+        }
+    }
+
+    /// Whether folds cost anything.
+    fn folds(&self) -> bool {
+        self.rule == Rule::Sum && self.prices.options().fold > 0.0
+    }
+
+    /// The price of the dearest rung of these triangles.
+    fn largest(&self, triangles: &[[usize; 3]]) -> f64 {
+        let sides = triangles.iter().flat_map(|&[i, k, j]| [(i, k), (k, j), (i, j)]);
+        sides.map(|(a, b)| self.side(a, b).price).fold(0.0, f64::max)
     }
 
     /// The side between samples `i` and `j`, in either order.
@@ -279,7 +407,10 @@ impl Terms<'_> {
             return BARRED;
         }
         match self.prices.planes(i, j) {
-            Some(planes) => Side { price: self.prices.rung(i, j, &planes), mean: planes.mean },
+            Some(planes) => {
+                let price = self.prices.rung(i, j, &planes);
+                if price > self.bar { BARRED } else { Side { price, mean: planes.mean } }
+            }
             None if self.forced => FORCED,
             None => BARRED,
         }
@@ -301,6 +432,8 @@ impl Terms<'_> {
             } else {
                 if prices[i] == f64::INFINITY && self.forced {
                     prices[i] = FORCED.price;
+                } else if prices[i] > self.bar {
+                    prices[i] = BARRED.price;
                 }
                 continue;
             }
@@ -353,12 +486,14 @@ fn outcome(terms: &Terms<'_>, found: Found, method: Method) -> Triangulation {
         .sum();
     let of_folds: f64 = triangles.iter().map(|&corners| terms.triangle(corners)).sum();
     let price = of_rungs + of_folds;
+    let largest_twist = terms.largest(&triangles);
     let lower_bound = found.lower_bound.unwrap_or(price);
     let proven_optimal = method == Method::Optimal && price < EXACT_BELOW && lower_bound >= price;
     Triangulation {
         rungs,
         triangles: triangles.iter().map(|t| t.map(SampleIndex::new)).collect(),
         price,
+        largest_twist,
         proven_optimal,
         lower_bound: if method == Method::Optimal { lower_bound.min(price) } else { 0.0 },
         forced_rungs,

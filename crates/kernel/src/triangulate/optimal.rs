@@ -24,7 +24,7 @@
 //!    do tie) the k with the least |P_i P_k| + |P_k P_j| wins, then the smallest: strips of compact
 //!    triangles rather than fans.
 
-use super::{Solved, Terms, TriangulateError};
+use super::{Rule, Solved, Terms, TriangulateError};
 use crate::cost::{QUANTUM, RungColumn, quantised};
 use crate::math::Vec3;
 use crate::watch::Watch;
@@ -155,7 +155,7 @@ impl<'a> Table<'a> {
     fn new(terms: &'a Terms<'a>) -> Self {
         let m = terms.prices.len();
         let pairs = m * (m - 1) / 2;
-        let folds = terms.prices.options().fold > 0.0;
+        let folds = terms.folds();
         let of_folds = if folds { pairs } else { 0 };
         Self {
             terms,
@@ -212,11 +212,19 @@ impl<'a> Table<'a> {
                 price = f64::INFINITY;
             } else if price < f64::INFINITY && i + 1 < j {
                 let first = [best_below, self.best_before[i]].map(|k| k.clamp(i + 1, j - 1));
+                let left = match self.terms.rule {
+                    Rule::Sum => self.bound - price,
+                    Rule::Worst => self.bound,
+                };
                 // Prices up to the bound lie below the next multiple of the quantum.
-                let below = self.bound - price + QUANTUM;
+                let below = left + QUANTUM;
                 let least = self.least(i, j, below, first);
                 (best_below, self.best_before[i]) = (least.k, least.k);
-                price = if least.price < below { price + least.price } else { f64::INFINITY };
+                price = if least.price < below {
+                    self.terms.together(price, least.price)
+                } else {
+                    f64::INFINITY
+                };
             }
             self.rows[here] = price;
             self.columns[column_start(j) + i] = price;
@@ -240,7 +248,11 @@ impl<'a> Table<'a> {
         let row = &self.rows[row_start(self.m, i)..][..j - i - 1];
         let column = &self.columns[column_start(j)..][i + 1..j];
         if !self.folds {
-            return Least { price: least_sum(row, column), k: first[0] };
+            let price = match self.terms.rule {
+                Rule::Sum => least_of(row, column, |a, b| a + b),
+                Rule::Worst => least_of(row, column, |a, b| if a > b { a } else { b }),
+            };
+            return Least { price, k: first[0] };
         }
         let mut least = Least { price: below, k: first[0] };
         // The ends too: their triangles have an edge of the boundary, for which the bound of F
@@ -355,7 +367,7 @@ impl<'a> Table<'a> {
         let column = &self.columns[column_start(j)..];
         let mut chosen = (f64::INFINITY, f64::INFINITY, i + 1);
         for k in i + 1..j {
-            let sum = row[k - i - 1] + column[k];
+            let sum = self.terms.together(row[k - i - 1], column[k]);
             if sum > chosen.0 {
                 continue;
             }
@@ -368,20 +380,20 @@ impl<'a> Table<'a> {
     }
 }
 
-/// The least of the sums of two slices, element by element; infinite for empty ones.
+/// The least of what two slices are together, element by element; infinite for empty ones.
 #[inline(always)]
-fn least_sum(row: &[f64], column: &[f64]) -> f64 {
+fn least_of(row: &[f64], column: &[f64], together: impl Fn(f64, f64) -> f64) -> f64 {
     let (row_blocks, row_rest) = row.as_chunks::<LANES>();
     let (column_blocks, column_rest) = column.as_chunks::<LANES>();
     let mut least = [f64::INFINITY; LANES];
     for (a, b) in row_blocks.iter().zip(column_blocks) {
         for n in 0..LANES {
-            let sum = a[n] + b[n];
+            let price = together(a[n], b[n]);
             // Written out: `f64::min` also orders NaN, which costs instructions and can't occur.
-            least[n] = if sum < least[n] { sum } else { least[n] };
+            least[n] = if price < least[n] { price } else { least[n] };
         }
     }
-    let rest = row_rest.iter().zip(column_rest).map(|(a, b)| a + b);
+    let rest = row_rest.iter().zip(column_rest).map(|(&a, &b)| together(a, b));
     least.into_iter().chain(rest).fold(f64::INFINITY, |a, b| if b < a { b } else { a })
 }
 

@@ -47,19 +47,19 @@ pub(super) fn solve(
             if i > 0 {
                 let corners = [i - 1, i, on_second(j)];
                 let means = [super::EDGE.mean, sides[j].mean, sides_before[j].mean];
-                best = cheapest[here - second] + terms.prices.triangle(corners, means);
+                best = terms.together(cheapest[here - second], terms.fold(corners, means));
                 along_first[here] = best < f64::INFINITY;
             }
             if j > 0 {
                 let corners = [i, on_second(j), on_second(j - 1)];
                 let means = [sides[j].mean, super::EDGE.mean, sides[j - 1].mean];
-                let price = cheapest[here - 1] + terms.prices.triangle(corners, means);
+                let price = terms.together(cheapest[here - 1], terms.fold(corners, means));
                 if price < best {
                     best = price;
                     along_first[here] = false;
                 }
             }
-            cheapest[here] = best + sides[j].price;
+            cheapest[here] = terms.together(best, sides[j].price);
         }
         sides_before = sides;
     }

@@ -16,6 +16,7 @@ use super::Terms;
 use super::TriangulateError;
 use super::memory_needed as memory_needed_for_chain;
 use super::outcome;
+use super::part::Part;
 use crate::boundary::SupportingPlane;
 use crate::watch::Watch;
 use chains::Chains;
@@ -32,38 +33,6 @@ pub(super) fn memory_needed(lengths: &[usize]) -> u64 {
     let band = band::memory_needed(all - lengths[holes], lengths[holes]);
     let bound = if holes > 1 { bound::memory_needed(all) } else { 0 };
     chain.max(band).max(bound)
-}
-
-/// A part of the work, and the part of its progress that this is.
-struct Part<'w> {
-    watch: &'w mut dyn Watch,
-    share: Range<f64>,
-    told: f64,
-}
-
-impl<'w> Part<'w> {
-    fn new(watch: &'w mut dyn Watch, share: Range<f64>) -> Self {
-        Self { watch, share, told: f64::NEG_INFINITY }
-    }
-
-    /// A part whose progress nobody can tell.
-    fn silent(watch: &'w mut dyn Watch) -> Self {
-        Self { watch, share: 0.0..0.0, told: f64::INFINITY }
-    }
-}
-
-impl Watch for Part<'_> {
-    fn progress(&mut self, done: f64) {
-        // Some work is done in several goes, which begin anew.
-        if done > self.told {
-            self.told = done;
-            self.watch.progress(self.share.start + (self.share.end - self.share.start) * done);
-        }
-    }
-
-    fn stop(&self) -> bool {
-        self.watch.stop()
-    }
 }
 
 /// The cheapest triangles between the loops; `None` if there are none up to the price `bound`.

@@ -84,7 +84,7 @@ fn solve(
     let order: Vec<usize> = (0..n).map(|i| chains.sample(spot(i))).collect();
     let prices = chains.terms.prices.chain(&order, |a, b| chains.is_cut(a, b));
     let visibility = Visibility::of_pairs(n, |i, j| chains.sees(spot(i), spot(j)));
-    let terms = Terms { prices: &prices, visibility: &visibility, forced: chains.terms.forced };
+    let terms = Terms::new(&prices, &visibility, chains.terms.forced);
     let found = if bound < f64::INFINITY {
         optimal::solve_within(&terms, bound - of_cuts, &mut Part::silent(watch))?
     } else {
