@@ -318,24 +318,12 @@ impl<'c, 'a> Band<'c, 'a> {
         &self,
         grid: &Grid,
         least: &Least,
-        (c, r): (usize, usize),
+        at: (usize, usize),
         below: f64,
     ) -> Option<(f64, (usize, usize))> {
-        let (m, k) = (self.m(), self.inner.len());
-        let (p, a) = grid.pair(c, r);
-        let jumps = &self.outer_pockets.ending_at(p % m)[m - c..];
-        let outer = least_of(&least.row(grid, r)[..c], jumps, below, |c| {
-            self.outer_fold(grid.pair(c, r).0, p, a)
-        });
-        let first = r.saturating_sub(k - 1);
+        let outer = self.arrive_along(grid, least, at, below, Along::Outer);
         let below = outer.map_or(below, |(price, _)| price);
-        let jumps = &self.inner_pockets.ending_at(self.below(a))[k - (r - first)..];
-        let inner = least_of(&least.column(grid, c)[first..r], jumps, below, |at| {
-            self.inner_fold(p, grid.pair(c, first + at).1, a)
-        });
-        inner
-            .map(|(price, at)| (price, (c, first + at)))
-            .or(outer.map(|(price, at)| (price, (at, r))))
+        self.arrive_along(grid, least, at, below, Along::Inner).or(outer)
     }
 
     /// The cheapest last step of all paths: its price, where it begins, and where it arrives.
