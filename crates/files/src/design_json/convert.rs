@@ -259,7 +259,12 @@ impl PanelReader<'_> {
     }
 
     fn cut(&self, places: &[Triple], shape: &PanelShape) -> Result<Vec<Point3>, InputError> {
-        let holes = if let PanelShape::Loops { holes, .. } = shape { holes.len() } else { 0 };
+        let holes = match shape {
+            PanelShape::Loops { holes, .. } => holes.len(),
+            PanelShape::Rails(_) => 0,
+            // How many holes a join has is known when it is joined; a point too many cuts nothing.
+            PanelShape::Join(_) => places.len(),
+        };
         if places.len() > holes {
             let (message, hint) = if holes == 0 {
                 ("a panel without holes is not cut open".to_owned(), "Leave it out.".to_owned())
