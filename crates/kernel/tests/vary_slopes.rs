@@ -62,6 +62,7 @@ fn slopes_are_those_of_central_differences() {
             plane: PlaneChoice::Auto,
             triangulate: &options,
             motions: &motions,
+            follows: false,
         };
         let pure = Weights { goal: Goal::Price, excess: 0.0, fairness: 0.0 };
         let all =

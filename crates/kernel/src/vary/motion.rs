@@ -169,6 +169,26 @@ pub(super) fn moved(
     samples.iter().zip(motions).map(moved).collect()
 }
 
+/// The samples where the unknowns have moved them, and how they follow from there; `None` where a
+/// tangent has lost its direction.
+pub(super) fn moved_on(
+    samples: &[Sample],
+    motions: &[Motion],
+    unknowns: &[Vec3],
+) -> Option<(Vec<Sample>, Vec<Motion>)> {
+    let now = moved(samples, motions, unknowns)?;
+    let onward = |start: Vec3, lean: &Lean| Lean {
+        length_mm: (start * lean.length_mm + displacement(&lean.shares, unknowns)).length(),
+        shares: lean.shares.clone(),
+    };
+    let from_there = samples.iter().zip(motions).map(|(start, motion)| Motion {
+        position: motion.position.clone(),
+        tangent_in: onward(start.tangent_in, &motion.tangent_in),
+        tangent_out: onward(start.tangent_out, &motion.tangent_out),
+    });
+    Some((now, from_there.collect()))
+}
+
 /// Carries slopes with the samples, which started at `start` and are at `now`, back to the unknowns.
 pub(super) fn carry(
     start: &[Sample],
