@@ -12,6 +12,7 @@ mod sample;
 mod shares;
 mod spline;
 
+pub(crate) use arc_length::NODES;
 pub use cubic::Cubic;
 pub(crate) use sample::{Place, Placed, chain_placed, chained_samples, divisions_of, open_placed};
 pub use sample::{Sample, SampleError, sample_chain, sample_open};
@@ -246,7 +247,7 @@ impl Curve {
 
     /// The runs of spans between corners, as ranges of span numbers; a range may run over the end
     /// of a closed curve, so its end may exceed the number of spans. One range without corners.
-    fn stretches(&self) -> Vec<std::ops::Range<usize>> {
+    pub(crate) fn stretches(&self) -> Vec<std::ops::Range<usize>> {
         let m = self.spans.len();
         let corners: Vec<usize> = (0..m).filter(|&i| self.corner_before[i]).collect();
         let Some((&first, &last)) = corners.first().zip(corners.last()) else {

@@ -10,9 +10,11 @@
 //! Between two triangulations the places of the samples on their curves are held, and so are the
 //! chords that a spline is made over; then samples and tangents are linear in the points
 //! ([`crate::curve::point_shares`]). With every triangulation the moved curves are sampled anew, as
-//! those of any design are, and what is accepted is accepted for that.
+//! those of any design are, and what is accepted is accepted for that; so samples slip along their
+//! curves as these change their lengths, and that is a part of how they follow ([`slips`]).
 
 mod refine;
+mod slips;
 mod unknowns;
 
 use super::sampling::{Sampler, matched};

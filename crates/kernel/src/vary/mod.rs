@@ -36,7 +36,7 @@ mod value;
 
 pub use limit::Limit;
 pub use motion::{
-    Lean, Motion, Share, control_shares, counted_shares, motions, motions_of_samples,
+    Lean, Motion, Share, Slip, control_shares, counted_shares, motions, motions_of_samples,
 };
 pub use outcome::{Ended, Varied, VariedPanel, VaryError};
 
@@ -46,6 +46,8 @@ use crate::math::Vec3;
 use crate::triangulate::{TriangulateOptions, Triangulation};
 use crate::watch::Watch;
 use descend::{DescentEnd, descend};
+#[cfg(test)]
+pub(crate) use motion::moved as moved_samples;
 use motion::moved_on;
 use state::{NoState, PanelState, State};
 use std::collections::BTreeMap;
@@ -55,6 +57,9 @@ use value::PanelValue;
 const SHARES: [f64; 4] = [1.0, 0.5, 0.25, 0.125];
 /// A round that gains less than this share of the price is the last.
 const LEAST_GAIN: f64 = 1e-4;
+/// How much more twist counts where it would rise, and how much at the most.
+const MORE_TWIST: f64 = 10.0;
+const MOST_TWIST: f64 = 1000.0;
 
 /// A panel whose samples may move.
 #[derive(Clone, Copy, Debug)]
@@ -266,11 +271,10 @@ impl Way<'_> {
         &self,
         state: &State,
         limit: &Limit,
-        goal: Goal,
-        excess: f64,
+        (goal, excess, twist): (Goal, f64, f64),
         watch: &dyn Watch,
     ) -> descend::Descent {
-        let weights = Weights { goal, excess, fairness: self.options.fairness };
+        let weights = Weights { goal, excess, twist, fairness: self.options.fairness };
         let base = &state.unknowns;
         let held: Vec<PanelValue<'_>> =
             state.panels.iter().map(|panel| PanelValue::new(panel, base)).collect();
@@ -341,10 +345,13 @@ fn least_price(
     watch: &mut dyn Watch,
 ) -> (State, Ended) {
     let mut state = start;
+    // Where folds count, their price may fall as twist rises, which must not be: then twist counts
+    // for more on the way.
+    let mut twist = 1.0;
     let rounds = way.options.rounds;
     for round in 0..rounds {
         watch.progress(round as f64 / rounds as f64);
-        let descent = way.descend(&state, limit, Goal::Price, 0.0, watch);
+        let descent = way.descend(&state, limit, (Goal::Price, 0.0, twist), watch);
         if descent.end == DescentEnd::Stopped {
             return (state, Ended::Stopped);
         }
@@ -354,6 +361,7 @@ fn least_price(
         let accepted = |next: &State| next.price < state.price && next.twist <= state.twist;
         match way.first_accepted(&state, &descent.point, accepted, watch) {
             Err(_) => return (state, Ended::Stopped),
+            Ok(None) if twist < MOST_TWIST => twist *= MORE_TWIST,
             Ok(None) => return (state, Ended::NoGain),
             Ok(Some(next)) => {
                 let gain = state.price - next.price;
@@ -419,6 +427,8 @@ pub struct Weights {
     pub goal: Goal,
     /// What the squares of warp angles above the goal's, radians², count beside the price.
     pub excess: f64,
+    /// What twist counts, 1 as in the price.
+    pub twist: f64,
     /// See [`VaryOptions::fairness`].
     pub fairness: f64,
 }

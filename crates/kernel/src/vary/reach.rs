@@ -117,7 +117,7 @@ fn come_below(
         if state.warp_asked() <= largest {
             return (state, Attempt::Within);
         }
-        let descent = way.descend(&state, limit, aim, weight, watch);
+        let descent = way.descend(&state, limit, (aim, weight, 1.0), watch);
         if descent.end == DescentEnd::Stopped {
             return (nearest, Attempt::Stopped);
         }

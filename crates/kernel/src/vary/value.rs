@@ -77,12 +77,14 @@ impl<'a> PanelValue<'a> {
         };
         let boundary = self.boundary.with_samples(samples);
         let mut slopes = vec![SampleSlope::default(); boundary.len()];
-        let mut value = self.price(&boundary, weights, &mut slopes);
-        if weights.fairness > 0.0 {
-            value += self.zig_zag(weights.fairness, unknowns, &mut slopes);
-        }
+        let price = self.price(&boundary, weights, &mut slopes);
         carry(start, boundary.samples(), self.motions, &onward, &slopes, with);
-        value
+        price
+            + if weights.fairness > 0.0 {
+                self.zig_zag(weights.fairness, unknowns, with)
+            } else {
+                0.0
+            }
     }
 
     fn price(&self, boundary: &Boundary, weights: &Weights, slopes: &mut [SampleSlope]) -> f64 {
@@ -104,8 +106,8 @@ impl<'a> PanelValue<'a> {
                 total += 2.0;
                 continue;
             };
-            total += planes.twist;
-            let mut with_twist = 1.0;
+            total += weights.twist * planes.twist;
+            let mut with_twist = weights.twist;
             if let (Goal::Warp { largest }, false) = (weights.goal, self.follows) {
                 let warp = planes.warp();
                 let excess = (warp - largest).max(0.0);
@@ -118,8 +120,8 @@ impl<'a> PanelValue<'a> {
     }
 
     /// The squares of the angles by which the edges of the boundary turn against one another where the
-    /// unknowns have moved them, at samples that are no corners.
-    fn zig_zag(&self, weight: f64, unknowns: &[Vec3], slopes: &mut [SampleSlope]) -> f64 {
+    /// unknowns have moved them, at samples that are no corners. Slipping along a curve is no zig-zag.
+    fn zig_zag(&self, weight: f64, unknowns: &[Vec3], with: &mut [Vec3]) -> f64 {
         let boundary = self.boundary;
         let samples = boundary.samples();
         let motions = self.motions;
@@ -136,9 +138,11 @@ impl<'a> PanelValue<'a> {
             let turn = (way(before) + way(after) - way(n) * 2.0) / spacing;
             total += weight * turn.length_squared();
             let with_turn = turn * (2.0 * weight / spacing);
-            slopes[before].position += with_turn;
-            slopes[after].position += with_turn;
-            slopes[n].position -= with_turn * 2.0;
+            for (n, slope) in [(before, with_turn), (after, with_turn), (n, with_turn * -2.0)] {
+                for share in &motions[n].position {
+                    with[share.unknown] += slope * share.factor;
+                }
+            }
         }
         total
     }

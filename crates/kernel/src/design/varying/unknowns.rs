@@ -1,7 +1,8 @@
 //! The points that move, as unknowns, and how samples follow them.
 
+use super::slips::slips;
 use crate::boundary::size_of;
-use crate::curve::{CurveKind, PointShare, SpanShares, point_shares};
+use crate::curve::{Curve, CurveKind, PointShare, SpanShares, point_shares};
 use crate::design::sampling::{OnCurve, Sourced, kind_of_part};
 use crate::design::{Design, DesignCurve, Prepared};
 use crate::math::{Point3, Vec3};
@@ -15,7 +16,8 @@ const NO_DERIVATIVE: f64 = 1e-9;
 
 /// A curve that moves.
 struct MovingCurve {
-    /// What its spans follow; empty where its points are the samples.
+    /// The curve, and what its spans follow; none where its points are the samples.
+    curve: Option<Curve>,
     spans: Vec<SpanShares>,
     /// Where its points lie, mm.
     points: Vec<Vec3>,
@@ -170,7 +172,7 @@ impl Unknowns {
                 let Some(place) = place else { continue };
                 // A tangent of a curve that stays does not turn.
                 let Some(curve) = self.curves.get(&place.curve) else {
-                    *lean = Lean { length_mm: size, shares: Vec::new() };
+                    *lean = Lean { length_mm: size, ..Lean::default() };
                     continue;
                 };
                 if let Some(exact) = curve.lean(place, NO_DERIVATIVE * size) {
@@ -178,7 +180,28 @@ impl Unknowns {
                 }
             }
         }
+        self.let_slip(&mut motions, panel);
         motions
+    }
+
+    fn let_slip(&self, motions: &mut [Motion], panel: &Prepared) {
+        for (&number, moving) in &self.curves {
+            let Some(curve) = &moving.curve else { continue };
+            let on_it = panel.sources.iter().enumerate().filter_map(|(n, source)| {
+                let place = source.at.filter(|place| place.curve == number)?;
+                Some((n, place.span, place.t))
+            });
+            let places: Vec<(usize, usize, f64)> = on_it.collect();
+            for slipping in slips(curve, &moving.spans, &moving.unknown, &places) {
+                let motion = &mut motions[slipping.number];
+                let reversed = panel.sources[slipping.number].at.is_some_and(|p| p.reversed);
+                let bend = if reversed { -slipping.bend } else { slipping.bend };
+                motion.slip = slipping.slip;
+                motion.along = slipping.along;
+                motion.tangent_in.bend = bend;
+                motion.tangent_out.bend = bend;
+            }
+        }
     }
 
     /// What the position of a sample follows.
@@ -204,10 +227,11 @@ impl MovingCurve {
         number: usize,
     ) -> Self {
         let are_samples = curve.kind.is_none() && curve.closed;
-        let spans = if are_samples {
-            Vec::new()
-        } else {
-            point_shares(kind_of_part(curve), &curve.points, curve.closed)
+        let kind = kind_of_part(curve);
+        let drawn = Curve::new(kind, &curve.points, curve.closed).ok().filter(|_| !are_samples);
+        let spans = match drawn {
+            Some(_) => point_shares(kind, &curve.points, curve.closed),
+            None => Vec::new(),
         };
         let on_it = sources.filter_map(|source| source.at.filter(|place| place.curve == number));
         let sum_of_shares = |place: OnCurve| -> f64 {
@@ -217,7 +241,7 @@ impl MovingCurve {
         let most_shares = on_it.map(sum_of_shares).fold(1.0, f64::max);
         let points = curve.points.iter().map(|point| point.at.to_vec()).collect();
         let move_mm = curve.points.iter().map(|point| point.move_mm).collect();
-        Self { spans, points, unknown, move_mm, most_shares }
+        Self { curve: drawn, spans, points, unknown, move_mm, most_shares }
     }
 
     /// The same shares in the unknowns; points that stay have none.
@@ -240,7 +264,11 @@ impl MovingCurve {
         let sign = if place.reversed { -1.0 } else { 1.0 };
         let along: Vec<PointShare> =
             shares.iter().map(|s| PointShare { factor: sign * s.factor, ..*s }).collect();
-        (length_mm > least_mm).then(|| Lean { length_mm, shares: self.shares(&along) })
+        (length_mm > least_mm).then(|| Lean {
+            length_mm,
+            shares: self.shares(&along),
+            bend: Vec3::ZERO,
+        })
     }
 }
 
@@ -251,7 +279,7 @@ pub(super) fn position_shares(span: &SpanShares, t: f64) -> Vec<PointShare> {
 }
 
 /// Their shares in its derivative by `t`.
-fn derivative_shares(span: &SpanShares, t: f64) -> Vec<PointShare> {
+pub(super) fn derivative_shares(span: &SpanShares, t: f64) -> Vec<PointShare> {
     let s = 1.0 - t;
     let (a, b, c) = (3.0 * s * s, 6.0 * s * t, 3.0 * t * t);
     weighed(span, [-a, a - b, b - c, c])
@@ -265,4 +293,101 @@ fn weighed(span: &SpanShares, weights: [f64; 4]) -> Vec<PointShare> {
         }
     }
     by_point.into_iter().map(|(point, factor)| PointShare { point, factor }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::boundary::PlaneChoice;
+    use crate::curve::CurvePoint;
+    use crate::design::sampling::{Sampler, matched};
+    use crate::design::{CurveUse, DesignPanel, PanelMethod, PanelShape, prepare};
+    use crate::math::{cos, sin};
+    use crate::vary::moved_samples;
+    use crate::watch::Unwatched;
+
+    /// A loop of two curves of a kind with a corner in one of them, the other run backwards.
+    fn leaf(kind: CurveKind) -> Design {
+        let at = |x: f64, y: f64| Point3::new(x, y, 12.0 * sin(0.05 * x) + 0.1 * y);
+        let arc = |side: f64| {
+            let point = move |n: usize| {
+                let t = n as f64 / 8.0;
+                let bulge =
+                    side * 40.0 * sin(std::f64::consts::PI * t) * (1.0 + 0.2 * cos(9.0 * t));
+                CurvePoint::smooth(at(200.0 * t * (1.3 - 0.3 * t), bulge))
+            };
+            (0..9).map(point).collect::<Vec<_>>()
+        };
+        let curve = |name: &str, points| DesignCurve {
+            name: name.into(),
+            kind: Some(kind),
+            closed: false,
+            points,
+        };
+        let mut curves = vec![curve("low", arc(-1.0)), curve("high", arc(1.0))];
+        curves[1].points[5].corner = true;
+        let uses = [("low", false), ("high", true)];
+        let outer = uses.map(|(name, reversed)| CurveUse { name: name.into(), reversed });
+        let panel = DesignPanel {
+            name: "leaf".into(),
+            shape: PanelShape::Loops { outer: outer.to_vec(), holes: Vec::new() },
+            samples: 60,
+            method: PanelMethod::Optimal,
+            plane: PlaneChoice::Auto,
+            fold: 1.0,
+            goal: Default::default(),
+            run_on: false,
+            cut: Vec::new(),
+        };
+        Design { curves, panels: vec![panel], ..Design::default() }
+    }
+
+    fn prepared(design: &Design) -> Prepared {
+        let matched = matched(design);
+        let sampler = Sampler { design, matched: &matched };
+        prepare(&sampler, &design.panels[0], &mut Unwatched).unwrap()
+    }
+
+    /// Samples and tangents follow as those of the moved design lie, but for the square of the
+    /// displacement; with splines, but for what their chords change, too.
+    #[test]
+    fn samples_follow_as_moved_curves_are_sampled() {
+        for (kind, exact) in
+            [(CurveKind::Polyline, true), (CurveKind::BSpline, true), (CurveKind::Spline, false)]
+        {
+            let design = leaf(kind);
+            let before = prepared(&design);
+            let unknowns = Unknowns::new(&design, &BTreeSet::from([0, 1]), &[prepared(&design)]);
+            assert_eq!(unknowns.count, 16, "the ends are shared");
+            let motions = unknowns.motions(&before);
+            let missed = |long: f64| {
+                let way = |n: usize| {
+                    let t = n as f64;
+                    Vec3::new(sin(3.0 * t), cos(5.0 * t), sin(7.0 * t + 1.0)) * long
+                };
+                let ways: Vec<Vec3> = (0..unknowns.count).map(way).collect();
+                let told = moved_samples(before.boundary.samples(), &motions, &ways).unwrap();
+                let drawn = prepared(&unknowns.moved(&design, &ways));
+                let pairs = told.iter().zip(drawn.boundary.samples());
+                pairs.fold([0.0f64; 2], |[at, along], (told, drawn)| {
+                    assert_eq!(told.is_corner(), drawn.is_corner());
+                    let turned = |a: Vec3, b: Vec3| (a - b).length();
+                    [
+                        at.max(told.position.distance(drawn.position)),
+                        along
+                            .max(turned(told.tangent_in, drawn.tangent_in))
+                            .max(turned(told.tangent_out, drawn.tangent_out)),
+                    ]
+                })
+            };
+            let [far, near] = [missed(0.01), missed(0.001)];
+            for (far, near) in far.into_iter().zip(near) {
+                if exact {
+                    assert!(near < 0.02 * far + 1e-12, "{kind:?}: {far:e} {near:e}");
+                }
+                // A spline of nine points, all of which move their own way: chords matter most here.
+                assert!(near < 5e-4, "{kind:?}: {near:e}");
+            }
+        }
+    }
 }
