@@ -3,17 +3,23 @@
 use sheetwright::design::{Made, make};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
-    Picture, ReadOptions, design_picture, flat_picture, gauss_picture, read_input, side_by_side,
-    stacked, surface_picture,
+    Picture, ReadOptions, VarySettings, design_picture, flat_picture, gauss_picture, moved_picture,
+    read_input, side_by_side, stacked, surface_picture, warp_chart,
 };
 use std::error::Error;
 
 /// Samples of each rail: enough for a smooth picture, few enough for a small file.
 const SAMPLES: usize = 120;
+/// Samples of each rail where it is moved: as many as the docs speak of.
+const SAMPLES_MOVED: usize = 200;
 
 /// Writes every picture.
 pub(crate) fn write() -> Result<(), Box<dyn Error>> {
-    for (name, picture) in [("hull.svg", hull()?), ("three-cones.svg", three_cones()?)] {
+    for (name, picture) in [
+        ("hull.svg", hull()?),
+        ("hull-moved.svg", hull_moved()?),
+        ("three-cones.svg", three_cones()?),
+    ] {
         let path = crate::root().join("docs/pictures").join(name);
         std::fs::write(&path, picture.standalone())?;
         println!("wrote {}", path.display());
@@ -21,10 +27,28 @@ pub(crate) fn write() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn hull() -> Result<Picture, Box<dyn Error>> {
+fn hull_with(samples: usize, vary: VarySettings) -> Result<Made, Box<dyn Error>> {
     let example = crate::root().join("examples/ubc-fishing-vessel.sheet.json");
-    let options = ReadOptions { samples: Some(SAMPLES), ..ReadOptions::default() };
-    let made = make(&read_input(&example, &options)?, &mut Unwatched)?;
+    let options = ReadOptions { samples: Some(samples), vary, ..ReadOptions::default() };
+    Ok(make(&read_input(&example, &options)?, &mut Unwatched)?)
+}
+
+/// The last plank of the hull moved until it bends: where to, and its warp before and after.
+fn hull_moved() -> Result<Picture, Box<dyn Error>> {
+    let asked =
+        VarySettings { warp_deg: Some(5.6), limit_mm: Some(15.0), ..VarySettings::default() };
+    let made = hull_with(SAMPLES_MOVED, asked)?;
+    let bottom = made.panels.last().ok_or("the hull has no planks")?;
+    let before = bottom.change.as_ref().map(|change| &change.before);
+    let charts = before.map(|b| &**b).into_iter().chain([bottom]);
+    let charts: Vec<Picture> = charts.filter_map(|p| warp_chart(p, made.material)).collect();
+    let mut pictures: Vec<Picture> = moved_picture(bottom).into_iter().collect();
+    pictures.push(side_by_side("Warp before, and after", &charts));
+    Ok(stacked("The boundary of a plank, moved until it bends", &pictures))
+}
+
+fn hull() -> Result<Picture, Box<dyn Error>> {
+    let made = hull_with(SAMPLES, VarySettings::default())?;
     let flat: Vec<Picture> =
         made.panels.iter().map(|panel| flat_picture(panel, made.material)).collect();
     let title = "The planks of a hull in space, and laid flat";
