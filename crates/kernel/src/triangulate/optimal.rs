@@ -5,53 +5,58 @@
 //!    for an edge of the boundary. Then equation (5) reads
 //!    E(i,j) = w(i,j) + min over i<k<j of E(i,k) + E(k,j) + F(i,k,j),
 //!    with F the fold price of the triangle. Θ(m³) sums, Θ(m²) memory.
-//! 2. Row i (all k of E(i,k)) and column j (all k of E(k,j)) are both kept contiguous, so that the
-//!    inner loop runs over two slices and the compiler vectorises it, for the widest registers that
-//!    the processor has (crate `pulp`; the bits are the same with any).
-//! 3. F is never negative, and dear to work out. So a first k, the best one of the neighbouring
-//!    entries, sets a bound; the sums E(i,k) + E(k,j) are compared with it eight at a time; where
-//!    one lies below, so is a bound of F from its three rungs alone, and F is worked out only where
-//!    that does not decide. With s the sum of the three N, no unit normal n makes
-//!    Σ (1 − n·N) less than 3 − |s| ≥ (9 − |s|²) / 6. That is done in f32, less a slack for its
-//!    rounding.
-//! 4. Prices are never negative, so no entry above the price of the answer is a part of it. A
-//!    bound on that price is guessed from the optimum of every fourth sample (a developable surface
-//!    has four times as much twist there, a hopeless boundary as much); entries above it are
-//!    dropped, and rungs whose own twist is above it are not even looked at. An answer at or below
-//!    the bound is the optimum of all; without one, the bound is raised.
+//! 2. The table is kept in tiles of 16 × 16. What a column of tiles holds stays in the processor's
+//!    cache while it is filled, from the diagonal upwards. The innermost loop runs over 16 j side by
+//!    side, for one i and one k, which the compiler vectorises for the widest registers that the
+//!    processor has (crate `pulp`; the bits are the same with any).
+//! 3. Prices are never negative, so no entry above the price of a known triangulation is a part of
+//!    the answer. One is found by the optimum of every fourth sample: only rungs near to its rungs
+//!    are priced and put together (a band of the table), which is cheap, and near to the optimum or
+//!    the optimum itself. In the table of all rungs, entries above that price are then dropped. Each
+//!    row keeps a list of its finite entries, and k runs over that list alone. If the band has no
+//!    triangulation, the bound is guessed from the optimum of every fourth sample, and raised until
+//!    there is an answer below it.
+//! 4. F is never negative, and dear to work out. So those k come first that were best one row below;
+//!    of the others, the sums E(i,k) + E(k,j) are compared with the least price so far, 16 at a time.
+//!    Where one lies below, a test without root and quotient says whether F may leave it there, and
+//!    only then F is worked out.
 //! 5. Which k was best is not stored but found again on the way back, for the m − 2 entries that
 //!    belong to the answer. Of equal prices (prices are exact, see [`crate::cost`], so flat regions
 //!    do tie) the k with the least |P_i P_k| + |P_k P_j| wins, then the smallest: strips of compact
 //!    triangles rather than fans.
 
+use super::part::Part;
 use super::{Rule, Solved, Terms, TriangulateError};
-use crate::cost::{QUANTUM, RungColumn, quantised};
+use crate::cost::{FarEnds, LANES, Lanes, QUANTUM, Strip, quantised};
 use crate::math::Vec3;
 use crate::watch::Watch;
 use std::ops::Range;
 
-/// How many sums are compared at once: two to four vector registers on common processors.
-const LANES: usize = 8;
-/// What the bound of F may lose to rounding in f32, for ν = 1: |s|² is at most 9 and comes from
-/// some ten operations with an error of 2⁻²⁴ each.
-const SLACK: f32 = 4e-6;
+/// What the bound of F may lose to rounding, for ν = 1: |s|² is at most 9 and comes from some ten
+/// operations.
+const SLACK: f64 = 1e-13;
 
-/// Loops with fewer samples are solved without a bound: the guess would cost more than it saves.
+/// Loops with fewer samples are solved without a bound: it would cost more than it saves.
 const LEAST_THINNED: usize = 64;
-/// The guess comes from every fourth sample, at a 64th of the cost.
+/// The bound comes from every fourth sample, at a 64th of the cost.
 const THINNING: usize = 4;
-/// How much more than expected the answer may cost. Guesses that are too low cost little, as they
-/// leave few entries; those that are too high leave many.
-const GUESS: f64 = 1.3;
+/// How far from a rung of the thinned loop rungs are tried, in samples of the thinned loop.
+const REACH: usize = 1;
+/// How much more than that of the thinned loop the answer may cost, where its rungs lead to none.
+const GUESSES: [f64; 2] = [1.3, 5.2];
 /// Above it no bound is tried: a boundary like that needs all entries.
 const HIGHEST_BOUND: f64 = 100.0;
 
-/// What the tables of m samples take, bytes: this one, those of the thinned loops, a sixteenth each
-/// of the one before, and who sees whom.
+/// What the tables of m samples take, bytes: this one, with folds, those of the thinned loops, a
+/// sixteenth each of the one before, who sees whom, and the band.
 pub fn memory_needed(m: usize) -> u64 {
-    let pairs = (m as u64) * (m as u64).saturating_sub(1) / 2;
-    let entry = 2 * size_of::<f64>() + 6 * size_of::<f32>() + size_of::<Vec3>();
-    pairs * (entry as u64) / 15 * 16 + pairs / 4
+    let m = m as u64;
+    let lanes = LANES as u64;
+    let tiles = m.div_ceil(lanes) * (m.div_ceil(lanes) + 1) / 2;
+    let tile = lanes * (size_of::<Lanes>() + size_of::<[Lanes; 3]>()) as u64;
+    let pairs = m * m.saturating_sub(1) / 2;
+    let listed = (size_of::<u32>() + size_of::<f64>()) as u64;
+    (tiles * tile + pairs * listed) / 15 * 16 + pairs / 4 + pairs / 8
 }
 
 /// The triangles of the cheapest triangulation; `None` if there is none.
@@ -69,10 +74,10 @@ pub(super) fn solve_priced(
 ) -> Result<Option<Solved>, TriangulateError> {
     let mut table = Table::new(terms);
     let mut left = 1.0;
-    for bound in bounds(terms, watch)? {
+    for bound in bounds(&mut table, watch)? {
         // Nobody knows how many bounds it takes: each gets half of what is left of the progress.
         let share = 1.0 - left..1.0 - 0.5 * left;
-        let price = table.fill(bound, watch, share)?;
+        let price = table.fill(bound, None, watch, share)?;
         if price < f64::INFINITY {
             return Ok(Some(Solved { price, triangles: table.trace() }));
         }
@@ -90,49 +95,126 @@ pub(super) fn solve_within(
 ) -> Result<Option<Solved>, TriangulateError> {
     let mut table = Table::new(terms);
     let bound = if bound > HIGHEST_BOUND { f64::INFINITY } else { bound };
-    let price = table.fill(bound, watch, 0.0..0.0)?;
+    let price = table.fill(bound, None, watch, 0.0..0.0)?;
     Ok((price < f64::INFINITY).then(|| Solved { price, triangles: table.trace() }))
 }
 
 /// Bounds to try on the price of the answer, one after the other; the last is none at all.
-fn bounds(terms: &Terms<'_>, watch: &mut dyn Watch) -> Result<Vec<f64>, TriangulateError> {
-    if terms.prices.len() < LEAST_THINNED {
+fn bounds(table: &mut Table<'_>, watch: &mut dyn Watch) -> Result<Vec<f64>, TriangulateError> {
+    if table.m < LEAST_THINNED {
         return Ok(vec![f64::INFINITY]);
     }
-    let thinned = terms.thinned(THINNING);
-    let coarse = thinned.terms();
-    let mut table = Table::new(&coarse);
-    for bound in bounds(&coarse, watch)? {
-        let price = table.fill(bound, watch, 0.0..0.0)?;
-        if price < f64::INFINITY {
-            let steps = [GUESS / THINNING as f64, GUESS, GUESS * THINNING as f64];
-            let tried = steps.iter().map(|step| quantised((step * price).min(HIGHEST_BOUND)));
-            return Ok(tried.chain([f64::INFINITY]).collect());
+    let thinned = table.terms.thinned(THINNING);
+    let Some(coarse) = solve_priced(&thinned.terms(), &mut Part::silent(watch))? else {
+        return Ok(vec![f64::INFINITY]);
+    };
+    let band = Band::along(&coarse.triangles, table.m);
+    let price = table.fill(f64::INFINITY, Some(&band), watch, 0.0..0.0)?;
+    Ok(match price {
+        _ if coarse.price.min(price) > HIGHEST_BOUND => vec![f64::INFINITY],
+        f64::INFINITY => {
+            let guessed = |guess: f64| quantised((guess * coarse.price).min(HIGHEST_BOUND));
+            GUESSES.map(guessed).into_iter().chain([f64::INFINITY]).collect()
         }
-    }
-    Ok(vec![f64::INFINITY])
+        _ => vec![price],
+    })
 }
 
-/// Packed triangles over pairs i < k.
+/// The rungs near those of a triangulation of the thinned loop.
+struct Band {
+    /// How many samples the thinned loop has.
+    n: usize,
+    /// Whether rungs from the samples of one part of the loop to those of another are near, by
+    /// pairs of parts, the lower first; part a begins with sample a of the thinned loop.
+    near: Vec<bool>,
+}
+
+impl Band {
+    fn along(triangles: &[[usize; 3]], m: usize) -> Self {
+        let n = m.div_ceil(THINNING);
+        let mut near = vec![false; n * n];
+        for &[i, k, j] in triangles {
+            for (a, b) in [(i, k), (k, j), (i, j)] {
+                for a in (0..=2 * REACH).map(|step| (a + n + step - REACH) % n) {
+                    for b in (0..=2 * REACH).map(|step| (b + n + step - REACH) % n) {
+                        near[a.min(b) * n + a.max(b)] = true;
+                    }
+                }
+            }
+        }
+        Self { n, near }
+    }
+
+    /// Which of the rungs from sample `i` to the far ends are near.
+    fn lanes(&self, i: usize, to: &FarEnds) -> [bool; LANES] {
+        let row = &self.near[i / THINNING * self.n..][..self.n];
+        std::array::from_fn(|n| row[((to.first + n) / THINNING).min(self.n - 1)])
+    }
+}
+
+/// The table in tiles of [`LANES`] rows by as many columns, on and above the diagonal. The tiles of
+/// as many columns follow one another, from the first row down to the diagonal, and so do the rows
+/// of each: a row holds E(k,j) of one k and all j of the tile.
 struct Table<'a> {
     terms: &'a Terms<'a>,
     m: usize,
-    /// E by rows: E(i,k) at row_start(i) + k − i − 1.
-    rows: Vec<f64>,
-    /// E by columns: E(k,j) at column_start(j) + k.
-    columns: Vec<f64>,
-    /// N by rows, by rows and axis in f32, and by columns and axis in f32; all empty when folds
-    /// cost nothing.
-    means: Vec<Vec3>,
-    mean_rows: [Vec<f32>; 3],
-    mean_columns: [Vec<f32>; 3],
+    entries: Vec<Lanes>,
+    /// N in the same order, by axis; empty when folds cost nothing.
+    means: Vec<[Lanes; 3]>,
+    /// The finite entries of every row once more, packed: where and what. Row i begins at
+    /// `row_start` and has as many as `row_lengths` says.
+    row_k: Vec<u32>,
+    row_entries: Vec<f64>,
+    row_lengths: Vec<usize>,
     folds: bool,
+    /// Whether samples are numbered in order, so that many triangles can be priced at once.
+    in_order: bool,
     /// Entries above it are infinite; a multiple of the quantum.
     bound: f64,
-    /// The rungs to sample j, while column j is filled.
-    rungs: RungColumn,
-    /// The best k of E(i, j − 1) for every i, while column j is filled.
-    best_before: Vec<usize>,
+}
+
+/// What one tile holds.
+struct Tile {
+    entries: [Lanes; LANES],
+    means: [[Lanes; 3]; LANES],
+    /// The best k of the row that was filled last, which is near to that of the next one; 0 for
+    /// none.
+    best: [u64; LANES],
+}
+
+/// A tile to be filled. A type rather than a closure: the call of a closure by value goes through a
+/// function of its own, which is not compiled for the wider registers.
+struct Filling<'a> {
+    table: &'a Table<'a>,
+    row: usize,
+    to: &'a FarEnds,
+    band: Option<&'a Band>,
+    tile: &'a mut Tile,
+}
+
+impl pulp::WithSimd for Filling<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) {
+        self.table.fill_tile(self.row, self.to, self.band, self.tile);
+    }
+}
+
+/// The least sums below the rungs from one sample to those of a tile, on the way.
+struct Least<'a> {
+    i: usize,
+    to: &'a FarEnds,
+    means: [Lanes; 3],
+    /// Infinitely low where nothing is looked for.
+    prices: Lanes,
+    /// The k that they were found at; 0 for none.
+    best: [u64; LANES],
+}
+
+/// Where the row of sample `k` stands in the tiles of `column`.
+fn slot(k: usize, column: usize) -> usize {
+    column * (column + 1) / 2 * LANES + k
 }
 
 fn row_start(m: usize, i: usize) -> usize {
@@ -140,209 +222,303 @@ fn row_start(m: usize, i: usize) -> usize {
     i * m - i * (i + 1) / 2
 }
 
-fn column_start(j: usize) -> usize {
-    j * (j.max(1) - 1) / 2
-}
-
-/// The least price found so far, and where.
-#[derive(Clone, Copy)]
-struct Least {
-    price: f64,
-    k: usize,
-}
-
 impl<'a> Table<'a> {
     fn new(terms: &'a Terms<'a>) -> Self {
         let m = terms.prices.len();
-        let pairs = m * (m - 1) / 2;
+        let tiles = m.div_ceil(LANES);
+        let (pairs, slots) = (m * (m - 1) / 2, slot(0, tiles));
         let folds = terms.folds();
-        let of_folds = if folds { pairs } else { 0 };
         Self {
             terms,
             m,
-            rows: vec![0.0; pairs],
-            columns: vec![0.0; pairs],
-            means: vec![Vec3::ZERO; of_folds],
-            mean_rows: [0, 1, 2].map(|_| vec![0.0; of_folds]),
-            mean_columns: [0, 1, 2].map(|_| vec![0.0; of_folds]),
+            entries: vec![[0.0; LANES]; slots],
+            means: vec![[[0.0; LANES]; 3]; if folds { slots } else { 0 }],
+            row_k: vec![0; pairs],
+            row_entries: vec![0.0; pairs],
+            row_lengths: vec![0; m],
             folds,
+            in_order: terms.prices.in_order(),
             bound: f64::INFINITY,
-            rungs: RungColumn::default(),
-            best_before: vec![0; m],
         }
     }
 
-    /// Fills the table with all entries up to `bound`, and returns the price of the answer. `share`
-    /// is the part of the progress that this is.
+    /// Fills the table with all entries up to `bound`, those of rungs outside the band excepted,
+    /// and returns the price of the answer. `share` is the part of the progress that this is.
     fn fill(
         &mut self,
         bound: f64,
+        band: Option<&Band>,
         watch: &mut dyn Watch,
         share: Range<f64>,
     ) -> Result<f64, TriangulateError> {
         self.bound = bound;
+        self.row_lengths.fill(0);
         let registers = pulp::Arch::new();
-        for j in 1..self.m {
-            if watch.stop() {
-                return Err(TriangulateError::Stopped);
+        let mut tile = Tile {
+            entries: [[f64::INFINITY; LANES]; LANES],
+            means: [[[0.0; LANES]; 3]; LANES],
+            best: [0; LANES],
+        };
+        for column in 0..self.m.div_ceil(LANES) {
+            let to = self.terms.prices.far_ends(column * LANES);
+            tile.best = [0; LANES];
+            for row in (0..=column).rev() {
+                if watch.stop() {
+                    return Err(TriangulateError::Stopped);
+                }
+                registers.dispatch(Filling { table: self, row, to: &to, band, tile: &mut tile });
+                self.store(row, column, &tile);
             }
-            let done = j as f64 / self.m as f64;
+            let done = to.first as f64 / self.m as f64;
             watch.progress(share.start + (share.end - share.start) * done * done * done);
-            registers.dispatch(
-                #[inline(always)]
-                || self.fill_column(j),
-            );
         }
-        Ok(self.rows[self.m - 2])
+        Ok(self.entry(0, self.m - 1))
     }
 
-    /// Fills E(i,j) for all i, from j − 1 down to 0.
-    #[inline(always)]
-    fn fill_column(&mut self, j: usize) {
-        let mut rungs = std::mem::take(&mut self.rungs);
-        self.terms.column(j, &mut rungs);
-        let mut best_below = j;
-        for i in (0..j).rev() {
-            let here = row_start(self.m, i) + j - i - 1;
-            if self.folds {
-                self.keep_mean(i, j, here, [0, 1, 2].map(|axis| rungs.means[axis][i]));
+    fn store(&mut self, row: usize, column: usize, tile: &Tile) {
+        let first = slot(row * LANES, column);
+        self.entries[first..][..LANES].copy_from_slice(&tile.entries);
+        if self.folds {
+            self.means[first..][..LANES].copy_from_slice(&tile.means);
+        }
+        for (i, entries) in (row * LANES..self.m).zip(&tile.entries) {
+            let mut at = row_start(self.m, i) + self.row_lengths[i];
+            for (n, &entry) in entries.iter().enumerate() {
+                if entry < f64::INFINITY {
+                    self.row_k[at] = (column * LANES + n) as u32;
+                    self.row_entries[at] = entry;
+                    at += 1;
+                }
             }
-            let mut price = rungs.prices[i];
-            if price > self.bound {
-                price = f64::INFINITY;
-            } else if price < f64::INFINITY && i + 1 < j {
-                let first = [best_below, self.best_before[i]].map(|k| k.clamp(i + 1, j - 1));
+            self.row_lengths[i] = at - row_start(self.m, i);
+        }
+    }
+
+    /// Fills the tile of these rows and the columns of the far ends, from all tiles to its left and
+    /// below.
+    #[inline(always)]
+    fn fill_tile(&self, row: usize, to: &FarEnds, band: Option<&Band>, tile: &mut Tile) {
+        match (self.folds, self.terms.rule) {
+            (true, _) => self.fill_by::<true>(row, to, band, tile, |a, b| a + b),
+            (false, Rule::Sum) => self.fill_by::<false>(row, to, band, tile, |a, b| a + b),
+            (false, Rule::Worst) => {
+                self.fill_by::<false>(row, to, band, tile, |a, b| if a > b { a } else { b });
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn fill_by<const FOLDS: bool>(
+        &self,
+        row: usize,
+        to: &FarEnds,
+        band: Option<&Band>,
+        tile: &mut Tile,
+        together: impl Fn(f64, f64) -> f64 + Copy,
+    ) {
+        tile.entries = [[f64::INFINITY; LANES]; LANES];
+        let rows = row * LANES..self.m.min((row + 1) * LANES);
+        let column = to.first / LANES;
+        for i in rows.clone().rev() {
+            let near = band.map(|band| band.lanes(i, to));
+            if near.is_some_and(|near| near == [false; LANES]) {
+                continue;
+            }
+            let Strip { mut prices, means } = self.terms.strip(i, to);
+            if FOLDS {
+                tile.means[i - rows.start] = means;
+            }
+            let mut below = [f64::NEG_INFINITY; LANES];
+            for n in 0..LANES {
+                if near.is_some_and(|near| !near[n]) && to.first + n > i + 1 {
+                    prices[n] = f64::INFINITY;
+                }
                 let left = match self.terms.rule {
-                    Rule::Sum => self.bound - price,
+                    Rule::Sum => self.bound - prices[n],
                     Rule::Worst => self.bound,
                 };
+                let open = prices[n] <= self.bound && prices[n] < f64::INFINITY;
                 // Prices up to the bound lie below the next multiple of the quantum.
-                let below = left + QUANTUM;
-                let least = self.least(i, j, below, first);
-                (best_below, self.best_before[i]) = (least.k, least.k);
-                price = if least.price < below {
-                    self.terms.together(price, least.price)
+                below[n] = if open { left + QUANTUM } else { f64::NEG_INFINITY };
+            }
+            if below == [f64::NEG_INFINITY; LANES] {
+                continue;
+            }
+            let mut least = Least { i, to, means, prices: below, best: [0; LANES] };
+            if FOLDS {
+                self.look_first(&mut least, &rows, column, tile);
+            }
+            let listed = row_start(self.m, i)..row_start(self.m, i) + self.row_lengths[i];
+            for (&k, &entry) in self.row_k[listed.clone()].iter().zip(&self.row_entries[listed]) {
+                let k = k as usize;
+                let beyond = self.row_of(k, &rows, column, tile);
+                self.look::<FOLDS>(&mut least, k, entry, beyond, together);
+            }
+            let mut entries = [f64::INFINITY; LANES];
+            for n in 0..to.count {
+                let j = to.first + n;
+                if j <= i || below[n] == f64::NEG_INFINITY {
+                    continue;
+                }
+                if j == i + 1 {
+                    entries[n] = prices[n];
+                } else if least.prices[n] < below[n] {
+                    entries[n] = together(prices[n], least.prices[n]);
                 } else {
-                    f64::INFINITY
-                };
+                    continue;
+                }
+                let beyond = self.row_of(j, &rows, column, tile);
+                self.look::<FOLDS>(&mut least, j, entries[n], beyond, together);
             }
-            self.rows[here] = price;
-            self.columns[column_start(j) + i] = price;
-        }
-        self.rungs = rungs;
-    }
-
-    #[inline(always)]
-    fn keep_mean(&mut self, i: usize, j: usize, here: usize, mean: [f64; 3]) {
-        self.means[here] = Vec3::from_array(mean);
-        for axis in 0..3 {
-            self.mean_rows[axis][here] = mean[axis] as f32;
-            self.mean_columns[axis][column_start(j) + i] = mean[axis] as f32;
+            tile.entries[i - rows.start] = entries;
+            tile.best = least.best;
         }
     }
 
-    /// The least of E(i,k) + E(k,j) + F(i,k,j) if it lies below `below`, and a k that reaches it
-    /// (without folds, or at or above `below`, one of `first`); `first` are the k to look at first.
+    /// Looks at those k that were best one row below.
     #[inline(always)]
-    fn least(&self, i: usize, j: usize, below: f64, first: [usize; 2]) -> Least {
-        let row = &self.rows[row_start(self.m, i)..][..j - i - 1];
-        let column = &self.columns[column_start(j)..][i + 1..j];
-        if !self.folds {
-            let price = match self.terms.rule {
-                Rule::Sum => least_of(row, column, |a, b| a + b),
-                Rule::Worst => least_of(row, column, |a, b| if a > b { a } else { b }),
-            };
-            return Least { price, k: first[0] };
-        }
-        let mut least = Least { price: below, k: first[0] };
-        // The ends too: their triangles have an edge of the boundary, for which the bound of F
-        // does not hold.
-        for k in [first[0], first[1], i + 1, j - 1] {
-            self.look_at(i, k, j, row[k - i - 1] + column[k - i - 1], &mut least);
-        }
-        if i == 0 && j + 1 == self.m {
-            // The last entry's own side is an edge as well.
-            for k in i + 2..j - 1 {
-                self.look_at(i, k, j, row[k - i - 1] + column[k - i - 1], &mut least);
+    fn look_first(&self, least: &mut Least<'_>, rows: &Range<usize>, column: usize, tile: &Tile) {
+        let mut last = 0;
+        for n in 0..LANES {
+            let k = tile.best[n] as usize;
+            if k <= least.i || k == last || k >= least.to.first {
+                continue;
             }
-            return least;
-        }
-        let (row_blocks, row_rest) = row.as_chunks::<LANES>();
-        let (column_blocks, column_rest) = column.as_chunks::<LANES>();
-        for (block, (a, b)) in row_blocks.iter().zip(column_blocks).enumerate() {
-            let mut below = false;
-            for n in 0..LANES {
-                below |= a[n] + b[n] < least.price;
-            }
-            if below {
-                self.look_at_block(i, i + 1 + block * LANES, j, a, b, &mut least);
+            last = k;
+            let entry = self.entry(least.i, k);
+            if entry < f64::INFINITY {
+                let beyond = self.row_of(k, rows, column, tile);
+                self.look::<true>(least, k, entry, beyond, |a, b| a + b);
             }
         }
-        let done = row_blocks.len() * LANES;
-        for (n, (a, b)) in row_rest.iter().zip(column_rest).enumerate() {
-            self.look_at(i, i + 1 + done + n, j, a + b, &mut least);
-        }
-        least
     }
 
-    /// Looks at the eight k from `start` on, of which some sum lies below the least price.
+    /// The row of sample `k` in the tiles of a column, of which `tile`, with these rows, is not yet
+    /// stored.
     #[inline(always)]
-    fn look_at_block(
+    fn row_of<'t>(
+        &'t self,
+        k: usize,
+        rows: &Range<usize>,
+        column: usize,
+        tile: &'t Tile,
+    ) -> (&'t Lanes, &'t [Lanes; 3]) {
+        const NONE: [Lanes; 3] = [[0.0; LANES]; 3];
+        if rows.contains(&k) {
+            (&tile.entries[k - rows.start], &tile.means[k - rows.start])
+        } else {
+            let at = slot(k, column);
+            (&self.entries[at], self.means.get(at).unwrap_or(&NONE))
+        }
+    }
+
+    /// Looks at the triangles i, k, j of all j of the tile, with E(i,k) = `entry`, E(k,j) in
+    /// `entries` and N of ⟨k,j⟩ in `means`.
+    #[inline(always)]
+    fn look<const FOLDS: bool>(
         &self,
-        i: usize,
-        start: usize,
-        j: usize,
-        row: &[f64; LANES],
-        column: &[f64; LANES],
-        least: &mut Least,
+        least: &mut Least<'_>,
+        k: usize,
+        entry: f64,
+        (entries, means): (&Lanes, &[Lanes; 3]),
+        together: impl Fn(f64, f64) -> f64,
     ) {
-        let block = |list: &[f32], at: usize| -> [f32; LANES] {
-            list[at..].first_chunk().copied().unwrap_or([0.0; LANES])
-        };
-        let row_at = row_start(self.m, i) + start - i - 1;
-        let column_at = column_start(j) + start;
-        let own = self.means[row_start(self.m, i) + j - i - 1];
-        let mut square = [0.0f32; LANES];
-        for axis in 0..3 {
-            let a = block(&self.mean_rows[axis], row_at);
-            let b = block(&self.mean_columns[axis], column_at);
-            let c = own[axis] as f32;
+        if !FOLDS {
             for n in 0..LANES {
-                let sum = a[n] + b[n] + c;
-                square[n] += sum * sum;
+                let price = together(entry, entries[n]);
+                // Written out: `f64::min` also orders NaN, which costs instructions and can't occur.
+                least.prices[n] = if price < least.prices[n] { price } else { least.prices[n] };
+            }
+            return;
+        }
+        let mut below = false;
+        for n in 0..LANES {
+            below |= entry + entries[n] < least.prices[n];
+        }
+        if below {
+            self.look_closer(least, k, entry, (entries, means));
+        }
+    }
+
+    /// The same where some of the sums lie below the least prices, so that F decides.
+    #[inline(always)]
+    fn look_closer(
+        &self,
+        least: &mut Least<'_>,
+        k: usize,
+        entry: f64,
+        (entries, means): (&Lanes, &[Lanes; 3]),
+    ) {
+        let (i, to) = (least.i, least.to);
+        let own = match k.checked_sub(to.first) {
+            Some(n) => least.means.map(|mean| mean[n]),
+            None => self.mean(i, k),
+        };
+        let mut sums = [[0.0; LANES]; 3];
+        for axis in 0..3 {
+            for n in 0..LANES {
+                sums[axis][n] = own[axis] + means[axis][n] + least.means[axis][n];
             }
         }
-        let fold = self.terms.prices.options().fold as f32;
-        let (sixth, slack) = (fold / 6.0, fold * SLACK);
-        let mut open = [false; LANES];
-        for n in 0..LANES {
-            let room = (least.price - (row[n] + column[n])) as f32;
-            open[n] = sixth * (9.0 - square[n]) - slack < room;
+        let mut rungs = [if k == i + 1 { 2.0 } else { 3.0 }; LANES];
+        if (to.first..to.first + LANES).contains(&(k + 1)) {
+            rungs[k + 1 - to.first] -= 1.0;
         }
-        for n in 0..LANES {
-            if open[n] {
-                self.look_at(i, start + n, j, row[n] + column[n], least);
+        if i == 0 && to.first + LANES >= self.m {
+            rungs[self.m - 1 - to.first] -= 1.0;
+        }
+        if self.in_order {
+            let fan = self.terms.prices.fan([i, k], to, &rungs, &sums);
+            let mut left = [0.0; LANES];
+            for n in 0..LANES {
+                left[n] = least.prices[n] - (entry + entries[n]);
+            }
+            if !fan.may_be_below(&left) {
+                return;
+            }
+            let folds = fan.prices();
+            for n in 0..LANES {
+                let price = entry + entries[n] + folds[n];
+                let lower = price < least.prices[n];
+                least.prices[n] = if lower { price } else { least.prices[n] };
+                least.best[n] = if lower { k as u64 } else { least.best[n] };
+            }
+            return;
+        }
+        let fold = self.terms.prices.options().fold;
+        for n in 0..to.count {
+            let sum = entry + entries[n];
+            let square: f64 = sums.iter().map(|sums| sums[n] * sums[n]).sum();
+            let bound = fold * ((rungs[n] * rungs[n] - square) / (2.0 * rungs[n].max(1.0)) - SLACK);
+            if sum.max(sum + bound) < least.prices[n] {
+                let own = own.into();
+                let beyond = Vec3::from_array([means[0][n], means[1][n], means[2][n]]);
+                let across = least.means.map(|mean| mean[n]).into();
+                let corners = [i, k, to.first + n];
+                let price = sum + self.terms.prices.triangle(corners, [own, beyond, across]);
+                if price < least.prices[n] {
+                    (least.prices[n], least.best[n]) = (price, k as u64);
+                }
             }
         }
     }
 
+    /// N of the rung ⟨i,j⟩, which must be stored.
     #[inline(always)]
-    fn look_at(&self, i: usize, k: usize, j: usize, sum: f64, least: &mut Least) {
-        if sum < least.price {
-            let price = sum + self.fold(i, k, j);
-            if price < least.price {
-                *least = Least { price, k };
-            }
-        }
+    fn mean(&self, i: usize, j: usize) -> [f64; 3] {
+        self.means[slot(i, j / LANES)].map(|mean| mean[j % LANES])
+    }
+
+    fn entry(&self, i: usize, j: usize) -> f64 {
+        self.entries[slot(i, j / LANES)][j % LANES]
     }
 
     /// F(i,k,j).
-    #[inline(always)]
     fn fold(&self, i: usize, k: usize, j: usize) -> f64 {
         if !self.folds {
             return 0.0;
         }
-        let mean = |a: usize, b: usize| self.means[row_start(self.m, a) + b - a - 1];
+        let mean = |a: usize, b: usize| Vec3::from_array(self.mean(a, b));
         self.terms.prices.triangle([i, k, j], [mean(i, k), mean(k, j), mean(i, j)])
     }
 
@@ -363,11 +539,14 @@ impl<'a> Table<'a> {
 
     /// The k of E(i,j), by the rule for equals.
     fn chosen(&self, i: usize, j: usize) -> usize {
-        let row = &self.rows[row_start(self.m, i)..];
-        let column = &self.columns[column_start(j)..];
         let mut chosen = (f64::INFINITY, f64::INFINITY, i + 1);
-        for k in i + 1..j {
-            let sum = self.terms.together(row[k - i - 1], column[k]);
+        let listed = row_start(self.m, i)..row_start(self.m, i) + self.row_lengths[i];
+        for (&k, &entry) in self.row_k[listed.clone()].iter().zip(&self.row_entries[listed]) {
+            let k = k as usize;
+            if k >= j {
+                break;
+            }
+            let sum = self.terms.together(entry, self.entry(k, j));
             if sum > chosen.0 {
                 continue;
             }
@@ -380,39 +559,17 @@ impl<'a> Table<'a> {
     }
 }
 
-/// The least of what two slices are together, element by element; infinite for empty ones.
-#[inline(always)]
-fn least_of(row: &[f64], column: &[f64], together: impl Fn(f64, f64) -> f64) -> f64 {
-    let (row_blocks, row_rest) = row.as_chunks::<LANES>();
-    let (column_blocks, column_rest) = column.as_chunks::<LANES>();
-    let mut least = [f64::INFINITY; LANES];
-    for (a, b) in row_blocks.iter().zip(column_blocks) {
-        for n in 0..LANES {
-            let price = together(a[n], b[n]);
-            // Written out: `f64::min` also orders NaN, which costs instructions and can't occur.
-            least[n] = if price < least[n] { price } else { least[n] };
-        }
-    }
-    let rest = row_rest.iter().zip(column_rest).map(|(&a, &b)| together(a, b));
-    least.into_iter().chain(rest).fold(f64::INFINITY, |a, b| if b < a { b } else { a })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn rows_and_columns_are_packed() {
+    fn rows_and_tiles_are_packed() {
         let m = 7;
-        let mut rows = Vec::new();
-        let mut columns = Vec::new();
-        for i in 0..m {
-            rows.extend((i + 1..m).map(|k| row_start(m, i) + k - i - 1));
-        }
-        for j in 1..m {
-            columns.extend((0..j).map(|k| column_start(j) + k));
-        }
-        assert_eq!(rows, (0..21).collect::<Vec<_>>());
-        assert_eq!(columns, (0..21).collect::<Vec<_>>());
+        let rows = (0..m).flat_map(|i| (i + 1..m).map(move |k| row_start(m, i) + k - i - 1));
+        assert!(rows.eq(0..21));
+        let slots =
+            (0..3).flat_map(|column| (0..(column + 1) * LANES).map(move |k| slot(k, column)));
+        assert!(slots.eq(0..slot(0, 3)));
     }
 }
