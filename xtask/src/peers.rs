@@ -23,7 +23,7 @@ use std::time::Instant;
 
 const SIZES: [usize; 5] = [100, 200, 400, 800, 1600];
 /// Counting takes fifty times as long as running.
-const MOST_COUNTED: usize = 400;
+const MOST_COUNTED: usize = 200;
 const FAMILIES: [Family; 6] = [
     Family::Wavy,
     Family::CylinderPatch,
