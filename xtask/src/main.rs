@@ -5,6 +5,7 @@ mod composites;
 mod figures;
 mod fold_price;
 mod measured;
+mod peers;
 mod templates;
 
 use std::process::ExitCode;
@@ -14,6 +15,7 @@ const HELP: &str = "Chores of the project:
   cargo xtask figures      writes docs/pictures/: the hull, the three cones
   cargo xtask fold-price   writes docs/fold-price.md: what the fold price costs and what it buys
   cargo xtask measured     writes docs/measured.md: gores against the sphere, a duct against tradition
+  cargo xtask peers        what bench/peers/run calls: our speed beside CGAL's, docs/speed.md
   cargo xtask templates    writes docs/templates.md and its pictures, from the catalogue
 ";
 
@@ -24,6 +26,7 @@ fn main() -> ExitCode {
         "figures" => figures::write(),
         "fold-price" => fold_price::write(),
         "measured" => measured::write(),
+        "peers" => peers::run(),
         "templates" => templates::write(),
         _ => {
             print!("{HELP}");

@@ -31,11 +31,12 @@ const OWNERS: [(&str, &str); 10] = [
 ];
 
 /// Files of the kernel that alone may name these crates.
-const FILE_OWNERS: [(&str, &str); 4] = [
+const FILE_OWNERS: [(&str, &str); 5] = [
     ("glam::", "math.rs"),
     ("libm::", "math.rs"),
     ("robust::", "predicate.rs"),
-    ("pulp::", "triangulate/optimal.rs"),
+    ("pulp::", "triangulate/optimal/table.rs"),
+    ("rayon::", "triangulate/optimal/table.rs"),
 ];
 
 fn root() -> PathBuf {

@@ -33,14 +33,16 @@
 
 mod planes;
 mod slopes;
+mod strip;
 
 pub use planes::RungPlanes;
 pub use slopes::{Piece, SampleSlope};
+pub(crate) use strip::{FarEnds, LANES, Lanes, Strip};
 
 use crate::boundary::{Boundary, SupportingPlane};
 use crate::curve::Sample;
 use crate::math::{Vec3, unit};
-use planes::{End, smooth, special};
+use planes::{End, cross, dot, smooth, special};
 
 /// What all prices are multiples of: 2⁻⁴⁴. As a twist it is a warp angle of 2·10⁻⁵ degrees, which
 /// is above the rounding of 1 − n·n (2⁻⁵²) and below anything that can be measured on a sheet.
@@ -105,17 +107,6 @@ pub struct Prices {
     special_cosines_squared: Vec<f64>,
     options: PriceOptions,
     facing: Vec3,
-}
-
-/// The rungs from all samples i < j to one sample j, priced at once. Neighbours and rungs without
-/// tangent planes are priced like the rest, as whatever comes out; the caller tells them apart.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct RungColumn {
-    /// The price of each rung, a multiple of [`QUANTUM`]; infinite without tangent planes.
-    pub(crate) prices: Vec<f64>,
-    /// N of each rung by axis; zero without tangent planes.
-    pub(crate) means: [Vec<f64>; 3],
-    special: Vec<bool>,
 }
 
 impl Prices {
@@ -275,36 +266,6 @@ impl Prices {
         }
     }
 
-    /// Prices the rungs from all samples i < j to sample `j`, into `column`.
-    #[inline(always)]
-    pub(crate) fn column(&self, j: usize, column: &mut RungColumn) {
-        let RungColumn { prices, means: [x, y, z], special } = column;
-        for list in [&mut *prices, &mut *x, &mut *y, &mut *z] {
-            list.resize(j, 0.0);
-        }
-        special.resize(j, false);
-        let to = self.smooth_end(j);
-        let [px, py, pz] = [0, 1, 2].map(|axis| &self.positions[axis][..j]);
-        let [tx, ty, tz] = [0, 1, 2].map(|axis| &self.tangents[axis][..j]);
-        let cosines = &self.special_cosines_squared[..j];
-        let (prices, x, y, z) = (&mut prices[..j], &mut x[..j], &mut y[..j], &mut z[..j]);
-        for i in 0..j {
-            let from = ([px[i], py[i], pz[i]], [tx[i], ty[i], tz[i]], cosines[i]);
-            let rung = smooth(from, to);
-            prices[i] = quantised(rung.twist);
-            [x[i], y[i], z[i]] = rung.mean;
-            special[i] = rung.is_special;
-        }
-        let printed = self.options.form == TwistForm::Printed;
-        for i in 0..j {
-            if special[i] || printed {
-                let planes = self.planes(i, j);
-                prices[i] = planes.map_or(f64::INFINITY, |planes| self.rung(i, j, &planes));
-                [x[i], y[i], z[i]] = planes.map_or(Vec3::ZERO, |planes| planes.mean).to_array();
-            }
-        }
-    }
-
     /// The price of the rung between samples `i` < `j` without its folds, a multiple of
     /// [`QUANTUM`], from its planes.
     pub fn rung(&self, i: usize, j: usize, planes: &RungPlanes) -> f64 {
@@ -356,11 +317,25 @@ impl Prices {
     #[inline]
     fn fold_price(&self, [i, k, j]: [usize; 3], rungs: f64, sum: Vec3) -> f64 {
         let at = |n: usize| self.ends[n].position;
-        let area_vector = (at(k) - at(i)).cross(at(j) - at(i));
-        let doubled_area = area_vector.length();
-        let along = if doubled_area > 0.0 { area_vector.dot(sum) / doubled_area } else { -rungs };
-        quantised(self.options.fold * (rungs - along))
+        let (u, v) = (at(k) - at(i), at(j) - at(i));
+        fold_of(self.options.fold, u.to_array(), v.to_array(), rungs, sum.to_array())
     }
+
+    /// Whether the members are numbered in order, as those of a loop are and those of a chain need
+    /// not be.
+    pub(crate) fn in_order(&self) -> bool {
+        self.numbers.is_empty() && self.after.is_empty()
+    }
+}
+
+/// The price of a triangle with the sides `u` and `v` from one of its corners, this many rungs and
+/// this sum of their N, with the weight `fold`.
+#[inline(always)]
+fn fold_of(fold: f64, u: [f64; 3], v: [f64; 3], rungs: f64, sum: [f64; 3]) -> f64 {
+    let area_vector = cross(u, v);
+    let doubled_area = dot(area_vector, area_vector).sqrt();
+    let along = if doubled_area > 0.0 { dot(area_vector, sum) / doubled_area } else { -rungs };
+    quantised(fold * (rungs - along))
 }
 
 #[cfg(test)]

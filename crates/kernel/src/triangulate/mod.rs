@@ -23,7 +23,7 @@ pub use facing::with_holes_facing;
 pub use optimal::memory_needed;
 
 use crate::boundary::{Boundary, SupportingPlane};
-use crate::cost::{EXACT_BELOW, MAX_FOLD, PriceOptions, Prices, RungColumn};
+use crate::cost::{EXACT_BELOW, FarEnds, LANES, MAX_FOLD, PriceOptions, Prices, Strip};
 use crate::index::SampleIndex;
 use crate::math::Vec3;
 use crate::rung::{Rung, Visibility};
@@ -78,7 +78,7 @@ pub struct TriangulateOptions {
     pub goal: Goal,
     /// How they are priced.
     pub price: PriceOptions,
-    /// The most memory that tables may take, bytes. Default 4 GiB: `Optimal` up to 11,000 samples
+    /// The most memory that tables may take, bytes. Default 4 GiB: `Optimal` up to 13,000 samples
     /// without holes.
     pub memory_limit: u64,
 }
@@ -416,31 +416,36 @@ impl<'a> Terms<'a> {
         }
     }
 
-    /// All sides from samples i < j to sample `j`, at once: what [`Self::side`] says of each.
+    /// All sides from sample `i` to the far ends, at once: what [`Self::side`] says of each; those
+    /// that do not lead to a higher sample are barred.
     #[inline(always)]
-    fn column(&self, j: usize, column: &mut RungColumn) {
-        self.prices.column(j, column);
-        let RungColumn { prices, means, .. } = column;
-        for i in 0..j {
-            if self.prices.neighbours(i, j) {
-                prices[i] = EDGE.price;
+    fn strip(&self, i: usize, to: &FarEnds) -> Strip {
+        let mut strip = self.prices.strip(i, to);
+        let Strip { prices, means } = &mut strip;
+        for n in 0..LANES {
+            let j = to.first + n;
+            if j <= i || n >= to.count {
+                prices[n] = BARRED.price;
+            } else if self.prices.neighbours(i, j) {
+                prices[n] = EDGE.price;
             } else if self.prices.is_bank(i, j) {
-                prices[i] = 0.0;
+                prices[n] = 0.0;
                 continue;
             } else if !self.visibility.allows(i, j) {
-                prices[i] = BARRED.price;
+                prices[n] = BARRED.price;
             } else {
-                if prices[i] == f64::INFINITY && self.forced {
-                    prices[i] = FORCED.price;
-                } else if prices[i] > self.bar {
-                    prices[i] = BARRED.price;
+                if prices[n] == f64::INFINITY && self.forced {
+                    prices[n] = FORCED.price;
+                } else if prices[n] > self.bar {
+                    prices[n] = BARRED.price;
                 }
                 continue;
             }
             for mean in means.iter_mut() {
-                mean[i] = 0.0;
+                mean[n] = 0.0;
             }
         }
+        strip
     }
 
     /// The price of a triangle with corners counter-clockwise.

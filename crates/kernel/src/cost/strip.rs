@@ -1,0 +1,154 @@
+//! Many rungs and triangles priced at once: side by side in vector registers.
+//!
+//! A strip is what leads from one sample to [`LANES`] samples in a row. The arithmetic is that of
+//! single rungs and triangles, in the same order, so the bits are the same too.
+
+use super::planes::{cross, dot, smooth};
+use super::{Prices, QUANTUM, TwistForm, fold_of, quantised};
+
+/// How many rungs stand side by side: four vector registers on common processors.
+pub(crate) const LANES: usize = 16;
+
+/// What the share of a normal in a sum of three N may lose to rounding.
+const SLACK: f64 = 1e-12;
+
+/// One number for each rung of a strip.
+pub(crate) type Lanes = [f64; LANES];
+
+/// The samples at the far ends of strips.
+#[derive(Clone, Debug)]
+pub(crate) struct FarEnds {
+    /// The number of the first one.
+    pub(crate) first: usize,
+    /// How many there are; lanes beyond repeat the last.
+    pub(crate) count: usize,
+    positions: [Lanes; 3],
+    tangents: [Lanes; 3],
+    special_cosines_squared: Lanes,
+}
+
+/// The rungs from one sample to [`FarEnds`]. Neighbours, rungs without tangent planes, and those
+/// back to lower samples are priced like the rest, as whatever comes out; the caller tells them
+/// apart.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Strip {
+    /// The price of each rung, a multiple of [`super::QUANTUM`]; infinite without tangent planes.
+    pub(crate) prices: Lanes,
+    /// N of each rung by axis; zero without tangent planes.
+    pub(crate) means: [Lanes; 3],
+}
+
+impl Prices {
+    /// The samples from `first` on, at most [`LANES`].
+    pub(crate) fn far_ends(&self, first: usize) -> FarEnds {
+        let count = LANES.min(self.len() - first);
+        let lanes = |list: &[f64]| std::array::from_fn(|n| list[first + n.min(count - 1)]);
+        FarEnds {
+            first,
+            count,
+            positions: [0, 1, 2].map(|axis| lanes(&self.positions[axis])),
+            tangents: [0, 1, 2].map(|axis| lanes(&self.tangents[axis])),
+            special_cosines_squared: lanes(&self.special_cosines_squared),
+        }
+    }
+
+    /// The rungs from sample `i` to higher ones.
+    #[inline(always)]
+    pub(crate) fn strip(&self, i: usize, to: &FarEnds) -> Strip {
+        let from = self.smooth_end(i);
+        let mut strip = Strip { prices: [0.0; LANES], means: [[0.0; LANES]; 3] };
+        let mut special = [false; LANES];
+        for n in 0..LANES {
+            let at = |of: &[Lanes; 3]| [of[0][n], of[1][n], of[2][n]];
+            let rung =
+                smooth(from, (at(&to.positions), at(&to.tangents), to.special_cosines_squared[n]));
+            strip.prices[n] = quantised(rung.twist);
+            for axis in 0..3 {
+                strip.means[axis][n] = rung.mean[axis];
+            }
+            special[n] = rung.is_special;
+        }
+        let printed = self.options.form == TwistForm::Printed;
+        for n in 0..to.count {
+            let j = to.first + n;
+            if (special[n] || printed) && j > i {
+                let planes = self.planes(i, j);
+                strip.prices[n] = planes.map_or(f64::INFINITY, |planes| self.rung(i, j, &planes));
+                for axis in 0..3 {
+                    strip.means[axis][n] = planes.map_or(0.0, |planes| planes.mean[axis]);
+                }
+            }
+        }
+        strip
+    }
+
+    /// The triangles i, k, j, for every `j` of the far ends, with this many rungs and these sums of
+    /// their N.
+    #[inline(always)]
+    pub(crate) fn fan<'a>(
+        &self,
+        [i, k]: [usize; 2],
+        to: &'a FarEnds,
+        rungs: &'a Lanes,
+        sums: &'a [Lanes; 3],
+    ) -> Fan<'a> {
+        let at = |n: usize| [0, 1, 2].map(|axis| self.positions[axis][n]);
+        let (from, over) = (at(i), at(k));
+        let side = [0, 1, 2].map(|axis| over[axis] - from[axis]);
+        Fan { fold: self.options.fold, from, side, to, rungs, sums }
+    }
+}
+
+/// Triangles that share one side.
+pub(crate) struct Fan<'a> {
+    fold: f64,
+    /// The first end of the side, and from there to the other.
+    from: [f64; 3],
+    side: [f64; 3],
+    to: &'a FarEnds,
+    rungs: &'a Lanes,
+    sums: &'a [Lanes; 3],
+}
+
+impl Fan<'_> {
+    #[inline(always)]
+    fn other_side(&self, n: usize) -> [f64; 3] {
+        [0, 1, 2].map(|axis| self.to.positions[axis][n] - self.from[axis])
+    }
+
+    #[inline(always)]
+    fn sum(&self, n: usize) -> [f64; 3] {
+        [0, 1, 2].map(|axis| self.sums[axis][n])
+    }
+
+    /// The price of each, as [`Prices::triangle`] has it; on loops whose members are numbered in
+    /// order.
+    #[inline(always)]
+    pub(crate) fn prices(&self) -> Lanes {
+        let mut prices = [0.0; LANES];
+        for n in 0..LANES {
+            prices[n] =
+                fold_of(self.fold, self.side, self.other_side(n), self.rungs[n], self.sum(n));
+        }
+        prices
+    }
+
+    /// Whether some of them may cost less than `limits`; not, only if none does.
+    ///
+    /// With a the area vector and s the sum of the N, that is a · s > c |a| for
+    /// c = rungs − limit / ν, which takes no root and no quotient.
+    #[inline(always)]
+    pub(crate) fn may_be_below(&self, limits: &Lanes) -> bool {
+        let (per_fold, slack) = (1.0 / self.fold, SLACK + QUANTUM / self.fold);
+        let mut any = false;
+        for n in 0..LANES {
+            let area_vector = cross(self.side, self.other_side(n));
+            let along = dot(area_vector, self.sum(n));
+            let least = self.rungs[n] - limits[n] * per_fold - slack;
+            let too_short = along * along < least * least * dot(area_vector, area_vector);
+            // `!` of what is certain: squares that leave the range of numbers decide nothing.
+            any |= (least <= 0.0) | !((along <= 0.0) | too_short);
+        }
+        any
+    }
+}
