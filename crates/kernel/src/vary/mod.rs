@@ -271,10 +271,9 @@ impl Way<'_> {
         &self,
         state: &State,
         limit: &Limit,
-        (goal, excess, twist): (Goal, f64, f64),
+        (weights, steps): (Weights, usize),
         watch: &dyn Watch,
     ) -> descend::Descent {
-        let weights = Weights { goal, excess, twist, fairness: self.options.fairness };
         let base = &state.unknowns;
         let held: Vec<PanelValue<'_>> =
             state.panels.iter().map(|panel| PanelValue::new(panel, base)).collect();
@@ -283,7 +282,7 @@ impl Way<'_> {
             held.iter().map(|panel| panel.add(&weights, at, slopes)).sum()
         };
         let stop = || watch.stop();
-        descend(&state.unknowns, limit, self.options.steps, &mut value, &stop)
+        descend(&state.unknowns, limit, steps, &mut value, &stop)
     }
 
     /// The first state on the way from `state` to `target` that is accepted.
@@ -351,7 +350,9 @@ fn least_price(
     let rounds = way.options.rounds;
     for round in 0..rounds {
         watch.progress(round as f64 / rounds as f64);
-        let descent = way.descend(&state, limit, (Goal::Price, 0.0, twist), watch);
+        let fairness = way.options.fairness;
+        let weights = Weights { goal: Goal::Price, excess: 0.0, twist, fairness };
+        let descent = way.descend(&state, limit, (weights, way.options.steps), watch);
         if descent.end == DescentEnd::Stopped {
             return (state, Ended::Stopped);
         }

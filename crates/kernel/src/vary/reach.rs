@@ -2,7 +2,7 @@
 
 use super::descend::DescentEnd;
 use super::state::{NoState, State};
-use super::{Ended, Goal, Limit, Way};
+use super::{Ended, Goal, Limit, Way, Weights};
 use crate::math::Vec3;
 use crate::watch::Watch;
 
@@ -22,6 +22,8 @@ const CLOSE_ENOUGH: f64 = 0.05;
 const BISECTIONS: usize = 8;
 /// Rounds of each bisection.
 const ROUNDS_DRAWN_IN: usize = 4;
+/// There, this part of the steps is enough: one begins near the goal.
+const STEPS_DRAWN_IN: usize = 4;
 /// What excess counts at first where the limit is drawn in: what is near the angle would be led away
 /// from it by less.
 const WEIGHT_DRAWN_IN: f64 = 10.0;
@@ -43,8 +45,8 @@ pub(super) fn reach(
     watch: &mut dyn Watch,
 ) -> (State, Ended) {
     let goal = Goal::Warp { largest };
-    let rounds = way.options.rounds;
-    let patient = Effort { weight: FIRST_WEIGHT, rounds, patient: true };
+    let (rounds, steps) = (way.options.rounds, way.options.steps);
+    let patient = Effort { weight: FIRST_WEIGHT, rounds, steps, patient: true };
     let (mut state, attempt) = come_below(way, start, limit, goal, patient, watch);
     match attempt {
         Attempt::Stopped => return (state, Ended::Stopped),
@@ -73,7 +75,12 @@ pub(super) fn reach(
                 continue;
             }
         };
-        let brief = Effort { weight: WEIGHT_DRAWN_IN, rounds: ROUNDS_DRAWN_IN, patient: false };
+        let brief = Effort {
+            weight: WEIGHT_DRAWN_IN,
+            rounds: ROUNDS_DRAWN_IN,
+            steps: steps.div_ceil(STEPS_DRAWN_IN),
+            patient: false,
+        };
         match come_below(way, from, &drawn_in, goal, brief, watch) {
             (next, Attempt::Within) => {
                 enough = limit.used(&next.unknowns).min(share);
@@ -94,6 +101,8 @@ struct Effort {
     weight: f64,
     /// Descents at the most.
     rounds: usize,
+    /// Steps of each.
+    steps: usize,
     /// Whether more weight is tried where a descent is not accepted.
     patient: bool,
 }
@@ -106,7 +115,7 @@ fn come_below(
     start: State,
     limit: &Limit,
     goal: Goal,
-    Effort { mut weight, rounds, patient }: Effort,
+    Effort { mut weight, rounds, steps, patient }: Effort,
     watch: &dyn Watch,
 ) -> (State, Attempt) {
     let Goal::Warp { largest } = goal else { return (start, Attempt::Within) };
@@ -117,7 +126,9 @@ fn come_below(
         if state.warp_asked() <= largest {
             return (state, Attempt::Within);
         }
-        let descent = way.descend(&state, limit, (aim, weight, 1.0), watch);
+        let fairness = way.options.fairness;
+        let weights = Weights { goal: aim, excess: weight, twist: 1.0, fairness };
+        let descent = way.descend(&state, limit, (weights, steps), watch);
         if descent.end == DescentEnd::Stopped {
             return (nearest, Attempt::Stopped);
         }
