@@ -19,6 +19,7 @@ pub(crate) fn write() -> Result<(), Box<dyn Error>> {
         ("hull.svg", hull()?),
         ("hull-moved.svg", hull_moved()?),
         ("three-cones.svg", three_cones()?),
+        ("vary.svg", vary()?),
     ] {
         let path = crate::root().join("docs/pictures").join(name);
         std::fs::write(&path, picture.standalone())?;
@@ -69,4 +70,10 @@ fn three_cones() -> Result<Picture, Box<dyn Error>> {
         column(&bridge, "The best bridge triangulation, with its Gauss image"),
     ];
     Ok(side_by_side("Three cones joined to one sheet", &columns))
+}
+
+/// The examples whose curves move, as they are then.
+fn vary() -> Result<Picture, Box<dyn Error>> {
+    let pictures: Vec<Picture> = crate::vary::drawn()?.iter().map(design_picture).collect();
+    Ok(side_by_side("A mouse, a hat and a flower, with their curves moved", &pictures))
 }

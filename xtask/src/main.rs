@@ -7,16 +7,18 @@ mod fold_price;
 mod measured;
 mod peers;
 mod templates;
+mod vary;
 
 use std::process::ExitCode;
 
 const HELP: &str = "Chores of the project:
   cargo xtask composites   writes docs/composites.md and examples/three-cones.sheet.json
-  cargo xtask figures      writes docs/pictures/: the hull, the three cones
+  cargo xtask figures      writes docs/pictures/: the hull, the three cones, moved curves
   cargo xtask fold-price   writes docs/fold-price.md: what the fold price costs and what it buys
   cargo xtask measured     writes docs/measured.md: gores against the sphere, a duct against tradition
   cargo xtask peers        what bench/peers/run calls: our speed beside CGAL's, docs/speed.md
   cargo xtask templates    writes docs/templates.md and its pictures, from the catalogue
+  cargo xtask vary         writes docs/vary-compared.md: what moved curves gain, against the paper
 ";
 
 fn main() -> ExitCode {
@@ -28,6 +30,7 @@ fn main() -> ExitCode {
         "measured" => measured::write(),
         "peers" => peers::run(),
         "templates" => templates::write(),
+        "vary" => vary::write(),
         _ => {
             print!("{HELP}");
             return if chore.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(2) };

@@ -476,6 +476,9 @@ fn the_examples_can_be_made() {
         ("square-to-round.sheet.json", 0),
         // Its bottom twists by more than plate takes, as the hull was not drawn developable.
         ("ubc-fishing-vessel.sheet.json", 1),
+        ("mouse.sheet.json", 0),
+        ("hat.sheet.json", 0),
+        ("flower.sheet.json", 0),
     ] {
         let mut command = desk.command("check");
         let output = command.arg(examples.join(name)).output().unwrap();
