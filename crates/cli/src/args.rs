@@ -6,7 +6,9 @@ use clap_complete::Shell;
 use sheetwright::boundary::PlaneChoice;
 use sheetwright::design::PanelMethod;
 use sheetwright::template::catalogue;
-use sheetwright_files::{Format, InputFormat, MaxSheets, Paper, PdfOptions, ReadOptions, Units};
+use sheetwright_files::{
+    Format, InputFormat, MaxSheets, Paper, PdfOptions, ReadOptions, Units, VarySettings,
+};
 use std::ffi::OsStr;
 use std::path::PathBuf;
 
@@ -35,7 +37,9 @@ Examples:
   sheetwright make dinghy.sheet.json --out build
   sheetwright make leaf.csv --out build --units in --samples 300
   generate-curve | sheetwright make - --from csv --out build
-  sheetwright make dinghy.sheet.json --out build --json --formats dxf,report";
+  sheetwright make dinghy.sheet.json --out build --json --formats dxf,report
+  sheetwright make dinghy.sheet.json --out build --vary-warp 6 --vary-limit 5mm
+      Moves the curves by as little as makes every panel bend, and writes where to";
 
 const CHECK_EXAMPLES: &str = "\
 Examples:
@@ -203,6 +207,34 @@ pub(crate) struct SourceArgs {
     /// The unit of a curve table [default: mm]; a design says its own
     #[arg(long, value_name = "UNITS", value_parser = units_parser())]
     units: Option<Units>,
+    #[command(flatten)]
+    vary: VaryArgs,
+}
+
+/// What may move so that panels bend better. Any of it makes all curves of a design that says
+/// nothing of `vary` move.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Moving the boundary so that it bends better")]
+struct VaryArgs {
+    /// Move the curves as little as can be so that no warp angle is above this one
+    #[arg(long, value_name = "DEG", value_parser = warp_deg)]
+    vary_warp: Option<f64>,
+    /// How far each sample may move: in mm, or with a unit (2mm, 1/8in)
+    #[arg(long, value_name = "LENGTH", value_parser = distance_mm)]
+    vary_limit: Option<f64>,
+    /// How far all samples together may move
+    #[arg(long, value_name = "LENGTH", value_parser = distance_mm)]
+    vary_budget: Option<f64>,
+}
+
+fn warp_deg(given: &str) -> Result<f64, String> {
+    let deg = sheetwright_files::warp_deg(given);
+    deg.ok_or_else(|| "give an angle above 0 and up to 90".to_owned())
+}
+
+fn distance_mm(given: &str) -> Result<f64, String> {
+    let mm = sheetwright_files::distance_mm(given);
+    mm.ok_or_else(|| "give a length of 0 or more, such as 2, 2mm or 1/8in".to_owned())
 }
 
 impl SourceArgs {
@@ -220,6 +252,11 @@ impl SourceArgs {
                 PlaneArg::None => PlaneChoice::None,
             }),
             units: self.units,
+            vary: VarySettings {
+                limit_mm: self.vary.vary_limit,
+                budget_mm: self.vary.vary_budget,
+                warp_deg: self.vary.vary_warp,
+            },
         }
     }
 }

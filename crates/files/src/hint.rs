@@ -2,7 +2,7 @@
 
 use sheetwright::boundary::{BoundaryError, JoinCause, PlaneError};
 use sheetwright::curve::{CurveError, SampleError};
-use sheetwright::design::{MakeCause, MakeError};
+use sheetwright::design::{MakeCause, MakeError, VaryCause};
 use sheetwright::flatten::FlattenError;
 use sheetwright::surface::ConnectivityError;
 use sheetwright::triangulate::TriangulateError;
@@ -48,6 +48,33 @@ pub fn hint_for(error: &MakeError) -> String {
         MakeCause::Triangulate(error) => triangulation(error).to_owned(),
         MakeCause::Surface(error) => surface(error).to_owned(),
         MakeCause::Flatten(error) => flat(error).to_owned(),
+        MakeCause::Vary(cause) => varying(cause).to_owned(),
+    }
+}
+
+fn varying(cause: &VaryCause) -> &'static str {
+    match cause {
+        VaryCause::Joined => {
+            "Vary the panels before they are joined, in a design of their own, and join what comes \
+             out; or name other `curves` to move."
+        }
+        VaryCause::RunsOn => {
+            "Leave `run_on` out, or name `curves` to move that bound other panels."
+        }
+        VaryCause::UnknownPanel { .. } => {
+            "Name panels that are made: not those that a join takes the place of."
+        }
+        VaryCause::BoundsNothing => {
+            "Leave it out of `vary`, or name a panel that it bounds among its `panels`."
+        }
+        VaryCause::MovedTwice => {
+            "Write one `vary` for the whole design, beside `panels`, or name the `curves` that each \
+             may move."
+        }
+        VaryCause::TooManyPoints { .. } => {
+            "Name the `curves` that may move, or draw them with fewer points."
+        }
+        VaryCause::Failed(_) => "Let the boundary move less far, or change it where it is said.",
     }
 }
 

@@ -35,14 +35,15 @@ pub use messages::{PanelTimes, error_json, findings_json, timing_json};
 pub use obj::write_obj;
 pub use output::{Format, OutputError, OutputFile, Outputs, output_files};
 pub use pdf::{MaxSheets, Paper, PdfOptions, Reduced, WrittenPdf, write_pdf};
+pub use quantity::{distance_mm, warp_deg};
 pub use read_back::{PatternReadError, ReadPattern};
-pub use reading::{InputError, MAX_INPUT_BYTES, ReadOptions, read_limited};
+pub use reading::{InputError, MAX_INPUT_BYTES, ReadOptions, VarySettings, read_limited};
 pub use refold::{RefoldFileError, refold_error_mm};
 pub use report::{
-    Picture, design_picture, flat_picture, gauss_picture, report_html, report_json, report_schema,
-    side_by_side, stacked, surface_picture, warp_chart,
+    Picture, design_picture, flat_picture, gauss_picture, moved_picture, report_html, report_json,
+    report_schema, side_by_side, stacked, surface_picture, warp_chart,
 };
 pub use svg::{read_svg, write_svg};
-pub use table::{MAX_CURVES, MAX_ROWS, TableCurve, TablePoint, read_table, write_table};
+pub use table::{MAX_CURVES, MAX_ROWS, TableCurve, read_table, write_table};
 pub use template_call::{NewDesign, design_from_template, new_design};
 pub use units::Units;

@@ -1,5 +1,6 @@
 //! All files of a made design.
 
+use crate::design_json::write_design_of_table;
 use crate::dxf::write_dxf;
 use crate::names::{folded, refused_for_file};
 use crate::obj::write_obj;
@@ -7,6 +8,8 @@ use crate::pdf::{MaxSheets, PdfOptions, Reduced, write_pdf};
 use crate::refold::{known_miss_mm, refold_error_mm};
 use crate::report::{report_html, report_json};
 use crate::svg::write_svg;
+use crate::table::write_table;
+use crate::units::Units;
 use sheetwright::check::{Checked, Finding, Severity, refolding};
 use sheetwright::design::{Made, MadePanel};
 use std::collections::BTreeMap;
@@ -102,7 +105,8 @@ impl fmt::Display for OutputError {
 impl std::error::Error for OutputError {}
 
 /// Makes the files of the formats that are asked for, in memory. Whatever is asked for, the
-/// pattern of every panel is written, read back and folded up again.
+/// pattern of every panel is written, read back and folded up again; and where curves were moved,
+/// they are written as a table, with a design that makes the same from it.
 ///
 /// # Errors
 /// Panels whose names make no files. A pattern that does not fold back is a finding.
@@ -168,8 +172,16 @@ pub fn output_files(
         files.push(file("report.json".to_owned(), report_json(made, &errors_mm, &panels)));
         files.push(file("report.html".to_owned(), report_html(made, &errors_mm, &panels)));
     }
+    if let Some(moved) = &made.moved {
+        files.push(file(MOVED_TABLE.to_owned(), write_table(&moved.curves)));
+        let design = write_design_of_table(moved, MOVED_TABLE, Units::Millimetres);
+        files.push(file("moved.sheet.json".to_owned(), design));
+    }
     Ok(Outputs { files, panels, refold_error_mm: errors_mm })
 }
+
+/// The curves as they were moved, beside the design that takes its points from there.
+const MOVED_TABLE: &str = "moved.csv";
 
 /// Readers of designs check names with a hint each; this is the last door before the disk.
 fn check_names(made: &Made) -> Result<(), OutputError> {

@@ -8,6 +8,8 @@
 //! angle    = [sign] number [deg | ° | degree | degrees]
 //! ```
 
+use crate::design_json::MOST_WARP_DEG;
+use crate::table::in_range_mm;
 use crate::units::Units;
 
 /// Lengths as they can be written.
@@ -28,6 +30,17 @@ pub(crate) fn length_mm(text: &str) -> Option<f64> {
         sum += number * (unit_of(unit)?.in_mm() * 10.0) / 10.0;
     }
     finite(sign * sum)
+}
+
+/// A distance that something may move, mm; `None` where the text is none, or the distance is not
+/// taken.
+pub fn distance_mm(text: &str) -> Option<f64> {
+    length_mm(text).and_then(|mm| in_range_mm(mm, Units::Millimetres)).filter(|mm| *mm >= 0.0)
+}
+
+/// A warp angle that may be asked for, degrees; `None` where the text is none.
+pub fn warp_deg(text: &str) -> Option<f64> {
+    angle_deg(text).filter(|deg| *deg > 0.0 && *deg <= MOST_WARP_DEG)
 }
 
 /// An angle, degrees; `None` if the text is none.

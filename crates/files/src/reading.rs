@@ -3,7 +3,9 @@
 
 use crate::units::Units;
 use sheetwright::boundary::PlaneChoice;
-use sheetwright::design::PanelMethod;
+use sheetwright::design::{PanelMethod, Vary};
+use sheetwright::math::from_deg;
+use sheetwright::vary::Goal;
 use std::fmt;
 use std::fs::File;
 use std::io::{self, Read};
@@ -49,6 +51,37 @@ impl fmt::Display for InputError {
 
 impl std::error::Error for InputError {}
 
+/// What may move, as the caller sets it: of every field, as the design says where it is none.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct VarySettings {
+    /// How far each sample may move, mm.
+    pub limit_mm: Option<f64>,
+    /// How far all samples together may move, mm.
+    pub budget_mm: Option<f64>,
+    /// The largest warp angle to be reached, degrees.
+    pub warp_deg: Option<f64>,
+}
+
+impl VarySettings {
+    /// What may move of a design that says this; everything of one that says nothing.
+    pub(crate) fn applied(&self, mut vary: Vec<Vary>) -> Vec<Vary> {
+        if *self == Self::default() {
+            return vary;
+        }
+        if vary.is_empty() {
+            vary.push(Vary::default());
+        }
+        for one in &mut vary {
+            one.limit_mm = self.limit_mm.or(one.limit_mm);
+            one.budget_mm = self.budget_mm.or(one.budget_mm);
+            if let Some(deg) = self.warp_deg {
+                one.goal = Goal::Warp { largest: from_deg(deg) };
+            }
+        }
+        vary
+    }
+}
+
 /// What the caller sets instead of the file.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ReadOptions {
@@ -63,6 +96,8 @@ pub struct ReadOptions {
     pub plane: Option<PlaneChoice>,
     /// The unit of a curve table. Default: millimetres. A design says its own.
     pub units: Option<Units>,
+    /// What may move. Default: as the design says.
+    pub vary: VarySettings,
 }
 
 /// How messages name the input.

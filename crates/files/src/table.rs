@@ -24,37 +24,26 @@ const HEADER_HINT: &str = "The first line names the columns, as in: curve,x,y,z"
 const NUMBER_HINT: &str = "Write numbers as in 12.5 or 1e-3, with a decimal point and no unit.";
 const COMMA_HINT: &str = "Where columns are separated by commas, decimals have a point (12.5). Or separate by semicolons.";
 
-/// A point of a table.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TablePoint {
-    /// Where it lies, mm.
-    pub at: Point3,
-    /// Whether the curve has a corner here.
-    pub corner: bool,
-    /// The largest distance that it may be moved, mm; 0 where it is fixed.
-    pub move_mm: f64,
-}
-
 /// A curve of a table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TableCurve {
     /// Its name.
     pub name: String,
     /// Its points, in the order of the rows; a last one that repeats the first is still there.
-    pub points: Vec<TablePoint>,
+    pub points: Vec<CurvePoint>,
 }
 
 impl TableCurve {
     /// Its points for the kernel. Of a closed curve, a last point that repeats the first is
     /// dropped.
     pub fn curve_points(&self, closed: bool) -> Vec<CurvePoint> {
-        let mut points: Vec<CurvePoint> =
-            self.points.iter().map(|p| CurvePoint { at: p.at, corner: p.corner }).collect();
+        let mut points = self.points.clone();
         if let (true, [first, .., last]) = (closed, points.as_mut_slice())
             && first.at == last.at
         {
             // The two are one point: a corner at either is one.
             first.corner |= last.corner;
+            first.move_mm = first.move_mm.min(last.move_mm);
             points.pop();
         }
         points
@@ -131,7 +120,7 @@ struct Curves {
 }
 
 impl Curves {
-    fn push(&mut self, name: &str, point: TablePoint, place: &str) -> Result<(), InputError> {
+    fn push(&mut self, name: &str, point: CurvePoint, place: &str) -> Result<(), InputError> {
         if self.list.get(self.last).is_none_or(|curve| curve.name != name) {
             self.last = match self.by_name.get(name) {
                 Some(&known) => known,
@@ -209,7 +198,7 @@ impl Columns {
         row: &'a csv::StringRecord,
         place: &str,
         units: Units,
-    ) -> Result<(&'a str, TablePoint), InputError> {
+    ) -> Result<(&'a str, CurvePoint), InputError> {
         let failed = |message: String, hint: &str| InputError::at(place, message, hint);
         if row.len() != self.count {
             let message = format!("the row has {} values for {} columns", row.len(), self.count);
@@ -247,7 +236,7 @@ impl Columns {
             return Err(failed(message, "Write a distance, or 0 or nothing where it is fixed."));
         }
         let at = Point3::new(xyz[0], xyz[1], xyz[2]);
-        Ok((self.curve.map_or(UNNAMED, value), TablePoint { at, corner, move_mm }))
+        Ok((self.curve.map_or(UNNAMED, value), CurvePoint { at, corner, move_mm }))
     }
 }
 
@@ -331,7 +320,8 @@ pub(crate) fn read_as_design(
         fold: options.fold.unwrap_or(PriceOptions::default().fold),
         cut: Vec::new(),
     };
-    Ok(Design { name: called, material: None, curves, panels: vec![panel] })
+    let vary = options.vary.applied(Vec::new());
+    Ok(Design { name: called, curves, panels: vec![panel], vary, ..Design::default() })
 }
 
 /// The points of curves as a table in millimetres, which reads back to the same bits.
@@ -341,18 +331,25 @@ pub(crate) fn read_as_design(
 pub fn write_table(curves: &[DesignCurve]) -> Vec<u8> {
     let is_corner =
         |curve: &DesignCurve, p: &CurvePoint| p.corner || curve.kind == Some(CurveKind::Polyline);
-    let corners = curves.iter().any(|c| c.points.iter().any(|p| is_corner(c, p)));
-    let mut table = String::from(if corners { "curve,x,y,z,corner\n" } else { "curve,x,y,z\n" });
+    let any = |is_so: &dyn Fn(&DesignCurve, &CurvePoint) -> bool| {
+        curves.iter().any(|c| c.points.iter().any(|p| is_so(c, p)))
+    };
+    let (corners, moves) = (any(&is_corner), any(&|_, p| p.move_mm > 0.0));
+    let mut table = String::from("curve,x,y,z");
+    table.push_str(if corners { ",corner" } else { "" });
+    table.push_str(if moves { ",move\n" } else { "\n" });
     for curve in curves {
         let name = quoted(&curve.name);
         for point in &curve.points {
             let [x, y, z] = [point.at.x, point.at.y, point.at.z].map(number);
-            let corner = match (corners, is_corner(curve, point)) {
-                (false, _) => "",
-                (true, false) => ",0",
-                (true, true) => ",1",
-            };
-            table.push_str(&format!("{name},{x},{y},{z}{corner}\n"));
+            table.push_str(&format!("{name},{x},{y},{z}"));
+            if corners {
+                table.push_str(if is_corner(curve, point) { ",1" } else { ",0" });
+            }
+            if moves {
+                table.push_str(&format!(",{}", number(point.move_mm)));
+            }
+            table.push('\n');
         }
     }
     table.into_bytes()
@@ -368,7 +365,7 @@ fn quoted(text: &str) -> String {
 }
 
 /// The fewest digits that read back to the same number.
-fn number(value: f64) -> String {
+pub(crate) fn number(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 || (1e-5..1e16).contains(&size) {
         format!("{value}")
@@ -394,7 +391,7 @@ mod tests {
         let curves =
             read("move,z,curve,x,corner,y\n5,3,a,1,1,2\n,6, b ,4,0,5\n0,9,a,7,,8\n").unwrap();
         let point =
-            |x, y, z, corner, move_mm| TablePoint { at: Point3::new(x, y, z), corner, move_mm };
+            |x, y, z, corner, move_mm| CurvePoint { at: Point3::new(x, y, z), corner, move_mm };
         assert_eq!(
             curves,
             [
@@ -466,6 +463,7 @@ mod tests {
             .map(|i| CurvePoint {
                 at: Point3::new(values[i], values[(i + 1) % 7], values[(i + 3) % 7]),
                 corner: i == 2,
+                move_mm: 0.0,
             })
             .collect();
         let curve = |name: &str| DesignCurve {

@@ -48,7 +48,13 @@ fn hull(scale: f64) -> Made {
         fold: 0.1,
         cut: Vec::new(),
     });
-    let design = Design { name: "hull".into(), material: None, curves, panels: panels.to_vec() };
+    let design = Design {
+        name: "hull".into(),
+        material: None,
+        curves,
+        panels: panels.to_vec(),
+        ..Design::default()
+    };
     make(&design, &mut Unwatched).unwrap()
 }
 

@@ -1,11 +1,16 @@
 //! Findings: what is wrong with a panel, where, how bad, and what to do; and the verdict.
 
-use crate::boundary::{Boundary, Joined};
-use crate::curve::CurvePoint;
+mod origin;
+
+pub use origin::{
+    BoundaryMoved, moved, ran_on, rounded_corner, smoothed_joints, stayed_straight, turned_round,
+};
+
+use crate::boundary::Boundary;
 use crate::flatten::{Flattened, Seam, Sheet};
 use crate::index::SampleIndex;
 use crate::material::{Material, warp_limit_deg};
-use crate::math::{angle_between, from_deg, to_deg};
+use crate::math::{from_deg, to_deg};
 use crate::measure::{Measures, RungMeasures, SHARP_CREASE_DEG};
 use crate::pattern::seam_mark;
 use crate::tolerance::Tolerance;
@@ -158,135 +163,6 @@ pub fn check(panel: &Panel<'_>) -> Checked {
         Verdict::Bends
     };
     Checked { verdict, findings }
-}
-
-/// Points where a spline turns by more than this without being a corner, degrees, are named: what
-/// was typed as a corner comes out round. A smooth curve of eight points turns by 45° at each.
-const ROUNDED_CORNER_DEG: f64 = 60.0;
-
-/// The finding that the points of a spline turn sharply where no corner is marked, so that the curve
-/// runs round a corner that its maker may have meant; `None` if they do not. `points` are those of
-/// the curve of this name.
-pub fn rounded_corner(name: &str, points: &[CurvePoint], closed: bool) -> Option<Finding> {
-    let m = points.len();
-    let inner = if closed { 0..m } else { 1..m.saturating_sub(1) };
-    let turn = |i: usize| {
-        let at = |k: usize| points[k % m].at;
-        to_deg(angle_between(at(i) - at(i + m - 1), at(i + 1) - at(i)))
-    };
-    let rounded: Vec<(usize, f64)> = inner
-        .filter(|&i| !points[i].corner)
-        .map(|i| (i, turn(i)))
-        .filter(|(_, turn)| *turn > ROUNDED_CORNER_DEG)
-        .collect();
-    let sharpest = rounded.iter().map(|(_, turn)| *turn).reduce(f64::max)?;
-    let (first, more) = (rounded[0].0 + 1, rounded.len() - 1);
-    let others = if more > 0 { format!(" and {more} more") } else { String::new() };
-    Some(Finding {
-        severity: Severity::Warning,
-        code: "rounded-corner",
-        text: format!(
-            "The points of the curve '{name}' turn by up to {sharpest:.0}°, and the spline runs \
-             round there. If that is a corner, mark it as one."
-        ),
-        place: format!("point {first}{others} of '{name}'"),
-    })
-}
-
-/// The finding that a boundary was made smooth where the panels that it joins meet; `None` if it
-/// was left as it came.
-pub fn smoothed_joints(joined: &Joined) -> Option<Finding> {
-    let smoothed = joined.joints.iter().filter(|joint| joint.window.is_some());
-    let places: Vec<String> = smoothed.map(|joint| (joint.sample.get() + 1).to_string()).collect();
-    let count = match places.len() {
-        0 => return None,
-        1 => "one place".to_owned(),
-        count => format!("{count} places"),
-    };
-    Some(Finding {
-        severity: Severity::Note,
-        code: "joint-smoothed",
-        text: format!(
-            "The boundary was made smooth at {count} where joined panels meet, and lies up to \
-             {:.2} mm from theirs.",
-            joined.deviation_mm()
-        ),
-        place: format!("around samples {}", places.join(", ")),
-    })
-}
-
-/// The finding that the rails of a panel were let run on, what became of its ends, and whether that
-/// was worth it: a warning if both the largest warp and the smallest bend radius are worse. `bulges_mm` is how far the end at the beginning of the first rail, and that at its
-/// end, bulge from the straight line, mm; `None` for an end that stays straight. `straight` are the
-/// measures of the same panel with straight ends, if it can be made.
-pub fn ran_on(
-    bulges_mm: [Option<f64>; 2],
-    measures: &Measures,
-    straight: Option<&Measures>,
-) -> Finding {
-    let said = |bulge: Option<f64>| match bulge {
-        Some(mm) => format!("a curve up to {mm:.2} mm beside the straight line"),
-        None => "straight".to_owned(),
-    };
-    let [start, end] = bulges_mm.map(said);
-    let mut severity = Severity::Note;
-    let mut text = format!(
-        "The rails were let run on beyond their ends. The end of the panel where the first rail \
-         begins is {start}; the one where it ends is {end}."
-    );
-    if bulges_mm == [None; 2] {
-        text.push_str(" Rulings would gain nothing by leaving there.");
-    } else if let Some(straight) = straight {
-        let said = [measures, straight].map(|m| {
-            let warp = to_deg(m.warp_max);
-            match m.bend_radius_min_mm {
-                r if r.is_finite() => format!("{warp:.2}° and {r:.1} mm"),
-                _ => format!("{warp:.2}°, and it is flat"),
-            }
-        });
-        text.push_str(&format!(
-            " Largest warp and smallest bend radius are {}; with straight ends they are {}.",
-            said[0], said[1]
-        ));
-        let is_worse = measures.warp_max > straight.warp_max
-            && measures.bend_radius_min_mm < straight.bend_radius_min_mm;
-        if is_worse {
-            severity = Severity::Warning;
-            text.push_str(" The panel bends better with straight ends.");
-        }
-    }
-    Finding { severity, code: "ran-on", text, place: String::new() }
-}
-
-/// The finding that the ends that the rails of a panel would run on to make no panel, and why, so
-/// that its ends stay straight.
-pub fn stayed_straight(cause: &str) -> Finding {
-    Finding {
-        severity: Severity::Warning,
-        code: "ran-on",
-        text: format!(
-            "The rails can't run on: with the ends that they would get, {cause}. The ends of the \
-             panel stay straight."
-        ),
-        place: String::new(),
-    }
-}
-
-/// The finding that some of the joined panels were turned round to face as the first does; `None`
-/// if all do. `names` are theirs.
-pub fn turned_round(joined: &Joined, names: &[String]) -> Option<Finding> {
-    let turned = names.iter().zip(&joined.turned).filter(|(_, turned)| **turned);
-    let turned: Vec<String> = turned.map(|(name, _)| format!("'{name}'")).collect();
-    let first = names.first()?;
-    (!turned.is_empty()).then(|| Finding {
-        severity: Severity::Note,
-        code: "turned-round",
-        text: format!(
-            "{} faced the other way, and was turned round to face as '{first}' does.",
-            turned.join(", ")
-        ),
-        place: String::new(),
-    })
 }
 
 /// The finding that a written pattern does not fold back onto its surface; `None` if it does.

@@ -1,37 +1,35 @@
 //! A design: all inputs as one plain value, from which [`make`] derives every stage.
 
+mod error;
 mod joining;
 mod links;
 mod run_on;
+mod sampling;
+mod varying;
 
+pub use error::{MakeCause, MakeError, VaryCause};
 pub use joining::Join;
+pub use varying::{Change, MovedBy, Vary};
 
-use crate::boundary::{
-    Boundary, BoundaryError, JoinCause, MAX_SAMPLES, PlaneChoice, PlaneError, SupportingPlane,
-    samples_from_points, supporting_plane,
-};
+use crate::boundary::{Boundary, PlaneChoice, SupportingPlane, supporting_plane};
 use crate::check::{
     Checked, Finding, Panel, Verdict, better_without_plane, check, ran_on, rounded_corner,
     stayed_straight,
 };
-use crate::cost::{PriceOptions, Prices};
-use crate::curve::{
-    Curve, CurveError, CurveKind, CurvePoint, Sample, SampleError, sample_chain, sample_open,
-};
-use crate::flatten::{FlattenError, Flattened, Sheet, lay_flat};
+use crate::cost::Prices;
+use crate::curve::{CurveKind, CurvePoint};
+use crate::flatten::{Flattened, Sheet, lay_flat};
 use crate::material::Material;
 use crate::math::Point3;
 use crate::measure::{Measures, first_self_crossing, measures};
 use crate::pattern::{PatternOptions, Piece, piece};
-use crate::surface::{Connectivity, ConnectivityError, Surface};
-use crate::tolerance::Tolerance;
+use crate::surface::{Connectivity, Surface};
 use crate::triangulate::{
-    Goal, Method, TriangulateError, TriangulateOptions, Triangulation, refuse, triangulate,
-    with_holes_facing,
+    Goal, Method, TriangulateOptions, Triangulation, refuse, triangulate, with_holes_facing,
 };
 use crate::watch::{Stage, Watch};
+use sampling::{Sampled, Sampler, Sourced, matched};
 use std::collections::BTreeSet;
-use std::fmt;
 
 /// A curve of a design, under its name.
 #[derive(Clone, Debug, PartialEq)]
@@ -121,7 +119,7 @@ pub struct DesignPanel {
 }
 
 /// All inputs of the main job.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Design {
     /// Its name.
     pub name: String,
@@ -131,6 +129,13 @@ pub struct Design {
     pub curves: Vec<DesignCurve>,
     /// Its panels.
     pub panels: Vec<DesignPanel>,
+    /// What may move so that the sheet bends better, one after the other. Where there is none and
+    /// some points have a distance by which they may move, those may.
+    pub vary: Vec<Vary>,
+    /// Whether curves that several panels share get as many samples on each, the most that any of
+    /// them gives it, so that both sides of a seam have the same samples. They do in any case where
+    /// something moves.
+    pub match_seams: bool,
 }
 
 impl Design {
@@ -183,6 +188,8 @@ pub struct MadePanel {
     pub checked: Checked,
     /// The pattern to cut.
     pub piece: Piece,
+    /// How its boundary was moved, if it was to be.
+    pub change: Option<Change>,
 }
 
 /// A design with everything that was derived from it.
@@ -194,115 +201,8 @@ pub struct Made {
     pub material: Option<&'static Material>,
     /// Its panels, in the order of the design, without those that a join takes the place of.
     pub panels: Vec<MadePanel>,
-}
-
-/// Why a design can't be made.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MakeError {
-    /// The panel; empty where it is a curve or the design as a whole.
-    pub panel: String,
-    /// The curve, if it is one.
-    pub curve: Option<String>,
-    /// What is wrong.
-    pub cause: MakeCause,
-}
-
-/// What is wrong with a panel or a curve.
-#[derive(Clone, Debug, PartialEq)]
-pub enum MakeCause {
-    /// A design without panels.
-    NoPanels,
-    /// A curve that the design does not have.
-    UnknownCurve,
-    /// Points that make no curve.
-    Curve(CurveError),
-    /// A closed curve as a rail or as one part of several of a loop.
-    ClosedCurve,
-    /// A loop of one open curve, or of curves whose ends do not meet.
-    NotChained {
-        /// The curve that should begin where this one ends.
-        next: String,
-        /// How far apart they are, mm.
-        gap_mm: f64,
-    },
-    /// Both rails are the same curve.
-    SameRails,
-    /// A rails method for a panel without rails.
-    NoRails,
-    /// Rails that run on, for a panel without rails or one that is joined to others.
-    RunOn,
-    /// A join of a panel that the design does not have.
-    UnknownPanel {
-        /// Its name.
-        name: String,
-    },
-    /// A join of a panel that is a join itself.
-    JoinOfJoins {
-        /// Its name.
-        name: String,
-    },
-    /// Panels that can't be joined.
-    Join {
-        /// The one that is not like the others, where it is one.
-        part: Option<String>,
-        /// What is wrong.
-        cause: JoinCause,
-    },
-    /// Too few samples.
-    Sampling(SampleError),
-    /// Samples that are no boundary.
-    Boundary(BoundaryError),
-    /// A plane that supports nothing.
-    Plane(PlaneError),
-    /// No triangulation.
-    Triangulate(TriangulateError),
-    /// Triangles that are no surface.
-    Surface(ConnectivityError),
-    /// No flat pattern.
-    Flatten(FlattenError),
-}
-
-impl fmt::Display for MakeError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match (&self.panel[..], &self.curve) {
-            ("", None) => {}
-            ("", Some(curve)) => write!(f, "curve '{curve}': ")?,
-            (panel, None) => write!(f, "panel '{panel}': ")?,
-            (panel, Some(curve)) => write!(f, "panel '{panel}', curve '{curve}': ")?,
-        }
-        write!(f, "{}", self.cause)
-    }
-}
-
-impl std::error::Error for MakeError {}
-
-impl fmt::Display for MakeCause {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NoPanels => write!(f, "the design has no panels"),
-            Self::UnknownCurve => write!(f, "there is no such curve"),
-            Self::Curve(error) => write!(f, "the curve {error}"),
-            Self::ClosedCurve => write!(f, "the curve is closed where an open one is needed"),
-            Self::NotChained { next, gap_mm } => {
-                write!(f, "the curve ends {gap_mm:.6} mm away from where '{next}' begins")
-            }
-            Self::SameRails => write!(f, "both rails are the same curve"),
-            Self::NoRails => write!(f, "the method 'rails' needs a panel with rails"),
-            Self::RunOn => {
-                write!(f, "only a panel with rails of its own, joined to no other, can run on")
-            }
-            Self::UnknownPanel { name } => write!(f, "there is no panel '{name}' to join"),
-            Self::JoinOfJoins { name } => write!(f, "the panel '{name}' is a join itself"),
-            Self::Join { part: Some(part), cause } => write!(f, "joining '{part}': {cause}"),
-            Self::Join { part: None, cause } => write!(f, "{cause}"),
-            Self::Sampling(error) => write!(f, "{error}"),
-            Self::Boundary(error) => write!(f, "{error}"),
-            Self::Plane(error) => write!(f, "{error}"),
-            Self::Triangulate(error) => write!(f, "{error}"),
-            Self::Surface(error) => write!(f, "{error}"),
-            Self::Flatten(error) => write!(f, "{error}"),
-        }
-    }
+    /// The design with its points moved, if any were: making it comes to the same.
+    pub moved: Option<Design>,
 }
 
 /// Makes a design: the surface, the flat pattern, the measures and the verdict of every panel.
@@ -314,26 +214,51 @@ pub fn make(design: &Design, watch: &mut dyn Watch) -> Result<Made, MakeError> {
         let cause = MakeCause::NoPanels;
         return Err(MakeError { panel: String::new(), curve: None, cause });
     }
-    let panels = design
-        .panels_to_make()
-        .into_iter()
-        .map(|panel| make_panel(design, panel, watch))
-        .collect::<Result<Vec<MadePanel>, MakeError>>()?;
-    Ok(Made { name: design.name.clone(), material: design.material, panels })
+    let varied = varying::varied(design, watch)?;
+    let made_from = varied.as_ref().map_or(design, |varied| &varied.after);
+    let mut panels = make_panels(made_from, |_| true, watch)?;
+    let mut moved = None;
+    if let Some(varied) = varied {
+        let shifts = &varied.shifts;
+        let is_shifted = |panel: &DesignPanel| shifts.contains_key(&panel.name);
+        let before = make_panels(&varied.before, is_shifted, watch)?;
+        for before in before {
+            let panel = panels.iter_mut().find(|panel| panel.name == before.name);
+            if let (Some(panel), Some(shift)) = (panel, shifts.get(&before.name)) {
+                let change = Change::new(before, shift);
+                panel.checked.add(crate::check::moved(&change.said(panel)));
+                panel.change = Some(change);
+            }
+        }
+        let is_moved = shifts.values().any(|shift| shift.is_moved());
+        moved = is_moved.then_some(varied.after);
+    }
+    Ok(Made { name: design.name.clone(), material: design.material, panels, moved })
+}
+
+fn make_panels(
+    design: &Design,
+    wanted: impl Fn(&DesignPanel) -> bool,
+    watch: &mut dyn Watch,
+) -> Result<Vec<MadePanel>, MakeError> {
+    let matched = matched(design);
+    let sampler = Sampler { design, matched: &matched };
+    let panels = design.panels_to_make().into_iter().filter(|panel| wanted(panel));
+    panels.map(|panel| make_panel(&sampler, panel, watch)).collect()
 }
 
 /// A surface that need not lie over the plane is worth a word if its price is below this share.
 const MUCH_CHEAPER: f64 = 0.5;
 
 fn make_panel(
-    design: &Design,
+    sampler: &Sampler<'_>,
     panel: &DesignPanel,
     watch: &mut dyn Watch,
 ) -> Result<MadePanel, MakeError> {
-    match make_as_asked(design, panel, watch) {
+    match make_as_asked(sampler, panel, watch) {
         Err(error) if panel.run_on && error.cause != MakeCause::RunOn && !watch.stop() => {
             let straight = DesignPanel { run_on: false, ..panel.clone() };
-            let mut made = make_as_asked(design, &straight, watch)?;
+            let mut made = make_as_asked(sampler, &straight, watch)?;
             made.checked.add(stayed_straight(&error.cause.to_string()));
             Ok(made)
         }
@@ -341,14 +266,25 @@ fn make_panel(
     }
 }
 
-fn make_as_asked(
-    design: &Design,
+/// What a panel is triangulated from.
+struct Prepared {
+    boundary: Boundary,
+    plane: Option<SupportingPlane>,
+    options: TriangulateOptions,
+    /// Where the samples of the boundary are from.
+    sources: Vec<Sourced>,
+    /// Where rails ran on: how far each end bulges from the straight line, mm, if it does.
+    new_ends: Option<[Option<f64>; 2]>,
+    findings: Vec<Finding>,
+}
+
+fn prepare(
+    sampler: &Sampler<'_>,
     panel: &DesignPanel,
     watch: &mut dyn Watch,
-) -> Result<MadePanel, MakeError> {
+) -> Result<Prepared, MakeError> {
     let failed = |cause: MakeCause| MakeError { panel: panel.name.clone(), curve: None, cause };
-    watch.begin(&panel.name, Stage::Sample);
-    let sampled = sampled(design, panel)?;
+    let sampled = sampler.sampled(panel)?;
     let method = match panel.method {
         PanelMethod::Optimal => Method::Optimal,
         PanelMethod::Bridge => Method::Bridge,
@@ -362,20 +298,41 @@ fn make_as_asked(
     // Before the boundary is looked at, which takes its time for a long one.
     let lengths: Vec<usize> = sampled.loops.iter().map(Vec::len).collect();
     refuse(&lengths, &options).map_err(|e| failed(MakeCause::Triangulate(e)))?;
-    let boundary = Boundary::new(sampled.loops).map_err(|e| failed(MakeCause::Boundary(e)))?;
-    let plane =
-        supporting_plane(&boundary, panel.plane).map_err(|e| failed(MakeCause::Plane(e)))?;
+    let boundary = Boundary::new(sampled.samples()).map_err(|e| failed(MakeCause::Boundary(e)))?;
+    let plane_of = |boundary: &Boundary| {
+        supporting_plane(boundary, panel.plane).map_err(|e| failed(MakeCause::Plane(e)))
+    };
+    let mut plane = plane_of(&boundary)?;
+    let Sampled { mut loops, new_ends, findings, .. } = sampled;
+    let mut faced = boundary;
+    if faced.holes() > 0 {
+        faced = with_holes_facing(&faced, plane.as_ref(), &options, watch)
+            .map_err(|e| failed(MakeCause::Triangulate(e)))?;
+        plane = plane_of(&faced)?;
+        for (sources, range) in loops.iter_mut().zip(faced.loops()) {
+            // A hole that was turned keeps its first sample.
+            if sources[1].sample.position != faced.samples()[range.start + 1].position {
+                sources[1..].reverse();
+                sources.iter_mut().for_each(|source| *source = source.back());
+            }
+        }
+    }
+    let sources = loops.into_iter().flatten().collect();
+    Ok(Prepared { boundary: faced, plane, options, sources, new_ends, findings })
+}
+
+fn make_as_asked(
+    sampler: &Sampler<'_>,
+    panel: &DesignPanel,
+    watch: &mut dyn Watch,
+) -> Result<MadePanel, MakeError> {
+    let failed = |cause: MakeCause| MakeError { panel: panel.name.clone(), curve: None, cause };
+    let design = sampler.design;
+    watch.begin(&panel.name, Stage::Sample);
+    let Prepared { boundary, plane, options, new_ends, findings, .. } =
+        prepare(sampler, panel, watch)?;
 
     watch.begin(&panel.name, Stage::Solve);
-    let (boundary, plane) = if boundary.holes() == 0 {
-        (boundary, plane)
-    } else {
-        let facing = with_holes_facing(&boundary, plane.as_ref(), &options, watch)
-            .map_err(|e| failed(MakeCause::Triangulate(e)))?;
-        let plane =
-            supporting_plane(&facing, panel.plane).map_err(|e| failed(MakeCause::Plane(e)))?;
-        (facing, plane)
-    };
     let triangulation = triangulate(&boundary, plane.as_ref(), &options, watch)
         .map_err(|e| failed(MakeCause::Triangulate(e)))?;
     let connectivity = Connectivity::new(boundary.loops(), triangulation.triangles.clone())
@@ -416,12 +373,12 @@ fn make_as_asked(
             checked.add(better_without_plane(triangulation.price, free.price));
         }
     }
-    if let Some(bulges_mm) = sampled.new_ends {
+    if let Some(bulges_mm) = new_ends {
         let straight = DesignPanel { run_on: false, ..panel.clone() };
-        let straight = make_as_asked(design, &straight, watch).ok();
+        let straight = make_as_asked(sampler, &straight, watch).ok();
         checked.add(ran_on(bulges_mm, &measures, straight.as_ref().map(|made| &made.measures)));
     }
-    sampled.findings.into_iter().for_each(|finding| checked.add(finding));
+    findings.into_iter().for_each(|finding| checked.add(finding));
     let piece = piece(&panel.name, &sheet, &flat, &measures, &PatternOptions::default());
     Ok(MadePanel {
         name: panel.name.clone(),
@@ -437,6 +394,7 @@ fn make_as_asked(
         measures,
         checked,
         piece,
+        change: None,
     })
 }
 
@@ -460,223 +418,4 @@ fn used<'a>(design: &'a Design, shape: &'a PanelShape) -> impl Iterator<Item = &
         _ => names(shape),
     };
     design.curves.iter().filter(move |curve| names.contains(&curve.name.as_str()))
-}
-
-struct Sampled {
-    loops: Vec<Vec<Sample>>,
-    /// How many of the samples lie on the first rail.
-    on_first_rail: Option<usize>,
-    /// Where rails ran on: how far each end bulges from the straight line, mm, if it does.
-    new_ends: Option<[Option<f64>; 2]>,
-    /// What is to be said of the samples.
-    findings: Vec<Finding>,
-}
-
-fn sampled(design: &Design, panel: &DesignPanel) -> Result<Sampled, MakeError> {
-    if panel.run_on && !matches!(panel.shape, PanelShape::Rails(_)) {
-        let cause = MakeCause::RunOn;
-        return Err(MakeError { panel: panel.name.clone(), curve: None, cause });
-    }
-    match &panel.shape {
-        PanelShape::Rails(rails) => sampled_rails(design, panel, rails),
-        PanelShape::Join(join) => joining::sampled(design, panel, join),
-        PanelShape::Loops { outer, holes } => {
-            let outer = sampled_loop(design, panel, outer, |_| panel.samples, 0)?;
-            let length: f64 = ring_length(&outer);
-            let spacing = length / outer.len() as f64;
-            let mut loops = vec![outer];
-            for hole in holes {
-                let as_spaced = |length: f64| (length / spacing - SAME_SPACING).ceil() as usize;
-                loops.push(sampled_loop(design, panel, hole, as_spaced, LEAST_OF_HOLE)?);
-            }
-            Ok(Sampled { loops, on_first_rail: None, new_ends: None, findings: Vec::new() })
-        }
-    }
-}
-
-/// Lengths that differ by less than this share of the spacing get as many samples: two equal circles
-/// are built from different numbers.
-const SAME_SPACING: f64 = 1e-6;
-/// Samples of a hole at the least, however small it is: a round one must not be cut as a triangle.
-const LEAST_OF_HOLE: usize = 24;
-
-fn ring_length(samples: &[Sample]) -> f64 {
-    let m = samples.len();
-    (0..m).map(|i| samples[i].position.distance(samples[(i + 1) % m].position)).sum()
-}
-
-fn found<'a>(
-    design: &'a Design,
-    panel: &DesignPanel,
-    wanted: &CurveUse,
-) -> Result<&'a DesignCurve, MakeError> {
-    design.curves.iter().find(|curve| curve.name == wanted.name).ok_or_else(|| MakeError {
-        panel: panel.name.clone(),
-        curve: Some(wanted.name.clone()),
-        cause: MakeCause::UnknownCurve,
-    })
-}
-
-/// The curve of a name, run the way that it is used.
-fn built(design: &Design, panel: &DesignPanel, wanted: &CurveUse) -> Result<Curve, MakeError> {
-    let source = found(design, panel, wanted)?;
-    // Points that are samples themselves are joined straight when they are a part of something.
-    let kind = source.kind.unwrap_or(CurveKind::Polyline);
-    let curve = Curve::new(kind, &source.points, source.closed).map_err(|error| MakeError {
-        panel: String::new(),
-        curve: Some(wanted.name.clone()),
-        cause: MakeCause::Curve(error),
-    })?;
-    Ok(if wanted.reversed { curve.reversed() } else { curve })
-}
-
-fn sampled_loop(
-    design: &Design,
-    panel: &DesignPanel,
-    parts: &[CurveUse],
-    count: impl Fn(f64) -> usize,
-    least: usize,
-) -> Result<Vec<Sample>, MakeError> {
-    let failed = |curve: &str, cause: MakeCause| MakeError {
-        panel: panel.name.clone(),
-        curve: Some(curve.to_owned()),
-        cause,
-    };
-    if let [only] = parts {
-        let source = found(design, panel, only)?;
-        if source.kind.is_none() && source.closed {
-            let mut points = source.points.clone();
-            if only.reversed {
-                points.reverse();
-            }
-            return Ok(samples_from_points(&points));
-        }
-    }
-    let curves =
-        parts.iter().map(|part| built(design, panel, part)).collect::<Result<Vec<_>, _>>()?;
-    let controls = curves.iter().flat_map(|c| c.spans()).flat_map(|span| span.control);
-    let size = crate::boundary::size_of(controls);
-    for (n, curve) in curves.iter().enumerate() {
-        if curve.closed() {
-            if curves.len() > 1 {
-                return Err(failed(&parts[n].name, MakeCause::ClosedCurve));
-            }
-            continue;
-        }
-        let next = (n + 1) % curves.len();
-        let gap_mm = curve.end().distance(curves[next].start());
-        if gap_mm > Tolerance::CHAIN.length_mm(size) {
-            let cause = MakeCause::NotChained { next: parts[next].name.clone(), gap_mm };
-            return Err(failed(&parts[n].name, cause));
-        }
-    }
-    let length: f64 = curves.iter().map(Curve::length).sum();
-    let count = count(length).max(least);
-    if count > MAX_SAMPLES {
-        let cause = MakeCause::Boundary(BoundaryError::TooManySamples { found: count });
-        return Err(MakeError { panel: panel.name.clone(), curve: None, cause });
-    }
-    let sampled = match sample_chain(&curves, count) {
-        // Nobody asked for a number of samples of a hole.
-        Err(SampleError::TooFew { needed, .. }) if least > 0 => sample_chain(&curves, needed),
-        sampled => sampled,
-    };
-    sampled.map_err(|error| MakeError {
-        panel: panel.name.clone(),
-        curve: None,
-        cause: MakeCause::Sampling(error),
-    })
-}
-
-fn sampled_rails(
-    design: &Design,
-    panel: &DesignPanel,
-    rails: &[CurveUse; 2],
-) -> Result<Sampled, MakeError> {
-    let failed = |curve: Option<&str>, cause: MakeCause| MakeError {
-        panel: panel.name.clone(),
-        curve: curve.map(str::to_owned),
-        cause,
-    };
-    if rails[0].name == rails[1].name {
-        return Err(failed(Some(&rails[0].name), MakeCause::SameRails));
-    }
-    let first = built(design, panel, &rails[0])?;
-    let second = built(design, panel, &rails[1])?;
-    for (curve, rail) in [&first, &second].into_iter().zip(rails) {
-        if curve.closed() {
-            return Err(failed(Some(&rail.name), MakeCause::ClosedCurve));
-        }
-    }
-    let sample = |curve: &Curve| {
-        sample_open(curve, panel.samples).map_err(|e| failed(None, MakeCause::Sampling(e)))
-    };
-    let curves = [first, second];
-    let (mut first, mut second) = (sample(&curves[0])?, sample(&curves[1])?);
-    // The second runs back: the way that leaves the rails nearer to one another all along. Their
-    // ends alone would not tell where each rail ends where it begins, as those of a duct do.
-    let turned = apart(&first, &second) < apart(&first, &run_back(&second));
-    if turned {
-        second = run_back(&second);
-    }
-    let size = crate::boundary::size_of(first.iter().chain(&second).map(|s| s.position));
-    let same = Tolerance::CHAIN.length_mm(size);
-    let mut new_ends = None;
-    if panel.run_on {
-        let price = PriceOptions { fold: panel.fold, ..PriceOptions::default() };
-        let ran = run_on::run_on(&first, &second, same, price);
-        new_ends = Some(ran.bulges_mm);
-        [first, second] = ran.rails;
-    }
-    // Rails that meet at an end share that sample; it keeps the tangents of both.
-    let meet = |a: &[Sample], b: &[Sample]| {
-        let (end, start) = (a[a.len() - 1], b[0]);
-        (end.position.distance(start.position) <= same).then_some(start.tangent_out)
-    };
-    let (at_end, at_start) = (meet(&first, &second), meet(&second, &first));
-    if let Some(tangent) = at_end {
-        let last = first.len() - 1;
-        first[last].tangent_out = tangent;
-        second.remove(0);
-    }
-    if at_start.is_some()
-        && let Some(end) = second.pop()
-    {
-        first[0].tangent_in = end.tangent_in;
-    }
-    let on_first_rail = first.len();
-    first.extend(second);
-    close_ends(&mut first, on_first_rail, [at_start.is_some(), at_end.is_some()]);
-    let loops = vec![first];
-    let findings = Vec::new();
-    Ok(Sampled { loops, on_first_rail: Some(on_first_rail), new_ends, findings })
-}
-
-/// How far apart two rails of as many samples are, run side by side: the sum over their samples, mm.
-fn apart(first: &[Sample], second: &[Sample]) -> f64 {
-    first.iter().zip(second).map(|(a, b)| a.position.distance(b.position)).sum()
-}
-
-/// The same rail, from its end to its beginning.
-fn run_back(rail: &[Sample]) -> Vec<Sample> {
-    let back = |s: &Sample| Sample {
-        position: s.position,
-        tangent_in: -s.tangent_out,
-        tangent_out: -s.tangent_in,
-    };
-    rail.iter().rev().map(back).collect()
-}
-
-/// Where straight edges join the ends of two rails, those ends are corners of the loop.
-fn close_ends(samples: &mut [Sample], on_first: usize, meeting: [bool; 2]) {
-    let m = samples.len();
-    for ((from, to), meeting) in
-        [((m - 1, 0), meeting[0]), ((on_first - 1, on_first % m), meeting[1])]
-    {
-        let across = crate::math::unit(samples[to].position - samples[from].position);
-        if let (false, Some(across)) = (meeting, across) {
-            samples[from].tangent_out = across;
-            samples[to].tangent_in = across;
-        }
-    }
 }

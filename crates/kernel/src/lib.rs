@@ -28,7 +28,6 @@
 //! let on = |name: &str| CurveUse { name: name.into(), reversed: false };
 //! let design = Design {
 //!     name: "dinghy".into(),
-//!     material: None,
 //!     curves: vec![
 //!         rail("chine", [[0., 0., 0.], [900., 310., 40.], [1800., 420., 60.]]),
 //!         rail("sheer", [[-80., 0., 300.], [900., 450., 320.], [1800., 560., 330.]]),
@@ -44,6 +43,7 @@
 //!         fold: sheetwright::cost::DEFAULT_FOLD,
 //!         cut: Vec::new(),
 //!     }],
+//!     ..Design::default()
 //! };
 //!
 //! let side = &make(&design, &mut Unwatched)?.panels[0];

@@ -53,7 +53,13 @@ fn made(method: PanelMethod, goal: Goal, run_on: bool) -> Made {
             cut: Vec::new(),
         })
         .collect();
-    let design = Design { name: "hull".into(), material: None, curves: curves(), panels };
+    let design = Design {
+        name: "hull".into(),
+        material: None,
+        curves: curves(),
+        panels,
+        ..Design::default()
+    };
     make(&design, &mut Unwatched).unwrap()
 }
 

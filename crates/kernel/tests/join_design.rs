@@ -80,7 +80,7 @@ fn cylinder() -> Design {
         bounded("east", &["low-right", "right", "-high-right", "-seam"]),
         panel("joined", joining(&["west", "east"], Continuity::G0), 132),
     ];
-    Design { name: "patch".into(), material: None, curves, panels }
+    Design { name: "patch".into(), material: None, curves, panels, ..Design::default() }
 }
 
 fn made(design: &Design) -> Vec<MadePanel> {
@@ -157,6 +157,7 @@ fn panels_between_rails_join_along_a_rail() {
             panel("upper", rails("chine", "sheer"), 90),
             panel("side", joining(&["lower", "upper"], Continuity::G1), 160),
         ],
+        ..Design::default()
     };
     let side = &made(&design)[0];
     assert_eq!(side.boundary.len(), 160);
@@ -198,7 +199,7 @@ fn flat(parts: Vec<(DesignCurve, DesignPanel)>, samples: usize) -> Design {
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     let (curves, mut panels): (Vec<_>, Vec<_>) = parts.into_iter().unzip();
     panels.push(panel("whole", joining(&names, Continuity::G0), samples));
-    Design { name: "flat".into(), material: None, curves, panels }
+    Design { name: "flat".into(), material: None, curves, panels, ..Design::default() }
 }
 
 #[test]
@@ -236,7 +237,7 @@ fn outlines_of_fixed_samples_keep_them() {
     // A square of eight samples beside a rectangle of five; the seam is two edges of each.
     let around = [[0, 0], [1, 0], [2, 0], [2, 1], [2, 2], [1, 2], [0, 2], [0, 1]];
     let points = around.map(|[x, y]| Point3::new(25.0 * f64::from(x), 25.0 * f64::from(y), 0.0));
-    let points = points.map(|at| CurvePoint { at, corner: true }).to_vec();
+    let points = points.map(|at| CurvePoint { at, corner: true, move_mm: 0.0 }).to_vec();
     let rim = DesignCurve { name: "a".into(), kind: None, closed: true, points };
     let part = bounded("a", &["a"]);
     let other: Vec<Point3> = [[50., 0.], [90., 0.], [90., 50.], [50., 50.], [50., 25.]]
@@ -267,6 +268,7 @@ fn outlines_of_fixed_samples_keep_them() {
             bounded("east", &["right", "-seam"]),
             panel("whole", joining(&["west", "east"], Continuity::G0), 60),
         ],
+        ..Design::default()
     };
     assert_eq!(made(&design)[0].boundary.len(), 60);
 }

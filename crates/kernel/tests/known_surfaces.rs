@@ -188,6 +188,7 @@ fn concave_polygons_stay_flat() {
                         .map(|p| CurvePoint {
                             at: Point3::new(p.x, 0.6 * p.y, 0.8 * p.y),
                             corner: corners,
+                            move_mm: 0.0,
                         })
                         .collect();
                     let boundary = Boundary::new(vec![samples_from_points(&points)]).unwrap();

@@ -43,7 +43,13 @@ fn design(rails: [DesignCurve; 2], method: PanelMethod, run_on: bool) -> Design 
         cut: Vec::new(),
     };
     let curves = rails.to_vec();
-    Design { name: "strip".into(), material: None, curves, panels: vec![panel] }
+    Design {
+        name: "strip".into(),
+        material: None,
+        curves,
+        panels: vec![panel],
+        ..Design::default()
+    }
 }
 
 fn made(rails: [DesignCurve; 2], method: PanelMethod, run_on: bool) -> MadePanel {

@@ -114,7 +114,7 @@ fn any_curve(n: usize, random: &mut Random) -> NamedCurve {
             300.0 * n as f64 + random.between(-100.0, 100.0),
             200.0 * n as f64 + random.between(-50.0, 50.0),
         );
-        CurvePoint { at, corner: random.below(10) == 0 }
+        CurvePoint { at, corner: random.below(10) == 0, move_mm: 0.0 }
     };
     let points = (0..1 + random.below(12)).map(|x| point(x, random)).collect();
     NamedCurve { name: format!("line {n}"), points }

@@ -19,7 +19,7 @@ fn panel<'a>(
     triangulate: &'a TriangulateOptions,
     motions: &'a [Motion],
 ) -> VaryPanel<'a> {
-    VaryPanel { boundary, plane: PlaneChoice::Auto, triangulate, motions }
+    VaryPanel { boundary, plane: PlaneChoice::Auto, triangulate, motions, follows: false }
 }
 
 /// One panel whose samples are all unknowns, with a limit for each.
@@ -46,7 +46,7 @@ fn limits_hold_fixed_samples_stay_and_the_twist_never_rises() {
         let motions = motions_of_samples(&boundary, &unknown);
         let total_mm = 0.01 * size;
         let limit = match seed % 4 {
-            0 | 1 => Limit::Budget { total_mm, weights: vec![1.0; m] },
+            0 | 1 => Limit::budget(total_mm, vec![1.0; m]),
             _ => Limit::Each { radii_mm: vec![0.1 * total_mm; m] },
         };
         let fold = [0.0, 1.0][usize::from(seed % 8 < 4)];
@@ -109,7 +109,7 @@ fn twisted(turn: f64, samples: usize, corners: bool) -> Boundary {
         let along = n as f64 / (samples - 1) as f64;
         let angle = turn * along;
         let at = Point3::new(1000.0 * along, side * 100.0 * cos(angle), side * 100.0 * sin(angle));
-        CurvePoint { at, corner: corners && (n == 0 || n + 1 == samples) }
+        CurvePoint { at, corner: corners && (n == 0 || n + 1 == samples), move_mm: 0.0 }
     };
     let points: Vec<CurvePoint> = (0..samples)
         .map(|n| rail(-1.0, n))
@@ -182,7 +182,7 @@ fn a_budget_for_samples_holds_for_control_points() {
     };
     let motions = motions(&boundary, (0..m).map(shares).collect());
     let total_mm = 0.05 * boundary.size();
-    let limit = Limit::Budget { total_mm, weights: counted_shares(&motions, 8) };
+    let limit = Limit::budget(total_mm, counted_shares(&motions, 8));
     let triangulate = TriangulateOptions::default();
     let options = VaryOptions { leave_developable: false, ..Default::default() };
     let panels = [panel(&boundary, &triangulate, &motions)];
@@ -209,6 +209,7 @@ fn a_seam_stays_one_seam() {
         CurvePoint {
             at: Point3::new(400.0 * along, width * cos(angle), width * sin(angle)),
             corner,
+            move_mm: 0.0,
         }
     };
     let half = |low: f64, high: f64| {
@@ -231,7 +232,7 @@ fn a_seam_stays_one_seam() {
         .collect();
     let triangulate = TriangulateOptions::default();
     let panels = [0, 1].map(|n| panel(&boundaries[n], &triangulate, &motions[n]));
-    let limit = Limit::Budget { total_mm: 20.0, weights: vec![1.0; samples] };
+    let limit = Limit::budget(20.0, vec![1.0; samples]);
     let options = VaryOptions { leave_developable: false, ..Default::default() };
     let found = vary(&panels, &limit, &options, &mut Unwatched).unwrap();
     println!("{:?} {:?} {}", found.prices, found.moved_total_mm, found.ended);

@@ -45,7 +45,11 @@ fn hull(samples: usize) -> Made {
             cut: Vec::new(),
         })
         .collect();
-    make(&Design { name: "hull".into(), material: None, curves, panels }, &mut Unwatched).unwrap()
+    make(
+        &Design { name: "hull".into(), material: None, curves, panels, ..Design::default() },
+        &mut Unwatched,
+    )
+    .unwrap()
 }
 
 /// Rails whose displacement is a B-spline with so many control points each; one that two planks
@@ -78,6 +82,7 @@ fn varied(made: &Made, samples: usize, goal: Goal) -> Varied {
             plane: PlaneChoice::Auto,
             triangulate: &options,
             motions,
+            follows: false,
         })
         .collect();
     let limit = Limit::Each { radii_mm: vec![0.000_65 * size(made); RAILS.len() * CONTROLS] };

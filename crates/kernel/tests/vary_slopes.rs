@@ -62,10 +62,15 @@ fn slopes_are_those_of_central_differences() {
             plane: PlaneChoice::Auto,
             triangulate: &options,
             motions: &motions,
+            follows: false,
         };
-        let pure = Weights { goal: Goal::Price, excess: 0.0, fairness: 0.0 };
-        let all =
-            Weights { goal: Goal::Warp { largest: from_deg(6.0) }, excess: 3.0, fairness: 0.2 };
+        let pure = Weights { goal: Goal::Price, excess: 0.0, twist: 1.0, fairness: 0.0 };
+        let all = Weights {
+            goal: Goal::Warp { largest: from_deg(6.0) },
+            excess: 3.0,
+            twist: 2.5,
+            fairness: 0.2,
+        };
         let at = |weights: &Weights, unknowns: &[Vec3]| {
             sloped(&panel, plane.as_ref(), &found, weights, unknowns).unwrap()
         };

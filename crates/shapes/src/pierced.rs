@@ -16,8 +16,10 @@ const THROWS: usize = 200;
 
 /// A loop of points as samples; each is a corner with probability `corners`.
 fn looped(random: &mut Random, points: &[Point3], corners: f64) -> Vec<Sample> {
-    let points: Vec<CurvePoint> =
-        points.iter().map(|&at| CurvePoint { at, corner: random.unit() < corners }).collect();
+    let points: Vec<CurvePoint> = points
+        .iter()
+        .map(|&at| CurvePoint { at, corner: random.unit() < corners, move_mm: 0.0 })
+        .collect();
     samples_from_points(&points)
 }
 

@@ -48,6 +48,7 @@ pub fn star(random: &mut Random, m: usize, corners: f64) -> Option<Boundary> {
             CurvePoint {
                 at: Point3::new(r * cos(angle), r * sin(angle), random.between(-40.0, 40.0)),
                 corner: random.unit() < corners,
+                move_mm: 0.0,
             }
         })
         .collect();
@@ -60,6 +61,7 @@ pub fn tangle(random: &mut Random, m: usize, corners: f64) -> Option<Boundary> {
         .map(|_| CurvePoint {
             at: Point3::new(random.unit() * 100.0, random.unit() * 100.0, random.unit() * 100.0),
             corner: random.unit() < corners,
+            move_mm: 0.0,
         })
         .collect();
     Boundary::new(vec![samples_from_points(&points)]).ok()
@@ -77,6 +79,7 @@ pub fn grid(random: &mut Random, m: usize) -> Option<Boundary> {
             CurvePoint {
                 at: Point3::new((r * cos(angle)).round(), (r * sin(angle)).round(), z),
                 corner: random.unit() < 0.5,
+                move_mm: 0.0,
             }
         })
         .collect();

@@ -140,5 +140,5 @@ pub fn design(samples: usize) -> Design {
         })
         .collect();
     panels.push(panel("whole".to_owned(), PanelShape::Join(join)));
-    Design { name: "three cones".to_owned(), material: None, curves, panels }
+    Design { name: "three cones".to_owned(), material: None, curves, panels, ..Design::default() }
 }

@@ -2,11 +2,12 @@
 
 use super::grammar::{
     CurveFile, DesignFile, GoalName, KindName, MethodName, Object, PanelFile, PlaneFile, PlaneName,
-    PointFile, Triple,
+    PointFile, Triple, VaryFile,
 };
 use super::join::check_joins;
 use super::source::Source;
 use super::table_path::Tables;
+use super::vary::VaryReader;
 use super::wrong_version;
 use crate::names::{
     did_you_mean, folded, refused_anywhere, refused_for_curve, refused_for_file, shown,
@@ -17,7 +18,9 @@ use crate::units::Units;
 use sheetwright::boundary::{MAX_SAMPLES, PlaneChoice};
 use sheetwright::cost::{MAX_FOLD, PriceOptions};
 use sheetwright::curve::{CurveKind, CurvePoint};
-use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape};
+use sheetwright::design::{
+    CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape, Vary,
+};
 use sheetwright::material::{MATERIALS, Material};
 use sheetwright::math::{Point3, Vec3};
 use sheetwright::triangulate::Goal;
@@ -30,14 +33,10 @@ const RAIL_SAMPLES: usize = 200;
 const LOOP_SAMPLES: usize = 400;
 /// A design has this many panels, and a panel this many uses of curves, at the most.
 const MAX_PANELS: usize = MAX_CURVES;
-const VARY_HINT: &str = "Leave it out: this version keeps every sample where the curves put it.";
 
 pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, InputError> {
     if let Some(error) = wrong_version(file.sheetwright, source.place) {
         return Err(error);
-    }
-    if file.vary.is_some() {
-        return Err(source.error("vary", "samples can't be varied yet", VARY_HINT));
     }
     let name = match file.name {
         None => stem(source.name),
@@ -58,8 +57,34 @@ pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, In
         })?),
     };
     let curves = curves(file.curves.0, file.units, source)?;
-    let panels = panels(file.panels, &curves, file.units, source)?;
-    Ok(Design { name, material, curves, panels })
+    let mut list = file.panels;
+    let of_panels: Vec<Option<Object<VaryFile>>> =
+        list.iter_mut().map(|panel| panel.0.vary.take()).collect();
+    let panels = panels(list, &curves, file.units, source)?;
+    let reader = VaryReader { units: file.units, curves: &curves, source };
+    let mut vary = Vec::new();
+    if let Some(Object(whole)) = file.vary {
+        vary.push(reader.read(whole, "vary", None, &panels)?);
+    }
+    for (n, of_panel) in of_panels.into_iter().enumerate() {
+        if let Some(Object(of_panel)) = of_panel {
+            let path = format!("panels[{n}].vary");
+            let own = reader.read(of_panel, &path, Some(&panels[n].name), &panels)?;
+            if vary.iter().any(|other: &Vary| other.panels == own.panels) {
+                let message = "the `vary` beside `panels` names this panel alone already";
+                return Err(source.error(&path, message, "Keep one of the two."));
+            }
+            vary.push(own);
+        }
+    }
+    // What is said of one panel belongs to it, wherever it stands.
+    let place = |vary: &Vary| match vary.panels.as_slice() {
+        [only] => 1 + panels.iter().position(|panel| panel.name == *only).unwrap_or_default(),
+        _ => 0,
+    };
+    vary.sort_by_key(place);
+    let vary = source.options.vary.applied(vary);
+    Ok(Design { name, material, curves, panels, vary, match_seams: file.match_seams })
 }
 
 fn curves(
@@ -130,12 +155,12 @@ fn curve_point(
         PointFile::Full(full) => (&full.at.0, full.corner, full.movable),
     };
     let at = point_mm(xyz, units, source, path)?;
-    if in_range_mm(movable, units).is_none_or(|mm| mm < 0.0) {
+    let Some(move_mm) = in_range_mm(movable, units).filter(|mm| *mm >= 0.0) else {
         let message = format!("the point may move by {movable} {}", units.name());
         let hint = "Write a distance, or 0 where it is fixed.";
         return Err(source.error(&format!("{}.move", path()), message, hint));
-    }
-    Ok(CurvePoint { at, corner })
+    };
+    Ok(CurvePoint { at, corner, move_mm })
 }
 
 /// A point in the unit of the design.
@@ -217,9 +242,6 @@ impl PanelReader<'_> {
     }
 
     fn panel(&self, file: PanelFile) -> Result<DesignPanel, InputError> {
-        if file.vary.is_some() {
-            return Err(self.error(".vary", "samples can't be varied yet", VARY_HINT));
-        }
         let shape = match self.join(&file, self.units)? {
             Some(join) => join,
             None => self.shape(file.rails, file.boundary, file.holes)?,

@@ -38,9 +38,59 @@ pub(super) struct DesignFile {
     /// The panels; each becomes a piece of sheet.
     #[schemars(with = "Vec<PanelFile>")]
     pub(super) panels: Vec<Object<PanelFile>>,
+    /// What may move so that the panels bend better, and how far.
     #[serde(default)]
-    #[schemars(skip)]
-    pub(super) vary: Option<IgnoredAny>,
+    #[schemars(with = "Option<VaryFile>")]
+    pub(super) vary: Option<Object<VaryFile>>,
+    /// Whether curves that several panels share get as many samples on each, so that both sides of a
+    /// seam are equally long. They do in any case where something moves. Default: false.
+    #[serde(default)]
+    pub(super) match_seams: bool,
+}
+
+/// What may move, how far, and what for. Where points have a distance `move`, only those move that
+/// do, each by that at the most.
+#[derive(Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct VaryFile {
+    /// How far all samples may move in sum. Default: any distance.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 0))]
+    pub(super) budget: Option<f64>,
+    /// How far each sample may move. Default: any distance; or, where nothing says how far anything
+    /// may move, a hundredth of the size of the panels.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 0))]
+    pub(super) limit: Option<f64>,
+    /// The largest warp angle to be reached, degrees, by the smallest displacements. Default: none;
+    /// twist and folds are made as small as can be.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 0, max = 90))]
+    pub(super) warp_deg: Option<f64>,
+    /// The curves that may move. Default: all those of the panels.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) curves: Option<Vec<String>>,
+    /// The panels that are to bend better; others follow where they share a curve. Not in a panel.
+    /// Default: all.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) panels: Option<Vec<String>>,
+    /// What moves: the points of the curves, or each sample. Default: points.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) by: Option<MovedByName>,
+    /// Whether panels stay as they are that are developable already, as far as their samples tell.
+    /// Default: true.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) leave_developable: Option<bool>,
+}
+
+/// What moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum MovedByName {
+    /// The points that curves are made from, so that curves stay as fair as they are drawn.
+    Points,
+    /// Each sample: curves become splines through them.
+    Samples,
 }
 
 /// A curve. It has `points`, or a `table` that they are taken from.
@@ -98,7 +148,8 @@ pub(super) struct FullPoint {
     /// Whether the curve has a corner here. Default: false.
     #[serde(default)]
     pub(super) corner: bool,
-    /// How far it may be moved; 0 where it is fixed. This version moves no points. Default: 0.
+    /// How far it may be moved so that the sheet bends better; 0: not at all, where other points
+    /// may. Default: 0.
     #[serde(default, rename = "move")]
     #[schemars(range(min = 0))]
     pub(super) movable: f64,
@@ -162,9 +213,10 @@ pub(super) struct PanelFile {
     #[serde(default)]
     #[schemars(with = "Option<Vec<[f64; 3]>>")]
     pub(super) cut: Option<Vec<Triple>>,
+    /// What of this panel may move so that it bends better, and how far.
     #[serde(default)]
-    #[schemars(skip)]
-    pub(super) vary: Option<IgnoredAny>,
+    #[schemars(with = "Option<VaryFile>")]
+    pub(super) vary: Option<Object<VaryFile>>,
 }
 
 /// Which triangulations are looked at.

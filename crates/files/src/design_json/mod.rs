@@ -8,9 +8,11 @@ mod grammar;
 mod join;
 mod source;
 mod table_path;
+mod vary;
 mod write;
 
 pub(crate) use table_path::table_beside;
+pub(crate) use vary::MOST_WARP_DEG;
 pub use write::write_design;
 pub(crate) use write::write_design_of_table;
 
@@ -108,9 +110,8 @@ fn in_our_words(text: &str) -> (String, String) {
         {
             // The known names stand between backticks: every second part.
             let known: Vec<&str> = known.split('`').skip(1).step_by(2).collect();
-            // `$schema` is for editors, and `vary` is known only to be refused.
-            let known: Vec<&str> =
-                known.into_iter().filter(|n| !["$schema", "vary"].contains(n)).collect();
+            // `$schema` is for editors.
+            let known: Vec<&str> = known.into_iter().filter(|n| *n != "$schema").collect();
             let nearest = match nearest(wrong, known.iter().copied()) {
                 Some(name) => format!("Did you mean `{name}`? "),
                 None => String::new(),
@@ -180,21 +181,24 @@ fn wanted_in_words(wanted: &str) -> &str {
 mod tests {
     use super::*;
     use crate::input::{InputFormat, read_bytes};
+    use crate::reading::VarySettings;
     use sheetwright::boundary::{Continuity, Within};
     use sheetwright::curve::CurveKind;
-    use sheetwright::design::{CurveUse, PanelMethod, PanelShape};
-    use sheetwright::math::Point3;
+    use sheetwright::design::{CurveUse, MovedBy, PanelMethod, PanelShape, Vary};
+    use sheetwright::math::{Point3, from_deg};
     use sheetwright::triangulate::Goal;
 
     const DINGHY: &str = r#"{
-  "sheetwright": 1, "name": "dinghy", "units": "m", "material": "plywood-4mm",
+  "sheetwright": 1, "name": "dinghy", "units": "m", "material": "plywood-4mm", "match_seams": true,
+  "vary": { "budget": 0.5, "panels": ["lid"], "curves": ["rim"], "leave_developable": false },
   "curves": {
     "keel": { "kind": "spline", "points": [[0,0,0], [1,0,0.1], {"at": [2,0,0.3], "corner": true, "move": 0.01}] },
     "chine": { "kind": "polyline", "closed": false, "points": [[0,1,0], [2,1,0.2]] },
     "rim": { "kind": "bspline", "closed": true, "points": [[0,0,0], [1,0,0], [1,1,0], [0,1,0]] }
   },
   "panels": [
-    { "name": "bottom", "rails": ["keel", "-chine"], "method": "rails", "goal": "worst-warp", "run_on": true, "fold": 0 },
+    { "name": "bottom", "rails": ["keel", "-chine"], "method": "rails", "goal": "worst-warp", "run_on": true, "fold": 0,
+      "vary": { "warp_deg": 5.6, "limit": 0.02, "curves": ["keel"], "by": "samples" } },
     { "name": "lid", "boundary": ["-rim"], "holes": [["rim"]], "samples": 50, "plane": [0, 0, 1], "cut": [[0.5, 0, 0]] }
   ]
 }"#;
@@ -293,6 +297,24 @@ mod tests {
         assert!(bottom.run_on && !lid.run_on);
         assert_eq!((bottom.samples, lid.samples), (200, 50));
         assert_eq!((bottom.cut.len(), lid.cut[0]), (0, Point3::new(500.0, 0.0, 0.0)));
+        assert_eq!(keel.points.iter().map(|p| p.move_mm).collect::<Vec<_>>(), [0.0, 0.0, 10.0]);
+        assert!(design.match_seams);
+        let of_lid = Vary {
+            panels: vec!["lid".into()],
+            curves: vec!["rim".into()],
+            budget_mm: Some(500.0),
+            leave_developable: false,
+            ..Vary::default()
+        };
+        let of_bottom = Vary {
+            panels: vec!["bottom".into()],
+            curves: vec!["keel".into()],
+            goal: sheetwright::vary::Goal::Warp { largest: from_deg(5.6) },
+            limit_mm: Some(20.0),
+            by: MovedBy::Samples,
+            ..Vary::default()
+        };
+        assert_eq!(design.vary, [of_bottom, of_lid]);
     }
 
     #[test]
@@ -312,6 +334,7 @@ mod tests {
             fold: Some(2.0),
             method: Some(PanelMethod::Bridge),
             units: None,
+            vary: VarySettings { warp_deg: Some(3.0), limit_mm: Some(7.0), budget_mm: None },
         };
         let design =
             read_bytes(InputFormat::Design, DINGHY.as_bytes(), "d.json", None, &options).unwrap();
@@ -319,15 +342,23 @@ mod tests {
             assert_eq!((panel.samples, panel.fold), (77, 2.0));
             assert_eq!(panel.method, PanelMethod::Bridge);
         }
+        for vary in &design.vary {
+            assert_eq!(vary.limit_mm, Some(7.0));
+            assert_eq!(vary.goal, sheetwright::vary::Goal::Warp { largest: from_deg(3.0) });
+        }
+        assert_eq!(design.vary[1].budget_mm, Some(500.0));
+        let still = DINGHY.lines().filter(|line| !line.contains("vary")).collect::<String>();
+        let still = still.replace("\"fold\": 0,", "\"fold\": 0 },");
+        let moved = read_bytes(InputFormat::Design, still.as_bytes(), "d.json", None, &options);
+        assert_eq!(moved.unwrap().vary.len(), 1);
     }
 
     #[test]
     fn an_unknown_field_names_the_nearest_known_one() {
         let (error, hint) = refused("\"samples\": 50", "\"sampels\": 50");
-        assert!(error.starts_with("d.sheet.json:10:"), "{error}");
+        assert!(error.starts_with("d.sheet.json:12:"), "{error}");
         assert!(error.ends_with("panels[1].sampels: the field 'sampels' is not known"), "{error}");
         assert!(hint.starts_with("Did you mean `samples`? Known here: name, rails,"), "{hint}");
-        assert!(!hint.contains("vary"), "{hint}");
     }
 
     #[test]
@@ -343,12 +374,18 @@ mod tests {
             ("[1,0,0.1]", "[1,0,\"a\"]", "curves.keel.points[1][2]"),
             ("[1,0,0.1]", "[1,0,1e9]", "curves.keel.points[1]"),
             ("\"-chine\"", "\"-chin\"", "panels[0].rails[1]"),
-            ("\"lid\"", "\"BOTTOM\"", "panels[1].name"),
+            ("\"name\": \"lid\"", "\"name\": \"BOTTOM\"", "panels[1].name"),
             ("\"fold\": 0", "\"fold\": 11", "panels[0].fold"),
             ("\"plane\": [0, 0, 1]", "\"plane\": \"automatic\"", "panels[1].plane"),
             ("\"worst-warp\"", "\"max\"", "panels[0].goal"),
             ("\"samples\": 50", "\"run_on\": true", "panels[1].run_on"),
-            ("\"samples\": 50", "\"vary\": {\"budget\": 1}", "panels[1].vary"),
+            ("\"samples\": 50", "\"vary\": {\"budget\": -1}", "panels[1].vary.budget"),
+            ("\"samples\": 50", "\"vary\": [1]", "panels[1].vary"),
+            ("\"limit\": 0.02", "\"limit\": 1e9", "panels[0].vary.limit"),
+            ("\"warp_deg\": 5.6", "\"warp_deg\": 91", "panels[0].vary.warp_deg"),
+            ("[\"keel\"]", "[\"keel\", \"kiel\"]", "panels[0].vary.curves[1]"),
+            ("[\"lid\"]", "[]", "vary.panels"),
+            ("[\"lid\"]", "[\"bottom\"]", "panels[0].vary"),
             ("\"cut\": [[0.5, 0, 0]]", "\"cut\": [0.5, 0, 0]", "panels[1].cut[0]"),
             ("\"cut\": [[0.5, 0, 0]]", "\"cut\": [[0.5, 0, 1e9]]", "panels[1].cut[0]"),
             ("\"fold\": 0", "\"cut\": [[0, 0, 0]]", "panels[0].cut"),

@@ -1,7 +1,7 @@
 //! A kernel design as JSON, a curve a block, a point a line and a panel a line.
 
-use super::VERSION;
 use super::grammar::{GoalName, KindName, MethodName, SmoothName};
+use super::{VERSION, vary};
 use crate::units::Units;
 use serde::Serialize;
 use sheetwright::boundary::{Continuity, PlaneChoice, Within};
@@ -10,8 +10,7 @@ use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelMetho
 use sheetwright::triangulate::Goal;
 
 /// A design as the bytes of its file, in millimetres, with every default written out but for what
-/// few designs ask for (`goal`, `run_on`, `cut`). It reads back equal, but for distances that points
-/// may move, which the kernel does not keep.
+/// few designs ask for (`goal`, `run_on`, `cut`, `vary`, `match_seams`). It reads back equal.
 pub fn write_design(design: &Design) -> Vec<u8> {
     write(design, Units::Millimetres, curve)
 }
@@ -42,7 +41,17 @@ fn write(design: &Design, units: Units, curve: impl Fn(&DesignCurve) -> String) 
     }
     let curves: Vec<String> = design.curves.iter().map(curve).collect();
     fields.push(format!("  \"curves\": {{\n{}\n  }}", curves.join(",\n")));
-    let panels: Vec<String> = design.panels.iter().map(panel).collect();
+    if let Some(vary) = design.vary.iter().find(|vary| vary.panels.len() != 1) {
+        fields.push(format!("  \"vary\": {}", json(&vary::written(vary, false))));
+    }
+    if design.match_seams {
+        fields.push("  \"match_seams\": true".to_owned());
+    }
+    let of_panel = |p: &DesignPanel| {
+        let own = design.vary.iter().find(|vary| vary.panels == [p.name.as_str()]);
+        panel(p, own.map(|vary| json(&vary::written(vary, true))))
+    };
+    let panels: Vec<String> = design.panels.iter().map(of_panel).collect();
     fields.push(format!("  \"panels\": [\n{}\n  ]", panels.join(",\n")));
     format!("{{\n{}\n}}\n", fields.join(",\n")).into_bytes()
 }
@@ -70,10 +79,15 @@ fn curve(curve: &DesignCurve) -> String {
 
 fn point(point: &CurvePoint) -> String {
     let at = json(&[point.at.x, point.at.y, point.at.z]);
-    if point.corner { format!("{{\"at\":{at},\"corner\":true}}") } else { at }
+    let corner = if point.corner { ",\"corner\":true" } else { "" };
+    match point.move_mm {
+        0.0 if corner.is_empty() => at,
+        0.0 => format!("{{\"at\":{at}{corner}}}"),
+        mm => format!("{{\"at\":{at}{corner},\"move\":{}}}", json(&mm)),
+    }
 }
 
-fn panel(panel: &DesignPanel) -> String {
+fn panel(panel: &DesignPanel, vary: Option<String>) -> String {
     let names = |uses: &[CurveUse]| -> Vec<String> {
         let name = |u: &CurveUse| format!("{}{}", if u.reversed { "-" } else { "" }, u.name);
         uses.iter().map(name).collect()
@@ -132,6 +146,7 @@ fn panel(panel: &DesignPanel) -> String {
         let cut: Vec<[f64; 3]> = panel.cut.iter().map(|p| [p.x, p.y, p.z]).collect();
         fields.push(format!("\"cut\": {}", json(&cut)));
     }
+    fields.extend(vary.map(|vary| format!("\"vary\": {vary}")));
     format!("    {{ {} }}", fields.join(", "))
 }
 

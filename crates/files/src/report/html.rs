@@ -2,13 +2,14 @@
 
 use super::flat_picture::{edges, flat_picture, outline_length};
 use super::gauss_picture::gauss_picture;
+use super::moved_picture::{enlarged, moved_picture};
 use super::space_picture::{design_picture, surface_picture};
 use super::style::page_style;
 use super::view::box_of;
 use super::warp_chart::warp_chart;
 use super::wording::{
-    area, decimal, degrees, millimetres, per_cent, radius, refold, scientific, verdict_sentence,
-    verdict_word,
+    area, decimal, degrees, millimetres, millimetres_fine, per_cent, radius, refold, scientific,
+    verdict_sentence, verdict_word,
 };
 use super::worst_rung;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
@@ -238,7 +239,64 @@ impl Page<'_> {
                         }
                     }
                 }
+                (self.before_and_after())
                 (self.numbers())
+            }
+        }
+    }
+
+    /// What moving the boundary has changed, if it was to be moved.
+    fn before_and_after(&self) -> Markup {
+        let (panel, material) = (self.panel, self.material);
+        let Some(change) = panel.change.as_ref() else { return html! {} };
+        let before: &MadePanel = &change.before;
+        let rows = [
+            ("Verdict", [before, panel].map(|p| verdict_word(p.checked.verdict).to_owned())),
+            ("Largest warp", [before, panel].map(|p| degrees(to_deg(p.measures.warp_max)))),
+            ("Mean warp", [before, panel].map(|p| degrees(to_deg(p.measures.warp_mean)))),
+            ("Twist, total", [before, panel].map(|p| scientific(p.measures.twist_total))),
+            ("Price, total", [before, panel].map(|p| scientific(p.triangulation.price))),
+        ];
+        html! {
+            h3 { "Before and after the boundary was moved" }
+            p {
+                "Samples moved by up to " (millimetres_fine(change.moved_max_mm())) ", by "
+                (millimetres_fine(change.moved_total_mm())) " in sum: " (change.ended.to_string())
+                "."
+            }
+            table.summary {
+                thead { tr { th scope="col" {} th scope="col" { "Before" } th scope="col" { "After" } } }
+                tbody {
+                    @for (name, [was, is]) in rows {
+                        tr {
+                            th scope="row" { (name) }
+                            td data-label="Before" { (was) }
+                            td data-label="After" { (is) }
+                        }
+                    }
+                }
+            }
+            @if let Some(picture) = moved_picture(panel) {
+                div.figures {
+                    div.column {
+                        figure {
+                            (PreEscaped(picture.inline()))
+                            figcaption {
+                                strong { "Where it moved. " }
+                                "The boundary before (dark) and after (blue), with the way between "
+                                (decimal(enlarged(change), 0)) " times as long as it is."
+                            }
+                        }
+                    }
+                    div.column {
+                        @if let Some(chart) = warp_chart(before, material) {
+                            figure {
+                                (PreEscaped(chart.inline()))
+                                figcaption { strong { "Warp before. " } "Above is the warp after." }
+                            }
+                        }
+                    }
+                }
             }
         }
     }

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::Serialize;
 use sheetwright::check::{Checked, Verdict};
-use sheetwright::design::{Made, MadePanel};
+use sheetwright::design::{Change, Made, MadePanel};
 use sheetwright::material::warp_limit_deg;
 use sheetwright::math::to_deg;
 use sheetwright::pattern::seam_mark;
@@ -101,11 +101,31 @@ struct PanelReport<'a> {
     moved_max_mm: f64,
     /// All distances that samples were moved, summed, mm.
     moved_total_mm: f64,
+    /// What the panel was before it was to be moved; null where nothing was to be.
+    before: Option<BeforeReport>,
     /// Will it bend?
     #[schemars(extend("enum" = Verdict::ALL.map(Verdict::name)))]
     verdict: &'static str,
     /// What was found, the worst first.
     findings: Vec<FindingReport<'a>>,
+}
+
+/// A panel before its boundary was moved.
+#[derive(Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "Before")]
+struct BeforeReport {
+    /// The price: twist and weighted folds, summed. Without unit.
+    price_total: f64,
+    /// The sum of the twist of all rungs. Without unit.
+    twist_total: f64,
+    /// The largest warp angle, degrees.
+    warp_max_deg: f64,
+    /// The mean warp angle, degrees.
+    warp_mean_deg: f64,
+    /// Would it have bent?
+    #[schemars(extend("enum" = Verdict::ALL.map(Verdict::name)))]
+    verdict: &'static str,
 }
 
 /// A cut of the pattern whose two sides are joined.
@@ -229,10 +249,20 @@ fn of_panel<'a>(
         refold_error_mm: finite(refold_error_mm),
         overlaps: panel.flat.overlap.is_some(),
         self_intersects: measures.self_crossing.is_some(),
-        // No stage moves samples.
-        moved_max_mm: 0.0,
-        moved_total_mm: 0.0,
+        moved_max_mm: panel.change.as_ref().map_or(0.0, Change::moved_max_mm),
+        moved_total_mm: panel.change.as_ref().map_or(0.0, Change::moved_total_mm),
+        before: panel.change.as_ref().map(|change| of_before(&change.before)),
         verdict: checked.verdict.name(),
         findings: findings.collect(),
+    }
+}
+
+fn of_before(before: &MadePanel) -> BeforeReport {
+    BeforeReport {
+        price_total: before.triangulation.price,
+        twist_total: before.measures.twist_total,
+        warp_max_deg: to_deg(before.measures.warp_max),
+        warp_mean_deg: to_deg(before.measures.warp_mean),
+        verdict: before.checked.verdict.name(),
     }
 }

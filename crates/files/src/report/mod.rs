@@ -11,6 +11,7 @@ mod gauss_picture;
 mod hidden;
 mod html;
 mod json;
+mod moved_picture;
 mod paint;
 mod part;
 mod space_picture;
@@ -25,6 +26,7 @@ pub use flat_picture::flat_picture;
 pub use gauss_picture::gauss_picture;
 pub use html::report_html;
 pub use json::{report_json, report_schema};
+pub use moved_picture::moved_picture;
 pub use space_picture::{design_picture, surface_picture};
 pub use warp_chart::warp_chart;
 

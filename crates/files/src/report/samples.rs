@@ -3,7 +3,7 @@
 use sheetwright::boundary::PlaneChoice;
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
-    CurveUse, Design, DesignCurve, DesignPanel, Made, PanelMethod, PanelShape, make,
+    CurveUse, Design, DesignCurve, DesignPanel, Made, PanelMethod, PanelShape, Vary, make,
 };
 use sheetwright::material::Material;
 use sheetwright::math::{Point3, cos, from_deg, sin};
@@ -31,9 +31,18 @@ fn panel(name: &str, shape: PanelShape, samples: usize) -> DesignPanel {
     }
 }
 
-fn made(name: &str, material: &str, curves: Vec<DesignCurve>, panels: Vec<DesignPanel>) -> Made {
+fn design(
+    name: &str,
+    material: &str,
+    curves: Vec<DesignCurve>,
+    panels: Vec<DesignPanel>,
+) -> Design {
     let material = Material::named(material);
-    make(&Design { name: name.to_owned(), material, curves, panels }, &mut Unwatched).unwrap()
+    Design { name: name.to_owned(), material, curves, panels, ..Design::default() }
+}
+
+fn made(name: &str, material: &str, curves: Vec<DesignCurve>, panels: Vec<DesignPanel>) -> Made {
+    make(&design(name, material, curves, panels), &mut Unwatched).unwrap()
 }
 
 /// The three planks of the fishing vessel, `samples` on a rail.
@@ -101,6 +110,15 @@ pub(super) fn between(
     samples: usize,
     material: &str,
 ) -> Made {
+    make(&strip(name, rails, samples, material), &mut Unwatched).unwrap()
+}
+
+fn strip(
+    name: &str,
+    rails: [&dyn Fn(f64) -> [f64; 3]; 2],
+    samples: usize,
+    material: &str,
+) -> Design {
     let curve = |name: &str, rail: &dyn Fn(f64) -> [f64; 3]| {
         let at = |n: u32| {
             let p = rail(f64::from(n) / 24.0);
@@ -114,7 +132,7 @@ pub(super) fn between(
     let mut panel = panel(name, shape, samples);
     panel.plane = PlaneChoice::None;
     panel.method = PanelMethod::Rails;
-    made(name, material, curves, vec![panel])
+    design(name, material, curves, vec![panel])
 }
 
 /// A quarter of a tube, 200 mm in radius, 500 mm long.
@@ -148,4 +166,17 @@ pub(super) fn helicoid() -> Made {
         }
     };
     between("ramp", [&helix(60.0, 1.6), &helix(150.0, 1.6)], 120, "steel-1mm")
+}
+
+/// The same stairs, less steep, with rails that may move by 5 mm.
+pub(super) fn moved() -> Made {
+    let helix = |r: f64| {
+        move |t: f64| {
+            let a = from_deg(120.0 * t);
+            [r * cos(a), r * sin(a), 40.0 * t]
+        }
+    };
+    let vary = vec![Vary { limit_mm: Some(5.0), ..Vary::default() }];
+    let still = strip("turn", [&helix(60.0), &helix(150.0)], 30, "steel-1mm");
+    make(&Design { vary, ..still }, &mut Unwatched).unwrap()
 }

@@ -36,34 +36,59 @@ fn pictured(panels: &[MadePanel], material: Option<&Material>, title: String) ->
         .iter()
         .map(|panel| panel.surface.positions().iter().map(|&p| view.project(p)).collect())
         .collect();
-    let bound = |of: fn(&Point2) -> f64, start: f64, pick: fn(f64, f64) -> f64| {
-        projected.iter().flatten().map(of).fold(start, pick)
-    };
-    let (left, right) =
-        (bound(|p| p.x, f64::INFINITY, f64::min), bound(|p| p.x, f64::NEG_INFINITY, f64::max));
-    let (low, high) =
-        (bound(|p| p.y, f64::INFINITY, f64::min), bound(|p| p.y, f64::NEG_INFINITY, f64::max));
-    // A plate that is seen edge on still has a scale.
-    let (width, height) = ((right - left).max(1e-12), (high - low).max(1e-12));
-    let scale = ((WIDTH - 2.0 * MARGIN) / width).min(MOST_HEIGHT / height);
-    let shift = 0.5 * (WIDTH - scale * width);
-    let total = MARGIN + scale * height + FOOT;
-    let place =
-        |p: &Point2| Point2::new(shift + scale * (p.x - left), MARGIN + scale * (high - p.y));
+    let fit = Fit::new(projected.iter().flatten());
     let parts: Vec<Part<'_>> = panels
         .iter()
         .zip(&projected)
         .map(|(panel, points)| Part {
             panel,
-            points: points.iter().map(place).collect(),
+            points: points.iter().map(|p| fit.place(*p)).collect(),
             rungs: rung_classes(panel, material, RULINGS),
         })
         .collect();
     let mut body = paint(&view, &parts);
-    body += &triad(&view, Point2::new(46.0, total - 42.0));
-    let bar = round_below(0.3 * WIDTH / scale);
-    body += &scale_bar(Point2::new(WIDTH - MARGIN, total - 14.0), scale * bar, &length_short(bar));
-    Picture::new(WIDTH, total, title, body)
+    body += &fit.foot(&view);
+    Picture::new(WIDTH, fit.total, title, body)
+}
+
+/// Where projected points lie in a picture that shows all of them, with the axes and the scale below.
+pub(super) struct Fit {
+    left: f64,
+    high: f64,
+    scale: f64,
+    shift: f64,
+    /// The height of the picture.
+    pub(super) total: f64,
+}
+
+impl Fit {
+    pub(super) fn new<'a>(projected: impl Iterator<Item = &'a Point2>) -> Self {
+        let start = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+        let [[left, right], [low, high]] = projected.fold(start, |bounds, p| {
+            [(bounds[0], p.x), (bounds[1], p.y)]
+                .map(|([least, most], x)| [least.min(x), most.max(x)])
+        });
+        // A plate that is seen edge on still has a scale.
+        let (width, height) = ((right - left).max(1e-12), (high - low).max(1e-12));
+        let scale = ((WIDTH - 2.0 * MARGIN) / width).min(MOST_HEIGHT / height);
+        let shift = 0.5 * (WIDTH - scale * width);
+        Self { left, high, scale, shift, total: MARGIN + scale * height + FOOT }
+    }
+
+    pub(super) fn place(&self, p: Point2) -> Point2 {
+        Point2::new(
+            self.shift + self.scale * (p.x - self.left),
+            MARGIN + self.scale * (self.high - p.y),
+        )
+    }
+
+    /// The axes and the scale.
+    pub(super) fn foot(&self, view: &View) -> String {
+        let bar = round_below(0.3 * WIDTH / self.scale);
+        let right = Point2::new(WIDTH - MARGIN, self.total - 14.0);
+        triad(view, Point2::new(46.0, self.total - 42.0))
+            + &scale_bar(right, self.scale * bar, &length_short(bar))
+    }
 }
 
 /// The class of every rung that is drawn: `w` the worst if it is beyond the limit, `x` beyond it,

@@ -4,7 +4,7 @@ use sheetwright::check::Checked;
 use sheetwright::design::Made;
 
 fn all() -> Vec<Made> {
-    vec![hull(40, "steel-5mm"), concave(), triangle(), quarter(), cone(), helicoid()]
+    vec![hull(40, "steel-5mm"), concave(), triangle(), quarter(), cone(), helicoid(), moved()]
 }
 
 fn checks(made: &Made) -> (Vec<f64>, Vec<Checked>) {
@@ -84,6 +84,25 @@ fn the_json_has_the_fields_of_the_contract_in_their_order() {
 }
 
 #[test]
+fn what_was_moved_stands_beside_what_was_before() {
+    let made = moved();
+    let change = made.panels[0].change.as_ref().unwrap();
+    let panel = &json(&made)["panels"][0];
+    assert_eq!(panel["moved_max_mm"], change.moved_max_mm());
+    assert_eq!(panel["moved_total_mm"], change.moved_total_mm());
+    assert!(change.moved_max_mm() > 0.0 && change.moved_max_mm() <= 5.0 * (1.0 + 1e-9));
+    let before = &panel["before"];
+    assert_eq!(before["twist_total"], change.before.measures.twist_total);
+    assert!(before["twist_total"].as_f64() > panel["twist_total"].as_f64());
+    assert_eq!(before["verdict"], change.before.checked.verdict.name());
+    let page = html(&made);
+    assert!(page.contains("Before and after the boundary was moved"));
+    assert!(page.contains("times enlarged") && page.contains("Warp before."));
+    assert!(json(&helicoid())["panels"][0]["before"].is_null());
+    assert!(!html(&helicoid()).contains("Before and after"));
+}
+
+#[test]
 fn what_has_no_number_is_null() {
     let made = concave();
     let checked = vec![made.panels[0].checked.clone()];
@@ -109,6 +128,11 @@ fn the_schema_in_the_docs_is_that_of_the_code() {
 fn agrees(value: &serde_json::Value, schema: &serde_json::Value, root: &serde_json::Value) {
     if let Some(path) = schema.get("$ref").and_then(|r| r.as_str()) {
         return agrees(value, root.pointer(path.trim_start_matches('#')).unwrap(), root);
+    }
+    if let Some(either) = schema.get("anyOf").and_then(|list| list.as_array()) {
+        let of_null = |one: &&serde_json::Value| one["type"] == "null";
+        let fitting = either.iter().find(|one| value.is_null() == of_null(one));
+        return agrees(value, fitting.unwrap(), root);
     }
     let kinds: Vec<&str> = match &schema["type"] {
         serde_json::Value::Array(list) => list.iter().filter_map(|k| k.as_str()).collect(),

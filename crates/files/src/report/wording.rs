@@ -61,6 +61,11 @@ pub(super) fn millimetres(mm: f64) -> String {
     format!("{}\u{a0}mm", decimal(mm, if mm.abs() < 1000.0 { 1 } else { 0 }))
 }
 
+/// A length that may be short: hundredths of a millimetre below ten.
+pub(super) fn millimetres_fine(mm: f64) -> String {
+    if mm.abs() < 10.0 { format!("{}\u{a0}mm", decimal(mm, 2)) } else { millimetres(mm) }
+}
+
 /// A round length, in metres from one metre on.
 pub(super) fn length_short(mm: f64) -> String {
     let plain = |x: f64| {

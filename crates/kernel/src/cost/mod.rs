@@ -373,7 +373,11 @@ mod tests {
     fn prices(list: &[[f64; 3]], corners: bool, options: PriceOptions) -> Prices {
         let points: Vec<CurvePoint> = list
             .iter()
-            .map(|p| CurvePoint { at: Point3::new(p[0], p[1], p[2]), corner: corners })
+            .map(|p| CurvePoint {
+                at: Point3::new(p[0], p[1], p[2]),
+                corner: corners,
+                move_mm: 0.0,
+            })
             .collect();
         let boundary = Boundary::new(vec![samples_from_points(&points)]).unwrap();
         Prices::new(&boundary, None, options)

@@ -9,7 +9,8 @@
 use super::{Cubic, StretchMaker};
 use crate::math::Point3;
 
-pub(super) const BSPLINE: StretchMaker = StretchMaker { open: clamped, closed: periodic };
+pub(super) const BSPLINE: StretchMaker =
+    StretchMaker { open: |_, points| clamped(points), closed: |_, points| periodic(points) };
 
 /// The periodic B-spline with these control points (3 or more). The spans begin at the points of
 /// the curve nearest to the first control point.

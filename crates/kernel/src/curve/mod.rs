@@ -9,11 +9,14 @@ mod bspline;
 mod cubic;
 mod polyline;
 mod sample;
+mod shares;
 mod spline;
 
+pub(crate) use arc_length::NODES;
 pub use cubic::Cubic;
-pub(crate) use sample::chained_samples;
+pub(crate) use sample::{Place, Placed, chain_placed, chained_samples, divisions_of, open_placed};
 pub use sample::{Sample, SampleError, sample_chain, sample_open};
+pub(crate) use shares::{PointShare, SpanShares, point_shares};
 
 use crate::math::{Point3, Vec3};
 use std::fmt;
@@ -29,17 +32,19 @@ pub struct CurvePoint {
     pub at: Point3,
     /// Whether the curve has a corner here: it passes through the point with two tangents.
     pub corner: bool,
+    /// How far it may be moved so that the sheet bends better, mm; 0: as the design says.
+    pub move_mm: f64,
 }
 
 impl CurvePoint {
     /// A point where the curve runs smoothly.
     pub fn smooth(at: Point3) -> Self {
-        Self { at, corner: false }
+        Self { at, corner: false, move_mm: 0.0 }
     }
 
     /// A point where the curve has a corner.
     pub fn corner(at: Point3) -> Self {
-        Self { at, corner: true }
+        Self { at, corner: true, move_mm: 0.0 }
     }
 }
 
@@ -129,11 +134,13 @@ impl Curve {
                 return Err(CurveError::Repeated { point: next });
             }
         }
-        Ok(match kind {
-            CurveKind::Polyline => polyline::polyline(points, closed),
-            CurveKind::Spline => spread_over_stretches(points, closed, &spline::SPLINE),
-            CurveKind::BSpline => spread_over_stretches(points, closed, &bspline::BSPLINE),
-        })
+        let maker = kind.maker();
+        let at =
+            |numbers: &[usize]| -> Vec<Point3> { numbers.iter().map(|&n| points[n].at).collect() };
+        let open = |numbers: &[usize]| (maker.open)(&at(numbers), &at(numbers));
+        let ring = |numbers: &[usize]| (maker.closed)(&at(numbers), &at(numbers));
+        let (spans, corner_before) = spread(kind, points, closed, open, ring);
+        Ok(Self::from_spans(spans, corner_before, closed))
     }
 
     /// A curve from its spans and the corners before each; the ends of an open one are corners.
@@ -145,6 +152,11 @@ impl Curve {
     /// Whether the curve ends where it begins, running on smoothly or with a corner.
     pub fn closed(&self) -> bool {
         self.closed
+    }
+
+    /// Whether there is a corner where the curve begins.
+    pub(crate) fn begins_with_a_corner(&self) -> bool {
+        self.corner_before[0]
     }
 
     /// The spans, in order.
@@ -235,7 +247,7 @@ impl Curve {
 
     /// The runs of spans between corners, as ranges of span numbers; a range may run over the end
     /// of a closed curve, so its end may exceed the number of spans. One range without corners.
-    fn stretches(&self) -> Vec<std::ops::Range<usize>> {
+    pub(crate) fn stretches(&self) -> Vec<std::ops::Range<usize>> {
         let m = self.spans.len();
         let corners: Vec<usize> = (0..m).filter(|&i| self.corner_before[i]).collect();
         let Some((&first, &last)) = corners.first().zip(corners.last()) else {
@@ -247,30 +259,50 @@ impl Curve {
     }
 }
 
-/// How one kind makes the spans of a smooth stretch: open between two corners, or the whole of a
-/// closed curve without any.
+/// How one kind makes the spans of a smooth stretch, open between two corners or the whole of a
+/// closed curve without any: from the points that say how long its spans are, and those that it is
+/// made from. What comes out is linear in the latter.
 struct StretchMaker {
-    open: fn(&[Point3]) -> Vec<Cubic>,
-    closed: fn(&[Point3]) -> Vec<Cubic>,
+    open: fn(&[Point3], &[Point3]) -> Vec<Cubic>,
+    closed: fn(&[Point3], &[Point3]) -> Vec<Cubic>,
 }
 
-/// Splits the points at corners and lets `maker` make the spans of each stretch. A closed curve
-/// with corners begins at its first point all the same; where that is no corner, the spans are
-/// turned back by as many as points precede the first corner: a spline begins at its first point,
-/// a B-spline somewhere before that corner.
-fn spread_over_stretches(points: &[CurvePoint], closed: bool, maker: &StretchMaker) -> Curve {
+impl CurveKind {
+    fn maker(self) -> &'static StretchMaker {
+        match self {
+            Self::Polyline => &polyline::POLYLINE,
+            Self::Spline => &spline::SPLINE,
+            Self::BSpline => &bspline::BSPLINE,
+        }
+    }
+}
+
+/// Splits the points at corners and lets `open` make the spans, or what stands for them, of each
+/// stretch, given the numbers of its points; or `ring` those of a closed curve without corners. A
+/// closed curve with corners begins at its first point all the same; where that is no corner, the
+/// spans are turned back by as many as points precede the first corner: a spline begins at its
+/// first point, a B-spline somewhere before that corner. Also returned is which spans have a corner
+/// before them.
+fn spread<T>(
+    kind: CurveKind,
+    points: &[CurvePoint],
+    closed: bool,
+    open: impl Fn(&[usize]) -> Vec<T>,
+    ring: impl Fn(&[usize]) -> Vec<T>,
+) -> (Vec<T>, Vec<bool>) {
     let m = points.len();
-    let at: Vec<Point3> = points.iter().map(|p| p.at).collect();
-    let mut corners: Vec<usize> = (0..m).filter(|&i| points[i].corner).collect();
+    let is_corner = |i: usize| kind == CurveKind::Polyline || points[i].corner;
+    let mut corners: Vec<usize> = (0..m).filter(|&i| is_corner(i)).collect();
     if !closed {
         corners.retain(|&i| i != 0 && i != m - 1);
         corners.insert(0, 0);
         corners.push(m - 1);
     }
     let Some(&first) = corners.first() else {
-        let spans = (maker.closed)(&at);
+        let all: Vec<usize> = (0..m).collect();
+        let spans = ring(&all);
         let corner_before = vec![false; spans.len()];
-        return Curve::from_spans(spans, corner_before, true);
+        return (spans, corner_before);
     };
     if closed {
         corners.push(first + m);
@@ -278,8 +310,8 @@ fn spread_over_stretches(points: &[CurvePoint], closed: bool, maker: &StretchMak
     let mut spans = Vec::new();
     let mut corner_before = Vec::new();
     for pair in corners.windows(2) {
-        let stretch: Vec<Point3> = (pair[0]..=pair[1]).map(|i| at[i % m]).collect();
-        for (n, span) in (maker.open)(&stretch).into_iter().enumerate() {
+        let stretch: Vec<usize> = (pair[0]..=pair[1]).map(|i| i % m).collect();
+        for (n, span) in open(&stretch).into_iter().enumerate() {
             spans.push(span);
             corner_before.push(n == 0);
         }
@@ -290,7 +322,7 @@ fn spread_over_stretches(points: &[CurvePoint], closed: bool, maker: &StretchMak
         spans.rotate_right(turn);
         corner_before.rotate_right(turn);
     }
-    Curve::from_spans(spans, corner_before, closed)
+    (spans, corner_before)
 }
 
 #[cfg(test)]

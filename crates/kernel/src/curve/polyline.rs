@@ -1,12 +1,13 @@
-//! Straight from point to point.
+//! Straight from point to point: every point is a corner, so every stretch has two.
 
-use super::{Cubic, Curve, CurvePoint};
+use super::{Cubic, StretchMaker};
 
-/// The polyline through `points`; every point is a corner.
-pub(super) fn polyline(points: &[CurvePoint], closed: bool) -> Curve {
-    let spans_count = if closed { points.len() } else { points.len() - 1 };
-    let spans: Vec<Cubic> = (0..spans_count)
-        .map(|i| Cubic::line(points[i].at, points[(i + 1) % points.len()].at))
-        .collect();
-    Curve::from_spans(spans, vec![true; spans_count], closed)
+pub(super) const POLYLINE: StretchMaker = StretchMaker {
+    open: |_, points| lines(points, false),
+    closed: |_, points| lines(points, true),
+};
+
+fn lines(points: &[crate::math::Point3], closed: bool) -> Vec<Cubic> {
+    let count = if closed { points.len() } else { points.len() - 1 };
+    (0..count).map(|i| Cubic::line(points[i], points[(i + 1) % points.len()])).collect()
 }

@@ -2,8 +2,9 @@
 //!
 //! The curves are split at their corners into smooth stretches. Every stretch begins and ends at a
 //! sample and is divided evenly; the divisions are shared out by length, at least one a stretch
-//! (largest remainder, the first of equals). A stretch that is walked back along another, as the
-//! two sides of a seam are, gets as many, and the same bits for its samples.
+//! (largest remainder, the first of equals), but where a number is given for a curve. A stretch that
+//! is walked back along another, as the two sides of a seam are, gets as many; and whichever way a
+//! stretch is run, its samples have the same bits.
 
 use super::arc_length::{length, parameter_at};
 use super::{Cubic, Curve};
@@ -54,30 +55,88 @@ impl fmt::Display for SampleError {
 
 impl std::error::Error for SampleError {}
 
+/// A place on a curve of a chain: a span, counted from 0, and its parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Place {
+    /// The curve, counted from 0.
+    pub(crate) curve: usize,
+    /// The span of it.
+    pub(crate) span: usize,
+    /// Where on the span, 0 ..= 1.
+    pub(crate) t: f64,
+}
+
+/// A sample and the places that it was taken from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Placed {
+    /// The sample.
+    pub(crate) sample: Sample,
+    /// Where it arrives.
+    pub(crate) arriving: Place,
+    /// Where it leaves, which is where its position is from.
+    pub(crate) leaving: Place,
+}
+
+impl Placed {
+    /// The samples alone.
+    pub(crate) fn samples(placed: Vec<Self>) -> Vec<Sample> {
+        placed.into_iter().map(|placed| placed.sample).collect()
+    }
+}
+
 /// A smooth run of spans.
 struct Stretch {
+    /// The spans, run the way that does not depend on how the curve is run.
     spans: Vec<Cubic>,
+    /// Whether the curve runs the other way.
+    turned: bool,
     lengths: Vec<f64>,
     whole: f64,
+    /// The curve, and the numbers of its spans in the order of the curve.
+    curve: usize,
+    numbers: Vec<usize>,
+    /// The divisions that are asked for, if they are.
+    divisions: Option<usize>,
     /// The earlier stretch that this one is walked back along, if there is one.
     back_along: Option<usize>,
 }
 
 impl Stretch {
-    fn new(spans: Vec<Cubic>) -> Self {
+    fn new(spans: Vec<Cubic>, curve: usize, numbers: Vec<usize>) -> Self {
+        let back: Vec<Cubic> = spans.iter().rev().map(Cubic::reversed).collect();
+        let order = |spans: &[Cubic]| {
+            let first = spans[0].control.map(Point3::to_vec);
+            [first[0], first[1]].map(|p| p.to_array())
+        };
+        let turned = order(&back) < order(&spans);
+        let spans = if turned { back } else { spans };
         let lengths: Vec<f64> = spans.iter().map(|s| length(s, 0.0, 1.0)).collect();
         let whole = lengths.iter().sum();
-        Self { spans, lengths, whole, back_along: None }
+        Self { spans, turned, lengths, whole, curve, numbers, divisions: None, back_along: None }
     }
 
-    /// Position and unit tangent where `part` of `parts` equal parts of the stretch are behind.
-    fn at(&self, part: usize, parts: usize) -> (Point3, Vec3) {
+    /// Position, unit tangent and place where `part` of `parts` equal parts of the stretch are
+    /// behind.
+    fn at(&self, part: usize, parts: usize) -> (Point3, Vec3, Place) {
+        let part = if self.turned { parts - part } else { part };
+        let (n, t) = self.locate(part, parts);
+        let (position, tangent) = (self.spans[n].position(t), self.spans[n].tangent(t));
+        let place = |n: usize, t: f64| Place { curve: self.curve, span: self.numbers[n], t };
+        if self.turned {
+            (position, -tangent, place(self.numbers.len() - 1 - n, 1.0 - t))
+        } else {
+            (position, tangent, place(n, t))
+        }
+    }
+
+    /// The span and its parameter, the way that the spans run.
+    fn locate(&self, part: usize, parts: usize) -> (usize, f64) {
         let last = self.spans.len() - 1;
         if part == 0 {
-            return (self.spans[0].position(0.0), self.spans[0].tangent(0.0));
+            return (0, 0.0);
         }
         if part == parts {
-            return (self.spans[last].position(1.0), self.spans[last].tangent(1.0));
+            return (last, 1.0);
         }
         let mut left = self.whole * (part as f64 / parts as f64);
         let mut n = 0;
@@ -85,19 +144,7 @@ impl Stretch {
             left -= self.lengths[n];
             n += 1;
         }
-        let t = parameter_at(&self.spans[n], left, self.lengths[n]);
-        (self.spans[n].position(t), self.spans[n].tangent(t))
-    }
-}
-
-/// Position and unit tangent where `part` of `parts` equal parts of stretch `n` are behind.
-fn at(stretches: &[Stretch], n: usize, part: usize, parts: usize) -> (Point3, Vec3) {
-    match stretches[n].back_along {
-        None => stretches[n].at(part, parts),
-        Some(forth) => {
-            let (position, tangent) = stretches[forth].at(parts - part, parts);
-            (position, -tangent)
-        }
+        (n, parameter_at(&self.spans[n], left, self.lengths[n]))
     }
 }
 
@@ -106,34 +153,31 @@ fn pair_seams(stretches: &mut [Stretch]) {
     let bits = |p: Point3| [p.x, p.y, p.z].map(f64::to_bits);
     let mut by_ends: BTreeMap<_, Vec<usize>> = BTreeMap::new();
     for n in 0..stretches.len() {
-        let ends = |s: &Stretch| {
-            (bits(s.spans[0].position(0.0)), bits(s.spans[s.spans.len() - 1].position(1.0)))
-        };
-        let (start, end) = ends(&stretches[n]);
-        let same = |forth: &usize| {
-            let (back, forth) = (&stretches[n].spans, &stretches[*forth].spans);
-            back.len() == forth.len()
-                && back.iter().zip(forth.iter().rev()).all(|(b, f)| *b == f.reversed())
+        let this = &stretches[n];
+        let ends = (
+            bits(this.spans[0].position(0.0)),
+            bits(this.spans[this.spans.len() - 1].position(1.0)),
+        );
+        let back_along = |forth: &usize| {
+            let forth = &stretches[*forth];
+            forth.turned != this.turned && forth.spans == this.spans
         };
         // Each is walked back along once.
-        let waiting = by_ends.get_mut(&(end, start));
-        let found = waiting.and_then(|list| {
-            let place = list.iter().position(same)?;
-            Some(list.remove(place))
-        });
-        match found {
-            Some(forth) => stretches[n].back_along = Some(forth),
-            None => by_ends.entry((start, end)).or_default().push(n),
+        let waiting = by_ends.entry(ends).or_default();
+        let found = waiting.iter().position(back_along).map(|place| waiting.remove(place));
+        if found.is_none() {
+            waiting.push(n);
         }
+        stretches[n].back_along = found;
     }
 }
 
-fn stretches_of(curve: &Curve) -> impl Iterator<Item = Stretch> {
+fn stretches_of(curve: &Curve, number: usize) -> impl Iterator<Item = Stretch> {
     let m = curve.spans().len();
-    curve
-        .stretches()
-        .into_iter()
-        .map(move |range| Stretch::new(range.map(|i| curve.spans()[i % m]).collect()))
+    curve.stretches().into_iter().map(move |range| {
+        let numbers: Vec<usize> = range.map(|i| i % m).collect();
+        Stretch::new(numbers.iter().map(|&i| curve.spans()[i]).collect(), number, numbers)
+    })
 }
 
 /// `count` samples of an open curve, both ends among them.
@@ -141,16 +185,35 @@ fn stretches_of(curve: &Curve) -> impl Iterator<Item = Stretch> {
 /// # Errors
 /// Too few samples to keep every corner and both ends.
 pub fn sample_open(curve: &Curve, count: usize) -> Result<Vec<Sample>, SampleError> {
-    let stretches: Vec<Stretch> = stretches_of(curve).collect();
+    open_placed(curve, count, None).map(Placed::samples)
+}
+
+/// The same with the places of the samples; the number of the curve is 0. Where `divisions` are
+/// given, one entry for each stretch between corners, there are as many samples as that makes.
+///
+/// # Errors
+/// As those of [`sample_open`].
+pub(crate) fn open_placed(
+    curve: &Curve,
+    count: usize,
+    divisions: Option<&[usize]>,
+) -> Result<Vec<Placed>, SampleError> {
+    let given = |n: usize| divisions.and_then(|list| list.get(n)).copied();
+    let stretches: Vec<Stretch> = stretches_of(curve, 0)
+        .enumerate()
+        .map(|(n, stretch)| Stretch { divisions: given(n), ..stretch })
+        .collect();
     let needed = stretches.len() + 1;
     if count < needed {
         return Err(SampleError::TooFew { asked: count, needed });
     }
-    let mut samples = walk(&stretches, count - 1);
-    let (position, tangent) = stretches[stretches.len() - 1].at(1, 1);
-    samples.push(Sample { position, tangent_in: tangent, tangent_out: tangent });
+    let mut samples = walk(&stretches, &shared_out(&stretches, count - 1));
+    let (position, tangent, place) = stretches[stretches.len() - 1].at(1, 1);
+    let sample = Sample { position, tangent_in: tangent, tangent_out: tangent };
+    samples.push(Placed { sample, arriving: place, leaving: place });
     // Nothing arrives at the beginning of an open curve.
-    samples[0].tangent_in = samples[0].tangent_out;
+    samples[0].sample.tangent_in = samples[0].sample.tangent_out;
+    samples[0].arriving = samples[0].leaving;
     Ok(samples)
 }
 
@@ -160,26 +223,69 @@ pub fn sample_open(curve: &Curve, count: usize) -> Result<Vec<Sample>, SampleErr
 /// # Errors
 /// Too few samples to keep every corner and every joint between two curves; at least 3.
 pub fn sample_chain(curves: &[Curve], count: usize) -> Result<Vec<Sample>, SampleError> {
-    let mut stretches: Vec<Stretch> = curves.iter().flat_map(stretches_of).collect();
+    chain_placed(curves, count, &[]).map(Placed::samples)
+}
+
+/// The same with the places of the samples. Curves that `divisions` has a list for get that many
+/// divisions, one entry for each of their stretches between corners; they count among the samples,
+/// of which there are more where it takes them.
+///
+/// # Errors
+/// As those of [`sample_chain`].
+pub(crate) fn chain_placed(
+    curves: &[Curve],
+    count: usize,
+    divisions: &[Option<Vec<usize>>],
+) -> Result<Vec<Placed>, SampleError> {
+    let mut stretches = Vec::new();
+    for (number, curve) in curves.iter().enumerate() {
+        let given = divisions.get(number).and_then(Option::as_deref).unwrap_or_default();
+        let mut given = given.iter().copied();
+        stretches
+            .extend(stretches_of(curve, number).map(|s| Stretch { divisions: given.next(), ..s }));
+    }
     pair_seams(&mut stretches);
     let needed = stretches.len().max(3);
     if count < needed {
         return Err(SampleError::TooFew { asked: count, needed });
     }
-    let mut samples = walk(&stretches, count);
+    let mut samples = walk(&stretches, &shared_out(&stretches, count));
     // A closed curve whose first point is no corner begins inside its last stretch; turn the
     // samples so that they begin as near to its beginning as one lies.
     if let [curve] = curves {
         let start = curve.start();
         let nearest = (0..samples.len())
             .min_by(|&a, &b| {
-                let to = |i: usize| samples[i].position.distance(start);
+                let to = |i: usize| samples[i].sample.position.distance(start);
                 to(a).total_cmp(&to(b)).then(a.cmp(&b))
             })
             .unwrap_or(0);
         samples.rotate_left(nearest);
     }
     Ok(samples)
+}
+
+/// How many divisions the stretches of each curve get in the loop that `curves` make, as
+/// [`sample_chain`] shares them out.
+///
+/// # Errors
+/// As those of [`sample_chain`].
+pub(crate) fn divisions_of(curves: &[Curve], count: usize) -> Result<Vec<Vec<usize>>, SampleError> {
+    let samples = chain_placed(curves, count, &[])?;
+    let stretches = |curve: &Curve| curve.stretches();
+    let mut found: Vec<Vec<usize>> =
+        curves.iter().map(|curve| vec![0; stretches(curve).len()]).collect();
+    for Placed { leaving, .. } in samples {
+        let curve = &curves[leaving.curve];
+        let m = curve.spans().len();
+        let holds = |range: &std::ops::Range<usize>| {
+            range.contains(&leaving.span) || range.contains(&(leaving.span + m))
+        };
+        if let Some(n) = stretches(curve).iter().position(holds) {
+            found[leaving.curve][n] += 1;
+        }
+    }
+    Ok(found)
 }
 
 /// The samples of the closed loop that open curves make when chained end to end, from the samples
@@ -201,37 +307,46 @@ pub(crate) fn chained_samples(curves: &[Vec<Sample>]) -> Vec<Sample> {
     samples
 }
 
-/// All samples of a ring of stretches but the one that ends the last: `divisions` of them.
-fn walk(stretches: &[Stretch], divisions: usize) -> Vec<Sample> {
-    let parts = shared_out(stretches, divisions);
-    let mut samples = Vec::with_capacity(divisions + 1);
-    let mut arriving = at(stretches, stretches.len() - 1, 1, 1).1;
-    for (n, &parts) in parts.iter().enumerate() {
+/// All samples of a ring of stretches but the one that ends the last, with these divisions.
+fn walk(stretches: &[Stretch], divisions: &[usize]) -> Vec<Placed> {
+    let mut samples = Vec::with_capacity(divisions.iter().sum::<usize>() + 1);
+    let (_, mut before, mut place_before) = stretches[stretches.len() - 1].at(1, 1);
+    for (stretch, &parts) in stretches.iter().zip(divisions) {
         for part in 0..parts {
-            let (position, tangent) = at(stretches, n, part, parts);
-            let smooth = part > 0 || angle_between(arriving, tangent) < SAME_DIRECTION;
-            let tangent_in = if smooth { tangent } else { arriving };
-            samples.push(Sample { position, tangent_in, tangent_out: tangent });
+            let (position, tangent, leaving) = stretch.at(part, parts);
+            let smooth = part > 0 || angle_between(before, tangent) < SAME_DIRECTION;
+            let (tangent_in, arriving) =
+                if smooth { (tangent, leaving) } else { (before, place_before) };
+            let sample = Sample { position, tangent_in, tangent_out: tangent };
+            samples.push(Placed { sample, arriving, leaving });
         }
-        arriving = at(stretches, n, 1, 1).1;
+        (_, before, place_before) = stretch.at(1, 1);
     }
     samples
 }
 
-/// How many divisions each stretch gets: by length, at least one each, as many for both sides of a
-/// seam.
+/// How many divisions each stretch gets: what is given; else by length, at least one each, as many
+/// for both sides of a seam.
 fn shared_out(stretches: &[Stretch], divisions: usize) -> Vec<usize> {
-    let whole: f64 = stretches.iter().map(|s| s.whole).sum();
-    let spare = divisions - stretches.len();
+    let free: Vec<usize> =
+        (0..stretches.len()).filter(|&n| stretches[n].divisions.is_none()).collect();
+    let given: usize = stretches.iter().filter_map(|s| s.divisions).sum();
+    let divisions = divisions.saturating_sub(given).max(free.len());
+    let whole: f64 = free.iter().map(|&n| stretches[n].whole).sum();
+    let spare = divisions - free.len();
     // One is given already, so what is shared is the rest; short stretches want none of it.
-    let length = |n: usize| stretches[stretches[n].back_along.unwrap_or(n)].whole;
     let ideal: Vec<f64> = (0..stretches.len())
-        .map(|n| (length(n) / whole * divisions as f64 - 1.0).max(0.0))
+        .map(|n| match stretches[n].divisions {
+            None => (stretches[n].whole / whole * divisions as f64 - 1.0).max(0.0),
+            Some(_) => 0.0,
+        })
         .collect();
     let wanted: f64 = ideal.iter().sum();
     let scale = if wanted > 0.0 { spare as f64 / wanted } else { 0.0 };
-    let mut parts: Vec<usize> = ideal.iter().map(|w| 1 + (w * scale).floor() as usize).collect();
-    let mut left = divisions.saturating_sub(parts.iter().sum());
+    let least = |n: usize| stretches[n].divisions.unwrap_or(1);
+    let mut parts: Vec<usize> =
+        (0..stretches.len()).map(|n| least(n) + (ideal[n] * scale).floor() as usize).collect();
+    let mut left = (divisions + given).saturating_sub(parts.iter().sum());
     // Those that share a remainder: a stretch alone, or both sides of a seam.
     let mut sides: Vec<Vec<usize>> = (0..stretches.len()).map(|n| vec![n]).collect();
     for n in 0..stretches.len() {
@@ -240,7 +355,7 @@ fn shared_out(stretches: &[Stretch], divisions: usize) -> Vec<usize> {
             sides[forth].push(n);
         }
     }
-    sides.retain(|side| !side.is_empty());
+    sides.retain(|side| side.first().is_some_and(|&n| stretches[n].divisions.is_none()));
     let rest = |n: usize| ideal[n] * scale - (ideal[n] * scale).floor();
     sides.sort_by(|a, b| rest(b[0]).total_cmp(&rest(a[0])).then(a[0].cmp(&b[0])));
     // What no seam can share goes to the others, so that at most as many rounds as there are

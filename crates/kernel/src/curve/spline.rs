@@ -4,17 +4,18 @@
 //! piecewise cubic obey, at every inner point,
 //! h_i d_{i−1} + 2 (h_{i−1} + h_i) d_i + h_{i−1} d_{i+1} = 3 (h_i s_{i−1} + h_{i−1} s_i),
 //! where s_i is the slope of chord i. Natural ends have no second derivative:
-//! 2 d_0 + d_1 = 3 s_0. A closed spline closes the system into a ring.
+//! 2 d_0 + d_1 = 3 s_0. A closed spline closes the system into a ring. With the chords given, all
+//! of it is linear in the points.
 
 use super::{Cubic, StretchMaker};
 use crate::math::{Point3, Vec3};
 
 pub(super) const SPLINE: StretchMaker = StretchMaker { open: natural, closed: periodic };
 
-/// The spline through `points` (2 or more) with natural ends.
-fn natural(points: &[Point3]) -> Vec<Cubic> {
+/// The spline through `points` (2 or more) with natural ends, over the chords of `shape`.
+fn natural(shape: &[Point3], points: &[Point3]) -> Vec<Cubic> {
     let m = points.len();
-    let h: Vec<f64> = points.windows(2).map(|p| p[0].distance(p[1])).collect();
+    let h: Vec<f64> = shape.windows(2).map(|p| p[0].distance(p[1])).collect();
     let s: Vec<Vec3> = points.windows(2).zip(&h).map(|(p, h)| (p[1] - p[0]) / *h).collect();
     let mut rows = Vec::with_capacity(m);
     rows.push(Row { before: 0.0, here: 2.0, after: 1.0, right: s[0] * 3.0 });
@@ -26,10 +27,11 @@ fn natural(points: &[Point3]) -> Vec<Cubic> {
     (0..m - 1).map(|i| span(points[i], points[i + 1], d[i], d[i + 1], h[i])).collect()
 }
 
-/// The periodic spline through `points` (3 or more), the last joined to the first.
-fn periodic(points: &[Point3]) -> Vec<Cubic> {
+/// The periodic spline through `points` (3 or more), the last joined to the first, over the chords
+/// of `shape`.
+fn periodic(shape: &[Point3], points: &[Point3]) -> Vec<Cubic> {
     let m = points.len();
-    let h: Vec<f64> = (0..m).map(|i| points[i].distance(points[(i + 1) % m])).collect();
+    let h: Vec<f64> = (0..m).map(|i| shape[i].distance(shape[(i + 1) % m])).collect();
     let s: Vec<Vec3> = (0..m).map(|i| (points[(i + 1) % m] - points[i]) / h[i]).collect();
     let rows: Vec<Row> =
         (0..m).map(|i| inner_row(h[(i + m - 1) % m], h[i], s[(i + m - 1) % m], s[i])).collect();
@@ -133,17 +135,18 @@ mod tests {
     #[test]
     fn second_derivatives_are_continuous() {
         let points = wavy(11);
-        let spans = natural(&points);
+        let spans = natural(&points, &points);
         assert!(kinks(&spans, (0..9).map(|i| (i, i + 1))) < 1e-9);
         assert!(spans[0].second_derivative(0.0).length() < 1e-12);
         assert!(spans[9].second_derivative(1.0).length() < 1e-12);
-        let spans = periodic(&points);
+        let spans = periodic(&points, &points);
         assert!(kinks(&spans, (0..11).map(|i| (i, (i + 1) % 11))) < 1e-9);
     }
 
     #[test]
     fn two_points_make_a_line() {
-        let spans = natural(&[Point3::new(0.0, 0.0, 0.0), Point3::new(3.0, 0.0, 0.0)]);
+        let ends = [Point3::new(0.0, 0.0, 0.0), Point3::new(3.0, 0.0, 0.0)];
+        let spans = natural(&ends, &ends);
         assert!((spans[0].derivative(0.3).x - 3.0).abs() < 1e-14);
     }
 }

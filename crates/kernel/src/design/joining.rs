@@ -6,7 +6,8 @@
 //! those that are asked for.
 
 use super::links::{Link, LoopSource, MAX_PIECES, loop_samples, near_mm, sources};
-use super::{Design, DesignPanel, MakeCause, MakeError, PanelShape, Sampled};
+use super::sampling::Sampled;
+use super::{Design, DesignPanel, MakeCause, MakeError, PanelShape};
 use crate::boundary::{
     Boundary, Continuity, JoinCause, JoinError, JoinOptions, Joined, Within, join_all,
 };
@@ -83,7 +84,7 @@ pub(super) fn sampled(
     findings.extend(turned_round(&joined, &join.parts));
     let boundary = joined.boundary;
     let loops = boundary.loops().iter().map(|l| boundary.samples()[l.clone()].to_vec()).collect();
-    Ok(Sampled { loops, on_first_rail: None, new_ends: None, findings })
+    Ok(Sampled::from_nowhere(loops, findings))
 }
 
 fn parts_of<'a>(design: &'a Design, join: &Join) -> Result<Vec<&'a DesignPanel>, MakeCause> {
@@ -321,6 +322,7 @@ mod tests {
                     ]),
                 ),
             ],
+            ..Design::default()
         }
     }
 
@@ -339,7 +341,7 @@ mod tests {
         let counts: Vec<usize> = tube.loops.iter().map(Vec::len).collect();
         assert_eq!(counts, [90, 90]);
         // Natural ends of the arcs leave small corners where they meet, which are made smooth.
-        assert!(tube.loops.iter().flatten().all(|s| !s.is_corner()));
+        assert!(tube.loops.iter().flatten().all(|s| !s.sample.is_corner()));
         let codes: Vec<&str> = tube.findings.iter().map(|f| f.code).collect();
         assert_eq!(codes, ["joint-smoothed"]);
     }

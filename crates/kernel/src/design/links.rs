@@ -1,9 +1,7 @@
 //! What the boundaries of joined panels are made from: smooth runs of curves, cut where others end.
 
-use super::{
-    CurveUse, Design, DesignPanel, MakeCause, MakeError, PanelShape, apart, built, found, run_back,
-    sampled,
-};
+use super::sampling::{Matched, Sampler, apart, built, found, run_back};
+use super::{CurveUse, Design, DesignPanel, MakeCause, MakeError, PanelShape};
 use crate::boundary::{JoinCause, samples_from_points, size_of};
 use crate::curve::{
     Curve, CurveKind, CurvePoint, Sample, SampleError, chained_samples, sample_chain, sample_open,
@@ -75,7 +73,7 @@ fn loops_of(design: &Design, part: &DesignPanel) -> Result<Vec<LoopSource>, Make
     // Whatever is wrong with a part is said as where it is made by itself; but that it asks for too
     // few samples matters only there.
     let alone = DesignPanel { samples: part.samples.max(needed), ..part.clone() };
-    sampled(design, &alone)?;
+    Sampler { design, matched: &Matched::new() }.sampled(&alone)?;
     match &part.shape {
         PanelShape::Rails(rails) => {
             rail_links(design, &alone, rails).map(|links| vec![LoopSource::Links(links)])

@@ -23,7 +23,7 @@ use crate::cost::{PriceOptions, Prices};
 use crate::curve::{Curve, CurveKind, CurvePoint, Sample, sample_open};
 use crate::math::{Point3, Vec3, angle_between, cos, sin, unit};
 
-use super::run_back;
+use super::sampling::run_back;
 
 /// How far a rail runs on at the most, as a share of its length.
 const REACH: f64 = 0.5;

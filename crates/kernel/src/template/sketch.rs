@@ -187,7 +187,13 @@ impl Sketch {
     /// The design, of this material or else of the usual one.
     pub(super) fn design(self, name: &str, material: Option<&'static Material>) -> Design {
         let material = material.or(self.material);
-        Design { name: name.to_owned(), material, curves: self.curves, panels: self.panels }
+        Design {
+            name: name.to_owned(),
+            material,
+            curves: self.curves,
+            panels: self.panels,
+            ..Design::default()
+        }
     }
 }
 

@@ -6,13 +6,15 @@ use crate::math::Vec3;
 #[derive(Clone, Debug, PartialEq)]
 pub enum Limit {
     /// One budget in all, equation (6): the sum of weight × displacement over the unknowns is at
-    /// most `total_mm`.
+    /// most `total_mm`; and none moves by more than a limit of its own.
     Budget {
         /// The budget, mm; finite and not negative.
         total_mm: f64,
         /// What a displacement of each unknown counts, positive: 1 for a sample, for a control point
         /// the sum of the shares that samples have in it.
         weights: Vec<f64>,
+        /// The limits, mm, not negative; infinite where the budget alone holds an unknown back.
+        radii_mm: Vec<f64>,
     },
     /// A limit for each unknown, mm; finite and not negative, 0 holds it fixed.
     Each {
@@ -22,11 +24,16 @@ pub enum Limit {
 }
 
 impl Limit {
+    /// One budget for all, and nothing else.
+    pub fn budget(total_mm: f64, weights: Vec<f64>) -> Self {
+        let radii_mm = vec![f64::INFINITY; weights.len()];
+        Self::Budget { total_mm, weights, radii_mm }
+    }
+
     /// How many unknowns it is for.
     pub fn len(&self) -> usize {
         match self {
-            Self::Budget { weights, .. } => weights.len(),
-            Self::Each { radii_mm } => radii_mm.len(),
+            Self::Budget { radii_mm, .. } | Self::Each { radii_mm } => radii_mm.len(),
         }
     }
 
@@ -39,8 +46,11 @@ impl Limit {
     pub(super) fn is_valid(&self) -> bool {
         let length = |mm: &f64| mm.is_finite() && *mm >= 0.0;
         match self {
-            Self::Budget { total_mm, weights } => {
-                length(total_mm) && weights.iter().all(|w| w.is_finite() && *w > 0.0)
+            Self::Budget { total_mm, weights, radii_mm } => {
+                length(total_mm)
+                    && weights.len() == radii_mm.len()
+                    && weights.iter().all(|w| w.is_finite() && *w > 0.0)
+                    && radii_mm.iter().all(|r| *r >= 0.0)
             }
             Self::Each { radii_mm } => radii_mm.iter().all(length),
         }
@@ -49,8 +59,9 @@ impl Limit {
     /// The farthest that one unknown may move, mm.
     pub(super) fn farthest_mm(&self) -> f64 {
         match self {
-            Self::Budget { total_mm, weights } => {
-                total_mm / weights.iter().copied().fold(f64::INFINITY, f64::min)
+            Self::Budget { total_mm, weights, radii_mm } => {
+                let each = weights.iter().zip(radii_mm).map(|(w, r)| r.min(total_mm / w));
+                each.fold(0.0, f64::max)
             }
             Self::Each { radii_mm } => radii_mm.iter().copied().fold(0.0, f64::max),
         }
@@ -58,28 +69,30 @@ impl Limit {
 
     /// The same limit, `factor` times as wide.
     pub(super) fn scaled(&self, factor: f64) -> Self {
+        let scaled = |radii: &[f64]| radii.iter().map(|r| r * factor).collect();
         match self {
-            Self::Budget { total_mm, weights } => {
-                Self::Budget { total_mm: total_mm * factor, weights: weights.clone() }
-            }
-            Self::Each { radii_mm } => {
-                Self::Each { radii_mm: radii_mm.iter().map(|r| r * factor).collect() }
-            }
+            Self::Budget { total_mm, weights, radii_mm } => Self::Budget {
+                total_mm: total_mm * factor,
+                weights: weights.clone(),
+                radii_mm: scaled(radii_mm),
+            },
+            Self::Each { radii_mm } => Self::Each { radii_mm: scaled(radii_mm) },
         }
     }
 
     /// The share of the limit that displacements use, 0 ..= 1 within it.
     pub(super) fn used(&self, displacements: &[Vec3]) -> f64 {
+        let of_each = |radii: &[f64]| {
+            let free = displacements.iter().zip(radii).filter(|(_, radius)| **radius > 0.0);
+            free.map(|(way, radius)| way.length() / radius).fold(0.0, f64::max)
+        };
         match self {
-            Self::Budget { total_mm, weights } if *total_mm > 0.0 => {
+            Self::Budget { total_mm, weights, radii_mm } if *total_mm > 0.0 => {
                 let lengths = displacements.iter().zip(weights).map(|(way, w)| way.length() * w);
-                lengths.sum::<f64>() / total_mm
+                (lengths.sum::<f64>() / total_mm).max(of_each(radii_mm))
             }
             Self::Budget { .. } => 0.0,
-            Self::Each { radii_mm } => {
-                let free = displacements.iter().zip(radii_mm).filter(|(_, radius)| **radius > 0.0);
-                free.map(|(way, radius)| way.length() / radius).fold(0.0, f64::max)
-            }
+            Self::Each { radii_mm } => of_each(radii_mm),
         }
     }
 
@@ -90,51 +103,63 @@ impl Limit {
     pub fn project(&self, displacements: &mut [Vec3]) {
         assert_eq!(self.len(), displacements.len(), "one displacement an unknown");
         match self {
-            Self::Budget { total_mm, weights } => {
+            Self::Budget { total_mm, weights, radii_mm } => {
                 // Twice, since what is very long loses the digits that the budget is counted in.
-                project_on_budget(displacements, weights, *total_mm);
-                project_on_budget(displacements, weights, *total_mm);
+                project_on_budget(displacements, weights, radii_mm, *total_mm);
+                project_on_budget(displacements, weights, radii_mm, *total_mm);
             }
             Self::Each { radii_mm } => {
                 for (way, radius) in displacements.iter_mut().zip(radii_mm) {
-                    let length = way.length();
-                    if length > *radius {
-                        *way *= radius / length;
-                    }
+                    *way = shortened(*way, *radius);
                 }
             }
         }
     }
 }
 
-/// The projection on Σ wₖ |uₖ| ≤ ε shortens every uₖ by λ wₖ, to nothing where it is no longer than
-/// that. The sum that is left falls with λ and is linear between the ratios |uₖ| / wₖ at which one
-/// more unknown comes to rest, so λ follows from the ratios in order.
-fn project_on_budget(displacements: &mut [Vec3], weights: &[f64], total_mm: f64) {
+/// A displacement, or as much of it as is `longest` long.
+fn shortened(way: Vec3, longest: f64) -> Vec3 {
+    let length = way.length();
+    if length > longest { way * (longest / length) } else { way }
+}
+
+/// The projection on Σ wₖ |uₖ| ≤ ε and |uₖ| ≤ rₖ shortens every uₖ by λ wₖ, to nothing where it is no
+/// longer than that, and then to rₖ. The sum that is left falls with λ and is linear between the
+/// ratios |uₖ| / wₖ and (|uₖ| − rₖ) / wₖ, so λ follows from where among them it is ε.
+fn project_on_budget(displacements: &mut [Vec3], weights: &[f64], radii_mm: &[f64], total_mm: f64) {
+    let count = displacements.len();
     let lengths: Vec<f64> = displacements.iter().map(|way| way.length()).collect();
-    let used: f64 = lengths.iter().zip(weights).map(|(length, w)| length * w).sum();
-    if used <= total_mm {
-        return;
-    }
-    let mut order: Vec<usize> = (0..lengths.len()).collect();
-    let ratio = |n: usize| lengths[n] / weights[n];
-    order.sort_by(|&a, &b| ratio(b).total_cmp(&ratio(a)).then(a.cmp(&b)));
-    // Of the unknowns that stay in motion: Σ w |u| and Σ w².
-    let (mut sum, mut squares, mut shrink) = (0.0, 0.0, 0.0);
-    for n in order {
-        let (with_sum, with_squares) =
-            (sum + weights[n] * lengths[n], squares + weights[n] * weights[n]);
-        let shrink_with = (with_sum - total_mm) / with_squares;
-        if shrink_with >= ratio(n) {
-            break;
+    let left =
+        |n: usize, shrink: f64| (lengths[n] - shrink * weights[n]).clamp(0.0, radii_mm[n].max(0.0));
+    let sum_at = |shrink: f64| -> f64 { (0..count).map(|n| weights[n] * left(n, shrink)).sum() };
+    let mut shrink = 0.0;
+    if sum_at(0.0) > total_mm {
+        let ratios = |n: usize| [lengths[n] - radii_mm[n], lengths[n]].map(|x| x / weights[n]);
+        let mut bends: Vec<f64> = (0..count).flat_map(ratios).filter(|&bend| bend > 0.0).collect();
+        bends.sort_by(f64::total_cmp);
+        let above = bends.partition_point(|&bend| sum_at(bend) > total_mm);
+        let low = if above == 0 { 0.0 } else { bends[above - 1] };
+        let high = bends.get(above).copied().unwrap_or(low);
+        // Between the two the same unknowns are at rest, in motion or at their limits.
+        let middle = 0.5 * (low + high);
+        let (mut sum, mut squares) = (0.0, 0.0);
+        for n in 0..count {
+            let free = lengths[n] - middle * weights[n];
+            if free >= radii_mm[n] {
+                sum += weights[n] * radii_mm[n];
+            } else if free > 0.0 {
+                sum += weights[n] * lengths[n];
+                squares += weights[n] * weights[n];
+            }
         }
-        (sum, squares, shrink) = (with_sum, with_squares, shrink_with);
+        shrink = if squares > 0.0 { ((sum - total_mm) / squares).clamp(low, high) } else { high };
     }
-    // Summed in another order, the excess may vanish in rounding; nothing is ever made longer.
-    let shrink = shrink.max(0.0);
     for (n, way) in displacements.iter_mut().enumerate() {
-        let left = lengths[n] - shrink * weights[n];
-        *way = if total_mm > 0.0 && left > 0.0 { *way * (left / lengths[n]) } else { Vec3::ZERO };
+        if total_mm <= 0.0 {
+            *way = Vec3::ZERO;
+        } else if lengths[n] > 0.0 && left(n, shrink) < lengths[n] {
+            *way *= left(n, shrink) / lengths[n];
+        }
     }
 }
 
@@ -201,14 +226,21 @@ mod tests {
                     .map(|_| if even { 1.0 } else { 0.1 + numbers.next().abs() })
                     .collect();
                 let total_mm = if round == 9 { 0.0 } else { 5.0 * numbers.next().abs() };
-                let budget = Limit::Budget { total_mm, weights: weights.clone() };
-                check(
-                    &budget,
-                    |ways| used_mm(&weights, ways) <= total_mm * (1.0 + 1e-12),
-                    &mut numbers,
-                );
                 let radii_mm: Vec<f64> =
                     (0..count).map(|_| numbers.next().max(0.0) * 10.0).collect();
+                let in_budget = |ways: &[Vec3]| used_mm(&weights, ways) <= total_mm * (1.0 + 1e-12);
+                let budget = Limit::budget(total_mm, weights.clone());
+                check(&budget, in_budget, &mut numbers);
+                let in_both = |ways: &[Vec3]| {
+                    let mut each = ways.iter().zip(&radii_mm);
+                    in_budget(ways) && each.all(|(way, r)| way.length() <= r * (1.0 + 1e-12))
+                };
+                let both = Limit::Budget {
+                    total_mm,
+                    weights: weights.clone(),
+                    radii_mm: radii_mm.clone(),
+                };
+                check(&both, in_both, &mut numbers);
                 let each = Limit::Each { radii_mm: radii_mm.clone() };
                 let within = |ways: &[Vec3]| {
                     ways.iter().zip(&radii_mm).all(|(way, r)| way.length() <= r * (1.0 + 1e-12))
@@ -221,7 +253,7 @@ mod tests {
     #[test]
     fn a_budget_is_spent_on_the_longest() {
         let ways = [5.0, -1.0, 3.0].map(|x| Vec3::X * x);
-        let limit = |total_mm| Limit::Budget { total_mm, weights: vec![1.0; 3] };
+        let limit = |total_mm| Limit::budget(total_mm, vec![1.0; 3]);
         for (total_mm, expected) in
             [(2.0, [2.0, 0.0, 0.0]), (4.0, [3.0, 0.0, 1.0]), (7.5, [4.5, -0.5, 2.5])]
         {

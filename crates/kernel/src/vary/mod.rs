@@ -36,17 +36,20 @@ mod value;
 
 pub use limit::Limit;
 pub use motion::{
-    Lean, Motion, Share, control_shares, counted_shares, motions, motions_of_samples,
+    Lean, Motion, Share, Slip, control_shares, counted_shares, motions, motions_of_samples,
 };
 pub use outcome::{Ended, Varied, VariedPanel, VaryError};
 
-use crate::boundary::{Boundary, PlaneChoice, SupportingPlane};
+use crate::boundary::{Boundary, PlaneChoice, SupportingPlane, supporting_plane};
 use crate::cost::{Piece, TwistForm};
 use crate::math::Vec3;
 use crate::triangulate::{TriangulateOptions, Triangulation};
 use crate::watch::Watch;
 use descend::{DescentEnd, descend};
-use state::{NoState, State};
+#[cfg(test)]
+pub(crate) use motion::moved as moved_samples;
+use motion::moved_on;
+use state::{NoState, PanelState, State};
 use std::collections::BTreeMap;
 use value::PanelValue;
 
@@ -54,6 +57,9 @@ use value::PanelValue;
 const SHARES: [f64; 4] = [1.0, 0.5, 0.25, 0.125];
 /// A round that gains less than this share of the price is the last.
 const LEAST_GAIN: f64 = 1e-4;
+/// How much more twist counts where it would rise, and how much at the most.
+const MORE_TWIST: f64 = 10.0;
+const MOST_TWIST: f64 = 1000.0;
 
 /// A panel whose samples may move.
 #[derive(Clone, Copy, Debug)]
@@ -66,6 +72,61 @@ pub struct VaryPanel<'a> {
     pub triangulate: &'a TriangulateOptions,
     /// How its samples follow the unknowns, one motion a sample.
     pub motions: &'a [Motion],
+    /// Whether its samples only follow those of the others: its price counts, but no warp angle of
+    /// its own is asked for.
+    pub follows: bool,
+}
+
+/// Panels as unknowns move them.
+///
+/// Whoever gives the panels says where their samples lie: at held places of the boundary, as
+/// [`vary`] has it, or spread anew over curves that are drawn from the unknowns.
+pub trait Moving {
+    /// The panels where the unknowns have moved them.
+    ///
+    /// # Errors
+    /// Whatever makes these no panels; [`VaryError::Stopped`] if the watcher asks to stop.
+    fn panels(
+        &self,
+        unknowns: &[Vec3],
+        watch: &mut dyn Watch,
+    ) -> Result<Vec<MovingPanel>, VaryError>;
+}
+
+/// A panel where the unknowns have moved it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MovingPanel {
+    /// Its boundary there.
+    pub boundary: Boundary,
+    /// Its supporting plane there.
+    pub plane: Option<SupportingPlane>,
+    /// How it is triangulated and priced.
+    pub triangulate: TriangulateOptions,
+    /// How its samples follow the unknowns from there, one motion a sample.
+    pub motions: Vec<Motion>,
+    /// See [`VaryPanel::follows`].
+    pub follows: bool,
+}
+
+/// Panels whose samples are held at their places of the boundary.
+struct Held<'a>(&'a [VaryPanel<'a>]);
+
+impl Moving for Held<'_> {
+    fn panels(&self, unknowns: &[Vec3], _: &mut dyn Watch) -> Result<Vec<MovingPanel>, VaryError> {
+        let moved = |(n, panel): (usize, &VaryPanel<'_>)| {
+            let start = panel.boundary.samples();
+            let (samples, motions) =
+                moved_on(start, panel.motions, unknowns).ok_or(VaryError::Tangent { panel: n })?;
+            let loops = panel.boundary.loops().iter().map(|l| samples[l.clone()].to_vec());
+            let boundary = Boundary::new(loops.collect())
+                .map_err(|error| VaryError::Boundary { panel: n, error })?;
+            let plane = supporting_plane(&boundary, panel.plane)
+                .map_err(|error| VaryError::Plane { panel: n, error })?;
+            let triangulate = panel.triangulate.clone();
+            Ok(MovingPanel { boundary, plane, triangulate, motions, follows: panel.follows })
+        };
+        self.0.iter().enumerate().map(moved).collect()
+    }
 }
 
 /// What displacements are for.
@@ -116,33 +177,84 @@ pub fn vary(
     options: &VaryOptions,
     watch: &mut dyn Watch,
 ) -> Result<Varied, VaryError> {
-    refuse(panels, limit, options)?;
-    let start = match State::new(panels, vec![Vec3::ZERO; limit.len()], None, watch) {
+    refuse(panels, limit)?;
+    vary_moving(&Held(panels), &[], limit, options, watch)
+}
+
+/// Moves panels within a limit, wherever their samples lie as they move. `known` are displacements
+/// to go on from where they, brought within the limit, are better than none; or nothing.
+///
+/// # Errors
+/// See [`VaryError`]; whatever is wrong with the panels before anything has moved.
+///
+/// # Panics
+/// If a motion follows an unknown that the limit does not have, or some but not all displacements are
+/// known.
+pub fn vary_moving(
+    moving: &dyn Moving,
+    known: &[Vec3],
+    limit: &Limit,
+    options: &VaryOptions,
+    watch: &mut dyn Watch,
+) -> Result<Varied, VaryError> {
+    refuse_options(limit, options)?;
+    let start = match State::new(moving, vec![Vec3::ZERO; limit.len()], None, watch) {
         Ok(state) => state,
         Err(NoState::Refused(error)) => return Err(error),
         Err(NoState::Stopped) => return Err(VaryError::Stopped),
     };
     let within = match options.goal {
         Goal::Price => start.price == 0.0,
-        Goal::Warp { largest } => start.warp_max() <= largest,
+        Goal::Warp { largest } => start.warp_asked() <= largest,
     };
     let warp_max_before = start.warp_max();
-    let mut way = Way { panels, options, prices: vec![start.price], twists: vec![start.twist] };
+    let before: Vec<Boundary> = start.panels.iter().map(|p| p.boundary.clone()).collect();
+    let before_asked = start.warp_asked();
+    let mut way = Way { moving, options, prices: vec![start.price], twists: vec![start.twist] };
     let (state, ended) =
         if within || (options.leave_developable && start.panels.iter().all(sampling::explains)) {
             (start, Ended::NothingToDo)
         } else {
+            let start = going_on(&mut way, start, known, limit, watch);
             match options.goal {
                 Goal::Price => least_price(&mut way, start, limit, watch),
-                Goal::Warp { largest } => reach::reach(&mut way, start, limit, largest, watch),
+                Goal::Warp { largest } => {
+                    let angles = [largest, before_asked];
+                    reach::reach(&mut way, start, limit, angles, watch)
+                }
             }
         };
-    Ok(varied(panels, state, ended, way, warp_max_before))
+    Ok(varied(&before, state, ended, way, warp_max_before))
+}
+
+/// The state at known displacements, if it is better than the start.
+fn going_on(
+    way: &mut Way<'_>,
+    start: State,
+    known: &[Vec3],
+    limit: &Limit,
+    watch: &dyn Watch,
+) -> State {
+    if known.is_empty() {
+        return start;
+    }
+    let mut known = known.to_vec();
+    limit.project(&mut known);
+    let Ok(state) = State::new(way.moving, known, Some(&start), watch) else { return start };
+    let is_better = match way.options.goal {
+        Goal::Price => state.price < start.price && state.twist <= start.twist,
+        Goal::Warp { .. } => state.warp_asked() < start.warp_asked(),
+    };
+    if is_better {
+        way.note(&state);
+        return state;
+    }
+    start
 }
 
 /// What is given, and what was passed on the way.
 struct Way<'a> {
-    panels: &'a [VaryPanel<'a>],
+    moving: &'a dyn Moving,
     options: &'a VaryOptions,
     prices: Vec<f64>,
     twists: Vec<f64>,
@@ -159,17 +271,13 @@ impl Way<'_> {
         &self,
         state: &State,
         limit: &Limit,
-        goal: Goal,
-        excess: f64,
+        (goal, excess, twist): (Goal, f64, f64),
         watch: &dyn Watch,
     ) -> descend::Descent {
-        let weights = Weights { goal, excess, fairness: self.options.fairness };
-        let held: Vec<PanelValue<'_>> = self
-            .panels
-            .iter()
-            .zip(&state.panels)
-            .map(|(panel, now)| PanelValue::new(panel, now.plane.as_ref(), &now.triangulation))
-            .collect();
+        let weights = Weights { goal, excess, twist, fairness: self.options.fairness };
+        let base = &state.unknowns;
+        let held: Vec<PanelValue<'_>> =
+            state.panels.iter().map(|panel| PanelValue::new(panel, base)).collect();
         let mut value = |at: &[Vec3], slopes: &mut [Vec3]| {
             slopes.fill(Vec3::ZERO);
             held.iter().map(|panel| panel.add(&weights, at, slopes)).sum()
@@ -189,7 +297,7 @@ impl Way<'_> {
         for share in SHARES {
             let between = |(from, to): (&Vec3, &Vec3)| *from + (*to - *from) * share;
             let unknowns = state.unknowns.iter().zip(target).map(between).collect();
-            match State::new(self.panels, unknowns, Some(state), watch) {
+            match State::new(self.moving, unknowns, Some(state), watch) {
                 Ok(next) if accepted(&next) => return Ok(Some(next)),
                 // What touches itself there, or has no triangulation, may be nearer.
                 Ok(_) | Err(NoState::Refused(_)) => {}
@@ -200,15 +308,16 @@ impl Way<'_> {
     }
 }
 
-fn refuse(panels: &[VaryPanel<'_>], limit: &Limit, options: &VaryOptions) -> Result<(), VaryError> {
+fn refuse_options(limit: &Limit, options: &VaryOptions) -> Result<(), VaryError> {
     let goal_is_angle = match options.goal {
         Goal::Price => true,
         Goal::Warp { largest } => largest.is_finite() && largest > 0.0,
     };
     let fair = options.fairness.is_finite() && options.fairness >= 0.0;
-    if !(limit.is_valid() && goal_is_angle && fair) {
-        return Err(VaryError::Limit);
-    }
+    if limit.is_valid() && goal_is_angle && fair { Ok(()) } else { Err(VaryError::Limit) }
+}
+
+fn refuse(panels: &[VaryPanel<'_>], limit: &Limit) -> Result<(), VaryError> {
     for (n, panel) in panels.iter().enumerate() {
         if panel.motions.len() != panel.boundary.len() {
             return Err(VaryError::Motions { panel: n });
@@ -236,10 +345,13 @@ fn least_price(
     watch: &mut dyn Watch,
 ) -> (State, Ended) {
     let mut state = start;
+    // Where folds count, their price may fall as twist rises, which must not be: then twist counts
+    // for more on the way.
+    let mut twist = 1.0;
     let rounds = way.options.rounds;
     for round in 0..rounds {
         watch.progress(round as f64 / rounds as f64);
-        let descent = way.descend(&state, limit, Goal::Price, 0.0, watch);
+        let descent = way.descend(&state, limit, (Goal::Price, 0.0, twist), watch);
         if descent.end == DescentEnd::Stopped {
             return (state, Ended::Stopped);
         }
@@ -249,6 +361,7 @@ fn least_price(
         let accepted = |next: &State| next.price < state.price && next.twist <= state.twist;
         match way.first_accepted(&state, &descent.point, accepted, watch) {
             Err(_) => return (state, Ended::Stopped),
+            Ok(None) if twist < MOST_TWIST => twist *= MORE_TWIST,
             Ok(None) => return (state, Ended::NoGain),
             Ok(Some(next)) => {
                 let gain = state.price - next.price;
@@ -264,7 +377,7 @@ fn least_price(
 }
 
 fn varied(
-    panels: &[VaryPanel<'_>],
+    before: &[Boundary],
     state: State,
     ended: Ended,
     way: Way<'_>,
@@ -272,8 +385,8 @@ fn varied(
 ) -> Varied {
     let warp_max = state.warp_max();
     let mut by_place = BTreeMap::new();
-    let of_panel = |(panel, now): (&VaryPanel<'_>, state::PanelState)| {
-        let samples = panel.boundary.samples().iter().zip(now.boundary.samples());
+    let of_panel = |(before, now): (&Boundary, PanelState)| {
+        let samples = before.samples().iter().zip(now.boundary.samples());
         let moved_mm: Vec<f64> = samples
             .map(|(from, to)| {
                 let moved = from.position.distance(to.position);
@@ -293,7 +406,7 @@ fn varied(
             warp_mean: now.warps.iter().sum::<f64>() / count,
         }
     };
-    let panels: Vec<VariedPanel> = panels.iter().zip(state.panels).map(of_panel).collect();
+    let panels: Vec<VariedPanel> = before.iter().zip(state.panels).map(of_panel).collect();
     Varied {
         panels,
         displacements: state.unknowns,
@@ -314,6 +427,8 @@ pub struct Weights {
     pub goal: Goal,
     /// What the squares of warp angles above the goal's, radians², count beside the price.
     pub excess: f64,
+    /// What twist counts, 1 as in the price.
+    pub twist: f64,
     /// See [`VaryOptions::fairness`].
     pub fairness: f64,
 }
@@ -342,7 +457,9 @@ pub fn sloped(
     weights: &Weights,
     unknowns: &[Vec3],
 ) -> Option<Sloped> {
-    let held = PanelValue::new(panel, plane, triangulation);
+    let here = PanelState::held(panel, plane, triangulation);
+    let base = vec![Vec3::ZERO; unknowns.len()];
+    let held = PanelValue::new(&here, &base);
     let mut slopes = vec![Vec3::ZERO; unknowns.len()];
     let value = held.add(weights, unknowns, &mut slopes);
     Some(Sloped { value, slopes, pieces: held.pieces(weights.goal, unknowns)? })

@@ -15,8 +15,17 @@ pub struct Share {
     pub factor: f64,
 }
 
+/// By how much a sample slips along its curve as an unknown moves: by `way` · displacement, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slip {
+    /// The unknown, counted from 0.
+    pub unknown: usize,
+    /// The slip for a displacement of 1 mm along each axis, without unit.
+    pub way: Vec3,
+}
+
 /// How a tangent follows: it is the direction of `length_mm` times the tangent at the start, plus
-/// the shares.
+/// the shares, plus what it turns by as the sample slips.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Lean {
     /// The length of the derivative, or of the difference of samples, that the tangent at the start
@@ -24,6 +33,8 @@ pub struct Lean {
     pub length_mm: f64,
     /// What is added to it.
     pub shares: Vec<Share>,
+    /// What is added to it for each mm that the sample slips, without unit.
+    pub bend: Vec3,
 }
 
 /// How a sample follows the unknowns. Without shares it is fixed and keeps its bits.
@@ -31,6 +42,11 @@ pub struct Lean {
 pub struct Motion {
     /// What is added to its position.
     pub position: Vec<Share>,
+    /// How it slips along its curve, which keeps samples evenly spread as the curve changes its
+    /// length.
+    pub slip: Vec<Slip>,
+    /// The direction that it slips in, a unit tangent.
+    pub along: Vec3,
     /// How its tangent of arrival turns; that of a sample that is no corner is not looked at.
     pub tangent_in: Lean,
     /// How its tangent of leaving turns.
@@ -49,7 +65,8 @@ pub fn motions(boundary: &Boundary, positions: Vec<Vec<Share>>) -> Vec<Motion> {
     let lean = |from: usize, to: usize| {
         let opposite = |share: &Share| Share { factor: -share.factor, ..*share };
         let shares = positions[to].iter().copied().chain(positions[from].iter().map(opposite));
-        Lean { length_mm: at(to).distance(at(from)), shares: gathered(shares.collect()) }
+        let shares = gathered(shares.collect());
+        Lean { length_mm: at(to).distance(at(from)), shares, bend: Vec3::ZERO }
     };
     let motion = |i: usize| {
         let (before, after) = (boundary.previous(i), boundary.next(i));
@@ -59,7 +76,7 @@ pub fn motions(boundary: &Boundary, positions: Vec<Vec<Share>>) -> Vec<Motion> {
             let central = lean(before, after);
             (central.clone(), central)
         };
-        Motion { position: positions[i].clone(), tangent_in, tangent_out }
+        Motion { position: positions[i].clone(), tangent_in, tangent_out, ..Motion::default() }
     };
     (0..boundary.len()).map(motion).collect()
 }
@@ -139,34 +156,63 @@ pub(super) fn displacement(shares: &[Share], unknowns: &[Vec3]) -> Vec3 {
     shares.iter().map(|share| unknowns[share.unknown] * share.factor).sum()
 }
 
+/// How far a sample slips, mm.
+fn slipped(motion: &Motion, unknowns: &[Vec3]) -> f64 {
+    motion.slip.iter().map(|slip| slip.way.dot(unknowns[slip.unknown])).sum()
+}
+
 /// A tangent that has turned; `None` where it has lost its direction.
-fn leaning(start: Vec3, lean: &Lean, unknowns: &[Vec3]) -> Option<Vec3> {
-    match displacement(&lean.shares, unknowns) {
+fn leaning(start: Vec3, lean: &Lean, unknowns: &[Vec3], slipped: f64) -> Option<Vec3> {
+    match displacement(&lean.shares, unknowns) + lean.bend * slipped {
         Vec3::ZERO => Some(start),
         added => unit(start * lean.length_mm + added),
     }
 }
 
 /// The samples where the unknowns have moved them; `None` where a tangent has lost its direction.
-pub(super) fn moved(
+pub(crate) fn moved(
     samples: &[Sample],
     motions: &[Motion],
     unknowns: &[Vec3],
 ) -> Option<Vec<Sample>> {
     let moved = |(start, motion): (&Sample, &Motion)| {
-        let tangent_out = leaning(start.tangent_out, &motion.tangent_out, unknowns)?;
+        let slipped = slipped(motion, unknowns);
+        let tangent_out = leaning(start.tangent_out, &motion.tangent_out, unknowns, slipped)?;
         let tangent_in = if start.is_corner() {
-            leaning(start.tangent_in, &motion.tangent_in, unknowns)?
+            leaning(start.tangent_in, &motion.tangent_in, unknowns, slipped)?
         } else {
             tangent_out
         };
-        let position = match displacement(&motion.position, unknowns) {
+        let position = match displacement(&motion.position, unknowns) + motion.along * slipped {
             Vec3::ZERO => start.position,
             added => start.position + added,
         };
         Some(Sample { position, tangent_in, tangent_out })
     };
     samples.iter().zip(motions).map(moved).collect()
+}
+
+/// The samples where the unknowns have moved them, and how they follow from there; `None` where a
+/// tangent has lost its direction.
+pub(super) fn moved_on(
+    samples: &[Sample],
+    motions: &[Motion],
+    unknowns: &[Vec3],
+) -> Option<(Vec<Sample>, Vec<Motion>)> {
+    let now = moved(samples, motions, unknowns)?;
+    let from_there = samples.iter().zip(motions).map(|(start, motion)| {
+        let slipped = slipped(motion, unknowns);
+        let onward = |start: Vec3, lean: &Lean| {
+            let added = displacement(&lean.shares, unknowns) + lean.bend * slipped;
+            Lean { length_mm: (start * lean.length_mm + added).length(), ..lean.clone() }
+        };
+        Motion {
+            tangent_in: onward(start.tangent_in, &motion.tangent_in),
+            tangent_out: onward(start.tangent_out, &motion.tangent_out),
+            ..motion.clone()
+        }
+    });
+    Some((now, from_there.collect()))
 }
 
 /// Carries slopes with the samples, which started at `start` and are at `now`, back to the unknowns.
@@ -183,25 +229,39 @@ pub(super) fn carry(
             with_unknowns[share.unknown] += slope * share.factor;
         }
     };
-    let with_raw = |start: Vec3, now: Vec3, lean: &Lean, slope: Vec3| {
-        let raw = start * lean.length_mm + displacement(&lean.shares, unknowns);
-        (slope - now * slope.dot(now)) / raw.length()
+    let with_raw = |start: Vec3, now: Vec3, lean: &Lean, slipped: f64, slope: Vec3| {
+        let added = displacement(&lean.shares, unknowns) + lean.bend * slipped;
+        (slope - now * slope.dot(now)) / (start * lean.length_mm + added).length()
     };
+    let mut with_slips = vec![0.0; motions.len()];
     for (n, motion) in motions.iter().enumerate() {
         let (start, now, slope) = (&start[n], &now[n], &slopes[n]);
+        let slipped = slipped(motion, unknowns);
         add(&motion.position, slope.position);
+        let mut with_slip = slope.position.dot(motion.along);
         let (out, arriving) = (&motion.tangent_out, &motion.tangent_in);
+        let turns = |lean: &Lean| !lean.shares.is_empty() || !motion.slip.is_empty();
         let with_out = if start.is_corner() {
-            if !arriving.shares.is_empty() {
-                let slope = with_raw(start.tangent_in, now.tangent_in, arriving, slope.tangent_in);
+            if turns(arriving) {
+                let (from, to) = (start.tangent_in, now.tangent_in);
+                let slope = with_raw(from, to, arriving, slipped, slope.tangent_in);
                 add(&arriving.shares, slope);
+                with_slip += slope.dot(arriving.bend);
             }
             slope.tangent_out
         } else {
             slope.tangent_in + slope.tangent_out
         };
-        if !out.shares.is_empty() {
-            add(&out.shares, with_raw(start.tangent_out, now.tangent_out, out, with_out));
+        if turns(out) {
+            let slope = with_raw(start.tangent_out, now.tangent_out, out, slipped, with_out);
+            add(&out.shares, slope);
+            with_slip += slope.dot(out.bend);
+        }
+        with_slips[n] = with_slip;
+    }
+    for (motion, with_slip) in motions.iter().zip(with_slips) {
+        for slip in &motion.slip {
+            with_unknowns[slip.unknown] += slip.way * with_slip;
         }
     }
 }

@@ -156,6 +156,8 @@ pub enum VaryError {
         /// Why not.
         error: TriangulateError,
     },
+    /// Whatever else makes them no panels.
+    NoPanels,
     /// The watcher asked to stop before there was anything to keep.
     Stopped,
 }
@@ -183,6 +185,7 @@ impl fmt::Display for VaryError {
             Self::Boundary { panel, error } => write!(f, "panel {}: {error}", number(panel)),
             Self::Plane { panel, error } => write!(f, "panel {}: {error}", number(panel)),
             Self::Triangulate { panel, error } => write!(f, "panel {}: {error}", number(panel)),
+            Self::NoPanels => write!(f, "the panels can't be made"),
             Self::Stopped => write!(f, "stopped"),
         }
     }

@@ -17,11 +17,14 @@ const HEAVIEST: f64 = 1e6;
 /// A round that gains less than this share is the last with its weight.
 const WORTH_ANOTHER: f64 = 0.2;
 /// The displacements are as small as they get when the bisection is within this share of them.
-const CLOSE_ENOUGH: f64 = 0.03;
+const CLOSE_ENOUGH: f64 = 0.05;
 /// Bisections of the limit at the most.
 const BISECTIONS: usize = 8;
 /// Rounds of each bisection.
 const ROUNDS_DRAWN_IN: usize = 4;
+/// What excess counts at first where the limit is drawn in: what is near the angle would be led away
+/// from it by less.
+const WEIGHT_DRAWN_IN: f64 = 10.0;
 
 /// How an attempt to come below the angle ended.
 enum Attempt {
@@ -30,22 +33,23 @@ enum Attempt {
     Stopped,
 }
 
-/// Brings every warp angle to `largest` or below, then draws the limit in while that can be kept.
+/// Brings every warp angle to `largest` or below, then draws the limit in while that can be kept. The
+/// angles are that and the largest one before anything moved.
 pub(super) fn reach(
     way: &mut Way<'_>,
     start: State,
     limit: &Limit,
-    largest: f64,
+    [largest, before]: [f64; 2],
     watch: &mut dyn Watch,
 ) -> (State, Ended) {
     let goal = Goal::Warp { largest };
     let rounds = way.options.rounds;
-    let before = start.warp_max();
-    let (mut state, attempt) = come_below(way, start, limit, goal, rounds, watch);
+    let patient = Effort { weight: FIRST_WEIGHT, rounds, patient: true };
+    let (mut state, attempt) = come_below(way, start, limit, goal, patient, watch);
     match attempt {
         Attempt::Stopped => return (state, Ended::Stopped),
         Attempt::Above => {
-            let reached = state.warp_max();
+            let reached = state.warp_asked();
             let resisting = state.above(largest);
             return (state, Ended::Closest { wanted: largest, before, reached, resisting });
         }
@@ -61,7 +65,7 @@ pub(super) fn reach(
         let drawn_in = limit.scaled(share);
         let mut unknowns: Vec<Vec3> = state.unknowns.clone();
         drawn_in.project(&mut unknowns);
-        let from = match State::new(way.panels, unknowns, Some(&state), watch) {
+        let from = match State::new(way.moving, unknowns, Some(&state), watch) {
             Ok(from) => from,
             Err(NoState::Stopped) => return (state, Ended::Stopped),
             Err(NoState::Refused(_)) => {
@@ -69,7 +73,8 @@ pub(super) fn reach(
                 continue;
             }
         };
-        match come_below(way, from, &drawn_in, goal, ROUNDS_DRAWN_IN, watch) {
+        let brief = Effort { weight: WEIGHT_DRAWN_IN, rounds: ROUNDS_DRAWN_IN, patient: false };
+        match come_below(way, from, &drawn_in, goal, brief, watch) {
             (next, Attempt::Within) => {
                 enough = limit.used(&next.unknowns).min(share);
                 state = next;
@@ -82,7 +87,18 @@ pub(super) fn reach(
     (state, Ended::Reached)
 }
 
-/// Descends with growing weight of the excess until no warp angle is above the goal's; takes a step
+/// How hard an attempt tries.
+#[derive(Clone, Copy)]
+struct Effort {
+    /// What excess counts at first.
+    weight: f64,
+    /// Descents at the most.
+    rounds: usize,
+    /// Whether more weight is tried where a descent is not accepted.
+    patient: bool,
+}
+
+/// Descends with a weight of the excess that grows from the given one until no warp angle is above the goal's; takes a step
 /// only if the true price and excess, so weighed, fall. Where the goal is not reached, what came
 /// nearest is kept, which may be the start.
 fn come_below(
@@ -90,19 +106,18 @@ fn come_below(
     start: State,
     limit: &Limit,
     goal: Goal,
-    rounds: usize,
+    Effort { mut weight, rounds, patient }: Effort,
     watch: &dyn Watch,
 ) -> (State, Attempt) {
     let Goal::Warp { largest } = goal else { return (start, Attempt::Within) };
     let aim = Goal::Warp { largest: AIM * largest };
-    let mut weight = FIRST_WEIGHT;
     let mut nearest = start.clone();
     let mut state = start;
     for _ in 0..rounds {
-        if state.warp_max() <= largest {
+        if state.warp_asked() <= largest {
             return (state, Attempt::Within);
         }
-        let descent = way.descend(&state, limit, aim, weight, watch);
+        let descent = way.descend(&state, limit, (aim, weight, 1.0), watch);
         if descent.end == DescentEnd::Stopped {
             return (nearest, Attempt::Stopped);
         }
@@ -111,14 +126,14 @@ fn come_below(
         let accepted = |next: &State| merit(next) < before;
         let (gained, stuck) = match way.first_accepted(&state, &descent.point, accepted, watch) {
             Err(_) => return (nearest, Attempt::Stopped),
-            Ok(None) => (0.0, weight >= HEAVIEST),
+            Ok(None) => (0.0, !patient || weight >= HEAVIEST),
             Ok(Some(next)) => {
                 let gained = before - merit(&next);
                 state = next;
                 (gained, false)
             }
         };
-        if state.warp_max() < nearest.warp_max() {
+        if state.warp_asked() < nearest.warp_asked() {
             nearest = state.clone();
         }
         if stuck {
@@ -128,7 +143,7 @@ fn come_below(
             weight = (weight * HEAVIER).min(HEAVIEST);
         }
     }
-    if state.warp_max() <= largest {
+    if state.warp_asked() <= largest {
         return (state, Attempt::Within);
     }
     (nearest, Attempt::Above)

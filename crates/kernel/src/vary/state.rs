@@ -1,13 +1,12 @@
 //! Panels where the unknowns have moved them, triangulated anew: what a step is judged by.
 
-use super::motion::moved;
-use super::{Goal, VaryError, VaryPanel};
-use crate::boundary::{Boundary, SupportingPlane, supporting_plane};
+use super::{Goal, Motion, Moving, MovingPanel, VaryError, VaryPanel};
+use crate::boundary::{Boundary, SupportingPlane};
 use crate::cost::Prices;
 use crate::index::SampleIndex;
 use crate::math::Vec3;
 use crate::rung::Rung;
-use crate::triangulate::{TriangulateError, Triangulation, triangulate};
+use crate::triangulate::{TriangulateError, TriangulateOptions, Triangulation, triangulate};
 use crate::watch::Watch;
 use std::f64::consts::PI;
 
@@ -16,10 +15,34 @@ use std::f64::consts::PI;
 pub(super) struct PanelState {
     pub(super) boundary: Boundary,
     pub(super) plane: Option<SupportingPlane>,
+    pub(super) triangulate: TriangulateOptions,
+    /// How its samples follow as the unknowns move on from where they are.
+    pub(super) motions: Vec<Motion>,
     pub(super) triangulation: Triangulation,
     /// The warp angle of each rung, radians; π without tangent planes.
     pub(super) warps: Vec<f64>,
     twist: f64,
+    pub(super) follows: bool,
+}
+
+impl PanelState {
+    /// A panel that is held as it is given.
+    pub(super) fn held(
+        panel: &VaryPanel<'_>,
+        plane: Option<&SupportingPlane>,
+        triangulation: &Triangulation,
+    ) -> Self {
+        Self {
+            boundary: panel.boundary.clone(),
+            plane: plane.cloned(),
+            triangulate: panel.triangulate.clone(),
+            motions: panel.motions.to_vec(),
+            triangulation: triangulation.clone(),
+            warps: Vec::new(),
+            twist: 0.0,
+            follows: panel.follows,
+        }
+    }
 }
 
 /// All panels where they stand now.
@@ -51,35 +74,31 @@ pub(super) enum NoState {
 
 impl State {
     /// The panels where the unknowns move them. Those whose samples stay where they are in `before`
-    /// are taken from there.
+    /// keep their triangulation.
     pub(super) fn new(
-        panels: &[VaryPanel<'_>],
+        moving: &dyn Moving,
         unknowns: Vec<Vec3>,
         before: Option<&Self>,
         watch: &dyn Watch,
     ) -> Result<Self, NoState> {
+        let panels = moving.panels(&unknowns, &mut Quiet(watch)).map_err(|error| match error {
+            VaryError::Stopped => NoState::Stopped,
+            error => NoState::Refused(error),
+        })?;
         let mut states: Vec<PanelState> = Vec::with_capacity(panels.len());
-        for (n, panel) in panels.iter().enumerate() {
-            let refused = |error: VaryError| NoState::Refused(error);
-            let samples = moved(panel.boundary.samples(), panel.motions, &unknowns)
-                .ok_or_else(|| refused(VaryError::Tangent { panel: n }))?;
+        for (n, panel) in panels.into_iter().enumerate() {
+            let MovingPanel { boundary, plane, triangulate: options, motions, follows } = panel;
             let known = before.map(|state| &state.panels[n]);
-            if let Some(known) = known.filter(|known| known.boundary.samples() == samples) {
-                states.push(known.clone());
+            if let Some(known) = known.filter(|known| known.boundary == boundary) {
+                states.push(PanelState { motions, ..known.clone() });
                 continue;
             }
-            let loops = panel.boundary.loops().iter().map(|l| samples[l.clone()].to_vec());
-            let boundary = Boundary::new(loops.collect())
-                .map_err(|error| refused(VaryError::Boundary { panel: n, error }))?;
-            let plane = supporting_plane(&boundary, panel.plane)
-                .map_err(|error| refused(VaryError::Plane { panel: n, error }))?;
-            let triangulation =
-                triangulate(&boundary, plane.as_ref(), panel.triangulate, &mut Quiet(watch))
-                    .map_err(|error| match error {
-                        TriangulateError::Stopped => NoState::Stopped,
-                        error => refused(VaryError::Triangulate { panel: n, error }),
-                    })?;
-            let prices = Prices::new(&boundary, plane.as_ref(), panel.triangulate.price);
+            let triangulation = triangulate(&boundary, plane.as_ref(), &options, &mut Quiet(watch))
+                .map_err(|error| match error {
+                    TriangulateError::Stopped => NoState::Stopped,
+                    error => NoState::Refused(VaryError::Triangulate { panel: n, error }),
+                })?;
+            let prices = Prices::new(&boundary, plane.as_ref(), options.price);
             let planes = |rung: &Rung| {
                 let [i, j] = rung.ends().map(SampleIndex::get);
                 prices.planes(i, j)
@@ -88,7 +107,16 @@ impl State {
                 triangulation.rungs.iter().map(|r| planes(r).map_or(PI, |p| p.warp())).collect();
             let twist =
                 triangulation.rungs.iter().map(|r| planes(r).map_or(2.0, |p| p.twist)).sum();
-            states.push(PanelState { boundary, plane, triangulation, warps, twist });
+            states.push(PanelState {
+                boundary,
+                plane,
+                triangulate: options,
+                motions,
+                triangulation,
+                warps,
+                twist,
+                follows,
+            });
         }
         let price = states.iter().map(|panel| panel.triangulation.price).sum();
         let twist = states.iter().map(|panel| panel.twist).sum();
@@ -100,11 +128,21 @@ impl State {
         self.panels.iter().flat_map(|panel| &panel.warps).copied().fold(0.0, f64::max)
     }
 
+    /// The panels of which warp angles are asked for, with their numbers.
+    fn asked(&self) -> impl Iterator<Item = (usize, &PanelState)> {
+        self.panels.iter().enumerate().filter(|(_, panel)| !panel.follows)
+    }
+
+    /// The largest warp angle of the panels of which warp angles are asked for, radians.
+    pub(super) fn warp_asked(&self) -> f64 {
+        self.asked().flat_map(|(_, panel)| &panel.warps).copied().fold(0.0, f64::max)
+    }
+
     /// The sum of the squares of what warp angles are above the goal's, radians²; 0 without a goal.
     pub(super) fn excess(&self, goal: Goal) -> f64 {
         let Goal::Warp { largest } = goal else { return 0.0 };
         let above = |warp: &f64| (warp - largest).max(0.0);
-        let warps = self.panels.iter().flat_map(|panel| &panel.warps);
+        let warps = self.asked().flat_map(|(_, panel)| &panel.warps);
         warps.map(above).map(|excess| excess * excess).sum()
     }
 
@@ -114,6 +152,6 @@ impl State {
             let rungs = panel.triangulation.rungs.iter().zip(&panel.warps);
             rungs.filter(|(_, warp)| **warp > angle).map(|(r, _)| (n, *r)).collect::<Vec<_>>()
         };
-        self.panels.iter().enumerate().flat_map(of_panel).collect()
+        self.asked().flat_map(of_panel).collect()
     }
 }

@@ -1,10 +1,11 @@
 //! What a displacement is worth, for triangulations that stay: the price, the excess of warp angles
 //! and the zig-zag, with their slopes.
 
-use super::motion::{carry, displacement, moved};
-use super::{Goal, VaryPanel, Weights};
+use super::motion::{Motion, carry, displacement, moved};
+use super::state::PanelState;
+use super::{Goal, Weights};
 use crate::boundary::{Boundary, SupportingPlane};
-use crate::cost::{Piece, Prices, SampleSlope};
+use crate::cost::{Piece, PriceOptions, Prices, SampleSlope};
 use crate::curve::Sample;
 use crate::index::SampleIndex;
 use crate::math::{Vec3, sin};
@@ -38,38 +39,56 @@ impl Net {
 
 /// One panel with a triangulation that stays.
 pub(super) struct PanelValue<'a> {
-    panel: &'a VaryPanel<'a>,
+    boundary: &'a Boundary,
     plane: Option<&'a SupportingPlane>,
+    price: PriceOptions,
+    motions: &'a [Motion],
+    follows: bool,
     net: Net,
+    /// Where the unknowns are when the boundary is what it is.
+    base: &'a [Vec3],
 }
 
 impl<'a> PanelValue<'a> {
-    pub(super) fn new(
-        panel: &'a VaryPanel<'a>,
-        plane: Option<&'a SupportingPlane>,
-        triangulation: &Triangulation,
-    ) -> Self {
-        Self { panel, plane, net: Net::new(triangulation) }
+    /// A panel that is here when the unknowns are at `base`.
+    pub(super) fn new(panel: &'a PanelState, base: &'a [Vec3]) -> Self {
+        Self {
+            boundary: &panel.boundary,
+            plane: panel.plane.as_ref(),
+            price: panel.triangulate.price,
+            motions: &panel.motions,
+            follows: panel.follows,
+            net: Net::new(&panel.triangulation),
+            base,
+        }
+    }
+
+    /// How far the unknowns are from where the boundary is what it is.
+    fn onward(&self, unknowns: &[Vec3]) -> Vec<Vec3> {
+        unknowns.iter().zip(self.base).map(|(to, from)| *to - *from).collect()
     }
 
     /// The value at the unknowns; adds its slopes. Infinite where a tangent has lost its direction.
     pub(super) fn add(&self, weights: &Weights, unknowns: &[Vec3], with: &mut [Vec3]) -> f64 {
-        let start = self.panel.boundary.samples();
-        let Some(samples) = moved(start, self.panel.motions, unknowns) else {
+        let start = self.boundary.samples();
+        let onward = self.onward(unknowns);
+        let Some(samples) = moved(start, self.motions, &onward) else {
             return f64::INFINITY;
         };
-        let boundary = self.panel.boundary.with_samples(samples);
+        let boundary = self.boundary.with_samples(samples);
         let mut slopes = vec![SampleSlope::default(); boundary.len()];
-        let mut value = self.price(&boundary, weights, &mut slopes);
-        if weights.fairness > 0.0 {
-            value += self.zig_zag(weights.fairness, unknowns, &mut slopes);
-        }
-        carry(start, boundary.samples(), self.panel.motions, unknowns, &slopes, with);
-        value
+        let price = self.price(&boundary, weights, &mut slopes);
+        carry(start, boundary.samples(), self.motions, &onward, &slopes, with);
+        price
+            + if weights.fairness > 0.0 {
+                self.zig_zag(weights.fairness, unknowns, with)
+            } else {
+                0.0
+            }
     }
 
     fn price(&self, boundary: &Boundary, weights: &Weights, slopes: &mut [SampleSlope]) -> f64 {
-        let prices = Prices::new(boundary, self.plane, self.panel.triangulate.price);
+        let prices = Prices::new(boundary, self.plane, self.price);
         let rungs: Vec<_> = self.net.rungs.iter().map(|&[i, j]| prices.sloped_rung(i, j)).collect();
         let mean =
             |n: Option<usize>| n.and_then(|n| rungs[n].planes).map_or(Vec3::ZERO, |p| p.mean);
@@ -87,9 +106,9 @@ impl<'a> PanelValue<'a> {
                 total += 2.0;
                 continue;
             };
-            total += planes.twist;
-            let mut with_twist = 1.0;
-            if let Goal::Warp { largest } = weights.goal {
+            total += weights.twist * planes.twist;
+            let mut with_twist = weights.twist;
+            if let (Goal::Warp { largest }, false) = (weights.goal, self.follows) {
                 let warp = planes.warp();
                 let excess = (warp - largest).max(0.0);
                 total += weights.excess * excess * excess;
@@ -100,12 +119,12 @@ impl<'a> PanelValue<'a> {
         total
     }
 
-    /// The squares of the angles by which the edges of the boundary turn against one another as the
-    /// samples move, at samples that are no corners.
-    fn zig_zag(&self, weight: f64, unknowns: &[Vec3], slopes: &mut [SampleSlope]) -> f64 {
-        let boundary = self.panel.boundary;
+    /// The squares of the angles by which the edges of the boundary turn against one another where the
+    /// unknowns have moved them, at samples that are no corners. Slipping along a curve is no zig-zag.
+    fn zig_zag(&self, weight: f64, unknowns: &[Vec3], with: &mut [Vec3]) -> f64 {
+        let boundary = self.boundary;
         let samples = boundary.samples();
-        let motions = self.panel.motions;
+        let motions = self.motions;
         let way = |n: usize| displacement(&motions[n].position, unknowns);
         let mut total = 0.0;
         for (n, sample) in samples.iter().enumerate() {
@@ -119,9 +138,11 @@ impl<'a> PanelValue<'a> {
             let turn = (way(before) + way(after) - way(n) * 2.0) / spacing;
             total += weight * turn.length_squared();
             let with_turn = turn * (2.0 * weight / spacing);
-            slopes[before].position += with_turn;
-            slopes[after].position += with_turn;
-            slopes[n].position -= with_turn * 2.0;
+            for (n, slope) in [(before, with_turn), (after, with_turn), (n, with_turn * -2.0)] {
+                for share in &motions[n].position {
+                    with[share.unknown] += slope * share.factor;
+                }
+            }
         }
         total
     }
@@ -129,12 +150,12 @@ impl<'a> PanelValue<'a> {
     /// Which piece of its price is active on each rung, and whether its warp angle is above the
     /// goal's.
     pub(super) fn pieces(&self, goal: Goal, unknowns: &[Vec3]) -> Option<Vec<(Piece, bool)>> {
-        let samples = moved(self.panel.boundary.samples(), self.panel.motions, unknowns)?;
-        let boundary = self.panel.boundary.with_samples(samples);
-        let prices = Prices::new(&boundary, self.plane, self.panel.triangulate.price);
+        let samples = moved(self.boundary.samples(), self.motions, &self.onward(unknowns))?;
+        let boundary = self.boundary.with_samples(samples);
+        let prices = Prices::new(&boundary, self.plane, self.price);
         let largest = match goal {
-            Goal::Price => f64::INFINITY,
-            Goal::Warp { largest } => largest,
+            Goal::Warp { largest } if !self.follows => largest,
+            _ => f64::INFINITY,
         };
         let piece = |&[i, j]: &[usize; 2]| {
             let rung = prices.sloped_rung(i, j);

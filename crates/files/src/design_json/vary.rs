@@ -1,0 +1,126 @@
+//! What may move, from a design's file and back.
+
+use super::grammar::{MovedByName, VaryFile};
+use super::source::Source;
+use crate::names::{did_you_mean, shown};
+use crate::reading::InputError;
+use crate::table::in_range_mm;
+use crate::units::Units;
+use sheetwright::design::{DesignCurve, DesignPanel, MovedBy, Vary};
+use sheetwright::math::{from_deg, to_deg};
+use sheetwright::vary::Goal;
+
+/// Angles that may be asked for, degrees.
+pub(crate) const MOST_WARP_DEG: f64 = 90.0;
+pub(crate) const WARP_HINT: &str = "Ask for an angle above 0° and up to 90°.";
+const DISTANCE_HINT: &str = "Write a distance of 0 or more, in the units of the design.";
+
+/// What a design says of what may move: as a whole, and panel by panel.
+pub(super) struct VaryReader<'a> {
+    pub(super) units: Units,
+    pub(super) curves: &'a [DesignCurve],
+    pub(super) source: &'a Source<'a>,
+}
+
+impl VaryReader<'_> {
+    /// `path` is where it stands; `of_panel` the panel that it stands in, if it does.
+    pub(super) fn read(
+        &self,
+        file: VaryFile,
+        path: &str,
+        of_panel: Option<&str>,
+        panels: &[DesignPanel],
+    ) -> Result<Vary, InputError> {
+        let error = |field: &str, message: String, hint: String| {
+            self.source.error(&format!("{path}{field}"), message, hint)
+        };
+        let distance = |field: &str, written: Option<f64>| {
+            let Some(written) = written else { return Ok(None) };
+            match in_range_mm(written, self.units).filter(|mm| *mm >= 0.0) {
+                Some(mm) => Ok(Some(mm)),
+                None => {
+                    let message = format!(
+                        "samples may move by {} {}",
+                        crate::table::number(written),
+                        self.units.name()
+                    );
+                    Err(error(field, message, DISTANCE_HINT.to_owned()))
+                }
+            }
+        };
+        let known = |field: &str, written: Option<Vec<String>>, what: &str, known: &[&str]| {
+            let Some(names) = written else { return Ok(Vec::new()) };
+            if names.is_empty() {
+                let hint = format!("Name a {what}, or leave the list out: then all count.");
+                return Err(error(field, format!("the list of {what}s is empty"), hint));
+            }
+            match names.iter().position(|name| !known.contains(&name.as_str())) {
+                None => Ok(names),
+                Some(n) => {
+                    let message = format!("there is no {what} {}", shown(&names[n]));
+                    let hint = did_you_mean(&names[n], known);
+                    Err(error(&format!("{field}[{n}]"), message, hint))
+                }
+            }
+        };
+        let curve_names: Vec<&str> = self.curves.iter().map(|c| c.name.as_str()).collect();
+        let panel_names: Vec<&str> = panels.iter().map(|p| p.name.as_str()).collect();
+        let panels = match (of_panel, file.panels) {
+            (None, panels) => known(".panels", panels, "panel", &panel_names)?,
+            (Some(panel), None) => vec![panel.to_owned()],
+            (Some(_), Some(_)) => {
+                let message = "`panels` stands in what is said of one panel".to_owned();
+                let hint = "Leave it out, or write `vary` beside `panels`, for the whole design.";
+                return Err(error(".panels", message, hint.to_owned()));
+            }
+        };
+        let goal = match file.warp_deg {
+            None => Goal::Price,
+            Some(deg) if deg > 0.0 && deg <= MOST_WARP_DEG => Goal::Warp { largest: from_deg(deg) },
+            Some(deg) => {
+                let message = format!("a warp angle of {deg}° is asked for");
+                return Err(error(".warp_deg", message, WARP_HINT.to_owned()));
+            }
+        };
+        Ok(Vary {
+            panels,
+            curves: known(".curves", file.curves, "curve", &curve_names)?,
+            goal,
+            limit_mm: distance(".limit", file.limit)?,
+            budget_mm: distance(".budget", file.budget)?,
+            by: match file.by {
+                None | Some(MovedByName::Points) => MovedBy::Points,
+                Some(MovedByName::Samples) => MovedBy::Samples,
+            },
+            leave_developable: file.leave_developable.unwrap_or(true),
+        })
+    }
+}
+
+/// As it stands in a file in millimetres: beside the panels, or in one of them.
+pub(super) fn written(vary: &Vary, in_panel: bool) -> VaryFile {
+    let some = |list: &Vec<String>| (!list.is_empty()).then(|| list.clone());
+    VaryFile {
+        budget: vary.budget_mm,
+        limit: vary.limit_mm,
+        warp_deg: match vary.goal {
+            Goal::Price => None,
+            Goal::Warp { largest } => Some(plain_deg(largest)),
+        },
+        curves: some(&vary.curves),
+        panels: if in_panel { None } else { some(&vary.panels) },
+        by: match vary.by {
+            MovedBy::Points => None,
+            MovedBy::Samples => Some(MovedByName::Samples),
+        },
+        leave_developable: (!vary.leave_developable).then_some(false),
+    }
+}
+
+/// The shortest number of degrees that is these radians.
+fn plain_deg(angle: f64) -> f64 {
+    let deg = to_deg(angle);
+    let short = |digits: usize| format!("{deg:.digits$}").parse::<f64>().ok();
+    let exact = (0..=15).filter_map(short).find(|short| from_deg(*short) == angle);
+    exact.unwrap_or(deg)
+}
