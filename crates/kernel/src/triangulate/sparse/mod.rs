@@ -73,6 +73,8 @@ const TIGHT: f64 = 0.95;
 const HIGHEST_PRICE: f64 = 100.0;
 /// The share of all pairs of blocks above which the dense table takes over.
 const MOST_ALIVE: f64 = 0.8;
+/// From so many blocks on, that is decided at every level: the next would cost much.
+const MANY_BLOCKS: usize = 1000;
 /// What a sample takes at least, bytes: the spread rows, the blocks and the debts.
 const BYTES_A_SAMPLE: u64 = 2048;
 
@@ -192,9 +194,13 @@ impl Step {
             let sweep = Sweep::inside(terms, blocks, upper, &alive, bound, self.memory, watch)?;
             let Some(sweep) = sweep else { return Ok(None) };
             alive = sweep.outside(watch)?;
+            let n = blocks.len() as f64;
+            let is_decided = level == LOWEST || blocks.len() >= MANY_BLOCKS;
+            if is_decided && alive.len() as f64 > self.most * 0.5 * n * n {
+                return Ok(None);
+            }
         }
-        let n = levels[LOWEST].len() as f64;
-        Ok((alive.len() as f64 <= self.most * 0.5 * n * n).then_some(alive))
+        Ok(Some(alive))
     }
 }
 

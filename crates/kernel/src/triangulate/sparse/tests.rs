@@ -85,7 +85,7 @@ fn random_boundary(seed: u64) -> Option<Boundary> {
                 2 => random.below(m) < 3,
                 _ => kind == 6,
             };
-            CurvePoint { at: Point3::new(x, y, z), corner: is_corner }
+            CurvePoint { corner: is_corner, ..CurvePoint::smooth(Point3::new(x, y, z)) }
         })
         .collect();
     Boundary::new(vec![samples_from_points(&points)]).ok()
