@@ -1,5 +1,6 @@
 //! How fast the methods are, on one thread: `cargo bench -p sheetwright`; with `-- holes`, only
-//! the domains with holes.
+//! the domains with holes, with `-- many`, only boundaries of 1,600 and 10,000 samples, and with
+//! `-- many 100000`, of as many samples as that.
 //!
 //! Method: for every curve family and every number of samples, the least of five runs (three at
 //! 1,600) of the whole of `triangulate`, visibility and bound included. The table of a plain
@@ -22,6 +23,9 @@ use std::time::Instant;
 const SIZES: [usize; 5] = [100, 200, 400, 800, 1600];
 
 fn main() {
+    if std::env::args().any(|argument| argument == "many") {
+        return many();
+    }
     holes();
     if std::env::args().any(|argument| argument == "holes") {
         return;
@@ -52,6 +56,45 @@ fn main() {
         });
         row("worst warp, ν = 1", &|b| least_time(b, || solve_worst(b)));
     }
+}
+
+/// Boundaries of many samples, one run each, above 1,600 only those near to developable: time, price, and the most memory that the program has
+/// taken so far, where the system tells.
+fn many() {
+    let sizes: Vec<usize> = std::env::args().filter_map(|size| size.parse().ok()).collect();
+    let sizes = if sizes.is_empty() { vec![1600, 10_000] } else { sizes };
+    println!("optimal triangulation of many samples, one thread\n");
+    println!(
+        "{:<16} {:>7} {:>4} {:>9} {:>12} {:>7} {:>9}",
+        "family", "samples", "ν", "s", "price", "proven", "peak, MB"
+    );
+    for m in sizes {
+        for family in Family::ALL {
+            if m > SIZES[4] && matches!(family, Family::TwistedStrip | Family::Fourier(_)) {
+                continue;
+            }
+            for fold in [0.0, DEFAULT_FOLD] {
+                let boundary = family.boundary(m);
+                let price = PriceOptions { fold, ..Default::default() };
+                let options = TriangulateOptions { price, ..Default::default() };
+                let start = Instant::now();
+                let found = triangulate(&boundary, None, &options, &mut Unwatched);
+                let (name, time) = (family.name(), start.elapsed().as_secs_f64());
+                print!("{name:<16} {m:>7} {fold:>4} {time:>9.3} ");
+                match found {
+                    Ok(found) => print!("{:>12.3e} {:>7}", found.price, found.proven_optimal),
+                    Err(error) => print!("{error}"),
+                }
+                println!(" {:>9}", peak_megabytes().unwrap_or_default());
+            }
+        }
+    }
+}
+
+fn peak_megabytes() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    Some(line.trim().trim_end_matches(" kB").trim().parse::<u64>().ok()? / 1000)
 }
 
 /// Rings of two loops of 200 samples, and a bent panel of 4 × 8 with round windows in two rows, 200

@@ -245,7 +245,7 @@ impl Prices {
     }
 
     #[inline(always)]
-    fn smooth_end(&self, i: usize) -> ([f64; 3], [f64; 3], f64) {
+    pub(crate) fn smooth_end(&self, i: usize) -> ([f64; 3], [f64; 3], f64) {
         (
             [0, 1, 2].map(|axis| self.positions[axis][i]),
             [0, 1, 2].map(|axis| self.tangents[axis][i]),

@@ -57,6 +57,11 @@ impl Visibility {
         Self { inside: plane.map(|plane| inside_pairs(&plane.projected, boundary.loops())) }
     }
 
+    /// Everything, as without a plane.
+    pub(crate) fn everything() -> Self {
+        Self { inside: None }
+    }
+
     /// What is seen between the members of a chain of `m`, as `sees` says of two of them, the lower
     /// first.
     pub(crate) fn of_pairs(m: usize, mut sees: impl FnMut(usize, usize) -> bool) -> Self {

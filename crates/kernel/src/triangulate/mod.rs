@@ -18,14 +18,16 @@ mod holes;
 mod optimal;
 mod part;
 mod rails;
+mod sparse;
 
 pub use facing::with_holes_facing;
 pub use optimal::memory_needed;
 
 use crate::boundary::{Boundary, SupportingPlane};
-use crate::cost::{EXACT_BELOW, FarEnds, LANES, MAX_FOLD, PriceOptions, Prices, Strip};
+use crate::cost::{EXACT_BELOW, FarEnds, LANES, MAX_FOLD, PriceOptions, Prices, Strip, TwistForm};
 use crate::index::SampleIndex;
 use crate::math::Vec3;
+use crate::predicate::orientation;
 use crate::rung::{Rung, Visibility};
 use crate::watch::Watch;
 use part::Part;
@@ -34,7 +36,8 @@ use std::fmt;
 /// Which triangulations are looked at.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Method {
-    /// All of them: equation (5). O(m³) time, O(m²) memory; with holes, see `docs/holes.md`.
+    /// All of them: equation (5). O(m³) time and O(m²) memory at the most; next to a developable
+    /// surface far less, see `sparse`. With holes, see `docs/holes.md`.
     #[default]
     Optimal,
     /// Those whose every triangle has an edge of the boundary: equations (3) and (4). O(m²) both.
@@ -79,7 +82,7 @@ pub struct TriangulateOptions {
     /// How they are priced.
     pub price: PriceOptions,
     /// The most memory that tables may take, bytes. Default 4 GiB: `Optimal` up to 13,000 samples
-    /// without holes.
+    /// without holes, and more where the boundary comes near to a developable surface.
     pub memory_limit: u64,
 }
 
@@ -216,7 +219,16 @@ pub fn triangulate(
 ) -> Result<Triangulation, TriangulateError> {
     let lengths: Vec<usize> = boundary.loops().iter().map(ExactSizeIterator::len).collect();
     refuse(&lengths, options)?;
+    // Some methods begin anew; progress does not.
+    let watch = &mut Part::new(watch, 0.0..1.0);
     let prices = Prices::new(boundary, plane, options.price);
+    if let Some(found) = among_few(&prices, plane, options, watch)? {
+        return Ok(found);
+    }
+    let needed = needed(&lengths, options);
+    if needed > options.memory_limit {
+        return Err(TriangulateError::TooLarge { needed, limit: options.memory_limit });
+    }
     let visibility = Visibility::new(boundary, plane);
     // Rungs without a tangent plane are admitted only when nothing can be done without them.
     for forced in [false, true] {
@@ -240,6 +252,43 @@ pub fn triangulate(
     Err(TriangulateError::NoneInside)
 }
 
+/// The cheapest triangulation of one loop, if it can be found among few rungs.
+///
+/// Which rungs lie inside the projection is not asked at first: where the triangles of the answer
+/// all lie on the plane as they should, they do not overlap, and their rungs lie inside. Then the
+/// answer is the cheapest of those too, and ties were decided among the same.
+fn among_few(
+    prices: &Prices,
+    plane: Option<&SupportingPlane>,
+    options: &TriangulateOptions,
+    watch: &mut dyn Watch,
+) -> Result<Option<Triangulation>, TriangulateError> {
+    if !may_be_among_few(options) || !prices.one_loop() {
+        return Ok(None);
+    }
+    let everything = Visibility::everything();
+    let terms = Terms::new(prices, &everything, false);
+    let Some(found) = sparse::solve(&terms, options.memory_limit, watch)? else {
+        return Ok(None);
+    };
+    let lies_on = |plane: &SupportingPlane| {
+        let at = |i: usize| plane.projected[i];
+        found.triangles.iter().all(|&[i, k, j]| orientation(at(i), at(k), at(j)).is_gt())
+    };
+    if plane.is_some_and(|plane| !lies_on(plane)) {
+        return Ok(None);
+    }
+    let found = Found { triangles: found.triangles, lower_bound: None };
+    Ok(Some(outcome(&terms, found, options.method)))
+}
+
+/// Whether a way to look at few rungs only is known.
+fn may_be_among_few(options: &TriangulateOptions) -> bool {
+    options.method == Method::Optimal
+        && options.goal == Goal::Price
+        && options.price.form == TwistForm::Normalised
+}
+
 /// The best triangles of one loop; `None` if there are none.
 fn one_loop(
     terms: &Terms<'_>,
@@ -256,6 +305,9 @@ fn one_loop(
 /// Refuses loops of so many samples, the outer one first, that can't be triangulated, before
 /// anything is worked out or taken: options out of range, tables that would not fit.
 ///
+/// What one loop takes with `Optimal` depends on the boundary, and far from a developable surface
+/// [`triangulate`] may still find that it is too much.
+///
 /// # Errors
 /// See [`TriangulateError`].
 pub fn refuse(lengths: &[usize], options: &TriangulateOptions) -> Result<(), TriangulateError> {
@@ -266,17 +318,25 @@ pub fn refuse(lengths: &[usize], options: &TriangulateOptions) -> Result<(), Tri
     if holes > 0 && options.goal == Goal::WorstWarp {
         return Err(TriangulateError::GoalWithHoles { count: holes });
     }
-    let needed = match options.method {
-        Method::Optimal if holes > 0 => holes::memory_needed(lengths),
-        Method::Optimal => memory_needed(m),
-        _ if holes > 0 => return Err(TriangulateError::Holes { count: holes }),
-        Method::Bridge => bridge::memory_needed(m),
-        Method::Rails { first } => rails::memory_needed(first, m),
-    };
-    if needed > options.memory_limit {
+    if holes > 0 && options.method != Method::Optimal {
+        return Err(TriangulateError::Holes { count: holes });
+    }
+    let needed = needed(lengths, options);
+    let few = holes == 0 && may_be_among_few(options);
+    if needed > options.memory_limit && !(few && sparse::memory_needed(m) <= options.memory_limit) {
         return Err(TriangulateError::TooLarge { needed, limit: options.memory_limit });
     }
     Ok(())
+}
+
+/// What the tables of a method take for loops of so many samples, bytes.
+fn needed(lengths: &[usize], options: &TriangulateOptions) -> u64 {
+    match options.method {
+        Method::Optimal if lengths.len() > 1 => holes::memory_needed(lengths),
+        Method::Optimal => memory_needed(lengths[0]),
+        Method::Bridge => bridge::memory_needed(lengths[0]),
+        Method::Rails { first } => rails::memory_needed(first, lengths[0]),
+    }
 }
 
 /// The triangles that a method has found.
@@ -335,7 +395,7 @@ impl Thinned {
 }
 
 /// A side of a triangle.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Side {
     /// Its price: 0 for an edge of the boundary, infinite for a rung that may not be used.
     price: f64,

@@ -1,0 +1,253 @@
+//! Runs of neighbouring samples, and what is known of all rungs between two of them.
+//!
+//! A corner is a block of its own at every level while there are few of them: its rungs have normals
+//! to choose from, which would blur whatever block it shared.
+
+use super::super::Terms;
+use crate::math::{Vec3, unit};
+use std::ops::Range;
+
+/// Corners are kept apart while there are at most as many as one in so many samples.
+const SAMPLES_A_CORNER: usize = 64;
+/// A sample alone, which may be a corner, of which no cone knows anything, is compared with each of
+/// so many samples.
+const MOST_PAIRS: usize = 16;
+/// What rounding may add to lengths of differences of unit vectors, in f64 and in f32.
+const SLACK: f64 = 1e-7;
+const SLACK_F32: f32 = 1e-6;
+/// What rounding may add to the difference of two squared cosines.
+const COSINE_MARGIN: f64 = 1e-11;
+/// A radius beyond every distance between normals: nothing is known.
+pub(super) const UNKNOWN: f32 = 4.0;
+
+/// The blocks of one level.
+pub(super) struct Blocks {
+    /// The first sample of each block, and the number of samples.
+    starts: Vec<u32>,
+    /// The first block of the level below of each block, and their number; the samples at the
+    /// lowest level.
+    children: Vec<u32>,
+    spans: Vec<Span>,
+}
+
+/// What the samples of a block have in common, to second order: positions are middle + τ t + r and
+/// tangents t + ξ k + q, with |τ| ≤ reach, |r| ≤ bow, |ξ| ≤ turn, |q| ≤ rest.
+#[derive(Clone, Copy)]
+struct Span {
+    middle: Vec3,
+    /// t and k, unit vectors or zero.
+    tangent: Vec3,
+    turning: Vec3,
+    reach: f64,
+    bow: f64,
+    turn: f64,
+    rest: f64,
+    /// The least square of a special cosine.
+    special_cosine_squared: f64,
+}
+
+/// What is known of all rungs between two blocks that are cheap enough.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bundle {
+    /// None costs less.
+    pub(super) least: f64,
+    /// Their N are within a radius of this.
+    pub(super) mean: [f32; 3],
+    pub(super) radius: f32,
+}
+
+/// The rungs that nothing is known of.
+pub(super) const ANY: Bundle = Bundle { least: 0.0, mean: [0.0; 3], radius: UNKNOWN };
+
+/// The levels of a loop, from single samples up to about `top` blocks.
+pub(super) fn levels(terms: &Terms<'_>, top: usize) -> Vec<Blocks> {
+    let m = terms.prices.len();
+    let is_corner: Vec<bool> = (0..m).map(|i| terms.prices.smooth_end(i).2 < 0.0).collect();
+    let corners = is_corner.iter().filter(|c| **c).count();
+    let apart = |i: u32| corners * SAMPLES_A_CORNER <= m && is_corner[i as usize];
+    let mut starts: Vec<u32> = (0..=m as u32).collect();
+    let mut children = starts.clone();
+    let mut levels = Vec::new();
+    loop {
+        let n = starts.len() - 1;
+        let span = |a: usize| Span::of(terms, starts[a] as usize..starts[a + 1] as usize);
+        let spans = (0..n).map(span).collect();
+        let mut merged = vec![0];
+        let mut a = 0;
+        while a < n {
+            let pair = a + 1 < n && !apart(starts[a]) && !apart(starts[a + 1]);
+            a += if pair { 2 } else { 1 };
+            merged.push(a as u32);
+        }
+        levels.push(Blocks { starts: starts.clone(), children, spans });
+        if n <= top || merged.len() > n - n / 4 {
+            return levels;
+        }
+        starts = merged.iter().map(|&a| starts[a as usize]).collect();
+        children = merged;
+    }
+}
+
+impl Blocks {
+    pub(super) fn len(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    pub(super) fn samples(&self, a: usize) -> Range<usize> {
+        self.starts[a] as usize..self.starts[a + 1] as usize
+    }
+
+    /// The block of each of m samples.
+    pub(super) fn of_samples(&self, m: usize) -> Vec<u32> {
+        let mut of = vec![0; m];
+        for a in 0..self.len() {
+            self.samples(a).for_each(|i| of[i] = a as u32);
+        }
+        of
+    }
+
+    /// The blocks of the level below that make up block `a`.
+    pub(super) fn parts(&self, a: usize) -> Range<usize> {
+        self.children[a] as usize..self.children[a + 1] as usize
+    }
+
+    /// The rungs between two blocks that cost no more than `bound`; `None` if there are none.
+    pub(super) fn bundle(
+        &self,
+        terms: &Terms<'_>,
+        a: usize,
+        b: usize,
+        bound: f64,
+    ) -> Option<Bundle> {
+        let (from, to) = (self.samples(a), self.samples(b));
+        let is_alone = from.len() == 1 || to.len() == 1;
+        if !is_alone || from.len() * to.len() > MOST_PAIRS {
+            let bundle = self.spans[a].bundle(&self.spans[b]);
+            return (bundle.least <= bound).then_some(bundle);
+        }
+        let mut least = f64::INFINITY;
+        let mut sum = Vec3::ZERO;
+        let mut means = [Vec3::ZERO; MOST_PAIRS];
+        let mut count = 0;
+        let mut known = true;
+        for i in from {
+            for j in to.clone() {
+                let side = terms.side(i, j);
+                if side.price <= bound {
+                    least = least.min(side.price);
+                    known &= side.mean != Vec3::ZERO;
+                    sum += side.mean;
+                    means[count] = side.mean;
+                    count += 1;
+                }
+            }
+        }
+        if count == 0 {
+            return None;
+        }
+        let Some(mean) = unit(sum).filter(|_| known) else {
+            return Some(Bundle { least, ..ANY });
+        };
+        let far = means[..count].iter().map(|n| (*n - mean).length_squared()).fold(0.0, f64::max);
+        let radius = far.sqrt() as f32 + SLACK_F32;
+        Some(Bundle { least, mean: mean.to_array().map(|x| x as f32), radius })
+    }
+}
+
+impl Span {
+    fn of(terms: &Terms<'_>, samples: Range<usize>) -> Self {
+        let end = |i: usize| {
+            let (position, tangent, special) = terms.prices.smooth_end(i);
+            (Vec3::from_array(position), Vec3::from_array(tangent), special)
+        };
+        let count = samples.len() as f64;
+        let zero = (Vec3::ZERO, Vec3::ZERO);
+        let sum = samples.clone().map(end).fold(zero, |sum, e| (sum.0 + e.0, sum.1 + e.1));
+        let (first, last) = (end(samples.start).1, end(samples.end - 1).1);
+        let mut span = Self {
+            middle: sum.0 / count,
+            tangent: unit(sum.1).unwrap_or(Vec3::ZERO),
+            turning: unit(last - first).unwrap_or(Vec3::ZERO),
+            reach: 0.0,
+            bow: 0.0,
+            turn: 0.0,
+            rest: 0.0,
+            special_cosine_squared: f64::INFINITY,
+        };
+        for i in samples {
+            let (position, tangent, special) = end(i);
+            let off = position - span.middle;
+            let along = off.dot(span.tangent);
+            span.reach = span.reach.max(along.abs());
+            span.bow = span.bow.max((off - span.tangent * along).length());
+            let off = tangent - span.tangent;
+            let along = off.dot(span.turning);
+            span.turn = span.turn.max(along.abs());
+            span.rest = span.rest.max((off - span.turning * along).length());
+            span.special_cosine_squared = span.special_cosine_squared.min(special);
+        }
+        span
+    }
+
+    /// How far a sample may be from the middle, and a tangent from t.
+    fn off(&self) -> (f64, f64) {
+        (self.reach + self.bow, self.turn + self.rest)
+    }
+
+    /// The direction of t × d over the rungs from this block along about `d` to the block `to`, and
+    /// how far it may be from that; `None` if it may be any.
+    ///
+    /// With d = d₀ + τ′ t′ + r′ − τ t − r, and as t × t = 0,
+    /// (t + ξ k + q) × d = t × d₀ + τ′ t × t′ + t × (r′ − r) + ξ k × (d − τ t …) + q × d.
+    /// On a developable surface t, t′, k and d₀ lie nearly in one plane, so that the terms of first
+    /// order run along t × d₀ and do not turn it.
+    fn normal(&self, to: &Self, d: Vec3, length: f64) -> Option<(Vec3, f64)> {
+        let v = self.tangent.cross(d);
+        let size = v.length();
+        if size <= SLACK * length {
+            return None;
+        }
+        let normal = v / size;
+        let split = |x: Vec3, by: f64| {
+            let along = x.dot(normal);
+            [by * along.abs(), by * (x - normal * along).length()]
+        };
+        let from_to = split(self.tangent.cross(to.tangent), to.reach);
+        let from_turn = split(self.turning.cross(d), self.turn);
+        let off = self.off().0 + to.off().0;
+        let second = self.bow + to.bow + self.turn * off + self.rest * (length + off);
+        let across = from_to[1] + from_turn[1] + second;
+        let left = size - from_to[0] - from_turn[0] - second;
+        // Rungs near the tangent are special; left is at most |t × d| for all of them.
+        let sine = left / (length + off) * (1.0 - SLACK);
+        let plain = left > 0.0 && sine * sine > 1.0 - self.special_cosine_squared + COSINE_MARGIN;
+        plain.then(|| (normal, across / left + SLACK))
+    }
+
+    /// What is known of the rungs to another block from the spans alone.
+    fn bundle(&self, to: &Self) -> Bundle {
+        let d = to.middle - self.middle;
+        let length = d.length();
+        let off = self.off().0 + to.off().0;
+        if length <= 2.0 * off {
+            return ANY;
+        }
+        let (Some((v, v_off)), Some((u, u_off))) =
+            (self.normal(to, d, length), to.normal(self, -d, length))
+        else {
+            return ANY;
+        };
+        let apart = ((v - u).length() - v_off - u_off).max(0.0);
+        let least = 0.5 * apart * apart * (1.0 - SLACK);
+        // The direction of a sum within e of s is within 2 sin(½ asin q) ≤ 1.04 q of that of s, for
+        // q = e / |s| ≤ ½.
+        let sum = v + u;
+        let size = sum.length();
+        if v_off + u_off > 0.5 * size {
+            return Bundle { least, ..ANY };
+        }
+        let radius = 1.04 * (v_off + u_off) / size + SLACK;
+        let mean = (sum / size).to_array().map(|x| x as f32);
+        Bundle { least, mean, radius: radius as f32 + SLACK_F32 }
+    }
+}

@@ -1,0 +1,141 @@
+//! Boundaries of many samples, which are triangulated among few rungs.
+#![allow(clippy::unwrap_used)] // tests panic
+
+use sheetwright::boundary::{Boundary, PlaneChoice, samples_from_points, supporting_plane};
+use sheetwright::cost::{PriceOptions, Prices};
+use sheetwright::curve::CurvePoint;
+use sheetwright::math::{Point3, cos, sin};
+use sheetwright::triangulate::{
+    Method, TriangulateError, TriangulateOptions, Triangulation, memory_needed, triangulate,
+};
+use sheetwright::watch::{Unwatched, Watch};
+use sheetwright_shapes::family::Family;
+use sheetwright_shapes::random::{Random, star};
+use std::f64::consts::TAU;
+
+fn options(fold: f64) -> TriangulateOptions {
+    TriangulateOptions { price: PriceOptions { fold, ..Default::default() }, ..Default::default() }
+}
+
+fn solved(boundary: &Boundary, choice: PlaneChoice, fold: f64) -> Triangulation {
+    let plane = supporting_plane(boundary, choice).unwrap();
+    triangulate(boundary, plane.as_ref(), &options(fold), &mut Unwatched).unwrap()
+}
+
+/// Equation (5) as it is written.
+fn plain_table(boundary: &Boundary) -> f64 {
+    let prices = Prices::new(boundary, None, options(0.0).price);
+    let m = boundary.len();
+    let mut least = vec![0.0; m * m];
+    for length in 2..m {
+        for i in 0..m - length {
+            let j = i + length;
+            let best = (i + 1..j).map(|k| least[i * m + k] + least[k * m + j]);
+            let rung = match prices.planes(i, j) {
+                _ if prices.neighbours(i, j) => 0.0,
+                Some(planes) => prices.rung(i, j, &planes),
+                None => f64::INFINITY,
+            };
+            least[i * m + j] = best.fold(f64::INFINITY, f64::min) + rung;
+        }
+    }
+    least[m - 1]
+}
+
+#[test]
+fn the_price_is_that_of_the_plain_table() {
+    for family in Family::ALL {
+        let boundary = family.boundary(520);
+        let found = solved(&boundary, PlaneChoice::None, 0.0);
+        assert_eq!(found.price, plain_table(&boundary), "{}", family.name());
+        assert!(found.proven_optimal);
+    }
+}
+
+#[test]
+fn a_plane_that_bars_nothing_changes_nothing() {
+    let mut with_plane = 0;
+    for family in Family::ALL {
+        let boundary = family.boundary(520);
+        let (one, other) = (PlaneChoice::None, PlaneChoice::Auto);
+        let free = solved(&boundary, one, 0.1);
+        let Some(plane) = supporting_plane(&boundary, other).unwrap() else { continue };
+        let at = |i: usize| plane.projected[i];
+        let lies_on = free.triangles.iter().all(|t| {
+            let [a, b, c] = t.map(|sample| at(sample.get()));
+            (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 1e-9
+        });
+        let bound = solved(&boundary, other, 0.1);
+        if lies_on {
+            assert_eq!(free.triangles, bound.triangles, "{}", family.name());
+            with_plane += 1;
+        } else {
+            assert!(bound.price >= free.price, "{}", family.name());
+        }
+    }
+    assert!(with_plane >= 2, "{with_plane}");
+}
+
+#[test]
+fn what_a_plane_bars_is_left_out() {
+    // A flower: many rungs that are cheap leave its projection.
+    let at = |i: u32| {
+        let t = TAU * f64::from(i) / 520.0;
+        let r = 100.0 + 50.0 * cos(5.0 * t);
+        CurvePoint::smooth(Point3::new(r * cos(t), r * sin(t), 10.0 * sin(2.0 * t)))
+    };
+    let samples = samples_from_points(&(0..520).map(at).collect::<Vec<_>>());
+    let boundary = Boundary::new(vec![samples]).unwrap();
+    let plane = supporting_plane(&boundary, PlaneChoice::Auto).unwrap().unwrap();
+    let found = triangulate(&boundary, Some(&plane), &options(0.0), &mut Unwatched).unwrap();
+    assert!(found.proven_optimal && found.triangles.len() == 518);
+    assert!(found.price > solved(&boundary, PlaneChoice::None, 0.0).price);
+    for triangle in &found.triangles {
+        let [a, b, c] = triangle.map(|sample| plane.projected[sample.get()]);
+        assert!((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 0.0);
+    }
+}
+
+#[test]
+fn many_samples_need_no_dense_table() {
+    let boundary = Family::CylinderBlob.boundary(4000);
+    let memory_limit = memory_needed(4000) / 6;
+    let narrow = TriangulateOptions { memory_limit, ..options(1.0) };
+    let found = triangulate(&boundary, None, &narrow, &mut Unwatched).unwrap();
+    assert!(found.proven_optimal && found.triangles.len() == 3998);
+    // Far from developable, the dense table is needed, and refused with its size.
+    let tangled = star(&mut Random::new(5), 1200, 0.4).unwrap();
+    let narrow = TriangulateOptions { memory_limit: 8 << 20, ..options(1.0) };
+    let refused = triangulate(&tangled, None, &narrow, &mut Unwatched);
+    let needed = memory_needed(1200);
+    assert_eq!(refused, Err(TriangulateError::TooLarge { needed, limit: 8 << 20 }));
+}
+
+#[test]
+fn the_search_can_be_watched_and_stopped() {
+    struct Impatient {
+        seen: Vec<f64>,
+        patience: std::cell::Cell<u32>,
+    }
+    impl Watch for Impatient {
+        fn progress(&mut self, done: f64) {
+            self.seen.push(done);
+        }
+        fn stop(&self) -> bool {
+            self.patience.set(self.patience.get().saturating_sub(1));
+            self.patience.get() == 0
+        }
+    }
+    let boundary = Family::Wavy.boundary(800);
+    let mut patient = Impatient { seen: vec![], patience: 1_000_000.into() };
+    let found = triangulate(&boundary, None, &options(1.0), &mut patient);
+    assert!(found.is_ok() && patient.seen.len() >= 4);
+    assert!(patient.seen.windows(2).all(|w| w[0] <= w[1]));
+    for patience in [2, 20, 60] {
+        let mut hasty = Impatient { seen: vec![], patience: patience.into() };
+        let stopped = triangulate(&boundary, None, &options(1.0), &mut hasty);
+        assert_eq!(stopped, Err(TriangulateError::Stopped), "{patience}");
+    }
+    let bridge = TriangulateOptions { method: Method::Bridge, ..options(1.0) };
+    assert!(triangulate(&boundary, None, &bridge, &mut Unwatched).is_ok());
+}
