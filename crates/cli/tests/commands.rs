@@ -544,3 +544,51 @@ fn new_says_what_there_is() {
     let (script, _) = desk.says("completions bash", 0);
     assert!(script.contains("square-to-round"));
 }
+
+#[test]
+fn what_was_moved_can_be_made_again() {
+    let desk = Desk::new(&[("twisted.sheet.json", TWISTED), ("two.sheet.json", TWO_PANELS)]);
+    let (words, _) = desk.says("make twisted.sheet.json --out out --vary-limit 1cm", 0);
+    assert!(words.contains("note: 'rim' moved by up to "), "{words}");
+    let report = |of: &str| -> Value {
+        serde_json::from_slice(&fs::read(desk.path(of).join("report.json")).unwrap()).unwrap()
+    };
+    let moved = &report("out")["panels"][0];
+    let far = moved["moved_max_mm"].as_f64().unwrap();
+    assert!(far > 1.0 && far <= 10.0 * (1.0 + 1e-9), "{far}");
+    assert!(moved["before"]["twist_total"].as_f64() > moved["twist_total"].as_f64());
+    let timing: Value =
+        serde_json::from_slice(&fs::read(desk.path("out/timing.json")).unwrap()).unwrap();
+    assert!(timing["panels"][0]["vary"].as_f64() > Some(0.0));
+    // The moved design makes the same surface and patterns, and its table reads by itself.
+    desk.says("make out/moved.sheet.json --out again", 0);
+    for name in ["surface.obj", "seat.svg", "seat.dxf", "pattern.pdf"] {
+        let [one, other] = ["out", "again"].map(|of| fs::read(desk.path(of).join(name)).unwrap());
+        assert!(one == other, "{name}");
+    }
+    assert!(!desk.path("again/moved.csv").exists());
+    assert_ne!(desk.run("check out/moved.csv --samples 60").status.code(), Some(2));
+    // An angle that can't be reached is said with how near it came.
+    let output = desk.run("check twisted.sheet.json --vary-warp 1 --vary-limit 2");
+    let words = text(&output.stdout);
+    assert!(words.contains("The 1.0° that were asked for are not reached"), "{words}");
+    // What bends is left, and says so.
+    let (words, _) = desk.says("make two.sheet.json --out still --vary-warp 5", 0);
+    assert!(words.contains("note: Nothing was moved"), "{words}");
+    assert!(!desk.path("still/moved.csv").exists());
+    for wrong in ["--vary-warp 0", "--vary-warp 100", "--vary-limit -1", "--vary-budget much"] {
+        desk.says(&format!("check two.sheet.json {wrong}"), 2);
+    }
+    // A table with distances needs no more words.
+    let rows = (0..40).map(|n| {
+        let along = f64::from(if n < 20 { n } else { 39 - n }) / 19.0;
+        let (side, turn) = (if n < 20 { -1.0 } else { 1.0 }, along * 1.4);
+        let [y, z] =
+            [sheetwright::math::cos(turn), sheetwright::math::sin(turn)].map(|x| 40.0 * side * x);
+        format!("{},{y},{z},{}\n", 400.0 * along, if n % 2 == 0 { "3" } else { "" })
+    });
+    fs::write(desk.path("strip.csv"), format!("x,y,z,move\n{}", rows.collect::<String>())).unwrap();
+    let output = desk.run("check strip.csv");
+    let words = text(&output.stdout);
+    assert!(words.contains("'outline' moved by up to "), "{words}");
+}

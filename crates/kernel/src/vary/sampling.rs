@@ -44,6 +44,7 @@ pub(super) fn explains(panel: &PanelState) -> bool {
     rungs.iter().enumerate().all(|(n, rung)| {
         let ends = rung.rung.ends().map(|sample| at_sample[sample.get()]);
         let explained = (MARGIN * beside[n]).max(ends[0].max(ends[1]));
-        rung.warp <= explained.max(NO_WARP)
+        // Nor must it be more than the verdict allows for.
+        rung.warp <= explained.min(rung.resolution).max(NO_WARP)
     })
 }
