@@ -118,8 +118,8 @@ fn the_watcher_sees_progress_and_may_stop() {
             left == 0
         }
     }
-    let boundary = star(&mut Random::new(3), 140, 0.0).unwrap();
-    for method in [Method::Optimal, Method::Bridge, Method::Rails { first: 70 }] {
+    let boundary = star(&mut Random::new(3), 300, 0.0).unwrap();
+    for method in [Method::Optimal, Method::Bridge, Method::Rails { first: 150 }] {
         let options = TriangulateOptions { method, ..Default::default() };
         let mut patient = Impatient { seen: vec![], patience: 1_000_000.into() };
         assert!(triangulate(&boundary, None, &options, &mut patient).is_ok());
