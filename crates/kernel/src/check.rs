@@ -338,8 +338,10 @@ fn forced_rungs(panel: &Panel<'_>) -> Option<Finding> {
         severity: Severity::Warning,
         code: "rung-without-plane",
         text: format!(
-            "{count} rungs run along the boundary's own direction, where no tangent plane is \
-             given, and no surface does without them. More samples may help."
+            "{} along the boundary's own direction, where no tangent plane is given, and no \
+             surface does without {}. More samples may help.",
+            if count == 1 { "One rung runs".to_owned() } else { format!("{count} rungs run") },
+            if count == 1 { "it" } else { "them" }
         ),
         place: where_rungs(&panel.measures.rungs, |r| r.normals[0] == crate::math::Vec3::ZERO),
     })
@@ -401,15 +403,22 @@ fn bend_lines(panel: &Panel<'_>) -> Option<Finding> {
     let is_line = |r: &RungMeasures| to_deg(r.crease.abs()) > SHARP_CREASE_DEG && !r.is_fold;
     let lines = panel.measures.rungs.iter().filter(|r| is_line(r));
     let sharpest = lines.clone().map(|r| r.crease.abs()).reduce(f64::max)?;
+    let limit = format!("more than {SHARP_CREASE_DEG:.0}°");
+    let lines = match lines.count() {
+        1 => format!(
+            "One ruling turns by {limit} ({:.1}°); the pattern marks it as a line to bend along.",
+            to_deg(sharpest)
+        ),
+        count => format!(
+            "{count} rulings turn by {limit} (up to {:.1}°); the pattern marks them as lines to bend \
+             along.",
+            to_deg(sharpest)
+        ),
+    };
     Some(Finding {
         severity: Severity::Note,
         code: "bend-lines",
-        text: format!(
-            "{} rulings turn by more than {SHARP_CREASE_DEG:.0}° (up to {:.1}°); the pattern marks \
-             them as lines to bend along. More samples divide the bend more finely.",
-            lines.count(),
-            to_deg(sharpest)
-        ),
+        text: format!("{lines} More samples divide the bend more finely."),
         place: where_rungs(&panel.measures.rungs, is_line),
     })
 }
