@@ -17,8 +17,8 @@ const STEPS: u64 = 1000;
 /// What is measured and shown while a design is made.
 pub(crate) struct Watcher {
     start: Instant,
-    /// The panel and the stage at work, and when it began.
-    at_work: Option<(String, Stage, Instant)>,
+    /// The panels and the stage at work, and when it began.
+    at_work: Option<(Vec<String>, Stage, Instant)>,
     times: BTreeMap<String, PanelTimes>,
     writing: Option<Instant>,
     shows: bool,
@@ -64,14 +64,16 @@ impl Watcher {
     }
 
     fn note_time(&mut self) {
-        let Some((panel, stage, since)) = self.at_work.take() else { return };
-        let seconds = since.elapsed().as_secs_f64();
-        let times = self.times.entry(panel).or_default();
-        *match stage {
-            Stage::Sample | Stage::Solve => &mut times.solve,
-            Stage::Vary => &mut times.vary,
-            Stage::Flatten | Stage::Check => &mut times.flatten,
-        } += seconds;
+        let Some((panels, stage, since)) = self.at_work.take() else { return };
+        let seconds = since.elapsed().as_secs_f64() / panels.len().max(1) as f64;
+        for panel in panels {
+            let times = self.times.entry(panel).or_default();
+            *match stage {
+                Stage::Sample | Stage::Solve => &mut times.solve,
+                Stage::Vary => &mut times.vary,
+                Stage::Flatten | Stage::Check => &mut times.flatten,
+            } += seconds;
+        }
     }
 
     fn show(&mut self, done: f64) {
@@ -86,17 +88,22 @@ impl Watcher {
             }
             bar
         });
-        if let Some((panel, stage, _)) = &self.at_work {
-            bar.set_message(format!("{panel}: {}", in_words(*stage)));
+        if let Some((panels, stage, _)) = &self.at_work {
+            let who = match &panels[..] {
+                [one] => one.clone(),
+                several => format!("{} panels", several.len()),
+            };
+            bar.set_message(format!("{who}: {}", in_words(*stage)));
         }
         bar.set_position((done.clamp(0.0, 1.0) * STEPS as f64) as u64);
     }
 }
 
 impl Watch for Watcher {
-    fn begin(&mut self, panel: &str, stage: Stage) {
+    fn begin(&mut self, panels: &[&str], stage: Stage) {
         self.note_time();
-        self.at_work = Some((panel.to_owned(), stage, Instant::now()));
+        let panels = panels.iter().map(|&panel| panel.to_owned()).collect();
+        self.at_work = Some((panels, stage, Instant::now()));
         self.show(0.0);
     }
 

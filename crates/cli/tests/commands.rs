@@ -576,6 +576,11 @@ fn what_was_moved_can_be_made_again() {
     let (words, _) = desk.says("make two.sheet.json --out still --vary-warp 5", 0);
     assert!(words.contains("note: Nothing was moved"), "{words}");
     assert!(!desk.path("still/moved.csv").exists());
+    // Both were to move together, and share the time that it took to see that.
+    let timing: Value =
+        serde_json::from_slice(&fs::read(desk.path("still/timing.json")).unwrap()).unwrap();
+    let vary = [0, 1].map(|n| timing["panels"][n]["vary"].as_f64().unwrap());
+    assert!(vary[0] > 0.0 && vary[0] == vary[1], "{timing}");
     for wrong in ["--vary-warp 0", "--vary-warp 100", "--vary-limit -1", "--vary-budget much"] {
         desk.says(&format!("check two.sheet.json {wrong}"), 2);
     }

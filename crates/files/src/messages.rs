@@ -45,7 +45,7 @@ pub struct PanelTimes {
     pub name: String,
     /// From curves to a triangulation.
     pub solve: f64,
-    /// Moving samples within their limits.
+    /// Moving samples within their limits; what panels that move together took is divided evenly.
     pub vary: f64,
     /// Laying the surface flat, measuring and checking it.
     pub flatten: f64,

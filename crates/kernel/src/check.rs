@@ -105,6 +105,8 @@ impl Checked {
     }
 }
 
+/// How much of a long list is shown: the first few stand for all.
+const SHOWN: usize = 6;
 /// Up to this share of the warp limit a sheet goes into shape by itself; above it, with force.
 /// Half of the limit: a choice, not a measurement, so that a warning comes well before the limit.
 pub const EASY_SHARE: f64 = 0.5;
@@ -135,6 +137,7 @@ pub fn check(panel: &Panel<'_>) -> Checked {
         warp,
         coarse_samples,
         bend_radius,
+        points,
         crossing,
         overlap,
         forced_rungs,
@@ -150,7 +153,7 @@ pub fn check(panel: &Panel<'_>) -> Checked {
     let has = |code: &str, severity: Severity| {
         findings.iter().any(|f| f.code == code && f.severity == severity)
     };
-    let broken = ["warp-too-large", "radius-too-small", "self-crossing", "folds"];
+    let broken = ["warp-too-large", "radius-too-small", "point", "self-crossing", "folds"];
     let verdict = if broken.iter().any(|code| has(code, Severity::Error)) {
         Verdict::WillNotBend
     } else if has("coarse-samples", Severity::Warning) {
@@ -252,6 +255,55 @@ fn bend_radius(panel: &Panel<'_>) -> Option<Finding> {
     })
 }
 
+/// A point round which the sheet turns by less than this, degrees, is rounded off and hardly seen.
+const SEEN_POINT_DEG: f64 = 15.0;
+
+/// A point is no harder on a sheet than a fold through it would be. So what takes folds takes points;
+/// what does not can't have any, unless the shallowest roll that rounds it off is wide enough.
+fn points(panel: &Panel<'_>) -> Option<Finding> {
+    let apexes = &panel.measures.apexes;
+    let sharpest = apexes.iter().max_by(|a, b| a.turn.total_cmp(&b.turn))?;
+    let stiff = panel.material.filter(|m| !m.folds() && sharpest.radius_mm < m.bend_radius_mm);
+    if stiff.is_none() && to_deg(sharpest.turn) < SEEN_POINT_DEG {
+        return None;
+    }
+    let (severity, advice) = match stiff {
+        Some(m) => (
+            Severity::Error,
+            format!(
+                "{} takes {:.1} mm, and there it would have to take {:.1} mm. Cut the point off, or \
+                 move the boundary there.",
+                m.title, m.bend_radius_mm, sharpest.radius_mm
+            ),
+        ),
+        None => (
+            Severity::Note,
+            "Bend it there as along a fold. The bend radius in this report is measured apart from \
+             it."
+            .to_owned(),
+        ),
+    };
+    let samples: Vec<String> =
+        apexes.iter().take(SHOWN).map(|apex| (apex.sample.get() + 1).to_string()).collect();
+    let more = apexes.len().saturating_sub(SHOWN);
+    let rest = if more > 0 { format!(" and {more} more") } else { String::new() };
+    Some(Finding {
+        severity,
+        code: "point",
+        text: format!(
+            "Rulings run together in {}, round which the sheet turns by up to {:.1}°: the nearer to \
+             it, the more tightly it is bent. {advice}",
+            if apexes.len() == 1 { "a point" } else { "points" },
+            to_deg(sharpest.turn)
+        ),
+        place: format!(
+            "sample{} {}{rest}",
+            if apexes.len() == 1 { "" } else { "s" },
+            samples.join(", ")
+        ),
+    })
+}
+
 fn crossing(panel: &Panel<'_>) -> Option<Finding> {
     let [t, u] = panel.measures.self_crossing?;
     let corners = |t: crate::index::TriangleIndex| {
@@ -286,8 +338,10 @@ fn forced_rungs(panel: &Panel<'_>) -> Option<Finding> {
         severity: Severity::Warning,
         code: "rung-without-plane",
         text: format!(
-            "{count} rungs run along the boundary's own direction, where no tangent plane is \
-             given, and no surface does without them. More samples may help."
+            "{} along the boundary's own direction, where no tangent plane is given, and no \
+             surface does without {}. More samples may help.",
+            if count == 1 { "One rung runs".to_owned() } else { format!("{count} rungs run") },
+            if count == 1 { "it" } else { "them" }
         ),
         place: where_rungs(&panel.measures.rungs, |r| r.normals[0] == crate::math::Vec3::ZERO),
     })
@@ -349,15 +403,22 @@ fn bend_lines(panel: &Panel<'_>) -> Option<Finding> {
     let is_line = |r: &RungMeasures| to_deg(r.crease.abs()) > SHARP_CREASE_DEG && !r.is_fold;
     let lines = panel.measures.rungs.iter().filter(|r| is_line(r));
     let sharpest = lines.clone().map(|r| r.crease.abs()).reduce(f64::max)?;
+    let limit = format!("more than {SHARP_CREASE_DEG:.0}°");
+    let lines = match lines.count() {
+        1 => format!(
+            "One ruling turns by {limit} ({:.1}°); the pattern marks it as a line to bend along.",
+            to_deg(sharpest)
+        ),
+        count => format!(
+            "{count} rulings turn by {limit} (up to {:.1}°); the pattern marks them as lines to bend \
+             along.",
+            to_deg(sharpest)
+        ),
+    };
     Some(Finding {
         severity: Severity::Note,
         code: "bend-lines",
-        text: format!(
-            "{} rulings turn by more than {SHARP_CREASE_DEG:.0}° (up to {:.1}°); the pattern marks \
-             them as lines to bend along. More samples divide the bend more finely.",
-            lines.count(),
-            to_deg(sharpest)
-        ),
+        text: format!("{lines} More samples divide the bend more finely."),
         place: where_rungs(&panel.measures.rungs, is_line),
     })
 }
@@ -437,7 +498,6 @@ fn seams(panel: &Panel<'_>) -> Option<Finding> {
 
 /// The seams for which `is_so`: `S1 from sample 3 to 17`.
 fn where_seams(sheet: &Sheet, is_so: impl Fn(&Seam) -> bool) -> String {
-    const SHOWN: usize = 6;
     let list: Vec<String> = sheet
         .seams()
         .iter()
@@ -473,8 +533,6 @@ fn where_rungs(rungs: &[RungMeasures], is_so: impl Fn(&RungMeasures) -> bool) ->
             _ => ranges.push((n, n)),
         }
     }
-    // A long list helps nobody: the first few stand for all.
-    const SHOWN: usize = 6;
     let more = ranges.len().saturating_sub(SHOWN);
     let shown: Vec<String> = ranges
         .iter()

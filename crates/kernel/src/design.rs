@@ -328,22 +328,22 @@ fn make_as_asked(
 ) -> Result<MadePanel, MakeError> {
     let failed = |cause: MakeCause| MakeError { panel: panel.name.clone(), curve: None, cause };
     let design = sampler.design;
-    watch.begin(&panel.name, Stage::Sample);
+    watch.begin(&[&panel.name], Stage::Sample);
     let Prepared { boundary, plane, options, new_ends, findings, .. } =
         prepare(sampler, panel, watch)?;
 
-    watch.begin(&panel.name, Stage::Solve);
+    watch.begin(&[&panel.name], Stage::Solve);
     let triangulation = triangulate(&boundary, plane.as_ref(), &options, watch)
         .map_err(|e| failed(MakeCause::Triangulate(e)))?;
     let connectivity = Connectivity::new(boundary.loops(), triangulation.triangles.clone())
         .map_err(|e| failed(MakeCause::Surface(e)))?;
     let surface = Surface::new(connectivity, boundary.positions());
 
-    watch.begin(&panel.name, Stage::Flatten);
+    watch.begin(&[&panel.name], Stage::Flatten);
     let (sheet, flat) =
         lay_flat(&surface, &panel.cut, watch).map_err(|e| failed(MakeCause::Flatten(e)))?;
 
-    watch.begin(&panel.name, Stage::Check);
+    watch.begin(&[&panel.name], Stage::Check);
     let prices = Prices::new(&boundary, plane.as_ref(), options.price);
     let measures = measures(&surface, &sheet, &flat, &prices);
     let mut checked = check(&Panel {

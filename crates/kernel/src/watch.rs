@@ -19,8 +19,8 @@ pub enum Stage {
 ///
 /// The kernel reads no clock: whoever wants times notes them when [`Watch::begin`] is called.
 pub trait Watch {
-    /// A stage begins, for the panel of this name.
-    fn begin(&mut self, _panel: &str, _stage: Stage) {}
+    /// A stage begins, for the panels of these names: one, or all that move together.
+    fn begin(&mut self, _panels: &[&str], _stage: Stage) {}
 
     /// The stage at work is done to this part: 0 at its beginning, 1 at its end.
     fn progress(&mut self, _done: f64) {}

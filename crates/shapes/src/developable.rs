@@ -2,7 +2,7 @@
 
 use crate::trace::{Trace, samples_along};
 use sheetwright::boundary::Boundary;
-use sheetwright::math::{Point2, Point3, Vec3, atan2, cos, sin};
+use sheetwright::math::{Point2, Point3, Vec3, atan2, cos, sin, unit};
 
 /// A developable surface over parameters (u, v).
 pub trait Developable {
@@ -12,6 +12,18 @@ pub trait Developable {
     fn flat(&self, u: f64, v: f64) -> Point2;
     /// A direction along the ruling through the point.
     fn ruling(&self, u: f64, v: f64) -> Vec3;
+
+    /// The bend radius at the point, mm: how far the next ruling is, over how far the tangent plane
+    /// turns on the way; not a number where a ruling has no direction or runs along u. Good to a
+    /// millionth, by differences of the second order.
+    fn bend_radius(&self, u: f64, v: f64) -> f64 {
+        const STEP: f64 = 1e-4;
+        let along_u = |u: f64| (self.space(u + STEP, v) - self.space(u - STEP, v)) / (2.0 * STEP);
+        let across = |u: f64| along_u(u).cross(unit(self.ruling(u, v)).unwrap_or(Vec3::NAN));
+        let normal = |u: f64| unit(across(u)).unwrap_or(Vec3::NAN);
+        let turn = (normal(u + STEP) - normal(u - STEP)).length() / (2.0 * STEP);
+        across(u).length() / turn
+    }
 }
 
 /// A cylinder of this radius, mm, about the axis z; u is the angle, v the height in mm.

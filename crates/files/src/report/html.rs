@@ -16,7 +16,8 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use sheetwright::check::{Checked, Severity, Verdict};
 use sheetwright::design::{Made, MadePanel};
 use sheetwright::material::{Material, warp_limit_deg};
-use sheetwright::math::to_deg;
+use sheetwright::math::{from_deg, to_deg};
+use sheetwright::measure::RungMeasures;
 use sheetwright::pattern::seam_mark;
 use sheetwright::triangulate::Goal;
 use std::collections::BTreeSet;
@@ -361,6 +362,13 @@ impl Page<'_> {
         }
     }
 
+    /// Whether some ruling turns by more than the limit which may come from the sampling.
+    fn is_unsure(&self) -> bool {
+        let limit = from_deg(warp_limit_deg(self.material));
+        let is_so = |r: &RungMeasures| r.warp > limit && r.warp_beyond_sampling() <= limit;
+        self.panel.measures.rungs.iter().any(is_so)
+    }
+
     fn warp_caption(&self) -> Markup {
         let measures = &self.panel.measures;
         html! {
@@ -368,6 +376,10 @@ impl Page<'_> {
             "How far the sheet twists from one end of each ruling to the other: the less, the \
              easier it bends. The dashed line is the limit of "
             (self.material.map_or("any sheet", |m| m.title)) "."
+            @if self.is_unsure() {
+                " Dashed bars may be the bend from one sample to the next instead of twist: more \
+                 samples would tell."
+            }
             @if to_deg(measures.warp_max) < NO_WARP_DEG {
                 " No ruling of this panel twists."
             } @else if let Some(worst) = worst_rung(measures) {

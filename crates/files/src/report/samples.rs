@@ -146,6 +146,17 @@ pub(super) fn quarter() -> Made {
     between("quarter tube", [&arc(0.0), &arc(500.0)], 40, "plywood-4mm")
 }
 
+/// The same in so few samples that nobody can tell bending from twist.
+pub(super) fn coarse_quarter() -> Made {
+    let arc = |y: f64| {
+        move |t: f64| {
+            let a = from_deg(90.0 * t);
+            [200.0 * cos(a), y, 200.0 * sin(a)]
+        }
+    };
+    between("coarse tube", [&arc(0.0), &arc(500.0)], 8, "steel-1mm")
+}
+
 /// A wide fan of a cone.
 pub(super) fn cone() -> Made {
     let ring = |r: f64, z: f64| {

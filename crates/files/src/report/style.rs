@@ -82,7 +82,8 @@ font-family:system-ui,-apple-system,'Segoe UI',Roboto,'Helvetica Neue',Arial,san
 .pic .limit{stroke:var(--bad);stroke-width:1.8;stroke-dasharray:8 4}\
 .pic path.bar{fill:none;stroke:var(--bar);stroke-width:1.5;stroke-linecap:butt;vector-effect:none}\
 .pic path.over{stroke:var(--bad);stroke-width:2}\
-.pic .head{fill:var(--bar)}.pic circle.over{fill:var(--bad)}\
+.pic path.unsure{stroke:var(--warm);stroke-width:2;stroke-dasharray:3 2}\
+.pic .head{fill:var(--bar)}.pic circle.over{fill:var(--bad)}.pic circle.unsure{fill:var(--warm)}\
 .pic .ball{fill:var(--tint);stroke:var(--quiet);stroke-width:1.2}\
 .pic .grid{stroke:var(--quiet);stroke-width:.6;stroke-opacity:.4}\
 .pic .curve{stroke:var(--bar);stroke-width:2.4}\

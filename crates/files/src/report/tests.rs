@@ -4,7 +4,8 @@ use sheetwright::check::Checked;
 use sheetwright::design::Made;
 
 fn all() -> Vec<Made> {
-    vec![hull(40, "steel-5mm"), concave(), triangle(), quarter(), cone(), helicoid(), moved()]
+    let bent = [quarter(), coarse_quarter(), cone(), helicoid(), moved()];
+    [hull(40, "steel-5mm"), concave(), triangle()].into_iter().chain(bent).collect()
 }
 
 fn checks(made: &Made) -> (Vec<f64>, Vec<Checked>) {
@@ -283,6 +284,20 @@ fn charts_show_the_limit_and_what_is_beyond_it() {
     assert!(page.contains("bar over"));
     let worst = pictures(&page).iter().filter(|p| p.contains(r#"class="w""#)).count();
     assert_eq!(worst, 3, "in space, flat and on the sphere");
+}
+
+#[test]
+fn the_chart_is_as_unsure_as_the_verdict() {
+    let made = coarse_quarter();
+    assert_eq!(made.panels[0].checked.verdict, sheetwright::check::Verdict::Undecided);
+    assert!(made.panels[0].measures.warp_max > sheetwright::math::from_deg(6.0));
+    let page = html(&made);
+    assert!(page.contains("Can't tell yet") && page.contains("Dashed bars may be the bend"));
+    assert!(page.contains(r#"<path class="bar unsure""#));
+    for known in ["bar over", "head over", r#"class="ring""#, r#"class="w""#] {
+        assert!(!page.contains(known), "{known}");
+    }
+    assert!(!html(&quarter()).contains("Dashed bars"));
 }
 
 #[test]

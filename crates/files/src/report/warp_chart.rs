@@ -3,11 +3,10 @@
 use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, line, rectangle, round_below, text};
 use super::flat_picture::{LEFT, RIGHT, scale_of};
 use super::wording::decimal;
-use super::worst_rung;
 use sheetwright::check::EASY_SHARE;
 use sheetwright::design::MadePanel;
 use sheetwright::material::{Material, warp_limit_deg};
-use sheetwright::math::{Point2, Vec2, to_deg};
+use sheetwright::math::{Point2, Vec2, from_deg, to_deg};
 
 const TOP: f64 = 14.0;
 const HEIGHT: f64 = 170.0;
@@ -22,9 +21,12 @@ const HEADS: usize = 60;
 const BAND_FOR_TEXT: f64 = 20.0;
 
 /// The warp angle of every rung over its middle's place along the flat pattern, against the
-/// material's limit. `None` without rungs.
+/// material's limit. What is above it but may come from the sampling looks unsure, as the verdict is.
+/// `None` without rungs.
 pub fn warp_chart(panel: &MadePanel, material: Option<&Material>) -> Option<Picture> {
-    let worst = worst_rung(&panel.measures)?;
+    if panel.measures.rungs.is_empty() {
+        return None;
+    }
     let limit = warp_limit_deg(material);
     let most = to_deg(panel.measures.warp_max);
     let top = (limit / LIMIT_SHARE).max(1.08 * most);
@@ -32,9 +34,8 @@ pub fn warp_chart(panel: &MadePanel, material: Option<&Material>) -> Option<Pict
     let [bands, names] = chart.bands();
     let mut body = bands + &chart.axes() + &chart.bars() + &names;
     body += &chart.limit_line();
-    let at = chart.place(worst);
-    if most > limit {
-        body += &circle("ring", at, 6.0);
+    if let Some(worst) = chart.worst_over() {
+        body += &circle("ring", chart.place(worst), 6.0);
     }
     Some(Picture::new(
         WIDTH,
@@ -61,6 +62,15 @@ fn runs_across(panel: &MadePanel) -> bool {
 fn middle(panel: &MadePanel, rung: usize) -> Point2 {
     let [a, b] = panel.sheet.rung_ends(rung).map(|s| panel.flat.points[s.get()]);
     a.lerp(b, 0.5)
+}
+
+/// What a column shows.
+#[derive(Clone, Copy)]
+struct Bar {
+    /// The highest head of its rungs.
+    head: Point2,
+    /// Whether one of them is known to twist by more than the limit.
+    is_over: bool,
 }
 
 struct Chart<'a> {
@@ -98,6 +108,30 @@ impl Chart<'_> {
         let middle = middle(self.panel, rung);
         let x = self.x(if self.across { middle.y } else { middle.x });
         Point2::new(x, self.y(to_deg(measured.warp)))
+    }
+
+    /// Whether a rung is known to twist by more than the limit.
+    fn is_over(&self, rung: usize) -> bool {
+        self.panel.measures.rungs[rung].warp_beyond_sampling() > from_deg(self.limit)
+    }
+
+    /// The worst of them.
+    fn worst_over(&self) -> Option<usize> {
+        let rungs = &self.panel.measures.rungs;
+        (0..rungs.len())
+            .filter(|&n| self.is_over(n))
+            .reduce(|best, n| if rungs[n].warp > rungs[best].warp { n } else { best })
+    }
+
+    /// How a bar looks.
+    fn class_of(&self, bar: &Bar) -> &'static str {
+        if bar.is_over {
+            "over"
+        } else if bar.head.y < self.y(self.limit) {
+            "unsure"
+        } else {
+            ""
+        }
     }
 
     /// The bands, and their names, which lie over everything.
@@ -160,31 +194,30 @@ impl Chart<'_> {
     fn bars(&self) -> String {
         let bottom = TOP + HEIGHT;
         let rungs = self.panel.measures.rungs.len();
-        // The highest head of each column.
-        let mut columns = std::collections::BTreeMap::<i64, Point2>::new();
+        let mut columns = std::collections::BTreeMap::<i64, Bar>::new();
         for n in 0..rungs {
-            let head = self.place(n);
-            let column = ((head.x - LEFT) / COLUMN).floor() as i64;
-            let highest = columns.entry(column).or_insert(head);
-            if head.y < highest.y {
-                *highest = head;
+            let bar = Bar { head: self.place(n), is_over: self.is_over(n) };
+            let column = ((bar.head.x - LEFT) / COLUMN).floor() as i64;
+            let highest = columns.entry(column).or_insert(bar);
+            highest.is_over |= bar.is_over;
+            if bar.head.y < highest.head.y {
+                highest.head = bar.head;
             }
         }
-        let limit = self.y(self.limit);
         let mut body = String::new();
-        for (class, over) in [("bar", false), ("bar over", true)] {
+        for class in ["", "unsure", "over"] {
             let mut path = PathData::default();
-            for (column, head) in columns.iter().filter(|(_, head)| (head.y < limit) == over) {
+            for (column, bar) in columns.iter().filter(|(_, bar)| self.class_of(bar) == class) {
                 let x = LEFT + COLUMN * (*column as f64 + 0.5);
                 // A rung without warp still shows that it is there.
-                path.line([Point2::new(x, bottom), Point2::new(x, head.y.min(bottom - 1.0))]);
+                path.line([Point2::new(x, bottom), Point2::new(x, bar.head.y.min(bottom - 1.0))]);
             }
-            body += &path.element(class);
+            body += &path.element(format!("bar {class}").trim_end());
         }
         if rungs <= HEADS {
-            for head in columns.values() {
-                let class = if head.y < limit { "head over" } else { "head" };
-                body += &circle(class, *head, 3.0);
+            for bar in columns.values() {
+                let class = format!("head {}", self.class_of(bar));
+                body += &circle(class.trim_end(), bar.head, 3.0);
             }
         }
         body

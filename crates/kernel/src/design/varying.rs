@@ -317,8 +317,8 @@ impl Problem<'_> {
         &self,
         watch: &mut dyn Watch,
     ) -> Result<(Design, BTreeMap<String, Shift>), MakeError> {
-        let first = self.scope.panels.first();
-        watch.begin(first.map_or("", |&(n, _)| &self.design.panels[n].name), Stage::Vary);
+        let names: Vec<&str> = self.panels().iter().map(|panel| panel.name.as_str()).collect();
+        watch.begin(&names, Stage::Vary);
         let design = match self.vary.by {
             MovedBy::Points => self.design.clone(),
             MovedBy::Samples => {

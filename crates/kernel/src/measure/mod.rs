@@ -7,22 +7,24 @@
 //! | resolution of a rung | how much of its warp angle may come from the sampling | radians |
 //! | crease of a rung | angle between its two triangles, positive for a mountain | radians |
 //! | fold | whether a crease stands alone: a sharp fold, no part of a smooth bend | none |
-//! | bend radius at a rung | how tightly the sheet is rolled across it, at its middle | mm |
+//! | bend radius at a rung | how tightly the sheet is rolled across it, at its tighter end | mm |
 //! | length error of a side | \|flat − space\| / space | none |
 //! | area | of the triangles, in space and flat | mm² |
 //! | Gauss image | normals along the rungs, as points on the unit sphere | none |
 
+mod bend;
 mod crossing;
 
+pub use bend::Apex;
 pub use crossing::first_self_crossing;
 
-use crate::boundary::size_of;
 use crate::cost::Prices;
 use crate::flatten::{Flattened, Sheet};
 use crate::index::TriangleIndex;
 use crate::math::{Point3, Vec3, to_deg};
 use crate::rung::Rung;
-use crate::surface::{Hinge, Surface};
+use crate::surface::Surface;
+use bend::{Rolls, rolls};
 
 /// Creases above this angle, degrees, are lines to bend or score along, not parts of a smooth
 /// bend: what a bend of 90° has when it is divided into 18, the coarsest that workshops bend by.
@@ -50,8 +52,8 @@ pub struct RungMeasures {
     /// Whether the crease is a fold: above [`SHARP_CREASE_DEG`], and more than twice as large as
     /// those of the rungs around it together, so that no finer sampling would divide it.
     pub is_fold: bool,
-    /// The radius that the sheet is rolled to around the middle of the rung, measured over a
-    /// hundredth of the size of the surface, mm; infinite where flat.
+    /// The radius that the sheet is rolled to at the end of the rung where it is rolled more
+    /// tightly, mm; infinite where flat. Folds and apexes are none of it.
     pub bend_radius_mm: f64,
     /// The unit normals of the tangent planes at its two ends; zero without tangent planes.
     pub normals: [Vec3; 2],
@@ -79,8 +81,10 @@ pub struct Measures {
     pub warp_mean: f64,
     /// The largest angle between two triangles, radians; 0 without rungs.
     pub crease_max: f64,
-    /// The smallest bend radius, mm; infinite for a flat surface.
+    /// The smallest bend radius, apexes and folds aside, mm; infinite for a flat surface.
     pub bend_radius_min_mm: f64,
+    /// Where rulings run together, in the order of the samples.
+    pub apexes: Vec<Apex>,
     /// The area of the surface, mm².
     pub area_space_mm2: f64,
     /// The area of the pattern, mm².
@@ -96,7 +100,7 @@ pub struct Measures {
 /// Measures a surface and the flat pattern of its sheet. `prices` are those of the boundary that it
 /// spans. A rung that is cut is measured as every other: the seam is joined in space.
 pub fn measures(surface: &Surface, sheet: &Sheet, flat: &Flattened, prices: &Prices) -> Measures {
-    let rungs = rung_measures(surface, prices);
+    let (rungs, apexes) = rungs_and_apexes(surface, prices);
     let most = |of: fn(&RungMeasures) -> f64| rungs.iter().map(of).fold(0.0, f64::max);
     let count = rungs.len().max(1) as f64;
     let errors = length_errors(sheet, flat);
@@ -106,6 +110,7 @@ pub fn measures(surface: &Surface, sheet: &Sheet, flat: &Flattened, prices: &Pri
         warp_mean: rungs.iter().map(|r| r.warp).sum::<f64>() / count,
         crease_max: most(|r| r.crease.abs()),
         bend_radius_min_mm: rungs.iter().map(|r| r.bend_radius_mm).fold(f64::INFINITY, f64::min),
+        apexes,
         area_space_mm2: area_space(surface),
         area_flat_mm2: area_flat(sheet, flat),
         length_error_max: errors.iter().copied().fold(0.0, f64::max),
@@ -118,6 +123,10 @@ pub fn measures(surface: &Surface, sheet: &Sheet, flat: &Flattened, prices: &Pri
 /// Measures the rungs of a surface alone, in increasing order. `prices` are those of the boundary
 /// that it spans.
 pub fn rung_measures(surface: &Surface, prices: &Prices) -> Vec<RungMeasures> {
+    rungs_and_apexes(surface, prices).0
+}
+
+fn rungs_and_apexes(surface: &Surface, prices: &Prices) -> (Vec<RungMeasures>, Vec<Apex>) {
     let connectivity = surface.connectivity();
     let hinges = connectivity.hinges();
     let of_triangles = connectivity.hinges_of_triangles();
@@ -140,17 +149,20 @@ pub fn rung_measures(surface: &Surface, prices: &Prices) -> Vec<RungMeasures> {
             to_deg(creases[n].abs()) > SHARP_CREASE_DEG && creases[n].abs() > 2.0 * nearby
         })
         .collect();
+    // Folds are no part of a smooth bend.
+    let smooth: Vec<f64> =
+        (0..hinges.len()).map(|n| if is_fold[n] { 0.0 } else { creases[n] }).collect();
     // All rungs that end at a sample bend together: a fan has its bend where it ends.
     let mut sharpest_at = vec![0.0f64; connectivity.samples()];
-    let bend = |n: usize| if is_fold[n] { 0.0 } else { creases[n].abs() };
-    for n in 0..hinges.len() {
-        for sample in hinges[n].rung.ends() {
+    for (hinge, crease) in hinges.iter().zip(&smooth) {
+        for sample in hinge.rung.ends() {
             let sharpest = &mut sharpest_at[sample.get()];
-            *sharpest = sharpest.max(bend(n));
+            *sharpest = sharpest.max(crease.abs());
         }
     }
-    let bends = Bends::new(surface, &creases, &of_triangles);
-    (0..hinges.len())
+    let Rolls { radii_mm, apexes } = rolls(surface, &smooth);
+    let bend = |n: usize| smooth[n].abs();
+    let rungs = (0..hinges.len())
         .map(|n| {
             let rung = hinges[n].rung;
             let [low, high] = rung.ends();
@@ -163,72 +175,13 @@ pub fn rung_measures(surface: &Surface, prices: &Prices) -> Vec<RungMeasures> {
                     .max(sharpest_at[low.get()].max(sharpest_at[high.get()])),
                 crease: creases[n],
                 is_fold: is_fold[n],
-                bend_radius_mm: bends.radius_at(n),
+                bend_radius_mm: radii_mm[low.get()].min(radii_mm[high.get()]),
                 normals: planes.map_or([Vec3::ZERO; 2], |p| p.at_ends),
                 middle: surface.position(low).lerp(surface.position(high), 0.5),
             }
         })
-        .collect()
-}
-
-/// The width, as a share of the size of the surface, over which a bend is measured: a sheet is
-/// stiff and rounds off what is narrower, and a bend in finer steps than that is the sampling's.
-const BEND_WIDTH: f64 = 0.01;
-/// Turns below it, radians, are rounding: the sheet is flat there.
-const FLAT: f64 = 1e-9;
-
-/// What a bend radius is measured from.
-struct Bends<'a> {
-    hinges: &'a [Hinge],
-    of_triangles: &'a [Vec<usize>],
-    creases: &'a [f64],
-    /// How wide the strip is that each rung stands for, at its middle, mm.
-    widths: Vec<f64>,
-    /// The width to measure over, mm.
-    wanted: f64,
-}
-
-impl<'a> Bends<'a> {
-    fn new(surface: &'a Surface, creases: &'a [f64], of_triangles: &'a [Vec<usize>]) -> Self {
-        let hinges = surface.connectivity().hinges();
-        // Across the middle of its rungs, a triangle of height h is h/2 wide, half of it on the
-        // side of each.
-        let width = |hinge: &Hinge| {
-            let [low, high] = hinge.rung.ends();
-            let areas = hinge.triangles.map(|t| surface.area_vector(t).length());
-            0.5 * (areas[0] + areas[1]) / surface.length(low, high)
-        };
-        let widths = hinges.iter().map(width).collect();
-        let wanted = BEND_WIDTH * size_of(surface.positions().iter().copied());
-        Self { hinges, of_triangles, creases, widths, wanted }
-    }
-
-    /// The bend radius around a rung, mm: the way across it and its neighbours, ring by ring, until
-    /// it is as wide as wanted, over the angle that they turn together. The last ring counts half,
-    /// so that a bend with all of its crease on every other rung is measured right.
-    fn radius_at(&self, n: usize) -> f64 {
-        let mut seen = vec![n];
-        let mut ring = vec![n];
-        let (mut width, mut angle) = (0.0, 0.0);
-        loop {
-            width += ring.iter().map(|&rung| self.widths[rung]).sum::<f64>();
-            angle += ring.iter().map(|&rung| self.creases[rung]).sum::<f64>();
-            let triangles = ring.iter().flat_map(|&rung| self.hinges[rung].triangles);
-            let rungs = triangles.flat_map(|t| self.of_triangles[t.get()].iter().copied());
-            let mut next: Vec<usize> = rungs.filter(|rung| !seen.contains(rung)).collect();
-            next.sort_unstable();
-            next.dedup();
-            let half_width = 0.5 * next.iter().map(|&rung| self.widths[rung]).sum::<f64>();
-            if next.is_empty() || width + half_width >= self.wanted {
-                width += half_width;
-                angle += 0.5 * next.iter().map(|&rung| self.creases[rung]).sum::<f64>();
-                break;
-            }
-            seen.extend(&next);
-            ring = next;
-        }
-        if angle.abs() < FLAT { f64::INFINITY } else { width / angle.abs() }
-    }
+        .collect();
+    (rungs, apexes)
 }
 
 /// The relative length error of every side of the sheet, edges of its border first, then rungs.

@@ -1,0 +1,322 @@
+//! How tightly a sheet is rolled, measured along its border.
+//!
+//! Along a ruling of a developable surface the bend radius is linear in the distance from where the
+//! ruling meets its neighbours, so it is least at an end of the ruling, and rulings end at the
+//! border. So the border is walked along, and over each stretch of it two vectors are summed:
+//!
+//! - τ, the rotation of the tangent plane: every rung that ends there adds its crease, along itself;
+//! - E, the width: every edge adds its length, across itself within its triangle, inwards.
+//!
+//! The tangent plane turns about the rulings, so with d along them the turn is τ·d, the width across
+//! them E·d, and the radius the width over the turn. Both sums depend on where the stretch begins and
+//! ends only: triangles at the two ends touch the surface along an edge each, however the rungs
+//! between them run, while creases of neighbouring rungs by themselves are uneven. (A rung ends at a
+//! sample and not where its ruling would.) Where a strip is twisted, creases to and fro cancel.
+//!
+//! Points are typed or measured with some digits, and the finer the samples, the more that turns the
+//! edges to and fro. Two things keep it from being taken for bends: a roll counts from a depth on,
+//! and its width and turn are averaged with those of the rolls that begin on its first half. Then
+//! what is compared is not one edge with another, but the mean slopes of two halves.
+
+use super::SHARP_CREASE_DEG;
+use crate::boundary::size_of;
+use crate::index::{SampleIndex, TriangleIndex};
+use crate::math::{Vec3, to_deg, unit};
+use crate::surface::Surface;
+
+/// How deep a roll is at the least, as a share of the size of the surface: how far its middle lies
+/// from the line between its ends. A sheet is stiff and rounds off what is shallower, half a
+/// millimetre on a metre; and coordinates are rounded, which turns the edges of finely sampled borders
+/// to and fro.
+const ROLL_DEPTH: f64 = 5e-4;
+/// How wide a roll is at the most, as a share of the size: one as wide that is not deep enough is
+/// bent to two and a half times the size, and nobody asks how much flatter it is.
+const ROLL_WIDTH: f64 = 0.1;
+/// How many edges of the border wide a roll is at the least.
+const ROLL_EDGES: f64 = 2.0;
+/// From how many stations on a roll is averaged with others: fewer are all that coarse samples tell.
+const MANY: usize = 6;
+/// How many times as wide as the doubt about where it begins and ends a roll is at the least.
+const CERTAIN: f64 = 8.0;
+/// How long a stretch of border is followed, in the widths of the widest roll: border that runs along
+/// rulings gains no width.
+const REACH: f64 = 3.0;
+/// How far coordinates are off at the most, as a share of the size: a metre is given to 0.1 mm.
+const ROUNDING: f64 = 5e-5;
+/// By how much a triangle may enlarge what its edge is off by, before that is allowed for.
+const LEVER: f64 = 3.0;
+/// The most of a turn that is put down to that, as a share.
+const PUT_DOWN: f64 = 0.8;
+/// A fan has at least as many rungs: fewer may be coarse samples.
+const APEX_RUNGS: usize = 4;
+/// Turns below it, radians, are rounding: the sheet is flat there.
+const FLAT: f64 = 1e-9;
+
+/// A sample that rulings run together in, as in the point of a cone: towards it the bend radius
+/// falls to nothing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Apex {
+    /// The sample.
+    pub sample: SampleIndex,
+    /// By how much the sheet turns round it, radians.
+    pub turn: f64,
+    /// The radius of the shallowest roll that sheets make instead of it, mm.
+    pub radius_mm: f64,
+}
+
+/// How tightly a sheet is rolled.
+pub(super) struct Rolls {
+    /// The bend radius at each sample, mm: of the tightest stretch whose middle it is, apexes and
+    /// folds aside; infinite where flat.
+    pub(super) radii_mm: Vec<f64>,
+    /// The apexes, in the order of their samples.
+    pub(super) apexes: Vec<Apex>,
+}
+
+/// What the border has at one sample: its rungs and half of both edges.
+#[derive(Clone, Copy, Default)]
+struct Station {
+    /// τ.
+    turn: Vec3,
+    /// E, mm.
+    width: Vec3,
+    /// Along the rungs, the sum of their creases, whatever their signs.
+    axis: Vec3,
+    /// How many rungs turn here.
+    rungs: usize,
+    /// The edge that leaves.
+    edge: Edge,
+}
+
+/// An edge of the border with its triangle.
+#[derive(Clone, Copy, Default)]
+struct Edge {
+    /// From end to end, mm.
+    way: Vec3,
+    /// From its middle to the far corner of its triangle, mm.
+    to_far: Vec3,
+    /// The unit normal of its triangle.
+    normal: Vec3,
+}
+
+impl Edge {
+    /// Where its triangle has the slope of the surface, across rulings along `ruling`. Against the
+    /// middle of the edge a sheet lies at z = −u²/2 radii, u across the rulings. The plane through the
+    /// three corners, the ends of the edge at ∓(w/2, h/2) and the far corner at (u, v), is as steep as
+    /// that is at (u² − w²/4)/2 · h/(u h − v w): near 0 for a triangle that is long along the rulings,
+    /// but anywhere up to u/2 if the edge runs along them too. And u is known no better than the
+    /// spacing of the samples, since that is how well the ruling is known.
+    ///
+    /// If the ends of the edge are off by δ each, the plane turns by up to 2 δ (|v| + |h|)/|u h − v w|:
+    /// 2 δ/w if the edge runs across the rulings, and many times that if it runs along them.
+    fn slope(&self, ruling: Vec3, spacing: f64, size: f64) -> Slope {
+        let across = ruling.cross(self.normal);
+        let (w, h) = (self.way.dot(across), self.way.dot(ruling));
+        let (u, v) = (self.to_far.dot(across), self.to_far.dot(ruling));
+        let doubled_area = u * h - v * w;
+        if doubled_area == 0.0 {
+            return Slope::default();
+        }
+        let offset = 0.5 * (u * u - 0.25 * w * w) * h / doubled_area;
+        let along = spacing * h.abs();
+        let doubt =
+            if along == 0.0 { 0.0 } else { 0.5 * spacing * along / (along + (v * w).abs()) };
+        let length = self.way.length();
+        let lever = (v.abs() + h.abs()) * length / doubled_area.abs();
+        let sway = 2.0 * ROUNDING * size / length * (lever - LEVER).max(0.0);
+        Slope { offset, doubt: doubt.max(offset.abs()), sway }
+    }
+}
+
+/// Where a triangle has the slope of the surface, across the rulings.
+#[derive(Default)]
+struct Slope {
+    /// How far from the middle of its edge, mm.
+    offset: f64,
+    /// How far that may be wrong, mm.
+    doubt: f64,
+    /// How far that slope may be wrong because coordinates are, radians; beyond what it is for an
+    /// edge across the rulings, which averages out.
+    sway: f64,
+}
+
+/// Measures how tightly a surface is rolled. `creases` are those of its hinges, 0 for folds.
+pub(super) fn rolls(surface: &Surface, creases: &[f64]) -> Rolls {
+    let size = size_of(surface.positions().iter().copied());
+    let mut stations = stations(surface, creases);
+    let mut apexes = Vec::new();
+    let mut radii_mm = vec![f64::INFINITY; stations.len()];
+    for of_loop in surface.connectivity().loops() {
+        let start = of_loop.start;
+        let stations = &mut stations[of_loop.clone()];
+        for n in apex_numbers(stations) {
+            let turn = stations[n].turn.length();
+            let radius_mm = shallowest(turn, size) / turn;
+            apexes.push(Apex { sample: SampleIndex::new(start + n), turn, radius_mm });
+            (stations[n].turn, stations[n].axis) = (Vec3::ZERO, Vec3::ZERO);
+        }
+        let rolls: Vec<Option<Roll>> =
+            (0..stations.len()).map(|first| roll_from(stations, first, size)).collect();
+        note_radii(&rolls, &mut radii_mm[of_loop.clone()]);
+    }
+    Rolls { radii_mm, apexes }
+}
+
+fn stations(surface: &Surface, creases: &[f64]) -> Vec<Station> {
+    let connectivity = surface.connectivity();
+    let mut stations = vec![Station::default(); connectivity.samples()];
+    let mut after = vec![0; stations.len()];
+    for [from, to] in connectivity.edges() {
+        after[from.get()] = to.get();
+    }
+    for (n, corners) in connectivity.triangles().iter().enumerate() {
+        let Some(normal) = surface.normal(TriangleIndex::new(n)) else { continue };
+        let [a, b, c] = *corners;
+        for (from, to) in [(a, b), (b, c), (c, a)] {
+            if after[from.get()] == to.get() {
+                let far = connectivity.far_corner(TriangleIndex::new(n), [from, to]);
+                let [start, end, far] = [from, to, far].map(|s| surface.position(s));
+                let edge = Edge { way: end - start, to_far: far - start.lerp(end, 0.5), normal };
+                let width = normal.cross(edge.way) * 0.5;
+                stations[from.get()].edge = edge;
+                stations[from.get()].width += width;
+                stations[to.get()].width += width;
+            }
+        }
+    }
+    for (hinge, &crease) in connectivity.hinges().iter().zip(creases) {
+        let [low, high] = hinge.rung.ends();
+        let Some(along) = unit(surface.position(high) - surface.position(low)) else { continue };
+        for (sample, along) in [(low, along), (high, -along)] {
+            let station = &mut stations[sample.get()];
+            station.turn += along * crease;
+            station.axis += lying(along, station.axis) * crease.abs();
+            station.rungs += usize::from(crease.abs() > FLAT);
+        }
+    }
+    stations
+}
+
+/// `line` or its opposite, whichever lies along `axis`.
+fn lying(line: Vec3, axis: Vec3) -> Vec3 {
+    if line.dot(axis) < 0.0 { -line } else { line }
+}
+
+/// The samples of a loop where a fan of rungs ends whose turn stands alone, so that no finer
+/// sampling would divide it.
+fn apex_numbers(stations: &[Station]) -> Vec<usize> {
+    let m = stations.len();
+    let turn = |n: usize| stations[n % m].turn.length();
+    let is_apex = |&n: &usize| {
+        let nearby: f64 = [m - 2, m - 1, 1, 2].into_iter().map(|step| turn(n + step)).sum();
+        stations[n].rungs >= APEX_RUNGS
+            && to_deg(turn(n)) > SHARP_CREASE_DEG
+            && turn(n) > 2.0 * nearby
+    };
+    (0..m).filter(is_apex).collect()
+}
+
+/// How wide a roll is that turns by so much, radians, and is as shallow as rolls are, mm: the middle
+/// of a roll lies an eighth of its width times its turn from the line between its ends.
+fn shallowest(turn: f64, size: f64) -> f64 {
+    (8.0 * ROLL_DEPTH * size / turn).min(ROLL_WIDTH * size)
+}
+
+/// A stretch of border, as wide as a roll is at the least.
+#[derive(Clone, Copy)]
+struct Roll {
+    /// By how much the tangent plane turns on it, radians, positive for a mountain.
+    turn: f64,
+    /// How wide it is, mm.
+    width: f64,
+    /// How wide its first station is, mm.
+    step: f64,
+    /// How many stations it has.
+    count: usize,
+    /// The station in its middle.
+    middle: usize,
+}
+
+impl Roll {
+    fn radius(&self) -> f64 {
+        self.width / self.turn.abs()
+    }
+}
+
+/// The roll that begins at a station of a loop: the narrowest that is deep and wide enough, or if
+/// there is none, the tightest that is not, as if it were. `size` is the surface's, mm.
+fn roll_from(stations: &[Station], first: usize, size: f64) -> Option<Roll> {
+    let m = stations.len();
+    let turns = |n: usize| stations[n % m].turn.length_squared() > FLAT * FLAT;
+    if !turns(first) {
+        return None;
+    }
+    let mut tightest: Option<Roll> = None;
+    let mut sum = Station::default();
+    let before = &stations[(first + m - 1) % m].edge;
+    let (mut way, mut longest) = (0.0, before.way.length());
+    for last in first..first + m {
+        let station = &stations[last % m];
+        sum.turn += station.turn;
+        sum.width += station.width;
+        sum.axis += lying(station.axis, sum.axis);
+        let length = station.edge.way.length();
+        way += length;
+        longest = f64::max(longest, length);
+        let narrowest = ROLL_EDGES * longest;
+        if let (true, Some(ruling)) = (turns(last), unit(sum.axis)) {
+            let slope = |n: usize| {
+                let (from, to) = (&stations[n % m], &stations[(n + 1) % m]);
+                let own = unit(lying(from.axis + lying(to.axis, from.axis), ruling));
+                own.map_or(Slope::default(), |own| from.edge.slope(own, longest, size))
+            };
+            let (start, end) = (slope(first + m - 1), slope(last));
+            let width = sum.width.dot(ruling) + end.offset - start.offset;
+            let turn = sum.turn.dot(ruling);
+            let least = shallowest(turn.abs().max(FLAT), size)
+                .max(narrowest)
+                .max(CERTAIN * (start.doubt + end.doubt));
+            let certain = (turn.abs() - start.sway - end.sway).max((1.0 - PUT_DOWN) * turn.abs());
+            if certain > FLAT {
+                let middle = (first + last) / 2;
+                let roll = Roll {
+                    turn: certain * (turn * width).signum(),
+                    width: width.abs().max(least),
+                    step: stations[first].width.dot(ruling).abs(),
+                    count: last - first + 1,
+                    middle: if turns(middle) { middle % m } else { first },
+                };
+                if width.abs() >= least {
+                    return Some(roll);
+                }
+                if tightest.is_none_or(|tightest| roll.radius() < tightest.radius()) {
+                    tightest = Some(roll);
+                }
+            }
+        }
+        if way > REACH * narrowest.max(ROLL_WIDTH * size) {
+            break;
+        }
+    }
+    tightest
+}
+
+/// Notes the radii of rolls, each averaged with those that begin on its first half.
+fn note_radii(rolls: &[Option<Roll>], radii_mm: &mut [f64]) {
+    let m = rolls.len();
+    for first in 0..m {
+        let Some(roll) = rolls[first] else { continue };
+        let (mut way, mut width, mut turn) = (0.0, 0.0, 0.0);
+        for other in (first..first + m).filter_map(|n| rolls[n % m]) {
+            width += other.width * other.step;
+            turn += other.turn * other.step;
+            way += other.step;
+            if roll.count < MANY || way > 0.5 * roll.width {
+                break;
+            }
+        }
+        let averaged = width / turn.abs();
+        let radius = &mut radii_mm[roll.middle];
+        *radius = radius.min(if averaged.is_finite() { averaged } else { roll.radius() });
+    }
+}
