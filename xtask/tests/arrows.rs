@@ -39,7 +39,7 @@ const FILE_OWNERS: [(&str, &[&str]); 5] = [
         "pulp::",
         &[
             "triangulate/optimal/table.rs",
-            "triangulate/sparse/sweep.rs",
+            "triangulate/sparse/listed.rs",
             "triangulate/sparse/table.rs",
         ],
     ),

@@ -1,6 +1,6 @@
 //! How fast the methods are, on one thread: `cargo bench -p sheetwright`; with `-- holes`, only
 //! the domains with holes, with `-- many`, only boundaries of 1,600 and 10,000 samples, and with
-//! `-- many 100000`, of as many samples as that.
+//! `-- many 100000 blob`, of as many samples as that, of the families with such names.
 //!
 //! Method: for every curve family and every number of samples, the least of five runs (three at
 //! 1,600) of the whole of `triangulate`, visibility and bound included. The table of a plain
@@ -58,8 +58,8 @@ fn main() {
     }
 }
 
-/// Boundaries of many samples, one run each, above 1,600 only those near to developable: time, price, and the most memory that the program has
-/// taken so far, where the system tells.
+/// Boundaries of many samples, one run each, above 1,600 only those near to developable: processor
+/// time, price, and the most memory that the program has taken so far, where the system tells.
 fn many() {
     let sizes: Vec<usize> = std::env::args().filter_map(|size| size.parse().ok()).collect();
     let sizes = if sizes.is_empty() { vec![1600, 10_000] } else { sizes };
@@ -70,6 +70,9 @@ fn many() {
     );
     for m in sizes {
         for family in Family::ALL {
+            if !wanted(&family.name()) {
+                continue;
+            }
             if m > SIZES[4] && matches!(family, Family::TwistedStrip | Family::Fourier(_)) {
                 continue;
             }
@@ -77,9 +80,11 @@ fn many() {
                 let boundary = family.boundary(m);
                 let price = PriceOptions { fold, ..Default::default() };
                 let options = TriangulateOptions { price, ..Default::default() };
-                let start = Instant::now();
+                let (start, before) = (Instant::now(), processor_seconds());
                 let found = triangulate(&boundary, None, &options, &mut Unwatched);
-                let (name, time) = (family.name(), start.elapsed().as_secs_f64());
+                let used = processor_seconds().zip(before).map(|(after, before)| after - before);
+                let name = family.name();
+                let time = used.unwrap_or(start.elapsed().as_secs_f64());
                 print!("{name:<16} {m:>7} {fold:>4} {time:>9.3} ");
                 match found {
                     Ok(found) => print!("{:>12.3e} {:>7}", found.price, found.proven_optimal),
@@ -89,6 +94,20 @@ fn many() {
             }
         }
     }
+}
+
+/// Whether the command names this family, or none.
+fn wanted(family: &str) -> bool {
+    let names = || Family::ALL.iter().map(|family| family.name());
+    let words = || std::env::args().skip(1);
+    let is_name = |word: &str| names().any(|name| name.contains(word));
+    !words().any(|word| is_name(&word)) || words().any(|word| family.contains(&word))
+}
+
+/// The time that the processor has spent on the program: on busy machines others have the rest.
+fn processor_seconds() -> Option<f64> {
+    let stat = std::fs::read_to_string("/proc/self/schedstat").ok()?;
+    Some(stat.split(' ').next()?.parse::<f64>().ok()? * 1e-9)
 }
 
 fn peak_megabytes() -> Option<u64> {

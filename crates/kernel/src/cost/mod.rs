@@ -184,9 +184,9 @@ impl Prices {
         if self.numbers.is_empty() { i } else { self.numbers[i] }
     }
 
-    /// The prices of the loop of every `step`-th sample, with the tangents that they have.
-    pub(crate) fn thinned(&self, step: usize) -> Self {
-        let mut ends: Vec<End> = self.ends.iter().step_by(step).copied().collect();
+    /// The prices of the loop of some of the samples, with the tangents that they have.
+    pub(crate) fn thinned(&self, kept: &[usize]) -> Self {
+        let mut ends: Vec<End> = kept.iter().map(|&i| self.ends[i]).collect();
         let m = ends.len();
         for i in 0..m {
             let edge = unit(ends[(i + 1) % m].position - ends[i].position).unwrap_or(Vec3::ZERO);
@@ -194,7 +194,9 @@ impl Prices {
             ends[(i + 1) % m].edge_in = edge;
         }
         let mut thinned = Self::of_ends(ends, self.options, self.facing);
-        thinned.numbers = self.numbers.iter().step_by(step).copied().collect();
+        if !self.numbers.is_empty() {
+            thinned.numbers = kept.iter().map(|&i| self.numbers[i]).collect();
+        }
         thinned
     }
 

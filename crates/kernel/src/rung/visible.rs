@@ -93,15 +93,14 @@ impl Visibility {
         Self { inside: Some(pairs) }
     }
 
-    /// What is seen between every `step`-th of m samples.
-    pub(crate) fn thinned(&self, step: usize, m: usize) -> Self {
+    /// What is seen between some of the samples.
+    pub(crate) fn thinned(&self, kept: &[usize]) -> Self {
         let Some(pairs) = &self.inside else { return Self { inside: None } };
-        let kept = m.div_ceil(step);
-        let mut thinned = PairSet::new(kept);
-        for i in 0..kept {
-            for j in 0..i {
-                if pairs.contains(i * step, j * step) {
-                    thinned.insert(i, j);
+        let mut thinned = PairSet::new(kept.len());
+        for (n, &i) in kept.iter().enumerate() {
+            for (k, &j) in kept[..n].iter().enumerate() {
+                if pairs.contains(i, j) {
+                    thinned.insert(n, k);
                 }
             }
         }

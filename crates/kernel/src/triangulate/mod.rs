@@ -427,11 +427,11 @@ impl<'a> Terms<'a> {
         Self { prices, visibility, forced, rule: Rule::Sum, bar: f64::INFINITY }
     }
 
-    /// The terms of the loop of every `step`-th sample.
-    fn thinned(&self, step: usize) -> Thinned {
+    /// The terms of the loop of some of the samples.
+    fn thinned(&self, kept: &[usize]) -> Thinned {
         Thinned {
-            prices: self.prices.thinned(step),
-            visibility: self.visibility.thinned(step, self.prices.len()),
+            prices: self.prices.thinned(kept),
+            visibility: self.visibility.thinned(kept),
             forced: self.forced,
             rule: self.rule,
         }

@@ -109,7 +109,8 @@ fn bounds(table: &mut Table<'_>, watch: &mut dyn Watch) -> Result<Vec<f64>, Tria
     if table.m < LEAST_THINNED {
         return Ok(vec![f64::INFINITY]);
     }
-    let thinned = table.terms.thinned(THINNING);
+    let kept: Vec<usize> = (0..table.m).step_by(THINNING).collect();
+    let thinned = table.terms.thinned(&kept);
     let Some(coarse) = solve_priced(&thinned.terms(), &mut Part::silent(watch))? else {
         return Ok(vec![f64::INFINITY]);
     };

@@ -9,16 +9,10 @@ use std::ops::Range;
 
 /// Corners are kept apart while there are at most as many as one in so many samples.
 const SAMPLES_A_CORNER: usize = 64;
-/// A sample alone, which may be a corner, of which no cone knows anything, is compared with each of
-/// so many samples.
-const MOST_PAIRS: usize = 16;
-/// What rounding may add to lengths of differences of unit vectors, in f64 and in f32.
+/// What rounding may add to lengths of differences of unit vectors.
 const SLACK: f64 = 1e-7;
-const SLACK_F32: f32 = 1e-6;
 /// What rounding may add to the difference of two squared cosines.
 const COSINE_MARGIN: f64 = 1e-11;
-/// A radius beyond every distance between normals: nothing is known.
-pub(super) const UNKNOWN: f32 = 4.0;
 
 /// The blocks of one level.
 pub(super) struct Blocks {
@@ -45,19 +39,6 @@ struct Span {
     /// The least square of a special cosine.
     special_cosine_squared: f64,
 }
-
-/// What is known of all rungs between two blocks that are cheap enough.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Bundle {
-    /// None costs less.
-    pub(super) least: f64,
-    /// Their N are within a radius of this.
-    pub(super) mean: [f32; 3],
-    pub(super) radius: f32,
-}
-
-/// The rungs that nothing is known of.
-pub(super) const ANY: Bundle = Bundle { least: 0.0, mean: [0.0; 3], radius: UNKNOWN };
 
 /// The levels of a loop, from single samples up to about `top` blocks.
 pub(super) fn levels(terms: &Terms<'_>, top: usize) -> Vec<Blocks> {
@@ -111,46 +92,9 @@ impl Blocks {
         self.children[a] as usize..self.children[a + 1] as usize
     }
 
-    /// The rungs between two blocks that cost no more than `bound`; `None` if there are none.
-    pub(super) fn bundle(
-        &self,
-        terms: &Terms<'_>,
-        a: usize,
-        b: usize,
-        bound: f64,
-    ) -> Option<Bundle> {
-        let (from, to) = (self.samples(a), self.samples(b));
-        let is_alone = from.len() == 1 || to.len() == 1;
-        if !is_alone || from.len() * to.len() > MOST_PAIRS {
-            let bundle = self.spans[a].bundle(&self.spans[b]);
-            return (bundle.least <= bound).then_some(bundle);
-        }
-        let mut least = f64::INFINITY;
-        let mut sum = Vec3::ZERO;
-        let mut means = [Vec3::ZERO; MOST_PAIRS];
-        let mut count = 0;
-        let mut known = true;
-        for i in from {
-            for j in to.clone() {
-                let side = terms.side(i, j);
-                if side.price <= bound {
-                    least = least.min(side.price);
-                    known &= side.mean != Vec3::ZERO;
-                    sum += side.mean;
-                    means[count] = side.mean;
-                    count += 1;
-                }
-            }
-        }
-        if count == 0 {
-            return None;
-        }
-        let Some(mean) = unit(sum).filter(|_| known) else {
-            return Some(Bundle { least, ..ANY });
-        };
-        let far = means[..count].iter().map(|n| (*n - mean).length_squared()).fold(0.0, f64::max);
-        let radius = far.sqrt() as f32 + SLACK_F32;
-        Some(Bundle { least, mean: mean.to_array().map(|x| x as f32), radius })
+    /// No rung between block `a` of these and block `b` of others costs less.
+    pub(super) fn least(&self, a: usize, others: &Self, b: usize) -> f64 {
+        self.spans[a].least(&others.spans[b])
     }
 }
 
@@ -224,30 +168,20 @@ impl Span {
         plain.then(|| (normal, across / left + SLACK))
     }
 
-    /// What is known of the rungs to another block from the spans alone.
-    fn bundle(&self, to: &Self) -> Bundle {
+    /// No rung to another block costs less, as far as the spans tell.
+    fn least(&self, to: &Self) -> f64 {
         let d = to.middle - self.middle;
         let length = d.length();
         let off = self.off().0 + to.off().0;
         if length <= 2.0 * off {
-            return ANY;
+            return 0.0;
         }
         let (Some((v, v_off)), Some((u, u_off))) =
             (self.normal(to, d, length), to.normal(self, -d, length))
         else {
-            return ANY;
+            return 0.0;
         };
         let apart = ((v - u).length() - v_off - u_off).max(0.0);
-        let least = 0.5 * apart * apart * (1.0 - SLACK);
-        // The direction of a sum within e of s is within 2 sin(½ asin q) ≤ 1.04 q of that of s, for
-        // q = e / |s| ≤ ½.
-        let sum = v + u;
-        let size = sum.length();
-        if v_off + u_off > 0.5 * size {
-            return Bundle { least, ..ANY };
-        }
-        let radius = 1.04 * (v_off + u_off) / size + SLACK;
-        let mean = (sum / size).to_array().map(|x| x as f32);
-        Bundle { least, mean, radius: radius as f32 + SLACK_F32 }
+        0.5 * apart * apart * (1.0 - SLACK)
     }
 }

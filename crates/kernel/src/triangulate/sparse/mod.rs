@@ -1,84 +1,94 @@
 //! The cheapest triangulation of all, found and proved among few rungs.
 //!
 //! The dense table (`optimal`) works out E(i,j) for every pair of samples. Next to a developable
-//! surface nearly all of them are in vain. Here they are ruled out first, by bounds that hold for
-//! every triangulation, and the table is filled for those that are left; the answer is the same,
-//! bit by bit, ties included.
+//! surface nearly all of them are in vain. Here most rungs are never looked at, and the answer is
+//! the same, bit by bit, ties included.
 //!
-//! 1. **A good triangulation** (`corridor`). Every fourth sample is solved, by the same means; its
-//!    rungs, widened by a block of four samples at both ends, are a corridor in which the table
-//!    finds a triangulation of all samples. Its price U is nearly always the optimum already; what
-//!    follows proves that, or finds what is better. A triangulation cheaper than U, or as cheap,
-//!    is called good.
-//! 2. **Blocks** (`blocks`, `sweep`). Contract neighbouring samples to blocks of 2, 4, 8 … In a
-//!    triangulation of the samples, the triangles with two corners in one block collapse, and what
-//!    is left is a triangulation of the polygon of blocks. Each of its rungs stands for at least
-//!    one rung of the samples, and each of its triangles for just one triangle. So the table over
-//!    blocks, with the least price of a rung between two blocks and the least of a fold price
-//!    between three, is a lower bound: inner side plus outer side of a pair of blocks exceeds U
-//!    only if no rung between them is part of a good triangulation. From the top down, only parts
-//!    of pairs that were left are looked at, so that no level looks at all pairs. What is known of
-//!    all rungs between two blocks comes from cones of their tangents and positions. A fold price
-//!    is at least ν/6 Σ |N − N′|² over the pairs of sides, whatever the triangle's normal: no unit
-//!    n makes Σ (1 − n·N) less than 3 − |Σ N| ≥ (9 − |Σ N|²) / 6.
-//! 3. **Debts** (`debts`). The bounds of step 2 are weak where rungs are cheap and what they force
-//!    upon others is not. So each edge of the boundary asks for a price, and what the triangles on
-//!    it do not pay is passed on as a debt. Where all debts are paid in the end, what the edges ask
-//!    for together is a lower bound on every good triangulation (the dual of the linear relaxation
-//!    of triangulations, as in `holes::bound`); it is nearly always U itself next to a developable
-//!    surface, and then the outer side of every rung has a bound that is as good.
-//! 4. **The table** (`table`) of what is left, with equation (5) as it is and the dense table's rule
-//!    for equals.
+//! 1. **A good triangulation** (`corridor`). About every fourth sample is solved, by the same means;
+//!    its rungs, widened by a few samples at both ends, are a corridor in which the table finds a
+//!    triangulation of all samples. Its price U is nearly always the optimum already; what follows
+//!    proves that, or finds what is better.
+//! 2. **Asks** (`asks`). Each edge of the boundary asks for what it is paid in that triangulation, so
+//!    that all of them together ask for U. A triangle pays its folds and half the price of each of
+//!    its rungs; a triangulation's triangles pay its price. The *surplus* s(a,b) of the inner side of
+//!    a rung is what its triangles pay at the least, beyond what its edges ask for; where that is
+//!    negative, the rung owes −s. The surplus of the whole loop is 0 if U is the optimum, and else
+//!    what the optimum is cheaper by. These are the reduced costs of the linear program of
+//!    triangulations, as in `holes::bound`.
+//! 3. **Few rungs** (`listed`). Suppose that no rung at sample x owes more than D(x). Let those rungs
+//!    be listed that cost no more than 2 (D(a) + D(b)). Then, by induction from short rungs to long
+//!    ones, the surplus of a rung that is not listed is positive: half of its price alone exceeds
+//!    what the two other sides of any triangle below it can owe. For the same reason a triangle with
+//!    a side that is not listed leaves any rung a surplus above min(D(a), D(b)). So it is enough to
+//!    work out the surpluses of the listed rungs, from listed rungs, up to that limit.
+//! 4. **The table** (`table`) does that, and shows what is owed. If it is more than D somewhere, D is
+//!    raised there and the table filled again. If surpluses above the limit were lost that the loop
+//!    needs (in another surface through the same boundary, cheaper here and dearer there), D and the
+//!    limit are raised everywhere. The loop of fewer samples tells what to begin with, as what is
+//!    owed falls as the price does.
+//! 5. **Finding the cheap rungs** (`blocks`) takes about as many steps as there are: neighbouring
+//!    samples are put together to blocks of 2, 4, 8 …, and cones of their tangents and positions say
+//!    what no rung between two blocks costs less than.
 //!
-//! All prices are whole quanta and the debts half quanta, so that the bounds of steps 3 and 4 are
-//! exact; those of step 2 are worked out in f32 with an allowance for every rounding.
+//! All prices are whole quanta, asks and surpluses half quanta, so that the proof is exact.
 //!
-//! Far from a developable surface the bounds rule out little. Where step 2 leaves most pairs, or
-//! where no corridor has a triangulation, the dense table takes over; by then a small part of its
-//! time is spent.
+//! How much is owed decides how much work it is. Along a ruling's neighbours, d samples off, a rung
+//! costs about c d² U / m, so that about √(D m / c U) rungs a sample are listed. Where the dense
+//! table would take less, as the loops of fewer samples show, it takes over; by then a small part of
+//! its time is spent.
 
+mod asks;
 mod blocks;
 mod corridor;
-mod debts;
-mod sweep;
+mod listed;
 mod table;
 
 use super::part::Part;
 use super::{Solved, Terms, TriangulateError, optimal};
 use crate::watch::Watch;
+use asks::{HALF, asks};
 use blocks::{Blocks, levels};
-use corridor::corridor;
-use debts::Debts;
-use sweep::{Alive, Sweep};
-use table::Table;
+use corridor::{corridor, kept};
+use listed::listed;
+use table::{Aim, Proof, Table};
 
 /// Loops with fewer samples are left to the dense table.
 const LEAST_SAMPLES: usize = 500;
 /// So are those with fewer samples than this if it fits: it is faster there, or as fast.
-const FASTER_FROM: usize = 8000;
-/// The same for the loops of fewer samples on the way.
-const LEAST_THINNED: usize = 200;
-/// One sample in so many is kept on the way.
-const THINNING: usize = 4;
-/// Levels of blocks end where no more than this are left: all their pairs are few.
-const TOP: usize = 40;
-/// The lowest level of blocks: four samples each.
-const LOWEST: usize = 2;
-/// Loops with fewer samples have tables so small that looking for debts would cost more.
-const LEAST_WITH_DEBTS: usize = 2048;
-/// Loops of the samples on the way up to this length show whether debts can be paid.
-const ALWAYS_WITH_DEBTS: usize = 1024;
-/// The share of the price up to which debts must bound it, for them to be looked for among four
-/// times as many samples.
-const TIGHT: f64 = 0.95;
+const FASTER_FROM: usize = 2000;
+/// What the dense table takes near to a developable surface, in sums compared, for each pair of
+/// samples: without folds and with them. As measured from 2,000 samples to 10,000.
+const DENSE_WORK: [u64; 2] = [3, 8];
+/// What a listed rung counts as, in sums compared.
+const LISTED_WORK: u64 = 8;
+/// A loop is expected to take so many times what a quarter of its samples takes.
+const GROWTH: u64 = 16;
+/// Loops on the way that take less are not given up.
+const LEAST_WORK: u64 = 1 << 21;
+/// Loops of fewer samples on the way have the dense table.
+const LEAST_THINNED: usize = 500;
+/// Levels of blocks end where no more than this are left.
+const TOP: usize = 20;
+/// The level of the blocks that corridors are made of: four samples each.
+const NARROW: usize = 2;
+/// The lowest level of blocks that are compared: sixteen samples each.
+const LOWEST: usize = 4;
 /// Answers that cost more are left to the dense table.
 const HIGHEST_PRICE: f64 = 100.0;
-/// The share of all pairs of blocks above which the dense table takes over.
-const MOST_ALIVE: f64 = 0.8;
-/// From so many blocks on, that is decided at every level: the next would cost much.
-const MANY_BLOCKS: usize = 1000;
-/// What a sample takes at least, bytes: the spread rows, the blocks and the debts.
+/// What a sample takes at least, bytes: the rungs listed for it, and the blocks.
 const BYTES_A_SAMPLE: u64 = 2048;
+/// What a listed rung takes, bytes, while the lists grow.
+const BYTES_A_RUNG: u64 = 8;
+/// How much more may be owed than was found, when that was more than was thought, and how much more
+/// than a loop of fewer samples owes, for its size.
+const MORE: f64 = 1.25;
+/// The most of so many kept samples on both sides may be owed.
+const AROUND: usize = 3;
+/// The shares of the price up to which surpluses count, one after the other: more takes more time,
+/// and with less the bound may not reach the price.
+const SHARES: [f64; 10] = [1e-6, 1e-4, 1e-3, 3e-3, 0.01, 0.02, 0.04, 0.08, 0.16, 0.32];
+/// The table is filled no more often.
+const MOST_TRIALS: usize = 24;
 
 /// What the tables of m samples take at least, bytes. How much more depends on the boundary; what
 /// would exceed the limit is given up.
@@ -94,117 +104,161 @@ pub(super) fn solve(
     watch: &mut dyn Watch,
 ) -> Result<Option<Solved>, TriangulateError> {
     let m = terms.prices.len();
-    let dense_is_better = m < FASTER_FROM && optimal::memory_needed(m) <= memory;
-    if memory_needed(m) > memory || dense_is_better {
+    let dense_fits = optimal::memory_needed(m) <= memory;
+    if memory_needed(m) > memory || (m < FASTER_FROM && dense_fits) {
         return Ok(None);
     }
-    let step = Step {
-        memory,
-        with_debts: m >= LEAST_WITH_DEBTS,
-        least: LEAST_THINNED,
-        top: TOP,
-        most: MOST_ALIVE,
-    };
-    Ok(step.solve(terms, watch)?.map(|found| found.solved))
+    let dense = DENSE_WORK[usize::from(terms.folds())] * (m as u64).pow(2);
+    // The table is about half of all the work here.
+    let work = if dense_fits { dense / 2 } else { u64::MAX };
+    let step = Step { least: LEAST_THINNED, top: TOP };
+    let found = step.solve(terms, &Budget { memory, work }, watch)?;
+    Ok(found.map(|found| found.solved))
 }
 
-/// How the loops on the way are solved.
-struct Step {
+/// What a table may take.
+struct Budget {
+    /// Bytes.
     memory: u64,
-    /// Whether debts are looked for.
-    with_debts: bool,
-    /// Loops with fewer samples have the dense table.
+    /// Sums that are compared.
+    work: u64,
+}
+
+impl Budget {
+    /// For a loop of a quarter of the samples.
+    fn of_quarter(&self) -> Self {
+        Self { work: (self.work / GROWTH).max(LEAST_WORK), ..*self }
+    }
+}
+
+/// How a loop is solved.
+struct Step {
+    /// Loops with fewer samples on the way are guessed from nothing.
     least: usize,
     /// The highest level of blocks has no more than this.
     top: usize,
-    /// The share of all pairs of blocks above which the dense table takes over.
-    most: f64,
 }
 
-/// A triangulation, and whether its debts bound it well.
+/// A triangulation that is proved to be the cheapest.
 struct Found {
     solved: Solved,
-    is_tight: bool,
+    /// What sides of each sample owe at the most.
+    owed: Vec<f64>,
+    /// The share of the price up to which surpluses had to count.
+    share: f64,
 }
 
 impl Step {
     fn solve(
         &self,
         terms: &Terms<'_>,
+        budget: &Budget,
         watch: &mut dyn Watch,
     ) -> Result<Option<Found>, TriangulateError> {
         let m = terms.prices.len();
-        if m < self.least {
-            let solved = optimal::solve_priced(terms, &mut Part::silent(watch))?;
-            return Ok(solved.map(|solved| Found { solved, is_tight: true }));
-        }
-        let thinned = terms.thinned(THINNING);
-        let Some(few) = self.solve(&thinned.terms(), &mut Part::silent(watch))? else {
-            return Ok(None);
-        };
-        watch.progress(0.25);
         let levels = levels(terms, self.top);
-        let Some(lowest) = levels.get(LOWEST) else { return Ok(None) };
-        let Some(known) = self.known(terms, lowest, &few.solved, watch)? else { return Ok(None) };
-        watch.progress(0.5);
-        let Some(alive) = self.alive(terms, &levels, known.price, watch)? else { return Ok(None) };
-        watch.progress(0.6);
-        let debts = if self.with_debts && (few.is_tight || m < ALWAYS_WITH_DEBTS) {
-            Debts::new(terms, lowest, &alive, &known, watch)?
+        let (narrow, lowest) = (NARROW.min(levels.len() - 1), LOWEST.min(levels.len() - 1));
+        let (known, owed, share) = if m < self.least {
+            let known = optimal::solve_priced(terms, &mut Part::silent(watch))?;
+            let Some(known) = known else { return Ok(None) };
+            (known, vec![0.0; m], SHARES[0])
         } else {
-            None
-        };
-        watch.progress(0.75);
-        let is_tight = debts.as_ref().is_some_and(|debts| debts.bound >= TIGHT * known.price);
-        let table =
-            Table::fill(terms, lowest, &alive, debts.as_ref(), known.price, self.memory, watch)?;
-        let solved = table.and_then(|table| table.solved());
-        Ok(solved.map(|solved| Found { solved, is_tight }))
-    }
-
-    /// A good triangulation, near that of fewer samples.
-    fn known(
-        &self,
-        terms: &Terms<'_>,
-        blocks: &Blocks,
-        few: &Solved,
-        watch: &mut dyn Watch,
-    ) -> Result<Option<Solved>, TriangulateError> {
-        let alive = corridor(blocks, few, THINNING, terms.prices.len());
-        for bound in [few.price, HIGHEST_PRICE] {
-            let table = Table::fill(terms, blocks, &alive, None, bound, self.memory, watch)?;
-            if let Some(known) = table.and_then(|table| table.solved()) {
-                return Ok(Some(known));
-            }
-        }
-        Ok(None)
-    }
-
-    /// The pairs of blocks of the lowest level that rungs of good triangulations may join; `None`
-    /// if they are too many.
-    fn alive(
-        &self,
-        terms: &Terms<'_>,
-        levels: &[Blocks],
-        bound: f64,
-        watch: &mut dyn Watch,
-    ) -> Result<Option<Alive>, TriangulateError> {
-        let top = levels.len() - 1;
-        let mut alive = Alive::all(levels[top].len());
-        for level in (LOWEST..=top).rev() {
-            let upper = levels.get(level + 1);
-            let blocks = &levels[level];
-            let sweep = Sweep::inside(terms, blocks, upper, &alive, bound, self.memory, watch)?;
-            let Some(sweep) = sweep else { return Ok(None) };
-            alive = sweep.outside(watch)?;
-            let n = blocks.len() as f64;
-            let is_decided = level == LOWEST || blocks.len() >= MANY_BLOCKS;
-            if is_decided && alive.len() as f64 > self.most * 0.5 * n * n {
+            let kept = kept(terms);
+            let thinned = terms.thinned(&kept);
+            let (few, watch) = (thinned.terms(), &mut Part::silent(watch));
+            let Some(few) = self.solve(&few, &budget.of_quarter(), watch)? else {
                 return Ok(None);
-            }
-        }
-        Ok(Some(alive))
+            };
+            let rungs = corridor(&levels[narrow], &few.solved, &kept, m);
+            let Some(known) = among(terms, &rungs, few.solved.price, budget, watch)? else {
+                return Ok(None);
+            };
+            (known, spread(&few.owed, &kept, m), few.share)
+        };
+        watch.progress(0.5);
+        prove(terms, &levels[lowest..], &known, owed, share, budget, watch)
     }
+}
+
+/// The cheapest triangulation among these rungs, likely to cost no more than `likely`.
+fn among(
+    terms: &Terms<'_>,
+    rungs: &[Vec<u32>],
+    likely: f64,
+    budget: &Budget,
+    watch: &mut dyn Watch,
+) -> Result<Option<Solved>, TriangulateError> {
+    for bound in [likely, HIGHEST_PRICE] {
+        let table = Table::fill(terms, rungs, Aim::Among(bound), budget, watch)?;
+        let Some(table) = table else { return Ok(None) };
+        if let (Some(price), Some(triangles)) = (table.surplus(), table.triangles()) {
+            return Ok(Some(Solved { price, triangles }));
+        }
+    }
+    Ok(None)
+}
+
+/// The cheapest triangulation of all, from one that is known and from guesses of what sides of each
+/// sample may owe and of the share of the price up to which surpluses must count.
+fn prove(
+    terms: &Terms<'_>,
+    levels: &[Blocks],
+    known: &Solved,
+    mut owed: Vec<f64>,
+    mut share: f64,
+    budget: &Budget,
+    watch: &mut dyn Watch,
+) -> Result<Option<Found>, TriangulateError> {
+    let m = terms.prices.len();
+    let asks = asks(terms, known);
+    for i in 0..m {
+        owed[i] = owed[i].max(asks[i]).max(asks[(i + m - 1) % m]);
+    }
+    for _ in 0..MOST_TRIALS {
+        let counted = halves(share * known.price);
+        owed.iter_mut().for_each(|owed| *owed = owed.max(counted));
+        let most = (budget.work / LISTED_WORK).min(budget.memory / BYTES_A_RUNG);
+        let Some(rungs) = listed(terms, levels, &owed, most, watch)? else { return Ok(None) };
+        let proof = Proof::new(&asks, owed, counted);
+        let table = Table::fill(terms, &rungs, Aim::Proof(&proof), budget, watch)?;
+        let Some(table) = table else { return Ok(None) };
+        let is_less = |(found, owed): (&f64, &f64)| found <= owed;
+        if table.owed.iter().zip(&proof.owed).all(is_less) {
+            // More than nothing: what is known has sides that are not listed.
+            let surplus = table.surplus().filter(|surplus| *surplus <= 0.0);
+            if let (Some(surplus), Some(triangles)) = (surplus, table.triangles()) {
+                let solved = Solved { price: known.price + surplus, triangles };
+                return Ok(Some(Found { solved, owed: table.owed, share }));
+            }
+            let next = SHARES.into_iter().find(|next| *next > share);
+            share = next.unwrap_or(2.0 * share);
+        }
+        let found = table.owed;
+        owed = proof.owed;
+        for (owed, found) in owed.iter_mut().zip(found).filter(|(owed, found)| *found > **owed) {
+            *owed = halves(MORE * found);
+        }
+    }
+    Ok(None)
+}
+
+/// A whole number of half quanta, no more than `price`.
+fn halves(price: f64) -> f64 {
+    (price / HALF).floor() * HALF
+}
+
+/// What may be owed at each of m samples, from what was among those that were kept: prices fall with
+/// the square of the spacing, and there are more of them.
+fn spread(few: &[f64], kept: &[usize], m: usize) -> Vec<f64> {
+    let share = MORE * few.len() as f64 / m as f64;
+    let mut owed = vec![0.0; m];
+    let n = kept.len();
+    for i in 0..n {
+        let until = if i + 1 == n { m } else { kept[i + 1] };
+        let around = (0..2 * AROUND).map(|step| few[(i + n + 1 + step - AROUND) % n]);
+        owed[kept[i]..until].fill(halves(share * around.fold(0.0, f64::max)));
+    }
+    owed
 }
 
 #[cfg(test)]

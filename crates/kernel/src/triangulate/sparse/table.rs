@@ -1,15 +1,18 @@
-//! The table of equation (5) over the rungs that can belong to the answer.
+//! The table of equation (5) over a list of rungs.
 //!
-//! Rows are filled from the last to the first, each from left to right, as E(a,b) needs the entries
-//! (a,c) to its left and (c,b) below it. The row is spread out over all samples and the columns are
-//! packed, so that the sums E(a,c) + E(c,b) run over two slices, as in the dense table. They alone
-//! show for most pairs that nothing comes of them; only then is a rung priced.
+//! What is kept of a rung is q = s + ½ w, with s the surplus of its inner side (what its triangles
+//! pay beyond what its edges ask for) and w its own price. A triangle pays half of the prices of its
+//! sides and its folds, so that s(a,b) = ½ w(a,b) + min over c of q(a,c) + q(c,b) + F(a,c,b).
+//!
+//! Rows are filled from the last to the first. Row a is worked out from left to right: once q(a,c)
+//! is known, row c is run through for all b beyond c at once, several side by side. Surpluses count
+//! only up to a limit, so that one of q(a,c) and q(c,b) must be below half of it: if q(a,c) is not,
+//! only the few b are looked at for which q(c,b) is. F is worked out only where the sum alone does
+//! not reach what was found so far; most often the first c, a + 1, has found the least.
 
-use super::super::{EDGE, Side, Solved, Terms, TriangulateError};
-use super::blocks::Blocks;
-use super::debts::Debts;
-use super::sweep::Alive;
-use crate::cost::{QUANTUM, quantised};
+use super::super::{EDGE, Side, Terms, TriangulateError};
+use super::Budget;
+use super::asks::HALF;
 use crate::math::Vec3;
 use crate::watch::Watch;
 use std::ops::Range;
@@ -18,330 +21,338 @@ use std::ops::Range;
 const LANES: usize = 8;
 /// What the bound of F may lose to rounding and to the quantum: far more than ν · 2⁻⁴⁹.
 const SLACK: f64 = 1e-12;
+/// What a fold price counts as work.
+const A_FOLD: u64 = 8;
 /// What an entry takes, bytes, while the lists grow.
-const BYTES_AN_ENTRY: usize = 2 * 44;
+const BYTES_AN_ENTRY: usize = 2 * 36;
+
+/// What a table is worked out for.
+pub(super) enum Aim<'a> {
+    /// The cheapest triangulation among the rungs listed, if one costs no more than this. Edges ask
+    /// for nothing.
+    Among(f64),
+    /// The cheapest triangulation of all: see [`super`].
+    Proof(&'a Proof),
+}
+
+/// What the edges ask for, and what may be owed.
+pub(super) struct Proof {
+    /// What the edges before each sample ask for, together.
+    asked: Vec<f64>,
+    /// The most that sides of each sample may owe.
+    pub(super) owed: Vec<f64>,
+    /// Surpluses count up to this, if what is not listed allows.
+    surplus: f64,
+}
+
+impl Proof {
+    pub(super) fn new(asks: &[f64], owed: Vec<f64>, surplus: f64) -> Self {
+        let mut asked = vec![0.0; asks.len()];
+        for i in 1..asks.len() {
+            asked[i] = asked[i - 1] + asks[i - 1];
+        }
+        Self { asked, owed, surplus }
+    }
+
+    /// Surpluses of the rung (a, b) count up to this: no triangle with a side that is not listed
+    /// leaves less.
+    fn most(&self, a: usize, b: usize) -> f64 {
+        self.owed[a].min(self.owed[b]).min(self.surplus) + HALF
+    }
+
+    /// What the edges from sample a to sample b ask for.
+    fn asked(&self, a: usize, b: usize) -> f64 {
+        self.asked[b] - self.asked[a]
+    }
+}
 
 pub(super) struct Table<'a> {
     terms: &'a Terms<'a>,
     m: usize,
     folds: bool,
-    /// The entries of the rows: second sample and E.
+    aim: Aim<'a>,
+    /// The entries of the rows.
     entries: Vec<Range<usize>>,
+    /// The second sample, q, and N by axis where folds cost something.
     to: Vec<u32>,
     prices: Vec<f64>,
-    columns: Vec<Column>,
-    /// Positions by axis, the last sample first; empty where folds cost nothing.
-    positions: [Vec<f64>; 3],
-}
-
-/// The entries (c, b) of a column, c from high to low.
-#[derive(Clone, Default)]
-struct Column {
-    /// Entries that follow one another: how far the first is from the last sample, and their places.
-    runs: Vec<(usize, Range<usize>)>,
-    prices: Vec<f64>,
-    /// N by axis, where folds cost something.
     means: [Vec<f64>; 3],
+    /// The runs of entries of each row that follow one another.
+    runs_of: Vec<Range<usize>>,
+    runs: Vec<Range<usize>>,
+    /// The places of the entries of each row that are low.
+    lows_of: Vec<Range<usize>>,
+    lows: Vec<usize>,
+    /// Of every two sides of a triangle that matters, one has a q below this.
+    low: f64,
+    /// A sixth of the weight of folds: a fold price is at least that times the square of how far the
+    /// N are from adding up to 3, since no unit n makes Σ (1 − n·N) less than 3 − |Σ N|.
+    sixth: f64,
+    /// The most that sides of each sample owe.
+    pub(super) owed: Vec<f64>,
+    /// How many sums were compared, each fold price counted as so many.
+    pub(super) work: u64,
 }
 
-/// The row that is being filled, spread out: the entry (a, c) is at m − 1 − c.
+/// The row that is being filled, spread out by second samples.
 struct Row {
-    prices: Vec<f64>,
+    /// Nothing up to this sample can be less than it is.
+    settled: usize,
+    /// What q(a,c) + q(c,b) + F must be less than: the least so far, or what makes the surplus
+    /// count; −∞ where no rung is listed.
+    limits: Vec<f64>,
     means: [Vec<f64>; 3],
-    /// The best c of the last entry of every column.
-    best: Vec<u32>,
 }
 
-#[derive(Clone, Copy)]
-struct Least {
-    price: f64,
-    c: usize,
+/// A rung that is listed.
+struct Listed {
+    b: usize,
+    side: Side,
+    /// Its limit to begin with.
+    limit: f64,
 }
 
 impl<'a> Table<'a> {
-    /// Fills the table with all entries that can belong to an answer up to `bound`; `None` if it
-    /// takes more than `memory`.
+    /// Fills the table with the rungs that are listed for each sample, the second ones in
+    /// increasing order; `None` if that takes more than the budget.
     pub(super) fn fill(
         terms: &'a Terms<'a>,
-        blocks: &Blocks,
-        alive: &Alive,
-        debts: Option<&Debts>,
-        bound: f64,
-        memory: u64,
+        rungs: &[Vec<u32>],
+        aim: Aim<'a>,
+        budget: &Budget,
         watch: &mut dyn Watch,
     ) -> Result<Option<Self>, TriangulateError> {
         let m = terms.prices.len();
-        let folds = terms.folds();
+        let low = match &aim {
+            Aim::Among(_) => f64::INFINITY,
+            Aim::Proof(proof) => 0.5 * (proof.surplus + HALF),
+        };
         let mut table = Self {
             terms,
             m,
-            folds,
+            folds: terms.folds(),
+            aim,
             entries: vec![0..0; m],
             to: Vec::new(),
             prices: Vec::new(),
-            columns: vec![Column::default(); m],
-            positions: [0, 1, 2].map(|axis| {
-                let position = |i: usize| terms.prices.smooth_end(i).0[axis];
-                (0..m).rev().filter(|_| folds).map(position).collect()
-            }),
+            means: [const { Vec::new() }; 3],
+            runs_of: vec![0..0; m],
+            runs: Vec::new(),
+            lows_of: vec![0..0; m],
+            lows: Vec::new(),
+            low,
+            sixth: terms.prices.options().fold / 6.0,
+            owed: vec![0.0; m],
+            work: 0,
         };
-        let width = if folds { m } else { 0 };
+        let width = if table.folds { m } else { 0 };
         let mut row = Row {
-            prices: vec![f64::INFINITY; m],
+            settled: 0,
+            limits: vec![f64::NEG_INFINITY; m],
             means: [0, 1, 2].map(|_| vec![0.0; width]),
-            best: vec![0; m],
         };
         let registers = pulp::Arch::new();
-        // Second samples, and what their inner sides may cost.
-        let mut list: Vec<(usize, f64)> = Vec::new();
-        let mut whole = blocks.len() - 1;
-        let mut owed = vec![0.0; m];
+        let mut listed = Vec::new();
         for a in (0..m - 1).rev() {
             if a % 64 == 0 && watch.stop() {
                 return Err(TriangulateError::Stopped);
             }
-            while blocks.samples(whole).start > a {
-                whole -= 1;
-            }
-            list.clear();
-            let reached = alive.samples(blocks, whole, a).filter(|&(b, _)| a > 0 || b + 1 < m);
-            match debts {
-                Some(debts) => {
-                    debts.row(a).for_each(|(b, debt)| owed[b] = debt);
-                    let gap = bound - debts.bound;
-                    list.extend(reached.map(|(b, outside)| {
-                        let most = gap + debts.asked(a, b) - owed[b];
-                        (b, most.min(bound - f64::from(outside)))
-                    }));
-                    debts.row(a).for_each(|(b, _)| owed[b] = 0.0);
-                }
-                None => list.extend(reached.map(|(b, outside)| (b, bound - f64::from(outside)))),
-            }
-            if a == 0 {
-                list.push((m - 1, bound));
-            }
-            let share = if debts.is_some() { 0.5 } else { 1.0 };
+            table.list(a, &rungs[a], &mut listed);
             registers.dispatch(
                 #[inline(always)]
-                || table.fill_row(a, &list, share, &mut row),
+                || table.fill_row(a, &listed, &mut row),
             );
-            if (table.to.len() * BYTES_AN_ENTRY) as u64 > memory {
+            let bytes = (table.to.len() * BYTES_AN_ENTRY) as u64;
+            if bytes > budget.memory || table.work > budget.work {
                 return Ok(None);
             }
         }
         Ok(Some(table))
     }
 
-    /// Fills row a. The inner sides of a rung may cost what the list says less `share` of its own
-    /// price.
+    /// What the edges from sample a to sample b ask for.
+    fn asked(&self, a: usize, b: usize) -> f64 {
+        match &self.aim {
+            Aim::Among(_) => 0.0,
+            Aim::Proof(proof) => proof.asked(a, b),
+        }
+    }
+
+    fn is_root(&self, a: usize, b: usize) -> bool {
+        a == 0 && b + 1 == self.m
+    }
+
+    /// Prices the rungs of row a.
+    fn list(&self, a: usize, rungs: &[u32], listed: &mut Vec<Listed>) {
+        listed.clear();
+        let second = rungs.iter().map(|&b| b as usize).filter(|&b| !self.is_root(a, b));
+        listed.extend(second.map(|b| {
+            let side = self.terms.side(a, b);
+            let most = match &self.aim {
+                Aim::Among(bound) => *bound + HALF,
+                Aim::Proof(proof) => proof.most(a, b),
+            };
+            Listed { b, side, limit: most - 0.5 * side.price }
+        }));
+        if a == 0 {
+            let limit = match &self.aim {
+                Aim::Among(bound) => *bound + HALF,
+                Aim::Proof(_) => f64::INFINITY,
+            };
+            listed.push(Listed { b: self.m - 1, side: EDGE, limit });
+        }
+    }
+
+    /// Fills row a.
     #[inline(always)]
-    fn fill_row(&mut self, a: usize, list: &[(usize, f64)], share: f64, row: &mut Row) {
-        let first = self.to.len();
-        self.entries[a] = first..first;
-        self.keep(a, a + 1, 0.0, Vec3::ZERO, row);
-        let mut before = a + 1;
-        for &(b, most) in list {
-            if self.columns[b].prices.is_empty() || self.least_sum(b, row) > most {
+    fn fill_row(&mut self, a: usize, listed: &[Listed], row: &mut Row) {
+        for Listed { b, side, limit } in listed {
+            row.limits[*b] = *limit;
+            if self.folds {
+                (0..3).for_each(|axis| row.means[axis][*b] = side.mean[axis]);
+            }
+        }
+        let start = self.to.len();
+        self.entries[a] = start..start;
+        self.runs_of[a] = self.runs.len()..self.runs.len();
+        self.lows_of[a] = self.lows.len()..self.lows.len();
+        let ask = self.asked(a, a + 1);
+        self.keep(a, a + 1, -ask, EDGE);
+        row.settled = a + 1;
+        self.run_through(a, a + 1, -ask, EDGE, row);
+        // In a flat run, all that follows from the first c costs nothing.
+        for Listed { b, .. } in listed {
+            if *b > row.settled + 1 || row.limits[*b] > -self.asked(a, *b) {
+                break;
+            }
+            row.settled = *b;
+        }
+        let is_proof = matches!(self.aim, Aim::Proof(_));
+        for Listed { b, side, limit } in listed {
+            let least = row.limits[*b];
+            if !is_proof && (least == *limit || least == f64::NEG_INFINITY) {
                 continue;
             }
-            let is_root = a == 0 && b + 1 == self.m;
-            let side = if is_root { EDGE } else { self.terms.side(a, b) };
-            let most = if is_root { most } else { most - share * side.price };
-            if most >= 0.0 {
-                let guesses = [before, row.best[b] as usize];
-                let least = self.least(a, b, side, most + QUANTUM, guesses, row);
-                if least.price <= most {
-                    before = least.c;
-                    row.best[b] = least.c as u32;
-                    self.keep(a, b, side.price + least.price, side.mean, row);
-                }
-            }
+            let q = least + side.price;
+            self.keep(a, *b, q, *side);
+            self.run_through(a, *b, q, *side, row);
         }
-        for at in first..self.to.len() {
-            row.prices[self.m - 1 - self.to[at] as usize] = f64::INFINITY;
+        for Listed { b, .. } in listed {
+            row.limits[*b] = f64::NEG_INFINITY;
         }
     }
 
     #[inline(always)]
-    fn keep(&mut self, a: usize, b: usize, price: f64, mean: Vec3, row: &mut Row) {
-        let place = self.to.len();
+    fn keep(&mut self, a: usize, b: usize, q: f64, side: Side) {
+        let at = self.to.len();
         self.to.push(b as u32);
-        self.prices.push(price);
-        self.entries[a].end = place + 1;
-        let (spread, from) = (self.m - 1 - b, self.m - 1 - a);
-        row.prices[spread] = price;
-        let column = &mut self.columns[b];
-        let at = column.prices.len();
-        match column.runs.last_mut() {
-            Some((first, run)) if *first + run.len() == from => run.end += 1,
-            _ => column.runs.push((from, at..at + 1)),
-        }
-        column.prices.push(price);
+        self.prices.push(q);
         if self.folds {
-            for axis in 0..3 {
-                column.means[axis].push(mean[axis]);
-                row.means[axis][spread] = mean[axis];
+            (0..3).for_each(|axis| self.means[axis].push(side.mean[axis]));
+        }
+        self.entries[a].end = at + 1;
+        match self.runs[self.runs_of[a].clone()].last_mut() {
+            Some(run) if self.to[run.start] as usize + run.len() == b => run.end += 1,
+            _ => {
+                self.runs.push(at..at + 1);
+                self.runs_of[a].end += 1;
             }
+        }
+        if !self.is_root(a, b) {
+            let debt = 0.5 * side.price - q;
+            self.owed[a] = self.owed[a].max(debt);
+            self.owed[b] = self.owed[b].max(debt);
+        }
+        if q < self.low {
+            self.lows.push(at);
+            self.lows_of[a].end += 1;
         }
     }
 
-    /// The least of E(a,c) + E(c,b) over all c.
+    /// Looks at the triangles a, c, b for all b beyond c, q(a,c) being `q`.
     #[inline(always)]
-    fn least_sum(&self, b: usize, row: &Row) -> f64 {
-        let column = &self.columns[b];
-        let mut least = [f64::INFINITY; LANES];
-        for (first, run) in &column.runs {
-            let (one, one_rest) = row.prices[*first..*first + run.len()].as_chunks::<LANES>();
-            let (other, other_rest) = column.prices[run.clone()].as_chunks::<LANES>();
-            for (x, y) in one.iter().zip(other) {
-                for n in 0..LANES {
-                    let sum = x[n] + y[n];
-                    least[n] = if sum < least[n] { sum } else { least[n] };
+    fn run_through(&mut self, a: usize, c: usize, q: f64, side: Side, row: &mut Row) {
+        if q >= self.low {
+            for n in self.lows_of[c].clone() {
+                self.look_at(a, c, self.lows[n], q, side, row);
+            }
+            self.work += self.lows_of[c].len() as u64;
+            return;
+        }
+        for n in self.runs_of[c].clone() {
+            let mut run = self.runs[n].clone();
+            let settled = (row.settled + 1).saturating_sub(self.to[run.start] as usize);
+            run.start += settled.min(run.len());
+            if run.is_empty() {
+                continue;
+            }
+            self.work += 1 + run.len() as u64 / 4;
+            let first = self.to[run.start] as usize;
+            let prices = &self.prices[run.clone()];
+            let limits = &mut row.limits[first..first + prices.len()];
+            if !self.folds {
+                for (limit, price) in limits.iter_mut().zip(prices) {
+                    let sum = q + price;
+                    *limit = if sum < *limit { sum } else { *limit };
+                }
+                continue;
+            }
+            let whole = run.len() / LANES * LANES;
+            for n in (0..whole).step_by(LANES) {
+                let limits = &row.limits[first + n..first + n + LANES];
+                let mut below = false;
+                for (limit, price) in limits.iter().zip(&self.prices[run.start + n..][..LANES]) {
+                    below |= q + price < *limit;
+                }
+                if below {
+                    (n..n + LANES).for_each(|n| self.look_at(a, c, run.start + n, q, side, row));
                 }
             }
-            for (x, y) in one_rest.iter().zip(other_rest) {
-                let sum = x + y;
-                least[0] = if sum < least[0] { sum } else { least[0] };
-            }
+            (whole..run.len()).for_each(|n| self.look_at(a, c, run.start + n, q, side, row));
         }
-        least.into_iter().fold(f64::INFINITY, |a, b| if b < a { b } else { a })
     }
 
-    /// The least of E(a,c) + E(c,b) + F(a,c,b) if it lies below `below`, and a c that reaches it.
+    /// Looks at the triangle of the rung ⟨a,c⟩, whose q is given, and the entry of row c at `at`.
     #[inline(always)]
-    fn least(
-        &self,
-        a: usize,
-        b: usize,
-        side: Side,
-        below: f64,
-        guesses: [usize; 2],
-        row: &Row,
-    ) -> Least {
-        let mut least = Least { price: below, c: guesses[0] };
-        if !self.folds {
-            let price = self.least_sum(b, row);
-            return Least { price: if price < below { price } else { below }, ..least };
-        }
-        for c in guesses.into_iter().chain([a + 1, b - 1]) {
-            if a < c
-                && c < b
-                && row.prices[self.m - 1 - c] < f64::INFINITY
-                && let Some(at) = self.columns[b].place(self.m - 1 - c)
-            {
-                self.look_at(a, c, b, at, side, row, &mut least);
-            }
-        }
-        let rungs = if a == 0 && b + 1 == self.m { 2.0 } else { 3.0 };
-        for n in 0..self.columns[b].runs.len() {
-            let (first, run) = self.columns[b].runs[n].clone();
-            let blocks = run.len() / LANES * LANES;
-            for n in (0..blocks).step_by(LANES) {
-                self.look_at_lanes(a, b, first + n, run.start + n, rungs, side, row, &mut least);
-            }
-            for n in blocks..run.len() {
-                let c = self.m - 1 - (first + n);
-                self.look_at(a, c, b, run.start + n, side, row, &mut least);
-            }
-        }
-        least
-    }
-
-    /// Looks at the triangles of eight c, whose entries (a, c) are at `here` in the row and (c, b)
-    /// at `at` in the column. All of their sides but so many are taken to be rungs; those with
-    /// edges come out too dear, and have been looked at.
-    #[inline(always)]
-    #[allow(clippy::too_many_arguments)]
-    fn look_at_lanes(
-        &self,
-        a: usize,
-        b: usize,
-        here: usize,
-        at: usize,
-        rungs: f64,
-        side: Side,
-        row: &Row,
-        least: &mut Least,
-    ) {
-        let lanes = |list: &[f64], at: usize| -> [f64; LANES] {
-            list[at..].first_chunk().copied().unwrap_or([f64::INFINITY; LANES])
-        };
-        let column = &self.columns[b];
-        let (x, y) = (lanes(&row.prices, here), lanes(&column.prices, at));
-        let mut below = false;
-        for n in 0..LANES {
-            below |= x[n] + y[n] < least.price;
-        }
-        if !below {
+    fn look_at(&mut self, a: usize, c: usize, at: usize, q: f64, side: Side, row: &mut Row) {
+        let b = self.to[at] as usize;
+        let mut sum = q + self.prices[at];
+        if sum >= row.limits[b] {
             return;
         }
-        let p = [0, 1, 2].map(|axis| lanes(&row.means[axis], here));
-        let q = [0, 1, 2].map(|axis| lanes(&column.means[axis], at));
-        let own = side.mean.to_array();
-        let fold = self.terms.prices.options().fold;
-        let mut is_open = rungs < 3.0;
-        for n in 0..LANES {
-            let sum = [0, 1, 2].map(|axis| p[axis][n] + q[axis][n] + own[axis]);
-            let square = sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2];
-            let bound = x[n] + y[n] + fold / 6.0 * (9.0 - square);
-            is_open |= bound < least.price + SLACK;
-        }
-        if !is_open {
-            return;
-        }
-        // As `Prices::triangle` has it, so that the bits are the same.
-        let point = |i: usize| [0, 1, 2].map(|axis| self.positions[axis][self.m - 1 - i]);
-        let (from, to) = (point(a), point(b));
-        let v = [0, 1, 2].map(|axis| to[axis] - from[axis]);
-        let c = [0, 1, 2].map(|axis| lanes(&self.positions[axis], here));
-        let mut prices = [0.0; LANES];
-        for n in 0..LANES {
-            let u = [c[0][n] - from[0], c[1][n] - from[1], c[2][n] - from[2]];
-            let area =
-                [u[1] * v[2] - v[1] * u[2], u[2] * v[0] - v[2] * u[0], u[0] * v[1] - v[0] * u[1]];
-            let sum = [0, 1, 2].map(|axis| p[axis][n] + q[axis][n] + own[axis]);
-            let doubled = (area[0] * area[0] + area[1] * area[1] + area[2] * area[2]).sqrt();
-            let dot = area[0] * sum[0] + area[1] * sum[1] + area[2] * sum[2];
-            let along = if doubled > 0.0 { dot / doubled } else { -rungs };
-            prices[n] = x[n] + y[n] + quantised(fold * (rungs - along));
-        }
-        for n in 0..LANES {
-            if prices[n] < least.price {
-                *least = Least { price: prices[n], c: self.m - 1 - (here + n) };
+        if self.folds {
+            let far = Vec3::from_array([0, 1, 2].map(|axis| self.means[axis][at]));
+            let own = Vec3::from_array([0, 1, 2].map(|axis| row.means[axis][b]));
+            let total = side.mean + far + own;
+            let least = sum + self.sixth * (9.0 - total.length_squared());
+            let has_edge = c == a + 1 || b == c + 1 || self.is_root(a, b);
+            if !has_edge && least >= row.limits[b] + SLACK {
+                return;
+            }
+            self.work += A_FOLD;
+            sum += self.terms.prices.triangle([a, c, b], [side.mean, far, own]);
+            if sum >= row.limits[b] {
+                return;
             }
         }
+        row.limits[b] = sum;
     }
 
-    /// Looks at the triangle a, c, b, whose entry (c, b) is at this place of its column.
-    #[inline(always)]
-    #[allow(clippy::too_many_arguments)]
-    fn look_at(
-        &self,
-        a: usize,
-        c: usize,
-        b: usize,
-        at: usize,
-        side: Side,
-        row: &Row,
-        least: &mut Least,
-    ) {
-        let column = &self.columns[b];
-        let sum = row.prices[self.m - 1 - c] + column.prices[at];
-        if sum < least.price {
-            let spread = self.m - 1 - c;
-            let from = Vec3::from_array([0, 1, 2].map(|axis| row.means[axis][spread]));
-            let to = Vec3::from_array([0, 1, 2].map(|axis| column.means[axis][at]));
-            let means = [from, to, side.mean];
-            let price = sum + self.terms.prices.triangle([a, c, b], means);
-            if price < least.price {
-                *least = Least { price, c };
-            }
-        }
+    /// What the triangles pay beyond what the edges ask for, at the least.
+    pub(super) fn surplus(&self) -> Option<f64> {
+        self.place(0, self.m - 1).map(|root| self.prices[root])
     }
 
-    /// The answer; `None` if there is none up to the bound.
-    pub(super) fn solved(&self) -> Option<Solved> {
-        let root = self.place(0, self.m - 1)?;
+    /// The surplus of the inner side of a rung, as far as it counts; `None` if it is not listed.
+    #[cfg(test)]
+    pub(super) fn surplus_of(&self, a: usize, b: usize) -> Option<f64> {
+        Some(self.prices[self.place(a, b)?] - 0.5 * self.terms.side(a, b).price)
+    }
+
+    /// The triangles of the answer; `None` if there is none, or if it may have parts of which only
+    /// a bound is known.
+    pub(super) fn triangles(&self) -> Option<Vec<[usize; 3]>> {
+        self.place(0, self.m - 1)?;
         let mut triangles = Vec::with_capacity(self.m - 2);
         let mut parts = vec![(0, self.m - 1)];
         while let Some((i, j)) = parts.pop() {
@@ -352,18 +363,25 @@ impl<'a> Table<'a> {
             triangles.push([i, k, j]);
             parts.extend([(i, k), (k, j)]);
         }
-        Some(Solved { price: self.prices[root], triangles })
+        Some(triangles)
     }
 
     /// The k of E(i,j), by the rule for equals of the dense table.
     fn chosen(&self, i: usize, j: usize) -> Option<usize> {
         let mean = |i: usize, j: usize| self.terms.side(i, j).mean;
-        let own = mean(i, j);
+        let own = self.terms.side(i, j);
+        // Nothing can be less, and all that is as little is known.
+        let floor = -self.asked(i, j);
         let mut chosen: Option<(f64, f64, usize)> = None;
+        let mut is_known = true;
         for at in self.entries[i].clone() {
             let k = self.to[at] as usize;
             if k >= j {
                 break;
+            }
+            let detour = self.terms.prices.detour(i, k, j);
+            if chosen.is_some_and(|(least, way, _)| least == floor && detour >= way) {
+                continue;
             }
             let Some(other) = self.place(k, j) else { continue };
             let sum = self.prices[at] + self.prices[other];
@@ -371,31 +389,38 @@ impl<'a> Table<'a> {
                 continue;
             }
             let fold = if self.folds {
-                let means = [mean(i, k), mean(k, j), own];
+                let means = [mean(i, k), mean(k, j), own.mean];
                 self.terms.prices.triangle([i, k, j], means)
             } else {
                 0.0
             };
-            let key = (sum + fold, self.terms.prices.detour(i, k, j), k);
+            let key = (sum + fold, detour, k);
+            if chosen.is_none_or(|least| key.0 < least.0) {
+                is_known = true;
+            }
+            if chosen.is_none_or(|least| key.0 <= least.0) {
+                is_known &= self.is_known(i, k, at) && self.is_known(k, j, other);
+            }
             if chosen.is_none_or(|least| (key.0, key.1) < (least.0, least.1)) {
                 chosen = Some(key);
             }
         }
-        chosen.map(|(.., k)| k)
+        chosen.filter(|_| is_known).map(|(.., k)| k)
+    }
+
+    /// Whether an entry is the least, and not just a bound.
+    fn is_known(&self, a: usize, b: usize, at: usize) -> bool {
+        match &self.aim {
+            Aim::Among(_) => true,
+            Aim::Proof(proof) => {
+                b == a + 1 || self.prices[at] - 0.5 * self.terms.side(a, b).price < proof.most(a, b)
+            }
+        }
     }
 
     /// The place of the entry (a, b).
     fn place(&self, a: usize, b: usize) -> Option<usize> {
         let row = self.entries[a].clone();
         self.to[row.clone()].binary_search(&(b as u32)).ok().map(|n| row.start + n)
-    }
-}
-
-impl Column {
-    /// The place of the entry that is so far from the last sample.
-    fn place(&self, from: usize) -> Option<usize> {
-        let n = self.runs.partition_point(|(first, _)| *first <= from);
-        let (first, run) = self.runs.get(n.checked_sub(1)?)?;
-        (from - first < run.len()).then(|| run.start + from - first)
     }
 }
