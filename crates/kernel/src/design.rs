@@ -3,12 +3,14 @@
 mod error;
 mod joining;
 mod links;
+mod live;
 mod run_on;
 mod sampling;
 mod varying;
 
 pub use error::{MakeCause, MakeError, VaryCause};
 pub use joining::Join;
+pub use live::{Live, LivePanel};
 pub use varying::{Change, MovedBy, Vary};
 
 use crate::boundary::{Boundary, PlaneChoice, SupportingPlane, supporting_plane};
@@ -25,7 +27,8 @@ use crate::measure::{Measures, first_self_crossing, measures};
 use crate::pattern::{PatternOptions, Piece, piece};
 use crate::surface::{Connectivity, Surface};
 use crate::triangulate::{
-    Goal, Method, TriangulateOptions, Triangulation, refuse, triangulate, with_holes_facing,
+    Cheapest, Goal, Method, TriangulateError, TriangulateOptions, Triangulation, cheaper_than,
+    refuse, triangulate, triangulate_near, with_holes_facing,
 };
 use crate::watch::{Stage, Watch};
 use sampling::{Sampled, Sampler, Sourced, matched};
@@ -244,21 +247,24 @@ fn make_panels(
     let matched = matched(design);
     let sampler = Sampler { design, matched: &matched };
     let panels = design.panels_to_make().into_iter().filter(|panel| wanted(panel));
-    panels.map(|panel| make_panel(&sampler, panel, watch)).collect()
+    panels.map(|panel| make_panel(&sampler, panel, &mut None, watch)).collect()
 }
 
 /// A surface that need not lie over the plane is worth a word if its price is below this share.
 const MUCH_CHEAPER: f64 = 0.5;
 
+/// Makes one panel; `known` is what is known of its triangulation from when it was made before, and
+/// then from now.
 fn make_panel(
     sampler: &Sampler<'_>,
     panel: &DesignPanel,
+    known: &mut Option<Cheapest>,
     watch: &mut dyn Watch,
 ) -> Result<MadePanel, MakeError> {
-    match make_as_asked(sampler, panel, watch) {
+    match make_as_asked(sampler, panel, known, watch) {
         Err(error) if panel.run_on && error.cause != MakeCause::RunOn && !watch.stop() => {
             let straight = DesignPanel { run_on: false, ..panel.clone() };
-            let mut made = make_as_asked(sampler, &straight, watch)?;
+            let mut made = make_as_asked(sampler, &straight, &mut None, watch)?;
             made.checked.add(stayed_straight(&error.cause.to_string()));
             Ok(made)
         }
@@ -324,6 +330,7 @@ fn prepare(
 fn make_as_asked(
     sampler: &Sampler<'_>,
     panel: &DesignPanel,
+    known: &mut Option<Cheapest>,
     watch: &mut dyn Watch,
 ) -> Result<MadePanel, MakeError> {
     let failed = |cause: MakeCause| MakeError { panel: panel.name.clone(), curve: None, cause };
@@ -333,8 +340,11 @@ fn make_as_asked(
         prepare(sampler, panel, watch)?;
 
     watch.begin(&[&panel.name], Stage::Solve);
-    let triangulation = triangulate(&boundary, plane.as_ref(), &options, watch)
+    let is_first = known.is_none();
+    let cheapest = triangulate_near(&boundary, plane.as_ref(), &options, known.as_ref(), watch)
         .map_err(|e| failed(MakeCause::Triangulate(e)))?;
+    let Cheapest { triangulation, also_without_plane } = cheapest.clone();
+    let known = known.insert(cheapest);
     let connectivity = Connectivity::new(boundary.loops(), triangulation.triangles.clone())
         .map_err(|e| failed(MakeCause::Surface(e)))?;
     let surface = Surface::new(connectivity, boundary.positions());
@@ -362,20 +372,28 @@ fn make_as_asked(
     let bends = checked.verdict == Verdict::Bends;
     if panel.plane == PlaneChoice::Auto && plane.is_some() && boundary.holes() < 2 && !bends {
         // The plane, rather than the boundary, may be what keeps it from bending.
-        let free = triangulate(&boundary, None, &options, watch)
-            .map_err(|e| failed(MakeCause::Triangulate(e)))?;
-        let connectivity = Connectivity::new(boundary.loops(), free.triangles)
-            .map_err(|e| failed(MakeCause::Surface(e)))?;
-        let surface = Surface::new(connectivity, boundary.positions());
-        if free.price < MUCH_CHEAPER * triangulation.price
-            && first_self_crossing(&surface).is_none()
-        {
-            checked.add(better_without_plane(triangulation.price, free.price));
+        let limit = MUCH_CHEAPER * triangulation.price;
+        let free = match also_without_plane {
+            Some(true) => Ok(None),
+            // Whoever asks again and again had better know.
+            None if !is_first => triangulate(&boundary, None, &options, watch).map(|free| {
+                known.also_without_plane = Some(free == triangulation);
+                Some(free).filter(|free| free.price < limit)
+            }),
+            _ => without_plane(&boundary, &options, &triangulation, limit, watch),
+        };
+        if let Some(free) = free.map_err(|e| failed(MakeCause::Triangulate(e)))? {
+            let connectivity = Connectivity::new(boundary.loops(), free.triangles)
+                .map_err(|e| failed(MakeCause::Surface(e)))?;
+            let surface = Surface::new(connectivity, boundary.positions());
+            if first_self_crossing(&surface).is_none() {
+                checked.add(better_without_plane(triangulation.price, free.price));
+            }
         }
     }
     if let Some(bulges_mm) = new_ends {
         let straight = DesignPanel { run_on: false, ..panel.clone() };
-        let straight = make_as_asked(sampler, &straight, watch).ok();
+        let straight = make_as_asked(sampler, &straight, &mut None, watch).ok();
         checked.add(ran_on(bulges_mm, &measures, straight.as_ref().map(|made| &made.measures)));
     }
     findings.into_iter().for_each(|finding| checked.add(finding));
@@ -396,6 +414,24 @@ fn make_as_asked(
         piece,
         change: None,
     })
+}
+
+/// The cheapest triangulation of a boundary without its plane, if it costs less than `limit`;
+/// `found` is that with the plane.
+fn without_plane(
+    boundary: &Boundary,
+    options: &TriangulateOptions,
+    found: &Triangulation,
+    limit: f64,
+    watch: &mut dyn Watch,
+) -> Result<Option<Triangulation>, TriangulateError> {
+    let is_plain = boundary.holes() == 0 && options.method == Method::Optimal;
+    // Where one without forced rungs is known, those with them do not count.
+    if is_plain && options.goal == Goal::Price && found.forced_rungs == 0 {
+        return cheaper_than(boundary, options, limit, watch);
+    }
+    let free = triangulate(boundary, None, options, watch)?;
+    Ok(Some(free).filter(|free| free.price < limit))
 }
 
 /// The curves that bound a panel, or the panels that it joins.

@@ -9,6 +9,7 @@
 
 pub mod developable;
 pub mod domain;
+pub mod drag;
 pub mod family;
 pub mod gored;
 pub mod hemisphere;

@@ -100,10 +100,10 @@ fn is_flat(boundary: &Boundary) -> bool {
 }
 
 fn project(boundary: &Boundary, normal: Vec3) -> Result<SupportingPlane, PlaneError> {
-    let normal = unit(normal).ok_or(PlaneError::NoDirection)?;
     // The side of the plane that the loop runs counter-clockwise on.
     let facing = if boundary.area_vector().dot(normal) < 0.0 { -normal } else { normal };
     let origin = boundary.samples()[0].position;
+    // Not made a unit vector before: one that is made one twice may differ by a bit.
     let frame = Frame::with_normal(origin, facing).ok_or(PlaneError::NoDirection)?;
     let projected: Vec<Point2> =
         boundary.samples().iter().map(|s| frame.project(s.position)).collect();

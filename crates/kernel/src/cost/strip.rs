@@ -69,6 +69,9 @@ impl Prices {
             special[n] = rung.is_special;
         }
         let printed = self.options.form == TwistForm::Printed;
+        if !printed && special == [false; LANES] {
+            return strip;
+        }
         for n in 0..to.count {
             let j = to.first + n;
             if (special[n] || printed) && j > i {

@@ -58,9 +58,16 @@ fn spots(positions: &[Point3]) -> Vec<Point3> {
 /// onto one another.
 fn cross(t: [Point3; 3], u: [Point3; 3]) -> bool {
     let sides = |t: [Point3; 3]| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]];
-    let in_plane = u.iter().all(|&p| orientation3(t[0], t[1], t[2], p) == Ordering::Equal);
-    if in_plane {
+    let sides_of_u = off_plane(t, u);
+    // Beyond their common samples, one lies wholly on one side of the other.
+    if sides_of_u.are_one() {
+        return false;
+    }
+    if sides_of_u.all(Ordering::Equal) {
         return overlap_in_plane(t, u);
+    }
+    if off_plane(u, t).are_one() {
+        return false;
     }
     let meets = |t: [Point3; 3], u: [Point3; 3]| {
         sides(t)
@@ -69,6 +76,33 @@ fn cross(t: [Point3; 3], u: [Point3; 3]) -> bool {
             .any(|[a, b]| pierces(a, b, u))
     };
     meets(t, u) || meets(u, t)
+}
+
+/// On which sides of the plane of a triangle the corners of another lie that are none of its own.
+fn off_plane(plane: [Point3; 3], corners: [Point3; 3]) -> Sides {
+    let mut sides = Sides { list: [Ordering::Equal; 3], count: 0 };
+    for p in corners.into_iter().filter(|p| !plane.contains(p)) {
+        sides.list[sides.count] = orientation3(plane[0], plane[1], plane[2], p);
+        sides.count += 1;
+    }
+    sides
+}
+
+/// Up to three sides of a plane.
+struct Sides {
+    list: [Ordering; 3],
+    count: usize,
+}
+
+impl Sides {
+    fn all(&self, side: Ordering) -> bool {
+        self.list[..self.count].iter().all(|&s| s == side)
+    }
+
+    /// Whether there are some, all on one side and none in the plane.
+    fn are_one(&self) -> bool {
+        self.count > 0 && (self.all(Ordering::Less) || self.all(Ordering::Greater))
+    }
 }
 
 /// Whether the segment a–b meets a triangle that it has no corner in common with.

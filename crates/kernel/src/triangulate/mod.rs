@@ -15,21 +15,25 @@
 mod bridge;
 mod facing;
 mod holes;
+mod lying;
+mod near;
 mod optimal;
 mod part;
 mod rails;
 mod sparse;
 
 pub use facing::with_holes_facing;
+pub use lying::Cheapest;
+pub(crate) use lying::cheaper_than;
 pub use optimal::memory_needed;
 
 use crate::boundary::{Boundary, SupportingPlane};
 use crate::cost::{EXACT_BELOW, FarEnds, LANES, MAX_FOLD, PriceOptions, Prices, Strip, TwistForm};
 use crate::index::SampleIndex;
 use crate::math::Vec3;
-use crate::predicate::orientation;
 use crate::rung::{Rung, Visibility};
 use crate::watch::Watch;
+use lying::{densely, may_ask_less, sparsely};
 use part::Part;
 use std::fmt;
 
@@ -217,14 +221,52 @@ pub fn triangulate(
     options: &TriangulateOptions,
     watch: &mut dyn Watch,
 ) -> Result<Triangulation, TriangulateError> {
+    Ok(triangulate_near(boundary, plane, options, None, watch)?.triangulation)
+}
+
+/// The same as [`triangulate`], faster where what is `known` of a boundary that was nearly the same
+/// is nearly the answer, as while a handle is dragged: what it costs now is a bound. The
+/// answer does not depend on it.
+///
+/// # Errors
+/// See [`TriangulateError`].
+pub fn triangulate_near(
+    boundary: &Boundary,
+    plane: Option<&SupportingPlane>,
+    options: &TriangulateOptions,
+    known: Option<&Cheapest>,
+    watch: &mut dyn Watch,
+) -> Result<Cheapest, TriangulateError> {
     let lengths: Vec<usize> = boundary.loops().iter().map(ExactSizeIterator::len).collect();
     refuse(&lengths, options)?;
     // Some methods begin anew; progress does not.
     let watch = &mut Part::new(watch, 0.0..1.0);
     let prices = Prices::new(boundary, plane, options.price);
-    if let Some(found) = among_few(&prices, plane, options, watch)? {
-        return Ok(found);
+    let known = known.filter(|known| near::is_of(&known.triangulation, &lengths));
+    // Which rungs lie inside the projection takes its time to find out, so less is asked at first.
+    let nothing_asked = Visibility::everything();
+    if let Some(found) = sparsely(&prices, &nothing_asked, plane, options, watch)? {
+        return Ok(Cheapest { triangulation: found, also_without_plane: Some(true) });
     }
+    let mut also_without_plane = None;
+    let as_before = known.is_some_and(|known| known.also_without_plane == Some(true));
+    let known = known.map(|known| &known.triangulation);
+    if as_before || plane.is_none() {
+        let found = densely(&prices, &nothing_asked, plane, options, known, watch)?;
+        if let Some(found) = found {
+            return Ok(Cheapest { triangulation: found, also_without_plane: Some(true) });
+        }
+        also_without_plane = Some(false);
+    }
+    if let Some(plane) = plane
+        && may_ask_less(&prices, options)
+    {
+        let at_ends = Visibility::at_ends(plane);
+        if let Some(found) = densely(&prices, &at_ends, Some(plane), options, known, watch)? {
+            return Ok(Cheapest { triangulation: found, also_without_plane });
+        }
+    }
+    let of_plane = |triangulation| Cheapest { triangulation, also_without_plane };
     let needed = needed(&lengths, options);
     if needed > options.memory_limit {
         return Err(TriangulateError::TooLarge { needed, limit: options.memory_limit });
@@ -237,49 +279,19 @@ pub fn triangulate(
         let found = if boundary.holes() > 0 {
             holes::solve(&terms, plane, boundary.loops(), f64::INFINITY, watch)?
         } else if options.goal == Goal::Price {
-            one_loop(&terms, options.method, watch)?.map(simple)
+            one_loop(&terms, options.method, known, watch)?.map(simple)
         } else {
             let worst = Terms { rule: Rule::Worst, ..terms };
-            let first = one_loop(&worst, options.method, &mut Part::new(watch, 0.0..0.5))?;
+            let first = one_loop(&worst, options.method, None, &mut Part::new(watch, 0.0..0.5))?;
             let Some(first) = first else { continue };
             terms.bar = terms.largest(&first);
-            one_loop(&terms, options.method, &mut Part::new(watch, 0.5..1.0))?.map(simple)
+            one_loop(&terms, options.method, None, &mut Part::new(watch, 0.5..1.0))?.map(simple)
         };
         if let Some(found) = found {
-            return Ok(outcome(&terms, found, options.method));
+            return Ok(of_plane(outcome(&terms, found, options.method)));
         }
     }
     Err(TriangulateError::NoneInside)
-}
-
-/// The cheapest triangulation of one loop, if it can be found among few rungs.
-///
-/// Which rungs lie inside the projection is not asked at first: where the triangles of the answer
-/// all lie on the plane as they should, they do not overlap, and their rungs lie inside. Then the
-/// answer is the cheapest of those too, and ties were decided among the same.
-fn among_few(
-    prices: &Prices,
-    plane: Option<&SupportingPlane>,
-    options: &TriangulateOptions,
-    watch: &mut dyn Watch,
-) -> Result<Option<Triangulation>, TriangulateError> {
-    if !may_be_among_few(options) || !prices.one_loop() {
-        return Ok(None);
-    }
-    let everything = Visibility::everything();
-    let terms = Terms::new(prices, &everything, false);
-    let Some(found) = sparse::solve(&terms, options.memory_limit, watch)? else {
-        return Ok(None);
-    };
-    let lies_on = |plane: &SupportingPlane| {
-        let at = |i: usize| plane.projected[i];
-        found.triangles.iter().all(|&[i, k, j]| orientation(at(i), at(k), at(j)).is_gt())
-    };
-    if plane.is_some_and(|plane| !lies_on(plane)) {
-        return Ok(None);
-    }
-    let found = Found { triangles: found.triangles, lower_bound: None };
-    Ok(Some(outcome(&terms, found, options.method)))
 }
 
 /// Whether a way to look at few rungs only is known.
@@ -293,10 +305,11 @@ fn may_be_among_few(options: &TriangulateOptions) -> bool {
 fn one_loop(
     terms: &Terms<'_>,
     method: Method,
+    known: Option<&Triangulation>,
     watch: &mut dyn Watch,
 ) -> Result<Option<Vec<[usize; 3]>>, TriangulateError> {
     match method {
-        Method::Optimal => optimal::solve(terms, watch),
+        Method::Optimal => optimal::solve(terms, near::price(terms, known), watch),
         Method::Bridge => bridge::solve(terms, watch),
         Method::Rails { first } => rails::solve(terms, first, watch),
     }
@@ -482,6 +495,21 @@ impl<'a> Terms<'a> {
     fn strip(&self, i: usize, to: &FarEnds) -> Strip {
         let mut strip = self.prices.strip(i, to);
         let Strip { prices, means } = &mut strip;
+        let is_apart = i + 1 < to.first && to.count == LANES;
+        if is_apart && self.prices.in_order() && (i > 0 || to.first + LANES < self.prices.len()) {
+            // No neighbours among them.
+            let allowed = self.visibility.allowed(i, to.first);
+            let lost = if self.forced { FORCED.price } else { BARRED.price };
+            for n in 0..LANES {
+                let price = if prices[n] < f64::INFINITY {
+                    if prices[n] > self.bar { BARRED.price } else { prices[n] }
+                } else {
+                    lost
+                };
+                prices[n] = if allowed >> n & 1 == 1 { price } else { BARRED.price };
+            }
+            return strip;
+        }
         for n in 0..LANES {
             let j = to.first + n;
             if j <= i || n >= to.count {

@@ -17,10 +17,12 @@
 //!    row keeps a list of its finite entries, and k runs over that list alone. If the band has no
 //!    triangulation, the bound is guessed from the optimum of every fourth sample, and raised until
 //!    there is an answer below it.
-//! 4. F is never negative, and dear to work out. So those k come first that were best one row below;
-//!    of the others, the sums E(i,k) + E(k,j) are compared with the least price so far, 16 at a time.
-//!    Where one lies below, a test without root and quotient says whether F may leave it there, and
-//!    only then F is worked out.
+//!    While a handle is dragged, the triangulation from before gives a bound instead (`near`).
+//! 4. F is never negative, and dear to work out. So those k come first that were best one row below.
+//!    Of the others, those are left out for which E(i,k) and the least of the 16 E(k,j) are no less
+//!    than all least prices so far; then the sums E(i,k) + E(k,j) are compared with those, 16 at a
+//!    time. Where one lies below, two tests without root and quotient, by the N alone and then by the
+//!    triangle too, say whether F may leave it there, and only then F is worked out.
 //! 5. Which k was best is not stored but found again on the way back, for the m − 2 entries that
 //!    belong to the answer. Of equal prices (prices are exact, see [`crate::cost`], so flat regions
 //!    do tie) the k with the least |P_i P_k| + |P_k P_j| wins, then the smallest: strips of compact
@@ -55,11 +57,18 @@ pub fn memory_needed(m: usize) -> u64 {
     (tiles * tile + pairs * listed) / 15 * 16 + pairs / 4 + pairs / 8
 }
 
-/// The triangles of the cheapest triangulation; `None` if there is none.
+/// The triangles of the cheapest triangulation; `None` if there is none. `known` is the price of a
+/// triangulation that is known.
 pub(super) fn solve(
     terms: &Terms<'_>,
+    known: Option<f64>,
     watch: &mut dyn Watch,
 ) -> Result<Option<Vec<[usize; 3]>>, TriangulateError> {
+    if let Some(known) = known.filter(|known| *known <= HIGHEST_BOUND)
+        && let Some(solved) = solve_within(terms, known, watch)?
+    {
+        return Ok(Some(solved.triangles));
+    }
     Ok(solve_priced(terms, watch)?.map(|solved| solved.triangles))
 }
 
@@ -91,7 +100,7 @@ pub(super) fn solve_within(
 ) -> Result<Option<Solved>, TriangulateError> {
     let mut table = Table::new(terms);
     let bound = if bound > HIGHEST_BOUND { f64::INFINITY } else { bound };
-    let price = table.fill(bound, None, watch, 0.0..0.0)?;
+    let price = table.fill(bound, None, watch, 0.0..1.0)?;
     Ok((price < f64::INFINITY).then(|| Solved { price, triangles: table.trace() }))
 }
 

@@ -1,0 +1,183 @@
+//! How fast panels follow a handle that is dragged, on one thread: `cargo bench -p sheetwright
+//! --bench drag`; with `-- stages`, where the time goes; with a part of a name, that family alone.
+//!
+//! Method: a panel of 400 samples whose outline is a curve of 24 handles along a curve family, and
+//! the published hull of three planks of 400 samples each \[ZB18\]. Ten handles, one after the other,
+//! make 100 moves each, by about 0.4 % of the size at a time and up to some 5 % in all; every move
+//! ends with surface, pattern, measures and verdict. What is counted is processor time, where the
+//! system tells it, so that other work on the same machine counts as little as can be, and beside it
+//! the clock on the wall. Every tenth design is made afresh in the same run.
+#![allow(clippy::print_stdout, clippy::unwrap_used)] // it prints; what fails should stop it
+
+use sheetwright::boundary::{PlaneChoice, size_of};
+use sheetwright::cost::DEFAULT_FOLD;
+use sheetwright::curve::{CurveKind, CurvePoint};
+use sheetwright::design::{
+    CurveUse, Design, DesignCurve, DesignPanel, Live, PanelMethod, PanelShape, make,
+};
+use sheetwright::math::Point3;
+use sheetwright::triangulate::Goal;
+use sheetwright::watch::{Stage, Unwatched, Watch};
+use sheetwright_shapes::drag::{Drag, one_panel, outline};
+use sheetwright_shapes::family::Family;
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+const HULL: &str = include_str!("../../../examples/ubc-fishing-vessel.csv");
+const SAMPLES: usize = 400;
+const HANDLES: usize = 10;
+const MOVES: usize = 100;
+/// One design in so many is made afresh, too.
+const AFRESH: usize = 10;
+/// How far a handle is dragged about where it was, as a share of the size.
+const REACH: f64 = 0.02;
+
+fn main() {
+    let arguments: Vec<String> =
+        std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
+    let stages = arguments.iter().any(|argument| argument == "stages");
+    let names: Vec<&String> = arguments.iter().filter(|name| *name != "stages").collect();
+    let wanted = |name: &str| names.is_empty() || names.iter().any(|part| name.contains(*part));
+    println!("one handle dragged, one thread, {} moves, milliseconds\n", HANDLES * MOVES);
+    print!("{:<16} {:>4} {:>8} {:>8} {:>8}", "panel", "ν", "median", "99 %", "most");
+    println!(" {:>10} {:>8} {:>8} {:>6}", "wall, 99 %", "afresh", "ratio", "failed");
+    for fold in [0.0, DEFAULT_FOLD] {
+        for family in Family::ALL {
+            let name = family.name();
+            if wanted(&name) {
+                let design = one_panel(outline(family), SAMPLES, fold);
+                row(&name, fold, design, stages);
+            }
+        }
+        if wanted("hull") {
+            row("hull, 3 planks", fold, hull(fold), stages);
+        }
+    }
+}
+
+/// Drags handles of a design and prints how long that takes.
+fn row(name: &str, fold: f64, design: Design, stages: bool) {
+    let points = design.curves.iter().flat_map(|curve| &curve.points);
+    let reach = REACH * size_of(points.map(|point| point.at));
+    let handles: Vec<[usize; 2]> = (0..design.curves.len())
+        .flat_map(|c| (0..design.curves[c].points.len()).map(move |p| [c, p]))
+        .collect();
+    let mut live = Live::new(design, &mut Unwatched);
+    let (mut moves, mut walls, mut afresh) = (Vec::new(), Vec::new(), Vec::new());
+    let mut failed = 0;
+    let mut clock = Clock::default();
+    for n in 0..HANDLES {
+        let [c, p] = handles[n * handles.len() / HANDLES];
+        let home = live.design().curves[c].points[p].at;
+        let mut drag = Drag::new(home, reach, n as u64);
+        for step in 0..MOVES {
+            let to = drag.step();
+            let start = Time::now();
+            live.move_point(c, p, to, &mut clock);
+            clock.end();
+            let time = start.elapsed();
+            moves.push(time[0]);
+            walls.push(time[1]);
+            failed += usize::from(live.panels().iter().any(|panel| panel.made.is_err()));
+            if step % AFRESH == 0 {
+                let start = Time::now();
+                let made = black_box(make(live.design(), &mut Unwatched));
+                afresh.push(start.elapsed()[0]);
+                assert!(made.ok() == live.made().ok(), "the same as made afresh");
+            }
+        }
+        live.move_point(c, p, home, &mut Unwatched);
+    }
+    for list in [&mut moves, &mut walls, &mut afresh] {
+        list.sort_by(f64::total_cmp);
+    }
+    let at = |list: &[f64], share: f64| list[((list.len() - 1) as f64 * share).round() as usize];
+    let (median, fresh) = (at(&moves, 0.5), at(&afresh, 0.5));
+    print!("{name:<16} {fold:>4} {median:>8.2} {:>8.2} {:>8.2}", at(&moves, 0.99), at(&moves, 1.0));
+    println!(" {:>10.2} {fresh:>8.2} {:>8.1} {failed:>6}", at(&walls, 0.99), fresh / median);
+    if stages {
+        let mean = |stage: Stage| clock.times[stage as usize] * 1e3 / moves.len() as f64;
+        println!(
+            "    in the mean: sample {:.2}, solve {:.2}, flatten {:.2}, check {:.2}",
+            mean(Stage::Sample),
+            mean(Stage::Solve),
+            mean(Stage::Flatten),
+            mean(Stage::Check)
+        );
+    }
+}
+
+/// A point in time: of the processor's work for this thread, where the system tells, and on the
+/// wall.
+struct Time {
+    worked: Option<u64>,
+    wall: Instant,
+}
+
+impl Time {
+    fn now() -> Self {
+        // The system counts up to the last time that the thread was put aside.
+        std::thread::sleep(Duration::from_micros(1));
+        let status = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
+        let worked = status.and_then(|status| status.split(' ').next()?.parse().ok());
+        Self { worked, wall: Instant::now() }
+    }
+
+    /// What has passed since, milliseconds: of work, and on the wall.
+    fn elapsed(&self) -> [f64; 2] {
+        let wall = self.wall.elapsed().as_secs_f64() * 1e3;
+        let worked = Self::now().worked.zip(self.worked);
+        [worked.map_or(wall, |(to, from)| (to - from) as f64 * 1e-6), wall]
+    }
+}
+
+/// How long stages take, on the wall.
+#[derive(Default)]
+struct Clock {
+    at_work: Option<(Stage, Instant)>,
+    times: [f64; 5],
+}
+
+impl Clock {
+    fn end(&mut self) {
+        if let Some((stage, since)) = self.at_work.take() {
+            self.times[stage as usize] += since.elapsed().as_secs_f64();
+        }
+    }
+}
+
+impl Watch for Clock {
+    fn begin(&mut self, _panels: &[&str], stage: Stage) {
+        self.end();
+        self.at_work = Some((stage, Instant::now()));
+    }
+}
+
+/// The planks of `examples/ubc-fishing-vessel.sheet.json`.
+fn hull(fold: f64) -> Design {
+    let mut curves: Vec<DesignCurve> = Vec::new();
+    for line in HULL.lines().skip(1) {
+        let [name, x, y, z] = line.split(',').collect::<Vec<_>>().try_into().unwrap();
+        let mm = |metres: &str| metres.parse::<f64>().unwrap() * 1000.0;
+        if curves.last().is_none_or(|curve| curve.name != name) {
+            let kind = Some(CurveKind::Spline);
+            curves.push(DesignCurve { name: name.into(), kind, closed: false, points: vec![] });
+        }
+        let at = Point3::new(mm(x), mm(y), mm(z));
+        curves.last_mut().unwrap().points.push(CurvePoint::smooth(at));
+    }
+    let on = |curve: &DesignCurve| CurveUse { name: curve.name.clone(), reversed: false };
+    let plank = |pair: &[DesignCurve]| DesignPanel {
+        name: pair[1].name.clone(),
+        shape: PanelShape::Rails([on(&pair[0]), on(&pair[1])]),
+        samples: SAMPLES / 2,
+        method: PanelMethod::Optimal,
+        goal: Goal::Price,
+        run_on: false,
+        plane: PlaneChoice::Auto,
+        fold,
+        cut: Vec::new(),
+    };
+    let panels = curves.windows(2).map(plank).collect();
+    Design { name: "hull".into(), curves, panels, ..Design::default() }
+}

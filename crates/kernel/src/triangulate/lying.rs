@@ -1,0 +1,107 @@
+//! Triangulations over a supporting plane, found without knowing which rungs lie inside the projection.
+//!
+//! To know that of all pairs of samples takes longer than to fill the table. So the table is filled
+//! with more rungs than those, and the answer is looked at: mostly it lies over the plane as it
+//! should, and then it is the answer.
+
+use super::{
+    Found, Method, Terms, TriangulateError, TriangulateOptions, Triangulation, may_be_among_few,
+    memory_needed, near, optimal, outcome, sparse,
+};
+use crate::boundary::{Boundary, SupportingPlane};
+use crate::cost::{Prices, quantised};
+use crate::predicate::orientation;
+use crate::rung::Visibility;
+use crate::watch::Watch;
+
+/// The cheapest triangulation, and what the search for it shows of others.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cheapest {
+    /// The cheapest triangulation that the method and the supporting plane admit.
+    pub triangulation: Triangulation,
+    /// Whether it is that without the plane too, if the search has shown that.
+    pub also_without_plane: Option<bool>,
+}
+
+/// The cheapest triangulation of one loop among those with these rungs, which are all that lie
+/// inside the projection and more, if it is that with the plane too, and if few rungs lead to it.
+pub(super) fn sparsely(
+    prices: &Prices,
+    visibility: &Visibility,
+    plane: Option<&SupportingPlane>,
+    options: &TriangulateOptions,
+    watch: &mut dyn Watch,
+) -> Result<Option<Triangulation>, TriangulateError> {
+    if !may_be_among_few(options) || !prices.one_loop() {
+        return Ok(None);
+    }
+    let terms = Terms::new(prices, visibility, false);
+    let found = sparse::solve(&terms, options.memory_limit, watch)?;
+    Ok(found.and_then(|found| lying_on(plane, &terms, found.triangles, options.method)))
+}
+
+/// The same from the table of all rungs; `known` is a triangulation that is known.
+pub(super) fn densely(
+    prices: &Prices,
+    visibility: &Visibility,
+    plane: Option<&SupportingPlane>,
+    options: &TriangulateOptions,
+    known: Option<&Triangulation>,
+    watch: &mut dyn Watch,
+) -> Result<Option<Triangulation>, TriangulateError> {
+    if !may_ask_less(prices, options) {
+        return Ok(None);
+    }
+    let terms = Terms::new(prices, visibility, false);
+    let found = optimal::solve(&terms, near::price(&terms, known), watch)?;
+    Ok(found.and_then(|triangles| lying_on(plane, &terms, triangles, options.method)))
+}
+
+/// Whether the table of all rungs may be filled without asking which lie inside the projection.
+pub(super) fn may_ask_less(prices: &Prices, options: &TriangulateOptions) -> bool {
+    may_be_among_few(options)
+        && prices.one_loop()
+        && memory_needed(prices.len()) <= options.memory_limit
+}
+
+/// The cheapest triangulation of those with more rungs than lie inside the projection, if it is
+/// that with the plane too: where its triangles all lie on the plane as they should, they do not
+/// overlap, and their rungs lie inside. Then it is the cheapest of those too, and ties were decided
+/// among the same.
+fn lying_on(
+    plane: Option<&SupportingPlane>,
+    terms: &Terms<'_>,
+    triangles: Vec<[usize; 3]>,
+    method: Method,
+) -> Option<Triangulation> {
+    let lie = |plane: &SupportingPlane| {
+        let at = |i: usize| plane.projected[i];
+        triangles.iter().all(|&[i, k, j]| orientation(at(i), at(k), at(j)).is_gt())
+    };
+    if plane.is_some_and(|plane| !lie(plane)) {
+        return None;
+    }
+    Some(outcome(terms, Found { triangles, lower_bound: None }, method))
+}
+
+/// The cheapest triangulation of one loop, any two samples joined, if it costs less than `limit`;
+/// only those count whose rungs all have tangent planes.
+///
+/// # Errors
+/// See [`TriangulateError`].
+pub(crate) fn cheaper_than(
+    boundary: &Boundary,
+    options: &TriangulateOptions,
+    limit: f64,
+    watch: &mut dyn Watch,
+) -> Result<Option<Triangulation>, TriangulateError> {
+    let prices = Prices::new(boundary, None, options.price);
+    let everything = Visibility::everything();
+    let terms = Terms::new(&prices, &everything, false);
+    let found = optimal::solve_within(&terms, quantised(limit), watch)?;
+    let found = found.filter(|found| found.price < limit);
+    Ok(found.map(|found| {
+        let found = Found { triangles: found.triangles, lower_bound: None };
+        outcome(&terms, found, options.method)
+    }))
+}

@@ -1,0 +1,287 @@
+//! Designs that are edited: what is kept and what is made anew come to what making them afresh does.
+#![allow(clippy::unwrap_used)] // tests panic
+
+use sheetwright::boundary::PlaneChoice;
+use sheetwright::curve::{CurveKind, CurvePoint};
+use sheetwright::design::{
+    CurveUse, Design, DesignCurve, DesignPanel, Join, Live, MakeCause, PanelMethod, PanelShape,
+    make,
+};
+use sheetwright::math::{Point3, Vec3, cos, sin};
+use sheetwright::triangulate::{Goal, TriangulateError};
+use sheetwright::watch::{Stage, Unwatched, Watch};
+use sheetwright_shapes::drag::{Drag, one_panel, outline};
+use sheetwright_shapes::family::Family;
+use sheetwright_shapes::random::Random;
+use std::cell::Cell;
+use std::f64::consts::TAU;
+
+/// Compares with making afresh, to the last bit: what prints alike, with all digits and signs, is
+/// alike.
+fn check(live: &Live, what: &str) {
+    let (kept, afresh) = (live.made(), make(live.design(), &mut Unwatched));
+    assert!(kept == afresh, "{what}");
+    assert_eq!(format!("{kept:?}"), format!("{afresh:?}"), "{what}");
+}
+
+fn random_point(random: &mut Random, design: &Design) -> [usize; 2] {
+    let curve = random.below(design.curves.len());
+    [curve, random.below(design.curves[curve].points.len())]
+}
+
+/// Drags some handles of a design, each a few steps, now and then by much.
+fn drag(design: Design, reach: f64, steps: usize, seed: u64) -> usize {
+    let mut random = Random::new(seed);
+    let name = design.name.clone();
+    let mut live = Live::new(design, &mut Unwatched);
+    check(&live, &name);
+    let mut refused = 0;
+    for handle in 0..3 {
+        let [c, p] = random_point(&mut random, live.design());
+        let home = live.design().curves[c].points[p].at;
+        let far = if random.unit() < 0.3 { 10.0 } else { 1.0 };
+        let mut drag = Drag::new(home, far * reach, random.bits());
+        for step in 0..steps {
+            live.move_point(c, p, drag.step(), &mut Unwatched);
+            check(&live, &format!("{name}, seed {seed}, handle {handle}, step {step}"));
+            refused += usize::from(live.made().is_err());
+        }
+    }
+    refused
+}
+
+#[test]
+fn families_dragged_are_as_made_afresh() {
+    for family in Family::ALL {
+        for fold in [0.0, 0.1, 1.0] {
+            for samples in [30, 100] {
+                drag(one_panel(outline(family), samples, fold), 4.0, 3, samples as u64);
+            }
+        }
+    }
+}
+
+/// A polygon on a coarse grid, flat or nearly, so that much ties, is in line or twice the same.
+fn grid(random: &mut Random) -> DesignCurve {
+    let m = 5 + random.below(12);
+    let kinds =
+        [None, Some(CurveKind::Polyline), Some(CurveKind::Spline), Some(CurveKind::BSpline)];
+    let kind = kinds[random.below(4)];
+    let points = (0..m).map(|i| {
+        let angle = TAU * i as f64 / m as f64;
+        let r = random.between(2.0, 6.0);
+        let z = if random.unit() < 0.8 { 0.0 } else { 1.0 };
+        CurvePoint {
+            at: Point3::new((r * cos(angle)).round(), (r * sin(angle)).round(), z),
+            corner: random.unit() < 0.5,
+            move_mm: 0.0,
+        }
+    });
+    DesignCurve { name: "grid".into(), kind, closed: true, points: points.collect() }
+}
+
+#[test]
+fn polygons_that_tie_are_as_made_afresh() {
+    let mut random = Random::new(3);
+    let mut refused = 0;
+    for seed in 0..120 {
+        let curve = grid(&mut random);
+        let fold = [0.0, 1.0][random.below(2)];
+        let samples = 24 + random.below(80);
+        let design = one_panel(curve, samples, fold);
+        let mut live = Live::new(design, &mut Unwatched);
+        check(&live, &format!("{seed}"));
+        for step in 0..6 {
+            let [c, p] = random_point(&mut random, live.design());
+            let at = live.design().curves[c].points[p].at;
+            let mut whole = || random.below(3) as f64 - 1.0;
+            let to = at + Vec3::new(whole(), whole(), whole());
+            live.move_point(c, p, to, &mut Unwatched);
+            check(&live, &format!("{seed}, step {step}"));
+            refused += usize::from(live.made().is_err());
+        }
+    }
+    // Some polygons cross themselves on the way.
+    assert!(refused > 0 && refused < 600, "{refused}");
+}
+
+fn curve(name: &str, closed: bool, points: Vec<Point3>) -> DesignCurve {
+    let points = points.into_iter().map(CurvePoint::smooth).collect();
+    DesignCurve { name: name.into(), kind: Some(CurveKind::Spline), closed, points }
+}
+
+fn on(name: &str) -> CurveUse {
+    CurveUse { name: name.into(), reversed: false }
+}
+
+fn panel(name: &str, shape: PanelShape, samples: usize) -> DesignPanel {
+    DesignPanel {
+        name: name.into(),
+        shape,
+        samples,
+        method: PanelMethod::Optimal,
+        goal: Goal::Price,
+        plane: PlaneChoice::Auto,
+        run_on: false,
+        fold: sheetwright::cost::DEFAULT_FOLD,
+        cut: Vec::new(),
+    }
+}
+
+fn circle(name: &str, radius: f64, height: f64) -> DesignCurve {
+    let at = |i: usize| {
+        let t = TAU * i as f64 / 8.0;
+        Point3::new(radius * cos(t), radius * sin(t), height + 0.05 * radius * cos(2.0 * t))
+    };
+    curve(name, true, (0..8).map(at).collect())
+}
+
+#[test]
+fn panels_with_holes_are_as_made_afresh() {
+    let holes = vec![vec![on("window")]];
+    let lid = panel("lid", PanelShape::Loops { outer: vec![on("rim")], holes }, 40);
+    let design = Design {
+        name: "lid".into(),
+        curves: vec![circle("rim", 100.0, 0.0), circle("window", 40.0, 5.0)],
+        panels: vec![lid],
+        ..Design::default()
+    };
+    drag(design, 3.0, 3, 5);
+}
+
+/// Three strips side by side between four rails.
+fn strips(method: PanelMethod, goal: Goal, run_on: bool) -> Design {
+    let rail = |n: usize| {
+        let at = |i: usize| {
+            let (x, y) = (100.0 * i as f64, 80.0 * n as f64);
+            Point3::new(x, y + 10.0 * sin(0.01 * x), 20.0 * cos(0.005 * x + 0.3 * n as f64))
+        };
+        curve(&format!("rail {n}"), false, (0..5).map(at).collect())
+    };
+    let strip = |n: usize| {
+        let rails = [n, n + 1].map(|n| on(&format!("rail {n}")));
+        let strip = panel(&format!("strip {n}"), PanelShape::Rails(rails), 30 + 5 * n);
+        DesignPanel { method, goal, run_on, ..strip }
+    };
+    Design {
+        name: "strips".into(),
+        curves: (0..4).map(rail).collect(),
+        panels: (0..3).map(strip).collect(),
+        ..Design::default()
+    }
+}
+
+#[test]
+fn strips_of_all_kinds_are_as_made_afresh() {
+    for method in [PanelMethod::Optimal, PanelMethod::Bridge, PanelMethod::Rails] {
+        drag(strips(method, Goal::Price, false), 5.0, 2, 1);
+    }
+    drag(strips(PanelMethod::Optimal, Goal::WorstWarp, false), 5.0, 2, 2);
+    drag(strips(PanelMethod::Optimal, Goal::Price, true), 5.0, 2, 3);
+    let matched = Design { match_seams: true, ..strips(PanelMethod::Optimal, Goal::Price, false) };
+    drag(matched, 5.0, 4, 4);
+}
+
+#[test]
+fn only_what_depends_on_a_change_is_made_anew() {
+    let mut live = Live::new(strips(PanelMethod::Optimal, Goal::Price, false), &mut Unwatched);
+    let to = |x: f64| Point3::new(200.0, 85.0, x);
+    assert_eq!(live.move_point(1, 2, to(1.0), &mut Unwatched), [0, 1]);
+    assert_eq!(live.move_point(1, 2, to(1.0), &mut Unwatched), [0; 0]);
+    assert_eq!(live.move_point(0, 2, Point3::new(200.0, 0.0, 9.0), &mut Unwatched), [0]);
+    // What only says how points may move is not made at all.
+    let mut design = live.design().clone();
+    design.panels[2].samples = 33;
+    design.panels.swap(0, 1);
+    assert_eq!(live.update(design.clone(), &mut Unwatched), [2]);
+    check(&live, "swapped");
+    // A zero of the other sign is another number.
+    design.curves[0].points[0].at.y = 0.0;
+    live.update(design.clone(), &mut Unwatched);
+    design.curves[0].points[0].at.y = -0.0;
+    assert_eq!(live.update(design.clone(), &mut Unwatched), [1]);
+    check(&live, "−0");
+    // A join depends on its parts.
+    let join = Join {
+        parts: vec!["strip 1".into(), "strip 0".into()],
+        smooth: Default::default(),
+        within: Default::default(),
+        keep_parts: true,
+    };
+    design.panels.push(panel("both", PanelShape::Join(join), 90));
+    assert_eq!(live.update(design.clone(), &mut Unwatched), [3]);
+    design.panels[1].samples += 1;
+    assert_eq!(live.update(design, &mut Unwatched), [1, 3]);
+    assert_eq!(live.move_point(3, 2, Point3::new(200.0, 240.0, 3.0), &mut Unwatched), [2]);
+    check(&live, "joined");
+    live.update(Design::default(), &mut Unwatched);
+    check(&live, "empty");
+}
+
+#[test]
+fn a_panel_that_can_not_be_made_does_not_hold_up_others() {
+    let mut live = Live::new(strips(PanelMethod::Optimal, Goal::Price, false), &mut Unwatched);
+    let home = live.design().curves[0].points[2].at;
+    assert_eq!(live.move_point(0, 2, Point3::new(f64::NAN, 0.0, 0.0), &mut Unwatched), [0]);
+    assert!(live.panels()[0].made.is_err() && live.panels()[1].made.is_ok());
+    check(&live, "no number");
+    assert_eq!(live.move_point(0, 2, home, &mut Unwatched), [0]);
+    check(&live, "back");
+}
+
+/// Asks to stop from the n-th time on that it is asked, and listens to progress.
+struct StopAt {
+    left: Cell<usize>,
+    told: Vec<f64>,
+    begun: usize,
+}
+
+impl StopAt {
+    fn new(left: usize) -> Self {
+        Self { left: Cell::new(left), told: Vec::new(), begun: 0 }
+    }
+}
+
+impl Watch for StopAt {
+    fn begin(&mut self, _panels: &[&str], _stage: Stage) {
+        self.begun += 1;
+    }
+
+    fn progress(&mut self, done: f64) {
+        self.told.push(done);
+    }
+
+    fn stop(&self) -> bool {
+        self.left.set(self.left.get().saturating_sub(1));
+        self.left.get() == 0
+    }
+}
+
+#[test]
+fn work_that_is_stopped_is_taken_up_again() {
+    let mut live = Live::new(strips(PanelMethod::Optimal, Goal::Price, false), &mut Unwatched);
+    let mut counted = StopAt::new(usize::MAX);
+    let home = live.design().curves[1].points[2].at;
+    live.move_point(1, 2, home + Vec3::Z, &mut counted);
+    let asked = usize::MAX - counted.left.get();
+    assert!(asked > 30 && counted.begun == 8, "{asked} {}", counted.begun);
+    assert!(counted.told.iter().all(|done| (0.0..=1.0).contains(done)) && !counted.told.is_empty());
+    for n in 1..20 {
+        let kept = live.clone();
+        let mut watch = StopAt::new(1 + asked * n / 20);
+        let to = home + Vec3::Z * (1.0 + n as f64);
+        let changed = live.move_point(1, 2, to, &mut watch);
+        assert!(changed.len() < 2, "{n}");
+        for (panel, before) in live.panels().iter().zip(kept.panels()) {
+            assert!(panel.is_current() || panel.made == before.made, "{n}");
+        }
+        assert!(live.panels().iter().any(|panel| !panel.is_current()), "{n}");
+        // What is left is made by the next call, though nothing moves.
+        let rest = live.move_point(1, 2, to, &mut Unwatched);
+        assert_eq!(changed.len() + rest.len(), 2, "{n}");
+        check(&live, &format!("stopped at {n}"));
+    }
+    let stopped = Live::new(live.design().clone(), &mut StopAt::new(1));
+    let error = stopped.made().unwrap_err();
+    assert_eq!(error.cause, MakeCause::Triangulate(TriangulateError::Stopped));
+}
