@@ -6,7 +6,7 @@
 
 use super::{
     Found, Method, Terms, TriangulateError, TriangulateOptions, Triangulation, may_be_among_few,
-    memory_needed, near, optimal, outcome, sparse,
+    memory_needed, mend, optimal, outcome, sparse,
 };
 use crate::boundary::{Boundary, SupportingPlane};
 use crate::cost::{Prices, quantised};
@@ -53,7 +53,7 @@ pub(super) fn densely(
         return Ok(None);
     }
     let terms = Terms::new(prices, visibility, false);
-    let found = optimal::solve(&terms, near::price(&terms, known), watch)?;
+    let found = optimal::solve(&terms, mend::price(&terms, known), watch)?;
     Ok(found.and_then(|triangles| lying_on(plane, &terms, triangles, options.method)))
 }
 

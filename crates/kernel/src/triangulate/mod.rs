@@ -16,7 +16,7 @@ mod bridge;
 mod facing;
 mod holes;
 mod lying;
-mod near;
+mod mend;
 mod optimal;
 mod part;
 mod rails;
@@ -242,7 +242,7 @@ pub fn triangulate_near(
     // Some methods begin anew; progress does not.
     let watch = &mut Part::new(watch, 0.0..1.0);
     let prices = Prices::new(boundary, plane, options.price);
-    let known = known.filter(|known| near::is_of(&known.triangulation, &lengths));
+    let known = known.filter(|known| mend::is_of(&known.triangulation, &lengths));
     // Which rungs lie inside the projection takes its time to find out, so less is asked at first.
     let nothing_asked = Visibility::everything();
     if let Some(found) = sparsely(&prices, &nothing_asked, plane, options, watch)? {
@@ -309,7 +309,7 @@ fn one_loop(
     watch: &mut dyn Watch,
 ) -> Result<Option<Vec<[usize; 3]>>, TriangulateError> {
     match method {
-        Method::Optimal => optimal::solve(terms, near::price(terms, known), watch),
+        Method::Optimal => optimal::solve(terms, mend::price(terms, known), watch),
         Method::Bridge => bridge::solve(terms, watch),
         Method::Rails { first } => rails::solve(terms, first, watch),
     }

@@ -17,7 +17,7 @@
 //!    row keeps a list of its finite entries, and k runs over that list alone. If the band has no
 //!    triangulation, the bound is guessed from the optimum of every fourth sample, and raised until
 //!    there is an answer below it.
-//!    While a handle is dragged, the triangulation from before gives a bound instead (`near`).
+//!    While a handle is dragged, the triangulation from before gives a bound instead (`mend`).
 //! 4. F is never negative, and dear to work out. So those k come first that were best one row below.
 //!    Of the others, those are left out for which E(i,k) and the least of the 16 E(k,j) are no less
 //!    than all least prices so far; then the sums E(i,k) + E(k,j) are compared with those, 16 at a
