@@ -77,8 +77,8 @@ const LOWEST: usize = 4;
 const HIGHEST_PRICE: f64 = 100.0;
 /// What a sample takes at least, bytes: the rungs listed for it, and the blocks.
 const BYTES_A_SAMPLE: u64 = 2048;
-/// What a listed rung takes, bytes, while the lists grow.
-const BYTES_A_RUNG: u64 = 8;
+/// A loop is expected to have so many times the rungs that a quarter of its samples has.
+const RUNGS_GROWTH: u64 = 8;
 /// How much more may be owed than was found, when that was more than was thought, and how much more
 /// than a loop of fewer samples owes, for its size.
 const MORE: f64 = 1.25;
@@ -127,7 +127,8 @@ struct Budget {
 impl Budget {
     /// For a loop of a quarter of the samples.
     fn of_quarter(&self) -> Self {
-        Self { work: (self.work / GROWTH).max(LEAST_WORK), ..*self }
+        let work = (self.work / GROWTH).max(LEAST_WORK);
+        Self { memory: self.memory / RUNGS_GROWTH, work }
     }
 }
 
@@ -175,7 +176,6 @@ impl Step {
             };
             (known, spread(&few.owed, &kept, m), few.share)
         };
-        watch.progress(0.5);
         prove(terms, &levels[lowest..], &known, owed, share, budget, watch)
     }
 }
@@ -214,10 +214,14 @@ fn prove(
     for i in 0..m {
         owed[i] = owed[i].max(asks[i]).max(asks[(i + m - 1) % m]);
     }
+    let mut left = 1.0;
     for _ in 0..MOST_TRIALS {
+        // Nobody knows how many trials it takes: each gets half of what is left of the progress.
+        let watch = &mut Part::new(watch, 1.0 - left..1.0 - 0.5 * left);
+        left *= 0.5;
         let counted = halves(share * known.price);
         owed.iter_mut().for_each(|owed| *owed = owed.max(counted));
-        let most = (budget.work / LISTED_WORK).min(budget.memory / BYTES_A_RUNG);
+        let most = (budget.work / LISTED_WORK).min(budget.most_rungs(terms));
         let Some(rungs) = listed(terms, levels, &owed, most, watch)? else { return Ok(None) };
         let proof = Proof::new(&asks, owed, counted);
         let table = Table::fill(terms, &rungs, Aim::Proof(&proof), budget, watch)?;

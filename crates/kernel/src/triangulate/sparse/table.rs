@@ -23,8 +23,10 @@ const LANES: usize = 8;
 const SLACK: f64 = 1e-12;
 /// What a fold price counts as work.
 const A_FOLD: u64 = 8;
-/// What an entry takes, bytes, while the lists grow.
-const BYTES_AN_ENTRY: usize = 2 * 36;
+/// What an entry takes, bytes: in its row, in the list that it comes from, among those that are low;
+/// and N.
+const BYTES_AN_ENTRY: usize = 12 + 8 + 8;
+const BYTES_A_MEAN: usize = 24;
 
 /// What a table is worked out for.
 pub(super) enum Aim<'a> {
@@ -33,6 +35,14 @@ pub(super) enum Aim<'a> {
     Among(f64),
     /// The cheapest triangulation of all: see [`super`].
     Proof(&'a Proof),
+}
+
+impl Budget {
+    /// How many rungs a table may have.
+    pub(super) fn most_rungs(&self, terms: &Terms<'_>) -> u64 {
+        let mean = if terms.folds() { BYTES_A_MEAN } else { 0 };
+        self.memory / (BYTES_AN_ENTRY + mean) as u64
+    }
 }
 
 /// What the edges ask for, and what may be owed.
@@ -123,6 +133,11 @@ impl<'a> Table<'a> {
         watch: &mut dyn Watch,
     ) -> Result<Option<Self>, TriangulateError> {
         let m = terms.prices.len();
+        let most = m + rungs.iter().map(Vec::len).sum::<usize>();
+        let with_folds = if terms.folds() { most } else { 0 };
+        if (most as u64) > budget.most_rungs(terms) {
+            return Ok(None);
+        }
         let low = match &aim {
             Aim::Among(_) => f64::INFINITY,
             Aim::Proof(proof) => 0.5 * (proof.surplus + HALF),
@@ -133,9 +148,9 @@ impl<'a> Table<'a> {
             folds: terms.folds(),
             aim,
             entries: vec![0..0; m],
-            to: Vec::new(),
-            prices: Vec::new(),
-            means: [const { Vec::new() }; 3],
+            to: Vec::with_capacity(most),
+            prices: Vec::with_capacity(most),
+            means: [0, 1, 2].map(|_| Vec::with_capacity(with_folds)),
             runs_of: vec![0..0; m],
             runs: Vec::new(),
             lows_of: vec![0..0; m],
@@ -154,16 +169,18 @@ impl<'a> Table<'a> {
         let registers = pulp::Arch::new();
         let mut listed = Vec::new();
         for a in (0..m - 1).rev() {
-            if a % 64 == 0 && watch.stop() {
-                return Err(TriangulateError::Stopped);
+            if a % 64 == 0 {
+                if watch.stop() {
+                    return Err(TriangulateError::Stopped);
+                }
+                watch.progress(1.0 - a as f64 / m as f64);
             }
             table.list(a, &rungs[a], &mut listed);
             registers.dispatch(
                 #[inline(always)]
                 || table.fill_row(a, &listed, &mut row),
             );
-            let bytes = (table.to.len() * BYTES_AN_ENTRY) as u64;
-            if bytes > budget.memory || table.work > budget.work {
+            if table.work > budget.work {
                 return Ok(None);
             }
         }
