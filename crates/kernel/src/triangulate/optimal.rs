@@ -18,11 +18,10 @@
 //!    triangulation, the bound is guessed from the optimum of every fourth sample, and raised until
 //!    there is an answer below it.
 //!    While a handle is dragged, the triangulation from before gives a bound instead (`mend`).
-//! 4. F is never negative, and dear to work out. So those k come first that were best one row below.
-//!    Of the others, those are left out for which E(i,k) and the least of the 16 E(k,j) are no less
-//!    than all least prices so far; then the sums E(i,k) + E(k,j) are compared with those, 16 at a
-//!    time. Where one lies below, two tests without root and quotient, by the N alone and then by the
-//!    triangle too, say whether F may leave it there, and only then F is worked out.
+//! 4. F is never negative, and dear to work out. So those k come first that were best one row below;
+//!    of the others, the sums E(i,k) + E(k,j) are compared with the least price so far, 16 at a time.
+//!    Where one lies below, a test without root and quotient says whether F may leave it there, and
+//!    only then F is worked out.
 //! 5. Which k was best is not stored but found again on the way back, for the m − 2 entries that
 //!    belong to the answer. Of equal prices (prices are exact, see [`crate::cost`], so flat regions
 //!    do tie) the k with the least |P_i P_k| + |P_k P_j| wins, then the smallest: strips of compact

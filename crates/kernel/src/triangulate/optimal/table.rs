@@ -51,14 +51,11 @@ struct Column {
     /// The best k of the row that was filled last, which is near to that of the next one; 0 for
     /// none.
     best: [u64; LANES],
-    /// The least entry of each row of the column; infinite where there is none.
-    lows: Vec<f64>,
 }
 
 impl Column {
     fn new(terms: &Terms<'_>, at: usize) -> Self {
-        let lows = vec![f64::INFINITY; terms.prices.len()];
-        Self { to: terms.prices.far_ends(at * LANES), best: [0; LANES], lows }
+        Self { to: terms.prices.far_ends(at * LANES), best: [0; LANES] }
     }
 }
 
@@ -90,19 +87,6 @@ struct Least<'a> {
     prices: Lanes,
     /// The k that they were found at; 0 for none.
     best: [u64; LANES],
-}
-
-/// The greatest of some numbers.
-#[inline(always)]
-fn greatest(list: &Lanes) -> f64 {
-    let mut list = *list;
-    for half in [LANES / 2, LANES / 4, LANES / 8, LANES / 16] {
-        for n in 0..half {
-            let (a, b) = (list[n], list[n + half]);
-            list[n] = if a > b { a } else { b };
-        }
-    }
-    list[0]
 }
 
 /// Where the row of sample `k` stands in the tiles of `column`.
@@ -270,7 +254,7 @@ impl<'a> Table<'a> {
     fn fill_by<const FOLDS: bool>(
         &self,
         row: usize,
-        Column { to, best, lows }: &mut Column,
+        Column { to, best }: &mut Column,
         band: Option<&Band>,
         tile: &mut Tile,
         together: impl Fn(f64, f64) -> f64 + Copy,
@@ -279,7 +263,6 @@ impl<'a> Table<'a> {
         let rows = row * LANES..self.m.min((row + 1) * LANES);
         let (to, column) = (&*to, to.first / LANES);
         for i in rows.clone().rev() {
-            lows[i] = f64::INFINITY;
             let near = band.map(|band| band.lanes(i, to));
             if near.is_some_and(|near| near == [false; LANES]) {
                 continue;
@@ -308,16 +291,11 @@ impl<'a> Table<'a> {
             if FOLDS {
                 self.look_first(&mut least, best, &rows, column, tile);
             }
-            let mut highest = greatest(&least.prices);
             let listed = row_start(self.m, i)..row_start(self.m, i) + self.row_lengths[i];
             for (&k, &entry) in self.row_k[listed.clone()].iter().zip(&self.row_entries[listed]) {
                 let k = k as usize;
-                if together(entry, lows[k]) >= highest {
-                    continue;
-                }
                 let beyond = self.row_of(k, &rows, column, tile);
                 self.look::<FOLDS>(&mut least, k, entry, beyond, together);
-                highest = greatest(&least.prices);
             }
             let mut entries = [f64::INFINITY; LANES];
             for n in 0..to.count {
@@ -335,7 +313,6 @@ impl<'a> Table<'a> {
                 let beyond = self.row_of(j, &rows, column, tile);
                 self.look::<FOLDS>(&mut least, j, entries[n], beyond, together);
             }
-            lows[i] = -greatest(&entries.map(|entry| -entry));
             tile.entries[i - rows.start] = entries;
             *best = least.best;
         }
@@ -441,14 +418,11 @@ impl<'a> Table<'a> {
             rungs[self.m - 1 - to.first] -= 1.0;
         }
         if self.in_order {
+            let fan = self.terms.prices.fan([i, k], to, &rungs, &sums);
             let mut left = [0.0; LANES];
             for n in 0..LANES {
                 left[n] = least.prices[n] - (entry + entries[n]);
             }
-            if !self.sums_may_be_below(&left, &rungs, &sums) {
-                return;
-            }
-            let fan = self.terms.prices.fan([i, k], to, &rungs, &sums);
             if !fan.may_be_below(&left) {
                 return;
             }
@@ -477,24 +451,6 @@ impl<'a> Table<'a> {
                 }
             }
         }
-    }
-
-    /// Whether some triangles with so many rungs and these sums of their N may cost less than
-    /// `limits`, whatever their own normals are; not, only if none does.
-    ///
-    /// With R rungs and the sum s, F = ν (R − n · s) ≥ ν (R² − |s|²) / 2 R.
-    #[inline(always)]
-    fn sums_may_be_below(&self, limits: &Lanes, rungs: &Lanes, sums: &[Lanes; 3]) -> bool {
-        let per_fold = 2.0 / self.terms.prices.options().fold;
-        let mut any = false;
-        for n in 0..LANES {
-            let [x, y, z] = [sums[0][n], sums[1][n], sums[2][n]];
-            let lost = rungs[n] * rungs[n] - (x * x + y * y + z * z);
-            let limit = rungs[n] * (limits[n] * per_fold + 2.0 * SLACK) + SLACK;
-            // A triangle alone has no rungs, and nothing to lose.
-            any |= (lost < limit) | (rungs[n] == 0.0);
-        }
-        any
     }
 
     /// N of the rung ⟨i,j⟩, which must be stored.
