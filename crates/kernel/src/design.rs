@@ -4,6 +4,7 @@ mod error;
 mod joining;
 mod links;
 mod live;
+mod outline;
 mod run_on;
 mod sampling;
 mod varying;
@@ -13,7 +14,7 @@ pub use joining::Join;
 pub use live::{Live, LivePanel};
 pub use varying::{Change, MovedBy, Vary};
 
-use crate::boundary::{Boundary, PlaneChoice, SupportingPlane, supporting_plane};
+use crate::boundary::{Boundary, Outline, PlaneChoice, SupportingPlane, supporting_plane};
 use crate::check::{
     Checked, Finding, Panel, Verdict, better_without_plane, check, ran_on, rounded_corner,
     stayed_straight,
@@ -175,6 +176,8 @@ pub struct MadePanel {
     pub fold: f64,
     /// The boundary as it was sampled.
     pub boundary: Boundary,
+    /// The curves between the samples of the boundary.
+    pub outline: Outline,
     /// The supporting plane, if there is one.
     pub plane: Option<SupportingPlane>,
     /// Its triangulation.
@@ -336,8 +339,9 @@ fn make_as_asked(
     let failed = |cause: MakeCause| MakeError { panel: panel.name.clone(), curve: None, cause };
     let design = sampler.design;
     watch.begin(&[&panel.name], Stage::Sample);
-    let Prepared { boundary, plane, options, new_ends, findings, .. } =
+    let Prepared { boundary, plane, options, sources, new_ends, findings } =
         prepare(sampler, panel, watch)?;
+    let outline = outline::outline(design, &boundary, &sources);
 
     watch.begin(&[&panel.name], Stage::Solve);
     let is_first = known.is_none();
@@ -404,6 +408,7 @@ fn make_as_asked(
         goal: panel.goal,
         fold: panel.fold,
         boundary,
+        outline,
         plane,
         triangulation,
         surface,

@@ -78,6 +78,8 @@ pub mod surface;
 
 pub mod flatten;
 
+pub mod quads;
+
 pub mod measure;
 
 pub mod vary;

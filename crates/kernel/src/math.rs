@@ -204,6 +204,11 @@ pub fn pow(base: f64, exponent: f64) -> f64 {
     libm::pow(base, exponent)
 }
 
+/// The natural logarithm, the same bits on every platform.
+pub fn ln(x: f64) -> f64 {
+    libm::log(x)
+}
+
 /// The angle of the direction (x, y), radians in −π ..= π, the same bits on every platform.
 pub fn atan2(y: f64, x: f64) -> f64 {
     libm::atan2(y, x)

@@ -4,11 +4,13 @@
 //! surface faces; the others are holes. Samples are counted through all loops from 0.
 
 mod join;
+mod outline;
 mod plane;
 mod smooth;
 mod touch;
 
 pub use join::{JoinCause, JoinError, JoinOptions, Joined, join, join_all};
+pub use outline::{OnOutline, Outline, Side};
 pub use plane::{PlaneChoice, PlaneError, SupportingPlane, supporting_plane};
 pub use smooth::{Continuity, Joint, Within};
 

@@ -24,7 +24,7 @@ const MOST_HALVINGS: u32 = 30;
 const MOST_STEPS: u32 = 60;
 
 /// The length of the span between two parameters, mm; negative where `to` is below `from`.
-pub(super) fn length(span: &Cubic, from: f64, to: f64) -> f64 {
+pub(crate) fn length(span: &Cubic, from: f64, to: f64) -> f64 {
     let whole = quadrature(span, from, to);
     let size = span.control.windows(2).map(|p| p[0].distance(p[1])).sum::<f64>();
     halved(span, from, to, whole, AGREEMENT * size, MOST_HALVINGS)
@@ -53,7 +53,7 @@ fn quadrature(span: &Cubic, from: f64, to: f64) -> f64 {
 
 /// The parameter up to which the span, from its beginning, is `wanted` mm long; `whole` is the
 /// length of the span. Clamped to 0 ..= 1.
-pub(super) fn parameter_at(span: &Cubic, wanted: f64, whole: f64) -> f64 {
+pub(crate) fn parameter_at(span: &Cubic, wanted: f64, whole: f64) -> f64 {
     if wanted <= 0.0 {
         return 0.0;
     }

@@ -55,7 +55,7 @@ impl Cubic {
     }
 
     /// The span up to `t` and from there on (de Casteljau).
-    pub(super) fn halves(&self, t: f64) -> [Self; 2] {
+    pub(crate) fn halves(&self, t: f64) -> [Self; 2] {
         let [a, b, c, d] = self.control;
         let (ab, bc, cd) = (a.lerp(b, t), b.lerp(c, t), c.lerp(d, t));
         let (abc, bcd) = (ab.lerp(bc, t), bc.lerp(cd, t));

@@ -12,7 +12,7 @@ mod sample;
 mod shares;
 mod spline;
 
-pub(crate) use arc_length::NODES;
+pub(crate) use arc_length::{NODES, length, parameter_at};
 pub use cubic::Cubic;
 pub(crate) use sample::{Place, Placed, chain_placed, chained_samples, divisions_of, open_placed};
 pub use sample::{Sample, SampleError, sample_chain, sample_open};
@@ -194,7 +194,7 @@ impl Curve {
 
     /// The length of the curve, mm.
     pub fn length(&self) -> f64 {
-        self.spans.iter().map(|span| arc_length::length(span, 0.0, 1.0)).sum()
+        self.spans.iter().map(|span| length(span, 0.0, 1.0)).sum()
     }
 
     fn locate(&self, u: f64) -> (usize, f64) {
