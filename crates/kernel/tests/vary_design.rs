@@ -3,6 +3,7 @@
 
 use sheetwright::boundary::{PlaneChoice, size_of};
 use sheetwright::check::Severity;
+use sheetwright::cost::DEFAULT_FOLD;
 use sheetwright::curve::{CurveKind, CurvePoint, Sample};
 use sheetwright::design::{
     CurveUse, Design, DesignCurve, DesignPanel, Join, Made, MadePanel, MakeCause, MovedBy,
@@ -12,6 +13,7 @@ use sheetwright::index::SampleIndex;
 use sheetwright::math::{Point3, cos, from_deg, sin, to_deg};
 use sheetwright::vary::{Ended, Goal};
 use sheetwright::watch::Unwatched;
+use sheetwright_shapes::hull::planks;
 use sheetwright_shapes::random::Random;
 
 fn curve(name: &str, kind: CurveKind, points: Vec<Point3>) -> DesignCurve {
@@ -26,7 +28,7 @@ fn panel(name: &str, shape: PanelShape, samples: usize) -> DesignPanel {
         samples,
         method: PanelMethod::Optimal,
         plane: PlaneChoice::Auto,
-        fold: sheetwright::cost::DEFAULT_FOLD,
+        fold: DEFAULT_FOLD,
         goal: Default::default(),
         run_on: false,
         cut: Vec::new(),
@@ -58,22 +60,7 @@ fn size(made: &Made) -> f64 {
 }
 
 fn hull(samples: usize, vary: Vary) -> Design {
-    let table = include_str!("../../../examples/ubc-fishing-vessel.csv");
-    let mut curves: Vec<DesignCurve> = Vec::new();
-    for line in table.lines().skip(1) {
-        let [name, x, y, z] = line.split(',').collect::<Vec<_>>().try_into().unwrap();
-        if curves.last().is_none_or(|curve| curve.name != name) {
-            curves.push(curve(name, CurveKind::Spline, Vec::new()));
-        }
-        let mm = |feet: &str| feet.parse::<f64>().unwrap() * 304.8;
-        let at = Point3::new(mm(x), mm(y), mm(z));
-        curves.last_mut().unwrap().points.push(CurvePoint::smooth(at));
-    }
-    let panels = curves
-        .windows(2)
-        .map(|pair| panel(&pair[1].name, rails(&pair[0].name, &pair[1].name), samples))
-        .collect();
-    Design { name: "hull".into(), curves, panels, vary: vec![vary], ..Design::default() }
+    Design { vary: vec![vary], ..planks(samples, DEFAULT_FOLD) }
 }
 
 /// The samples of a panel that lie where those of another do.
