@@ -341,10 +341,15 @@ fn make_as_asked(
 
     watch.begin(&[&panel.name], Stage::Solve);
     let is_first = known.is_none();
+    let differed = known.as_ref().is_some_and(|known| known.also_without_plane == Some(false));
     let cheapest = triangulate_near(&boundary, plane.as_ref(), &options, known.as_ref(), watch)
         .map_err(|e| failed(MakeCause::Triangulate(e)))?;
-    let Cheapest { triangulation, also_without_plane } = cheapest.clone();
+    let triangulation = cheapest.triangulation.clone();
     let known = known.insert(cheapest);
+    // What differed one move ago is not worth a search of its own.
+    if differed && known.also_without_plane.is_none() {
+        known.also_without_plane = Some(false);
+    }
     let connectivity = Connectivity::new(boundary.loops(), triangulation.triangles.clone())
         .map_err(|e| failed(MakeCause::Surface(e)))?;
     let surface = Surface::new(connectivity, boundary.positions());
@@ -373,7 +378,7 @@ fn make_as_asked(
     if panel.plane == PlaneChoice::Auto && plane.is_some() && boundary.holes() < 2 && !bends {
         // The plane, rather than the boundary, may be what keeps it from bending.
         let limit = MUCH_CHEAPER * triangulation.price;
-        let free = match also_without_plane {
+        let free = match known.also_without_plane {
             Some(true) => Ok(None),
             // Whoever asks again and again had better know.
             None if !is_first => triangulate(&boundary, None, &options, watch).map(|free| {
