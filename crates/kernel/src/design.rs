@@ -18,7 +18,7 @@ use crate::check::{
     Checked, Finding, Panel, Verdict, better_without_plane, check, ran_on, rounded_corner,
     stayed_straight,
 };
-use crate::cost::Prices;
+use crate::cost::{DEFAULT_FOLD, Prices};
 use crate::curve::{CurveKind, CurvePoint};
 use crate::flatten::{Flattened, Sheet, lay_flat};
 use crate::material::Material;
@@ -119,6 +119,24 @@ pub struct DesignPanel {
     /// Where the pattern is to be cut open if it must be, mm: along the rungs from loop to loop
     /// whose middles lie nearest. Empty: where the cuts are shortest.
     pub cut: Vec<Point3>,
+}
+
+impl DesignPanel {
+    /// A panel with the defaults: the best of all triangulations by its price with the default fold,
+    /// on the best-fit plane where there is one, and straight ends.
+    pub fn new(name: impl Into<String>, shape: PanelShape, samples: usize) -> Self {
+        Self {
+            name: name.into(),
+            shape,
+            samples,
+            method: PanelMethod::Optimal,
+            goal: Goal::Price,
+            plane: PlaneChoice::Auto,
+            run_on: false,
+            fold: DEFAULT_FOLD,
+            cut: Vec::new(),
+        }
+    }
 }
 
 /// All inputs of the main job.

@@ -1,10 +1,8 @@
 //! The published hull of the UBC series fishing vessel \[ZB18\], whose table is in feet.
 
-use sheetwright::boundary::PlaneChoice;
 use sheetwright::curve::{CurveKind, CurvePoint};
-use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape};
+use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelShape};
 use sheetwright::math::Point3;
-use sheetwright::triangulate::Goal;
 
 const TABLE: &str = include_str!("../../../examples/ubc-fishing-vessel.csv");
 const FOOT_MM: f64 = 304.8;
@@ -40,15 +38,12 @@ pub fn planks(samples: usize, fold: f64) -> Design {
     let curves = curves();
     let on = |curve: &DesignCurve| CurveUse { name: curve.name.clone(), reversed: false };
     let plank = |pair: &[DesignCurve]| DesignPanel {
-        name: pair[1].name.clone(),
-        shape: PanelShape::Rails([on(&pair[0]), on(&pair[1])]),
-        samples,
-        method: PanelMethod::Optimal,
-        goal: Goal::Price,
-        run_on: false,
-        plane: PlaneChoice::Auto,
         fold,
-        cut: Vec::new(),
+        ..DesignPanel::new(
+            pair[1].name.clone(),
+            PanelShape::Rails([on(&pair[0]), on(&pair[1])]),
+            samples,
+        )
     };
     let panels = curves.windows(2).map(plank).collect();
     Design { name: "hull".to_owned(), curves, panels, ..Design::default() }

@@ -5,13 +5,14 @@
 //! the pieces of a gored hemisphere, [`gored`] what gores lose of a sphere, [`transition`] the
 //! classical square-to-round duct, [`three_cones`] a sheet that branches, [`random`] a generator of
 //! numbers and boundaries, [`hull`] the planks of a published one, [`drag`] handles and the way that a
-//! hand drags them, [`pierced`] random boundaries with holes, and [`domain`] the definition of
+//! hand drags them, [`gallery`] the shapes of the gallery, [`pierced`] random boundaries with holes, and [`domain`] the definition of
 //! what a triangulation of such a boundary is.
 
 pub mod developable;
 pub mod domain;
 pub mod drag;
 pub mod family;
+pub mod gallery;
 pub mod gored;
 pub mod hemisphere;
 pub mod hull;
