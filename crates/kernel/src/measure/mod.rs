@@ -11,12 +11,15 @@
 //! | length error of a side | \|flat − space\| / space | none |
 //! | area | of the triangles, in space and flat | mm² |
 //! | Gauss image | normals along the rungs, as points on the unit sphere | none |
+//! | its area | how much of that sphere they sweep, 0 for a developable surface | steradians |
 
 mod bend;
 mod crossing;
+mod gauss;
 
 pub use bend::Apex;
 pub use crossing::first_self_crossing;
+pub use gauss::gauss_area;
 
 use crate::cost::Prices;
 use crate::flatten::{Flattened, Sheet};
@@ -85,6 +88,8 @@ pub struct Measures {
     pub bend_radius_min_mm: f64,
     /// Where rulings run together, in the order of the samples.
     pub apexes: Vec<Apex>,
+    /// The area of the Gauss image, steradians: 0 for a developable surface, see [`gauss_area`].
+    pub gauss_area_sr: f64,
     /// The area of the surface, mm².
     pub area_space_mm2: f64,
     /// The area of the pattern, mm².
@@ -111,6 +116,7 @@ pub fn measures(surface: &Surface, sheet: &Sheet, flat: &Flattened, prices: &Pri
         crease_max: most(|r| r.crease.abs()),
         bend_radius_min_mm: rungs.iter().map(|r| r.bend_radius_mm).fold(f64::INFINITY, f64::min),
         apexes,
+        gauss_area_sr: gauss_area(surface.connectivity(), &rungs),
         area_space_mm2: area_space(surface),
         area_flat_mm2: area_flat(sheet, flat),
         length_error_max: errors.iter().copied().fold(0.0, f64::max),
