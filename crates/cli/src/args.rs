@@ -52,6 +52,7 @@ Examples:
   sheetwright convert leaf.csv leaf.sheet.json        a table becomes a design
   sheetwright convert dinghy.sheet.json curves.csv    the points of its curves
   sheetwright convert dinghy.sheet.json dinghy.obj    all surfaces; also .pdf, .html, .json
+  sheetwright convert dinghy.sheet.json dinghy.step   smooth surfaces for CAD
   sheetwright convert leaf.csv leaf.dxf               the pattern of a single panel; also .svg";
 
 const NEW_EXAMPLES: &str = "\
@@ -114,7 +115,7 @@ pub(crate) struct MakeArgs {
     /// flattens exactly, so it makes no difference yet
     #[arg(long, value_enum, value_name = "AIM")]
     pub(crate) aim: Option<Aim>,
-    /// The formats to write, separated by commas [default: all of them]
+    /// The formats to write, separated by commas [default: all but quads and step]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = format_parser())]
     pub(crate) formats: Vec<Format>,
     #[command(flatten)]
@@ -151,8 +152,8 @@ pub(crate) struct NewArgs {
 pub(crate) struct ConvertArgs {
     #[command(flatten)]
     pub(crate) source: SourceArgs,
-    /// The file to write: .sheet.json (design), .csv (table), .obj, .pdf, .html or .json (report),
-    /// or, of a single panel, .svg or .dxf
+    /// The file to write: .sheet.json (design), .csv (table), .obj, .step, .pdf, .html or .json
+    /// (report), or, of a single panel, .svg or .dxf
     #[arg(value_name = "OUT")]
     pub(crate) out: PathBuf,
     #[command(flatten)]

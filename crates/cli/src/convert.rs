@@ -29,6 +29,7 @@ impl Target {
         match name.rsplit_once('.').map_or("", |(_, ending)| ending) {
             "csv" => Ok(Self::Table),
             "obj" => Ok(Self::Made(Format::Obj, ".obj")),
+            "step" | "stp" => Ok(Self::Made(Format::Step, ".step")),
             "pdf" => Ok(Self::Made(Format::Pdf, ".pdf")),
             "html" => Ok(Self::Made(Format::Report, ".html")),
             "json" => Ok(Self::Made(Format::Report, ".json")),
@@ -36,7 +37,7 @@ impl Target {
             "dxf" => Ok(Self::Made(Format::Dxf, ".dxf")),
             _ => Err(Failure::new(
                 "the name does not end in a format that is written",
-                "End it in .sheet.json, .csv, .obj, .pdf, .html, .json, .svg or .dxf.",
+                "End it in .sheet.json, .csv, .obj, .step, .pdf, .html, .json, .svg or .dxf.",
             )
             .at(path.display().to_string())),
         }

@@ -16,7 +16,10 @@ const FAULT: &str = "This is a fault of the program: please report it with the i
 pub(crate) fn run(args: &MakeArgs, voice: Voice) -> Result<bool, Failure> {
     let formats: Vec<Format> = Format::ALL
         .into_iter()
-        .filter(|format| args.formats.is_empty() || args.formats.contains(format))
+        .filter(|format| match &args.formats[..] {
+            [] => Format::DEFAULT.contains(format),
+            asked => asked.contains(format),
+        })
         .collect();
     let start = Instant::now();
     let design = source::design(&args.source)?;

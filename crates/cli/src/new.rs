@@ -31,7 +31,7 @@ pub(crate) fn run(args: &NewArgs, voice: Voice) -> Result<bool, Failure> {
         // Tables need not lie in the folder of the patterns: the design there has their points.
         let beside = Some((format!("{}.sheet.json", new.design.name), write_design(&new.design)));
         let pdf = PdfOptions::default();
-        let job = Job { input: name, out, formats: &Format::ALL, pdf, beside };
+        let job = Job { input: name, out, formats: &Format::DEFAULT, pdf, beside };
         return job.run(&new.design, start, voice);
     }
     let bytes = new.bytes();

@@ -292,8 +292,14 @@ fn conversions_come_back() {
 fn conversions_write_what_make_writes() {
     let desk = Desk::new(&[("leaf.csv", SQUARE), ("two.sheet.json", TWO_PANELS)]);
     desk.says("make leaf.csv --out out", 0);
+    // What takes a program to look at is made when it is asked for.
+    let without = names_in(&desk.path("out"));
+    assert!(!without.iter().any(|name| name == "quads.obj" || name == "surface.step"));
+    desk.says("make leaf.csv --out out --formats quads,step", 0);
+    assert_eq!(names_in(&desk.path("out")).len(), without.len() + 2);
     for (out, file) in [
         ("a.obj", "surface.obj"),
+        ("a.step", "surface.step"),
         ("a.pdf", "pattern.pdf"),
         ("a.html", "report.html"),
         ("a.json", "report.json"),

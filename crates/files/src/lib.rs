@@ -15,11 +15,13 @@ mod names;
 mod obj;
 mod output;
 mod pdf;
+mod quads;
 mod quantity;
 mod read_back;
 mod reading;
 mod refold;
 mod report;
+mod step;
 mod stroke_font;
 mod svg;
 mod table;
@@ -35,6 +37,7 @@ pub use messages::{PanelTimes, error_json, findings_json, timing_json};
 pub use obj::write_obj;
 pub use output::{Format, OutputError, OutputFile, Outputs, output_files};
 pub use pdf::{MaxSheets, Paper, PdfOptions, Reduced, WrittenPdf, write_pdf};
+pub use quads::{PanelQuads, write_quads};
 pub use quantity::{distance_mm, warp_deg};
 pub use read_back::{PatternReadError, ReadPattern};
 pub use reading::{InputError, MAX_INPUT_BYTES, ReadOptions, VarySettings, read_limited};
@@ -43,6 +46,7 @@ pub use report::{
     Picture, design_picture, flat_picture, gauss_picture, moved_picture, report_html, report_json,
     report_schema, side_by_side, stacked, surface_picture, warp_chart,
 };
+pub use step::write_step;
 pub use svg::{read_svg, write_svg};
 pub use table::{MAX_CURVES, MAX_ROWS, TableCurve, read_table, write_table};
 pub use template_call::{NewDesign, design_from_template, new_design};

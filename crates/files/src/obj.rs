@@ -40,7 +40,7 @@ pub fn write_obj(made: &Made) -> Vec<u8> {
 
 /// A name as OBJ takes it: blanks would begin another group. Names that differ in blanks alone are
 /// told apart by a number.
-fn one_word(name: &str, taken: &mut BTreeSet<String>) -> String {
+pub(crate) fn one_word(name: &str, taken: &mut BTreeSet<String>) -> String {
     let word: String =
         name.chars().map(|c| if c.is_whitespace() || c.is_control() { '_' } else { c }).collect();
     let numbered = (2..).map(|n| format!("{word}_{n}"));

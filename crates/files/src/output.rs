@@ -5,8 +5,10 @@ use crate::dxf::write_dxf;
 use crate::names::{folded, refused_for_file};
 use crate::obj::write_obj;
 use crate::pdf::{MaxSheets, PdfOptions, Reduced, write_pdf};
+use crate::quads::{PanelQuads, write_quads};
 use crate::refold::{known_miss_mm, refold_error_mm};
 use crate::report::{report_html, report_json};
+use crate::step::write_step;
 use crate::svg::write_svg;
 use crate::table::write_table;
 use crate::units::Units;
@@ -26,13 +28,20 @@ pub enum Format {
     Dxf,
     /// `pattern.pdf`: the patterns on sheets of paper.
     Pdf,
+    /// `quads.obj`: the panels in planar quads.
+    Quads,
+    /// `surface.step`: the panels as smooth surfaces for CAD.
+    Step,
     /// `report.json` and `report.html`.
     Report,
 }
 
 impl Format {
     /// Every format, in the order in which files are written.
-    pub const ALL: [Self; 5] = [Self::Obj, Self::Svg, Self::Dxf, Self::Pdf, Self::Report];
+    pub const ALL: [Self; 7] =
+        [Self::Obj, Self::Svg, Self::Dxf, Self::Pdf, Self::Quads, Self::Step, Self::Report];
+    /// Those that are written unless somebody asks for others.
+    pub const DEFAULT: [Self; 5] = [Self::Obj, Self::Svg, Self::Dxf, Self::Pdf, Self::Report];
 
     /// How people ask for it.
     pub const fn name(self) -> &'static str {
@@ -41,6 +50,8 @@ impl Format {
             Self::Svg => "svg",
             Self::Dxf => "dxf",
             Self::Pdf => "pdf",
+            Self::Quads => "quads",
+            Self::Step => "step",
             Self::Report => "report",
         }
     }
@@ -129,6 +140,15 @@ pub fn output_files(
         files.get(n).map(|file| &file.bytes[..])
     }
 
+    let in_quads: Vec<Option<PanelQuads>> = made
+        .panels
+        .iter()
+        .map(|panel| {
+            let is_wanted = asked(Format::Quads) || asked(Format::Step);
+            is_wanted.then(|| PanelQuads::new(panel))
+        })
+        .collect();
+
     let mut panels = Vec::with_capacity(made.panels.len());
     let mut errors_mm = Vec::with_capacity(made.panels.len());
     for (n, panel) in made.panels.iter().enumerate() {
@@ -157,6 +177,7 @@ pub fn output_files(
         }
         let reduced = pdf.iter().flat_map(|pdf| &pdf.reduced).find(|r| r.panel == n);
         checked.findings.extend(reduced.map(not_tiled));
+        checked.findings.extend(in_quads[n].as_ref().and_then(PanelQuads::finding));
         checked.findings.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
         panels.push(checked);
     }
@@ -168,8 +189,22 @@ pub fn output_files(
     files.extend(svg);
     files.extend(dxf);
     files.extend(pdf.map(|pdf| file("pattern.pdf".to_owned(), pdf.bytes)));
+    let named: Vec<(&str, &PanelQuads)> = made
+        .panels
+        .iter()
+        .zip(&in_quads)
+        .filter_map(|(panel, quads)| Some((panel.name.as_str(), quads.as_ref()?)))
+        .collect();
+    if asked(Format::Quads) {
+        files.push(file("quads.obj".to_owned(), write_quads(&named)));
+    }
+    if asked(Format::Step) {
+        let smooth: Vec<_> = named.iter().map(|(name, quads)| (*name, &quads.smooth)).collect();
+        files.push(file("surface.step".to_owned(), write_step(&smooth)));
+    }
     if asked(Format::Report) {
-        files.push(file("report.json".to_owned(), report_json(made, &errors_mm, &panels)));
+        let report = report_json(made, &errors_mm, &panels, &in_quads);
+        files.push(file("report.json".to_owned(), report));
         files.push(file("report.html".to_owned(), report_html(made, &errors_mm, &panels)));
     }
     if let Some(moved) = &made.moved {

@@ -77,7 +77,7 @@ fn shade() -> Made {
 }
 
 fn outputs(made: &Made) -> Outputs {
-    output_files(made, &Format::ALL, &PdfOptions::default()).unwrap()
+    output_files(made, &Format::DEFAULT, &PdfOptions::default()).unwrap()
 }
 
 fn text<'a>(outputs: &'a Outputs, name: &str) -> &'a str {

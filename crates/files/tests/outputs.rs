@@ -289,6 +289,8 @@ fn the_same_design_gives_the_same_bytes() {
             "bilge.dxf",
             "bottom.dxf",
             "pattern.pdf",
+            "quads.obj",
+            "surface.step",
             "report.json",
             "report.html"
         ]

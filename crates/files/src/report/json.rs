@@ -1,5 +1,6 @@
 //! `report.json`: what was measured and found, for scripts.
 
+use crate::quads::PanelQuads;
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::Serialize;
@@ -8,6 +9,7 @@ use sheetwright::design::{Change, Made, MadePanel};
 use sheetwright::material::warp_limit_deg;
 use sheetwright::math::to_deg;
 use sheetwright::pattern::seam_mark;
+use sheetwright::quads::PlanarEnd;
 use sheetwright::triangulate::Goal;
 
 /// The version of the format.
@@ -106,6 +108,9 @@ struct PanelReport<'a> {
     moved_total_mm: f64,
     /// What the panel was before it was to be moved; null where nothing was to be.
     before: Option<BeforeReport>,
+    /// The panel in planar quads, and as a smooth surface; null unless the format `quads` or `step`
+    /// was asked for.
+    quads: Option<QuadsReport>,
     /// Will it bend?
     #[schemars(extend("enum" = Verdict::ALL.map(Verdict::name)))]
     verdict: &'static str,
@@ -129,6 +134,37 @@ struct BeforeReport {
     /// Would it have bent?
     #[schemars(extend("enum" = Verdict::ALL.map(Verdict::name)))]
     verdict: &'static str,
+}
+
+/// A panel in planar quads, and as a smooth surface over them.
+#[derive(Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "Quads")]
+struct QuadsReport {
+    /// Quads.
+    quads: usize,
+    /// Triangles: ends of strips, and what is left of larger polygons with an odd number of corners.
+    triangles: usize,
+    /// Larger polygons where strips meet, before they were split.
+    larger_polygons: usize,
+    /// Whether all quads are planar.
+    planar: bool,
+    /// The largest distance between the diagonals of a quad before they were made planar, mm.
+    planarity_before_mm: f64,
+    /// The same afterwards.
+    planarity_after_mm: f64,
+    /// The largest distance by which a vertex was moved, mm.
+    moved_max_mm: f64,
+    /// The largest distance from a vertex to the boundary, mm; where not all are planar, that which it
+    /// would take.
+    off_boundary_max_mm: f64,
+    /// Ruled strips of the smooth surface.
+    strips: usize,
+    /// The largest distance of the smooth surface's border from the boundary, mm.
+    smooth_deviation_mm: f64,
+    /// The largest angle between the tangent planes at both ends of a ruling of the smooth surface,
+    /// degrees.
+    smooth_warp_deg: f64,
 }
 
 /// A cut of the pattern whose two sides are joined.
@@ -165,22 +201,31 @@ struct FindingReport<'a> {
 }
 
 /// `report.json` of a made design. `refold_error_mm` and `checked` have one entry a panel; a refold
-/// error that is not finite says that the written pattern could not be read back.
+/// error that is not finite says that the written pattern could not be read back. So has `quads`, where
+/// they were made.
 ///
 /// # Panics
 /// Unless there is one entry a panel.
-pub fn report_json(made: &Made, refold_error_mm: &[f64], checked: &[Checked]) -> Vec<u8> {
+pub fn report_json(
+    made: &Made,
+    refold_error_mm: &[f64],
+    checked: &[Checked],
+    quads: &[Option<PanelQuads>],
+) -> Vec<u8> {
     assert_eq!(made.panels.len(), refold_error_mm.len(), "one refold error a panel");
     assert_eq!(made.panels.len(), checked.len(), "one verdict a panel");
     let limit = warp_limit_deg(made.material);
-    let each = made.panels.iter().zip(refold_error_mm).zip(checked);
+    assert_eq!(made.panels.len(), quads.len(), "quads or none a panel");
+    let each = made.panels.iter().zip(refold_error_mm).zip(checked.iter().zip(quads));
     let report = Report {
         sheetwright: VERSION,
         name: &made.name,
         units: "mm",
         material: made.material.map(|m| m.name),
         panels: each
-            .map(|((panel, &error), checked)| of_panel(panel, error, checked, limit))
+            .map(|((panel, &error), (checked, quads))| {
+                of_panel(panel, error, checked, quads.as_ref(), limit)
+            })
             .collect(),
     };
     to_bytes(&report)
@@ -204,6 +249,7 @@ fn of_panel<'a>(
     panel: &'a MadePanel,
     refold_error_mm: f64,
     checked: &'a Checked,
+    quads: Option<&PanelQuads>,
     warp_limit_deg: f64,
 ) -> PanelReport<'a> {
     let finite = |x: f64| x.is_finite().then_some(x);
@@ -256,8 +302,27 @@ fn of_panel<'a>(
         moved_max_mm: panel.change.as_ref().map_or(0.0, Change::moved_max_mm),
         moved_total_mm: panel.change.as_ref().map_or(0.0, Change::moved_total_mm),
         before: panel.change.as_ref().map(|change| of_before(&change.before)),
+        quads: quads.map(of_quads),
         verdict: checked.verdict.name(),
         findings: findings.collect(),
+    }
+}
+
+fn of_quads(quads: &PanelQuads) -> QuadsReport {
+    let PanelQuads { planar, smooth } = quads;
+    let of_corners = |n: usize| planar.mesh.faces().filter(|face| face.len() == n).count();
+    QuadsReport {
+        quads: of_corners(4),
+        triangles: of_corners(3),
+        larger_polygons: planar.mesh.larger_polygons(),
+        planar: matches!(planar.end, PlanarEnd::OnOutline | PlanarEnd::OffOutline),
+        planarity_before_mm: planar.uneven_before_mm,
+        planarity_after_mm: planar.uneven_after_mm,
+        moved_max_mm: planar.moved_max_mm,
+        off_boundary_max_mm: planar.off_max_mm,
+        strips: smooth.strips(),
+        smooth_deviation_mm: smooth.deviation_max_mm,
+        smooth_warp_deg: to_deg(smooth.warp_max),
     }
 }
 

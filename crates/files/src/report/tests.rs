@@ -1,4 +1,5 @@
 use super::*;
+use crate::quads::PanelQuads;
 use samples::*;
 use sheetwright::check::Checked;
 use sheetwright::design::Made;
@@ -13,6 +14,11 @@ fn checks(made: &Made) -> (Vec<f64>, Vec<Checked>) {
     (errors, made.panels.iter().map(|p| p.checked.clone()).collect())
 }
 
+/// No quads for any panel.
+fn none(made: &Made) -> Vec<Option<PanelQuads>> {
+    vec![None; made.panels.len()]
+}
+
 fn html(made: &Made) -> String {
     let (errors, checked) = checks(made);
     String::from_utf8(report_html(made, &errors, &checked)).unwrap()
@@ -20,7 +26,7 @@ fn html(made: &Made) -> String {
 
 fn json(made: &Made) -> serde_json::Value {
     let (errors, checked) = checks(made);
-    serde_json::from_slice(&report_json(made, &errors, &checked)).unwrap()
+    serde_json::from_slice(&report_json(made, &errors, &checked, &none(made))).unwrap()
 }
 
 /// The inline pictures of a page.
@@ -68,7 +74,7 @@ const PANEL_FIELDS: [&str; 27] = [
 fn the_json_has_the_fields_of_the_contract_in_their_order() {
     let made = hull(40, "steel-5mm");
     let (errors, checked) = checks(&made);
-    let text = String::from_utf8(report_json(&made, &errors, &checked)).unwrap();
+    let text = String::from_utf8(report_json(&made, &errors, &checked, &none(&made))).unwrap();
     let place =
         |field: &str| text.find(&format!("\"{field}\":")).unwrap_or_else(|| panic!("{field}"));
     let places: Vec<usize> = PANEL_FIELDS.iter().skip(1).take(23).map(|f| place(f)).collect();
@@ -108,7 +114,7 @@ fn what_has_no_number_is_null() {
     let made = concave();
     let checked = vec![made.panels[0].checked.clone()];
     let value: serde_json::Value =
-        serde_json::from_slice(&report_json(&made, &[f64::NAN], &checked)).unwrap();
+        serde_json::from_slice(&report_json(&made, &[f64::NAN], &checked, &none(&made))).unwrap();
     let panel = &value["panels"][0];
     assert!(panel["refold_error_mm"].is_null() && panel["bend_radius_min_mm"].is_null());
     assert_eq!(panel["name"], ODD_NAME);

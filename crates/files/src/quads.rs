@@ -1,0 +1,104 @@
+//! Quads of panels: made, counted, and written as OBJ.
+
+use crate::drawing::digits;
+use crate::obj::one_word;
+use sheetwright::check::{Finding, Severity};
+use sheetwright::design::MadePanel;
+use sheetwright::quads::{Planar, PlanarEnd, PlanarOptions, SmoothSurface, planar, quads, smooth};
+use sheetwright::tolerance::Tolerance;
+use sheetwright::watch::Unwatched;
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+
+/// How near to planar quads are made, as a share of the size.
+const EVEN: Tolerance = Tolerance::ROUNDING;
+/// How far vertices may leave the boundary so that quads are planar, as a share of the size: a
+/// millimetre in a metre, which is what a panel that is bent cold gives way by anyway.
+const LEAVE: f64 = 1e-3;
+
+/// A panel in planar quads, and the smooth surface over them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PanelQuads {
+    /// The quads, and what making them planar took.
+    pub planar: Planar,
+    /// The smooth surface.
+    pub smooth: SmoothSurface,
+}
+
+impl PanelQuads {
+    /// Those of a panel; vertices may leave its boundary by a thousandth of its size.
+    pub fn new(panel: &MadePanel) -> Self {
+        let mesh = quads(&panel.surface, &panel.boundary, &panel.outline);
+        let options = PlanarOptions { even: EVEN, leave_mm: LEAVE * panel.boundary.size() };
+        let planar = planar(&mesh, &panel.outline, &options, &mut Unwatched);
+        let smooth = smooth(&planar.mesh, &panel.outline);
+        Self { planar, smooth }
+    }
+
+    /// What a person should know of them.
+    pub(crate) fn finding(&self) -> Option<Finding> {
+        let Planar { end, off_max_mm, uneven_after_mm, .. } = self.planar;
+        let (severity, code, text) = match end {
+            PlanarEnd::OnOutline => return None,
+            PlanarEnd::OffOutline => (
+                Severity::Note,
+                "quads-off-boundary",
+                format!(
+                    "So that all quads are planar, their vertices leave the boundary by up to \
+                     {} mm. Sliding along it alone did not do: the panel is not quite developable.",
+                    short(off_max_mm)
+                ),
+            ),
+            PlanarEnd::TooFarOff => (
+                Severity::Warning,
+                "quads-not-planar",
+                format!(
+                    "The quads are not planar: diagonals are up to {} mm apart. They would be with \
+                     vertices {} mm off the boundary, which is more than a thousandth of the size.",
+                    short(uneven_after_mm),
+                    short(off_max_mm)
+                ),
+            ),
+            PlanarEnd::NotFound | PlanarEnd::Stopped => (
+                Severity::Warning,
+                "quads-not-planar",
+                format!(
+                    "The quads could not be made planar: diagonals are up to {} mm apart.",
+                    short(uneven_after_mm)
+                ),
+            ),
+        };
+        Some(Finding { severity, code, text, place: String::new() })
+    }
+}
+
+/// A length with two digits that count, down to a picometre.
+fn short(mm: f64) -> String {
+    let (mut places, mut scaled) = (0, mm);
+    while scaled < 10.0 && places < 9 {
+        (places, scaled) = (places + 1, scaled * 10.0);
+    }
+    format!("{mm:.places$}")
+}
+
+/// The OBJ file of the quads of all panels, under their names: an object and a group a panel.
+pub fn write_quads(panels: &[(&str, &PanelQuads)]) -> Vec<u8> {
+    let mut obj = String::from("# Planar quads by Sheetwright. Units: mm. One group per panel.\n");
+    let mut before = 1;
+    let mut taken = BTreeSet::new();
+    for (name, made) in panels {
+        let name = one_word(name, &mut taken);
+        // Writing to a string does not fail.
+        let _ = writeln!(obj, "o {name}\ng {name}");
+        let mesh = &made.planar.mesh;
+        for p in mesh.positions() {
+            let _ = writeln!(obj, "v {} {} {}", digits(p.x), digits(p.y), digits(p.z));
+        }
+        for face in mesh.faces() {
+            let corners: Vec<String> = face.iter().map(|i| (before + i).to_string()).collect();
+            let _ = writeln!(obj, "f {}", corners.join(" "));
+        }
+        before += mesh.vertices.len();
+    }
+    obj.into_bytes()
+}
