@@ -6,6 +6,7 @@ mod figures;
 mod fold_price;
 mod measured;
 mod peers;
+mod quads;
 mod templates;
 mod vary;
 
@@ -17,6 +18,7 @@ const HELP: &str = "Chores of the project:
   cargo xtask fold-price   writes docs/fold-price.md: what the fold price costs and what it buys
   cargo xtask measured     writes docs/measured.md: gores against the sphere, a duct against tradition
   cargo xtask peers        what bench/peers/run calls: our speed beside CGAL's, docs/speed.md
+  cargo xtask quads        writes docs/quads.md: planar quads and smooth strips, measured
   cargo xtask templates    writes docs/templates.md and its pictures, from the catalogue
   cargo xtask vary         writes docs/vary-compared.md: what moved curves gain, against the paper
 ";
@@ -29,6 +31,7 @@ fn main() -> ExitCode {
         "fold-price" => fold_price::write(),
         "measured" => measured::write(),
         "peers" => peers::run(),
+        "quads" => quads::write(),
         "templates" => templates::write(),
         "vary" => vary::write(),
         _ => {

@@ -313,7 +313,7 @@ fn conversions_write_what_make_writes() {
     let (_, error) = desk.says("convert two.sheet.json two.svg", 2);
     assert!(error.contains("`sheetwright make` writes one file a panel"), "{error}");
     assert!(!desk.path("two.svg").exists());
-    let (_, error) = desk.says("convert leaf.csv leaf.step", 2);
+    let (_, error) = desk.says("convert leaf.csv leaf.iges", 2);
     assert!(error.contains("hint: End it in .sheet.json, .csv"), "{error}");
 }
 
