@@ -48,6 +48,11 @@ index!(
     TriangleIndex,
     't'
 );
+index!(
+    /// A vertex of a mesh, from 0; prints as `v7`.
+    VertexIndex,
+    'v'
+);
 
 #[cfg(test)]
 mod tests {
@@ -57,5 +62,6 @@ mod tests {
     fn indices_print_what_they_count() {
         assert_eq!(SampleIndex::new(7).to_string(), "s7");
         assert_eq!(format!("{:?}", TriangleIndex::new(0)), "t0");
+        assert_eq!(VertexIndex::new(3).to_string(), "v3");
     }
 }

@@ -76,6 +76,8 @@ pub mod triangulate;
 
 pub mod surface;
 
+pub mod mesh;
+
 pub mod flatten;
 
 pub mod quads;

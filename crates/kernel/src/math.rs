@@ -1,8 +1,11 @@
-//! Points, vectors and frames: the only file that names the linear-algebra crate.
+//! Points, vectors and frames: the only file that names the crate of vectors; [`sparse`] alone names
+//! that of sparse systems.
 //!
 //! A point is a place and a vector is a way to go; the difference of two points is a vector. Every
 //! transcendental function of the kernel stands here and comes from the `libm` crate, so that a
 //! design gives the same bits in the browser, on the desktop and on every processor.
+
+pub mod sparse;
 
 use std::ops::{Add, AddAssign, Sub};
 

@@ -16,6 +16,7 @@ pub mod gallery;
 pub mod gored;
 pub mod hemisphere;
 pub mod hull;
+pub mod meshes;
 pub mod pierced;
 pub mod random;
 pub mod rings;

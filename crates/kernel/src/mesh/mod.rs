@@ -1,0 +1,160 @@
+//! A mesh from elsewhere: triangles over vertices in space, with interior vertices or without.
+//!
+//! [`Topology`] knows which vertices are joined and nothing of where they lie; [`Mesh`] adds
+//! positions. Both are validated once, in [`Mesh::new`], and trusted afterwards: every side belongs to
+//! one triangle or two, every vertex has one fan of triangles, neighbours run the same way round, and
+//! no triangle is without area. A mesh may be of several [`Piece`]s.
+
+mod error;
+mod topology;
+
+pub use error::MeshError;
+pub use topology::{MeshEdge, Piece, Topology};
+
+use crate::index::{TriangleIndex, VertexIndex};
+use crate::math::{Point3, Vec3};
+
+/// The most triangles that a mesh may have: two million take about a gigabyte on their way to a
+/// pattern.
+pub const MAX_TRIANGLES: usize = 2_000_000;
+
+/// A triangle is without area when its least height is below this share of its longest side:
+/// a thousand times what coordinates of 16 digits leave of a height that is none.
+const LEAST_HEIGHT: f64 = 1e-12;
+
+/// Triangles over vertices in space.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mesh {
+    positions: Vec<Point3>,
+    topology: Topology,
+}
+
+impl Mesh {
+    /// The mesh of `triangles` over vertices at `positions`, mm. Triangles that run the other way
+    /// round than most of their piece are turned round; where as many run each way, the first stays.
+    ///
+    /// # Errors
+    /// See [`MeshError`]. Vertices that no triangle uses are for the caller to leave out.
+    pub fn new(
+        positions: Vec<Point3>,
+        triangles: Vec<[VertexIndex; 3]>,
+    ) -> Result<Self, MeshError> {
+        if triangles.is_empty() {
+            return Err(MeshError::Empty);
+        }
+        let found = triangles.len().max(positions.len());
+        if found > MAX_TRIANGLES {
+            return Err(MeshError::TooMany { found });
+        }
+        if let Some(vertex) = positions.iter().position(|p| !p.is_finite()) {
+            return Err(MeshError::NotFinite { vertex: VertexIndex::new(vertex) });
+        }
+        for (n, corners) in triangles.iter().enumerate() {
+            let triangle = TriangleIndex::new(n);
+            if corners.iter().any(|v| v.get() >= positions.len()) {
+                return Err(MeshError::BadCorner { triangle });
+            }
+            let at = corners.map(|v| positions[v.get()]);
+            if corners[0] == corners[1]
+                || corners[1] == corners[2]
+                || corners[2] == corners[0]
+                || !has_area(at)
+            {
+                return Err(MeshError::Degenerate { triangle });
+            }
+        }
+        let mut topology = Topology::new(positions.len(), triangles)?;
+        topology.sort_loops(|a, b| positions[a.get()].distance(positions[b.get()]));
+        Ok(Self { positions, topology })
+    }
+
+    /// Where the vertices lie, mm.
+    pub fn positions(&self) -> &[Point3] {
+        &self.positions
+    }
+
+    /// Which vertices are joined.
+    pub fn topology(&self) -> &Topology {
+        &self.topology
+    }
+
+    /// The triangles; the corners of neighbours run the same way round, counter-clockwise as seen
+    /// from the side that the mesh faces.
+    pub fn triangles(&self) -> &[[VertexIndex; 3]] {
+        self.topology.triangles()
+    }
+
+    /// All sides, in increasing order of their ends.
+    pub fn edges(&self) -> &[MeshEdge] {
+        self.topology.edges()
+    }
+
+    /// The loops of the border, the longest (in mm) first, each in the direction of the triangles
+    /// that it belongs to and from its lowest vertex on.
+    pub fn loops(&self) -> &[Vec<VertexIndex>] {
+        self.topology.loops()
+    }
+
+    /// The parts that hang together, by their lowest triangle.
+    pub fn pieces(&self) -> &[Piece] {
+        self.topology.pieces()
+    }
+
+    /// Euler's number, vertices − sides + triangles: 1 for a disk, 0 for a ring, 2 for a sphere.
+    pub fn euler(&self) -> isize {
+        self.topology.euler()
+    }
+
+    /// Where a vertex lies, mm.
+    pub fn position(&self, vertex: VertexIndex) -> Point3 {
+        self.positions[vertex.get()]
+    }
+
+    /// The lengths of the sides, mm, in the order of [`Mesh::edges`].
+    pub fn lengths(&self) -> Vec<f64> {
+        let length =
+            |edge: &MeshEdge| self.position(edge.ends[0]).distance(self.position(edge.ends[1]));
+        self.edges().iter().map(length).collect()
+    }
+
+    /// The corners of a triangle, mm.
+    pub fn corners(&self, triangle: TriangleIndex) -> [Point3; 3] {
+        self.triangles()[triangle.get()].map(|v| self.position(v))
+    }
+
+    /// The area vector of a triangle, mm²: along its normal, as long as its area.
+    pub fn area_vector(&self, triangle: TriangleIndex) -> Vec3 {
+        let [a, b, c] = self.corners(triangle);
+        (b - a).cross(c - a) * 0.5
+    }
+
+    /// The mesh of some of the triangles alone, as of one piece or of one group, with the vertices
+    /// that its own stand for, in increasing order.
+    ///
+    /// # Errors
+    /// See [`MeshError`]: triangles that are no whole piece may meet in a point, and none are no mesh.
+    pub fn part(&self, triangles: &[TriangleIndex]) -> Result<(Self, Vec<VertexIndex>), MeshError> {
+        let corners = || triangles.iter().map(|t| self.triangles()[t.get()]);
+        let mut vertices: Vec<VertexIndex> = corners().flatten().collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        let mut number = vec![0; self.positions.len()];
+        for (n, vertex) in vertices.iter().enumerate() {
+            number[vertex.get()] = n;
+        }
+        let positions = vertices.iter().map(|&v| self.position(v)).collect();
+        let renamed = corners().map(|t| t.map(|v| VertexIndex::new(number[v.get()]))).collect();
+        Ok((Self::new(positions, renamed)?, vertices))
+    }
+}
+
+/// Whether three points are the corners of a triangle with an area.
+fn has_area([a, b, c]: [Point3; 3]) -> bool {
+    let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
+    let doubled_area = (b - a).cross(c - a).length();
+    // Also refused where products leave the range of numbers.
+    longest.is_finite() && doubled_area > LEAST_HEIGHT * longest * longest
+}
+
+#[cfg(test)]
+mod tests;
