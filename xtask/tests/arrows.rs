@@ -17,7 +17,8 @@ const CRATES: [(&str, &[&str]); 5] = [
 ];
 
 /// Crates that only one crate of ours may name: file formats, the command line.
-const OWNERS: [(&str, &str); 10] = [
+const OWNERS: [(&str, &str); 11] = [
+    ("faer", "crates/kernel"),
     ("glam", "crates/kernel"),
     ("robust", "crates/kernel"),
     ("serde", "crates/files"),
@@ -31,7 +32,8 @@ const OWNERS: [(&str, &str); 10] = [
 ];
 
 /// Files of the kernel that alone may name these crates.
-const FILE_OWNERS: [(&str, &[&str]); 5] = [
+const FILE_OWNERS: [(&str, &[&str]); 6] = [
+    ("faer::", &["math/sparse.rs"]),
     ("glam::", &["math.rs"]),
     ("libm::", &["math.rs"]),
     ("robust::", &["predicate.rs"]),

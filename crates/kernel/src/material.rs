@@ -21,10 +21,20 @@ pub struct Material {
     pub bend_radius_mm: f64,
     /// The largest warp angle that it takes, degrees.
     pub warp_limit_deg: f64,
+    /// By which share it is stretched or squeezed within its plane at most, without unit.
+    pub stretch_limit: f64,
 }
 
 /// The largest warp angle of a sheet that nothing is known of, degrees: metal shipbuilding \[ZB18\].
 pub const DEFAULT_WARP_LIMIT_DEG: f64 = 6.0;
+
+/// By which share a sheet that nothing is known of is stretched within its plane at most: a
+/// millimetre in a metre, about where metal stops springing back. Assumed, not looked up; the same as
+/// [`crate::tolerance::Tolerance::MOST_STRETCH`].
+pub const DEFAULT_STRETCH_LIMIT: f64 = 1e-3;
+
+/// The same for leather, cloth and soft plastic, which stretch a few per cent. Assumed.
+const SOFT_STRETCH_LIMIT: f64 = 0.02;
 
 /// A sheet that is bent to no less than this many thicknesses is taken to break when it is folded:
 /// between solid board (10) and plywood (96), nearer to the board.
@@ -37,7 +47,9 @@ const fn material(
     bend_radius_mm: f64,
     warp_limit_deg: f64,
 ) -> Material {
-    Material { name, title, thickness_mm, bend_radius_mm, warp_limit_deg }
+    let stretches = warp_limit_deg > DEFAULT_WARP_LIMIT_DEG;
+    let stretch_limit = if stretches { SOFT_STRETCH_LIMIT } else { DEFAULT_STRETCH_LIMIT };
+    Material { name, title, thickness_mm, bend_radius_mm, warp_limit_deg, stretch_limit }
 }
 
 /// Every material, by name.
@@ -78,6 +90,12 @@ pub fn warp_limit_deg(material: Option<&Material>) -> f64 {
     material.map_or(DEFAULT_WARP_LIMIT_DEG, |m| m.warp_limit_deg)
 }
 
+/// By which share a sheet is stretched within its plane at most: the material's, or the default
+/// without one.
+pub fn stretch_limit(material: Option<&Material>) -> f64 {
+    material.map_or(DEFAULT_STRETCH_LIMIT, |m| m.stretch_limit)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -90,5 +108,7 @@ mod tests {
         }
         assert_eq!(Material::named("paper").map(|m| m.bend_radius_mm), Some(0.5));
         assert!(Material::named("cheese").is_none());
+        assert_eq!(stretch_limit(Material::named("canvas")), 0.02);
+        assert_eq!(stretch_limit(None), stretch_limit(Material::named("steel-1mm")));
     }
 }

@@ -1,8 +1,11 @@
-//! Points, vectors and frames: the only file that names the linear-algebra crate.
+//! Points, vectors and frames: the only file that names the crate of vectors; [`sparse`] alone names
+//! that of sparse systems.
 //!
 //! A point is a place and a vector is a way to go; the difference of two points is a vector. Every
 //! transcendental function of the kernel stands here and comes from the `libm` crate, so that a
 //! design gives the same bits in the browser, on the desktop and on every processor.
+
+pub mod sparse;
 
 use std::ops::{Add, AddAssign, Sub};
 
@@ -202,6 +205,11 @@ pub fn cos(radians: f64) -> f64 {
 /// `base` to a power, the same bits on every platform.
 pub fn pow(base: f64, exponent: f64) -> f64 {
     libm::pow(base, exponent)
+}
+
+/// The natural logarithm, the same bits on every platform.
+pub fn ln(x: f64) -> f64 {
+    libm::log(x)
 }
 
 /// The angle of the direction (x, y), radians in −π ..= π, the same bits on every platform.

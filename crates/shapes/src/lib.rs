@@ -13,6 +13,7 @@ pub mod drag;
 pub mod family;
 pub mod gored;
 pub mod hemisphere;
+pub mod meshes;
 pub mod pierced;
 pub mod random;
 pub mod rings;

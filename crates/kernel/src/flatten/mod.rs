@@ -5,11 +5,15 @@ mod close;
 mod lay;
 mod pose;
 mod refold;
+mod relax;
 mod sheet;
 mod unroll;
 
 pub use lay::lay_flat;
 pub use refold::{RefoldError, refold};
+pub use relax::{
+    Aim, Ended, RelaxError, RelaxOptions, Relaxed, relax, relax_lengths, triangle_stretches,
+};
 pub use sheet::{Seam, Sheet};
 pub use unroll::unroll;
 

@@ -1,0 +1,255 @@
+//! How true a mesh is once it lies flat, and where a cut would help.
+
+use crate::flatten::triangle_stretches;
+use crate::index::{TriangleIndex, VertexIndex};
+use crate::math::{Point2, angle_between};
+use crate::mesh::Mesh;
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+use std::f64::consts::{PI, TAU};
+
+/// A hole whose border turns by this share of a full turn more or less than that of a hole in a
+/// plane does not lie flat unless it is cut open: a tube's does not turn at all.
+const HOLE_TURN: f64 = 0.05;
+
+/// What is measured on a mesh and its flat form.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshMeasures {
+    /// The relative length error of every side, (flat − space) / space, signed, in the order of
+    /// [`Mesh::edges`]: positive where the pattern is longer.
+    pub length_errors: Vec<f64>,
+    /// The largest size of these.
+    pub length_error_max: f64,
+    /// Their mean size, every side counting the same.
+    pub length_error_mean: f64,
+    /// Their mean size, every side counting as the area of its triangles in space.
+    pub length_error_mean_by_area: f64,
+    /// The largest size of the errors of border edges.
+    pub border_error_max: f64,
+    /// The largest and the smallest stretch of every triangle, flat by space: 1 and 1 where its
+    /// lengths are true, the smallest negative where it is turned over.
+    pub stretches: Vec<[f64; 2]>,
+    /// The largest of all stretches.
+    pub stretch_max: f64,
+    /// The smallest of all stretches.
+    pub stretch_min: f64,
+    /// The area in space, mm².
+    pub area_space_mm2: f64,
+    /// The area of the pattern, mm²; what overlaps counts twice.
+    pub area_flat_mm2: f64,
+}
+
+impl MeshMeasures {
+    /// The strain of a triangle: by which share it is stretched or squeezed where that is most.
+    pub fn strain(&self, triangle: TriangleIndex) -> f64 {
+        let [most, least] = self.stretches[triangle.get()];
+        (most - 1.0).max(1.0 - least)
+    }
+}
+
+/// Measures a mesh whose vertices lie at these points of the plane.
+///
+/// # Panics
+/// Unless there is one point a vertex.
+pub fn mesh_measures(mesh: &Mesh, points: &[Point2]) -> MeshMeasures {
+    assert_eq!(mesh.positions().len(), points.len(), "one point a vertex");
+    let lengths = mesh.lengths();
+    let length_errors: Vec<f64> = mesh
+        .edges()
+        .iter()
+        .zip(&lengths)
+        .map(|(edge, space)| {
+            let [a, b] = edge.ends.map(|v| points[v.get()]);
+            (a.distance(b) - space) / space
+        })
+        .collect();
+    let (mut area_space_mm2, mut area_flat_mm2) = (0.0, 0.0);
+    let mut area_of = vec![0.0; lengths.len()];
+    let mut stretches = Vec::with_capacity(mesh.triangles().len());
+    for (n, corners) in mesh.triangles().iter().enumerate() {
+        let triangle = TriangleIndex::new(n);
+        let edges = mesh.topology().edges_of(triangle);
+        let flat = corners.map(|v| points[v.get()]);
+        let area = mesh.area_vector(triangle).length();
+        area_space_mm2 += area;
+        area_flat_mm2 += 0.5 * (flat[1] - flat[0]).perp_dot(flat[2] - flat[0]);
+        for edge in edges {
+            area_of[edge] += area;
+        }
+        stretches
+            .push(triangle_stretches(edges.map(|edge| lengths[edge]), flat).unwrap_or([1.0, 1.0]));
+    }
+    let sizes = || length_errors.iter().map(|r| r.abs());
+    let weighed: f64 = sizes().zip(&area_of).map(|(r, area)| r * area).sum();
+    let border = mesh.edges().iter().zip(sizes()).filter(|(edge, _)| edge.is_border());
+    MeshMeasures {
+        length_error_max: sizes().fold(0.0, f64::max),
+        length_error_mean: sizes().sum::<f64>() / length_errors.len() as f64,
+        length_error_mean_by_area: weighed / area_of.iter().sum::<f64>(),
+        border_error_max: border.fold(0.0, |most, (_, r)| most.max(r)),
+        stretch_max: stretches.iter().fold(0.0, |most, s| s[0].max(most)),
+        stretch_min: stretches.iter().fold(f64::INFINITY, |least, s| s[1].min(least)),
+        stretches,
+        area_space_mm2,
+        area_flat_mm2,
+        length_errors,
+    }
+}
+
+/// Where a cut would let a sheet lie that stretches or is squeezed by too much.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CutSuggestion {
+    /// The triangle of the largest strain.
+    pub worst: TriangleIndex,
+    /// Its strain, without unit.
+    pub strain: f64,
+    /// How many triangles are strained by more than the limit.
+    pub triangles: usize,
+    /// The vertices of the cut, joined by sides; the last lies on the border, and so does the first
+    /// where the cut joins two loops of it.
+    pub path: Vec<VertexIndex>,
+}
+
+/// The cut that is suggested where triangles are strained by more than `limit` (a share, as
+/// [`crate::material::stretch_limit`] tells): from a hole that cannot lie flat to the nearest other
+/// loop; or else, of the strained triangles that hang together with the worst, from the vertex that lies
+/// deepest inside to the border, along the shortest way. `None` where the sheet takes all.
+pub fn cut_suggestion(mesh: &Mesh, measures: &MeshMeasures, limit: f64) -> Option<CutSuggestion> {
+    let strain = |n: usize| measures.strain(TriangleIndex::new(n));
+    let count = mesh.triangles().len();
+    let worst = (0..count).reduce(|a, b| if strain(b) > strain(a) { b } else { a })?;
+    if strain(worst) <= limit {
+        return None;
+    }
+    let path = match hole_to_open(mesh) {
+        Some(hole) => {
+            let others = (0..mesh.loops().len()).filter(|&n| n != hole);
+            let ways = Ways::from(mesh, others.flat_map(|n| mesh.loops()[n].iter().copied()));
+            ways.way(ways.nearest(mesh.loops()[hole].iter().copied())?)
+        }
+        None => {
+            let ways = Ways::from(mesh, mesh.loops().iter().flatten().copied());
+            let region = region(mesh, worst, |n| strain(n) > limit);
+            let within = region.into_iter().flat_map(|n| mesh.triangles()[n]);
+            let mut deepest = ways.deepest(within)?;
+            if ways.way(deepest).len() < 2 {
+                deepest = ways.deepest((0..mesh.positions().len()).map(VertexIndex::new))?;
+            }
+            ways.way(deepest)
+        }
+    };
+    Some(CutSuggestion {
+        worst: TriangleIndex::new(worst),
+        strain: strain(worst),
+        triangles: (0..count).filter(|&n| strain(n) > limit).count(),
+        path,
+    })
+}
+
+/// The hole, of those of one piece, whose turn is farthest from that of a hole in a plane, if it is
+/// far.
+fn hole_to_open(mesh: &Mesh) -> Option<usize> {
+    let mut angle_at = vec![0.0; mesh.positions().len()];
+    for (n, corners) in mesh.triangles().iter().enumerate() {
+        let at = mesh.corners(TriangleIndex::new(n));
+        for k in 0..3 {
+            let (a, b, c) = (at[k], at[(k + 1) % 3], at[(k + 2) % 3]);
+            angle_at[corners[k].get()] += angle_between(b - a, c - a);
+        }
+    }
+    let off = |n: &usize| {
+        let turn: f64 = mesh.loops()[*n].iter().map(|v| PI - angle_at[v.get()]).sum();
+        (turn + TAU).abs()
+    };
+    let worst = (1..mesh.loops().len()).reduce(|a, b| if off(&b) > off(&a) { b } else { a });
+    worst.filter(|n| off(n) > HOLE_TURN * TAU)
+}
+
+/// The triangles that hang together with one and are chosen as it is.
+fn region(mesh: &Mesh, from: usize, chosen: impl Fn(usize) -> bool) -> Vec<usize> {
+    let mut seen = vec![false; mesh.triangles().len()];
+    seen[from] = true;
+    let mut found = vec![from];
+    let mut at = 0;
+    while at < found.len() {
+        let edges = mesh.topology().edges_of(TriangleIndex::new(found[at]));
+        at += 1;
+        for there in edges.into_iter().flat_map(|edge| mesh.edges()[edge].triangles).flatten() {
+            let there = there.get();
+            if !seen[there] && chosen(there) {
+                seen[there] = true;
+                found.push(there);
+            }
+        }
+    }
+    found
+}
+
+/// Shortest ways along sides, from every vertex to some (Dijkstra).
+struct Ways {
+    distance: Vec<f64>,
+    next: Vec<Option<VertexIndex>>,
+}
+
+/// A vertex to go on from; the nearest comes first, of equals the lowest.
+#[derive(PartialEq)]
+struct Reached(f64, VertexIndex);
+
+impl Eq for Reached {}
+
+impl Ord for Reached {
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.0.total_cmp(&self.0).then(other.1.cmp(&self.1))
+    }
+}
+
+impl PartialOrd for Reached {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ways {
+    fn from(mesh: &Mesh, ends: impl Iterator<Item = VertexIndex>) -> Self {
+        let count = mesh.positions().len();
+        let mut neighbours = vec![Vec::new(); count];
+        for (edge, length) in mesh.edges().iter().zip(mesh.lengths()) {
+            let [a, b] = edge.ends;
+            neighbours[a.get()].push((b, length));
+            neighbours[b.get()].push((a, length));
+        }
+        let mut ways = Self { distance: vec![f64::INFINITY; count], next: vec![None; count] };
+        let mut reached = BinaryHeap::new();
+        for end in ends {
+            ways.distance[end.get()] = 0.0;
+            reached.push(Reached(0.0, end));
+        }
+        while let Some(Reached(distance, here)) = reached.pop() {
+            if distance > ways.distance[here.get()] {
+                continue;
+            }
+            for &(there, length) in &neighbours[here.get()] {
+                if distance + length < ways.distance[there.get()] {
+                    ways.distance[there.get()] = distance + length;
+                    ways.next[there.get()] = Some(here);
+                    reached.push(Reached(distance + length, there));
+                }
+            }
+        }
+        ways
+    }
+
+    fn way(&self, from: VertexIndex) -> Vec<VertexIndex> {
+        std::iter::successors(Some(from), |v| self.next[v.get()]).collect()
+    }
+
+    fn nearest(&self, of: impl Iterator<Item = VertexIndex>) -> Option<VertexIndex> {
+        of.min_by(|a, b| self.distance[a.get()].total_cmp(&self.distance[b.get()]).then(a.cmp(b)))
+    }
+
+    /// The vertex of some with the longest way, of those with any.
+    fn deepest(&self, of: impl Iterator<Item = VertexIndex>) -> Option<VertexIndex> {
+        of.filter(|v| self.distance[v.get()].is_finite())
+            .max_by(|a, b| self.distance[a.get()].total_cmp(&self.distance[b.get()]).then(b.cmp(a)))
+    }
+}
