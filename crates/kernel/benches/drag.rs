@@ -9,21 +9,16 @@
 //! the clock on the wall. Every tenth design is made afresh in the same run.
 #![allow(clippy::print_stdout, clippy::unwrap_used)] // it prints; what fails should stop it
 
-use sheetwright::boundary::{PlaneChoice, size_of};
+use sheetwright::boundary::size_of;
 use sheetwright::cost::DEFAULT_FOLD;
-use sheetwright::curve::{CurveKind, CurvePoint};
-use sheetwright::design::{
-    CurveUse, Design, DesignCurve, DesignPanel, Live, PanelMethod, PanelShape, make,
-};
-use sheetwright::math::Point3;
-use sheetwright::triangulate::Goal;
+use sheetwright::design::{Design, Live, make};
 use sheetwright::watch::{Stage, Unwatched, Watch};
 use sheetwright_shapes::drag::{Drag, one_panel, outline};
 use sheetwright_shapes::family::Family;
+use sheetwright_shapes::hull::planks;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-const HULL: &str = include_str!("../../../examples/ubc-fishing-vessel.csv");
 const SAMPLES: usize = 400;
 const HANDLES: usize = 10;
 const MOVES: usize = 100;
@@ -50,7 +45,7 @@ fn main() {
             }
         }
         if wanted("hull") {
-            row("hull, 3 planks", fold, hull(fold), stages);
+            row("hull, 3 planks", fold, planks(SAMPLES / 2, fold), stages);
         }
     }
 }
@@ -151,33 +146,4 @@ impl Watch for Clock {
         self.end();
         self.at_work = Some((stage, Instant::now()));
     }
-}
-
-/// The planks of `examples/ubc-fishing-vessel.sheet.json`.
-fn hull(fold: f64) -> Design {
-    let mut curves: Vec<DesignCurve> = Vec::new();
-    for line in HULL.lines().skip(1) {
-        let [name, x, y, z] = line.split(',').collect::<Vec<_>>().try_into().unwrap();
-        let mm = |metres: &str| metres.parse::<f64>().unwrap() * 1000.0;
-        if curves.last().is_none_or(|curve| curve.name != name) {
-            let kind = Some(CurveKind::Spline);
-            curves.push(DesignCurve { name: name.into(), kind, closed: false, points: vec![] });
-        }
-        let at = Point3::new(mm(x), mm(y), mm(z));
-        curves.last_mut().unwrap().points.push(CurvePoint::smooth(at));
-    }
-    let on = |curve: &DesignCurve| CurveUse { name: curve.name.clone(), reversed: false };
-    let plank = |pair: &[DesignCurve]| DesignPanel {
-        name: pair[1].name.clone(),
-        shape: PanelShape::Rails([on(&pair[0]), on(&pair[1])]),
-        samples: SAMPLES / 2,
-        method: PanelMethod::Optimal,
-        goal: Goal::Price,
-        run_on: false,
-        plane: PlaneChoice::Auto,
-        fold,
-        cut: Vec::new(),
-    };
-    let panels = curves.windows(2).map(plank).collect();
-    Design { name: "hull".into(), curves, panels, ..Design::default() }
 }

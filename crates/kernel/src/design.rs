@@ -18,7 +18,7 @@ use crate::check::{
     Checked, Finding, Panel, Verdict, better_without_plane, check, ran_on, rounded_corner,
     stayed_straight,
 };
-use crate::cost::Prices;
+use crate::cost::{DEFAULT_FOLD, Prices};
 use crate::curve::{CurveKind, CurvePoint};
 use crate::flatten::{Flattened, Sheet, lay_flat};
 use crate::material::Material;
@@ -119,6 +119,24 @@ pub struct DesignPanel {
     /// Where the pattern is to be cut open if it must be, mm: along the rungs from loop to loop
     /// whose middles lie nearest. Empty: where the cuts are shortest.
     pub cut: Vec<Point3>,
+}
+
+impl DesignPanel {
+    /// A panel with the defaults: the best of all triangulations by its price with the default fold,
+    /// on the best-fit plane where there is one, and straight ends.
+    pub fn new(name: impl Into<String>, shape: PanelShape, samples: usize) -> Self {
+        Self {
+            name: name.into(),
+            shape,
+            samples,
+            method: PanelMethod::Optimal,
+            goal: Goal::Price,
+            plane: PlaneChoice::Auto,
+            run_on: false,
+            fold: DEFAULT_FOLD,
+            cut: Vec::new(),
+        }
+    }
 }
 
 /// All inputs of the main job.
@@ -341,10 +359,15 @@ fn make_as_asked(
 
     watch.begin(&[&panel.name], Stage::Solve);
     let is_first = known.is_none();
+    let differed = known.as_ref().is_some_and(|known| known.also_without_plane == Some(false));
     let cheapest = triangulate_near(&boundary, plane.as_ref(), &options, known.as_ref(), watch)
         .map_err(|e| failed(MakeCause::Triangulate(e)))?;
-    let Cheapest { triangulation, also_without_plane } = cheapest.clone();
+    let triangulation = cheapest.triangulation.clone();
     let known = known.insert(cheapest);
+    // What differed one move ago is not worth a search of its own.
+    if differed && known.also_without_plane.is_none() {
+        known.also_without_plane = Some(false);
+    }
     let connectivity = Connectivity::new(boundary.loops(), triangulation.triangles.clone())
         .map_err(|e| failed(MakeCause::Surface(e)))?;
     let surface = Surface::new(connectivity, boundary.positions());
@@ -373,7 +396,7 @@ fn make_as_asked(
     if panel.plane == PlaneChoice::Auto && plane.is_some() && boundary.holes() < 2 && !bends {
         // The plane, rather than the boundary, may be what keeps it from bending.
         let limit = MUCH_CHEAPER * triangulation.price;
-        let free = match also_without_plane {
+        let free = match known.also_without_plane {
             Some(true) => Ok(None),
             // Whoever asks again and again had better know.
             None if !is_first => triangulate(&boundary, None, &options, watch).map(|free| {

@@ -1,34 +1,15 @@
 //! The published hull: offsets of the UBC series fishing vessel \[ZB18\].
 #![allow(clippy::unwrap_used, clippy::print_stdout)] // tests panic and print what they measured
 
-use sheetwright::boundary::{Boundary, PlaneChoice};
-use sheetwright::cost::{PriceOptions, Prices};
-use sheetwright::curve::{Curve, CurveKind, CurvePoint, Sample, sample_open};
-use sheetwright::design::{
-    CurveUse, Design, DesignCurve, DesignPanel, Made, PanelMethod, PanelShape, make,
-};
+use sheetwright::boundary::Boundary;
+use sheetwright::cost::{DEFAULT_FOLD, PriceOptions, Prices};
+use sheetwright::curve::{Curve, CurveKind, Sample, sample_open};
+use sheetwright::design::{Made, PanelMethod, make};
 use sheetwright::math::{Point3, to_deg};
 use sheetwright::rung::Rung;
 use sheetwright::triangulate::{Goal, Method, TriangulateOptions, triangulate};
 use sheetwright::watch::Unwatched;
-
-const TABLE: &str = include_str!("../../../examples/ubc-fishing-vessel.csv");
-
-/// The four curves of the table, in mm.
-fn curves() -> Vec<DesignCurve> {
-    let mut curves: Vec<DesignCurve> = Vec::new();
-    for line in TABLE.lines().skip(1) {
-        let [name, x, y, z] = line.split(',').collect::<Vec<_>>().try_into().unwrap();
-        let mm = |metres: &str| metres.parse::<f64>().unwrap() * 1000.0;
-        if curves.last().is_none_or(|curve| curve.name != name) {
-            let kind = Some(CurveKind::Spline);
-            curves.push(DesignCurve { name: name.into(), kind, closed: false, points: vec![] });
-        }
-        let at = Point3::new(mm(x), mm(y), mm(z));
-        curves.last_mut().unwrap().points.push(CurvePoint::smooth(at));
-    }
-    curves
-}
+use sheetwright_shapes::hull::{curves, planks};
 
 /// Pairs of rails, with the largest and the mean warp angle of a plain least-twist path, degrees.
 const PLANKS: [(&str, &str, f64, f64); 3] = [
@@ -38,28 +19,10 @@ const PLANKS: [(&str, &str, f64, f64); 3] = [
 ];
 
 fn made(method: PanelMethod, goal: Goal, run_on: bool) -> Made {
-    let one = |name: &str| CurveUse { name: name.into(), reversed: false };
-    let panels = PLANKS
-        .iter()
-        .map(|(first, second, ..)| DesignPanel {
-            name: (*second).into(),
-            shape: PanelShape::Rails([one(first), one(second)]),
-            samples: 200,
-            method,
-            goal,
-            run_on,
-            plane: PlaneChoice::Auto,
-            fold: sheetwright::cost::DEFAULT_FOLD,
-            cut: Vec::new(),
-        })
-        .collect();
-    let design = Design {
-        name: "hull".into(),
-        material: None,
-        curves: curves(),
-        panels,
-        ..Design::default()
-    };
+    let mut design = planks(200, DEFAULT_FOLD);
+    for panel in &mut design.panels {
+        (panel.method, panel.goal, panel.run_on) = (method, goal, run_on);
+    }
     make(&design, &mut Unwatched).unwrap()
 }
 

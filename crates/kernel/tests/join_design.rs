@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that can't go on fails")]
 
-use sheetwright::boundary::{Continuity, JoinCause, PlaneChoice, Within};
+use sheetwright::boundary::{Continuity, JoinCause, Within};
 use sheetwright::check::Verdict;
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
@@ -10,7 +10,6 @@ use sheetwright::design::{
     PanelShape, make,
 };
 use sheetwright::math::{Point2, Point3, cos, from_deg, sin};
-use sheetwright::triangulate::Goal;
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::developable::largest_distance_after_fitting;
 use sheetwright_shapes::three_cones;
@@ -18,20 +17,6 @@ use sheetwright_shapes::three_cones;
 fn curve(name: &str, kind: CurveKind, points: Vec<Point3>) -> DesignCurve {
     let points = points.into_iter().map(CurvePoint::smooth).collect();
     DesignCurve { name: name.into(), kind: Some(kind), closed: false, points }
-}
-
-fn panel(name: &str, shape: PanelShape, samples: usize) -> DesignPanel {
-    DesignPanel {
-        name: name.into(),
-        shape,
-        samples,
-        method: PanelMethod::Optimal,
-        goal: Goal::Price,
-        run_on: false,
-        plane: PlaneChoice::Auto,
-        fold: sheetwright::cost::DEFAULT_FOLD,
-        cut: Vec::new(),
-    }
 }
 
 fn used(written: &str) -> CurveUse {
@@ -43,7 +28,7 @@ fn used(written: &str) -> CurveUse {
 
 fn bounded(name: &str, outer: &[&str]) -> DesignPanel {
     let outer = outer.iter().map(|c| used(c)).collect();
-    panel(name, PanelShape::Loops { outer, holes: Vec::new() }, 80)
+    DesignPanel::new(name, PanelShape::Loops { outer, holes: Vec::new() }, 80)
 }
 
 fn joining(parts: &[&str], smooth: Continuity) -> PanelShape {
@@ -78,7 +63,7 @@ fn cylinder() -> Design {
     let panels = vec![
         bounded("west", &["low-left", "seam", "-high-left", "-left"]),
         bounded("east", &["low-right", "right", "-high-right", "-seam"]),
-        panel("joined", joining(&["west", "east"], Continuity::G0), 132),
+        DesignPanel::new("joined", joining(&["west", "east"], Continuity::G0), 132),
     ];
     Design { name: "patch".into(), material: None, curves, panels, ..Design::default() }
 }
@@ -153,9 +138,9 @@ fn panels_between_rails_join_along_a_rail() {
         material: None,
         curves: vec![rail("keel", 0.0, 0.0), rail("chine", 0.0, 150.0), rail("sheer", 0.0, 400.0)],
         panels: vec![
-            panel("lower", rails("-chine", "keel"), 40),
-            panel("upper", rails("chine", "sheer"), 90),
-            panel("side", joining(&["lower", "upper"], Continuity::G1), 160),
+            DesignPanel::new("lower", rails("-chine", "keel"), 40),
+            DesignPanel::new("upper", rails("chine", "sheer"), 90),
+            DesignPanel::new("side", joining(&["lower", "upper"], Continuity::G1), 160),
         ],
         ..Design::default()
     };
@@ -198,7 +183,7 @@ fn flat(parts: Vec<(DesignCurve, DesignPanel)>, samples: usize) -> Design {
     let names: Vec<String> = parts.iter().map(|(_, part)| part.name.clone()).collect();
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     let (curves, mut panels): (Vec<_>, Vec<_>) = parts.into_iter().unzip();
-    panels.push(panel("whole", joining(&names, Continuity::G0), samples));
+    panels.push(DesignPanel::new("whole", joining(&names, Continuity::G0), samples));
     Design { name: "flat".into(), material: None, curves, panels, ..Design::default() }
 }
 
@@ -266,7 +251,7 @@ fn outlines_of_fixed_samples_keep_them() {
         panels: vec![
             bounded("west", &["seam", "-left"]),
             bounded("east", &["right", "-seam"]),
-            panel("whole", joining(&["west", "east"], Continuity::G0), 60),
+            DesignPanel::new("whole", joining(&["west", "east"], Continuity::G0), 60),
         ],
         ..Design::default()
     };

@@ -1,7 +1,6 @@
 //! Designs that are edited: what is kept and what is made anew come to what making them afresh does.
 #![allow(clippy::unwrap_used)] // tests panic
 
-use sheetwright::boundary::PlaneChoice;
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
     CurveUse, Design, DesignCurve, DesignPanel, Join, Live, MakeCause, PanelMethod, PanelShape,
@@ -114,20 +113,6 @@ fn on(name: &str) -> CurveUse {
     CurveUse { name: name.into(), reversed: false }
 }
 
-fn panel(name: &str, shape: PanelShape, samples: usize) -> DesignPanel {
-    DesignPanel {
-        name: name.into(),
-        shape,
-        samples,
-        method: PanelMethod::Optimal,
-        goal: Goal::Price,
-        plane: PlaneChoice::Auto,
-        run_on: false,
-        fold: sheetwright::cost::DEFAULT_FOLD,
-        cut: Vec::new(),
-    }
-}
-
 fn circle(name: &str, radius: f64, height: f64) -> DesignCurve {
     let at = |i: usize| {
         let t = TAU * i as f64 / 8.0;
@@ -139,7 +124,7 @@ fn circle(name: &str, radius: f64, height: f64) -> DesignCurve {
 #[test]
 fn panels_with_holes_are_as_made_afresh() {
     let holes = vec![vec![on("window")]];
-    let lid = panel("lid", PanelShape::Loops { outer: vec![on("rim")], holes }, 40);
+    let lid = DesignPanel::new("lid", PanelShape::Loops { outer: vec![on("rim")], holes }, 40);
     let design = Design {
         name: "lid".into(),
         curves: vec![circle("rim", 100.0, 0.0), circle("window", 40.0, 5.0)],
@@ -160,7 +145,7 @@ fn strips(method: PanelMethod, goal: Goal, run_on: bool) -> Design {
     };
     let strip = |n: usize| {
         let rails = [n, n + 1].map(|n| on(&format!("rail {n}")));
-        let strip = panel(&format!("strip {n}"), PanelShape::Rails(rails), 30 + 5 * n);
+        let strip = DesignPanel::new(format!("strip {n}"), PanelShape::Rails(rails), 30 + 5 * n);
         DesignPanel { method, goal, run_on, ..strip }
     };
     Design {
@@ -208,7 +193,7 @@ fn only_what_depends_on_a_change_is_made_anew() {
         within: Default::default(),
         keep_parts: true,
     };
-    design.panels.push(panel("both", PanelShape::Join(join), 90));
+    design.panels.push(DesignPanel::new("both", PanelShape::Join(join), 90));
     assert_eq!(live.update(design.clone(), &mut Unwatched), [3]);
     design.panels[1].samples += 1;
     assert_eq!(live.update(design, &mut Unwatched), [1, 3]);

@@ -1,16 +1,13 @@
 //! Strips whose rails run on, on surfaces that are known.
 #![allow(clippy::unwrap_used, clippy::print_stdout)] // tests panic and print what they measured
 
-use sheetwright::boundary::PlaneChoice;
 use sheetwright::check::Finding;
-use sheetwright::cost::DEFAULT_FOLD;
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
     CurveUse, Design, DesignCurve, DesignPanel, Join, MadePanel, MakeCause, PanelMethod,
     PanelShape, make,
 };
 use sheetwright::math::{Point3, cos, from_deg, sin, to_deg};
-use sheetwright::triangulate::Goal;
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::random::Random;
 
@@ -31,17 +28,8 @@ fn rail(name: &str, from: [f64; 2], to: [f64; 2]) -> DesignCurve {
 
 fn design(rails: [DesignCurve; 2], method: PanelMethod, run_on: bool) -> Design {
     let uses = rails.each_ref().map(|r| CurveUse { name: r.name.clone(), reversed: false });
-    let panel = DesignPanel {
-        name: "strip".into(),
-        shape: PanelShape::Rails(uses),
-        samples: 80,
-        method,
-        goal: Goal::Price,
-        run_on,
-        plane: PlaneChoice::Auto,
-        fold: DEFAULT_FOLD,
-        cut: Vec::new(),
-    };
+    let panel =
+        DesignPanel { method, run_on, ..DesignPanel::new("strip", PanelShape::Rails(uses), 80) };
     let curves = rails.to_vec();
     Design {
         name: "strip".into(),

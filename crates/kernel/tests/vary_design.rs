@@ -1,36 +1,24 @@
 //! Designs whose curves move.
 #![allow(clippy::unwrap_used, clippy::print_stdout)] // tests panic and print what they measured
 
-use sheetwright::boundary::{PlaneChoice, size_of};
+use sheetwright::boundary::size_of;
 use sheetwright::check::Severity;
+use sheetwright::cost::DEFAULT_FOLD;
 use sheetwright::curve::{CurveKind, CurvePoint, Sample};
 use sheetwright::design::{
     CurveUse, Design, DesignCurve, DesignPanel, Join, Made, MadePanel, MakeCause, MovedBy,
-    PanelMethod, PanelShape, Vary, VaryCause, make,
+    PanelShape, Vary, VaryCause, make,
 };
 use sheetwright::index::SampleIndex;
 use sheetwright::math::{Point3, cos, from_deg, sin, to_deg};
 use sheetwright::vary::{Ended, Goal};
 use sheetwright::watch::Unwatched;
+use sheetwright_shapes::hull::planks;
 use sheetwright_shapes::random::Random;
 
 fn curve(name: &str, kind: CurveKind, points: Vec<Point3>) -> DesignCurve {
     let points = points.into_iter().map(CurvePoint::smooth).collect();
     DesignCurve { name: name.into(), kind: Some(kind), closed: false, points }
-}
-
-fn panel(name: &str, shape: PanelShape, samples: usize) -> DesignPanel {
-    DesignPanel {
-        name: name.into(),
-        shape,
-        samples,
-        method: PanelMethod::Optimal,
-        plane: PlaneChoice::Auto,
-        fold: sheetwright::cost::DEFAULT_FOLD,
-        goal: Default::default(),
-        run_on: false,
-        cut: Vec::new(),
-    }
 }
 
 fn uses(list: &[&str]) -> Vec<CurveUse> {
@@ -58,22 +46,7 @@ fn size(made: &Made) -> f64 {
 }
 
 fn hull(samples: usize, vary: Vary) -> Design {
-    let table = include_str!("../../../examples/ubc-fishing-vessel.csv");
-    let mut curves: Vec<DesignCurve> = Vec::new();
-    for line in table.lines().skip(1) {
-        let [name, x, y, z] = line.split(',').collect::<Vec<_>>().try_into().unwrap();
-        if curves.last().is_none_or(|curve| curve.name != name) {
-            curves.push(curve(name, CurveKind::Spline, Vec::new()));
-        }
-        let mm = |feet: &str| feet.parse::<f64>().unwrap() * 304.8;
-        let at = Point3::new(mm(x), mm(y), mm(z));
-        curves.last_mut().unwrap().points.push(CurvePoint::smooth(at));
-    }
-    let panels = curves
-        .windows(2)
-        .map(|pair| panel(&pair[1].name, rails(&pair[0].name, &pair[1].name), samples))
-        .collect();
-    Design { name: "hull".into(), curves, panels, vary: vec![vary], ..Design::default() }
+    Design { vary: vec![vary], ..planks(samples, DEFAULT_FOLD) }
 }
 
 /// The samples of a panel that lie where those of another do.
@@ -166,8 +139,8 @@ fn quilt(random: &mut Random, kind: CurveKind) -> Design {
     };
     let curves = vec![curve("seam", kind, seam), around("west", west), around("east", east)];
     let panels = vec![
-        panel("left", outline(&["west", "-seam"]), 70),
-        panel("right", outline(&["seam", "-east"]), 90),
+        DesignPanel::new("left", outline(&["west", "-seam"]), 70),
+        DesignPanel::new("right", outline(&["seam", "-east"]), 90),
     ];
     Design { name: "quilt".into(), curves, panels, ..Design::default() }
 }
@@ -294,7 +267,7 @@ fn quarter() -> Design {
     };
     let curves =
         vec![curve("a", CurveKind::Spline, arc(0.0)), curve("b", CurveKind::Spline, arc(400.0))];
-    let panels = vec![panel("quarter", rails("a", "b"), 60)];
+    let panels = vec![DesignPanel::new("quarter", rails("a", "b"), 60)];
     Design { name: "quarter".into(), curves, panels, ..Design::default() }
 }
 
@@ -326,7 +299,7 @@ fn twisted() -> Design {
         .collect();
     let mut rim = curve("rim", CurveKind::Spline, points);
     rim.closed = true;
-    let panels = vec![panel("strip", outline(&["rim"]), 80)];
+    let panels = vec![DesignPanel::new("strip", outline(&["rim"]), 80)];
     Design { name: "strip".into(), curves: vec![rim], panels, ..Design::default() }
 }
 
@@ -411,7 +384,7 @@ fn what_cannot_move_is_said() {
         within: Default::default(),
         keep_parts: true,
     };
-    joined.panels.push(panel("both", PanelShape::Join(join), 90));
+    joined.panels.push(DesignPanel::new("both", PanelShape::Join(join), 90));
     assert_eq!(refused(&joined), (VaryCause::Joined, String::new(), "both".into()));
     let mut run_on = Design { vary: vec![Vary::default()], ..quarter() };
     run_on.panels[0].run_on = true;

@@ -2,54 +2,22 @@
 #![allow(clippy::unwrap_used, clippy::print_stdout)] // tests panic and print what they measured
 
 use sheetwright::boundary::{Boundary, PlaneChoice, size_of};
-use sheetwright::curve::{CurveKind, CurvePoint};
-use sheetwright::design::{
-    CurveUse, Design, DesignCurve, DesignPanel, Made, PanelMethod, PanelShape, make,
-};
-use sheetwright::math::{Point3, from_deg, to_deg};
+use sheetwright::cost::DEFAULT_FOLD;
+use sheetwright::design::{Made, make};
+use sheetwright::math::{from_deg, to_deg};
 use sheetwright::triangulate::TriangulateOptions;
 use sheetwright::vary::{
     Ended, Goal, Limit, Share, Varied, VaryOptions, VaryPanel, control_shares, motions, vary,
 };
 use sheetwright::watch::Unwatched;
+use sheetwright_shapes::hull::planks;
 
-const TABLE: &str = include_str!("../../../examples/ubc-fishing-vessel.csv");
 /// Control points of the displacement of each rail.
 const CONTROLS: usize = 40;
 const RAILS: [&str; 4] = ["Main deck", "Upper chine", "Lower chine", "Profile"];
 
 fn hull(samples: usize) -> Made {
-    let mut curves: Vec<DesignCurve> = Vec::new();
-    for line in TABLE.lines().skip(1) {
-        let [name, x, y, z] = line.split(',').collect::<Vec<_>>().try_into().unwrap();
-        let mm = |feet: &str| feet.parse::<f64>().unwrap() * 304.8;
-        if curves.last().is_none_or(|curve| curve.name != name) {
-            let kind = Some(CurveKind::Spline);
-            curves.push(DesignCurve { name: name.into(), kind, closed: false, points: vec![] });
-        }
-        let at = Point3::new(mm(x), mm(y), mm(z));
-        curves.last_mut().unwrap().points.push(CurvePoint::smooth(at));
-    }
-    let one = |name: &str| CurveUse { name: name.into(), reversed: false };
-    let panels = RAILS
-        .windows(2)
-        .map(|pair| DesignPanel {
-            name: pair[1].into(),
-            shape: PanelShape::Rails([one(pair[0]), one(pair[1])]),
-            samples,
-            method: PanelMethod::Optimal,
-            plane: PlaneChoice::Auto,
-            fold: sheetwright::cost::DEFAULT_FOLD,
-            goal: Default::default(),
-            run_on: false,
-            cut: Vec::new(),
-        })
-        .collect();
-    make(
-        &Design { name: "hull".into(), material: None, curves, panels, ..Design::default() },
-        &mut Unwatched,
-    )
-    .unwrap()
+    make(&planks(samples, DEFAULT_FOLD), &mut Unwatched).unwrap()
 }
 
 /// Rails whose displacement is a B-spline with so many control points each; one that two planks

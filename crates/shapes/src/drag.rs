@@ -2,11 +2,9 @@
 
 use crate::family::Family;
 use crate::random::Random;
-use sheetwright::boundary::PlaneChoice;
 use sheetwright::curve::{CurveKind, CurvePoint};
-use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape};
+use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelShape};
 use sheetwright::math::{Point3, Vec3};
-use sheetwright::triangulate::Goal;
 
 /// Handles of a family's curve.
 const HANDLES: usize = 24;
@@ -16,15 +14,12 @@ const HANDLES: usize = 24;
 pub fn one_panel(outline: DesignCurve, samples: usize, fold: f64) -> Design {
     let on = CurveUse { name: outline.name.clone(), reversed: false };
     let panel = DesignPanel {
-        name: "panel".to_owned(),
-        shape: PanelShape::Loops { outer: vec![on], holes: Vec::new() },
-        samples,
-        method: PanelMethod::Optimal,
-        goal: Goal::Price,
-        plane: PlaneChoice::Auto,
-        run_on: false,
         fold,
-        cut: Vec::new(),
+        ..DesignPanel::new(
+            "panel",
+            PanelShape::Loops { outer: vec![on], holes: Vec::new() },
+            samples,
+        )
     };
     Design {
         name: outline.name.clone(),

@@ -5,14 +5,10 @@
 //! is rolled about its cone, which touches the plane along its side. So the development of the
 //! whole is known: the flat outline itself.
 
-use sheetwright::boundary::{Continuity, PlaneChoice, Within};
-use sheetwright::cost::DEFAULT_FOLD;
+use sheetwright::boundary::{Continuity, Within};
 use sheetwright::curve::{CurveKind, CurvePoint};
-use sheetwright::design::{
-    CurveUse, Design, DesignCurve, DesignPanel, Join, PanelMethod, PanelShape,
-};
+use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, Join, PanelShape};
 use sheetwright::math::{Point2, Point3, Vec2, Vec3, atan2, cos, from_deg, sin};
-use sheetwright::triangulate::Goal;
 
 /// The distance of each ruling that bounds the flat middle from the origin, mm.
 const TO_RULING: f64 = 110.0;
@@ -110,17 +106,6 @@ pub fn design(samples: usize) -> Design {
         let points = vec![Point3::default(), space(corner(wing))];
         curves.push(curve(format!("seam-{}", wing + 1), CurveKind::Polyline, points));
     }
-    let panel = |name: String, shape: PanelShape| DesignPanel {
-        name,
-        shape,
-        samples,
-        method: PanelMethod::Optimal,
-        goal: Goal::Price,
-        run_on: false,
-        plane: PlaneChoice::Auto,
-        fold: DEFAULT_FOLD,
-        cut: Vec::new(),
-    };
     let used = |name: String, reversed: bool| CurveUse { name, reversed };
     let cone = |wing: usize| format!("cone-{}", wing + 1);
     let join = Join {
@@ -136,9 +121,9 @@ pub fn design(samples: usize) -> Design {
                 used(format!("rim-{}", wing + 1), false),
                 used(format!("seam-{}", (wing + 1) % 3 + 1), true),
             ];
-            panel(cone(wing), PanelShape::Loops { outer, holes: Vec::new() })
+            DesignPanel::new(cone(wing), PanelShape::Loops { outer, holes: Vec::new() }, samples)
         })
         .collect();
-    panels.push(panel("whole".to_owned(), PanelShape::Join(join)));
+    panels.push(DesignPanel::new("whole", PanelShape::Join(join), samples));
     Design { name: "three cones".to_owned(), material: None, curves, panels, ..Design::default() }
 }

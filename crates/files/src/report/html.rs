@@ -9,7 +9,7 @@ use super::view::box_of;
 use super::warp_chart::warp_chart;
 use super::wording::{
     area, decimal, degrees, millimetres, millimetres_fine, per_cent, radius, refold, scientific,
-    verdict_sentence, verdict_word,
+    steradians, verdict_sentence, verdict_word,
 };
 use super::worst_rung;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
@@ -221,7 +221,7 @@ impl Page<'_> {
                         @if let Some(gauss) = gauss_picture(panel, material) {
                             figure.fourth {
                                 (PreEscaped(gauss.inline()))
-                                figcaption { (gauss_caption()) }
+                                figcaption { (gauss_caption(self.panel.measures.gauss_area_sr)) }
                             }
                         }
                     }
@@ -400,7 +400,7 @@ impl Page<'_> {
             Goal::Price => "price",
             Goal::WorstWarp => "worst warp, then price",
         };
-        let rows: [(&str, String); 16] = [
+        let rows: [(&str, String); 17] = [
             ("Samples", panel.boundary.len().to_string()),
             ("Triangles", panel.surface.connectivity().triangles().len().to_string()),
             ("Rulings (rungs)", measures.rungs.len().to_string()),
@@ -412,6 +412,7 @@ impl Page<'_> {
             ("Twist, total", scientific(measures.twist_total)),
             ("Largest crease", degrees(to_deg(measures.crease_max))),
             ("Tightest bend radius", radius(measures.bend_radius_min_mm)),
+            ("Area of the Gauss image", steradians(measures.gauss_area_sr)),
             ("Area in space", area(measures.area_space_mm2)),
             ("Area of the pattern", area(measures.area_flat_mm2)),
             ("Length error, largest", scientific(measures.length_error_max)),
@@ -435,12 +436,14 @@ impl Page<'_> {
     }
 }
 
-fn gauss_caption() -> Markup {
+fn gauss_caption(area_sr: f64) -> Markup {
     html! {
         strong { "Which way it faces. " }
         "Every direction is a point on a ball; each ruling is drawn from the direction at its one \
          end (blue) to that at its other (green). One thin curve: the sheet bends without \
-         stretching. A ribbon or an area: it must stretch, the more the wider it is."
+         stretching. A ribbon or an area: it must stretch, the more the wider it is. Its area here is "
+        (steradians(area_sr))
+        ", of 12.57\u{a0}sr that the whole ball has; a little always comes from the sampling."
     }
 }
 

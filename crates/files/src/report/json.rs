@@ -73,6 +73,9 @@ struct PanelReport<'a> {
     warp_limit_deg: f64,
     /// The smallest radius that the sheet is bent to, mm; null for a flat panel.
     bend_radius_min_mm: Option<f64>,
+    /// The area of the Gauss image, steradians: how much of the unit sphere the normals sweep. 0 for a
+    /// developable surface.
+    gauss_area_sr: f64,
     /// The largest relative difference of a length, flat against space. Without unit.
     length_error_max: f64,
     /// The mean relative difference of all lengths. Without unit.
@@ -238,6 +241,7 @@ fn of_panel<'a>(
         warp_mean_deg: to_deg(measures.warp_mean),
         warp_limit_deg,
         bend_radius_min_mm: finite(measures.bend_radius_min_mm),
+        gauss_area_sr: measures.gauss_area_sr,
         length_error_max: measures.length_error_max,
         length_error_mean: measures.length_error_mean,
         area_space_mm2: measures.area_space_mm2,

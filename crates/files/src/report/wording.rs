@@ -129,6 +129,12 @@ pub(super) fn radius(mm: f64) -> String {
     if mm.is_finite() && mm < 1e7 { millimetres(mm) } else { "flat".to_owned() }
 }
 
+/// A solid angle: `0.013 sr`; what is small, with its power of ten.
+pub(super) fn steradians(area_sr: f64) -> String {
+    let number = if area_sr < 1e-3 { scientific(area_sr) } else { decimal(area_sr, 3) };
+    format!("{number}\u{a0}sr")
+}
+
 /// A small or large number with its power of ten: `2.1 × 10⁻¹³`.
 pub(super) fn scientific(x: f64) -> String {
     if x == 0.0 {

@@ -251,11 +251,10 @@ fn joined_with(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::boundary::PlaneChoice;
+
     use crate::curve::{CurveKind, CurvePoint};
-    use crate::design::{CurveUse, DesignCurve, PanelMethod};
+    use crate::design::{CurveUse, DesignCurve};
     use crate::math::{cos, from_deg, sin};
-    use crate::triangulate::Goal;
 
     /// Two halves of a tube about the axis z, of radius 50 and height 80.
     fn tube() -> Design {
@@ -276,15 +275,8 @@ mod tests {
             points,
         };
         let panel = |name: &str, shape: PanelShape| DesignPanel {
-            name: name.into(),
-            shape,
-            samples: 90,
-            method: PanelMethod::Optimal,
-            goal: Goal::Price,
-            run_on: false,
-            plane: PlaneChoice::Auto,
             fold: 1.0,
-            cut: Vec::new(),
+            ..DesignPanel::new(name, shape, 90)
         };
         let loop_of = |uses: [(&str, bool); 4]| PanelShape::Loops {
             outer: uses.map(|(name, reversed)| CurveUse { name: name.into(), reversed }).to_vec(),

@@ -5,8 +5,9 @@
 //!    panel for which all that is as it was, to the last bit, stays as it is.
 //! 2. A panel that does change has nearly the triangulation that it had. What that costs now, mended
 //!    by exchanging rungs, bounds the price of the new one, so that the table is filled below it at
-//!    once, where making a panel afresh looks for such a bound first. (The table itself is not kept: samples are spread evenly
-//!    over a smooth stretch of an outline, so when its length changes, all of them move.)
+//!    once, where making a panel afresh looks for such a bound first. (The table itself is not kept:
+//!    samples are spread evenly over a smooth stretch of an outline, so when its length changes, all
+//!    of them move.)
 //!
 //! What comes out is what [`super::make`] makes of the same design, bit by bit.
 

@@ -1,7 +1,7 @@
 //! How a pattern lies: in the rectangle of least area around it.
 //!
 //! One side of that rectangle lies along a side of the convex hull \[FreemanShapira1975\]; all are
-//! tried. The longer side is laid along x and the lower left corner at the origin, so that a
+//! tried, and as the sides turn, the corners that the rectangle touches only move on. The longer side is laid along x and the lower left corner at the origin, so that a
 //! pattern needs as little sheet as can be and its size can be read off.
 
 use crate::math::{Point2, Vec2, unit2};
@@ -16,9 +16,16 @@ pub(super) fn posed(points: &[Point2], of_loop: &Range<usize>) -> Vec<Point2> {
         move |p: &Point2| Point2::new(p.to_vec().dot(along), p.to_vec().dot(across))
     };
     let mut best: Option<(f64, Vec2)> = None;
+    // The corners that lie farthest along, across and back.
+    let mut farthest = [0; 3];
     for (n, corner) in hull.iter().enumerate() {
         let Some(along) = unit2(hull[(n + 1) % hull.len()] - *corner) else { continue };
-        let Some(around) = Box2::of_points(hull.iter().map(turned(along))) else { continue };
+        for (n, way) in [along, along.perp(), -along].into_iter().enumerate() {
+            let from = if n == 0 { farthest[0] } else { farthest[n].max(farthest[n - 1]) };
+            farthest[n] = climb(&hull, from, way);
+        }
+        let touched = farthest.iter().map(|&n| hull[n % hull.len()]).chain([*corner]);
+        let Some(around) = Box2::of_points(touched.map(|p| turned(along)(&p))) else { continue };
         let size = around.max - around.min;
         // Equal areas, as the sides of a rectangle give, must not be told apart by rounding.
         if best.is_none_or(|(least, _)| size.x * size.y < least * (1.0 - 1e-9)) {
@@ -31,6 +38,14 @@ pub(super) fn posed(points: &[Point2], of_loop: &Range<usize>) -> Vec<Point2> {
     let origin = Box2::of_points(laid[of_loop.clone()].iter().copied())
         .map_or(Vec2::ZERO, |b| b.min.to_vec());
     laid.into_iter().map(|p| p + -origin).collect()
+}
+
+/// From corner to corner of a hull, as far as they lie farther and farther along; corners are counted
+/// on round it.
+fn climb(hull: &[Point2], from: usize, along: Vec2) -> usize {
+    let height = |n: usize| hull[n % hull.len()].to_vec().dot(along);
+    let goes_on = |n: &usize| height(n + 1) < height(*n);
+    (from..from + hull.len()).find(goes_on).unwrap_or(from)
 }
 
 /// The corners of the convex hull, counter-clockwise (Andrew's monotone chain).

@@ -86,6 +86,10 @@ struct Station {
     rungs: usize,
     /// The edge that leaves.
     edge: Edge,
+    /// How long that is, mm.
+    length: f64,
+    /// How its triangle lies to the rulings.
+    lie: Option<Lie>,
 }
 
 /// An edge of the border with its triangle.
@@ -99,8 +103,22 @@ struct Edge {
     normal: Vec3,
 }
 
-impl Edge {
-    /// Where its triangle has the slope of the surface, across rulings along `ruling`. Against the
+/// How the triangle of an edge lies to the rulings there: what its slope depends on beside the spacing
+/// of the samples.
+#[derive(Clone, Copy)]
+struct Lie {
+    /// Along the rulings.
+    ruling: Vec3,
+    /// Where it has the slope of the surface, from the middle of the edge across the rulings, mm.
+    offset: f64,
+    /// |h| and |v w|, see [`Lie::of`].
+    along: f64,
+    sheared: f64,
+    sway: f64,
+}
+
+impl Lie {
+    /// Where a triangle has the slope of the surface, across rulings along `ruling`. Against the
     /// middle of the edge a sheet lies at z = −u²/2 radii, u across the rulings. The plane through the
     /// three corners, the ends of the edge at ∓(w/2, h/2) and the far corner at (u, v), is as steep as
     /// that is at (u² − w²/4)/2 · h/(u h − v w): near 0 for a triangle that is long along the rulings,
@@ -109,22 +127,28 @@ impl Edge {
     ///
     /// If the ends of the edge are off by δ each, the plane turns by up to 2 δ (|v| + |h|)/|u h − v w|:
     /// 2 δ/w if the edge runs across the rulings, and many times that if it runs along them.
-    fn slope(&self, ruling: Vec3, spacing: f64, size: f64) -> Slope {
-        let across = ruling.cross(self.normal);
-        let (w, h) = (self.way.dot(across), self.way.dot(ruling));
-        let (u, v) = (self.to_far.dot(across), self.to_far.dot(ruling));
+    fn of(edge: &Edge, ruling: Vec3, size: f64) -> Option<Self> {
+        let across = ruling.cross(edge.normal);
+        let (w, h) = (edge.way.dot(across), edge.way.dot(ruling));
+        let (u, v) = (edge.to_far.dot(across), edge.to_far.dot(ruling));
         let doubled_area = u * h - v * w;
-        if doubled_area == 0.0 {
-            return Slope::default();
-        }
-        let offset = 0.5 * (u * u - 0.25 * w * w) * h / doubled_area;
-        let along = spacing * h.abs();
-        let doubt =
-            if along == 0.0 { 0.0 } else { 0.5 * spacing * along / (along + (v * w).abs()) };
-        let length = self.way.length();
+        let length = edge.way.length();
         let lever = (v.abs() + h.abs()) * length / doubled_area.abs();
-        let sway = 2.0 * ROUNDING * size / length * (lever - LEVER).max(0.0);
-        Slope { offset, doubt: doubt.max(offset.abs()), sway }
+        (doubled_area != 0.0).then(|| Self {
+            ruling,
+            offset: 0.5 * (u * u - 0.25 * w * w) * h / doubled_area,
+            along: h.abs(),
+            sheared: (v * w).abs(),
+            sway: 2.0 * ROUNDING * size / length * (lever - LEVER).max(0.0),
+        })
+    }
+
+    /// The slope, across rulings whose direction is counted along `ruling`.
+    fn slope(&self, ruling: Vec3, spacing: f64) -> Slope {
+        let along = spacing * self.along;
+        let doubt = if along == 0.0 { 0.0 } else { 0.5 * spacing * along / (along + self.sheared) };
+        let offset = if self.ruling.dot(ruling) < 0.0 { -self.offset } else { self.offset };
+        Slope { offset, doubt: doubt.max(offset.abs()), sway: self.sway }
     }
 }
 
@@ -155,6 +179,7 @@ pub(super) fn rolls(surface: &Surface, creases: &[f64]) -> Rolls {
             apexes.push(Apex { sample: SampleIndex::new(start + n), turn, radius_mm });
             (stations[n].turn, stations[n].axis) = (Vec3::ZERO, Vec3::ZERO);
         }
+        note_lies(stations, size);
         let rolls: Vec<Option<Roll>> =
             (0..stations.len()).map(|first| roll_from(stations, first, size)).collect();
         note_radii(&rolls, &mut radii_mm[of_loop.clone()]);
@@ -179,6 +204,7 @@ fn stations(surface: &Surface, creases: &[f64]) -> Vec<Station> {
                 let edge = Edge { way: end - start, to_far: far - start.lerp(end, 0.5), normal };
                 let width = normal.cross(edge.way) * 0.5;
                 stations[from.get()].edge = edge;
+                stations[from.get()].length = edge.way.length();
                 stations[from.get()].width += width;
                 stations[to.get()].width += width;
             }
@@ -195,6 +221,16 @@ fn stations(surface: &Surface, creases: &[f64]) -> Vec<Station> {
         }
     }
     stations
+}
+
+/// Notes how the triangles of the edges of a loop lie to the rulings.
+fn note_lies(stations: &mut [Station], size: f64) {
+    let m = stations.len();
+    for n in 0..m {
+        let (from, to) = (&stations[n], &stations[(n + 1) % m]);
+        let ruling = unit(from.axis + lying(to.axis, from.axis));
+        stations[n].lie = ruling.and_then(|ruling| Lie::of(&from.edge, ruling, size));
+    }
 }
 
 /// `line` or its opposite, whichever lies along `axis`.
@@ -253,22 +289,19 @@ fn roll_from(stations: &[Station], first: usize, size: f64) -> Option<Roll> {
     }
     let mut tightest: Option<Roll> = None;
     let mut sum = Station::default();
-    let before = &stations[(first + m - 1) % m].edge;
-    let (mut way, mut longest) = (0.0, before.way.length());
+    let (mut way, mut longest) = (0.0, stations[(first + m - 1) % m].length);
     for last in first..first + m {
         let station = &stations[last % m];
         sum.turn += station.turn;
         sum.width += station.width;
         sum.axis += lying(station.axis, sum.axis);
-        let length = station.edge.way.length();
-        way += length;
-        longest = f64::max(longest, length);
+        way += station.length;
+        longest = f64::max(longest, station.length);
         let narrowest = ROLL_EDGES * longest;
         if let (true, Some(ruling)) = (turns(last), unit(sum.axis)) {
             let slope = |n: usize| {
-                let (from, to) = (&stations[n % m], &stations[(n + 1) % m]);
-                let own = unit(lying(from.axis + lying(to.axis, from.axis), ruling));
-                own.map_or(Slope::default(), |own| from.edge.slope(own, longest, size))
+                let lie = stations[n % m].lie.as_ref();
+                lie.map_or(Slope::default(), |lie| lie.slope(ruling, longest))
             };
             let (start, end) = (slope(first + m - 1), slope(last));
             let width = sum.width.dot(ruling) + end.offset - start.offset;

@@ -13,13 +13,16 @@
 //! | strain of a triangle | by how much its stretches differ from 1 at most | none |
 //! | area | of the triangles, in space and flat | mm² |
 //! | Gauss image | normals along the rungs, as points on the unit sphere | none |
+//! | its area | how much of that sphere they sweep, 0 for a developable surface | steradians |
 
 mod bend;
 mod crossing;
+mod gauss;
 mod mesh;
 
 pub use bend::Apex;
 pub use crossing::first_self_crossing;
+pub use gauss::gauss_area;
 pub use mesh::{CutSuggestion, MeshMeasures, cut_suggestion, mesh_measures};
 
 use crate::cost::Prices;
@@ -89,6 +92,8 @@ pub struct Measures {
     pub bend_radius_min_mm: f64,
     /// Where rulings run together, in the order of the samples.
     pub apexes: Vec<Apex>,
+    /// The area of the Gauss image, steradians: 0 for a developable surface, see [`gauss_area`].
+    pub gauss_area_sr: f64,
     /// The area of the surface, mm².
     pub area_space_mm2: f64,
     /// The area of the pattern, mm².
@@ -115,6 +120,7 @@ pub fn measures(surface: &Surface, sheet: &Sheet, flat: &Flattened, prices: &Pri
         crease_max: most(|r| r.crease.abs()),
         bend_radius_min_mm: rungs.iter().map(|r| r.bend_radius_mm).fold(f64::INFINITY, f64::min),
         apexes,
+        gauss_area_sr: gauss_area(surface.connectivity(), &rungs),
         area_space_mm2: area_space(surface),
         area_flat_mm2: area_flat(sheet, flat),
         length_error_max: errors.iter().copied().fold(0.0, f64::max),

@@ -8,7 +8,6 @@ use crate::curve::{CurveKind, CurvePoint};
 use crate::design::{CurveUse, Design, DesignCurve, DesignPanel, Join, PanelMethod, PanelShape};
 use crate::material::Material;
 use crate::math::Point3;
-use crate::triangulate::Goal;
 
 /// Curves and panels as they are drawn.
 #[derive(Debug, Default)]
@@ -172,15 +171,11 @@ impl Sketch {
         let fold = DEFAULT_FOLD;
         let cut = Vec::new();
         self.panels.push(DesignPanel {
-            name: name.into(),
-            shape,
-            samples,
             method,
-            goal: Goal::Price,
-            run_on: false,
             plane,
             fold,
             cut,
+            ..DesignPanel::new(name, shape, samples)
         });
     }
 

@@ -272,8 +272,10 @@ pub fn triangulate_near(
         return Err(TriangulateError::TooLarge { needed, limit: options.memory_limit });
     }
     let visibility = Visibility::new(boundary, plane);
-    // Rungs without a tangent plane are admitted only when nothing can be done without them.
-    for forced in [false, true] {
+    // Rungs without a tangent plane are admitted only when nothing can be done without them, which
+    // the table of all rungs has shown where any two samples may be joined.
+    let none_unforced = plane.is_none() && may_ask_less(&prices, options);
+    for forced in [false, true].into_iter().skip(usize::from(none_unforced)) {
         let mut terms = Terms::new(&prices, &visibility, forced);
         let simple = |triangles| Found { triangles, lower_bound: None };
         let found = if boundary.holes() > 0 {

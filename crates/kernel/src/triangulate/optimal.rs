@@ -28,6 +28,7 @@
 //!    triangles rather than fans.
 
 mod near;
+mod store;
 mod table;
 
 use super::part::Part;

@@ -298,10 +298,10 @@ fn weighed(span: &SpanShares, weights: [f64; 4]) -> Vec<PointShare> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::boundary::PlaneChoice;
+
     use crate::curve::CurvePoint;
     use crate::design::sampling::{Sampler, matched};
-    use crate::design::{CurveUse, DesignPanel, PanelMethod, PanelShape, prepare};
+    use crate::design::{CurveUse, DesignPanel, PanelShape, prepare};
     use crate::math::{cos, sin};
     use crate::vary::moved_samples;
     use crate::watch::Unwatched;
@@ -329,15 +329,12 @@ mod tests {
         let uses = [("low", false), ("high", true)];
         let outer = uses.map(|(name, reversed)| CurveUse { name: name.into(), reversed });
         let panel = DesignPanel {
-            name: "leaf".into(),
-            shape: PanelShape::Loops { outer: outer.to_vec(), holes: Vec::new() },
-            samples: 60,
-            method: PanelMethod::Optimal,
-            plane: PlaneChoice::Auto,
             fold: 1.0,
-            goal: Default::default(),
-            run_on: false,
-            cut: Vec::new(),
+            ..DesignPanel::new(
+                "leaf",
+                PanelShape::Loops { outer: outer.to_vec(), holes: Vec::new() },
+                60,
+            )
         };
         Design { curves, panels: vec![panel], ..Design::default() }
     }

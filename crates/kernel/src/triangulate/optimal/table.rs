@@ -1,6 +1,7 @@
 //! The table itself, and how it is filled.
 
 use super::near::Band;
+use super::store::Store;
 use crate::cost::{FarEnds, LANES, Lanes, QUANTUM, Strip};
 use crate::math::Vec3;
 use crate::triangulate::{Rule, Terms, TriangulateError};
@@ -19,13 +20,8 @@ const LEAST_SHARED: usize = 256;
 pub(super) struct Table<'a> {
     pub(super) terms: &'a Terms<'a>,
     pub(super) m: usize,
-    entries: Vec<Lanes>,
-    /// N in the same order, by axis; empty when folds cost nothing.
-    means: Vec<[Lanes; 3]>,
-    /// The finite entries of every row once more, packed: where and what. Row i begins at
-    /// `row_start` and has as many as `row_lengths` says.
-    row_k: Vec<u32>,
-    row_entries: Vec<f64>,
+    store: Store,
+    /// How many finite entries each row has; those of row i begin at `row_start`.
     row_lengths: Vec<usize>,
     folds: bool,
     /// Whether samples are numbered in order, so that many triangles can be priced at once.
@@ -108,10 +104,7 @@ impl<'a> Table<'a> {
         Self {
             terms,
             m,
-            entries: vec![[0.0; LANES]; slots],
-            means: vec![[[0.0; LANES]; 3]; if folds { slots } else { 0 }],
-            row_k: vec![0; pairs],
-            row_entries: vec![0.0; pairs],
+            store: Store::new(slots, folds, pairs),
             row_lengths: vec![0; m],
             folds,
             in_order: terms.prices.in_order(),
@@ -220,16 +213,16 @@ impl<'a> Table<'a> {
 
     fn store(&mut self, row: usize, column: usize, tile: &Tile) {
         let first = slot(row * LANES, column);
-        self.entries[first..][..LANES].copy_from_slice(&tile.entries);
+        self.store.entries[first..][..LANES].copy_from_slice(&tile.entries);
         if self.folds {
-            self.means[first..][..LANES].copy_from_slice(&tile.means);
+            self.store.means[first..][..LANES].copy_from_slice(&tile.means);
         }
         for (i, entries) in (row * LANES..self.m).zip(&tile.entries) {
             let mut at = row_start(self.m, i) + self.row_lengths[i];
             for (n, &entry) in entries.iter().enumerate() {
                 if entry < f64::INFINITY {
-                    self.row_k[at] = (column * LANES + n) as u32;
-                    self.row_entries[at] = entry;
+                    self.store.row_k[at] = (column * LANES + n) as u32;
+                    self.store.row_entries[at] = entry;
                     at += 1;
                 }
             }
@@ -292,7 +285,9 @@ impl<'a> Table<'a> {
                 self.look_first(&mut least, best, &rows, column, tile);
             }
             let listed = row_start(self.m, i)..row_start(self.m, i) + self.row_lengths[i];
-            for (&k, &entry) in self.row_k[listed.clone()].iter().zip(&self.row_entries[listed]) {
+            for (&k, &entry) in
+                self.store.row_k[listed.clone()].iter().zip(&self.store.row_entries[listed])
+            {
                 let k = k as usize;
                 let beyond = self.row_of(k, &rows, column, tile);
                 self.look::<FOLDS>(&mut least, k, entry, beyond, together);
@@ -358,7 +353,7 @@ impl<'a> Table<'a> {
             (&tile.entries[k - rows.start], &tile.means[k - rows.start])
         } else {
             let at = slot(k, column);
-            (&self.entries[at], self.means.get(at).unwrap_or(&NONE))
+            (&self.store.entries[at], self.store.means.get(at).unwrap_or(&NONE))
         }
     }
 
@@ -456,11 +451,11 @@ impl<'a> Table<'a> {
     /// N of the rung ⟨i,j⟩, which must be stored.
     #[inline(always)]
     fn mean(&self, i: usize, j: usize) -> [f64; 3] {
-        self.means[slot(i, j / LANES)].map(|mean| mean[j % LANES])
+        self.store.means[slot(i, j / LANES)].map(|mean| mean[j % LANES])
     }
 
     fn entry(&self, i: usize, j: usize) -> f64 {
-        self.entries[slot(i, j / LANES)][j % LANES]
+        self.store.entries[slot(i, j / LANES)][j % LANES]
     }
 
     /// F(i,k,j).
@@ -491,7 +486,9 @@ impl<'a> Table<'a> {
     fn chosen(&self, i: usize, j: usize) -> usize {
         let mut chosen = (f64::INFINITY, f64::INFINITY, i + 1);
         let listed = row_start(self.m, i)..row_start(self.m, i) + self.row_lengths[i];
-        for (&k, &entry) in self.row_k[listed.clone()].iter().zip(&self.row_entries[listed]) {
+        for (&k, &entry) in
+            self.store.row_k[listed.clone()].iter().zip(&self.store.row_entries[listed])
+        {
             let k = k as usize;
             if k >= j {
                 break;
@@ -506,6 +503,12 @@ impl<'a> Table<'a> {
             }
         }
         chosen.2
+    }
+}
+
+impl Drop for Table<'_> {
+    fn drop(&mut self) {
+        std::mem::take(&mut self.store).keep();
     }
 }
 

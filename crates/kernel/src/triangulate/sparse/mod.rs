@@ -134,7 +134,7 @@ impl Budget {
 
 /// How a loop is solved.
 struct Step {
-    /// Loops with fewer samples on the way are guessed from nothing.
+    /// Loops with fewer samples on the way have the table of all rungs.
     least: usize,
     /// The highest level of blocks has no more than this.
     top: usize,
@@ -214,18 +214,20 @@ fn prove(
     for i in 0..m {
         owed[i] = owed[i].max(asks[i]).max(asks[(i + m - 1) % m]);
     }
-    let mut left = 1.0;
+    let (mut left, mut work) = (1.0, budget.work);
     for _ in 0..MOST_TRIALS {
         // Nobody knows how many trials it takes: each gets half of what is left of the progress.
         let watch = &mut Part::new(watch, 1.0 - left..1.0 - 0.5 * left);
         left *= 0.5;
         let counted = halves(share * known.price);
         owed.iter_mut().for_each(|owed| *owed = owed.max(counted));
-        let most = (budget.work / LISTED_WORK).min(budget.most_rungs(terms));
+        let most = (work / LISTED_WORK).min(budget.most_rungs(terms));
         let Some(rungs) = listed(terms, levels, &owed, most, watch)? else { return Ok(None) };
         let proof = Proof::new(&asks, owed, counted);
-        let table = Table::fill(terms, &rungs, Aim::Proof(&proof), budget, watch)?;
+        let of_trial = Budget { work, ..*budget };
+        let table = Table::fill(terms, &rungs, Aim::Proof(&proof), &of_trial, watch)?;
         let Some(table) = table else { return Ok(None) };
+        work = work.saturating_sub(table.work);
         let is_less = |(found, owed): (&f64, &f64)| found <= owed;
         if table.owed.iter().zip(&proof.owed).all(is_less) {
             // More than nothing: what is known has sides that are not listed.

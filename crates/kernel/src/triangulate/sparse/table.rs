@@ -23,9 +23,9 @@ const LANES: usize = 8;
 const SLACK: f64 = 1e-12;
 /// What a fold price counts as work.
 const A_FOLD: u64 = 8;
-/// What an entry takes, bytes: in its row, in the list that it comes from, among those that are low;
-/// and N.
-const BYTES_AN_ENTRY: usize = 12 + 8 + 8;
+/// What an entry takes at least, bytes: in its row, in the list that it comes from, among those that
+/// are low; and N.
+const BYTES_AN_ENTRY: usize = 12 + 8 + 4;
 const BYTES_A_MEAN: usize = 24;
 
 /// What a table is worked out for.
@@ -41,7 +41,7 @@ impl Budget {
     /// How many rungs a table may have.
     pub(super) fn most_rungs(&self, terms: &Terms<'_>) -> u64 {
         let mean = if terms.folds() { BYTES_A_MEAN } else { 0 };
-        self.memory / (BYTES_AN_ENTRY + mean) as u64
+        (self.memory / (BYTES_AN_ENTRY + mean) as u64).min(u32::MAX.into())
     }
 }
 
@@ -92,7 +92,7 @@ pub(super) struct Table<'a> {
     runs: Vec<Range<usize>>,
     /// The places of the entries of each row that are low.
     lows_of: Vec<Range<usize>>,
-    lows: Vec<usize>,
+    lows: Vec<u32>,
     /// Of every two sides of a triangle that matters, one has a q below this.
     low: f64,
     /// A sixth of the weight of folds: a fold price is at least that times the square of how far the
@@ -180,11 +180,20 @@ impl<'a> Table<'a> {
                 #[inline(always)]
                 || table.fill_row(a, &listed, &mut row),
             );
-            if table.work > budget.work {
+            if table.work > budget.work || table.bytes() > budget.memory {
                 return Ok(None);
             }
         }
         Ok(Some(table))
+    }
+
+    /// What is taken at the most, when what grows by doubling is next moved.
+    fn bytes(&self) -> u64 {
+        let (to, prices) = (size_of::<u32>(), size_of::<f64>());
+        let of_entries = self.to.capacity() * (to + prices) + 3 * prices * self.means[0].capacity();
+        let lows = 3 * to * self.lows.capacity();
+        let runs = 3 * size_of::<Range<usize>>() * self.runs.capacity();
+        (of_entries + lows + runs) as u64
     }
 
     /// What the edges from sample a to sample b ask for.
@@ -281,7 +290,7 @@ impl<'a> Table<'a> {
             self.owed[b] = self.owed[b].max(debt);
         }
         if q < self.low {
-            self.lows.push(at);
+            self.lows.push(at as u32);
             self.lows_of[a].end += 1;
         }
     }
@@ -291,7 +300,7 @@ impl<'a> Table<'a> {
     fn run_through(&mut self, a: usize, c: usize, q: f64, side: Side, row: &mut Row) {
         if q >= self.low {
             for n in self.lows_of[c].clone() {
-                self.look_at(a, c, self.lows[n], q, side, row);
+                self.look_at(a, c, self.lows[n] as usize, q, side, row);
             }
             self.work += self.lows_of[c].len() as u64;
             return;
