@@ -4,6 +4,8 @@ mod error;
 mod joining;
 mod links;
 mod live;
+mod meshes;
+mod rebuilt;
 mod run_on;
 mod sampling;
 mod varying;
@@ -11,6 +13,11 @@ mod varying;
 pub use error::{MakeCause, MakeError, VaryCause};
 pub use joining::Join;
 pub use live::{Live, LivePanel};
+pub use meshes::{
+    Joint, MAX_MESH_PANELS, MadeMesh, MadeMeshes, MeshCause, MeshDesign, MeshGroup, MeshMakeError,
+    MeshOptions, make_meshes,
+};
+pub use rebuilt::Rebuilt;
 pub use varying::{Change, MovedBy, Vary};
 
 use crate::boundary::{Boundary, PlaneChoice, SupportingPlane, supporting_plane};
