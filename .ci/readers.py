@@ -48,7 +48,10 @@ def area(points):
 
 
 def corner_count(panel):
-    """Corners of the outline and the holes: every seam makes two samples lie there twice."""
+    """Corners of the outline and the holes: every seam makes two samples lie there twice. Of a mesh,
+    samples are those corners."""
+    if panel["method"] == "mesh":
+        return panel["samples"]
     return panel["samples"] + 2 * len(panel["seams"])
 
 
@@ -155,11 +158,29 @@ def check_obj(checks, path, panels):
         errors = [p["length_error_max"] for p in panels if re.sub(r"\s", "_", p["name"]) == name]
         most = 1e-9 + max(errors, default=0)
         checks.that(f"surface.obj, {name}: flat lengths are those in space", worst < most, worst)
+        for panel in panels:
+            if panel["method"] == "mesh" and (len(panels) == 1 or re.sub(r"\s", "_", panel["name"]) == name):
+                check_errors(checks, name, panel, sides, lengths)
+
+
+def check_errors(checks, name, panel, sides, lengths):
+    """The length errors of a mesh, from the surface alone, are those of the report."""
+    _, once = np.unique(np.sort(sides, axis=1), axis=0, return_index=True)
+    errors = np.abs(lengths[1][once] / lengths[0][once] - 1)
+    for what, found, field in (
+        ("largest", np.max(errors), "length_error_max"),
+        ("mean", np.mean(errors), "length_error_mean"),
+    ):
+        told = panel[field]
+        agree = abs(found - told) <= 1e-9 + 1e-6 * told
+        checks.that(f"surface.obj, {name}: {what} length error", agree, (found, told))
 
 
 def drawn_points(page):
     """The corners of all lines of a page, mm from its lower left corner."""
-    found = [pt for kind in (page.lines, page.curves) for shape in kind for pt in shape["pts"]]
+    # A piece with four right angles comes as a rectangle.
+    kinds = (page.lines, page.curves, page.rects)
+    found = [pt for kind in kinds for shape in kind for pt in shape["pts"]]
     points = np.array(found, dtype=float).reshape(-1, 2)
     return np.column_stack([points[:, 0], float(page.height) - points[:, 1]]) * MM_PER_PT
 

@@ -1,10 +1,11 @@
 //! The pictures of the README and the docs, made from the examples.
 
-use sheetwright::design::{Made, make};
+use sheetwright::design::{Made, MeshOptions, make, make_meshes};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
-    Picture, ReadOptions, VarySettings, design_picture, flat_picture, gauss_picture, moved_picture,
-    read_input, side_by_side, stacked, surface_picture, warp_chart,
+    Input, Picture, ReadOptions, VarySettings, design_picture, flat_picture, gauss_picture,
+    heat_picture, mesh_picture, moved_picture, read_any, read_input, side_by_side, stacked,
+    surface_picture, warp_chart,
 };
 use std::error::Error;
 
@@ -20,6 +21,7 @@ pub(crate) fn write() -> Result<(), Box<dyn Error>> {
         ("hull-moved.svg", hull_moved()?),
         ("three-cones.svg", three_cones()?),
         ("vary.svg", vary()?),
+        ("meshes.svg", meshes()?),
     ] {
         let path = crate::root().join("docs/pictures").join(name);
         std::fs::write(&path, picture.standalone())?;
@@ -76,4 +78,21 @@ fn three_cones() -> Result<Picture, Box<dyn Error>> {
 fn vary() -> Result<Picture, Box<dyn Error>> {
     let pictures: Vec<Picture> = crate::vary::drawn()?.iter().map(design_picture).collect();
     Ok(side_by_side("A mouse, a hat and a flower, with their curves moved", &pictures))
+}
+
+/// A cap of a sphere, which must stretch to lie flat, and a closed cube, which is cut open.
+fn meshes() -> Result<Picture, Box<dyn Error>> {
+    let mut rows = Vec::new();
+    for (file, title) in [("mesh-cap.ply", "A cap of a sphere"), ("mesh-cube.obj", "A closed cube")]
+    {
+        let path = crate::root().join("corpus/good").join(file);
+        let Input::Mesh(design) = read_any(&path, &ReadOptions::default())? else {
+            return Err(format!("{file} is no mesh").into());
+        };
+        let made = make_meshes(&design, &MeshOptions::default(), &mut Unwatched)?;
+        let panel = &made.panels[0];
+        let pictures = [mesh_picture(panel), heat_picture(panel, made.material)];
+        rows.push(side_by_side(title, &pictures));
+    }
+    Ok(stacked("Meshes in space, and laid flat, coloured by how much lengths differ", &rows))
 }

@@ -14,7 +14,7 @@ use std::process::ExitCode;
 
 const HELP: &str = "Chores of the project:
   cargo xtask composites   writes docs/composites.md and examples/three-cones.sheet.json
-  cargo xtask figures      writes docs/pictures/: the hull, the three cones, moved curves
+  cargo xtask figures      writes docs/pictures/: the hull, the three cones, moved curves, meshes
   cargo xtask fold-price   writes docs/fold-price.md: what the fold price costs and what it buys
   cargo xtask measured     writes docs/measured.md: gores against the sphere, a duct against tradition
   cargo xtask peers        what bench/peers/run calls: our speed beside CGAL's, docs/speed.md

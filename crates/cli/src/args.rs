@@ -1,13 +1,17 @@
 //! The command line.
 
 use clap::builder::{PossibleValue, PossibleValuesParser, StringValueParser, TypedValueParser};
+use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use sheetwright::boundary::PlaneChoice;
-use sheetwright::design::PanelMethod;
+use sheetwright::design::{MeshOptions, PanelMethod};
+use sheetwright::flatten::Aim;
+use sheetwright::material::{MATERIALS, Material};
+use sheetwright::math::from_deg;
 use sheetwright::template::catalogue;
 use sheetwright_files::{
-    Format, InputFormat, MaxSheets, Paper, PdfOptions, ReadOptions, Units, VarySettings,
+    Format, InputFormat, MaxSheets, MeshFormat, Paper, PdfOptions, ReadOptions, Units, VarySettings,
 };
 use std::ffi::OsStr;
 use std::path::PathBuf;
@@ -18,6 +22,8 @@ Examples:
       Every panel of the design: patterns, surface and report into build/
   sheetwright make leaf.csv --out build --samples 300 --formats svg,report
       A closed curve from a spreadsheet, smoothed through its points
+  sheetwright make hood.stl --out build --units cm --material leather-2mm
+      A mesh from another program, flattened as it stands: how much must it stretch?
   sheetwright check dinghy.sheet.json
       Will it bend? The verdict alone
   sheetwright new --list
@@ -38,6 +44,9 @@ Examples:
   sheetwright make leaf.csv --out build --units in --samples 300
   generate-curve | sheetwright make - --from csv --out build
   sheetwright make dinghy.sheet.json --out build --json --formats dxf,report
+  sheetwright make tent.obj --out build --units m --aim seams
+      Meshes (.obj, .stl, .ply, .glb): one panel a group, its seams as long on both sides
+  sheetwright make box.stl --out build --split-creases 30
   sheetwright make dinghy.sheet.json --out build --vary-warp 6 --vary-limit 5mm
       Moves the curves by as little as makes every panel bend, and writes where to";
 
@@ -45,6 +54,7 @@ const CHECK_EXAMPLES: &str = "\
 Examples:
   sheetwright check dinghy.sheet.json
   sheetwright check leaf.csv --samples 300 --method bridge
+  sheetwright check hood.stl --units cm --material leather-2mm
   sheetwright check dinghy.sheet.json --json";
 
 const CONVERT_EXAMPLES: &str = "\
@@ -53,7 +63,8 @@ Examples:
   sheetwright convert dinghy.sheet.json curves.csv    the points of its curves
   sheetwright convert dinghy.sheet.json dinghy.obj    all surfaces; also .pdf, .html, .json
   sheetwright convert dinghy.sheet.json dinghy.step   smooth surfaces for CAD
-  sheetwright convert leaf.csv leaf.dxf               the pattern of a single panel; also .svg";
+  sheetwright convert leaf.csv leaf.dxf               the pattern of a single panel; also .svg
+  sheetwright convert hood.stl hood.svg --units cm    the pattern of a mesh";
 
 const NEW_EXAMPLES: &str = "\
 Examples:
@@ -111,10 +122,8 @@ pub(crate) struct MakeArgs {
     /// The folder for the files; it is created if need be, and keeps what is not written
     #[arg(long, short, value_name = "DIR")]
     pub(crate) out: PathBuf,
-    /// What flattening makes small where it can't be exact. Every panel that this version makes
-    /// flattens exactly, so it makes no difference yet
-    #[arg(long, value_enum, value_name = "AIM")]
-    pub(crate) aim: Option<Aim>,
+    #[command(flatten)]
+    pub(crate) mesh: MeshArgs,
     /// The formats to write, separated by commas [default: all but quads and step]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = format_parser())]
     pub(crate) formats: Vec<Format>,
@@ -126,6 +135,52 @@ pub(crate) struct MakeArgs {
 pub(crate) struct CheckArgs {
     #[command(flatten)]
     pub(crate) source: SourceArgs,
+    #[command(flatten)]
+    pub(crate) mesh: MeshArgs,
+}
+
+/// How meshes are flattened.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Meshes")]
+pub(crate) struct MeshArgs {
+    /// What flattening makes small where it can't be exact, which is with meshes alone [default: mean]
+    #[arg(long, value_enum, value_name = "AIM")]
+    pub(crate) aim: Option<AimArg>,
+    /// Divide a mesh into panels along the creases that turn by more than this
+    #[arg(long, value_name = "DEG", value_parser = crease_deg)]
+    pub(crate) split_creases: Option<f64>,
+    /// Cut a mesh that would have to stretch too much from its border to its worst points
+    #[arg(long)]
+    pub(crate) darts: bool,
+}
+
+impl MeshArgs {
+    pub(crate) fn options(&self) -> MeshOptions {
+        MeshOptions {
+            aim: match self.aim {
+                None | Some(AimArg::Mean) => Aim::Mean,
+                Some(AimArg::Max) => Aim::Max,
+                Some(AimArg::Seams) => Aim::Seams,
+            },
+            split_creases: self.split_creases.map(from_deg),
+            darts: self.darts,
+        }
+    }
+
+    /// What was given that makes no difference to a design, as it was given.
+    pub(crate) fn given(&self) -> Option<String> {
+        match (self.aim, self.split_creases, self.darts) {
+            (Some(aim), _, _) => Some(format!("--aim {}", aim.name())),
+            (None, Some(_), _) => Some("--split-creases".to_owned()),
+            (None, None, true) => Some("--darts".to_owned()),
+            (None, None, false) => None,
+        }
+    }
+}
+
+fn crease_deg(given: &str) -> Result<f64, String> {
+    let deg = given.parse().ok().filter(|deg| (1.0..180.0).contains(deg));
+    deg.ok_or_else(|| "give an angle from 1 to below 180 degrees".to_owned())
 }
 
 #[derive(Debug, Args)]
@@ -157,6 +212,8 @@ pub(crate) struct ConvertArgs {
     #[arg(value_name = "OUT")]
     pub(crate) out: PathBuf,
     #[command(flatten)]
+    pub(crate) mesh: MeshArgs,
+    #[command(flatten)]
     pub(crate) pdf: PdfArgs,
 }
 
@@ -186,7 +243,8 @@ fn max_sheets(given: &str) -> Result<MaxSheets, String> {
 /// What is read, and what is set instead of it.
 #[derive(Debug, Args)]
 pub(crate) struct SourceArgs {
-    /// A design (.sheet.json), a curve table (.csv), or - for standard input
+    /// A design (.sheet.json), a curve table (.csv), a mesh (.obj, .stl, .ply, .glb), or - for standard
+    /// input
     #[arg(value_name = "INPUT")]
     pub(crate) input: PathBuf,
     /// The format of standard input
@@ -205,9 +263,12 @@ pub(crate) struct SourceArgs {
     /// design says, or auto: over the best-fit plane where there is one]
     #[arg(long, value_enum, value_name = "PLANE")]
     plane: Option<PlaneArg>,
-    /// The unit of a curve table [default: mm]; a design says its own
+    /// The unit of a curve table or a mesh [default: mm]; a design says its own
     #[arg(long, value_name = "UNITS", value_parser = units_parser())]
     units: Option<Units>,
+    /// The sheet that it is made from, instead of what the design says; docs/files.md lists them
+    #[arg(long, value_name = "NAME", value_parser = MaterialName)]
+    material: Option<&'static Material>,
     #[command(flatten)]
     vary: VaryArgs,
 }
@@ -239,6 +300,14 @@ fn distance_mm(given: &str) -> Result<f64, String> {
 }
 
 impl SourceArgs {
+    /// Whether it is glTF, whose standard says metres, and nobody said which unit it is in.
+    pub(crate) fn is_glb_without_units(&self) -> bool {
+        let ending = self.input.extension().and_then(|e| e.to_str()).unwrap_or_default();
+        let is_glb =
+            ending.eq_ignore_ascii_case("glb") || matches!(self.from, Some(StdinFormat::Glb));
+        is_glb && self.units.is_none()
+    }
+
     pub(crate) fn options(&self) -> ReadOptions {
         ReadOptions {
             samples: self.samples,
@@ -253,6 +322,7 @@ impl SourceArgs {
                 PlaneArg::None => PlaneChoice::None,
             }),
             units: self.units,
+            material: self.material,
             vary: VarySettings {
                 limit_mm: self.vary.vary_limit,
                 budget_mm: self.vary.vary_budget,
@@ -276,6 +346,14 @@ pub(crate) enum StdinFormat {
     Csv,
     /// A design
     Json,
+    /// A mesh, Wavefront OBJ
+    Obj,
+    /// A mesh, STL
+    Stl,
+    /// A mesh, PLY
+    Ply,
+    /// A mesh, glTF binary
+    Glb,
 }
 
 impl StdinFormat {
@@ -283,6 +361,10 @@ impl StdinFormat {
         match self {
             Self::Csv => InputFormat::Table,
             Self::Json => InputFormat::Design,
+            Self::Obj => InputFormat::Mesh(MeshFormat::Obj),
+            Self::Stl => InputFormat::Mesh(MeshFormat::Stl),
+            Self::Ply => InputFormat::Mesh(MeshFormat::Ply),
+            Self::Glb => InputFormat::Mesh(MeshFormat::Glb),
         }
     }
 }
@@ -298,13 +380,48 @@ enum MethodArg {
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
-pub(crate) enum Aim {
+pub(crate) enum AimArg {
     /// The mean length error
     Mean,
     /// The largest length error
     Max,
-    /// The error of the seams, which stay exact
+    /// The error of the seams and the border, which stay exact
     Seams,
+}
+
+impl AimArg {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Mean => "mean",
+            Self::Max => "max",
+            Self::Seams => "seams",
+        }
+    }
+}
+
+/// The name of a material; the refusal of an unknown one names the nearest known one.
+#[derive(Clone, Debug)]
+struct MaterialName;
+
+impl TypedValueParser for MaterialName {
+    type Value = &'static Material;
+
+    fn parse_ref(
+        &self,
+        command: &clap::Command,
+        arg: Option<&clap::Arg>,
+        value: &OsStr,
+    ) -> Result<&'static Material, clap::Error> {
+        let names = PossibleValuesParser::new(MATERIALS.map(|material| material.name));
+        let name = names.parse_ref(command, arg, value)?;
+        let unknown = || clap::Error::new(ErrorKind::InvalidValue).with_cmd(command);
+        Material::named(&name).ok_or_else(unknown)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        let known = MATERIALS.iter();
+        Some(Box::new(known.map(|one| PossibleValue::new(one.name).help(one.title))))
+    }
 }
 
 /// Any name, while completions and help show the known ones: the refusal of an unknown one comes with

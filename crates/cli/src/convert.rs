@@ -2,14 +2,14 @@
 
 use crate::args::ConvertArgs;
 use crate::failure::Failure;
-use crate::make::made;
+use crate::make::{Made, note_options};
 use crate::source;
 use crate::voice::{Voice, found_errors, in_words, say};
 use crate::watcher::Watcher;
 use crate::whole::write_one;
 use sheetwright::curve::CurveKind;
 use sheetwright::design::Design;
-use sheetwright_files::{Format, findings_json, write_design, write_table};
+use sheetwright_files::{Format, Input, findings_json, write_design, write_table};
 use std::path::Path;
 
 /// What a file is turned into.
@@ -46,21 +46,35 @@ impl Target {
 
 pub(crate) fn run(args: &ConvertArgs, voice: Voice) -> Result<bool, Failure> {
     let target = Target::of(&args.out)?;
-    let design = source::design(&args.source)?;
-    match target {
-        Target::Table => write_one(&args.out, &table(&design)?).map(|()| false),
-        Target::Design => write_one(&args.out, &write_design(&design)).map(|()| false),
-        Target::Made(format, ending) => {
-            let single = matches!(format, Format::Svg | Format::Dxf);
-            if single && design.panels_to_make().len() > 1 {
-                let message = format!("{ending} is for one panel, and there are several");
-                let hint = "`sheetwright make` writes one file a panel; .pdf takes all of them.";
-                return Err(Failure::new(message, hint).at(args.out.display().to_string()));
-            }
+    let input = source::input(&args.source)?;
+    note_options(&input, &args.source, &args.mesh, voice);
+    match (target, &input) {
+        (Target::Table, Input::Design(design)) => {
+            write_one(&args.out, &table(design)?).map(|()| false)
+        }
+        (Target::Design, Input::Design(design)) => {
+            write_one(&args.out, &write_design(design)).map(|()| false)
+        }
+        (Target::Table | Target::Design, Input::Mesh(_)) => {
+            let message = "a mesh has no boundary curves to write";
+            let hint =
+                "It can become .obj, .pdf, .html, .json or, of a single panel, .svg or .dxf.";
+            Err(Failure::new(message, hint).at(args.out.display().to_string()))
+        }
+        (Target::Made(format, ending), _) => {
             let mut watcher = Watcher::new(voice);
-            let input = source::name(&args.source);
-            let pdf = args.pdf.options();
-            let (made, outputs) = made(&design, &[format], &pdf, &mut watcher, &input)?;
+            let place = source::name(&args.source);
+            let single = matches!(format, Format::Svg | Format::Dxf);
+            if single && matches!(&input, Input::Design(d) if d.panels_to_make().len() > 1) {
+                return Err(for_one_panel(ending, &args.out));
+            }
+            let made = Made::of(&input, &args.mesh.options(), &mut watcher, &place)?;
+            // A group of a mesh may turn out to be several panels.
+            if single && made.panels().len() > 1 {
+                return Err(for_one_panel(ending, &args.out));
+            }
+            let outputs = made.files(&[format], &args.pdf.options(), &mut watcher, &place)?;
+
             let file = outputs.files.iter().find(|file| file.name.ends_with(ending));
             let file = file.ok_or_else(|| {
                 Failure::new(format!("no {ending} came out"), "This is a fault of the program.")
@@ -68,13 +82,19 @@ pub(crate) fn run(args: &ConvertArgs, voice: Voice) -> Result<bool, Failure> {
             write_one(&args.out, &file.bytes)?;
             // The answer is the file; what was found is said beside it.
             if voice.json {
-                say(&findings_json(&made, &outputs.panels, None));
+                say(&findings_json(made.name(), &made.panels(), &outputs.panels, None));
             } else if !voice.quiet {
-                say(&in_words(&made, &outputs.panels));
+                say(&in_words(&made.panels(), &outputs.panels));
             }
             Ok(found_errors(&outputs.panels))
         }
     }
+}
+
+fn for_one_panel(ending: &str, out: &Path) -> Failure {
+    let message = format!("{ending} is for one panel, and there are several");
+    let hint = "`sheetwright make` writes one file a panel; .pdf takes all of them.";
+    Failure::new(message, hint).at(out.display().to_string())
 }
 
 fn table(design: &Design) -> Result<Vec<u8>, Failure> {

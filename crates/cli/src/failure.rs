@@ -1,8 +1,8 @@
 //! Why a command can't do what was asked: what, where, and what to do.
 
 use clap::error::ErrorKind;
-use sheetwright::design::MakeError;
-use sheetwright_files::{InputError, hint_for};
+use sheetwright::design::{MakeError, MeshMakeError};
+use sheetwright_files::{InputError, hint_for, mesh_hint_for};
 use std::io;
 use std::path::Path;
 
@@ -32,6 +32,11 @@ impl Failure {
     /// A design that can't be made. `input` is what it was read from.
     pub(crate) fn of_make(error: &MakeError, input: &str) -> Self {
         Self::new(error.to_string(), hint_for(error)).at(input)
+    }
+
+    /// A mesh that can't be made. `input` is what it was read from.
+    pub(crate) fn of_meshes(error: &MeshMakeError, input: &str) -> Self {
+        Self::new(error.to_string(), mesh_hint_for(error)).at(input)
     }
 
     /// A file that can't be written.

@@ -1,13 +1,16 @@
-//! `sheetwright make`: every file of a design.
+//! `sheetwright make`: every file of a design or a mesh.
 
-use crate::args::{Aim, MakeArgs};
+use crate::args::{MakeArgs, MeshArgs, SourceArgs};
 use crate::failure::Failure;
 use crate::source;
 use crate::voice::{Voice, found_errors, in_words, print};
 use crate::watcher::Watcher;
 use crate::whole::Folder;
-use sheetwright::design::{Design, Made, make};
-use sheetwright_files::{Format, Outputs, PdfOptions, findings_json, output_files, timing_json};
+use sheetwright::check::Checked;
+use sheetwright::design::{MadeMeshes, MeshOptions, make, make_meshes};
+use sheetwright_files::{
+    Format, Input, Outputs, PdfOptions, findings_json, mesh_output_files, output_files, timing_json,
+};
 use std::path::Path;
 use std::time::Instant;
 
@@ -22,24 +25,37 @@ pub(crate) fn run(args: &MakeArgs, voice: Voice) -> Result<bool, Failure> {
         })
         .collect();
     let start = Instant::now();
-    let design = source::design(&args.source)?;
-    if let Some(aim) = args.aim {
-        voice.note(&aim_note(aim));
-    }
-    let input = source::name(&args.source);
+    let input = source::input(&args.source)?;
+    note_options(&input, &args.source, &args.mesh, voice);
     let job = Job {
-        input: &input,
+        input: &source::name(&args.source),
         out: &args.out,
         formats: &formats,
         pdf: args.pdf.options(),
+        mesh: args.mesh.options(),
         beside: None,
     };
-    job.run(&design, start, voice)
+    job.run(&input, start, voice)
 }
 
-/// What is made of a design, and where to.
+/// Says what was given that makes no difference, and what was not and may.
+pub(crate) fn note_options(input: &Input, source: &SourceArgs, mesh: &MeshArgs, voice: Voice) {
+    if let (Input::Design(_), Some(given)) = (input, mesh.given()) {
+        voice.note(&format!(
+            "note: the panels of a design unroll exactly, so {given} makes no difference"
+        ));
+    }
+    if source.is_glb_without_units() {
+        voice.note(
+            "note: glTF files are in metres by their standard, and this one is read in millimetres; \
+             --units m changes that",
+        );
+    }
+}
+
+/// What is made of an input, and where to.
 pub(crate) struct Job<'a> {
-    /// How messages name the design.
+    /// How messages name the input.
     pub(crate) input: &'a str,
     /// The folder for the files.
     pub(crate) out: &'a Path,
@@ -47,23 +63,21 @@ pub(crate) struct Job<'a> {
     pub(crate) formats: &'a [Format],
     /// How patterns come to paper.
     pub(crate) pdf: PdfOptions,
+    /// How meshes are flattened.
+    pub(crate) mesh: MeshOptions,
     /// A file that goes with them: its name and its bytes.
     pub(crate) beside: Option<(String, Vec<u8>)>,
 }
 
 impl Job<'_> {
-    /// Makes the design, writes its files and says its verdict; whether some finding is an error.
-    pub(crate) fn run(
-        &self,
-        design: &Design,
-        start: Instant,
-        voice: Voice,
-    ) -> Result<bool, Failure> {
+    /// Makes the input, writes its files and says its verdict; whether some finding is an error.
+    pub(crate) fn run(&self, input: &Input, start: Instant, voice: Voice) -> Result<bool, Failure> {
         let formats = self.formats;
         // What can't be written to is said before anybody waits.
         let folder = Folder::new(self.out)?;
         let mut watcher = Watcher::new(voice);
-        let (made, outputs) = made(design, formats, &self.pdf, &mut watcher, self.input)?;
+        let made = Made::of(input, &self.mesh, &mut watcher, self.input)?;
+        let outputs = made.files(formats, &self.pdf, &mut watcher, self.input)?;
         let mut names: Vec<String> = outputs.files.iter().map(|file| file.name.clone()).collect();
 
         let mut batch = folder.batch()?;
@@ -72,7 +86,7 @@ impl Job<'_> {
         }
         if formats.contains(&Format::Report) {
             const TIMING: &str = "timing.json";
-            let times = watcher.times(design);
+            let times = watcher.times(&made.panels());
             batch.add(TIMING, &timing_json(&times, start.elapsed().as_secs_f64()))?;
             names.push(TIMING.to_owned());
         }
@@ -81,9 +95,9 @@ impl Job<'_> {
             names.push(name.clone());
         }
         let answer = if voice.json {
-            findings_json(&made, &outputs.panels, Some(&names))
+            findings_json(made.name(), &made.panels(), &outputs.panels, Some(&names))
         } else {
-            in_words(&made, &outputs.panels)
+            in_words(&made.panels(), &outputs.panels)
         };
         // The answer first: where it can't be given, nothing is written.
         print(&answer)?;
@@ -93,28 +107,67 @@ impl Job<'_> {
     }
 }
 
-/// A design, made, and its files in memory.
-pub(crate) fn made(
-    design: &Design,
-    formats: &[Format],
-    pdf: &PdfOptions,
-    watcher: &mut Watcher,
-    input: &str,
-) -> Result<(Made, Outputs), Failure> {
-    let made = make(design, watcher);
-    watcher.end();
-    let made = made.map_err(|error| Failure::of_make(&error, input))?;
-    watcher.begin_writing();
-    let outputs = output_files(&made, formats, pdf)
-        .map_err(|e| Failure::new(e.to_string(), FAULT).at(input))?;
-    Ok((made, outputs))
+/// What was made of an input.
+pub(crate) enum Made {
+    Design(sheetwright::design::Made),
+    Meshes(MadeMeshes),
 }
 
-fn aim_note(aim: Aim) -> String {
-    let aim = match aim {
-        Aim::Mean => "mean",
-        Aim::Max => "max",
-        Aim::Seams => "seams",
-    };
-    format!("note: every panel is flattened exactly, so --aim {aim} makes no difference")
+impl Made {
+    pub(crate) fn of(
+        input: &Input,
+        mesh: &MeshOptions,
+        watcher: &mut Watcher,
+        place: &str,
+    ) -> Result<Self, Failure> {
+        let made = match input {
+            Input::Design(design) => make(design, watcher)
+                .map(Self::Design)
+                .map_err(|error| Failure::of_make(&error, place)),
+            Input::Mesh(design) => make_meshes(design, mesh, watcher)
+                .map(Self::Meshes)
+                .map_err(|error| Failure::of_meshes(&error, place)),
+        };
+        watcher.end();
+        made
+    }
+
+    pub(crate) fn name(&self) -> &str {
+        match self {
+            Self::Design(made) => &made.name,
+            Self::Meshes(made) => &made.name,
+        }
+    }
+
+    /// The names of its panels.
+    pub(crate) fn panels(&self) -> Vec<&str> {
+        match self {
+            Self::Design(made) => made.panels.iter().map(|panel| panel.name.as_str()).collect(),
+            Self::Meshes(made) => made.panels.iter().map(|panel| panel.name.as_str()).collect(),
+        }
+    }
+
+    /// The verdicts on its panels, before any file is written.
+    pub(crate) fn checked(&self) -> Vec<Checked> {
+        match self {
+            Self::Design(made) => made.panels.iter().map(|panel| panel.checked.clone()).collect(),
+            Self::Meshes(made) => made.panels.iter().map(|panel| panel.checked.clone()).collect(),
+        }
+    }
+
+    /// Its files in memory.
+    pub(crate) fn files(
+        &self,
+        formats: &[Format],
+        pdf: &PdfOptions,
+        watcher: &mut Watcher,
+        place: &str,
+    ) -> Result<Outputs, Failure> {
+        watcher.begin_writing();
+        match self {
+            Self::Design(made) => output_files(made, formats, pdf),
+            Self::Meshes(made) => mesh_output_files(made, formats, pdf),
+        }
+        .map_err(|error| Failure::new(error.to_string(), FAULT).at(place))
+    }
 }

@@ -5,9 +5,10 @@ use crate::failure::Failure;
 use crate::make::Job;
 use crate::voice::{Voice, print};
 use crate::whole::write_one;
+use sheetwright::design::MeshOptions;
 use sheetwright::template::template;
 use sheetwright_files::{
-    Format, PdfOptions, catalogue_json, catalogue_text, design_from_template, new_design,
+    Format, Input, PdfOptions, catalogue_json, catalogue_text, design_from_template, new_design,
     template_text, write_design,
 };
 use std::path::Path;
@@ -31,8 +32,9 @@ pub(crate) fn run(args: &NewArgs, voice: Voice) -> Result<bool, Failure> {
         // Tables need not lie in the folder of the patterns: the design there has their points.
         let beside = Some((format!("{}.sheet.json", new.design.name), write_design(&new.design)));
         let pdf = PdfOptions::default();
-        let job = Job { input: name, out, formats: &Format::DEFAULT, pdf, beside };
-        return job.run(&new.design, start, voice);
+        let mesh = MeshOptions::default();
+        let job = Job { input: name, out, formats: &Format::DEFAULT, pdf, mesh, beside };
+        return job.run(&Input::Design(new.design), start, voice);
     }
     let bytes = new.bytes();
     match &args.out {

@@ -2,30 +2,29 @@
 
 use crate::args::SourceArgs;
 use crate::failure::Failure;
-use sheetwright::design::Design;
-use sheetwright_files::{read_bytes, read_input, read_limited};
+use sheetwright_files::{Input, read_any, read_any_bytes, read_limited};
 use std::io;
 use std::path::Path;
 
 const STDIN: &str = "standard input";
 
-/// The design of the input.
-pub(crate) fn design(args: &SourceArgs) -> Result<Design, Failure> {
+/// What the input holds.
+pub(crate) fn input(args: &SourceArgs) -> Result<Input, Failure> {
     let options = args.options();
     match (args.input == Path::new("-"), args.from) {
         (true, Some(from)) => {
             let bytes = read_limited(io::stdin().lock(), STDIN)?;
-            Ok(read_bytes(from.format(), &bytes, "-", None, &options)?)
+            Ok(read_any_bytes(from.format(), &bytes, "-", None, &options)?)
         }
         (true, None) => {
             let message = "the format of standard input is not given";
-            Err(Failure::new(message, "Add --from csv or --from json."))
+            Err(Failure::new(message, "Add --from csv, --from json or --from obj."))
         }
         (false, Some(_)) => {
             let message = "--from is for standard input";
             Err(Failure::new(message, "Leave it out: a file's name ends in its format."))
         }
-        (false, None) => Ok(read_input(&args.input, &options)?),
+        (false, None) => Ok(read_any(&args.input, &options)?),
     }
 }
 

@@ -2,7 +2,6 @@
 
 use crate::failure::Failure;
 use sheetwright::check::{Checked, Severity, Verdict};
-use sheetwright::design::Made;
 use sheetwright_files::error_json;
 use std::io::{self, Write};
 
@@ -53,9 +52,9 @@ pub(crate) fn print(text: &str) -> Result<(), Failure> {
 }
 
 /// The verdict on every panel in words, each followed by its findings, one a line.
-pub(crate) fn in_words(made: &Made, panels: &[Checked]) -> String {
+pub(crate) fn in_words(names: &[&str], panels: &[Checked]) -> String {
     let mut text = String::new();
-    for (panel, checked) in made.panels.iter().zip(panels) {
+    for (name, checked) in names.iter().zip(panels) {
         let verdict = match checked.verdict {
             Verdict::Bends => "bends",
             Verdict::BendsAndFolds => "bends, with sharp folds",
@@ -63,7 +62,7 @@ pub(crate) fn in_words(made: &Made, panels: &[Checked]) -> String {
             Verdict::Undecided => "can't tell yet",
             Verdict::WillNotBend => "will not bend",
         };
-        text.push_str(&format!("{}: {verdict}\n", panel.name));
+        text.push_str(&format!("{name}: {verdict}\n"));
         for finding in &checked.findings {
             let place = match finding.place.as_str() {
                 "" => String::new(),

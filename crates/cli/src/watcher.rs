@@ -2,7 +2,6 @@
 
 use crate::voice::Voice;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use sheetwright::design::Design;
 use sheetwright::watch::{Stage, Watch};
 use sheetwright_files::PanelTimes;
 use std::collections::BTreeMap;
@@ -51,16 +50,15 @@ impl Watcher {
         self.writing = Some(Instant::now());
     }
 
-    /// The times of all panels that are made until now, in the order of the design.
-    pub(crate) fn times(&self, design: &Design) -> Vec<PanelTimes> {
+    /// The times of these panels, as far as they are made until now.
+    pub(crate) fn times(&self, panels: &[&str]) -> Vec<PanelTimes> {
         let writing = self.writing.map_or(0.0, |start| start.elapsed().as_secs_f64());
-        let panels = design.panels_to_make();
         let write = writing / panels.len() as f64;
-        let times = |name: &String| {
-            let known = self.times.get(name).cloned().unwrap_or_default();
-            PanelTimes { name: name.clone(), write, ..known }
+        let times = |name: &&str| {
+            let known = self.times.get(*name).cloned().unwrap_or_default();
+            PanelTimes { name: (*name).to_owned(), write, ..known }
         };
-        panels.into_iter().map(|panel| times(&panel.name)).collect()
+        panels.iter().map(times).collect()
     }
 
     fn note_time(&mut self) {

@@ -2,8 +2,9 @@
 
 use sheetwright::boundary::{BoundaryError, JoinCause, PlaneError};
 use sheetwright::curve::{CurveError, SampleError};
-use sheetwright::design::{MakeCause, MakeError, VaryCause};
-use sheetwright::flatten::FlattenError;
+use sheetwright::design::{MakeCause, MakeError, MeshCause, MeshMakeError, VaryCause};
+use sheetwright::flatten::{FlattenError, RelaxError};
+use sheetwright::mesh::MeshError;
 use sheetwright::surface::ConnectivityError;
 use sheetwright::triangulate::TriangulateError;
 
@@ -50,6 +51,43 @@ pub fn hint_for(error: &MakeError) -> String {
         MakeCause::Flatten(error) => flat(error).to_owned(),
         MakeCause::Vary(cause) => varying(cause).to_owned(),
     }
+}
+
+/// What a person can do about the error.
+pub fn mesh_hint_for(error: &MeshMakeError) -> String {
+    let hint = match &error.cause {
+        MeshCause::NoGroups | MeshCause::Mesh { error: MeshError::Empty, .. } => {
+            "Export the surface as a mesh of triangles or polygons."
+        }
+        MeshCause::Pieces { .. } => {
+            "Its triangles do not share corners, as after an export without welding: merge its points by \
+             distance in the program that it is from, or export STL."
+        }
+        MeshCause::Mesh { error, .. } => match error {
+            MeshError::NotManifold { .. } => {
+                "A sheet has one side or two along every line: take out what is inside, or make what \
+                 branches a group of its own."
+            }
+            MeshError::NotOrientable { .. } => {
+                "Cut it through once, so that it has a front and a back, and export it again."
+            }
+            MeshError::Degenerate { .. } => {
+                "Take the triangle out, or merge its points by distance, in the program that it is from."
+            }
+            MeshError::TooMany { .. } => {
+                "Export it more coarsely: some ten thousand triangles show most shapes well."
+            }
+            _ => FAULT,
+        },
+        MeshCause::Flatten(RelaxError::Stopped) => "Start it again to finish it.",
+        MeshCause::Flatten(RelaxError::TooLarge) => {
+            "Export it more coarsely: some ten thousand triangles show most shapes well."
+        }
+        MeshCause::Flatten(_) => {
+            "Divide it into simpler panels in the program that it is from, or with --split-creases."
+        }
+    };
+    hint.to_owned()
 }
 
 fn varying(cause: &VaryCause) -> &'static str {

@@ -1,14 +1,15 @@
 //! Whatever the main job takes, from a file or from standard input.
 
+use crate::mesh::MeshFormat;
 use crate::names::shown;
 use crate::reading::{
-    InputError, MAX_INPUT_BYTES, ReadOptions, TAKEN, display_name, read_whole, refuse_folder,
-    text_of, too_large,
+    InputError, MAX_INPUT_BYTES, ReadOptions, TAKEN, VarySettings, display_name, read_whole,
+    refuse_folder, text_of, too_large,
 };
-use crate::{design_json, table};
+use crate::{design_json, mesh, table};
 use sheetwright::boundary::MAX_SAMPLES;
 use sheetwright::cost::MAX_FOLD;
-use sheetwright::design::Design;
+use sheetwright::design::{Design, MeshDesign};
 use std::path::Path;
 
 /// Formats that the main job takes.
@@ -18,6 +19,17 @@ pub enum InputFormat {
     Design,
     /// A curve table, `*.csv`.
     Table,
+    /// A mesh, `*.obj`, `*.stl`, `*.ply` or `*.glb`.
+    Mesh(MeshFormat),
+}
+
+/// What an input holds.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Input {
+    /// Boundary curves.
+    Design(Design),
+    /// Surfaces as they stand.
+    Mesh(MeshDesign),
 }
 
 impl InputFormat {
@@ -31,12 +43,8 @@ impl InputFormat {
         match ending.as_str() {
             "csv" => Ok(Self::Table),
             "json" => Ok(Self::Design),
-            "obj" | "stl" | "ply" | "glb" => Err(InputError::at(
-                name,
-                format!("a mesh (.{ending}) can't be read"),
-                format!("This version does not flatten meshes yet. {TAKEN}"),
-            )),
             "" => Err(InputError::at(name, "the name has no ending to tell the format by", TAKEN)),
+            other if let Some(format) = MeshFormat::of_ending(other) => Ok(Self::Mesh(format)),
             _ => {
                 let message = format!("the ending {} is not known", shown(&format!(".{ending}")));
                 Err(InputError::at(name, message, TAKEN))
@@ -50,6 +58,15 @@ impl InputFormat {
 /// # Errors
 /// A file that can't be read, or that is no design and no curve table that this version takes.
 pub fn read_input(path: &Path, options: &ReadOptions) -> Result<Design, InputError> {
+    read_any(path, options).and_then(|input| design_of(input, &path.display().to_string()))
+}
+
+/// What a file holds.
+///
+/// # Errors
+/// A file that can't be read, or that is no design, no curve table and no mesh that this version
+/// takes.
+pub fn read_any(path: &Path, options: &ReadOptions) -> Result<Input, InputError> {
     // A folder is named as such whatever its name ends in.
     refuse_folder(path)?;
     let format = InputFormat::of(path)?;
@@ -59,12 +76,10 @@ pub fn read_input(path: &Path, options: &ReadOptions) -> Result<Design, InputErr
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     };
-    read_bytes(format, &bytes, &path.display().to_string(), Some(folder), options)
+    read_any_bytes(format, &bytes, &path.display().to_string(), Some(folder), options)
 }
 
-/// The design in some bytes. `name` is the name of the file they are from, or `-`; it is used in
-/// messages, and its stem for what has no name of its own. Tables that a design refers to lie in
-/// `folder`; without one it can't refer to any.
+/// The design in some bytes, as [`read_any_bytes`] reads it.
 ///
 /// # Errors
 /// Bytes that are no design or curve table that this version takes, or options out of range.
@@ -75,14 +90,46 @@ pub fn read_bytes(
     folder: Option<&Path>,
     options: &ReadOptions,
 ) -> Result<Design, InputError> {
+    let input = read_any_bytes(format, bytes, name, folder, options)?;
+    design_of(input, display_name(name))
+}
+
+/// What some bytes hold. `name` is the name of the file they are from, or `-`; it is used in
+/// messages, and its stem for what has no name of its own. Tables that a design refers to lie in
+/// `folder`; without one it can't refer to any.
+///
+/// # Errors
+/// Bytes that are no design, curve table or mesh that this version takes, or options out of range.
+pub fn read_any_bytes(
+    format: InputFormat,
+    bytes: &[u8],
+    name: &str,
+    folder: Option<&Path>,
+    options: &ReadOptions,
+) -> Result<Input, InputError> {
     check_options(format, options)?;
     if bytes.len() as u64 > MAX_INPUT_BYTES {
         return Err(too_large(display_name(name)));
     }
-    let text = text_of(bytes, name)?;
-    match format {
-        InputFormat::Design => design_json::read(text, name, folder, options),
-        InputFormat::Table => table::read_as_design(text, name, options),
+    let mut design = match format {
+        InputFormat::Mesh(format) => {
+            return mesh::read(format, bytes, name, options).map(Input::Mesh);
+        }
+        InputFormat::Design => design_json::read(text_of(bytes, name)?, name, folder, options)?,
+        InputFormat::Table => table::read_as_design(text_of(bytes, name)?, name, options)?,
+    };
+    design.material = options.material.or(design.material);
+    Ok(Input::Design(design))
+}
+
+fn design_of(input: Input, place: &str) -> Result<Design, InputError> {
+    match input {
+        Input::Design(design) => Ok(design),
+        Input::Mesh(_) => Err(InputError::at(
+            place,
+            "a mesh has no boundary curves",
+            "A design (.sheet.json or .json) or a curve table (.csv) is taken here.",
+        )),
     }
 }
 
@@ -106,6 +153,22 @@ fn check_options(format: InputFormat, options: &ReadOptions) -> Result<(), Input
             "Ask for 0 (twist alone) to 10.",
         );
     }
+    if let InputFormat::Mesh(_) = format {
+        let ReadOptions { samples, fold, method, plane, vary, units: _, material: _ } = *options;
+        let given = [
+            ("samples", samples.is_some()),
+            ("a fold price", fold.is_some()),
+            ("a method", method.is_some()),
+            ("a plane", plane.is_some()),
+            ("what may move", vary != VarySettings::default()),
+        ];
+        if let Some((what, _)) = given.into_iter().find(|(_, given)| *given) {
+            return refused(
+                format!("{what} can't be given for a mesh, which is flattened as it stands"),
+                "Leave it out, or give boundary curves instead.",
+            );
+        }
+    }
     if format == InputFormat::Design && options.units.is_some() {
         return refused(
             "units were given for a design, which says its own".to_owned(),
@@ -124,8 +187,8 @@ mod tests {
     fn the_ending_tells_the_format() {
         assert_eq!(InputFormat::of(Path::new("a/b.sheet.json")), Ok(InputFormat::Design));
         assert_eq!(InputFormat::of(Path::new("B.CSV")), Ok(InputFormat::Table));
-        let mesh = InputFormat::of(Path::new("hull.stl")).unwrap_err();
-        assert!(mesh.hint.contains("does not flatten meshes yet"));
+        let mesh = InputFormat::of(Path::new("hull.STL"));
+        assert_eq!(mesh, Ok(InputFormat::Mesh(MeshFormat::Stl)));
         assert!(InputFormat::of(Path::new("a.txt")).unwrap_err().hint.contains(".csv"));
     }
 
@@ -151,8 +214,13 @@ mod tests {
         let docs = include_str!("../../../docs/files.md");
         for m in sheetwright::material::MATERIALS {
             let row = format!(
-                "| `{}` | {} | {} | {} | {} |",
-                m.name, m.title, m.thickness_mm, m.bend_radius_mm, m.warp_limit_deg
+                "| `{}` | {} | {} | {} | {} | {} |",
+                m.name,
+                m.title,
+                m.thickness_mm,
+                m.bend_radius_mm,
+                m.warp_limit_deg,
+                100.0 * m.stretch_limit
             );
             assert!(docs.contains(&row), "{row}");
         }

@@ -10,6 +10,7 @@ mod drawing;
 mod dxf;
 mod hint;
 mod input;
+mod mesh;
 mod messages;
 mod names;
 mod obj;
@@ -31,11 +32,12 @@ mod units;
 pub use catalogue::{catalogue_json, catalogue_text, parameter_table, template_text};
 pub use design_json::write_design;
 pub use dxf::{read_dxf, write_dxf};
-pub use hint::hint_for;
-pub use input::{InputFormat, read_bytes, read_input};
+pub use hint::{hint_for, mesh_hint_for};
+pub use input::{Input, InputFormat, read_any, read_any_bytes, read_bytes, read_input};
+pub use mesh::MeshFormat;
 pub use messages::{PanelTimes, error_json, findings_json, timing_json};
-pub use obj::write_obj;
-pub use output::{Format, OutputError, OutputFile, Outputs, output_files};
+pub use obj::{write_meshes_obj, write_obj};
+pub use output::{Format, OutputError, OutputFile, Outputs, mesh_output_files, output_files};
 pub use pdf::{MaxSheets, Paper, PdfOptions, Reduced, WrittenPdf, write_pdf};
 pub use quads::{PanelQuads, write_quads};
 pub use quantity::{distance_mm, warp_deg};
@@ -43,7 +45,8 @@ pub use read_back::{PatternReadError, ReadPattern};
 pub use reading::{InputError, MAX_INPUT_BYTES, ReadOptions, VarySettings, read_limited};
 pub use refold::{RefoldFileError, refold_error_mm};
 pub use report::{
-    Picture, design_picture, flat_picture, gauss_picture, moved_picture, report_html, report_json,
+    Picture, design_picture, flat_picture, gauss_picture, heat_picture, mesh_picture,
+    mesh_report_html, mesh_report_json, meshes_picture, moved_picture, report_html, report_json,
     report_schema, side_by_side, stacked, surface_picture, warp_chart,
 };
 pub use step::write_step;

@@ -3,7 +3,6 @@
 
 use serde::Serialize;
 use sheetwright::check::Checked;
-use sheetwright::design::Made;
 
 #[derive(Serialize)]
 struct ErrorFile<'a> {
@@ -65,11 +64,16 @@ pub fn error_json(message: &str, place: Option<&str>, hint: &str) -> String {
 }
 
 /// The verdict and the findings of every panel as one line of JSON, panels and findings as in
-/// `report.json`. `panels` are in the order of `made`; `files` are the files that were written, if
-/// any were asked for.
-pub fn findings_json(made: &Made, panels: &[Checked], files: Option<&[String]>) -> String {
-    let panels = made.panels.iter().zip(panels).map(|(panel, checked)| PanelFile {
-        name: &panel.name,
+/// `report.json`. `panels` has one entry a name; `files` are the files that were written, if any were
+/// asked for.
+pub fn findings_json(
+    name: &str,
+    names: &[&str],
+    panels: &[Checked],
+    files: Option<&[String]>,
+) -> String {
+    let panels = names.iter().zip(panels).map(|(name, checked)| PanelFile {
+        name,
         verdict: checked.verdict.name(),
         findings: checked
             .findings
@@ -82,7 +86,7 @@ pub fn findings_json(made: &Made, panels: &[Checked], files: Option<&[String]>) 
             })
             .collect(),
     });
-    line(&FindingsFile { sheetwright: 1, name: &made.name, panels: panels.collect(), files })
+    line(&FindingsFile { sheetwright: 1, name, panels: panels.collect(), files })
 }
 
 /// `timing.json`: how long each panel and the whole took, in seconds.

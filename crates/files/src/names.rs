@@ -64,6 +64,25 @@ pub(crate) fn refused_for_file(name: &str) -> Option<&'static str> {
         .then_some("is the name of a device on Windows")
 }
 
+/// A name from another program, made fit for files on every system: what no file name takes becomes
+/// `_`, and it is cut to so many bytes. Empty where nothing is left of it.
+pub(crate) fn made_for_files(name: &str, most_bytes: usize) -> String {
+    let fit = |c: char| if is_invisible(c) || SEPARATORS.contains(&c) { '_' } else { c };
+    let mut made = String::new();
+    for c in name.trim().trim_start_matches('.').chars().map(fit) {
+        if made.len() + c.len_utf8() > most_bytes {
+            break;
+        }
+        made.push(c);
+    }
+    let made = made.trim_matches(|c: char| c.is_whitespace() || c == '.');
+    match refused_for_file(made) {
+        // The name of a device, which another letter makes an ordinary one.
+        Some(_) if !made.is_empty() => format!("_{made}"),
+        _ => made.to_owned(),
+    }
+}
+
 /// A name as disks see it that tell neither upper from lower case nor the ways apart in which
 /// Unicode composes a letter and its accent.
 pub(crate) fn folded(name: &str) -> String {
@@ -160,6 +179,22 @@ mod tests {
             assert_eq!(refused_for_file(name), None, "{name:?}");
         }
         assert!(refused_for_curve("-a").is_some());
+    }
+
+    #[test]
+    fn names_of_other_programs_are_made_fit() {
+        for (name, made) in [
+            ("a/b:c", "a_b_c"),
+            ("  hull ", "hull"),
+            ("con", "_con"),
+            ("..", ""),
+            (".hidden. ", "hidden"),
+            ("größe", "größ"),
+            ("a\nb", "a_b"),
+        ] {
+            assert_eq!(made_for_files(name, 6), made, "{name:?}");
+            assert!(made.is_empty() || refused_for_file(made).is_none());
+        }
     }
 
     #[test]

@@ -1,41 +1,90 @@
 //! Surfaces as OBJ.
 
 use crate::drawing::digits;
-use sheetwright::design::Made;
+use sheetwright::design::{Made, MadeMeshes};
+use sheetwright::index::{SampleIndex, VertexIndex};
+use sheetwright::math::{Point2, Point3};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 /// The OBJ file of all panels: an object and a group a panel, places in space as vertices and
 /// places on the flat pattern as texture coordinates, both in mm and with all their digits.
 pub fn write_obj(made: &Made) -> Vec<u8> {
-    let mut obj = String::from(
-        "# Surface by Sheetwright. Units: mm. One group per panel.\n\
-         # v: places in space. vt: the same samples on the flat pattern, in mm as well.\n",
-    );
-    let (mut before, mut before_flat) = (1, 1);
-    let mut taken = BTreeSet::new();
+    let mut obj = Obj::new();
     for panel in &made.panels {
-        let name = one_word(&panel.name, &mut taken);
+        // Along a seam, a sample lies on the pattern twice.
+        let on_sheet = panel.sheet.surface().connectivity().triangles();
+        let triangles = panel.surface.connectivity().triangles().iter().zip(on_sheet);
+        obj.panel(
+            &panel.name,
+            panel.surface.positions(),
+            &panel.flat.points,
+            triangles.map(|(space, flat)| [space, flat].map(|t| t.map(SampleIndex::get))),
+        );
+    }
+    obj.text.into_bytes()
+}
+
+/// The same of meshes.
+pub fn write_meshes_obj(made: &MadeMeshes) -> Vec<u8> {
+    let mut obj = Obj::new();
+    for panel in &made.panels {
+        let triangles = panel.mesh.triangles().iter().zip(panel.sheet.mesh.triangles());
+        obj.panel(
+            &panel.name,
+            panel.mesh.positions(),
+            &panel.flat.points,
+            triangles.map(|(space, flat)| [space, flat].map(|t| t.map(VertexIndex::get))),
+        );
+    }
+    obj.text.into_bytes()
+}
+
+/// A file that panels are added to.
+struct Obj {
+    text: String,
+    /// The numbers of the next place in space and of the next on the pattern.
+    next: [usize; 2],
+    /// Names that are taken.
+    taken: BTreeSet<String>,
+}
+
+impl Obj {
+    fn new() -> Self {
+        let text = String::from(
+            "# Surface by Sheetwright. Units: mm. One group per panel.\n\
+             # v: places in space. vt: the same samples on the flat pattern, in mm as well.\n",
+        );
+        Self { text, next: [1, 1], taken: BTreeSet::new() }
+    }
+
+    /// Adds a panel: every triangle by its corners in space and on the pattern.
+    fn panel(
+        &mut self,
+        name: &str,
+        space: &[Point3],
+        flat: &[Point2],
+        triangles: impl Iterator<Item = [[usize; 3]; 2]>,
+    ) {
+        let name = one_word(name, &mut self.taken);
+        let obj = &mut self.text;
         // `o` divides the file for Blender and trimesh, `g` for everyone else. Writing to a
         // string does not fail.
         let _ = writeln!(obj, "o {name}\ng {name}");
-        for p in panel.surface.positions() {
+        for p in space {
             let _ = writeln!(obj, "v {} {} {}", digits(p.x), digits(p.y), digits(p.z));
         }
-        for p in &panel.flat.points {
+        for p in flat {
             let _ = writeln!(obj, "vt {} {}", digits(p.x), digits(p.y));
         }
-        // Along a seam, a sample lies on the pattern twice.
-        let on_sheet = panel.sheet.surface().connectivity().triangles();
-        for (triangle, flat) in panel.surface.connectivity().triangles().iter().zip(on_sheet) {
-            let [a, b, c] = triangle.map(|s| before + s.get());
-            let [p, q, r] = flat.map(|s| before_flat + s.get());
+        let [before, before_flat] = self.next;
+        for [triangle, flat] in triangles {
+            let [a, b, c] = triangle.map(|n| before + n);
+            let [p, q, r] = flat.map(|n| before_flat + n);
             let _ = writeln!(obj, "f {a}/{p} {b}/{q} {c}/{r}");
         }
-        before += panel.surface.positions().len();
-        before_flat += panel.flat.points.len();
+        self.next = [before + space.len(), before_flat + flat.len()];
     }
-    obj.into_bytes()
 }
 
 /// A name as OBJ takes it: blanks would begin another group. Names that differ in blanks alone are

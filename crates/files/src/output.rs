@@ -3,17 +3,19 @@
 use crate::design_json::write_design_of_table;
 use crate::dxf::write_dxf;
 use crate::names::{folded, refused_for_file};
-use crate::obj::write_obj;
-use crate::pdf::{MaxSheets, PdfOptions, Reduced, write_pdf};
+use crate::obj::{write_meshes_obj, write_obj};
+use crate::pdf::{MaxSheets, PdfOptions, Reduced, WrittenPdf, write_pieces};
 use crate::quads::{PanelQuads, write_quads};
-use crate::refold::{known_miss_mm, refold_error_mm};
-use crate::report::{report_html, report_json};
+use crate::refold::{RefoldFileError, known_miss_mm, read_back_error_mm, refold_error_mm};
+use crate::report::{mesh_report_html, mesh_report_json, report_html, report_json};
 use crate::step::write_step;
 use crate::svg::write_svg;
 use crate::table::write_table;
 use crate::units::Units;
 use sheetwright::check::{Checked, Finding, Severity, refolding};
-use sheetwright::design::{Made, MadePanel};
+use sheetwright::design::{Made, MadeMeshes};
+use sheetwright::pattern::Piece;
+use sheetwright::tolerance::Tolerance;
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -126,20 +128,10 @@ pub fn output_files(
     formats: &[Format],
     pdf: &PdfOptions,
 ) -> Result<Outputs, OutputError> {
-    check_names(made)?;
+    let pieces: Vec<&Piece> = made.panels.iter().map(|panel| &panel.piece).collect();
+    check_names(made.panels.iter().map(|panel| &panel.name[..]))?;
+    let patterns = Patterns::written(&made.name, &pieces, formats, pdf);
     let asked = |format: Format| formats.contains(&format);
-    let file = |name: String, bytes: Vec<u8>| OutputFile { name, bytes };
-    let of_panels = |format: Format, write: &dyn Fn(&MadePanel) -> Vec<u8>| -> Vec<OutputFile> {
-        let panels = made.panels.iter().filter(|_| asked(format));
-        panels.map(|p| file(format!("{}.{}", p.name, format.name()), write(p))).collect()
-    };
-    let svg = of_panels(Format::Svg, &|panel| write_svg(&panel.piece));
-    let dxf = of_panels(Format::Dxf, &|panel| write_dxf(&panel.piece));
-    let pdf = asked(Format::Pdf).then(|| write_pdf(made, pdf));
-    fn bytes_of(files: &[OutputFile], n: usize) -> Option<&[u8]> {
-        files.get(n).map(|file| &file.bytes[..])
-    }
-
     let in_quads: Vec<Option<PanelQuads>> = made
         .panels
         .iter()
@@ -153,7 +145,8 @@ pub fn output_files(
     let mut errors_mm = Vec::with_capacity(made.panels.len());
     for (n, panel) in made.panels.iter().enumerate() {
         let mut checked = panel.checked.clone();
-        match refold_error_mm(panel, bytes_of(&svg, n), bytes_of(&dxf, n)) {
+        let (svg, dxf) = patterns.of(n);
+        match refold_error_mm(panel, svg, dxf) {
             Ok(error_mm) => {
                 checked.findings.extend(refolding(
                     error_mm,
@@ -163,32 +156,16 @@ pub fn output_files(
                 errors_mm.push(error_mm);
             }
             Err(error) => {
-                checked.findings.push(Finding {
-                    severity: Severity::Error,
-                    code: "refold",
-                    text: format!(
-                        "{}. Do not cut it; this is a fault of the program.",
-                        capitalised(&error.to_string())
-                    ),
-                    place: String::new(),
-                });
+                checked.findings.push(not_refolded(&error));
                 errors_mm.push(f64::NAN);
             }
         }
-        let reduced = pdf.iter().flat_map(|pdf| &pdf.reduced).find(|r| r.panel == n);
-        checked.findings.extend(reduced.map(not_tiled));
         checked.findings.extend(in_quads[n].as_ref().and_then(PanelQuads::finding));
-        checked.findings.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
-        panels.push(checked);
+        panels.push(patterns.noted(n, checked));
     }
 
-    let mut files = Vec::new();
-    if asked(Format::Obj) {
-        files.push(file("surface.obj".to_owned(), write_obj(made)));
-    }
-    files.extend(svg);
-    files.extend(dxf);
-    files.extend(pdf.map(|pdf| file("pattern.pdf".to_owned(), pdf.bytes)));
+    let surface = asked(Format::Obj).then(|| write_obj(made));
+    let mut files = patterns.files(surface);
     let named: Vec<(&str, &PanelQuads)> = made
         .panels
         .iter()
@@ -196,37 +173,143 @@ pub fn output_files(
         .filter_map(|(panel, quads)| Some((panel.name.as_str(), quads.as_ref()?)))
         .collect();
     if asked(Format::Quads) {
-        files.push(file("quads.obj".to_owned(), write_quads(&named)));
+        files.push(file("quads.obj", write_quads(&named)));
     }
     if asked(Format::Step) {
         let smooth: Vec<_> = named.iter().map(|(name, quads)| (*name, &quads.smooth)).collect();
-        files.push(file("surface.step".to_owned(), write_step(&smooth)));
+        files.push(file("surface.step", write_step(&smooth)));
     }
     if asked(Format::Report) {
-        let report = report_json(made, &errors_mm, &panels, &in_quads);
-        files.push(file("report.json".to_owned(), report));
-        files.push(file("report.html".to_owned(), report_html(made, &errors_mm, &panels)));
+        files.push(file("report.json", report_json(made, &errors_mm, &panels, &in_quads)));
+        files.push(file("report.html", report_html(made, &errors_mm, &panels)));
     }
     if let Some(moved) = &made.moved {
-        files.push(file(MOVED_TABLE.to_owned(), write_table(&moved.curves)));
+        files.push(file(MOVED_TABLE, write_table(&moved.curves)));
         let design = write_design_of_table(moved, MOVED_TABLE, Units::Millimetres);
-        files.push(file("moved.sheet.json".to_owned(), design));
+        files.push(file("moved.sheet.json", design));
     }
     Ok(Outputs { files, panels, refold_error_mm: errors_mm })
+}
+
+/// The same of meshes: `refold_error_mm` is how far the outline and the holes of each pattern, read
+/// back, come from where they were laid. What was stretched does not fold up again.
+///
+/// # Errors
+/// Panels whose names make no files.
+pub fn mesh_output_files(
+    made: &MadeMeshes,
+    formats: &[Format],
+    pdf: &PdfOptions,
+) -> Result<Outputs, OutputError> {
+    let pieces: Vec<&Piece> = made.panels.iter().map(|panel| &panel.piece).collect();
+    check_names(made.panels.iter().map(|panel| &panel.name[..]))?;
+    let patterns = Patterns::written(&made.name, &pieces, formats, pdf);
+    let mut panels = Vec::with_capacity(made.panels.len());
+    let mut errors_mm = Vec::with_capacity(made.panels.len());
+    for (n, panel) in made.panels.iter().enumerate() {
+        let mut checked = panel.checked.clone();
+        let (svg, dxf) = patterns.of(n);
+        let size = panel.piece.size.length();
+        let read = read_back_error_mm(&panel.piece, svg, dxf).and_then(|by_mm| {
+            let is_off = by_mm > Tolerance::REFOLD.length_mm(size);
+            if is_off { Err(RefoldFileError::Moved { by_mm }) } else { Ok(by_mm) }
+        });
+        errors_mm.push(match read {
+            Ok(by_mm) => by_mm,
+            Err(error) => {
+                checked.findings.push(not_refolded(&error));
+                f64::NAN
+            }
+        });
+        panels.push(patterns.noted(n, checked));
+    }
+    let asked = |format: Format| formats.contains(&format);
+    let surface = asked(Format::Obj).then(|| write_meshes_obj(made));
+    let mut files = patterns.files(surface);
+    if asked(Format::Report) {
+        files.push(file("report.json", mesh_report_json(made, &errors_mm, &panels)));
+        files.push(file("report.html", mesh_report_html(made, &errors_mm, &panels)));
+    }
+    Ok(Outputs { files, panels, refold_error_mm: errors_mm })
+}
+
+fn file(name: impl Into<String>, bytes: Vec<u8>) -> OutputFile {
+    OutputFile { name: name.into(), bytes }
+}
+
+/// The files of patterns, whatever they are patterns of.
+struct Patterns {
+    svg: Vec<OutputFile>,
+    dxf: Vec<OutputFile>,
+    pdf: Option<WrittenPdf>,
+}
+
+impl Patterns {
+    fn written(title: &str, pieces: &[&Piece], formats: &[Format], pdf: &PdfOptions) -> Self {
+        let of_pieces = |format: Format, write: fn(&Piece) -> Vec<u8>| -> Vec<OutputFile> {
+            let asked = formats.contains(&format);
+            let pieces = pieces.iter().filter(|_| asked);
+            pieces.map(|p| file(format!("{}.{}", p.name, format.name()), write(p))).collect()
+        };
+        Self {
+            svg: of_pieces(Format::Svg, write_svg),
+            dxf: of_pieces(Format::Dxf, write_dxf),
+            pdf: formats.contains(&Format::Pdf).then(|| write_pieces(title, pieces, pdf)),
+        }
+    }
+
+    /// The SVG and the DXF of a piece, where they were asked for.
+    fn of(&self, n: usize) -> (Option<&[u8]>, Option<&[u8]>) {
+        fn bytes_of(files: &[OutputFile], n: usize) -> Option<&[u8]> {
+            files.get(n).map(|file| &file.bytes[..])
+        }
+        (bytes_of(&self.svg, n), bytes_of(&self.dxf, n))
+    }
+
+    /// The findings on a panel, those on its sheets of paper added, the worst first.
+    fn noted(&self, n: usize, mut checked: Checked) -> Checked {
+        let reduced = self.pdf.iter().flat_map(|pdf| &pdf.reduced).find(|r| r.panel == n);
+        checked.findings.extend(reduced.map(not_tiled));
+        checked.findings.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
+        checked
+    }
+
+    /// All of them, after the surface.
+    fn files(self, surface: Option<Vec<u8>>) -> Vec<OutputFile> {
+        let mut files: Vec<OutputFile> =
+            surface.into_iter().map(|bytes| file("surface.obj", bytes)).collect();
+        files.extend(self.svg);
+        files.extend(self.dxf);
+        files.extend(self.pdf.map(|pdf| file("pattern.pdf", pdf.bytes)));
+        files
+    }
+}
+
+/// The finding that a written pattern is not the one that was laid flat.
+fn not_refolded(error: &RefoldFileError) -> Finding {
+    Finding {
+        severity: Severity::Error,
+        code: "refold",
+        text: format!(
+            "{}. Do not cut it; this is a fault of the program.",
+            capitalised(&error.to_string())
+        ),
+        place: String::new(),
+    }
 }
 
 /// The curves as they were moved, beside the design that takes its points from there.
 const MOVED_TABLE: &str = "moved.csv";
 
 /// Readers of designs check names with a hint each; this is the last door before the disk.
-fn check_names(made: &Made) -> Result<(), OutputError> {
+fn check_names<'a>(names: impl Iterator<Item = &'a str>) -> Result<(), OutputError> {
     let mut seen: BTreeMap<String, &str> = BTreeMap::new();
-    for MadePanel { name, .. } in &made.panels {
+    for name in names {
         if refused_for_file(name).is_some() {
-            return Err(OutputError::BadName { panel: name.clone() });
+            return Err(OutputError::BadName { panel: name.to_owned() });
         }
         if let Some(first) = seen.insert(folded(name), name) {
-            return Err(OutputError::SameName { panel: first.to_owned(), other: name.clone() });
+            return Err(OutputError::SameName { panel: first.to_owned(), other: name.to_owned() });
         }
     }
     Ok(())

@@ -4,6 +4,7 @@
 use crate::units::Units;
 use sheetwright::boundary::PlaneChoice;
 use sheetwright::design::{PanelMethod, Vary};
+use sheetwright::material::Material;
 use sheetwright::math::from_deg;
 use sheetwright::vary::Goal;
 use std::fmt;
@@ -15,7 +16,8 @@ use std::path::Path;
 pub const MAX_INPUT_BYTES: u64 = 256 << 20;
 
 /// What every unknown ending is answered with.
-pub(crate) const TAKEN: &str = "A design (.sheet.json or .json) or a curve table (.csv) is taken.";
+pub(crate) const TAKEN: &str = "A design (.sheet.json or .json), a curve table (.csv) or a mesh (.obj, .stl, .ply or .glb) is \
+     taken.";
 
 /// Why an input can't be read, where, and what to do.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -94,8 +96,10 @@ pub struct ReadOptions {
     pub method: Option<PanelMethod>,
     /// The supporting plane of every panel. Default: as the design says, or `auto`.
     pub plane: Option<PlaneChoice>,
-    /// The unit of a curve table. Default: millimetres. A design says its own.
+    /// The unit of a curve table or a mesh. Default: millimetres. A design says its own.
     pub units: Option<Units>,
+    /// The sheet that it is made from. Default: as the design says; none for tables and meshes.
+    pub material: Option<&'static Material>,
     /// What may move. Default: as the design says.
     pub vary: VarySettings,
 }
@@ -112,7 +116,9 @@ pub(crate) fn stem(name: &str) -> String {
     }
     let file = Path::new(name).file_name().and_then(|n| n.to_str()).unwrap_or(name);
     let lower = file.to_lowercase();
-    let ending = [".sheet.json", ".json", ".csv"].into_iter().find(|e| lower.ends_with(e));
+    let ending = [".sheet.json", ".json", ".csv", ".obj", ".stl", ".ply", ".glb"]
+        .into_iter()
+        .find(|e| lower.ends_with(e));
     // Lower case may change the length of other characters, never that of an ASCII ending.
     let kept = file.len() - ending.map_or(0, str::len);
     file.get(..kept).unwrap_or(file).to_owned()
@@ -208,6 +214,7 @@ mod tests {
     fn the_stem_drops_every_known_ending() {
         assert_eq!(stem("a/dinghy.sheet.json"), "dinghy");
         assert_eq!(stem("Leaf.CSV"), "Leaf");
+        assert_eq!(stem("b/hull.STL"), "hull");
         assert_eq!(stem("İ.csv"), "İ");
         assert_eq!(stem("-"), "panel");
     }

@@ -6,6 +6,7 @@ use crate::svg::{read_svg, write_svg};
 use sheetwright::design::MadePanel;
 use sheetwright::flatten::{RefoldError, refold};
 use sheetwright::math::Point2;
+use sheetwright::pattern::Piece;
 use sheetwright::rung::Rung;
 use sheetwright::tolerance::Tolerance;
 use std::fmt;
@@ -54,16 +55,7 @@ pub fn refold_error_mm(
     svg: Option<&[u8]>,
     dxf: Option<&[u8]>,
 ) -> Result<f64, RefoldFileError> {
-    let mut read: Vec<ReadPattern> = Vec::new();
-    if let Some(svg) = svg {
-        read.push(read_svg(svg).map_err(RefoldFileError::Read)?);
-    }
-    if let Some(dxf) = dxf {
-        read.push(read_dxf(dxf).map_err(RefoldFileError::Read)?);
-    }
-    if read.is_empty() {
-        read.push(read_svg(&write_svg(&panel.piece)).map_err(RefoldFileError::Read)?);
-    }
+    let read = read_patterns(&panel.piece, svg, dxf)?;
     read.iter().try_fold(0.0, |worst: f64, pattern| {
         let sheet = panel.sheet.surface();
         let lines = std::iter::once(&pattern.outline).chain(&pattern.holes).map(Vec::len);
@@ -82,6 +74,52 @@ pub fn refold_error_mm(
         // Unlike `max`, this keeps NaN.
         Ok(if error_mm > worst || error_mm.is_nan() { error_mm } else { worst })
     })
+}
+
+/// How far the points of the written outline and holes of a piece come from where they were laid when
+/// they are read back, mm: the worse of the files that are given, or of an SVG in memory.
+///
+/// # Errors
+/// A file that can't be read, or has other lines than the piece.
+pub(crate) fn read_back_error_mm(
+    piece: &Piece,
+    svg: Option<&[u8]>,
+    dxf: Option<&[u8]>,
+) -> Result<f64, RefoldFileError> {
+    let mut worst = 0.0f64;
+    for pattern in read_patterns(piece, svg, dxf)? {
+        let lines = std::iter::once(&pattern.outline).chain(&pattern.holes);
+        let mut laid = piece.loops();
+        for line in lines {
+            let of_piece = laid.next().filter(|laid| laid.len() == line.len());
+            let of_piece = of_piece.ok_or(RefoldFileError::Lines)?;
+            let off = line.iter().zip(of_piece).map(|(read, laid)| read.distance(*laid));
+            worst = off.fold(worst, f64::max);
+        }
+        if laid.next().is_some() {
+            return Err(RefoldFileError::Lines);
+        }
+    }
+    Ok(worst)
+}
+
+/// What was written of a piece, read back.
+fn read_patterns(
+    piece: &Piece,
+    svg: Option<&[u8]>,
+    dxf: Option<&[u8]>,
+) -> Result<Vec<ReadPattern>, RefoldFileError> {
+    let mut read: Vec<ReadPattern> = Vec::new();
+    if let Some(svg) = svg {
+        read.push(read_svg(svg).map_err(RefoldFileError::Read)?);
+    }
+    if let Some(dxf) = dxf {
+        read.push(read_dxf(dxf).map_err(RefoldFileError::Read)?);
+    }
+    if read.is_empty() {
+        read.push(read_svg(&write_svg(piece)).map_err(RefoldFileError::Read)?);
+    }
+    Ok(read)
 }
 
 /// How far the pattern of a panel comes from its surface before it is written, mm, where closing its

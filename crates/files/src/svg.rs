@@ -75,6 +75,7 @@ fn named(shape: &Shape) -> String {
             let [low, high] = rung.ends().map(|s| s.get());
             format!("class=\"rung\" data-rung=\"{low} {high}\"")
         }
+        What::Crease => "class=\"crease\"".to_owned(),
         What::RulingTick => "class=\"tick\"".to_owned(),
         What::SeamTick => "class=\"seam-tick\"".to_owned(),
         What::Dimension => "class=\"dimension\"".to_owned(),

@@ -3,11 +3,11 @@
 
 use serde_json::{Map, Value};
 use sheetwright::boundary::PlaneChoice;
-use sheetwright::design::{Made, MadePanel, make};
+use sheetwright::design::{Made, MadePanel, MeshOptions, make, make_meshes};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
-    Format, Outputs, PdfOptions, ReadOptions, ReadPattern, output_files, read_dxf, read_input,
-    read_svg,
+    Format, Input, Outputs, PdfOptions, ReadOptions, ReadPattern, mesh_output_files, output_files,
+    read_any, read_dxf, read_input, read_svg,
 };
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -19,25 +19,64 @@ const AREA_ERROR: f64 = 1e-9;
 /// What was written, folded up again, misses the surface by less than this share of its size.
 const REFOLD_ERROR: f64 = 1e-6;
 
-/// The tables in the order of their names.
-fn tables() -> Vec<PathBuf> {
+/// The files with one of these endings, in the order of their names.
+fn entries(endings: &[&str]) -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../corpus/good");
     let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-    let mut tables: Vec<PathBuf> =
-        entries.filter(|path| path.extension().is_some_and(|ending| ending == "csv")).collect();
-    tables.sort();
-    tables
+    let has = |path: &PathBuf| {
+        path.extension().is_some_and(|ending| endings.iter().any(|wanted| ending == *wanted))
+    };
+    let mut found: Vec<PathBuf> = entries.filter(has).collect();
+    found.sort();
+    found
+}
+
+fn facts_of(entry: &Path) -> Map<String, Value> {
+    let facts = fs::read(entry.with_extension("facts.json")).unwrap();
+    serde_json::from_slice(&facts).unwrap()
+}
+
+#[test]
+fn the_facts_of_every_mesh_hold() {
+    let meshes = entries(&["obj", "stl", "ply", "glb"]);
+    assert!(meshes.len() >= 4, "{meshes:?}");
+    let mut wrong = Vec::new();
+    for mesh in meshes {
+        let name = mesh.file_stem().unwrap().to_string_lossy();
+        let facts = facts_of(&mesh);
+        let Input::Mesh(design) = read_any(&mesh, &ReadOptions::default()).unwrap() else {
+            panic!("{name}")
+        };
+        let made = make_meshes(&design, &MeshOptions::default(), &mut Unwatched).unwrap();
+        let outputs = mesh_output_files(&made, &Format::ALL, &PdfOptions::default()).unwrap();
+        let report: Value = serde_json::from_slice(file(&outputs, "report.json")).unwrap();
+        let mut problems = differences(&report["panels"][0], &facts);
+        assert_eq!((made.panels.len(), outputs.files.len()), (1, 6));
+        let panel = &made.panels[0];
+        let svg = read_svg(file(&outputs, &format!("{}.svg", panel.name))).unwrap();
+        let dxf = read_dxf(file(&outputs, &format!("{}.dxf", panel.name))).unwrap();
+        let near = 1e-9_f64.max(1e-12 * panel.piece.size.length());
+        for read in [svg, dxf] {
+            let lines = || std::iter::once(&read.outline).chain(&read.holes);
+            let same = lines().map(Vec::len).eq(panel.piece.loops().map(<[_]>::len));
+            let mut corners = lines().flatten().zip(panel.piece.loops().flatten());
+            if !same || !corners.all(|(read, corner)| read.distance(*corner) <= near) {
+                problems.push("a file reads back as another pattern".to_owned());
+            }
+        }
+        wrong.extend(problems.into_iter().map(|what| format!("{name}: {what}")));
+    }
+    assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
 }
 
 #[test]
 fn the_facts_of_every_boundary_hold() {
-    let tables = tables();
+    let tables = entries(&["csv"]);
     assert!(tables.len() >= 17, "{tables:?}");
     let mut wrong = Vec::new();
     for table in tables {
         let name = table.file_stem().unwrap().to_string_lossy();
-        let facts = fs::read(table.with_extension("facts.json")).unwrap();
-        let facts: Map<String, Value> = serde_json::from_slice(&facts).unwrap();
+        let facts = facts_of(&table);
         let plane = facts.get("plane").map(|plane| match plane.as_str() {
             Some("none") => PlaneChoice::None,
             _ => panic!("{name}: {plane}"),

@@ -1,7 +1,9 @@
 //! Findings: what is wrong with a panel, where, how bad, and what to do; and the verdict.
 
+mod mesh;
 mod origin;
 
+pub use mesh::{MeshPanel, check_mesh, seam_length};
 pub use origin::{
     BoundaryMoved, moved, ran_on, rounded_corner, smoothed_joints, stayed_straight, turned_round,
 };

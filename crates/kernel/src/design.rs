@@ -4,7 +4,9 @@ mod error;
 mod joining;
 mod links;
 mod live;
+mod meshes;
 mod outline;
+mod rebuilt;
 mod run_on;
 mod sampling;
 mod varying;
@@ -12,6 +14,11 @@ mod varying;
 pub use error::{MakeCause, MakeError, VaryCause};
 pub use joining::Join;
 pub use live::{Live, LivePanel};
+pub use meshes::{
+    Joint, MAX_MESH_PANELS, MadeMesh, MadeMeshes, MeshCause, MeshDesign, MeshGroup, MeshMakeError,
+    MeshOptions, make_meshes,
+};
+pub use rebuilt::Rebuilt;
 pub use varying::{Change, MovedBy, Vary};
 
 use crate::boundary::{Boundary, Outline, PlaneChoice, SupportingPlane, supporting_plane};

@@ -185,6 +185,7 @@ mod tests {
     use sheetwright::boundary::{Continuity, Within};
     use sheetwright::curve::CurveKind;
     use sheetwright::design::{CurveUse, MovedBy, PanelMethod, PanelShape, Vary};
+    use sheetwright::material::Material;
     use sheetwright::math::{Point3, from_deg};
     use sheetwright::triangulate::Goal;
 
@@ -334,10 +335,12 @@ mod tests {
             fold: Some(2.0),
             method: Some(PanelMethod::Bridge),
             units: None,
+            material: Material::named("leather-2mm"),
             vary: VarySettings { warp_deg: Some(3.0), limit_mm: Some(7.0), budget_mm: None },
         };
         let design =
             read_bytes(InputFormat::Design, DINGHY.as_bytes(), "d.json", None, &options).unwrap();
+        assert_eq!(design.material.map(|m| m.name), Some("leather-2mm"));
         for panel in &design.panels {
             assert_eq!((panel.samples, panel.fold), (77, 2.0));
             assert_eq!(panel.method, PanelMethod::Bridge);

@@ -16,7 +16,7 @@ use miniz_oxide::deflate::compress_to_vec_zlib;
 use page::Page;
 use pdf_writer::{Filter, Finish, Name, Pdf, Rect, Ref, TextStr};
 use sheets::Tiling;
-use sheetwright::design::{Made, MadePanel};
+use sheetwright::design::Made;
 use sheetwright::math::Vec2;
 use sheetwright::pattern::Piece;
 
@@ -137,10 +137,16 @@ enum Plan {
 
 /// The PDF of all pieces of a design. `docs/outputs.md` says what a reader may rely on.
 pub fn write_pdf(made: &Made, options: &PdfOptions) -> WrittenPdf {
+    let pieces: Vec<&Piece> = made.panels.iter().map(|panel| &panel.piece).collect();
+    write_pieces(&made.name, &pieces, options)
+}
+
+/// The PDF of some pieces under a title.
+pub(crate) fn write_pieces(title: &str, pieces: &[&Piece], options: &PdfOptions) -> WrittenPdf {
     let PdfOptions { paper, max_sheets } = *options;
     let mut room = MaxSheets::MOST.get();
-    let mut plans = Vec::with_capacity(made.panels.len());
-    for (panel, MadePanel { piece, .. }) in made.panels.iter().enumerate() {
+    let mut plans = Vec::with_capacity(pieces.len());
+    for (panel, piece) in pieces.iter().enumerate() {
         plans.push(match sheets::tiling(piece, paper, room.min(max_sheets.get())) {
             Ok(tiling) => {
                 room -= tiling.sheets.len();
@@ -153,15 +159,15 @@ pub fn write_pdf(made: &Made, options: &PdfOptions) -> WrittenPdf {
             }
         });
     }
-    let overview = overview::pages(made, &plans, paper);
-    let pieces = made.panels.iter().map(|panel| &panel.piece).zip(&plans);
+    let overview = overview::pages(title, pieces, &plans, paper);
+    let each = pieces.iter().zip(&plans);
     let pages =
-        overview.into_iter().chain(pieces.flat_map(|(piece, plan)| pages(piece, plan, paper)));
+        overview.into_iter().chain(each.flat_map(|(piece, plan)| pages(piece, plan, paper)));
     let reduced = plans.iter().filter_map(|plan| match plan {
         Plan::Tiled(_) => None,
         Plan::Reduced(reduced) => Some(*reduced),
     });
-    WrittenPdf { bytes: document(&made.name, pages), reduced: reduced.collect() }
+    WrittenPdf { bytes: document(title, pages), reduced: reduced.collect() }
 }
 
 /// The pages of a piece, drawn when they are asked for.

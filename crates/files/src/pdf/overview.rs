@@ -4,7 +4,6 @@ use super::page::{Anchor, Page, Pen, Type};
 use super::piece::{Detail, View, draw};
 use super::sheets::{MARGIN_MM, Tiling};
 use super::{Paper, Plan, Reduced};
-use sheetwright::design::Made;
 use sheetwright::math::{Point2, Vec2};
 use sheetwright::pattern::Piece;
 use sheetwright::predicate::Box2;
@@ -47,10 +46,9 @@ impl Block {
 }
 
 /// The pages that stand before the sheets.
-pub(super) fn pages(made: &Made, plans: &[Plan], paper: Paper) -> Vec<Page> {
+pub(super) fn pages(title: &str, pieces: &[&Piece], plans: &[Plan], paper: Paper) -> Vec<Page> {
     let size = paper.size_mm();
     let width_mm = size.x - 2.0 * MARGIN_MM;
-    let pieces: Vec<&Piece> = made.panels.iter().map(|panel| &panel.piece).collect();
     let blocks: Vec<Block> =
         pieces.iter().zip(plans).map(|(piece, plan)| Block::new(piece, plan, width_mm)).collect();
 
@@ -68,7 +66,7 @@ pub(super) fn pages(made: &Made, plans: &[Plan], paper: Paper) -> Vec<Page> {
     }
 
     let mut pages: Vec<Page> = (0..=on_page).map(|_| Page::new(size)).collect();
-    first(&mut pages[0], made, paper);
+    first(&mut pages[0], title, paper);
     let mut next_page = pages.len() + 1;
     for (n, piece) in pieces.iter().enumerate() {
         let (on_page, top) = places[n];
@@ -84,11 +82,11 @@ pub(super) fn pages(made: &Made, plans: &[Plan], paper: Paper) -> Vec<Page> {
 }
 
 /// The head of the first page: title, check square, legend and what to do.
-fn first(page: &mut Page, made: &Made, paper: Paper) {
+fn first(page: &mut Page, title: &str, paper: Paper) {
     let size = page.size();
     let (left, top) = (MARGIN_MM, size.y - MARGIN_MM);
     let width_mm = size.x - 2.0 * MARGIN_MM;
-    let title = if made.name.is_empty() { "Pattern" } else { &made.name };
+    let title = if title.is_empty() { "Pattern" } else { title };
     let at = Point2::new(left, top - 6.0);
     page.fitted_text(at, title, Type::new(18.0).bold(), width_mm / 1.1);
     let line = format!(

@@ -15,8 +15,8 @@ use std::ops::Range;
 /// Room left and right of the pattern; the chart of warp has the same, so that the two line up.
 pub(super) const LEFT: f64 = 66.0;
 pub(super) const RIGHT: f64 = 34.0;
-const TOP: f64 = 32.0;
-const FOOT: f64 = 66.0;
+pub(super) const TOP: f64 = 32.0;
+pub(super) const FOOT: f64 = 66.0;
 /// Rulings drawn, at the most.
 const RULINGS: usize = 60;
 /// Edges with a letter, at the most: the longest.
@@ -130,7 +130,8 @@ fn overlap(panel: &MadePanel, place: impl Fn(Point2) -> Point2) -> String {
     body
 }
 
-fn dimensions(size: Vec2, scale: f64, bottom: f64) -> String {
+/// The lines and numbers of the overall size.
+pub(super) fn dimensions(size: Vec2, scale: f64, bottom: f64) -> String {
     let (width, height) = (scale * size.x, scale * size.y);
     let (y, x) = (bottom + 36.0, LEFT - 36.0);
     let at = Point2::new;

@@ -40,30 +40,36 @@ pub fn report_html(made: &Made, refold_error_mm: &[f64], checked: &[Checked]) ->
             material: made.material,
         })
         .collect();
+    document(
+        &made.name,
+        html! {
+            h1 { (made.name) }
+            p.sub { (subtitle(made)) }
+            ul.cards { @for page in &pages { (card(page.number, &page.panel.name, page.checked)) } }
+            @if made.panels.len() > 1 {
+                figure.whole {
+                    (PreEscaped(design_picture(made).inline()))
+                    figcaption { "All panels in space, with their rulings." }
+                }
+            }
+            (summary(&SUMMARY, pages.iter().map(|page| (&page.panel.name[..], page.summary()))))
+            @for page in &pages { (page.section()) }
+        },
+    )
+}
+
+/// The page of a design: what its body shows, with the head that every report has.
+pub(super) fn document(name: &str, body: Markup) -> Vec<u8> {
     let page = html! {
         (DOCTYPE)
         html lang="en" {
             head {
                 meta charset="utf-8";
                 meta name="viewport" content="width=device-width, initial-scale=1";
-                title { (made.name) " – Sheetwright report" }
+                title { (name) " – Sheetwright report" }
                 style { (PreEscaped(page_style())) }
             }
-            body {
-                main {
-                    h1 { (made.name) }
-                    p.sub { (subtitle(made)) }
-                    ul.cards { @for page in &pages { (page.card()) } }
-                    @if made.panels.len() > 1 {
-                        figure.whole {
-                            (PreEscaped(design_picture(made).inline()))
-                            figcaption { "All panels in space, with their rulings." }
-                        }
-                    }
-                    (summary(&pages))
-                    @for page in &pages { (page.section()) }
-                }
-            }
+            body { main { (body) } }
         }
     };
     let mut bytes = page.into_string().into_bytes();
@@ -90,21 +96,25 @@ fn subtitle(made: &Made) -> String {
     }
 }
 
-fn summary(pages: &[Page<'_>]) -> Markup {
+/// The table of all panels: a row for the name of each with what stands under each label.
+pub(super) fn summary<'a>(
+    labels: &[&str],
+    rows: impl Iterator<Item = (&'a str, Vec<String>)>,
+) -> Markup {
     html! {
         table.summary {
             caption { "All panels" }
             thead {
                 tr {
                     th scope="col" { "Panel" }
-                    @for label in SUMMARY { th scope="col" { (label) } }
+                    @for label in labels { th scope="col" { (label) } }
                 }
             }
             tbody {
-                @for page in pages {
+                @for (name, values) in rows {
                     tr {
-                        th scope="row" { (page.panel.name) }
-                        @for (label, value) in SUMMARY.into_iter().zip(page.summary()) {
+                        th scope="row" { (name) }
+                        @for (label, value) in labels.iter().zip(values) {
                             td data-label=(label) { (value) }
                         }
                     }
@@ -137,60 +147,9 @@ struct Page<'a> {
 }
 
 impl Page<'_> {
-    /// How bad things are: the worst finding and the verdict together.
-    fn severity(&self) -> Severity {
-        let of_verdict = match self.checked.verdict {
-            Verdict::Bends => Severity::Note,
-            Verdict::BendsAndFolds | Verdict::BendsWithForce | Verdict::Undecided => {
-                Severity::Warning
-            }
-            Verdict::WillNotBend => Severity::Error,
-        };
-        let of_findings = self.checked.findings.iter().map(|f| f.severity);
-        of_findings.fold(of_verdict, Severity::max)
-    }
-
-    fn verdict(&self) -> Markup {
-        let severity = self.severity();
-        let mark = match severity {
-            Severity::Note => "✓",
-            Severity::Warning => "!",
-            Severity::Error => "×",
-        };
-        let word = verdict_word(self.checked.verdict);
-        // A sheet that would bend may still be one that must not be cut.
-        let but = match (self.checked.verdict, severity) {
-            (Verdict::WillNotBend, _) => "",
-            (_, Severity::Error) => ", but do not cut it",
-            (Verdict::Bends, Severity::Warning) => ", but look before you cut",
-            _ => "",
-        };
-        html! {
-            span class={ "verdict " (severity.name()) } {
-                b aria-hidden="true" { i { (mark) } }
-                span { (word) (but) }
-            }
-        }
-    }
-
-    fn card(&self) -> Markup {
-        html! {
-            li class={ "card " (self.severity().name()) } {
-                div { a href={ "#panel-" (self.number) } { (self.panel.name) } }
-                (self.verdict())
-                p {
-                    @match self.checked.findings.first() {
-                        Some(finding) => (finding.text),
-                        None => "Nothing was found against it.",
-                    }
-                }
-            }
-        }
-    }
-
-    fn summary(&self) -> [String; 6] {
+    fn summary(&self) -> Vec<String> {
         let (measures, size) = (&self.panel.measures, self.panel.piece.size);
-        [
+        vec![
             format!("{} × {}", millimetres(size.x), millimetres(size.y)),
             area(measures.area_flat_mm2),
             format!(
@@ -209,9 +168,9 @@ impl Page<'_> {
         html! {
             section.panel id={ "panel-" (self.number) } {
                 h2 { (panel.name) }
-                p { (self.verdict()) }
+                p { (verdict(self.checked)) }
                 p { (verdict_sentence(self.checked.verdict)) }
-                (self.findings())
+                (findings(self.checked))
                 div.figures {
                     div.column {
                         figure.first {
@@ -294,27 +253,6 @@ impl Page<'_> {
                             figure {
                                 (PreEscaped(chart.inline()))
                                 figcaption { strong { "Warp before. " } "Above is the warp after." }
-                            }
-                        }
-                    }
-                }
-            }
-        }
-    }
-
-    fn findings(&self) -> Markup {
-        html! {
-            @if self.checked.findings.is_empty() {
-                p { "Nothing was found against it." }
-            } @else {
-                ul.findings {
-                    @for finding in &self.checked.findings {
-                        li class=(finding.severity.name()) {
-                            span.kind { (severity_word(finding.severity)) } " "
-                            (finding.text)
-                            span.where {
-                                @if !finding.place.is_empty() { "Where: " (finding.place) ". " }
-                                code { (finding.code) }
                             }
                         }
                     }
@@ -419,12 +357,7 @@ impl Page<'_> {
             ("Length error, mean", scientific(measures.length_error_mean)),
             ("Refold error", self.refold_number()),
         ];
-        html! {
-            h3 { "Numbers" }
-            dl.numbers {
-                @for (name, value) in rows { div { dt { (name) } dd { (value) } } }
-            }
-        }
+        numbers(&rows)
     }
 
     fn refold_number(&self) -> String {
@@ -432,6 +365,88 @@ impl Page<'_> {
             format!("{}\u{a0}mm", scientific(self.refold_error_mm))
         } else {
             refold(self.refold_error_mm)
+        }
+    }
+}
+
+/// How bad things are: the worst finding and the verdict together.
+fn severity(checked: &Checked) -> Severity {
+    let of_verdict = match checked.verdict {
+        Verdict::Bends => Severity::Note,
+        Verdict::BendsAndFolds | Verdict::BendsWithForce | Verdict::Undecided => Severity::Warning,
+        Verdict::WillNotBend => Severity::Error,
+    };
+    checked.findings.iter().map(|f| f.severity).fold(of_verdict, Severity::max)
+}
+
+/// The verdict with its mark.
+pub(super) fn verdict(checked: &Checked) -> Markup {
+    let severity = severity(checked);
+    let mark = match severity {
+        Severity::Note => "✓",
+        Severity::Warning => "!",
+        Severity::Error => "×",
+    };
+    let word = verdict_word(checked.verdict);
+    // A sheet that would bend may still be one that must not be cut.
+    let but = match (checked.verdict, severity) {
+        (Verdict::WillNotBend, _) => "",
+        (_, Severity::Error) => ", but do not cut it",
+        (Verdict::Bends, Severity::Warning) => ", but look before you cut",
+        _ => "",
+    };
+    html! {
+        span class={ "verdict " (severity.name()) } {
+            b aria-hidden="true" { i { (mark) } }
+            span { (word) (but) }
+        }
+    }
+}
+
+/// The card of a panel, by its number from 1, which leads to its part of the page.
+pub(super) fn card(number: usize, name: &str, checked: &Checked) -> Markup {
+    html! {
+        li class={ "card " (severity(checked).name()) } {
+            div { a href={ "#panel-" (number) } { (name) } }
+            (verdict(checked))
+            p {
+                @match checked.findings.first() {
+                    Some(finding) => (finding.text),
+                    None => "Nothing was found against it.",
+                }
+            }
+        }
+    }
+}
+
+/// Everything that was found.
+pub(super) fn findings(checked: &Checked) -> Markup {
+    html! {
+        @if checked.findings.is_empty() {
+            p { "Nothing was found against it." }
+        } @else {
+            ul.findings {
+                @for finding in &checked.findings {
+                    li class=(finding.severity.name()) {
+                        span.kind { (severity_word(finding.severity)) } " "
+                        (finding.text)
+                        span.where {
+                            @if !finding.place.is_empty() { "Where: " (finding.place) ". " }
+                            code { (finding.code) }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// A list of numbers with their names.
+pub(super) fn numbers(rows: &[(&str, String)]) -> Markup {
+    html! {
+        h3 { "Numbers" }
+        dl.numbers {
+            @for (name, value) in rows { div { dt { (name) } dd { (value) } } }
         }
     }
 }

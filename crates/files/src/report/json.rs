@@ -4,10 +4,13 @@ use crate::quads::PanelQuads;
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::Serialize;
-use sheetwright::check::{Checked, Verdict};
-use sheetwright::design::{Change, Made, MadePanel};
-use sheetwright::material::warp_limit_deg;
+use sheetwright::check::{Checked, Verdict, seam_length};
+use sheetwright::design::{Change, Made, MadeMesh, MadeMeshes, MadePanel};
+use sheetwright::flatten::Aim;
+use sheetwright::index::{SampleIndex, VertexIndex};
+use sheetwright::material::{Material, stretch_limit, warp_limit_deg};
 use sheetwright::math::to_deg;
+use sheetwright::mesh::crease_angles;
 use sheetwright::pattern::seam_mark;
 use sheetwright::quads::PlanarEnd;
 use sheetwright::triangulate::Goal;
@@ -40,48 +43,67 @@ struct Report<'a> {
 struct PanelReport<'a> {
     /// Its name; its files are called so.
     name: &'a str,
-    /// Which triangulations were looked at: `optimal`, `bridge` or `rails`.
+    /// Which triangulations were looked at: `optimal`, `bridge` or `rails`; or `mesh` for a mesh that
+    /// was flattened as it stands.
     method: &'static str,
     /// What was made as small as could be: `price`, or `worst-warp`, which is the largest twist
-    /// first and then the price.
-    #[schemars(extend("enum" = [Goal::Price.name(), Goal::WorstWarp.name()]))]
-    goal: &'static str,
+    /// first and then the price. Null for a mesh.
+    #[schemars(extend("enum" = [Some(Goal::Price.name()), Some(Goal::WorstWarp.name()), None::<&str>]))]
+    goal: Option<&'static str>,
+    /// What flattening made small where it could not be exact: the `mean` length error, the largest
+    /// (`max`), or that of the border (`seams`, kept exact). Null unless it is a mesh.
+    #[schemars(extend("enum" = [Some("mean"), Some("max"), Some("seams"), None::<&str>]))]
+    aim: Option<&'static str>,
     /// Whether no triangulation at all, of those that the supporting plane admits, is better by
-    /// that goal.
-    proven_optimal: bool,
+    /// that goal. Null for a mesh.
+    proven_optimal: Option<bool>,
     /// The share of the price that a cheaper one could save at the most: 0 where there is none, null
     /// where nothing is known.
     gap: Option<f64>,
-    /// Samples of the boundary.
+    /// Samples of the boundary; of a mesh, the points of the outline and the holes of its pattern.
     samples: usize,
     /// Triangles of the surface.
     triangles: usize,
-    /// Rungs: the straight lines that the surface is ruled by.
-    rungs: usize,
+    /// Rungs: the straight lines that the surface is ruled by. Null for a mesh, as are all numbers
+    /// that come from rungs.
+    rungs: Option<usize>,
     /// The weight of the fold price.
-    fold: f64,
+    fold: Option<f64>,
     /// The price: twist and weighted folds, summed. Without unit.
-    price_total: f64,
+    price_total: Option<f64>,
     /// The sum of the twist (1 - cosine of the warp angle) of all rungs. Without unit.
-    twist_total: f64,
-    /// The largest angle between the normals of two triangles across a rung, degrees.
+    twist_total: Option<f64>,
+    /// The largest angle between the normals of two triangles across a rung, degrees; of a mesh,
+    /// across a side that is not cut.
     crease_max_deg: f64,
     /// The largest angle between the tangent planes at the two ends of a rung, degrees.
-    warp_max_deg: f64,
+    warp_max_deg: Option<f64>,
     /// The mean of that angle over all rungs, degrees.
-    warp_mean_deg: f64,
+    warp_mean_deg: Option<f64>,
     /// The largest warp angle that is accepted, degrees: the material's, or the default without
     /// one.
     warp_limit_deg: f64,
-    /// The smallest radius that the sheet is bent to, mm; null for a flat panel.
+    /// The smallest radius that the sheet is bent to, mm; null for a flat panel, and for a mesh, where
+    /// it is not measured.
     bend_radius_min_mm: Option<f64>,
     /// The area of the Gauss image, steradians: how much of the unit sphere the normals sweep. 0 for a
-    /// developable surface.
-    gauss_area_sr: f64,
+    /// developable surface; null for a mesh.
+    gauss_area_sr: Option<f64>,
     /// The largest relative difference of a length, flat against space. Without unit.
     length_error_max: f64,
     /// The mean relative difference of all lengths. Without unit.
     length_error_mean: f64,
+    /// The mean relative difference of all lengths, each weighed by the area of its triangles.
+    /// Without unit; null unless it is a mesh.
+    length_error_area_mean: Option<f64>,
+    /// The largest factor by which a triangle is stretched in some direction, flat against space; null
+    /// where the panel unrolls exactly.
+    stretch_max: Option<f64>,
+    /// The smallest such factor: below 1 it is pressed together.
+    stretch_min: Option<f64>,
+    /// The largest relative difference of a length that is accepted: the material's, or the default
+    /// without one; null unless it is a mesh.
+    stretch_limit: Option<f64>,
     /// The area of the surface in space, mm².
     area_space_mm2: f64,
     /// The area of the flat pattern, mm².
@@ -95,13 +117,22 @@ struct PanelReport<'a> {
     /// Where the pattern had to be cut open, to be joined again; none where there are no holes or
     /// it lies flat with them.
     seams: Vec<SeamReport>,
+    /// Where a mesh was divided along its creases: the lines along which it is joined to other panels.
+    joints: Vec<JointReport<'a>>,
     /// How far the pattern as it was written comes from the surface when it is folded up again,
-    /// mm; null if it could not be read back.
+    /// mm; null if it could not be read back. Of a mesh, how far its outline and holes as they were
+    /// written lie from where they were laid.
     refold_error_mm: Option<f64>,
+    /// The largest distance of the mesh from the optimal surface of its border alone, mm; null unless
+    /// a mesh is divided along its creases, and where there is no such surface.
+    rebuilt_distance_max_mm: Option<f64>,
+    /// The mean of that distance over the area of the mesh, mm.
+    rebuilt_distance_mean_mm: Option<f64>,
     /// Whether the flat pattern overlaps itself.
     overlaps: bool,
-    /// Whether the surface passes through itself in space.
-    self_intersects: bool,
+    /// Whether the surface passes through itself in space; null for a mesh, where it is not looked
+    /// for.
+    self_intersects: Option<bool>,
     /// The largest distance that a sample was moved, mm.
     moved_max_mm: f64,
     /// All distances that samples were moved, summed, mm.
@@ -176,12 +207,30 @@ struct SeamReport {
     mark: String,
     /// How long it is, mm.
     length_mm: f64,
-    /// The sample of the boundary that it begins at, counted from 1 through all loops.
-    from_sample: usize,
+    /// How long each of its sides is on the pattern, mm.
+    sides_mm: [f64; 2],
+    /// The sample of the boundary that it begins at, counted from 1 through all loops; null for a
+    /// mesh.
+    from_sample: Option<usize>,
     /// The sample that it ends at.
-    to_sample: usize,
+    to_sample: Option<usize>,
     /// How far apart the two places of a sample lie on the pattern, the larger of both, mm.
     gap_mm: f64,
+}
+
+/// A line along which a panel is joined to another.
+#[derive(Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "Joint")]
+struct JointReport<'a> {
+    /// How it is marked on the patterns of both panels.
+    mark: &'a str,
+    /// The name of the other panel.
+    with: &'a str,
+    /// How long it is, mm.
+    length_mm: f64,
+    /// How long it is on the pattern of this panel, mm.
+    flat_mm: f64,
 }
 
 /// One thing found.
@@ -217,18 +266,31 @@ pub fn report_json(
     let limit = warp_limit_deg(made.material);
     assert_eq!(made.panels.len(), quads.len(), "quads or none a panel");
     let each = made.panels.iter().zip(refold_error_mm).zip(checked.iter().zip(quads));
-    let report = Report {
-        sheetwright: VERSION,
-        name: &made.name,
-        units: "mm",
-        material: made.material.map(|m| m.name),
-        panels: each
-            .map(|((panel, &error), (checked, quads))| {
-                of_panel(panel, error, checked, quads.as_ref(), limit)
-            })
-            .collect(),
-    };
-    to_bytes(&report)
+    let panels = each.map(|((panel, &error), (checked, quads))| {
+        of_panel(panel, error, checked, quads.as_ref(), limit)
+    });
+    report(&made.name, made.material, panels.collect())
+}
+
+/// `report.json` of meshes, with one entry of `written_error_mm` and `checked` a panel.
+///
+/// # Panics
+/// Unless there is one entry a panel.
+pub fn mesh_report_json(
+    made: &MadeMeshes,
+    written_error_mm: &[f64],
+    checked: &[Checked],
+) -> Vec<u8> {
+    assert_eq!(made.panels.len(), written_error_mm.len(), "one error a panel");
+    assert_eq!(made.panels.len(), checked.len(), "one verdict a panel");
+    let each = made.panels.iter().zip(written_error_mm).zip(checked);
+    let panels = each.map(|((panel, &error), checked)| of_mesh(made, panel, error, checked));
+    report(&made.name, made.material, panels.collect())
+}
+
+fn report(name: &str, material: Option<&Material>, panels: Vec<PanelReport<'_>>) -> Vec<u8> {
+    let material = material.map(|m| m.name);
+    to_bytes(&Report { sheetwright: VERSION, name, units: "mm", material, panels })
 }
 
 /// The JSON Schema of `report.json`.
@@ -245,6 +307,107 @@ fn to_bytes(value: &impl Serialize) -> Vec<u8> {
     bytes
 }
 
+fn of_findings(checked: &Checked) -> Vec<FindingReport<'_>> {
+    let findings = checked.findings.iter().map(|finding| FindingReport {
+        severity: finding.severity.name(),
+        code: finding.code,
+        text: &finding.text,
+        r#where: &finding.place,
+    });
+    findings.collect()
+}
+
+fn of_mesh<'a>(
+    made: &'a MadeMeshes,
+    panel: &'a MadeMesh,
+    written_error_mm: f64,
+    checked: &'a Checked,
+) -> PanelReport<'a> {
+    let (sheet, measures) = (&panel.sheet.mesh, &panel.measures);
+    let seams = panel.sheet.seams.iter().enumerate().map(|(n, seam)| {
+        let at = |v: VertexIndex| panel.flat.points[v.get()];
+        let length = |side: &Vec<VertexIndex>| {
+            side.windows(2).map(|pair| at(pair[0]).distance(at(pair[1]))).sum()
+        };
+        // How far apart both sides of either end lie.
+        let [left, right] = &seam.sides;
+        let gap = |n: usize| at(left[n]).distance(at(right[n]));
+        SeamReport {
+            mark: seam_mark(n),
+            length_mm: seam_length(sheet, seam),
+            sides_mm: [length(left), length(right)],
+            from_sample: None,
+            to_sample: None,
+            gap_mm: gap(0).max(gap(left.len() - 1)),
+        }
+    });
+    let joints = panel.joints.iter().map(|joint| JointReport {
+        mark: &joint.mark,
+        with: &made.panels[joint.with].name,
+        length_mm: joint.length_mm,
+        flat_mm: steps_length(panel, &joint.steps),
+    });
+    let creases = crease_angles(sheet);
+    PanelReport {
+        name: &panel.name,
+        method: "mesh",
+        goal: None,
+        aim: Some(aim_name(made.aim)),
+        proven_optimal: None,
+        gap: None,
+        samples: panel.piece.loops().map(<[_]>::len).sum(),
+        triangles: sheet.triangles().len(),
+        rungs: None,
+        fold: None,
+        price_total: None,
+        twist_total: None,
+        crease_max_deg: to_deg(creases.into_iter().fold(0.0, f64::max)),
+        warp_max_deg: None,
+        warp_mean_deg: None,
+        warp_limit_deg: warp_limit_deg(made.material),
+        bend_radius_min_mm: None,
+        gauss_area_sr: None,
+        length_error_max: measures.length_error_max,
+        length_error_mean: measures.length_error_mean,
+        length_error_area_mean: Some(measures.length_error_mean_by_area),
+        stretch_max: Some(measures.stretch_max),
+        stretch_min: Some(measures.stretch_min),
+        stretch_limit: Some(stretch_limit(made.material)),
+        area_space_mm2: measures.area_space_mm2,
+        area_flat_mm2: measures.area_flat_mm2,
+        flat_width_mm: panel.piece.size.x,
+        flat_height_mm: panel.piece.size.y,
+        holes_flat: sheet.loops().len() - 1,
+        seams: seams.collect(),
+        joints: joints.collect(),
+        refold_error_mm: Some(written_error_mm).filter(|error| error.is_finite()),
+        rebuilt_distance_max_mm: panel.rebuilt.as_ref().map(|r| r.distance_max_mm),
+        rebuilt_distance_mean_mm: panel.rebuilt.as_ref().map(|r| r.distance_mean_mm),
+        overlaps: panel.flat.overlap.is_some(),
+        self_intersects: None,
+        moved_max_mm: 0.0,
+        moved_total_mm: 0.0,
+        before: None,
+        verdict: checked.verdict.name(),
+        findings: of_findings(checked),
+    }
+}
+
+/// How long some steps are on the pattern, mm.
+pub(super) fn steps_length(panel: &MadeMesh, steps: &[[VertexIndex; 2]]) -> f64 {
+    let at = |v: VertexIndex| panel.flat.points[v.get()];
+    steps.iter().map(|[a, b]| at(*a).distance(at(*b))).sum()
+}
+
+/// How the command line and reports name an aim.
+pub(super) fn aim_name(aim: Aim) -> &'static str {
+    match aim {
+        Aim::Mean => "mean",
+        Aim::Max => "max",
+        Aim::Seams => "seams",
+    }
+}
+
 fn of_panel<'a>(
     panel: &'a MadePanel,
     refold_error_mm: f64,
@@ -254,57 +417,61 @@ fn of_panel<'a>(
 ) -> PanelReport<'a> {
     let finite = |x: f64| x.is_finite().then_some(x);
     let (connectivity, measures) = (panel.surface.connectivity(), &panel.measures);
-    let findings = checked.findings.iter().map(|finding| FindingReport {
-        severity: finding.severity.name(),
-        code: finding.code,
-        text: &finding.text,
-        r#where: &finding.place,
-    });
     let seams = panel.sheet.seams().iter().enumerate().map(|(n, seam)| {
         let [from, to] = seam.rung.ends();
+        let flat = |s: SampleIndex| panel.flat.points[s.get()];
         SeamReport {
             mark: seam_mark(n),
             length_mm: panel.surface.length(from, to),
-            from_sample: from.get() + 1,
-            to_sample: to.get() + 1,
+            sides_mm: seam.sides.map(|[a, b]| flat(a).distance(flat(b))),
+            from_sample: Some(from.get() + 1),
+            to_sample: Some(to.get() + 1),
             gap_mm: seam.gap_mm,
         }
     });
     PanelReport {
         name: &panel.name,
         method: panel.method.name(),
-        goal: panel.goal.name(),
-        proven_optimal: panel.triangulation.proven_optimal,
+        goal: Some(panel.goal.name()),
+        aim: None,
+        proven_optimal: Some(panel.triangulation.proven_optimal),
         gap: panel.triangulation.gap(),
         samples: panel.boundary.len(),
         triangles: connectivity.triangles().len(),
-        rungs: connectivity.hinges().len(),
-        fold: panel.fold,
-        price_total: panel.triangulation.price,
-        twist_total: measures.twist_total,
+        rungs: Some(connectivity.hinges().len()),
+        fold: Some(panel.fold),
+        price_total: Some(panel.triangulation.price),
+        twist_total: Some(measures.twist_total),
         crease_max_deg: to_deg(measures.crease_max),
-        warp_max_deg: to_deg(measures.warp_max),
-        warp_mean_deg: to_deg(measures.warp_mean),
+        warp_max_deg: Some(to_deg(measures.warp_max)),
+        warp_mean_deg: Some(to_deg(measures.warp_mean)),
         warp_limit_deg,
         bend_radius_min_mm: finite(measures.bend_radius_min_mm),
-        gauss_area_sr: measures.gauss_area_sr,
+        gauss_area_sr: Some(measures.gauss_area_sr),
         length_error_max: measures.length_error_max,
         length_error_mean: measures.length_error_mean,
+        length_error_area_mean: None,
+        stretch_max: None,
+        stretch_min: None,
+        stretch_limit: None,
         area_space_mm2: measures.area_space_mm2,
         area_flat_mm2: measures.area_flat_mm2,
         flat_width_mm: panel.piece.size.x,
         flat_height_mm: panel.piece.size.y,
         holes_flat: panel.sheet.surface().connectivity().loops().len() - 1,
         seams: seams.collect(),
+        joints: Vec::new(),
         refold_error_mm: finite(refold_error_mm),
+        rebuilt_distance_max_mm: None,
+        rebuilt_distance_mean_mm: None,
         overlaps: panel.flat.overlap.is_some(),
-        self_intersects: measures.self_crossing.is_some(),
+        self_intersects: Some(measures.self_crossing.is_some()),
         moved_max_mm: panel.change.as_ref().map_or(0.0, Change::moved_max_mm),
         moved_total_mm: panel.change.as_ref().map_or(0.0, Change::moved_total_mm),
         before: panel.change.as_ref().map(|change| of_before(&change.before)),
         quads: quads.map(of_quads),
         verdict: checked.verdict.name(),
-        findings: findings.collect(),
+        findings: of_findings(checked),
     }
 }
 

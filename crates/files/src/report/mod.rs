@@ -6,11 +6,14 @@
 //! every platform: all colours and sizes of letters are classes of one style sheet.
 
 mod canvas;
+mod cells;
 mod flat_picture;
 mod gauss_picture;
 mod hidden;
 mod html;
 mod json;
+mod mesh_html;
+mod mesh_picture;
 mod moved_picture;
 mod paint;
 mod part;
@@ -25,7 +28,9 @@ pub use canvas::{Picture, side_by_side, stacked};
 pub use flat_picture::flat_picture;
 pub use gauss_picture::gauss_picture;
 pub use html::report_html;
-pub use json::{report_json, report_schema};
+pub use json::{mesh_report_json, report_json, report_schema};
+pub use mesh_html::mesh_report_html;
+pub use mesh_picture::{heat_picture, mesh_picture, meshes_picture};
 pub use moved_picture::moved_picture;
 pub use space_picture::{design_picture, surface_picture};
 pub use warp_chart::warp_chart;

@@ -82,6 +82,11 @@ impl Fit {
         )
     }
 
+    /// A length in the picture, in space, mm.
+    pub(super) fn millimetres(&self, length: f64) -> f64 {
+        length / self.scale
+    }
+
     /// The axes and the scale.
     pub(super) fn foot(&self, view: &View) -> String {
         let bar = round_below(0.3 * WIDTH / self.scale);

@@ -20,18 +20,32 @@ const LIGHT: [Ramp; 2] = [
 const DARK: [Ramp; 2] =
     [[[36.0, 62.0, 88.0], [122.0, 165.0, 204.0]], [[82.0, 64.0, 40.0], [178.0, 150.0, 110.0]]];
 
+/// Steps of the colour map of errors.
+pub(super) const HEATS: usize = 12;
+
+/// From no error to the largest, on a light page: paper, yellow, orange, dark red. Brightness falls all
+/// the way, so that any kind of colour vision reads it, and a grey print too.
+const LIGHT_HEAT: [[f64; 3]; 4] =
+    [[240.0, 244.0, 248.0], [252.0, 214.0, 112.0], [226.0, 110.0, 30.0], [122.0, 18.0, 22.0]];
+/// The same on a dark page, where brightness rises.
+const DARK_HEAT: [[f64; 3]; 4] =
+    [[30.0, 42.0, 54.0], [130.0, 52.0, 36.0], [226.0, 122.0, 40.0], [255.0, 232.0, 150.0]];
+
 /// The rules that pictures need.
 pub(super) fn picture_style() -> String {
     let mut css = String::from(PICTURE);
     shades(&mut css, &LIGHT);
+    heats(&mut css, &LIGHT_HEAT);
     css.push_str("@media (prefers-color-scheme:dark){");
     css.push_str(PICTURE_DARK);
     shades(&mut css, &DARK);
+    heats(&mut css, &DARK_HEAT);
     css.push('}');
     // Paper is white whatever the screen is.
     css.push_str("@media print{");
     css.push_str(PICTURE_PRINT);
     shades(&mut css, &LIGHT);
+    heats(&mut css, &LIGHT_HEAT);
     css.push('}');
     css
 }
@@ -54,6 +68,19 @@ fn shades(css: &mut String, ramps: &[Ramp; 2]) {
     }
 }
 
+fn heats(css: &mut String, ramp: &[[f64; 3]; 4]) {
+    for n in 0..HEATS {
+        let at = n as f64 / (HEATS - 1) as f64 * (ramp.len() - 1) as f64;
+        let from = (at as usize).min(ramp.len() - 2);
+        let share = at - from as f64;
+        let _ = write!(css, ".k{n}{{color:#");
+        for (low, high) in ramp[from].iter().zip(ramp[from + 1]) {
+            let _ = write!(css, "{:02x}", (low + share * (high - low)).round() as u8);
+        }
+        css.push('}');
+    }
+}
+
 const PICTURE: &str = "\
 .pic{--ink:#16202a;--quiet:#5a6672;--paper:#fff;--line:#173a5e;--bad:#b83c05;--warm:#8a5a00;\
 --tint:#eef4fa;--bar:#2f6ea8;--force:#fbf0d6;--beyond:#fbe0d3;--other:#0b6b57;\
@@ -61,6 +88,11 @@ font-family:system-ui,-apple-system,'Segoe UI',Roboto,'Helvetica Neue',Arial,san
 .pic path,.pic circle,.pic rect{vector-effect:non-scaling-stroke}\
 .pic path{fill:none;stroke-linejoin:round;stroke-linecap:round}\
 .pic path[class^=f],.pic path[class^=b]{fill:currentColor;stroke:currentColor;stroke-width:.8}\
+.pic path[class^=k]{fill:currentColor;stroke:currentColor;stroke-width:.6}\
+.pic path.cells{stroke:none}\
+.pic .here{fill:none;stroke:var(--ink);stroke-width:2}\
+.pic .frame{fill:none;stroke:var(--quiet);stroke-width:1}\
+.pic .seam{stroke:var(--other);stroke-width:2.4}\
 .pic text{font-size:13px;fill:var(--ink)}\
 .pic .ts{text-anchor:start}.pic .tm{text-anchor:middle}.pic .te{text-anchor:end}\
 .pic .quiet{fill:var(--quiet)}\

@@ -60,10 +60,16 @@ pub(super) fn view_of(panels: &[MadePanel]) -> View {
     for panel in panels {
         let count = panel.surface.connectivity().triangles().len();
         areas.extend((0..count).map(|n| panel.surface.area_vector(TriangleIndex::new(n))));
-        let of_panel = longest_direction(panel) * panel.boundary.size();
+        let sheet = panel.sheet.surface().positions();
+        let of_panel = longest_direction(sheet, &panel.flat.points) * panel.boundary.size();
         // The first panel says which way is right.
         long += if of_panel.dot(long) < 0.0 { -of_panel } else { of_panel };
     }
+    best_view(&areas, long)
+}
+
+/// The view of triangles with these area vectors, the whole being longest that way.
+pub(super) fn best_view(areas: &[Vec3], long: Vec3) -> View {
     let long = unit(long).unwrap_or(Vec3::X);
     let mut best: Option<(f64, View)> = None;
     for step in 0..AZIMUTHS {
@@ -72,7 +78,7 @@ pub(super) fn view_of(panels: &[MadePanel]) -> View {
             let (level, height) = (cos(from_deg(elevation)), sin(from_deg(elevation)));
             let toward = Vec3::new(level * cos(azimuth), level * sin(azimuth), height);
             let view = View::from(toward);
-            let score = score(&view, &areas, long) - against;
+            let score = score(&view, areas, long) - against;
             // Equal views are told apart by rounding alone: a margin makes the first of them win.
             if best.is_none_or(|(most, _)| score > most + 1e-9) {
                 best = Some((score, view));
@@ -96,18 +102,10 @@ fn score(view: &View, areas: &[Vec3], long: Vec3) -> f64 {
 
 /// Where the flat pattern's x, its longer side, points in space: the sum over all samples of the
 /// way to them in space, times how far right of the mean they lie on the pattern.
-fn longest_direction(panel: &MadePanel) -> Vec3 {
-    let (space, flat) = (panel.surface.positions(), &panel.flat.points);
+pub(super) fn longest_direction(space: &[Point3], flat: &[Point2]) -> Vec3 {
     let mean = flat.iter().map(|p| p.x).sum::<f64>() / flat.len() as f64;
-    let sum = panel
-        .sheet
-        .surface()
-        .positions()
-        .iter()
-        .zip(flat)
-        .map(|(p, f)| (*p - space[0]) * (f.x - mean))
-        .sum();
-    unit(sum).unwrap_or(Vec3::X)
+    let Some(&first) = space.first() else { return Vec3::X };
+    unit(space.iter().zip(flat).map(|(p, f)| (*p - first) * (f.x - mean)).sum()).unwrap_or(Vec3::X)
 }
 
 /// Whether nothing hides anything: every triangle turns the same side to the eye and the boundary

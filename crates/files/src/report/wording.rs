@@ -113,6 +113,17 @@ pub(super) fn per_cent(share: f64) -> String {
     if share < 1e-8 { "none".to_owned() } else { format!("{}\u{a0}%", decimal(100.0 * share, 4)) }
 }
 
+/// A share in per cent with two digits that count, or three.
+pub(super) fn plain_per_cent(share: f64) -> String {
+    let percent = 100.0 * share;
+    let shifted = std::iter::successors(Some(percent.abs()), |x| Some(x * 10.0));
+    let digits = shifted.take(9).take_while(|x| *x > 0.0 && *x < 10.0).count();
+    let text = decimal(percent, digits);
+    let text =
+        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    format!("{text}\u{a0}%")
+}
+
 /// How far the pattern misses the surface when it is folded up again.
 pub(super) fn refold(error_mm: f64) -> String {
     if !error_mm.is_finite() {

@@ -5,10 +5,18 @@
 //! one triangle or two, every vertex has one fan of triangles, neighbours run the same way round, and
 //! no triangle is without area. A mesh may be of several [`Piece`]s.
 
+mod corners;
+mod cut;
 mod error;
+mod split;
 mod topology;
 
+pub use corners::{Separated, separated};
+pub use cut::{
+    Cut, CutMesh, MeshSeam, angle_defects, cut_along, cut_through, cut_to_disk, worst_points,
+};
 pub use error::MeshError;
+pub use split::{crease_angles, split_along_creases};
 pub use topology::{MeshEdge, Piece, Topology};
 
 use crate::index::{TriangleIndex, VertexIndex};

@@ -1,9 +1,11 @@
 //! The flat pattern as a workshop needs it: paths with roles, marks and labels.
 
 mod dimension;
+mod mesh;
 mod seam;
 
-pub use seam::seam_mark;
+pub use mesh::{EdgeMark, SCORED_CREASE_DEG, mesh_piece, seam_marks};
+pub use seam::{joint_mark, seam_mark};
 
 use crate::flatten::{Flattened, Sheet};
 use crate::index::SampleIndex;
@@ -49,6 +51,8 @@ pub enum PathKind {
     Hole,
     /// A rung, by samples of the sheet, from its lower sample to its higher one.
     Rung(Rung),
+    /// A sharp crease of a mesh.
+    Crease,
     /// A tick at the end of a ruling, on the inside of the outline: where to lay the straightedge.
     RulingTick,
     /// A tick in the middle of a side of a seam, which meets that of the other side.
@@ -234,9 +238,15 @@ fn name_label(name: &str, sheet: &Sheet, flat: &Flattened, height_mm: f64) -> Pa
         a + ((b - a) + (c - a)) / 3.0
     });
     let places: Vec<Point2> = rungs.chain(triangles).collect();
+    let edges: Vec<[Point2; 2]> = connectivity.edges().map(|edge| edge.map(at)).collect();
+    label_at(name, &places, &edges, height_mm)
+}
+
+/// A name at that of some places which lies farthest from some edges.
+fn label_at(name: &str, places: &[Point2], edges: &[[Point2; 2]], height_mm: f64) -> PatternLabel {
     let step = places.len().div_ceil(LABEL_PLACES);
     let to_outline = |place: Point2| {
-        let distances = connectivity.edges().map(|edge| segment_distance(place, edge.map(at)));
+        let distances = edges.iter().map(|&edge| segment_distance(place, edge));
         distances.fold(f64::INFINITY, f64::min)
     };
     let middle = places

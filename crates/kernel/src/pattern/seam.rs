@@ -20,6 +20,11 @@ pub fn seam_mark(n: usize) -> String {
     format!("S{}", n + 1)
 }
 
+/// How the `n`-th seam between two panels is marked on both, from 0: `J1` and so on.
+pub fn joint_mark(n: usize) -> String {
+    format!("J{}", n + 1)
+}
+
 /// The marks of all seams of a sheet. `tick_mm` is the length of a tick on it, `height_mm` the
 /// height of its letters.
 pub(super) fn marks(
@@ -30,38 +35,69 @@ pub(super) fn marks(
 ) -> (Vec<PatternPath>, Vec<PatternLabel>) {
     let (mut paths, mut labels) = (Vec::new(), Vec::new());
     for (n, seam) in sheet.seams().iter().enumerate() {
-        let mark = seam_mark(n);
         for (side, ends) in seam.sides.iter().enumerate() {
             let [from, to] = ends.map(|s| flat.points[s.get()]);
-            let length = from.distance(to);
-            let height_mm = (HEIGHT_SHARE * length).min(BESIDE_NAME * height_mm).max(LEAST_MM);
-            // The sheet lies to the left of its border.
-            let along = unit2(to - from).unwrap_or(Vec2::X);
-            let inside = along.perp();
-            let middle = from.lerp(to, 0.5);
-            paths.push(PatternPath {
-                role: Role::Engrave,
-                kind: PathKind::SeamTick,
-                points: vec![middle, middle + inside * tick_mm.min(0.2 * length)],
-                closed: false,
-            });
-            // Beside the tick, with its feet on the seam, so that the marks of both sides stand
-            // foot to foot when it is joined.
-            let beside = |at: Point2| at + along * (1.2 * height_mm) + inside * (0.4 * height_mm);
-            let label = |role: Role, at: Point2, along: Vec2, text: String| PatternLabel {
-                role,
-                at,
-                along,
-                height_mm,
-                text,
-            };
-            labels.push(label(Role::Engrave, beside(middle), along, mark.clone()));
-            if side == 0 {
-                let outside = middle + inside * (-1.5 * height_mm);
-                let text = format!("seam {mark}, {}", millimetres(length));
-                labels.push(label(Role::Note, outside, along, text));
-            }
+            let (mark, first) = (seam_mark(n), side == 0);
+            let side = Side { mark, first, length_mm: from.distance(to), from, to };
+            let (tick, texts) = side.marks(from.lerp(to, 0.5), tick_mm, height_mm);
+            paths.push(tick);
+            labels.extend(texts);
         }
     }
     (paths, labels)
+}
+
+/// A side of a seam on the pattern.
+pub(super) struct Side {
+    /// What both sides of the seam are marked with.
+    pub(super) mark: String,
+    /// Whether it is the side that says how long the seam is.
+    pub(super) first: bool,
+    /// How long the seam is, mm.
+    pub(super) length_mm: f64,
+    /// The ends of the straight line that the side runs along at its middle; the sheet lies to its
+    /// left.
+    pub(super) from: Point2,
+    /// See `from`.
+    pub(super) to: Point2,
+}
+
+impl Side {
+    /// The tick and the letters at the middle of the side.
+    pub(super) fn marks(
+        &self,
+        middle: Point2,
+        tick_mm: f64,
+        height_mm: f64,
+    ) -> (PatternPath, Vec<PatternLabel>) {
+        let mark = &self.mark;
+        let length = self.length_mm;
+        let height_mm = (HEIGHT_SHARE * length).min(BESIDE_NAME * height_mm).max(LEAST_MM);
+        // The sheet lies to the left of its border.
+        let along = unit2(self.to - self.from).unwrap_or(Vec2::X);
+        let inside = along.perp();
+        let tick = PatternPath {
+            role: Role::Engrave,
+            kind: PathKind::SeamTick,
+            points: vec![middle, middle + inside * tick_mm.min(0.2 * length)],
+            closed: false,
+        };
+        // Beside the tick, with its feet on the seam, so that the marks of both sides stand
+        // foot to foot when it is joined.
+        let beside = middle + along * (1.2 * height_mm) + inside * (0.4 * height_mm);
+        let label = |role: Role, at: Point2, text: String| PatternLabel {
+            role,
+            at,
+            along,
+            height_mm,
+            text,
+        };
+        let mut labels = vec![label(Role::Engrave, beside, mark.clone())];
+        if self.first {
+            let outside = middle + inside * (-1.5 * height_mm);
+            let text = format!("seam {mark}, {}", millimetres(length));
+            labels.push(label(Role::Note, outside, text));
+        }
+        (tick, labels)
+    }
 }

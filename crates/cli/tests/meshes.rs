@@ -1,0 +1,139 @@
+//! Meshes on the command line: what comes out, and what is said.
+
+#![allow(clippy::unwrap_used, reason = "a test that can't go on fails")]
+
+use serde_json::Value;
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+/// A box of 100 mm, one panel; a plate of two groups beside it, of which one is in two parts.
+const BOX: &str = "o box\nv 0 0 0\nv 100 0 0\nv 0 100 0\nv 100 100 0\nv 0 0 100\nv 100 0 100\n\
+    v 0 100 100\nv 100 100 100\nf 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+const GROUPS: &str = "v 0 0 0\nv 90 0 0\nv 90 40 0\nv 0 40 0\ng one\nf 1 2 3 4\n\
+    v 0 50 0\nv 30 50 0\nv 30 70 0\nv 50 50 0\nv 90 50 0\nv 90 70 0\ng two\nf 5 6 7\nf 8 9 10\n";
+
+fn run(folder: &Path, call: &str, input: Option<&str>) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_sheetwright"));
+    command.current_dir(folder).args(call.split_whitespace());
+    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    child.stdin.take().unwrap().write_all(input.unwrap_or_default().as_bytes()).unwrap();
+    child.wait_with_output().unwrap()
+}
+
+/// What a call says on both streams; it ends with this status.
+fn says(folder: &Path, call: &str, status: i32) -> (String, String) {
+    let output = run(folder, call, None);
+    let said = [output.stdout, output.stderr].map(|bytes| String::from_utf8(bytes).unwrap());
+    assert_eq!(output.status.code(), Some(status), "{call}: {said:?}");
+    let [out, err] = said;
+    (out, err)
+}
+
+fn desk() -> (tempfile::TempDir, PathBuf) {
+    let desk = tempfile::tempdir().unwrap();
+    fs::write(desk.path().join("box.obj"), BOX).unwrap();
+    fs::write(desk.path().join("groups.obj"), GROUPS).unwrap();
+    let path = desk.path().to_owned();
+    (desk, path)
+}
+
+fn report(folder: &Path) -> Value {
+    serde_json::from_slice(&fs::read(folder.join("report.json")).unwrap()).unwrap()
+}
+
+#[test]
+fn a_closed_box_is_cut_open_and_comes_out_with_every_file() {
+    let (_kept, desk) = desk();
+    let (said, noted) = says(&desk, "make box.obj --out out", 0);
+    assert!(said.starts_with("box: bends, with sharp folds\n"), "{said}");
+    assert!(said.contains("cut open along"), "{said}");
+    assert!(noted.contains("7 files written"), "{noted}");
+    let files = ["surface.obj", "box.svg", "box.dxf", "pattern.pdf", "report.json", "report.html"];
+    assert!(files.iter().all(|name| desk.join("out").join(name).exists()));
+    let panel = &report(&desk.join("out"))["panels"][0];
+    assert_eq!((panel["method"].as_str(), panel["aim"].as_str()), (Some("mesh"), Some("mean")));
+    assert!(panel["rungs"].is_null() && panel["self_intersects"].is_null());
+    assert!((panel["area_flat_mm2"].as_f64().unwrap() - 60000.0).abs() < 1e-6);
+    for seam in panel["seams"].as_array().unwrap() {
+        for side in seam["sides_mm"].as_array().unwrap() {
+            assert!((side.as_f64().unwrap() - seam["length_mm"].as_f64().unwrap()).abs() < 1e-7);
+        }
+    }
+    let page = fs::read_to_string(desk.join("out/report.html")).unwrap();
+    assert!(page.contains("Laid flat.") && page.contains("Seams") && !page.contains("NaN"));
+}
+
+#[test]
+fn groups_and_their_parts_are_panels_and_creases_divide() {
+    let (_kept, desk) = desk();
+    let (said, _) = says(&desk, "check groups.obj", 0);
+    let names: Vec<&str> =
+        said.lines().filter_map(|line| line.split_once(": ")).map(|l| l.0).collect();
+    assert_eq!(names, ["one", "two-1", "two-2"]);
+    says(&desk, "make box.obj --out faces --split-creases 30 --formats report,svg", 0);
+    let report = report(&desk.join("faces"));
+    let panels = report["panels"].as_array().unwrap();
+    assert_eq!(panels.len(), 6);
+    for panel in panels {
+        assert_eq!(panel["verdict"], "bends");
+        assert!((panel["area_flat_mm2"].as_f64().unwrap() - 10000.0).abs() < 1e-6);
+        assert!(panel["rebuilt_distance_max_mm"].as_f64().unwrap() < 1e-9);
+    }
+    assert!(desk.join("faces/box-6.svg").exists());
+}
+
+#[test]
+fn units_aims_and_materials_are_taken_from_the_call() {
+    let (_kept, desk) = desk();
+    for aim in ["mean", "max", "seams"] {
+        let call = format!(
+            "make box.obj --out in --units in --aim {aim} --material paper --formats report"
+        );
+        let (_, noted) = says(&desk, &call, 0);
+        assert!(!noted.contains("makes no difference"), "{noted}");
+        let report = report(&desk.join("in"));
+        assert_eq!(report["material"], "paper");
+        let panel = &report["panels"][0];
+        assert_eq!(panel["aim"], aim);
+        assert_eq!(panel["stretch_limit"], 0.001);
+        let area = panel["area_space_mm2"].as_f64().unwrap();
+        assert!((area / (60000.0 * 25.4 * 25.4) - 1.0).abs() < 1e-12);
+    }
+    let (said, _) = says(&desk, "check box.obj --material plywood-4mm", 1);
+    assert!(said.contains("does not fold"), "{said}");
+}
+
+#[test]
+fn standard_input_and_conversions_work() {
+    let (_kept, desk) = desk();
+    let output = run(&desk, "check - --from obj", Some(BOX));
+    assert_eq!(output.status.code(), Some(0));
+    assert!(output.stdout.starts_with(b"box: "));
+    says(&desk, "convert box.obj box.svg", 0);
+    says(&desk, "convert groups.obj all.pdf", 0);
+    let (_, said) = says(&desk, "convert groups.obj one.dxf", 2);
+    assert!(said.contains("there are several"), "{said}");
+    let (_, said) = says(&desk, "convert box.obj box.csv", 2);
+    assert!(said.contains("a mesh has no boundary curves"), "{said}");
+    // What was written as a surface is a mesh again, and still flat in the same way.
+    says(&desk, "make box.obj --out out --formats obj", 0);
+    let (said, _) = says(&desk, "check out/surface.obj", 0);
+    assert!(said.starts_with("box: bends, with sharp folds"), "{said}");
+}
+
+#[test]
+fn the_same_mesh_gives_the_same_bytes() {
+    let (_kept, desk) = desk();
+    says(&desk, "make box.obj --out a", 0);
+    says(&desk, "make box.obj --out b", 0);
+    for entry in fs::read_dir(desk.join("a")).unwrap() {
+        let name = entry.unwrap().file_name();
+        if name != "timing.json" {
+            let [a, b] = ["a", "b"].map(|out| fs::read(desk.join(out).join(&name)).unwrap());
+            assert!(a == b, "{name:?}");
+        }
+    }
+}

@@ -1,0 +1,215 @@
+//! From the polygons of a file to the triangles of its groups.
+
+use super::polygon::split;
+use super::{NO_SURFACE, too_many};
+use crate::names::made_for_files;
+use crate::reading::InputError;
+use sheetwright::curve::MAX_COORDINATE_MM;
+use sheetwright::math::Point3;
+use sheetwright::mesh::MAX_TRIANGLES;
+use std::collections::BTreeMap;
+
+/// What a group of a file is called that has no name a file could have.
+const UNNAMED: &str = "mesh";
+/// A file has this many groups at the most; each becomes a panel.
+const MAX_GROUPS: usize = 1000;
+/// Names of groups are no longer than this, bytes: the number of a piece has to fit behind.
+const MAX_GROUP_NAME: usize = 80;
+
+/// A group as it comes out.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Built {
+    pub(super) name: String,
+    pub(super) positions: Vec<Point3>,
+    /// By positions of the group.
+    pub(super) triangles: Vec<[usize; 3]>,
+    /// Triangles of the file that have two corners in one place.
+    pub(super) left_out: usize,
+}
+
+/// Triangles of a group, by the points of the file.
+#[derive(Clone, Debug, Default)]
+struct Group {
+    name: String,
+    triangles: Vec<[usize; 3]>,
+    left_out: usize,
+}
+
+/// Gathers points and polygons, in the order of the file.
+pub(super) struct Builder {
+    place: String,
+    stem: String,
+    unit_mm: f64,
+    points: Vec<Point3>,
+    groups: Vec<Group>,
+    /// The groups by their names in the file.
+    known: BTreeMap<String, usize>,
+    triangles: usize,
+    /// The group that polygons belong to.
+    at: usize,
+    welded: bool,
+}
+
+impl Builder {
+    pub(super) fn new(place: &str, stem: &str, unit_mm: f64) -> Self {
+        Self {
+            place: place.to_owned(),
+            stem: stem.to_owned(),
+            unit_mm,
+            points: Vec::new(),
+            groups: vec![Group::default()],
+            known: BTreeMap::new(),
+            triangles: 0,
+            at: 0,
+            welded: false,
+        }
+    }
+
+    /// Corners with the same coordinates to the last bit are one: for formats that give every
+    /// triangle corners of its own, or more than one point where normals differ.
+    pub(super) fn weld(&mut self) {
+        self.welded = true;
+    }
+
+    /// How many points there are.
+    pub(super) fn points(&self) -> usize {
+        self.points.len()
+    }
+
+    /// A point in the unit of the file; `where_from` says where it stands.
+    pub(super) fn point(
+        &mut self,
+        [x, y, z]: [f64; 3],
+        where_from: impl Fn() -> String,
+    ) -> Result<(), InputError> {
+        let point = Point3::new(x * self.unit_mm, y * self.unit_mm, z * self.unit_mm);
+        let fits = [point.x, point.y, point.z].iter().all(|c| c.abs() <= MAX_COORDINATE_MM);
+        if !fits {
+            return Err(InputError::at(
+                where_from(),
+                "a coordinate is not a finite number within ±1e9 mm",
+                "Check the units and the numbers.",
+            ));
+        }
+        // Three corners a triangle, where nothing is welded yet.
+        if self.points.len() == 3 * MAX_TRIANGLES {
+            return Err(too_many(where_from()));
+        }
+        // Adding 0 turns −0 into 0, so that equal points have equal bits.
+        self.points.push(Point3::new(point.x + 0.0, point.y + 0.0, point.z + 0.0));
+        Ok(())
+    }
+
+    /// Whatever follows belongs to a new group of this name.
+    pub(super) fn begin(
+        &mut self,
+        name: &str,
+        where_from: impl Fn() -> String,
+    ) -> Result<(), InputError> {
+        let last = &self.groups[self.groups.len() - 1];
+        if last.triangles.is_empty() && last.left_out == 0 {
+            self.groups.pop();
+        }
+        if self.groups.len() == MAX_GROUPS {
+            let message = format!("the mesh has more than {MAX_GROUPS} groups");
+            let hint = "Every group becomes a panel: join those that are one piece of sheet.";
+            return Err(InputError::at(where_from(), message, hint));
+        }
+        self.groups.push(Group { name: name.to_owned(), ..Group::default() });
+        self.at = self.groups.len() - 1;
+        Ok(())
+    }
+
+    /// Whatever follows belongs to the group of this name, which may have been begun before.
+    pub(super) fn go_on(
+        &mut self,
+        name: &str,
+        where_from: impl Fn() -> String,
+    ) -> Result<(), InputError> {
+        let known = self.known.get(name).copied();
+        match known.filter(|&at| self.groups.get(at).is_some_and(|group| group.name == name)) {
+            Some(at) => self.at = at,
+            None => {
+                self.begin(name, where_from)?;
+                self.known.insert(name.to_owned(), self.at);
+            }
+        }
+        Ok(())
+    }
+
+    /// A polygon by the numbers of its points, which are all there.
+    pub(super) fn polygon(
+        &mut self,
+        corners: &[usize],
+        where_from: impl Fn() -> String,
+    ) -> Result<(), InputError> {
+        let group = &mut self.groups[self.at];
+        let mut ring: Vec<usize> = corners.to_vec();
+        ring.dedup_by_key(|corner| self.points[*corner].to_vec().to_array().map(f64::to_bits));
+        while ring.len() > 1 && self.points[ring[0]] == self.points[ring[ring.len() - 1]] {
+            ring.pop();
+        }
+        if ring.len() < 3 {
+            group.left_out += 1;
+            return Ok(());
+        }
+        let triangles = split(&self.points, &ring);
+        self.triangles += triangles.len();
+        if self.triangles > MAX_TRIANGLES {
+            return Err(too_many(where_from()));
+        }
+        group.triangles.extend(triangles);
+        Ok(())
+    }
+
+    /// The groups that have triangles, each with the points that its own use.
+    pub(super) fn built(mut self) -> Result<Vec<Built>, InputError> {
+        self.groups.retain(|group| !group.triangles.is_empty());
+        if self.groups.is_empty() {
+            return Err(InputError::at(self.place, "there is no triangle in it", NO_SURFACE));
+        }
+        // A file whose every triangle has corners of its own can't mean that nothing hangs together.
+        let mut used = vec![false; self.points.len()];
+        let corners = self.groups.iter().flat_map(|group| group.triangles.iter().flatten());
+        let shared = corners.into_iter().any(|&corner| std::mem::replace(&mut used[corner], true));
+        if self.welded || !shared {
+            weld(&self.points, &mut self.groups);
+        }
+        let several = self.groups.len() > 1;
+        let Self { points, groups, stem, .. } = self;
+        Ok(groups.into_iter().map(|group| built(&points, group, &stem, several)).collect())
+    }
+}
+
+/// Names the first of the points that lie on one spot wherever any of them is used.
+fn weld(points: &[Point3], groups: &mut [Group]) {
+    let mut first: BTreeMap<[u64; 3], usize> = BTreeMap::new();
+    let of: Vec<usize> = points
+        .iter()
+        .enumerate()
+        .map(|(n, p)| *first.entry([p.x, p.y, p.z].map(f64::to_bits)).or_insert(n))
+        .collect();
+    for group in groups {
+        for corner in group.triangles.iter_mut().flatten() {
+            *corner = of[*corner];
+        }
+    }
+}
+
+fn built(points: &[Point3], group: Group, stem: &str, several: bool) -> Built {
+    let own: Vec<&[usize; 3]> =
+        group.triangles.iter().filter(|[a, b, c]| a != b && b != c && c != a).collect();
+    let left_out = group.left_out + group.triangles.len() - own.len();
+    let mut used: Vec<usize> = own.iter().copied().flatten().copied().collect();
+    used.sort_unstable();
+    used.dedup();
+    let number = |corner: usize| used.partition_point(|&other| other < corner);
+    let triangles = own.iter().map(|t| t.map(number)).collect();
+    let named = [group.name.as_str(), if several { "" } else { stem }, stem, UNNAMED];
+    let name = named
+        .into_iter()
+        .map(|name| made_for_files(name, MAX_GROUP_NAME))
+        .find(|name| !name.is_empty())
+        .unwrap_or_else(|| UNNAMED.to_owned());
+    Built { name, positions: used.iter().map(|&n| points[n]).collect(), triangles, left_out }
+}

@@ -1,0 +1,382 @@
+//! Cuts that let a mesh lie flat: along its sides, along the shortest ways there are.
+//!
+//! 1. A ring, a tube or a torus is opened into a disk. A forest of shortest ways starts at the border
+//!    (at the worst point where there is none). Every other side closes a loop, or a way from border
+//!    to border, with the ways from its two ends. Between the triangles a tree is grown across those
+//!    sides whose loops are longest; the sides that are neither in the forest nor crossed by the tree
+//!    are left, as many as the surface has handles (twice) and holes, and they and their ways are the
+//!    cut: the shortest for a surface with one source \[EW05\].
+//! 2. A closed surface, and one whose worst points are to be freed, is cut on to these points, each
+//!    from wherever the cut is nearest to it (the tree of shortest ways of \[TM80\], at most twice as
+//!    long as the shortest tree).
+//!
+//! The worst points are those whose angles lack most of a full turn, or have most beyond it (their
+//! angle defect, the Gauss curvature that sits in the vertex).
+
+use super::corners::{root, separated, unite};
+use super::{Mesh, MeshEdge, MeshError};
+use crate::index::VertexIndex;
+use crate::math::{angle_between, from_deg};
+use std::cmp::Ordering;
+use std::collections::{BTreeSet, BinaryHeap};
+use std::f64::consts::PI;
+
+/// A vertex of a closed mesh is cut to if its angle defect is above this, degrees: what a cap of a
+/// football has at its pole when it is divided by six, where a pattern begins to need a dart.
+const SHARP_DEFECT_DEG: f64 = 30.0;
+/// So many points are cut to, at the most: a cut through more is no pattern but a puzzle.
+const MOST_POINTS: usize = 256;
+
+/// A mesh that was cut, with what joins it again.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CutMesh {
+    /// The mesh as it is cut.
+    pub mesh: Mesh,
+    /// The vertex of the mesh before that each of its vertices was.
+    pub origin: Vec<VertexIndex>,
+    /// The cuts, each between points where cuts end or meet.
+    pub seams: Vec<MeshSeam>,
+}
+
+/// The two sides of a cut, by the vertices of the mesh as it is cut: as many on both, in the same
+/// direction, of which those in the same place are joined.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MeshSeam {
+    /// The sides; the sheet lies to the left of the first, and to the right of the second.
+    pub sides: [Vec<VertexIndex>; 2],
+}
+
+/// Sides along which a mesh is to be cut, by their numbers among [`Mesh::edges`].
+pub type Cut = BTreeSet<usize>;
+
+/// The angle defect of every vertex, radians: what its angles lack of a full turn, or of half a turn
+/// on the border.
+pub fn angle_defects(mesh: &Mesh) -> Vec<f64> {
+    let on_border = mesh.topology().on_border();
+    let mut defects: Vec<f64> =
+        on_border.iter().map(|&border| if border { PI } else { 2.0 * PI }).collect();
+    for corners in mesh.triangles() {
+        for k in 0..3 {
+            let [at, b, c] = [0, 1, 2].map(|step| mesh.position(corners[(k + step) % 3]));
+            defects[corners[k].get()] -= angle_between(b - at, c - at);
+        }
+    }
+    defects
+}
+
+/// The vertices inside the mesh whose angle defect is above `least`, radians, the worst first; not
+/// more of them than a pattern can bear.
+pub fn worst_points(mesh: &Mesh, least: f64) -> Vec<VertexIndex> {
+    let on_border = mesh.topology().on_border();
+    let defects = angle_defects(mesh);
+    let mut worst: Vec<usize> =
+        (0..defects.len()).filter(|&v| !on_border[v] && defects[v].abs() > least).collect();
+    worst.sort_by(|&a, &b| defects[b].abs().total_cmp(&defects[a].abs()).then(a.cmp(&b)));
+    worst.truncate(MOST_POINTS);
+    worst.into_iter().map(VertexIndex::new).collect()
+}
+
+/// The cut that makes a disk of a mesh of one piece: none for a disk. A closed mesh is cut through its
+/// worst points, or from end to end where it has none.
+pub fn cut_to_disk(mesh: &Mesh) -> Cut {
+    let mut cut = cut_handles_and_holes(mesh);
+    if mesh.loops().is_empty() {
+        let mut points = worst_points(mesh, from_deg(SHARP_DEFECT_DEG));
+        if cut.is_empty() && points.len() < 2 {
+            points = ends(mesh).to_vec();
+        }
+        cut_through(mesh, &mut cut, &points);
+    }
+    cut
+}
+
+/// The shortest cut after which a mesh of one piece has no handle and no more than one loop.
+fn cut_handles_and_holes(mesh: &Mesh) -> Cut {
+    let Some(piece) = mesh.pieces().first() else { return Cut::new() };
+    if piece.handles() == 0 && piece.loops.len() < 2 {
+        return Cut::new();
+    }
+    let edges = mesh.edges();
+    let sources: Vec<VertexIndex> = if mesh.loops().is_empty() {
+        worst_points(mesh, -1.0).first().copied().into_iter().collect()
+    } else {
+        mesh.loops().iter().flatten().copied().collect()
+    };
+    let ways = Ways::from(mesh, &sources, |_| false);
+    let in_forest: BTreeSet<usize> = ways.by.iter().flatten().copied().collect();
+    let lengths = mesh.lengths();
+    let detour = |n: usize| {
+        let [a, b] = edges[n].ends.map(|v| ways.length[v.get()]);
+        a + lengths[n] + b
+    };
+    let mut crossed: Vec<usize> =
+        (0..edges.len()).filter(|&n| !edges[n].is_border() && !in_forest.contains(&n)).collect();
+    crossed.sort_by(|&a, &b| detour(b).total_cmp(&detour(a)).then(a.cmp(&b)));
+    let mut trees: Vec<usize> = (0..mesh.triangles().len()).collect();
+    let mut cut = Cut::new();
+    for n in crossed {
+        let [Some(a), Some(b)] = edges[n].triangles else { continue };
+        if root(&mut trees, a.get()) == root(&mut trees, b.get()) {
+            cut.insert(n);
+            for end in edges[n].ends {
+                cut.extend(ways.back(edges, end));
+            }
+        } else {
+            unite(&mut trees, a.get(), b.get());
+        }
+    }
+    // A way that two loops share, from where they part to the source, is no cut of its own unless
+    // it holds them together: with a border, it ends there; without one, all end in the source.
+    trim(mesh, &mut cut);
+    cut
+}
+
+/// Takes away what ends blindly inside the mesh: it separates nothing.
+fn trim(mesh: &Mesh, cut: &mut Cut) {
+    let on_border = mesh.topology().on_border();
+    let edges = mesh.edges();
+    let mut at: Vec<Vec<usize>> = vec![Vec::new(); mesh.positions().len()];
+    for &n in cut.iter() {
+        edges[n].ends.iter().for_each(|end| at[end.get()].push(n));
+    }
+    let mut blind: Vec<usize> =
+        (0..at.len()).filter(|&v| at[v].len() == 1 && !on_border[v]).collect();
+    while let Some(v) = blind.pop() {
+        let Some(n) = at[v].pop() else { continue };
+        cut.remove(&n);
+        let [a, b] = edges[n].ends.map(|end| end.get());
+        let other = if a == v { b } else { a };
+        at[other].retain(|&m| m != n);
+        if at[other].len() == 1 && !on_border[other] {
+            blind.push(other);
+        }
+    }
+}
+
+/// Cuts on to some points, each from the border or the cut, wherever it is nearest; where there is
+/// neither, from the first of the points.
+pub fn cut_through(mesh: &Mesh, cut: &mut Cut, points: &[VertexIndex]) {
+    let edges = mesh.edges();
+    let mut reached = mesh.topology().on_border();
+    for &n in cut.iter() {
+        edges[n].ends.iter().for_each(|end| reached[end.get()] = true);
+    }
+    if let (Some(first), false) = (points.first(), reached.contains(&true)) {
+        reached[first.get()] = true;
+    }
+    let mut left: BTreeSet<VertexIndex> =
+        points.iter().copied().filter(|v| !reached[v.get()]).collect();
+    while !left.is_empty() {
+        let sources: Vec<VertexIndex> =
+            (0..reached.len()).filter(|&v| reached[v]).map(VertexIndex::new).collect();
+        let ways = Ways::from(mesh, &sources, |v| left.contains(&v));
+        let Some(found) = ways.found else { break };
+        for n in ways.back(edges, found) {
+            cut.insert(n);
+            edges[n].ends.iter().for_each(|end| reached[end.get()] = true);
+        }
+        left.retain(|v| !reached[v.get()]);
+    }
+}
+
+/// Two points that lie far apart: the farthest from the first vertex, and the farthest from that.
+fn ends(mesh: &Mesh) -> [VertexIndex; 2] {
+    let farthest = |from: VertexIndex| {
+        let ways = Ways::from(mesh, &[from], |_| false);
+        let far = |v: usize| if ways.length[v].is_finite() { ways.length[v] } else { 0.0 };
+        let best = (0..ways.length.len()).reduce(|a, b| if far(b) > far(a) { b } else { a });
+        VertexIndex::new(best.unwrap_or(0))
+    };
+    let one = farthest(VertexIndex::new(0));
+    [one, farthest(one)]
+}
+
+/// Shortest ways along the sides of a mesh from some vertices.
+struct Ways {
+    /// How long the way to each vertex is, mm; infinite where none was looked for.
+    length: Vec<f64>,
+    /// The last side of the way to each vertex.
+    by: Vec<Option<usize>>,
+    /// The vertex that was looked for.
+    found: Option<VertexIndex>,
+}
+
+/// A vertex that a way leads to; the nearest is the greatest, of equals the lowest vertex.
+#[derive(PartialEq)]
+struct Reached(f64, VertexIndex);
+
+impl Eq for Reached {}
+
+impl Ord for Reached {
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.0.total_cmp(&self.0).then(other.1.cmp(&self.1))
+    }
+}
+
+impl PartialOrd for Reached {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ways {
+    /// Ways to all vertices, or to the nearest for which `is_goal` (Dijkstra).
+    fn from(mesh: &Mesh, sources: &[VertexIndex], is_goal: impl Fn(VertexIndex) -> bool) -> Self {
+        let edges = mesh.edges();
+        let lengths = mesh.lengths();
+        let at = Around::of(mesh);
+        let count = mesh.positions().len();
+        let mut ways =
+            Self { length: vec![f64::INFINITY; count], by: vec![None; count], found: None };
+        let mut next = BinaryHeap::new();
+        for &source in sources {
+            ways.length[source.get()] = 0.0;
+            next.push(Reached(0.0, source));
+        }
+        while let Some(Reached(length, vertex)) = next.pop() {
+            if length > ways.length[vertex.get()] {
+                continue;
+            }
+            if is_goal(vertex) {
+                ways.found = Some(vertex);
+                break;
+            }
+            for &n in at.edges(vertex) {
+                let [a, b] = edges[n].ends;
+                let other = if a == vertex { b } else { a };
+                let longer = length + lengths[n];
+                if longer < ways.length[other.get()] {
+                    ways.length[other.get()] = longer;
+                    ways.by[other.get()] = Some(n);
+                    next.push(Reached(longer, other));
+                }
+            }
+        }
+        ways
+    }
+
+    /// The sides of the way back from a vertex.
+    fn back<'a>(
+        &'a self,
+        edges: &'a [MeshEdge],
+        mut vertex: VertexIndex,
+    ) -> impl Iterator<Item = usize> + 'a {
+        std::iter::from_fn(move || {
+            let n = self.by[vertex.get()]?;
+            let [a, b] = edges[n].ends;
+            vertex = if a == vertex { b } else { a };
+            Some(n)
+        })
+    }
+}
+
+/// The sides at every vertex.
+struct Around {
+    starts: Vec<usize>,
+    edges: Vec<usize>,
+}
+
+impl Around {
+    fn of(mesh: &Mesh) -> Self {
+        let mut starts = vec![0; mesh.positions().len() + 1];
+        for edge in mesh.edges() {
+            edge.ends.iter().for_each(|end| starts[end.get() + 1] += 1);
+        }
+        for v in 1..starts.len() {
+            starts[v] += starts[v - 1];
+        }
+        let mut edges = vec![0; 2 * mesh.edges().len()];
+        let mut free = starts.clone();
+        for (n, edge) in mesh.edges().iter().enumerate() {
+            for end in edge.ends {
+                edges[free[end.get()]] = n;
+                free[end.get()] += 1;
+            }
+        }
+        Self { starts, edges }
+    }
+
+    fn edges(&self, vertex: VertexIndex) -> &[usize] {
+        &self.edges[self.starts[vertex.get()]..self.starts[vertex.get() + 1]]
+    }
+}
+
+/// The mesh as it is along a cut.
+///
+/// # Errors
+/// See [`MeshError`]; a cut along sides of a valid mesh has none.
+pub fn cut_along(mesh: &Mesh, cut: &Cut) -> Result<CutMesh, MeshError> {
+    let edges = mesh.edges();
+    let is_cut = |ends: [VertexIndex; 2]| {
+        mesh.topology().edge_between(ends[0], ends[1]).is_some_and(|n| cut.contains(&n))
+    };
+    let apart = separated(mesh.triangles(), is_cut);
+    let positions = apart.origin.iter().map(|&v| mesh.position(v)).collect();
+    let seams = chains(mesh, cut)
+        .into_iter()
+        .map(|chain| {
+            let side = |left: bool| -> Vec<VertexIndex> {
+                let mut vertices = Vec::with_capacity(chain.len() + 1);
+                for (step, &(n, forward)) in chain.iter().enumerate() {
+                    // The first triangle of an edge lies to the left of the way up.
+                    let triangle = edges[n].triangles[usize::from(forward != left)];
+                    let Some(triangle) = triangle else { continue };
+                    let [low, high] = edges[n].ends;
+                    let (from, to) = if forward { (low, high) } else { (high, low) };
+                    let now = |v: VertexIndex| {
+                        let corners = mesh.triangles()[triangle.get()];
+                        let k = corners.iter().position(|&c| c == v).unwrap_or(0);
+                        apart.triangles[triangle.get()][k]
+                    };
+                    if step == 0 {
+                        vertices.push(now(from));
+                    }
+                    vertices.push(now(to));
+                }
+                vertices
+            };
+            MeshSeam { sides: [side(true), side(false)] }
+        })
+        .collect();
+    let mesh = Mesh::new(positions, apart.triangles)?;
+    Ok(CutMesh { mesh, origin: apart.origin, seams })
+}
+
+/// The cut as ways along sides, each with whether it is run from its lower end, between the points
+/// where cuts end, meet, touch the border or come back to where they began.
+fn chains(mesh: &Mesh, cut: &Cut) -> Vec<Vec<(usize, bool)>> {
+    let edges = mesh.edges();
+    let on_border = mesh.topology().on_border();
+    let mut at: Vec<Vec<usize>> = vec![Vec::new(); mesh.positions().len()];
+    for &n in cut {
+        edges[n].ends.iter().for_each(|end| at[end.get()].push(n));
+    }
+    let is_end = |v: VertexIndex| at[v.get()].len() != 2 || on_border[v.get()];
+    let mut used: BTreeSet<usize> = BTreeSet::new();
+    let mut chains = Vec::new();
+    // Those that have ends first; what is left runs in rings.
+    for ends_only in [true, false] {
+        for &n in cut {
+            for forward in [true, false] {
+                let [low, high] = edges[n].ends;
+                let (start, mut to) = if forward { (low, high) } else { (high, low) };
+                if used.contains(&n) || (ends_only && !is_end(start)) {
+                    continue;
+                }
+                used.insert(n);
+                let mut chain = vec![(n, forward)];
+                while !is_end(to) && to != start {
+                    let Some(&next) = at[to.get()].iter().find(|m| !used.contains(m)) else {
+                        break;
+                    };
+                    used.insert(next);
+                    let forward = edges[next].ends[0] == to;
+                    to = edges[next].ends[usize::from(forward)];
+                    chain.push((next, forward));
+                }
+                chains.push(chain);
+            }
+        }
+    }
+    chains
+}
