@@ -4,6 +4,7 @@
 mod composites;
 mod figures;
 mod fold_price;
+mod gallery;
 mod measured;
 mod peers;
 mod quads;
@@ -16,6 +17,7 @@ const HELP: &str = "Chores of the project:
   cargo xtask composites   writes docs/composites.md and examples/three-cones.sheet.json
   cargo xtask figures      writes docs/pictures/: the hull, the three cones, moved curves, meshes
   cargo xtask fold-price   writes docs/fold-price.md: what the fold price costs and what it buys
+  cargo xtask gallery      writes docs/gallery.md, its pictures and examples/gallery/
   cargo xtask measured     writes docs/measured.md: gores against the sphere, a duct against tradition
   cargo xtask peers        what bench/peers/run calls: our speed beside CGAL's, docs/speed.md
   cargo xtask quads        writes docs/quads.md: planar quads and smooth strips, measured
@@ -29,6 +31,7 @@ fn main() -> ExitCode {
         "composites" => composites::write(),
         "figures" => figures::write(),
         "fold-price" => fold_price::write(),
+        "gallery" => gallery::write(),
         "measured" => measured::write(),
         "peers" => peers::run(),
         "quads" => quads::write(),

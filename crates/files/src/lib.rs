@@ -45,9 +45,9 @@ pub use read_back::{PatternReadError, ReadPattern};
 pub use reading::{InputError, MAX_INPUT_BYTES, ReadOptions, VarySettings, read_limited};
 pub use refold::{RefoldFileError, refold_error_mm};
 pub use report::{
-    Picture, design_picture, flat_picture, gauss_picture, heat_picture, mesh_picture,
-    mesh_report_html, mesh_report_json, meshes_picture, moved_picture, report_html, report_json,
-    report_schema, side_by_side, stacked, surface_picture, warp_chart,
+    Picture, design_picture, flat_picture, gauss_picture, heat_picture, mesh_gauss_picture,
+    mesh_picture, mesh_report_html, mesh_report_json, meshes_picture, moved_picture, quads_picture,
+    report_html, report_json, report_schema, side_by_side, stacked, surface_picture, warp_chart,
 };
 pub use step::write_step;
 pub use svg::{read_svg, write_svg};

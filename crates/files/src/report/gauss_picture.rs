@@ -9,9 +9,11 @@ use super::space_picture::rung_classes;
 use super::strips::strips;
 use super::view::View;
 use super::wording::decimal;
-use sheetwright::design::MadePanel;
+use sheetwright::design::{MadeMesh, MadePanel};
+use sheetwright::index::TriangleIndex;
 use sheetwright::material::Material;
 use sheetwright::math::{Point2, Vec3, angle_between, cos, from_deg, sin, to_deg, unit};
+use sheetwright::mesh::Mesh;
 
 const HEIGHT: f64 = 236.0;
 const RADIUS: f64 = 102.0;
@@ -22,12 +24,23 @@ const WIDEST: f64 = 60.0;
 const NARROWEST: f64 = 0.05;
 /// Rungs drawn, at the most.
 const RUNGS: usize = 70;
+/// Sides of a mesh drawn, at the most.
+const MESH_SIDES: usize = 4000;
 /// Points of a curve that lie closer than this in the picture are left out.
 const APART: f64 = 0.5;
 
 /// The Gauss image of a panel, on the sphere and enlarged. `None` where no rung has normals.
 pub fn gauss_picture(panel: &MadePanel, material: Option<&Material>) -> Option<Picture> {
-    let image = Image::of(panel, material)?;
+    Image::of(panel, material).map(|image| pictured(&image, &panel.name))
+}
+
+/// The Gauss image of a mesh panel: where two triangles meet, the directions that they face are
+/// joined. `None` where no triangles meet.
+pub fn mesh_gauss_picture(panel: &MadeMesh) -> Option<Picture> {
+    Image::of_mesh(&panel.mesh).map(|image| pictured(&image, &panel.name))
+}
+
+fn pictured(image: &Image, name: &str) -> Picture {
     let spread = image.spread();
     let enlarged = (NARROWEST..=WIDEST).contains(&to_deg(spread));
     let centre = Point2::new(if enlarged { 116.0 } else { 0.5 * WIDTH }, 0.5 * HEIGHT);
@@ -40,8 +53,8 @@ pub fn gauss_picture(panel: &MadePanel, material: Option<&Material>) -> Option<P
     if enlarged {
         body += &image.enlarged(spread);
     }
-    let title = format!("{}: directions that the surface faces", panel.name);
-    Some(Picture::new(WIDTH, HEIGHT, title, body))
+    let title = format!("{name}: directions that the surface faces");
+    Picture::new(WIDTH, HEIGHT, title, body)
 }
 
 /// How far the normals of a panel turn and spread, for the sentence under the picture: the largest
@@ -87,9 +100,28 @@ impl Image {
         Some(Self { view: View::from(facing), strips: found, rungs })
     }
 
+    fn of_mesh(mesh: &Mesh) -> Option<Self> {
+        let areas = (0..mesh.triangles().len()).map(|t| mesh.area_vector(TriangleIndex::new(t)));
+        let areas: Vec<Vec3> = areas.collect();
+        let sides: Vec<[Vec3; 2]> = mesh
+            .edges()
+            .iter()
+            .filter_map(|edge| {
+                let [Some(left), Some(right)] = edge.triangles else { return None };
+                Some([unit(areas[left.get()])?, unit(areas[right.get()])?])
+            })
+            .collect();
+        let first = sides.first()?[0];
+        let facing = unit(areas.iter().copied().sum()).unwrap_or(first);
+        let every = sides.len().div_ceil(MESH_SIDES);
+        let rungs = sides.into_iter().step_by(every).map(|normals| ("r", normals)).collect();
+        Some(Self { view: View::from(facing), strips: Vec::new(), rungs })
+    }
+
     /// The largest angle between a normal and the middle, radians.
     fn spread(&self) -> f64 {
-        let normals = self.strips.iter().flatten().flatten();
+        let of_rungs = self.rungs.iter().flat_map(|(_, normals)| normals);
+        let normals = self.strips.iter().flatten().flatten().chain(of_rungs);
         normals.map(|&n| angle_between(n, self.view.toward)).fold(0.0, f64::max)
     }
 

@@ -10,6 +10,7 @@ use sheetwright::flatten::Aim;
 use sheetwright::index::{SampleIndex, VertexIndex};
 use sheetwright::material::{Material, stretch_limit, warp_limit_deg};
 use sheetwright::math::to_deg;
+use sheetwright::measure::gauss_area_of_mesh;
 use sheetwright::mesh::crease_angles;
 use sheetwright::pattern::seam_mark;
 use sheetwright::quads::PlanarEnd;
@@ -87,8 +88,8 @@ struct PanelReport<'a> {
     /// it is not measured.
     bend_radius_min_mm: Option<f64>,
     /// The area of the Gauss image, steradians: how much of the unit sphere the normals sweep. 0 for a
-    /// developable surface; null for a mesh.
-    gauss_area_sr: Option<f64>,
+    /// developable surface; of a mesh, the angle defects at its inner vertices.
+    gauss_area_sr: f64,
     /// The largest relative difference of a length, flat against space. Without unit.
     length_error_max: f64,
     /// The mean relative difference of all lengths. Without unit.
@@ -366,7 +367,7 @@ fn of_mesh<'a>(
         warp_mean_deg: None,
         warp_limit_deg: warp_limit_deg(made.material),
         bend_radius_min_mm: None,
-        gauss_area_sr: None,
+        gauss_area_sr: gauss_area_of_mesh(&panel.mesh),
         length_error_max: measures.length_error_max,
         length_error_mean: measures.length_error_mean,
         length_error_area_mean: Some(measures.length_error_mean_by_area),
@@ -388,6 +389,7 @@ fn of_mesh<'a>(
         moved_max_mm: 0.0,
         moved_total_mm: 0.0,
         before: None,
+        quads: None,
         verdict: checked.verdict.name(),
         findings: of_findings(checked),
     }
@@ -447,7 +449,7 @@ fn of_panel<'a>(
         warp_mean_deg: Some(to_deg(measures.warp_mean)),
         warp_limit_deg,
         bend_radius_min_mm: finite(measures.bend_radius_min_mm),
-        gauss_area_sr: Some(measures.gauss_area_sr),
+        gauss_area_sr: measures.gauss_area_sr,
         length_error_max: measures.length_error_max,
         length_error_mean: measures.length_error_mean,
         length_error_area_mean: None,

@@ -1,10 +1,12 @@
 //! `report.html` of meshes: what flattening stretches, and where.
 
+use super::gauss_picture::mesh_gauss_picture;
 use super::html::{card, document, findings, numbers, summary, verdict};
 use super::json::{aim_name, steps_length};
 use super::mesh_picture::{NO_ERROR, heat_picture, mesh_picture, meshes_picture};
 use super::wording::{
     area, decimal, degrees, millimetres, millimetres_fine, per_cent, plain_per_cent, refold,
+    steradians,
 };
 use maud::{Markup, PreEscaped, html};
 use sheetwright::check::{Checked, Verdict, seam_length};
@@ -13,6 +15,7 @@ use sheetwright::flatten::Aim;
 use sheetwright::index::VertexIndex;
 use sheetwright::material::{Material, stretch_limit};
 use sheetwright::math::{Point3, Vec3, to_deg};
+use sheetwright::measure::gauss_area_of_mesh;
 use sheetwright::mesh::crease_angles;
 use sheetwright::pattern::seam_mark;
 
@@ -114,6 +117,12 @@ fn section(
                         (PreEscaped(mesh_picture(panel).inline()))
                         figcaption { (space_caption(panel)) }
                     }
+                    @if let Some(gauss) = mesh_gauss_picture(panel) {
+                        figure.third {
+                            (PreEscaped(gauss.inline()))
+                            figcaption { (gauss_caption(panel)) }
+                        }
+                    }
                 }
                 div.column {
                     figure.second {
@@ -137,6 +146,16 @@ fn space_caption(panel: &MadeMesh) -> Markup {
         @if !panel.sheet.seams.is_empty() { "The green lines are the cuts. " }
         "It fills a box of " (millimetres(size.x)) " × " (millimetres(size.y)) " × "
         (millimetres(size.z)) " (x, y, z)."
+    }
+}
+
+fn gauss_caption(panel: &MadeMesh) -> Markup {
+    html! {
+        strong { "Which way it faces. " }
+        "Every direction is a point on a ball; the directions of triangles that meet are joined. A \
+         curve: it lies flat without stretching. A net: it must stretch, the more the more it covers. \
+         Its area here is " (steradians(gauss_area_of_mesh(&panel.mesh))) ", of 12.57\u{a0}sr that the \
+         whole ball has."
     }
 }
 
@@ -256,6 +275,7 @@ fn all_numbers(made: &MadeMeshes, panel: &MadeMesh, written_error_mm: f64) -> Ma
         ("Aim", format!("{} ({aim})", aim_name(made.aim))),
         ("Holes of the pattern", (sheet.loops().len() - 1).to_string()),
         ("Largest crease", degrees(to_deg(crease))),
+        ("Area of the Gauss image", steradians(gauss_area_of_mesh(&panel.mesh))),
         ("Length error, largest", per_cent(measures.length_error_max)),
         ("Length error, mean", per_cent(measures.length_error_mean)),
         ("Length error, by area", per_cent(measures.length_error_mean_by_area)),

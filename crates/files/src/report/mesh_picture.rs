@@ -59,14 +59,10 @@ fn pictured(panels: &[MadeMesh], title: String) -> Picture {
             facets.push((depths.iter().sum(), n, t));
         }
     }
-    let name = |shade: u16| {
-        let (side, n) = if shade < 100 { ('f', shade) } else { ('b', shade - 100) };
-        format!("{side}{n}")
-    };
     // Large triangles that hide one another have no order from far to near that is right all over.
     let hides = shades.iter().flatten().any(|&shade| shade >= 100);
     let mut body = if hides || facets.len() > MOST_PATHS {
-        cells.elements(name)
+        cells.elements(shade_name)
     } else {
         facets.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
         painted(
@@ -75,7 +71,7 @@ fn pictured(panels: &[MadeMesh], title: String) -> Picture {
                 let corners = panels[n].sheet.mesh.triangles()[t];
                 (shades[n][t], corners.map(|v| placed[n][v.get()]))
             },
-            name,
+            shade_name,
         )
     };
     let depths = (0..panels.len()).flat_map(|n| {
@@ -119,23 +115,33 @@ fn view_of(panels: &[MadeMesh]) -> View {
     best_view(&areas, long)
 }
 
-/// The shade of every triangle; 100 is added to those that show their other side.
 fn shades(view: &View, panels: &[MadeMesh]) -> Vec<Vec<u16>> {
+    let areas = panels.iter().map(|panel| {
+        let all = 0..panel.mesh.triangles().len();
+        all.map(|t| panel.mesh.area_vector(TriangleIndex::new(t))).collect()
+    });
+    shades_of(view, &areas.collect::<Vec<_>>())
+}
+
+/// The class of a shade.
+pub(super) fn shade_name(shade: u16) -> String {
+    let (side, n) = if shade < 100 { ('f', shade) } else { ('b', shade - 100) };
+    format!("{side}{n}")
+}
+
+/// The shades of faces, given by the area vectors of those of each panel; 100 is added to those that
+/// show their other side.
+pub(super) fn shades_of(view: &View, areas: &[Vec<Vec3>]) -> Vec<Vec<u16>> {
     // A lamp above the left shoulder.
     let lamp = unit(view.toward * 0.75 + view.up * 0.55 - view.right * 0.45).unwrap_or(Vec3::Z);
-    let lit: Vec<Vec<(bool, f64)>> = panels
-        .iter()
-        .map(|panel| {
-            let mesh = &panel.mesh;
-            let light = |t: usize| {
-                let normal = unit(mesh.area_vector(TriangleIndex::new(t))).unwrap_or(view.toward);
-                let front = normal.dot(view.toward) >= 0.0;
-                let seen = if front { normal } else { -normal };
-                (front, 0.5 + 0.5 * seen.dot(lamp))
-            };
-            (0..mesh.triangles().len()).map(light).collect()
-        })
-        .collect();
+    let light = |area: &Vec3| {
+        let normal = unit(*area).unwrap_or(view.toward);
+        let front = normal.dot(view.toward) >= 0.0;
+        let seen = if front { normal } else { -normal };
+        (front, 0.5 + 0.5 * seen.dot(lamp))
+    };
+    let lit: Vec<Vec<(bool, f64)>> =
+        areas.iter().map(|areas| areas.iter().map(light).collect()).collect();
     let all = || lit.iter().flatten().map(|l| l.1);
     let most = all().fold(0.0, f64::max);
     let least = all().fold(most - LEAST_CONTRAST, f64::min);

@@ -17,6 +17,7 @@ mod mesh_picture;
 mod moved_picture;
 mod paint;
 mod part;
+mod quads_picture;
 mod space_picture;
 mod strips;
 mod style;
@@ -26,12 +27,13 @@ mod wording;
 
 pub use canvas::{Picture, side_by_side, stacked};
 pub use flat_picture::flat_picture;
-pub use gauss_picture::gauss_picture;
+pub use gauss_picture::{gauss_picture, mesh_gauss_picture};
 pub use html::report_html;
 pub use json::{mesh_report_json, report_json, report_schema};
 pub use mesh_html::mesh_report_html;
 pub use mesh_picture::{heat_picture, mesh_picture, meshes_picture};
 pub use moved_picture::moved_picture;
+pub use quads_picture::quads_picture;
 pub use space_picture::{design_picture, surface_picture};
 pub use warp_chart::warp_chart;
 

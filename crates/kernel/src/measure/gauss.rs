@@ -9,10 +9,12 @@
 //!
 //! Where the warp changes its sign between two rungs, the quadrilateral crosses itself and both of
 //! its parts count. The image of a triangle with three rungs has six corners; of it the signed sum
-//! counts.
+//! counts. Of a mesh, whose triangles are flat, the image is a polygon round each vertex inside, whose
+//! area is the angle defect there.
 
 use super::RungMeasures;
 use crate::math::{Vec3, atan2, unit};
+use crate::mesh::{Mesh, angle_defects};
 use crate::rung::Rung;
 use crate::surface::Connectivity;
 
@@ -37,6 +39,14 @@ pub fn gauss_area(connectivity: &Connectivity, rungs: &[RungMeasures]) -> f64 {
         }
     });
     areas.sum()
+}
+
+/// The area of the Gauss image of a mesh, steradians: 0 for one that lies flat without stretching, but
+/// for cones and handles.
+pub fn gauss_area_of_mesh(mesh: &Mesh) -> f64 {
+    let on_border = mesh.topology().on_border();
+    let defects = angle_defects(mesh).into_iter().zip(on_border);
+    defects.filter(|(_, on_border)| !on_border).map(|(defect, _)| defect.abs()).sum()
 }
 
 /// The area of a spherical quadrilateral, both parts where the second side crosses the fourth.

@@ -22,7 +22,7 @@ mod mesh;
 
 pub use bend::Apex;
 pub use crossing::first_self_crossing;
-pub use gauss::gauss_area;
+pub use gauss::{gauss_area, gauss_area_of_mesh};
 pub use mesh::{CutSuggestion, MeshMeasures, cut_suggestion, mesh_measures};
 
 use crate::cost::Prices;
