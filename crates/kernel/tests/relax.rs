@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used)] // tests panic
 
+use sheetwright::design::{MeshDesign, MeshGroup, MeshOptions, make_meshes};
 use sheetwright::flatten::{Aim, Ended, RelaxError, RelaxOptions, Relaxed, relax, relax_lengths};
 use sheetwright::index::VertexIndex;
 use sheetwright::math::{Point2, Point3, cos, sin};
@@ -166,6 +167,29 @@ fn strongly_curved_surfaces_are_not_turned_over() {
         assert!(flat.overlap.is_none());
         assert_eq!(flat.ended, Ended::Least, "{aim:?}");
         assert!(aim != Aim::Seams || measures.border_error_max < 1e-9);
+    }
+}
+
+#[test]
+fn a_border_that_could_not_be_true_is_said_to_be() {
+    for angle in [0.3, 0.5, 0.93] {
+        let ball = cap(angle * PI, 24, 30);
+        let group = MeshGroup {
+            name: "ball".to_owned(),
+            positions: ball.positions().to_vec(),
+            triangles: ball.triangles().to_vec(),
+            left_out: 0,
+        };
+        let design = MeshDesign { name: "ball".to_owned(), material: None, groups: vec![group] };
+        for aim in AIMS {
+            let options = MeshOptions { aim, ..MeshOptions::default() };
+            let made = make_meshes(&design, &options, &mut Unwatched).unwrap();
+            let panel = &made.panels[0];
+            let said = panel.checked.findings.iter().any(|f| f.code == "border-not-true");
+            let error = panel.measures.border_error_max;
+            assert_eq!(said, aim == Aim::Seams && error > 1e-9, "{angle} π, {aim:?}: {error}");
+            assert!(aim != Aim::Seams || angle > 0.9 || !said, "{angle} π: {error}");
+        }
     }
 }
 

@@ -57,14 +57,6 @@ pub fn half_sphere(rings: usize) -> Triangles {
     })
 }
 
-/// A round sheet with a bump in its middle, of `rings` rings of triangles.
-pub fn bump(rings: usize) -> Triangles {
-    disk(rings, |r, t| {
-        let height = 0.35 * RADIUS * (1.0 - r * r) * (1.0 - r * r);
-        Point3::new(RADIUS * r * cos(t), RADIUS * r * sin(t), height)
-    })
-}
-
 /// The image of the unit disk, given in polar coordinates: ring k has 6 k vertices, so that all
 /// triangles of the disk are about equal.
 fn disk(rings: usize, map: impl Fn(f64, f64) -> Point3) -> Triangles {

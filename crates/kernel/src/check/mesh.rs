@@ -6,6 +6,8 @@ use crate::math::{Point3, to_deg};
 use crate::mesh::{CutMesh, Mesh, crease_angles};
 use crate::pattern::{SCORED_CREASE_DEG, seam_mark};
 
+/// The border is true up to this share of a length.
+const TRUE_BORDER: f64 = 1e-9;
 /// Length errors below it, as a share, are rounding and no finding: less than any shop can measure.
 const UNSEEN: f64 = 1e-6;
 
@@ -20,6 +22,8 @@ pub struct MeshPanel<'a> {
     pub length_error_max: f64,
     /// The side with that error, by its number among those of the sheet.
     pub worst_edge: Option<usize>,
+    /// The largest relative length error of the border's sides, where it was to be true.
+    pub border_error: Option<f64>,
     /// A cut that would help, from inside or from a hole to the border: its ends, mm.
     pub cut: Option<[Point3; 2]>,
     /// Two sides of the border, by their first vertices on the sheet, that cross when it is flat.
@@ -38,7 +42,7 @@ pub struct MeshPanel<'a> {
 
 /// Checks a mesh panel.
 pub fn check_mesh(panel: &MeshPanel<'_>) -> Checked {
-    let checks = [stretch, overlap, flipped, folds, seams, left_out, contacts];
+    let checks = [stretch, border, overlap, flipped, folds, seams, left_out, contacts];
     let mut findings: Vec<Finding> = checks.iter().filter_map(|check| check(panel)).collect();
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
     let has = |code: &str, severity: Severity| {
@@ -110,6 +114,20 @@ fn stretch(panel: &MeshPanel<'_>) -> Option<Finding> {
         return None;
     };
     Some(Finding { severity, code, text, place: worst.unwrap_or_default() })
+}
+
+fn border(panel: &MeshPanel<'_>) -> Option<Finding> {
+    let error = panel.border_error.filter(|error| *error > TRUE_BORDER)?;
+    Some(Finding {
+        severity: Severity::Warning,
+        code: "border-not-true",
+        text: format!(
+            "The border was to keep its lengths, and could not: they differ by up to {}. Cut the panel \
+             open, or divide it.",
+            percent(error)
+        ),
+        place: String::new(),
+    })
 }
 
 fn first_up(text: &str) -> String {

@@ -423,6 +423,7 @@ fn make_mesh(
         sheet: &sheet,
         length_error_max: measures.length_error_max,
         worst_edge: worst_edge(&measures),
+        border_error: (options.aim == Aim::Seams).then_some(measures.border_error_max),
         cut: suggested,
         overlap: flat.overlap.map(|(a, b)| [first_of(a), first_of(b)]),
         flipped: flat.flipped,

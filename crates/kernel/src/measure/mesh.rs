@@ -2,11 +2,9 @@
 
 use crate::flatten::triangle_stretches;
 use crate::index::{TriangleIndex, VertexIndex};
-use crate::math::{Point2, angle_between};
-use crate::mesh::Mesh;
-use std::cmp::Ordering;
-use std::collections::BinaryHeap;
-use std::f64::consts::{PI, TAU};
+use crate::math::Point2;
+use crate::mesh::{Mesh, Ways, angle_defects};
+use std::f64::consts::TAU;
 
 /// A hole whose border turns by this share of a full turn more or less than that of a hole in a
 /// plane does not lie flat unless it is cut open: a tube's does not turn at all.
@@ -124,18 +122,21 @@ pub fn cut_suggestion(mesh: &Mesh, measures: &MeshMeasures, limit: f64) -> Optio
     let path = match hole_to_open(mesh) {
         Some(hole) => {
             let others = (0..mesh.loops().len()).filter(|&n| n != hole);
-            let ways = Ways::from(mesh, others.flat_map(|n| mesh.loops()[n].iter().copied()));
-            ways.way(ways.nearest(mesh.loops()[hole].iter().copied())?)
+            let ends: Vec<VertexIndex> =
+                others.flat_map(|n| mesh.loops()[n].iter().copied()).collect();
+            let ways = Ways::from(mesh, &ends, |_| false);
+            ways.vertices_back(mesh, nearest(&ways, mesh.loops()[hole].iter().copied())?)
         }
         None => {
-            let ways = Ways::from(mesh, mesh.loops().iter().flatten().copied());
+            let border: Vec<VertexIndex> = mesh.loops().iter().flatten().copied().collect();
+            let ways = Ways::from(mesh, &border, |_| false);
             let region = region(mesh, worst, |n| strain(n) > limit);
             let within = region.into_iter().flat_map(|n| mesh.triangles()[n]);
-            let mut deepest = ways.deepest(within)?;
-            if ways.way(deepest).len() < 2 {
-                deepest = ways.deepest((0..mesh.positions().len()).map(VertexIndex::new))?;
+            let mut inside = deepest(&ways, within)?;
+            if ways.length[inside.get()] == 0.0 {
+                inside = deepest(&ways, (0..mesh.positions().len()).map(VertexIndex::new))?;
             }
-            ways.way(deepest)
+            ways.vertices_back(mesh, inside)
         }
     };
     Some(CutSuggestion {
@@ -149,16 +150,9 @@ pub fn cut_suggestion(mesh: &Mesh, measures: &MeshMeasures, limit: f64) -> Optio
 /// The hole, of those of one piece, whose turn is farthest from that of a hole in a plane, if it is
 /// far.
 fn hole_to_open(mesh: &Mesh) -> Option<usize> {
-    let mut angle_at = vec![0.0; mesh.positions().len()];
-    for (n, corners) in mesh.triangles().iter().enumerate() {
-        let at = mesh.corners(TriangleIndex::new(n));
-        for k in 0..3 {
-            let (a, b, c) = (at[k], at[(k + 1) % 3], at[(k + 2) % 3]);
-            angle_at[corners[k].get()] += angle_between(b - a, c - a);
-        }
-    }
+    let defects = angle_defects(mesh);
     let off = |n: &usize| {
-        let turn: f64 = mesh.loops()[*n].iter().map(|v| PI - angle_at[v.get()]).sum();
+        let turn: f64 = mesh.loops()[*n].iter().map(|v| defects[v.get()]).sum();
         (turn + TAU).abs()
     };
     let worst = (1..mesh.loops().len()).reduce(|a, b| if off(&b) > off(&a) { b } else { a });
@@ -185,71 +179,13 @@ fn region(mesh: &Mesh, from: usize, chosen: impl Fn(usize) -> bool) -> Vec<usize
     found
 }
 
-/// Shortest ways along sides, from every vertex to some (Dijkstra).
-struct Ways {
-    distance: Vec<f64>,
-    next: Vec<Option<VertexIndex>>,
+/// The vertex of some with the shortest way, of equals the lowest.
+fn nearest(ways: &Ways, of: impl Iterator<Item = VertexIndex>) -> Option<VertexIndex> {
+    of.min_by(|a, b| ways.length[a.get()].total_cmp(&ways.length[b.get()]).then(a.cmp(b)))
 }
 
-/// A vertex to go on from; the nearest comes first, of equals the lowest.
-#[derive(PartialEq)]
-struct Reached(f64, VertexIndex);
-
-impl Eq for Reached {}
-
-impl Ord for Reached {
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.0.total_cmp(&self.0).then(other.1.cmp(&self.1))
-    }
-}
-
-impl PartialOrd for Reached {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ways {
-    fn from(mesh: &Mesh, ends: impl Iterator<Item = VertexIndex>) -> Self {
-        let count = mesh.positions().len();
-        let mut neighbours = vec![Vec::new(); count];
-        for (edge, length) in mesh.edges().iter().zip(mesh.lengths()) {
-            let [a, b] = edge.ends;
-            neighbours[a.get()].push((b, length));
-            neighbours[b.get()].push((a, length));
-        }
-        let mut ways = Self { distance: vec![f64::INFINITY; count], next: vec![None; count] };
-        let mut reached = BinaryHeap::new();
-        for end in ends {
-            ways.distance[end.get()] = 0.0;
-            reached.push(Reached(0.0, end));
-        }
-        while let Some(Reached(distance, here)) = reached.pop() {
-            if distance > ways.distance[here.get()] {
-                continue;
-            }
-            for &(there, length) in &neighbours[here.get()] {
-                if distance + length < ways.distance[there.get()] {
-                    ways.distance[there.get()] = distance + length;
-                    ways.next[there.get()] = Some(here);
-                    reached.push(Reached(distance + length, there));
-                }
-            }
-        }
-        ways
-    }
-
-    fn way(&self, from: VertexIndex) -> Vec<VertexIndex> {
-        std::iter::successors(Some(from), |v| self.next[v.get()]).collect()
-    }
-
-    fn nearest(&self, of: impl Iterator<Item = VertexIndex>) -> Option<VertexIndex> {
-        of.min_by(|a, b| self.distance[a.get()].total_cmp(&self.distance[b.get()]).then(a.cmp(b)))
-    }
-
-    /// The vertex of some with the longest way, of those with any.
-    fn deepest(&self, of: impl Iterator<Item = VertexIndex>) -> Option<VertexIndex> {
-        of.filter(|v| self.distance[v.get()].is_finite())
-            .max_by(|a, b| self.distance[a.get()].total_cmp(&self.distance[b.get()]).then(b.cmp(a)))
-    }
+/// The vertex of some with the longest way, of those with any.
+fn deepest(ways: &Ways, of: impl Iterator<Item = VertexIndex>) -> Option<VertexIndex> {
+    of.filter(|v| ways.length[v.get()].is_finite())
+        .max_by(|a, b| ways.length[a.get()].total_cmp(&ways.length[b.get()]).then(b.cmp(a)))
 }

@@ -14,11 +14,11 @@
 //! angle defect, the Gauss curvature that sits in the vertex).
 
 use super::corners::{root, separated, unite};
-use super::{Mesh, MeshEdge, MeshError};
+use super::ways::Ways;
+use super::{Mesh, MeshError};
 use crate::index::VertexIndex;
 use crate::math::{angle_between, from_deg};
-use std::cmp::Ordering;
-use std::collections::{BTreeSet, BinaryHeap};
+use std::collections::BTreeSet;
 use std::f64::consts::PI;
 
 /// A vertex of a closed mesh is cut to if its angle defect is above this, degrees: what a cap of a
@@ -189,116 +189,6 @@ fn ends(mesh: &Mesh) -> [VertexIndex; 2] {
     };
     let one = farthest(VertexIndex::new(0));
     [one, farthest(one)]
-}
-
-/// Shortest ways along the sides of a mesh from some vertices.
-struct Ways {
-    /// How long the way to each vertex is, mm; infinite where none was looked for.
-    length: Vec<f64>,
-    /// The last side of the way to each vertex.
-    by: Vec<Option<usize>>,
-    /// The vertex that was looked for.
-    found: Option<VertexIndex>,
-}
-
-/// A vertex that a way leads to; the nearest is the greatest, of equals the lowest vertex.
-#[derive(PartialEq)]
-struct Reached(f64, VertexIndex);
-
-impl Eq for Reached {}
-
-impl Ord for Reached {
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.0.total_cmp(&self.0).then(other.1.cmp(&self.1))
-    }
-}
-
-impl PartialOrd for Reached {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ways {
-    /// Ways to all vertices, or to the nearest for which `is_goal` (Dijkstra).
-    fn from(mesh: &Mesh, sources: &[VertexIndex], is_goal: impl Fn(VertexIndex) -> bool) -> Self {
-        let edges = mesh.edges();
-        let lengths = mesh.lengths();
-        let at = Around::of(mesh);
-        let count = mesh.positions().len();
-        let mut ways =
-            Self { length: vec![f64::INFINITY; count], by: vec![None; count], found: None };
-        let mut next = BinaryHeap::new();
-        for &source in sources {
-            ways.length[source.get()] = 0.0;
-            next.push(Reached(0.0, source));
-        }
-        while let Some(Reached(length, vertex)) = next.pop() {
-            if length > ways.length[vertex.get()] {
-                continue;
-            }
-            if is_goal(vertex) {
-                ways.found = Some(vertex);
-                break;
-            }
-            for &n in at.edges(vertex) {
-                let [a, b] = edges[n].ends;
-                let other = if a == vertex { b } else { a };
-                let longer = length + lengths[n];
-                if longer < ways.length[other.get()] {
-                    ways.length[other.get()] = longer;
-                    ways.by[other.get()] = Some(n);
-                    next.push(Reached(longer, other));
-                }
-            }
-        }
-        ways
-    }
-
-    /// The sides of the way back from a vertex.
-    fn back<'a>(
-        &'a self,
-        edges: &'a [MeshEdge],
-        mut vertex: VertexIndex,
-    ) -> impl Iterator<Item = usize> + 'a {
-        std::iter::from_fn(move || {
-            let n = self.by[vertex.get()]?;
-            let [a, b] = edges[n].ends;
-            vertex = if a == vertex { b } else { a };
-            Some(n)
-        })
-    }
-}
-
-/// The sides at every vertex.
-struct Around {
-    starts: Vec<usize>,
-    edges: Vec<usize>,
-}
-
-impl Around {
-    fn of(mesh: &Mesh) -> Self {
-        let mut starts = vec![0; mesh.positions().len() + 1];
-        for edge in mesh.edges() {
-            edge.ends.iter().for_each(|end| starts[end.get() + 1] += 1);
-        }
-        for v in 1..starts.len() {
-            starts[v] += starts[v - 1];
-        }
-        let mut edges = vec![0; 2 * mesh.edges().len()];
-        let mut free = starts.clone();
-        for (n, edge) in mesh.edges().iter().enumerate() {
-            for end in edge.ends {
-                edges[free[end.get()]] = n;
-                free[end.get()] += 1;
-            }
-        }
-        Self { starts, edges }
-    }
-
-    fn edges(&self, vertex: VertexIndex) -> &[usize] {
-        &self.edges[self.starts[vertex.get()]..self.starts[vertex.get() + 1]]
-    }
 }
 
 /// The mesh as it is along a cut.

@@ -10,6 +10,7 @@ mod cut;
 mod error;
 mod split;
 mod topology;
+mod ways;
 
 pub use corners::{Separated, separated};
 pub use cut::{
@@ -18,6 +19,7 @@ pub use cut::{
 pub use error::MeshError;
 pub use split::{crease_angles, split_along_creases};
 pub use topology::{MeshEdge, Piece, Topology};
+pub(crate) use ways::Ways;
 
 use crate::index::{TriangleIndex, VertexIndex};
 use crate::math::{Point3, Vec3};
