@@ -2,7 +2,7 @@
 
 use crate::args::ConvertArgs;
 use crate::failure::Failure;
-use crate::make::{Made, note_options};
+use crate::make::{Made, note_options, refuse_unmade};
 use crate::source;
 use crate::voice::{Voice, found_errors, in_words, say};
 use crate::watcher::Watcher;
@@ -62,6 +62,7 @@ pub(crate) fn run(args: &ConvertArgs, voice: Voice) -> Result<bool, Failure> {
             Err(Failure::new(message, hint).at(args.out.display().to_string()))
         }
         (Target::Made(format, ending), _) => {
+            refuse_unmade(&input, &[format])?;
             let mut watcher = Watcher::new(voice);
             let place = source::name(&args.source);
             let single = matches!(format, Format::Svg | Format::Dxf);

@@ -26,6 +26,7 @@ pub(crate) fn run(args: &MakeArgs, voice: Voice) -> Result<bool, Failure> {
         .collect();
     let start = Instant::now();
     let input = source::input(&args.source)?;
+    refuse_unmade(&input, &formats)?;
     note_options(&input, &args.source, &args.mesh, voice);
     let job = Job {
         input: &source::name(&args.source),
@@ -36,6 +37,18 @@ pub(crate) fn run(args: &MakeArgs, voice: Voice) -> Result<bool, Failure> {
         beside: None,
     };
     job.run(&input, start, voice)
+}
+
+/// Refuses formats that can't be made of an input.
+pub(crate) fn refuse_unmade(input: &Input, formats: &[Format]) -> Result<(), Failure> {
+    let unmade = formats.iter().find(|format| format.needs_rulings());
+    match (input, unmade) {
+        (Input::Mesh(_), Some(format)) => Err(Failure::new(
+            format!("{} can't be made of a mesh, which has no rulings", format.name()),
+            "Leave it out, or give boundary curves instead.",
+        )),
+        _ => Ok(()),
+    }
 }
 
 /// Says what was given that makes no difference, and what was not and may.

@@ -116,6 +116,8 @@ fn standard_input_and_conversions_work() {
     says(&desk, "convert groups.obj all.pdf", 0);
     let (_, said) = says(&desk, "convert groups.obj one.dxf", 2);
     assert!(said.contains("there are several"), "{said}");
+    let (_, said) = says(&desk, "convert box.obj box.step", 2);
+    assert!(said.contains("step can't be made of a mesh"), "{said}");
     let (_, said) = says(&desk, "convert box.obj box.csv", 2);
     assert!(said.contains("a mesh has no boundary curves"), "{said}");
     // What was written as a surface is a mesh again, and still flat in the same way.

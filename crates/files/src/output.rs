@@ -45,6 +45,11 @@ impl Format {
     /// Those that are written unless somebody asks for others.
     pub const DEFAULT: [Self; 5] = [Self::Obj, Self::Svg, Self::Dxf, Self::Pdf, Self::Report];
 
+    /// Whether it is written of panels with rulings only, and so of no mesh.
+    pub const fn needs_rulings(self) -> bool {
+        matches!(self, Self::Quads | Self::Step)
+    }
+
     /// How people ask for it.
     pub const fn name(self) -> &'static str {
         match self {
