@@ -35,6 +35,15 @@ struct Group {
     left_out: usize,
 }
 
+impl Group {
+    /// Leaves out the triangles with two corners in one place.
+    fn leave_out(&mut self) {
+        let before = self.triangles.len();
+        self.triangles.retain(|[a, b, c]| a != b && b != c && c != a);
+        self.left_out += before - self.triangles.len();
+    }
+}
+
 /// Gathers points and polygons, in the order of the file.
 pub(super) struct Builder {
     place: String,
@@ -162,12 +171,9 @@ impl Builder {
         Ok(())
     }
 
-    /// The groups that have triangles, each with the points that its own use.
+    /// The groups that have triangles, each with the points that its own use. What was left out of
+    /// groups of which nothing is left is counted with the first.
     pub(super) fn built(mut self) -> Result<Vec<Built>, InputError> {
-        self.groups.retain(|group| !group.triangles.is_empty());
-        if self.groups.is_empty() {
-            return Err(InputError::at(self.place, "there is no triangle in it", NO_SURFACE));
-        }
         // A file whose every triangle has corners of its own can't mean that nothing hangs together.
         let mut used = vec![false; self.points.len()];
         let corners = self.groups.iter().flat_map(|group| group.triangles.iter().flatten());
@@ -175,9 +181,17 @@ impl Builder {
         if self.welded || !shared {
             weld(&self.points, &mut self.groups);
         }
-        let several = self.groups.len() > 1;
-        let Self { points, groups, stem, .. } = self;
-        Ok(groups.into_iter().map(|group| built(&points, group, &stem, several)).collect())
+        // Only now is it known which triangles have two corners in one place.
+        let Self { place, points, mut groups, stem, .. } = self;
+        groups.iter_mut().for_each(Group::leave_out);
+        let (mut kept, lost): (Vec<Group>, Vec<Group>) =
+            groups.into_iter().partition(|group| !group.triangles.is_empty());
+        let Some(first) = kept.first_mut() else {
+            return Err(InputError::at(place, "there is no triangle in it", NO_SURFACE));
+        };
+        first.left_out += lost.iter().map(|group| group.left_out).sum::<usize>();
+        let several = kept.len() > 1;
+        Ok(kept.into_iter().map(|group| built(&points, group, &stem, several)).collect())
     }
 }
 
@@ -197,19 +211,17 @@ fn weld(points: &[Point3], groups: &mut [Group]) {
 }
 
 fn built(points: &[Point3], group: Group, stem: &str, several: bool) -> Built {
-    let own: Vec<&[usize; 3]> =
-        group.triangles.iter().filter(|[a, b, c]| a != b && b != c && c != a).collect();
-    let left_out = group.left_out + group.triangles.len() - own.len();
-    let mut used: Vec<usize> = own.iter().copied().flatten().copied().collect();
+    let mut used: Vec<usize> = group.triangles.iter().flatten().copied().collect();
     used.sort_unstable();
     used.dedup();
     let number = |corner: usize| used.partition_point(|&other| other < corner);
-    let triangles = own.iter().map(|t| t.map(number)).collect();
+    let triangles = group.triangles.iter().map(|t| t.map(number)).collect();
     let named = [group.name.as_str(), if several { "" } else { stem }, stem, UNNAMED];
     let name = named
         .into_iter()
         .map(|name| made_for_files(name, MAX_GROUP_NAME))
         .find(|name| !name.is_empty())
         .unwrap_or_else(|| UNNAMED.to_owned());
-    Built { name, positions: used.iter().map(|&n| points[n]).collect(), triangles, left_out }
+    let positions = used.iter().map(|&n| points[n]).collect();
+    Built { name, positions, triangles, left_out: group.left_out }
 }

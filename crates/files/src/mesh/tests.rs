@@ -56,6 +56,21 @@ fn names_that_no_file_could_have_are_made_fit_and_told_apart() {
 }
 
 #[test]
+fn a_group_of_which_nothing_is_left_is_no_panel_and_is_counted() {
+    // As named by one number, and as lying on one spot where every triangle has corners of its own.
+    let by_number = "v 0 0 0\nv 1 0 0\nv 0 1 0\no a\nf 1 2 1\no b\nf 1 2 3\nf 3 2 1\n";
+    let by_place = "v 0 0 0\nv 1 0 0\nv 1 0 0\no a\nf 1 2 3\n\
+                    v 0 0 0\nv 1 0 0\nv 0 1 0\no b\nf 4 5 6\n";
+    for text in [by_number, by_place] {
+        let design = obj(text).unwrap();
+        assert_eq!(design.groups.len(), 1, "{text}");
+        assert_eq!((design.groups[0].name.as_str(), design.groups[0].left_out), ("b", 1));
+    }
+    let nothing = obj("v 0 0 0\nv 1 0 0\nv 1 0 0\no a\nf 1 2 3\n").unwrap_err();
+    assert_eq!(nothing.message, "there is no triangle in it");
+}
+
+#[test]
 fn what_is_no_triangle_is_left_out_and_counted() {
     let text = format!("{SQUARE}v 2 0 0\nf 1 2 5 3\nf 2 5 3\nf 1 3 4\n");
     let design = obj(&text).unwrap();

@@ -75,10 +75,10 @@ impl Run<'_> {
         if ended != Ended::Least {
             return Ok((form, ended));
         }
-        match aim {
-            Aim::Mean => self.least_mean(form, watch),
-            Aim::Max => self.least_largest(form, watch),
-            Aim::Seams => self.true_border(form, watch),
+        if aim == Aim::Mean {
+            self.least_mean(form, watch)
+        } else {
+            self.least_largest(form, watch)
         }
     }
 
