@@ -2,7 +2,7 @@
 
 use crate::bars;
 use crate::command::Command;
-use crate::editor::{Editor, FileWish, Page, Zoom};
+use crate::editor::{Editor, Page, Zoom};
 use crate::engine::Wake;
 use crate::io::{Dialogs, FileAnswer, SystemDialogs};
 use crate::pages::calibrate::calibrate_ui;
@@ -119,7 +119,7 @@ impl App {
         for command in Command::all() {
             let Some(key) = command.key() else { continue };
             let is_plain = key.modifiers.is_none() && key.logical_key != egui::Key::Escape;
-            if types && is_plain || self.editor.page == Page::Palette && is_plain {
+            if is_plain && (types || self.editor.page == Page::Palette) {
                 continue;
             }
             if ctx.input_mut(|i| i.consume_shortcut(&key)) {
@@ -332,6 +332,3 @@ impl eframe::App for App {
         }
     }
 }
-
-/// What only the system can do, for whoever answers in its place.
-pub type Wish = FileWish;

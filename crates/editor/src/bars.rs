@@ -9,7 +9,7 @@ use crate::theme::{Look, Theme};
 use eframe::egui::{self, Button, Layout, ProgressBar, RichText, Ui};
 
 /// A button that runs a command, or says why it can't.
-pub fn command_button(
+pub(crate) fn command_button(
     ui: &mut Ui,
     editor: &Editor,
     command: Command,
@@ -66,7 +66,7 @@ fn menu(ui: &mut Ui, editor: &Editor, name: &str, lines: &[&[Command]], acts: &m
 }
 
 /// The bar at the top.
-pub fn top_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
+pub(crate) fn top_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
     use Command as C;
     ui.horizontal(|ui| {
         menu(
@@ -136,7 +136,7 @@ pub fn top_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) 
 }
 
 /// The line at the bottom: what to do, what is being done, what was said.
-pub fn bottom_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
+pub(crate) fn bottom_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
     ui.horizontal(|ui| {
         let (text, ink) = match &editor.notice {
             Some(notice) if notice.is_refusal => (notice.text.clone(), theme.verdicts[2]),

@@ -19,7 +19,7 @@ use sheetwright_files::{Units, length_text, verdict_sentence, verdict_word};
 const FINDINGS: usize = 3;
 
 /// The whole bar.
-pub fn side_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
+pub(crate) fn side_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
     egui::ScrollArea::vertical().auto_shrink([false; 2]).show(ui, |ui| {
         verdicts_ui(ui, editor, theme, acts);
         selected_ui(ui, editor, theme, acts);

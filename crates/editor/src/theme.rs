@@ -176,8 +176,8 @@ impl Theme {
 
     /// Dresses everything that egui draws itself.
     pub fn apply(&self, ctx: &egui::Context) {
-        let mut style = egui::Style::default();
-        style.visuals = if self.is_dark { egui::Visuals::dark() } else { egui::Visuals::light() };
+        let visuals = if self.is_dark { egui::Visuals::dark() } else { egui::Visuals::light() };
+        let mut style = egui::Style { visuals, ..egui::Style::default() };
         let v = &mut style.visuals;
         v.panel_fill = self.ground;
         v.window_fill = self.ground;

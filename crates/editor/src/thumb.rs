@@ -17,7 +17,7 @@ const SAMPLES: usize = 64;
 
 /// Pictures by their names.
 #[derive(Default)]
-pub struct Thumbs {
+pub(crate) struct Thumbs {
     kept: BTreeMap<String, Option<Thumb>>,
     /// The picture of a design that is being changed.
     live: Option<(Design, Option<Thumb>)>,
@@ -32,7 +32,7 @@ struct Thumb {
 
 impl Thumbs {
     /// A card with a picture and a name; whether it was clicked.
-    pub fn card_ui(
+    pub(crate) fn card_ui(
         &mut self,
         ui: &mut Ui,
         theme: &Theme,
@@ -77,7 +77,7 @@ impl Thumbs {
     }
 
     /// The picture of a design as it is now.
-    pub fn picture_ui(&mut self, ui: &mut Ui, theme: &Theme, size: Vec2, design: &Design) {
+    pub(crate) fn picture_ui(&mut self, ui: &mut Ui, theme: &Theme, size: Vec2, design: &Design) {
         let (area, response) = ui.allocate_exact_size(size, Sense::hover());
         response
             .widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, "How it will look"));

@@ -76,11 +76,6 @@ pub fn edited(document: &Document, edit: &Edit) -> Outcome {
         Edit::SetDrawing(drawing) => {
             Ok(Edited::of(Document { drawing: (**drawing).clone(), ..document.clone() }))
         }
-        Edit::SetMirror(mirror) => {
-            let mut next = document.clone();
-            next.drawing.mirror = *mirror;
-            Ok(Edited::of(next))
-        }
     }
 }
 
