@@ -36,7 +36,7 @@ fn menu_line(ui: &mut Ui, editor: &Editor, command: Command, acts: &mut Vec<Act>
     let why_not = editor.why_not(command);
     let key = command.key().map_or(String::new(), |key| ui.ctx().format_shortcut(&key));
     let mark = match editor.is_on(command) {
-        Some(true) => "✔ ",
+        Some(true) => "•  ",
         Some(false) => "    ",
         None => "",
     };
@@ -111,8 +111,8 @@ pub(crate) fn top_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec
             command_button(ui, editor, command, command.name(), acts);
         }
         ui.separator();
-        command_button(ui, editor, C::Undo, "⟲ Undo", acts);
-        command_button(ui, editor, C::Redo, "⟳ Redo", acts);
+        command_button(ui, editor, C::Undo, "Undo", acts);
+        command_button(ui, editor, C::Redo, "Redo", acts);
         ui.separator();
         for command in [C::ToggleMirror, C::ToggleGrid, C::Fit] {
             command_button(ui, editor, command, command.name(), acts);
@@ -130,7 +130,7 @@ pub(crate) fn top_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec
                 }
             });
             command_button(ui, editor, C::Vary, "Make it bend…", acts);
-            command_button(ui, editor, C::Palette, "🔍", acts);
+            command_button(ui, editor, C::Palette, "Find…", acts);
         });
     });
 }

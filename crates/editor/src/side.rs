@@ -133,9 +133,9 @@ fn made_ui(
 
 fn finding_ui(ui: &mut Ui, theme: &Theme, finding: &Finding) {
     let (sign, ink) = match finding.severity {
-        Severity::Error => ("✖", theme.verdicts[2]),
-        Severity::Warning => ("⚠", theme.verdicts[1]),
-        Severity::Note => ("ℹ", theme.faint),
+        Severity::Error => ("■", theme.verdicts[2]),
+        Severity::Warning => ("▲", theme.verdicts[1]),
+        Severity::Note => ("•", theme.faint),
     };
     ui.horizontal_top(|ui| {
         ui.label(RichText::new(sign).color(ink));
@@ -147,10 +147,10 @@ fn finding_ui(ui: &mut Ui, theme: &Theme, finding: &Finding) {
 
 fn sign(verdict: Verdict) -> &'static str {
     match verdict {
-        Verdict::Bends | Verdict::BendsAndFolds => "✔",
-        Verdict::BendsWithForce => "⚠",
+        Verdict::Bends | Verdict::BendsAndFolds => "●",
+        Verdict::BendsWithForce => "▲",
         Verdict::Undecided => "?",
-        Verdict::WillNotBend => "✖",
+        Verdict::WillNotBend => "■",
     }
 }
 
