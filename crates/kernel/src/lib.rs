@@ -94,4 +94,6 @@ pub mod check;
 
 pub mod design;
 
+pub mod draw;
+
 pub mod template;
