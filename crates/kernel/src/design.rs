@@ -39,6 +39,7 @@ use crate::triangulate::{
     refuse, triangulate, triangulate_near, with_holes_facing,
 };
 use crate::watch::{Stage, Watch};
+pub(crate) use sampling::LEAST_OF_HOLE;
 use sampling::{Sampled, Sampler, Sourced, matched};
 use std::collections::BTreeSet;
 

@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 /// are built from different numbers.
 const SAME_SPACING: f64 = 1e-6;
 /// Samples of a hole at the least, however small it is: a round one must not be cut as a triangle.
-const LEAST_OF_HOLE: usize = 24;
+pub(crate) const LEAST_OF_HOLE: usize = 24;
 
 /// A place on a curve of the design.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,4 +4,10 @@
 //! Everything here is a pure function on the plain values of a [design](crate::design): it returns
 //! what is changed, or says in words why it can't be, and never changes what it is given.
 
+pub mod coarse;
+pub mod edit;
+pub mod join;
+pub mod loops;
+pub mod mirror;
+pub mod panels;
 pub mod stroke;

@@ -1,0 +1,112 @@
+//! The same design with fewer samples, for a picture that keeps up with the hand.
+
+use super::edit::built;
+use crate::curve::Curve;
+use crate::design::{CurveUse, Design, DesignPanel, LEAST_OF_HOLE, PanelShape};
+
+/// A design of which no panel has more than `most` samples in all its loops, or as few as its
+/// curves let it have: one at every corner, three on an outline, as many on a hole as a panel gives
+/// it at the least. Panels that have no more stay as they are. Where seams are matched, all panels
+/// with more get fewer in the same proportion, so that both sides of a seam still agree; a panel
+/// that shares a long curve with a finer one may then keep a few more.
+///
+/// Points that are samples themselves stay, and joins are as fine as they ask for or their parts
+/// make them.
+pub fn coarse(design: &Design, most: usize) -> Design {
+    let mut changed = design.clone();
+    let finest: Vec<usize> = design
+        .panels
+        .iter()
+        .map(|panel| within(design, panel, most).unwrap_or(panel.samples))
+        .collect();
+    let shares =
+        finest.iter().zip(&design.panels).map(|(&n, p)| n as f64 / p.samples.max(1) as f64);
+    let smallest = shares.fold(1.0, f64::min);
+    for (panel, finest) in changed.panels.iter_mut().zip(finest) {
+        let in_proportion = (panel.samples as f64 * smallest).floor() as usize;
+        let wanted = if design.match_seams { finest.min(in_proportion) } else { finest };
+        panel.samples = wanted.max(least(design, panel)).min(panel.samples);
+    }
+    changed
+}
+
+/// The most samples that a panel may ask for so that it has `most` at the most; `None` where that
+/// can't be told.
+fn within(design: &Design, panel: &DesignPanel, most: usize) -> Option<usize> {
+    let (mut low, mut high) = (least(design, panel), panel.samples);
+    let count = counter(design, panel)?;
+    if count(high) <= most {
+        return Some(high);
+    }
+    // More samples asked for never make fewer.
+    while low < high {
+        let middle = (low + high).div_ceil(2);
+        if count(middle) <= most {
+            low = middle;
+        } else {
+            high = middle - 1;
+        }
+    }
+    Some(low)
+}
+
+fn curves<'a>(
+    design: &'a Design,
+    uses: &'a [CurveUse],
+) -> impl Iterator<Item = (Curve, bool)> + 'a {
+    let found = |part: &CurveUse| {
+        let curve = design.curves.iter().find(|curve| curve.name == part.name)?;
+        Some((built(curve).ok()?, curve.kind.is_none() && curve.closed))
+    };
+    uses.iter().filter_map(found)
+}
+
+/// Samples that the corners of a chain of curves ask for.
+fn corners(design: &Design, uses: &[CurveUse]) -> usize {
+    curves(design, uses).map(|(curve, _)| curve.stretches().len()).sum::<usize>().max(3)
+}
+
+/// The least samples that a panel may ask for.
+fn least(design: &Design, panel: &DesignPanel) -> usize {
+    match &panel.shape {
+        PanelShape::Rails(rails) => {
+            let of_rail = |rail| corners_of_rail(design, rail);
+            rails.iter().map(of_rail).max().unwrap_or(2)
+        }
+        PanelShape::Loops { outer, .. } => corners(design, outer),
+        PanelShape::Join(_) => 3,
+    }
+}
+
+fn corners_of_rail(design: &Design, rail: &CurveUse) -> usize {
+    let uses = std::slice::from_ref(rail);
+    curves(design, uses).map(|(curve, _)| curve.stretches().len() + 1).sum::<usize>().max(2)
+}
+
+/// How many samples all loops of a panel have when it asks for some.
+fn counter(design: &Design, panel: &DesignPanel) -> Option<impl Fn(usize) -> usize> {
+    let length = |uses: &[CurveUse]| curves(design, uses).map(|(c, _)| c.length()).sum::<f64>();
+    // Points that are samples themselves: how many.
+    let fixed = |uses: &[CurveUse]| match curves(design, uses).next() {
+        Some((curve, true)) if uses.len() == 1 => Some(curve.spans().len()),
+        _ => None,
+    };
+    let (outer, holes) = match &panel.shape {
+        PanelShape::Rails(_) => (None, Vec::new()),
+        PanelShape::Loops { outer, holes } => {
+            let hole = |hole: &Vec<CurveUse>| (length(hole), fixed(hole), corners(design, hole));
+            (Some((length(outer), fixed(outer))), holes.iter().map(hole).collect::<Vec<_>>())
+        }
+        PanelShape::Join(_) => return None,
+    };
+    Some(move |asked: usize| {
+        let Some((length, fixed)) = outer else { return 2 * asked };
+        let on_outer = fixed.unwrap_or(asked);
+        let spacing = length / on_outer.max(1) as f64;
+        let of_hole = |(length, fixed, corners): &(f64, Option<usize>, usize)| {
+            let spaced = (length / spacing).ceil() as usize;
+            fixed.unwrap_or(spaced.max(LEAST_OF_HOLE).max(*corners))
+        };
+        on_outer + holes.iter().map(of_hole).sum::<usize>()
+    })
+}

@@ -1,0 +1,271 @@
+//! From the closed curves of a design to panels and holes.
+//!
+//! A closed curve that no panel uses becomes a hole of the panel whose outer loop is the nearest
+//! around it in the plan; inside a hole, or where nothing is around it, it becomes a panel. So depth
+//! after depth of curves drawn inside one another is in turn sheet and air. What panels there are
+//! keep everything. One that a new curve is drawn around stays, and the new panel has a hole there.
+
+use super::edit::{built, free_of};
+use super::loops::{Nesting, nesting};
+use crate::curve::Curve;
+use crate::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelShape};
+use crate::math::{Point2, Point3};
+use std::collections::BTreeSet;
+
+/// Something that is proposed for the panels of a design.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PanelChange {
+    /// A closed curve becomes a hole of a panel that there is.
+    Hole {
+        /// The panel.
+        panel: String,
+        /// The curve.
+        curve: String,
+    },
+    /// A closed curve, with those inside it as holes, becomes a panel.
+    Panel(DesignPanel),
+}
+
+/// What is proposed for the panels of a design.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Proposal {
+    /// The changes, in the order of the curves.
+    pub changes: Vec<PanelChange>,
+    /// Pairs of curves that cross or touch in the plan, at least one of them free: nothing is
+    /// proposed for a free curve that crosses something.
+    pub crossing: Vec<[String; 2]>,
+    /// Free curves that cross themselves in the plan: nothing is proposed for them.
+    pub crossing_itself: Vec<String>,
+}
+
+impl Proposal {
+    /// The design with all that is proposed.
+    pub fn applied(&self, design: &Design) -> Design {
+        let mut changed = design.clone();
+        for change in &self.changes {
+            match change {
+                PanelChange::Panel(panel) => changed.panels.push(panel.clone()),
+                PanelChange::Hole { panel, curve } => {
+                    let mut panels = changed.panels.iter_mut();
+                    if let Some(panel) = panels.find(|p| p.name == *panel)
+                        && let PanelShape::Loops { holes, .. } = &mut panel.shape
+                    {
+                        holes.push(vec![used(curve)]);
+                    }
+                }
+            }
+        }
+        changed
+    }
+}
+
+fn used(name: &str) -> CurveUse {
+    CurveUse { name: name.to_owned(), reversed: false }
+}
+
+/// Places of a span of a curve for its polygon in the plan.
+const PLACES: usize = 24;
+
+/// The places of a curve in a plan as a polygon for [`nesting`]; without the end of an open one, so
+/// that those of curves that follow one another make a loop. Empty if its points make no curve.
+pub fn in_plan(curve: &DesignCurve, project: impl Fn(Point3) -> Point2) -> Vec<Point2> {
+    built(curve).map(|made| polygon(&made, curve, &project)).unwrap_or_default()
+}
+
+fn polygon(made: &Curve, curve: &DesignCurve, project: &impl Fn(Point3) -> Point2) -> Vec<Point2> {
+    let straight = |n: usize| {
+        let control = made.spans()[n].control;
+        let [a, b, c, d] = control;
+        let size = a.distance(d);
+        b.distance(a.lerp(d, 1.0 / 3.0)) + c.distance(a.lerp(d, 2.0 / 3.0)) <= STRAIGHT * size
+    };
+    let parts = |n: usize| if curve.kind.is_none() || straight(n) { 1 } else { PLACES };
+    let places = (0..made.spans().len())
+        .flat_map(|n| (0..parts(n)).map(move |k| (n, k as f64 / parts(n) as f64)));
+    places.map(|(n, t)| project(made.spans()[n].position(t))).collect()
+}
+
+/// How far the control points of a straight span may be off, as a share of its length: rounding.
+const STRAIGHT: f64 = 1e-12;
+
+/// A loop of the plan.
+struct Loop {
+    /// The curves it is made of.
+    names: Vec<String>,
+    polygon: Vec<Point2>,
+    part: Part,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Part {
+    /// The outer loop of a panel, by its number.
+    Outer(usize),
+    /// A hole of a panel.
+    Hole,
+    /// Of no panel yet.
+    Free,
+}
+
+fn loops_of(design: &Design, project: &impl Fn(Point3) -> Point2) -> Vec<Loop> {
+    let mut loops = Vec::new();
+    let polygon_of = |uses: &[CurveUse]| -> Vec<Point2> {
+        let mut points = Vec::new();
+        for part in uses {
+            let Some(curve) = design.curves.iter().find(|c| c.name == part.name) else { continue };
+            let curve = match part.reversed {
+                true => &super::edit::reversed(curve),
+                false => curve,
+            };
+            points.extend(in_plan(curve, project));
+        }
+        points.dedup();
+        points
+    };
+    let mut bound: BTreeSet<&str> = BTreeSet::new();
+    for (n, panel) in design.panels.iter().enumerate() {
+        match &panel.shape {
+            PanelShape::Rails(rails) => bound.extend(rails.iter().map(|r| r.name.as_str())),
+            PanelShape::Loops { outer, holes } => {
+                for (k, uses) in std::iter::once(outer).chain(holes).enumerate() {
+                    bound.extend(uses.iter().map(|u| u.name.as_str()));
+                    let names = uses.iter().map(|u| u.name.clone()).collect();
+                    let part = if k == 0 { Part::Outer(n) } else { Part::Hole };
+                    loops.push(Loop { names, polygon: polygon_of(uses), part });
+                }
+            }
+            PanelShape::Join(_) => {}
+        }
+    }
+    for curve in design.curves.iter().filter(|c| c.closed && !bound.contains(c.name.as_str())) {
+        let polygon = in_plan(curve, project);
+        if polygon.len() >= 3 {
+            loops.push(Loop { names: vec![curve.name.clone()], polygon, part: Part::Free });
+        }
+    }
+    loops
+}
+
+/// What becomes of every closed curve that no panel uses. New panels get the free names that follow
+/// the names of their curves, and `samples` samples.
+pub fn panels_of_drawing(
+    design: &Design,
+    project: impl Fn(Point3) -> Point2,
+    samples: usize,
+) -> Proposal {
+    let loops = loops_of(design, &project);
+    let polygons: Vec<Vec<Point2>> = loops.iter().map(|l| l.polygon.clone()).collect();
+    let Nesting { loops: nested, crossing, crossing_itself } = nesting(&polygons);
+    let is_free = |n: usize| loops[n].part == Part::Free;
+    let mut proposal = Proposal::default();
+    let mut barred: BTreeSet<usize> = BTreeSet::new();
+    for [a, b] in crossing.into_iter().filter(|&[a, b]| is_free(a) || is_free(b)) {
+        barred.extend([a, b].into_iter().filter(|&n| is_free(n)));
+        proposal.crossing.push([a, b].map(|n| loops[n].names.join(", ")));
+    }
+    for n in crossing_itself.into_iter().filter(|&n| is_free(n)) {
+        barred.insert(n);
+        proposal.crossing_itself.push(loops[n].names.join(", "));
+    }
+    // Around it, past loops that are barred.
+    let parent = |n: usize| {
+        let up = |&n: &usize| nested[n].parent;
+        std::iter::successors(up(&n), up).find(|n| !barred.contains(n))
+    };
+    // From outside inwards, so that what is around a loop has its part.
+    let mut order: Vec<usize> =
+        (0..loops.len()).filter(|n| is_free(*n) && !barred.contains(n)).collect();
+    order.sort_by_key(|&n| (nested[n].depth, n));
+    let mut parts: Vec<Part> = loops.iter().map(|l| l.part).collect();
+    let first_new = design.panels.len();
+    let mut new: Vec<(usize, DesignPanel)> = Vec::new();
+    let mut holes: Vec<(usize, PanelChange)> = Vec::new();
+    for n in order {
+        let name = loops[n].names[0].clone();
+        if let Some(Part::Outer(panel)) = parent(n).map(|n| parts[n]) {
+            parts[n] = Part::Hole;
+            if panel >= first_new {
+                add_hole(&mut new[panel - first_new].1, vec![used(&name)]);
+            } else {
+                let panel = design.panels[panel].name.clone();
+                holes.push((n, PanelChange::Hole { panel, curve: name }));
+            }
+            continue;
+        }
+        parts[n] = Part::Outer(first_new + new.len());
+        // A panel has the name of its curve if no other has it.
+        let others = design.panels.iter().map(|p| p.name.as_str());
+        let others: Vec<&str> = others.chain(new.iter().map(|(_, p)| p.name.as_str())).collect();
+        let free = free_of(&others, &name);
+        let shape = PanelShape::Loops { outer: vec![used(&name)], holes: Vec::new() };
+        new.push((n, DesignPanel::new(free, shape, samples)));
+        // Panels that there are and that it is drawn around.
+        for inner in (0..loops.len()).filter(|&i| parent(i) == Some(n)) {
+            if let Part::Outer(of) = loops[inner].part
+                && let PanelShape::Loops { outer, .. } = &design.panels[of].shape
+                && let Some((_, panel)) = new.last_mut()
+            {
+                add_hole(panel, outer.clone());
+            }
+        }
+    }
+    let panels = new.into_iter().map(|(n, panel)| (n, PanelChange::Panel(panel)));
+    let mut changes: Vec<(usize, PanelChange)> = holes.into_iter().chain(panels).collect();
+    changes.sort_by_key(|(n, _)| *n);
+    proposal.changes = changes.into_iter().map(|(_, change)| change).collect();
+    proposal
+}
+
+fn add_hole(panel: &mut DesignPanel, hole: Vec<CurveUse>) {
+    if let PanelShape::Loops { holes, .. } = &mut panel.shape {
+        holes.push(hole);
+    }
+}
+
+/// The design without a curve: panels lose the holes that it bounds, and a panel whose outer loop
+/// or rail it is part of goes; so do joins of fewer than two panels, and what would vary nothing
+/// that is left.
+pub fn without_curve(design: &Design, name: &str) -> Design {
+    let mut changed = design.clone();
+    changed.curves.retain(|curve| curve.name != name);
+    let uses = |part: &[CurveUse]| part.iter().any(|u| u.name == name);
+    changed.panels.retain_mut(|panel| match &mut panel.shape {
+        PanelShape::Rails(rails) => !uses(rails),
+        PanelShape::Loops { outer, holes } => {
+            holes.retain(|hole| !uses(hole));
+            !uses(outer)
+        }
+        PanelShape::Join(_) => true,
+    });
+    changed.vary.retain_mut(|vary| left_of(&mut vary.curves, |curve| curve != name));
+    without_lost_panels(changed)
+}
+
+/// The design without a panel; its curves stay. Joins of fewer than two panels go, and what would
+/// vary nothing that is left.
+pub fn without_panel(design: &Design, name: &str) -> Design {
+    let mut changed = design.clone();
+    changed.panels.retain(|panel| panel.name != name);
+    without_lost_panels(changed)
+}
+
+/// Whether a list of names, which stands for all when it is empty, still names some.
+fn left_of(names: &mut Vec<String>, is_left: impl Fn(&str) -> bool) -> bool {
+    let named = !names.is_empty();
+    names.retain(|name| is_left(name));
+    !named || !names.is_empty()
+}
+
+fn without_lost_panels(mut design: Design) -> Design {
+    let names = |design: &Design| -> BTreeSet<String> {
+        design.panels.iter().map(|panel| panel.name.clone()).collect()
+    };
+    let there = names(&design);
+    design.panels.retain_mut(|panel| {
+        let PanelShape::Join(join) = &mut panel.shape else { return true };
+        join.parts.retain(|part| there.contains(part));
+        join.parts.len() > 1
+    });
+    let there = names(&design);
+    design.vary.retain_mut(|vary| left_of(&mut vary.panels, |panel| there.contains(panel)));
+    design
+}
