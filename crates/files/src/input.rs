@@ -108,9 +108,7 @@ pub fn read_any_bytes(
     options: &ReadOptions,
 ) -> Result<Input, InputError> {
     check_options(format, options)?;
-    if bytes.len() as u64 > MAX_INPUT_BYTES {
-        return Err(too_large(display_name(name)));
-    }
+    refuse_large(bytes, display_name(name))?;
     let mut design = match format {
         InputFormat::Mesh(format) => {
             return mesh::read(format, bytes, name, options).map(Input::Mesh);
@@ -120,6 +118,11 @@ pub fn read_any_bytes(
     };
     design.material = options.material.or(design.material);
     Ok(Input::Design(design))
+}
+
+/// Refuses more bytes than an input may have.
+pub(crate) fn refuse_large(bytes: &[u8], place: &str) -> Result<(), InputError> {
+    if bytes.len() as u64 > MAX_INPUT_BYTES { Err(too_large(place)) } else { Ok(()) }
 }
 
 fn design_of(input: Input, place: &str) -> Result<Design, InputError> {

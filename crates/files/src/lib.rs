@@ -4,9 +4,11 @@
 //! a curve table, [`design_from_template`] from a template. Out: [`output_files`] makes every file of a made design, in memory; the caller
 //! writes them. One module a format.
 
+mod archive;
 mod catalogue;
 mod design_json;
 mod drawing;
+mod drawn;
 mod dxf;
 mod hint;
 mod input;
@@ -29,8 +31,10 @@ mod table;
 mod template_call;
 mod units;
 
+pub use archive::zipped;
 pub use catalogue::{catalogue_json, catalogue_text, parameter_table, template_text};
-pub use design_json::write_design;
+pub use design_json::{read_drawn, write_design, write_drawn};
+pub use drawn::{Drawing, Mirror, Plan, Reference};
 pub use dxf::{read_dxf, write_dxf};
 pub use hint::{hint_for, mesh_hint_for};
 pub use input::{Input, InputFormat, read_any, read_any_bytes, read_bytes, read_input};
@@ -40,14 +44,15 @@ pub use obj::{write_meshes_obj, write_obj};
 pub use output::{Format, OutputError, OutputFile, Outputs, mesh_output_files, output_files};
 pub use pdf::{MaxSheets, Paper, PdfOptions, Reduced, WrittenPdf, write_pdf};
 pub use quads::{PanelQuads, write_quads};
-pub use quantity::{distance_mm, warp_deg};
+pub use quantity::{distance_mm, length_in, length_text, warp_deg};
 pub use read_back::{PatternReadError, ReadPattern};
 pub use reading::{InputError, MAX_INPUT_BYTES, ReadOptions, VarySettings, read_limited};
 pub use refold::{RefoldFileError, refold_error_mm};
 pub use report::{
     Picture, design_picture, flat_picture, gauss_picture, heat_picture, mesh_gauss_picture,
     mesh_picture, mesh_report_html, mesh_report_json, meshes_picture, moved_picture, quads_picture,
-    report_html, report_json, report_schema, side_by_side, stacked, surface_picture, warp_chart,
+    report_html, report_json, report_schema, side_by_side, stacked, surface_picture,
+    verdict_sentence, verdict_word, warp_chart,
 };
 pub use step::write_step;
 pub use svg::{read_svg, write_svg};

@@ -32,6 +32,29 @@ pub(crate) fn length_mm(text: &str) -> Option<f64> {
     finite(sign * sum)
 }
 
+/// A length, mm, where a number without a unit is in `units`; `None` if the text is none.
+pub fn length_in(text: &str, units: Units) -> Option<f64> {
+    match plain(text) {
+        Some(number) => finite(number * (units.in_mm() * 10.0) / 10.0),
+        None => length_mm(text),
+    }
+}
+
+/// A length with its unit, as short as a hundredth of a millimetre allows: `400 mm`, `40.5 cm`,
+/// `15.75 in`. It reads back within that.
+pub fn length_text(mm: f64, units: Units) -> String {
+    let decimals = match units {
+        Units::Millimetres => 2,
+        Units::Centimetres | Units::Inches => 3,
+        Units::Metres => 5,
+        Units::Feet => 4,
+    };
+    let digits = format!("{:.decimals$}", mm / units.in_mm());
+    let digits = digits.trim_end_matches('0').trim_end_matches('.');
+    let digits = if digits == "-0" { "0" } else { digits };
+    format!("{digits} {}", units.name())
+}
+
 /// A distance that something may move, mm; `None` where the text is none, or the distance is not
 /// taken.
 pub fn distance_mm(text: &str) -> Option<f64> {
@@ -214,6 +237,24 @@ mod tests {
             assert_eq!(length_mm(text), None, "{text:?}");
         }
         assert_eq!(length_mm(&"1mm ".repeat(1000)), None);
+    }
+
+    #[test]
+    fn lengths_are_shown_in_units_and_read_back() {
+        for (mm, units, text) in [
+            (400.0, Units::Millimetres, "400 mm"),
+            (-0.001, Units::Millimetres, "0 mm"),
+            (400.05, Units::Inches, "15.75 in"),
+            (-1250.5, Units::Metres, "-1.2505 m"),
+            (0.004, Units::Millimetres, "0 mm"),
+        ] {
+            assert_eq!(length_text(mm, units), text);
+            let back = length_in(text, Units::Feet);
+            assert!(back.is_some_and(|back| (back - mm).abs() <= 0.005), "{text}: {back:?}");
+        }
+        assert_eq!(length_in("2", Units::Inches), Some(50.8));
+        assert_eq!(length_in("2 cm", Units::Inches), Some(20.0));
+        assert_eq!(length_in("2 kg", Units::Inches), None);
     }
 
     #[test]

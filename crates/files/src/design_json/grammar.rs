@@ -2,6 +2,7 @@
 //!
 //! The doc comments of these types are the descriptions in docs/schema/design.schema.json.
 
+use super::drawing::DrawingFile;
 use crate::table::MAX_ROWS;
 use crate::units::Units;
 use schemars::JsonSchema;
@@ -46,6 +47,10 @@ pub(super) struct DesignFile {
     /// seam are equally long. They do in any case where something moves. Default: false.
     #[serde(default)]
     pub(super) match_seams: bool,
+    /// How it is drawn in the editor. Nothing in it changes what is made.
+    #[serde(default)]
+    #[schemars(with = "Option<DrawingFile>")]
+    pub(super) drawing: Option<Object<DrawingFile>>,
 }
 
 /// What may move, how far, and what for. Where points have a distance `move`, only those move that

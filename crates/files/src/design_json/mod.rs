@@ -4,6 +4,7 @@
 //! [`convert`] makes the kernel's and knows JSON paths.
 
 mod convert;
+mod drawing;
 mod grammar;
 mod join;
 mod source;
@@ -11,6 +12,7 @@ mod table_path;
 mod vary;
 mod write;
 
+pub use drawing::{read_drawn, write_drawn};
 pub(crate) use table_path::table_beside;
 pub(crate) use vary::MOST_WARP_DEG;
 pub use write::write_design;
@@ -38,8 +40,11 @@ pub(crate) fn read(
     options: &ReadOptions,
 ) -> Result<Design, InputError> {
     let place = display_name(name);
-    let file = parse(text, place)?;
-    convert::design(file, &source::Source { name, place, folder, options })
+    let mut file = parse(text, place)?;
+    let source = source::Source { name, place, folder, options };
+    // Making passes over how it is drawn, but not over what is wrong there.
+    drawing::read(file.drawing.take(), file.units, &source)?;
+    convert::design(file, &source)
 }
 
 fn parse(text: &str, place: &str) -> Result<DesignFile, InputError> {

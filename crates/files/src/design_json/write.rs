@@ -1,5 +1,6 @@
 //! A kernel design as JSON, a curve a block, a point a line and a panel a line.
 
+use super::drawing::DrawingFile;
 use super::grammar::{GoalName, KindName, MethodName, SmoothName};
 use super::{VERSION, vary};
 use crate::units::Units;
@@ -12,13 +13,18 @@ use sheetwright::triangulate::Goal;
 /// A design as the bytes of its file, in millimetres, with every default written out but for what
 /// few designs ask for (`goal`, `run_on`, `cut`, `vary`, `match_seams`). It reads back equal.
 pub fn write_design(design: &Design) -> Vec<u8> {
-    write(design, Units::Millimetres, curve)
+    write_with(design, None)
+}
+
+/// The same with how it is drawn, where that is not as usual.
+pub(super) fn write_with(design: &Design, drawing: Option<&DrawingFile>) -> Vec<u8> {
+    write(design, drawing, Units::Millimetres, curve)
 }
 
 /// The same with the points of all curves left where they are: in a table beside the design, in
 /// these units.
 pub(crate) fn write_design_of_table(design: &Design, table: &str, units: Units) -> Vec<u8> {
-    write(design, units, |curve| {
+    write(design, None, units, |curve| {
         format!(
             "    {}: {{ \"kind\": {}, \"closed\": {}, \"table\": {}, \"curve\": {} }}",
             json(&curve.name),
@@ -30,7 +36,12 @@ pub(crate) fn write_design_of_table(design: &Design, table: &str, units: Units) 
     })
 }
 
-fn write(design: &Design, units: Units, curve: impl Fn(&DesignCurve) -> String) -> Vec<u8> {
+fn write(
+    design: &Design,
+    drawing: Option<&DrawingFile>,
+    units: Units,
+    curve: impl Fn(&DesignCurve) -> String,
+) -> Vec<u8> {
     let mut fields = vec![
         format!("  \"sheetwright\": {VERSION}"),
         format!("  \"name\": {}", json(&design.name)),
@@ -53,6 +64,7 @@ fn write(design: &Design, units: Units, curve: impl Fn(&DesignCurve) -> String) 
     };
     let panels: Vec<String> = design.panels.iter().map(of_panel).collect();
     fields.push(format!("  \"panels\": [\n{}\n  ]", panels.join(",\n")));
+    fields.extend(drawing.map(|drawing| format!("  \"drawing\": {}", json(drawing))));
     format!("{{\n{}\n}}\n", fields.join(",\n")).into_bytes()
 }
 

@@ -36,6 +36,7 @@ pub use moved_picture::moved_picture;
 pub use quads_picture::quads_picture;
 pub use space_picture::{design_picture, surface_picture};
 pub use warp_chart::warp_chart;
+pub use wording::{verdict_sentence, verdict_word};
 
 use sheetwright::measure::Measures;
 

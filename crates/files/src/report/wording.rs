@@ -3,7 +3,7 @@
 use sheetwright::check::Verdict;
 
 /// A verdict in a word or three.
-pub(super) fn verdict_word(verdict: Verdict) -> &'static str {
+pub fn verdict_word(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Bends => "Bends",
         Verdict::BendsAndFolds => "Bends and folds",
@@ -14,7 +14,7 @@ pub(super) fn verdict_word(verdict: Verdict) -> &'static str {
 }
 
 /// A verdict in a sentence.
-pub(super) fn verdict_sentence(verdict: Verdict) -> &'static str {
+pub fn verdict_sentence(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Bends => "The sheet takes this shape by bending alone.",
         Verdict::BendsAndFolds => {

@@ -1,0 +1,334 @@
+//! The window: bars, panes and pages around the [`Editor`], the same on the desktop and in a browser.
+
+use crate::bars;
+use crate::command::Command;
+use crate::editor::{Editor, Page, Zoom};
+use crate::engine::Wake;
+use crate::io::{Dialogs, FileAnswer, SystemDialogs};
+use crate::pages::calibrate::calibrate_ui;
+use crate::pages::export::ExportPage;
+use crate::pages::keys::keys_ui;
+use crate::pages::palette::Palette;
+use crate::pages::start::{Offers, StartAct, StartPage};
+use crate::pages::tour::Tour;
+use crate::pages::vary::{VaryAct, VaryPage};
+use crate::panes::pattern::PatternPane;
+use crate::panes::plan::PlanPane;
+use crate::panes::space::SpacePane;
+use crate::scene::Act;
+use crate::side::side_ui;
+use crate::theme::{Look, Theme};
+use eframe::egui::{self, Frame, Margin, Panel, RichText, Ui};
+use std::sync::Arc;
+use web_time::Duration;
+
+/// The window.
+pub struct App {
+    editor: Editor,
+    dialogs: Box<dyn Dialogs>,
+    plan: PlanPane,
+    space: SpacePane,
+    pattern: PatternPane,
+    start: StartPage,
+    export: ExportPage,
+    vary: VaryPage,
+    palette: Palette,
+    tour: Tour,
+    recent: Vec<String>,
+    dressed: Option<(Look, bool)>,
+}
+
+/// While something is under way, the window looks again this often.
+const LOOK_AGAIN: Duration = Duration::from_millis(50);
+/// Recent files that are offered.
+const RECENT: usize = 8;
+
+impl App {
+    /// The window with the dialogs of the system.
+    pub fn new(cc: &eframe::CreationContext<'_>) -> Self {
+        let wake = waker(&cc.egui_ctx);
+        Self::with_dialogs(cc, Box::new(SystemDialogs::new(wake)))
+    }
+
+    /// The window with other dialogs.
+    pub fn with_dialogs(cc: &eframe::CreationContext<'_>, dialogs: Box<dyn Dialogs>) -> Self {
+        // Zooming is a command of ours, so that it stands in menus too.
+        cc.egui_ctx.options_mut(|options| options.zoom_with_keyboard = false);
+        Self {
+            editor: Editor::new(waker(&cc.egui_ctx)),
+            dialogs,
+            plan: PlanPane::default(),
+            space: SpacePane::new(cc),
+            pattern: PatternPane::default(),
+            start: StartPage::default(),
+            export: ExportPage::default(),
+            vary: VaryPage::default(),
+            palette: Palette::default(),
+            tour: Tour::default(),
+            recent: Vec::new(),
+            dressed: None,
+        }
+    }
+
+    /// What is edited.
+    pub fn editor(&self) -> &Editor {
+        &self.editor
+    }
+
+    /// What is edited, to be changed from outside: by tests, and to open what the program was
+    /// started with.
+    pub fn editor_mut(&mut self) -> &mut Editor {
+        &mut self.editor
+    }
+
+    /// How the plan is seen now, and where: for whoever points at it from outside.
+    pub fn plan(&self) -> &PlanPane {
+        &self.plan
+    }
+
+    /// Opens a file by its path.
+    pub fn open_path(&mut self, path: &str) {
+        match self.dialogs.read(path) {
+            Ok(opened) => {
+                self.editor.open(&opened);
+                self.remember(path);
+            }
+            Err(text) => self.editor.failed(text),
+        }
+    }
+
+    fn remember(&mut self, path: &str) {
+        self.recent.retain(|other| other != path);
+        self.recent.insert(0, path.to_owned());
+        self.recent.truncate(RECENT);
+    }
+
+    fn dress(&mut self, ctx: &egui::Context) -> &'static Theme {
+        let system_is_dark = ctx.system_theme() == Some(egui::Theme::Dark);
+        let theme = Theme::of(self.editor.look, system_is_dark);
+        if self.dressed != Some((self.editor.look, system_is_dark)) {
+            theme.apply(ctx);
+            self.dressed = Some((self.editor.look, system_is_dark));
+        }
+        theme
+    }
+
+    /// Keys that mean a command, unless somebody is typing.
+    fn keys(&self, ctx: &egui::Context, acts: &mut Vec<Act>) {
+        let types = ctx.egui_wants_keyboard_input() && ctx.text_edit_focused();
+        for command in Command::all() {
+            let Some(key) = command.key() else { continue };
+            let is_plain = key.modifiers.is_none() && key.logical_key != egui::Key::Escape;
+            if is_plain && (types || self.editor.page == Page::Palette) {
+                continue;
+            }
+            if ctx.input_mut(|i| i.consume_shortcut(&key)) {
+                acts.push(Act::Run(command));
+            }
+        }
+    }
+
+    fn take_file_answers(&mut self) {
+        for answer in self.dialogs.answers() {
+            match answer {
+                FileAnswer::Opened(opened) => {
+                    self.editor.open(&opened);
+                    self.remember(&opened.path);
+                }
+                FileAnswer::Picture(opened) => self.editor.trace(opened),
+                FileAnswer::Saved { path, version } => {
+                    self.remember(&path);
+                    self.editor.saved(path, version);
+                }
+                FileAnswer::Exported { count, folder } => {
+                    self.editor.done(format!("{count} files are in {folder}."));
+                }
+                FileAnswer::Failed(text) => self.editor.failed(text),
+            }
+        }
+    }
+
+    fn panes_ui(&mut self, ui: &mut Ui, theme: &'static Theme, acts: &mut Vec<Act>) {
+        let width = ui.available_width();
+        let flush = Frame::new().fill(theme.paper);
+        let titled = |ui: &mut Ui, title: &str, hint: &str| {
+            Frame::new().fill(theme.ground).inner_margin(Margin::symmetric(10, 4)).show(ui, |ui| {
+                ui.set_width(ui.available_width());
+                ui.horizontal(|ui| {
+                    ui.label(RichText::new(title).strong());
+                    ui.label(RichText::new(hint).color(theme.faint).small());
+                });
+            });
+        };
+        let scene = self.editor.scene(theme);
+        let plan_hint = match scene.document.drawing.plan {
+            crate::document::Plan::Top => "from above: draw and move",
+            crate::document::Plan::Front => "from the front: draw and move",
+            crate::document::Plan::Side => "from the side: draw and move",
+        };
+        let half = width * 0.5;
+        Panel::left("plan").frame(flush).default_size(half).min_size(220.0).show(ui, |ui| {
+            titled(ui, "Plan", plan_hint);
+            self.plan.ui(ui, &scene, acts);
+        });
+        let height = ui.available_height();
+        Panel::bottom("pattern")
+            .frame(flush)
+            .resizable(true)
+            .default_size(height * 0.36)
+            .min_size(80.0)
+            .show(ui, |ui| {
+                titled(ui, "Pattern", "flat, true to scale");
+                self.pattern.ui(ui, &scene, self.editor.view, acts);
+            });
+        egui::CentralPanel::default().frame(flush).show(ui, |ui| {
+            titled(ui, "Space", "drag handles to lift them; drag the ground to look around");
+            self.space.ui(ui, &scene, self.editor.view, acts);
+            views_ui(ui, &self.editor, theme, acts);
+        });
+    }
+
+    fn start_ui(&mut self, ui: &mut Ui, theme: &'static Theme, acts: &mut Vec<Act>) {
+        let offers = Offers { recent: &self.recent, recovered: &[] };
+        match self.start.ui(ui, theme, &offers, acts) {
+            Some(StartAct::Take(document)) => {
+                self.editor.replace(*document, None);
+                self.editor.mark_unsaved();
+            }
+            Some(StartAct::Recent(path)) => self.open_path(&path),
+            Some(StartAct::Recover(_) | StartAct::Forget(_)) | None => {}
+        }
+    }
+
+    fn pages_ui(&mut self, ctx: &egui::Context, theme: &'static Theme, acts: &mut Vec<Act>) {
+        let page = self.editor.page;
+        let stays = match page {
+            Page::Start | Page::Panes => true,
+            Page::Export => {
+                let (stays, formats) = self.export.ui(ctx, &self.editor, theme);
+                if let Some(formats) = formats {
+                    self.editor.export(formats);
+                }
+                stays
+            }
+            Page::Vary => {
+                let (stays, act) = self.vary.ui(ctx, &self.editor, theme, acts);
+                match act {
+                    Some(VaryAct::Move(vary)) => self.editor.vary(*vary),
+                    Some(VaryAct::End { accept }) => self.editor.end_vary(accept),
+                    None => {}
+                }
+                stays
+            }
+            Page::Palette => self.palette.ui(ctx, &self.editor, theme, acts),
+            Page::Tour => self.tour.ui(ctx, &self.editor, theme, acts),
+            Page::Keys => keys_ui(ctx, theme),
+            Page::Calibrate => {
+                let (stays, distance) = calibrate_ui(ctx, &self.editor, theme);
+                if let Some(mm) = distance {
+                    self.editor.calibrated(mm);
+                }
+                stays
+            }
+        };
+        // What was chosen on a page may have opened another.
+        if !stays && self.editor.page == page {
+            self.editor.page = Page::Panes;
+        }
+        if page != Page::Palette {
+            self.palette.close();
+        }
+    }
+
+    /// What the editor wants of the window.
+    fn grant(&mut self, ctx: &egui::Context) {
+        for wish in std::mem::take(&mut self.editor.wishes) {
+            self.dialogs.grant(wish);
+        }
+        if std::mem::take(&mut self.editor.wants_fit) {
+            self.plan.fit();
+            self.space.fit();
+            self.pattern.fit();
+        }
+        if let Some(zoom) = self.editor.wants_zoom.take() {
+            let now = ctx.zoom_factor();
+            ctx.set_zoom_factor(match zoom {
+                Zoom::In => (now * 1.1).min(3.0),
+                Zoom::Out => (now / 1.1).max(0.5),
+                Zoom::Normal => 1.0,
+            });
+        }
+    }
+}
+
+/// The views of surfaces, over the corner of the pane.
+fn views_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
+    let pane = ui.min_rect();
+    let area = egui::Rect::from_min_size(
+        egui::pos2(pane.left() + 8.0, pane.top() + 34.0),
+        egui::vec2(pane.width() - 110.0, 30.0),
+    );
+    let over = egui::UiBuilder::new().max_rect(area);
+    ui.scope_builder(over, |ui| {
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing = egui::vec2(4.0, 4.0);
+            ui.spacing_mut().button_padding = egui::vec2(7.0, 2.0);
+            for view in crate::panes::SurfaceView::ALL {
+                let text = RichText::new(view.name()).size(13.0).color(if editor.view == view {
+                    theme.on_accent
+                } else {
+                    theme.ink
+                });
+                bars::command_button(ui, editor, Command::View(view), text, acts);
+            }
+        });
+    });
+}
+
+fn waker(ctx: &egui::Context) -> Wake {
+    let ctx = ctx.clone();
+    Arc::new(move || ctx.request_repaint())
+}
+
+impl eframe::App for App {
+    fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+        let ctx = ui.ctx().clone();
+        let theme = self.dress(&ctx);
+        let mut acts = Vec::new();
+        self.take_file_answers();
+        self.editor.tick();
+        self.plan.tool = self.editor.tool;
+        self.keys(&ctx, &mut acts);
+        let bar = Frame::new().fill(theme.ground).inner_margin(Margin::symmetric(10, 7));
+        if self.editor.page == Page::Start {
+            self.start_ui(ui, theme, &mut acts);
+        } else {
+            Panel::top("top").frame(bar).show(ui, |ui| {
+                bars::top_ui(ui, &self.editor, theme, &mut acts);
+            });
+            Panel::bottom("bottom").frame(bar).show(ui, |ui| {
+                bars::bottom_ui(ui, &self.editor, theme, &mut acts);
+            });
+            Panel::right("side").frame(bar).default_size(286.0).min_size(220.0).show(ui, |ui| {
+                side_ui(ui, &self.editor, theme, &mut acts);
+            });
+            self.panes_ui(ui, theme, &mut acts);
+            self.pages_ui(&ctx, theme, &mut acts);
+        }
+        for act in acts {
+            // Esc ends what the hand has begun before it ends anything else.
+            if act == Act::Run(Command::Escape) && self.plan.escape() {
+                self.editor.tool = self.plan.tool;
+                continue;
+            }
+            self.editor.carry_out(act);
+        }
+        if let Some(places) = self.plan.take_calibrated() {
+            self.editor.calibrate(places);
+        }
+        self.grant(&ctx);
+        if !self.editor.is_settled() {
+            ctx.request_repaint_after(LOOK_AGAIN);
+        }
+    }
+}

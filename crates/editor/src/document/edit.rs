@@ -1,0 +1,457 @@
+//! Edits: from a document to the next one, or why not, in words. The geometry is the kernel's
+//! (`sheetwright::draw`); here it is applied to all that a document holds.
+
+use super::{Document, Mirror, Plan};
+use crate::scene::{Edit, PointRef, Selection, curves_of};
+use sheetwright::curve::{CurveKind, CurvePoint};
+use sheetwright::design::{CurveUse, Design, DesignCurve, PanelShape};
+use sheetwright::draw::edit::{
+    EditError, curve_leg, free_name, insert_point, nearest, remove_point, set_corner, straighten,
+};
+use sheetwright::draw::join;
+use sheetwright::draw::mirror::{closed_by_mirror, mirror_partner, mirrored};
+use sheetwright::draw::panels::{panels_of_drawing, without_curve};
+use sheetwright::draw::stroke::{StrokeOptions, stroke};
+use sheetwright::material::Material;
+use sheetwright::math::{Point2, Point3};
+
+/// What came of an edit.
+pub struct Edited {
+    /// The document.
+    pub document: Document,
+    /// What is to be selected, if that changes.
+    pub select: Option<Selection>,
+    /// What is to be said.
+    pub said: Option<String>,
+}
+
+impl Edited {
+    fn of(document: Document) -> Self {
+        Self { document, select: None, said: None }
+    }
+}
+
+type Outcome = Result<Edited, String>;
+
+/// Samples of a panel that was drawn.
+const SAMPLES: usize = 400;
+/// The ends of a stroke meet where they are this near, as a share of its length: most who draw want
+/// an outline.
+const CLOSE_SHARE: f64 = 0.12;
+
+/// The document after an edit.
+pub fn edited(document: &Document, edit: &Edit) -> Outcome {
+    match edit {
+        Edit::Stroke { places, grain_mm } => drawn(document, places, *grain_mm),
+        Edit::Corners { corners, closed } => cornered(document, corners, *closed),
+        Edit::InsertPoint { curve, at } => inserted(document, *curve, *at),
+        Edit::ToggleStraight { curve, span } => toggled_side(document, *curve, *span),
+        Edit::RenameCurve { curve, name } => renamed_curve(document, *curve, name),
+        Edit::RenamePanel { panel, name } => {
+            let others = &document.design.panels;
+            let is_taken = others.iter().enumerate().any(|(n, p)| n != *panel && p.name == *name);
+            if is_taken {
+                return Err(format!("There is a panel {name} already."));
+            }
+            let mut next = document.clone();
+            let Some(of) = next.design.panels.get_mut(*panel) else {
+                return Err("The panel is gone.".to_owned());
+            };
+            of.name.clone_from(name);
+            readable(next)
+        }
+        Edit::SetPanel { panel, to } => {
+            let mut next = document.clone();
+            let Some(of) = next.design.panels.get_mut(*panel) else {
+                return Err("The panel is gone.".to_owned());
+            };
+            *of = (**to).clone();
+            Ok(Edited::of(next))
+        }
+        Edit::SetMaterial(name) => {
+            let mut next = document.clone();
+            next.design.material = name.as_deref().and_then(Material::named);
+            Ok(Edited::of(next))
+        }
+        Edit::SetDrawing(drawing) => {
+            Ok(Edited::of(Document { drawing: (**drawing).clone(), ..document.clone() }))
+        }
+    }
+}
+
+/// A document whose file would read back: names are refused where files refuse them.
+fn readable(document: Document) -> Outcome {
+    match super::file::read("untitled.sheet.json", &super::file::written(&document)) {
+        Ok(_) => Ok(Edited::of(document)),
+        Err(error) => Err(format!("{}. {}", error.message, error.hint)),
+    }
+}
+
+/// Every handle of every curve.
+pub fn all(document: &Document) -> Selection {
+    let curves = document.design.curves.iter().enumerate();
+    let points = curves
+        .flat_map(|(curve, of)| (0..of.points.len()).map(move |point| PointRef { curve, point }));
+    Selection { points: points.collect(), ..Selection::default() }
+}
+
+/// Where a mirror shows a place of space.
+fn image(plan: Plan, mirror: Mirror, p: Point3) -> Point3 {
+    plan.space(mirror.image(plan.flat(p)), plan.lift(p))
+}
+
+/// The document with points moved, and their images with them where there is a mirror.
+pub fn moved(document: &Document, moved: &[(PointRef, Point3)]) -> Document {
+    let mut next = document.clone();
+    let curves = &mut next.design.curves;
+    let mut put = |r: PointRef, to: Point3| {
+        if let Some(point) = curves.get_mut(r.curve).and_then(|c| c.points.get_mut(r.point)) {
+            point.at = to;
+        }
+    };
+    let plan = document.drawing.plan;
+    for &(r, to) in moved {
+        let Some(mirror) = document.drawing.mirror else {
+            put(r, to);
+            continue;
+        };
+        match partner(document, mirror, r) {
+            // On the mirror it stays there.
+            Some(partner) if partner == r => {
+                let mut flat = plan.flat(to);
+                *(if mirror.upright { &mut flat.x } else { &mut flat.y }) = mirror.at_mm;
+                put(r, plan.space(flat, plan.lift(to)));
+            }
+            Some(partner) => {
+                put(r, to);
+                if !moved.iter().any(|(other, _)| *other == partner) {
+                    put(partner, image(plan, mirror, to));
+                }
+            }
+            None => put(r, to),
+        }
+    }
+    next
+}
+
+/// The point that is the image of another: itself if it lies on the mirror.
+fn partner(document: &Document, mirror: Mirror, r: PointRef) -> Option<PointRef> {
+    let plan = document.drawing.plan;
+    let curves = &document.design.curves;
+    let here = curves.get(r.curve)?.points.get(r.point)?.at;
+    let there = image(plan, mirror, here);
+    let within = 1e-6 * (1.0 + here.to_vec().length());
+    if here.distance(there) <= within {
+        return Some(r);
+    }
+    // Its own curve first: two that meet have points on one spot.
+    let order = std::iter::once(r.curve).chain((0..curves.len()).filter(|&n| n != r.curve));
+    order
+        .filter_map(|curve| {
+            let reflect = |p: Point3| image(plan, mirror, p);
+            let of = &curves[r.curve];
+            let point = mirror_partner(of, r.point, &curves[curve], reflect, within)?;
+            Some(PointRef { curve, point })
+        })
+        .next()
+}
+
+/// A stroke becomes a curve.
+fn drawn(document: &Document, places: &[Point2], grain_mm: f64) -> Outcome {
+    let options = StrokeOptions {
+        close_share: CLOSE_SHARE,
+        smallest_mm: 6.0 * grain_mm,
+        grain_mm,
+        ..StrokeOptions::default()
+    };
+    let found = stroke(places, &options).map_err(|error| sentence(&error))?;
+    let plan = document.drawing.plan;
+    let points = found.points.iter().map(|p| CurvePoint {
+        at: plan.space(p.at, 0.0),
+        corner: p.corner,
+        move_mm: 0.0,
+    });
+    let what = if found.closed { "outline" } else { "curve" };
+    with_curve(document, what, points.collect(), found.closed)
+}
+
+/// Corners put one by one become a curve.
+fn cornered(document: &Document, corners: &[Point2], closed: bool) -> Outcome {
+    let plan = document.drawing.plan;
+    let points = corners.iter().map(|&p| CurvePoint::corner(plan.space(p, 0.0))).collect();
+    with_curve(document, if closed { "outline" } else { "curve" }, points, closed)
+}
+
+/// A new curve, on both sides of the mirror if there is one, and the panels that it bounds.
+fn with_curve(document: &Document, base: &str, points: Vec<CurvePoint>, closed: bool) -> Outcome {
+    let mut next = document.clone();
+    let plan = document.drawing.plan;
+    let mut curve = DesignCurve {
+        name: free_name(&next.design, base),
+        kind: Some(CurveKind::Spline),
+        closed,
+        points,
+    };
+    let mut twin = None;
+    if let Some(mirror) = document.drawing.mirror {
+        let reflect = |p: Point3| image(plan, mirror, p);
+        let onto = |p: Point3| {
+            let mut flat = plan.flat(p);
+            *(if mirror.upright { &mut flat.x } else { &mut flat.y }) = mirror.at_mm;
+            plan.space(flat, plan.lift(p))
+        };
+        // Half an outline is one whole, if it begins and ends near the mirror.
+        let size =
+            curve.points.iter().map(|p| p.at.distance(curve.points[0].at)).fold(0.0, f64::max);
+        match closed_by_mirror(&curve, reflect, onto, 0.15 * size) {
+            Ok(whole) => {
+                curve = whole;
+                curve.name = free_name(&next.design, "outline");
+            }
+            Err(_) if crosses(&curve, plan, mirror) => {}
+            Err(_) => twin = Some(mirrored(&curve, reflect)),
+        }
+    }
+    next.design.curves.push(curve);
+    if let Some(mut twin) = twin {
+        twin.name = free_name(&next.design, base);
+        next.design.curves.push(twin);
+    }
+    let number = document.design.curves.len();
+    let select = Selection { curve: Some(number), ..Selection::default() };
+    let mut edited = with_panels(next)?;
+    edited.select = Some(select);
+    if !edited.document.design.curves[number].closed {
+        edited.said = Some("The curve is open. Draw on, or choose Join or close (J).".to_owned());
+    }
+    Ok(edited)
+}
+
+/// Whether a curve lies on both sides of a mirror.
+fn crosses(curve: &DesignCurve, plan: Plan, mirror: Mirror) -> bool {
+    let side = |p: &CurvePoint| {
+        let flat = plan.flat(p.at);
+        (if mirror.upright { flat.x } else { flat.y }) > mirror.at_mm
+    };
+    curve.points.iter().any(side) && !curve.points.iter().all(side)
+}
+
+/// Closed curves that bound nothing yet become panels, or holes in those that contain them.
+fn with_panels(mut document: Document) -> Outcome {
+    let plan = document.drawing.plan;
+    let found = panels_of_drawing(&document.design, |p| plan.flat(p), SAMPLES);
+    document.design = found.applied(&document.design);
+    let crossing = found.crossing.first().map(|[a, b]| {
+        format!("{a} and {b} cross one another on the plan. Move one, then join or close it again.")
+    });
+    let crossing_itself = found.crossing_itself.first().map(|curve| {
+        format!("{curve} crosses itself on the plan, so it bounds no panel yet. Move its handles.")
+    });
+    let said = crossing.or(crossing_itself);
+    Ok(Edited { document, select: None, said })
+}
+
+fn inserted(document: &Document, curve: usize, at: Point2) -> Outcome {
+    let plan = document.drawing.plan;
+    let of = curve_of(document, curve)?;
+    let place = nearest(of, at, |p| plan.flat(p)).map_err(|error| sentence(&error))?;
+    let (to, point) = insert_point(of, &place).map_err(|error| sentence(&error))?;
+    let mut next = document.clone();
+    next.design.curves[curve] = to;
+    let mut edited = Edited::of(next);
+    edited.select = Some(Selection::of_point(PointRef { curve, point }));
+    Ok(edited)
+}
+
+fn curve_of(document: &Document, curve: usize) -> Result<&DesignCurve, String> {
+    document.design.curves.get(curve).ok_or_else(|| "The curve is gone.".to_owned())
+}
+
+fn toggled_side(document: &Document, curve: usize, span: usize) -> Outcome {
+    let of = curve_of(document, curve)?;
+    let to = match curve_leg(of, span) {
+        Err(EditError::NotStraight) => straighten(of, span, (span + 1) % of.points.len()),
+        bent => bent.map(|(to, _)| to),
+    };
+    let mut next = document.clone();
+    next.design.curves[curve] = to.map_err(|error| sentence(&error))?;
+    Ok(Edited::of(next))
+}
+
+/// The sides that begin at the selected handles become straight, or can be bent again.
+pub fn with_sides_toggled(document: &Document, selection: &Selection) -> Outcome {
+    let Some(first) = selection.points.first() else {
+        return Err("Select a handle first.".to_owned());
+    };
+    // The last first, so that numbers stay right where points are put in or taken out.
+    let curve = first.curve;
+    let mut edited = Edited::of(document.clone());
+    for r in selection.points.iter().rev().filter(|r| r.curve == curve) {
+        edited = toggled_side(&edited.document, r.curve, r.point)?;
+    }
+    Ok(edited)
+}
+
+/// The selected handles become corners; or smooth, if they are all corners.
+pub fn with_corners_toggled(document: &Document, selection: &Selection) -> Outcome {
+    let mut next = document.clone();
+    let is_corner = |r: &PointRef| {
+        let point = document.design.curves.get(r.curve).and_then(|c| c.points.get(r.point));
+        point.is_some_and(|point| point.corner)
+    };
+    let to = !selection.points.iter().all(is_corner);
+    for r in with_partners(document, &selection.points) {
+        let of = curve_of(&next, r.curve)?;
+        let set = set_corner(of, r.point, to).map_err(|error| sentence(&error))?;
+        next.design.curves[r.curve] = set;
+    }
+    Ok(Edited::of(next))
+}
+
+/// Points, and their images if there is a mirror; each once.
+fn with_partners(document: &Document, points: &[PointRef]) -> Vec<PointRef> {
+    let mut all = points.to_vec();
+    if let Some(mirror) = document.drawing.mirror {
+        all.extend(points.iter().filter_map(|&r| partner(document, mirror, r)));
+    }
+    all.sort_unstable();
+    all.dedup();
+    all
+}
+
+/// The document without the selected handles; without any, without the selected curve. A curve that
+/// would have too few handles goes.
+pub fn deleted(document: &Document, selection: &Selection) -> Outcome {
+    let mut next = document.clone();
+    let mut gone: Vec<String> = Vec::new();
+    for r in with_partners(document, &selection.points).into_iter().rev() {
+        let of = curve_of(&next, r.curve)?;
+        match remove_point(of, r.point) {
+            Ok(to) => next.design.curves[r.curve] = to,
+            Err(_) => gone.push(of.name.clone()),
+        }
+    }
+    if selection.points.is_empty() {
+        let curve = selection.curve.and_then(|n| document.design.curves.get(n));
+        gone.extend(curve.map(|curve| curve.name.clone()));
+    }
+    gone.sort();
+    gone.dedup();
+    for name in &gone {
+        next.design = without_curve(&next.design, name);
+    }
+    let said = (!gone.is_empty()).then(|| format!("{} is gone.", gone.join(", ")));
+    Ok(Edited { document: next, select: Some(Selection::default()), said })
+}
+
+/// The curves that a selection is on, each once.
+fn curves_in(selection: &Selection) -> Vec<usize> {
+    let mut curves: Vec<usize> = selection.points.iter().map(|r| r.curve).collect();
+    curves.extend(selection.curve);
+    curves.sort_unstable();
+    curves.dedup();
+    curves
+}
+
+/// One open curve is closed, or two become one.
+pub fn joined(document: &Document, selection: &Selection) -> Outcome {
+    let mut next = document.clone();
+    match curves_in(selection)[..] {
+        [one] => {
+            let of = curve_of(document, one)?;
+            next.design.curves[one] =
+                join::close(of, meeting(document)).map_err(|error| sentence(&error))?;
+        }
+        [one, other] => {
+            let (a, b) = (curve_of(document, one)?, curve_of(document, other)?);
+            let name = b.name.clone();
+            next.design.curves[one] =
+                join::join(a, b, meeting(document)).map_err(|error| sentence(&error))?;
+            next.design = without_curve(&next.design, &name);
+        }
+        _ => return Err("Select one open curve to close it, or two to join them.".to_owned()),
+    }
+    with_panels(next)
+}
+
+/// Ends this near are meant to meet, mm: a hundredth of all that is drawn.
+fn meeting(document: &Document) -> f64 {
+    let points = || document.design.curves.iter().flat_map(|curve| &curve.points);
+    let Some(first) = points().next() else { return 0.0 };
+    0.01 * points().map(|p| p.at.distance(first.at)).fold(0.0, f64::max)
+}
+
+/// The selected curves, run from their ends to their beginnings.
+pub fn reversed(document: &Document, selection: &Selection) -> Outcome {
+    let mut next = document.clone();
+    for n in curves_in(selection) {
+        let of = curve_of(document, n)?;
+        let to = sheetwright::draw::edit::reversed(of);
+        for panel in &mut next.design.panels {
+            turn_uses(&mut panel.shape, &of.name);
+        }
+        next.design.curves[n] = to;
+    }
+    Ok(Edited { document: next, select: Some(Selection::default()), said: None })
+}
+
+/// Panels run along a curve that was turned round as they did before.
+fn turn_uses(shape: &mut PanelShape, name: &str) {
+    let turn = |part: &mut CurveUse| {
+        if part.name == name {
+            part.reversed = !part.reversed;
+        }
+    };
+    match shape {
+        PanelShape::Rails(rails) => rails.iter_mut().for_each(turn),
+        PanelShape::Loops { outer, holes } => {
+            outer.iter_mut().chain(holes.iter_mut().flatten()).for_each(turn);
+        }
+        PanelShape::Join(_) => {}
+    }
+}
+
+fn renamed_curve(document: &Document, curve: usize, name: &str) -> Outcome {
+    let of = curve_of(document, curve)?.name.clone();
+    let is_taken = |other: &DesignCurve| other.name == name && other.name != of;
+    if document.design.curves.iter().any(is_taken) {
+        return Err(format!("There is a curve {name} already."));
+    }
+    let mut next = document.clone();
+    let Design { curves, panels, vary, .. } = &mut next.design;
+    curves[curve].name = name.to_owned();
+    let rename = |part: &mut CurveUse| {
+        if part.name == of {
+            part.name = name.to_owned();
+        }
+    };
+    for panel in panels {
+        match &mut panel.shape {
+            PanelShape::Rails(rails) => rails.iter_mut().for_each(rename),
+            PanelShape::Loops { outer, holes } => {
+                outer.iter_mut().chain(holes.iter_mut().flatten()).for_each(rename);
+            }
+            PanelShape::Join(_) => {}
+        }
+    }
+    for named in vary.iter_mut().flat_map(|vary| &mut vary.curves) {
+        if *named == of {
+            *named = name.to_owned();
+        }
+    }
+    readable(next)
+}
+
+/// An error of the kernel as a sentence.
+fn sentence(error: &impl std::fmt::Display) -> String {
+    let text = error.to_string();
+    let mut chars = text.chars();
+    let first = chars.next().map(|c| c.to_uppercase().collect::<String>()).unwrap_or_default();
+    let dot = if text.ends_with('.') { "" } else { "." };
+    format!("{first}{}{dot}", chars.as_str())
+}
+
+/// Whether a curve bounds some panel.
+pub fn is_used(design: &Design, curve: &str) -> bool {
+    design.panels.iter().any(|panel| curves_of(panel).iter().any(|part| part.name == curve))
+}

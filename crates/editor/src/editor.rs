@@ -1,0 +1,268 @@
+//! The editor without its window: what is edited, what was made of it, and the one place where acts
+//! are carried out.
+
+mod commands;
+mod files;
+mod jobs;
+
+pub use files::{FileWish, Opened};
+pub use jobs::Work;
+
+use crate::document::{Document, History, edit};
+use crate::engine::shown::ShownPanel;
+use crate::engine::{Engine, Refusal, Varied, Wake};
+use crate::panes::SurfaceView;
+use crate::panes::plan::Tool;
+use crate::scene::{Act, Edit, Scene, Selection};
+use crate::theme::{Look, Theme};
+use jobs::Jobs;
+use sheetwright::math::Point2;
+
+/// Everything but the window.
+pub struct Editor {
+    history: History,
+    /// What is selected.
+    selection: Selection,
+    /// The tool of the plan.
+    pub tool: Tool,
+    /// How surfaces look.
+    pub view: SurfaceView,
+    /// Whether parallel lines stay parallel in space.
+    pub orthographic: bool,
+    /// Which colours.
+    pub look: Look,
+    /// What is open over the panes.
+    pub page: Page,
+    /// Whether everything is to be brought into sight.
+    pub wants_fit: bool,
+    /// How much larger or smaller than they were made things are to be, where somebody asked.
+    pub wants_zoom: Option<Zoom>,
+    /// What was last said to the person.
+    pub notice: Option<Notice>,
+    /// What the app has to ask the system for.
+    pub wishes: Vec<FileWish>,
+    shown: Vec<ShownPanel>,
+    shown_version: u64,
+    jobs: Jobs,
+    /// The points moved so that the sheet bends, until they are accepted or dropped.
+    varied: Option<Result<Box<Varied>, Refusal>>,
+    /// Two places of the picture, mm, until their distance is typed.
+    calibrated: Option<[Point2; 2]>,
+    /// The name of the file, and the version of the document that it holds.
+    file: Option<String>,
+    saved_version: u64,
+}
+
+/// What is open over the panes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Page {
+    /// Templates, examples and recent files.
+    #[default]
+    Start,
+    /// Nothing: the panes.
+    Panes,
+    /// Which files to write.
+    Export,
+    /// What may move.
+    Vary,
+    /// Every command by its name.
+    Palette,
+    /// The five steps.
+    Tour,
+    /// The keys.
+    Keys,
+    /// How far two places of the picture are apart.
+    Calibrate,
+}
+
+/// How large things are to be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Zoom {
+    /// Larger.
+    In,
+    /// Smaller.
+    Out,
+    /// As they were made.
+    Normal,
+}
+
+/// Something said to the person, in a line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Notice {
+    /// What.
+    pub text: String,
+    /// Whether it is why something can't be done.
+    pub is_refusal: bool,
+}
+
+impl Editor {
+    /// An editor with an empty document. `wake` is called when there is an answer of the engine.
+    pub fn new(wake: Wake) -> Self {
+        Self {
+            history: History::default(),
+            selection: Selection::default(),
+            tool: Tool::default(),
+            view: SurfaceView::default(),
+            orthographic: true,
+            look: Look::default(),
+            page: Page::default(),
+            wants_fit: true,
+            wants_zoom: None,
+            notice: None,
+            wishes: Vec::new(),
+            shown: Vec::new(),
+            shown_version: 0,
+            jobs: Jobs::new(Engine::new(wake)),
+            varied: None,
+            calibrated: None,
+            file: None,
+            saved_version: 0,
+        }
+    }
+
+    /// The document as it is now.
+    pub fn document(&self) -> &Document {
+        self.history.now()
+    }
+
+    /// Its past and its future.
+    pub fn history(&self) -> &History {
+        &self.history
+    }
+
+    /// What is selected.
+    pub fn selection(&self) -> &Selection {
+        &self.selection
+    }
+
+    /// What was last made.
+    pub fn shown(&self) -> &[ShownPanel] {
+        &self.shown
+    }
+
+    /// What moving points has come to, until it is accepted or dropped.
+    pub fn varied(&self) -> Option<&Result<Box<Varied>, Refusal>> {
+        self.varied.as_ref()
+    }
+
+    /// The name of the file, if there is one.
+    pub fn file(&self) -> Option<&str> {
+        self.file.as_deref()
+    }
+
+    /// Whether the file lacks something.
+    pub fn is_unsaved(&self) -> bool {
+        self.saved_version != self.history.version()
+    }
+
+    /// What is being worked at.
+    pub fn work(&self) -> Option<Work<'_>> {
+        self.jobs.work()
+    }
+
+    /// Whether what is shown is what the document makes, to its last sample.
+    pub fn is_settled(&self) -> bool {
+        self.jobs.is_settled(self.history.version())
+    }
+
+    /// What panes look at.
+    pub fn scene(&self, theme: &'static Theme) -> Scene<'_> {
+        Scene {
+            document: self.history.now(),
+            panels: &self.shown,
+            panels_version: self.shown_version,
+            selection: &self.selection,
+            theme,
+        }
+    }
+
+    /// Takes the answers of the engine, and asks for what is to be shown next. To be called with
+    /// every frame.
+    pub fn tick(&mut self) {
+        self.take_answers();
+        let is_dragging = self.history.is_dragging();
+        self.jobs.show(self.history.now(), self.history.version(), is_dragging);
+    }
+
+    /// Carries out what a pane answered.
+    pub fn carry_out(&mut self, act: Act) {
+        match act {
+            Act::Run(command) => self.run(command),
+            Act::Select(selection) => self.selection = self.cleaned(selection),
+            Act::Move(moved) => {
+                let to = edit::moved(self.history.now(), &moved);
+                self.history.drag(to);
+            }
+            Act::Rest => self.history.rest(),
+            Act::Edit(edit) => self.edit(&edit),
+        }
+    }
+
+    /// Another document takes the place of this one; undo does not bring the other back.
+    pub fn replace(&mut self, document: Document, file: Option<String>) {
+        self.jobs.stop();
+        self.history = History::starting_at(document, self.history.version() + 1);
+        self.saved_version = self.history.version();
+        self.file = file;
+        self.selection = Selection::default();
+        self.shown.clear();
+        self.shown_version += 1;
+        self.varied = None;
+        self.tool = Tool::Select;
+        self.page = Page::Panes;
+        self.wants_fit = true;
+        self.notice = None;
+    }
+
+    /// What is replaced counts as unsaved: what was recovered, or comes from a template.
+    pub fn mark_unsaved(&mut self) {
+        self.saved_version = u64::MAX;
+    }
+
+    fn edit(&mut self, edit: &Edit) {
+        let outcome = edit::edited(self.history.now(), edit);
+        self.step(outcome);
+        if matches!(edit, Edit::Stroke { .. } | Edit::Corners { .. }) && !self.is_refused() {
+            // Whoever has drawn wants to take hold of what came out.
+            self.tool = Tool::Select;
+        }
+    }
+
+    fn is_refused(&self) -> bool {
+        self.notice.as_ref().is_some_and(|notice| notice.is_refusal)
+    }
+
+    /// The document becomes what came out, or why nothing did is said.
+    fn step(&mut self, outcome: Result<edit::Edited, String>) {
+        match outcome {
+            Ok(edit::Edited { document, select, said }) => {
+                self.history.step(document);
+                if let Some(selection) = select {
+                    self.selection = selection;
+                }
+                self.selection = self.cleaned(self.selection.clone());
+                self.notice = said.map(|text| Notice { text, is_refusal: false });
+            }
+            Err(text) => self.refuse(text),
+        }
+    }
+
+    fn refuse(&mut self, text: String) {
+        self.notice = Some(Notice { text, is_refusal: true });
+    }
+
+    fn say(&mut self, text: impl Into<String>) {
+        self.notice = Some(Notice { text: text.into(), is_refusal: false });
+    }
+
+    /// A selection without what is not there.
+    fn cleaned(&self, mut selection: Selection) -> Selection {
+        let curves = &self.history.now().design.curves;
+        let is_there = |curve: usize| curve < curves.len();
+        selection.points.retain(|r| curves.get(r.curve).is_some_and(|c| r.point < c.points.len()));
+        selection.points.sort_unstable();
+        selection.points.dedup();
+        selection.curve = selection.curve.filter(|&curve| is_there(curve));
+        selection
+    }
+}

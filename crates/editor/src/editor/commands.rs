@@ -1,0 +1,168 @@
+//! Every command, carried out; and why one can't be.
+
+use super::{Editor, FileWish, Page, Zoom};
+use crate::command::Command;
+use crate::document::{Document, Mirror, edit};
+use crate::panes::plan::Tool;
+use crate::scene::Selection;
+
+const NOTHING_DRAWN: &str = "Nothing is drawn yet.";
+const SELECT_A_HANDLE: &str = "Select a handle first.";
+const SELECT_A_CURVE: &str = "Select a curve or a handle first.";
+
+impl Editor {
+    /// Why a command can't be carried out now, in a sentence; `None` if it can.
+    pub fn why_not(&self, command: Command) -> Option<&'static str> {
+        let document = self.document();
+        let needs = |is_there: bool, why: &'static str| (!is_there).then_some(why);
+        let has_curves = !document.design.curves.is_empty();
+        let has_points = !self.selection.points.is_empty();
+        let has_curve = has_points || self.selection.curve.is_some();
+        match command {
+            Command::Undo => needs(self.history.steps_back() > 0, "There is nothing to take back."),
+            Command::Redo => needs(self.history.steps_forth() > 0, "Nothing was taken back."),
+            Command::Save | Command::SaveAs | Command::SelectAll | Command::Fit => {
+                needs(has_curves, NOTHING_DRAWN)
+            }
+            Command::Export | Command::Vary => needs(has_curves, NOTHING_DRAWN).or_else(|| {
+                let has_panels = !document.design.panels.is_empty();
+                needs(has_panels, "There is no panel yet: close an outline first.")
+            }),
+            Command::ToggleCorner | Command::ToggleStraight => needs(has_points, SELECT_A_HANDLE),
+            Command::Delete | Command::Join | Command::Reverse => needs(has_curve, SELECT_A_CURVE),
+            Command::RemoveReference | Command::CalibrateReference => {
+                needs(document.drawing.reference.is_some(), "There is no picture under the plan.")
+            }
+            Command::WorstRung => needs(self.worst_rung().is_some(), "No panel has a rung yet."),
+            Command::Stop => needs(self.jobs.work().is_some(), "Nothing is being worked out."),
+            _ => None,
+        }
+    }
+
+    /// Whether a command that switches something is on; `None` for the others.
+    pub fn is_on(&self, command: Command) -> Option<bool> {
+        let drawing = &self.document().drawing;
+        match command {
+            Command::Draw => Some(self.tool == Tool::Draw),
+            Command::Select => Some(self.tool == Tool::Select),
+            Command::CalibrateReference => Some(self.tool == Tool::Calibrate),
+            Command::ToggleMirror => Some(drawing.mirror.is_some()),
+            Command::ToggleGrid => Some(drawing.snap_to_grid),
+            Command::ToggleOrthographic => Some(!self.orthographic),
+            Command::PlanOf(plan) => Some(drawing.plan == plan),
+            Command::View(view) => Some(self.view == view),
+            Command::Look(look) => Some(self.look == look),
+            _ => None,
+        }
+    }
+
+    pub(super) fn run(&mut self, command: Command) {
+        if let Some(why) = self.why_not(command) {
+            self.refuse(why.to_owned());
+            return;
+        }
+        self.notice = None;
+        // Whatever is done by name is done to the panes.
+        if self.page == Page::Palette {
+            self.page = Page::Panes;
+        }
+        match command {
+            Command::New => {
+                self.replace(Document::default(), None);
+                self.tool = Tool::Draw;
+            }
+            Command::Start => self.page = Page::Start,
+            Command::Open => self.wishes.push(FileWish::Open),
+            Command::Save => self.save(self.file.clone()),
+            Command::SaveAs => self.save(None),
+            Command::Export => self.page = Page::Export,
+            Command::Undo => {
+                self.history.undo();
+                self.selection = self.cleaned(self.selection.clone());
+            }
+            Command::Redo => {
+                self.history.redo();
+                self.selection = self.cleaned(self.selection.clone());
+            }
+            Command::Draw => self.use_tool(Tool::Draw),
+            Command::Select => self.use_tool(Tool::Select),
+            Command::CalibrateReference => self.use_tool(Tool::Calibrate),
+            Command::SelectAll => self.selection = edit::all(self.document()),
+            Command::Delete => self.step(edit::deleted(self.document(), &self.selection)),
+            Command::ToggleCorner => {
+                self.step(edit::with_corners_toggled(self.document(), &self.selection));
+            }
+            Command::ToggleStraight => {
+                self.step(edit::with_sides_toggled(self.document(), &self.selection));
+            }
+            Command::Join => self.step(edit::joined(self.document(), &self.selection)),
+            Command::Reverse => self.step(edit::reversed(self.document(), &self.selection)),
+            Command::ToggleMirror => self.draw_as(|drawing| {
+                let mirror = Mirror { upright: true, at_mm: 0.0 };
+                drawing.mirror = drawing.mirror.is_none().then_some(mirror);
+            }),
+            Command::ToggleGrid => {
+                self.draw_as(|drawing| drawing.snap_to_grid = !drawing.snap_to_grid);
+            }
+            Command::AddReference => self.wishes.push(FileWish::Picture),
+            Command::RemoveReference => self.draw_as(|drawing| drawing.reference = None),
+            Command::PlanOf(plan) => {
+                self.draw_as(|drawing| drawing.plan = plan);
+                self.wants_fit = true;
+            }
+            Command::View(view) => self.view = view,
+            Command::Fit => self.wants_fit = true,
+            Command::ToggleOrthographic => self.orthographic = !self.orthographic,
+            Command::WorstRung => {
+                if let Some((panel, rung)) = self.worst_rung() {
+                    self.selection = Selection::of_rung(panel, rung);
+                }
+            }
+            Command::Vary => self.page = Page::Vary,
+            Command::Palette => self.page = Page::Palette,
+            Command::Tour => self.page = Page::Tour,
+            Command::Keys => self.page = Page::Keys,
+            Command::Look(look) => self.look = look,
+            Command::ZoomIn => self.wants_zoom = Some(Zoom::In),
+            Command::ZoomOut => self.wants_zoom = Some(Zoom::Out),
+            Command::ZoomReset => self.wants_zoom = Some(Zoom::Normal),
+            Command::Stop => self.jobs.stop(),
+            Command::Escape => self.escape(),
+        }
+    }
+
+    /// Ends what is open, then the tool, then the selection.
+    fn escape(&mut self) {
+        if self.history.is_dragging() {
+            self.history.drop_drag();
+        } else if self.page != Page::Panes {
+            self.page = Page::Panes;
+        } else if self.tool != Tool::Select {
+            self.tool = Tool::Select;
+        } else {
+            self.selection = Selection::default();
+        }
+    }
+
+    fn use_tool(&mut self, tool: Tool) {
+        self.page = Page::Panes;
+        self.tool = tool;
+    }
+
+    fn draw_as(&mut self, change: impl FnOnce(&mut crate::document::Drawing)) {
+        let mut document = self.document().clone();
+        change(&mut document.drawing);
+        self.history.step(document);
+    }
+
+    /// The panel and the rung with the largest warp angle of all.
+    pub fn worst_rung(&self) -> Option<(usize, usize)> {
+        let made = self.shown.iter().enumerate();
+        let worst = made.filter_map(|(n, panel)| {
+            let shown = panel.made.as_ref().ok()?;
+            let rung = shown.worst_rung()?;
+            Some((n, rung, shown.rungs[rung].warp_deg))
+        });
+        worst.max_by(|a, b| a.2.total_cmp(&b.2)).map(|(panel, rung, _)| (panel, rung))
+    }
+}

@@ -1,0 +1,178 @@
+//! Files: what the editor wants of the system, and what comes back.
+//!
+//! The editor itself touches no disk: it says what it wishes, and whoever owns the window (or a test)
+//! asks the person and answers.
+
+use super::Editor;
+use crate::document::{Document, Reference};
+use sheetwright::math::Point2;
+use sheetwright_files::{InputFormat, OutputFile, ReadOptions, read_bytes};
+use std::path::Path;
+use std::sync::Arc;
+
+/// Something that only the system can do.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FileWish {
+    /// A design or a curve table, chosen by the person.
+    Open,
+    /// A picture, chosen by the person.
+    Picture,
+    /// A design to be written: to this file, or to one that the person chooses.
+    Save {
+        /// The file, if it is known.
+        to: Option<String>,
+        /// A name to begin with.
+        name: String,
+        /// What it holds.
+        bytes: Vec<u8>,
+        /// The version of the document that it holds.
+        version: u64,
+    },
+    /// Files to be written to a folder that the person chooses.
+    Export(Vec<OutputFile>),
+}
+
+/// A file that the person has chosen.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Opened {
+    /// Its path, or its name where there are no paths.
+    pub path: String,
+    /// What it holds.
+    pub bytes: Vec<u8>,
+}
+
+/// A larger picture would not fit where drawings are kept.
+const MOST_PICTURE_BYTES: usize = 8 << 20;
+
+impl Editor {
+    /// The bytes of the document as a file.
+    pub fn bytes(&self) -> Vec<u8> {
+        self.document().bytes()
+    }
+
+    pub(super) fn save(&mut self, to: Option<String>) {
+        let name = format!("{}.sheet.json", self.document().design.name);
+        let (bytes, version) = (self.bytes(), self.history.version());
+        self.wishes.push(FileWish::Save { to, name, bytes, version });
+    }
+
+    /// A document was written.
+    pub fn saved(&mut self, path: String, version: u64) {
+        self.say(format!("Saved to {path}"));
+        self.file = Some(path);
+        self.saved_version = version;
+    }
+
+    /// Something of the system did not work out.
+    pub fn failed(&mut self, text: String) {
+        self.refuse(text);
+    }
+
+    /// Something of the system worked out.
+    pub fn done(&mut self, text: String) {
+        self.say(text);
+    }
+
+    /// A file was chosen to be opened.
+    pub fn open(&mut self, opened: &Opened) {
+        match Document::read(&opened.path, &opened.bytes) {
+            Ok(document) => {
+                let is_design = opened.path.ends_with(".json");
+                self.replace(document, is_design.then(|| opened.path.clone()));
+            }
+            Err(text) => self.refuse(text),
+        }
+    }
+
+    /// A picture was chosen to draw after: it lies in the middle, as wide as what is drawn.
+    pub fn trace(&mut self, opened: Opened) {
+        if opened.bytes.len() > MOST_PICTURE_BYTES {
+            let most = MOST_PICTURE_BYTES >> 20;
+            self.refuse(format!("The picture is larger than {most} MB. Make it smaller first."));
+            return;
+        }
+        let Ok(picture) = image::load_from_memory(&opened.bytes) else {
+            self.refuse(format!("{} is no picture in PNG or JPEG.", opened.path));
+            return;
+        };
+        let width = f64::from(picture.width().max(1));
+        let mut document = self.document().clone();
+        let name = Path::new(&opened.path)
+            .file_name()
+            .map_or(String::new(), |name| name.to_string_lossy().into_owned());
+        document.drawing.reference = Some(Reference {
+            name,
+            bytes: Arc::from(opened.bytes),
+            centre: Point2::new(0.0, 0.0),
+            mm_per_pixel: 1000.0 / width,
+            opacity: 0.5,
+        });
+        self.history.step(document);
+        self.wants_fit = true;
+        self.say("Now scale the picture: two places on it, and how far apart they are.");
+    }
+}
+
+impl Document {
+    /// What its file holds: what the command line reads, and how it is drawn.
+    pub fn bytes(&self) -> Vec<u8> {
+        crate::document::file::written(self)
+    }
+
+    /// The document of a file: a design, or a curve table.
+    ///
+    /// # Errors
+    /// What is wrong with it and what to do, in words.
+    pub fn read(path: &str, bytes: &[u8]) -> Result<Self, String> {
+        let words = |error: sheetwright_files::InputError| format!("{error}. {}", error.hint);
+        let of = Path::new(path);
+        let format = InputFormat::of(of).map_err(words)?;
+        match format {
+            InputFormat::Design => crate::document::file::read(path, bytes).map_err(words),
+            InputFormat::Table => {
+                let design = read_bytes(format, bytes, path, of.parent(), &ReadOptions::default());
+                Ok(Self { design: design.map_err(words)?, ..Self::default() })
+            }
+            InputFormat::Mesh(_) => Err(format!(
+                "{path} is a mesh, which has no curves to edit. The command line lays meshes flat: \
+                 sheetwright make {path} --out build"
+            )),
+        }
+    }
+}
+
+/// The question how far apart two places of the picture are.
+impl Editor {
+    /// Two places of the picture were taken, mm: they are as far apart as the person types next.
+    pub fn calibrate(&mut self, places: [Point2; 2]) {
+        self.calibrated = Some(places);
+        self.tool = crate::panes::plan::Tool::Select;
+        self.page = super::Page::Calibrate;
+    }
+
+    /// The distance between the two places of the picture, mm, while it is asked for.
+    pub fn calibrating(&self) -> Option<f64> {
+        self.calibrated.map(|[a, b]| a.distance(b))
+    }
+
+    /// The two places are this far apart, mm: the picture becomes as large as that makes it, and the
+    /// first of them stays where it is.
+    pub fn calibrated(&mut self, distance_mm: f64) {
+        let Some([a, b]) = self.calibrated.take() else { return };
+        self.page = super::Page::Panes;
+        let apart = a.distance(b);
+        if !(apart > 0.0 && distance_mm > 0.0) {
+            self.refuse("The two places have to be apart.".to_owned());
+            return;
+        }
+        let factor = distance_mm / apart;
+        let mut document = self.document().clone();
+        if let Some(picture) = &mut document.drawing.reference {
+            let from_first = |c: f64, first: f64| first + (c - first) * factor;
+            picture.centre =
+                Point2::new(from_first(picture.centre.x, a.x), from_first(picture.centre.y, a.y));
+            picture.mm_per_pixel *= factor;
+        }
+        self.history.step(document);
+    }
+}

@@ -1,0 +1,231 @@
+//! What the engine is asked for, and what it answers.
+
+use super::{Editor, Notice, Page};
+use crate::document::Document;
+use crate::engine::{Answer, Detail, Engine, Job};
+use crate::scene::Selection;
+use sheetwright::design::{Design, Vary};
+use sheetwright_files::Format;
+use std::sync::Arc;
+use web_time::{Duration, Instant};
+
+/// The hand rests when nothing has changed for so long.
+const REST: Duration = Duration::from_millis(140);
+/// What takes longer than this is shown at work.
+const NOTICED: Duration = Duration::from_millis(250);
+
+/// The jobs under way.
+pub(super) struct Jobs {
+    engine: Engine,
+    next: u64,
+    /// What was asked for last, in either detail.
+    asked: [Option<Asked>; 2],
+    /// The version whose panels are shown, and how fine they are.
+    shown: Option<(u64, Detail)>,
+    changed: Instant,
+    seen_version: Option<u64>,
+    /// A long job: its number, what it is, since when, and how far it is.
+    long: Option<Long>,
+    /// The version of the document whose points are being moved.
+    varied_version: u64,
+}
+
+#[derive(Clone, Copy)]
+struct Asked {
+    number: u64,
+    version: u64,
+}
+
+struct Long {
+    number: u64,
+    text: String,
+    done: f64,
+    since: Instant,
+}
+
+/// What is being worked at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Work<'a> {
+    /// In words.
+    pub text: &'a str,
+    /// The part that is done, 0 ..= 1.
+    pub done: f64,
+}
+
+impl Jobs {
+    pub(super) fn new(engine: Engine) -> Self {
+        Self {
+            engine,
+            next: 0,
+            asked: [None; 2],
+            shown: None,
+            changed: Instant::now(),
+            seen_version: None,
+            long: None,
+            varied_version: 0,
+        }
+    }
+
+    pub(super) fn is_settled(&self, version: u64) -> bool {
+        self.shown == Some((version, Detail::Full)) && self.long.is_none()
+    }
+
+    pub(super) fn work(&self) -> Option<Work<'_>> {
+        let long = self.long.as_ref().filter(|long| long.since.elapsed() > NOTICED)?;
+        Some(Work { text: &long.text, done: long.done })
+    }
+
+    pub(super) fn stop(&mut self) {
+        self.engine.stop();
+        self.long = None;
+        self.asked[1] = None;
+    }
+
+    /// Asks for the panels of a document as far as they are not shown: coarse ones at once, and the
+    /// full ones when the hand rests.
+    pub(super) fn show(&mut self, document: &Document, version: u64, is_dragging: bool) {
+        if self.seen_version != Some(version) {
+            self.seen_version = Some(version);
+            self.changed = Instant::now();
+        }
+        let is_asked = |asked: &Option<Asked>| asked.is_some_and(|asked| asked.version == version);
+        let rests = !is_dragging || self.changed.elapsed() >= REST;
+        if self.shown == Some((version, Detail::Full)) || is_asked(&self.asked[1]) {
+            return;
+        }
+        let is_coarse = self.shown == Some((version, Detail::Coarse)) || is_asked(&self.asked[0]);
+        let detail = match (is_coarse, rests) {
+            (false, _) => Detail::Coarse,
+            (true, true) => Detail::Full,
+            (true, false) => return,
+        };
+        let design = Arc::new(document.design.clone());
+        let number = self.number();
+        self.asked[detail as usize] = Some(Asked { number, version });
+        if detail == Detail::Full {
+            self.begin(number, "Working out the panels");
+        }
+        self.engine.ask(Job::Show { number, design, detail });
+    }
+
+    fn number(&mut self) -> u64 {
+        self.next += 1;
+        self.next
+    }
+
+    fn begin(&mut self, number: u64, text: &str) {
+        self.long = Some(Long { number, text: text.to_owned(), done: 0.0, since: Instant::now() });
+    }
+
+    fn end(&mut self, number: u64) {
+        self.long.take_if(|long| long.number <= number);
+    }
+
+    pub(super) fn vary(&mut self, design: Design, version: u64) {
+        self.varied_version = version;
+        let number = self.number();
+        self.begin(number, "Moving points");
+        self.engine.ask(Job::Vary { number, design: Arc::new(design) });
+    }
+
+    pub(super) fn export(&mut self, design: Design, formats: Vec<Format>) {
+        let number = self.number();
+        self.begin(number, "Writing files");
+        self.engine.ask(Job::Export { number, design: Arc::new(design), formats });
+    }
+}
+
+impl Editor {
+    pub(super) fn take_answers(&mut self) {
+        for answer in self.jobs.engine.answers() {
+            match answer {
+                Answer::Shown { number, detail, panels } => {
+                    let asked = self.jobs.asked[detail as usize];
+                    let Some(asked) = asked.filter(|asked| asked.number == number) else {
+                        continue;
+                    };
+                    self.jobs.end(number);
+                    self.jobs.asked[detail as usize] = None;
+                    let is_newer = self.jobs.shown.is_none_or(|(version, fineness)| {
+                        version < asked.version
+                            || version == asked.version && fineness == Detail::Coarse
+                    });
+                    if is_newer {
+                        self.jobs.shown = Some((asked.version, detail));
+                        self.show(panels);
+                    }
+                }
+                Answer::Varied { number, outcome } => {
+                    self.jobs.end(number);
+                    if self.jobs.varied_version == self.history.version() {
+                        self.varied = Some(outcome);
+                        self.page = Page::Vary;
+                    } else {
+                        self.say("The drawing has changed meanwhile: try again.");
+                    }
+                }
+                Answer::Files { number, outcome } => {
+                    self.jobs.end(number);
+                    match outcome {
+                        Ok(files) => self.wishes.push(super::FileWish::Export(files)),
+                        Err(refusal) => {
+                            let text = format!("{} {}", refusal.message, refusal.hint);
+                            self.notice = Some(Notice { text, is_refusal: true });
+                        }
+                    }
+                }
+                Answer::Progress { number, text, done } => {
+                    if let Some(long) = self.jobs.long.as_mut().filter(|l| l.number == number) {
+                        (long.text, long.done) = (text, done);
+                    }
+                }
+            }
+        }
+    }
+
+    fn show(&mut self, panels: Vec<crate::engine::shown::ShownPanel>) {
+        self.shown = panels;
+        self.shown_version += 1;
+        let Selection { panel, rung, .. } = &mut self.selection;
+        let rungs = panel.and_then(|n| Some(self.shown.get(n)?.made.as_ref().ok()?.rungs.len()));
+        // With other samples a number is another rung.
+        if rung.is_some_and(|rung| rungs.is_none_or(|rungs| rung >= rungs)) {
+            *rung = None;
+        }
+        if panel.is_some_and(|panel| panel >= self.shown.len()) {
+            *panel = None;
+        }
+    }
+
+    /// Moves points so that the sheet bends.
+    pub fn vary(&mut self, vary: Vary) {
+        let mut design = self.document().design.clone();
+        design.vary = vec![vary];
+        self.varied = None;
+        self.jobs.vary(design, self.history.version());
+    }
+
+    /// Points stay where moving has brought them, as one step of undo; or they are dropped.
+    pub fn end_vary(&mut self, accept: bool) {
+        let is_of_now = self.jobs.varied_version == self.history.version();
+        let moved = match self.varied.take() {
+            Some(Ok(varied)) if accept && is_of_now => varied.moved,
+            _ => None,
+        };
+        if let Some(mut moved) = moved {
+            moved.vary.clear();
+            let mut document = self.document().clone();
+            document.design = moved;
+            self.history.step(document);
+            self.say("The points stay where they were moved; undo takes them back.");
+        }
+        self.page = Page::Panes;
+    }
+
+    /// Asks for the files of the formats.
+    pub fn export(&mut self, formats: Vec<Format>) {
+        let design = self.document().design.clone();
+        self.page = Page::Panes;
+        self.jobs.export(design, formats);
+    }
+}

@@ -1,0 +1,140 @@
+//! What makes a document into surfaces and patterns, beside the hand that draws: a thread on the
+//! desktop, a worker in the browser.
+
+pub mod shown;
+#[cfg(not(target_arch = "wasm32"))]
+mod thread;
+pub mod work;
+
+#[cfg(not(target_arch = "wasm32"))]
+pub use thread::Engine;
+
+use sheetwright::design::Design;
+use sheetwright::watch::Stage;
+use sheetwright_files::{Format, OutputFile};
+use shown::ShownPanel;
+use std::sync::Arc;
+
+/// Wakes the window up because there is an answer.
+pub type Wake = Arc<dyn Fn() + Send + Sync>;
+
+/// What the engine can be asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Job {
+    /// The panels of a design as it is drawn. A later one takes the place of an earlier one.
+    Show {
+        /// Counts up; the answer repeats it.
+        number: u64,
+        /// The design.
+        design: Arc<Design>,
+        /// How fine.
+        detail: Detail,
+    },
+    /// The design with its points moved as [`Design::vary`] says.
+    Vary {
+        /// Counts up; the answer repeats it.
+        number: u64,
+        /// The design.
+        design: Arc<Design>,
+    },
+    /// The files that the command line writes of a design.
+    Export {
+        /// Counts up; the answer repeats it.
+        number: u64,
+        /// The design.
+        design: Arc<Design>,
+        /// Which formats.
+        formats: Vec<Format>,
+    },
+}
+
+impl Job {
+    /// Its number.
+    pub fn number(&self) -> u64 {
+        match self {
+            Self::Show { number, .. } | Self::Vary { number, .. } | Self::Export { number, .. } => {
+                *number
+            }
+        }
+    }
+}
+
+/// What is being done, in words.
+pub fn doing(panels: &[&str], stage: Stage) -> String {
+    let what = match stage {
+        Stage::Sample => "Sampling",
+        Stage::Solve => "Finding the best sheet for",
+        Stage::Vary => "Moving points of",
+        Stage::Flatten => "Laying flat",
+        Stage::Check => "Checking",
+    };
+    format!("{what} {}", panels.join(", "))
+}
+
+/// How fine panels are made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Detail {
+    /// With few samples, while the hand moves.
+    Coarse,
+    /// As the design says.
+    Full,
+}
+
+/// What the engine says.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Answer {
+    /// The panels of a design.
+    Shown {
+        /// The number of the job.
+        number: u64,
+        /// How fine they are.
+        detail: Detail,
+        /// The panels.
+        panels: Vec<ShownPanel>,
+    },
+    /// A design whose points were moved.
+    Varied {
+        /// The number of the job.
+        number: u64,
+        /// The moved design, with the panels before and after; or why there is none.
+        outcome: Result<Box<Varied>, Refusal>,
+    },
+    /// Files to write.
+    Files {
+        /// The number of the job.
+        number: u64,
+        /// The files; or why there are none.
+        outcome: Result<Vec<OutputFile>, Refusal>,
+    },
+    /// How far a job is.
+    Progress {
+        /// The number of the job.
+        number: u64,
+        /// What is being done, in words: `sampling bottom`.
+        text: String,
+        /// The part that is done, 0 ..= 1.
+        done: f64,
+    },
+}
+
+/// A design whose points were moved.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Varied {
+    /// The design with its points moved; `None` if nothing had to move, or nothing helped.
+    pub moved: Option<Design>,
+    /// How it ended, in words.
+    pub text: String,
+    /// The panels before.
+    pub before: Vec<ShownPanel>,
+    /// The panels after.
+    pub after: Vec<ShownPanel>,
+}
+
+/// Why something can't be done, and what to do.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Refusal {
+    /// What is wrong.
+    pub message: String,
+    /// What to do.
+    pub hint: String,
+}

@@ -1,0 +1,85 @@
+//! Which files to write.
+
+use super::{main_button, window};
+use crate::editor::Editor;
+use crate::theme::Theme;
+use eframe::egui::{self, RichText};
+use sheetwright::check::Verdict;
+use sheetwright_files::Format;
+
+/// What is chosen.
+#[derive(Clone, Debug)]
+pub struct ExportPage {
+    formats: Vec<Format>,
+}
+
+impl Default for ExportPage {
+    fn default() -> Self {
+        Self { formats: Format::DEFAULT.to_vec() }
+    }
+}
+
+/// What a format is for, in words.
+fn purpose(format: Format) -> (&'static str, &'static str) {
+    match format {
+        Format::Obj => ("Surface (OBJ)", "The sheet in space, for other 3D programs."),
+        Format::Svg => ("Pattern (SVG)", "For laser cutters, plotters and drawing programs."),
+        Format::Dxf => ("Pattern (DXF)", "For CAD and machines that read no SVG."),
+        Format::Pdf => {
+            ("Pattern to print (PDF)", "True to scale on sheets of paper, to tape together.")
+        }
+        Format::Quads => ("Flat facets (OBJ)", "Planar quadrilaterals, for folding and glazing."),
+        Format::Step => ("Smooth surface (STEP)", "For CAD programs."),
+        Format::Report => {
+            ("Report", "The verdict, the pictures and all numbers, as a page and as data.")
+        }
+    }
+}
+
+impl ExportPage {
+    /// Shows the page: whether it stays open, and the formats if they are to be written now.
+    pub fn ui(
+        &mut self,
+        ctx: &egui::Context,
+        editor: &Editor,
+        theme: &Theme,
+    ) -> (bool, Option<Vec<Format>>) {
+        let mut wanted = None;
+        let stays = window(ctx, "Export", 430.0, |ui| {
+            let bad: Vec<&str> = editor
+                .shown()
+                .iter()
+                .filter(|panel| match &panel.made {
+                    Ok(shown) => shown.verdict == Verdict::WillNotBend,
+                    Err(_) => true,
+                })
+                .map(|panel| panel.name.as_str())
+                .collect();
+            if !bad.is_empty() {
+                let text = format!("Look again before you cut: {} will not bend.", bad.join(", "));
+                ui.label(RichText::new(text).color(theme.verdicts[2]));
+                ui.add_space(6.0);
+            }
+            for format in Format::ALL {
+                let (name, what) = purpose(format);
+                let mut is_chosen = self.formats.contains(&format);
+                if ui.checkbox(&mut is_chosen, name).changed() {
+                    self.formats.retain(|other| *other != format);
+                    self.formats.extend(is_chosen.then_some(format));
+                    self.formats.sort_unstable();
+                }
+                ui.indent(name, |ui| ui.label(RichText::new(what).color(theme.faint).small()));
+            }
+            ui.add_space(10.0);
+            let text = if cfg!(target_arch = "wasm32") { "Download" } else { "Choose a folder…" };
+            ui.add_enabled_ui(!self.formats.is_empty(), |ui| {
+                if main_button(ui, theme, text).clicked() {
+                    wanted = Some(self.formats.clone());
+                }
+            });
+            let same = "The files are those of the command line, byte by byte.";
+            ui.label(RichText::new(same).color(theme.faint).small());
+        });
+        (stays, wanted)
+    }
+}

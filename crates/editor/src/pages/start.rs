@@ -1,0 +1,390 @@
+//! The start page: an empty sheet, templates and examples with pictures, recent files, and what was
+//! not saved when the program ended last.
+
+use super::main_button;
+use crate::command::Command;
+use crate::document::Document;
+use crate::field::typed_ui;
+use crate::scene::Act;
+use crate::theme::Theme;
+use crate::thumb::Thumbs;
+use eframe::egui::{self, Align, Button, Layout, RichText, ScrollArea, TextEdit, Ui, vec2};
+use sheetwright::template::{Kind, Parameter, Template, catalogue};
+use sheetwright_files::{Drawing, Units, design_from_template, length_in, length_text};
+use std::collections::BTreeMap;
+
+/// What the page shows and what is chosen on it.
+#[derive(Default)]
+pub struct StartPage {
+    search: String,
+    form: Option<Form>,
+    thumbs: Thumbs,
+    /// The units of new designs.
+    pub units: Units,
+}
+
+/// A template that is being filled in.
+struct Form {
+    template: &'static Template,
+    /// What was set, as it was typed.
+    settings: BTreeMap<&'static str, String>,
+    outcome: Result<Document, String>,
+}
+
+/// What the page came to.
+pub enum StartAct {
+    /// A new document takes the place of the one that is edited.
+    Take(Box<Document>),
+    /// A recent file is to be opened.
+    Recent(String),
+    /// Something that was not saved comes back, by its number.
+    Recover(usize),
+    /// Something that was not saved is not needed, by its number.
+    Forget(usize),
+}
+
+/// What the page offers beside templates.
+pub struct Offers<'a> {
+    /// The paths of recent files, the newest first.
+    pub recent: &'a [String],
+    /// What was not saved when the program ended last, in words.
+    pub recovered: &'a [String],
+}
+
+/// Designs that come with the program.
+const EXAMPLES: [(&str, &str, &[u8]); 8] = [
+    (
+        "Three cones",
+        "Pieces of three cones in one sheet",
+        include_bytes!("../../../../examples/three-cones.sheet.json"),
+    ),
+    (
+        "Square to round",
+        "A duct from a square to a circle",
+        include_bytes!("../../../../examples/square-to-round.sheet.json"),
+    ),
+    (
+        "Reducer",
+        "A duct from wide to narrow",
+        include_bytes!("../../../../examples/reducer.sheet.json"),
+    ),
+    ("Mouse", "A toy in five pieces", include_bytes!("../../../../examples/mouse.sheet.json")),
+    ("Hat", "Brim, band and crown", include_bytes!("../../../../examples/hat.sheet.json")),
+    ("Flower", "Petals of paper", include_bytes!("../../../../examples/flower.sheet.json")),
+    (
+        "Window sheet",
+        "A sheet with several holes",
+        include_bytes!("../../../../examples/gallery/multiply-connected.sheet.json"),
+    ),
+    (
+        "Raised",
+        "A surface raised from its edge",
+        include_bytes!("../../../../examples/gallery/raised.sheet.json"),
+    ),
+];
+
+const CARD: egui::Vec2 = vec2(168.0, 168.0);
+
+impl StartPage {
+    /// Shows the page.
+    pub fn ui(
+        &mut self,
+        ui: &mut Ui,
+        theme: &'static Theme,
+        offers: &Offers<'_>,
+        acts: &mut Vec<Act>,
+    ) -> Option<StartAct> {
+        let mut out = None;
+        egui::Panel::left("start").resizable(false).exact_size(230.0).show(ui, |ui| {
+            out = self.side_ui(ui, theme, offers, acts);
+        });
+        egui::CentralPanel::default().show(ui, |ui| {
+            let chosen = match &mut self.form {
+                Some(_) => self.form_ui(ui, theme),
+                None => self.cards_ui(ui, theme),
+            };
+            out = out.take().or(chosen);
+        });
+        out
+    }
+
+    fn side_ui(
+        &mut self,
+        ui: &mut Ui,
+        theme: &Theme,
+        offers: &Offers<'_>,
+        acts: &mut Vec<Act>,
+    ) -> Option<StartAct> {
+        let mut out = None;
+        ui.add_space(16.0);
+        ui.label(RichText::new("Sheetwright").size(26.0).strong());
+        ui.label(RichText::new("Draw an outline, lift it, cut the pattern.").color(theme.faint));
+        ui.add_space(16.0);
+        let wide = |text: &str| Button::new(text.to_owned()).min_size(vec2(200.0, 34.0));
+        let draw = RichText::new("Draw an outline").color(theme.on_accent).strong();
+        let draw = Button::new(draw).fill(theme.accent).min_size(vec2(200.0, 38.0));
+        if ui.add(draw).on_hover_text(Command::New.tooltip()).clicked() {
+            acts.push(Act::Run(Command::New));
+        }
+        for command in [Command::Open, Command::Tour] {
+            if ui.add(wide(command.name())).on_hover_text(command.tooltip()).clicked() {
+                acts.push(Act::Run(command));
+            }
+        }
+        egui::ComboBox::from_label("Units").selected_text(self.units.name()).show_ui(ui, |ui| {
+            for units in Units::ALL {
+                ui.selectable_value(&mut self.units, units, units.name());
+            }
+        });
+        if !offers.recovered.is_empty() {
+            ui.add_space(16.0);
+            ui.label(RichText::new("Not saved when it ended").color(theme.verdicts[1]).strong());
+            for (n, text) in offers.recovered.iter().enumerate() {
+                ui.horizontal(|ui| {
+                    if ui.link(text).on_hover_text("Bring it back.").clicked() {
+                        out = Some(StartAct::Recover(n));
+                    }
+                    if ui.small_button("✖").on_hover_text("Forget it.").clicked() {
+                        out = Some(StartAct::Forget(n));
+                    }
+                });
+            }
+        }
+        if !offers.recent.is_empty() {
+            ui.add_space(16.0);
+            ui.label(RichText::new("Recent files").strong());
+            for path in offers.recent {
+                let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
+                if ui.link(name).on_hover_text(path).clicked() {
+                    out = Some(StartAct::Recent(path.clone()));
+                }
+            }
+        }
+        out
+    }
+
+    fn cards_ui(&mut self, ui: &mut Ui, theme: &'static Theme) -> Option<StartAct> {
+        let mut out = None;
+        ui.add_space(8.0);
+        ui.horizontal(|ui| {
+            ui.heading("Begin with a shape");
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                let edit = TextEdit::singleline(&mut self.search)
+                    .hint_text("Search: cone, duct, tent …")
+                    .desired_width(220.0);
+                ui.add(edit).widget_info(|| {
+                    egui::WidgetInfo::labeled(egui::Role::TextInput, true, "Search shapes")
+                });
+            });
+        });
+        ui.add_space(6.0);
+        let wanted = self.search.trim().to_lowercase();
+        ScrollArea::vertical().auto_shrink([false; 2]).show(ui, |ui| {
+            ui.horizontal_wrapped(|ui| {
+                ui.spacing_mut().item_spacing = vec2(12.0, 12.0);
+                for template in catalogue().iter().filter(|t| is_meant(t, &wanted)) {
+                    let shape = || design_from_template(template.name, &[]).ok();
+                    let name = template.title;
+                    if self.thumbs.card_ui(ui, theme, CARD, name, template.who, shape) {
+                        self.form = Some(Form::new(template, self.units));
+                    }
+                }
+            });
+            ui.add_space(18.0);
+            ui.heading("Examples");
+            ui.add_space(6.0);
+            ui.horizontal_wrapped(|ui| {
+                ui.spacing_mut().item_spacing = vec2(12.0, 12.0);
+                for (name, what, bytes) in EXAMPLES {
+                    if !wanted.is_empty()
+                        && !format!("{name} {what}").to_lowercase().contains(&wanted)
+                    {
+                        continue;
+                    }
+                    let read = || Document::read("example.sheet.json", bytes).ok();
+                    let shape = || read().map(|document| document.design);
+                    if self.thumbs.card_ui(ui, theme, CARD, name, what, shape)
+                        && let Some(document) = read()
+                    {
+                        out = Some(StartAct::Take(Box::new(document)));
+                    }
+                }
+            });
+        });
+        out
+    }
+
+    fn form_ui(&mut self, ui: &mut Ui, theme: &'static Theme) -> Option<StartAct> {
+        let units = self.units;
+        let form = self.form.as_mut()?;
+        let mut is_left = false;
+        let mut out = None;
+        ui.add_space(8.0);
+        ui.horizontal(|ui| {
+            is_left = ui.button("⬅ All shapes").clicked();
+            ui.heading(form.template.title);
+        });
+        ui.label(RichText::new(form.template.who).color(theme.faint));
+        ui.add_space(8.0);
+        ui.columns(2, |columns| {
+            ScrollArea::vertical().id_salt("form").show(&mut columns[0], |ui| {
+                for parameter in form.template.parameters {
+                    if form.parameter_ui(ui, theme, parameter, units) {
+                        form.draw(units);
+                    }
+                }
+                ui.add_space(12.0);
+                match &form.outcome {
+                    Ok(document) => {
+                        if main_button(ui, theme, "Make it").clicked() {
+                            out = Some(StartAct::Take(Box::new(document.clone())));
+                        }
+                    }
+                    Err(text) => {
+                        ui.label(RichText::new(text).color(theme.verdicts[2]));
+                    }
+                }
+            });
+            if let Ok(document) = &form.outcome {
+                let side = columns[1].available_width().min(460.0);
+                self.thumbs.picture_ui(&mut columns[1], theme, vec2(side, side), &document.design);
+            }
+        });
+        if is_left || out.is_some() {
+            self.form = None;
+        }
+        out
+    }
+}
+
+fn is_meant(template: &Template, wanted: &str) -> bool {
+    let has = |text: &str| text.to_lowercase().contains(wanted);
+    has(template.title) || has(template.name) || template.words.iter().any(|word| has(word))
+}
+
+impl Form {
+    fn new(template: &'static Template, units: Units) -> Self {
+        let outcome = Err(String::new());
+        let mut form = Self { template, settings: BTreeMap::new(), outcome };
+        form.draw(units);
+        form
+    }
+
+    /// Draws the template with what is set.
+    fn draw(&mut self, units: Units) {
+        let settings: Vec<String> =
+            self.settings.iter().map(|(name, value)| format!("{name}={value}")).collect();
+        self.outcome = match design_from_template(self.template.name, &settings) {
+            Ok(design) => {
+                let drawing = Drawing { units, ..Drawing::default() };
+                Ok(Document { design, drawing })
+            }
+            Err(error) => Err(format!("{error}. {}", error.hint)),
+        };
+    }
+
+    /// A field for a parameter; whether it was changed.
+    fn parameter_ui(
+        &mut self,
+        ui: &mut Ui,
+        theme: &Theme,
+        parameter: &Parameter,
+        units: Units,
+    ) -> bool {
+        let set = self.settings.get(parameter.name);
+        let label = capitalised(parameter.meaning);
+        let new = match parameter.kind {
+            Kind::Length(range) => {
+                let now = set.and_then(|text| length_in(text, Units::Millimetres));
+                let shown = length_text(now.unwrap_or(range.default), units);
+                let hint = format!(
+                    "From {} to {}.",
+                    length_text(range.least, units),
+                    length_text(range.most, units)
+                );
+                let read = |text: &str| {
+                    let mm = length_in(text, units)?;
+                    (range.least..=range.most).contains(&mm).then(|| format!("{mm}"))
+                };
+                typed_ui(ui, theme, &label, &shown, &hint, read)
+            }
+            Kind::Angle(range) | Kind::Count(range) | Kind::Number(range) => {
+                let shown = set.cloned().unwrap_or_else(|| format!("{}", range.default));
+                let hint = format!("From {} to {}.", range.least, range.most);
+                let is_whole = matches!(parameter.kind, Kind::Count(_));
+                let read = |text: &str| {
+                    let number: f64 = text.trim().trim_end_matches('°').parse().ok()?;
+                    let fits = (range.least..=range.most).contains(&number);
+                    (fits && (!is_whole || number.fract() == 0.0)).then(|| format!("{number}"))
+                };
+                typed_ui(ui, theme, &label, &shown, &hint, read)
+            }
+            Kind::Lengths { default, .. } => {
+                let numbers: Vec<String> = default.iter().map(|mm| format!("{mm}")).collect();
+                let shown = set.cloned().unwrap_or_else(|| numbers.join(","));
+                let hint = "Lengths in mm with commas between them.";
+                typed_ui(ui, theme, &label, &shown, hint, |text| Some(text.to_owned()))
+            }
+            Kind::Choice(choices) => {
+                let now = set.map_or(choices[0].name, String::as_str);
+                let shown = choices.iter().find(|choice| choice.name == now);
+                let mut new = None;
+                ui.horizontal(|ui| {
+                    ui.label(RichText::new(&label).color(theme.faint));
+                    let text = shown.map_or(now, |choice| choice.meaning);
+                    egui::ComboBox::from_id_salt(parameter.name).selected_text(text).show_ui(
+                        ui,
+                        |ui| {
+                            for choice in choices {
+                                if ui.selectable_label(choice.name == now, choice.meaning).clicked()
+                                {
+                                    new = Some(choice.name.to_owned());
+                                }
+                            }
+                        },
+                    );
+                });
+                new
+            }
+            // Tables come from files, which the command line takes.
+            Kind::Table => None,
+        };
+        new.is_some_and(|value| {
+            self.settings.insert(parameter.name, value);
+            true
+        })
+    }
+}
+
+fn capitalised(text: &str) -> String {
+    let mut chars = text.chars();
+    chars.next().map_or_else(String::new, |c| c.to_uppercase().chain(chars).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_example_opens_and_every_template_draws() {
+        for (name, _, bytes) in EXAMPLES {
+            assert!(Document::read("example.sheet.json", bytes).is_ok(), "{name}");
+        }
+        for template in catalogue() {
+            assert!(Form::new(template, Units::Inches).outcome.is_ok(), "{}", template.name);
+        }
+    }
+
+    #[test]
+    fn what_is_typed_into_a_form_is_drawn() {
+        let mut form = Form::new(&catalogue()[0], Units::Millimetres);
+        let before = form.outcome.clone().unwrap();
+        let lengths = form.template.parameters.iter();
+        let length = lengths.clone().find(|p| matches!(p.kind, Kind::Length(_))).unwrap();
+        let Kind::Length(range) = length.kind else { unreachable!() };
+        let value = f64::midpoint(range.default, range.most).min(range.default * 1.1);
+        form.settings.insert(length.name, format!("{value}"));
+        form.draw(Units::Millimetres);
+        assert_ne!(form.outcome.unwrap().design, before.design);
+    }
+}

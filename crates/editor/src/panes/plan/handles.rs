@@ -1,0 +1,106 @@
+//! The handles of curves, as the plan shows them.
+
+use super::view::View;
+use crate::scene::{Act, PointRef, Scene, Selection};
+use crate::theme::TOUCH;
+use eframe::egui::{self, Pos2, Rect, Sense, Ui, Vec2};
+use sheetwright::math::{Point2, Point3};
+
+/// Curves of more points show the handles of the selected curve alone: the points of a table are
+/// samples, which nobody moves one by one.
+const MANY: usize = 200;
+
+/// All handles that can be taken hold of.
+pub(super) struct Handles {
+    shown: Vec<Handle>,
+}
+
+#[derive(Clone, Copy)]
+struct Handle {
+    point: PointRef,
+    place: Point2,
+    at: Pos2,
+}
+
+impl Handles {
+    pub(super) fn new(scene: &Scene<'_>, view: View, pane: Rect) -> Self {
+        let plan = scene.document.drawing.plan;
+        let mut shown = Vec::new();
+        for (curve, of) in scene.document.design.curves.iter().enumerate() {
+            if of.points.len() > MANY && scene.selection.curve != Some(curve) {
+                continue;
+            }
+            shown.extend(of.points.iter().enumerate().map(|(point, p)| {
+                let place = plan.flat(p.at);
+                Handle { point: PointRef { curve, point }, place, at: view.to_screen(pane, place) }
+            }));
+        }
+        Self { shown }
+    }
+
+    /// Every handle and where it lies, mm.
+    pub(super) fn all(&self) -> impl Iterator<Item = (PointRef, Point2)> + '_ {
+        self.shown.iter().map(|handle| (handle.point, handle.place))
+    }
+
+    /// Every handle and where it lies on the screen.
+    pub(super) fn on_screen(&self) -> impl Iterator<Item = (PointRef, Pos2)> + '_ {
+        self.shown.iter().map(|handle| (handle.point, handle.at))
+    }
+
+    /// The handle under the hand: of several on one spot the last drawn, which lies on top.
+    pub(super) fn at(&self, at: Pos2) -> Option<PointRef> {
+        const REACH: f32 = TOUCH / 3.0;
+        let distance = |handle: &&Handle| handle.at.distance(at);
+        let near = self.shown.iter().rev().filter(|handle| distance(handle) <= REACH);
+        near.min_by(|a, b| distance(a).total_cmp(&distance(b))).map(|handle| handle.point)
+    }
+
+    /// The handles in a box on the screen.
+    pub(super) fn within(&self, area: Rect) -> Vec<PointRef> {
+        let inside = self.shown.iter().filter(|handle| area.contains(handle.at));
+        inside.map(|handle| handle.point).collect()
+    }
+
+    /// A place for each handle that keys and screen readers come to; to come to it selects it.
+    pub(super) fn widgets(&self, ui: &mut Ui, scene: &Scene<'_>, acts: &mut Vec<Act>) {
+        if self.shown.len() > MANY {
+            return;
+        }
+        for handle in &self.shown {
+            let PointRef { curve, point } = handle.point;
+            let id = ui.scope_id().with(("handle", curve, point));
+            let area = Rect::from_center_size(handle.at, Vec2::splat(12.0));
+            let response = ui.interact(area, id, Sense::focusable_noninteractive());
+            let is_selected = scene.selection.points.contains(&handle.point);
+            if response.gained_focus() && !is_selected {
+                acts.push(Act::Select(Selection::of_point(handle.point)));
+            }
+            let name = name(scene, handle);
+            response.widget_info(|| {
+                egui::WidgetInfo::selected(egui::Role::Button, true, is_selected, name.clone())
+            });
+        }
+    }
+}
+
+/// `outline, point 3, at 400 mm, 120 mm`.
+fn name(scene: &Scene<'_>, handle: &Handle) -> String {
+    let PointRef { curve, point } = handle.point;
+    let units = scene.document.drawing.units;
+    let length = |mm| sheetwright_files::length_text(mm, units);
+    let of = scene.document.design.curves.get(curve).map_or("", |curve| &curve.name);
+    format!("{of}, point {}, at {}, {}", point + 1, length(handle.place.x), length(handle.place.y))
+}
+
+/// Where the selected points go if they move by this much on the plan, mm.
+pub(super) fn moved_by(scene: &Scene<'_>, by: Point2) -> Vec<(PointRef, Point3)> {
+    let plan = scene.document.drawing.plan;
+    let curves = &scene.document.design.curves;
+    let moved = |&r: &PointRef| {
+        let now = curves.get(r.curve)?.points.get(r.point)?.at;
+        let flat = plan.flat(now);
+        Some((r, plan.space(Point2::new(flat.x + by.x, flat.y + by.y), plan.lift(now))))
+    };
+    scene.selection.points.iter().filter_map(moved).collect()
+}

@@ -1,0 +1,494 @@
+//! The plan: outlines are drawn and their handles moved in a plane.
+//!
+//! One tool at a time: [`Tool::Select`] takes hold of handles, [`Tool::Draw`] records strokes (and
+//! single clicks, which put corners), [`Tool::Calibrate`] takes two places of the picture under the
+//! drawing. All of them pan with the middle or right button, or two fingers, and zoom with the wheel.
+
+mod handles;
+mod paint;
+mod snap;
+mod view;
+
+use view::View;
+
+use crate::command::Command;
+use crate::scene::{Act, Edit, PointRef, Scene, Selection};
+use eframe::egui::{self, Key, PointerButton, Pos2, Rect, Response, Sense, Ui};
+use handles::Handles;
+use sheetwright::math::Point2;
+use snap::{Snap, snapped};
+
+/// What the hand does on the plan.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Tool {
+    /// Takes hold of handles.
+    #[default]
+    Select,
+    /// Draws curves.
+    Draw,
+    /// Takes two places of the picture.
+    Calibrate,
+}
+
+/// The pane.
+pub struct PlanPane {
+    /// What the hand does.
+    pub tool: Tool,
+    view: View,
+    /// Where the pane lay in the last frame.
+    pane: Rect,
+    is_fitted: bool,
+    /// The stroke under way, mm.
+    stroke: Vec<Point2>,
+    /// Corners put by single clicks, mm.
+    corners: Vec<Point2>,
+    /// The two places of the picture, mm, once the first is taken.
+    calibrated: Vec<Point2>,
+    /// The box that is drawn round handles: where it began, on the screen.
+    lasso: Option<Pos2>,
+    drag: Option<Drag>,
+    snaps: Vec<Snap>,
+    picture: paint::ReferencePicture,
+    outlines: paint::Outlines,
+}
+
+/// Handles on their way.
+struct Drag {
+    /// The one under the hand.
+    held: PointRef,
+    /// Where each lay when it was taken hold of, mm.
+    from: Vec<(PointRef, Point2)>,
+    /// Where the hand took hold, less the handle, mm.
+    grip: Point2,
+}
+
+/// How far a snap may jump, points of the screen.
+const SNAP: f64 = 7.0;
+/// What the right button offers.
+const MENU: [Command; 7] = [
+    Command::ToggleCorner,
+    Command::ToggleStraight,
+    Command::Join,
+    Command::Reverse,
+    Command::Delete,
+    Command::SelectAll,
+    Command::Fit,
+];
+/// A stroke begins when the hand has moved this far, points of the screen.
+const STROKE_STEP: f64 = 2.0;
+
+impl Default for PlanPane {
+    fn default() -> Self {
+        Self {
+            tool: Tool::default(),
+            view: View::default(),
+            pane: Rect::ZERO,
+            is_fitted: false,
+            stroke: Vec::new(),
+            corners: Vec::new(),
+            calibrated: Vec::new(),
+            lasso: None,
+            drag: None,
+            snaps: Vec::new(),
+            picture: paint::ReferencePicture::default(),
+            outlines: paint::Outlines::default(),
+        }
+    }
+}
+
+impl PlanPane {
+    /// Brings everything into sight with the next frame.
+    pub fn fit(&mut self) {
+        self.is_fitted = false;
+    }
+
+    /// Ends what is under way; whether there was something.
+    pub fn escape(&mut self) -> bool {
+        let was_busy = !self.stroke.is_empty() || !self.corners.is_empty();
+        self.stroke.clear();
+        self.corners.clear();
+        self.calibrated.clear();
+        self.lasso = None;
+        if self.tool == Tool::Select || was_busy {
+            return was_busy;
+        }
+        self.tool = Tool::Select;
+        true
+    }
+
+    /// Where a place of the plan, mm, lies on the screen.
+    pub fn on_screen(&self, p: Point2) -> Pos2 {
+        self.view.to_screen(self.pane, p)
+    }
+
+    /// The two places of the picture, mm, once both are taken; they are given away.
+    pub fn take_calibrated(&mut self) -> Option<[Point2; 2]> {
+        let &[a, b] = &self.calibrated[..] else { return None };
+        self.calibrated.clear();
+        self.tool = Tool::Select;
+        Some([a, b])
+    }
+
+    /// Shows the pane.
+    pub fn ui(&mut self, ui: &mut Ui, scene: &Scene<'_>, acts: &mut Vec<Act>) {
+        let pane = ui.available_rect_before_wrap();
+        let response = ui.allocate_rect(pane, Sense::click_and_drag());
+        self.pane = pane;
+        if !self.is_fitted {
+            self.view.fit(pane, view::places(scene.document));
+            self.is_fitted = true;
+        }
+        self.snaps.clear();
+        self.navigate(ui, &response, pane);
+        let handles = Handles::new(scene, self.view, pane);
+        match self.tool {
+            Tool::Select => self.select(ui, &response, pane, scene, &handles, acts),
+            Tool::Draw => self.draw(ui, &response, pane, scene, acts),
+            Tool::Calibrate => self.calibrate(&response, pane),
+        }
+        self.keys(ui, &response, scene, acts);
+        self.paint(ui, &response, pane, scene, &handles);
+        Self::menu(&response, &handles, scene, acts);
+        handles.widgets(ui, scene, acts);
+        let said = paint::said(scene, self.tool);
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, said.clone()));
+    }
+
+    fn navigate(&mut self, ui: &Ui, response: &Response, pane: Rect) {
+        let pans = |button| response.dragged_by(button);
+        let is_space = ui.input(|i| i.key_down(Key::Space));
+        if pans(PointerButton::Middle)
+            || pans(PointerButton::Secondary)
+            || is_space && pans(PointerButton::Primary)
+        {
+            self.view.pan(response.drag_delta());
+        }
+        if let Some(touch) = ui.input(egui::InputState::multi_touch)
+            && response.rect.contains(touch.center_pos)
+        {
+            self.view.pan(touch.translation_delta);
+            self.view.zoom(pane, touch.center_pos, f64::from(touch.zoom_delta));
+            // What a finger began before the second one came was no stroke.
+            self.stroke.clear();
+            self.lasso = None;
+        } else if let Some(at) = response.hover_pos() {
+            let (scroll, pinch) = ui.input(|i| (i.smooth_scroll_delta(), i.zoom_delta()));
+            let by = f64::from(pinch) * sheetwright::math::pow(1.0015, f64::from(scroll.y));
+            if by != 1.0 {
+                self.view.zoom(pane, at, by);
+            }
+        }
+    }
+
+    fn select(
+        &mut self,
+        ui: &Ui,
+        response: &Response,
+        pane: Rect,
+        scene: &Scene<'_>,
+        handles: &Handles,
+        acts: &mut Vec<Act>,
+    ) {
+        let is_adding = ui.input(|i| i.modifiers.shift || i.modifiers.command);
+        let is_space = ui.input(|i| i.key_down(Key::Space));
+        let pressed = ui.input(|i| i.pointer.press_origin());
+        if response.drag_started_by(PointerButton::Primary) && !is_space {
+            match pressed.and_then(|at| Some((at, handles.at(at)?))) {
+                Some((at, held)) => self.take_hold(held, at, pane, scene, acts),
+                None => self.lasso = pressed,
+            }
+        }
+        if let (Some(drag), Some(at)) = (&self.drag, response.interact_pointer_pos()) {
+            let hand = self.view.to_plan(pane, at);
+            let wanted = Point2::new(hand.x - drag.grip.x, hand.y - drag.grip.y);
+            let (to, snaps) = self.snapped_drag(ui, drag, wanted, scene, handles);
+            let moved = drag.moved(to, scene);
+            self.snaps = snaps;
+            acts.push(Act::Move(moved));
+        }
+        if response.drag_stopped() {
+            if self.drag.take().is_some() {
+                acts.push(Act::Rest);
+            }
+            if let (Some(from), Some(to)) = (self.lasso.take(), response.interact_pointer_pos()) {
+                let points = handles.within(Rect::from_two_pos(from, to));
+                acts.push(Act::Select(Selection { points, ..Selection::default() }));
+            }
+        }
+        let Some(at) = response.interact_pointer_pos() else { return };
+        if response.double_clicked() {
+            if handles.at(at).is_none()
+                && let Some(curve) = self.outlines.nearest(pane, self.view, at)
+            {
+                acts.push(Act::Edit(Edit::InsertPoint { curve, at: self.view.to_plan(pane, at) }));
+            }
+        } else if response.clicked() {
+            let selection = match handles.at(at) {
+                Some(point) if is_adding => with_toggled(scene.selection, point),
+                Some(point) => Selection::of_point(point),
+                None => {
+                    let curve = self.outlines.nearest(pane, self.view, at);
+                    Selection { curve, ..Selection::default() }
+                }
+            };
+            acts.push(Act::Select(selection));
+        }
+    }
+
+    fn take_hold(
+        &mut self,
+        held: PointRef,
+        at: Pos2,
+        pane: Rect,
+        scene: &Scene<'_>,
+        acts: &mut Vec<Act>,
+    ) {
+        let plan = scene.document.drawing.plan;
+        let place = |r: PointRef| {
+            let point = scene.document.design.curves.get(r.curve)?.points.get(r.point)?;
+            Some((r, plan.flat(point.at)))
+        };
+        let mut points = scene.selection.points.clone();
+        if !points.contains(&held) {
+            points = vec![held];
+            acts.push(Act::Select(Selection::of_point(held)));
+        }
+        let Some((_, here)) = place(held) else { return };
+        let hand = self.view.to_plan(pane, at);
+        let grip = Point2::new(hand.x - here.x, hand.y - here.y);
+        self.drag = Some(Drag { held, from: points.into_iter().filter_map(place).collect(), grip });
+    }
+
+    /// Where the handle under the hand settles.
+    fn snapped_drag(
+        &self,
+        ui: &Ui,
+        drag: &Drag,
+        wanted: Point2,
+        scene: &Scene<'_>,
+        handles: &Handles,
+    ) -> (Point2, Vec<Snap>) {
+        if ui.input(|i| i.modifiers.alt) {
+            return (wanted, Vec::new());
+        }
+        let is_moving = |r: &PointRef| drag.from.iter().any(|(moving, _)| moving == r);
+        let others: Vec<Point2> =
+            handles.all().filter(|(r, _)| !is_moving(r)).map(|h| h.1).collect();
+        // On a smooth run two handles on one spot make no curve; ends of other curves do.
+        let may_meet: Vec<Point2> = handles
+            .all()
+            .filter(|(r, _)| !is_moving(r) && r.curve != drag.held.curve)
+            .map(|h| h.1)
+            .collect();
+        snapped(wanted, &may_meet, &others, &scene.document.drawing, SNAP / self.view.scale)
+    }
+
+    fn draw(
+        &mut self,
+        ui: &Ui,
+        response: &Response,
+        pane: Rect,
+        scene: &Scene<'_>,
+        acts: &mut Vec<Act>,
+    ) {
+        let is_space = ui.input(|i| i.key_down(Key::Space));
+        let reach = SNAP / self.view.scale;
+        if response.drag_started_by(PointerButton::Primary)
+            && !is_space
+            && let Some(origin) = ui.input(|i| i.pointer.press_origin())
+        {
+            self.stroke = vec![self.view.to_plan(pane, origin)];
+        }
+        if !self.stroke.is_empty() {
+            // Every place since the last frame: a quick hand moves far in one.
+            let events = ui.input(|i| i.events.clone());
+            let moved = events.iter().filter_map(|event| match event {
+                egui::Event::PointerMoved(at) => Some(*at),
+                _ => None,
+            });
+            for at in moved.chain(response.interact_pointer_pos()) {
+                let p = self.view.to_plan(pane, at);
+                let is_far = |last: &Point2| last.distance(p) * self.view.scale >= STROKE_STEP;
+                if self.stroke.last().is_some_and(is_far) {
+                    self.stroke.push(p);
+                }
+            }
+            if response.drag_stopped() {
+                let places = std::mem::take(&mut self.stroke);
+                acts.push(Act::Edit(Edit::Stroke { places, grain_mm: 1.0 / self.view.scale }));
+            }
+            return;
+        }
+        let Some(at) = response.hover_pos().or(response.interact_pointer_pos()) else { return };
+        let places: Vec<Point2> = view::places(scene.document).collect();
+        let wanted = self.view.to_plan(pane, at);
+        let first = self.corners.first().copied();
+        let ends: Vec<Point2> = first.filter(|_| self.corners.len() > 2).into_iter().collect();
+        let lines: Vec<Point2> = self.corners.iter().copied().chain(places).collect();
+        let (to, snaps) = snapped(wanted, &ends, &lines, &scene.document.drawing, reach);
+        self.snaps = snaps;
+        if response.clicked() {
+            let closes = first.is_some_and(|f| self.corners.len() > 2 && f.distance(to) <= reach);
+            let is_repeated =
+                self.corners.last().is_some_and(|last| last.distance(to) <= reach / 4.0);
+            if closes || response.double_clicked() && self.corners.len() > 1 {
+                self.finish_corners(closes, acts);
+            } else if !is_repeated {
+                self.corners.push(to);
+            }
+        }
+    }
+
+    /// What was clicked becomes a curve.
+    fn finish_corners(&mut self, closed: bool, acts: &mut Vec<Act>) {
+        let corners = std::mem::take(&mut self.corners);
+        if corners.len() >= if closed { 3 } else { 2 } {
+            acts.push(Act::Edit(Edit::Corners { corners, closed }));
+        }
+    }
+
+    fn calibrate(&mut self, response: &Response, pane: Rect) {
+        if response.clicked()
+            && let Some(at) = response.interact_pointer_pos()
+        {
+            self.calibrated.push(self.view.to_plan(pane, at));
+            self.calibrated.truncate(2);
+        }
+    }
+
+    fn keys(&mut self, ui: &Ui, response: &Response, scene: &Scene<'_>, acts: &mut Vec<Act>) {
+        if !self.corners.is_empty() {
+            let (enter, back) =
+                ui.input(|i| (i.key_pressed(Key::Enter), i.key_pressed(Key::Backspace)));
+            if enter {
+                let closes = self.corners.len() > 2;
+                self.finish_corners(closes, acts);
+            } else if back {
+                self.corners.pop();
+            }
+        }
+        if !response.has_focus() {
+            return;
+        }
+        ui.memory_mut(|m| {
+            let filter = egui::EventFilter {
+                horizontal_arrows: true,
+                vertical_arrows: true,
+                ..egui::EventFilter::default()
+            };
+            m.set_focus_lock_filter(response.id, filter);
+        });
+        let fine = if ui.input(|i| i.modifiers.shift) { 0.1 } else { 1.0 };
+        let step = scene.document.drawing.grid_mm * fine;
+        let pressed = |key| ui.input(|i| i.num_presses(key)) as f64;
+        let by = Point2::new(
+            (pressed(Key::ArrowRight) - pressed(Key::ArrowLeft)) * step,
+            (pressed(Key::ArrowUp) - pressed(Key::ArrowDown)) * step,
+        );
+        if by != Point2::new(0.0, 0.0) && !scene.selection.points.is_empty() {
+            acts.push(Act::Move(handles::moved_by(scene, by)));
+            acts.push(Act::Rest);
+        }
+        let (zoom_in, zoom_out) = ui.input(|i| {
+            let plain = i.modifiers.is_none() || i.modifiers.shift_only();
+            (plain && i.key_pressed(Key::Plus), plain && i.key_pressed(Key::Minus))
+        });
+        if zoom_in || zoom_out {
+            let by = if zoom_in { 1.25 } else { 0.8 };
+            self.view.zoom(response.rect, response.rect.center(), by);
+        }
+    }
+
+    fn paint(
+        &mut self,
+        ui: &mut Ui,
+        response: &Response,
+        pane: Rect,
+        scene: &Scene<'_>,
+        handles: &Handles,
+    ) {
+        let painter = ui.painter_at(pane);
+        let sheet = paint::Sheet { painter: &painter, pane, view: self.view, scene };
+        sheet.ground();
+        self.picture.show(&sheet, ui.ctx());
+        sheet.grid();
+        sheet.panels();
+        self.outlines.show(&sheet);
+        let hovered = response.hover_pos().and_then(|at| handles.at(at));
+        sheet.handles(handles, hovered);
+        sheet.stroke(&self.stroke, &self.corners, response.hover_pos());
+        sheet.places(&self.calibrated);
+        sheet.snaps(&self.snaps);
+        sheet.scale();
+        if let (Some(from), Some(to)) = (self.lasso, response.interact_pointer_pos()) {
+            sheet.lasso(Rect::from_two_pos(from, to));
+        }
+        if scene.document.design.curves.is_empty()
+            && self.stroke.is_empty()
+            && self.corners.is_empty()
+        {
+            sheet.invitation(self.tool);
+        }
+        let is_on_curve = response
+            .hover_pos()
+            .is_some_and(|at| self.outlines.nearest(pane, self.view, at).is_some());
+        let icon = match self.tool {
+            Tool::Draw | Tool::Calibrate => egui::CursorIcon::Crosshair,
+            Tool::Select if self.drag.is_some() => egui::CursorIcon::Grabbing,
+            Tool::Select if hovered.is_some() => egui::CursorIcon::Grab,
+            Tool::Select if is_on_curve => egui::CursorIcon::PointingHand,
+            Tool::Select => egui::CursorIcon::Default,
+        };
+        if response.hovered() || self.drag.is_some() {
+            ui.set_cursor_icon(icon);
+        }
+    }
+
+    /// What can be done with what lies under the right button.
+    fn menu(response: &Response, handles: &Handles, scene: &Scene<'_>, acts: &mut Vec<Act>) {
+        if response.secondary_clicked()
+            && let Some(point) = response.interact_pointer_pos().and_then(|at| handles.at(at))
+            && !scene.selection.points.contains(&point)
+        {
+            acts.push(Act::Select(Selection::of_point(point)));
+        }
+        response.context_menu(|ui| {
+            for command in MENU {
+                if ui.button(command.name()).on_hover_text(command.tooltip()).clicked() {
+                    acts.push(Act::Run(command));
+                    ui.close();
+                }
+            }
+        });
+    }
+}
+
+impl Drag {
+    /// Where every handle goes if the one under the hand goes there.
+    fn moved(&self, to: Point2, scene: &Scene<'_>) -> Vec<(PointRef, sheetwright::math::Point3)> {
+        let plan = scene.document.drawing.plan;
+        let Some((_, held)) = self.from.iter().find(|(r, _)| *r == self.held) else {
+            return Vec::new();
+        };
+        let by = Point2::new(to.x - held.x, to.y - held.y);
+        let curves = &scene.document.design.curves;
+        let place = |(r, from): &(PointRef, Point2)| {
+            let now = curves.get(r.curve)?.points.get(r.point)?.at;
+            let there = Point2::new(from.x + by.x, from.y + by.y);
+            Some((*r, plan.space(there, plan.lift(now))))
+        };
+        self.from.iter().filter_map(place).collect()
+    }
+}
+
+/// A selection with one point more, or less.
+fn with_toggled(selection: &Selection, point: PointRef) -> Selection {
+    let mut points = selection.points.clone();
+    match points.binary_search(&point) {
+        Ok(n) => {
+            points.remove(n);
+        }
+        Err(n) => points.insert(n, point),
+    }
+    Selection { points, curve: Some(point.curve), ..Selection::default() }
+}

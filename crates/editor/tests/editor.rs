@@ -1,0 +1,269 @@
+//! The editor, driven as a person does: by its panes, names and keys.
+
+mod hands;
+
+use eframe::egui::{Key, Modifiers, pos2, vec2};
+use hands::{Hands, round};
+use sheetwright::design::make;
+use sheetwright::watch::Unwatched;
+use sheetwright_editor::command::Command;
+use sheetwright_editor::document::Document;
+use sheetwright_editor::editor::{Opened, Page};
+use sheetwright_editor::scene::{Act, PointRef};
+use sheetwright_files::{Format, PdfOptions, output_files};
+
+const SIZE: [f32; 2] = [1280.0, 800.0];
+
+/// Draws an outline in the middle of the plan.
+fn drawn() -> Hands {
+    let mut hands = Hands::new(SIZE, false);
+    hands.run(Command::New);
+    let middle = hands.on_plan(0.0, 0.0);
+    hands.drag(&round(middle, vec2(170.0, 110.0), 90));
+    hands.settle();
+    hands
+}
+
+/// Lifts a point by its field at the side.
+fn lift(hands: &mut Hands, point: usize, text: &str) {
+    let at = PointRef { curve: 0, point };
+    let selection = sheetwright_editor::scene::Selection::of_point(at);
+    hands.harness.state_mut().editor_mut().carry_out(Act::Select(selection));
+    hands.step();
+    hands.type_into("Lift (z)", text);
+    hands.settle();
+}
+
+#[test]
+fn a_stroke_becomes_an_outline_and_a_panel() {
+    let hands = drawn();
+    let document = hands.app().editor().document();
+    assert_eq!(document.design.curves.len(), 1);
+    let curve = &document.design.curves[0];
+    assert!(curve.closed && (4..=10).contains(&curve.points.len()), "{curve:?}");
+    assert!(curve.points.iter().all(|p| !p.corner && p.at.z == 0.0));
+    assert_eq!(document.design.panels.len(), 1);
+    let shown = hands.app().editor().shown()[0].made.as_ref().unwrap();
+    assert_eq!(shown.positions.len(), 400);
+    assert!(shown.length_error_max < 1e-9 && shown.warp_max_deg < 1e-6);
+}
+
+#[test]
+fn a_lifted_handle_stays_over_its_place_and_its_number_is_the_one_typed() {
+    let mut hands = drawn();
+    let before = hands.app().editor().document().design.curves[0].points[1].at;
+    lift(&mut hands, 1, "4cm");
+    let after = hands.app().editor().document().design.curves[0].points[1].at;
+    assert_eq!((after.x, after.y, after.z), (before.x, before.y, 40.0));
+    let shown = hands.app().editor().shown()[0].made.as_ref().unwrap();
+    assert!(shown.positions.iter().any(|p| p.z > 39.0));
+    // What can't be read changes nothing.
+    lift(&mut hands, 1, "4 kg");
+    assert_eq!(hands.app().editor().document().design.curves[0].points[1].at, after);
+}
+
+#[test]
+fn a_hole_is_found_by_where_it_lies() {
+    let mut hands = drawn();
+    hands.key(Modifiers::NONE, Key::D);
+    let middle = hands.on_plan(0.0, 0.0);
+    hands.drag(&round(middle, vec2(50.0, 36.0), 60));
+    hands.settle();
+    let design = &hands.app().editor().document().design;
+    assert_eq!((design.curves.len(), design.panels.len()), (2, 1));
+    let shown = hands.app().editor().shown()[0].made.as_ref().unwrap();
+    assert_eq!(shown.loop_ends.len(), 2);
+}
+
+#[test]
+fn twenty_steps_are_taken_back_and_done_again() {
+    let mut hands = drawn();
+    let empty_steps = hands.app().editor().history().steps_back();
+    assert_eq!(empty_steps, 1);
+    let mut documents = vec![hands.app().editor().document().clone()];
+    for n in 0..20 {
+        lift(&mut hands, n % 4, &format!("{}mm", 5 + n));
+        documents.push(hands.app().editor().document().clone());
+    }
+    assert_eq!(hands.app().editor().history().steps_back(), 21);
+    for wanted in documents.iter().rev().skip(1) {
+        hands.key(Modifiers::COMMAND, Key::Z);
+        assert_eq!(hands.app().editor().document(), wanted);
+    }
+    for wanted in &documents[1..] {
+        hands.key(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
+        assert_eq!(hands.app().editor().document(), wanted);
+    }
+    // What was typed last is what is shown.
+    hands.settle();
+}
+
+#[test]
+fn dragging_a_handle_on_the_plan_is_one_step_and_snaps_level() {
+    let mut hands = drawn();
+    let points = hands.app().editor().document().design.curves[0].points.clone();
+    let from = hands.on_plan(points[0].at.x, points[0].at.y);
+    let way: Vec<_> = (0..=20).map(|n| from + vec2(2.0 * n as f32, -0.2 * n as f32)).collect();
+    hands.drag(&way);
+    hands.settle();
+    let editor = hands.app().editor();
+    assert_eq!(editor.history().steps_back(), 2);
+    let moved = editor.document().design.curves[0].points[0].at;
+    assert!((moved.x - points[0].at.x).abs() > 30.0, "{moved:?} {:?}", points[0].at);
+    assert_eq!(editor.selection().points, [PointRef { curve: 0, point: 0 }]);
+}
+
+#[test]
+fn points_move_so_that_the_sheet_bends_and_are_accepted_or_dropped() {
+    let mut hands = drawn();
+    lift(&mut hands, 0, "60");
+    lift(&mut hands, 1, "-30");
+    let before = hands.app().editor().document().clone();
+    let was = hands.app().editor().shown()[0].made.as_ref().unwrap().warp_max_deg;
+    for accept in [false, true] {
+        hands.key(Modifiers::NONE, Key::V);
+        assert_eq!(hands.app().editor().page, Page::Vary);
+        hands.click("Try it");
+        hands.settle();
+        let varied = hands.app().editor().varied().unwrap().as_ref().unwrap();
+        assert!(varied.moved.is_some(), "{}", varied.text);
+        hands.click(if accept { "Accept" } else { "Drop" });
+        hands.settle();
+        assert_eq!(*hands.app().editor().document() == before, !accept);
+    }
+    let now = hands.app().editor().shown()[0].made.as_ref().unwrap().warp_max_deg;
+    assert!(now < was, "{was} {now}");
+}
+
+#[test]
+fn exported_files_are_those_of_the_command_line() {
+    let mut hands = drawn();
+    lift(&mut hands, 2, "35mm");
+    hands.key(Modifiers::COMMAND, Key::S);
+    hands.step();
+    hands.key(Modifiers::COMMAND, Key::E);
+    hands.click("Choose a folder…");
+    hands.settle();
+    let disk = hands.disk.lock().unwrap();
+    // What the command line does with the saved file.
+    let options = sheetwright_files::ReadOptions::default();
+    let format = sheetwright_files::InputFormat::Design;
+    let read = sheetwright_files::read_bytes(format, &disk.saved, "a.sheet.json", None, &options);
+    let made = make(&read.unwrap(), &mut Unwatched).unwrap();
+    let wanted = output_files(&made, &Format::DEFAULT, &PdfOptions::default()).unwrap().files;
+    assert!(wanted.len() >= 5);
+    assert_eq!(disk.exported.len(), wanted.len());
+    for (found, wanted) in disk.exported.iter().zip(&wanted) {
+        assert_eq!(found.name, wanted.name);
+        assert!(found.bytes == wanted.bytes, "{}", wanted.name);
+    }
+}
+
+#[test]
+fn what_is_saved_opens_as_it_was() {
+    let mut hands = drawn();
+    lift(&mut hands, 0, "1' 4\"");
+    hands.run(Command::ToggleMirror);
+    hands.run(Command::Save);
+    hands.step();
+    assert!(!hands.app().editor().is_unsaved());
+    let document = hands.app().editor().document().clone();
+    let bytes = hands.disk.lock().unwrap().saved.clone();
+    assert_eq!(Document::read("untitled.sheet.json", &bytes), Ok(document.clone()));
+    hands.run(Command::New);
+    hands.disk.lock().unwrap().to_open =
+        Some(Opened { path: "untitled.sheet.json".to_owned(), bytes });
+    hands.run(Command::Open);
+    hands.step();
+    assert_eq!(*hands.app().editor().document(), document);
+}
+
+#[test]
+fn escape_ends_the_tool_and_then_the_selection() {
+    let mut hands = drawn();
+    hands.key(Modifiers::COMMAND, Key::A);
+    assert!(!hands.app().editor().selection().is_empty());
+    hands.key(Modifiers::NONE, Key::D);
+    let draws = sheetwright_editor::panes::plan::Tool::Draw;
+    assert_eq!(hands.app().editor().tool, draws);
+    hands.key(Modifiers::NONE, Key::Escape);
+    assert_ne!(hands.app().editor().tool, draws);
+    assert!(!hands.app().editor().selection().is_empty());
+    hands.key(Modifiers::NONE, Key::Escape);
+    assert!(hands.app().editor().selection().is_empty());
+}
+
+#[test]
+fn with_a_mirror_both_sides_move_alike() {
+    let mut hands = Hands::new(SIZE, false);
+    hands.run(Command::New);
+    hands.run(Command::ToggleMirror);
+    // Half an outline, from the mirror to the mirror.
+    let middle = hands.on_plan(0.0, 0.0);
+    let whole = round(middle, vec2(130.0, 150.0), 80);
+    let half: Vec<_> = whole.into_iter().filter(|at| at.x > middle.x - 4.0).collect();
+    let turn = half.iter().position(|at| at.y == half.iter().map(|p| p.y).fold(f32::MAX, f32::min));
+    let mut half = half;
+    half.sort_by(|a, b| a.y.total_cmp(&b.y));
+    assert!(turn.is_some());
+    hands.run(Command::Draw);
+    hands.drag(&half);
+    hands.settle();
+    let curve = hands.app().editor().document().design.curves[0].clone();
+    assert!(curve.closed, "{curve:?}");
+    let alike = |curve: &sheetwright::design::DesignCurve| {
+        curve.points.iter().all(|p| {
+            let is_image = |q: &sheetwright::curve::CurvePoint| {
+                (q.at.x + p.at.x).abs() < 1e-6
+                    && (q.at.y - p.at.y).abs() < 1e-6
+                    && (q.at.z - p.at.z).abs() < 1e-6
+            };
+            curve.points.iter().any(is_image)
+        })
+    };
+    assert!(alike(&curve), "{curve:?}");
+    lift(&mut hands, 1, "25");
+    let lifted = &hands.app().editor().document().design.curves[0];
+    assert_eq!(lifted.points[1].at.z, 25.0);
+    assert!(alike(lifted), "{lifted:?}");
+}
+
+#[test]
+fn corners_put_by_clicks_make_straight_sides() {
+    let mut hands = Hands::new(SIZE, false);
+    hands.run(Command::New);
+    let centre = hands.on_plan(0.0, 0.0);
+    for [x, y] in [[-100.0, -80.0], [120.0, -80.0], [120.0, 90.0], [-100.0, 90.0]] {
+        let at = centre + vec2(x, y);
+        hands.drag(&[at, at]);
+        // Slower than a double click.
+        hands.harness.run_steps(40);
+    }
+    hands.key(Modifiers::NONE, Key::Enter);
+    hands.settle();
+    let curve = &hands.app().editor().document().design.curves[0];
+    assert_eq!((curve.points.len(), curve.closed), (4, true));
+    assert!(curve.points.iter().all(|p| p.corner));
+}
+
+#[test]
+fn everything_can_be_found_by_name_and_a_greyed_command_says_why() {
+    let mut hands = Hands::new(SIZE, false);
+    hands.run(Command::New);
+    let editor = hands.app().editor();
+    for command in Command::all() {
+        let why = editor.why_not(command);
+        assert!(why.is_none_or(|why| why.ends_with('.')), "{command:?}");
+    }
+    assert!(editor.why_not(Command::Undo).is_some());
+    assert!(editor.why_not(Command::Export).is_some());
+    hands.key(Modifiers::COMMAND, Key::K);
+    assert_eq!(hands.app().editor().page, Page::Palette);
+    hands.harness.event(eframe::egui::Event::Text("snap".to_owned()));
+    hands.step();
+    hands.key(Modifiers::NONE, Key::Enter);
+    hands.step();
+    assert!(hands.app().editor().document().drawing.snap_to_grid);
+    assert_eq!(hands.app().editor().page, Page::Panes);
+    let _ = pos2(0.0, 0.0);
+}

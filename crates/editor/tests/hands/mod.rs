@@ -1,0 +1,182 @@
+//! Hands for tests: they point, draw and type as a person does, and files go to memory.
+
+#![allow(dead_code)] // each test uses some of it
+
+use eframe::egui::{self, Event, Key, Modifiers, PointerButton, Pos2, Vec2, pos2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use sheetwright::math::Point2;
+use sheetwright_editor::app::App;
+use sheetwright_editor::command::Command;
+use sheetwright_editor::editor::{FileWish, Opened};
+use sheetwright_editor::io::{Dialogs, FileAnswer};
+use sheetwright_editor::scene::Act;
+use sheetwright_files::OutputFile;
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
+
+/// Files in memory.
+#[derive(Default)]
+pub struct Disk {
+    /// What was exported last.
+    pub exported: Vec<OutputFile>,
+    /// What was saved last.
+    pub saved: Vec<u8>,
+    /// What is chosen when somebody is asked for a file.
+    pub to_open: Option<Opened>,
+    answers: Vec<FileAnswer>,
+}
+
+/// Dialogs that choose at once.
+pub struct Chosen(pub Arc<Mutex<Disk>>);
+
+impl Dialogs for Chosen {
+    fn grant(&mut self, wish: FileWish) {
+        let mut disk = self.0.lock().unwrap();
+        let answer = match wish {
+            FileWish::Open => disk.to_open.take().map(FileAnswer::Opened),
+            FileWish::Picture => disk.to_open.take().map(FileAnswer::Picture),
+            FileWish::Save { name, bytes, version, .. } => {
+                disk.saved = bytes;
+                Some(FileAnswer::Saved { path: name, version })
+            }
+            FileWish::Export(files) => {
+                disk.exported = files;
+                let count = disk.exported.len();
+                Some(FileAnswer::Exported { count, folder: "memory".to_owned() })
+            }
+        };
+        disk.answers.extend(answer);
+    }
+
+    fn answers(&mut self) -> Vec<FileAnswer> {
+        std::mem::take(&mut self.0.lock().unwrap().answers)
+    }
+
+    fn read(&mut self, path: &str) -> Result<Opened, String> {
+        let bytes = std::fs::read(path).map_err(|error| error.to_string())?;
+        Ok(Opened { path: path.to_owned(), bytes })
+    }
+}
+
+/// A window with hands.
+pub struct Hands {
+    /// The window.
+    pub harness: Harness<'static, App>,
+    /// Its files.
+    pub disk: Arc<Mutex<Disk>>,
+}
+
+impl Hands {
+    /// A window of this size, drawn by the graphics card if `drawn`.
+    pub fn new(size: [f32; 2], drawn: bool) -> Self {
+        let disk = Arc::new(Mutex::new(Disk::default()));
+        let its = disk.clone();
+        let builder = Harness::builder().with_size(Vec2::from(size)).with_step_dt(1.0 / 60.0);
+        let builder = if drawn { builder.wgpu() } else { builder };
+        let harness =
+            builder.build_eframe(move |cc| App::with_dialogs(cc, Box::new(Chosen(its.clone()))));
+        Self { harness, disk }
+    }
+
+    /// The window.
+    pub fn app(&self) -> &App {
+        self.harness.state()
+    }
+
+    /// A frame.
+    pub fn step(&mut self) {
+        self.harness.step();
+    }
+
+    /// Frames until everything is worked out.
+    pub fn settle(&mut self) {
+        let start = Instant::now();
+        loop {
+            self.step();
+            if self.app().editor().is_settled() {
+                self.step();
+                return;
+            }
+            assert!(start.elapsed() < Duration::from_secs(120), "it never settles");
+            std::thread::sleep(Duration::from_millis(5));
+        }
+    }
+
+    /// A command by its name.
+    pub fn run(&mut self, command: Command) {
+        self.harness.state_mut().editor_mut().carry_out(Act::Run(command));
+        self.step();
+        self.step();
+    }
+
+    /// A key.
+    pub fn key(&mut self, modifiers: Modifiers, key: Key) {
+        self.harness.key_press_modifiers(modifiers, key);
+        self.step();
+        self.step();
+    }
+
+    /// Clicks on what has this name.
+    pub fn click(&mut self, label: &str) {
+        self.harness.get_by_label(label).click();
+        self.step();
+        self.step();
+    }
+
+    /// Where a place of the plan lies on the screen.
+    pub fn on_plan(&self, x: f64, y: f64) -> Pos2 {
+        self.app().plan().on_screen(Point2::new(x, y))
+    }
+
+    /// Presses the button, moves along, and lets go: a frame each.
+    pub fn drag(&mut self, way: &[Pos2]) {
+        let button = |pos: Pos2, pressed: bool| Event::PointerButton {
+            pos,
+            button: PointerButton::Primary,
+            pressed,
+            modifiers: Modifiers::NONE,
+        };
+        let (first, last) = (way[0], way[way.len() - 1]);
+        self.harness.event(Event::PointerMoved(first));
+        self.step();
+        self.harness.event(button(first, true));
+        self.step();
+        for &at in &way[1..] {
+            self.harness.event(Event::PointerMoved(at));
+            self.step();
+        }
+        self.harness.event(button(last, false));
+        self.step();
+        self.step();
+    }
+
+    /// Types into the field of this name.
+    pub fn type_into(&mut self, label: &str, text: &str) {
+        let field = |harness: &Harness<'static, App>| {
+            harness
+                .query_all_by_label(label)
+                .find(|node| node.accesskit_node().role() == egui::accesskit::Role::TextInput)
+                .map(|node| node.rect().center())
+        };
+        let at = field(&self.harness).unwrap_or_else(|| panic!("no field {label}"));
+        self.drag(&[at, at]);
+        self.key(Modifiers::COMMAND, Key::A);
+        self.harness.event(Event::Text(text.to_owned()));
+        self.step();
+        self.key(Modifiers::NONE, Key::Enter);
+    }
+}
+
+/// A round way of the hand about a place of the screen, with a little tremor.
+pub fn round(centre: Pos2, radii: Vec2, steps: usize) -> Vec<Pos2> {
+    let at = |n: usize| {
+        let angle = n as f32 / steps as f32 * std::f32::consts::TAU;
+        let tremor = (n as f32 * 1.7).sin() * 0.6;
+        pos2(
+            centre.x + (radii.x + tremor) * angle.cos(),
+            centre.y - (radii.y + tremor) * angle.sin(),
+        )
+    };
+    (0..=steps).map(at).collect()
+}

@@ -1,0 +1,133 @@
+//! How a design is drawn: what an editor keeps beside what is made.
+
+use crate::units::Units;
+use sheetwright::math::{Point2, Point3, Vec3};
+use std::sync::Arc;
+
+/// How a design is drawn: nothing in it changes what is made.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawing {
+    /// The units that lengths are shown in, and that a number without a unit is in.
+    pub units: Units,
+    /// The plane that the plan shows.
+    pub plan: Plan,
+    /// The mirror, if what is drawn is symmetrical: a line of the plan.
+    pub mirror: Option<Mirror>,
+    /// The distance of the lines of the grid, mm.
+    pub grid_mm: f64,
+    /// Whether points snap to the grid.
+    pub snap_to_grid: bool,
+    /// A picture to draw after, under the plan.
+    pub reference: Option<Reference>,
+}
+
+/// Which plane the plan shows. Handles move in it on the left and across it on the right.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Plan {
+    /// Seen from above: x to the right, y upwards; across it is z.
+    #[default]
+    Top,
+    /// Seen from the front: x to the right, z upwards; across it is −y.
+    Front,
+    /// Seen from the right side: y to the right, z upwards; across it is x.
+    Side,
+}
+
+impl Plan {
+    /// Every plane.
+    pub const ALL: [Self; 3] = [Self::Top, Self::Front, Self::Side];
+
+    /// What people call it, and files in small letters.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Top => "Top",
+            Self::Front => "Front",
+            Self::Side => "Side",
+        }
+    }
+
+    /// Where a point lies in the plan, mm.
+    pub fn flat(self, p: Point3) -> Point2 {
+        match self {
+            Self::Top => Point2::new(p.x, p.y),
+            Self::Front => Point2::new(p.x, p.z),
+            Self::Side => Point2::new(p.y, p.z),
+        }
+    }
+
+    /// How far a point is lifted off the plan, mm, towards whoever looks at it.
+    pub fn lift(self, p: Point3) -> f64 {
+        match self {
+            Self::Top => p.z,
+            Self::Front => -p.y,
+            Self::Side => p.x,
+        }
+    }
+
+    /// The point at a place of the plan, lifted off it, mm.
+    pub fn space(self, at: Point2, lift: f64) -> Point3 {
+        match self {
+            Self::Top => Point3::new(at.x, at.y, lift),
+            Self::Front => Point3::new(at.x, -lift, at.y),
+            Self::Side => Point3::new(lift, at.x, at.y),
+        }
+    }
+
+    /// The way across it, towards whoever looks at it.
+    pub fn normal(self) -> Vec3 {
+        match self {
+            Self::Top => Vec3::new(0.0, 0.0, 1.0),
+            Self::Front => Vec3::new(0.0, -1.0, 0.0),
+            Self::Side => Vec3::new(1.0, 0.0, 0.0),
+        }
+    }
+}
+
+/// A line of the plan that everything is drawn on both sides of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mirror {
+    /// Whether the line runs upwards on the plan, so that left and right are alike; else it runs to
+    /// the right, and above and below are alike.
+    pub upright: bool,
+    /// Where it stands on the axis that it crosses, mm.
+    pub at_mm: f64,
+}
+
+impl Mirror {
+    /// Where the mirror shows a place of the plan, mm.
+    pub fn image(self, p: Point2) -> Point2 {
+        if self.upright {
+            Point2::new(2.0 * self.at_mm - p.x, p.y)
+        } else {
+            Point2::new(p.x, 2.0 * self.at_mm - p.y)
+        }
+    }
+}
+
+/// A picture that is drawn after: a photograph or a scan of a plan, true to scale.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reference {
+    /// The name of the file that it came from.
+    pub name: String,
+    /// The bytes of that file, PNG or JPEG.
+    pub bytes: Arc<[u8]>,
+    /// Where the middle of the picture lies on the plan, mm.
+    pub centre: Point2,
+    /// The size of a pixel, mm.
+    pub mm_per_pixel: f64,
+    /// How much of it shows, 0 ..= 1.
+    pub opacity: f64,
+}
+
+impl Default for Drawing {
+    fn default() -> Self {
+        Self {
+            units: Units::Millimetres,
+            plan: Plan::Top,
+            mirror: None,
+            grid_mm: 50.0,
+            snap_to_grid: false,
+            reference: None,
+        }
+    }
+}
