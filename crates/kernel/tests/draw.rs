@@ -64,7 +64,7 @@ fn all_curves(mut check: impl FnMut(&mut Random, DesignCurve)) {
     let mut random = Random::new(5);
     for kind in KINDS {
         for closed in [false, true] {
-            for _ in 0..25 {
+            for _ in 0..10 {
                 let c = random_curve(&mut random, kind, closed);
                 check(&mut random, c);
             }
