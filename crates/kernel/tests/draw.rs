@@ -1,5 +1,7 @@
 //! What people do to curves, panels from curves drawn inside one another, and coarser designs.
 
+#![allow(clippy::unwrap_used)] // tests panic
+
 use sheetwright::boundary::samples_from_points;
 use sheetwright::curve::{Curve, CurveKind, CurvePoint};
 use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelShape, Vary, make};

@@ -1,5 +1,7 @@
 //! Strokes drawn as a hand does, with a seed: what becomes of them.
 
+#![allow(clippy::unwrap_used)] // tests panic
+
 use sheetwright::curve::{Curve, CurveKind, CurvePoint};
 use sheetwright::draw::stroke::{MOST_POINTS, Stroke, StrokeError, StrokeOptions, stroke};
 use sheetwright::math::{Point2, Point3, Vec2, cos, sin};
