@@ -11,7 +11,7 @@
 //! lies at the target is as large in either.
 
 use eframe::egui::{Pos2, Rect, Vec2};
-use sheetwright::math::{Point3, Vec3, cos, sin};
+use sheetwright::math::{Point3, Vec3, atan2, cos, sin};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The angle between the lower and the upper edge of a picture in perspective, radians.
@@ -36,16 +36,12 @@ impl Direction {
     /// From in front, to the right and above: what a shape is best seen from.
     pub const CORNER: Self = Self { yaw: -PI / 3.0, pitch: PI / 6.0 };
 
-    /// From where an axis points: x, y or z, or against it.
-    pub fn along(axis: Vec3) -> Self {
-        match axis {
-            a if a.z > 0.5 => Self { yaw: -FRAC_PI_2, pitch: FRAC_PI_2 },
-            a if a.z < -0.5 => Self { yaw: -FRAC_PI_2, pitch: -FRAC_PI_2 },
-            a if a.y > 0.5 => Self { yaw: FRAC_PI_2, pitch: 0.0 },
-            a if a.y < -0.5 => Self { yaw: -FRAC_PI_2, pitch: 0.0 },
-            a if a.x < -0.5 => Self { yaw: PI, pitch: 0.0 },
-            _ => Self { yaw: 0.0, pitch: 0.0 },
-        }
+    /// From where a direction points.
+    pub fn towards(way: Vec3) -> Self {
+        let level = Vec3::new(way.x, way.y, 0.0).length();
+        // Straight from above or below, as plans are drawn.
+        let yaw = if level > 1e-6 { atan2(way.y, way.x) } else { -FRAC_PI_2 };
+        Self { yaw, pitch: atan2(way.z, level) }
     }
 
     /// A part of the way to another one, the short way round.
@@ -265,7 +261,8 @@ mod tests {
     fn plans_lie_as_they_are_drawn() {
         use crate::document::Plan;
         for plan in Plan::ALL {
-            let camera = Camera { direction: Direction::along(plan.normal()), ..Camera::default() };
+            let camera =
+                Camera { direction: Direction::towards(plan.normal()), ..Camera::default() };
             let right = Point3::from_vec(camera.right());
             let up = Point3::from_vec(camera.up());
             assert!((plan.flat(right).x - 1.0).abs() < 1e-12, "{plan:?}");

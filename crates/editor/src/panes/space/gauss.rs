@@ -50,15 +50,13 @@ pub(super) fn image(scene: &Scene<'_>, by: Option<Quantity>) -> (Vec<SheetVertex
     (ball(), lines)
 }
 
-/// How far the directions of all panels spread from their middle, degrees, and that middle; `None`
-/// without a rung that has normals.
-pub(super) fn spread(scene: &Scene<'_>) -> Option<(Vec3, f64)> {
+/// The middle of the directions of all panels; `None` without a rung that has normals.
+pub(super) fn middle(scene: &Scene<'_>) -> Option<Vec3> {
     let normals = || {
         let rungs = scene.made().flat_map(|(_, shown)| shown.rungs.iter());
         rungs.flat_map(|rung| rung.normals).filter(|&n| n != Vec3::ZERO)
     };
-    let middle = unit(normals().sum::<Vec3>()).or_else(|| normals().next())?;
-    Some((middle, to_deg(normals().map(|n| angle_between(n, middle)).fold(0.0, f64::max))))
+    unit(normals().sum::<Vec3>()).or_else(|| normals().next())
 }
 
 /// Where two rungs follow one another over a triangle: the normals at their ends on one side of the
@@ -108,7 +106,7 @@ fn arc(lines: &mut Lines, [from, to]: [Vec3; 2], pen: Pen) {
 
 /// Circles every 30°, the equator and the circles over the axes stronger.
 fn graticule(lines: &mut Lines, theme: &Theme) {
-    let thin = Pen::new(theme.line, 1.0, 0.5);
+    let thin = Pen::new(theme.faint, 1.0, 0.5).faded(0.3);
     for latitude in (-60..=60).step_by(30) {
         let (level, height) = (cos(deg(latitude)), sin(deg(latitude)));
         let at = |k: i32| Vec3::new(level * cos(deg(k)), level * sin(deg(k)), height);

@@ -42,9 +42,11 @@ pub(super) struct Segment {
 pub(super) struct Picture {
     /// Triangles, three corners each.
     pub(super) sheets: Vec<SheetVertex>,
-    /// Lines that hide behind sheets, in the order in which they are drawn.
+    /// Lines, in the order in which they are drawn.
     pub(super) lines: Vec<Segment>,
-    /// Of those, the last ones that shine through.
+    /// Of those, the first ones that are drawn before the sheets, and so never cover them.
+    pub(super) under: usize,
+    /// Of those, the last ones that shine through where a sheet hides them.
     pub(super) ghosts: usize,
 }
 
@@ -336,23 +338,23 @@ impl Stage {
             ..Default::default()
         });
         pass.set_bind_group(0, &self.globals_group, &[]);
+        let count = picture.lines.len();
+        let draw_lines = |pass: &mut wgpu::RenderPass<'_>, kind, from: usize, to: usize| {
+            if from < to {
+                pass.set_pipeline(kind);
+                pass.set_vertex_buffer(0, lines.slice((from * size_of::<Segment>()) as u64..));
+                pass.draw(0..6, 0..(to - from) as u32);
+            }
+        };
+        let under = picture.under.min(count);
+        draw_lines(&mut pass, &self.lines, 0, under);
         if !picture.sheets.is_empty() {
             pass.set_pipeline(&self.sheets);
             pass.set_vertex_buffer(0, sheets.slice(..));
             pass.draw(0..picture.sheets.len() as u32, 0..1);
         }
-        let ghosts = picture.ghosts.min(picture.lines.len());
-        if ghosts > 0 {
-            let from = (picture.lines.len() - ghosts) * size_of::<Segment>();
-            pass.set_pipeline(&self.ghosts);
-            pass.set_vertex_buffer(0, lines.slice(from as u64..));
-            pass.draw(0..6, 0..ghosts as u32);
-        }
-        if !picture.lines.is_empty() {
-            pass.set_pipeline(&self.lines);
-            pass.set_vertex_buffer(0, lines.slice(..));
-            pass.draw(0..6, 0..picture.lines.len() as u32);
-        }
+        draw_lines(&mut pass, &self.ghosts, count - picture.ghosts.min(count - under), count);
+        draw_lines(&mut pass, &self.lines, under, count);
     }
 
     fn new_target(&self, device: &wgpu::Device, size: [u32; 2]) -> Target {

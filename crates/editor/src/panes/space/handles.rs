@@ -18,6 +18,11 @@ const SNAP: f32 = 6.0;
 const END_ON: f64 = 0.12;
 /// With more points than this, handles are small and only selected ones have stems.
 const MANY: usize = 80;
+/// And with more than this, somewhat smaller.
+const SOME: usize = 30;
+/// Points closer than this share of the size of their coordinates are on one spot, as where curves
+/// are chained.
+const SAME_SPOT: f64 = 1e-6;
 /// The share of a step of the grid that a careful step is.
 const CAREFUL: f64 = 0.1;
 
@@ -124,10 +129,10 @@ impl Handles {
             let at = response.interact_pointer_pos().unwrap_or(response.rect.center());
             let pressed = ui.input(|i| i.pointer.press_origin()).unwrap_or(at);
             let starts = if scene.selection.points.contains(&handle.of) {
-                places(scene, &scene.selection.points)
+                joined(scene, &scene.selection.points)
             } else {
                 acts.push(Act::Select(Selection::of_point(handle.of)));
-                vec![(handle.of, handle.at)]
+                joined(scene, &[handle.of])
             };
             let grabbed = handle.of;
             self.drag = Some(Drag { grabbed, starts, pressed, by: 0.0, snapped: None });
@@ -214,7 +219,14 @@ impl Handles {
         for handle in handles {
             let Some(at) = handle.seen else { continue };
             let hovered = handle.response.hovered() || handle.response.dragged();
-            paint_handle(painter, theme, at, handle, is_selected(handle), hovered, many);
+            let size = match handles.len() {
+                _ if hovered => HANDLE + 1.5,
+                _ if is_selected(handle) => HANDLE,
+                n if n > MANY => 0.5 * HANDLE,
+                n if n > SOME => 0.8 * HANDLE,
+                _ => HANDLE,
+            };
+            paint_handle(painter, theme, at, handle, is_selected(handle), hovered, size);
         }
         if let Some(drag) = &self.drag
             && let Some(handle) = handles.iter().find(|h| h.of == drag.grabbed)
@@ -328,14 +340,20 @@ fn place(scene: &Scene<'_>, of: PointRef) -> Option<Point3> {
     Some(scene.document.design.curves.get(of.curve)?.points.get(of.point)?.at)
 }
 
-fn places(scene: &Scene<'_>, of: &[PointRef]) -> Vec<(PointRef, Point3)> {
-    of.iter().filter_map(|&p| Some((p, place(scene, p)?))).collect()
+/// Points and those of other curves on the same spot, which they are joined at.
+fn joined(scene: &Scene<'_>, of: &[PointRef]) -> Vec<(PointRef, Point3)> {
+    let wanted: Vec<Point3> = of.iter().filter_map(|&p| place(scene, p)).collect();
+    let size = wanted.iter().map(|p| p.to_vec().abs().max_element()).fold(1.0, f64::max);
+    let moves = |&(p, at, _): &(PointRef, Point3, bool)| {
+        of.contains(&p) || wanted.iter().any(|spot| spot.distance(at) <= SAME_SPOT * size)
+    };
+    points(scene).filter(moves).map(|(p, at, _)| (p, at)).collect()
 }
 
 /// Lifts points by a step, mm.
 fn lift(scene: &Scene<'_>, of: &[PointRef], by: f64, acts: &mut Vec<Act>) {
     let way = scene.document.drawing.plan.normal() * by;
-    let moved: Vec<_> = places(scene, of).into_iter().map(|(p, at)| (p, at + way)).collect();
+    let moved: Vec<_> = joined(scene, of).into_iter().map(|(p, at)| (p, at + way)).collect();
     if !moved.is_empty() {
         acts.extend([Act::Move(moved), Act::Rest]);
     }
@@ -398,16 +416,12 @@ fn paint_handle(
     handle: &Handle,
     chosen: bool,
     hovered: bool,
-    many: bool,
+    size: f32,
 ) {
     let focused = handle.response.has_focus();
-    let mut size = if many && !chosen { 0.5 * HANDLE } else { HANDLE };
-    if hovered {
-        size = HANDLE + 1.5;
-    }
     let fill = if chosen { theme.accent } else { theme.paper };
     let edge = if chosen || hovered { theme.accent } else { theme.curve };
-    let stroke = Stroke::new(1.6, if chosen { theme.paper } else { edge });
+    let stroke = Stroke::new(1.4, if chosen { theme.paper } else { edge });
     if focused {
         painter.circle_stroke(at, size + 4.0, Stroke::new(2.0, theme.accent));
     }

@@ -1,6 +1,6 @@
 //! What the colours of a sheet mean: a scale with its unit, and the limit of the material on it.
 
-use super::sheets::{EXACT, Quantity, twist_max};
+use super::sheets::{EXACT, NO_TWIST, Quantity, twist_max};
 use super::words::{degrees, error};
 use crate::engine::shown::Shown;
 use crate::scene::Scene;
@@ -14,11 +14,14 @@ const WIDTH: f32 = 200.0;
 const BAR: f32 = 10.0;
 const EDGE: f32 = 12.0;
 const HEIGHT: f32 = 68.0;
+const UNSURE: &str = "What may come from coarse sampling counts as 0°.";
 
 /// What stands on a scale.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Legend {
     title: String,
+    /// What there is to know besides.
+    note: &'static str,
     /// The words at its ends.
     ends: [String; 2],
     /// Where on it something is marked, and what.
@@ -35,12 +38,15 @@ impl Legend {
         match quantity {
             Quantity::Warp(top) => {
                 let limit = most(|shown| shown.warp_limit_deg);
-                let unsure =
-                    panels().flat_map(|s| &s.rungs).any(|r| r.is_unsure && r.warp_deg > 0.05);
-                let note = if unsure { " beyond the sampling" } else { "" };
                 let largest = most(twist_max);
+                let said = match largest > NO_TWIST {
+                    true => format!(", at most {}", degrees(largest)),
+                    false => ": none".to_owned(),
+                };
+                let unsure = panels().flat_map(|s| &s.rungs).any(|r| r.is_unsure);
                 Self {
-                    title: format!("° of twist{note}, at most {}", degrees(largest)),
+                    title: format!("° of twist{said}"),
+                    note: if unsure { UNSURE } else { "" },
                     ends: ["0°".to_owned(), degrees(top)],
                     mark: (top > 0.0).then(|| (limit / top, format!("limit {}", degrees(limit)))),
                     coloured: true,
@@ -48,12 +54,14 @@ impl Legend {
             }
             Quantity::LengthError(top) if top < EXACT => Self {
                 title: "Lengths: exact".to_owned(),
+                note: "",
                 ends: ["no side is longer or shorter".to_owned(), String::new()],
                 mark: None,
                 coloured: false,
             },
             Quantity::LengthError(top) => Self {
                 title: "Longer or shorter than the sheet".to_owned(),
+                note: "",
                 ends: ["0".to_owned(), error(top)],
                 mark: None,
                 coloured: true,
@@ -66,7 +74,8 @@ impl Legend {
         let [low, high] = &self.ends;
         let to = if high.is_empty() { String::new() } else { format!(" to {high}") };
         let mark = self.mark.as_ref().map_or(String::new(), |(_, what)| format!(", {what}"));
-        format!("Legend: {}, {low}{to}{mark}", self.title)
+        let note = if self.note.is_empty() { String::new() } else { format!(". {}", self.note) };
+        format!("Legend: {}, {low}{to}{mark}{note}", self.title)
     }
 
     /// In the lower left corner of a pane.
@@ -79,6 +88,9 @@ impl Legend {
         }
         let response = ui.interact(rect, ui.scope_id().with("legend"), Sense::hover());
         response.widget_info(|| WidgetInfo::labeled(Role::Label, true, self.spoken()));
+        if !self.note.is_empty() {
+            response.on_hover_text(self.note);
+        }
         let painter = ui.painter();
         let edge = Stroke::new(1.0, theme.line);
         painter.rect(rect, 6.0, theme.paper.gamma_multiply(0.92), edge, StrokeKind::Inside);

@@ -29,16 +29,16 @@ use eframe::CreationContext;
 use eframe::egui::accesskit::Role;
 use eframe::egui::emath::GuiRounding as _;
 use eframe::egui::{
-    Align2, EventFilter, FontId, PointerButton, Rect, Response, Sense, Stroke, Ui, UiBuilder,
-    WidgetInfo, vec2,
+    Align2, EventFilter, FontId, PointerButton, Pos2, Rect, Response, Sense, Stroke, StrokeKind,
+    Ui, UiBuilder, WidgetInfo, vec2,
 };
 use eframe::egui_wgpu::Callback;
 use handles::{Handles, Look, tag};
 use legend::Legend;
 use navigation::Navigation;
 use picture::{Built, colour, worst_colour};
-use sheets::{Quantity, twist, worst};
-use sheetwright::math::Point3;
+use sheets::{Quantity, twist, worst_of_all};
+use sheetwright::math::{Point3, Vec3};
 use words::degrees;
 
 /// Seconds that a turn to another view takes.
@@ -52,6 +52,8 @@ pub struct SpacePane {
     /// Whose habits the hand has.
     pub navigation: Navigation,
     gauss: Camera,
+    /// Whether it was turned to the middle of the image.
+    gauss_turned: bool,
     built: Built,
     handles: Handles,
     turn: Option<Turn>,
@@ -89,6 +91,7 @@ impl SpacePane {
             camera: Camera::default(),
             navigation: Navigation::default(),
             gauss,
+            gauss_turned: false,
             built: Built::default(),
             handles: Handles::default(),
             turn: None,
@@ -131,17 +134,17 @@ impl SpacePane {
         self.paint_picture(ui, scene, view, &camera, rect);
         if ground.has_focus() {
             let ring = Stroke::new(1.5, scene.theme.accent);
-            ui.painter().rect_stroke(rect, 0.0, ring, eframe::egui::StrokeKind::Inside);
+            ui.painter().rect_stroke(rect, 0.0, ring, StrokeKind::Inside);
         }
         if is_gauss {
             self.paint_gauss(ui, scene, &camera, rect);
         } else {
-            labels(ui, scene, view, &camera, rect);
             let look = Look { camera: &camera, rect, ground: &ground };
             if let Some(other) = self.handles.ui(ui, scene, &look, acts) {
                 self.turn = None;
                 navigation::drag(&mut self.camera, self.navigation, &other, rect, ui);
             }
+            labels(ui, scene, view, &camera, rect);
             self.click(ui, scene, &ground, rect, acts);
         }
         let quantity = if is_gauss { SurfaceView::Warp } else { view };
@@ -202,6 +205,14 @@ impl SpacePane {
                 let from = Camera { perspective: false, height_mm: 2.7, ..Camera::default() };
                 self.gauss = Camera { direction: self.gauss.direction, ..from };
             }
+        }
+        // The first look at the image is at its middle.
+        if view == SurfaceView::Gauss
+            && !self.gauss_turned
+            && let Some(middle) = gauss::middle(scene)
+        {
+            self.gauss.direction = Direction::towards(middle);
+            self.gauss_turned = true;
         }
         if let Some(turn) = self.turn {
             let share = ((ui.input(|i| i.time) - turn.since) / TURN).clamp(0.0, 1.0);
@@ -285,11 +296,7 @@ impl SpacePane {
 
     fn paint_gauss(&self, ui: &Ui, scene: &Scene<'_>, camera: &Camera, rect: Rect) {
         let theme = scene.theme;
-        for (axis, name) in [
-            (sheetwright::math::Vec3::X, "x"),
-            (sheetwright::math::Vec3::Y, "y"),
-            (sheetwright::math::Vec3::Z, "z"),
-        ] {
+        for (axis, name) in [(Vec3::X, "x"), (Vec3::Y, "y"), (Vec3::Z, "z")] {
             if let Some(seen) = camera.seen(Point3::from_vec(axis * 1.25), rect)
                 && axis.dot(camera.toward()) > -0.2
             {
@@ -297,16 +304,13 @@ impl SpacePane {
                 ui.painter().text(seen.at, Align2::CENTER_CENTER, name, font, theme.ink);
             }
         }
-        let text = match gauss::spread(scene) {
-            Some((_, spread)) => format!(
-                "The directions that the sheet faces, within {} of their middle. A line bends freely, a band twists.",
-                degrees(spread)
-            ),
-            None => "There is no sheet yet.".to_owned(),
+        let text = match gauss::middle(scene) {
+            Some(_) => "The directions that the sheet faces. A line bends freely, a band twists.",
+            None => "There is no sheet yet.",
         };
         let width = (rect.width() - 150.0).max(120.0);
         let font = FontId::proportional(13.0);
-        let galley = ui.painter().layout(text, font, theme.faint, width);
+        let galley = ui.painter().layout(text.to_owned(), font, theme.faint, width);
         ui.painter().galley(rect.min + vec2(14.0, 12.0), galley, theme.faint);
     }
 }
@@ -330,11 +334,7 @@ fn labels(ui: &Ui, scene: &Scene<'_>, view: SurfaceView, camera: &Camera, rect: 
         Some((shown, found, camera.seen(a.lerp(b, 0.5), rect)?.at))
     };
     let selected = scene.selection.panel.zip(scene.selection.rung);
-    let worst = scene
-        .made()
-        .filter_map(|(n, shown)| Some((twist(&shown.rungs[worst(shown)?]), n, worst(shown)?)))
-        .max_by(|a, b| a.0.total_cmp(&b.0));
-    let paint = |at: eframe::egui::Pos2, text: &str, colour| {
+    let paint = |at: Pos2, text: &str, colour| {
         if !rect.contains(at) {
             return;
         }
@@ -344,13 +344,13 @@ fn labels(ui: &Ui, scene: &Scene<'_>, view: SurfaceView, camera: &Camera, rect: 
         painter.circle_filled(at, 3.0, colour);
         tag(painter, theme, to, text, colour, rect);
     };
-    if let Some((most, panel, rung)) = worst
-        && let Some((shown, _, at)) = at_rung(panel, rung)
+    if let Some((panel, rung)) = worst_of_all(scene)
+        && let Some((shown, found, at)) = at_rung(panel, rung)
         && selected != Some((panel, rung))
     {
-        let beyond = most > shown.warp_limit_deg;
+        let most = twist(found);
         let asked = matches!(view, SurfaceView::Warp | SurfaceView::Rungs);
-        if beyond || asked {
+        if asked || most > shown.warp_limit_deg {
             paint(at, &format!("{} here", degrees(most)), worst_colour(shown, rung, theme));
         }
     }

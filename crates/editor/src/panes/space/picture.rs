@@ -4,7 +4,7 @@ use super::camera::Camera;
 use super::gauss;
 use super::gpu::{Globals, Picture};
 use super::lines::{Lines, Pen, curve_points};
-use super::sheets::{Quantity, vertices, worst};
+use super::sheets::{Quantity, twist, vertices, worst, worst_of_all};
 use crate::document::Plan;
 use crate::engine::shown::Shown;
 use crate::panes::SurfaceView;
@@ -14,6 +14,9 @@ use eframe::egui::{Color32, Rect};
 use sheetwright::design::DesignCurve;
 use sheetwright::math::{Point3, Vec3};
 use std::sync::Arc;
+
+/// Rungs that are drawn of a panel, at the most.
+const RUNGS: usize = 110;
 
 /// What a picture was made of; another one is another picture.
 #[derive(Clone, Debug, PartialEq)]
@@ -78,7 +81,7 @@ impl Built {
             let by = Quantity::of(SurfaceView::Warp, scene.made().map(|(_, shown)| shown));
             let (sheets, lines) = gauss::image(scene, by);
             (self.origin, self.reach) = (Point3::default(), 1.3);
-            self.picture = Arc::new(Picture { sheets, lines: lines.segments, ghosts: 0 });
+            self.picture = Arc::new(Picture { sheets, lines: lines.segments, under: 0, ghosts: 0 });
             return;
         }
         let (middle, radius) = around(&self.points(scene));
@@ -87,26 +90,31 @@ impl Built {
         let mut sheets = Vec::new();
         let mut lines = Lines::about(middle);
         lines.grid(drawing, scene.theme, middle, reach);
+        let under = lines.segments.len();
         for (n, shown) in scene.made() {
             let marked = scene.selection.panel == Some(n);
             sheets.extend(vertices(shown, by, middle, marked && view != SurfaceView::Wireframe));
             let rung = scene.selection.rung.filter(|_| marked);
-            on_sheet(&mut lines, shown, rung, view, scene.theme);
+            let is_worst = worst_of_all(scene).is_some_and(|(panel, _)| panel == n);
+            on_sheet(&mut lines, shown, rung, is_worst, view, scene.theme);
         }
-        let under = lines.segments.len();
-        for (n, (curve, points)) in self.curves.iter().enumerate() {
+        let before = lines.segments.len();
+        for (n, (_, points)) in self.curves.iter().enumerate() {
             let chosen = scene.selection.curve == Some(n);
             let colour = if chosen { scene.theme.accent } else { scene.theme.curve };
             let width = if chosen { CURVE_WIDTH + 0.5 } else { CURVE_WIDTH };
-            // The last point of a closed one is the first.
-            let _ = curve;
+            if by.is_some() {
+                // On the dark end of the map, curves would be lost.
+                let halo = Pen::new(scene.theme.paper, width + 2.5, 1.0);
+                lines.through(points, false, halo.faded(0.55));
+            }
             lines.through(points, false, Pen::new(colour, width, 2.0));
         }
-        let mut ghosts = lines.segments.len() - under;
+        let mut ghosts = lines.segments.len() - before;
         if view == SurfaceView::Wireframe {
-            ghosts = lines.segments.len();
+            ghosts = lines.segments.len() - under;
         }
-        self.picture = Arc::new(Picture { sheets, lines: lines.segments, ghosts });
+        self.picture = Arc::new(Picture { sheets, lines: lines.segments, under, ghosts });
     }
 
     fn update_curves(&mut self, curves: &[DesignCurve]) {
@@ -186,12 +194,13 @@ impl Built {
         let (shading, covered) = match view {
             SurfaceView::Warp | SurfaceView::LengthError => (0.35, 1.0),
             SurfaceView::Wireframe => (0.0, 0.0),
-            SurfaceView::Gauss => (0.5, 0.0),
+            SurfaceView::Gauss => (0.7, 0.0),
             _ => (1.0, 0.0),
         };
         let [front, back] = match view {
             SurfaceView::Wireframe => [theme.paper; 2],
-            SurfaceView::Gauss => [theme.field; 2],
+            SurfaceView::Gauss if theme.is_dark => [theme.field; 2],
+            SurfaceView::Gauss => [theme.ground; 2],
             _ => theme.sheet,
         };
         Globals {
@@ -233,11 +242,13 @@ fn around(points: &[Point3]) -> (Point3, f64) {
     (middle, radius.max(1.0))
 }
 
-/// Edges and rungs of a panel.
+/// Edges and rungs of a panel; the selected one, and the worst if it is that of all panels or
+/// beyond what the sheet takes.
 fn on_sheet(
     lines: &mut Lines,
     shown: &Shown,
     rung: Option<usize>,
+    is_worst: bool,
     view: SurfaceView,
     theme: &Theme,
 ) {
@@ -251,10 +262,13 @@ fn on_sheet(
         SurfaceView::Shaded | SurfaceView::Gauss => None,
     };
     if let Some(pen) = pen {
-        // Many rungs close to one another would cover the sheet.
-        let dense = (120.0 / shown.rungs.len().max(1) as f32).clamp(0.35, 1.0);
-        let pen = if view == SurfaceView::Wireframe { pen } else { pen.faded(dense) };
-        for rung in &shown.rungs {
+        // Of many rungs close to one another some stand for all.
+        let most = match view {
+            SurfaceView::Wireframe => usize::MAX,
+            SurfaceView::Rungs => RUNGS,
+            _ => RUNGS / 2,
+        };
+        for rung in shown.rungs.iter().step_by(shown.rungs.len().div_ceil(most).max(1)) {
             lines.segment(rung.ends.map(at), pen);
         }
     }
@@ -268,11 +282,10 @@ fn on_sheet(
         start = end;
     }
     let coloured = matches!(view, SurfaceView::Warp | SurfaceView::Rungs);
-    if let Some(worst) = worst(shown).filter(|_| coloured) {
-        lines.segment(
-            shown.rungs[worst].ends.map(at),
-            Pen::new(worst_colour(shown, worst, theme), 2.5, 2.0),
-        );
+    let beyond = |&n: &usize| twist(&shown.rungs[n]) > shown.warp_limit_deg;
+    if let Some(worst) = worst(shown).filter(|n| coloured && (is_worst || beyond(n))) {
+        let pen = Pen::new(worst_colour(shown, worst, theme), 2.5, 2.0);
+        lines.segment(shown.rungs[worst].ends.map(at), pen);
     }
     if let Some(rung) = rung.and_then(|n| shown.rungs.get(n)) {
         lines.segment(rung.ends.map(at), Pen::new(theme.accent, 3.0, 2.5));

@@ -96,7 +96,7 @@ fn sheet_fragment(in: SheetVertex, @builtin(front_facing) faces: bool) -> @locat
     let key = max(dot(normal, lamp), 0.0);
     let head = max(dot(normal, view), 0.0);
     let sky = 0.5 + 0.5 * normal.z;
-    let light = 0.50 + 0.34 * key + 0.14 * head + 0.12 * sky;
+    let light = 0.56 + 0.30 * key + 0.12 * head + 0.10 * sky;
     let shine = 0.10 * pow(max(dot(normal, normalize(lamp + view)), 0.0), 36.0);
     let lit = base * light + vec3(shine);
     return vec4(mix(base, lit, globals.range.z), 1.0);

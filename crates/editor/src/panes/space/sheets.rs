@@ -9,12 +9,16 @@
 use super::gpu::SheetVertex;
 use crate::engine::shown::{Shown, ShownRung};
 use crate::panes::SurfaceView;
+use crate::scene::Scene;
 use sheetwright::math::{Point3, Vec3, unit};
 use sheetwright::pattern::{PathKind, Role};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Length errors below it are rounding: the pattern is exact.
 pub const EXACT: f64 = 1e-9;
+
+/// Less than what is shown as 0.1°, degrees.
+pub const NO_TWIST: f64 = 0.05;
 
 /// What colours a sheet, and the largest of it on the scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,7 +67,17 @@ pub fn twist_max(shown: &Shown) -> f64 {
 pub fn worst(shown: &Shown) -> Option<usize> {
     let all = 0..shown.rungs.len();
     let worst = all.max_by(|&a, &b| twist(&shown.rungs[a]).total_cmp(&twist(&shown.rungs[b])));
-    worst.filter(|&n| twist(&shown.rungs[n]) > 0.0)
+    worst.filter(|&n| twist(&shown.rungs[n]) > NO_TWIST)
+}
+
+/// The panel and the rung that twist most of all.
+pub fn worst_of_all(scene: &Scene<'_>) -> Option<(usize, usize)> {
+    let of = |(n, shown): (usize, &Shown)| {
+        let rung = worst(shown)?;
+        Some((twist(&shown.rungs[rung]), (n, rung)))
+    };
+    let worst = scene.made().filter_map(of).max_by(|a, b| a.0.total_cmp(&b.0));
+    worst.map(|(_, found)| found)
 }
 
 /// Two numbers in order, to find a side by.

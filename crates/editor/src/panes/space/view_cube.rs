@@ -13,9 +13,9 @@ use sheetwright::math::Vec3;
 /// Half a side of the cube, points.
 const HALF: f32 = 25.0;
 /// The middle of the cube, from the upper right corner of the pane.
-const FROM_CORNER: Vec2 = vec2(-58.0, 60.0);
-/// The size of letters, as if a side of the cube were 2.
-const LETTERS: f32 = 0.052;
+const FROM_CORNER: Vec2 = vec2(-64.0, 66.0);
+/// The size of its letters, points.
+const LETTERS: f32 = 12.0;
 
 /// A face: what people call it, and where it looks.
 struct Face {
@@ -64,6 +64,7 @@ pub(super) fn ui(
         .collect();
     // Faces that look away are there for keys and screen readers only.
     visible.sort_by(|a, b| a.2.total_cmp(&b.2));
+    axes(painter, camera, theme, true, on_screen);
     for (face, corners, facing) in &visible {
         let seen = *facing > 0.02;
         let middle = corners[0].lerp(corners[2], 0.5);
@@ -80,7 +81,7 @@ pub(super) fn ui(
         };
         let by_key = response.clicked() && response.interact_pointer_pos().is_none();
         if by_key || by_hand(&response) || by_hand(&whole) {
-            asked = Some(Direction::along(face.out));
+            asked = Some(Direction::towards(face.out));
         }
         if !seen {
             continue;
@@ -105,8 +106,8 @@ pub(super) fn ui(
             ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
         }
     }
-    axes(painter, camera, theme, on_screen);
-    if home(ui, centre + vec2(-1.62 * HALF, -1.62 * HALF), theme) {
+    axes(painter, camera, theme, false, on_screen);
+    if home(ui, centre + vec2(-2.5 * HALF, -1.8 * HALF), theme) {
         asked = Some(Direction::CORNER);
     }
     (asked, whole)
@@ -119,8 +120,7 @@ fn shade(theme: &Theme, facing: f64) -> Color32 {
 
 /// Letters on a face: laid out flat, then put where the face has them.
 fn printed(painter: &Painter, text: &str, colour: Color32, place: impl Fn(f32, f32) -> Pos2) {
-    // Twice as large as they come out, so that they stay sharp on a slant.
-    let font = FontId::proportional(20.0);
+    let font = FontId::proportional(LETTERS);
     let galley = painter.layout_no_wrap(text.to_owned(), font, colour);
     let middle = galley.rect.center();
     let size = painter.fonts(|fonts| fonts.font_image_size());
@@ -132,8 +132,7 @@ fn printed(painter: &Painter, text: &str, colour: Color32, place: impl Fn(f32, f
         mesh.vertices.extend(glyphs.vertices.iter().map(|vertex| {
             let off = row.pos.to_vec2() + vertex.pos.to_vec2() - middle.to_vec2();
             let mut vertex = *vertex;
-            let scale = 0.5 * LETTERS;
-            vertex.pos = place(off.x * scale, -off.y * scale);
+            vertex.pos = place(off.x / HALF, -off.y / HALF);
             vertex.uv = pos2(vertex.uv.x / size[0] as f32, vertex.uv.y / size[1] as f32);
             vertex.color = colour;
             vertex
@@ -142,20 +141,25 @@ fn printed(painter: &Painter, text: &str, colour: Color32, place: impl Fn(f32, f
     painter.add(Shape::mesh(mesh));
 }
 
-/// Where x, y and z point, from the corner of the cube that they meet in.
-fn axes(painter: &Painter, camera: &Camera, theme: &Theme, on_screen: impl Fn(Vec3) -> Pos2) {
-    let corner = Vec3::new(-1.0, -1.0, -1.0) * 1.0;
+/// Where x, y and z point, from the corner of the cube that they meet in: those that the cube hides
+/// before it is drawn, the others over it.
+fn axes(
+    painter: &Painter,
+    camera: &Camera,
+    theme: &Theme,
+    hidden: bool,
+    on_screen: impl Fn(Vec3) -> Pos2,
+) {
+    let corner = Vec3::splat(-1.0);
     let named = [(Vec3::X, "x"), (Vec3::Y, "y"), (Vec3::Z, "z")];
     for ((axis, name), colour) in named.into_iter().zip(theme.axes) {
-        // The edge is behind the cube unless one of the faces that meet in it is seen.
-        let sides = [Vec3::X, Vec3::Y, Vec3::Z].into_iter().filter(|&other| other != axis);
-        let hidden = sides.map(|out| -out.dot(camera.toward())).all(|facing| facing < 0.02);
-        let (from, to) = (on_screen(corner), on_screen(corner + axis * 2.0));
-        let tip = on_screen(corner + axis * 2.7);
-        let start = if hidden { to } else { from };
-        if start.distance(tip) > 5.0 {
-            painter.line_segment([start, tip], Stroke::new(2.0, colour));
-            let beyond = on_screen(corner + axis * 3.05);
+        // An edge is behind the cube unless one of the two faces that meet in it is seen.
+        let mut faces = named.into_iter().filter(|&(other, _)| other != axis);
+        let is_hidden = faces.all(|(out, _)| -out.dot(camera.toward()) < 0.02);
+        let (from, tip) = (on_screen(corner), on_screen(corner + axis * 2.35));
+        if is_hidden == hidden && from.distance(tip) > 6.0 {
+            painter.line_segment([from, tip], Stroke::new(2.0, colour));
+            let beyond = tip + (tip - from).normalized() * 7.0;
             painter.text(beyond, Align2::CENTER_CENTER, name, FontId::proportional(12.0), colour);
         }
     }
@@ -193,7 +197,7 @@ mod tests {
     fn letters_are_read_from_outside() {
         for face in FACES {
             assert_eq!(face.right.cross(face.up), face.out, "{}", face.name);
-            let camera = Camera { direction: Direction::along(face.out), ..Camera::default() };
+            let camera = Camera { direction: Direction::towards(face.out), ..Camera::default() };
             assert!((camera.toward() - face.out).length() < 1e-12, "{}", face.name);
             assert!((camera.right() - face.right).length() < 1e-12, "{}", face.name);
         }
