@@ -29,6 +29,8 @@ mod svg;
 mod table;
 mod template_call;
 mod units;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod whole;
 
 pub use catalogue::{catalogue_json, catalogue_text, parameter_table, template_text};
 pub use design_json::{read_drawn, write_design, write_drawn};
