@@ -1,0 +1,273 @@
+//! The flat pattern: all pieces beside one another, as they will be cut, with their dimensions.
+
+mod paint;
+mod view;
+
+use super::SurfaceView;
+use super::space::legend::Legend;
+use super::space::pick::share_along;
+use super::space::sheets::Quantity;
+use super::space::words::{length, length_bare};
+use crate::engine::shown::Shown;
+use crate::scene::{Act, Scene, Selection};
+use eframe::egui::accesskit::Role;
+use eframe::egui::emath::GuiRounding as _;
+use eframe::egui::{
+    Align2, EventFilter, FontId, InputState, Key, Modifiers, Pos2, Rect, Response, Sense, Stroke,
+    StrokeKind, Ui, UiBuilder, Vec2, WidgetInfo, vec2,
+};
+use sheetwright::math::{Point2, Vec2 as Way, pow};
+use sheetwright_files::Units;
+use view::{Placed, View, box_of, placed};
+
+/// A rung is hit within this, points.
+const NEAR: f32 = 6.0;
+/// How far an arrow key shifts, points.
+const ARROW: f32 = 40.0;
+
+/// The pane, with what it keeps from frame to frame.
+#[derive(Debug)]
+pub struct PatternPane {
+    view: View,
+    /// Whether everything is kept in sight, until the hand moves the view.
+    follows: bool,
+}
+
+impl Default for PatternPane {
+    fn default() -> Self {
+        Self { view: View::default(), follows: true }
+    }
+}
+
+impl PatternPane {
+    /// A pane that keeps everything in sight.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Brings everything into sight, and keeps it there until the hand moves the view.
+    pub fn fit(&mut self) {
+        self.follows = true;
+    }
+
+    /// Shows the pieces and answers the hand.
+    pub fn ui(&mut self, ui: &mut Ui, scene: &Scene<'_>, view: SurfaceView, acts: &mut Vec<Act>) {
+        let (rect, _) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
+        let rect = rect.round_to_pixels(ui.pixels_per_point());
+        if !rect.is_positive() {
+            return;
+        }
+        let mut ui = ui.new_child(UiBuilder::new().max_rect(rect).id_salt("pattern"));
+        ui.set_clip_rect(rect.intersect(ui.clip_rect()));
+        let ui = &ui;
+        let theme = scene.theme;
+        ui.painter().rect_filled(rect, 0.0, theme.paper);
+        let ground = ui.interact(rect, ui.scope_id().with("ground"), Sense::click_and_drag());
+        let pieces = placed(scene);
+        name(ui, &ground, scene);
+        self.navigate(ui, rect, &ground);
+        if ground.clicked() || ground.drag_started() {
+            ground.request_focus();
+        }
+        if self.follows {
+            self.view.fit(&pieces, rect);
+        }
+        let by = Quantity::of(view, scene.made().map(|(_, shown)| shown));
+        let mut clicked = ground.clicked().then(|| ground.interact_pointer_pos()).flatten();
+        for piece in &pieces {
+            let Some(shown) = made(scene, piece.panel) else { continue };
+            let around = box_of(piece, &self.view, rect);
+            let response = self.piece(ui, scene, piece, shown, around, acts);
+            clicked = clicked.or(response);
+            let look = paint::Look { view: &self.view, rect, piece, by, detail: view };
+            paint::piece(ui.painter(), scene, shown, &look);
+        }
+        if let Some(at) = clicked {
+            let found = self.selected(scene, &pieces, rect, at);
+            if ground.double_clicked() && found.is_empty() {
+                self.fit();
+                ui.ctx().request_repaint();
+            } else if found != *scene.selection {
+                acts.push(Act::Select(found));
+            }
+        }
+        if ground.has_focus() {
+            let ring = Stroke::new(1.5, theme.accent);
+            ui.painter().rect_stroke(rect, 0.0, ring, StrokeKind::Inside);
+        }
+        if let Some(by) = by.filter(|_| !pieces.is_empty()) {
+            Legend::of(scene, by).ui(ui, rect, theme);
+        }
+        words(ui, scene, rect);
+    }
+
+    /// The widget of a piece: it can have the focus, and a key selects its panel. A click of the
+    /// hand on it comes back.
+    fn piece(
+        &self,
+        ui: &Ui,
+        scene: &Scene<'_>,
+        piece: &Placed,
+        shown: &Shown,
+        around: Rect,
+        acts: &mut Vec<Act>,
+    ) -> Option<Pos2> {
+        let id = ui.scope_id().with(("piece", piece.panel));
+        let response = ui.interact(around, id, Sense::click());
+        let name = &scene.panels[piece.panel].name;
+        let text = format!("{name}, {}", size(shown.piece.size, scene.document.drawing.units));
+        let chosen = scene.selection.panel == Some(piece.panel);
+        response.widget_info(|| WidgetInfo::selected(Role::Button, true, chosen, &text));
+        if response.has_focus() {
+            let ring = Stroke::new(1.5, scene.theme.accent);
+            ui.painter().rect_stroke(around.expand(6.0), 4.0, ring, StrokeKind::Middle);
+        }
+        if !response.clicked() {
+            return None;
+        }
+        let by_hand = response.interact_pointer_pos();
+        if by_hand.is_none() {
+            let panel = Some(piece.panel);
+            acts.push(Act::Select(Selection { panel, ..Selection::default() }));
+        }
+        by_hand
+    }
+
+    fn navigate(&mut self, ui: &Ui, rect: Rect, ground: &Response) {
+        let before = self.view;
+        if let Some(touch) = ui.input(InputState::multi_touch) {
+            if rect.contains(touch.center_pos) {
+                self.view.pan(touch.translation_delta);
+                self.view.zoom(f64::from(touch.zoom_delta), touch.center_pos, rect);
+            }
+        } else {
+            self.view.pan(ground.drag_delta());
+            let (at, scrolled, pinched) =
+                ui.input(|i| (i.pointer.hover_pos(), i.smooth_scroll_delta(), i.zoom_delta()));
+            if let Some(at) = at.filter(|_| ui.rect_contains_pointer(rect)) {
+                self.view.zoom(pow(2.0, f64::from(scrolled.y) / 240.0), at, rect);
+                self.view.zoom(f64::from(pinched), at, rect);
+            }
+        }
+        if ground.has_focus() {
+            let arrows = EventFilter {
+                horizontal_arrows: true,
+                vertical_arrows: true,
+                ..EventFilter::default()
+            };
+            ui.memory_mut(|memory| memory.set_focus_lock_filter(ground.id, arrows));
+            let (way, closer) = ui.input_mut(|i| {
+                let mut pressed = |key| i.count_and_consume_key(Modifiers::NONE, key) as f32;
+                let x = pressed(Key::ArrowLeft) - pressed(Key::ArrowRight);
+                let y = pressed(Key::ArrowUp) - pressed(Key::ArrowDown);
+                let closer = pressed(Key::Plus) + pressed(Key::Equals) - pressed(Key::Minus);
+                (Vec2::new(x, y) * ARROW, closer)
+            });
+            self.view.pan(way);
+            self.view.zoom(pow(1.25, f64::from(closer)), rect.center(), rect);
+        }
+        if self.view != before {
+            self.follows = false;
+        }
+    }
+
+    /// What a click selects: the rung there, else the piece.
+    fn selected(&self, scene: &Scene<'_>, pieces: &[Placed], rect: Rect, at: Pos2) -> Selection {
+        let mut best: Option<(f32, Selection)> = None;
+        for piece in pieces {
+            let Some(shown) = made(scene, piece.panel) else { continue };
+            let seen = |n: u32| {
+                let p = shown.flat.get(n as usize).copied().unwrap_or_default();
+                self.view.seen(p + piece.offset, rect)
+            };
+            for (n, rung) in shown.rungs.iter().enumerate() {
+                let [a, b] = rung.flat_ends.map(seen);
+                let apart = a.lerp(b, share_along(a, b, at)).distance(at);
+                if apart <= NEAR && best.as_ref().is_none_or(|(least, _)| apart < *least) {
+                    best = Some((apart, Selection::of_rung(piece.panel, n)));
+                }
+            }
+        }
+        if let Some((_, found)) = best {
+            return found;
+        }
+        let place = self.view.under(at, rect);
+        let on = |piece: &&Placed| {
+            let own = place + -piece.offset;
+            made(scene, piece.panel).is_some_and(|shown| covers(shown, own))
+        };
+        let panel = pieces.iter().find(on).map(|piece| piece.panel);
+        Selection { panel, ..Selection::default() }
+    }
+}
+
+/// Whether a place of the sheet is on one of its triangles.
+fn covers(shown: &Shown, p: Point2) -> bool {
+    let at = |n: u32| shown.flat.get(n as usize).copied().unwrap_or_default();
+    let side = |a: Point2, b: Point2| (b - a).perp_dot(p - a);
+    shown.flat_triangles.iter().any(|t| {
+        let [a, b, c] = t.map(at);
+        let turns = [side(a, b), side(b, c), side(c, a)];
+        turns.iter().all(|&turn| turn >= 0.0) || turns.iter().all(|&turn| turn <= 0.0)
+    })
+}
+
+fn made<'a>(scene: &Scene<'a>, panel: usize) -> Option<&'a Shown> {
+    scene.panels.get(panel)?.made.as_ref().ok()
+}
+
+/// Width and height: `812 × 340 mm`.
+fn size(of: Way, units: Units) -> String {
+    format!("{} × {}", length_bare(of.x, units), length(of.y, units))
+}
+
+/// The name of the pane and what there is to say of it.
+fn name(ui: &Ui, ground: &Response, scene: &Scene<'_>) {
+    ground.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Flat pattern"));
+    ui.ctx().accesskit_node_builder(ground.id, |node| {
+        let units = scene.document.drawing.units;
+        let of = |(n, shown): (usize, &Shown)| {
+            format!("{} {}", scene.panels[n].name, size(shown.piece.size, units))
+        };
+        let pieces: Vec<String> = scene.made().map(of).collect();
+        let text = match &pieces[..] {
+            [] => "No pieces.".to_owned(),
+            [one] => format!("1 piece: {one}."),
+            more => format!("{} pieces: {}.", more.len(), more.join("; ")),
+        };
+        node.set_description(text);
+    });
+}
+
+/// What there is no pattern of, and why.
+fn words(ui: &Ui, scene: &Scene<'_>, rect: Rect) {
+    let theme = scene.theme;
+    let font = FontId::proportional(14.0);
+    let refused: Vec<String> = scene
+        .panels
+        .iter()
+        .filter_map(|panel| {
+            let refusal = panel.made.as_ref().err()?;
+            Some(format!("{}: {} {}", panel.name, refusal.message, refusal.hint))
+        })
+        .collect();
+    if !refused.is_empty() {
+        let width = (rect.width() - 28.0).max(80.0);
+        let galley = ui.painter().layout(refused.join("\n"), font, theme.verdicts[2], width);
+        let response = ui.interact(
+            Rect::from_min_size(rect.min + vec2(14.0, 12.0), galley.size()),
+            ui.scope_id().with("refused"),
+            Sense::hover(),
+        );
+        let text = galley.text().to_owned();
+        response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &text));
+        ui.painter().galley(rect.min + vec2(14.0, 12.0), galley, theme.verdicts[2]);
+    } else if scene.panels.is_empty() {
+        let text = "Draw a closed outline on the left to see its pattern here.";
+        let galley = ui.painter().layout(text.to_owned(), font, theme.faint, rect.width() - 40.0);
+        let at = Align2::CENTER_CENTER.anchor_size(rect.center(), galley.size());
+        let response = ui.interact(at, ui.scope_id().with("empty"), Sense::hover());
+        response.widget_info(|| WidgetInfo::labeled(Role::Label, true, text));
+        ui.painter().galley(at.min, galley, theme.faint);
+    }
+}

@@ -1,0 +1,235 @@
+//! How a piece looks: its sheet, what is done along its lines, its texts and its dimensions.
+
+use super::view::{Placed, View, box_of};
+use crate::engine::shown::Shown;
+use crate::panes::SurfaceView;
+use crate::panes::space::handles::tag;
+use crate::panes::space::picture::worst_colour;
+use crate::panes::space::sheets::{Quantity, twist, values, worst};
+use crate::panes::space::words::{degrees, length};
+use crate::scene::Scene;
+use crate::theme::{Theme, mapped};
+use eframe::egui::epaint::TextShape;
+use eframe::egui::{
+    Align2, Color32, FontId, Galley, Mesh, Painter, Pos2, Rect, Shape, Stroke, Vec2, pos2, vec2,
+};
+use sheetwright::math::{Point2, atan2};
+use sheetwright::pattern::{PathKind, PatternLabel, Role};
+use std::sync::Arc;
+
+/// How far a dimension stands from its piece, points.
+const AWAY: f32 = 20.0;
+/// Letters smaller than this are left out, points.
+const READABLE: f32 = 7.0;
+/// The height of a capital letter as a share of the size of its font.
+const CAPITAL: f32 = 0.7;
+
+/// How a piece is looked at.
+pub(super) struct Look<'a> {
+    /// Which part of the paper is in sight.
+    pub(super) view: &'a View,
+    /// The pane.
+    pub(super) rect: Rect,
+    /// Where the piece lies.
+    pub(super) piece: &'a Placed,
+    /// What colours it.
+    pub(super) by: Option<Quantity>,
+    /// What is looked at.
+    pub(super) detail: SurfaceView,
+}
+
+impl Look<'_> {
+    fn seen(&self, p: Point2) -> Pos2 {
+        self.view.seen(p + self.piece.offset, self.rect)
+    }
+}
+
+/// Draws a piece.
+pub(super) fn piece(painter: &Painter, scene: &Scene<'_>, shown: &Shown, look: &Look<'_>) {
+    let theme = scene.theme;
+    let chosen = scene.selection.panel == Some(look.piece.panel);
+    sheet(painter, shown, look, theme, chosen);
+    paths(painter, shown, look, theme);
+    rungs(painter, scene, shown, look);
+    for label in &shown.piece.labels {
+        // Its own dimensions are in mm; ours are in the units of the drawing.
+        if label.role != Role::Note {
+            letters(painter, label, look, theme);
+        }
+    }
+    dimensions(painter, scene, shown, look);
+}
+
+/// The sheet itself: plain, or in the colours of what is measured.
+fn sheet(painter: &Painter, shown: &Shown, look: &Look<'_>, theme: &Theme, chosen: bool) {
+    let at = |n: u32| look.seen(shown.flat.get(n as usize).copied().unwrap_or_default());
+    let mut mesh = Mesh::default();
+    if let Some(by) = look.by {
+        for (triangle, values) in shown.flat_triangles.iter().zip(values(shown, Some(by))) {
+            measured(&mut mesh, triangle.map(at), values);
+        }
+    } else {
+        let plain = theme.paper.lerp_to_gamma(theme.sheet[0], 0.45);
+        let fill = if chosen { plain.lerp_to_gamma(theme.accent, 0.16) } else { plain };
+        for &p in &shown.flat {
+            mesh.colored_vertex(look.seen(p), fill);
+        }
+        let count = shown.flat.len() as u32;
+        for &[a, b, c] in &shown.flat_triangles {
+            if a < count && b < count && c < count {
+                mesh.add_triangle(a, b, c);
+            }
+        }
+    }
+    painter.add(Shape::mesh(mesh));
+}
+
+/// A triangle with a value along each of its sides: four smaller ones, whose corners in the middle
+/// of sides have those values.
+fn measured(mesh: &mut Mesh, corners: [Pos2; 3], values: [f32; 3]) {
+    let known = |a: f32, b: f32| match (a >= 0.0, b >= 0.0) {
+        (true, true) => 0.5 * (a + b),
+        (true, false) => a,
+        (false, true) => b,
+        (false, false) => 0.0,
+    };
+    let [ab, bc, ca] = values;
+    let at_corners = [known(ca, ab), known(ab, bc), known(bc, ca)];
+    let at_middles = [
+        known(ab, if ab < 0.0 { known(bc, ca) } else { -1.0 }),
+        known(bc, if bc < 0.0 { known(ca, ab) } else { -1.0 }),
+        known(ca, if ca < 0.0 { known(ab, bc) } else { -1.0 }),
+    ];
+    let from = mesh.vertices.len() as u32;
+    for n in 0..3 {
+        mesh.colored_vertex(corners[n], mapped(f64::from(at_corners[n])));
+    }
+    for n in 0..3 {
+        let middle = corners[n].lerp(corners[(n + 1) % 3], 0.5);
+        mesh.colored_vertex(middle, mapped(f64::from(at_middles[n])));
+    }
+    for [a, b, c] in [[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]] {
+        mesh.add_triangle(from + a, from + b, from + c);
+    }
+}
+
+/// What is done along lines.
+fn paths(painter: &Painter, shown: &Shown, look: &Look<'_>, theme: &Theme) {
+    let rungs = shown.rungs.len().max(1) as f32;
+    let [cut, score, engrave, _] = theme.roles;
+    for path in &shown.piece.paths {
+        let stroke = match (path.kind, path.role) {
+            (PathKind::Dimension, _) => continue,
+            (PathKind::Rung(_), Role::Note) if look.by.is_some() => {
+                Stroke::new(1.0, theme.paper.gamma_multiply(0.2))
+            }
+            (PathKind::Rung(_), Role::Note) => {
+                // Many rungs close to one another would cover the sheet.
+                let share = (40.0 / rungs).clamp(0.22, 0.6);
+                let share = if look.detail == SurfaceView::Rungs { 1.6 * share } else { share };
+                Stroke::new(1.0, theme.rung.gamma_multiply(share.min(1.0)))
+            }
+            (_, Role::Cut) => Stroke::new(2.0, cut),
+            (_, Role::Score) => Stroke::new(1.6, score),
+            (_, Role::Engrave) => Stroke::new(1.2, engrave),
+            (_, Role::Note) => Stroke::new(1.0, theme.faint),
+        };
+        let points: Vec<Pos2> = path.points.iter().map(|&p| look.seen(p)).collect();
+        painter.add(match (path.closed, &points[..]) {
+            (true, _) => Shape::closed_line(points, stroke),
+            (false, &[a, b]) => Shape::line_segment([a, b], stroke),
+            (false, _) => Shape::line(points, stroke),
+        });
+    }
+}
+
+/// The worst rung where it is looked at, and the selected one.
+fn rungs(painter: &Painter, scene: &Scene<'_>, shown: &Shown, look: &Look<'_>) {
+    let theme = scene.theme;
+    let at = |n: u32| look.seen(shown.flat.get(n as usize).copied().unwrap_or_default());
+    let asked = matches!(look.detail, SurfaceView::Warp | SurfaceView::Rungs);
+    if let Some(n) = worst(shown).filter(|_| asked) {
+        let colour = worst_colour(shown, n, theme);
+        let [a, b] = shown.rungs[n].flat_ends.map(at);
+        painter.line_segment([a, b], Stroke::new(2.5, colour));
+        if look.detail == SurfaceView::Warp && a.distance(b) > 30.0 {
+            let text = degrees(twist(&shown.rungs[n]));
+            tag(painter, theme, a.lerp(b, 0.5) + vec2(8.0, 0.0), &text, colour, look.rect);
+        }
+    }
+    let chosen = scene.selection.panel == Some(look.piece.panel);
+    if let Some(rung) = scene.selection.rung.filter(|_| chosen).and_then(|n| shown.rungs.get(n)) {
+        let ends = rung.flat_ends.map(at);
+        painter.line_segment(ends, Stroke::new(5.0, theme.paper));
+        painter.line_segment(ends, Stroke::new(3.0, theme.accent));
+    }
+}
+
+/// A text of the pattern, as large as it is there, where it can be read.
+fn letters(painter: &Painter, label: &PatternLabel, look: &Look<'_>, theme: &Theme) {
+    let size = (label.height_mm / look.view.mm_per_point) as f32 / CAPITAL;
+    if size < READABLE {
+        return;
+    }
+    let ink = match label.role {
+        Role::Cut => theme.roles[0],
+        Role::Score => theme.roles[1],
+        Role::Engrave => theme.roles[2],
+        Role::Note => theme.roles[3],
+    };
+    // Letters are laid out in whole sizes, so that zooming does not fill the memory with them.
+    let font = FontId::proportional(size.min(96.0).round());
+    let galley = painter.layout_no_wrap(label.text.clone(), font, ink);
+    let angle = -atan2(label.along.y, label.along.x) as f32;
+    turned(painter, look.seen(label.at), &galley, angle, CAPITAL, ink);
+}
+
+/// A text round the middle of its base line.
+fn turned(painter: &Painter, at: Pos2, galley: &Arc<Galley>, angle: f32, up: f32, ink: Color32) {
+    // The base line is so far below the upper edge of the text.
+    let base = vec2(0.5 * galley.size().x, (0.5 + 0.5 * up) * galley.size().y * 0.92);
+    let (s, c) = (angle.sin(), angle.cos());
+    let off = vec2(c * base.x - s * base.y, s * base.x + c * base.y);
+    painter.add(TextShape::new(at - off, galley.clone(), ink).with_angle(angle));
+}
+
+/// Width below and height to the left, in the units of the drawing.
+fn dimensions(painter: &Painter, scene: &Scene<'_>, shown: &Shown, look: &Look<'_>) {
+    let theme = scene.theme;
+    let units = scene.document.drawing.units;
+    let around = box_of(look.piece, look.view, look.rect);
+    let font = FontId::proportional(12.5);
+    let text = |mm: f64| painter.layout_no_wrap(length(mm, units), font.clone(), theme.ink);
+    let stroke = Stroke::new(1.0, theme.faint);
+    let line = |from: Pos2, to: Pos2, gap: f32| {
+        let way = (to - from).normalized();
+        let half = 0.5 * (from.distance(to) - gap);
+        if half > 4.0 {
+            for (end, inwards) in [(from, way), (to, -way)] {
+                painter.line_segment([end, end + inwards * half], stroke);
+                arrow(painter, end, inwards, theme.faint);
+            }
+        }
+        let across = vec2(way.y, -way.x) * 5.0;
+        for end in [from, to] {
+            painter.line_segment([end - across, end + across], stroke);
+        }
+    };
+    let [wide, high] = [shown.piece.size.x, shown.piece.size.y].map(text);
+    let below = around.bottom() + AWAY;
+    line(pos2(around.left(), below), pos2(around.right(), below), wide.size().x + 12.0);
+    let at = pos2(around.center().x, below);
+    painter.galley(Align2::CENTER_CENTER.anchor_size(at, wide.size()).min, wide, theme.ink);
+    let beside = around.left() - AWAY;
+    line(pos2(beside, around.bottom()), pos2(beside, around.top()), high.size().x + 12.0);
+    let at = pos2(beside, around.center().y);
+    let off = Vec2::new(-0.5 * high.size().y, 0.5 * high.size().x);
+    painter.add(TextShape::new(at + off, high, theme.ink).with_angle(-std::f32::consts::FRAC_PI_2));
+}
+
+fn arrow(painter: &Painter, tip: Pos2, inwards: Vec2, colour: Color32) {
+    let across = vec2(inwards.y, -inwards.x) * 2.6;
+    let back = tip + inwards * 7.0;
+    let corners = vec![tip, back + across, back - across];
+    painter.add(Shape::convex_polygon(corners, colour, Stroke::NONE));
+}

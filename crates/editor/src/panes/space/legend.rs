@@ -1,0 +1,163 @@
+//! What the colours of a sheet mean: a scale with its unit, and the limit of the material on it.
+
+use super::sheets::{EXACT, NO_TWIST, Quantity, twist_max};
+use super::words::{degrees, error};
+use crate::engine::shown::Shown;
+use crate::scene::Scene;
+use crate::theme::{Theme, mapped};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Align2, FontId, Mesh, Pos2, Rect, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
+};
+
+const WIDTH: f32 = 200.0;
+const BAR: f32 = 10.0;
+const EDGE: f32 = 12.0;
+const HEIGHT: f32 = 68.0;
+const UNSURE: &str = "What may come from coarse sampling counts as 0°.";
+
+/// What stands on a scale.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Legend {
+    title: String,
+    /// What there is to know besides.
+    note: &'static str,
+    /// The words at its ends.
+    ends: [String; 2],
+    /// Where on it something is marked, and what.
+    mark: Option<(f64, String)>,
+    /// Whether there are colours at all.
+    coloured: bool,
+}
+
+impl Legend {
+    /// Of the panels of a scene.
+    pub fn of(scene: &Scene<'_>, quantity: Quantity) -> Self {
+        let panels = || scene.made().map(|(_, shown)| shown);
+        let most = |of: fn(&Shown) -> f64| panels().map(of).fold(0.0, f64::max);
+        match quantity {
+            Quantity::Warp(top) => {
+                let limit = most(|shown| shown.warp_limit_deg);
+                let largest = most(twist_max);
+                let said = match largest > NO_TWIST {
+                    true => format!(", at most {}", degrees(largest)),
+                    false => ": none".to_owned(),
+                };
+                let unsure = panels().flat_map(|s| &s.rungs).any(|r| r.is_unsure);
+                Self {
+                    title: format!("° of twist{said}"),
+                    note: if unsure { UNSURE } else { "" },
+                    ends: ["0°".to_owned(), degrees(top)],
+                    mark: (top > 0.0).then(|| (limit / top, format!("limit {}", degrees(limit)))),
+                    coloured: true,
+                }
+            }
+            Quantity::LengthError(top) if top < EXACT => Self {
+                title: "Lengths: exact".to_owned(),
+                note: "",
+                ends: ["no side is longer or shorter".to_owned(), String::new()],
+                mark: None,
+                coloured: false,
+            },
+            Quantity::LengthError(top) => Self {
+                title: "Longer or shorter than the sheet".to_owned(),
+                note: "",
+                ends: ["0".to_owned(), error(top)],
+                mark: None,
+                coloured: true,
+            },
+        }
+    }
+
+    /// In a sentence.
+    fn spoken(&self) -> String {
+        let [low, high] = &self.ends;
+        let to = if high.is_empty() { String::new() } else { format!(" to {high}") };
+        let mark = self.mark.as_ref().map_or(String::new(), |(_, what)| format!(", {what}"));
+        let note = if self.note.is_empty() { String::new() } else { format!(". {}", self.note) };
+        format!("Legend: {}, {low}{to}{mark}{note}", self.title)
+    }
+
+    /// In the lower left corner of a pane.
+    pub fn ui(&self, ui: &Ui, pane: Rect, theme: &Theme) {
+        let height = if self.coloured { HEIGHT } else { HEIGHT - 20.0 };
+        let low = pane.left_bottom() + vec2(EDGE, -EDGE - height);
+        let rect = Rect::from_min_size(low, vec2(WIDTH + 2.0 * EDGE, height));
+        if !pane.contains_rect(rect) {
+            return;
+        }
+        let response = ui.interact(rect, ui.scope_id().with("legend"), Sense::hover());
+        response.widget_info(|| WidgetInfo::labeled(Role::Label, true, self.spoken()));
+        if !self.note.is_empty() {
+            response.on_hover_text(self.note);
+        }
+        let painter = ui.painter();
+        let edge = Stroke::new(1.0, theme.line);
+        painter.rect(rect, 6.0, theme.paper.gamma_multiply(0.92), edge, StrokeKind::Inside);
+        let small = FontId::proportional(12.0);
+        let text = |at: Pos2, anchor: Align2, text: &str, colour| {
+            painter.text(at, anchor, text, small.clone(), colour);
+        };
+        let title_at = rect.min + vec2(EDGE, 8.0);
+        text(title_at, Align2::LEFT_TOP, &self.title, theme.ink);
+        if !self.coloured {
+            text(title_at + vec2(0.0, 18.0), Align2::LEFT_TOP, &self.ends[0], theme.faint);
+            return;
+        }
+        let bar = Rect::from_min_size(rect.min + vec2(EDGE, 28.0), vec2(WIDTH, BAR));
+        painter.add(scale(bar));
+        painter.rect_stroke(bar, 0.0, edge, StrokeKind::Outside);
+        let below = bar.bottom() + 6.0;
+        let x_of = |share: f64| bar.left() + bar.width() * share as f32;
+        let mut free = [true; 2];
+        if let Some((share, what)) = &self.mark {
+            let x = x_of(share.clamp(0.0, 1.0)).clamp(bar.left() + 1.0, bar.right() - 1.0);
+            let tick = [pos2(x, bar.top() - 4.0), pos2(x, bar.bottom() + 4.0)];
+            painter.line_segment(tick, Stroke::new(4.0, theme.paper));
+            painter.line_segment(tick, Stroke::new(2.0, theme.ink));
+            let anchor = match *share {
+                s if s > 0.8 => Align2::RIGHT_TOP,
+                s if s < 0.2 => Align2::LEFT_TOP,
+                _ => Align2::CENTER_TOP,
+            };
+            free = [*share >= 0.2 + 0.15, *share <= 0.8 - 0.15];
+            if *share > 0.8 {
+                free[0] = true;
+            }
+            if *share < 0.2 {
+                free[1] = true;
+            }
+            let at = match anchor {
+                Align2::CENTER_TOP => x,
+                Align2::RIGHT_TOP => bar.right(),
+                _ => bar.left(),
+            };
+            text(pos2(at, below), anchor, what, theme.ink);
+        }
+        if free[0] {
+            text(pos2(bar.left(), below), Align2::LEFT_TOP, &self.ends[0], theme.faint);
+        }
+        if free[1] {
+            text(pos2(bar.right(), below), Align2::RIGHT_TOP, &self.ends[1], theme.faint);
+        }
+    }
+}
+
+/// The colours from 0 to 1, left to right.
+fn scale(bar: Rect) -> Shape {
+    const STEPS: u32 = 48;
+    let mut mesh = Mesh::default();
+    for n in 0..=STEPS {
+        let share = n as f32 / STEPS as f32;
+        let x = bar.left() + share * bar.width();
+        let colour = mapped(f64::from(share));
+        mesh.colored_vertex(pos2(x, bar.top()), colour);
+        mesh.colored_vertex(pos2(x, bar.bottom()), colour);
+        if n > 0 {
+            let last = 2 * n;
+            mesh.add_triangle(last - 2, last - 1, last);
+            mesh.add_triangle(last - 1, last + 1, last);
+        }
+    }
+    Shape::mesh(mesh)
+}

@@ -1,0 +1,193 @@
+//! Sheets as triangles to draw: smooth where they bend, sharp where they fold, coloured by what is
+//! measured along their rungs and edges.
+//!
+//! A sheet without vertices inside is a row of triangles, and bends along its rungs. So normals
+//! belong to rungs, not to corners: the mean of the two triangles that meet there, or each
+//! triangle's own at a fold. The shader runs from one rung's normal to the next; at an apex, where
+//! many rungs end, that has a normal for each of them.
+
+use super::gpu::SheetVertex;
+use crate::engine::shown::{Shown, ShownRung};
+use crate::panes::SurfaceView;
+use crate::scene::Scene;
+use sheetwright::math::{Point3, Vec3, unit};
+use sheetwright::pattern::{PathKind, Role};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Length errors below it are rounding: the pattern is exact.
+pub const EXACT: f64 = 1e-9;
+
+/// Less than what is shown as 0.1°, degrees.
+pub const NO_TWIST: f64 = 0.05;
+
+/// What colours a sheet, and the largest of it on the scale.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Quantity {
+    /// The warp angle along rungs, degrees.
+    Warp(f64),
+    /// The relative length error along sides.
+    LengthError(f64),
+}
+
+impl Quantity {
+    /// What a view colours by, with a scale for all panels alike.
+    pub fn of<'a>(view: SurfaceView, panels: impl Iterator<Item = &'a Shown>) -> Option<Self> {
+        let most = |of: fn(&Shown) -> f64| panels.map(of).fold(0.0, f64::max);
+        match view {
+            SurfaceView::Warp => {
+                Some(Self::Warp(most(|shown| shown.warp_limit_deg.max(twist_max(shown)))))
+            }
+            SurfaceView::LengthError => Some(Self::LengthError(most(|s| s.length_error_max))),
+            _ => None,
+        }
+    }
+
+    /// Where a value is on the scale, 0 ..= 1.
+    pub fn share(self, value: f64) -> f64 {
+        let most = match self {
+            Self::Warp(most) => most,
+            Self::LengthError(most) if most < EXACT => return 0.0,
+            Self::LengthError(most) => most,
+        };
+        if most > 0.0 { (value / most).clamp(0.0, 1.0) } else { 0.0 }
+    }
+}
+
+/// The warp angle of a rung, degrees; 0 if the sampling may explain it.
+pub fn twist(rung: &ShownRung) -> f64 {
+    if rung.is_unsure { 0.0 } else { rung.warp_deg }
+}
+
+/// The largest twist of a panel, degrees.
+pub fn twist_max(shown: &Shown) -> f64 {
+    shown.rungs.iter().map(twist).fold(0.0, f64::max)
+}
+
+/// The rung that twists most, by its number; `None` if none does.
+pub fn worst(shown: &Shown) -> Option<usize> {
+    let all = 0..shown.rungs.len();
+    let worst = all.max_by(|&a, &b| twist(&shown.rungs[a]).total_cmp(&twist(&shown.rungs[b])));
+    worst.filter(|&n| twist(&shown.rungs[n]) > NO_TWIST)
+}
+
+/// The panel and the rung that twist most of all.
+pub fn worst_of_all(scene: &Scene<'_>) -> Option<(usize, usize)> {
+    let of = |(n, shown): (usize, &Shown)| {
+        let rung = worst(shown)?;
+        Some((twist(&shown.rungs[rung]), (n, rung)))
+    };
+    let worst = scene.made().filter_map(of).max_by(|a, b| a.0.total_cmp(&b.0));
+    worst.map(|(_, found)| found)
+}
+
+/// Two numbers in order, to find a side by.
+pub fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
+    [a.min(b), a.max(b)]
+}
+
+/// The three sides of a triangle.
+pub fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
+    [[a, b], [b, c], [c, a]]
+}
+
+/// The rungs of a panel, by their ends in order.
+pub fn rungs_by_ends(shown: &Shown) -> BTreeMap<[u32; 2], usize> {
+    shown.rungs.iter().enumerate().map(|(n, rung)| (sorted(rung.ends), n)).collect()
+}
+
+/// The value of a quantity along each side of each triangle, 0 ..= 1; negative where there is none.
+pub fn values(shown: &Shown, by: Option<Quantity>) -> Vec<[f32; 3]> {
+    let none = [-1.0; 3];
+    match by {
+        None => vec![none; shown.triangles.len()],
+        Some(quantity @ Quantity::Warp(_)) => {
+            let rungs = rungs_by_ends(shown);
+            let of = |side| match rungs.get(&sorted(side)) {
+                Some(&n) => quantity.share(twist(&shown.rungs[n])) as f32,
+                None => -1.0,
+            };
+            shown.triangles.iter().map(|&t| sides(t).map(of)).collect()
+        }
+        Some(quantity @ Quantity::LengthError(_)) => {
+            let errors: BTreeMap<[u32; 2], f64> =
+                shown.sides.iter().map(|&(ends, error)| (sorted(ends), error)).collect();
+            let of = |side| match errors.get(&sorted(side)) {
+                Some(&error) => quantity.share(error) as f32,
+                None => -1.0,
+            };
+            shown.flat_triangles.iter().map(|&t| sides(t).map(of)).collect()
+        }
+    }
+}
+
+/// Whether each rung is a fold, which the pattern scores.
+fn folds(shown: &Shown) -> Vec<bool> {
+    let scored: BTreeSet<[u32; 2]> = shown
+        .piece
+        .paths
+        .iter()
+        .filter(|path| path.role == Role::Score)
+        .filter_map(|path| match path.kind {
+            PathKind::Rung(rung) => Some(sorted(rung.ends().map(|end| end.get() as u32))),
+            _ => None,
+        })
+        .collect();
+    shown.rungs.iter().map(|rung| scored.contains(&sorted(rung.flat_ends))).collect()
+}
+
+/// The normal of every triangle; zero where it has none.
+pub fn triangle_normals(shown: &Shown) -> Vec<Vec3> {
+    let at = |n: u32| shown.positions.get(n as usize).copied().unwrap_or_default();
+    let normal = |t: &[u32; 3]| {
+        let [a, b, c] = t.map(at);
+        unit((b - a).cross(c - a)).unwrap_or(Vec3::ZERO)
+    };
+    shown.triangles.iter().map(normal).collect()
+}
+
+/// The triangles of a panel, in mm about an origin.
+pub fn vertices(
+    shown: &Shown,
+    by: Option<Quantity>,
+    origin: Point3,
+    marked: bool,
+) -> Vec<SheetVertex> {
+    let rungs = rungs_by_ends(shown);
+    let folds = folds(shown);
+    let normals = triangle_normals(shown);
+    // The sum of the normals of the triangles at each rung.
+    let mut bent = vec![Vec3::ZERO; shown.rungs.len()];
+    for (triangle, &normal) in shown.triangles.iter().zip(&normals) {
+        for side in sides(*triangle) {
+            if let Some(&n) = rungs.get(&sorted(side)) {
+                bent[n] += normal;
+            }
+        }
+    }
+    let values = values(shown, by);
+    let mark = if marked { 1.0 } else { 0.0 };
+    let mut all = Vec::with_capacity(3 * shown.triangles.len());
+    for (t, triangle) in shown.triangles.iter().enumerate() {
+        let own = normals[t];
+        let of_side = sides(*triangle).map(|side| {
+            let &n = rungs.get(&sorted(side))?;
+            Some(if folds[n] { own } else { unit(bent[n]).unwrap_or(own) })
+        });
+        let alone = of_side.iter().all(Option::is_none);
+        let packed = of_side.map(|normal| match normal {
+            Some(normal) => pack(normal, 1.0),
+            None => pack(own, if alone { 1.0 } else { 0.0 }),
+        });
+        let values = values.get(t).copied().unwrap_or([-1.0; 3]);
+        for &corner in triangle {
+            let at = shown.positions.get(corner as usize).copied().unwrap_or_default();
+            let place = (at - origin).as_vec3().to_array();
+            all.push(SheetVertex { place, normals: packed, values, mark });
+        }
+    }
+    all
+}
+
+fn pack(normal: Vec3, counts: f64) -> [i16; 4] {
+    [normal.x, normal.y, normal.z, counts].map(|share| (share * 32767.0).round() as i16)
+}

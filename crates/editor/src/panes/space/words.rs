@@ -1,0 +1,112 @@
+//! Numbers as panes say them: short, in the units of the drawing.
+
+use crate::engine::shown::ShownPanel;
+use crate::scene::Scene;
+use sheetwright::check::Verdict;
+use sheetwright_files::Units;
+
+use super::sheets::{twist, worst};
+
+/// A length with its unit: `40 mm`, `−1.25 in`.
+pub fn length(mm: f64, units: Units) -> String {
+    format!("{} {}", length_bare(mm, units), units.name())
+}
+
+/// A length without its unit.
+pub fn length_bare(mm: f64, units: Units) -> String {
+    // About a tenth of a millimetre, whatever the unit.
+    let decimals = match units {
+        Units::Millimetres => 1,
+        Units::Centimetres | Units::Inches => 2,
+        Units::Feet => 3,
+        Units::Metres => 4,
+    };
+    decimal(mm / units.in_mm(), decimals)
+}
+
+/// A number with so many decimals at the most, without zeros at its end.
+pub fn decimal(value: f64, decimals: usize) -> String {
+    let text = format!("{:.decimals$}", value.abs());
+    let text = match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    };
+    if value < 0.0 && text != "0" { format!("−{text}") } else { text }
+}
+
+/// An angle: two figures below ten degrees.
+pub fn degrees(deg: f64) -> String {
+    format!("{}°", decimal(deg, if deg.abs() < 9.95 { 1 } else { 0 }))
+}
+
+/// A share as people read it: in per cent, in parts of a thousand, or as exact.
+pub fn error(share: f64) -> String {
+    if share < super::sheets::EXACT {
+        "exact".to_owned()
+    } else if share < 1e-5 {
+        format!("{share:.0e}")
+    } else if share < 1e-2 {
+        format!("{} ‰", decimal(1e3 * share, if share < 1e-3 { 2 } else { 1 }))
+    } else {
+        format!("{} %", decimal(1e2 * share, 1))
+    }
+}
+
+/// Will it bend, in words.
+pub fn verdict(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Bends => "bends",
+        Verdict::BendsAndFolds => "bends and folds",
+        Verdict::BendsWithForce => "bends with force",
+        Verdict::Undecided => "undecided",
+        Verdict::WillNotBend => "will not bend",
+    }
+}
+
+/// What a screen reader says of all panels.
+pub fn description(scene: &Scene<'_>) -> String {
+    let count = scene.panels.len();
+    if count == 0 {
+        return "No panels.".to_owned();
+    }
+    let mut text = if count == 1 { "1 panel.".to_owned() } else { format!("{count} panels.") };
+    for panel in scene.panels {
+        text += &format!(" {}.", of_panel(panel));
+    }
+    text
+}
+
+fn of_panel(panel: &ShownPanel) -> String {
+    let shown = match &panel.made {
+        Ok(shown) => shown,
+        Err(refusal) => return format!("{}: {}", panel.name, refusal.message),
+    };
+    let said = format!("{}: {}", panel.name, verdict(shown.verdict));
+    match worst(shown) {
+        Some(n) => format!(
+            "{said}, worst at rung {} with {} of twist",
+            n + 1,
+            degrees(twist(&shown.rungs[n]))
+        ),
+        None => format!("{said}, without twist"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short() {
+        assert_eq!(length(40.0, Units::Millimetres), "40 mm");
+        assert_eq!(length(-12.34, Units::Millimetres), "−12.3 mm");
+        assert_eq!(length(-0.01, Units::Millimetres), "0 mm");
+        assert_eq!(length(31.75, Units::Inches), "1.25 in");
+        assert_eq!(decimal(100.0, 0), "100");
+        assert_eq!(degrees(9.26), "9.3°");
+        assert_eq!(degrees(12.4), "12°");
+        assert_eq!(error(1e-12), "exact");
+        assert_eq!(error(0.0023), "2.3 ‰");
+        assert_eq!(error(0.031), "3.1 %");
+    }
+}

@@ -1,0 +1,126 @@
+//! A pane alone in a window, over a made design, whose acts are carried out as the app does.
+
+use eframe::egui;
+use sheetwright::design::{Design, make};
+use sheetwright::watch::Unwatched;
+use sheetwright_editor::document::{Document, Drawing};
+use sheetwright_editor::engine::Refusal;
+use sheetwright_editor::engine::shown::{Shown, ShownPanel};
+use sheetwright_editor::panes::SurfaceView;
+use sheetwright_editor::panes::pattern::PatternPane;
+use sheetwright_editor::panes::space::SpacePane;
+use sheetwright_editor::scene::{Act, Scene, Selection};
+use sheetwright_editor::theme::{Look, Theme};
+use std::path::Path;
+
+/// Which pane.
+pub enum Pane {
+    Space(Box<SpacePane>),
+    Pattern(PatternPane),
+}
+
+/// A window with one pane.
+pub struct Window {
+    pub pane: Pane,
+    pub document: Document,
+    pub panels: Vec<ShownPanel>,
+    pub version: u64,
+    pub selection: Selection,
+    pub view: SurfaceView,
+    pub look: Look,
+    /// All acts, in order.
+    pub acts: Vec<Act>,
+    /// How long each frame of the pane took, seconds.
+    pub took: Vec<f64>,
+}
+
+impl Window {
+    pub fn new(pane: Pane, design: Design) -> Self {
+        let panels = shown(&design);
+        let document = Document { design, drawing: Drawing::default() };
+        Self {
+            pane,
+            document,
+            panels,
+            version: 1,
+            selection: Selection::default(),
+            view: SurfaceView::Shaded,
+            look: Look::Light,
+            acts: Vec::new(),
+            took: Vec::new(),
+        }
+    }
+
+    pub fn space(&mut self) -> &mut SpacePane {
+        match &mut self.pane {
+            Pane::Space(pane) => pane,
+            Pane::Pattern(_) => panic!("the pattern is shown"),
+        }
+    }
+
+    fn carry_out(&mut self, act: Act) {
+        match &act {
+            Act::Select(selection) => self.selection = selection.clone(),
+            Act::Move(moved) => {
+                for (of, to) in moved {
+                    self.document.design.curves[of.curve].points[of.point].at = *to;
+                }
+            }
+            _ => {}
+        }
+        self.acts.push(act);
+    }
+}
+
+impl eframe::App for Window {
+    fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
+        let theme = Theme::of(self.look, false);
+        theme.apply(ui.ctx());
+        let scene = Scene {
+            document: &self.document,
+            panels: &self.panels,
+            panels_version: self.version,
+            selection: &self.selection,
+            theme,
+        };
+        let mut acts = Vec::new();
+        let began = std::time::Instant::now();
+        match &mut self.pane {
+            Pane::Space(pane) => pane.ui(ui, &scene, self.view, &mut acts),
+            Pane::Pattern(pane) => pane.ui(ui, &scene, self.view, &mut acts),
+        }
+        self.took.push(began.elapsed().as_secs_f64());
+        for act in acts {
+            self.carry_out(act);
+        }
+    }
+}
+
+/// The panels of a design, as the engine shows them.
+pub fn shown(design: &Design) -> Vec<ShownPanel> {
+    if design.panels.is_empty() {
+        return Vec::new();
+    }
+    match make(design, &mut Unwatched) {
+        Ok(made) => {
+            let of = |panel| Shown::new(panel, design.material);
+            let panels = made.panels.iter();
+            panels.map(|p| ShownPanel { name: p.name.clone(), made: Ok(of(p)) }).collect()
+        }
+        Err(error) => {
+            let refusal = Refusal { message: error.to_string(), hint: String::new() };
+            vec![ShownPanel { name: design.name.clone(), made: Err(refusal) }]
+        }
+    }
+}
+
+/// The design of a template.
+pub fn template(name: &str) -> Design {
+    sheetwright::template::template(name).unwrap().defaults().design().unwrap()
+}
+
+/// The design of an example.
+pub fn example(name: &str) -> Design {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name);
+    sheetwright_files::read_input(&path, &sheetwright_files::ReadOptions::default()).unwrap()
+}
