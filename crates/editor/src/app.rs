@@ -2,6 +2,7 @@
 
 use crate::bars;
 use crate::command::Command;
+use crate::document::Document;
 use crate::editor::{Editor, Page, Zoom};
 use crate::engine::Wake;
 use crate::io::{Dialogs, FileAnswer, SystemDialogs};
@@ -15,12 +16,14 @@ use crate::pages::vary::{VaryAct, VaryPage};
 use crate::panes::pattern::PatternPane;
 use crate::panes::plan::PlanPane;
 use crate::panes::space::SpacePane;
+use crate::panes::space::navigation::Navigation;
 use crate::scene::Act;
 use crate::side::side_ui;
+use crate::store::{Autosave, Recovered, Store};
 use crate::theme::{Look, Theme};
 use eframe::egui::{self, Frame, Margin, Panel, RichText, Ui};
 use std::sync::Arc;
-use web_time::Duration;
+use web_time::{Duration, Instant};
 
 /// The window.
 pub struct App {
@@ -35,6 +38,14 @@ pub struct App {
     palette: Palette,
     tour: Tour,
     recent: Vec<String>,
+    /// Where work and settings are kept, if there is such a place.
+    store: Option<Store>,
+    autosave: Option<Autosave>,
+    /// The version of the document that needs no keeping, as autosave was told last.
+    settled: Option<u64>,
+    recovered: Vec<Recovered>,
+    /// The settings as they are kept.
+    kept: (Look, Navigation),
     dressed: Option<(Look, bool)>,
 }
 
@@ -42,15 +53,48 @@ pub struct App {
 const LOOK_AGAIN: Duration = Duration::from_millis(50);
 /// Recent files that are offered.
 const RECENT: usize = 8;
+/// What settings are kept under.
+const RECENT_FILES: &str = "recent-files";
+const LOOK: &str = "look";
+const MOUSE: &str = "mouse";
 
 impl App {
     /// The window with the dialogs of the system.
     pub fn new(cc: &eframe::CreationContext<'_>) -> Self {
         let wake = waker(&cc.egui_ctx);
-        Self::with_dialogs(cc, Box::new(SystemDialogs::new(wake)))
+        let mut app = Self::with_dialogs(cc, Box::new(SystemDialogs::new(wake)));
+        match Store::open() {
+            Ok(store) => app.keep_in(store),
+            Err(error) => app.editor.failed(format!("Work is not kept by itself: {error}")),
+        }
+        app
     }
 
-    /// The window with other dialogs.
+    /// Work and settings are kept in a store from now on, and what it holds comes back.
+    pub fn keep_in(&mut self, mut store: Store) {
+        self.recovered = store.load_all();
+        self.recent = store.get(RECENT_FILES).map_or(Vec::new(), |text| {
+            text.lines().map(str::to_owned).take(RECENT).collect()
+        });
+        let named = |look: &Look| store.get(LOOK).is_some_and(|name| name == look.name());
+        if let Some(look) = Look::ALL.into_iter().find(named) {
+            self.editor.look = look;
+        }
+        let named = |habit: &Navigation| store.get(MOUSE).is_some_and(|name| name == habit.name());
+        if let Some(habit) = Navigation::ALL.into_iter().find(named) {
+            self.editor.navigation = habit;
+        }
+        self.kept = (self.editor.look, self.editor.navigation);
+        if let Some(warning) = store.warning() {
+            self.editor.done(warning.to_owned());
+        }
+        let version = self.editor.history().version();
+        self.autosave = Some(Autosave::new(store.clone(), version));
+        self.settled = Some(version);
+        self.store = Some(store);
+    }
+
+    /// The window with other dialogs, which keeps nothing by itself.
     pub fn with_dialogs(cc: &eframe::CreationContext<'_>, dialogs: Box<dyn Dialogs>) -> Self {
         Theme::load_fonts(&cc.egui_ctx);
         // Zooming is a command of ours, so that it stands in menus too.
@@ -67,6 +111,11 @@ impl App {
             palette: Palette::default(),
             tour: Tour::default(),
             recent: Vec::new(),
+            store: None,
+            autosave: None,
+            settled: None,
+            recovered: Vec::new(),
+            kept: (Look::default(), Navigation::default()),
             dressed: None,
         }
     }
@@ -102,6 +151,66 @@ impl App {
         self.recent.retain(|other| other != path);
         self.recent.insert(0, path.to_owned());
         self.recent.truncate(RECENT);
+        let text = self.recent.join("\n");
+        self.set(RECENT_FILES, &text);
+    }
+
+    /// Keeps a setting; that it can't be kept is no reason to stop anybody.
+    fn set(&mut self, name: &str, text: &str) {
+        if let Some(store) = &mut self.store {
+            let _ = store.set(name, text);
+        }
+    }
+
+    fn keep_settings(&mut self) {
+        let now = (self.editor.look, self.editor.navigation);
+        if self.kept != now {
+            self.kept = now;
+            self.set(LOOK, now.0.name());
+            self.set(MOUSE, now.1.name());
+        }
+    }
+
+    /// Keeps what is not in a file yet.
+    fn save_by_itself(&mut self, ctx: &egui::Context) {
+        let Some(autosave) = &mut self.autosave else { return };
+        let version = self.editor.history().version();
+        if !self.editor.is_unsaved() && self.settled != Some(version) {
+            autosave.settled(version);
+            self.settled = Some(version);
+        }
+        let document = || {
+            let document = self.editor.document().clone();
+            Box::new(move || document.bytes()) as crate::store::Job
+        };
+        if let Some(after) = autosave.frame(version, Instant::now(), document) {
+            ctx.request_repaint_after(after);
+        }
+        if let Some(problem) = autosave.problem() {
+            self.editor.failed(format!("Work is not kept by itself: {problem}"));
+        }
+    }
+
+    /// What a window left behind comes back.
+    fn recover(&mut self, n: usize) {
+        let found = self.recovered.remove(n);
+        match Document::read("recovered.sheet.json", &found.bytes) {
+            Ok(document) => {
+                self.editor.replace(document, None);
+                self.editor.mark_unsaved();
+                self.settled = None;
+                self.forget(&found);
+            }
+            Err(text) => self.editor.failed(text),
+        }
+    }
+
+    fn forget(&mut self, found: &Recovered) {
+        if let Some(store) = &mut self.store
+            && let Err(error) = store.remove(&found.slot)
+        {
+            self.editor.failed(error.to_string());
+        }
     }
 
     fn dress(&mut self, ctx: &egui::Context) -> &'static Theme {
@@ -196,14 +305,20 @@ impl App {
     }
 
     fn start_ui(&mut self, ui: &mut Ui, theme: &'static Theme, acts: &mut Vec<Act>) {
-        let offers = Offers { recent: &self.recent, recovered: &[] };
+        let recovered: Vec<String> = self.recovered.iter().map(in_words).collect();
+        let offers = Offers { recent: &self.recent, recovered: &recovered };
         match self.start.ui(ui, theme, &offers, acts) {
             Some(StartAct::Take(document)) => {
                 self.editor.replace(*document, None);
                 self.editor.mark_unsaved();
             }
             Some(StartAct::Recent(path)) => self.open_path(&path),
-            Some(StartAct::Recover(_) | StartAct::Forget(_)) | None => {}
+            Some(StartAct::Recover(n)) => self.recover(n),
+            Some(StartAct::Forget(n)) => {
+                let found = self.recovered.remove(n);
+                self.forget(&found);
+            }
+            None => {}
         }
     }
 
@@ -285,6 +400,20 @@ fn views_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
     });
 }
 
+/// `hood, 3 minutes ago`.
+fn in_words(found: &Recovered) -> String {
+    let name = Document::read("recovered.sheet.json", &found.bytes)
+        .map_or_else(|_| "A design that can't be read".to_owned(), |found| found.design.name);
+    let Some(age) = found.age else { return name };
+    let (count, unit) = match age.as_secs() {
+        seconds @ 0..60 => (seconds, "second"),
+        seconds @ 60..3600 => (seconds / 60, "minute"),
+        seconds @ 3600..86_400 => (seconds / 3600, "hour"),
+        seconds => (seconds / 86_400, "day"),
+    };
+    format!("{name}, {count} {unit}{} ago", if count == 1 { "" } else { "s" })
+}
+
 fn waker(ctx: &egui::Context) -> Wake {
     let ctx = ctx.clone();
     Arc::new(move || ctx.request_repaint())
@@ -327,6 +456,8 @@ impl eframe::App for App {
             self.editor.calibrate(places);
         }
         self.grant(&ctx);
+        self.keep_settings();
+        self.save_by_itself(&ctx);
         if !self.editor.is_settled() {
             ctx.request_repaint_after(LOOK_AGAIN);
         }

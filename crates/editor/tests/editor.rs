@@ -3,6 +3,7 @@
 mod hands;
 
 use eframe::egui::{Key, Modifiers, vec2};
+use egui_kittest::kittest::Queryable;
 use hands::{Hands, round};
 use sheetwright::design::make;
 use sheetwright::watch::Unwatched;
@@ -275,4 +276,31 @@ fn everything_can_be_found_by_name_and_a_greyed_command_says_why() {
     hands.step();
     assert!(hands.app().editor().document().drawing.snap_to_grid);
     assert_eq!(hands.app().editor().page, Page::Panes);
+}
+
+#[test]
+fn what_was_not_saved_comes_back_and_settings_stay() {
+    let folder = tempfile::tempdir().unwrap();
+    let open = || sheetwright_editor::store::Store::open_at(folder.path()).unwrap();
+    let mut hands = Hands::new(SIZE, false);
+    hands.harness.state_mut().keep_in(open());
+    hands.run(Command::Look(sheetwright_editor::theme::Look::Dark));
+    hands.run(Command::New);
+    let middle = hands.on_plan(0.0, 0.0);
+    hands.drag(&round(middle, vec2(120.0, 90.0), 60));
+    let lost = hands.app().editor().document().clone();
+    let start = std::time::Instant::now();
+    while start.elapsed() < std::time::Duration::from_millis(1500) {
+        hands.step();
+        std::thread::sleep(std::time::Duration::from_millis(10));
+    }
+    drop(hands);
+    let mut hands = Hands::new(SIZE, false);
+    hands.harness.state_mut().keep_in(open());
+    hands.step();
+    assert_eq!(hands.app().editor().look, sheetwright_editor::theme::Look::Dark);
+    let found = hands.harness.get_by_label_contains("ago").rect().center();
+    hands.drag(&[found, found]);
+    assert_eq!(*hands.app().editor().document(), lost);
+    assert!(hands.app().editor().is_unsaved());
 }

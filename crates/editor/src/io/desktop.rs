@@ -3,8 +3,7 @@
 use super::{Dialogs, FileAnswer};
 use crate::editor::{FileWish, Opened};
 use crate::engine::Wake;
-use sheetwright_files::OutputFile;
-use std::io::Write;
+use sheetwright_files::{OutputFile, whole::Folder, whole::WriteError, whole::write_one};
 use std::path::Path;
 use std::sync::mpsc::{Receiver, Sender, channel};
 
@@ -77,9 +76,9 @@ fn granted(wish: FileWish) -> Option<FileAnswer> {
                 }
             };
             let shown = path.display().to_string();
-            Some(match written(&path, &bytes) {
+            Some(match write_one(&path, &bytes) {
                 Ok(()) => FileAnswer::Saved { path: shown, version },
-                Err(error) => FileAnswer::Failed(not_written(&shown, &error)),
+                Err(error) => FileAnswer::Failed(in_words(&error)),
             })
         }
         FileWish::Export(files) => {
@@ -90,27 +89,21 @@ fn granted(wish: FileWish) -> Option<FileAnswer> {
     }
 }
 
-/// Writes files to a folder.
-pub(super) fn export(folder: &Path, files: &[OutputFile]) -> FileAnswer {
-    for file in files {
-        let path = folder.join(&file.name);
-        if let Err(error) = written(&path, &file.bytes) {
-            return FileAnswer::Failed(not_written(&path.display().to_string(), &error));
+/// Writes files to a folder, together or not at all.
+fn export(folder: &Path, files: &[OutputFile]) -> FileAnswer {
+    let kept = Folder::new(folder).and_then(|folder| {
+        let mut batch = folder.batch()?;
+        files.iter().try_for_each(|file| batch.add(&file.name, &file.bytes))?;
+        batch.keep()
+    });
+    match kept {
+        Ok(()) => {
+            FileAnswer::Exported { count: files.len(), folder: folder.display().to_string() }
         }
+        Err(error) => FileAnswer::Failed(in_words(&error)),
     }
-    FileAnswer::Exported { count: files.len(), folder: folder.display().to_string() }
 }
 
-fn not_written(path: &str, error: &std::io::Error) -> String {
-    format!("{path} can't be written: {error}. Choose another folder.")
-}
-
-/// Writes a file whole or not at all.
-fn written(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-    let mut file = tempfile::NamedTempFile::new_in(folder.unwrap_or(Path::new(".")))?;
-    file.write_all(bytes)?;
-    file.as_file().sync_all()?;
-    file.persist(path).map_err(|error| error.error)?;
-    Ok(())
+fn in_words(error: &WriteError) -> String {
+    format!("{error}. {}", error.hint)
 }

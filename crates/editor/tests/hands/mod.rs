@@ -130,26 +130,38 @@ impl Hands {
         self.app().plan().on_screen(Point2::new(x, y))
     }
 
+    /// Presses the button.
+    pub(crate) fn press(&mut self, at: Pos2) {
+        self.harness.event(Event::PointerMoved(at));
+        self.step();
+        self.button(at, true);
+    }
+
+    /// Moves the hand: a frame.
+    pub(crate) fn move_to(&mut self, at: Pos2) {
+        self.harness.event(Event::PointerMoved(at));
+        self.step();
+    }
+
+    /// Lets go.
+    pub(crate) fn release(&mut self, at: Pos2) {
+        self.button(at, false);
+        self.step();
+    }
+
+    fn button(&mut self, pos: Pos2, pressed: bool) {
+        let (button, modifiers) = (PointerButton::Primary, Modifiers::NONE);
+        self.harness.event(Event::PointerButton { pos, button, pressed, modifiers });
+        self.step();
+    }
+
     /// Presses the button, moves along, and lets go: a frame each.
     pub(crate) fn drag(&mut self, way: &[Pos2]) {
-        let button = |pos: Pos2, pressed: bool| Event::PointerButton {
-            pos,
-            button: PointerButton::Primary,
-            pressed,
-            modifiers: Modifiers::NONE,
-        };
-        let (first, last) = (way[0], way[way.len() - 1]);
-        self.harness.event(Event::PointerMoved(first));
-        self.step();
-        self.harness.event(button(first, true));
-        self.step();
+        self.press(way[0]);
         for &at in &way[1..] {
-            self.harness.event(Event::PointerMoved(at));
-            self.step();
+            self.move_to(at);
         }
-        self.harness.event(button(last, false));
-        self.step();
-        self.step();
+        self.release(way[way.len() - 1]);
     }
 
     /// Types into the field of this name.

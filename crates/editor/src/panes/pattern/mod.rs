@@ -20,6 +20,9 @@ use sheetwright::math::{Point2, Vec2 as Way, pow};
 use sheetwright_files::Units;
 use view::{Placed, View, box_of, placed};
 
+/// A pane of this height has room for a legend, points.
+const LEGEND_FROM: f32 = 360.0;
+
 /// A rung is hit within this, points.
 const NEAR: f32 = 6.0;
 /// How far an arrow key shifts, points.
@@ -95,7 +98,9 @@ impl PatternPane {
             let ring = Stroke::new(1.5, theme.accent);
             ui.painter().rect_stroke(rect, 0.0, ring, StrokeKind::Inside);
         }
-        if let Some(by) = by.filter(|_| !pieces.is_empty()) {
+        // The pane of space has the same, and a low pane no room for it.
+        let has_room = rect.height() > LEGEND_FROM;
+        if let Some(by) = by.filter(|_| !pieces.is_empty() && has_room) {
             Legend::of(scene, by).ui(ui, rect, theme);
         }
         words(ui, scene, rect);
