@@ -313,6 +313,20 @@ fn pictures_to_look_at() {
                 let picture = harness.render().unwrap();
                 picture.save(folder.join(format!("{name}-{look:?}-{view:?}.png"))).unwrap();
             }
+            // A handle in the hand, level with another one.
+            harness.state_mut().view = SurfaceView::Rungs;
+            harness.state_mut().selection = Selection::of_rung(0, 5);
+            harness.run();
+            let (_, at) = apart(&harness);
+            harness.hover_at(at);
+            harness.step();
+            press(&mut harness, at, PointerButton::Primary, true);
+            for k in 0..60 {
+                harness.hover_at(at - vec2(0.0, 10.0 + k as f32));
+                harness.step();
+            }
+            let picture = harness.render().unwrap();
+            picture.save(folder.join(format!("{name}-{look:?}-drag.png"))).unwrap();
         }
     }
 }

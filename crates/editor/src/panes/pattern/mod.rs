@@ -22,6 +22,8 @@ use view::{Placed, View, box_of, placed};
 
 /// A rung is hit within this, points.
 const NEAR: f32 = 6.0;
+/// How high a legend is with the room around it, points.
+const LEGEND: f32 = 84.0;
 /// How far an arrow key shifts, points.
 const ARROW: f32 = 40.0;
 
@@ -63,16 +65,22 @@ impl PatternPane {
         let theme = scene.theme;
         ui.painter().rect_filled(rect, 0.0, theme.paper);
         let ground = ui.interact(rect, ui.scope_id().with("ground"), Sense::click_and_drag());
-        let pieces = placed(scene);
+        let pieces = placed(scene, rect);
         name(ui, &ground, scene);
         self.navigate(ui, rect, &ground);
         if ground.clicked() || ground.drag_started() {
             ground.request_focus();
         }
+        let by = Quantity::of(view, scene.made().map(|(_, shown)| shown));
         if self.follows {
             self.view.fit(&pieces, rect);
+            if by.is_some() && rect.height() > 3.0 * LEGEND {
+                // The legend has the lower edge for itself.
+                let above = rect.with_max_y(rect.bottom() - LEGEND);
+                self.view.fit(&pieces, above);
+                self.view.pan(above.center() - rect.center());
+            }
         }
-        let by = Quantity::of(view, scene.made().map(|(_, shown)| shown));
         let mut clicked = ground.clicked().then(|| ground.interact_pointer_pos()).flatten();
         for piece in &pieces {
             let Some(shown) = made(scene, piece.panel) else { continue };
