@@ -2,7 +2,7 @@
 
 use crate::bars;
 use crate::command::Command;
-use crate::editor::{Editor, FileWish, Page, Zoom};
+use crate::editor::{Editor, Page, Zoom};
 use crate::engine::Wake;
 use crate::io::{Dialogs, FileAnswer, SystemDialogs};
 use crate::pages::calibrate::calibrate_ui;
@@ -52,6 +52,7 @@ impl App {
 
     /// The window with other dialogs.
     pub fn with_dialogs(cc: &eframe::CreationContext<'_>, dialogs: Box<dyn Dialogs>) -> Self {
+        Theme::load_fonts(&cc.egui_ctx);
         // Zooming is a command of ours, so that it stands in menus too.
         cc.egui_ctx.options_mut(|options| options.zoom_with_keyboard = false);
         Self {
@@ -116,10 +117,15 @@ impl App {
     /// Keys that mean a command, unless somebody is typing.
     fn keys(&self, ctx: &egui::Context, acts: &mut Vec<Act>) {
         let types = ctx.egui_wants_keyboard_input() && ctx.text_edit_focused();
-        for command in Command::all() {
+        // With Shift first: without it, a key means the same with or without.
+        let mut all = Command::all();
+        all.sort_by_key(|command| !command.key().is_some_and(|key| key.modifiers.shift));
+        for command in all {
             let Some(key) = command.key() else { continue };
             let is_plain = key.modifiers.is_none() && key.logical_key != egui::Key::Escape;
-            if types && is_plain || self.editor.page == Page::Palette && is_plain {
+            // In a field, these are the field's own.
+            let is_of_text = matches!(command, Command::SelectAll | Command::Undo | Command::Redo);
+            if is_plain && (types || self.editor.page == Page::Palette) || is_of_text && types {
                 continue;
             }
             if ctx.input_mut(|i| i.consume_shortcut(&key)) {
@@ -332,6 +338,3 @@ impl eframe::App for App {
         }
     }
 }
-
-/// What only the system can do, for whoever answers in its place.
-pub type Wish = FileWish;

@@ -9,7 +9,7 @@ use crate::theme::{Look, Theme};
 use eframe::egui::{self, Button, Layout, ProgressBar, RichText, Ui};
 
 /// A button that runs a command, or says why it can't.
-pub fn command_button(
+pub(crate) fn command_button(
     ui: &mut Ui,
     editor: &Editor,
     command: Command,
@@ -36,7 +36,7 @@ fn menu_line(ui: &mut Ui, editor: &Editor, command: Command, acts: &mut Vec<Act>
     let why_not = editor.why_not(command);
     let key = command.key().map_or(String::new(), |key| ui.ctx().format_shortcut(&key));
     let mark = match editor.is_on(command) {
-        Some(true) => "✔ ",
+        Some(true) => "•  ",
         Some(false) => "    ",
         None => "",
     };
@@ -66,7 +66,7 @@ fn menu(ui: &mut Ui, editor: &Editor, name: &str, lines: &[&[Command]], acts: &m
 }
 
 /// The bar at the top.
-pub fn top_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
+pub(crate) fn top_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
     use Command as C;
     ui.horizontal(|ui| {
         menu(
@@ -111,8 +111,8 @@ pub fn top_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) 
             command_button(ui, editor, command, command.name(), acts);
         }
         ui.separator();
-        command_button(ui, editor, C::Undo, "⟲ Undo", acts);
-        command_button(ui, editor, C::Redo, "⟳ Redo", acts);
+        command_button(ui, editor, C::Undo, "Undo", acts);
+        command_button(ui, editor, C::Redo, "Redo", acts);
         ui.separator();
         for command in [C::ToggleMirror, C::ToggleGrid, C::Fit] {
             command_button(ui, editor, command, command.name(), acts);
@@ -130,13 +130,13 @@ pub fn top_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) 
                 }
             });
             command_button(ui, editor, C::Vary, "Make it bend…", acts);
-            command_button(ui, editor, C::Palette, "🔍", acts);
+            command_button(ui, editor, C::Palette, "Find…", acts);
         });
     });
 }
 
 /// The line at the bottom: what to do, what is being done, what was said.
-pub fn bottom_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
+pub(crate) fn bottom_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
     ui.horizontal(|ui| {
         let (text, ink) = match &editor.notice {
             Some(notice) if notice.is_refusal => (notice.text.clone(), theme.verdicts[2]),

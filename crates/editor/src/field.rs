@@ -11,14 +11,20 @@ use sheetwright_files::{Units, length_in, length_text};
 const WIDTH: f32 = 96.0;
 
 /// A length. `Some` with the new one, mm, when one was typed.
-pub fn length_ui(ui: &mut Ui, theme: &Theme, label: &str, mm: f64, units: Units) -> Option<f64> {
+pub(crate) fn length_ui(
+    ui: &mut Ui,
+    theme: &Theme,
+    label: &str,
+    mm: f64,
+    units: Units,
+) -> Option<f64> {
     let read = |text: &str| length_in(text, units).filter(|mm| mm.abs() <= 1e9);
     let hint = "Type a length, such as 400, 40cm or 1' 4\".";
     typed_ui(ui, theme, label, &length_text(mm, units), hint, read)
 }
 
 /// A plain number between two others. `Some` with the new one when one was typed.
-pub fn number_ui(
+pub(crate) fn number_ui(
     ui: &mut Ui,
     theme: &Theme,
     label: &str,
@@ -34,7 +40,7 @@ pub fn number_ui(
 }
 
 /// A text that `read` makes something of. `Some` when something else was typed.
-pub fn typed_ui<T>(
+pub(crate) fn typed_ui<T>(
     ui: &mut Ui,
     theme: &Theme,
     label: &str,
@@ -95,7 +101,7 @@ fn select_all(ui: &Ui, id: Id, text: &str) {
 }
 
 /// A name. `Some` with the new one when one was typed.
-pub fn name_ui(ui: &mut Ui, theme: &Theme, label: &str, name: &str) -> Option<String> {
+pub(crate) fn name_ui(ui: &mut Ui, theme: &Theme, label: &str, name: &str) -> Option<String> {
     let read = |text: &str| {
         let text = text.trim();
         (!text.is_empty() && text != name).then(|| text.to_owned())

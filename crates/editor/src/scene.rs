@@ -1,7 +1,7 @@
 //! What panes look at, and what they answer with.
 
 use crate::command::Command;
-use crate::document::{Document, Drawing, Mirror};
+use crate::document::{Document, Drawing};
 use crate::engine::shown::{Shown, ShownPanel};
 use crate::theme::Theme;
 use sheetwright::design::{CurveUse, DesignPanel, PanelShape};
@@ -141,8 +141,6 @@ pub enum Edit {
     SetMaterial(Option<String>),
     /// How the design is drawn.
     SetDrawing(Box<Drawing>),
-    /// The mirror.
-    SetMirror(Option<Mirror>),
 }
 
 /// The curves that bound a panel, by their names.

@@ -19,7 +19,7 @@ use sheetwright_files::{Units, length_text, verdict_sentence, verdict_word};
 const FINDINGS: usize = 3;
 
 /// The whole bar.
-pub fn side_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
+pub(crate) fn side_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
     egui::ScrollArea::vertical().auto_shrink([false; 2]).show(ui, |ui| {
         verdicts_ui(ui, editor, theme, acts);
         selected_ui(ui, editor, theme, acts);
@@ -133,9 +133,9 @@ fn made_ui(
 
 fn finding_ui(ui: &mut Ui, theme: &Theme, finding: &Finding) {
     let (sign, ink) = match finding.severity {
-        Severity::Error => ("✖", theme.verdicts[2]),
-        Severity::Warning => ("⚠", theme.verdicts[1]),
-        Severity::Note => ("ℹ", theme.faint),
+        Severity::Error => ("■", theme.verdicts[2]),
+        Severity::Warning => ("▲", theme.verdicts[1]),
+        Severity::Note => ("•", theme.faint),
     };
     ui.horizontal_top(|ui| {
         ui.label(RichText::new(sign).color(ink));
@@ -147,10 +147,10 @@ fn finding_ui(ui: &mut Ui, theme: &Theme, finding: &Finding) {
 
 fn sign(verdict: Verdict) -> &'static str {
     match verdict {
-        Verdict::Bends | Verdict::BendsAndFolds => "✔",
-        Verdict::BendsWithForce => "⚠",
+        Verdict::Bends | Verdict::BendsAndFolds => "●",
+        Verdict::BendsWithForce => "▲",
         Verdict::Undecided => "?",
-        Verdict::WillNotBend => "✖",
+        Verdict::WillNotBend => "■",
     }
 }
 

@@ -174,10 +174,19 @@ impl Theme {
         }
     }
 
+    /// The fonts: what Ubuntu's lacks (arrows, signs, the narrow blank between digits) is in Hack.
+    pub fn load_fonts(ctx: &egui::Context) {
+        let mut fonts = egui::FontDefinitions::default();
+        if let Some(family) = fonts.families.get_mut(&egui::FontFamily::Proportional) {
+            family.push("Hack".to_owned());
+        }
+        ctx.set_fonts(fonts);
+    }
+
     /// Dresses everything that egui draws itself.
     pub fn apply(&self, ctx: &egui::Context) {
-        let mut style = egui::Style::default();
-        style.visuals = if self.is_dark { egui::Visuals::dark() } else { egui::Visuals::light() };
+        let visuals = if self.is_dark { egui::Visuals::dark() } else { egui::Visuals::light() };
+        let mut style = egui::Style { visuals, ..egui::Style::default() };
         let v = &mut style.visuals;
         v.panel_fill = self.ground;
         v.window_fill = self.ground;

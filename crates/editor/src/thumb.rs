@@ -2,9 +2,10 @@
 //! the page comes at once.
 
 use crate::theme::Theme;
+use eframe::egui::text::LayoutJob;
 use eframe::egui::{
-    self, Align2, Color32, CornerRadius, FontId, Mesh, Pos2, Rect, Sense, Stroke, StrokeKind, Ui,
-    Vec2,
+    self, Align, Align2, Color32, CornerRadius, FontId, Mesh, Pos2, Rect, Sense, Stroke,
+    StrokeKind, Ui, Vec2,
 };
 use sheetwright::design::{Design, make};
 use sheetwright::draw::coarse::coarse;
@@ -17,7 +18,7 @@ const SAMPLES: usize = 64;
 
 /// Pictures by their names.
 #[derive(Default)]
-pub struct Thumbs {
+pub(crate) struct Thumbs {
     kept: BTreeMap<String, Option<Thumb>>,
     /// The picture of a design that is being changed.
     live: Option<(Design, Option<Thumb>)>,
@@ -32,7 +33,7 @@ struct Thumb {
 
 impl Thumbs {
     /// A card with a picture and a name; whether it was clicked.
-    pub fn card_ui(
+    pub(crate) fn card_ui(
         &mut self,
         ui: &mut Ui,
         theme: &Theme,
@@ -61,23 +62,26 @@ impl Thumbs {
             if let Some(Some(thumb)) = self.kept.get(name) {
                 thumb.paint(ui, theme, picture);
             }
-            let galley = painter.layout(
+            let mut job = LayoutJob::simple(
                 name.to_owned(),
                 FontId::proportional(14.0),
                 theme.ink,
                 area.width() - 20.0,
             );
+            job.halign = Align::Center;
+            job.wrap.max_rows = 2;
+            let galley = painter.layout_job(job);
             let at = Align2::CENTER_CENTER.align_size_within_rect(
                 galley.size(),
                 Rect::from_min_max(Pos2::new(area.left(), area.bottom() - 42.0), area.max),
             );
-            painter.galley(at.min, galley, theme.ink);
+            painter.galley(at.center_top(), galley, theme.ink);
         }
         response.on_hover_text(what).clicked()
     }
 
     /// The picture of a design as it is now.
-    pub fn picture_ui(&mut self, ui: &mut Ui, theme: &Theme, size: Vec2, design: &Design) {
+    pub(crate) fn picture_ui(&mut self, ui: &mut Ui, theme: &Theme, size: Vec2, design: &Design) {
         let (area, response) = ui.allocate_exact_size(size, Sense::hover());
         response
             .widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, "How it will look"));

@@ -4,6 +4,7 @@
 //! a curve table, [`design_from_template`] from a template. Out: [`output_files`] makes every file of a made design, in memory; the caller
 //! writes them. One module a format.
 
+mod archive;
 mod catalogue;
 mod design_json;
 mod drawing;
@@ -30,6 +31,7 @@ mod table;
 mod template_call;
 mod units;
 
+pub use archive::zipped;
 pub use catalogue::{catalogue_json, catalogue_text, parameter_table, template_text};
 pub use design_json::{read_drawn, write_design, write_drawn};
 pub use drawn::{Drawing, Mirror, Plan, Reference};

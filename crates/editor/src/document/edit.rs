@@ -35,6 +35,9 @@ type Outcome = Result<Edited, String>;
 
 /// Samples of a panel that was drawn.
 const SAMPLES: usize = 400;
+/// How far a curve may be off the stroke, as a share of its length: half of what the paper allows,
+/// which people see on round shapes.
+const TOLERANCE_SHARE: f64 = 0.005;
 /// The ends of a stroke meet where they are this near, as a share of its length: most who draw want
 /// an outline.
 const CLOSE_SHARE: f64 = 0.12;
@@ -75,11 +78,6 @@ pub fn edited(document: &Document, edit: &Edit) -> Outcome {
         }
         Edit::SetDrawing(drawing) => {
             Ok(Edited::of(Document { drawing: (**drawing).clone(), ..document.clone() }))
-        }
-        Edit::SetMirror(mirror) => {
-            let mut next = document.clone();
-            next.drawing.mirror = *mirror;
-            Ok(Edited::of(next))
         }
     }
 }
@@ -164,6 +162,7 @@ fn partner(document: &Document, mirror: Mirror, r: PointRef) -> Option<PointRef>
 /// A stroke becomes a curve.
 fn drawn(document: &Document, places: &[Point2], grain_mm: f64) -> Outcome {
     let options = StrokeOptions {
+        tolerance_share: TOLERANCE_SHARE,
         close_share: CLOSE_SHARE,
         smallest_mm: 6.0 * grain_mm,
         grain_mm,

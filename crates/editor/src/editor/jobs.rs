@@ -26,6 +26,8 @@ pub(super) struct Jobs {
     seen_version: Option<u64>,
     /// A long job: its number, what it is, since when, and how far it is.
     long: Option<Long>,
+    /// The version of the document whose points are being moved.
+    varied_version: u64,
 }
 
 #[derive(Clone, Copy)]
@@ -60,6 +62,7 @@ impl Jobs {
             changed: Instant::now(),
             seen_version: None,
             long: None,
+            varied_version: 0,
         }
     }
 
@@ -118,7 +121,8 @@ impl Jobs {
         self.long.take_if(|long| long.number <= number);
     }
 
-    pub(super) fn vary(&mut self, design: Design) {
+    pub(super) fn vary(&mut self, design: Design, version: u64) {
+        self.varied_version = version;
         let number = self.number();
         self.begin(number, "Moving points");
         self.engine.ask(Job::Vary { number, design: Arc::new(design) });
@@ -153,8 +157,12 @@ impl Editor {
                 }
                 Answer::Varied { number, outcome } => {
                     self.jobs.end(number);
-                    self.varied = Some(outcome);
-                    self.page = Page::Vary;
+                    if self.jobs.varied_version == self.history.version() {
+                        self.varied = Some(outcome);
+                        self.page = Page::Vary;
+                    } else {
+                        self.say("The drawing has changed meanwhile: try again.");
+                    }
                 }
                 Answer::Files { number, outcome } => {
                     self.jobs.end(number);
@@ -194,13 +202,14 @@ impl Editor {
         let mut design = self.document().design.clone();
         design.vary = vec![vary];
         self.varied = None;
-        self.jobs.vary(design);
+        self.jobs.vary(design, self.history.version());
     }
 
     /// Points stay where moving has brought them, as one step of undo; or they are dropped.
     pub fn end_vary(&mut self, accept: bool) {
+        let is_of_now = self.jobs.varied_version == self.history.version();
         let moved = match self.varied.take() {
-            Some(Ok(varied)) if accept => varied.moved,
+            Some(Ok(varied)) if accept && is_of_now => varied.moved,
             _ => None,
         };
         if let Some(mut moved) = moved {

@@ -73,6 +73,12 @@ pub struct ShownRung {
     pub normals: [Vec3; 2],
 }
 
+/// Whether a finding says something that the panes don't show: a curve that runs round a handle is
+/// seen to do so, and a corner has a handle of another shape.
+fn is_news(finding: &Finding) -> bool {
+    finding.code != "rounded-corner"
+}
+
 impl Shown {
     /// What is shown of a panel.
     pub fn new(panel: &MadePanel, material: Option<&Material>) -> Self {
@@ -89,7 +95,7 @@ impl Shown {
         });
         Self {
             verdict: panel.checked.verdict,
-            findings: panel.checked.findings.clone(),
+            findings: panel.checked.findings.iter().filter(|f| is_news(f)).cloned().collect(),
             proven_optimal: panel.triangulation.proven_optimal,
             positions: panel.surface.positions().to_vec(),
             loop_ends: panel.boundary.loops().iter().map(|l| l.end as u32).collect(),

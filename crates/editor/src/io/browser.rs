@@ -56,8 +56,8 @@ async fn granted(wish: FileWish) -> Option<FileAnswer> {
             Err(()) => FileAnswer::Failed(refused(&name)),
         }),
         FileWish::Export(files) => {
-            let zip = super::zip(&files);
-            Some(match download("patterns.zip", &zip) {
+            let packed = sheetwright_files::zipped(&files).ok_or(());
+            Some(match packed.and_then(|packed| download("patterns.zip", &packed)) {
                 Ok(()) => FileAnswer::Exported {
                     count: files.len(),
                     folder: "patterns.zip among your downloads".to_owned(),

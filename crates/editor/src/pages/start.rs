@@ -144,7 +144,7 @@ impl StartPage {
                     if ui.link(text).on_hover_text("Bring it back.").clicked() {
                         out = Some(StartAct::Recover(n));
                     }
-                    if ui.small_button("✖").on_hover_text("Forget it.").clicked() {
+                    if ui.small_button("×").on_hover_text("Forget it.").clicked() {
                         out = Some(StartAct::Forget(n));
                     }
                 });
@@ -221,7 +221,7 @@ impl StartPage {
         let mut out = None;
         ui.add_space(8.0);
         ui.horizontal(|ui| {
-            is_left = ui.button("⬅ All shapes").clicked();
+            is_left = ui.button("← All shapes").clicked();
             ui.heading(form.template.title);
         });
         ui.label(RichText::new(form.template.who).color(theme.faint));

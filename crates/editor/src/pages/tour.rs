@@ -83,7 +83,7 @@ impl Tour {
                 ui.label(RichText::new(title).strong().size(16.0));
                 ui.label(step.text);
                 if (step.is_done)(editor) {
-                    ui.label(RichText::new("✔ Done").color(theme.verdicts[0]).strong());
+                    ui.label(RichText::new("● Done").color(theme.verdicts[0]).strong());
                 }
                 ui.horizontal(|ui| {
                     if ui.add_enabled(self.at > 0, egui::Button::new("Back")).clicked() {

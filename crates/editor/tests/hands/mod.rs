@@ -2,9 +2,10 @@
 
 #![allow(dead_code)] // each test uses some of it
 
-use eframe::egui::{self, Event, Key, Modifiers, PointerButton, Pos2, Vec2, pos2};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2, pos2};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 use sheetwright::math::Point2;
 use sheetwright_editor::app::App;
 use sheetwright_editor::command::Command;
@@ -17,18 +18,18 @@ use std::time::{Duration, Instant};
 
 /// Files in memory.
 #[derive(Default)]
-pub struct Disk {
+pub(crate) struct Disk {
     /// What was exported last.
-    pub exported: Vec<OutputFile>,
+    pub(crate) exported: Vec<OutputFile>,
     /// What was saved last.
-    pub saved: Vec<u8>,
+    pub(crate) saved: Vec<u8>,
     /// What is chosen when somebody is asked for a file.
-    pub to_open: Option<Opened>,
+    pub(crate) to_open: Option<Opened>,
     answers: Vec<FileAnswer>,
 }
 
 /// Dialogs that choose at once.
-pub struct Chosen(pub Arc<Mutex<Disk>>);
+pub(crate) struct Chosen(pub(crate) Arc<Mutex<Disk>>);
 
 impl Dialogs for Chosen {
     fn grant(&mut self, wish: FileWish) {
@@ -60,16 +61,16 @@ impl Dialogs for Chosen {
 }
 
 /// A window with hands.
-pub struct Hands {
+pub(crate) struct Hands {
     /// The window.
-    pub harness: Harness<'static, App>,
+    pub(crate) harness: Harness<'static, App>,
     /// Its files.
-    pub disk: Arc<Mutex<Disk>>,
+    pub(crate) disk: Arc<Mutex<Disk>>,
 }
 
 impl Hands {
     /// A window of this size, drawn by the graphics card if `drawn`.
-    pub fn new(size: [f32; 2], drawn: bool) -> Self {
+    pub(crate) fn new(size: [f32; 2], drawn: bool) -> Self {
         let disk = Arc::new(Mutex::new(Disk::default()));
         let its = disk.clone();
         let builder = Harness::builder().with_size(Vec2::from(size)).with_step_dt(1.0 / 60.0);
@@ -80,17 +81,17 @@ impl Hands {
     }
 
     /// The window.
-    pub fn app(&self) -> &App {
+    pub(crate) fn app(&self) -> &App {
         self.harness.state()
     }
 
     /// A frame.
-    pub fn step(&mut self) {
+    pub(crate) fn step(&mut self) {
         self.harness.step();
     }
 
     /// Frames until everything is worked out.
-    pub fn settle(&mut self) {
+    pub(crate) fn settle(&mut self) {
         let start = Instant::now();
         loop {
             self.step();
@@ -104,33 +105,33 @@ impl Hands {
     }
 
     /// A command by its name.
-    pub fn run(&mut self, command: Command) {
+    pub(crate) fn run(&mut self, command: Command) {
         self.harness.state_mut().editor_mut().carry_out(Act::Run(command));
         self.step();
         self.step();
     }
 
     /// A key.
-    pub fn key(&mut self, modifiers: Modifiers, key: Key) {
+    pub(crate) fn key(&mut self, modifiers: Modifiers, key: Key) {
         self.harness.key_press_modifiers(modifiers, key);
         self.step();
         self.step();
     }
 
     /// Clicks on what has this name.
-    pub fn click(&mut self, label: &str) {
+    pub(crate) fn click(&mut self, label: &str) {
         self.harness.get_by_label(label).click();
         self.step();
         self.step();
     }
 
     /// Where a place of the plan lies on the screen.
-    pub fn on_plan(&self, x: f64, y: f64) -> Pos2 {
+    pub(crate) fn on_plan(&self, x: f64, y: f64) -> Pos2 {
         self.app().plan().on_screen(Point2::new(x, y))
     }
 
     /// Presses the button, moves along, and lets go: a frame each.
-    pub fn drag(&mut self, way: &[Pos2]) {
+    pub(crate) fn drag(&mut self, way: &[Pos2]) {
         let button = |pos: Pos2, pressed: bool| Event::PointerButton {
             pos,
             button: PointerButton::Primary,
@@ -152,11 +153,11 @@ impl Hands {
     }
 
     /// Types into the field of this name.
-    pub fn type_into(&mut self, label: &str, text: &str) {
+    pub(crate) fn type_into(&mut self, label: &str, text: &str) {
         let field = |harness: &Harness<'static, App>| {
             harness
                 .query_all_by_label(label)
-                .find(|node| node.accesskit_node().role() == egui::accesskit::Role::TextInput)
+                .find(|node| node.accesskit_node().role() == Role::TextInput)
                 .map(|node| node.rect().center())
         };
         let at = field(&self.harness).unwrap_or_else(|| panic!("no field {label}"));
@@ -169,7 +170,7 @@ impl Hands {
 }
 
 /// A round way of the hand about a place of the screen, with a little tremor.
-pub fn round(centre: Pos2, radii: Vec2, steps: usize) -> Vec<Pos2> {
+pub(crate) fn round(centre: Pos2, radii: Vec2, steps: usize) -> Vec<Pos2> {
     let at = |n: usize| {
         let angle = n as f32 / steps as f32 * std::f32::consts::TAU;
         let tremor = (n as f32 * 1.7).sin() * 0.6;

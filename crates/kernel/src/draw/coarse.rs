@@ -3,7 +3,6 @@
 use super::edit::built;
 use crate::curve::Curve;
 use crate::design::{CurveUse, Design, DesignPanel, LEAST_OF_HOLE, PanelShape};
-use crate::math::Point3;
 
 /// A design of which no panel has more than `most` samples in all its loops, or as few as its
 /// curves let it have: one at every corner, three on an outline, as many on a hole as a panel gives
@@ -110,15 +109,4 @@ fn counter(design: &Design, panel: &DesignPanel) -> Option<impl Fn(usize) -> usi
         };
         on_outer + holes.iter().map(of_hole).sum::<usize>()
     })
-}
-
-/// How large a design is: the diagonal of the box around all its points, mm.
-pub fn size_mm(design: &Design) -> f64 {
-    let points = design.curves.iter().flat_map(|curve| curve.points.iter().map(|p| p.at));
-    let bounds =
-        points.filter(|p: &Point3| p.is_finite()).map(Point3::to_vec).fold(None, |bounds, p| {
-            let (low, high) = bounds.unwrap_or((p, p));
-            Some((p.min(low), p.max(high)))
-        });
-    bounds.map_or(0.0, |(low, high)| (high - low).length())
 }

@@ -230,6 +230,10 @@ fn leg_at(curve: &DesignCurve, span: usize, t: f64) -> usize {
     leg.min(legs(curve) - 1)
 }
 
+/// A place is on a point of the curve if it is nearer to it than this share of the leg: a spline
+/// between points so near would wind about them.
+const ON_A_POINT: f64 = 1e-4;
+
 /// A smooth point more, at a place on the curve, which then runs through it (polylines, splines) or
 /// is pulled there (B-splines). Also returned is its number. Splines keep their shape nearly,
 /// polylines and straight legs exactly.
@@ -243,6 +247,13 @@ pub fn insert_point(
     check_leg(curve, place.leg)?;
     let mut points = curve.points.clone();
     let number = place.leg + 1;
+    let ends = [place.leg, number % points.len()];
+    let length = points[ends[0]].at.distance(points[ends[1]].at);
+    for point in ends {
+        if points[point].at.distance(place.position) <= ON_A_POINT * length {
+            return Err(CurveError::Repeated { point }.into());
+        }
+    }
     points.insert(number, CurvePoint::smooth(place.position));
     Ok((with_points(curve, points)?, number))
 }

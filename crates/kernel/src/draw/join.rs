@@ -61,7 +61,7 @@ pub fn join(a: &DesignCurve, b: &DesignCurve, within_mm: f64) -> Result<DesignCu
 }
 
 /// Makes the last of `points` and the first of `rest` corners, and one point where they meet.
-fn meet(points: &mut Vec<CurvePoint>, rest: &mut Vec<CurvePoint>, within_mm: f64) {
+fn meet(points: &mut [CurvePoint], rest: &mut Vec<CurvePoint>, within_mm: f64) {
     let (Some(end), Some(start)) = (points.last_mut(), rest.first_mut()) else { return };
     end.corner = true;
     start.corner = true;

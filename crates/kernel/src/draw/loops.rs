@@ -20,7 +20,7 @@ pub struct Nested {
 impl Nested {
     /// Whether it is a hole: an odd number of loops lies around it.
     pub fn is_hole(self) -> bool {
-        self.depth % 2 == 1
+        !self.depth.is_multiple_of(2)
     }
 }
 

@@ -8,7 +8,7 @@
 //! the points it runs through instead of its control points; so handles lie on the curve, where a
 //! hand looks for them. In steps:
 //!
-//! 1. Points on the same spot are one; a stroke no larger than a click is refused ([`path`]).
+//! 1. Points on the same spot are one; a stroke no larger than a click is refused (`path`).
 //! 2. Where the ends meet, or the end runs past the beginning, the stroke is closed; what runs over
 //!    is cut off and what gapes is drawn together (`closing`).
 //! 3. Corners are where the hand turns sharply within a short way, and no less sharply within half

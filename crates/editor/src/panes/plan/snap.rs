@@ -8,7 +8,7 @@ use sheetwright::math::Point2;
 
 /// What a place was snapped to.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Snap {
+pub(super) enum Snap {
     /// A point.
     Point(Point2),
     /// The upright line through a point.
@@ -23,7 +23,7 @@ pub enum Snap {
 
 /// Snaps a place of the plan: `others` are points that it may settle on, `lines` those that it may
 /// be level or upright with, `reach` is how far it may jump, mm.
-pub fn snapped(
+pub(super) fn snapped(
     at: Point2,
     others: &[Point2],
     lines: &[Point2],

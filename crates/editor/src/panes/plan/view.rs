@@ -6,11 +6,11 @@ use sheetwright::math::Point2;
 
 /// A view of the plan: y runs upwards there and downwards on the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct View {
+pub(super) struct View {
     /// What lies in the middle, mm.
-    pub centre: Point2,
+    pub(super) centre: Point2,
     /// Points of the screen for a millimetre.
-    pub scale: f64,
+    pub(super) scale: f64,
 }
 
 /// Points of the screen for a millimetre, at the least and at the most.
@@ -24,7 +24,7 @@ impl Default for View {
 
 impl View {
     /// Where a place of the plan lies on the screen.
-    pub fn to_screen(self, pane: Rect, p: Point2) -> Pos2 {
+    pub(super) fn to_screen(self, pane: Rect, p: Point2) -> Pos2 {
         let middle = pane.center();
         pos2(
             middle.x + ((p.x - self.centre.x) * self.scale) as f32,
@@ -33,7 +33,7 @@ impl View {
     }
 
     /// The place of the plan under a point of the screen, mm.
-    pub fn to_plan(self, pane: Rect, p: Pos2) -> Point2 {
+    pub(super) fn to_plan(self, pane: Rect, p: Pos2) -> Point2 {
         let from_middle = p - pane.center();
         Point2::new(
             self.centre.x + f64::from(from_middle.x) / self.scale,
@@ -42,13 +42,13 @@ impl View {
     }
 
     /// Moves what is shown along with the hand.
-    pub fn pan(&mut self, by: Vec2) {
+    pub(super) fn pan(&mut self, by: Vec2) {
         self.centre.x -= f64::from(by.x) / self.scale;
         self.centre.y += f64::from(by.y) / self.scale;
     }
 
     /// Makes it larger or smaller, and keeps what lies under the hand there.
-    pub fn zoom(&mut self, pane: Rect, at: Pos2, by: f64) {
+    pub(super) fn zoom(&mut self, pane: Rect, at: Pos2, by: f64) {
         let held = self.to_plan(pane, at);
         self.scale = (self.scale * by).clamp(SCALES[0], SCALES[1]);
         let now = self.to_plan(pane, at);
@@ -57,7 +57,7 @@ impl View {
     }
 
     /// Brings places into sight, with some room around them.
-    pub fn fit(&mut self, pane: Rect, places: impl Iterator<Item = Point2>) {
+    pub(super) fn fit(&mut self, pane: Rect, places: impl Iterator<Item = Point2>) {
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for p in places {
             for (axis, at) in [p.x, p.y].into_iter().enumerate() {
@@ -78,14 +78,14 @@ impl View {
 }
 
 /// All points of all curves of a document, as the plan shows them.
-pub fn places(document: &Document) -> impl Iterator<Item = Point2> + '_ {
+pub(super) fn places(document: &Document) -> impl Iterator<Item = Point2> + '_ {
     let plan = document.drawing.plan;
     let points = document.design.curves.iter().flat_map(|curve| &curve.points);
     points.map(move |point| plan.flat(point.at))
 }
 
 /// The distance of grid lines that are easy to tell apart: that of the document, times 1, 2, 5, 10 …
-pub fn grid_step(scale: f64, grid_mm: f64) -> f64 {
+pub(super) fn grid_step(scale: f64, grid_mm: f64) -> f64 {
     const APART: f64 = 14.0;
     let mut step = grid_mm.max(1e-9);
     let mut factor = [2.0, 2.5, 2.0].into_iter().cycle();

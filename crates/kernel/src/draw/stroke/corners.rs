@@ -45,10 +45,17 @@ pub(super) fn corners(drawn: &Path, even: &[Point2], options: &StrokeOptions) ->
     let within: Vec<f64> = (0..m).map(|i| look.turn(i, way)).collect();
     let least = from_deg(options.corner_deg);
     let reach = (APART * way / step).ceil() as usize;
+    // The turn as good as stays the same near a corner: its middle is where the mean is largest.
+    let mean = |i: usize| {
+        let beside = (way / (2.0 * step)).round().max(1.0) as i64;
+        let near = (-beside..=beside).map(|d| look.number(i, d).map_or(0.0, |j| within[j]));
+        near.sum::<f64>()
+    };
+    let means: Vec<f64> = (0..m).map(mean).collect();
     let is_corner = |&i: &usize| {
         // Of equal ones in a row, the first.
-        let before = |d: usize| look.number(i, -(d as i64)).is_none_or(|j| within[j] < within[i]);
-        let behind = |d: usize| look.number(i, d as i64).is_none_or(|j| within[j] <= within[i]);
+        let before = |d: usize| look.number(i, -(d as i64)).is_none_or(|j| means[j] < means[i]);
+        let behind = |d: usize| look.number(i, d as i64).is_none_or(|j| means[j] <= means[i]);
         let is_largest = (1..=reach).all(|d| before(d) && behind(d));
         within[i] >= least && is_largest && within[i] >= SHARP * look.turn(i, 2.0 * way)
     };

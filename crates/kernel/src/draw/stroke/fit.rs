@@ -20,6 +20,8 @@ const LEAST_ROUND: usize = 4;
 const LEFT_BY_HANDLE: usize = 5;
 /// Pieces of a span of the curve when it is compared with the stroke.
 const PIECES: usize = 24;
+/// Where a stretch has as many handles, it gets more than one at a time.
+const MANY: usize = 12;
 /// Places of the stroke for each handle, at least.
 const PLACES_BY_HANDLE: usize = 3;
 /// Distances are measured at places of the curve; between them it is off by hardly more.
@@ -44,6 +46,7 @@ struct Stretch {
 }
 
 /// A curve and how far it is off.
+#[derive(Clone)]
 struct Tried {
     handles: Vec<Handle>,
     off_mm: f64,
@@ -74,12 +77,18 @@ pub(super) fn fit(
     // As laid, should nothing better be found.
     let laid = spread(&stretches, even, drawn.closed, corners.is_empty());
     let mut best = compared(laid, drawn, even, &stretches);
+    let mut last: Option<Tried> = None;
     for _ in 0..MOST_POINTS {
         let spread = spread(&stretches, even, drawn.closed, corners.is_empty());
-        let added = best.as_ref().map(|best| with_added(best, even, drawn.closed, tolerance_mm));
-        let mut tries: Vec<Tried> = std::iter::once(spread)
-            .chain(added)
-            .filter_map(|handles| solved(handles, even, drawn.closed, drawn.length()))
+        let added = last.as_ref().map(|last| with_added(last, even, drawn.closed, tolerance_mm));
+        // Where a hand rounded a corner off widely, sides that meet beyond it are off there.
+        let pinned = (spread.iter().any(|h| h.corner) && last.is_some()).then(|| spread.clone());
+        let laid = [(Some(spread), false), (added, false), (pinned, true)];
+        let mut tries: Vec<Tried> = laid
+            .into_iter()
+            .filter_map(|(handles, pinned)| Some((handles?, pinned)))
+            .filter(|(handles, _)| handles.len() <= MOST_POINTS)
+            .filter_map(|(h, pinned)| solved(h, even, drawn.closed, drawn.length(), pinned))
             .filter_map(|handles| compared(handles, drawn, even, &stretches))
             .collect();
         tries.sort_by(|a, b| a.off_mm.total_cmp(&b.off_mm));
@@ -93,9 +102,15 @@ pub(super) fn fit(
         for (n, stretch) in stretches.iter_mut().enumerate() {
             let off = now.as_ref().map_or(0.0, |now| now.worst[n].0);
             let room = stretch.inner + 1 < (stretch.to - stretch.from) / PLACES_BY_HANDLE;
-            stretch.inner += usize::from(room && (all || off > tolerance_mm));
+            if room && (all || off > tolerance_mm) {
+                stretch.inner += 1 + stretch.inner / MANY;
+            }
         }
-        best = now.or(best);
+        let off_mm = |tried: &Option<Tried>| tried.as_ref().map_or(f64::INFINITY, |t| t.off_mm);
+        if off_mm(&now) < off_mm(&best) {
+            best.clone_from(&now);
+        }
+        last = now;
         let inner: usize = stretches.iter().map(|s| s.inner).sum();
         if corners.len() + inner > MOST_POINTS {
             break;
@@ -118,11 +133,12 @@ fn stretches(drawn: &Path, even: &[Point2], corners: &[usize], tolerance_mm: f64
         ends.insert(0, 0);
         ends.push(m - 1);
     }
+    let room = MOST_POINTS.saturating_sub(ends.len()) / (ends.len() - 1);
     let stretch = |pair: &[usize]| {
         let (from, to) = (pair[0], pair[1]);
         let points: Vec<Point2> = (from..=to).map(|i| even[i % m]).collect();
         let left = douglas_peucker(&points, tolerance_mm).len() - 2;
-        let inner = if left == 0 { 0 } else { left.div_ceil(LEFT_BY_HANDLE) };
+        let inner = left.div_ceil(LEFT_BY_HANDLE).min(room);
         Stretch { from, to, share_before: share_before(&points, tolerance_mm), inner }
     };
     ends.windows(2).map(stretch).collect()

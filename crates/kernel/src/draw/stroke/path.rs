@@ -9,7 +9,10 @@ const SAME_SPOT: f64 = 1e-9;
 
 /// The positions without those that repeat the one before.
 pub(super) fn cleaned(positions: &[Point2], smallest_mm: f64) -> Result<Vec<Point2>, StrokeError> {
-    let wrong = |p: &Point2| !(p.to_vec().abs().max_element() <= MAX_COORDINATE_MM) || p.x.is_nan();
+    let wrong = |p: &Point2| {
+        let in_range = |x: f64| (-MAX_COORDINATE_MM..=MAX_COORDINATE_MM).contains(&x);
+        !(in_range(p.x) && in_range(p.y))
+    };
     if let Some(position) = positions.iter().position(wrong) {
         return Err(StrokeError::OutOfRange { position });
     }

@@ -47,12 +47,14 @@ pub(super) fn curve(handles: &[Handle], closed: bool) -> Option<Curve> {
     Curve::new(CurveKind::Spline, &points_of(handles), closed).ok()
 }
 
-/// The handles moved to where the curve fits the places of the stroke best.
+/// The handles moved to where the curve fits the places of the stroke best; corners stay where they
+/// are if they are `pinned`.
 pub(super) fn solved(
     mut handles: Vec<Handle>,
     even: &[Point2],
     closed: bool,
     length: f64,
+    pinned: bool,
 ) -> Option<Vec<Handle>> {
     let m = even.len();
     let n = handles.len();
@@ -98,10 +100,14 @@ pub(super) fn solved(
             }
         })
         .collect();
+    let fixed: Vec<bool> = (0..n)
+        .map(|k| (pinned && handles[k].corner) || (!closed && (k == 0 || k == n - 1)))
+        .collect();
+    let mut kept = None;
     for _ in 0..ROUNDS {
-        let moved = least_squares(&handles, even, order, &us, closed, &counts)?;
+        let moved = least_squares(&handles, even, order, &us, closed, &fixed, &counts)?;
         handles.iter_mut().zip(moved).for_each(|(handle, at)| handle.at = at);
-        let curve = curve(&handles, closed)?;
+        let Some(curve) = curve(&handles, closed) else { break };
         let looked: Vec<Point2> = (0..=spans * PLACES)
             .map(|i| curve.position(i as f64 / PLACES as f64))
             .map(|p| Point2::new(p.x, p.y))
@@ -109,24 +115,39 @@ pub(super) fn solved(
         for ((u, &place), bounds) in us.iter_mut().zip(order).zip(&bounds) {
             *u = nearest(&looked, even[place % m], *u, *bounds);
         }
+        let placed = placed(&handles, order, &us, m, closed.then_some(spans as f64));
+        // A curve that runs back along the stroke fits worse than it did a round ago.
+        if !placed.windows(2).all(|pair| pair[0].place < pair[1].place) {
+            break;
+        }
+        kept = Some(placed);
     }
-    let round = if closed { spans as f64 } else { f64::INFINITY };
-    for k in 0..n {
+    kept
+}
+
+/// The handles with the places that lie nearest to them, counted on from the first round a closed
+/// stroke, which has `round` spans.
+fn placed(
+    handles: &[Handle],
+    order: &[usize],
+    us: &[f64],
+    m: usize,
+    round: Option<f64>,
+) -> Vec<Handle> {
+    let mut placed = handles.to_vec();
+    for k in 0..placed.len() {
         let near = |i: &usize| {
             let apart = (us[*i] - k as f64).abs();
-            apart.min(round - apart)
+            round.map_or(apart, |round| apart.min(round - apart))
         };
         if let Some(i) = (0..us.len()).min_by(|a, b| near(a).total_cmp(&near(b))) {
-            handles[k].place = order[i] % m;
+            placed[k].place = order[i] % m;
         }
-        // Counted on from the first, round a closed stroke.
-        let first = handles[0].place;
-        if closed && handles[k].place < first {
-            handles[k].place += m;
+        if round.is_some() && placed[k].place < placed[0].place {
+            placed[k].place += m;
         }
     }
-    let rising = handles.windows(2).all(|pair| pair[0].place < pair[1].place);
-    rising.then_some(handles)
+    placed
 }
 
 /// The parameter nearest to `p` of a curve given by places on it, near `u`, and within bounds; round
@@ -158,6 +179,7 @@ fn least_squares(
     order: &[usize],
     us: &[f64],
     closed: bool,
+    fixed: &[bool],
     counts: &impl Fn(usize) -> bool,
 ) -> Option<Vec<Point2>> {
     let n = handles.len();
@@ -188,9 +210,8 @@ fn least_squares(
         }
     }
     for i in 0..n {
-        let fixed = !closed && (i == 0 || i == n - 1);
         let to = handles[i].at - origin;
-        if fixed {
+        if fixed[i] {
             // What others share with it moves to the right.
             for j in 0..n {
                 let shared = matrix[j][i];

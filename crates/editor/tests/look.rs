@@ -1,0 +1,69 @@
+//! Pictures of the window, to be looked at: `SHEETWRIGHT_LOOK=folder cargo test --test look`.
+
+mod hands;
+
+use eframe::egui::vec2;
+use hands::{Hands, round};
+use sheetwright_editor::command::Command;
+use sheetwright_editor::panes::SurfaceView;
+use sheetwright_editor::scene::{Act, PointRef};
+use sheetwright_editor::theme::Look;
+use std::path::PathBuf;
+
+fn keep(hands: &mut Hands, folder: &PathBuf, name: &str) {
+    hands.step();
+    let picture = hands.harness.render().unwrap();
+    picture.save(folder.join(format!("{name}.png"))).unwrap();
+}
+
+#[test]
+fn pictures_are_taken_where_somebody_asks() {
+    let Some(folder) = std::env::var_os("SHEETWRIGHT_LOOK").map(PathBuf::from) else { return };
+    std::fs::create_dir_all(&folder).unwrap();
+    for (look, name) in
+        [(Look::Light, "light"), (Look::Dark, "dark"), (Look::HighContrast, "contrast")]
+    {
+        let mut hands = Hands::new([1280.0, 800.0], true);
+        hands.run(Command::Look(look));
+        for _ in 0..40 {
+            hands.step();
+        }
+        keep(&mut hands, &folder, &format!("{name}-start"));
+        hands.run(Command::New);
+        keep(&mut hands, &folder, &format!("{name}-empty"));
+        let middle = hands.on_plan(0.0, 0.0);
+        hands.drag(&round(middle, vec2(190.0, 120.0), 90));
+        hands.settle();
+        hands.run(Command::Draw);
+        hands.drag(&round(middle + vec2(40.0, 0.0), vec2(45.0, 32.0), 60));
+        hands.settle();
+        for (point, lift) in [(0, 60.0), (2, 40.0)] {
+            let editor = hands.harness.state_mut().editor_mut();
+            let at = PointRef { curve: 0, point };
+            let mut to = editor.document().design.curves[0].points[point].at;
+            to.z = lift;
+            editor.carry_out(Act::Move(vec![(at, to)]));
+            editor.carry_out(Act::Rest);
+            editor.carry_out(Act::Select(sheetwright_editor::scene::Selection::of_point(at)));
+        }
+        hands.settle();
+        keep(&mut hands, &folder, &format!("{name}-panes"));
+        for view in SurfaceView::ALL {
+            hands.run(Command::View(view));
+            hands.settle();
+            keep(&mut hands, &folder, &format!("{name}-{view:?}").to_lowercase());
+        }
+        for (command, page) in [
+            (Command::Export, "export"),
+            (Command::Vary, "vary"),
+            (Command::Palette, "palette"),
+            (Command::Tour, "tour"),
+            (Command::Keys, "keys"),
+        ] {
+            hands.run(command);
+            hands.step();
+            keep(&mut hands, &folder, &format!("{name}-{page}"));
+            hands.run(Command::Escape);
+        }
+    }
+}
