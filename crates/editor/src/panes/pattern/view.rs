@@ -4,8 +4,8 @@ use crate::scene::Scene;
 use eframe::egui::{Pos2, Rect, Vec2, pos2};
 use sheetwright::math::{Point2, Vec2 as Way};
 
-/// The gap between pieces, as a share of the longest side of any.
-const GAP: f64 = 0.16;
+/// The gap between pieces, points: the dimensions of one and the name of the next stand in it.
+const GAP: f64 = 56.0;
 /// The room beside, above and below what fits, points: names and dimensions stand in it.
 const ROOM: Vec2 = Vec2::new(86.0, 46.0);
 
@@ -21,12 +21,10 @@ pub(super) struct Placed {
 }
 
 /// The pieces in rows from above, each as the pattern has it; together they are about as wide to
-/// their height as the pane.
-pub(super) fn placed(scene: &Scene<'_>, pane: Rect) -> Vec<Placed> {
+/// their height as the pane. `gap` is between them, mm.
+pub(super) fn placed(scene: &Scene<'_>, pane: Rect, gap: f64) -> Vec<Placed> {
     let aspect = f64::from((pane.width() / pane.height()).clamp(0.3, 4.0));
     let sizes: Vec<(usize, Way)> = scene.made().map(|(n, shown)| (n, shown.piece.size)).collect();
-    let longest = sizes.iter().map(|(_, size)| size.x.max(size.y)).fold(0.0, f64::max);
-    let gap = GAP * longest;
     let area: f64 = sizes.iter().map(|(_, size)| (size.x + gap) * (size.y + gap)).sum();
     let widest = sizes.iter().map(|(_, size)| size.x).fold(0.0, f64::max);
     let row_width = (area * aspect).sqrt().max(widest);
@@ -42,6 +40,19 @@ pub(super) fn placed(scene: &Scene<'_>, pane: Rect) -> Vec<Placed> {
         row_height = row_height.max(size.y);
     }
     all
+}
+
+/// The gap between pieces that leaves room for their names and dimensions where all are in sight,
+/// mm.
+pub(super) fn roomy_gap(scene: &Scene<'_>, pane: Rect) -> f64 {
+    let mut view = View::default();
+    let mut gap = 0.0;
+    // The wider the gap, the smaller everything; three rounds come near enough.
+    for _ in 0..3 {
+        view.fit(&placed(scene, pane, gap), pane);
+        gap = GAP * view.mm_per_point;
+    }
+    gap
 }
 
 /// Which part of the paper is looked at.
