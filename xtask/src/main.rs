@@ -10,6 +10,7 @@ mod peers;
 mod quads;
 mod templates;
 mod vary;
+mod web;
 
 use std::process::ExitCode;
 
@@ -23,6 +24,7 @@ const HELP: &str = "Chores of the project:
   cargo xtask quads        writes docs/quads.md: planar quads and smooth strips, measured
   cargo xtask templates    writes docs/templates.md and its pictures, from the catalogue
   cargo xtask vary         writes docs/vary-compared.md: what moved curves gain, against the paper
+  cargo xtask web          builds the editor for the browser into target/web, or --out DIR
 ";
 
 fn main() -> ExitCode {
@@ -37,6 +39,7 @@ fn main() -> ExitCode {
         "quads" => quads::write(),
         "templates" => templates::write(),
         "vary" => vary::write(),
+        "web" => web::build(),
         _ => {
             print!("{HELP}");
             return if chore.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(2) };

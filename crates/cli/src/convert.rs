@@ -6,9 +6,9 @@ use crate::make::{Made, note_options, refuse_unmade};
 use crate::source;
 use crate::voice::{Voice, found_errors, in_words, say};
 use crate::watcher::Watcher;
-use crate::whole::write_one;
 use sheetwright::curve::CurveKind;
 use sheetwright::design::Design;
+use sheetwright_files::whole::write_one;
 use sheetwright_files::{Format, Input, findings_json, write_design, write_table};
 use std::path::Path;
 

@@ -2,9 +2,8 @@
 
 use clap::error::ErrorKind;
 use sheetwright::design::{MakeError, MeshMakeError};
+use sheetwright_files::whole::WriteError;
 use sheetwright_files::{InputError, hint_for, mesh_hint_for};
-use std::io;
-use std::path::Path;
 
 const HELP: &str = "`sheetwright --help` shows the commands with examples.";
 
@@ -39,23 +38,6 @@ impl Failure {
         Self::new(error.to_string(), mesh_hint_for(error)).at(input)
     }
 
-    /// A file that can't be written.
-    pub(crate) fn of_write(path: &Path, error: &io::Error) -> Self {
-        let (message, hint) = match error.kind() {
-            io::ErrorKind::PermissionDenied => {
-                ("it may not be written".to_owned(), "Check the permissions of the folder.")
-            }
-            io::ErrorKind::NotFound => {
-                ("there is no such folder".to_owned(), "Create it, or check the spelling.")
-            }
-            io::ErrorKind::StorageFull => {
-                ("the disk is full".to_owned(), "Make room, or write to another disk.")
-            }
-            _ => (format!("it can't be written: {error}"), "Check the path and the disk."),
-        };
-        Self::new(message, hint).at(path.display().to_string())
-    }
-
     /// A call that the command line does not take.
     pub(crate) fn of_call(error: &clap::Error) -> Self {
         if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
@@ -84,5 +66,11 @@ impl Failure {
 impl From<InputError> for Failure {
     fn from(error: InputError) -> Self {
         Self { message: error.message, place: error.place, hint: error.hint }
+    }
+}
+
+impl From<WriteError> for Failure {
+    fn from(error: WriteError) -> Self {
+        Self { message: error.message, place: Some(error.place), hint: error.hint }
     }
 }

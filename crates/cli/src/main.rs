@@ -10,7 +10,6 @@ mod pages;
 mod source;
 mod voice;
 mod watcher;
-mod whole;
 
 use args::{Cli, Command};
 use clap::Parser;

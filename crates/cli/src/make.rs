@@ -5,9 +5,9 @@ use crate::failure::Failure;
 use crate::source;
 use crate::voice::{Voice, found_errors, in_words, print};
 use crate::watcher::Watcher;
-use crate::whole::Folder;
 use sheetwright::check::Checked;
 use sheetwright::design::{MadeMeshes, MeshOptions, make, make_meshes};
+use sheetwright_files::whole::Folder;
 use sheetwright_files::{
     Format, Input, Outputs, PdfOptions, findings_json, mesh_output_files, output_files, timing_json,
 };

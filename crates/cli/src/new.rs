@@ -4,9 +4,9 @@ use crate::args::NewArgs;
 use crate::failure::Failure;
 use crate::make::Job;
 use crate::voice::{Voice, print};
-use crate::whole::write_one;
 use sheetwright::design::MeshOptions;
 use sheetwright::template::template;
+use sheetwright_files::whole::write_one;
 use sheetwright_files::{
     Format, Input, PdfOptions, catalogue_json, catalogue_text, design_from_template, new_design,
     template_text, write_design,

@@ -167,6 +167,8 @@ impl App {
             });
         };
         let scene = self.editor.scene(theme);
+        self.space.camera.perspective = !self.editor.orthographic;
+        self.space.navigation = self.editor.navigation;
         let plan_hint = match scene.document.drawing.plan {
             crate::document::Plan::Top => "from above: draw and move",
             crate::document::Plan::Front => "from the front: draw and move",
@@ -188,9 +190,8 @@ impl App {
                 self.pattern.ui(ui, &scene, self.editor.view, acts);
             });
         egui::CentralPanel::default().frame(flush).show(ui, |ui| {
-            titled(ui, "Space", "drag handles to lift them; drag the ground to look around");
-            self.space.ui(ui, &scene, self.editor.view, acts);
             views_ui(ui, &self.editor, theme, acts);
+            self.space.ui(ui, &scene, self.editor.view, acts);
         });
     }
 
@@ -267,24 +268,17 @@ impl App {
     }
 }
 
-/// The views of surfaces, over the corner of the pane.
+/// The title of the pane of space, with the views of surfaces.
 fn views_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
-    let pane = ui.min_rect();
-    let area = egui::Rect::from_min_size(
-        egui::pos2(pane.left() + 8.0, pane.top() + 34.0),
-        egui::vec2(pane.width() - 110.0, 30.0),
-    );
-    let over = egui::UiBuilder::new().max_rect(area);
-    ui.scope_builder(over, |ui| {
+    Frame::new().fill(theme.ground).inner_margin(Margin::symmetric(10, 4)).show(ui, |ui| {
+        ui.set_width(ui.available_width());
         ui.horizontal_wrapped(|ui| {
-            ui.spacing_mut().item_spacing = egui::vec2(4.0, 4.0);
-            ui.spacing_mut().button_padding = egui::vec2(7.0, 2.0);
+            ui.label(RichText::new("Space").strong());
+            ui.spacing_mut().item_spacing = egui::vec2(3.0, 3.0);
+            ui.spacing_mut().button_padding = egui::vec2(6.0, 1.0);
+            ui.spacing_mut().interact_size.y = 18.0;
             for view in crate::panes::SurfaceView::ALL {
-                let text = RichText::new(view.name()).size(13.0).color(if editor.view == view {
-                    theme.on_accent
-                } else {
-                    theme.ink
-                });
+                let text = RichText::new(view.name()).size(12.5);
                 bars::command_button(ui, editor, Command::View(view), text, acts);
             }
         });

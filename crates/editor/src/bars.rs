@@ -4,6 +4,7 @@ use crate::command::Command;
 use crate::editor::Editor;
 use crate::panes::SurfaceView;
 use crate::panes::plan::Tool;
+use crate::panes::space::navigation::Navigation;
 use crate::scene::Act;
 use crate::theme::{Look, Theme};
 use eframe::egui::{self, Button, Layout, ProgressBar, RichText, Ui};
@@ -13,11 +14,15 @@ pub(crate) fn command_button(
     ui: &mut Ui,
     editor: &Editor,
     command: Command,
-    text: impl Into<egui::WidgetText>,
+    text: impl Into<RichText>,
     acts: &mut Vec<Act>,
 ) -> egui::Response {
     let why_not = editor.why_not(command);
     let is_on = editor.is_on(command).unwrap_or(false);
+    let mut text = text.into();
+    if is_on {
+        text = text.color(ui.visuals().selection.stroke.color);
+    }
     let button = Button::new(text).selected(is_on);
     let response = ui.add_enabled(why_not.is_none(), button);
     let key = command.key().map(|key| ui.ctx().format_shortcut(&key));
@@ -91,6 +96,7 @@ pub(crate) fn top_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec
         );
         let views = SurfaceView::ALL.map(C::View);
         let plans = crate::document::Plan::ALL.map(C::PlanOf);
+        let navigations = Navigation::ALL.map(C::Navigate);
         let looks = Look::ALL.map(C::Look);
         menu(
             ui,
@@ -100,6 +106,7 @@ pub(crate) fn top_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec
                 &views,
                 &plans,
                 &[C::Fit, C::ToggleOrthographic, C::WorstRung],
+                &navigations,
                 &[C::ZoomIn, C::ZoomOut, C::ZoomReset],
                 &looks,
             ],

@@ -2,6 +2,7 @@
 
 use crate::document::Plan;
 use crate::panes::SurfaceView;
+use crate::panes::space::navigation::Navigation;
 use crate::theme::Look;
 use eframe::egui::{Key, KeyboardShortcut, Modifiers};
 
@@ -58,6 +59,8 @@ pub enum Command {
     Fit,
     /// Parallel lines stay parallel, or meet far away.
     ToggleOrthographic,
+    /// What the buttons of the mouse do in space.
+    Navigate(Navigation),
     /// The rung with the largest warp angle.
     WorstRung,
     /// The panel that moves points so that the sheet bends.
@@ -123,6 +126,7 @@ impl Command {
             Self::Tour,
             Self::Keys,
         ]);
+        all.extend(Navigation::ALL.map(Self::Navigate));
         all.extend(Look::ALL.map(Self::Look));
         all.extend([Self::ZoomIn, Self::ZoomOut, Self::ZoomReset, Self::Stop, Self::Escape]);
         all
@@ -158,6 +162,7 @@ impl Command {
             Self::View(view) => view.name(),
             Self::Fit => "Fit",
             Self::ToggleOrthographic => "Perspective on or off",
+            Self::Navigate(navigation) => navigation.name(),
             Self::WorstRung => "Show worst rung",
             Self::Vary => "Make it bend…",
             Self::Palette => "Find a command…",
@@ -207,6 +212,7 @@ impl Command {
             Self::View(view) => view.tooltip(),
             Self::Fit => "Bring everything into sight.",
             Self::ToggleOrthographic => "Let lines that are parallel stay so, or meet far away.",
+            Self::Navigate(navigation) => navigation.tooltip(),
             Self::WorstRung => "Select the line where the sheet twists most.",
             Self::Vary => "Let points move a little so that the sheet bends.",
             Self::Palette => "Type a few letters of what you want.",
@@ -261,6 +267,7 @@ impl Command {
             | Self::RemoveReference
             | Self::CalibrateReference
             | Self::Look(_)
+            | Self::Navigate(_)
             | Self::Stop => return None,
         };
         Some(KeyboardShortcut::new(modifiers, key))

@@ -13,6 +13,7 @@ use crate::engine::shown::ShownPanel;
 use crate::engine::{Engine, Refusal, Varied, Wake};
 use crate::panes::SurfaceView;
 use crate::panes::plan::Tool;
+use crate::panes::space::navigation::Navigation;
 use crate::scene::{Act, Edit, Scene, Selection};
 use crate::theme::{Look, Theme};
 use jobs::Jobs;
@@ -29,6 +30,8 @@ pub struct Editor {
     pub view: SurfaceView,
     /// Whether parallel lines stay parallel in space.
     pub orthographic: bool,
+    /// What the buttons of the mouse do in space.
+    pub navigation: Navigation,
     /// Which colours.
     pub look: Look,
     /// What is open over the panes.
@@ -103,7 +106,8 @@ impl Editor {
             selection: Selection::default(),
             tool: Tool::default(),
             view: SurfaceView::default(),
-            orthographic: true,
+            orthographic: false,
+            navigation: Navigation::default(),
             look: Look::default(),
             page: Page::default(),
             wants_fit: true,

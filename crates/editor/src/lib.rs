@@ -18,11 +18,15 @@ pub mod command;
 pub mod document;
 pub mod editor;
 pub mod engine;
+mod envelope;
 mod field;
 pub mod io;
 pub mod pages;
 pub mod panes;
 pub mod scene;
 mod side;
+pub mod store;
 pub mod theme;
 mod thumb;
+#[cfg(target_arch = "wasm32")]
+pub mod web;

@@ -30,6 +30,8 @@ mod svg;
 mod table;
 mod template_call;
 mod units;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod whole;
 
 pub use archive::zipped;
 pub use catalogue::{catalogue_json, catalogue_text, parameter_table, template_text};

@@ -51,6 +51,7 @@ impl Editor {
             Command::ToggleOrthographic => Some(!self.orthographic),
             Command::PlanOf(plan) => Some(drawing.plan == plan),
             Command::View(view) => Some(self.view == view),
+            Command::Navigate(navigation) => Some(self.navigation == navigation),
             Command::Look(look) => Some(self.look == look),
             _ => None,
         }
@@ -122,6 +123,7 @@ impl Editor {
             Command::Palette => self.page = Page::Palette,
             Command::Tour => self.page = Page::Tour,
             Command::Keys => self.page = Page::Keys,
+            Command::Navigate(navigation) => self.navigation = navigation,
             Command::Look(look) => self.look = look,
             Command::ZoomIn => self.wants_zoom = Some(Zoom::In),
             Command::ZoomOut => self.wants_zoom = Some(Zoom::Out),

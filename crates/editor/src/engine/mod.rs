@@ -4,10 +4,15 @@
 pub mod shown;
 #[cfg(not(target_arch = "wasm32"))]
 mod thread;
+pub mod wire;
 pub mod work;
+#[cfg(target_arch = "wasm32")]
+pub mod worker;
 
 #[cfg(not(target_arch = "wasm32"))]
 pub use thread::Engine;
+#[cfg(target_arch = "wasm32")]
+pub use worker::Engine;
 
 use sheetwright::design::Design;
 use sheetwright::watch::Stage;

@@ -1,6 +1,6 @@
 //! Hands for tests: they point, draw and type as a person does, and files go to memory.
 
-#![allow(dead_code)] // each test uses some of it
+#![allow(dead_code, clippy::unwrap_used)] // each test uses some of it, and tests panic
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2, pos2};

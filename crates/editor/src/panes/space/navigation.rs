@@ -46,10 +46,10 @@ impl Navigation {
     /// What people call it.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Sheetwright => "Sheetwright",
-            Self::Blender => "like Blender",
-            Self::SketchUp => "like SketchUp",
-            Self::Rhino => "like Rhino",
+            Self::Sheetwright => "Mouse: ours",
+            Self::Blender => "Mouse: like Blender",
+            Self::SketchUp => "Mouse: like SketchUp",
+            Self::Rhino => "Mouse: like Rhino",
         }
     }
 

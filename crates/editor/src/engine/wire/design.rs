@@ -1,0 +1,126 @@
+//! A design, bit by bit as it is drawn, also while it is none that a file could hold.
+
+use super::{Wire, fields, kinds};
+use sheetwright::boundary::{Continuity, PlaneChoice, Within};
+use sheetwright::curve::{CurveKind, CurvePoint};
+use sheetwright::design::{
+    CurveUse, Design, DesignCurve, DesignPanel, Join, MovedBy, PanelMethod, PanelShape, Vary,
+};
+use sheetwright::material::Material;
+use sheetwright::triangulate::Goal;
+use sheetwright::vary;
+
+fields!(Design { name, material, curves, panels, vary, match_seams });
+fields!(DesignCurve { name, kind, closed, points });
+fields!(CurvePoint { at, corner, move_mm });
+fields!(DesignPanel { name, shape, samples, method, goal, plane, run_on, fold, cut });
+fields!(CurveUse { name, reversed });
+fields!(Join { parts, smooth, within, keep_parts });
+fields!(Vary { panels, curves, goal, limit_mm, budget_mm, by, leave_developable });
+kinds!(CurveKind { Polyline, Spline, BSpline });
+kinds!(PanelMethod { Optimal, Bridge, Rails });
+kinds!(Goal { Price, WorstWarp });
+kinds!(MovedBy { Points, Samples });
+kinds!(Continuity { G0, G1, G2 });
+
+/// By its name.
+impl Wire for &'static Material {
+    fn put(&self, out: &mut Vec<u8>) {
+        self.name.to_owned().put(out);
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        Material::named(&String::take(from)?)
+    }
+}
+
+impl Wire for PanelShape {
+    fn put(&self, out: &mut Vec<u8>) {
+        match self {
+            Self::Rails(rails) => {
+                out.push(0);
+                rails.put(out);
+            }
+            Self::Loops { outer, holes } => {
+                out.push(1);
+                outer.put(out);
+                holes.put(out);
+            }
+            Self::Join(join) => {
+                out.push(2);
+                join.put(out);
+            }
+        }
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        Some(match u8::take(from)? {
+            0 => Self::Rails(Wire::take(from)?),
+            1 => Self::Loops { outer: Vec::take(from)?, holes: Vec::take(from)? },
+            2 => Self::Join(Join::take(from)?),
+            _ => return None,
+        })
+    }
+}
+
+impl Wire for PlaneChoice {
+    fn put(&self, out: &mut Vec<u8>) {
+        match self {
+            Self::Auto => out.push(0),
+            Self::None => out.push(1),
+            Self::Normal(normal) => {
+                out.push(2);
+                normal.put(out);
+            }
+        }
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        Some(match u8::take(from)? {
+            0 => Self::Auto,
+            1 => Self::None,
+            2 => Self::Normal(Wire::take(from)?),
+            _ => return None,
+        })
+    }
+}
+
+impl Wire for vary::Goal {
+    fn put(&self, out: &mut Vec<u8>) {
+        match self {
+            Self::Price => out.push(0),
+            Self::Warp { largest } => {
+                out.push(1);
+                largest.put(out);
+            }
+        }
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        Some(match u8::take(from)? {
+            0 => Self::Price,
+            1 => Self::Warp { largest: f64::take(from)? },
+            _ => return None,
+        })
+    }
+}
+
+impl Wire for Within {
+    fn put(&self, out: &mut Vec<u8>) {
+        let (kind, value) = match self {
+            Self::Mm(mm) => (0, mm),
+            Self::Share(share) => (1, share),
+        };
+        out.push(kind);
+        value.put(out);
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        let (kind, value) = (u8::take(from)?, f64::take(from)?);
+        match kind {
+            0 => Some(Self::Mm(value)),
+            1 => Some(Self::Share(value)),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,123 @@
+//! What was made of a panel.
+
+use super::{Wire, fields, kinds};
+use crate::engine::shown::{Shown, ShownPanel, ShownRung};
+use sheetwright::check::{Finding, Severity, Verdict};
+use sheetwright::pattern::{PathKind, PatternLabel, PatternPath, Piece, Role};
+use sheetwright::rung::Rung;
+
+/// The codes that findings have, in order. They are names in the kernel, which no bytes can be.
+pub(super) const CODES: [&str; 30] = [
+    "bend-lines",
+    "better-without-plane",
+    "border-not-true",
+    "coarse-samples",
+    "flipped",
+    "folds",
+    "joint-smoothed",
+    "left-out",
+    "length-error",
+    "moved",
+    "not-moved",
+    "not-proven",
+    "overlap",
+    "pdf-reduced",
+    "point",
+    "point-contact",
+    "radius-too-small",
+    "ran-on",
+    "refold",
+    "rounded-corner",
+    "rung-without-plane",
+    "seam",
+    "self-crossing",
+    "stretch",
+    "stretch-too-large",
+    "turned-round",
+    "warp-high",
+    "warp-not-reached",
+    "warp-too-large",
+    "window-gap",
+];
+
+fields!(ShownPanel { name, made });
+fields!(Shown {
+    verdict,
+    findings,
+    proven_optimal,
+    positions,
+    loop_ends,
+    triangles,
+    flat,
+    flat_triangles,
+    sides,
+    rungs,
+    piece,
+    warp_limit_deg,
+    warp_max_deg,
+    bend_radius_min_mm,
+    gauss_area_sr,
+    area_flat_mm2,
+    length_error_max
+});
+fields!(ShownRung { ends, flat_ends, warp_deg, is_unsure, crease_deg, normals });
+fields!(Piece { name, paths, labels, size });
+fields!(PatternPath { role, kind, points, closed });
+fields!(PatternLabel { role, at, along, height_mm, text });
+kinds!(Verdict { Bends, BendsAndFolds, BendsWithForce, Undecided, WillNotBend });
+kinds!(Severity { Note, Warning, Error });
+kinds!(Role { Cut, Score, Engrave, Note });
+
+impl Wire for Finding {
+    fn put(&self, out: &mut Vec<u8>) {
+        let Self { severity, code, text, place } = self;
+        severity.put(out);
+        // What is not in the list arrives without its code, and with all its words.
+        CODES.iter().position(|known| known == code).put(out);
+        text.put(out);
+        place.put(out);
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        let severity = Severity::take(from)?;
+        let number: Option<usize> = Wire::take(from)?;
+        let code = match number {
+            Some(number) => CODES.get(number)?,
+            None => "",
+        };
+        Some(Self { severity, code, text: String::take(from)?, place: String::take(from)? })
+    }
+}
+
+impl Wire for PathKind {
+    fn put(&self, out: &mut Vec<u8>) {
+        out.push(match self {
+            Self::Outline => 0,
+            Self::Hole => 1,
+            Self::Rung(_) => 2,
+            Self::Crease => 3,
+            Self::RulingTick => 4,
+            Self::SeamTick => 5,
+            Self::Dimension => 6,
+        });
+        if let Self::Rung(rung) = self {
+            rung.ends().map(|end| end.get() as u32).put(out);
+        }
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        Some(match u8::take(from)? {
+            0 => Self::Outline,
+            1 => Self::Hole,
+            2 => {
+                let [a, b] = <[u32; 2]>::take(from)?;
+                Self::Rung((a < b).then(|| Rung::new(a as usize, b as usize))?)
+            }
+            3 => Self::Crease,
+            4 => Self::RulingTick,
+            5 => Self::SeamTick,
+            6 => Self::Dimension,
+            _ => return None,
+        })
+    }
+}

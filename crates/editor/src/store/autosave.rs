@@ -1,0 +1,247 @@
+//! Saves the work of a window while it is made.
+//!
+//! The app says with every frame which version its document has. When a save is due, it hands over a
+//! job that makes the bytes: on the desktop a thread does it, so that no frame waits for a disk, and
+//! of jobs that come while it is at work only the newest is done. In the browser the page's storage
+//! is at once, and nothing is lost when the tab is closed.
+
+use super::{Due, Pace, Store, StoreError};
+use std::time::Duration;
+use web_time::Instant;
+
+/// Makes the bytes that are saved.
+pub type Job = Box<dyn FnOnce() -> Vec<u8> + Send>;
+
+/// Saves the work of a window.
+#[derive(Debug)]
+pub struct Autosave {
+    pace: Pace,
+    saver: Saver,
+    problem: Option<StoreError>,
+}
+
+impl Autosave {
+    /// Saves into the slot of this window. `version` needs no save: it is that of a new document,
+    /// or of one that was just opened.
+    pub fn new(store: Store, version: u64) -> Self {
+        Self { pace: Pace::new(version), saver: Saver::new(store), problem: None }
+    }
+
+    /// To be called with every frame; `job` is asked for only where a save is due. Gives the time
+    /// after which it should be called again, if there is something left to do.
+    pub fn frame(
+        &mut self,
+        version: u64,
+        now: Instant,
+        job: impl FnOnce() -> Job,
+    ) -> Option<Duration> {
+        if let Some(outcome) = self.saver.outcome() {
+            if outcome.is_err() {
+                self.pace.failed();
+            }
+            self.problem = outcome.err();
+        }
+        match self.pace.due(version, now) {
+            Due::Now => {
+                self.saver.hand(Task::Save(job()));
+                // To learn how it ended.
+                Some(super::PAUSE)
+            }
+            Due::In(left) => Some(left),
+            Due::Nothing => self.saver.is_busy().then_some(super::PAUSE),
+        }
+    }
+
+    /// Empties the slot: this version is in a file, or nobody wants it. What changes from now on is
+    /// saved as before.
+    pub fn settled(&mut self, version: u64) {
+        self.pace = Pace::new(version);
+        self.saver.hand(Task::Empty);
+    }
+
+    /// Why the last save has failed, to be shown as long as it is so.
+    pub fn problem(&self) -> Option<&StoreError> {
+        self.problem.as_ref()
+    }
+
+    /// Waits until everything that was handed over is done.
+    pub fn wait(&mut self) {
+        self.saver.wait();
+    }
+}
+
+/// What is done with the slot.
+enum Task {
+    Save(Job),
+    Empty,
+}
+
+impl Task {
+    fn run(self, store: &mut Store) -> Result<(), StoreError> {
+        let slot = store.own_slot().to_owned();
+        match self {
+            Self::Save(job) => store.save(&slot, &job()),
+            Self::Empty => store.remove(&slot),
+        }
+    }
+}
+
+#[cfg(target_arch = "wasm32")]
+use page::Saver;
+#[cfg(not(target_arch = "wasm32"))]
+use thread::Saver;
+
+/// In the browser: at once.
+#[cfg(target_arch = "wasm32")]
+mod page {
+    use super::{Store, StoreError, Task};
+
+    #[derive(Debug)]
+    pub(super) struct Saver {
+        store: Store,
+        outcome: Option<Result<(), StoreError>>,
+    }
+
+    impl Saver {
+        pub(super) fn new(store: Store) -> Self {
+            Self { store, outcome: None }
+        }
+
+        pub(super) fn hand(&mut self, task: Task) {
+            self.outcome = Some(task.run(&mut self.store));
+        }
+
+        pub(super) fn outcome(&mut self) -> Option<Result<(), StoreError>> {
+            self.outcome.take()
+        }
+
+        pub(super) fn is_busy(&self) -> bool {
+            self.outcome.is_some()
+        }
+
+        pub(super) fn wait(&mut self) {}
+    }
+}
+
+/// On the desktop: in a thread.
+#[cfg(not(target_arch = "wasm32"))]
+mod thread {
+    use super::{Store, StoreError, Task};
+    use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+    use std::thread::JoinHandle;
+    use std::time::Duration;
+
+    /// How often somebody who waits looks whether the thread is still there.
+    const LOOK: Duration = Duration::from_millis(50);
+
+    #[derive(Default)]
+    struct Desk {
+        task: Option<Task>,
+        working: bool,
+        closing: bool,
+        outcome: Option<Result<(), StoreError>>,
+    }
+
+    #[derive(Default)]
+    struct Shared {
+        desk: Mutex<Desk>,
+        changed: Condvar,
+    }
+
+    impl Shared {
+        /// The desk, also after a panic of the other side: it is whole at any time.
+        fn desk(&self) -> MutexGuard<'_, Desk> {
+            self.desk.lock().unwrap_or_else(PoisonError::into_inner)
+        }
+
+        fn wait<'a>(&self, desk: MutexGuard<'a, Desk>) -> MutexGuard<'a, Desk> {
+            self.changed.wait(desk).unwrap_or_else(PoisonError::into_inner)
+        }
+
+        /// Does tasks until the desk is closed and empty.
+        fn work(&self, store: &mut Store) {
+            let mut desk = self.desk();
+            loop {
+                if let Some(task) = desk.task.take() {
+                    desk.working = true;
+                    drop(desk);
+                    let outcome = task.run(store);
+                    desk = self.desk();
+                    desk.working = false;
+                    desk.outcome = Some(outcome);
+                    self.changed.notify_all();
+                } else if desk.closing {
+                    return;
+                } else {
+                    desk = self.wait(desk);
+                }
+            }
+        }
+    }
+
+    pub(super) struct Saver {
+        shared: Arc<Shared>,
+        thread: Option<JoinHandle<()>>,
+        /// Where no thread can be had, the work is done at once.
+        here: Option<Store>,
+    }
+
+    impl std::fmt::Debug for Saver {
+        fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+            f.debug_struct("Saver").field("thread", &self.thread).finish_non_exhaustive()
+        }
+    }
+
+    impl Saver {
+        pub(super) fn new(store: Store) -> Self {
+            let shared = Arc::new(Shared::default());
+            let (theirs, mut their_store) = (Arc::clone(&shared), store.clone());
+            let thread = std::thread::Builder::new()
+                .name("autosave".to_owned())
+                .spawn(move || theirs.work(&mut their_store))
+                .ok();
+            let here = thread.is_none().then_some(store);
+            Self { shared, thread, here }
+        }
+
+        pub(super) fn hand(&mut self, task: Task) {
+            if let Some(store) = &mut self.here {
+                self.shared.desk().outcome = Some(task.run(store));
+                return;
+            }
+            self.shared.desk().task = Some(task);
+            self.shared.changed.notify_all();
+        }
+
+        pub(super) fn outcome(&mut self) -> Option<Result<(), StoreError>> {
+            self.shared.desk().outcome.take()
+        }
+
+        pub(super) fn is_busy(&self) -> bool {
+            let desk = self.shared.desk();
+            desk.working || desk.task.is_some() || desk.outcome.is_some()
+        }
+
+        pub(super) fn wait(&mut self) {
+            let mut desk = self.shared.desk();
+            // A thread that has panicked does nothing more.
+            while desk.working || desk.task.is_some() {
+                if self.thread.as_ref().is_none_or(JoinHandle::is_finished) {
+                    return;
+                }
+                let waited = self.shared.changed.wait_timeout(desk, LOOK);
+                desk = waited.unwrap_or_else(PoisonError::into_inner).0;
+            }
+        }
+    }
+
+    impl Drop for Saver {
+        fn drop(&mut self) {
+            self.shared.desk().closing = true;
+            self.shared.changed.notify_all();
+            if let Some(thread) = self.thread.take() {
+                let _ = thread.join();
+            }
+        }
+    }
+}
