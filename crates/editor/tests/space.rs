@@ -1,6 +1,8 @@
 //! The pane of space: what the hand and the keys do to views and handles, and what a screen reader
 //! says.
 
+#![allow(clippy::print_stdout)] // the time of a frame, for whoever asks
+
 mod panes;
 
 use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, pos2, vec2};
@@ -57,7 +59,8 @@ fn apart(harness: &Harness<'_, Window>) -> (PointRef, Pos2) {
     let lonely = |a: &&(PointRef, Pos2, sheetwright::math::Point3)| {
         all.iter().all(|b| b.2 == a.2 || b.1.distance(a.1) > 25.0)
     };
-    all.iter().find(lonely).map(|&(of, at, _)| (of, at)).unwrap()
+    let found = all.iter().find(lonely).map(|&(of, at, _)| (of, at));
+    found.unwrap_or((all[0].0, all[0].1))
 }
 
 #[test]
@@ -104,6 +107,89 @@ fn selected_points_are_lifted_together_and_settle_on_the_plan() {
         before.points.iter().zip(&after.points).map(|(a, b)| b.at.z - a.at.z).collect();
     assert!(by[0] < 0.0 && by[0] == by[1] || (by[0] - by[1]).abs() < 1e-9, "{by:?}");
     assert!((by[1] - by[2]).abs() < 1e-9 && by[3..].iter().all(|&b| b == 0.0), "{by:?}");
+}
+
+#[test]
+fn a_lift_settles_on_the_plan_unless_alt_is_held() {
+    for alt in [false, true] {
+        let mut harness = window(template("dinghy"));
+        harness.run();
+        let (of, from) = apart(&harness);
+        let camera = harness.state_mut().space().camera;
+        let place = |h: &Harness<'_, Window>| {
+            h.state().document.design.curves[of.curve].points[of.point].at
+        };
+        let start = place(&harness);
+        assert!(start.z > 1.0, "{start:?} is on the plan already");
+        // Where the point would be seen a little above the plan.
+        let rect = eframe::egui::Rect::from_min_size(Pos2::ZERO, SIZE);
+        let foot = sheetwright::math::Point3::new(start.x, start.y, 0.0);
+        let to = camera.seen(foot, rect).unwrap().at - vec2(0.0, 3.0);
+        let modifiers = Modifiers { alt, ..Modifiers::NONE };
+        harness.hover_at(from);
+        harness.step();
+        press(&mut harness, from, PointerButton::Primary, true);
+        harness.event(Event::ModifiersChanged(modifiers));
+        for k in 1..=10 {
+            let at = from.lerp(to, k as f32 / 10.0);
+            harness.event(Event::PointerMoved(at));
+            harness.step();
+        }
+        let lift = place(&harness).z;
+        press(&mut harness, to, PointerButton::Primary, false);
+        assert_eq!(lift == 0.0, !alt, "lifted {lift} mm");
+        assert!(lift.abs() < 30.0, "lifted {lift} mm");
+    }
+}
+
+#[test]
+fn the_wheel_zooms_to_the_cursor() {
+    let mut harness = window(template("cone"));
+    harness.run();
+    let rect = eframe::egui::Rect::from_min_size(Pos2::ZERO, SIZE);
+    let at = pos2(200.0, 500.0);
+    harness.hover_at(at);
+    harness.step();
+    let before = harness.state_mut().space().camera;
+    let under = before.under(at, rect);
+    harness.event(Event::MouseWheel {
+        unit: eframe::egui::MouseWheelUnit::Point,
+        delta: vec2(0.0, 120.0),
+        phase: eframe::egui::TouchPhase::Move,
+        source: eframe::egui::MouseWheelSource::Wheel,
+        modifiers: Modifiers::NONE,
+    });
+    harness.run();
+    let after = harness.state_mut().space().camera;
+    assert!(after.height_mm < 0.9 * before.height_mm, "{}", after.height_mm);
+    assert!(after.seen(under, rect).unwrap().at.distance(at) < 0.1);
+}
+
+#[test]
+fn two_fingers_pinch() {
+    use eframe::egui::{TouchDeviceId, TouchId, TouchPhase};
+    let mut harness = window(template("cone"));
+    harness.run();
+    let before = harness.state_mut().space().camera;
+    let touch = |harness: &mut Harness<'_, Window>, phase, apart: f32| {
+        for (id, side) in [(1, -1.0), (2, 1.0)] {
+            let pos = pos2(320.0 + side * apart, 400.0);
+            let (device_id, id) = (TouchDeviceId(0), TouchId(id));
+            harness.event(Event::Touch { device_id, id, phase, pos, force: None });
+        }
+        harness.step();
+    };
+    // The first finger moves the pointer too.
+    harness.hover_at(pos2(270.0, 400.0));
+    touch(&mut harness, TouchPhase::Start, 50.0);
+    for k in 0..10 {
+        touch(&mut harness, TouchPhase::Move, 50.0 + 5.0 * k as f32);
+    }
+    touch(&mut harness, TouchPhase::End, 95.0);
+    let after = harness.state_mut().space().camera;
+    let factor = before.height_mm / after.height_mm;
+    assert!((factor - 95.0 / 50.0).abs() < 0.25, "larger by {factor}");
+    assert_eq!(after.direction, before.direction);
 }
 
 #[test]
@@ -303,6 +389,8 @@ fn pictures_to_look_at() {
                 .with_render_cursor(false)
                 .wgpu()
                 .build_eframe(|cc| {
+                    let card = cc.wgpu_render_state.as_ref().map(|card| card.adapter.get_info());
+                    println!("{name}: {:?}", card.map(|card| (card.backend, card.name)));
                     let pane = SpacePane::new(cc);
                     Window::new(Pane::Space(Box::new(pane)), design)
                 });
@@ -313,6 +401,20 @@ fn pictures_to_look_at() {
                 let picture = harness.render().unwrap();
                 picture.save(folder.join(format!("{name}-{look:?}-{view:?}.png"))).unwrap();
             }
+            // A handle in the hand, level with another one.
+            harness.state_mut().view = SurfaceView::Rungs;
+            harness.state_mut().selection = Selection::of_rung(0, 5);
+            harness.run();
+            let (_, at) = apart(&harness);
+            harness.hover_at(at);
+            harness.step();
+            press(&mut harness, at, PointerButton::Primary, true);
+            for k in 0..60 {
+                harness.hover_at(at - vec2(0.0, 10.0 + k as f32));
+                harness.step();
+            }
+            let picture = harness.render().unwrap();
+            picture.save(folder.join(format!("{name}-{look:?}-drag.png"))).unwrap();
         }
     }
 }

@@ -1,5 +1,8 @@
 //! A pane alone in a window, over a made design, whose acts are carried out as the app does.
 
+#![allow(clippy::unwrap_used)] // what is made here is known to be whole
+#![allow(dead_code)] // each test file shows one pane
+
 use eframe::egui;
 use sheetwright::design::{Design, make};
 use sheetwright::watch::Unwatched;
@@ -14,28 +17,28 @@ use sheetwright_editor::theme::{Look, Theme};
 use std::path::Path;
 
 /// Which pane.
-pub enum Pane {
+pub(crate) enum Pane {
     Space(Box<SpacePane>),
     Pattern(PatternPane),
 }
 
 /// A window with one pane.
-pub struct Window {
-    pub pane: Pane,
-    pub document: Document,
-    pub panels: Vec<ShownPanel>,
-    pub version: u64,
-    pub selection: Selection,
-    pub view: SurfaceView,
-    pub look: Look,
+pub(crate) struct Window {
+    pub(crate) pane: Pane,
+    pub(crate) document: Document,
+    pub(crate) panels: Vec<ShownPanel>,
+    pub(crate) version: u64,
+    pub(crate) selection: Selection,
+    pub(crate) view: SurfaceView,
+    pub(crate) look: Look,
     /// All acts, in order.
-    pub acts: Vec<Act>,
+    pub(crate) acts: Vec<Act>,
     /// How long each frame of the pane took, seconds.
-    pub took: Vec<f64>,
+    pub(crate) took: Vec<f64>,
 }
 
 impl Window {
-    pub fn new(pane: Pane, design: Design) -> Self {
+    pub(crate) fn new(pane: Pane, design: Design) -> Self {
         let panels = shown(&design);
         let document = Document { design, drawing: Drawing::default() };
         Self {
@@ -51,7 +54,7 @@ impl Window {
         }
     }
 
-    pub fn space(&mut self) -> &mut SpacePane {
+    pub(crate) fn space(&mut self) -> &mut SpacePane {
         match &mut self.pane {
             Pane::Space(pane) => pane,
             Pane::Pattern(_) => panic!("the pattern is shown"),
@@ -97,7 +100,7 @@ impl eframe::App for Window {
 }
 
 /// The panels of a design, as the engine shows them.
-pub fn shown(design: &Design) -> Vec<ShownPanel> {
+pub(crate) fn shown(design: &Design) -> Vec<ShownPanel> {
     if design.panels.is_empty() {
         return Vec::new();
     }
@@ -115,12 +118,12 @@ pub fn shown(design: &Design) -> Vec<ShownPanel> {
 }
 
 /// The design of a template.
-pub fn template(name: &str) -> Design {
+pub(crate) fn template(name: &str) -> Design {
     sheetwright::template::template(name).unwrap().defaults().design().unwrap()
 }
 
 /// The design of an example.
-pub fn example(name: &str) -> Design {
+pub(crate) fn example(name: &str) -> Design {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name);
     sheetwright_files::read_input(&path, &sheetwright_files::ReadOptions::default()).unwrap()
 }

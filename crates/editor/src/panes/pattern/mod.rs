@@ -18,13 +18,15 @@ use eframe::egui::{
 };
 use sheetwright::math::{Point2, Vec2 as Way, pow};
 use sheetwright_files::Units;
-use view::{Placed, View, box_of, placed};
+use view::{Placed, View, box_of, placed, roomy_gap};
 
 /// A pane of this height has room for a legend, points.
 const LEGEND_FROM: f32 = 360.0;
 
 /// A rung is hit within this, points.
 const NEAR: f32 = 6.0;
+/// How high a legend is with the room around it, points.
+const LEGEND: f32 = 84.0;
 /// How far an arrow key shifts, points.
 const ARROW: f32 = 40.0;
 
@@ -32,13 +34,15 @@ const ARROW: f32 = 40.0;
 #[derive(Debug)]
 pub struct PatternPane {
     view: View,
+    /// How far pieces are from one another, mm.
+    gap_mm: f64,
     /// Whether everything is kept in sight, until the hand moves the view.
     follows: bool,
 }
 
 impl Default for PatternPane {
     fn default() -> Self {
-        Self { view: View::default(), follows: true }
+        Self { view: View::default(), gap_mm: 0.0, follows: true }
     }
 }
 
@@ -66,16 +70,23 @@ impl PatternPane {
         let theme = scene.theme;
         ui.painter().rect_filled(rect, 0.0, theme.paper);
         let ground = ui.interact(rect, ui.scope_id().with("ground"), Sense::click_and_drag());
-        let pieces = placed(scene);
         name(ui, &ground, scene);
         self.navigate(ui, rect, &ground);
         if ground.clicked() || ground.drag_started() {
             ground.request_focus();
         }
-        if self.follows {
-            self.view.fit(&pieces, rect);
-        }
         let by = Quantity::of(view, scene.made().map(|(_, shown)| shown));
+        // The legend has the lower edge for itself.
+        let below = if by.is_some() && rect.height() > 3.0 * LEGEND { LEGEND } else { 0.0 };
+        let free = rect.with_max_y(rect.bottom() - below);
+        if self.follows {
+            self.gap_mm = roomy_gap(scene, free);
+        }
+        let pieces = placed(scene, free, self.gap_mm);
+        if self.follows {
+            self.view.fit(&pieces, free);
+            self.view.pan(free.center() - rect.center());
+        }
         let mut clicked = ground.clicked().then(|| ground.interact_pointer_pos()).flatten();
         for piece in &pieces {
             let Some(shown) = made(scene, piece.panel) else { continue };

@@ -5,7 +5,7 @@ use crate::engine::shown::Shown;
 use crate::panes::SurfaceView;
 use crate::panes::space::handles::tag;
 use crate::panes::space::picture::worst_colour;
-use crate::panes::space::sheets::{Quantity, twist, values, worst};
+use crate::panes::space::sheets::{Quantity, twist, values, worst, worst_of_all};
 use crate::panes::space::words::{degrees, length};
 use crate::scene::Scene;
 use crate::theme::{Theme, mapped};
@@ -17,6 +17,8 @@ use sheetwright::math::{Point2, atan2};
 use sheetwright::pattern::{PathKind, PatternLabel, Role};
 use std::sync::Arc;
 
+/// Rungs that are drawn of a piece, at the most.
+const RUNGS: usize = 90;
 /// How far a dimension stands from its piece, points.
 const AWAY: f32 = 20.0;
 /// Letters smaller than this are left out, points.
@@ -51,11 +53,17 @@ pub(super) fn piece(painter: &Painter, scene: &Scene<'_>, shown: &Shown, look: &
     sheet(painter, shown, look, theme, chosen);
     paths(painter, shown, look, theme);
     rungs(painter, scene, shown, look);
+    let mut named = false;
     for label in &shown.piece.labels {
         // Its own dimensions are in mm; ours are in the units of the drawing.
-        if label.role != Role::Note {
-            letters(painter, label, look, theme);
+        if label.role != Role::Note && letters(painter, label, look, theme) {
+            named |= label.text == shown.piece.name;
         }
+    }
+    if !named {
+        let at = box_of(look.piece, look.view, look.rect).left_top() + vec2(0.0, -5.0);
+        let font = FontId::proportional(12.5);
+        painter.text(at, Align2::LEFT_BOTTOM, &shown.piece.name, font, theme.ink);
     }
     dimensions(painter, scene, shown, look);
 }
@@ -115,19 +123,23 @@ fn measured(mesh: &mut Mesh, corners: [Pos2; 3], values: [f32; 3]) {
 
 /// What is done along lines.
 fn paths(painter: &Painter, shown: &Shown, look: &Look<'_>, theme: &Theme) {
-    let rungs = shown.rungs.len().max(1) as f32;
+    let (rungs, mut passed) = (shown.rungs.len(), 0);
     let [cut, score, engrave, _] = theme.roles;
     for path in &shown.piece.paths {
         let stroke = match (path.kind, path.role) {
             (PathKind::Dimension, _) => continue,
-            (PathKind::Rung(_), Role::Note) if look.by.is_some() => {
-                Stroke::new(1.0, theme.paper.gamma_multiply(0.2))
-            }
             (PathKind::Rung(_), Role::Note) => {
-                // Many rungs close to one another would cover the sheet.
-                let share = (40.0 / rungs).clamp(0.22, 0.6);
-                let share = if look.detail == SurfaceView::Rungs { 1.6 * share } else { share };
-                Stroke::new(1.0, theme.rung.gamma_multiply(share.min(1.0)))
+                // Of many rungs close to one another some stand for all.
+                let most = if look.by.is_some() { RUNGS / 2 } else { RUNGS };
+                passed += 1;
+                if passed % rungs.div_ceil(most).max(1) != 0 {
+                    continue;
+                }
+                match (look.by, look.detail) {
+                    (Some(_), _) => Stroke::new(1.0, theme.paper.gamma_multiply(0.2)),
+                    (_, SurfaceView::Rungs) => Stroke::new(1.0, theme.rung.gamma_multiply(0.8)),
+                    _ => Stroke::new(1.0, theme.rung.gamma_multiply(0.4)),
+                }
             }
             (_, Role::Cut) => Stroke::new(2.0, cut),
             (_, Role::Score) => Stroke::new(1.6, score),
@@ -148,7 +160,9 @@ fn rungs(painter: &Painter, scene: &Scene<'_>, shown: &Shown, look: &Look<'_>) {
     let theme = scene.theme;
     let at = |n: u32| look.seen(shown.flat.get(n as usize).copied().unwrap_or_default());
     let asked = matches!(look.detail, SurfaceView::Warp | SurfaceView::Rungs);
-    if let Some(n) = worst(shown).filter(|_| asked) {
+    let is_worst = worst_of_all(scene).is_some_and(|(panel, _)| panel == look.piece.panel);
+    let told = |&n: &usize| is_worst || twist(&shown.rungs[n]) > shown.warp_limit_deg;
+    if let Some(n) = worst(shown).filter(|_| asked).filter(told) {
         let colour = worst_colour(shown, n, theme);
         let [a, b] = shown.rungs[n].flat_ends.map(at);
         painter.line_segment([a, b], Stroke::new(2.5, colour));
@@ -165,13 +179,15 @@ fn rungs(painter: &Painter, scene: &Scene<'_>, shown: &Shown, look: &Look<'_>) {
     }
 }
 
-/// A text of the pattern, as large as it is there, where it can be read.
-fn letters(painter: &Painter, label: &PatternLabel, look: &Look<'_>, theme: &Theme) {
+/// A text of the pattern, as large as it is there; whether it can be read, else it is left out.
+fn letters(painter: &Painter, label: &PatternLabel, look: &Look<'_>, theme: &Theme) -> bool {
     let size = (label.height_mm / look.view.mm_per_point) as f32 / CAPITAL;
     if size < READABLE {
-        return;
+        return false;
     }
     let ink = match label.role {
+        // The dark end of the map is dark in every look.
+        Role::Engrave if look.by.is_some() && !theme.is_dark => theme.paper,
         Role::Cut => theme.roles[0],
         Role::Score => theme.roles[1],
         Role::Engrave => theme.roles[2],
@@ -182,6 +198,7 @@ fn letters(painter: &Painter, label: &PatternLabel, look: &Look<'_>, theme: &The
     let galley = painter.layout_no_wrap(label.text.clone(), font, ink);
     let angle = -atan2(label.along.y, label.along.x) as f32;
     turned(painter, look.seen(label.at), &galley, angle, CAPITAL, ink);
+    true
 }
 
 /// A text round the middle of its base line.
@@ -221,10 +238,18 @@ fn dimensions(painter: &Painter, scene: &Scene<'_>, shown: &Shown, look: &Look<'
     let at = pos2(around.center().x, below);
     painter.galley(Align2::CENTER_CENTER.anchor_size(at, wide.size()).min, wide, theme.ink);
     let beside = around.left() - AWAY;
-    line(pos2(beside, around.bottom()), pos2(beside, around.top()), high.size().x + 12.0);
+    let upright = around.height() > high.size().x + 24.0;
+    let gap = if upright { high.size().x + 12.0 } else { 0.0 };
+    line(pos2(beside, around.bottom()), pos2(beside, around.top()), gap);
     let at = pos2(beside, around.center().y);
-    let off = Vec2::new(-0.5 * high.size().y, 0.5 * high.size().x);
-    painter.add(TextShape::new(at + off, high, theme.ink).with_angle(-std::f32::consts::FRAC_PI_2));
+    if upright {
+        let off = Vec2::new(-0.5 * high.size().y, 0.5 * high.size().x);
+        let angle = -std::f32::consts::FRAC_PI_2;
+        painter.add(TextShape::new(at + off, high, theme.ink).with_angle(angle));
+    } else {
+        let place = Align2::RIGHT_CENTER.anchor_size(at - vec2(9.0, 0.0), high.size());
+        painter.galley(place.min, high, theme.ink);
+    }
 }
 
 fn arrow(painter: &Painter, tip: Pos2, inwards: Vec2, colour: Color32) {

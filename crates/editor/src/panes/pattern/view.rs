@@ -4,12 +4,10 @@ use crate::scene::Scene;
 use eframe::egui::{Pos2, Rect, Vec2, pos2};
 use sheetwright::math::{Point2, Vec2 as Way};
 
-/// The gap between pieces, as a share of the longest side of any.
-const GAP: f64 = 0.16;
-/// Pieces are put in rows that together are about this many times as wide as high.
-const ASPECT: f64 = 1.3;
-/// The room around what fits, points: dimensions stand in it.
-const ROOM: f32 = 54.0;
+/// The gap between pieces, points: the dimensions of one and the name of the next stand in it.
+const GAP: f64 = 56.0;
+/// The room beside, above and below what fits, points: names and dimensions stand in it.
+const ROOM: Vec2 = Vec2::new(86.0, 46.0);
 
 /// Where a piece lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,14 +20,14 @@ pub(super) struct Placed {
     pub(super) size: Way,
 }
 
-/// The pieces in rows from above, each as the pattern has it.
-pub(super) fn placed(scene: &Scene<'_>) -> Vec<Placed> {
+/// The pieces in rows from above, each as the pattern has it; together they are about as wide to
+/// their height as the pane. `gap` is between them, mm.
+pub(super) fn placed(scene: &Scene<'_>, pane: Rect, gap: f64) -> Vec<Placed> {
+    let aspect = f64::from((pane.width() / pane.height()).clamp(0.3, 4.0));
     let sizes: Vec<(usize, Way)> = scene.made().map(|(n, shown)| (n, shown.piece.size)).collect();
-    let longest = sizes.iter().map(|(_, size)| size.x.max(size.y)).fold(0.0, f64::max);
-    let gap = GAP * longest;
     let area: f64 = sizes.iter().map(|(_, size)| (size.x + gap) * (size.y + gap)).sum();
     let widest = sizes.iter().map(|(_, size)| size.x).fold(0.0, f64::max);
-    let row_width = (area * ASPECT).sqrt().max(widest);
+    let row_width = (area * aspect).sqrt().max(widest);
     let mut all = Vec::new();
     let (mut x, mut top, mut row_height) = (0.0, 0.0, 0.0_f64);
     for (panel, size) in sizes {
@@ -42,6 +40,19 @@ pub(super) fn placed(scene: &Scene<'_>) -> Vec<Placed> {
         row_height = row_height.max(size.y);
     }
     all
+}
+
+/// The gap between pieces that leaves room for their names and dimensions where all are in sight,
+/// mm.
+pub(super) fn roomy_gap(scene: &Scene<'_>, pane: Rect) -> f64 {
+    let mut view = View::default();
+    let mut gap = 0.0;
+    // The wider the gap, the smaller everything; three rounds come near enough.
+    for _ in 0..3 {
+        view.fit(&placed(scene, pane, gap), pane);
+        gap = GAP * view.mm_per_point;
+    }
+    gap
 }
 
 /// Which part of the paper is looked at.
@@ -99,13 +110,12 @@ impl View {
         if !(high - low).is_finite() {
             return;
         }
-        let room = |side: f32| f64::from((side - 2.0 * ROOM).max(40.0));
+        let room = (rect.size() - 2.0 * ROOM).max(Vec2::splat(40.0));
         let size = (high - low).max(Way::splat(1e-3));
-        let scale = (size.x / room(rect.width())).max(size.y / room(rect.height()));
+        let scale = (size.x / f64::from(room.x)).max(size.y / f64::from(room.y));
         self.mm_per_point = scale;
         // Dimensions stand below and to the left.
-        let off = Way::new(-12.0, -10.0) * scale;
-        let middle = (low + high) * 0.5 + off;
+        let middle = (low + high) * 0.5 + Way::new(-24.0, -8.0) * scale;
         self.middle = Point2::new(middle.x, middle.y);
     }
 }

@@ -6,6 +6,7 @@
 
 use eframe::egui;
 use eframe::egui_wgpu::{CallbackResources, CallbackTrait, RenderState, ScreenDescriptor, wgpu};
+use std::slice;
 use std::sync::Arc;
 
 /// A corner of a triangle of a sheet.
@@ -449,7 +450,7 @@ fn pipeline(
         bind_group_layouts: &[Some(kind.layout)],
         immediate_size: 0,
     });
-    let buffers: &[_] = if kind.buffer.is_some() { &[kind.buffer.clone()] } else { &[] };
+    let buffers = if kind.buffer.is_some() { slice::from_ref(&kind.buffer) } else { &[] };
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some(kind.name),
         layout: Some(&layout),

@@ -28,7 +28,7 @@ const CAREFUL: f64 = 0.1;
 
 /// What the hand holds.
 #[derive(Debug, Default)]
-pub struct Handles {
+pub(crate) struct Handles {
     drag: Option<Drag>,
 }
 
@@ -65,24 +65,24 @@ struct Handle {
 }
 
 /// Where handles are shown.
-pub struct Look<'a> {
+pub(crate) struct Look<'a> {
     /// From where.
-    pub camera: &'a Camera,
+    pub(crate) camera: &'a Camera,
     /// The pane.
-    pub rect: Rect,
+    pub(crate) rect: Rect,
     /// The pane's own response, which has the focus after a click beside handles.
-    pub ground: &'a Response,
+    pub(crate) ground: &'a Response,
 }
 
 impl Handles {
     /// Whether a handle is being dragged.
-    pub fn dragging(&self) -> bool {
+    pub(crate) fn dragging(&self) -> bool {
         self.drag.is_some()
     }
 
     /// Shows the handles and answers the hand. What is dragged with other buttons than the first is
     /// for the camera, and comes back.
-    pub fn ui(
+    pub(crate) fn ui(
         &mut self,
         ui: &Ui,
         scene: &Scene<'_>,
@@ -274,15 +274,16 @@ impl Drag {
 
     /// What a lift settles on within a distance, mm.
     fn settled(&self, lift: f64, within: f64, scene: &Scene<'_>) -> Option<(f64, Snap)> {
+        // The plan before others, which may lie close to it and to one another.
+        if lift.abs() <= within {
+            return Some((0.0, Snap::Plan));
+        }
         let plan = scene.document.drawing.plan;
         let moves = |of: &PointRef| self.starts.iter().any(|(moved, _)| moved == of);
-        let others = points(scene)
-            .filter(|(of, ..)| !moves(of))
-            .map(|(of, at, _)| (plan.lift(at), Snap::Level(of)));
-        let all = std::iter::once((0.0, Snap::Plan)).chain(others);
-        let near = all.map(|(to, snap)| ((to - lift).abs(), to, snap)).filter(|n| n.0 <= within);
-        // The plan before others that lie on it.
-        let best = near.reduce(|best, next| if next.0 < best.0 { next } else { best });
+        let others = points(scene).filter(|(of, ..)| !moves(of));
+        let lifts = others.map(|(of, at, _)| (plan.lift(at), Snap::Level(of)));
+        let near = lifts.map(|(to, snap)| ((to - lift).abs(), to, snap)).filter(|n| n.0 <= within);
+        let best = near.min_by(|a, b| a.0.total_cmp(&b.0));
         let drawing = &scene.document.drawing;
         let step = drawing.grid_mm;
         let on_grid = || {
@@ -434,7 +435,7 @@ fn paint_handle(
 }
 
 /// A short text in a box, kept within a rectangle.
-pub fn tag(
+pub(crate) fn tag(
     painter: &Painter,
     theme: &Theme,
     at: Pos2,

@@ -18,7 +18,7 @@ const UNSURE: &str = "What may come from coarse sampling counts as 0°.";
 
 /// What stands on a scale.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Legend {
+pub(crate) struct Legend {
     title: String,
     /// What there is to know besides.
     note: &'static str,
@@ -32,7 +32,7 @@ pub struct Legend {
 
 impl Legend {
     /// Of the panels of a scene.
-    pub fn of(scene: &Scene<'_>, quantity: Quantity) -> Self {
+    pub(crate) fn of(scene: &Scene<'_>, quantity: Quantity) -> Self {
         let panels = || scene.made().map(|(_, shown)| shown);
         let most = |of: fn(&Shown) -> f64| panels().map(of).fold(0.0, f64::max);
         match quantity {
@@ -79,7 +79,7 @@ impl Legend {
     }
 
     /// In the lower left corner of a pane.
-    pub fn ui(&self, ui: &Ui, pane: Rect, theme: &Theme) {
+    pub(crate) fn ui(&self, ui: &Ui, pane: Rect, theme: &Theme) {
         let height = if self.coloured { HEIGHT } else { HEIGHT - 20.0 };
         let low = pane.left_bottom() + vec2(EDGE, -EDGE - height);
         let rect = Rect::from_min_size(low, vec2(WIDTH + 2.0 * EDGE, height));

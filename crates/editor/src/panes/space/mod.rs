@@ -12,13 +12,13 @@
 pub mod camera;
 mod gauss;
 mod gpu;
-pub mod handles;
-pub mod legend;
+pub(crate) mod handles;
+pub(crate) mod legend;
 mod lines;
 pub mod navigation;
 pub(crate) mod pick;
 pub(crate) mod picture;
-pub mod sheets;
+pub(crate) mod sheets;
 mod view_cube;
 pub mod words;
 
@@ -233,8 +233,7 @@ impl SpacePane {
         let held = self.handles.dragging();
         let camera = self.active(view);
         let mut moved = navigation::drag(camera, by, ground, rect, ui);
-        let over = ui.rect_contains_pointer(rect);
-        if over && !held {
+        if !held {
             moved |= navigation::wheel(camera, rect, ui);
         }
         if ground.has_focus() {

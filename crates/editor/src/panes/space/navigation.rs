@@ -137,7 +137,7 @@ pub fn wheel(camera: &mut Camera, rect: Rect, ui: &Ui) -> bool {
     }
     let (at, scrolled, pinched) =
         ui.input(|i| (i.pointer.hover_pos(), i.smooth_scroll_delta(), i.zoom_delta()));
-    let Some(at) = at.filter(|&at| rect.contains(at)) else { return false };
+    let Some(at) = at.filter(|_| ui.rect_contains_pointer(rect)) else { return false };
     let factor = pow(2.0, f64::from(scrolled.y) * WHEEL) * f64::from(pinched);
     if factor == 1.0 {
         return false;

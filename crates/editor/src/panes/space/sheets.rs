@@ -15,14 +15,14 @@ use sheetwright::pattern::{PathKind, Role};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Length errors below it are rounding: the pattern is exact.
-pub const EXACT: f64 = 1e-9;
+pub(crate) const EXACT: f64 = 1e-9;
 
 /// Less than what is shown as 0.1°, degrees.
-pub const NO_TWIST: f64 = 0.05;
+pub(crate) const NO_TWIST: f64 = 0.05;
 
 /// What colours a sheet, and the largest of it on the scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Quantity {
+pub(crate) enum Quantity {
     /// The warp angle along rungs, degrees.
     Warp(f64),
     /// The relative length error along sides.
@@ -31,7 +31,10 @@ pub enum Quantity {
 
 impl Quantity {
     /// What a view colours by, with a scale for all panels alike.
-    pub fn of<'a>(view: SurfaceView, panels: impl Iterator<Item = &'a Shown>) -> Option<Self> {
+    pub(crate) fn of<'a>(
+        view: SurfaceView,
+        panels: impl Iterator<Item = &'a Shown>,
+    ) -> Option<Self> {
         let most = |of: fn(&Shown) -> f64| panels.map(of).fold(0.0, f64::max);
         match view {
             SurfaceView::Warp => {
@@ -43,7 +46,7 @@ impl Quantity {
     }
 
     /// Where a value is on the scale, 0 ..= 1.
-    pub fn share(self, value: f64) -> f64 {
+    pub(crate) fn share(self, value: f64) -> f64 {
         let most = match self {
             Self::Warp(most) => most,
             Self::LengthError(most) if most < EXACT => return 0.0,
@@ -54,24 +57,24 @@ impl Quantity {
 }
 
 /// The warp angle of a rung, degrees; 0 if the sampling may explain it.
-pub fn twist(rung: &ShownRung) -> f64 {
+pub(crate) fn twist(rung: &ShownRung) -> f64 {
     if rung.is_unsure { 0.0 } else { rung.warp_deg }
 }
 
 /// The largest twist of a panel, degrees.
-pub fn twist_max(shown: &Shown) -> f64 {
+pub(crate) fn twist_max(shown: &Shown) -> f64 {
     shown.rungs.iter().map(twist).fold(0.0, f64::max)
 }
 
 /// The rung that twists most, by its number; `None` if none does.
-pub fn worst(shown: &Shown) -> Option<usize> {
+pub(crate) fn worst(shown: &Shown) -> Option<usize> {
     let all = 0..shown.rungs.len();
     let worst = all.max_by(|&a, &b| twist(&shown.rungs[a]).total_cmp(&twist(&shown.rungs[b])));
     worst.filter(|&n| twist(&shown.rungs[n]) > NO_TWIST)
 }
 
 /// The panel and the rung that twist most of all.
-pub fn worst_of_all(scene: &Scene<'_>) -> Option<(usize, usize)> {
+pub(crate) fn worst_of_all(scene: &Scene<'_>) -> Option<(usize, usize)> {
     let of = |(n, shown): (usize, &Shown)| {
         let rung = worst(shown)?;
         Some((twist(&shown.rungs[rung]), (n, rung)))
@@ -81,22 +84,22 @@ pub fn worst_of_all(scene: &Scene<'_>) -> Option<(usize, usize)> {
 }
 
 /// Two numbers in order, to find a side by.
-pub fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
+pub(crate) fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
     [a.min(b), a.max(b)]
 }
 
 /// The three sides of a triangle.
-pub fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
+pub(crate) fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
     [[a, b], [b, c], [c, a]]
 }
 
 /// The rungs of a panel, by their ends in order.
-pub fn rungs_by_ends(shown: &Shown) -> BTreeMap<[u32; 2], usize> {
+pub(crate) fn rungs_by_ends(shown: &Shown) -> BTreeMap<[u32; 2], usize> {
     shown.rungs.iter().enumerate().map(|(n, rung)| (sorted(rung.ends), n)).collect()
 }
 
 /// The value of a quantity along each side of each triangle, 0 ..= 1; negative where there is none.
-pub fn values(shown: &Shown, by: Option<Quantity>) -> Vec<[f32; 3]> {
+pub(crate) fn values(shown: &Shown, by: Option<Quantity>) -> Vec<[f32; 3]> {
     let none = [-1.0; 3];
     match by {
         None => vec![none; shown.triangles.len()],
@@ -136,7 +139,7 @@ fn folds(shown: &Shown) -> Vec<bool> {
 }
 
 /// The normal of every triangle; zero where it has none.
-pub fn triangle_normals(shown: &Shown) -> Vec<Vec3> {
+pub(crate) fn triangle_normals(shown: &Shown) -> Vec<Vec3> {
     let at = |n: u32| shown.positions.get(n as usize).copied().unwrap_or_default();
     let normal = |t: &[u32; 3]| {
         let [a, b, c] = t.map(at);
@@ -146,7 +149,7 @@ pub fn triangle_normals(shown: &Shown) -> Vec<Vec3> {
 }
 
 /// The triangles of a panel, in mm about an origin.
-pub fn vertices(
+pub(super) fn vertices(
     shown: &Shown,
     by: Option<Quantity>,
     origin: Point3,
