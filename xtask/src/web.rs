@@ -1,0 +1,253 @@
+//! The editor for the browser: a folder of files that any web server can serve.
+//!
+//! 1. The crate is compiled for WebAssembly, by whichever toolchain here can: the one in PATH if it
+//!    has the target, else Debian's, which builds the standard library for it on the way.
+//! 2. `wasm-bindgen` writes what joins it to a page; `wasm-opt` makes it smaller, where it is.
+//! 3. The page is put beside it (`crates/editor/web`), with the colours of the editor's theme, an icon
+//!    in the same colours, and a list of all files under a number made from their contents, from
+//!    which the service worker keeps them for when there is no network.
+
+mod icon;
+
+use crate::root;
+use std::collections::BTreeMap;
+use std::ffi::OsStr;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+const TARGET: &str = "wasm32-unknown-unknown";
+const CRATE: &str = "sheetwright-editor";
+/// How the compiler names what it makes of the crate.
+const MADE: &str = "sheetwright_editor.wasm";
+/// The files of the page that colours and sizes are put into.
+const PAGE: [&str; 5] = ["index.html", "page.css", "page.js", "worker.js", "manifest.webmanifest"];
+/// What every browser with WebGL 2 understands beyond the first WebAssembly.
+const FEATURES: [&str; 6] = [
+    "--enable-bulk-memory",
+    "--enable-multivalue",
+    "--enable-mutable-globals",
+    "--enable-nontrapping-float-to-int",
+    "--enable-reference-types",
+    "--enable-sign-ext",
+];
+const HELP: &str = "`cargo xtask web` takes `--out DIR` and nothing else";
+
+/// Builds the folder.
+pub(crate) fn build() -> Result<(), String> {
+    let mut out = root().join("target/web");
+    match std::env::args().skip(2).collect::<Vec<_>>().as_slice() {
+        [] => {}
+        [flag, folder] if flag == "--out" => out = PathBuf::from(folder),
+        _ => return Err(HELP.to_owned()),
+    }
+    let work = root().join("target/web-build");
+    let wasm = compile(&work)?;
+    let glue = work.join("glue");
+    bind(&wasm, &glue)?;
+    shrink(&glue.join("sheetwright_bg.wasm"))?;
+
+    let mut files = BTreeMap::new();
+    for name in ["sheetwright.js", "sheetwright_bg.wasm"] {
+        files.insert(name.to_owned(), read(&glue.join(name))?);
+    }
+    let size = files["sheetwright_bg.wasm"].len();
+    let theme = text(&root().join("crates/editor/src/theme.rs"))?;
+    let pages = root().join("crates/editor/web");
+    for name in PAGE {
+        let page = text(&pages.join(name))?.replace("{{wasm-bytes}}", &size.to_string());
+        files.insert(name.to_owned(), coloured(&page, &theme)?.into_bytes());
+    }
+    files.insert("icon.svg".to_owned(), icon::svg(&|name| colour(&theme, name))?.into_bytes());
+    let worker = service_worker(&text(&pages.join("sw.js"))?, &files);
+    files.insert("sw.js".to_owned(), worker.into_bytes());
+    write(&out, &files)?;
+    println!("{} ({:.1} MB of WebAssembly)", out.display(), size as f64 / 1e6);
+    Ok(())
+}
+
+/// Compiles the crate; where the WebAssembly lies.
+fn compile(work: &Path) -> Result<PathBuf, String> {
+    let mut cargo = cargo()?;
+    cargo.args(["build", "--package", CRATE, "--lib", "--target", TARGET, "--profile", "web"]);
+    // A folder of its own, so that this and other builds don't undo each other's work.
+    cargo.arg("--target-dir").arg(work).current_dir(root());
+    run(&mut cargo)?;
+    Ok(work.join(TARGET).join("web").join(MADE))
+}
+
+/// A cargo that can compile for WebAssembly.
+fn cargo() -> Result<Command, String> {
+    let sysroot = said(Command::new("rustc").args(["--print", "sysroot"]).current_dir(root()));
+    let sysroot = sysroot.unwrap_or_default();
+    if Path::new(&sysroot).join("lib/rustlib").join(TARGET).is_dir() {
+        return Ok(Command::new("cargo"));
+    }
+    let debian = ["/usr/bin/cargo", "/usr/bin/rustc", "/usr/lib/rustlib/src/rust/library"];
+    let linker = ["wasm-ld", "rust-lld"];
+    let linker = linker.into_iter().find(|name| Path::new("/usr/bin").join(name).exists());
+    if let (Some(linker), true) = (linker, debian.iter().all(|path| Path::new(path).exists())) {
+        let mut cargo = Command::new(debian[0]);
+        cargo.args(["-Z", "build-std=std,panic_abort"]);
+        // Debian's is a stable compiler, which builds its standard library only when told to.
+        cargo.env("RUSTC_BOOTSTRAP", "1").env("RUSTC", debian[1]);
+        cargo.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER", linker);
+        return Ok(cargo);
+    }
+    Err(format!(
+        "this Rust can't compile for the browser. Run `rustup target add {TARGET}`, or on Debian \
+         `apt install rustc-web cargo-web rust-web-src lld`"
+    ))
+}
+
+/// Writes what joins the WebAssembly to a page.
+fn bind(wasm: &Path, glue: &Path) -> Result<(), String> {
+    let mut command = Command::new(wasm_bindgen()?);
+    command.args(["--target", "web", "--no-typescript", "--out-name", "sheetwright", "--out-dir"]);
+    run(command.arg(glue).arg(wasm))
+}
+
+/// The program `wasm-bindgen` of the very version that the crate is compiled with: no other fits.
+fn wasm_bindgen() -> Result<PathBuf, String> {
+    let lock = text(&root().join("Cargo.lock"))?;
+    let version = lock
+        .split_once("name = \"wasm-bindgen\"\nversion = \"")
+        .and_then(|(_, rest)| rest.split('"').next())
+        .ok_or("Cargo.lock names no wasm-bindgen")?;
+    let tools = root().join("target/tools");
+    let ours = tools.join("bin/wasm-bindgen");
+    let fits = |program: &Path| {
+        let said = said(Command::new(program).arg("--version"));
+        said.is_some_and(|said| said.split_whitespace().nth(1) == Some(version))
+    };
+    for program in [ours.as_path(), Path::new("wasm-bindgen")] {
+        if fits(program) {
+            return Ok(program.to_owned());
+        }
+    }
+    println!("installing wasm-bindgen {version} into {}", tools.display());
+    let mut cargo = Command::new("cargo");
+    cargo.args(["install", "--quiet", "wasm-bindgen-cli", "--version", version, "--root"]);
+    run(cargo.arg(&tools))?;
+    if fits(&ours) { Ok(ours) } else { Err(format!("wasm-bindgen {version} can't be had")) }
+}
+
+/// Makes the WebAssembly smaller, where there is a `wasm-opt`.
+fn shrink(wasm: &Path) -> Result<(), String> {
+    if said(Command::new("wasm-opt").arg("--version")).is_none() {
+        println!("there is no wasm-opt (package binaryen): the program is larger than it could be");
+        return Ok(());
+    }
+    let smaller = wasm.with_extension("smaller");
+    let mut command = Command::new("wasm-opt");
+    run(command.arg("-Oz").args(FEATURES).arg(wasm).arg("-o").arg(&smaller))?;
+    fs::rename(&smaller, wasm).map_err(|error| format!("{}: {error}", wasm.display()))
+}
+
+/// The service worker, with the files that it keeps and their number.
+fn service_worker(script: &str, files: &BTreeMap<String, Vec<u8>>) -> String {
+    let version = files.iter().fold(0xcbf2_9ce4_8422_2325, |sum, (name, bytes)| {
+        let all = name.bytes().chain([0]).chain(bytes.iter().copied());
+        all.fold(sum, |sum: u64, b| (sum ^ u64::from(b)).wrapping_mul(0x0000_0100_0000_01b3))
+    });
+    // The page itself is asked for by its folder, too.
+    let names: Vec<String> = std::iter::once("./")
+        .chain(files.keys().map(String::as_str))
+        .map(|n| format!("{n:?}"))
+        .collect();
+    script
+        .replace("{{version}}", &format!("{version:016x}"))
+        .replace("{{files}}", &format!("[{}]", names.join(", ")))
+}
+
+/// The text with `{{accent}}` and `{{dark-accent}}` as the theme has them.
+fn coloured(page: &str, theme: &str) -> Result<String, String> {
+    let mut parts = page.split("{{");
+    let mut done = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let (name, rest) = part.split_once("}}").ok_or("a `{{` of the page has no `}}`")?;
+        done.push_str(&colour(theme, name)?);
+        done.push_str(rest);
+    }
+    Ok(done)
+}
+
+/// A colour of the editor's theme, of the light look or, with `dark-` before it, the dark one.
+fn colour(theme: &str, name: &str) -> Result<String, String> {
+    let (look, field) = name.strip_prefix("dark-").map_or(("LIGHT", name), |field| ("DARK", field));
+    theme
+        .split_once(&format!("const {look}: Theme"))
+        .and_then(|(_, rest)| rest.split_once(&format!(" {field}: ")))
+        .and_then(|(_, rest)| rest.split_once("hex(0x"))
+        .and_then(|(_, rest)| rest.get(..6))
+        .filter(|digits| digits.bytes().all(|digit| digit.is_ascii_hexdigit()))
+        .map(|digits| format!("#{digits}"))
+        .ok_or_else(|| format!("the theme has no colour {name}"))
+}
+
+/// Writes the files, and removes what else lies there from an earlier build.
+fn write(out: &Path, files: &BTreeMap<String, Vec<u8>>) -> Result<(), String> {
+    let failed = |path: &Path, error: std::io::Error| format!("{}: {error}", path.display());
+    if out.join("sw.js").exists() {
+        fs::remove_dir_all(out).map_err(|error| failed(out, error))?;
+    }
+    fs::create_dir_all(out).map_err(|error| failed(out, error))?;
+    for (name, bytes) in files {
+        let path = out.join(name);
+        fs::write(&path, bytes).map_err(|error| failed(&path, error))?;
+    }
+    Ok(())
+}
+
+fn read(path: &Path) -> Result<Vec<u8>, String> {
+    fs::read(path).map_err(|error| format!("{}: {error}", path.display()))
+}
+
+fn text(path: &Path) -> Result<String, String> {
+    String::from_utf8(read(path)?).map_err(|_| format!("{} is no text", path.display()))
+}
+
+fn run(command: &mut Command) -> Result<(), String> {
+    let name = Path::new(command.get_program()).file_name().unwrap_or(OsStr::new("?")).to_owned();
+    let name = name.to_string_lossy();
+    match command.status() {
+        Ok(status) if status.success() => Ok(()),
+        Ok(status) => Err(format!("{name} has failed ({status})")),
+        Err(error) => Err(format!("{name} can't be run: {error}")),
+    }
+}
+
+/// What a command says; `None` if there is none or it fails.
+fn said(command: &mut Command) -> Option<String> {
+    let output = command.output().ok().filter(|output| output.status.success())?;
+    Some(String::from_utf8(output.stdout).ok()?.trim().to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_page_has_the_colours_of_the_theme() {
+        let theme = text(&root().join("crates/editor/src/theme.rs")).unwrap();
+        for name in PAGE {
+            let page = text(&root().join("crates/editor/web").join(name)).unwrap();
+            let page = page.replace("{{wasm-bytes}}", "1");
+            let done = coloured(&page, &theme).unwrap();
+            assert!(!done.contains("{{"), "{name}");
+        }
+        assert_ne!(colour(&theme, "ground"), colour(&theme, "dark-ground"));
+        assert!(colour(&theme, "no-such").is_err());
+        let icon = icon::svg(&|name| colour(&theme, name)).unwrap();
+        assert!(icon.starts_with("<svg") && icon.ends_with("</svg>\n"), "{icon}");
+    }
+
+    #[test]
+    fn another_content_is_another_version() {
+        let files = |text: &str| BTreeMap::from([("a.js".to_owned(), text.as_bytes().to_vec())]);
+        let script = "{{version}} {{files}}";
+        let [a, b] = ["x", "y"].map(|text| service_worker(script, &files(text)));
+        assert_ne!(a, b);
+        assert!(a.ends_with(" [\"./\", \"a.js\"]"), "{a}");
+    }
+}
