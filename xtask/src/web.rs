@@ -23,13 +23,14 @@ const MADE: &str = "sheetwright_editor.wasm";
 /// The files of the page that colours and sizes are put into.
 const PAGE: [&str; 5] = ["index.html", "page.css", "page.js", "worker.js", "manifest.webmanifest"];
 /// What every browser with WebGL 2 understands beyond the first WebAssembly.
-const FEATURES: [&str; 6] = [
+const FEATURES: [&str; 7] = [
     "--enable-bulk-memory",
     "--enable-multivalue",
     "--enable-mutable-globals",
     "--enable-nontrapping-float-to-int",
     "--enable-reference-types",
     "--enable-sign-ext",
+    "--enable-simd",
 ];
 const HELP: &str = "`cargo xtask web` takes `--out DIR` and nothing else";
 

@@ -154,10 +154,8 @@ impl Store {
     /// Why a text does not fit. What it would take the place of counts as free.
     fn no_room(&self, key: &str, text: &str) -> StoreError {
         let units = |text: &str| text.chars().map(char::len_utf16).sum::<usize>();
-        let used = keys(&self.storage, "")
-            .iter()
-            .filter(|other| *other != key)
-            .map(|key| units(key) + self.read(key).map_or(0, |text| units(&text)));
+        let others = keys(&self.storage, "").into_iter().filter(|other| other != key);
+        let used = others.map(|key| units(&key) + self.read(&key).map_or(0, |text| units(&text)));
         let free = LIMIT_UNITS.saturating_sub(used.sum());
         let mb = |units: usize| (units * BITS) as f64 / 8e6;
         StoreError::new(
