@@ -55,7 +55,7 @@ async function ready(page) {
   const state = await page.waitForFunction(
     () => {
       const { ready, failed } = document.documentElement.dataset;
-      return failed ? document.getElementById("notice").innerText : ready && "ready";
+      return failed ? document.getElementById("notice").textContent : ready && "ready";
     },
     null,
     { timeout: 120_000 },
@@ -101,8 +101,13 @@ async function the(page, role, name, timeout = 20_000) {
 
 const middle = ({ x, y, width, height }) => [x + width / 2, y + height / 2];
 
+/** Presses it for as long as a finger does. */
 async function press(page, role, name) {
-  await page.mouse.click(...middle(await the(page, role, name)));
+  await page.mouse.move(...middle(await the(page, role, name)));
+  await page.waitForTimeout(150);
+  await page.mouse.down();
+  await page.waitForTimeout(80);
+  await page.mouse.up();
 }
 
 /** Moves with the button held down, through all places. */

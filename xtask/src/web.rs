@@ -2,7 +2,8 @@
 //!
 //! 1. The crate is compiled for WebAssembly, by whichever toolchain here can: the one in PATH if it
 //!    has the target, else Debian's, which builds the standard library for it on the way.
-//! 2. `wasm-bindgen` writes what joins it to a page; `wasm-opt` makes it smaller, where it is.
+//! 2. `wasm-bindgen` writes what joins it to a page. No `wasm-opt` after it: what the compiler makes for
+//!    size is smaller once a server has packed it, and older ones break it.
 //! 3. The page is put beside it (`crates/editor/web`), with the colours of the editor's theme, an icon
 //!    in the same colours, and a list of all files under a number made from their contents, from
 //!    which the service worker keeps them for when there is no network.
@@ -22,16 +23,6 @@ const CRATE: &str = "sheetwright-editor";
 const MADE: &str = "sheetwright_editor.wasm";
 /// The files of the page that colours and sizes are put into.
 const PAGE: [&str; 5] = ["index.html", "page.css", "page.js", "worker.js", "manifest.webmanifest"];
-/// What every browser with WebGL 2 understands beyond the first WebAssembly.
-const FEATURES: [&str; 7] = [
-    "--enable-bulk-memory",
-    "--enable-multivalue",
-    "--enable-mutable-globals",
-    "--enable-nontrapping-float-to-int",
-    "--enable-reference-types",
-    "--enable-sign-ext",
-    "--enable-simd",
-];
 const HELP: &str = "`cargo xtask web` takes `--out DIR` and nothing else";
 
 /// Builds the folder.
@@ -46,7 +37,6 @@ pub(crate) fn build() -> Result<(), String> {
     let wasm = compile(&work)?;
     let glue = work.join("glue");
     bind(&wasm, &glue)?;
-    shrink(&glue.join("sheetwright_bg.wasm"))?;
 
     let mut files = BTreeMap::new();
     for name in ["sheetwright.js", "sheetwright_bg.wasm"] {
@@ -131,18 +121,6 @@ fn wasm_bindgen() -> Result<PathBuf, String> {
     cargo.args(["install", "--quiet", "wasm-bindgen-cli", "--version", version, "--root"]);
     run(cargo.arg(&tools))?;
     if fits(&ours) { Ok(ours) } else { Err(format!("wasm-bindgen {version} can't be had")) }
-}
-
-/// Makes the WebAssembly smaller, where there is a `wasm-opt`.
-fn shrink(wasm: &Path) -> Result<(), String> {
-    if said(Command::new("wasm-opt").arg("--version")).is_none() {
-        println!("there is no wasm-opt (package binaryen): the program is larger than it could be");
-        return Ok(());
-    }
-    let smaller = wasm.with_extension("smaller");
-    let mut command = Command::new("wasm-opt");
-    run(command.arg("-Oz").args(FEATURES).arg(wasm).arg("-o").arg(&smaller))?;
-    fs::rename(&smaller, wasm).map_err(|error| format!("{}: {error}", wasm.display()))
 }
 
 /// The service worker, with the files that it keeps and their number.
