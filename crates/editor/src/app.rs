@@ -73,9 +73,9 @@ impl App {
     /// Work and settings are kept in a store from now on, and what it holds comes back.
     pub fn keep_in(&mut self, mut store: Store) {
         self.recovered = store.load_all();
-        self.recent = store.get(RECENT_FILES).map_or(Vec::new(), |text| {
-            text.lines().map(str::to_owned).take(RECENT).collect()
-        });
+        self.recent = store
+            .get(RECENT_FILES)
+            .map_or(Vec::new(), |text| text.lines().map(str::to_owned).take(RECENT).collect());
         let named = |look: &Look| store.get(LOOK).is_some_and(|name| name == look.name());
         if let Some(look) = Look::ALL.into_iter().find(named) {
             self.editor.look = look;

@@ -97,9 +97,7 @@ fn export(folder: &Path, files: &[OutputFile]) -> FileAnswer {
         batch.keep()
     });
     match kept {
-        Ok(()) => {
-            FileAnswer::Exported { count: files.len(), folder: folder.display().to_string() }
-        }
+        Ok(()) => FileAnswer::Exported { count: files.len(), folder: folder.display().to_string() },
         Err(error) => FileAnswer::Failed(in_words(&error)),
     }
 }
