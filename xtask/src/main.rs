@@ -39,7 +39,7 @@ fn main() -> ExitCode {
         "quads" => quads::write(),
         "templates" => templates::write(),
         "vary" => vary::write(),
-        "web" => web::build(),
+        "web" => web::build().map_err(Into::into),
         _ => {
             print!("{HELP}");
             return if chore.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(2) };

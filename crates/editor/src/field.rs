@@ -62,7 +62,13 @@ pub(crate) fn typed_ui<T>(
                 .align(egui::Align2::RIGHT_CENTER)
                 .text_color(ink);
             let response = ui.add(edit).labelled_by(name.id);
+            // A click puts the cursor once more where the button is let go.
+            let is_held = ui.input(|i| i.pointer.any_down());
+            let fresh = id.with("fresh");
             if response.gained_focus() {
+                ui.data_mut(|d| d.insert_temp(fresh, true));
+            }
+            if !is_held && ui.data_mut(|d| d.remove_temp::<bool>(fresh)).is_some() {
                 select_all(ui, field_id(id), &text);
             }
             if response.lost_focus() {

@@ -1,5 +1,7 @@
 //! The editor, driven as a person does: by its panes, names and keys.
 
+#![allow(clippy::unwrap_used)] // tests panic
+
 mod hands;
 
 use eframe::egui::{Key, Modifiers, vec2};

@@ -3,6 +3,8 @@
 //!
 //! `cargo test -p sheetwright-editor --test frames -- --ignored --nocapture`
 
+#![allow(clippy::print_stdout)] // a measurement
+
 mod hands;
 
 use eframe::egui::vec2;

@@ -1,5 +1,7 @@
 //! Pictures of the window, to be looked at: `SHEETWRIGHT_LOOK=folder cargo test --test look`.
 
+#![allow(clippy::unwrap_used)] // tests panic
+
 mod hands;
 
 use eframe::egui::vec2;
@@ -8,9 +10,9 @@ use sheetwright_editor::command::Command;
 use sheetwright_editor::panes::SurfaceView;
 use sheetwright_editor::scene::{Act, PointRef};
 use sheetwright_editor::theme::Look;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-fn keep(hands: &mut Hands, folder: &PathBuf, name: &str) {
+fn keep(hands: &mut Hands, folder: &Path, name: &str) {
     hands.step();
     let picture = hands.harness.render().unwrap();
     picture.save(folder.join(format!("{name}.png"))).unwrap();

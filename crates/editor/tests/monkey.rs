@@ -4,6 +4,8 @@
 //! Whatever it has done, the document is one that a file can hold, and undo goes back to the
 //! beginning.
 
+#![allow(clippy::print_stdout, clippy::unwrap_used)] // tests panic, and say what they did
+
 mod hands;
 
 use eframe::egui::{Event, Key, Modifiers, MouseWheelUnit, Pos2, pos2, vec2};

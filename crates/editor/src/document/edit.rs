@@ -103,8 +103,10 @@ fn image(plan: Plan, mirror: Mirror, p: Point3) -> Point3 {
     plan.space(mirror.image(plan.flat(p)), plan.lift(p))
 }
 
-/// The document with points moved, and their images with them where there is a mirror.
+/// The document with points moved; with them go points of other curves on the same spots, so that
+/// chained curves stay chained, and their images where there is a mirror.
 pub fn moved(document: &Document, moved: &[(PointRef, Point3)]) -> Document {
+    let moved = &with_those_on_the_spot(document, moved)[..];
     let mut next = document.clone();
     let curves = &mut next.design.curves;
     let mut put = |r: PointRef, to: Point3| {
@@ -135,6 +137,27 @@ pub fn moved(document: &Document, moved: &[(PointRef, Point3)]) -> Document {
         }
     }
     next
+}
+
+fn with_those_on_the_spot(
+    document: &Document,
+    moved: &[(PointRef, Point3)],
+) -> Vec<(PointRef, Point3)> {
+    let curves = &document.design.curves;
+    let mut all = moved.to_vec();
+    for &(r, to) in moved {
+        let Some(here) = curves.get(r.curve).and_then(|c| c.points.get(r.point)) else { continue };
+        for (curve, of) in curves.iter().enumerate().filter(|(n, _)| *n != r.curve) {
+            let on_it = of.points.iter().enumerate().filter(|(_, p)| p.at == here.at);
+            let others = on_it.map(|(point, _)| PointRef { curve, point });
+            for other in others {
+                if !all.iter().any(|(known, _)| *known == other) {
+                    all.push((other, to));
+                }
+            }
+        }
+    }
+    all
 }
 
 /// The point that is the image of another: itself if it lies on the mirror.

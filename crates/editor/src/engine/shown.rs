@@ -114,10 +114,14 @@ impl Shown {
         }
     }
 
-    /// The rung with the largest warp angle, by its number among [`Self::rungs`].
+    /// The rung that twists most, by its number among [`Self::rungs`]: of those whose warp angle the
+    /// sampling does not explain, if there are any.
     pub fn worst_rung(&self) -> Option<usize> {
-        let worst =
-            |a: &usize, b: &usize| self.rungs[*a].warp_deg.total_cmp(&self.rungs[*b].warp_deg);
+        let rank = |n: usize| (!self.rungs[n].is_unsure, self.rungs[n].warp_deg);
+        let worst = |a: &usize, b: &usize| {
+            let ((a_sure, a_deg), (b_sure, b_deg)) = (rank(*a), rank(*b));
+            a_sure.cmp(&b_sure).then(a_deg.total_cmp(&b_deg))
+        };
         (0..self.rungs.len()).max_by(worst)
     }
 }

@@ -66,6 +66,10 @@ pub(crate) struct Hands {
     pub(crate) harness: Harness<'static, App>,
     /// Its files.
     pub(crate) disk: Arc<Mutex<Disk>>,
+    /// How often a button of the mouse was pressed.
+    pub(crate) clicks: usize,
+    /// How many keys were pressed.
+    pub(crate) keys: usize,
 }
 
 impl Hands {
@@ -77,7 +81,7 @@ impl Hands {
         let builder = if drawn { builder.wgpu() } else { builder };
         let harness =
             builder.build_eframe(move |cc| App::with_dialogs(cc, Box::new(Chosen(its.clone()))));
-        Self { harness, disk }
+        Self { harness, disk, clicks: 0, keys: 0 }
     }
 
     /// The window.
@@ -113,6 +117,7 @@ impl Hands {
 
     /// A key.
     pub(crate) fn key(&mut self, modifiers: Modifiers, key: Key) {
+        self.keys += 1;
         self.harness.key_press_modifiers(modifiers, key);
         self.step();
         self.step();
@@ -120,6 +125,7 @@ impl Hands {
 
     /// Clicks on what has this name.
     pub(crate) fn click(&mut self, label: &str) {
+        self.clicks += 1;
         self.harness.get_by_label(label).click();
         self.step();
         self.step();
@@ -132,6 +138,7 @@ impl Hands {
 
     /// Presses the button.
     pub(crate) fn press(&mut self, at: Pos2) {
+        self.clicks += 1;
         self.harness.event(Event::PointerMoved(at));
         self.step();
         self.button(at, true);
@@ -173,8 +180,10 @@ impl Hands {
                 .map(|node| node.rect().center())
         };
         let at = field(&self.harness).unwrap_or_else(|| panic!("no field {label}"));
+        // A click into a field selects what it holds; two that follow one another quickly, a word.
+        self.harness.run_steps(30);
         self.drag(&[at, at]);
-        self.key(Modifiers::COMMAND, Key::A);
+        self.keys += text.chars().count();
         self.harness.event(Event::Text(text.to_owned()));
         self.step();
         self.key(Modifiers::NONE, Key::Enter);
