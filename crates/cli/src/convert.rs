@@ -50,10 +50,12 @@ pub(crate) fn run(args: &ConvertArgs, voice: Voice) -> Result<bool, Failure> {
     note_options(&input, &args.source, &args.mesh, voice);
     match (target, &input) {
         (Target::Table, Input::Design(design)) => {
-            write_one(&args.out, &table(design)?).map(|()| false)
+            write_one(&args.out, &table(design)?)?;
+            Ok(false)
         }
         (Target::Design, Input::Design(design)) => {
-            write_one(&args.out, &write_design(design)).map(|()| false)
+            write_one(&args.out, &write_design(design))?;
+            Ok(false)
         }
         (Target::Table | Target::Design, Input::Mesh(_)) => {
             let message = "a mesh has no boundary curves to write";
