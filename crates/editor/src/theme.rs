@@ -144,7 +144,7 @@ const HIGH_CONTRAST: Theme = Theme {
     axes: [hex(0xff8a80), hex(0x7dff9c), hex(0x7fd0ff)],
 };
 
-/// A value of 0 ..= 1 on cividis [Nunez2018], by straight lines between nine of its colours.
+/// A value of 0 ..= 1 on cividis \[Nunez2018\], by straight lines between nine of its colours.
 pub fn mapped(value: f64) -> Color32 {
     const STOPS: [u32; 9] =
         [0x00224e, 0x223b6e, 0x434e6c, 0x5d626e, 0x777776, 0x948e77, 0xb5a771, 0xd6c160, 0xfee838];
