@@ -1,12 +1,20 @@
 //! Kills a program at any moment and looks what is left of its work: it must be whole, and nothing
 //! older than two seconds may be missing.
 //!
-//! The program that is killed is this one, with a variable set: it changes a document every few
-//! milliseconds, tells the autosave as the editor does with every frame, and prints the number of
-//! each version with the time when it was made.
+//! The program that is killed is this one, with a variable set. Every second time it is the whole
+//! editor but for the card: a handle is lifted with every frame. In between it is the autosave alone,
+//! with up to a megabyte every few milliseconds. Both print the number of each version with the time
+//! when it was made.
 
 #![allow(clippy::print_stdout, clippy::unwrap_used, missing_docs)] // a test that runs itself
 
+mod hands;
+
+use hands::Hands;
+use sheetwright::math::{Point2, Point3};
+use sheetwright_editor::command::Command as Asked;
+use sheetwright_editor::document::Document;
+use sheetwright_editor::scene::{Act, Edit, PointRef};
 use sheetwright_editor::store::{Autosave, Store};
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
@@ -22,8 +30,8 @@ const BESIDE: usize = 10;
 const MOST: Duration = Duration::from_secs(2);
 
 fn main() {
-    if std::env::var_os(CHILD).is_some() {
-        return work();
+    if let Ok(number) = std::env::var(CHILD) {
+        return if is_editor(number.parse().unwrap()) { edit() } else { work() };
     }
     let next = AtomicUsize::new(0);
     let lost = std::thread::scope(|scope| {
@@ -73,21 +81,34 @@ fn killed(n: usize) -> Duration {
         .collect();
     assert!(made.windows(2).all(|pair| pair[0].0 + 1 == pair[1].0), "every version is printed");
 
-    let found = recovered(folder.path());
+    let found = recovered(folder.path(), is_editor(n));
     let lost = made.iter().find(|(version, _)| *version > found);
     let lost = lost.map_or(Duration::ZERO, |(_, time)| killed_at.saturating_sub(*time));
     assert!(lost <= MOST, "kill {n}: of {} versions, {found} is found: {lost:?} lost", made.len());
     lost
 }
 
+/// Whether the program that is killed the `n`th time is the whole editor.
+fn is_editor(n: usize) -> bool {
+    n % 2 == 1
+}
+
 /// The version that is found in the folder, 0 for none.
-fn recovered(folder: &Path) -> u64 {
+fn recovered(folder: &Path, of_editor: bool) -> u64 {
     let mut store = Store::open_at(folder).unwrap();
     let found = store.load_all();
     assert!(found.len() <= 1);
     let Some(found) = found.first() else { return 0 };
-    let version = u64::from_le_bytes(*found.bytes.first_chunk().unwrap());
-    assert!(found.bytes == document(version), "version {version} is whole");
+    let version = if of_editor {
+        let found = Document::read("found.sheet.json", &found.bytes).unwrap();
+        let lifted = found.design.curves.first().map_or(0.0, |curve| curve.points[0].at.z);
+        assert_eq!(lifted.fract(), 0.0);
+        lifted as u64
+    } else {
+        let version = u64::from_le_bytes(*found.bytes.first_chunk().unwrap());
+        assert!(found.bytes == document(version), "version {version} is whole");
+        version
+    };
     store.remove(&found.slot).unwrap();
     assert_eq!(store.load_all(), []);
     version
@@ -102,6 +123,29 @@ fn work() {
         out.flush().unwrap();
         autosave.frame(version, Instant::now(), || Box::new(move || document(version)));
         assert_eq!(autosave.problem(), None);
+        std::thread::sleep(Duration::from_millis(1 + random(version) % 8));
+    }
+}
+
+/// The whole editor, in which a handle is lifted by a millimetre with every frame.
+fn edit() {
+    let mut hands = Hands::new([900.0, 600.0], false);
+    hands.harness.state_mut().keep_in(Store::open().unwrap());
+    hands.run(Asked::New);
+    let corners = [[0.0, 0.0], [300.0, 0.0], [300.0, 200.0], [0.0, 200.0]];
+    let corners = corners.map(|[x, y]| Point2::new(x, y)).to_vec();
+    let drawn = Act::Edit(Edit::Corners { corners, closed: true });
+    hands.harness.state_mut().editor_mut().carry_out(drawn);
+    let mut out = std::io::stdout().lock();
+    for version in 1.. {
+        let first = PointRef { curve: 0, point: 0 };
+        let to = Point3::new(0.0, 0.0, version as f64);
+        let editor = hands.harness.state_mut().editor_mut();
+        editor.carry_out(Act::Move(vec![(first, to)]));
+        editor.carry_out(Act::Rest);
+        writeln!(out, "{version} {}", now().as_micros()).unwrap();
+        out.flush().unwrap();
+        hands.step();
         std::thread::sleep(Duration::from_millis(1 + random(version) % 8));
     }
 }

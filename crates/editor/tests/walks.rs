@@ -1,5 +1,7 @@
 //! The two walks of `docs/editor.md`, with every click and key counted, and their pictures:
-//! `SHEETWRIGHT_REWRITE=1 cargo test -p sheetwright-editor --test walks` draws them anew.
+//! `SHEETWRIGHT_REWRITE=1 cargo test -p sheetwright-editor --test walks` draws them anew, and with
+//! `SHEETWRIGHT_COMPARE=1` they are drawn and compared with those of the docs. That takes the
+//! software rasteriser that drew them (Mesa's), so it is not done unless somebody asks.
 
 #![allow(clippy::unwrap_used)] // tests panic
 
@@ -15,22 +17,48 @@ use std::path::PathBuf;
 
 const DOCS: &str = include_str!("../../../docs/editor.md");
 
+fn is_set(variable: &str) -> bool {
+    std::env::var_os(variable).is_some()
+}
+
+/// Points of a picture that may look otherwise, as a share of all: edges, where rasterisers round.
+const OTHERWISE: f64 = 0.005;
+/// How much otherwise a point has to look to count.
+const NOTICED: u8 = 24;
+
+/// The share of points that look otherwise in two pictures.
+fn otherwise(a: &image::RgbaImage, b: &image::RgbaImage) -> f64 {
+    assert_eq!(a.dimensions(), b.dimensions());
+    let differ = |(a, b): (&image::Rgba<u8>, &image::Rgba<u8>)| {
+        a.0.iter().zip(b.0).any(|(a, b)| a.abs_diff(b) > NOTICED)
+    };
+    let count = a.pixels().zip(b.pixels()).filter(|pair| differ(*pair)).count();
+    count as f64 / f64::from(a.width() * a.height())
+}
+
 /// A window in light colours; drawn where pictures are wanted.
 fn window() -> (Hands, bool) {
-    let is_drawn = std::env::var_os("SHEETWRIGHT_REWRITE").is_some();
+    let is_drawn = is_set("SHEETWRIGHT_REWRITE") || is_set("SHEETWRIGHT_COMPARE");
     let mut hands = Hands::new([1280.0, 800.0], is_drawn);
     hands.run(Command::Look(Look::Light));
     (hands, is_drawn)
 }
 
-/// Draws a picture of the docs anew, where that is wanted.
+/// Draws a picture of the docs anew, or compares it, where that is wanted.
 fn picture(hands: &mut Hands, is_drawn: bool, name: &str) {
     if is_drawn {
         // Windows fade in.
         hands.harness.run_steps(30);
         let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../docs/pictures");
         let drawn = hands.harness.render().unwrap();
-        drawn.save(folder.join(format!("editor-{name}.png"))).unwrap();
+        let path = folder.join(format!("editor-{name}.png"));
+        if is_set("SHEETWRIGHT_REWRITE") {
+            drawn.save(path).unwrap();
+        } else {
+            let kept = image::open(path).unwrap().to_rgba8();
+            let share = otherwise(&drawn, &kept);
+            assert!(share <= OTHERWISE, "{name}: {:.2} % look otherwise", 100.0 * share);
+        }
     }
 }
 
