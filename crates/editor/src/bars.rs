@@ -87,6 +87,7 @@ pub(crate) fn top_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec
             "Edit",
             &[
                 &[C::Undo, C::Redo],
+                &[C::Draw, C::AddRectangle, C::AddCircle],
                 &[C::SelectAll, C::Delete],
                 &[C::ToggleCorner, C::ToggleStraight, C::Join, C::Reverse],
                 &[C::ToggleMirror, C::ToggleGrid],

@@ -27,6 +27,10 @@ pub enum Command {
     Redo,
     /// Draw curves by hand.
     Draw,
+    /// An outline with four corners, to be shaped by its numbers.
+    AddRectangle,
+    /// A round outline, likewise.
+    AddCircle,
     /// Select and move handles.
     Select,
     /// Select every handle.
@@ -102,6 +106,8 @@ impl Command {
             Self::Undo,
             Self::Redo,
             Self::Draw,
+            Self::AddRectangle,
+            Self::AddCircle,
             Self::Select,
             Self::SelectAll,
             Self::Delete,
@@ -144,6 +150,8 @@ impl Command {
             Self::Undo => "Undo",
             Self::Redo => "Redo",
             Self::Draw => "Draw",
+            Self::AddRectangle => "Add rectangle",
+            Self::AddCircle => "Add circle",
             Self::Select => "Select",
             Self::SelectAll => "Select all",
             Self::Delete => "Delete",
@@ -192,6 +200,8 @@ impl Command {
             Self::Undo => "Take the last step back.",
             Self::Redo => "Do it again.",
             Self::Draw => "Draw an outline or a hole on the plan with mouse, pen or finger.",
+            Self::AddRectangle => "Put an outline with four corners on the plan.",
+            Self::AddCircle => "Put a round outline on the plan.",
             Self::Select => "Select handles and move them. Double click on a curve adds one.",
             Self::SelectAll => "Select the handles of all curves.",
             Self::Delete => "Remove the selected handles; without any, the selected curve.",
@@ -238,6 +248,8 @@ impl Command {
             Self::Undo => (CTRL, Key::Z),
             Self::Redo => (CTRL_SHIFT, Key::Z),
             Self::Draw => (NONE, Key::D),
+            Self::AddRectangle => (NONE, Key::B),
+            Self::AddCircle => (NONE, Key::N),
             Self::Select => (NONE, Key::S),
             Self::SelectAll => (CTRL, Key::A),
             Self::Delete => (NONE, Key::Delete),

@@ -192,6 +192,24 @@ fn what_is_saved_opens_as_it_was() {
 }
 
 #[test]
+fn keys_alone_make_a_panel_with_a_hole() {
+    let mut hands = Hands::new(SIZE, false);
+    hands.key(Modifiers::COMMAND, Key::N);
+    hands.key(Modifiers::NONE, Key::B);
+    hands.key(Modifiers::NONE, Key::N);
+    hands.settle();
+    let shown = hands.app().editor().shown()[0].made.as_ref().unwrap();
+    assert_eq!(shown.loop_ends.len(), 2);
+    // The round one has eight handles and is a circle within a thousandth of its size.
+    let curve = &hands.app().editor().document().design.curves[1];
+    let made = sheetwright::curve::Curve::new(curve.kind.unwrap(), &curve.points, true).unwrap();
+    let radius = |u: f64| made.position(u).to_vec().length();
+    assert!((0..800).all(|n| (radius(f64::from(n) / 100.0) - 100.0).abs() < 0.2));
+    hands.key(Modifiers::COMMAND, Key::E);
+    assert_eq!(hands.app().editor().page, Page::Export);
+}
+
+#[test]
 fn escape_ends_the_tool_and_then_the_selection() {
     let mut hands = drawn();
     hands.key(Modifiers::COMMAND, Key::A);

@@ -13,7 +13,7 @@ use sheetwright::draw::mirror::{closed_by_mirror, mirror_partner, mirrored};
 use sheetwright::draw::panels::{panels_of_drawing, without_curve};
 use sheetwright::draw::stroke::{StrokeOptions, stroke};
 use sheetwright::material::Material;
-use sheetwright::math::{Point2, Point3};
+use sheetwright::math::{Point2, Point3, cos, from_deg, sin};
 
 /// What came of an edit.
 pub struct Edited {
@@ -207,6 +207,44 @@ fn cornered(document: &Document, corners: &[Point2], closed: bool) -> Outcome {
     let plan = document.drawing.plan;
     let points = corners.iter().map(|&p| CurvePoint::corner(plan.space(p, 0.0))).collect();
     with_curve(document, if closed { "outline" } else { "curve" }, points, closed)
+}
+
+/// Half the height of a rectangle that is put on the plan, and the radius of a circle, which then is a
+/// hole in it, in steps of the grid.
+const SHAPES: [f64; 2] = [4.0, 2.0];
+
+/// The document with one more outline of four corners, in the middle of the plan.
+pub fn with_rectangle(document: &Document) -> Outcome {
+    let half = SHAPES[0] * document.drawing.grid_mm;
+    let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    let corners = corners.map(|[x, y]| Point2::new(1.5 * half * x, half * y));
+    cornered(&free_of_mirror(document), &corners, true).map(|done| with_mirror_of(document, done))
+}
+
+/// The document with one more round outline, in the middle of the plan.
+pub fn with_circle(document: &Document) -> Outcome {
+    const HANDLES: usize = 8;
+    let plan = document.drawing.plan;
+    let radius = SHAPES[1] * document.drawing.grid_mm;
+    let at = |n: usize| {
+        let angle = from_deg(360.0 * n as f64 / HANDLES as f64);
+        Point2::new(radius * cos(angle), radius * sin(angle))
+    };
+    let points = (0..HANDLES).map(|n| CurvePoint::smooth(plan.space(at(n), 0.0))).collect();
+    let done = with_curve(&free_of_mirror(document), "circle", points, true)?;
+    Ok(with_mirror_of(document, done))
+}
+
+/// A shape in the middle is drawn once, whatever the mirror.
+fn free_of_mirror(document: &Document) -> Document {
+    let mut free = document.clone();
+    free.drawing.mirror = None;
+    free
+}
+
+fn with_mirror_of(document: &Document, mut done: Edited) -> Edited {
+    done.document.drawing.mirror = document.drawing.mirror;
+    done
 }
 
 /// A new curve, on both sides of the mirror if there is one, and the panels that it bounds.

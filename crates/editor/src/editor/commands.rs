@@ -86,6 +86,8 @@ impl Editor {
                 self.selection = self.cleaned(self.selection.clone());
             }
             Command::Draw => self.use_tool(Tool::Draw),
+            Command::AddRectangle => self.step(edit::with_rectangle(self.document())),
+            Command::AddCircle => self.step(edit::with_circle(self.document())),
             Command::Select => self.use_tool(Tool::Select),
             Command::CalibrateReference => self.use_tool(Tool::Calibrate),
             Command::SelectAll => self.selection = edit::all(self.document()),

@@ -2,7 +2,7 @@
 
 use super::view::View;
 use crate::scene::{Act, PointRef, Scene, Selection};
-use crate::theme::TOUCH;
+use crate::theme::{HANDLE, TOUCH};
 use eframe::egui::{self, Pos2, Rect, Sense, Ui, Vec2};
 use sheetwright::math::{Point2, Point3};
 
@@ -20,6 +20,7 @@ struct Handle {
     point: PointRef,
     place: Point2,
     at: Pos2,
+    radius: f32,
 }
 
 impl Handles {
@@ -30,9 +31,15 @@ impl Handles {
             if of.points.len() > MANY && scene.selection.curve != Some(curve) {
                 continue;
             }
-            shown.extend(of.points.iter().enumerate().map(|(point, p)| {
-                let place = plan.flat(p.at);
-                Handle { point: PointRef { curve, point }, place, at: view.to_screen(pane, place) }
+            let places: Vec<Point2> = of.points.iter().map(|p| plan.flat(p.at)).collect();
+            let on_screen = |&place: &Point2| view.to_screen(pane, place);
+            let at: Vec<Pos2> = places.iter().map(on_screen).collect();
+            let radius = radius(&at);
+            shown.extend(places.iter().zip(at).enumerate().map(|(point, (&place, at))| Handle {
+                point: PointRef { curve, point },
+                place,
+                at,
+                radius,
             }));
         }
         Self { shown }
@@ -43,9 +50,9 @@ impl Handles {
         self.shown.iter().map(|handle| (handle.point, handle.place))
     }
 
-    /// Every handle and where it lies on the screen.
-    pub(super) fn on_screen(&self) -> impl Iterator<Item = (PointRef, Pos2)> + '_ {
-        self.shown.iter().map(|handle| (handle.point, handle.at))
+    /// Every handle, where it lies on the screen, and how large it is drawn.
+    pub(super) fn on_screen(&self) -> impl Iterator<Item = (PointRef, Pos2, f32)> + '_ {
+        self.shown.iter().map(|handle| (handle.point, handle.at, handle.radius))
     }
 
     /// The handle under the hand: of several on one spot the last drawn, which lies on top.
@@ -82,6 +89,15 @@ impl Handles {
             });
         }
     }
+}
+
+/// How large the handles of a curve are drawn: smaller where they lie near one another.
+fn radius(at: &[Pos2]) -> f32 {
+    const LEAST: f32 = 2.0;
+    let mut apart: Vec<f32> = at.windows(2).map(|pair| pair[0].distance(pair[1])).collect();
+    apart.sort_by(f32::total_cmp);
+    let median = apart.get(apart.len() / 2).copied().unwrap_or(f32::INFINITY);
+    (0.35 * median).clamp(LEAST, HANDLE)
 }
 
 /// `outline, point 3, at 400 mm, 120 mm`.

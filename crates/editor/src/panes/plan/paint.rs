@@ -105,16 +105,17 @@ impl Sheet<'_> {
 
     pub(super) fn handles(&self, handles: &Handles, hovered: Option<PointRef>) {
         let theme = self.scene.theme;
-        for (point, at) in handles.on_screen() {
+        for (point, at, radius) in handles.on_screen() {
             if !self.pane.expand(HANDLE).contains(at) {
                 continue;
             }
             let curve = &self.scene.document.design.curves[point.curve];
             let is_selected = self.scene.selection.points.contains(&point);
-            let radius = if hovered == Some(point) { HANDLE + 2.0 } else { HANDLE };
+            let radius = if hovered == Some(point) { HANDLE + 2.0 } else { radius };
             let (fill, line) =
                 if is_selected { (theme.accent, theme.paper) } else { (theme.paper, theme.accent) };
-            let stroke = Stroke::new(if is_selected { 1.5 } else { 2.0 }, line);
+            let width = if is_selected || radius < HANDLE { 1.5 } else { 2.0 };
+            let stroke = Stroke::new(width, line);
             // A corner has corners.
             if curve.points[point.point].corner {
                 let area = Rect::from_center_size(at, Vec2::splat(radius * 1.8));
