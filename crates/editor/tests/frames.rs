@@ -1,7 +1,9 @@
 //! How long a frame takes while a handle is dragged: what the program itself does for it (all panes,
 //! laying out, drawing lists, triangles for the card), without the card.
 //!
-//! `cargo test -p sheetwright-editor --test frames -- --ignored --nocapture`
+//! `cargo test -p sheetwright-editor --test frames -- --nocapture` prints the figures. Half of the frames
+//! have to be within the time of one at 60 a second, however busy the machine is; the 99th percentile is to
+//! be read where nothing else runs.
 
 #![allow(clippy::print_stdout)] // a measurement
 
@@ -15,8 +17,10 @@ use std::time::Instant;
 /// Moves of the hand.
 const MOVES: usize = 1000;
 
+/// The time of a frame at 60 a second, ms.
+const FRAME_MS: f64 = 1e3 / 60.0;
+
 #[test]
-#[ignore = "a measurement: its time depends on what else the machine does"]
 fn a_drag_of_a_handle_of_a_panel_of_400_samples() {
     let mut hands = Hands::new([1280.0, 800.0], false);
     hands.run(Command::New);
@@ -60,4 +64,5 @@ fn a_drag_of_a_handle_of_a_panel_of_400_samples() {
         part(0.99),
         part(1.0)
     );
+    assert!(part(0.5) < FRAME_MS);
 }
