@@ -13,15 +13,13 @@ use crate::pages::palette::Palette;
 use crate::pages::start::{Offers, StartAct, StartPage};
 use crate::pages::tour::Tour;
 use crate::pages::vary::{VaryAct, VaryPage};
-use crate::panes::pattern::PatternPane;
+use crate::panes::layout::{Panes, Room};
 use crate::panes::plan::PlanPane;
-use crate::panes::space::SpacePane;
 use crate::panes::space::navigation::Navigation;
 use crate::scene::Act;
-use crate::side::side_ui;
 use crate::store::{Autosave, Recovered, Store};
 use crate::theme::{Look, Theme};
-use eframe::egui::{self, Frame, Margin, Panel, RichText, Ui};
+use eframe::egui::{self, Frame, Margin, Panel, Ui};
 use std::sync::Arc;
 use web_time::{Duration, Instant};
 
@@ -29,9 +27,7 @@ use web_time::{Duration, Instant};
 pub struct App {
     editor: Editor,
     dialogs: Box<dyn Dialogs>,
-    plan: PlanPane,
-    space: SpacePane,
-    pattern: PatternPane,
+    panes: Panes,
     start: StartPage,
     export: ExportPage,
     vary: VaryPage,
@@ -102,9 +98,7 @@ impl App {
         Self {
             editor: Editor::new(waker(&cc.egui_ctx)),
             dialogs,
-            plan: PlanPane::default(),
-            space: SpacePane::new(cc),
-            pattern: PatternPane::default(),
+            panes: Panes::new(cc),
             start: StartPage::default(),
             export: ExportPage::default(),
             vary: VaryPage::default(),
@@ -133,7 +127,7 @@ impl App {
 
     /// How the plan is seen now, and where: for whoever points at it from outside.
     pub fn plan(&self) -> &PlanPane {
-        &self.plan
+        &self.panes.plan
     }
 
     /// Opens a file by its path.
@@ -228,10 +222,11 @@ impl App {
         let types = ctx.egui_wants_keyboard_input() && ctx.text_edit_focused();
         // With Shift first: without it, a key means the same with or without.
         let mut all = Command::all();
-        all.sort_by_key(|command| !command.key().is_some_and(|key| key.modifiers.shift));
+        all.sort_by_key(|command| !command.key().modifiers.shift);
         for command in all {
-            let Some(key) = command.key() else { continue };
-            let is_plain = key.modifiers.is_none() && key.logical_key != egui::Key::Escape;
+            let key = command.key();
+            let types_text = !key.modifiers.command && !key.modifiers.alt;
+            let is_plain = types_text && key.logical_key != egui::Key::Escape;
             // In a field, these are the field's own.
             let is_of_text = matches!(command, Command::SelectAll | Command::Undo | Command::Redo);
             if is_plain && (types || self.editor.page == Page::Palette) || is_of_text && types {
@@ -261,47 +256,6 @@ impl App {
                 FileAnswer::Failed(text) => self.editor.failed(text),
             }
         }
-    }
-
-    fn panes_ui(&mut self, ui: &mut Ui, theme: &'static Theme, acts: &mut Vec<Act>) {
-        let width = ui.available_width();
-        let flush = Frame::new().fill(theme.paper);
-        let titled = |ui: &mut Ui, title: &str, hint: &str| {
-            Frame::new().fill(theme.ground).inner_margin(Margin::symmetric(10, 4)).show(ui, |ui| {
-                ui.set_width(ui.available_width());
-                ui.horizontal(|ui| {
-                    ui.label(RichText::new(title).strong());
-                    ui.label(RichText::new(hint).color(theme.faint).small());
-                });
-            });
-        };
-        let scene = self.editor.scene(theme);
-        self.space.camera.perspective = !self.editor.orthographic;
-        self.space.navigation = self.editor.navigation;
-        let plan_hint = match scene.document.drawing.plan {
-            crate::document::Plan::Top => "from above: draw and move",
-            crate::document::Plan::Front => "from the front: draw and move",
-            crate::document::Plan::Side => "from the side: draw and move",
-        };
-        let half = width * 0.5;
-        Panel::left("plan").frame(flush).default_size(half).min_size(220.0).show(ui, |ui| {
-            titled(ui, "Plan", plan_hint);
-            self.plan.ui(ui, &scene, acts);
-        });
-        let height = ui.available_height();
-        Panel::bottom("pattern")
-            .frame(flush)
-            .resizable(true)
-            .default_size(height * 0.36)
-            .min_size(80.0)
-            .show(ui, |ui| {
-                titled(ui, "Pattern", "flat, true to scale");
-                self.pattern.ui(ui, &scene, self.editor.view, acts);
-            });
-        egui::CentralPanel::default().frame(flush).show(ui, |ui| {
-            views_ui(ui, &self.editor, theme, acts);
-            self.space.ui(ui, &scene, self.editor.view, acts);
-        });
     }
 
     fn start_ui(&mut self, ui: &mut Ui, theme: &'static Theme, acts: &mut Vec<Act>) {
@@ -368,9 +322,7 @@ impl App {
             self.dialogs.grant(wish);
         }
         if std::mem::take(&mut self.editor.wants_fit) {
-            self.plan.fit();
-            self.space.fit();
-            self.pattern.fit();
+            self.panes.fit();
         }
         if let Some(zoom) = self.editor.wants_zoom.take() {
             let now = ctx.zoom_factor();
@@ -381,23 +333,6 @@ impl App {
             });
         }
     }
-}
-
-/// The title of the pane of space, with the views of surfaces.
-fn views_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
-    Frame::new().fill(theme.ground).inner_margin(Margin::symmetric(10, 4)).show(ui, |ui| {
-        ui.set_width(ui.available_width());
-        ui.horizontal_wrapped(|ui| {
-            ui.label(RichText::new("Space").strong());
-            ui.spacing_mut().item_spacing = egui::vec2(3.0, 3.0);
-            ui.spacing_mut().button_padding = egui::vec2(6.0, 1.0);
-            ui.spacing_mut().interact_size.y = 18.0;
-            for view in crate::panes::SurfaceView::ALL {
-                let text = RichText::new(view.name()).size(12.5);
-                bars::command_button(ui, editor, Command::View(view), text, acts);
-            }
-        });
-    });
 }
 
 /// `hood, 3 minutes ago`.
@@ -426,7 +361,7 @@ impl eframe::App for App {
         let mut acts = Vec::new();
         self.take_file_answers();
         self.editor.tick();
-        self.plan.tool = self.editor.tool;
+        self.editor.room = Room::of(ctx.content_rect().size());
         self.keys(&ctx, &mut acts);
         let bar = Frame::new().fill(theme.ground).inner_margin(Margin::symmetric(10, 7));
         if self.editor.page == Page::Start {
@@ -438,21 +373,18 @@ impl eframe::App for App {
             Panel::bottom("bottom").frame(bar).show(ui, |ui| {
                 bars::bottom_ui(ui, &self.editor, theme, &mut acts);
             });
-            Panel::right("side").frame(bar).default_size(286.0).min_size(220.0).show(ui, |ui| {
-                side_ui(ui, &self.editor, theme, &mut acts);
-            });
-            self.panes_ui(ui, theme, &mut acts);
+            self.panes.ui(ui, &self.editor, theme, &mut acts);
             self.pages_ui(&ctx, theme, &mut acts);
         }
         for act in acts {
             // Esc ends what the hand has begun before it ends anything else.
-            if act == Act::Run(Command::Escape) && self.plan.escape() {
-                self.editor.tool = self.plan.tool;
+            if act == Act::Run(Command::Escape) && self.panes.plan.escape() {
+                self.editor.tool = self.panes.plan.tool;
                 continue;
             }
             self.editor.carry_out(act);
         }
-        if let Some(places) = self.plan.take_calibrated() {
+        if let Some(places) = self.panes.plan.take_calibrated() {
             self.editor.calibrate(places);
         }
         self.grant(&ctx);

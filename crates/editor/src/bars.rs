@@ -1,8 +1,10 @@
 //! The bar at the top with the commands that people look for, and the line at the bottom.
 
 use crate::command::Command;
+use crate::document::Plan;
 use crate::editor::Editor;
 use crate::panes::SurfaceView;
+use crate::panes::layout::Room;
 use crate::panes::plan::Tool;
 use crate::panes::space::navigation::Navigation;
 use crate::scene::Act;
@@ -25,10 +27,9 @@ pub(crate) fn command_button(
     }
     let button = Button::new(text).selected(is_on);
     let response = ui.add_enabled(why_not.is_none(), button);
-    let key = command.key().map(|key| ui.ctx().format_shortcut(&key));
-    let key = key.map_or(String::new(), |key| format!("  ({key})"));
+    let key = ui.ctx().format_shortcut(&command.key());
     let response = response
-        .on_hover_text(format!("{}{key}", command.tooltip()))
+        .on_hover_text(format!("{}  ({key})", command.tooltip()))
         .on_disabled_hover_text(format!("{}\n{}", command.tooltip(), why_not.unwrap_or_default()));
     if response.clicked() {
         acts.push(Act::Run(command));
@@ -39,7 +40,7 @@ pub(crate) fn command_button(
 /// A line of a menu.
 fn menu_line(ui: &mut Ui, editor: &Editor, command: Command, acts: &mut Vec<Act>) {
     let why_not = editor.why_not(command);
-    let key = command.key().map_or(String::new(), |key| ui.ctx().format_shortcut(&key));
+    let key = ui.ctx().format_shortcut(&command.key());
     let mark = match editor.is_on(command) {
         Some(true) => "•  ",
         Some(false) => "    ",
@@ -56,74 +57,69 @@ fn menu_line(ui: &mut Ui, editor: &Editor, command: Command, acts: &mut Vec<Act>
     }
 }
 
-fn menu(ui: &mut Ui, editor: &Editor, name: &str, lines: &[&[Command]], acts: &mut Vec<Act>) {
-    ui.menu_button(name, |ui| {
-        ui.set_min_width(220.0);
-        for (n, group) in lines.iter().enumerate() {
-            if n > 0 {
-                ui.separator();
-            }
-            for &command in *group {
-                menu_line(ui, editor, command, acts);
-            }
-        }
-    });
+/// Every menu: its name, and its lines in groups.
+fn menus() -> [(&'static str, Vec<Vec<Command>>); 4] {
+    use Command as C;
+    let file = vec![vec![C::Start, C::New, C::Open], vec![C::Save, C::SaveAs], vec![C::Export]];
+    let edit = vec![
+        vec![C::Undo, C::Redo],
+        vec![C::Draw, C::AddRectangle, C::AddCircle],
+        vec![C::SelectAll, C::Delete],
+        vec![C::ToggleCorner, C::ToggleStraight, C::Join, C::Reverse],
+        vec![C::ToggleMirror, C::ToggleGrid, C::Vary],
+        vec![C::AddReference, C::CalibrateReference, C::RemoveReference],
+    ];
+    let view = vec![
+        SurfaceView::ALL.map(C::View).to_vec(),
+        Plan::ALL.map(C::PlanOf).to_vec(),
+        vec![C::Fit, C::ToggleOrthographic, C::WorstRung],
+        Navigation::ALL.map(C::Navigate).to_vec(),
+        vec![C::ZoomIn, C::ZoomOut, C::ZoomReset],
+        Look::ALL.map(C::Look).to_vec(),
+    ];
+    let help = vec![vec![C::Tour, C::Palette, C::Keys]];
+    [("File", file), ("Edit", edit), ("View", view), ("Help", help)]
 }
 
-/// The bar at the top.
+fn menus_ui(ui: &mut Ui, editor: &Editor, acts: &mut Vec<Act>) {
+    for (name, groups) in menus() {
+        ui.menu_button(name, |ui| {
+            ui.set_min_width(220.0);
+            for (n, group) in groups.iter().enumerate() {
+                if n > 0 {
+                    ui.separator();
+                }
+                for &command in group {
+                    menu_line(ui, editor, command, acts);
+                }
+            }
+        });
+    }
+}
+
+/// The bar at the top: what finds no room there stands in the menus all the same.
 pub(crate) fn top_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
     use Command as C;
     ui.horizontal(|ui| {
-        menu(
-            ui,
-            editor,
-            "File",
-            &[&[C::Start, C::New, C::Open], &[C::Save, C::SaveAs], &[C::Export]],
-            acts,
-        );
-        menu(
-            ui,
-            editor,
-            "Edit",
-            &[
-                &[C::Undo, C::Redo],
-                &[C::Draw, C::AddRectangle, C::AddCircle],
-                &[C::SelectAll, C::Delete],
-                &[C::ToggleCorner, C::ToggleStraight, C::Join, C::Reverse],
-                &[C::ToggleMirror, C::ToggleGrid],
-                &[C::AddReference, C::CalibrateReference, C::RemoveReference],
-            ],
-            acts,
-        );
-        let views = SurfaceView::ALL.map(C::View);
-        let plans = crate::document::Plan::ALL.map(C::PlanOf);
-        let navigations = Navigation::ALL.map(C::Navigate);
-        let looks = Look::ALL.map(C::Look);
-        menu(
-            ui,
-            editor,
-            "View",
-            &[
-                &views,
-                &plans,
-                &[C::Fit, C::ToggleOrthographic, C::WorstRung],
-                &navigations,
-                &[C::ZoomIn, C::ZoomOut, C::ZoomReset],
-                &looks,
-            ],
-            acts,
-        );
-        menu(ui, editor, "Help", &[&[C::Tour, C::Palette, C::Keys]], acts);
+        if editor.room == Room::All {
+            menus_ui(ui, editor, acts);
+        } else {
+            ui.menu_button("Menu", |ui| menus_ui(ui, editor, acts));
+        }
         ui.separator();
         for command in [C::Select, C::Draw] {
             command_button(ui, editor, command, command.name(), acts);
         }
         ui.separator();
         command_button(ui, editor, C::Undo, "Undo", acts);
-        command_button(ui, editor, C::Redo, "Redo", acts);
-        ui.separator();
-        for command in [C::ToggleMirror, C::ToggleGrid, C::Fit] {
-            command_button(ui, editor, command, command.name(), acts);
+        if ui.available_width() > ROOM_FOR_REDO {
+            command_button(ui, editor, C::Redo, "Redo", acts);
+        }
+        if ui.available_width() > ROOM_FOR_HABITS {
+            ui.separator();
+            for command in [C::ToggleMirror, C::ToggleGrid, C::Fit] {
+                command_button(ui, editor, command, command.name(), acts);
+            }
         }
         ui.with_layout(Layout::right_to_left(egui::Align::Center), |ui| {
             let text = RichText::new("Export…").color(theme.on_accent).strong();
@@ -137,36 +133,51 @@ pub(crate) fn top_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec
                     command_button(ui, editor, C::Export, "Export…", acts);
                 }
             });
-            command_button(ui, editor, C::Vary, "Make it bend…", acts);
-            command_button(ui, editor, C::Palette, "Find…", acts);
+            if ui.available_width() > ROOM_FOR_VARY {
+                command_button(ui, editor, C::Vary, "Make it bend…", acts);
+            }
+            if ui.available_width() > ROOM_FOR_FIND {
+                command_button(ui, editor, C::Palette, "Find…", acts);
+            }
         });
     });
 }
 
+/// Widths that are to be left before something is put into the bar at the top, in points.
+const ROOM_FOR_REDO: f32 = 150.0;
+const ROOM_FOR_HABITS: f32 = 530.0;
+const ROOM_FOR_VARY: f32 = 130.0;
+const ROOM_FOR_FIND: f32 = 70.0;
+
 /// The line at the bottom: what to do, what is being done, what was said.
 pub(crate) fn bottom_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
-    ui.horizontal(|ui| {
+    let line = egui::vec2(ui.available_width(), ui.spacing().interact_size.y);
+    ui.allocate_ui_with_layout(line, Layout::right_to_left(egui::Align::Center), |ui| {
+        let saved = match (editor.file(), editor.is_unsaved()) {
+            (Some(file), false) => file.to_owned(),
+            (Some(file), true) => format!("{file} · not saved yet"),
+            (None, _) => editor.document().design.name.clone(),
+        };
+        if editor.room != Room::One {
+            ui.label(RichText::new(saved).color(theme.faint));
+        }
+        if let Some(work) = editor.work() {
+            command_button(ui, editor, Command::Stop, "Stop", acts);
+            ui.add(ProgressBar::new(work.done as f32).desired_width(120.0));
+            if editor.room == Room::All {
+                ui.label(work.text);
+            }
+        }
         let (text, ink) = match &editor.notice {
             Some(notice) if notice.is_refusal => (notice.text.clone(), theme.verdicts[2]),
             Some(notice) => (notice.text.clone(), theme.ink),
             None => (hint(editor).to_owned(), theme.faint),
         };
-        let said = ui.add(egui::Label::new(RichText::new(text).color(ink)).truncate());
-        ui.ctx().accesskit_node_builder(said.id, |node| {
-            node.set_live(egui::accesskit::Live::Polite);
-        });
-        ui.with_layout(Layout::right_to_left(egui::Align::Center), |ui| {
-            let saved = match (editor.file(), editor.is_unsaved()) {
-                (Some(file), false) => file.to_owned(),
-                (Some(file), true) => format!("{file} · not saved yet"),
-                (None, _) => editor.document().design.name.clone(),
-            };
-            ui.label(RichText::new(saved).color(theme.faint));
-            if let Some(work) = editor.work() {
-                command_button(ui, editor, Command::Stop, "Stop", acts);
-                ui.add(ProgressBar::new(work.done as f32).desired_width(120.0));
-                ui.label(work.text);
-            }
+        ui.with_layout(Layout::left_to_right(egui::Align::Center), |ui| {
+            let said = ui.add(egui::Label::new(RichText::new(text).color(ink)).truncate());
+            ui.ctx().accesskit_node_builder(said.id, |node| {
+                node.set_live(egui::accesskit::Live::Polite);
+            });
         });
     });
 }

@@ -2,6 +2,7 @@
 
 use crate::document::Plan;
 use crate::panes::SurfaceView;
+use crate::panes::layout::Part;
 use crate::panes::space::navigation::Navigation;
 use crate::theme::Look;
 use eframe::egui::{Key, KeyboardShortcut, Modifiers};
@@ -59,6 +60,8 @@ pub enum Command {
     PlanOf(Plan),
     /// How surfaces look in space.
     View(SurfaceView),
+    /// One part of the window, where there is no room for all.
+    Show(Part),
     /// Everything in sight.
     Fit,
     /// Parallel lines stay parallel, or meet far away.
@@ -91,6 +94,7 @@ pub enum Command {
 
 const NONE: Modifiers = Modifiers::NONE;
 const CTRL: Modifiers = Modifiers::COMMAND;
+const SHIFT: Modifiers = Modifiers::SHIFT;
 const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
 impl Command {
@@ -123,6 +127,7 @@ impl Command {
         ];
         all.extend(Plan::ALL.map(Self::PlanOf));
         all.extend(SurfaceView::ALL.map(Self::View));
+        all.extend(Part::ALL.map(Self::Show));
         all.extend([
             Self::Fit,
             Self::ToggleOrthographic,
@@ -168,6 +173,10 @@ impl Command {
             Self::PlanOf(Plan::Front) => "Plan: front",
             Self::PlanOf(Plan::Side) => "Plan: side",
             Self::View(view) => view.name(),
+            Self::Show(Part::Plan) => "Show the plan",
+            Self::Show(Part::Space) => "Show space",
+            Self::Show(Part::Pattern) => "Show the pattern",
+            Self::Show(Part::Answer) => "Show the answer",
             Self::Fit => "Fit",
             Self::ToggleOrthographic => "Perspective on or off",
             Self::Navigate(navigation) => navigation.name(),
@@ -220,6 +229,10 @@ impl Command {
             Self::PlanOf(Plan::Front) => "Draw as seen from the front; handles lift along y.",
             Self::PlanOf(Plan::Side) => "Draw as seen from the side; handles lift along x.",
             Self::View(view) => view.tooltip(),
+            Self::Show(Part::Plan) => "Where outlines are drawn and handles moved.",
+            Self::Show(Part::Space) => "The sheet in space, where handles are lifted.",
+            Self::Show(Part::Pattern) => "The sheet laid flat, with its dimensions.",
+            Self::Show(Part::Answer) => "Will it bend? And typed values for what is selected.",
             Self::Fit => "Bring everything into sight.",
             Self::ToggleOrthographic => "Let lines that are parallel stay so, or meet far away.",
             Self::Navigate(navigation) => navigation.tooltip(),
@@ -237,9 +250,10 @@ impl Command {
         }
     }
 
-    /// Its key, if it has one.
-    pub fn key(self) -> Option<KeyboardShortcut> {
+    /// Its key. Browsers keep many keys with Ctrl and Alt for themselves, so that most are letters.
+    pub fn key(self) -> KeyboardShortcut {
         let (modifiers, key) = match self {
+            Self::Start => (NONE, Key::H),
             Self::New => (CTRL, Key::N),
             Self::Open => (CTRL, Key::O),
             Self::Save => (CTRL, Key::S),
@@ -259,10 +273,14 @@ impl Command {
             Self::Reverse => (NONE, Key::R),
             Self::ToggleMirror => (NONE, Key::M),
             Self::ToggleGrid => (NONE, Key::G),
-            Self::PlanOf(Plan::Top) => (CTRL, Key::Num1),
-            Self::PlanOf(Plan::Front) => (CTRL, Key::Num2),
-            Self::PlanOf(Plan::Side) => (CTRL, Key::Num3),
+            Self::AddReference => (NONE, Key::P),
+            Self::CalibrateReference => (NONE, Key::K),
+            Self::RemoveReference => (SHIFT, Key::K),
+            Self::PlanOf(Plan::Top) => (NONE, Key::Num7),
+            Self::PlanOf(Plan::Front) => (NONE, Key::Num8),
+            Self::PlanOf(Plan::Side) => (NONE, Key::Num9),
             Self::View(view) => (NONE, view.key()),
+            Self::Show(part) => (SHIFT, part.key()),
             Self::Fit => (NONE, Key::F),
             Self::ToggleOrthographic => (NONE, Key::O),
             Self::WorstRung => (NONE, Key::W),
@@ -273,15 +291,17 @@ impl Command {
             Self::ZoomIn => (CTRL, Key::Plus),
             Self::ZoomOut => (CTRL, Key::Minus),
             Self::ZoomReset => (CTRL, Key::Num0),
+            Self::Navigate(Navigation::Sheetwright) => (SHIFT, Key::Z),
+            Self::Navigate(Navigation::Blender) => (SHIFT, Key::X),
+            Self::Navigate(Navigation::SketchUp) => (SHIFT, Key::C),
+            Self::Navigate(Navigation::Rhino) => (SHIFT, Key::V),
+            Self::Look(Look::System) => (SHIFT, Key::Y),
+            Self::Look(Look::Light) => (SHIFT, Key::L),
+            Self::Look(Look::Dark) => (SHIFT, Key::N),
+            Self::Look(Look::HighContrast) => (SHIFT, Key::H),
+            Self::Stop => (CTRL, Key::Period),
             Self::Escape => (NONE, Key::Escape),
-            Self::Start
-            | Self::AddReference
-            | Self::RemoveReference
-            | Self::CalibrateReference
-            | Self::Look(_)
-            | Self::Navigate(_)
-            | Self::Stop => return None,
         };
-        Some(KeyboardShortcut::new(modifiers, key))
+        KeyboardShortcut::new(modifiers, key)
     }
 }

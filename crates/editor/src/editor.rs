@@ -12,6 +12,7 @@ use crate::document::{Document, History, edit};
 use crate::engine::shown::ShownPanel;
 use crate::engine::{Engine, Refusal, Varied, Wake};
 use crate::panes::SurfaceView;
+use crate::panes::layout::{Part, Room};
 use crate::panes::plan::Tool;
 use crate::panes::space::navigation::Navigation;
 use crate::scene::{Act, Edit, Scene, Selection};
@@ -34,6 +35,10 @@ pub struct Editor {
     pub navigation: Navigation,
     /// Which colours.
     pub look: Look,
+    /// How much of it all the window has room for.
+    pub room: Room,
+    /// What is seen where there is no room for everything, if there is room for one.
+    part: Part,
     /// What is open over the panes.
     pub page: Page,
     /// Whether everything is to be brought into sight.
@@ -109,6 +114,8 @@ impl Editor {
             orthographic: false,
             navigation: Navigation::default(),
             look: Look::default(),
+            room: Room::default(),
+            part: Part::default(),
             page: Page::default(),
             wants_fit: true,
             wants_zoom: None,
@@ -167,6 +174,12 @@ impl Editor {
     /// Whether what is shown is what the document makes, to its last sample.
     pub fn is_settled(&self) -> bool {
         self.jobs.is_settled(self.history.version())
+    }
+
+    /// What is seen where there is no room for everything.
+    pub fn shown_part(&self) -> Part {
+        let is_beside = self.room == Room::Two && self.part == Part::Answer;
+        if is_beside { Part::default() } else { self.part }
     }
 
     /// What panes look at.

@@ -1,4 +1,5 @@
-//! Pictures of the window, to be looked at: `SHEETWRIGHT_LOOK=folder cargo test --test look`.
+//! Pictures of the window, to be looked at: `SHEETWRIGHT_LOOK=folder cargo test --test look`. Of another
+//! size and scale: `SHEETWRIGHT_LOOK_AT=2560x1440@2`, in pixels, with two pixels a point.
 
 #![allow(clippy::unwrap_used)] // tests panic
 
@@ -8,6 +9,7 @@ use eframe::egui::vec2;
 use hands::{Hands, round};
 use sheetwright_editor::command::Command;
 use sheetwright_editor::panes::SurfaceView;
+use sheetwright_editor::panes::layout::Part;
 use sheetwright_editor::scene::{Act, PointRef};
 use sheetwright_editor::theme::Look;
 use std::path::{Path, PathBuf};
@@ -22,10 +24,14 @@ fn keep(hands: &mut Hands, folder: &Path, name: &str) {
 fn pictures_are_taken_where_somebody_asks() {
     let Some(folder) = std::env::var_os("SHEETWRIGHT_LOOK").map(PathBuf::from) else { return };
     std::fs::create_dir_all(&folder).unwrap();
+    let at = std::env::var("SHEETWRIGHT_LOOK_AT").unwrap_or("1280x800@1".to_string());
+    let numbers: Vec<f32> = at.split(['x', '@']).map(|n| n.parse().unwrap()).collect();
+    let [width, height, scale] = numbers[..] else { panic!("not as 1280x800@1: {at}") };
     for (look, name) in
         [(Look::Light, "light"), (Look::Dark, "dark"), (Look::HighContrast, "contrast")]
     {
-        let mut hands = Hands::new([1280.0, 800.0], true);
+        let mut hands = Hands::new([width, height], true);
+        hands.harness.set_pixels_per_point(scale);
         hands.run(Command::Look(look));
         for _ in 0..40 {
             hands.step();
@@ -55,6 +61,11 @@ fn pictures_are_taken_where_somebody_asks() {
             hands.settle();
             keep(&mut hands, &folder, &format!("{name}-{view:?}").to_lowercase());
         }
+        for part in Part::ALL {
+            hands.run(Command::Show(part));
+            hands.settle();
+            keep(&mut hands, &folder, &format!("{name}-part-{part:?}").to_lowercase());
+        }
         for (command, page) in [
             (Command::Export, "export"),
             (Command::Vary, "vary"),
@@ -63,7 +74,10 @@ fn pictures_are_taken_where_somebody_asks() {
             (Command::Keys, "keys"),
         ] {
             hands.run(command);
-            hands.step();
+            // It fades in.
+            for _ in 0..30 {
+                hands.step();
+            }
             keep(&mut hands, &folder, &format!("{name}-{page}"));
             hands.run(Command::Escape);
         }

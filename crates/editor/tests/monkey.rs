@@ -89,7 +89,7 @@ fn nothing_panics_whatever_is_done() {
 
 fn act(hands: &mut Hands, dice: &mut Dice) {
     let all = Command::all();
-    match dice.below(14) {
+    match dice.below(15) {
         0..=2 => hands.run(dice.one(&all)),
         3 | 4 => {
             let middle = hands.on_plan(0.0, 0.0) + vec2(dice.below(160) as f32 - 80.0, 0.0);
@@ -140,6 +140,11 @@ fn act(hands: &mut Hands, dice: &mut Dice) {
                 phase: eframe::egui::TouchPhase::Move,
                 modifiers: Modifiers::NONE,
             });
+            hands.step();
+        }
+        13 => {
+            let size = vec2(60.0 + dice.below(1400) as f32, 60.0 + dice.below(900) as f32);
+            hands.harness.set_size(if dice.below(2) == 0 { SIZE.into() } else { size });
             hands.step();
         }
         _ => {

@@ -3,6 +3,7 @@
 use super::{Editor, FileWish, Page, Zoom};
 use crate::command::Command;
 use crate::document::{Document, Mirror, edit};
+use crate::panes::layout::{Part, Room};
 use crate::panes::plan::Tool;
 use crate::scene::Selection;
 
@@ -34,6 +35,10 @@ impl Editor {
                 needs(document.drawing.reference.is_some(), "There is no picture under the plan.")
             }
             Command::WorstRung => needs(self.worst_rung().is_some(), "No panel has a rung yet."),
+            Command::Show(Part::Answer) if self.room == Room::Two => {
+                Some("It is in sight at the side.")
+            }
+            Command::Show(_) => needs(self.room != Room::All, "All panes are in sight."),
             Command::Stop => needs(self.jobs.work().is_some(), "Nothing is being worked out."),
             _ => None,
         }
@@ -51,6 +56,7 @@ impl Editor {
             Command::ToggleOrthographic => Some(!self.orthographic),
             Command::PlanOf(plan) => Some(drawing.plan == plan),
             Command::View(view) => Some(self.view == view),
+            Command::Show(part) => Some(self.room != Room::All && self.shown_part() == part),
             Command::Navigate(navigation) => Some(self.navigation == navigation),
             Command::Look(look) => Some(self.look == look),
             _ => None,
@@ -113,12 +119,22 @@ impl Editor {
                 self.draw_as(|drawing| drawing.plan = plan);
                 self.wants_fit = true;
             }
-            Command::View(view) => self.view = view,
+            Command::View(view) => {
+                self.view = view;
+                // The pattern has colours of its own for some.
+                if self.part != Part::Pattern {
+                    self.part = Part::Space;
+                }
+            }
+            Command::Show(part) => self.part = part,
             Command::Fit => self.wants_fit = true,
             Command::ToggleOrthographic => self.orthographic = !self.orthographic,
             Command::WorstRung => {
                 if let Some((panel, rung)) = self.worst_rung() {
                     self.selection = Selection::of_rung(panel, rung);
+                    if self.part != Part::Pattern {
+                        self.part = Part::Space;
+                    }
                 }
             }
             Command::Vary => self.page = Page::Vary,
@@ -150,6 +166,7 @@ impl Editor {
 
     fn use_tool(&mut self, tool: Tool) {
         self.page = Page::Panes;
+        self.part = Part::Plan;
         self.tool = tool;
     }
 

@@ -3,25 +3,25 @@
 use super::window;
 use crate::command::Command;
 use crate::theme::Theme;
-use eframe::egui::{self, RichText};
+use eframe::egui::{self, Label, RichText};
 
 /// Shows the page; whether it stays open.
 pub fn keys_ui(ctx: &egui::Context, theme: &Theme) -> bool {
     window(ctx, "Keys", 460.0, |ui| {
-        egui::ScrollArea::vertical().max_height(440.0).show(ui, |ui| {
-            egui::Grid::new("keys").num_columns(2).striped(true).show(ui, |ui| {
-                for command in Command::all() {
-                    let Some(key) = command.key() else { continue };
-                    ui.label(RichText::new(ctx.format_shortcut(&key)).monospace());
-                    ui.label(command.name()).on_hover_text(command.tooltip());
-                    ui.end_row();
-                }
-                for (key, what) in HAND {
-                    ui.label(RichText::new(key).color(theme.faint));
-                    ui.label(what);
-                    ui.end_row();
-                }
-            });
+        let width = (ui.available_width() - 170.0).max(100.0);
+        let grid = egui::Grid::new("keys").num_columns(2).striped(true).max_col_width(width);
+        grid.show(ui, |ui| {
+            for command in Command::all() {
+                let key = ctx.format_shortcut(&command.key());
+                ui.label(RichText::new(key).monospace());
+                ui.add(Label::new(command.name()).wrap()).on_hover_text(command.tooltip());
+                ui.end_row();
+            }
+            for (key, what) in HAND {
+                ui.label(RichText::new(key).color(theme.faint));
+                ui.add(Label::new(what).wrap());
+                ui.end_row();
+            }
         });
     })
 }

@@ -11,9 +11,16 @@ pub mod vary;
 use crate::theme::Theme;
 use eframe::egui::{self, Align2, Ui};
 
-/// A window in the middle, closed by its cross; whether it stays open.
+/// What is left free around a window, in points.
+const MARGIN: f32 = 12.0;
+
+/// A window in the middle, closed by its cross; whether it stays open. It is never larger than what
+/// it stands in: what finds no room is scrolled to.
 fn window(ctx: &egui::Context, title: &str, width: f32, content: impl FnOnce(&mut Ui)) -> bool {
     let mut is_open = true;
+    let room = ctx.content_rect().size();
+    // The title, and the margins of the frame.
+    let around = egui::vec2(40.0, 90.0);
     egui::Window::new(title)
         .open(&mut is_open)
         .collapsible(false)
@@ -21,8 +28,10 @@ fn window(ctx: &egui::Context, title: &str, width: f32, content: impl FnOnce(&mu
         .anchor(Align2::CENTER_CENTER, egui::Vec2::ZERO)
         .default_width(width)
         .show(ctx, |ui| {
-            ui.set_width(width);
-            content(ui);
+            ui.set_width(width.min(room.x - around.x));
+            let height = room.y - around.y - 2.0 * MARGIN;
+            let area = egui::ScrollArea::vertical().auto_shrink([false, true]);
+            area.max_height(height).min_scrolled_height(height).show(ui, content);
         });
     is_open
 }

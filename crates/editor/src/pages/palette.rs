@@ -4,7 +4,7 @@ use crate::command::Command;
 use crate::editor::Editor;
 use crate::scene::Act;
 use crate::theme::Theme;
-use eframe::egui::{self, Align2, Id, Key, RichText, TextEdit};
+use eframe::egui::{self, Align2, Id, Key, RichText, TextEdit, Ui};
 
 /// What is typed so far, and the line that is chosen.
 #[derive(Clone, Debug, Default)]
@@ -40,12 +40,13 @@ impl Palette {
         let last = found.len().saturating_sub(1);
         self.chosen = (self.chosen + usize::from(down)).saturating_sub(usize::from(up)).min(last);
         let mut stays = true;
+        let room = ctx.content_rect().size();
         egui::Window::new("Find a command")
             .title_bar(false)
             .resizable(false)
-            .anchor(Align2::CENTER_TOP, egui::vec2(0.0, 90.0))
+            .anchor(Align2::CENTER_TOP, egui::vec2(0.0, (0.11 * room.y).min(90.0)))
             .show(ctx, |ui| {
-                ui.set_width(480.0);
+                ui.set_width(480.0_f32.min(room.x - 40.0));
                 let edit = TextEdit::singleline(&mut self.text)
                     .id(Id::unique("palette"))
                     .hint_text("What do you want to do?")
@@ -60,19 +61,11 @@ impl Palette {
                 if response.changed() {
                     self.chosen = 0;
                 }
-                egui::ScrollArea::vertical().max_height(360.0).show(ui, |ui| {
+                let height = (0.8 * room.y - 90.0).min(360.0);
+                let area = egui::ScrollArea::vertical().max_height(height);
+                area.min_scrolled_height(height).show(ui, |ui| {
                     for (n, &command) in found.iter().enumerate() {
-                        let why_not = editor.why_not(command);
-                        let key = command.key().map(|key| ctx.format_shortcut(&key));
-                        let button = egui::Button::selectable(n == self.chosen, command.name())
-                            .shortcut_text(
-                                RichText::new(key.unwrap_or_default()).color(theme.faint),
-                            )
-                            .min_size(egui::vec2(ui.available_width(), 0.0));
-                        let response = ui
-                            .add_enabled(why_not.is_none(), button)
-                            .on_hover_text(command.tooltip())
-                            .on_disabled_hover_text(why_not.unwrap_or_default());
+                        let response = line_ui(ui, editor, theme, command, n == self.chosen);
                         if n == self.chosen && (up || down) {
                             response.scroll_to_me(None);
                         }
@@ -88,6 +81,28 @@ impl Palette {
             });
         stays
     }
+}
+
+fn line_ui(
+    ui: &mut Ui,
+    editor: &Editor,
+    theme: &Theme,
+    command: Command,
+    is_chosen: bool,
+) -> egui::Response {
+    let why_not = editor.why_not(command);
+    let [ink, faint] = match (is_chosen, why_not) {
+        (true, _) => [theme.on_accent; 2],
+        (false, None) => [theme.ink, theme.faint],
+        (false, Some(_)) => [theme.faint; 2],
+    };
+    let key = ui.ctx().format_shortcut(&command.key());
+    let button = egui::Button::selectable(is_chosen, RichText::new(command.name()).color(ink))
+        .shortcut_text(RichText::new(key).color(faint))
+        .min_size(egui::vec2(ui.available_width(), 0.0));
+    ui.add_enabled(why_not.is_none(), button)
+        .on_hover_text(command.tooltip())
+        .on_disabled_hover_text(why_not.unwrap_or_default())
 }
 
 /// The commands that a few letters may mean, the likeliest first.
@@ -137,7 +152,7 @@ mod tests {
             assert!(!command.name().is_empty() && command.tooltip().ends_with('.'), "{command:?}");
             for other in &all[n + 1..] {
                 assert_ne!(command.name(), other.name());
-                assert!(command.key().is_none() || command.key() != other.key(), "{command:?}");
+                assert_ne!(command.key(), other.key(), "{command:?}");
             }
         }
     }

@@ -5,6 +5,7 @@ use super::main_button;
 use crate::command::Command;
 use crate::document::Document;
 use crate::field::typed_ui;
+use crate::panes::layout::Room;
 use crate::scene::Act;
 use crate::theme::Theme;
 use crate::thumb::Thumbs;
@@ -83,7 +84,8 @@ const EXAMPLES: [(&str, &str, &[u8]); 8] = [
     ),
 ];
 
-const CARD: egui::Vec2 = vec2(168.0, 168.0);
+/// How large a card of a shape is, in points.
+pub const CARD: egui::Vec2 = vec2(168.0, 168.0);
 
 impl StartPage {
     /// Shows the page.
@@ -95,13 +97,33 @@ impl StartPage {
         acts: &mut Vec<Act>,
     ) -> Option<StartAct> {
         let mut out = None;
+        if Room::of(ui.available_size()) == Room::One {
+            egui::CentralPanel::default().show(ui, |ui| {
+                ScrollArea::vertical().auto_shrink([false; 2]).show(ui, |ui| {
+                    if self.form.is_some() {
+                        out = self.form_ui(ui, theme);
+                        return;
+                    }
+                    out = self.side_ui(ui, theme, offers, acts);
+                    self.search_ui(ui);
+                    let chosen = self.cards_ui(ui, theme);
+                    out = out.take().or(chosen);
+                });
+            });
+            return out;
+        }
         egui::Panel::left("start").resizable(false).exact_size(230.0).show(ui, |ui| {
-            out = self.side_ui(ui, theme, offers, acts);
+            ScrollArea::vertical().auto_shrink([false; 2]).show(ui, |ui| {
+                out = self.side_ui(ui, theme, offers, acts);
+            });
         });
         egui::CentralPanel::default().show(ui, |ui| {
-            let chosen = match &mut self.form {
-                Some(_) => self.form_ui(ui, theme),
-                None => self.cards_ui(ui, theme),
+            let chosen = if self.form.is_some() {
+                self.form_ui(ui, theme)
+            } else {
+                self.search_ui(ui);
+                let area = ScrollArea::vertical().auto_shrink([false; 2]);
+                area.show(ui, |ui| self.cards_ui(ui, theme)).inner
             };
             out = out.take().or(chosen);
         });
@@ -163,53 +185,60 @@ impl StartPage {
         out
     }
 
-    fn cards_ui(&mut self, ui: &mut Ui, theme: &'static Theme) -> Option<StartAct> {
-        let mut out = None;
+    fn search_ui(&mut self, ui: &mut Ui) {
         ui.add_space(8.0);
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             ui.heading("Begin with a shape");
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                let edit = TextEdit::singleline(&mut self.search)
-                    .hint_text("Search: cone, duct, tent …")
-                    .desired_width(220.0);
+            let edit = TextEdit::singleline(&mut self.search)
+                .hint_text("Search: cone, duct, tent …")
+                .desired_width(220.0);
+            let edit = |ui: &mut Ui| {
                 ui.add(edit).widget_info(|| {
                     egui::WidgetInfo::labeled(egui::Role::TextInput, true, "Search shapes")
                 });
-            });
+            };
+            // On a line of its own where it finds no room at the right.
+            if ui.available_width() < 240.0 {
+                ui.end_row();
+                edit(ui);
+            } else {
+                ui.with_layout(Layout::right_to_left(Align::Center), edit);
+            }
         });
         ui.add_space(6.0);
+    }
+
+    fn cards_ui(&mut self, ui: &mut Ui, theme: &'static Theme) -> Option<StartAct> {
+        let mut out = None;
         let wanted = self.search.trim().to_lowercase();
-        ScrollArea::vertical().auto_shrink([false; 2]).show(ui, |ui| {
-            ui.horizontal_wrapped(|ui| {
-                ui.spacing_mut().item_spacing = vec2(12.0, 12.0);
-                for template in catalogue().iter().filter(|t| is_meant(t, &wanted)) {
-                    let shape = || design_from_template(template.name, &[]).ok();
-                    let name = template.title;
-                    if self.thumbs.card_ui(ui, theme, CARD, name, template.who, shape) {
-                        self.form = Some(Form::new(template, self.units));
-                    }
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing = vec2(12.0, 12.0);
+            for template in catalogue().iter().filter(|t| is_meant(t, &wanted)) {
+                let shape = || design_from_template(template.name, &[]).ok();
+                let name = template.title;
+                if self.thumbs.card_ui(ui, theme, CARD, name, template.who, shape) {
+                    self.form = Some(Form::new(template, self.units));
                 }
-            });
-            ui.add_space(18.0);
-            ui.heading("Examples");
-            ui.add_space(6.0);
-            ui.horizontal_wrapped(|ui| {
-                ui.spacing_mut().item_spacing = vec2(12.0, 12.0);
-                for (name, what, bytes) in EXAMPLES {
-                    if !wanted.is_empty()
-                        && !format!("{name} {what}").to_lowercase().contains(&wanted)
-                    {
-                        continue;
-                    }
-                    let read = || Document::read("example.sheet.json", bytes).ok();
-                    let shape = || read().map(|document| document.design);
-                    if self.thumbs.card_ui(ui, theme, CARD, name, what, shape)
-                        && let Some(document) = read()
-                    {
-                        out = Some(StartAct::Take(Box::new(document)));
-                    }
+            }
+        });
+        ui.add_space(18.0);
+        ui.heading("Examples");
+        ui.add_space(6.0);
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing = vec2(12.0, 12.0);
+            for (name, what, bytes) in EXAMPLES {
+                if !wanted.is_empty() && !format!("{name} {what}").to_lowercase().contains(&wanted)
+                {
+                    continue;
                 }
-            });
+                let read = || Document::read("example.sheet.json", bytes).ok();
+                let shape = || read().map(|document| document.design);
+                if self.thumbs.card_ui(ui, theme, CARD, name, what, shape)
+                    && let Some(document) = read()
+                {
+                    out = Some(StartAct::Take(Box::new(document)));
+                }
+            }
         });
         out
     }
@@ -220,36 +249,28 @@ impl StartPage {
         let mut is_left = false;
         let mut out = None;
         ui.add_space(8.0);
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             is_left = ui.button("← All shapes").clicked();
             ui.heading(form.template.title);
         });
         ui.label(RichText::new(form.template.who).color(theme.faint));
         ui.add_space(8.0);
-        ui.columns(2, |columns| {
-            ScrollArea::vertical().id_salt("form").show(&mut columns[0], |ui| {
-                for parameter in form.template.parameters {
-                    if form.parameter_ui(ui, theme, parameter, units) {
-                        form.draw(units);
-                    }
-                }
-                ui.add_space(12.0);
-                match &form.outcome {
-                    Ok(document) => {
-                        if main_button(ui, theme, "Make it").clicked() {
-                            out = Some(StartAct::Take(Box::new(document.clone())));
-                        }
-                    }
-                    Err(text) => {
-                        ui.label(RichText::new(text).color(theme.verdicts[2]));
-                    }
-                }
-            });
+        let mut picture_ui = |ui: &mut Ui, form: &Form, most: f32| {
             if let Ok(document) = &form.outcome {
-                let side = columns[1].available_width().min(460.0);
-                self.thumbs.picture_ui(&mut columns[1], theme, vec2(side, side), &document.design);
+                let side = ui.available_width().min(most);
+                self.thumbs.picture_ui(ui, theme, vec2(side, side), &document.design);
             }
-        });
+        };
+        if ui.available_width() < 480.0 {
+            picture_ui(ui, form, 240.0);
+            out = form.ui(ui, theme, units);
+        } else {
+            ui.columns(2, |columns| {
+                let area = ScrollArea::vertical().id_salt("form");
+                out = area.show(&mut columns[0], |ui| form.ui(ui, theme, units)).inner;
+                picture_ui(&mut columns[1], form, 460.0);
+            });
+        }
         if is_left || out.is_some() {
             self.form = None;
         }
@@ -281,6 +302,25 @@ impl Form {
             }
             Err(error) => Err(format!("{error}. {}", error.hint)),
         };
+    }
+
+    /// The fields for all parameters, and the design if it is to be made.
+    fn ui(&mut self, ui: &mut Ui, theme: &Theme, units: Units) -> Option<StartAct> {
+        for parameter in self.template.parameters {
+            if self.parameter_ui(ui, theme, parameter, units) {
+                self.draw(units);
+            }
+        }
+        ui.add_space(12.0);
+        match &self.outcome {
+            Ok(document) => main_button(ui, theme, "Make it")
+                .clicked()
+                .then(|| StartAct::Take(Box::new(document.clone()))),
+            Err(text) => {
+                ui.label(RichText::new(text).color(theme.verdicts[2]));
+                None
+            }
+        }
     }
 
     /// A field for a parameter; whether it was changed.

@@ -1,5 +1,7 @@
-//! The panes: the plan on the left, space on the right, and the flat pattern.
+//! The panes: the plan on the left, space on the right, and the flat pattern; or one at a time where
+//! there is no room.
 
+pub mod layout;
 pub mod pattern;
 pub mod plan;
 pub mod space;

@@ -71,6 +71,12 @@ enum Fit {
     Asked,
 }
 
+/// From where the whole sphere of the Gauss image is seen in a pane, with its words above it.
+fn gauss_camera(rect: Rect) -> Camera {
+    let narrow = f64::from(rect.height() / rect.width()).max(1.0);
+    Camera { perspective: false, height_mm: 2.7 * narrow, ..Camera::default() }
+}
+
 /// A turn on its way.
 #[derive(Clone, Copy, Debug)]
 struct Turn {
@@ -86,11 +92,10 @@ impl SpacePane {
         if let Some(card) = card {
             gpu::prepare_card(card);
         }
-        let gauss = Camera { height_mm: 2.7, perspective: false, ..Camera::default() };
         Self {
             camera: Camera::default(),
             navigation: Navigation::default(),
-            gauss,
+            gauss: Camera::default(),
             gauss_turned: false,
             built: Built::default(),
             handles: Handles::default(),
@@ -202,8 +207,7 @@ impl SpacePane {
                 self.to_fit = Fit::AtFirst;
             }
             if view == SurfaceView::Gauss {
-                let from = Camera { perspective: false, height_mm: 2.7, ..Camera::default() };
-                self.gauss = Camera { direction: self.gauss.direction, ..from };
+                self.gauss = Camera { direction: self.gauss.direction, ..gauss_camera(rect) };
             }
         }
         // The first look at the image is at its middle.
@@ -211,7 +215,7 @@ impl SpacePane {
             && !self.gauss_turned
             && let Some(middle) = gauss::middle(scene)
         {
-            self.gauss.direction = Direction::towards(middle);
+            self.gauss = Camera { direction: Direction::towards(middle), ..gauss_camera(rect) };
             self.gauss_turned = true;
         }
         if let Some(turn) = self.turn {
