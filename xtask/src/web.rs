@@ -22,7 +22,8 @@ const CRATE: &str = "sheetwright-editor";
 /// How the compiler names what it makes of the crate.
 const MADE: &str = "sheetwright_editor.wasm";
 /// The files of the page that colours and sizes are put into.
-const PAGE: [&str; 5] = ["index.html", "page.css", "page.js", "worker.js", "manifest.webmanifest"];
+const PAGE: [&str; 6] =
+    ["index.html", "page.css", "page.js", "kept.js", "worker.js", "manifest.webmanifest"];
 const HELP: &str = "`cargo xtask web` takes `--out DIR` and nothing else";
 
 /// Builds the folder.

@@ -134,14 +134,19 @@ impl App {
     pub fn open_path(&mut self, path: &str) {
         match self.dialogs.read(path) {
             Ok(opened) => {
-                self.editor.open(&opened);
-                self.remember(path);
+                if self.editor.open(&opened) {
+                    self.remember(path);
+                }
             }
             Err(text) => self.editor.failed(text),
         }
     }
 
     fn remember(&mut self, path: &str) {
+        // Nobody can open it again by its name alone.
+        if cfg!(target_arch = "wasm32") {
+            return;
+        }
         self.recent.retain(|other| other != path);
         self.recent.insert(0, path.to_owned());
         self.recent.truncate(RECENT);
@@ -242,8 +247,9 @@ impl App {
         for answer in self.dialogs.answers() {
             match answer {
                 FileAnswer::Opened(opened) => {
-                    self.editor.open(&opened);
-                    self.remember(&opened.path);
+                    if self.editor.open(&opened) {
+                        self.remember(&opened.path);
+                    }
                 }
                 FileAnswer::Picture(opened) => self.editor.trace(opened),
                 FileAnswer::Saved { path, version } => {
@@ -260,7 +266,8 @@ impl App {
 
     fn start_ui(&mut self, ui: &mut Ui, theme: &'static Theme, acts: &mut Vec<Act>) {
         let recovered: Vec<String> = self.recovered.iter().map(in_words).collect();
-        let offers = Offers { recent: &self.recent, recovered: &recovered };
+        let notice = self.editor.notice.as_ref();
+        let offers = Offers { recent: &self.recent, recovered: &recovered, notice };
         match self.start.ui(ui, theme, &offers, acts) {
             Some(StartAct::Take(document)) => {
                 self.editor.replace(*document, None);

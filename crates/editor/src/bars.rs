@@ -2,14 +2,14 @@
 
 use crate::command::Command;
 use crate::document::Plan;
-use crate::editor::Editor;
+use crate::editor::{Editor, Notice};
 use crate::panes::SurfaceView;
 use crate::panes::layout::Room;
 use crate::panes::plan::Tool;
 use crate::panes::space::navigation::Navigation;
 use crate::scene::Act;
 use crate::theme::{Look, Theme};
-use eframe::egui::{self, Button, Layout, ProgressBar, RichText, Ui};
+use eframe::egui::{self, Button, Color32, Layout, ProgressBar, RichText, Ui};
 
 /// A button that runs a command, or says why it can't.
 pub(crate) fn command_button(
@@ -168,17 +168,24 @@ pub(crate) fn bottom_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut 
                 ui.label(work.text);
             }
         }
-        let (text, ink) = match &editor.notice {
-            Some(notice) if notice.is_refusal => (notice.text.clone(), theme.verdicts[2]),
-            Some(notice) => (notice.text.clone(), theme.ink),
-            None => (hint(editor).to_owned(), theme.faint),
-        };
-        ui.with_layout(Layout::left_to_right(egui::Align::Center), |ui| {
-            let said = ui.add(egui::Label::new(RichText::new(text).color(ink)).truncate());
-            ui.ctx().accesskit_node_builder(said.id, |node| {
-                node.set_live(egui::accesskit::Live::Polite);
-            });
+        ui.with_layout(Layout::left_to_right(egui::Align::Center), |ui| match &editor.notice {
+            Some(notice) => notice_ui(ui, theme, notice),
+            None => said_ui(ui, hint(editor), theme.faint),
         });
+    });
+}
+
+/// What was last said to the person.
+pub(crate) fn notice_ui(ui: &mut Ui, theme: &Theme, notice: &Notice) {
+    let ink = if notice.is_refusal { theme.verdicts[2] } else { theme.ink };
+    said_ui(ui, &notice.text, ink);
+}
+
+/// A line that screen readers say when it changes; the pointer over it has the whole of it.
+fn said_ui(ui: &mut Ui, text: &str, ink: Color32) {
+    let said = ui.add(egui::Label::new(RichText::new(text).color(ink)).truncate());
+    ui.ctx().accesskit_node_builder(said.id, |node| {
+        node.set_live(egui::accesskit::Live::Polite);
     });
 }
 

@@ -324,3 +324,53 @@ fn what_was_not_saved_comes_back_and_settings_stay() {
     assert_eq!(*hands.app().editor().document(), lost);
     assert!(hands.app().editor().is_unsaved());
 }
+
+#[test]
+fn a_picture_is_scaled_by_two_places_and_their_distance() {
+    let mut hands = Hands::new(SIZE, false);
+    hands.run(Command::New);
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    image::RgbImage::new(200, 100).write_to(&mut bytes, image::ImageFormat::Png).unwrap();
+    let picture = Opened { path: "photo.png".to_owned(), bytes: bytes.into_inner() };
+    hands.disk.lock().unwrap().to_open = Some(picture);
+    hands.key(Modifiers::NONE, Key::P);
+    hands.step();
+    let reference = |hands: &Hands| {
+        let drawing = &hands.app().editor().document().drawing;
+        let picture = drawing.reference.as_ref().unwrap();
+        (picture.mm_per_pixel, picture.centre.x, picture.centre.y)
+    };
+    assert_eq!(reference(&hands), (5.0, 0.0, 0.0));
+    hands.key(Modifiers::NONE, Key::K);
+    for x in [-200.0, 200.0] {
+        // Two clicks that follow one another quickly are one double click.
+        hands.harness.run_steps(30);
+        let at = hands.on_plan(x, 0.0);
+        hands.drag(&[at, at]);
+    }
+    hands.step();
+    assert_eq!(hands.app().editor().page, Page::Calibrate);
+    hands.type_into("Distance", "1m");
+    // The first place stays where it is, and the second is 1 m from it.
+    let (mm_per_pixel, x, y) = reference(&hands);
+    assert!((mm_per_pixel - 12.5).abs() < 0.05 && (x - 300.0).abs() < 3.0 && y.abs() < 3.0);
+    assert_eq!(hands.app().editor().page, Page::Panes);
+    hands.key(Modifiers::COMMAND, Key::Z);
+    assert_eq!(reference(&hands), (5.0, 0.0, 0.0));
+    hands.key(Modifiers::SHIFT, Key::K);
+    assert!(hands.app().editor().document().drawing.reference.is_none());
+}
+
+#[test]
+fn what_cannot_be_opened_is_said_on_the_start_page_too() {
+    let mut hands = Hands::new(SIZE, false);
+    hands.step();
+    let bytes = include_bytes!("../../../examples/ubc-fishing-vessel.sheet.json").to_vec();
+    let path = "elsewhere.sheet.json".to_owned();
+    hands.disk.lock().unwrap().to_open = Some(Opened { path, bytes });
+    hands.click("Open…");
+    hands.step();
+    assert_eq!(hands.app().editor().page, Page::Start);
+    assert!(hands.harness.query_by_label_contains("there is no table").is_some());
+    assert!(hands.harness.query_by_label("Recent files").is_none());
+}

@@ -123,7 +123,11 @@ async function main() {
     const { default: init, start } = await import("./sheetwright.js");
     await init({ module_or_path: fetched() });
     const { own, running } = await slots();
-    await start("canvas", own, running);
+    const { openKept } = await import("./kept.js");
+    // Without it the editor works, and says that it keeps nothing.
+    const kept = await openKept().catch(() => undefined);
+    const left = [...(kept?.saved ?? [])].filter(([slot]) => slot !== own && !running.includes(slot));
+    await start("canvas", own, left.map(([slot]) => slot), left.map(([, bytes]) => bytes), kept?.keep);
   } catch (error) {
     if (!document.documentElement.dataset.fault) {
       const text = "The program could not be loaded or started. Check the network and load the page again.";

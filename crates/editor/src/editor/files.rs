@@ -73,14 +73,18 @@ impl Editor {
         self.say(text);
     }
 
-    /// A file was chosen to be opened.
-    pub fn open(&mut self, opened: &Opened) {
+    /// A file was chosen to be opened: whether it is open now.
+    pub fn open(&mut self, opened: &Opened) -> bool {
         match Document::read(&opened.path, &opened.bytes) {
             Ok(document) => {
                 let is_design = opened.path.ends_with(".json");
                 self.replace(document, is_design.then(|| opened.path.clone()));
+                true
             }
-            Err(text) => self.refuse(text),
+            Err(text) => {
+                self.refuse(text);
+                false
+            }
         }
     }
 

@@ -2,8 +2,10 @@
 //! not saved when the program ended last.
 
 use super::main_button;
+use crate::bars::notice_ui;
 use crate::command::Command;
 use crate::document::Document;
+use crate::editor::Notice;
 use crate::field::typed_ui;
 use crate::panes::layout::Room;
 use crate::scene::Act;
@@ -50,6 +52,8 @@ pub struct Offers<'a> {
     pub recent: &'a [String],
     /// What was not saved when the program ended last, in words.
     pub recovered: &'a [String],
+    /// What was last said to the person.
+    pub notice: Option<&'a Notice>,
 }
 
 /// Designs that come with the program.
@@ -97,6 +101,9 @@ impl StartPage {
         acts: &mut Vec<Act>,
     ) -> Option<StartAct> {
         let mut out = None;
+        if let Some(notice) = offers.notice {
+            egui::Panel::bottom("said").show(ui, |ui| notice_ui(ui, theme, notice));
+        }
         if Room::of(ui.available_size()) == Room::One {
             egui::CentralPanel::default().show(ui, |ui| {
                 ScrollArea::vertical().auto_shrink([false; 2]).show(ui, |ui| {

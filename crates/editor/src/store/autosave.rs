@@ -2,8 +2,8 @@
 //!
 //! The app says with every frame which version its document has. When a save is due, it hands over a
 //! job that makes the bytes: on the desktop a thread does it, so that no frame waits for a disk, and
-//! of jobs that come while it is at work only the newest is done. In the browser the page's storage
-//! is at once, and nothing is lost when the tab is closed.
+//! of jobs that come while it is at work only the newest is done. In the browser the database works
+//! beside the page, in the order in which it is asked.
 
 use super::{Due, Pace, Store, StoreError};
 use std::time::Duration;
@@ -76,6 +76,7 @@ enum Task {
     Empty,
 }
 
+#[cfg(not(target_arch = "wasm32"))]
 impl Task {
     fn run(self, store: &mut Store) -> Result<(), StoreError> {
         let slot = store.own_slot().to_owned();
@@ -91,34 +92,60 @@ use page::Saver;
 #[cfg(not(target_arch = "wasm32"))]
 use thread::Saver;
 
-/// In the browser: at once.
+/// In the browser: asked of its database.
 #[cfg(target_arch = "wasm32")]
 mod page {
     use super::{Store, StoreError, Task};
+    use std::cell::RefCell;
+    use std::rc::Rc;
+    use wasm_bindgen_futures::spawn_local;
+
+    #[derive(Debug, Default)]
+    struct Desk {
+        /// What was asked for and is not done yet.
+        waiting: usize,
+        outcome: Option<Result<(), StoreError>>,
+    }
 
     #[derive(Debug)]
     pub(super) struct Saver {
         store: Store,
-        outcome: Option<Result<(), StoreError>>,
+        desk: Rc<RefCell<Desk>>,
     }
 
     impl Saver {
         pub(super) fn new(store: Store) -> Self {
-            Self { store, outcome: None }
+            Self { store, desk: Rc::default() }
         }
 
         pub(super) fn hand(&mut self, task: Task) {
-            self.outcome = Some(task.run(&mut self.store));
+            match task {
+                Task::Save(job) => self.wait_for(self.store.save(self.store.own_slot(), &job())),
+                Task::Empty => self.wait_for(self.store.emptied(self.store.own_slot())),
+            }
+        }
+
+        fn wait_for(&self, asked: impl Future<Output = Result<(), StoreError>> + 'static) {
+            self.desk.borrow_mut().waiting += 1;
+            let desk = Rc::clone(&self.desk);
+            spawn_local(async move {
+                let outcome = asked.await;
+                let mut desk = desk.borrow_mut();
+                desk.waiting -= 1;
+                desk.outcome = Some(outcome);
+            });
         }
 
         pub(super) fn outcome(&mut self) -> Option<Result<(), StoreError>> {
-            self.outcome.take()
+            self.desk.borrow_mut().outcome.take()
         }
 
         pub(super) fn is_busy(&self) -> bool {
-            self.outcome.is_some()
+            let desk = self.desk.borrow();
+            desk.waiting > 0 || desk.outcome.is_some()
         }
 
+        /// A page can't wait; what was asked for is done without it.
         pub(super) fn wait(&mut self) {}
     }
 }

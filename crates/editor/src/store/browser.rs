@@ -1,73 +1,69 @@
-//! In the browser: entries of the page's local storage.
+//! In the browser: work in the browser's database, settings in the page's local storage.
 //!
-//! Local storage answers at once: what was handed to it outlasts the tab, however it ends. It keeps
-//! text only, about ten megabytes for everything, and the browser may clear it. So what was written
-//! is read back and compared, and people are told to save to a file.
+//! The database (IndexedDB) has room for gigabytes, and what it says is done outlasts the tab and a
+//! browser that is killed. Local storage does not: browsers write it to the disk seconds later. It
+//! answers at once, which is enough for settings. The browser may clear both, so what was written is
+//! read back and compared, and people are told to save to a file.
 //!
-//! Only the page knows which other tabs run (Web Locks, which go when their tab does), so it says so
-//! to [`prepare`] before anything is opened.
+//! The page's script speaks to the database (`kept.js`), and only it knows which other tabs run (Web
+//! Locks, which go when their tab does). It says all that to [`prepare`] before anything is opened.
 
-use super::text::{packed, unpacked};
 use super::{Recovered, StoreError, checked, is_name};
 use crate::envelope::{opened, sealed};
+use js_sys::{Error, Function, Promise, Uint8Array};
 use std::cell::RefCell;
 use std::rc::Rc;
 use std::time::Duration;
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::Storage;
 
-/// How the keys of saved work and of settings begin.
-const SAVED: &str = "sheetwright/saved/";
+/// How the keys of settings begin.
 const SETTING: &str = "sheetwright/setting/";
-/// What browsers give a page, in units of 16 bits.
-const LIMIT_UNITS: usize = 5 << 20;
-/// How many bits of ours go into such a unit.
-const BITS: usize = 15;
 
 thread_local! {
     static PREPARED: RefCell<Option<Prepared>> = const { RefCell::new(None) };
 }
 
 /// What the page knows.
-struct Prepared {
-    slot: String,
-    /// Slots that tabs left behind which run no more.
-    left: Vec<String>,
+#[derive(Clone, Debug)]
+pub struct Prepared {
+    /// The slot of this tab.
+    pub slot: String,
+    /// What tabs left behind which run no more, by their slots.
+    pub left: Vec<(String, Vec<u8>)>,
+    /// Takes a slot and its bytes, or `undefined` to empty it; gives a promise.
+    pub keep: Function,
 }
 
-/// Tells the slot of this tab, and those of the tabs that run.
-pub fn prepare(slot: String, running: &[String]) {
-    let keys = storage().map(|storage| keys(&storage, SAVED)).unwrap_or_default();
-    let left = keys.into_iter().filter(|key| *key != slot && !running.contains(key)).collect();
-    PREPARED.with(|prepared| *prepared.borrow_mut() = Some(Prepared { slot, left }));
+/// Takes what the page knows.
+pub fn prepare(prepared: Prepared) {
+    PREPARED.with(|place| *place.borrow_mut() = Some(prepared));
 }
 
 /// Where work and settings are kept. Clones share the slot.
 #[derive(Clone, Debug)]
 pub struct Store {
-    storage: Storage,
     slot: Rc<str>,
-    left: Vec<String>,
+    left: Vec<(String, Vec<u8>)>,
+    keep: Function,
 }
 
 impl Store {
-    /// Opens the storage of the page.
+    /// Opens what the page has prepared.
     ///
     /// # Errors
-    /// The browser does not give any, as some do in private windows.
+    /// The browser gives pages no database, as some do in private windows.
     pub fn open() -> Result<Self, StoreError> {
-        let storage = storage().ok_or_else(|| {
-            StoreError::new(
-                "this browser keeps nothing for this page",
-                "Allow the page to store data, and save your work to a file often.",
-            )
-        })?;
-        let prepared = PREPARED.with(|prepared| prepared.borrow_mut().take());
-        let prepared = prepared.filter(|prepared| is_name(&prepared.slot));
-        let (slot, left) = prepared.map_or_else(
-            || ("page".to_owned(), Vec::new()),
-            |prepared| (prepared.slot, prepared.left),
-        );
-        Ok(Self { storage, slot: slot.into(), left })
+        let prepared = PREPARED.with(|place| place.borrow_mut().take());
+        let Prepared { slot, left, keep } =
+            prepared.filter(|prepared| is_name(&prepared.slot)).ok_or_else(|| {
+                StoreError::new(
+                    "this browser keeps nothing for this page",
+                    "Allow the page to store data, and save your work to a file often.",
+                )
+            })?;
+        Ok(Self { slot: slot.into(), left, keep })
     }
 
     /// The slot of this tab.
@@ -84,13 +80,18 @@ impl Store {
     }
 
     /// Keeps bytes in a slot, in place of what was there; where they don't fit, the old ones stay.
+    /// It is done when the future ends, but asked for at once.
     ///
     /// # Errors
     /// They don't fit, or they don't come back as they were written.
-    pub fn save(&mut self, slot: &str, bytes: &[u8]) -> Result<(), StoreError> {
+    pub fn save(
+        &self,
+        slot: &str,
+        bytes: &[u8],
+    ) -> impl Future<Output = Result<(), StoreError>> + 'static {
         let now = js_sys::Date::now() as u64;
-        let text = packed(&sealed(&[&now.to_le_bytes()[..], bytes].concat()));
-        self.write(&format!("{SAVED}{}", checked(slot)?), &text)
+        let bytes = sealed(&[&now.to_le_bytes()[..], bytes].concat());
+        self.asked(slot, Uint8Array::from(&bytes[..]).into())
     }
 
     /// What tabs left behind that had ended when this one began, the newest first. What is not
@@ -99,89 +100,74 @@ impl Store {
         let now = js_sys::Date::now() as u64;
         let mut found: Vec<Recovered> = self
             .left
-            .iter()
-            .filter_map(|slot| {
-                let text = self.read(&format!("{SAVED}{slot}"))?;
-                let all = unpacked(&text)?;
+            .drain(..)
+            .filter_map(|(slot, all)| {
                 let (when, bytes) = opened(&all)?.split_first_chunk()?;
                 let age = now.checked_sub(u64::from_le_bytes(*when)).map(Duration::from_millis);
-                Some(Recovered { slot: slot.clone(), bytes: bytes.to_owned(), age })
+                Some(Recovered { slot, bytes: bytes.to_owned(), age })
             })
             .collect();
         found.sort_by(|a, b| a.age.cmp(&b.age).then_with(|| a.slot.cmp(&b.slot)));
         found
     }
 
-    /// Empties a slot.
+    /// Empties a slot, soon. Where the browser does not do it, the work is offered once more.
+    ///
+    /// # Errors
+    /// There is no such slot.
+    pub fn remove(&mut self, slot: &str) -> Result<(), StoreError> {
+        let emptied = self.emptied(checked(slot)?);
+        spawn_local(async move {
+            let _ = emptied.await;
+        });
+        Ok(())
+    }
+
+    /// Empties a slot. It is done when the future ends, but asked for at once.
     ///
     /// # Errors
     /// The browser does not let it.
-    pub fn remove(&mut self, slot: &str) -> Result<(), StoreError> {
-        let key = format!("{SAVED}{}", checked(slot)?);
-        self.storage.remove_item(&key).map_err(|_| refused())
+    pub fn emptied(&self, slot: &str) -> impl Future<Output = Result<(), StoreError>> + 'static {
+        self.asked(slot, JsValue::UNDEFINED)
+    }
+
+    fn asked(
+        &self,
+        slot: &str,
+        bytes: JsValue,
+    ) -> impl Future<Output = Result<(), StoreError>> + 'static {
+        let asked = checked(slot).map(|slot| self.keep.call2(&JsValue::NULL, &slot.into(), &bytes));
+        async move {
+            let promise = asked?.and_then(JsCast::dyn_into::<Promise>).map_err(|e| told(&e))?;
+            JsFuture::from(promise).await.map(drop).map_err(|e| told(&e))
+        }
     }
 
     /// A setting; `None` if it was never set.
     pub fn get(&self, name: &str) -> Option<String> {
-        self.read(&format!("{SETTING}{}", checked(name).ok()?))
+        storage()?.get_item(&format!("{SETTING}{}", checked(name).ok()?)).ok()?
     }
 
     /// Keeps a setting.
     ///
     /// # Errors
-    /// It does not fit.
+    /// The browser does not keep it.
     pub fn set(&mut self, name: &str, text: &str) -> Result<(), StoreError> {
-        self.write(&format!("{SETTING}{}", checked(name)?), text)
+        let key = format!("{SETTING}{}", checked(name)?);
+        let is_set = storage().and_then(|storage| storage.set_item(&key, text).ok());
+        is_set.ok_or_else(|| {
+            StoreError::new("the browser keeps no settings", "Allow the page to store data.")
+        })
     }
+}
 
-    fn read(&self, key: &str) -> Option<String> {
-        self.storage.get_item(key).ok().flatten()
-    }
-
-    fn write(&self, key: &str, text: &str) -> Result<(), StoreError> {
-        if self.storage.set_item(key, text).is_err() {
-            return Err(self.no_room(key, text));
-        }
-        if self.read(key).as_deref() != Some(text) {
-            return Err(StoreError::new(
-                "the browser did not keep what was written",
-                "Save your work to a file; it is not safe here.",
-            ));
-        }
-        Ok(())
-    }
-
-    /// Why a text does not fit. What it would take the place of counts as free.
-    fn no_room(&self, key: &str, text: &str) -> StoreError {
-        let units = |text: &str| text.chars().map(char::len_utf16).sum::<usize>();
-        let others = keys(&self.storage, "").into_iter().filter(|other| other != key);
-        let used = others.map(|key| units(&key) + self.read(&key).map_or(0, |text| units(&text)));
-        let free = LIMIT_UNITS.saturating_sub(used.sum());
-        let mb = |units: usize| (units * BITS) as f64 / 8e6;
-        StoreError::new(
-            format!(
-                "there is no room in the browser's storage: this takes {:.1} MB, and {:.1} MB are left",
-                mb(units(text)),
-                mb(free)
-            ),
-            "Save your work to a file; pictures take the most room.",
-        )
-    }
+/// What the page's script says of an error.
+fn told(error: &JsValue) -> StoreError {
+    let text =
+        error.dyn_ref::<Error>().map_or_else(|| format!("{error:?}"), |e| e.message().into());
+    StoreError::new(text, "Save your work to a file; it is not safe here.")
 }
 
 fn storage() -> Option<Storage> {
     web_sys::window()?.local_storage().ok().flatten()
-}
-
-/// The keys that begin so, without that beginning, in order.
-fn keys(storage: &Storage, prefix: &str) -> Vec<String> {
-    let all = (0..storage.length().unwrap_or(0)).filter_map(|n| storage.key(n).ok().flatten());
-    let mut found: Vec<String> =
-        all.filter_map(|key| Some(key.strip_prefix(prefix)?.to_owned())).collect();
-    found.sort();
-    found
-}
-
-fn refused() -> StoreError {
-    StoreError::new("the browser's storage can't be changed", "Allow the page to store data.")
 }

@@ -1,7 +1,7 @@
 //! What outlasts the program: work that was not saved yet, and small settings.
 //!
-//! On the desktop both are files in a folder of the person's own, in the browser entries of the
-//! page's local storage; [`Store`] is one or the other, with the same methods. Each running window
+//! On the desktop both are files in a folder of the person's own, in the browser they are in its
+//! database and in the page's local storage; [`Store`] is one or the other. Each running window
 //! has a slot of its own for its work. A window that is killed leaves its slot behind, and the next
 //! one finds it with `load_all`; slots of windows that still run are not found.
 
@@ -11,12 +11,10 @@ mod browser;
 #[cfg(not(target_arch = "wasm32"))]
 mod disk;
 mod pace;
-#[cfg(any(target_arch = "wasm32", test))]
-mod text;
 
 pub use autosave::{Autosave, Job};
 #[cfg(target_arch = "wasm32")]
-pub use browser::{Store, prepare};
+pub use browser::{Prepared, Store, prepare};
 #[cfg(not(target_arch = "wasm32"))]
 pub use disk::Store;
 pub use pace::{Due, PAUSE, Pace};

@@ -7,19 +7,30 @@
 mod mirror;
 
 use crate::app::App;
-use crate::store::prepare;
+use crate::store::{Prepared, prepare};
+use js_sys::{Function, Uint8Array};
 use wasm_bindgen::prelude::*;
 use web_sys::{Document, HtmlCanvasElement};
 
-/// Starts the editor on the canvas of this id. `slot` is where this tab keeps its work, `running`
-/// are the slots of other tabs that run.
+/// Starts the editor on the canvas of this id. `slot` is where this tab keeps its work, `left` are
+/// slots of tabs that run no more, with their `bytes`; `keep` takes a slot and bytes to keep in it,
+/// or nothing to empty it, and gives a promise. Without it nothing is kept.
 ///
 /// # Errors
 /// A text for people: there is no such canvas, or the browser gives no graphics.
 #[wasm_bindgen]
-pub async fn start(canvas: String, slot: String, running: Vec<String>) -> Result<(), JsValue> {
+pub async fn start(
+    canvas: String,
+    slot: String,
+    left: Vec<String>,
+    bytes: Vec<Uint8Array>,
+    keep: Option<Function>,
+) -> Result<(), JsValue> {
     say_panics();
-    prepare(slot, &running);
+    if let Some(keep) = keep {
+        let left = left.into_iter().zip(bytes.iter().map(Uint8Array::to_vec)).collect();
+        prepare(Prepared { slot, left, keep });
+    }
     let canvas = document()
         .and_then(|document| document.get_element_by_id(&canvas))
         .and_then(|element| element.dyn_into::<HtmlCanvasElement>().ok())

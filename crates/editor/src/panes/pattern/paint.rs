@@ -19,6 +19,8 @@ use std::sync::Arc;
 
 /// Rungs that are drawn of a piece, at the most.
 const RUNGS: usize = 90;
+/// The longer side of a piece that is shown with its dimensions, points.
+const LEAST_MEASURED: f32 = 72.0;
 /// How far a dimension stands from its piece, points.
 const AWAY: f32 = 20.0;
 /// Letters smaller than this are left out, points.
@@ -233,6 +235,11 @@ fn dimensions(painter: &Painter, scene: &Scene<'_>, shown: &Shown, look: &Look<'
         }
     };
     let [wide, high] = [shown.piece.size.x, shown.piece.size.y].map(text);
+    // Next to pieces as small as this on the screen, dimensions would cover one another; their tips
+    // and the side bar have them.
+    if around.width().max(around.height()) < LEAST_MEASURED {
+        return;
+    }
     let below = around.bottom() + AWAY;
     line(pos2(around.left(), below), pos2(around.right(), below), wide.size().x + 12.0);
     let at = pos2(around.center().x, below);
