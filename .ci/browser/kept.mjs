@@ -84,7 +84,7 @@ try {
   await limiting.send("Storage.overrideQuotaForOrigin", { origin: origin.slice(0, -1), quotaSize: 1000 });
   page = await open(context);
   await drawOutline(page);
-  const told = await the(page, "note", /Work is not kept by itself: there is no room/);
+  const told = await the(page, "status", /Work is not kept by itself: there is no room/);
   check(told.name.includes("Save your work"), `people are told that there is no room: ${told.name}`);
 } catch (error) {
   console.error(String(error));

@@ -116,21 +116,51 @@ export async function the(page, role, name, timeout = 20_000) {
 /** Its middle. */
 export const middle = ({ x, y, width, height }) => [x + width / 2, y + height / 2];
 
+/** Waits until the page is not busy with frames: what is pressed for longer than a click is none. */
+function calm(page) {
+  return page.evaluate(
+    () =>
+      new Promise((done) => {
+        const [quick, enough] = [100, 10];
+        let count = 0;
+        let last = performance.now();
+        const look = (now) => {
+          count = now - last < quick ? count + 1 : 0;
+          last = now;
+          if (count < enough) {
+            requestAnimationFrame(look);
+          } else {
+            done();
+          }
+        };
+        requestAnimationFrame(look);
+      }),
+  );
+}
+
 /** The first of them, once it stays where it is: windows move while they open and when they grow. */
 async function resting(page, role, name) {
-  for (;;) {
+  const end = Date.now() + 30_000;
+  while (Date.now() < end) {
     const before = await the(page, role, name);
     await page.waitForTimeout(400);
+    await calm(page);
     const after = await the(page, role, name);
     if (`${middle(before)}` === `${middle(after)}`) {
       return after;
     }
   }
+  throw new Error(`${role} ${name} does not come to rest`);
 }
 
-/** Presses it for as long as a finger does. */
+/** Presses it, once it rests, for as long as a finger does. */
 export async function press(page, role, name) {
-  await page.mouse.move(...middle(await resting(page, role, name)));
+  await pressAt(page, await resting(page, role, name));
+}
+
+/** Presses what lies there, whatever else is going on. */
+export async function pressAt(page, thing) {
+  await page.mouse.move(...middle(thing));
   await page.waitForTimeout(150);
   await page.mouse.down();
   await page.waitForTimeout(80);

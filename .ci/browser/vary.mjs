@@ -6,7 +6,7 @@
 // FOLDER is what `cargo xtask web` has built, PICTURES gets screenshots; to be run where `examples` is.
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
-import { all, check, fresh, press, ready, serve, settled, the } from "./page.mjs";
+import { all, check, fresh, press, pressAt, ready, serve, settled, the } from "./page.mjs";
 
 const [folder, pictures] = process.argv.slice(2);
 if (!folder || !pictures) {
@@ -25,7 +25,8 @@ async function twists(page) {
     const links = await all(page, "link", /^Largest twist /);
     return links.map(({ name }) => Number(/^Largest twist ([\d.]+)°/.exec(name)[1]));
   };
-  for (;;) {
+  const end = Date.now() + 60_000;
+  while (Date.now() < end) {
     const before = await read();
     await page.waitForTimeout(2000);
     const after = await read();
@@ -33,6 +34,7 @@ async function twists(page) {
       return after;
     }
   }
+  throw new Error("the twist that is shown does not come to rest");
 }
 
 const page = await context.newPage();
@@ -44,7 +46,7 @@ try {
   // What can't be opened is said, and the page stays.
   const [chooser] = await Promise.all([page.waitForEvent("filechooser"), press(page, "button", /^Open/)]);
   await chooser.setFiles("examples/ubc-fishing-vessel.sheet.json");
-  await the(page, "note", /ubc-fishing-vessel.csv/);
+  await the(page, "status", /ubc-fishing-vessel.csv/);
   // What lies farther down the page can't be pressed.
   await press(page, "textbox", /^Search shapes$/);
   await page.keyboard.type("window");
@@ -55,7 +57,7 @@ try {
   const before = await twists(page);
   await press(page, "button", /^Make it bend/);
   await press(page, "button", /^Try it$/);
-  await press(page, "button", /^Stop$/);
+  await pressAt(page, await the(page, "button", /^Stop$/));
   await settled(page);
   check((await all(page, "button", /^Accept$/)).length === 0, "what is stopped moves nothing");
   const stopped = await twists(page);

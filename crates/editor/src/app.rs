@@ -6,6 +6,7 @@ use crate::document::Document;
 use crate::editor::{Editor, Page, Zoom};
 use crate::engine::Wake;
 use crate::io::{Dialogs, FileAnswer, SystemDialogs};
+use crate::layout::{Panes, bar_frame};
 use crate::pages::calibrate::calibrate_ui;
 use crate::pages::export::ExportPage;
 use crate::pages::keys::keys_ui;
@@ -13,13 +14,13 @@ use crate::pages::palette::Palette;
 use crate::pages::start::{Offers, StartAct, StartPage};
 use crate::pages::tour::Tour;
 use crate::pages::vary::{VaryAct, VaryPage};
-use crate::panes::layout::{Panes, Room};
 use crate::panes::plan::PlanPane;
 use crate::panes::space::navigation::Navigation;
+use crate::room::Room;
 use crate::scene::Act;
 use crate::store::{Autosave, Recovered, Store};
 use crate::theme::{Look, Theme};
-use eframe::egui::{self, Frame, Margin, Panel, Ui};
+use eframe::egui::{self, Panel, Ui};
 use std::sync::Arc;
 use web_time::{Duration, Instant};
 
@@ -40,6 +41,8 @@ pub struct App {
     /// The version of the document that needs no keeping, as autosave was told last.
     settled: Option<u64>,
     recovered: Vec<Recovered>,
+    /// What has come back, until it is kept in the slot of this window: then its own is emptied.
+    came_back: Vec<Recovered>,
     /// The settings as they are kept.
     kept: (Look, Navigation),
     dressed: Option<(Look, bool)>,
@@ -109,6 +112,7 @@ impl App {
             autosave: None,
             settled: None,
             recovered: Vec::new(),
+            came_back: Vec::new(),
             kept: (Look::default(), Navigation::default()),
             dressed: None,
         }
@@ -187,6 +191,10 @@ impl App {
         }
         if let Some(problem) = autosave.problem() {
             self.editor.failed(format!("Work is not kept by itself: {problem}"));
+        } else if autosave.has_kept(version) {
+            for found in std::mem::take(&mut self.came_back) {
+                self.forget(&found);
+            }
         }
     }
 
@@ -198,7 +206,7 @@ impl App {
                 self.editor.replace(document, None);
                 self.editor.mark_unsaved();
                 self.settled = None;
-                self.forget(&found);
+                self.came_back.push(found);
             }
             Err(text) => self.editor.failed(text),
         }
@@ -370,8 +378,9 @@ impl eframe::App for App {
         self.editor.tick();
         self.editor.room = Room::of(ctx.content_rect().size());
         self.keys(&ctx, &mut acts);
-        let bar = Frame::new().fill(theme.ground).inner_margin(Margin::symmetric(10, 7));
+        let bar = bar_frame(theme);
         if self.editor.page == Page::Start {
+            self.panes.let_go(&[], &mut acts);
             self.start_ui(ui, theme, &mut acts);
         } else {
             Panel::top("top").frame(bar).show(ui, |ui| {

@@ -4,12 +4,21 @@ use crate::command::Command;
 use crate::document::Plan;
 use crate::editor::{Editor, Notice};
 use crate::panes::SurfaceView;
-use crate::panes::layout::Room;
 use crate::panes::plan::Tool;
 use crate::panes::space::navigation::Navigation;
+use crate::room::Room;
 use crate::scene::Act;
 use crate::theme::{Look, Theme};
-use eframe::egui::{self, Button, Color32, Layout, ProgressBar, RichText, Ui};
+use eframe::egui::{self, Button, Color32, Id, Layout, ProgressBar, RichText, Ui, UiBuilder};
+
+/// What is above and below an open menu, points.
+const AROUND_MENU: f32 = 70.0;
+/// Widths that are to be left before something is put into the bar at the top, points: its own and what
+/// comes after it, by the longest of their texts.
+const ROOM_FOR_REDO: f32 = 150.0;
+const ROOM_FOR_HABITS: f32 = 530.0;
+const ROOM_FOR_VARY: f32 = 130.0;
+const ROOM_FOR_FIND: f32 = 70.0;
 
 /// A button that runs a command, or says why it can't.
 pub(crate) fn command_button(
@@ -85,14 +94,18 @@ fn menus_ui(ui: &mut Ui, editor: &Editor, acts: &mut Vec<Act>) {
     for (name, groups) in menus() {
         ui.menu_button(name, |ui| {
             ui.set_min_width(220.0);
-            for (n, group) in groups.iter().enumerate() {
-                if n > 0 {
-                    ui.separator();
+            let height = ui.ctx().content_rect().height() - AROUND_MENU;
+            let area = egui::ScrollArea::vertical().max_height(height);
+            area.min_scrolled_height(height).show(ui, |ui| {
+                for (n, group) in groups.iter().enumerate() {
+                    if n > 0 {
+                        ui.separator();
+                    }
+                    for &command in group {
+                        menu_line(ui, editor, command, acts);
+                    }
                 }
-                for &command in group {
-                    menu_line(ui, editor, command, acts);
-                }
-            }
+            });
         });
     }
 }
@@ -143,23 +156,18 @@ pub(crate) fn top_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec
     });
 }
 
-/// Widths that are to be left before something is put into the bar at the top, in points.
-const ROOM_FOR_REDO: f32 = 150.0;
-const ROOM_FOR_HABITS: f32 = 530.0;
-const ROOM_FOR_VARY: f32 = 130.0;
-const ROOM_FOR_FIND: f32 = 70.0;
-
 /// The line at the bottom: what to do, what is being done, what was said.
 pub(crate) fn bottom_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
+    if editor.room == Room::One
+        && let Some(notice) = editor.notice.as_ref().filter(|_| editor.work().is_none())
+    {
+        notice_ui(ui, theme, notice, true);
+        return;
+    }
     let line = egui::vec2(ui.available_width(), ui.spacing().interact_size.y);
     ui.allocate_ui_with_layout(line, Layout::right_to_left(egui::Align::Center), |ui| {
-        let saved = match (editor.file(), editor.is_unsaved()) {
-            (Some(file), false) => file.to_owned(),
-            (Some(file), true) => format!("{file} · not saved yet"),
-            (None, _) => editor.document().design.name.clone(),
-        };
         if editor.room != Room::One {
-            ui.label(RichText::new(saved).color(theme.faint));
+            saved_ui(ui, editor, theme);
         }
         if let Some(work) = editor.work() {
             command_button(ui, editor, Command::Stop, "Stop", acts);
@@ -169,22 +177,44 @@ pub(crate) fn bottom_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut 
             }
         }
         ui.with_layout(Layout::left_to_right(egui::Align::Center), |ui| match &editor.notice {
-            Some(notice) => notice_ui(ui, theme, notice),
-            None => said_ui(ui, hint(editor), theme.faint),
+            Some(notice) => notice_ui(ui, theme, notice, false),
+            None => said_ui(ui, hint(editor), theme.faint, false),
         });
     });
 }
 
-/// What was last said to the person.
-pub(crate) fn notice_ui(ui: &mut Ui, theme: &Theme, notice: &Notice) {
-    let ink = if notice.is_refusal { theme.verdicts[2] } else { theme.ink };
-    said_ui(ui, &notice.text, ink);
+/// Which file it is, and whether the file has it all; its whole path is under the pointer.
+fn saved_ui(ui: &mut Ui, editor: &Editor, theme: &Theme) {
+    let name = editor.file().map(|file| file.rsplit(['/', '\\']).next().unwrap_or(file));
+    let text = match (name, editor.is_unsaved()) {
+        (Some(name), false) => name.to_owned(),
+        (Some(name), true) => format!("{name} · not saved yet"),
+        (None, _) => editor.document().design.name.clone(),
+    };
+    let most = ui.available_width() / 3.0;
+    let said = ui.scope(|ui| {
+        ui.set_max_width(most);
+        ui.add(egui::Label::new(RichText::new(text).color(theme.faint)).truncate())
+    });
+    if let Some(file) = editor.file() {
+        said.inner.on_hover_text(file);
+    }
 }
 
-/// A line that screen readers say when it changes; the pointer over it has the whole of it.
-fn said_ui(ui: &mut Ui, text: &str, ink: Color32) {
-    let said = ui.add(egui::Label::new(RichText::new(text).color(ink)).truncate());
-    ui.ctx().accesskit_node_builder(said.id, |node| {
+/// What was last said to the person, in a line or as many as it takes.
+pub(crate) fn notice_ui(ui: &mut Ui, theme: &Theme, notice: &Notice, wraps: bool) {
+    let ink = if notice.is_refusal { theme.verdicts[2] } else { theme.ink };
+    said_ui(ui, &notice.text, ink, wraps);
+}
+
+/// What screen readers say when it changes: always the same thing to them, wherever it stands.
+fn said_ui(ui: &mut Ui, text: &str, ink: Color32, wraps: bool) {
+    let builder = UiBuilder::new().scope_id(Id::unique("said"));
+    let said = ui.scope_builder(builder, |ui| {
+        let label = egui::Label::new(RichText::new(text).color(ink));
+        ui.add(if wraps { label.wrap() } else { label.truncate() })
+    });
+    ui.ctx().accesskit_node_builder(said.inner.id, |node| {
         node.set_live(egui::accesskit::Live::Polite);
     });
 }
@@ -200,7 +230,7 @@ fn hint(editor: &Editor) -> &'static str {
             "Press D to draw, or take a template from the start page."
         }
         Tool::Select if !editor.selection().points.is_empty() => {
-            "Drag on the left to move, on the right to lift. Del removes, C makes a corner."
+            "Drag on the plan to move, in space to lift. Del removes, C makes a corner."
         }
         Tool::Select => "Drag a handle. Double click a curve to add one. Right button for more.",
     }

@@ -2,8 +2,8 @@
 
 use crate::document::Plan;
 use crate::panes::SurfaceView;
-use crate::panes::layout::Part;
 use crate::panes::space::navigation::Navigation;
+use crate::room::Part;
 use crate::theme::Look;
 use eframe::egui::{Key, KeyboardShortcut, Modifiers};
 

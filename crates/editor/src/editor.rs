@@ -12,9 +12,9 @@ use crate::document::{Document, History, edit};
 use crate::engine::shown::ShownPanel;
 use crate::engine::{Engine, Refusal, Varied, Wake};
 use crate::panes::SurfaceView;
-use crate::panes::layout::{Part, Room};
 use crate::panes::plan::Tool;
 use crate::panes::space::navigation::Navigation;
+use crate::room::{Part, Room};
 use crate::scene::{Act, Edit, Scene, Selection};
 use crate::theme::{Look, Theme};
 use jobs::Jobs;
@@ -35,7 +35,7 @@ pub struct Editor {
     pub navigation: Navigation,
     /// Which colours.
     pub look: Look,
-    /// How much of it all the window has room for.
+    /// How much of it all there is room for, as whoever shows it says.
     pub room: Room,
     /// What is seen where there is no room for everything, if there is room for one.
     part: Part,
@@ -227,6 +227,7 @@ impl Editor {
         self.varied = None;
         self.tool = Tool::Select;
         self.page = Page::Panes;
+        self.part = Part::Plan;
         self.wants_fit = true;
         self.notice = None;
     }

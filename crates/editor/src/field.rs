@@ -53,7 +53,13 @@ pub(crate) fn typed_ui<T>(
     let is_bad = text != shown && read(&text).is_none();
     let mut taken = None;
     ui.horizontal(|ui| {
-        let name = ui.label(RichText::new(label).color(theme.faint));
+        let room = (ui.available_width() - WIDTH - 3.0 * ui.spacing().item_spacing.x).max(0.0);
+        let name = ui
+            .scope(|ui| {
+                ui.set_max_width(room);
+                ui.add(egui::Label::new(RichText::new(label).color(theme.faint)).wrap())
+            })
+            .inner;
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let ink = if is_bad { theme.verdicts[2] } else { theme.ink };
             let edit = egui::TextEdit::singleline(&mut text)

@@ -9,9 +9,10 @@ use eframe::egui::{Pos2, Rect, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 use hands::{Hands, round};
 use sheetwright_editor::command::Command;
+use sheetwright_editor::document::Plan;
 use sheetwright_editor::pages::start::CARD;
 use sheetwright_editor::panes::SurfaceView;
-use sheetwright_editor::panes::layout::Part;
+use sheetwright_editor::room::Part;
 
 /// Where a pane lies, if it is seen.
 fn pane(hands: &Hands, begins: &str) -> Option<Rect> {
@@ -52,6 +53,45 @@ fn where_there_is_no_room_for_all_one_part_is_seen_at_a_time() {
 }
 
 #[test]
+fn what_is_begun_anew_is_drawn_on_a_plan_that_is_seen() {
+    let mut hands = Hands::new([390.0, 844.0], false);
+    for command in [Command::New, Command::AddCircle, Command::PlanOf(Plan::Front)] {
+        hands.run(Command::New);
+        hands.run(Command::Show(Part::Pattern));
+        assert_eq!(panes(&hands), [false, false, true]);
+        hands.run(command);
+        assert_eq!(panes(&hands), [true, false, false], "{command:?}");
+    }
+}
+
+#[test]
+fn a_hand_whose_pane_goes_away_lets_go() {
+    let mut hands = Hands::new([390.0, 844.0], false);
+    hands.run(Command::New);
+    hands.run(Command::AddCircle);
+    hands.run(Command::Select);
+    hands.settle();
+    let point = hands.app().editor().document().design.curves[0].points[0].at;
+    let handle = hands.on_plan(point.x, point.y);
+    hands.press(handle);
+    for n in 1..=6 {
+        hands.move_to(handle - vec2(6.0 * n as f32, 0.0));
+    }
+    assert!(hands.app().editor().history().is_dragging());
+    let moved = hands.app().editor().document().design.curves[0].points[0].at;
+    assert_ne!(moved, point);
+    hands.run(Command::Show(Part::Space));
+    assert!(!hands.app().editor().history().is_dragging());
+    hands.release(handle);
+    hands.run(Command::Show(Part::Plan));
+    // The next press is one of its own.
+    let elsewhere = handle - vec2(100.0, 200.0);
+    hands.drag(&[elsewhere, elsewhere - vec2(30.0, 0.0)]);
+    let after = hands.app().editor().document().design.curves[0].points[0].at;
+    assert_eq!(after, moved);
+}
+
+#[test]
 fn panes_keep_their_share_of_a_window_that_grows() {
     let mut hands = Hands::new([1280.0, 800.0], false);
     hands.run(Command::New);
@@ -79,6 +119,15 @@ fn panes_keep_their_share_of_a_window_that_grows() {
     for n in 0..2 {
         assert!((grown[n] - drawn[n]).abs() < 0.02, "{drawn:?} {grown:?}");
     }
+    // Also after it was so narrow that the plan had to be larger.
+    for width in [900.0, 905.0, 1920.0] {
+        hands.harness.set_size(vec2(width, 1200.0));
+        for _ in 0..3 {
+            hands.step();
+        }
+    }
+    let back = share(&hands);
+    assert!((back[0] - drawn[0]).abs() < 0.02, "{drawn:?} {back:?}");
 }
 
 #[test]

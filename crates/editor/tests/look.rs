@@ -9,7 +9,7 @@ use eframe::egui::vec2;
 use hands::{Hands, round};
 use sheetwright_editor::command::Command;
 use sheetwright_editor::panes::SurfaceView;
-use sheetwright_editor::panes::layout::Part;
+use sheetwright_editor::room::Part;
 use sheetwright_editor::scene::{Act, PointRef};
 use sheetwright_editor::theme::Look;
 use std::path::{Path, PathBuf};
@@ -37,6 +37,8 @@ fn pictures_are_taken_where_somebody_asks() {
             hands.step();
         }
         keep(&mut hands, &folder, &format!("{name}-start"));
+        hands.click("Dome in gores");
+        keep(&mut hands, &folder, &format!("{name}-form"));
         hands.run(Command::New);
         keep(&mut hands, &folder, &format!("{name}-empty"));
         let middle = hands.on_plan(0.0, 0.0);

@@ -106,7 +106,7 @@ fn the_view_keeps_everything_in_sight_until_it_is_moved() {
 fn an_empty_pane_says_what_to_do() {
     let mut harness = window(Design::default());
     harness.run();
-    harness.get_by_label("Draw a closed outline on the left to see its pattern here.");
+    harness.get_by_label("Draw a closed outline on the plan to see its pattern here.");
 }
 
 #[test]

@@ -19,8 +19,9 @@ function done(transaction) {
   });
 }
 
-function sameBytes(a, b) {
-  return a?.length === b.length && a.every((byte, n) => byte === b[n]);
+/** Whether the database holds just these bytes: the browser compares them. */
+function sameBytes(found, bytes) {
+  return found !== undefined && indexedDB.cmp(found, bytes) === 0;
 }
 
 /** Why bytes could not be kept, in words. */
@@ -34,37 +35,41 @@ async function inWords(error, bytes) {
   return new Error(`there is no room in the browser's storage: this takes ${mb(bytes.length)} MB${left}`);
 }
 
-/** Opens the database: all that it holds, and a way to keep more. Throws where there is none. */
+/** Keeps bytes in a slot, or empties it. */
+async function keep(database, slot, bytes) {
+  const begin = (mode) => database.transaction(SAVED, mode, { durability: "strict" });
+  const writing = begin("readwrite");
+  const store = writing.objectStore(SAVED);
+  const written = done(writing);
+  if (bytes === undefined) {
+    store.delete(slot);
+    writing.commit();
+    return written;
+  }
+  store.put(bytes, slot);
+  writing.commit();
+  // Begun now, so that it reads this and nothing that is written later.
+  const read = answer(begin("readonly").objectStore(SAVED).get(slot));
+  const [end, back] = await Promise.allSettled([written, read]);
+  if (end.status === "rejected") {
+    throw await inWords(end.reason, bytes);
+  }
+  if (!sameBytes(back.value, bytes)) {
+    throw new Error("the browser did not keep what was written");
+  }
+}
+
+/** All that the database holds. */
+async function all(database) {
+  const store = database.transaction(SAVED, "readonly").objectStore(SAVED);
+  const [slots, contents] = await Promise.all([answer(store.getAllKeys()), answer(store.getAll())]);
+  return new Map(slots.map((slot, n) => [slot, contents[n]]));
+}
+
+/** Opens the database: what it holds, and a way to keep more. Throws where there is none. */
 export async function openKept() {
   const asked = indexedDB.open(DATABASE, 1);
   asked.onupgradeneeded = () => asked.result.createObjectStore(SAVED);
   const database = await answer(asked);
-  const begin = (mode) => database.transaction(SAVED, mode, { durability: "strict" });
-
-  const reading = begin("readonly").objectStore(SAVED);
-  const [slots, contents] = await Promise.all([answer(reading.getAllKeys()), answer(reading.getAll())]);
-
-  /** Keeps bytes in a slot, or empties it. */
-  async function keep(slot, bytes) {
-    const writing = begin("readwrite");
-    const store = writing.objectStore(SAVED);
-    const written = done(writing);
-    if (bytes === undefined) {
-      store.delete(slot);
-      writing.commit();
-      return written;
-    }
-    store.put(bytes, slot);
-    writing.commit();
-    // Begun now, so that it reads this and nothing that is written later.
-    const read = answer(begin("readonly").objectStore(SAVED).get(slot));
-    const [end, back] = await Promise.allSettled([written, read]);
-    if (end.status === "rejected") {
-      throw await inWords(end.reason, bytes);
-    }
-    if (!sameBytes(back.value, bytes)) {
-      throw new Error("the browser did not keep what was written");
-    }
-  }
-  return { saved: new Map(slots.map((slot, n) => [slot, contents[n]])), keep };
+  return { saved: await all(database), keep: (slot, bytes) => keep(database, slot, bytes) };
 }

@@ -100,9 +100,23 @@ async function keepForOffline() {
   workers.register("sw.js").catch((error) => console.warn(`no use without a network: ${error}`));
 }
 
+/** Keys that browsers would take for themselves: to search, to help, and to zoom once more. */
+function keepKeys() {
+  const withCommand = new Set(["k", "e", "+", "-", "=", "0", "."]);
+  const plain = new Set(["F1", "F2"]);
+  const take = (event) => {
+    const isCommand = (event.ctrlKey || event.metaKey) && !event.altKey;
+    if (isCommand ? withCommand.has(event.key.toLowerCase()) : plain.has(event.key)) {
+      event.preventDefault();
+    }
+  };
+  window.addEventListener("keydown", take, { capture: true });
+}
+
 async function main() {
   part("reload").addEventListener("click", () => location.reload());
   watchForFaults();
+  keepKeys();
   if (location.protocol === "file:") {
     say("Sheetwright can't start", "Browsers load programs from web servers only. Put this folder on one and open its address.");
     return;
@@ -122,10 +136,11 @@ async function main() {
   try {
     const { default: init, start } = await import("./sheetwright.js");
     await init({ module_or_path: fetched() });
-    const { own, running } = await slots();
     const { openKept } = await import("./kept.js");
     // Without it the editor works, and says that it keeps nothing.
     const kept = await openKept().catch(() => undefined);
+    // Asked after that, so that no tab is taken for dead that has begun meanwhile.
+    const { own, running } = await slots();
     const left = [...(kept?.saved ?? [])].filter(([slot]) => slot !== own && !running.includes(slot));
     await start("canvas", own, left.map(([slot]) => slot), left.map(([, bytes]) => bytes), kept?.keep);
   } catch (error) {

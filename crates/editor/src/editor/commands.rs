@@ -3,8 +3,8 @@
 use super::{Editor, FileWish, Page, Zoom};
 use crate::command::Command;
 use crate::document::{Document, Mirror, edit};
-use crate::panes::layout::{Part, Room};
 use crate::panes::plan::Tool;
+use crate::room::{Part, Room};
 use crate::scene::Selection;
 
 const NOTHING_DRAWN: &str = "Nothing is drawn yet.";
@@ -92,8 +92,14 @@ impl Editor {
                 self.selection = self.cleaned(self.selection.clone());
             }
             Command::Draw => self.use_tool(Tool::Draw),
-            Command::AddRectangle => self.step(edit::with_rectangle(self.document())),
-            Command::AddCircle => self.step(edit::with_circle(self.document())),
+            Command::AddRectangle => {
+                self.part = Part::Plan;
+                self.step(edit::with_rectangle(self.document()));
+            }
+            Command::AddCircle => {
+                self.part = Part::Plan;
+                self.step(edit::with_circle(self.document()));
+            }
             Command::Select => self.use_tool(Tool::Select),
             Command::CalibrateReference => self.use_tool(Tool::Calibrate),
             Command::SelectAll => self.selection = edit::all(self.document()),
@@ -117,14 +123,12 @@ impl Editor {
             Command::RemoveReference => self.draw_as(|drawing| drawing.reference = None),
             Command::PlanOf(plan) => {
                 self.draw_as(|drawing| drawing.plan = plan);
+                self.part = Part::Plan;
                 self.wants_fit = true;
             }
             Command::View(view) => {
                 self.view = view;
-                // The pattern has colours of its own for some.
-                if self.part != Part::Pattern {
-                    self.part = Part::Space;
-                }
+                self.show_sheet();
             }
             Command::Show(part) => self.part = part,
             Command::Fit => self.wants_fit = true,
@@ -132,16 +136,17 @@ impl Editor {
             Command::WorstRung => {
                 if let Some((panel, rung)) = self.worst_rung() {
                     self.selection = Selection::of_rung(panel, rung);
-                    if self.part != Part::Pattern {
-                        self.part = Part::Space;
-                    }
+                    self.show_sheet();
                 }
             }
             Command::Vary => self.page = Page::Vary,
             Command::Palette => self.page = Page::Palette,
             Command::Tour => self.page = Page::Tour,
             Command::Keys => self.page = Page::Keys,
-            Command::Navigate(navigation) => self.navigation = navigation,
+            Command::Navigate(navigation) => {
+                self.navigation = navigation;
+                self.say(command.tooltip());
+            }
             Command::Look(look) => self.look = look,
             Command::ZoomIn => self.wants_zoom = Some(Zoom::In),
             Command::ZoomOut => self.wants_zoom = Some(Zoom::Out),
@@ -161,6 +166,13 @@ impl Editor {
             self.tool = Tool::Select;
         } else {
             self.selection = Selection::default();
+        }
+    }
+
+    /// Brings the sheet into sight, as it is in space; or as it lies flat, for whoever looks at that.
+    fn show_sheet(&mut self) {
+        if self.part != Part::Pattern {
+            self.part = Part::Space;
         }
     }
 

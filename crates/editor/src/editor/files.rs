@@ -112,6 +112,7 @@ impl Editor {
             opacity: 0.5,
         });
         self.history.step(document);
+        self.part = crate::room::Part::Plan;
         self.wants_fit = true;
         self.say("Now scale the picture: two places on it, and how far apart they are.");
     }

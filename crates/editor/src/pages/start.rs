@@ -7,7 +7,7 @@ use crate::command::Command;
 use crate::document::Document;
 use crate::editor::Notice;
 use crate::field::typed_ui;
-use crate::panes::layout::Room;
+use crate::room::Room;
 use crate::scene::Act;
 use crate::theme::Theme;
 use crate::thumb::Thumbs;
@@ -91,6 +91,13 @@ const EXAMPLES: [(&str, &str, &[u8]); 8] = [
 /// How large a card of a shape is, in points.
 pub const CARD: egui::Vec2 = vec2(168.0, 168.0);
 
+/// How wide the field of the search is, points.
+const SEARCH: f32 = 220.0;
+/// A form that has less room shows its picture above its fields, points.
+const TWO_COLUMNS: f32 = 480.0;
+/// How large its picture is at the most, above and beside the fields, points.
+const PICTURES: [f32; 2] = [240.0, 460.0];
+
 impl StartPage {
     /// Shows the page.
     pub fn ui(
@@ -102,15 +109,15 @@ impl StartPage {
     ) -> Option<StartAct> {
         let mut out = None;
         if let Some(notice) = offers.notice {
-            egui::Panel::bottom("said").show(ui, |ui| notice_ui(ui, theme, notice));
+            egui::Panel::bottom("said").show(ui, |ui| notice_ui(ui, theme, notice, true));
         }
         if Room::of(ui.available_size()) == Room::One {
             egui::CentralPanel::default().show(ui, |ui| {
+                if self.form.is_some() {
+                    out = self.form_ui(ui, theme);
+                    return;
+                }
                 ScrollArea::vertical().auto_shrink([false; 2]).show(ui, |ui| {
-                    if self.form.is_some() {
-                        out = self.form_ui(ui, theme);
-                        return;
-                    }
                     out = self.side_ui(ui, theme, offers, acts);
                     self.search_ui(ui);
                     let chosen = self.cards_ui(ui, theme);
@@ -198,14 +205,14 @@ impl StartPage {
             ui.heading("Begin with a shape");
             let edit = TextEdit::singleline(&mut self.search)
                 .hint_text("Search: cone, duct, tent …")
-                .desired_width(220.0);
+                .desired_width(SEARCH);
             let edit = |ui: &mut Ui| {
                 ui.add(edit).widget_info(|| {
                     egui::WidgetInfo::labeled(egui::Role::TextInput, true, "Search shapes")
                 });
             };
             // On a line of its own where it finds no room at the right.
-            if ui.available_width() < 240.0 {
+            if ui.available_size_before_wrap().x < SEARCH + 20.0 {
                 ui.end_row();
                 edit(ui);
             } else {
@@ -268,14 +275,17 @@ impl StartPage {
                 self.thumbs.picture_ui(ui, theme, vec2(side, side), &document.design);
             }
         };
-        if ui.available_width() < 480.0 {
-            picture_ui(ui, form, 240.0);
-            out = form.ui(ui, theme, units);
+        let is_narrow = ui.available_width() < TWO_COLUMNS;
+        if is_narrow {
+            ScrollArea::vertical().id_salt("form").show(ui, |ui| {
+                picture_ui(ui, form, PICTURES[0]);
+                out = form.ui(ui, theme, units);
+            });
         } else {
             ui.columns(2, |columns| {
                 let area = ScrollArea::vertical().id_salt("form");
                 out = area.show(&mut columns[0], |ui| form.ui(ui, theme, units)).inner;
-                picture_ui(&mut columns[1], form, 460.0);
+                picture_ui(&mut columns[1], form, PICTURES[1]);
             });
         }
         if is_left || out.is_some() {

@@ -16,13 +16,13 @@ struct Step {
 const STEPS: [Step; 5] = [
     Step {
         title: "Draw an outline",
-        text: "Choose Draw (D). On the left, hold the button, draw round once and let go. The line \
+        text: "Choose Draw (D). On the plan, hold the button, draw round once and let go. The line \
                becomes a smooth curve with handles on it.",
         is_done: |editor| !editor.document().design.panels.is_empty(),
     },
     Step {
         title: "Lift it",
-        text: "On the right, drag a handle upwards. It stays over its place on the plan; only its \
+        text: "In space, drag a handle upwards. It stays over its place on the plan; only its \
                height changes.",
         is_done: |editor| {
             let drawing = &editor.document().drawing;
@@ -32,7 +32,7 @@ const STEPS: [Step; 5] = [
     },
     Step {
         title: "Will it bend?",
-        text: "The answer stands at the side, for the sheet that you choose under Material. The view \
+        text: "The answer stands under Will it bend, for the sheet that you choose under Material. The view \
                Twist (4) shows where the sheet resists.",
         is_done: |editor| editor.document().design.material.is_some(),
     },

@@ -1,7 +1,5 @@
-//! The panes: the plan on the left, space on the right, and the flat pattern; or one at a time where
-//! there is no room.
+//! The panes: the plan on the left, space on the right, and the flat pattern.
 
-pub mod layout;
 pub mod pattern;
 pub mod plan;
 pub mod space;

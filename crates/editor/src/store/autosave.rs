@@ -3,7 +3,7 @@
 //! The app says with every frame which version its document has. When a save is due, it hands over a
 //! job that makes the bytes: on the desktop a thread does it, so that no frame waits for a disk, and
 //! of jobs that come while it is at work only the newest is done. In the browser the database works
-//! beside the page, in the order in which it is asked.
+//! beside the page; there too only the newest waits.
 
 use super::{Due, Pace, Store, StoreError};
 use std::time::Duration;
@@ -18,13 +18,22 @@ pub struct Autosave {
     pace: Pace,
     saver: Saver,
     problem: Option<StoreError>,
+    /// The version that was handed over last, and the one that is kept for certain.
+    handed: Option<u64>,
+    kept: Option<u64>,
 }
 
 impl Autosave {
     /// Saves into the slot of this window. `version` needs no save: it is that of a new document,
     /// or of one that was just opened.
     pub fn new(store: Store, version: u64) -> Self {
-        Self { pace: Pace::new(version), saver: Saver::new(store), problem: None }
+        Self {
+            pace: Pace::new(version),
+            saver: Saver::new(store),
+            problem: None,
+            handed: None,
+            kept: None,
+        }
     }
 
     /// To be called with every frame; `job` is asked for only where a save is due. Gives the time
@@ -38,12 +47,15 @@ impl Autosave {
         if let Some(outcome) = self.saver.outcome() {
             if outcome.is_err() {
                 self.pace.failed();
+            } else if !self.saver.is_busy() {
+                self.kept = self.handed;
             }
             self.problem = outcome.err();
         }
         match self.pace.due(version, now) {
             Due::Now => {
                 self.saver.hand(Task::Save(job()));
+                self.handed = Some(version);
                 // To learn how it ended.
                 Some(super::PAUSE)
             }
@@ -56,7 +68,13 @@ impl Autosave {
     /// saved as before.
     pub fn settled(&mut self, version: u64) {
         self.pace = Pace::new(version);
+        self.handed = None;
         self.saver.hand(Task::Empty);
+    }
+
+    /// Whether this version is in the slot.
+    pub fn has_kept(&self, version: u64) -> bool {
+        self.kept == Some(version)
     }
 
     /// Why the last save has failed, to be shown as long as it is so.
@@ -100,40 +118,36 @@ mod page {
     use std::rc::Rc;
     use wasm_bindgen_futures::spawn_local;
 
-    #[derive(Debug, Default)]
+    #[derive(Default)]
     struct Desk {
-        /// What was asked for and is not done yet.
-        waiting: usize,
+        is_busy: bool,
+        /// What is asked for as soon as the database has done what it is at.
+        next: Option<Task>,
         outcome: Option<Result<(), StoreError>>,
     }
 
-    #[derive(Debug)]
     pub(super) struct Saver {
-        store: Store,
+        store: Rc<Store>,
         desk: Rc<RefCell<Desk>>,
+    }
+
+    impl std::fmt::Debug for Saver {
+        fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+            f.debug_struct("Saver").field("store", &self.store).finish_non_exhaustive()
+        }
     }
 
     impl Saver {
         pub(super) fn new(store: Store) -> Self {
-            Self { store, desk: Rc::default() }
+            Self { store: Rc::new(store), desk: Rc::default() }
         }
 
         pub(super) fn hand(&mut self, task: Task) {
-            match task {
-                Task::Save(job) => self.wait_for(self.store.save(self.store.own_slot(), &job())),
-                Task::Empty => self.wait_for(self.store.emptied(self.store.own_slot())),
+            let mut desk = self.desk.borrow_mut();
+            desk.next = Some(task);
+            if !std::mem::replace(&mut desk.is_busy, true) {
+                spawn_local(work(self.store.clone(), self.desk.clone()));
             }
-        }
-
-        fn wait_for(&self, asked: impl Future<Output = Result<(), StoreError>> + 'static) {
-            self.desk.borrow_mut().waiting += 1;
-            let desk = Rc::clone(&self.desk);
-            spawn_local(async move {
-                let outcome = asked.await;
-                let mut desk = desk.borrow_mut();
-                desk.waiting -= 1;
-                desk.outcome = Some(outcome);
-            });
         }
 
         pub(super) fn outcome(&mut self) -> Option<Result<(), StoreError>> {
@@ -142,11 +156,24 @@ mod page {
 
         pub(super) fn is_busy(&self) -> bool {
             let desk = self.desk.borrow();
-            desk.waiting > 0 || desk.outcome.is_some()
+            desk.is_busy || desk.outcome.is_some()
         }
 
         /// A page can't wait; what was asked for is done without it.
         pub(super) fn wait(&mut self) {}
+    }
+
+    /// Does tasks until there are no more.
+    async fn work(store: Rc<Store>, desk: Rc<RefCell<Desk>>) {
+        loop {
+            let Some(task) = desk.borrow_mut().next.take() else { break };
+            let outcome = match task {
+                Task::Save(job) => store.save(store.own_slot(), &job()).await,
+                Task::Empty => store.emptied(store.own_slot()).await,
+            };
+            desk.borrow_mut().outcome = Some(outcome);
+        }
+        desk.borrow_mut().is_busy = false;
     }
 }
 

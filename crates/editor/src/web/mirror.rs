@@ -8,7 +8,7 @@
 
 use super::document;
 use eframe::egui::accesskit::{
-    Action, ActionRequest, Node, NodeId, Role, Toggled, TreeId, TreeUpdate,
+    Action, ActionRequest, Live, Node, NodeId, Role, Toggled, TreeId, TreeUpdate,
 };
 use eframe::egui::{self, Context, Event, FullOutput, RawInput};
 use std::collections::BTreeMap;
@@ -114,6 +114,11 @@ fn attributes(node: &Node, name: Option<String>, zoom: f64) -> Option<Attributes
     } else if let Some(value) = node.numeric_value() {
         all.insert("aria-valuetext", value.to_string());
     }
+    if let Some(live) = node.live().filter(|live| *live != Live::Off) {
+        all.insert("role", "status".to_owned());
+        let how = if live == Live::Assertive { "assertive" } else { "polite" };
+        all.insert("aria-live", how.to_owned());
+    }
     if let Some(description) = node.description() {
         all.insert("aria-description", description.to_owned());
     }
@@ -214,6 +219,10 @@ fn change(element: &Element, before: Option<&Attributes>, node: &Attributes) {
     for (name, value) in node {
         if before.and_then(|before| before.get(name)) != Some(value) {
             let _ = element.set_attribute(name, value);
+            // Of what is live, screen readers say the text when it changes, not the name.
+            if *name == "aria-label" && node.contains_key("aria-live") {
+                element.set_text_content(Some(value));
+            }
         }
     }
 }

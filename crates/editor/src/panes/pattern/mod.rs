@@ -279,7 +279,7 @@ fn words(ui: &Ui, scene: &Scene<'_>, rect: Rect) {
         response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &text));
         ui.painter().galley(rect.min + vec2(14.0, 12.0), galley, theme.verdicts[2]);
     } else if scene.panels.is_empty() {
-        let text = "Draw a closed outline on the left to see its pattern here.";
+        let text = "Draw a closed outline on the plan to see its pattern here.";
         let galley = ui.painter().layout(text.to_owned(), font, theme.faint, rect.width() - 40.0);
         let at = Align2::CENTER_CENTER.anchor_size(rect.center(), galley.size());
         let response = ui.interact(at, ui.scope_id().with("empty"), Sense::hover());

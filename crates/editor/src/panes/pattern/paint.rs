@@ -217,6 +217,10 @@ fn dimensions(painter: &Painter, scene: &Scene<'_>, shown: &Shown, look: &Look<'
     let theme = scene.theme;
     let units = scene.document.drawing.units;
     let around = box_of(look.piece, look.view, look.rect);
+    // Next to smaller pieces dimensions would cover one another; the answer has them.
+    if around.width().max(around.height()) < LEAST_MEASURED {
+        return;
+    }
     let font = FontId::proportional(12.5);
     let text = |mm: f64| painter.layout_no_wrap(length(mm, units), font.clone(), theme.ink);
     let stroke = Stroke::new(1.0, theme.faint);
@@ -235,11 +239,6 @@ fn dimensions(painter: &Painter, scene: &Scene<'_>, shown: &Shown, look: &Look<'
         }
     };
     let [wide, high] = [shown.piece.size.x, shown.piece.size.y].map(text);
-    // Next to pieces as small as this on the screen, dimensions would cover one another; their tips
-    // and the side bar have them.
-    if around.width().max(around.height()) < LEAST_MEASURED {
-        return;
-    }
     let below = around.bottom() + AWAY;
     line(pos2(around.left(), below), pos2(around.right(), below), wide.size().x + 12.0);
     let at = pos2(around.center().x, below);

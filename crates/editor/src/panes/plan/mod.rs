@@ -116,6 +116,15 @@ impl PlanPane {
         true
     }
 
+    /// What the hand holds is let go where it is: the pane is not shown any more.
+    pub(crate) fn let_go(&mut self, acts: &mut Vec<Act>) {
+        self.stroke.clear();
+        self.lasso = None;
+        if self.drag.take().is_some() {
+            acts.push(Act::Rest);
+        }
+    }
+
     /// Where a place of the plan, mm, lies on the screen.
     pub fn on_screen(&self, p: Point2) -> Pos2 {
         self.view.to_screen(self.pane, p)

@@ -80,6 +80,13 @@ impl Handles {
         self.drag.is_some()
     }
 
+    /// What the hand holds is let go where it is: the pane is not shown any more.
+    pub(crate) fn let_go(&mut self, acts: &mut Vec<Act>) {
+        if self.drag.take().is_some() {
+            acts.push(Act::Rest);
+        }
+    }
+
     /// Shows the handles and answers the hand. What is dragged with other buttons than the first is
     /// for the camera, and comes back.
     pub(crate) fn ui(

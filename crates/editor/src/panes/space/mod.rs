@@ -41,6 +41,8 @@ use sheets::{Quantity, twist, worst_of_all};
 use sheetwright::math::{Point3, Vec3};
 use words::degrees;
 
+/// How much is seen of the Gauss image, whose sphere has the radius 1.
+const GAUSS_HEIGHT: f64 = 2.7;
 /// Seconds that a turn to another view takes.
 const TURN: f64 = 0.25;
 
@@ -74,7 +76,7 @@ enum Fit {
 /// From where the whole sphere of the Gauss image is seen in a pane, with its words above it.
 fn gauss_camera(rect: Rect) -> Camera {
     let narrow = f64::from(rect.height() / rect.width()).max(1.0);
-    Camera { perspective: false, height_mm: 2.7 * narrow, ..Camera::default() }
+    Camera { perspective: false, height_mm: GAUSS_HEIGHT * narrow, ..Camera::default() }
 }
 
 /// A turn on its way.
@@ -108,6 +110,11 @@ impl SpacePane {
     /// Brings everything into sight.
     pub fn fit(&mut self) {
         self.to_fit = Fit::Asked;
+    }
+
+    /// What the hand holds is let go where it is: the pane is not shown any more.
+    pub(crate) fn let_go(&mut self, acts: &mut Vec<Act>) {
+        self.handles.let_go(acts);
     }
 
     /// Looks from another direction, at the same place.
@@ -211,12 +218,12 @@ impl SpacePane {
             }
         }
         // The first look at the image is at its middle.
-        if view == SurfaceView::Gauss
-            && !self.gauss_turned
-            && let Some(middle) = gauss::middle(scene)
-        {
-            self.gauss = Camera { direction: Direction::towards(middle), ..gauss_camera(rect) };
-            self.gauss_turned = true;
+        if view == SurfaceView::Gauss && !self.gauss_turned {
+            self.gauss = gauss_camera(rect);
+            if let Some(middle) = gauss::middle(scene) {
+                self.gauss.direction = Direction::towards(middle);
+                self.gauss_turned = true;
+            }
         }
         if let Some(turn) = self.turn {
             let share = ((ui.input(|i| i.time) - turn.since) / TURN).clamp(0.0, 1.0);
@@ -369,7 +376,7 @@ fn labels(ui: &Ui, scene: &Scene<'_>, view: SurfaceView, camera: &Camera, rect: 
 /// What to do where there is nothing yet.
 fn empty(ui: &Ui, scene: &Scene<'_>, rect: Rect) {
     if scene.document.design.curves.is_empty() && scene.panels.is_empty() {
-        let text = "What you draw on the left stands here in space.";
+        let text = "What you draw on the plan stands here in space.";
         let font = FontId::proportional(14.0);
         ui.painter().text(rect.center(), Align2::CENTER_CENTER, text, font, scene.theme.faint);
     }

@@ -1,136 +1,99 @@
 //! How the panes share the window: all at once where there is room, else one at a time, with the
-//! answer beside it while that fits. A phone has no room, and no more has a small screen with text
-//! at 200 %.
+//! answer beside it while that fits.
 
-use super::SurfaceView;
-use super::pattern::PatternPane;
-use super::plan::PlanPane;
-use super::space::SpacePane;
 use crate::bars::command_button;
 use crate::command::Command;
 use crate::document::Plan;
 use crate::editor::Editor;
+use crate::panes::SurfaceView;
+use crate::panes::pattern::PatternPane;
+use crate::panes::plan::PlanPane;
+use crate::panes::space::SpacePane;
+use crate::room::{Part, Room};
 use crate::scene::{Act, Scene};
 use crate::side::side_ui;
 use crate::theme::Theme;
 use eframe::CreationContext;
-use eframe::egui::{self, Frame, Key, Margin, Panel, RichText, Ui, Vec2, vec2};
+use eframe::egui::{self, Frame, Margin, Panel, RichText, Ui, vec2};
 
-/// How much room there is.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Room {
-    /// For everything.
-    #[default]
-    All,
-    /// For one pane, and the answer beside it.
-    Two,
-    /// For one of them.
-    One,
-}
-
-impl Room {
-    /// In a window of this size, in points.
-    pub fn of(size: Vec2) -> Self {
-        if size.x >= 900.0 && size.y >= 480.0 {
-            Self::All
-        } else if size.x >= 600.0 {
-            Self::Two
-        } else {
-            Self::One
-        }
-    }
-}
-
-/// What is seen where there is no room for everything.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Part {
-    /// The plan.
-    #[default]
-    Plan,
-    /// Space.
-    Space,
-    /// The flat pattern.
-    Pattern,
-    /// Will it bend, and the typed values.
-    Answer,
-}
-
-impl Part {
-    /// Every part.
-    pub const ALL: [Self; 4] = [Self::Plan, Self::Space, Self::Pattern, Self::Answer];
-
-    /// What people call it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Plan => "Plan",
-            Self::Space => "Space",
-            Self::Pattern => "Pattern",
-            Self::Answer => "Will it bend?",
-        }
-    }
-
-    /// Its key, with Shift.
-    pub fn key(self) -> Key {
-        match self {
-            Self::Plan => Key::D,
-            Self::Space => Key::S,
-            Self::Pattern => Key::P,
-            Self::Answer => Key::A,
-        }
-    }
-}
+/// What the plan takes of the width beside the answer, and the pattern of the height, at first: the
+/// plan is what people draw on, and space what they look at.
+const PLAN_SHARE: f32 = 0.5;
+const PATTERN_SHARE: f32 = 0.36;
+/// How wide the answer is at first, points: a verdict in some lines.
+const SIDE: f32 = 286.0;
+/// What is narrower or lower is of no use, points.
+const LEAST_ACROSS: f32 = 220.0;
+const LEAST_DOWN: f32 = 80.0;
 
 /// The panes, with what they keep from frame to frame.
-pub struct Panes {
+pub(crate) struct Panes {
     /// The plan.
-    pub plan: PlanPane,
+    pub(crate) plan: PlanPane,
     /// Space.
-    pub space: SpacePane,
+    pub(crate) space: SpacePane,
     /// The flat pattern.
-    pub pattern: PatternPane,
+    pub(crate) pattern: PatternPane,
     plan_share: Share,
     pattern_share: Share,
 }
 
 impl Panes {
     /// Panes that draw on the window's graphics card, if it has one.
-    pub fn new(cc: &CreationContext<'_>) -> Self {
+    pub(crate) fn new(cc: &CreationContext<'_>) -> Self {
         Self {
             plan: PlanPane::default(),
             space: SpacePane::new(cc),
             pattern: PatternPane::default(),
-            plan_share: Share { axis: 0, of_whole: 0.5, whole: 0.0 },
-            pattern_share: Share { axis: 1, of_whole: 0.36, whole: 0.0 },
+            plan_share: Share::new(0, PLAN_SHARE),
+            pattern_share: Share::new(1, PATTERN_SHARE),
         }
     }
 
     /// Brings everything into sight.
-    pub fn fit(&mut self) {
+    pub(crate) fn fit(&mut self) {
         self.plan.fit();
         self.space.fit();
         self.pattern.fit();
     }
 
+    /// What the hand holds in panes that are not shown is let go, except for these.
+    pub(crate) fn let_go(&mut self, except: &[Part], acts: &mut Vec<Act>) {
+        if !except.contains(&Part::Plan) {
+            self.plan.let_go(acts);
+        }
+        if !except.contains(&Part::Space) {
+            self.space.let_go(acts);
+        }
+    }
+
     /// Shows them, and the answer at the side.
-    pub fn ui(&mut self, ui: &mut Ui, editor: &Editor, theme: &'static Theme, acts: &mut Vec<Act>) {
+    pub(crate) fn ui(
+        &mut self,
+        ui: &mut Ui,
+        editor: &Editor,
+        theme: &'static Theme,
+        acts: &mut Vec<Act>,
+    ) {
         self.plan.tool = editor.tool;
         self.space.camera.perspective = !editor.orthographic;
         self.space.navigation = editor.navigation;
         let scene = editor.scene(theme);
-        let bar = Frame::new().fill(theme.ground).inner_margin(Margin::symmetric(10, 7));
+        let bar = bar_frame(theme);
         let pane = Frame::new().fill(theme.paper);
         if editor.room != Room::All {
             parts_ui(ui, editor, theme, acts);
         }
         if editor.room != Room::One {
-            Panel::right("side").frame(bar).default_size(286.0).min_size(220.0).show(ui, |ui| {
-                side_ui(ui, editor, theme, acts);
-            });
+            let most = (0.5 * ui.available_width()).max(SIDE);
+            let side = Panel::right("side").frame(bar).default_size(SIDE);
+            side.size_range(LEAST_ACROSS..=most).show(ui, |ui| side_ui(ui, editor, theme, acts));
         }
         if editor.room == Room::All {
             self.all_ui(ui, editor, &scene, pane, acts);
             return;
         }
+        self.let_go(&[editor.shown_part()], acts);
         let is_answer = editor.shown_part() == Part::Answer;
         egui::CentralPanel::default().frame(if is_answer { bar } else { pane }).show(ui, |ui| {
             match editor.shown_part() {
@@ -161,12 +124,12 @@ impl Panes {
             Plan::Side => "from the side: draw and move",
         };
         let panel = Panel::left("plan").frame(pane).resizable(true);
-        self.plan_share.show(ui, panel, 220.0, |ui| {
+        self.plan_share.show(ui, panel, LEAST_ACROSS, |ui| {
             titled(ui, theme, "Plan", plan_hint);
             self.plan.ui(ui, scene, acts);
         });
         let panel = Panel::bottom("pattern").frame(pane).resizable(true);
-        self.pattern_share.show(ui, panel, 80.0, |ui| {
+        self.pattern_share.show(ui, panel, LEAST_DOWN, |ui| {
             titled(ui, theme, "Pattern", "flat, true to scale");
             self.pattern.ui(ui, scene, editor.view, acts);
         });
@@ -178,33 +141,55 @@ impl Panes {
 }
 
 /// How much of the width or the height a panel takes. A panel of egui keeps its size when the window
-/// grows; ours keep their share.
+/// changes; ours keep their share, also where they had to be larger for a while.
 #[derive(Clone, Copy, Debug)]
 struct Share {
     /// 0 across, 1 down.
     axis: usize,
     of_whole: f32,
-    /// The whole that it was last a share of, in points.
-    whole: f32,
+    /// The whole that it was last a share of, and what it took of it, in points.
+    last: Option<[f32; 2]>,
 }
 
+/// A panel that differs by less from what it took was not moved by anybody, points.
+const MOVED: f32 = 0.5;
+
 impl Share {
+    fn new(axis: usize, of_whole: f32) -> Self {
+        Self { axis, of_whole, last: None }
+    }
+
     fn show(&mut self, ui: &mut Ui, panel: Panel, least: f32, content: impl FnOnce(&mut Ui)) {
         let whole = ui.available_size()[self.axis];
-        let size = (self.of_whole * whole).max(least);
-        let has_grown = self.whole != whole;
-        let panel = if has_grown { panel.exact_size(size) } else { panel.min_size(least) };
+        // Neither the panel nor what is beside it goes away.
+        let range = least.min(0.5 * whole)..=(whole - least).max(0.5 * whole);
+        let size = (self.of_whole * whole).clamp(*range.start(), *range.end());
+        let last = self.last.filter(|[last_whole, _]| *last_whole == whole);
+        let panel = match last {
+            Some(_) => panel.size_range(range),
+            None => panel.exact_size(size),
+        };
         let taken = panel.show(ui, content).response.rect.size()[self.axis];
-        if !has_grown {
+        if last.is_some_and(|[_, took]| (taken - took).abs() > MOVED) {
             self.of_whole = taken / whole;
         }
-        self.whole = whole;
+        self.last = Some([whole, taken]);
     }
+}
+
+/// What bars stand on.
+pub(crate) fn bar_frame(theme: &Theme) -> Frame {
+    Frame::new().fill(theme.ground).inner_margin(Margin::symmetric(10, 7))
+}
+
+/// What titles stand on.
+fn title_frame(theme: &Theme) -> Frame {
+    Frame::new().fill(theme.ground).inner_margin(Margin::symmetric(10, 4))
 }
 
 /// A pane's title, and what it is for.
 fn titled(ui: &mut Ui, theme: &Theme, title: &str, hint: &str) {
-    Frame::new().fill(theme.ground).inner_margin(Margin::symmetric(10, 4)).show(ui, |ui| {
+    title_frame(theme).show(ui, |ui| {
         ui.set_width(ui.available_width());
         ui.horizontal(|ui| {
             ui.label(RichText::new(title).strong());
@@ -215,8 +200,7 @@ fn titled(ui: &mut Ui, theme: &Theme, title: &str, hint: &str) {
 
 /// What can be seen instead, where not everything can.
 fn parts_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
-    let bar = Frame::new().fill(theme.ground).inner_margin(Margin::symmetric(10, 4));
-    Panel::top("parts").frame(bar).show(ui, |ui| {
+    Panel::top("parts").frame(title_frame(theme)).show(ui, |ui| {
         ui.horizontal(|ui| {
             for part in Part::ALL {
                 if part != Part::Answer || editor.room == Room::One {
@@ -229,7 +213,7 @@ fn parts_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
 
 /// The title of the pane of space, with the views of surfaces.
 fn views_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
-    Frame::new().fill(theme.ground).inner_margin(Margin::symmetric(10, 4)).show(ui, |ui| {
+    title_frame(theme).show(ui, |ui| {
         ui.set_width(ui.available_width());
         ui.horizontal_wrapped(|ui| {
             if editor.room == Room::All {
