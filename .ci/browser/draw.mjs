@@ -4,17 +4,11 @@
 //   NODE_PATH=…/node_modules node .ci/browser/draw.mjs FOLDER PICTURES
 //
 // FOLDER is what `cargo xtask web` has built, PICTURES gets screenshots and the download.
-import { mkdirSync, readFileSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import { all, check, drawOutline, fresh, lift, press, ready, serve, settled, the } from "./page.mjs";
+import { all, check, drawOutline, folders, fresh, lift, press, ready, serve, settled, the } from "./page.mjs";
 
-const [folder, pictures] = process.argv.slice(2);
-if (!folder || !pictures) {
-  console.error("give the folder of the page, and one for pictures");
-  process.exit(2);
-}
-mkdirSync(pictures, { recursive: true });
-
+const { folder, pictures } = folders(true);
 const server = await serve(folder);
 const origin = `http://127.0.0.1:${server.address().port}`;
 const { browser, context } = await fresh();

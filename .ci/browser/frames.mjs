@@ -5,13 +5,9 @@
 //   NODE_PATH=…/node_modules node .ci/browser/frames.mjs FOLDER
 //
 // FOLDER is what `cargo xtask web` has built.
-import { check, drawOutline, fresh, lift, middle, quantile, ready, serve, settled, the } from "./page.mjs";
+import { check, drawOutline, folders, fresh, lift, middle, quantile, ready, serve, settled, the } from "./page.mjs";
 
-const [folder] = process.argv.slice(2);
-if (!folder) {
-  console.error("give the folder of the page");
-  process.exit(2);
-}
+const { folder } = folders(false);
 /** What a frame may take, in ms. */
 const FRAME = 33;
 const MOVES = 200;

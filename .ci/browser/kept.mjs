@@ -7,13 +7,9 @@
 import { mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { all, check, drawOutline, keeping, lift, press, ready, serve, settled, the } from "./page.mjs";
+import { all, check, drawOutline, folders, keeping, lift, press, ready, serve, settled, the } from "./page.mjs";
 
-const [folder] = process.argv.slice(2);
-if (!folder) {
-  console.error("give the folder of the page");
-  process.exit(2);
-}
+const { folder } = folders(false);
 const server = await serve(folder);
 const origin = `http://127.0.0.1:${server.address().port}/`;
 const kept = mkdtempSync(join(tmpdir(), "sheetwright-kept-"));

@@ -1,12 +1,25 @@
 // The editor in a browser, as a person has it: what is there by its name, pressed and dragged with the
 // mouse. Nothing here knows where anything is in the canvas: places are those of the page's copies for
 // screen readers. Wants playwright-core and a Chromium (CHROMIUM names it, else /usr/bin/chromium).
-import { createReadStream, existsSync } from "node:fs";
+import { createReadStream, existsSync, mkdirSync } from "node:fs";
 import { createServer } from "node:http";
 import { createRequire } from "node:module";
 import { join, normalize } from "node:path";
 
 const { chromium } = createRequire(import.meta.url)("playwright-core");
+
+/** The folder of the page, and that of pictures where they are taken, as the command line names them. */
+export function folders(takesPictures) {
+  const [folder, pictures] = process.argv.slice(2);
+  if (!folder || (takesPictures && !pictures)) {
+    console.error(`give the folder of the page${takesPictures ? ", and one for pictures" : ""}`);
+    process.exit(2);
+  }
+  if (takesPictures) {
+    mkdirSync(pictures, { recursive: true });
+  }
+  return { folder, pictures };
+}
 
 /** How the browser is started: drawing by its own rasteriser, and alone. */
 const OPTIONS = {

@@ -4,17 +4,10 @@
 //   NODE_PATH=…/node_modules node .ci/browser/vary.mjs FOLDER PICTURES
 //
 // FOLDER is what `cargo xtask web` has built, PICTURES gets screenshots; to be run where `examples` is.
-import { mkdirSync } from "node:fs";
 import { join } from "node:path";
-import { all, check, fresh, press, pressAt, ready, serve, settled, the } from "./page.mjs";
+import { all, check, folders, fresh, press, pressAt, ready, serve, settled, the } from "./page.mjs";
 
-const [folder, pictures] = process.argv.slice(2);
-if (!folder || !pictures) {
-  console.error("give the folder of the page, and one for pictures");
-  process.exit(2);
-}
-mkdirSync(pictures, { recursive: true });
-
+const { folder, pictures } = folders(true);
 const server = await serve(folder);
 const { browser, context } = await fresh();
 
