@@ -6,7 +6,7 @@ use crate::editor::{Editor, Notice};
 use crate::panes::SurfaceView;
 use crate::panes::plan::Tool;
 use crate::panes::space::navigation::Navigation;
-use crate::room::Room;
+use crate::room::{Room, fitting};
 use crate::scene::Act;
 use crate::theme::{Look, Theme};
 use eframe::egui::{self, Button, Color32, Id, Layout, ProgressBar, RichText, Ui, UiBuilder};
@@ -94,7 +94,7 @@ fn menus_ui(ui: &mut Ui, editor: &Editor, acts: &mut Vec<Act>) {
     for (name, groups) in menus() {
         ui.menu_button(name, |ui| {
             ui.set_min_width(220.0);
-            let height = ui.ctx().content_rect().height() - AROUND_MENU;
+            let height = fitting(f32::INFINITY, ui.ctx().content_rect().height() - AROUND_MENU);
             let area = egui::ScrollArea::vertical().max_height(height);
             area.min_scrolled_height(height).show(ui, |ui| {
                 for (n, group) in groups.iter().enumerate() {
@@ -191,7 +191,7 @@ fn saved_ui(ui: &mut Ui, editor: &Editor, theme: &Theme) {
         (Some(name), true) => format!("{name} · not saved yet"),
         (None, _) => editor.document().design.name.clone(),
     };
-    let most = ui.available_width() / 3.0;
+    let most = (ui.available_width() / 3.0).max(0.0);
     let said = ui.scope(|ui| {
         ui.set_max_width(most);
         ui.add(egui::Label::new(RichText::new(text).color(theme.faint)).truncate())

@@ -160,7 +160,7 @@ impl Share {
     }
 
     fn show(&mut self, ui: &mut Ui, panel: Panel, least: f32, content: impl FnOnce(&mut Ui)) {
-        let whole = ui.available_size()[self.axis];
+        let whole = ui.available_size()[self.axis].max(0.0);
         // Neither the panel nor what is beside it goes away.
         let range = least.min(0.5 * whole)..=(whole - least).max(0.5 * whole);
         let size = (self.of_whole * whole).clamp(*range.start(), *range.end());
@@ -170,7 +170,7 @@ impl Share {
             None => panel.exact_size(size),
         };
         let taken = panel.show(ui, content).response.rect.size()[self.axis];
-        if last.is_some_and(|[_, took]| (taken - took).abs() > MOVED) {
+        if whole > 0.0 && last.is_some_and(|[_, took]| (taken - took).abs() > MOVED) {
             self.of_whole = taken / whole;
         }
         self.last = Some([whole, taken]);

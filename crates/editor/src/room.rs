@@ -73,3 +73,11 @@ impl Part {
         }
     }
 }
+
+/// What is smaller is of no use, points.
+const LEAST: f32 = 40.0;
+
+/// As long as it is wanted, or as there is room, in points; but never nothing, however small a window is.
+pub(crate) fn fitting(wanted: f32, room: f32) -> f32 {
+    wanted.min(room).max(LEAST)
+}

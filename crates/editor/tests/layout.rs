@@ -157,3 +157,20 @@ fn pages_fit_into_every_window() {
         }
     }
 }
+
+#[test]
+fn no_window_is_too_small_for_a_page() {
+    for size in [vec2(1.0, 1.0), vec2(60.0, 60.0), vec2(60.0, 900.0), vec2(900.0, 60.0)] {
+        let mut hands = Hands::new([800.0, 600.0], false);
+        hands.run(Command::AddCircle);
+        hands.settle();
+        hands.harness.set_size(size);
+        for command in Command::all() {
+            hands.run(command);
+            hands.step();
+            hands.run(Command::Escape);
+        }
+        hands.run(Command::Start);
+        hands.step();
+    }
+}

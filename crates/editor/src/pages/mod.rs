@@ -8,6 +8,7 @@ pub mod start;
 pub mod tour;
 pub mod vary;
 
+use crate::room::fitting;
 use crate::theme::Theme;
 use eframe::egui::{self, Align2, Ui};
 
@@ -28,8 +29,8 @@ fn window(ctx: &egui::Context, title: &str, width: f32, content: impl FnOnce(&mu
         .anchor(Align2::CENTER_CENTER, egui::Vec2::ZERO)
         .default_width(width)
         .show(ctx, |ui| {
-            ui.set_width(width.min(room.x - around.x));
-            let height = room.y - around.y - 2.0 * MARGIN;
+            ui.set_width(fitting(width, room.x - around.x));
+            let height = fitting(f32::INFINITY, room.y - around.y - 2.0 * MARGIN);
             let area = egui::ScrollArea::vertical().auto_shrink([false, true]);
             area.max_height(height).min_scrolled_height(height).show(ui, content);
         });

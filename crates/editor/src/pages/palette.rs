@@ -2,6 +2,7 @@
 
 use crate::command::Command;
 use crate::editor::Editor;
+use crate::room::fitting;
 use crate::scene::Act;
 use crate::theme::Theme;
 use eframe::egui::{self, Align2, Id, Key, RichText, TextEdit, Ui};
@@ -46,7 +47,7 @@ impl Palette {
             .resizable(false)
             .anchor(Align2::CENTER_TOP, egui::vec2(0.0, (0.11 * room.y).min(90.0)))
             .show(ctx, |ui| {
-                ui.set_width(480.0_f32.min(room.x - 40.0));
+                ui.set_width(fitting(480.0, room.x - 40.0));
                 let edit = TextEdit::singleline(&mut self.text)
                     .id(Id::unique("palette"))
                     .hint_text("What do you want to do?")
@@ -61,7 +62,7 @@ impl Palette {
                 if response.changed() {
                     self.chosen = 0;
                 }
-                let height = (0.8 * room.y - 90.0).min(360.0);
+                let height = fitting(360.0, 0.8 * room.y - 90.0);
                 let area = egui::ScrollArea::vertical().max_height(height);
                 area.min_scrolled_height(height).show(ui, |ui| {
                     for (n, &command) in found.iter().enumerate() {

@@ -7,7 +7,7 @@ use crate::command::Command;
 use crate::document::Document;
 use crate::editor::Notice;
 use crate::field::typed_ui;
-use crate::room::Room;
+use crate::room::{Room, fitting};
 use crate::scene::Act;
 use crate::theme::Theme;
 use crate::thumb::Thumbs;
@@ -95,7 +95,9 @@ pub const CARD: egui::Vec2 = vec2(168.0, 168.0);
 const SEARCH: f32 = 220.0;
 /// A form that has less room shows its picture above its fields, points.
 const TWO_COLUMNS: f32 = 480.0;
-/// How large its picture is at the most, above and beside the fields, points.
+/// How far its picture is from its fields, points.
+const BETWEEN_COLUMNS: f32 = 16.0;
+/// How large its picture is at the most, above and beside the fields, points; fields are no wider.
 const PICTURES: [f32; 2] = [240.0, 460.0];
 
 impl StartPage {
@@ -282,10 +284,15 @@ impl StartPage {
                 out = form.ui(ui, theme, units);
             });
         } else {
-            ui.columns(2, |columns| {
-                let area = ScrollArea::vertical().id_salt("form");
-                out = area.show(&mut columns[0], |ui| form.ui(ui, theme, units)).inner;
-                picture_ui(&mut columns[1], form, PICTURES[1]);
+            ui.horizontal_top(|ui| {
+                let column = fitting(PICTURES[1], 0.5 * ui.available_width());
+                ui.vertical(|ui| {
+                    ui.set_width(column);
+                    let area = ScrollArea::vertical().id_salt("form");
+                    out = area.show(ui, |ui| form.ui(ui, theme, units)).inner;
+                });
+                ui.add_space(BETWEEN_COLUMNS);
+                picture_ui(ui, form, PICTURES[1]);
             });
         }
         if is_left || out.is_some() {

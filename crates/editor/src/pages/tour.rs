@@ -2,6 +2,7 @@
 
 use crate::command::Command;
 use crate::editor::Editor;
+use crate::room::fitting;
 use crate::scene::Act;
 use crate::theme::Theme;
 use eframe::egui::{self, Align2, RichText};
@@ -79,7 +80,7 @@ impl Tour {
             .resizable(false)
             .anchor(Align2::LEFT_BOTTOM, egui::vec2(24.0, -48.0))
             .show(ctx, |ui| {
-                ui.set_width(340.0_f32.min(ctx.content_rect().width() - 80.0));
+                ui.set_width(fitting(340.0, ctx.content_rect().width() - 80.0));
                 ui.label(RichText::new(title).strong().size(16.0));
                 ui.label(step.text);
                 if (step.is_done)(editor) {
