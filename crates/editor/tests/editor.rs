@@ -4,15 +4,18 @@
 
 mod hands;
 
-use eframe::egui::{Key, Modifiers, vec2};
+use eframe::egui::{
+    Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, TouchPhase, pos2, vec2,
+};
 use egui_kittest::kittest::Queryable;
 use hands::{Hands, round};
 use sheetwright::design::make;
+use sheetwright::math::{Point2, Point3};
 use sheetwright::watch::Unwatched;
 use sheetwright_editor::command::Command;
 use sheetwright_editor::document::Document;
 use sheetwright_editor::editor::{Opened, Page};
-use sheetwright_editor::scene::{Act, PointRef};
+use sheetwright_editor::scene::{Act, Edit, PointRef};
 use sheetwright_files::{Format, PdfOptions, output_files};
 
 const SIZE: [f32; 2] = [1280.0, 800.0];
@@ -290,7 +293,7 @@ fn everything_can_be_found_by_name_and_a_greyed_command_says_why() {
     assert!(editor.why_not(Command::Export).is_some());
     hands.key(Modifiers::COMMAND, Key::K);
     assert_eq!(hands.app().editor().page, Page::Palette);
-    hands.harness.event(eframe::egui::Event::Text("snap".to_owned()));
+    hands.harness.event(Event::Text("snap".to_owned()));
     hands.step();
     hands.key(Modifiers::NONE, Key::Enter);
     hands.step();
@@ -373,4 +376,32 @@ fn what_cannot_be_opened_is_said_on_the_start_page_too() {
     assert_eq!(hands.app().editor().page, Page::Start);
     assert!(hands.harness.query_by_label_contains("there is no table").is_some());
     assert!(hands.harness.query_by_label("Recent files").is_none());
+}
+
+#[test]
+fn of_lines_that_lead_far_away_only_what_is_seen_is_drawn() {
+    let mut hands = Hands::new(SIZE, false);
+    hands.run(Command::New);
+    let corners = vec![Point2::new(0.0, 0.0), Point2::new(1e9, 1e9)];
+    let editor = hands.harness.state_mut().editor_mut();
+    editor.carry_out(Act::Edit(Edit::Corners { corners, closed: false }));
+    let at = PointRef { curve: 0, point: 0 };
+    editor.carry_out(Act::Move(vec![(at, Point3::new(0.0, 0.0, 1e9))]));
+    editor.carry_out(Act::Rest);
+    hands.settle();
+    // As close as it goes, on the plan and in space.
+    for pane in [hands.on_plan(0.0, 0.0), pos2(740.0, 300.0)] {
+        hands.move_to(pane);
+        for _ in 0..60 {
+            hands.harness.event(Event::MouseWheel {
+                unit: MouseWheelUnit::Point,
+                delta: vec2(0.0, 400.0),
+                source: MouseWheelSource::Unknown,
+                phase: TouchPhase::Move,
+                modifiers: Modifiers::NONE,
+            });
+            hands.step();
+            assert!(hands.harness.output().shapes.len() < 20_000);
+        }
+    }
 }

@@ -1,5 +1,6 @@
 //! The panes: the plan on the left, space on the right, and the flat pattern.
 
+mod dashes;
 pub mod pattern;
 pub mod plan;
 pub mod space;

@@ -5,6 +5,7 @@ use super::handles::Handles;
 use super::snap::Snap;
 use super::view::{View, grid_step};
 use crate::document::{Plan, Reference};
+use crate::panes::dashes::dashed;
 use crate::scene::{PointRef, Scene};
 use crate::theme::{CURVE_WIDTH, HANDLE};
 use eframe::egui::{
@@ -71,7 +72,7 @@ impl Sheet<'_> {
             } else {
                 [pos2(self.pane.left(), at.y), pos2(self.pane.right(), at.y)]
             };
-            self.painter.extend(Shape::dashed_line(&ends, stroke, 9.0, 5.0));
+            dashed(self.painter, &ends, stroke, 9.0, 5.0);
         }
     }
 
@@ -175,12 +176,12 @@ impl Sheet<'_> {
                 Snap::Upright(p) => {
                     let x = self.at(p).x;
                     let ends = [pos2(x, self.pane.top()), pos2(x, self.pane.bottom())];
-                    self.painter.extend(Shape::dashed_line(&ends, fine, 3.0, 5.0));
+                    dashed(self.painter, &ends, fine, 3.0, 5.0);
                 }
                 Snap::Level(p) => {
                     let y = self.at(p).y;
                     let ends = [pos2(self.pane.left(), y), pos2(self.pane.right(), y)];
-                    self.painter.extend(Shape::dashed_line(&ends, fine, 3.0, 5.0));
+                    dashed(self.painter, &ends, fine, 3.0, 5.0);
                 }
                 Snap::Mirror(_) => {}
                 Snap::Grid(p) => {
@@ -289,12 +290,7 @@ impl Outlines {
             let width = if is_selected { CURVE_WIDTH + 1.0 } else { CURVE_WIDTH };
             if !is_used(scene, &curve.name) {
                 // What bounds no panel yet is dashed.
-                sheet.painter.extend(Shape::dashed_line(
-                    &points,
-                    Stroke::new(width, colour),
-                    8.0,
-                    5.0,
-                ));
+                dashed(sheet.painter, &points, Stroke::new(width, colour), 8.0, 5.0);
             } else {
                 sheet.painter.add(Shape::line(points, Stroke::new(width, colour)));
             }

@@ -3,12 +3,13 @@
 
 use super::camera::{Camera, Ray};
 use super::words::length;
+use crate::panes::dashes::dashed;
 use crate::scene::{Act, PointRef, Scene, Selection};
 use crate::theme::{HANDLE, TOUCH, Theme};
 use eframe::egui::accesskit::{Action, Role};
 use eframe::egui::{
     Align2, Color32, CursorIcon, FontId, Id, Key, Modifiers, Painter, PointerButton, Pos2, Rect,
-    Response, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
+    Response, Sense, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 use sheetwright::math::{Point3, Vec3};
 
@@ -216,7 +217,7 @@ impl Handles {
             let colour = colour.gamma_multiply(if chosen { 1.0 } else { 0.55 });
             if top.distance(foot.at) > 1.0 {
                 let stem = Stroke::new(1.0, colour);
-                painter.extend(Shape::dashed_line(&[foot.at, top], stem, 3.0, 3.0));
+                dashed(painter, &[foot.at, top], stem, 3.0, 3.0);
                 painter.circle_filled(foot.at, 2.0, colour);
             }
         }
@@ -312,7 +313,7 @@ impl Drag {
                 let Some(at) = place(scene, other) else { return };
                 let Some(to) = look.camera.seen(at, look.rect) else { return };
                 let stroke = Stroke::new(1.5, theme.accent);
-                painter.extend(Shape::dashed_line(&[from.at, to.at], stroke, 6.0, 4.0));
+                dashed(painter, &[from.at, to.at], stroke, 6.0, 4.0);
                 painter.circle_stroke(to.at, HANDLE + 4.0, stroke);
             }
             Some(Snap::Plan) => {
