@@ -20,6 +20,7 @@ mod mend;
 mod optimal;
 mod part;
 mod rails;
+mod span;
 mod sparse;
 
 pub use facing::with_holes_facing;

@@ -13,15 +13,18 @@
 //! 3. Prices are never negative, so no entry above the price of a known triangulation is a part of
 //!    the answer. One is found by the optimum of every fourth sample: only rungs near to its rungs
 //!    are priced and put together (a band of the table), which is cheap, and near to the optimum or
-//!    the optimum itself. In the table of all rungs, entries above that price are then dropped. Each
-//!    row keeps a list of its finite entries, and k runs over that list alone. If the band has no
+//!    the optimum itself. In the table of all rungs, entries above that price are then dropped. Where
+//!    the samples of a tile's rows and columns show that none of its rungs can cost so little
+//!    (`span`), the tile is not looked at; where none of its entries is left, it is not kept. Next to
+//!    a developable surface so few are left that their number grows like m^1.5. If the band has no
 //!    triangulation, the bound is guessed from the optimum of every fourth sample, and raised until
 //!    there is an answer below it.
 //!    While a handle is dragged, the triangulation from before gives a bound instead (`mend`).
-//! 4. F is never negative, and dear to work out. So those k come first that were best one row below;
-//!    of the others, the sums E(i,k) + E(k,j) are compared with the least price so far, 16 at a time.
-//!    Where one lies below, a test without root and quotient says whether F may leave it there, and
-//!    only then F is worked out.
+//! 4. F is never negative, and dear to work out. So those k come first that were best one row below.
+//!    The others are taken tile by tile, where both tiles are kept: E(i,k) and the least E(k,j) of the
+//!    16 j together say for 16 k at once which may lie below the prices so far. For those, the sums
+//!    E(i,k) + E(k,j) are compared, 16 j at a time. Where one lies below, a test without root and
+//!    quotient says whether F may leave it there, and only then F is worked out.
 //! 5. Which k was best is not stored but found again on the way back, for the m − 2 entries that
 //!    belong to the answer. Of equal prices (prices are exact, see [`crate::cost`], so flat regions
 //!    do tie) the k with the least |P_i P_k| + |P_k P_j| wins, then the smallest: strips of compact
@@ -33,9 +36,10 @@ mod table;
 
 use super::part::Part;
 use super::{Solved, Terms, TriangulateError};
-use crate::cost::{LANES, Lanes, quantised};
+use crate::cost::{LANES, quantised};
 use crate::watch::Watch;
 use near::{Band, THINNING};
+use store::Tile;
 use table::Table;
 
 /// Loops with fewer samples are solved without a bound: it would cost more than it saves.
@@ -51,10 +55,8 @@ pub fn memory_needed(m: usize) -> u64 {
     let m = m as u64;
     let lanes = LANES as u64;
     let tiles = m.div_ceil(lanes) * (m.div_ceil(lanes) + 1) / 2;
-    let tile = lanes * (size_of::<Lanes>() + size_of::<[Lanes; 3]>()) as u64;
     let pairs = m * m.saturating_sub(1) / 2;
-    let listed = (size_of::<u32>() + size_of::<f64>()) as u64;
-    (tiles * tile + pairs * listed) / 15 * 16 + pairs / 4 + pairs / 8
+    tiles * Tile::BYTES as u64 / 15 * 16 + pairs / 4 + pairs / 8
 }
 
 /// The triangles of the cheapest triangulation; `None` if there is none. `known` is the price of a

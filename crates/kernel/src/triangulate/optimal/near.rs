@@ -34,6 +34,12 @@ impl Band {
         Self { n, near }
     }
 
+    /// Whether some rungs from `count` samples to `count` others are near.
+    pub(super) fn has(&self, from: usize, to: usize, count: usize) -> bool {
+        let parts = |first: usize| first / THINNING..(first + count).div_ceil(THINNING).min(self.n);
+        parts(from).any(|a| self.near[a * self.n..][parts(to)].contains(&true))
+    }
+
     /// Which of the rungs from sample `i` to the far ends are near.
     pub(super) fn lanes(&self, i: usize, to: &FarEnds) -> [bool; LANES] {
         let row = &self.near[i / THINNING * self.n..][..self.n];

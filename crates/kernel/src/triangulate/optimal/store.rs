@@ -1,4 +1,4 @@
-//! The memory of a table, kept for the next one.
+//! The tiles of a table, and their memory, kept for the next one.
 //!
 //! While a handle is dragged, and over many holes or panels, one table follows another of about the
 //! same size. Fresh memory comes page by page from the system, which took a seventh of the time. So each
@@ -11,59 +11,151 @@ use std::cell::Cell;
 const MOST_KEPT: usize = 16 << 20;
 
 thread_local! {
-    static SPARE: Cell<Option<Store>> = const { Cell::new(None) };
+    static SPARE: Cell<Vec<Tile>> = const { Cell::new(Vec::new()) };
 }
 
-/// The memory of a table.
-#[derive(Default)]
-pub(super) struct Store {
-    /// Rows of tiles.
-    pub(super) entries: Vec<Lanes>,
-    /// N in the same order, by axis; empty when folds cost nothing.
-    pub(super) means: Vec<[Lanes; 3]>,
-    /// The finite entries of every row once more, packed: where and what.
-    pub(super) row_k: Vec<u32>,
-    pub(super) row_entries: Vec<f64>,
+/// [`LANES`] rows by as many columns of the table. A row holds E(k,j) of one k and all j.
+pub(super) struct Tile {
+    pub(super) sums: Box<Sums>,
+    /// N in the same order, by axis; `None` when folds cost nothing.
+    pub(super) means: Option<Box<Means>>,
 }
 
-impl Store {
-    /// Memory for so many rows of tiles, with or without N, and so many pairs. What it holds is left
-    /// over from before.
-    pub(super) fn new(slots: usize, folds: bool, pairs: usize) -> Self {
-        let mut store = SPARE.take().unwrap_or_default();
-        fit(&mut store.entries, slots, [0.0; LANES]);
-        fit(&mut store.means, if folds { slots } else { 0 }, [[0.0; LANES]; 3]);
-        fit(&mut store.row_k, pairs, 0);
-        fit(&mut store.row_entries, pairs, 0.0);
-        store
-    }
-
-    fn bytes(&self) -> usize {
-        self.entries.capacity() * size_of::<Lanes>()
-            + self.means.capacity() * size_of::<[Lanes; 3]>()
-            + self.row_k.capacity() * (size_of::<u32>() + size_of::<f64>())
-    }
+pub(super) struct Sums {
+    pub(super) entries: [Lanes; LANES],
+    /// The least entry of each row.
+    pub(super) least: Lanes,
 }
 
-/// Gives a list this length. One that must grow begins anew: nothing need be carried over.
-fn fit<T: Clone>(list: &mut Vec<T>, length: usize, fill: T) {
-    if list.capacity() < length {
-        *list = vec![fill; length];
-    } else {
-        list.resize(length, fill);
-    }
-}
+pub(super) type Means = [[Lanes; 3]; LANES];
 
-impl Store {
-    /// Keeps it for the next table of this thread, unless what is kept is larger.
-    pub(super) fn keep(self) {
-        if self.bytes() > MOST_KEPT {
-            return;
+impl Tile {
+    /// What a tile takes, bytes, with what lists it.
+    pub(super) const BYTES: usize =
+        size_of::<Sums>() + size_of::<Means>() + 2 * size_of::<Option<Self>>();
+
+    /// A tile without finite entries.
+    pub(super) fn new(folds: bool) -> Self {
+        let none = [f64::INFINITY; LANES];
+        Self {
+            sums: Box::new(Sums { entries: [none; LANES], least: none }),
+            means: folds.then(|| Box::new([[[0.0; LANES]; 3]; LANES])),
         }
+    }
+
+    fn clear(&mut self, folds: bool) {
+        let none = [f64::INFINITY; LANES];
+        self.sums.entries = [none; LANES];
+        self.sums.least = none;
+        if folds != self.means.is_some() {
+            self.means = folds.then(|| Box::new([[[0.0; LANES]; 3]; LANES]));
+        }
+    }
+}
+
+/// Where the tile of these rows and columns stands: the tiles of as many columns follow one another,
+/// from the first row down to the diagonal.
+fn slot(row: usize, column: usize) -> usize {
+    column * (column + 1) / 2 + row
+}
+
+/// The tiles with finite entries, on and above the diagonal.
+pub(super) struct Store {
+    folds: bool,
+    tiles: Vec<Option<Tile>>,
+    /// The columns of the tiles beside one another, in increasing order.
+    beside: Vec<Vec<u32>>,
+    /// Tiles to be used again.
+    spare: Vec<Tile>,
+}
+
+impl Store {
+    /// For so many rows of tiles and as many columns, with or without N.
+    pub(super) fn new(count: usize, folds: bool) -> Self {
+        let mut tiles = Vec::new();
+        tiles.resize_with(slot(0, count), || None);
+        Self { folds, tiles, beside: vec![Vec::new(); count], spare: SPARE.take() }
+    }
+
+    /// A tile to be filled, without finite entries.
+    pub(super) fn fresh(&mut self) -> Tile {
+        match self.spare.pop() {
+            Some(mut tile) => {
+                tile.clear(self.folds);
+                tile
+            }
+            None => Tile::new(self.folds),
+        }
+    }
+
+    /// Takes a tile that was filled. Those beside one another come from left to right.
+    pub(super) fn put(&mut self, row: usize, column: usize, tile: Tile) {
+        if tile.sums.least == [f64::INFINITY; LANES] {
+            self.spare.push(tile);
+        } else {
+            self.tiles[slot(row, column)] = Some(tile);
+            self.beside[row].push(column as u32);
+        }
+    }
+
+    /// `None` if all entries are infinite.
+    #[inline(always)]
+    pub(super) fn tile(&self, row: usize, column: usize) -> Option<&Tile> {
+        self.tiles[slot(row, column)].as_ref()
+    }
+
+    /// The columns of the tiles of these rows.
+    #[inline(always)]
+    pub(super) fn beside(&self, row: usize) -> &[u32] {
+        &self.beside[row]
+    }
+
+    /// Empties the table.
+    pub(super) fn clear(&mut self) {
+        for (row, beside) in self.beside.iter_mut().enumerate() {
+            let tiles = &mut self.tiles;
+            self.spare
+                .extend(beside.drain(..).filter_map(|at| tiles[slot(row, at as usize)].take()));
+        }
+    }
+
+    /// Keeps its memory for the next table of this thread.
+    fn keep(&mut self) {
+        self.clear();
+        self.spare.truncate(MOST_KEPT / Tile::BYTES);
         // A thread that ends keeps nothing.
-        let _ = SPARE.try_with(|spare| {
-            let other = spare.take().filter(|other| other.bytes() > self.bytes());
-            spare.set(Some(other.unwrap_or(self)));
-        });
+        let _ = SPARE.try_with(|spare| spare.set(std::mem::take(&mut self.spare)));
+    }
+}
+
+impl Drop for Store {
+    fn drop(&mut self) {
+        self.keep();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tiles_are_packed() {
+        let slots = (0..3).flat_map(|column| (0..=column).map(move |row| slot(row, column)));
+        assert!(slots.eq(0..slot(0, 3)));
+    }
+
+    #[test]
+    fn tiles_without_finite_entries_are_not_kept() {
+        let mut store = Store::new(2, true);
+        let (empty, mut tile) = (store.fresh(), store.fresh());
+        tile.sums.entries[3][4] = 1.0;
+        tile.sums.least[3] = 1.0;
+        store.put(0, 0, empty);
+        store.put(0, 1, tile);
+        assert!(store.tile(0, 0).is_none() && store.tile(0, 1).is_some());
+        assert_eq!(store.beside(0), [1]);
+        store.clear();
+        assert!(store.tile(0, 1).is_none() && store.beside(0).is_empty());
+        assert_eq!(store.fresh().sums.least, [f64::INFINITY; LANES]);
     }
 }

@@ -1,9 +1,10 @@
 //! The table itself, and how it is filled.
 
 use super::near::Band;
-use super::store::Store;
-use crate::cost::{FarEnds, LANES, Lanes, QUANTUM, Strip};
+use super::store::{Store, Tile};
+use crate::cost::{FarEnds, LANES, Lanes, QUANTUM, Strip, TwistForm};
 use crate::math::Vec3;
+use crate::triangulate::span::Span;
 use crate::triangulate::{Rule, Terms, TriangulateError};
 use crate::watch::Watch;
 use std::ops::Range;
@@ -14,15 +15,11 @@ const SLACK: f64 = 1e-13;
 /// Loops with fewer samples are not worth a second thread.
 const LEAST_SHARED: usize = 256;
 
-/// The table in tiles of [`LANES`] rows by as many columns, on and above the diagonal. The tiles of
-/// as many columns follow one another, from the first row down to the diagonal, and so do the rows
-/// of each: a row holds E(k,j) of one k and all j of the tile.
+/// The table in tiles of [`LANES`] rows by as many columns, on and above the diagonal.
 pub(super) struct Table<'a> {
     pub(super) terms: &'a Terms<'a>,
     pub(super) m: usize,
     store: Store,
-    /// How many finite entries each row has; those of row i begin at `row_start`.
-    row_lengths: Vec<usize>,
     folds: bool,
     /// Whether samples are numbered in order, so that many triangles can be priced at once.
     in_order: bool,
@@ -30,15 +27,37 @@ pub(super) struct Table<'a> {
     bound: f64,
 }
 
-/// What one tile holds.
-struct Tile {
-    entries: [Lanes; LANES],
-    means: [[Lanes; 3]; LANES],
+/// Which tiles may have finite entries.
+struct Open<'a> {
+    /// Only those with rungs of the band.
+    band: Option<&'a Band>,
+    /// What the samples of the tiles have in common; empty where that tells nothing.
+    spans: Vec<Span>,
+    bound: f64,
+    /// The number of the last column.
+    last: usize,
 }
 
-impl Tile {
-    const EMPTY: Self =
-        Self { entries: [[f64::INFINITY; LANES]; LANES], means: [[[0.0; LANES]; 3]; LANES] };
+impl<'a> Open<'a> {
+    fn new(terms: &Terms<'_>, bound: f64, band: Option<&'a Band>) -> Self {
+        let m = terms.prices.len();
+        let tells = bound < f64::INFINITY
+            && terms.prices.in_order()
+            && terms.prices.options().form == TwistForm::Normalised;
+        let starts = (0..if tells { m } else { 0 }).step_by(LANES);
+        let spans = starts.map(|start| Span::of(terms, start..m.min(start + LANES))).collect();
+        Self { band, spans, bound, last: m.div_ceil(LANES) - 1 }
+    }
+
+    fn is_open(&self, row: usize, column: usize) -> bool {
+        // With edges of the boundary.
+        if row + 1 >= column || (row, column) == (0, self.last) {
+            return true;
+        }
+        let is_dear =
+            !self.spans.is_empty() && self.spans[row].least(&self.spans[column]) > self.bound;
+        !is_dear && self.band.is_none_or(|band| band.has(row * LANES, column * LANES, LANES))
+    }
 }
 
 /// A column of tiles, while it is filled from the diagonal upwards.
@@ -85,27 +104,14 @@ struct Least<'a> {
     best: [u64; LANES],
 }
 
-/// Where the row of sample `k` stands in the tiles of `column`.
-fn slot(k: usize, column: usize) -> usize {
-    column * (column + 1) / 2 * LANES + k
-}
-
-fn row_start(m: usize, i: usize) -> usize {
-    // Rows before i have m − 1, m − 2, … entries; i · (i + 1) / 2 is what they lack.
-    i * m - i * (i + 1) / 2
-}
-
 impl<'a> Table<'a> {
     pub(super) fn new(terms: &'a Terms<'a>) -> Self {
         let m = terms.prices.len();
-        let tiles = m.div_ceil(LANES);
-        let (pairs, slots) = (m * (m - 1) / 2, slot(0, tiles));
         let folds = terms.folds();
         Self {
             terms,
             m,
-            store: Store::new(slots, folds, pairs),
-            row_lengths: vec![0; m],
+            store: Store::new(m.div_ceil(LANES), folds),
             folds,
             in_order: terms.prices.in_order(),
             bound: f64::INFINITY,
@@ -122,16 +128,17 @@ impl<'a> Table<'a> {
         share: Range<f64>,
     ) -> Result<f64, TriangulateError> {
         self.bound = bound;
-        self.row_lengths.fill(0);
+        self.store.clear();
+        let open = Open::new(self.terms, bound, band);
         let columns = self.m.div_ceil(LANES);
         let mut columns: Vec<Column> = (0..columns).map(|at| Column::new(self.terms, at)).collect();
         let tell = |done: f64, watch: &mut dyn Watch| {
             watch.progress(share.start + (share.end - share.start) * done);
         };
         if cfg!(feature = "rayon") && self.m >= LEAST_SHARED {
-            self.fill_by_diagonals(&mut columns, band, watch, tell)?;
+            self.fill_by_diagonals(&mut columns, &open, watch, tell)?;
         } else {
-            self.fill_by_columns(&mut columns, band, watch, tell)?;
+            self.fill_by_columns(&mut columns, &open, watch, tell)?;
         }
         Ok(self.entry(0, self.m - 1))
     }
@@ -140,21 +147,21 @@ impl<'a> Table<'a> {
     fn fill_by_columns(
         &mut self,
         columns: &mut [Column],
-        band: Option<&Band>,
+        open: &Open<'_>,
         watch: &mut dyn Watch,
         tell: impl Fn(f64, &mut dyn Watch),
     ) -> Result<(), TriangulateError> {
         let registers = pulp::Arch::new();
-        let mut tile = Tile::EMPTY;
         let count = columns.len() as f64;
         for (at, column) in columns.iter_mut().enumerate() {
-            for row in (0..=at).rev() {
+            for row in (0..=at).rev().filter(|&row| open.is_open(row, at)) {
                 if watch.stop() {
                     return Err(TriangulateError::Stopped);
                 }
-                let tile = &mut tile;
-                registers.dispatch(Filling { table: self, row, column, band, tile });
-                self.store(row, at, tile);
+                let mut tile = self.store.fresh();
+                let (table, band) = (&*self, open.band);
+                registers.dispatch(Filling { table, row, column, band, tile: &mut tile });
+                self.store.put(row, at, tile);
             }
             let done = at as f64 / count;
             tell(done * done * done, watch);
@@ -168,7 +175,7 @@ impl<'a> Table<'a> {
     fn fill_by_diagonals(
         &mut self,
         columns: &mut [Column],
-        band: Option<&Band>,
+        open: &Open<'_>,
         watch: &mut dyn Watch,
         tell: impl Fn(f64, &mut dyn Watch),
     ) -> Result<(), TriangulateError> {
@@ -178,19 +185,23 @@ impl<'a> Table<'a> {
             if watch.stop() {
                 return Err(TriangulateError::Stopped);
             }
-            let table = &*self;
-            let tiles: Vec<Tile> = columns[diagonal..]
+            let (table, band) = (&*self, open.band);
+            let tiles: Vec<Option<Tile>> = columns[diagonal..]
                 .par_iter_mut()
                 .enumerate()
                 .map(|(row, column)| {
-                    let mut tile = Tile::EMPTY;
-                    let filling = Filling { table, row, column, band, tile: &mut tile };
-                    registers.dispatch(filling);
-                    tile
+                    open.is_open(row, row + diagonal).then(|| {
+                        let mut tile = Tile::new(table.folds);
+                        let filling = Filling { table, row, column, band, tile: &mut tile };
+                        registers.dispatch(filling);
+                        tile
+                    })
                 })
                 .collect();
-            for (row, tile) in tiles.iter().enumerate() {
-                self.store(row, row + diagonal, tile);
+            for (row, tile) in tiles.into_iter().enumerate() {
+                if let Some(tile) = tile {
+                    self.store.put(row, row + diagonal, tile);
+                }
             }
             // The sums of a diagonal are as many as its tiles, times their distance from the
             // diagonal of the table.
@@ -204,30 +215,11 @@ impl<'a> Table<'a> {
     fn fill_by_diagonals(
         &mut self,
         columns: &mut [Column],
-        band: Option<&Band>,
+        open: &Open<'_>,
         watch: &mut dyn Watch,
         tell: impl Fn(f64, &mut dyn Watch),
     ) -> Result<(), TriangulateError> {
-        self.fill_by_columns(columns, band, watch, tell)
-    }
-
-    fn store(&mut self, row: usize, column: usize, tile: &Tile) {
-        let first = slot(row * LANES, column);
-        self.store.entries[first..][..LANES].copy_from_slice(&tile.entries);
-        if self.folds {
-            self.store.means[first..][..LANES].copy_from_slice(&tile.means);
-        }
-        for (i, entries) in (row * LANES..self.m).zip(&tile.entries) {
-            let mut at = row_start(self.m, i) + self.row_lengths[i];
-            for (n, &entry) in entries.iter().enumerate() {
-                if entry < f64::INFINITY {
-                    self.store.row_k[at] = (column * LANES + n) as u32;
-                    self.store.row_entries[at] = entry;
-                    at += 1;
-                }
-            }
-            self.row_lengths[i] = at - row_start(self.m, i);
-        }
+        self.fill_by_columns(columns, open, watch, tell)
     }
 
     /// Fills the tile of these rows and the columns of the far ends, from all tiles to its left and
@@ -252,7 +244,6 @@ impl<'a> Table<'a> {
         tile: &mut Tile,
         together: impl Fn(f64, f64) -> f64 + Copy,
     ) {
-        tile.entries = [[f64::INFINITY; LANES]; LANES];
         let rows = row * LANES..self.m.min((row + 1) * LANES);
         let (to, column) = (&*to, to.first / LANES);
         for i in rows.clone().rev() {
@@ -261,8 +252,8 @@ impl<'a> Table<'a> {
                 continue;
             }
             let Strip { mut prices, means } = self.terms.strip(i, to);
-            if FOLDS {
-                tile.means[i - rows.start] = means;
+            if let Some(of_tile) = &mut tile.means {
+                of_tile[i - rows.start] = means;
             }
             let mut below = [f64::NEG_INFINITY; LANES];
             for n in 0..LANES {
@@ -281,17 +272,8 @@ impl<'a> Table<'a> {
                 continue;
             }
             let mut least = Least { i, to, means, prices: below, best: [0; LANES] };
-            if FOLDS {
-                self.look_first(&mut least, best, &rows, column, tile);
-            }
-            let listed = row_start(self.m, i)..row_start(self.m, i) + self.row_lengths[i];
-            for (&k, &entry) in
-                self.store.row_k[listed.clone()].iter().zip(&self.store.row_entries[listed])
-            {
-                let k = k as usize;
-                let beyond = self.row_of(k, &rows, column, tile);
-                self.look::<FOLDS>(&mut least, k, entry, beyond, together);
-            }
+            self.look_first::<FOLDS>(&mut least, best, column, tile, together);
+            self.look_between::<FOLDS>(&mut least, column, tile, together);
             let mut entries = [f64::INFINITY; LANES];
             for n in 0..to.count {
                 let j = to.first + n;
@@ -305,24 +287,30 @@ impl<'a> Table<'a> {
                 } else {
                     continue;
                 }
-                let beyond = self.row_of(j, &rows, column, tile);
-                self.look::<FOLDS>(&mut least, j, entries[n], beyond, together);
+                // What lies below the diagonal has no tile yet while that of the diagonal is filled.
+                let diagonal =
+                    if row == column { Some(&*tile) } else { self.store.tile(column, column) };
+                if let Some(diagonal) = diagonal {
+                    self.look::<FOLDS>(&mut least, j, entries[n], diagonal, together);
+                }
             }
-            tile.entries[i - rows.start] = entries;
+            tile.sums.least[i - rows.start] = lowest(&entries);
+            tile.sums.entries[i - rows.start] = entries;
             *best = least.best;
         }
     }
 
     /// Looks at those k that were best one row below.
     #[inline(always)]
-    fn look_first(
+    fn look_first<const FOLDS: bool>(
         &self,
         least: &mut Least<'_>,
         best: &[u64; LANES],
-        rows: &Range<usize>,
         column: usize,
         tile: &Tile,
+        together: impl Fn(f64, f64) -> f64 + Copy,
     ) {
+        let row = least.i / LANES;
         let mut last = 0;
         for n in 0..LANES {
             let k = best[n] as usize;
@@ -331,57 +319,92 @@ impl<'a> Table<'a> {
             }
             last = k;
             let entry = self.entry(least.i, k);
-            if entry < f64::INFINITY {
-                let beyond = self.row_of(k, rows, column, tile);
-                self.look::<true>(least, k, entry, beyond, |a, b| a + b);
+            if entry < f64::INFINITY
+                && let Some(beyond) = self.tile_of(k / LANES, row, column, tile)
+            {
+                self.look::<FOLDS>(least, k, entry, beyond, together);
             }
         }
     }
 
-    /// The row of sample `k` in the tiles of a column, of which `tile`, with these rows, is not yet
-    /// stored.
+    /// Looks at the k before those of the column. Of the 16 of a tile, only those whose E(i,k) and
+    /// the least E(k,j) together lie below the highest of the least prices.
     #[inline(always)]
-    fn row_of<'t>(
-        &'t self,
-        k: usize,
-        rows: &Range<usize>,
+    fn look_between<const FOLDS: bool>(
+        &self,
+        least: &mut Least<'_>,
         column: usize,
-        tile: &'t Tile,
-    ) -> (&'t Lanes, &'t [Lanes; 3]) {
-        const NONE: [Lanes; 3] = [[0.0; LANES]; 3];
-        if rows.contains(&k) {
-            (&tile.entries[k - rows.start], &tile.means[k - rows.start])
-        } else {
-            let at = slot(k, column);
-            (&self.store.entries[at], self.store.means.get(at).unwrap_or(&NONE))
+        tile: &Tile,
+        together: impl Fn(f64, f64) -> f64 + Copy,
+    ) {
+        let row = least.i / LANES;
+        let mut highest = highest(&least.prices);
+        for &between in self.store.beside(row) {
+            let between = between as usize;
+            if between >= column || highest <= 0.0 {
+                break;
+            }
+            let (Some(own), Some(beyond)) =
+                (self.store.tile(row, between), self.tile_of(between, row, column, tile))
+            else {
+                continue;
+            };
+            let entries = &own.sums.entries[least.i % LANES];
+            let mut left = 0u32;
+            for n in 0..LANES {
+                let is_below = together(entries[n], beyond.sums.least[n]) < highest;
+                left |= u32::from(is_below) << n;
+            }
+            if left == 0 {
+                continue;
+            }
+            while left != 0 {
+                let n = left.trailing_zeros() as usize;
+                left &= left - 1;
+                self.look::<FOLDS>(least, between * LANES + n, entries[n], beyond, together);
+            }
+            highest = self::highest(&least.prices);
         }
     }
 
-    /// Looks at the triangles i, k, j of all j of the tile, with E(i,k) = `entry`, E(k,j) in
-    /// `entries` and N of ⟨k,j⟩ in `means`.
+    /// The tile in a column of them, of which `tile`, in `row`, is not yet stored.
+    #[inline(always)]
+    fn tile_of<'t>(
+        &'t self,
+        wanted: usize,
+        row: usize,
+        column: usize,
+        tile: &'t Tile,
+    ) -> Option<&'t Tile> {
+        if wanted == row { Some(tile) } else { self.store.tile(wanted, column) }
+    }
+
+    /// Looks at the triangles i, k, j of all j of the tile `beyond`, with E(i,k) = `entry`.
     #[inline(always)]
     fn look<const FOLDS: bool>(
         &self,
         least: &mut Least<'_>,
         k: usize,
         entry: f64,
-        (entries, means): (&Lanes, &[Lanes; 3]),
+        beyond: &Tile,
         together: impl Fn(f64, f64) -> f64,
     ) {
-        if !FOLDS {
+        let entries = &beyond.sums.entries[k % LANES];
+        if FOLDS {
+            let mut below = false;
             for n in 0..LANES {
-                let price = together(entry, entries[n]);
-                // Written out: `f64::min` also orders NaN, which costs instructions and can't occur.
-                least.prices[n] = if price < least.prices[n] { price } else { least.prices[n] };
+                below |= entry + entries[n] < least.prices[n];
+            }
+            if below && let Some(means) = &beyond.means {
+                self.look_closer(least, k, entry, (entries, &means[k % LANES]));
             }
             return;
         }
-        let mut below = false;
         for n in 0..LANES {
-            below |= entry + entries[n] < least.prices[n];
-        }
-        if below {
-            self.look_closer(least, k, entry, (entries, means));
+            let price = together(entry, entries[n]);
+            let lower = price < least.prices[n];
+            least.prices[n] = if lower { price } else { least.prices[n] };
+            least.best[n] = if lower { k as u64 } else { least.best[n] };
         }
     }
 
@@ -448,14 +471,16 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// N of the rung ⟨i,j⟩, which must be stored.
+    /// N of the rung ⟨i,j⟩; zero where folds cost nothing or none is stored.
     #[inline(always)]
     fn mean(&self, i: usize, j: usize) -> [f64; 3] {
-        self.store.means[slot(i, j / LANES)].map(|mean| mean[j % LANES])
+        let means = self.store.tile(i / LANES, j / LANES).and_then(|tile| tile.means.as_ref());
+        means.map_or([0.0; 3], |means| means[i % LANES].map(|mean| mean[j % LANES]))
     }
 
     fn entry(&self, i: usize, j: usize) -> f64 {
-        self.store.entries[slot(i, j / LANES)][j % LANES]
+        let tile = self.store.tile(i / LANES, j / LANES);
+        tile.map_or(f64::INFINITY, |tile| tile.sums.entries[i % LANES][j % LANES])
     }
 
     /// F(i,k,j).
@@ -485,44 +510,51 @@ impl<'a> Table<'a> {
     /// The k of E(i,j), by the rule for equals.
     fn chosen(&self, i: usize, j: usize) -> usize {
         let mut chosen = (f64::INFINITY, f64::INFINITY, i + 1);
-        let listed = row_start(self.m, i)..row_start(self.m, i) + self.row_lengths[i];
-        for (&k, &entry) in
-            self.store.row_k[listed.clone()].iter().zip(&self.store.row_entries[listed])
-        {
-            let k = k as usize;
-            if k >= j {
+        for &at in self.store.beside(i / LANES) {
+            let first = at as usize * LANES;
+            if first >= j {
                 break;
             }
-            let sum = self.terms.together(entry, self.entry(k, j));
-            if sum > chosen.0 {
-                continue;
-            }
-            let key = (sum + self.fold(i, k, j), self.terms.prices.detour(i, k, j), k);
-            if (key.0, key.1) < (chosen.0, chosen.1) {
-                chosen = key;
+            let tiles =
+                (self.store.tile(i / LANES, at as usize), self.store.tile(at as usize, j / LANES));
+            let (Some(own), Some(beyond)) = tiles else { continue };
+            for n in 0..LANES {
+                let (k, entry) = (first + n, own.sums.entries[i % LANES][n]);
+                let sum = self.terms.together(entry, beyond.sums.entries[n][j % LANES]);
+                if sum > chosen.0 || sum == f64::INFINITY {
+                    continue;
+                }
+                let key = (sum + self.fold(i, k, j), self.terms.prices.detour(i, k, j), k);
+                if (key.0, key.1) < (chosen.0, chosen.1) {
+                    chosen = key;
+                }
             }
         }
         chosen.2
     }
 }
 
-impl Drop for Table<'_> {
-    fn drop(&mut self) {
-        std::mem::take(&mut self.store).keep();
-    }
+#[inline(always)]
+fn highest(prices: &Lanes) -> f64 {
+    // Written out: `f64::max` also orders NaN, which costs instructions and can't occur.
+    chosen(prices, |a, b| if b > a { b } else { a })
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+#[inline(always)]
+fn lowest(prices: &Lanes) -> f64 {
+    chosen(prices, |a, b| if b < a { b } else { a })
+}
 
-    #[test]
-    fn rows_and_tiles_are_packed() {
-        let m = 7;
-        let rows = (0..m).flat_map(|i| (i + 1..m).map(move |k| row_start(m, i) + k - i - 1));
-        assert!(rows.eq(0..21));
-        let slots =
-            (0..3).flat_map(|column| (0..(column + 1) * LANES).map(move |k| slot(k, column)));
-        assert!(slots.eq(0..slot(0, 3)));
+/// What is chosen of all lanes, two by two.
+#[inline(always)]
+fn chosen(prices: &Lanes, of_two: impl Fn(f64, f64) -> f64) -> f64 {
+    let mut lanes = *prices;
+    let mut count = LANES;
+    while count > 1 {
+        count /= 2;
+        for n in 0..count {
+            lanes[n] = of_two(lanes[n], lanes[n + count]);
+        }
     }
+    lanes[0]
 }

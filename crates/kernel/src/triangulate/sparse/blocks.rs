@@ -4,15 +4,11 @@
 //! to choose from, which would blur whatever block it shared.
 
 use super::super::Terms;
-use crate::math::{Vec3, unit};
+use super::super::span::Span;
 use std::ops::Range;
 
 /// Corners are kept apart while there are at most as many as one in so many samples.
 const SAMPLES_A_CORNER: usize = 64;
-/// What rounding may add to lengths of differences of unit vectors.
-const SLACK: f64 = 1e-7;
-/// What rounding may add to the difference of two squared cosines.
-const COSINE_MARGIN: f64 = 1e-11;
 
 /// The blocks of one level.
 pub(super) struct Blocks {
@@ -22,22 +18,6 @@ pub(super) struct Blocks {
     /// lowest level.
     children: Vec<u32>,
     spans: Vec<Span>,
-}
-
-/// What the samples of a block have in common, to second order: positions are middle + τ t + r and
-/// tangents t + ξ k + q, with |τ| ≤ reach, |r| ≤ bow, |ξ| ≤ turn, |q| ≤ rest.
-#[derive(Clone, Copy)]
-struct Span {
-    middle: Vec3,
-    /// t and k, unit vectors or zero.
-    tangent: Vec3,
-    turning: Vec3,
-    reach: f64,
-    bow: f64,
-    turn: f64,
-    rest: f64,
-    /// The least square of a special cosine.
-    special_cosine_squared: f64,
 }
 
 /// The levels of a loop, from single samples up to about `top` blocks.
@@ -95,93 +75,5 @@ impl Blocks {
     /// No rung between block `a` of these and block `b` of others costs less.
     pub(super) fn least(&self, a: usize, others: &Self, b: usize) -> f64 {
         self.spans[a].least(&others.spans[b])
-    }
-}
-
-impl Span {
-    fn of(terms: &Terms<'_>, samples: Range<usize>) -> Self {
-        let end = |i: usize| {
-            let (position, tangent, special) = terms.prices.smooth_end(i);
-            (Vec3::from_array(position), Vec3::from_array(tangent), special)
-        };
-        let count = samples.len() as f64;
-        let zero = (Vec3::ZERO, Vec3::ZERO);
-        let sum = samples.clone().map(end).fold(zero, |sum, e| (sum.0 + e.0, sum.1 + e.1));
-        let (first, last) = (end(samples.start).1, end(samples.end - 1).1);
-        let mut span = Self {
-            middle: sum.0 / count,
-            tangent: unit(sum.1).unwrap_or(Vec3::ZERO),
-            turning: unit(last - first).unwrap_or(Vec3::ZERO),
-            reach: 0.0,
-            bow: 0.0,
-            turn: 0.0,
-            rest: 0.0,
-            special_cosine_squared: f64::INFINITY,
-        };
-        for i in samples {
-            let (position, tangent, special) = end(i);
-            let off = position - span.middle;
-            let along = off.dot(span.tangent);
-            span.reach = span.reach.max(along.abs());
-            span.bow = span.bow.max((off - span.tangent * along).length());
-            let off = tangent - span.tangent;
-            let along = off.dot(span.turning);
-            span.turn = span.turn.max(along.abs());
-            span.rest = span.rest.max((off - span.turning * along).length());
-            span.special_cosine_squared = span.special_cosine_squared.min(special);
-        }
-        span
-    }
-
-    /// How far a sample may be from the middle, and a tangent from t.
-    fn off(&self) -> (f64, f64) {
-        (self.reach + self.bow, self.turn + self.rest)
-    }
-
-    /// The direction of t × d over the rungs from this block along about `d` to the block `to`, and
-    /// how far it may be from that; `None` if it may be any.
-    ///
-    /// With d = d₀ + τ′ t′ + r′ − τ t − r, and as t × t = 0,
-    /// (t + ξ k + q) × d = t × d₀ + τ′ t × t′ + t × (r′ − r) + ξ k × (d − τ t …) + q × d.
-    /// On a developable surface t, t′, k and d₀ lie nearly in one plane, so that the terms of first
-    /// order run along t × d₀ and do not turn it.
-    fn normal(&self, to: &Self, d: Vec3, length: f64) -> Option<(Vec3, f64)> {
-        let v = self.tangent.cross(d);
-        let size = v.length();
-        if size <= SLACK * length {
-            return None;
-        }
-        let normal = v / size;
-        let split = |x: Vec3, by: f64| {
-            let along = x.dot(normal);
-            [by * along.abs(), by * (x - normal * along).length()]
-        };
-        let from_to = split(self.tangent.cross(to.tangent), to.reach);
-        let from_turn = split(self.turning.cross(d), self.turn);
-        let off = self.off().0 + to.off().0;
-        let second = self.bow + to.bow + self.turn * off + self.rest * (length + off);
-        let across = from_to[1] + from_turn[1] + second;
-        let left = size - from_to[0] - from_turn[0] - second;
-        // Rungs near the tangent are special; left is at most |t × d| for all of them.
-        let sine = left / (length + off) * (1.0 - SLACK);
-        let plain = left > 0.0 && sine * sine > 1.0 - self.special_cosine_squared + COSINE_MARGIN;
-        plain.then(|| (normal, across / left + SLACK))
-    }
-
-    /// No rung to another block costs less, as far as the spans tell.
-    fn least(&self, to: &Self) -> f64 {
-        let d = to.middle - self.middle;
-        let length = d.length();
-        let off = self.off().0 + to.off().0;
-        if length <= 2.0 * off {
-            return 0.0;
-        }
-        let (Some((v, v_off)), Some((u, u_off))) =
-            (self.normal(to, d, length), to.normal(self, -d, length))
-        else {
-            return 0.0;
-        };
-        let apart = ((v - u).length() - v_off - u_off).max(0.0);
-        0.5 * apart * apart * (1.0 - SLACK)
     }
 }
