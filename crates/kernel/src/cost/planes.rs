@@ -130,6 +130,23 @@ pub(super) fn smooth(
     }
 }
 
+/// Whether the rung between two samples certainly has no planes, because it is parallel to the tangent
+/// of a smooth one; [`special`] says so of a few more.
+#[inline(always)]
+pub(super) fn is_parallel(
+    (from, from_tangent, from_special): ([f64; 3], [f64; 3], f64),
+    (to, to_tangent, to_special): ([f64; 3], [f64; 3], f64),
+) -> bool {
+    let d = [to[0] - from[0], to[1] - from[1], to[2] - from[2]];
+    // Half of the sine, so that rounding does not matter.
+    let most = 0.25 * PARALLEL_SINE * PARALLEL_SINE * dot(d, d);
+    let is_along = |tangent: [f64; 3], special: f64| {
+        let across = cross(tangent, d);
+        special >= 0.0 && dot(across, across) < most
+    };
+    is_along(from_tangent, from_special) || is_along(to_tangent, to_special)
+}
+
 #[inline(always)]
 pub(super) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]

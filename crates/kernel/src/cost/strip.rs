@@ -3,7 +3,7 @@
 //! A strip is what leads from one sample to [`LANES`] samples in a row. The arithmetic is that of
 //! single rungs and triangles, in the same order, so the bits are the same too.
 
-use super::planes::{cross, dot, smooth};
+use super::planes::{cross, dot, is_parallel, smooth};
 use super::{Prices, QUANTUM, TwistForm, fold_of, quantised};
 
 /// How many rungs stand side by side: four vector registers on common processors.
@@ -25,6 +25,14 @@ pub(crate) struct FarEnds {
     positions: [Lanes; 3],
     tangents: [Lanes; 3],
     special_cosines_squared: Lanes,
+}
+
+impl FarEnds {
+    #[inline(always)]
+    fn end(&self, n: usize) -> ([f64; 3], [f64; 3], f64) {
+        let at = |of: &[Lanes; 3]| [of[0][n], of[1][n], of[2][n]];
+        (at(&self.positions), at(&self.tangents), self.special_cosines_squared[n])
+    }
 }
 
 /// The rungs from one sample to [`FarEnds`]. Neighbours, rungs without tangent planes, and those
@@ -59,9 +67,7 @@ impl Prices {
         let mut strip = Strip { prices: [0.0; LANES], means: [[0.0; LANES]; 3] };
         let mut special = [false; LANES];
         for n in 0..LANES {
-            let at = |of: &[Lanes; 3]| [of[0][n], of[1][n], of[2][n]];
-            let rung =
-                smooth(from, (at(&to.positions), at(&to.tangents), to.special_cosines_squared[n]));
+            let rung = smooth(from, to.end(n));
             strip.prices[n] = quantised(rung.twist);
             for axis in 0..3 {
                 strip.means[axis][n] = rung.mean[axis];
@@ -75,6 +81,12 @@ impl Prices {
         for n in 0..to.count {
             let j = to.first + n;
             if (special[n] || printed) && j > i {
+                // Most of them run along a straight stretch.
+                if is_parallel(from, to.end(n)) {
+                    strip.prices[n] = f64::INFINITY;
+                    strip.means.iter_mut().for_each(|mean| mean[n] = 0.0);
+                    continue;
+                }
                 let planes = self.planes(i, j);
                 strip.prices[n] = planes.map_or(f64::INFINITY, |planes| self.rung(i, j, &planes));
                 for axis in 0..3 {
@@ -153,5 +165,48 @@ impl Fan<'_> {
             any |= (least <= 0.0) | !((along <= 0.0) | too_short);
         }
         any
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::boundary::{Boundary, samples_from_points};
+    use crate::cost::PriceOptions;
+    use crate::curve::CurvePoint;
+    use crate::math::{Point3, sin};
+
+    #[test]
+    fn strips_are_what_single_rungs_are() {
+        // A rectangle with two straight sides and two bent ones.
+        let n = 20;
+        let along = |i: usize| i as f64 / n as f64;
+        let bent = |x: f64, y: f64| Point3::new(x, y, 0.3 * sin(3.0 * x));
+        let sides = (0..4 * n).map(|at| {
+            let (side, t) = (at / n, along(at % n));
+            let [x, y] = [[t, 0.0], [1.0, t], [1.0 - t, 1.0], [0.0, 1.0 - t]][side];
+            CurvePoint { corner: at % n == 0, ..CurvePoint::smooth(bent(x, y)) }
+        });
+        let samples = samples_from_points(&sides.collect::<Vec<_>>());
+        let boundary = Boundary::new(vec![samples]).unwrap();
+        let prices = Prices::new(&boundary, None, PriceOptions::default());
+        let mut without = 0;
+        for i in 0..prices.len() {
+            for first in (0..prices.len()).step_by(LANES) {
+                let strip = prices.strip(i, &prices.far_ends(first));
+                for (n, j) in (first..prices.len().min(first + LANES)).enumerate() {
+                    if j <= i + 1 || prices.neighbours(i, j) {
+                        continue;
+                    }
+                    let planes = prices.planes(i, j);
+                    let price = planes.map_or(f64::INFINITY, |p| prices.rung(i, j, &p));
+                    let mean = planes.map_or([0.0; 3], |p| [p.mean.x, p.mean.y, p.mean.z]);
+                    assert_eq!(strip.prices[n], price, "{i} {j}");
+                    assert_eq!(strip.means.map(|mean| mean[n]), mean, "{i} {j}");
+                    without += usize::from(planes.is_none());
+                }
+            }
+        }
+        assert!(without > n * n / 2, "{without}");
     }
 }

@@ -69,6 +69,16 @@ impl Visibility {
         Self { inside: Some(pairs_at_ends(&plane.projected)) }
     }
 
+    /// What it takes for so many samples where not everything is seen, bytes.
+    pub(crate) fn memory_needed(m: usize) -> u64 {
+        m as u64 * m.div_ceil(64) as u64 * size_of::<u64>() as u64
+    }
+
+    /// What it takes, bytes.
+    pub(crate) fn bytes(&self) -> u64 {
+        self.inside.as_ref().map_or(0, |pairs| (pairs.words.len() * size_of::<u64>()) as u64)
+    }
+
     /// Which of the 16 samples from `first` on, a multiple of 16, may be joined with sample `i`: one
     /// bit each, the lowest for the first.
     #[inline(always)]

@@ -6,7 +6,7 @@
 
 use super::{
     Found, Method, Terms, TriangulateError, TriangulateOptions, Triangulation, may_be_among_few,
-    memory_needed, mend, optimal, outcome, sparse,
+    mend, optimal, outcome, sparse,
 };
 use crate::boundary::{Boundary, SupportingPlane};
 use crate::cost::{Prices, quantised};
@@ -35,8 +35,8 @@ pub(super) fn sparsely(
     if !may_be_among_few(options) || !prices.one_loop() {
         return Ok(None);
     }
-    let terms = Terms::new(prices, visibility, false);
-    let found = sparse::solve(&terms, options.memory_limit, watch)?;
+    let terms = Terms::new(prices, visibility, false).within(options.memory_limit);
+    let found = sparse::solve(&terms, watch)?;
     Ok(found.and_then(|found| lying_on(plane, &terms, found.triangles, options.method)))
 }
 
@@ -52,16 +52,14 @@ pub(super) fn densely(
     if !may_ask_less(prices, options) {
         return Ok(None);
     }
-    let terms = Terms::new(prices, visibility, false);
+    let terms = Terms::new(prices, visibility, false).within(options.memory_limit);
     let found = optimal::solve(&terms, mend::price(&terms, known), watch)?;
     Ok(found.and_then(|triangles| lying_on(plane, &terms, triangles, options.method)))
 }
 
 /// Whether the table of all rungs may be filled without asking which lie inside the projection.
 pub(super) fn may_ask_less(prices: &Prices, options: &TriangulateOptions) -> bool {
-    may_be_among_few(options)
-        && prices.one_loop()
-        && memory_needed(prices.len()) <= options.memory_limit
+    may_be_among_few(options) && prices.one_loop()
 }
 
 /// The cheapest triangulation of those with more rungs than lie inside the projection, if it is

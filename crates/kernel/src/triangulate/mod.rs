@@ -86,8 +86,8 @@ pub struct TriangulateOptions {
     pub goal: Goal,
     /// How they are priced.
     pub price: PriceOptions,
-    /// The most memory that tables may take, bytes. Default 4 GiB: `Optimal` up to 13,000 samples
-    /// without holes, and more where the boundary comes near to a developable surface.
+    /// The most memory that tables may take, bytes. Default 4 GiB: `Optimal` up to 15,000 samples
+    /// without holes, and many more where the boundary comes near to a developable surface.
     pub memory_limit: u64,
 }
 
@@ -259,6 +259,10 @@ pub fn triangulate_near(
         }
         also_without_plane = Some(false);
     }
+    let (needed, limit) = (Visibility::memory_needed(boundary.len()), options.memory_limit);
+    if plane.is_some() && needed > limit {
+        return Err(TriangulateError::TooLarge { needed, limit });
+    }
     if let Some(plane) = plane
         && may_ask_less(&prices, options)
     {
@@ -268,16 +272,12 @@ pub fn triangulate_near(
         }
     }
     let of_plane = |triangulation| Cheapest { triangulation, also_without_plane };
-    let needed = needed(&lengths, options);
-    if needed > options.memory_limit {
-        return Err(TriangulateError::TooLarge { needed, limit: options.memory_limit });
-    }
     let visibility = Visibility::new(boundary, plane);
     // Rungs without a tangent plane are admitted only when nothing can be done without them, which
     // the table of all rungs has shown where any two samples may be joined.
     let none_unforced = plane.is_none() && may_ask_less(&prices, options);
     for forced in [false, true].into_iter().skip(usize::from(none_unforced)) {
-        let mut terms = Terms::new(&prices, &visibility, forced);
+        let mut terms = Terms::new(&prices, &visibility, forced).within(options.memory_limit);
         let simple = |triangles| Found { triangles, lower_bound: None };
         let found = if boundary.holes() > 0 {
             holes::solve(&terms, plane, boundary.loops(), f64::INFINITY, watch)?
@@ -337,12 +337,12 @@ pub fn refuse(lengths: &[usize], options: &TriangulateOptions) -> Result<(), Tri
     if holes > 0 && options.method != Method::Optimal {
         return Err(TriangulateError::Holes { count: holes });
     }
-    let needed = needed(lengths, options);
-    let few = holes == 0 && may_be_among_few(options);
-    if needed > options.memory_limit && !(few && sparse::memory_needed(m) <= options.memory_limit) {
-        return Err(TriangulateError::TooLarge { needed, limit: options.memory_limit });
+    let limit = options.memory_limit;
+    let mut needed = needed(lengths, options);
+    if needed > limit && holes == 0 && may_be_among_few(options) {
+        needed = needed.min(optimal::least_memory_needed(m));
     }
-    Ok(())
+    if needed > limit { Err(TriangulateError::TooLarge { needed, limit }) } else { Ok(()) }
 }
 
 /// What the tables of a method take for loops of so many samples, bytes.
@@ -383,6 +383,8 @@ struct Terms<'a> {
     rule: Rule,
     /// Rungs that are dearer are not admitted.
     bar: f64,
+    /// The most that tables may take, bytes, where what they take depends on the boundary.
+    memory: u64,
 }
 
 /// What the price of parts together is.
@@ -400,12 +402,13 @@ struct Thinned {
     visibility: Visibility,
     forced: bool,
     rule: Rule,
+    memory: u64,
 }
 
 impl Thinned {
     /// Without the bar: fewer samples may have no answer below it, and a guess needs one.
     fn terms(&self) -> Terms<'_> {
-        let terms = Terms::new(&self.prices, &self.visibility, self.forced);
+        let terms = Terms::new(&self.prices, &self.visibility, self.forced).within(self.memory);
         Terms { rule: self.rule, ..terms }
     }
 }
@@ -427,7 +430,12 @@ const BARRED: Side = Side { price: f64::INFINITY, mean: Vec3::ZERO };
 impl<'a> Terms<'a> {
     /// Sums of prices, and nothing barred.
     fn new(prices: &'a Prices, visibility: &'a Visibility, forced: bool) -> Self {
-        Self { prices, visibility, forced, rule: Rule::Sum, bar: f64::INFINITY }
+        Self { prices, visibility, forced, rule: Rule::Sum, bar: f64::INFINITY, memory: u64::MAX }
+    }
+
+    /// The same with no more memory than this, bytes.
+    fn within(self, memory: u64) -> Self {
+        Self { memory, ..self }
     }
 
     /// The terms of the loop of some of the samples.
@@ -437,6 +445,7 @@ impl<'a> Terms<'a> {
             visibility: self.visibility.thinned(kept),
             forced: self.forced,
             rule: self.rule,
+            memory: self.memory,
         }
     }
 

@@ -46,17 +46,28 @@ use table::Table;
 const LEAST_THINNED: usize = 64;
 /// How much more than that of the thinned loop the answer may cost, where its rungs lead to none.
 const GUESSES: [f64; 2] = [1.3, 5.2];
+/// A table is expected to have at least and at most so many times the tiles of that of the thinned
+/// loop: next to a developable surface, and where all are there.
+const GROWTH: [f64; 2] = [8.0, 16.0];
 /// Above it no bound is tried: a boundary like that needs all entries.
 const HIGHEST_BOUND: f64 = 100.0;
 
-/// What the tables of m samples take, bytes: this one, with folds, those of the thinned loops, a
-/// sixteenth each of the one before, who sees whom, and the band.
+/// What the tables of m samples take at the most, bytes: this one, with folds, who sees whom, and
+/// the same of the thinned loops, a sixteenth each of the one before.
 pub fn memory_needed(m: usize) -> u64 {
-    let m = m as u64;
-    let lanes = LANES as u64;
-    let tiles = m.div_ceil(lanes) * (m.div_ceil(lanes) + 1) / 2;
-    let pairs = m * m.saturating_sub(1) / 2;
-    tiles * Tile::BYTES as u64 / 15 * 16 + pairs / 4 + pairs / 8
+    let pairs = m as u64 * (m as u64).saturating_sub(1) / 2;
+    let table = tables(m).0;
+    table / 15 * 16 + pairs / 4 / 15 * 16
+}
+
+/// The same at the least, where hardly any entry can belong to the answer and nobody asks who sees
+/// whom.
+pub(super) fn least_memory_needed(m: usize) -> u64 {
+    tables(m).1 / 15 * 16
+}
+
+fn tables(m: usize) -> (u64, u64) {
+    store::bytes_of(m.div_ceil(LANES) as u64)
 }
 
 /// The triangles of the cheapest triangulation; `None` if there is none. `known` is the price of a
@@ -79,14 +90,33 @@ pub(super) fn solve_priced(
     terms: &Terms<'_>,
     watch: &mut dyn Watch,
 ) -> Result<Option<Solved>, TriangulateError> {
+    Ok(solve_counted(terms, watch)?.map(|counted| counted.solved))
+}
+
+/// What was found, and how large the table was.
+struct Counted {
+    solved: Solved,
+    tiles: usize,
+    /// How many times the tiles of the thinned loop those are.
+    growth: f64,
+}
+
+fn solve_counted(
+    terms: &Terms<'_>,
+    watch: &mut dyn Watch,
+) -> Result<Option<Counted>, TriangulateError> {
     let mut table = Table::new(terms);
+    let (bounds, of_thinned) = bounds(&mut table, watch)?;
     let mut left = 1.0;
-    for bound in bounds(&mut table, watch)? {
+    for bound in bounds {
         // Nobody knows how many bounds it takes: each gets half of what is left of the progress.
         let share = 1.0 - left..1.0 - 0.5 * left;
         let price = table.fill(bound, None, watch, share)?;
         if price < f64::INFINITY {
-            return Ok(Some(Solved { price, triangles: table.trace() }));
+            let tiles = table.tiles();
+            let growth = of_thinned.map_or(GROWTH[1], |few| tiles as f64 / few as f64);
+            let solved = Solved { price, triangles: table.trace() };
+            return Ok(Some(Counted { solved, tiles, growth: growth.clamp(GROWTH[0], GROWTH[1]) }));
         }
         left *= 0.5;
     }
@@ -106,24 +136,39 @@ pub(super) fn solve_within(
     Ok((price < f64::INFINITY).then(|| Solved { price, triangles: table.trace() }))
 }
 
-/// Bounds to try on the price of the answer, one after the other; the last is none at all.
-fn bounds(table: &mut Table<'_>, watch: &mut dyn Watch) -> Result<Vec<f64>, TriangulateError> {
-    if table.m < LEAST_THINNED {
-        return Ok(vec![f64::INFINITY]);
+/// Bounds to try on the price of the answer, one after the other; the last is none at all. And how
+/// many tiles the thinned loop took, if one was solved.
+fn bounds(
+    table: &mut Table<'_>,
+    watch: &mut dyn Watch,
+) -> Result<(Vec<f64>, Option<usize>), TriangulateError> {
+    let (terms, m) = (table.terms, table.m);
+    if m < LEAST_THINNED {
+        return Ok((vec![f64::INFINITY], None));
     }
-    let kept: Vec<usize> = (0..table.m).step_by(THINNING).collect();
-    let thinned = table.terms.thinned(&kept);
-    let Some(coarse) = solve_priced(&thinned.terms(), &mut Part::silent(watch))? else {
-        return Ok(vec![f64::INFINITY]);
-    };
-    let band = Band::along(&coarse.triangles, table.m);
+    let kept: Vec<usize> = (0..m).step_by(THINNING).collect();
+    let thinned = terms.thinned(&kept);
+    let coarse = solve_counted(&thinned.terms(), &mut Part::silent(watch));
+    let too_large = |needed| TriangulateError::TooLarge { needed, limit: terms.memory };
+    let coarse = coarse.map_err(|error| match error {
+        TriangulateError::TooLarge { .. } => too_large(memory_needed(m)),
+        error => error,
+    })?;
+    let Some(coarse) = coarse else { return Ok((vec![f64::INFINITY], None)) };
+    let expected = (coarse.growth * coarse.tiles as f64) as u64 * Tile::bytes(terms.folds());
+    if expected > terms.memory && memory_needed(m) > terms.memory {
+        return Err(too_large(expected));
+    }
+    let band = Band::along(&coarse.solved.triangles, m);
     let price = table.fill(f64::INFINITY, Some(&band), watch, 0.0..0.0)?;
-    Ok(match price {
-        _ if coarse.price.min(price) > HIGHEST_BOUND => vec![f64::INFINITY],
+    let coarsely = coarse.solved.price;
+    let bounds = match price {
+        _ if coarsely.min(price) > HIGHEST_BOUND => vec![f64::INFINITY],
         f64::INFINITY => {
-            let guessed = |guess: f64| quantised((guess * coarse.price).min(HIGHEST_BOUND));
+            let guessed = |guess: f64| quantised((guess * coarsely).min(HIGHEST_BOUND));
             GUESSES.map(guessed).into_iter().chain([f64::INFINITY]).collect()
         }
         _ => vec![price],
-    })
+    };
+    Ok((bounds, Some(coarse.tiles)))
 }

@@ -30,9 +30,12 @@ pub(super) struct Sums {
 pub(super) type Means = [[Lanes; 3]; LANES];
 
 impl Tile {
-    /// What a tile takes, bytes, with what lists it.
-    pub(super) const BYTES: usize =
-        size_of::<Sums>() + size_of::<Means>() + 2 * size_of::<Option<Self>>();
+    /// What a tile takes, bytes, with or without N.
+    pub(super) fn bytes(folds: bool) -> u64 {
+        // Its column beside others stands in a list that may have grown by doubling.
+        let means = if folds { size_of::<Means>() } else { 0 };
+        (size_of::<Sums>() + means + 3 * size_of::<u32>()) as u64
+    }
 
     /// A tile without finite entries.
     pub(super) fn new(folds: bool) -> Self {
@@ -59,9 +62,19 @@ fn slot(row: usize, column: usize) -> usize {
     column * (column + 1) / 2 + row
 }
 
+/// What so many rows of tiles and as many columns take, bytes: at the most, with N, and without any
+/// tile that has finite entries.
+pub(super) fn bytes_of(count: u64) -> (u64, u64) {
+    let tiles = count * (count + 1) / 2;
+    let places = tiles * size_of::<Option<Tile>>() as u64;
+    (tiles * Tile::bytes(true) + places, places)
+}
+
 /// The tiles with finite entries, on and above the diagonal.
 pub(super) struct Store {
     folds: bool,
+    /// How many tiles have finite entries.
+    pub(super) kept: usize,
     tiles: Vec<Option<Tile>>,
     /// The columns of the tiles beside one another, in increasing order.
     beside: Vec<Vec<u32>>,
@@ -74,7 +87,7 @@ impl Store {
     pub(super) fn new(count: usize, folds: bool) -> Self {
         let mut tiles = Vec::new();
         tiles.resize_with(slot(0, count), || None);
-        Self { folds, tiles, beside: vec![Vec::new(); count], spare: SPARE.take() }
+        Self { folds, kept: 0, tiles, beside: vec![Vec::new(); count], spare: SPARE.take() }
     }
 
     /// A tile to be filled, without finite entries.
@@ -88,12 +101,19 @@ impl Store {
         }
     }
 
+    /// What it takes, bytes.
+    pub(super) fn bytes(&self) -> u64 {
+        let tiles = (self.kept + self.spare.len()) as u64;
+        tiles * Tile::bytes(self.folds) + bytes_of(self.beside.len() as u64).1
+    }
+
     /// Takes a tile that was filled. Those beside one another come from left to right.
     pub(super) fn put(&mut self, row: usize, column: usize, tile: Tile) {
         if tile.sums.least == [f64::INFINITY; LANES] {
             self.spare.push(tile);
         } else {
             self.tiles[slot(row, column)] = Some(tile);
+            self.kept += 1;
             self.beside[row].push(column as u32);
         }
     }
@@ -112,6 +132,7 @@ impl Store {
 
     /// Empties the table.
     pub(super) fn clear(&mut self) {
+        self.kept = 0;
         for (row, beside) in self.beside.iter_mut().enumerate() {
             let tiles = &mut self.tiles;
             self.spare
@@ -122,7 +143,7 @@ impl Store {
     /// Keeps its memory for the next table of this thread.
     fn keep(&mut self) {
         self.clear();
-        self.spare.truncate(MOST_KEPT / Tile::BYTES);
+        self.spare.truncate(MOST_KEPT / Tile::bytes(self.folds) as usize);
         // A thread that ends keeps nothing.
         let _ = SPARE.try_with(|spare| spare.set(std::mem::take(&mut self.spare)));
     }

@@ -1,5 +1,6 @@
 //! The table itself, and how it is filled.
 
+use super::memory_needed;
 use super::near::Band;
 use super::store::{Store, Tile};
 use crate::cost::{FarEnds, LANES, Lanes, QUANTUM, Strip, TwistForm};
@@ -132,6 +133,7 @@ impl<'a> Table<'a> {
         let open = Open::new(self.terms, bound, band);
         let columns = self.m.div_ceil(LANES);
         let mut columns: Vec<Column> = (0..columns).map(|at| Column::new(self.terms, at)).collect();
+        self.fits()?;
         let tell = |done: f64, watch: &mut dyn Watch| {
             watch.progress(share.start + (share.end - share.start) * done);
         };
@@ -141,6 +143,19 @@ impl<'a> Table<'a> {
             self.fill_by_columns(&mut columns, &open, watch, tell)?;
         }
         Ok(self.entry(0, self.m - 1))
+    }
+
+    /// Whether the tiles that are there fit the memory.
+    fn fits(&self) -> Result<(), TriangulateError> {
+        if self.store.bytes() + self.terms.visibility.bytes() <= self.terms.memory {
+            return Ok(());
+        }
+        Err(TriangulateError::TooLarge { needed: memory_needed(self.m), limit: self.terms.memory })
+    }
+
+    /// How many tiles have finite entries.
+    pub(super) fn tiles(&self) -> usize {
+        self.store.kept
     }
 
     /// One column of tiles after the other, each from the diagonal upwards.
@@ -163,6 +178,7 @@ impl<'a> Table<'a> {
                 registers.dispatch(Filling { table, row, column, band, tile: &mut tile });
                 self.store.put(row, at, tile);
             }
+            self.fits()?;
             let done = at as f64 / count;
             tell(done * done * done, watch);
         }
@@ -203,6 +219,7 @@ impl<'a> Table<'a> {
                     self.store.put(row, row + diagonal, tile);
                 }
             }
+            self.fits()?;
             // The sums of a diagonal are as many as its tiles, times their distance from the
             // diagonal of the table.
             let done = diagonal as f64 / columns.len() as f64;

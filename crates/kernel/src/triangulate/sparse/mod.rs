@@ -52,13 +52,11 @@ use corridor::{corridor, kept};
 use listed::listed;
 use table::{Aim, Proof, Table};
 
-/// Loops with fewer samples are left to the dense table.
-const LEAST_SAMPLES: usize = 500;
-/// So are those with fewer samples than this if it fits: it is faster there, or as fast.
-const FASTER_FROM: usize = 2000;
+/// Loops with fewer samples are left to the dense table: it is faster there, or as fast.
+const FASTER_FROM: usize = 5000;
 /// What the dense table takes near to a developable surface, in sums compared, for each pair of
 /// samples: without folds and with them. As measured from 2,000 samples to 10,000.
-const DENSE_WORK: [u64; 2] = [3, 8];
+const DENSE_WORK: [u64; 2] = [1, 2];
 /// What a listed rung counts as, in sums compared.
 const LISTED_WORK: u64 = 8;
 /// A loop is expected to take so many times what a quarter of its samples takes.
@@ -75,7 +73,8 @@ const NARROW: usize = 2;
 const LOWEST: usize = 4;
 /// Answers that cost more are left to the dense table.
 const HIGHEST_PRICE: f64 = 100.0;
-/// What a sample takes at least, bytes: the rungs listed for it, and the blocks.
+/// What a sample takes at least, bytes: the rungs listed for it, and the blocks. How much more
+/// depends on the boundary; what would exceed the limit is given up.
 const BYTES_A_SAMPLE: u64 = 2048;
 /// A loop is expected to have so many times the rungs that a quarter of its samples has.
 const RUNGS_GROWTH: u64 = 8;
@@ -90,27 +89,18 @@ const SHARES: [f64; 10] = [1e-6, 1e-4, 1e-3, 3e-3, 0.01, 0.02, 0.04, 0.08, 0.16,
 /// The table is filled no more often.
 const MOST_TRIALS: usize = 24;
 
-/// What the tables of m samples take at least, bytes. How much more depends on the boundary; what
-/// would exceed the limit is given up.
-pub(super) fn memory_needed(m: usize) -> u64 {
-    if m < LEAST_SAMPLES { u64::MAX } else { m as u64 * BYTES_A_SAMPLE }
-}
-
-/// The cheapest triangulation; `None` if that is left to the dense table. `memory` bounds what the
-/// tables may take, bytes.
+/// The cheapest triangulation; `None` if that is left to the dense table.
 pub(super) fn solve(
     terms: &Terms<'_>,
-    memory: u64,
     watch: &mut dyn Watch,
 ) -> Result<Option<Solved>, TriangulateError> {
     let m = terms.prices.len();
-    let dense_fits = optimal::memory_needed(m) <= memory;
-    if memory_needed(m) > memory || (m < FASTER_FROM && dense_fits) {
+    if m < FASTER_FROM || m as u64 * BYTES_A_SAMPLE > terms.memory {
         return Ok(None);
     }
-    let dense = DENSE_WORK[usize::from(terms.folds())] * (m as u64).pow(2);
+    let (memory, dense) = (terms.memory, DENSE_WORK[usize::from(terms.folds())]);
     // The table is about half of all the work here.
-    let work = if dense_fits { dense / 2 } else { u64::MAX };
+    let work = dense * (m as u64).pow(2) / 2;
     let step = Step { least: LEAST_THINNED, top: TOP };
     let found = step.solve(terms, &Budget { memory, work }, watch)?;
     Ok(found.map(|found| found.solved))
