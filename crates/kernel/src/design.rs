@@ -36,7 +36,7 @@ use crate::pattern::{PatternOptions, Piece, piece};
 use crate::surface::{Connectivity, Surface};
 use crate::triangulate::{
     Cheapest, Goal, Method, TriangulateError, TriangulateOptions, Triangulation, cheaper_than,
-    refuse, triangulate, triangulate_near, with_holes_facing,
+    if_it_fits, refuse, triangulate, triangulate_near, with_holes_facing,
 };
 use crate::watch::{Stage, Watch};
 pub(crate) use sampling::LEAST_OF_HOLE;
@@ -411,10 +411,13 @@ fn make_as_asked(
         let free = match known.also_without_plane {
             Some(true) => Ok(None),
             // Whoever asks again and again had better know.
-            None if !is_first => triangulate(&boundary, None, &options, watch).map(|free| {
-                known.also_without_plane = Some(free == triangulation);
-                Some(free).filter(|free| free.price < limit)
-            }),
+            None if !is_first => {
+                let free = triangulate(&boundary, None, &options, watch).map(|free| {
+                    known.also_without_plane = Some(free == triangulation);
+                    Some(free).filter(|free| free.price < limit)
+                });
+                if_it_fits(free)
+            }
             _ => without_plane(&boundary, &options, &triangulation, limit, watch),
         };
         if let Some(free) = free.map_err(|e| failed(MakeCause::Triangulate(e)))? {

@@ -5,8 +5,8 @@
 //! should, and then it is the answer.
 
 use super::{
-    Found, Method, Terms, TriangulateError, TriangulateOptions, Triangulation, may_be_among_few,
-    mend, optimal, outcome, sparse,
+    Found, Method, Terms, TriangulateError, TriangulateOptions, Triangulation, if_it_fits,
+    may_be_among_few, mend, optimal, outcome, sparse,
 };
 use crate::boundary::{Boundary, SupportingPlane};
 use crate::cost::{Prices, quantised};
@@ -83,7 +83,8 @@ fn lying_on(
 }
 
 /// The cheapest triangulation of one loop, any two samples joined, if it costs less than `limit`;
-/// only those count whose rungs all have tangent planes.
+/// only those count whose rungs all have tangent planes. `None` as well where the table that would
+/// tell does not fit the memory.
 ///
 /// # Errors
 /// See [`TriangulateError`].
@@ -95,8 +96,8 @@ pub(crate) fn cheaper_than(
 ) -> Result<Option<Triangulation>, TriangulateError> {
     let prices = Prices::new(boundary, None, options.price);
     let everything = Visibility::everything();
-    let terms = Terms::new(&prices, &everything, false);
-    let found = optimal::solve_within(&terms, quantised(limit), watch)?;
+    let terms = Terms::new(&prices, &everything, false).within(options.memory_limit);
+    let found = if_it_fits(optimal::solve_within(&terms, quantised(limit), watch))?;
     let found = found.filter(|found| found.price < limit);
     Ok(found.map(|found| {
         let found = Found { triangles: found.triangles, lower_bound: None };

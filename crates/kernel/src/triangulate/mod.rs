@@ -157,7 +157,8 @@ pub enum TriangulateError {
     },
     /// The tables would not fit the memory that they may take.
     TooLarge {
-        /// What they need, bytes.
+        /// What they need, bytes: as far as is known from the number of samples and from the
+        /// tables of fewer samples, or else at the most.
         needed: u64,
         /// What they may take, bytes.
         limit: u64,
@@ -253,14 +254,18 @@ pub fn triangulate_near(
     let as_before = known.is_some_and(|known| known.also_without_plane == Some(true));
     let known = known.map(|known| &known.triangulation);
     if as_before || plane.is_none() {
-        let found = densely(&prices, &nothing_asked, plane, options, known, watch)?;
-        if let Some(found) = found {
-            return Ok(Cheapest { triangulation: found, also_without_plane: Some(true) });
+        match densely(&prices, &nothing_asked, plane, options, known, watch) {
+            Ok(Some(triangulation)) => {
+                return Ok(Cheapest { triangulation, also_without_plane: Some(true) });
+            }
+            Ok(None) => also_without_plane = Some(false),
+            // With the plane, the table may be smaller.
+            Err(TriangulateError::TooLarge { .. }) if plane.is_some() => {}
+            Err(error) => return Err(error),
         }
-        also_without_plane = Some(false);
     }
     let (needed, limit) = (Visibility::memory_needed(boundary.len()), options.memory_limit);
-    if plane.is_some() && needed > limit {
+    if options.method == Method::Optimal && plane.is_some() && needed > limit {
         return Err(TriangulateError::TooLarge { needed, limit });
     }
     if let Some(plane) = plane
@@ -295,6 +300,16 @@ pub fn triangulate_near(
         }
     }
     Err(TriangulateError::NoneInside)
+}
+
+/// What was found, or nothing where the tables would not fit the memory.
+pub(crate) fn if_it_fits<T>(
+    found: Result<Option<T>, TriangulateError>,
+) -> Result<Option<T>, TriangulateError> {
+    match found {
+        Err(TriangulateError::TooLarge { .. }) => Ok(None),
+        found => found,
+    }
 }
 
 /// Whether a way to look at few rungs only is known.

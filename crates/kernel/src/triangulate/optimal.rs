@@ -20,10 +20,11 @@
 //!    triangulation, the bound is guessed from the optimum of every fourth sample, and raised until
 //!    there is an answer below it.
 //!    While a handle is dragged, the triangulation from before gives a bound instead (`mend`).
-//! 4. F is never negative, and dear to work out. So those k come first that were best one row below.
-//!    The others are taken tile by tile, where both tiles are kept: E(i,k) and the least E(k,j) of the
+//! 4. Those k come first that were best one row below, so that few others are left to be looked at.
+//!    These are taken tile by tile, where both tiles are kept: E(i,k) and the least E(k,j) of the
 //!    16 j together say for 16 k at once which may lie below the prices so far. For those, the sums
-//!    E(i,k) + E(k,j) are compared, 16 j at a time. Where one lies below, a test without root and
+//!    E(i,k) + E(k,j) are compared, 16 j at a time. F is never negative, and dear to work out: where a
+//!    sum lies below, a test without root and
 //!    quotient says whether F may leave it there, and only then F is worked out.
 //! 5. Which k was best is not stored but found again on the way back, for the m − 2 entries that
 //!    belong to the answer. Of equal prices (prices are exact, see [`crate::cost`], so flat regions
@@ -35,39 +36,34 @@ mod store;
 mod table;
 
 use super::part::Part;
-use super::{Solved, Terms, TriangulateError};
+use super::{Solved, Terms, TriangulateError, if_it_fits};
 use crate::cost::{LANES, quantised};
+use crate::rung::Visibility;
 use crate::watch::Watch;
 use near::{Band, THINNING};
-use store::Tile;
 use table::Table;
 
 /// Loops with fewer samples are solved without a bound: it would cost more than it saves.
 const LEAST_THINNED: usize = 64;
 /// How much more than that of the thinned loop the answer may cost, where its rungs lead to none.
 const GUESSES: [f64; 2] = [1.3, 5.2];
-/// A table is expected to have at least and at most so many times the tiles of that of the thinned
-/// loop: next to a developable surface, and where all are there.
-const GROWTH: [f64; 2] = [8.0, 16.0];
+/// A table has at least so many times the tiles of that of the thinned loop: so many next to a
+/// developable surface, twice as many where all are there.
+const GROWTH: u64 = 8;
 /// Above it no bound is tried: a boundary like that needs all entries.
 const HIGHEST_BOUND: f64 = 100.0;
 
 /// What the tables of m samples take at the most, bytes: this one, with folds, who sees whom, and
 /// the same of the thinned loops, a sixteenth each of the one before.
 pub fn memory_needed(m: usize) -> u64 {
-    let pairs = m as u64 * (m as u64).saturating_sub(1) / 2;
-    let table = tables(m).0;
-    table / 15 * 16 + pairs / 4 / 15 * 16
+    let seen = Visibility::memory_needed(m);
+    (store::most_bytes(m.div_ceil(LANES)) + seen).div_ceil(15) * 16
 }
 
 /// The same at the least, where hardly any entry can belong to the answer and nobody asks who sees
 /// whom.
 pub(super) fn least_memory_needed(m: usize) -> u64 {
-    tables(m).1 / 15 * 16
-}
-
-fn tables(m: usize) -> (u64, u64) {
-    store::bytes_of(m.div_ceil(LANES) as u64)
+    store::least_bytes(m.div_ceil(LANES)).div_ceil(15) * 16
 }
 
 /// The triangles of the cheapest triangulation; `None` if there is none. `known` is the price of a
@@ -78,7 +74,7 @@ pub(super) fn solve(
     watch: &mut dyn Watch,
 ) -> Result<Option<Vec<[usize; 3]>>, TriangulateError> {
     if let Some(known) = known.filter(|known| *known <= HIGHEST_BOUND)
-        && let Some(solved) = solve_within(terms, known, watch)?
+        && let Some(solved) = if_it_fits(solve_within(terms, known, watch))?
     {
         return Ok(Some(solved.triangles));
     }
@@ -90,33 +86,22 @@ pub(super) fn solve_priced(
     terms: &Terms<'_>,
     watch: &mut dyn Watch,
 ) -> Result<Option<Solved>, TriangulateError> {
-    Ok(solve_counted(terms, watch)?.map(|counted| counted.solved))
+    Ok(solve_in_table(terms, watch)?.map(|(solved, _)| solved))
 }
 
-/// What was found, and how large the table was.
-struct Counted {
-    solved: Solved,
-    tiles: usize,
-    /// How many times the tiles of the thinned loop those are.
-    growth: f64,
-}
-
-fn solve_counted(
-    terms: &Terms<'_>,
+/// The same, with the table.
+fn solve_in_table<'a>(
+    terms: &'a Terms<'a>,
     watch: &mut dyn Watch,
-) -> Result<Option<Counted>, TriangulateError> {
+) -> Result<Option<(Solved, Table<'a>)>, TriangulateError> {
     let mut table = Table::new(terms);
-    let (bounds, of_thinned) = bounds(&mut table, watch)?;
     let mut left = 1.0;
-    for bound in bounds {
+    for bound in bounds(&mut table, watch)? {
         // Nobody knows how many bounds it takes: each gets half of what is left of the progress.
         let share = 1.0 - left..1.0 - 0.5 * left;
         let price = table.fill(bound, None, watch, share)?;
         if price < f64::INFINITY {
-            let tiles = table.tiles();
-            let growth = of_thinned.map_or(GROWTH[1], |few| tiles as f64 / few as f64);
-            let solved = Solved { price, triangles: table.trace() };
-            return Ok(Some(Counted { solved, tiles, growth: growth.clamp(GROWTH[0], GROWTH[1]) }));
+            return Ok(Some((Solved { price, triangles: table.trace() }, table)));
         }
         left *= 0.5;
     }
@@ -136,39 +121,34 @@ pub(super) fn solve_within(
     Ok((price < f64::INFINITY).then(|| Solved { price, triangles: table.trace() }))
 }
 
-/// Bounds to try on the price of the answer, one after the other; the last is none at all. And how
-/// many tiles the thinned loop took, if one was solved.
-fn bounds(
-    table: &mut Table<'_>,
-    watch: &mut dyn Watch,
-) -> Result<(Vec<f64>, Option<usize>), TriangulateError> {
+/// Bounds to try on the price of the answer, one after the other; the last is none at all.
+fn bounds(table: &mut Table<'_>, watch: &mut dyn Watch) -> Result<Vec<f64>, TriangulateError> {
     let (terms, m) = (table.terms, table.m);
     if m < LEAST_THINNED {
-        return Ok((vec![f64::INFINITY], None));
+        return Ok(vec![f64::INFINITY]);
     }
     let kept: Vec<usize> = (0..m).step_by(THINNING).collect();
     let thinned = terms.thinned(&kept);
-    let coarse = solve_counted(&thinned.terms(), &mut Part::silent(watch));
+    let few = thinned.terms().within(terms.memory.saturating_sub(table.bytes()));
     let too_large = |needed| TriangulateError::TooLarge { needed, limit: terms.memory };
-    let coarse = coarse.map_err(|error| match error {
+    let coarse = solve_in_table(&few, &mut Part::silent(watch)).map_err(|error| match error {
         TriangulateError::TooLarge { .. } => too_large(memory_needed(m)),
         error => error,
     })?;
-    let Some(coarse) = coarse else { return Ok((vec![f64::INFINITY], None)) };
-    let expected = (coarse.growth * coarse.tiles as f64) as u64 * Tile::bytes(terms.folds());
+    let Some((coarse, few)) = coarse else { return Ok(vec![f64::INFINITY]) };
+    let expected = table.bytes() + few.bytes_of_times(GROWTH);
     if expected > terms.memory && memory_needed(m) > terms.memory {
         return Err(too_large(expected));
     }
-    let band = Band::along(&coarse.solved.triangles, m);
+    drop(few);
+    let band = Band::along(&coarse.triangles, m);
     let price = table.fill(f64::INFINITY, Some(&band), watch, 0.0..0.0)?;
-    let coarsely = coarse.solved.price;
-    let bounds = match price {
-        _ if coarsely.min(price) > HIGHEST_BOUND => vec![f64::INFINITY],
+    Ok(match price {
+        _ if coarse.price.min(price) > HIGHEST_BOUND => vec![f64::INFINITY],
         f64::INFINITY => {
-            let guessed = |guess: f64| quantised((guess * coarsely).min(HIGHEST_BOUND));
+            let guessed = |guess: f64| quantised((guess * coarse.price).min(HIGHEST_BOUND));
             GUESSES.map(guessed).into_iter().chain([f64::INFINITY]).collect()
         }
         _ => vec![price],
-    };
-    Ok((bounds, Some(coarse.tiles)))
+    })
 }

@@ -3,7 +3,8 @@
 
 use crate::cost::{FarEnds, LANES};
 
-/// The thinned loop has every fourth sample: its table takes a 64th of the time.
+/// The thinned loop has every fourth sample: where all of its table is there, that takes a 64th of the
+/// time.
 pub(super) const THINNING: usize = 4;
 /// How far from a rung of the thinned loop rungs are tried, in samples of the thinned loop.
 const REACH: usize = 1;

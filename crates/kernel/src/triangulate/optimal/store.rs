@@ -2,13 +2,14 @@
 //!
 //! While a handle is dragged, and over many holes or panels, one table follows another of about the
 //! same size. Fresh memory comes page by page from the system, which took a seventh of the time. So each
-//! thread keeps the memory of its last small table. Nothing is read of it before it is written.
+//! thread keeps some tiles of its last table. Their entries are cleared before they are used again; N is
+//! written wherever an entry is.
 
 use crate::cost::{LANES, Lanes};
 use std::cell::Cell;
 
-/// Larger tables give their memory back, bytes: there, filling them takes far longer.
-const MOST_KEPT: usize = 16 << 20;
+/// What is more is given back, bytes: where that much is taken, filling it takes far longer.
+const MOST_KEPT: u64 = 16 << 20;
 
 thread_local! {
     static SPARE: Cell<Vec<Tile>> = const { Cell::new(Vec::new()) };
@@ -31,7 +32,7 @@ pub(super) type Means = [[Lanes; 3]; LANES];
 
 impl Tile {
     /// What a tile takes, bytes, with or without N.
-    pub(super) fn bytes(folds: bool) -> u64 {
+    fn bytes(folds: bool) -> u64 {
         // Its column beside others stands in a list that may have grown by doubling.
         let means = if folds { size_of::<Means>() } else { 0 };
         (size_of::<Sums>() + means + 3 * size_of::<u32>()) as u64
@@ -46,13 +47,15 @@ impl Tile {
         }
     }
 
-    fn clear(&mut self, folds: bool) {
+    /// Whether all entries are infinite.
+    pub(super) fn is_empty(&self) -> bool {
+        self.sums.least == [f64::INFINITY; LANES]
+    }
+
+    fn clear(&mut self) {
         let none = [f64::INFINITY; LANES];
         self.sums.entries = [none; LANES];
         self.sums.least = none;
-        if folds != self.means.is_some() {
-            self.means = folds.then(|| Box::new([[[0.0; LANES]; 3]; LANES]));
-        }
     }
 }
 
@@ -62,19 +65,21 @@ fn slot(row: usize, column: usize) -> usize {
     column * (column + 1) / 2 + row
 }
 
-/// What so many rows of tiles and as many columns take, bytes: at the most, with N, and without any
-/// tile that has finite entries.
-pub(super) fn bytes_of(count: u64) -> (u64, u64) {
-    let tiles = count * (count + 1) / 2;
-    let places = tiles * size_of::<Option<Tile>>() as u64;
-    (tiles * Tile::bytes(true) + places, places)
+/// What so many rows of tiles and as many columns take at the most, with N, bytes.
+pub(super) fn most_bytes(count: usize) -> u64 {
+    least_bytes(count) + slot(0, count) as u64 * Tile::bytes(true)
+}
+
+/// The same without any tile that has finite entries.
+pub(super) fn least_bytes(count: usize) -> u64 {
+    (slot(0, count) * size_of::<Option<Tile>>()) as u64
 }
 
 /// The tiles with finite entries, on and above the diagonal.
 pub(super) struct Store {
     folds: bool,
     /// How many tiles have finite entries.
-    pub(super) kept: usize,
+    kept: usize,
     tiles: Vec<Option<Tile>>,
     /// The columns of the tiles beside one another, in increasing order.
     beside: Vec<Vec<u32>>,
@@ -87,29 +92,43 @@ impl Store {
     pub(super) fn new(count: usize, folds: bool) -> Self {
         let mut tiles = Vec::new();
         tiles.resize_with(slot(0, count), || None);
-        Self { folds, kept: 0, tiles, beside: vec![Vec::new(); count], spare: SPARE.take() }
+        let mut spare = SPARE.take();
+        spare.retain(|tile| tile.means.is_some() == folds);
+        Self { folds, kept: 0, tiles, beside: vec![Vec::new(); count], spare }
     }
 
     /// A tile to be filled, without finite entries.
     pub(super) fn fresh(&mut self) -> Tile {
         match self.spare.pop() {
             Some(mut tile) => {
-                tile.clear(self.folds);
+                tile.clear();
                 tile
             }
             None => Tile::new(self.folds),
         }
     }
 
-    /// What it takes, bytes.
+    /// What it takes without the tiles to be used again, bytes.
     pub(super) fn bytes(&self) -> u64 {
-        let tiles = (self.kept + self.spare.len()) as u64;
-        tiles * Tile::bytes(self.folds) + bytes_of(self.beside.len() as u64).1
+        least_bytes(self.beside.len()) + self.kept as u64 * Tile::bytes(self.folds)
+    }
+
+    /// Gives back what is to be used again where all together would take more than this, bytes.
+    pub(super) fn shrink_to(&mut self, limit: u64) {
+        if self.bytes() + self.spare.len() as u64 * Tile::bytes(self.folds) > limit {
+            self.spare = Vec::new();
+        }
+    }
+
+    /// What it would take with so many times the tiles that have finite entries now, without places
+    /// for more, bytes.
+    pub(super) fn bytes_of_times(&self, growth: u64) -> u64 {
+        growth * self.kept as u64 * Tile::bytes(self.folds)
     }
 
     /// Takes a tile that was filled. Those beside one another come from left to right.
     pub(super) fn put(&mut self, row: usize, column: usize, tile: Tile) {
-        if tile.sums.least == [f64::INFINITY; LANES] {
+        if tile.is_empty() {
             self.spare.push(tile);
         } else {
             self.tiles[slot(row, column)] = Some(tile);
@@ -143,7 +162,7 @@ impl Store {
     /// Keeps its memory for the next table of this thread.
     fn keep(&mut self) {
         self.clear();
-        self.spare.truncate(MOST_KEPT / Tile::bytes(self.folds) as usize);
+        self.spare.truncate((MOST_KEPT / Tile::bytes(self.folds)) as usize);
         // A thread that ends keeps nothing.
         let _ = SPARE.try_with(|spare| spare.set(std::mem::take(&mut self.spare)));
     }
@@ -177,6 +196,31 @@ mod tests {
         assert_eq!(store.beside(0), [1]);
         store.clear();
         assert!(store.tile(0, 1).is_none() && store.beside(0).is_empty());
-        assert_eq!(store.fresh().sums.least, [f64::INFINITY; LANES]);
+        let again = store.fresh();
+        assert!(again.is_empty() && again.sums.entries == [[f64::INFINITY; LANES]; LANES]);
+        // Tiles without N are of no use where folds cost something, and the other way round.
+        drop(store);
+        assert!(Store::new(2, false).fresh().means.is_none());
+        assert!(Store::new(2, true).fresh().means.is_some());
+    }
+
+    #[test]
+    fn tiles_to_be_used_again_do_not_count() {
+        let fill = |store: &mut Store| {
+            let mut tile = store.fresh();
+            (tile.sums.entries[0][1], tile.sums.least[0]) = (1.0, 1.0);
+            store.put(0, 0, tile);
+        };
+        let mut store = Store::new(1, true);
+        let empty = store.bytes();
+        fill(&mut store);
+        let full = store.bytes();
+        assert!(empty < full && full <= most_bytes(1));
+        store.clear();
+        assert_eq!((store.bytes(), store.spare.len()), (empty, 1));
+        store.shrink_to(full);
+        assert_eq!(store.spare.len(), 1);
+        store.shrink_to(empty);
+        assert_eq!(store.spare.len(), 0);
     }
 }

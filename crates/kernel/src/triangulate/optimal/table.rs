@@ -24,8 +24,6 @@ pub(super) struct Table<'a> {
     folds: bool,
     /// Whether samples are numbered in order, so that many triangles can be priced at once.
     in_order: bool,
-    /// Entries above it are infinite; a multiple of the quantum.
-    bound: f64,
 }
 
 /// Which tiles may have finite entries.
@@ -34,6 +32,7 @@ struct Open<'a> {
     band: Option<&'a Band>,
     /// What the samples of the tiles have in common; empty where that tells nothing.
     spans: Vec<Span>,
+    /// Entries above it are infinite; a multiple of the quantum.
     bound: f64,
     /// The number of the last column.
     last: usize,
@@ -50,6 +49,7 @@ impl<'a> Open<'a> {
         Self { band, spans, bound, last: m.div_ceil(LANES) - 1 }
     }
 
+    /// Whether the tile of these rows and columns may have finite entries.
     fn is_open(&self, row: usize, column: usize) -> bool {
         // With edges of the boundary.
         if row + 1 >= column || (row, column) == (0, self.last) {
@@ -79,9 +79,9 @@ impl Column {
 /// function of its own, which is not compiled for the wider registers.
 struct Filling<'a> {
     table: &'a Table<'a>,
+    open: &'a Open<'a>,
     row: usize,
     column: &'a mut Column,
-    band: Option<&'a Band>,
     tile: &'a mut Tile,
 }
 
@@ -90,7 +90,7 @@ impl pulp::WithSimd for Filling<'_> {
 
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, _: S) {
-        self.table.fill_tile(self.row, self.column, self.band, self.tile);
+        self.table.fill_tile(self.open, self.row, self.column, self.tile);
     }
 }
 
@@ -115,7 +115,6 @@ impl<'a> Table<'a> {
             store: Store::new(m.div_ceil(LANES), folds),
             folds,
             in_order: terms.prices.in_order(),
-            bound: f64::INFINITY,
         }
     }
 
@@ -128,34 +127,49 @@ impl<'a> Table<'a> {
         watch: &mut dyn Watch,
         share: Range<f64>,
     ) -> Result<f64, TriangulateError> {
-        self.bound = bound;
+        self.fill_open(&Open::new(self.terms, bound, band), watch, share)
+    }
+
+    /// The same for the tiles that are open.
+    fn fill_open(
+        &mut self,
+        open: &Open<'_>,
+        watch: &mut dyn Watch,
+        share: Range<f64>,
+    ) -> Result<f64, TriangulateError> {
         self.store.clear();
-        let open = Open::new(self.terms, bound, band);
         let columns = self.m.div_ceil(LANES);
         let mut columns: Vec<Column> = (0..columns).map(|at| Column::new(self.terms, at)).collect();
-        self.fits()?;
+        self.fit()?;
         let tell = |done: f64, watch: &mut dyn Watch| {
             watch.progress(share.start + (share.end - share.start) * done);
         };
         if cfg!(feature = "rayon") && self.m >= LEAST_SHARED {
-            self.fill_by_diagonals(&mut columns, &open, watch, tell)?;
+            self.fill_by_diagonals(&mut columns, open, watch, tell)?;
         } else {
-            self.fill_by_columns(&mut columns, &open, watch, tell)?;
+            self.fill_by_columns(&mut columns, open, watch, tell)?;
         }
         Ok(self.entry(0, self.m - 1))
     }
 
-    /// Whether the tiles that are there fit the memory.
-    fn fits(&self) -> Result<(), TriangulateError> {
-        if self.store.bytes() + self.terms.visibility.bytes() <= self.terms.memory {
-            return Ok(());
+    /// Refuses tiles that do not fit the memory.
+    fn fit(&mut self) -> Result<(), TriangulateError> {
+        let limit = self.terms.memory;
+        if self.bytes() > limit {
+            return Err(TriangulateError::TooLarge { needed: memory_needed(self.m), limit });
         }
-        Err(TriangulateError::TooLarge { needed: memory_needed(self.m), limit: self.terms.memory })
+        self.store.shrink_to(limit - self.terms.visibility.bytes());
+        Ok(())
     }
 
-    /// How many tiles have finite entries.
-    pub(super) fn tiles(&self) -> usize {
-        self.store.kept
+    /// What it takes, with who sees whom, bytes.
+    pub(super) fn bytes(&self) -> u64 {
+        self.store.bytes() + self.terms.visibility.bytes()
+    }
+
+    /// What so many times the tiles that have finite entries take, bytes.
+    pub(super) fn bytes_of_times(&self, growth: u64) -> u64 {
+        self.store.bytes_of_times(growth)
     }
 
     /// One column of tiles after the other, each from the diagonal upwards.
@@ -174,11 +188,10 @@ impl<'a> Table<'a> {
                     return Err(TriangulateError::Stopped);
                 }
                 let mut tile = self.store.fresh();
-                let (table, band) = (&*self, open.band);
-                registers.dispatch(Filling { table, row, column, band, tile: &mut tile });
+                registers.dispatch(Filling { table: self, open, row, column, tile: &mut tile });
                 self.store.put(row, at, tile);
             }
-            self.fits()?;
+            self.fit()?;
             let done = at as f64 / count;
             tell(done * done * done, watch);
         }
@@ -201,25 +214,30 @@ impl<'a> Table<'a> {
             if watch.stop() {
                 return Err(TriangulateError::Stopped);
             }
-            let (table, band) = (&*self, open.band);
-            let tiles: Vec<Option<Tile>> = columns[diagonal..]
-                .par_iter_mut()
-                .enumerate()
-                .map(|(row, column)| {
-                    open.is_open(row, row + diagonal).then(|| {
-                        let mut tile = Tile::new(table.folds);
-                        let filling = Filling { table, row, column, band, tile: &mut tile };
-                        registers.dispatch(filling);
-                        tile
-                    })
-                })
+            let mut tiles: Vec<(usize, Tile)> = (0..columns.len() - diagonal)
+                .filter(|&row| open.is_open(row, row + diagonal))
+                .map(|row| (row, self.store.fresh()))
                 .collect();
-            for (row, tile) in tiles.into_iter().enumerate() {
-                if let Some(tile) = tile {
-                    self.store.put(row, row + diagonal, tile);
-                }
+            let table = &*self;
+            // Each tile with its column, of which no other has a part on this diagonal.
+            let mut next = 0;
+            let wanted: Vec<&mut Column> = columns[diagonal..]
+                .iter_mut()
+                .enumerate()
+                .filter(|(row, _)| {
+                    let is_next = tiles.get(next).is_some_and(|(at, _)| at == row);
+                    next += usize::from(is_next);
+                    is_next
+                })
+                .map(|(_, column)| column)
+                .collect();
+            tiles.par_iter_mut().zip(wanted).for_each(|((row, tile), column)| {
+                registers.dispatch(Filling { table, open, row: *row, column, tile });
+            });
+            for (row, tile) in tiles {
+                self.store.put(row, row + diagonal, tile);
             }
-            self.fits()?;
+            self.fit()?;
             // The sums of a diagonal are as many as its tiles, times their distance from the
             // diagonal of the table.
             let done = diagonal as f64 / columns.len() as f64;
@@ -242,12 +260,12 @@ impl<'a> Table<'a> {
     /// Fills the tile of these rows and the columns of the far ends, from all tiles to its left and
     /// below.
     #[inline(always)]
-    fn fill_tile(&self, row: usize, column: &mut Column, band: Option<&Band>, tile: &mut Tile) {
+    fn fill_tile(&self, open: &Open<'_>, row: usize, column: &mut Column, tile: &mut Tile) {
         match (self.folds, self.terms.rule) {
-            (true, _) => self.fill_by::<true>(row, column, band, tile, |a, b| a + b),
-            (false, Rule::Sum) => self.fill_by::<false>(row, column, band, tile, |a, b| a + b),
+            (true, _) => self.fill_by::<true>(open, row, column, tile, |a, b| a + b),
+            (false, Rule::Sum) => self.fill_by::<false>(open, row, column, tile, |a, b| a + b),
             (false, Rule::Worst) => {
-                self.fill_by::<false>(row, column, band, tile, |a, b| if a > b { a } else { b });
+                self.fill_by::<false>(open, row, column, tile, |a, b| if a > b { a } else { b });
             }
         }
     }
@@ -255,16 +273,16 @@ impl<'a> Table<'a> {
     #[inline(always)]
     fn fill_by<const FOLDS: bool>(
         &self,
+        open: &Open<'_>,
         row: usize,
         Column { to, best }: &mut Column,
-        band: Option<&Band>,
         tile: &mut Tile,
         together: impl Fn(f64, f64) -> f64 + Copy,
     ) {
         let rows = row * LANES..self.m.min((row + 1) * LANES);
         let (to, column) = (&*to, to.first / LANES);
         for i in rows.clone().rev() {
-            let near = band.map(|band| band.lanes(i, to));
+            let near = open.band.map(|band| band.lanes(i, to));
             if near.is_some_and(|near| near == [false; LANES]) {
                 continue;
             }
@@ -278,12 +296,12 @@ impl<'a> Table<'a> {
                     prices[n] = f64::INFINITY;
                 }
                 let left = match self.terms.rule {
-                    Rule::Sum => self.bound - prices[n],
-                    Rule::Worst => self.bound,
+                    Rule::Sum => open.bound - prices[n],
+                    Rule::Worst => open.bound,
                 };
-                let open = prices[n] <= self.bound && prices[n] < f64::INFINITY;
+                let admitted = prices[n] <= open.bound && prices[n] < f64::INFINITY;
                 // Prices up to the bound lie below the next multiple of the quantum.
-                below[n] = if open { left + QUANTUM } else { f64::NEG_INFINITY };
+                below[n] = if admitted { left + QUANTUM } else { f64::NEG_INFINITY };
             }
             if below == [f64::NEG_INFINITY; LANES] {
                 continue;
@@ -304,7 +322,7 @@ impl<'a> Table<'a> {
                 } else {
                     continue;
                 }
-                // What lies below the diagonal has no tile yet while that of the diagonal is filled.
+                // The tile of the diagonal is not stored while it is being filled.
                 let diagonal =
                     if row == column { Some(&*tile) } else { self.store.tile(column, column) };
                 if let Some(diagonal) = diagonal {
@@ -355,10 +373,10 @@ impl<'a> Table<'a> {
         together: impl Fn(f64, f64) -> f64 + Copy,
     ) {
         let row = least.i / LANES;
-        let mut highest = highest(&least.prices);
+        let mut reach = highest(&least.prices);
         for &between in self.store.beside(row) {
             let between = between as usize;
-            if between >= column || highest <= 0.0 {
+            if reach <= 0.0 {
                 break;
             }
             let (Some(own), Some(beyond)) =
@@ -369,7 +387,7 @@ impl<'a> Table<'a> {
             let entries = &own.sums.entries[least.i % LANES];
             let mut left = 0u32;
             for n in 0..LANES {
-                let is_below = together(entries[n], beyond.sums.least[n]) < highest;
+                let is_below = together(entries[n], beyond.sums.least[n]) < reach;
                 left |= u32::from(is_below) << n;
             }
             if left == 0 {
@@ -380,7 +398,7 @@ impl<'a> Table<'a> {
                 left &= left - 1;
                 self.look::<FOLDS>(least, between * LANES + n, entries[n], beyond, together);
             }
-            highest = self::highest(&least.prices);
+            reach = highest(&least.prices);
         }
     }
 
@@ -554,17 +572,17 @@ impl<'a> Table<'a> {
 #[inline(always)]
 fn highest(prices: &Lanes) -> f64 {
     // Written out: `f64::max` also orders NaN, which costs instructions and can't occur.
-    chosen(prices, |a, b| if b > a { b } else { a })
+    reduced(prices, |a, b| if b > a { b } else { a })
 }
 
 #[inline(always)]
 fn lowest(prices: &Lanes) -> f64 {
-    chosen(prices, |a, b| if b < a { b } else { a })
+    reduced(prices, |a, b| if b < a { b } else { a })
 }
 
-/// What is chosen of all lanes, two by two.
+/// What is left of all lanes where one of every two is.
 #[inline(always)]
-fn chosen(prices: &Lanes, of_two: impl Fn(f64, f64) -> f64) -> f64 {
+fn reduced(prices: &Lanes, of_two: impl Fn(f64, f64) -> f64) -> f64 {
     let mut lanes = *prices;
     let mut count = LANES;
     while count > 1 {
@@ -574,4 +592,62 @@ fn chosen(prices: &Lanes, of_two: impl Fn(f64, f64) -> f64) -> f64 {
         }
     }
     lanes[0]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::boundary::{Boundary, samples_from_points};
+    use crate::cost::{PriceOptions, Prices};
+    use crate::curve::CurvePoint;
+    use crate::math::{Point3, cos, sin};
+    use crate::rung::Visibility;
+    use crate::watch::Unwatched;
+
+    /// A bent plate of `m` samples with four corners and two straight sides; a wavy loop.
+    fn boundaries(m: usize) -> [Boundary; 2] {
+        let plate = |i: usize| {
+            let (side, t) = (4 * i / m, (4 * i % m) as f64 / m as f64);
+            let [s, z] = [[t, 0.0], [1.0, t], [1.0 - t, 1.0], [0.0, 1.0 - t]][side];
+            let at = Point3::new(sin(2.0 * s), 0.3 * s * z - cos(2.0 * s), z);
+            CurvePoint { corner: (4 * i).is_multiple_of(m), ..CurvePoint::smooth(at) }
+        };
+        let wavy = |i: usize| {
+            let t = std::f64::consts::TAU * i as f64 / m as f64;
+            CurvePoint::smooth(Point3::new(cos(t), sin(t), 0.3 * sin(3.0 * t)))
+        };
+        let points: [Vec<CurvePoint>; 2] =
+            [(0..m).map(plate).collect(), (0..m).map(wavy).collect()];
+        points.map(|points| Boundary::new(vec![samples_from_points(&points)]).unwrap())
+    }
+
+    #[test]
+    fn tiles_that_are_not_looked_at_have_no_entries() {
+        let mut closed = 0;
+        for (boundary, fold) in boundaries(320).iter().flat_map(|b| [(b, 0.0), (b, 1.0)]) {
+            let prices = Prices::new(boundary, None, PriceOptions { fold, ..Default::default() });
+            let everything = Visibility::everything();
+            for (forced, rule) in [(false, Rule::Sum), (true, Rule::Sum), (false, Rule::Worst)] {
+                let terms = Terms { rule, ..Terms::new(&prices, &everything, forced) };
+                let known = crate::triangulate::optimal::solve_priced(&terms, &mut Unwatched);
+                let bound = known.unwrap().unwrap().price;
+                let terms =
+                    Terms { bar: if forced { 0.5 * bound } else { f64::INFINITY }, ..terms };
+                let (mut table, mut full) = (Table::new(&terms), Table::new(&terms));
+                let few = table.fill(bound, None, &mut Unwatched, 0.0..1.0).unwrap();
+                let all = Open { spans: vec![], ..Open::new(&terms, bound, None) };
+                assert_eq!(few, full.fill_open(&all, &mut Unwatched, 0.0..1.0).unwrap());
+                for (i, j) in (0..table.m).flat_map(|i| (i + 1..320).map(move |j| (i, j))) {
+                    assert_eq!(table.entry(i, j), full.entry(i, j), "{i} {j}");
+                }
+                let open = Open::new(&terms, bound, None);
+                let tiles = (0..20).flat_map(|row| (row..20).map(move |column| (row, column)));
+                closed += tiles.filter(|&(row, column)| !open.is_open(row, column)).count();
+                if bound < f64::INFINITY && !forced {
+                    assert_eq!(table.trace(), full.trace());
+                }
+            }
+        }
+        assert!(closed > 100, "{closed}");
+    }
 }

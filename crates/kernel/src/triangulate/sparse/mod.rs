@@ -1,8 +1,8 @@
 //! The cheapest triangulation of all, found and proved among few rungs.
 //!
-//! The dense table (`optimal`) works out E(i,j) for every pair of samples. Next to a developable
-//! surface nearly all of them are in vain. Here most rungs are never looked at, and the answer is
-//! the same, bit by bit, ties included.
+//! The dense table (`optimal`) works out E(i,j) for every pair of samples whose rung costs no more than a
+//! whole triangulation. Next to a developable surface most of them are in vain. Here even fewer rungs
+//! are looked at, and the answer is the same, bit by bit, ties included.
 //!
 //! 1. **A good triangulation** (`corridor`). About every fourth sample is solved, by the same means;
 //!    its rungs, widened by a few samples at both ends, are a corridor in which the table finds a
@@ -44,7 +44,7 @@ mod listed;
 mod table;
 
 use super::part::Part;
-use super::{Solved, Terms, TriangulateError, optimal};
+use super::{Solved, Terms, TriangulateError, if_it_fits, optimal};
 use crate::watch::Watch;
 use asks::{HALF, asks};
 use blocks::{Blocks, levels};
@@ -55,7 +55,7 @@ use table::{Aim, Proof, Table};
 /// Loops with fewer samples are left to the dense table: it is faster there, or as fast.
 const FASTER_FROM: usize = 5000;
 /// What the dense table takes near to a developable surface, in sums compared, for each pair of
-/// samples: without folds and with them. As measured from 2,000 samples to 10,000.
+/// samples: without folds and with them. As measured at 10,000 samples.
 const DENSE_WORK: [u64; 2] = [1, 2];
 /// What a listed rung counts as, in sums compared.
 const LISTED_WORK: u64 = 8;
@@ -150,7 +150,7 @@ impl Step {
         let levels = levels(terms, self.top);
         let (narrow, lowest) = (NARROW.min(levels.len() - 1), LOWEST.min(levels.len() - 1));
         let (known, owed, share) = if m < self.least {
-            let known = optimal::solve_priced(terms, &mut Part::silent(watch))?;
+            let known = if_it_fits(optimal::solve_priced(terms, &mut Part::silent(watch)))?;
             let Some(known) = known else { return Ok(None) };
             (known, vec![0.0; m], SHARES[0])
         } else {
