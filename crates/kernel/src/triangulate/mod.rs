@@ -22,6 +22,7 @@ mod part;
 mod rails;
 mod span;
 mod sparse;
+mod thinned;
 
 pub use facing::with_holes_facing;
 pub use lying::Cheapest;
@@ -411,23 +412,6 @@ enum Rule {
     Worst,
 }
 
-/// The terms of a loop that keeps only some of the samples.
-struct Thinned {
-    prices: Prices,
-    visibility: Visibility,
-    forced: bool,
-    rule: Rule,
-    memory: u64,
-}
-
-impl Thinned {
-    /// Without the bar: fewer samples may have no answer below it, and a guess needs one.
-    fn terms(&self) -> Terms<'_> {
-        let terms = Terms::new(&self.prices, &self.visibility, self.forced).within(self.memory);
-        Terms { rule: self.rule, ..terms }
-    }
-}
-
 /// A side of a triangle.
 #[derive(Clone, Copy, Debug)]
 struct Side {
@@ -451,17 +435,6 @@ impl<'a> Terms<'a> {
     /// The same with no more memory than this, bytes.
     fn within(self, memory: u64) -> Self {
         Self { memory, ..self }
-    }
-
-    /// The terms of the loop of some of the samples.
-    fn thinned(&self, kept: &[usize]) -> Thinned {
-        Thinned {
-            prices: self.prices.thinned(kept),
-            visibility: self.visibility.thinned(kept),
-            forced: self.forced,
-            rule: self.rule,
-            memory: self.memory,
-        }
     }
 
     /// The price of two parts together.

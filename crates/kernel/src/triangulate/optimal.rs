@@ -11,9 +11,9 @@
 //!    processor has (crate `pulp`; the bits are the same with any). With the feature `rayon`, threads
 //!    share the tiles of one diagonal after the other, which need nothing of one another.
 //! 3. Prices are never negative, so no entry above the price of a known triangulation is a part of
-//!    the answer. One is found by the optimum of every fourth sample: only rungs near to its rungs
-//!    are priced and put together (a band of the table), which is cheap, and near to the optimum or
-//!    the optimum itself. In the table of all rungs, entries above that price are then dropped. Where
+//!    the answer. One is found by the optimum of the corners and every fourth sample (`thinned`): only rungs
+//!    near to its rungs are priced and put together (a band of the table), which is cheap, and near to
+//!    the optimum or the optimum itself. In the table of all rungs, entries above that price are then dropped. Where
 //!    the samples of a tile's rows and columns show that none of its rungs can cost so little
 //!    (`span`), the tile is not looked at; where none of its entries is left, it is not kept. Next to
 //!    a developable surface so few are left that their number grows like m^1.5. If the band has no
@@ -36,11 +36,12 @@ mod store;
 mod table;
 
 use super::part::Part;
+use super::thinned::kept;
 use super::{Solved, Terms, TriangulateError, if_it_fits};
 use crate::cost::{LANES, quantised};
 use crate::rung::Visibility;
 use crate::watch::Watch;
-use near::{Band, THINNING};
+use near::Band;
 use table::Table;
 
 /// Loops with fewer samples are solved without a bound: it would cost more than it saves.
@@ -127,7 +128,7 @@ fn bounds(table: &mut Table<'_>, watch: &mut dyn Watch) -> Result<Vec<f64>, Tria
     if m < LEAST_THINNED {
         return Ok(vec![f64::INFINITY]);
     }
-    let kept: Vec<usize> = (0..m).step_by(THINNING).collect();
+    let kept = kept(terms);
     let thinned = terms.thinned(&kept);
     let few = thinned.terms().within(terms.memory.saturating_sub(table.bytes()));
     let too_large = |needed| TriangulateError::TooLarge { needed, limit: terms.memory };
@@ -141,7 +142,7 @@ fn bounds(table: &mut Table<'_>, watch: &mut dyn Watch) -> Result<Vec<f64>, Tria
         return Err(too_large(expected));
     }
     drop(few);
-    let band = Band::along(&coarse.triangles, m);
+    let band = Band::along(&coarse.triangles, &kept, m);
     let price = table.fill(f64::INFINITY, Some(&band), watch, 0.0..0.0)?;
     Ok(match price {
         _ if coarse.price.min(price) > HIGHEST_BOUND => vec![f64::INFINITY],

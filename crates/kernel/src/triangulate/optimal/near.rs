@@ -2,24 +2,30 @@
 //! itself is looked for.
 
 use crate::cost::{FarEnds, LANES};
+use std::ops::Range;
 
-/// The thinned loop has every fourth sample: where all of its table is there, that takes a 64th of the
-/// time.
-pub(super) const THINNING: usize = 4;
 /// How far from a rung of the thinned loop rungs are tried, in samples of the thinned loop.
 const REACH: usize = 1;
 
 /// The rungs near those of a triangulation of the thinned loop.
 pub(super) struct Band {
-    /// For each part of the loop, in increasing order, the parts with rungs between both that are
-    /// near, itself and higher ones; part a begins with sample a of the thinned loop.
+    /// The part of the loop that each sample belongs to; part a begins with sample a of the thinned
+    /// loop.
+    part_of: Vec<u32>,
+    /// For each part, in increasing order, the parts with rungs between both that are near, itself
+    /// and higher ones.
     near: Vec<Vec<u32>>,
 }
 
 impl Band {
-    /// What is near to these triangles, for a loop of `m` samples.
-    pub(super) fn along(triangles: &[[usize; 3]], m: usize) -> Self {
-        let n = m.div_ceil(THINNING);
+    /// What is near to these triangles between the samples that were kept, for a loop of `m` samples.
+    pub(super) fn along(triangles: &[[usize; 3]], kept: &[usize], m: usize) -> Self {
+        let n = kept.len();
+        let mut part_of = vec![0; m];
+        for part in 0..n {
+            let end = kept.get(part + 1).copied().unwrap_or(m);
+            part_of[kept[part]..end].fill(part as u32);
+        }
         let around = |a: usize| (0..=2 * REACH).map(move |step| (a + n + step - REACH) % n);
         let mut near = vec![Vec::new(); n];
         for &[i, k, j] in triangles {
@@ -35,26 +41,27 @@ impl Band {
             near.sort_unstable();
             near.dedup();
         }
-        Self { near }
+        Self { part_of, near }
     }
 
-    /// Whether some rungs from `count` samples to as many others are near.
-    pub(super) fn has(&self, from: usize, to: usize, count: usize) -> bool {
-        let parts = |first: usize| first / THINNING..(first + count).div_ceil(THINNING);
+    /// Whether some rungs between samples of these two runs are near, the lower one first.
+    pub(super) fn has(&self, from: Range<usize>, to: Range<usize>) -> bool {
+        let parts = |run: Range<usize>| self.part_of[run.start]..=self.part_of[run.end - 1];
         let (rows, wanted) = (parts(from), parts(to));
-        self.near[rows.start..rows.end.min(self.near.len())].iter().any(|row| {
-            let next = row.partition_point(|&part| (part as usize) < wanted.start);
-            row.get(next).is_some_and(|&part| (part as usize) < wanted.end)
+        rows.into_iter().any(|row| {
+            let row = &self.near[row as usize];
+            let next = row.partition_point(|part| part < wanted.start());
+            row.get(next).is_some_and(|part| part <= wanted.end())
         })
     }
 
     /// Which of the rungs from sample `i` to the far ends are near.
     pub(super) fn lanes(&self, i: usize, to: &FarEnds) -> [bool; LANES] {
-        let row = &self.near[i / THINNING];
-        let last = self.near.len() - 1;
+        let row = &self.near[self.part_of[i] as usize];
+        let last = self.part_of.len() - 1;
         std::array::from_fn(|n| {
-            let part = ((to.first + n) / THINNING).min(last);
-            row.binary_search(&(part as u32)).is_ok()
+            let part = self.part_of[(to.first + n).min(last)];
+            row.binary_search(&part).is_ok()
         })
     }
 }

@@ -34,8 +34,7 @@ struct Open<'a> {
     spans: Vec<Span>,
     /// Entries above it are infinite; a multiple of the quantum.
     bound: f64,
-    /// The number of the last column.
-    last: usize,
+    samples: usize,
 }
 
 impl<'a> Open<'a> {
@@ -46,18 +45,19 @@ impl<'a> Open<'a> {
             && terms.prices.options().form == TwistForm::Normalised;
         let starts = (0..if tells { m } else { 0 }).step_by(LANES);
         let spans = starts.map(|start| Span::of(terms, start..m.min(start + LANES))).collect();
-        Self { band, spans, bound, last: m.div_ceil(LANES) - 1 }
+        Self { band, spans, bound, samples: m }
     }
 
     /// Whether the tile of these rows and columns may have finite entries.
     fn is_open(&self, row: usize, column: usize) -> bool {
         // With edges of the boundary.
-        if row + 1 >= column || (row, column) == (0, self.last) {
+        if row + 1 >= column || (row, column) == (0, (self.samples - 1) / LANES) {
             return true;
         }
         let is_dear =
             !self.spans.is_empty() && self.spans[row].least(&self.spans[column]) > self.bound;
-        !is_dear && self.band.is_none_or(|band| band.has(row * LANES, column * LANES, LANES))
+        let run = |at: usize| at * LANES..self.samples.min((at + 1) * LANES);
+        !is_dear && self.band.is_none_or(|band| band.has(run(row), run(column)))
     }
 }
 

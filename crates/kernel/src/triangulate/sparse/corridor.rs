@@ -1,32 +1,10 @@
 //! Round a triangulation of few samples, a corridor for one of all.
 
-use super::super::{Solved, Terms};
+use super::super::Solved;
 use super::blocks::Blocks;
 
-/// One sample in about so many is kept.
-const THINNING: usize = 4;
-/// Corners are kept while there are at most as many as one in so many samples.
-const SAMPLES_A_CORNER: usize = 8;
 /// How many blocks a rung may move at either end.
 const WIDTH: usize = 1;
-
-/// The samples of a thinned loop: the first one, the corners, and about one in four between.
-pub(super) fn kept(terms: &Terms<'_>) -> Vec<usize> {
-    let m = terms.prices.len();
-    let mut fixed: Vec<usize> = (1..m).filter(|&i| terms.prices.smooth_end(i).2 < 0.0).collect();
-    if fixed.len() * SAMPLES_A_CORNER > m {
-        fixed.clear();
-    }
-    fixed.push(m);
-    let mut kept = Vec::new();
-    let mut from = 0;
-    for to in fixed {
-        let steps = (to - from).div_ceil(THINNING);
-        kept.extend((0..steps).map(|step| from + step * (to - from) / steps));
-        from = to;
-    }
-    kept
-}
 
 /// The rungs next to those of a triangulation of the samples that were kept, by their first sample.
 pub(super) fn corridor(blocks: &Blocks, few: &Solved, kept: &[usize], m: usize) -> Vec<Vec<u32>> {

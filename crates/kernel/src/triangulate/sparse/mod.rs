@@ -44,11 +44,12 @@ mod listed;
 mod table;
 
 use super::part::Part;
+use super::thinned::kept;
 use super::{Solved, Terms, TriangulateError, if_it_fits, optimal};
 use crate::watch::Watch;
 use asks::{HALF, asks};
 use blocks::{Blocks, levels};
-use corridor::{corridor, kept};
+use corridor::corridor;
 use listed::listed;
 use table::{Aim, Proof, Table};
 

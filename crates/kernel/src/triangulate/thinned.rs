@@ -1,0 +1,58 @@
+//! The loop of about every fourth sample, whose optimum is near to that of all samples.
+
+use super::{Rule, Terms};
+use crate::cost::Prices;
+use crate::rung::Visibility;
+
+/// One sample in about so many is kept.
+const THINNING: usize = 4;
+/// Corners are kept while there are at most as many as one in so many samples.
+const SAMPLES_A_CORNER: usize = 8;
+
+/// The samples of a thinned loop: the first one, the corners, and about one in four between.
+pub(super) fn kept(terms: &Terms<'_>) -> Vec<usize> {
+    let m = terms.prices.len();
+    let mut fixed: Vec<usize> = (1..m).filter(|&i| terms.prices.smooth_end(i).2 < 0.0).collect();
+    if fixed.len() * SAMPLES_A_CORNER > m {
+        fixed.clear();
+    }
+    fixed.push(m);
+    let mut kept = Vec::new();
+    let mut from = 0;
+    for to in fixed {
+        let steps = (to - from).div_ceil(THINNING);
+        kept.extend((0..steps).map(|step| from + step * (to - from) / steps));
+        from = to;
+    }
+    kept
+}
+
+/// The terms of a loop that keeps only some of the samples.
+pub(super) struct Thinned {
+    prices: Prices,
+    visibility: Visibility,
+    forced: bool,
+    rule: Rule,
+    memory: u64,
+}
+
+impl Thinned {
+    /// Without the bar: fewer samples may have no answer below it, and a guess needs one.
+    pub(super) fn terms(&self) -> Terms<'_> {
+        let terms = Terms::new(&self.prices, &self.visibility, self.forced).within(self.memory);
+        Terms { rule: self.rule, ..terms }
+    }
+}
+
+impl Terms<'_> {
+    /// The terms of the loop of some of the samples.
+    pub(super) fn thinned(&self, kept: &[usize]) -> Thinned {
+        Thinned {
+            prices: self.prices.thinned(kept),
+            visibility: self.visibility.thinned(kept),
+            forced: self.forced,
+            rule: self.rule,
+            memory: self.memory,
+        }
+    }
+}
