@@ -20,11 +20,20 @@ use crate::predicate::orientation;
 use spade::{ConstrainedDelaunayTriangulation, Triangulation};
 use std::cmp::Ordering;
 use std::ops::Range;
+use std::sync::OnceLock;
 
 /// Which pairs of samples may be joined: any two, or those whose rung lies inside the projection.
 #[derive(Clone, Debug)]
 pub struct Visibility {
-    inside: Option<PairSet>,
+    seen: Seen,
+}
+
+#[derive(Clone, Debug)]
+enum Seen {
+    Everything,
+    Pairs(PairSet),
+    /// What is inside at both ends, found out when it is first asked for.
+    AtEnds(Vec<Point2>, OnceLock<PairSet>),
 }
 
 /// A set of unordered pairs of samples, one bit each.
@@ -54,19 +63,30 @@ impl PairSet {
 impl Visibility {
     /// What a plane lets be seen of a boundary; everything without a plane.
     pub fn new(boundary: &Boundary, plane: Option<&SupportingPlane>) -> Self {
-        Self { inside: plane.map(|plane| inside_pairs(&plane.projected, boundary.loops())) }
+        let inside = |plane: &SupportingPlane| inside_pairs(&plane.projected, boundary.loops());
+        Self { seen: plane.map_or(Seen::Everything, |plane| Seen::Pairs(inside(plane))) }
     }
 
     /// Everything, as without a plane.
     pub(crate) fn everything() -> Self {
-        Self { inside: None }
+        Self { seen: Seen::Everything }
     }
 
     /// The pairs of samples of one loop whose rung leaves into the inside at both ends, but for those
     /// that rounding leaves open, which are among them: all that see one another, and few others
-    /// unless the projection winds. Found in a fraction of the time.
+    /// unless the projection winds. Found in a fraction of the time, and only when it is asked for.
     pub(crate) fn at_ends(plane: &SupportingPlane) -> Self {
-        Self { inside: Some(pairs_at_ends(&plane.projected)) }
+        Self { seen: Seen::AtEnds(plane.projected.clone(), OnceLock::new()) }
+    }
+
+    /// Who sees whom; nothing if everybody sees everybody.
+    #[inline(always)]
+    fn pairs(&self) -> Option<&PairSet> {
+        match &self.seen {
+            Seen::Everything => None,
+            Seen::Pairs(pairs) => Some(pairs),
+            Seen::AtEnds(polygon, pairs) => Some(pairs.get_or_init(|| pairs_at_ends(polygon))),
+        }
     }
 
     /// What it takes for so many samples where not everything is seen, bytes.
@@ -74,16 +94,20 @@ impl Visibility {
         m as u64 * m.div_ceil(64) as u64 * size_of::<u64>() as u64
     }
 
-    /// What it takes, bytes.
+    /// What it takes once it is asked, bytes.
     pub(crate) fn bytes(&self) -> u64 {
-        self.inside.as_ref().map_or(0, |pairs| (pairs.words.len() * size_of::<u64>()) as u64)
+        match &self.seen {
+            Seen::Everything => 0,
+            Seen::Pairs(pairs) => (pairs.words.len() * size_of::<u64>()) as u64,
+            Seen::AtEnds(polygon, _) => Self::memory_needed(polygon.len()),
+        }
     }
 
     /// Which of the 16 samples from `first` on, a multiple of 16, may be joined with sample `i`: one
     /// bit each, the lowest for the first.
     #[inline(always)]
     pub(crate) fn allowed(&self, i: usize, first: usize) -> u16 {
-        match &self.inside {
+        match self.pairs() {
             None => u16::MAX,
             Some(pairs) => (pairs.words[i * pairs.words_a_row + first / 64] >> (first % 64)) as u16,
         }
@@ -100,12 +124,20 @@ impl Visibility {
                 }
             }
         }
-        Self { inside: Some(pairs) }
+        Self { seen: Seen::Pairs(pairs) }
     }
 
-    /// What is seen between some of the samples.
+    /// What is seen between some of the samples, or, where that is still to be found out, on the
+    /// loop of these samples.
     pub(crate) fn thinned(&self, kept: &[usize]) -> Self {
-        let Some(pairs) = &self.inside else { return Self { inside: None } };
+        let pairs = match &self.seen {
+            Seen::Everything => return Self::everything(),
+            Seen::Pairs(pairs) => pairs,
+            Seen::AtEnds(polygon, _) => {
+                let polygon = kept.iter().map(|&i| polygon[i]).collect();
+                return Self { seen: Seen::AtEnds(polygon, OnceLock::new()) };
+            }
+        };
         let mut thinned = PairSet::new(kept.len());
         for (n, &i) in kept.iter().enumerate() {
             for (k, &j) in kept[..n].iter().enumerate() {
@@ -114,12 +146,12 @@ impl Visibility {
                 }
             }
         }
-        Self { inside: Some(thinned) }
+        Self { seen: Seen::Pairs(thinned) }
     }
 
     /// Whether samples `i` and `j`, which are no neighbours, may be joined.
     pub fn allows(&self, i: usize, j: usize) -> bool {
-        self.inside.as_ref().is_none_or(|pairs| pairs.contains(i, j))
+        self.pairs().is_none_or(|pairs| pairs.contains(i, j))
     }
 }
 

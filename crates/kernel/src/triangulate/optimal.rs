@@ -51,6 +51,8 @@ const GUESSES: [f64; 2] = [1.3, 5.2];
 /// A table has at least so many times the tiles of that of the thinned loop: so many next to a
 /// developable surface, twice as many where all are there.
 const GROWTH: u64 = 8;
+/// And more than so many times: where that would be too large, there is no need to fill the other one.
+const LEAST_GROWTH: u64 = 4;
 /// Above it no bound is tried: a boundary like that needs all entries.
 const HIGHEST_BOUND: f64 = 100.0;
 
@@ -130,7 +132,8 @@ fn bounds(table: &mut Table<'_>, watch: &mut dyn Watch) -> Result<Vec<f64>, Tria
     }
     let kept = kept(terms);
     let thinned = terms.thinned(&kept);
-    let few = thinned.terms().within(terms.memory.saturating_sub(table.bytes()));
+    let left = terms.memory.saturating_sub(table.bytes());
+    let few = thinned.terms().within(left.min(terms.memory / LEAST_GROWTH));
     let too_large = |needed| TriangulateError::TooLarge { needed, limit: terms.memory };
     let coarse = solve_in_table(&few, &mut Part::silent(watch)).map_err(|error| match error {
         TriangulateError::TooLarge { .. } => too_large(memory_needed(m)),
