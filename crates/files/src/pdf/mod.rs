@@ -69,7 +69,7 @@ impl Paper {
 pub struct MaxSheets(usize);
 
 impl MaxSheets {
-    /// So many sheets fit into one PDF, those of all pieces together: a file of some 35 MB, as many
+    /// So many sheets fit into one PDF, those of all pieces together: a file of some 22 MB, as many
     /// sheets as 40 reams have.
     pub const MOST: Self = Self(20_000);
 

@@ -17,7 +17,7 @@ pub(super) fn points(mm: f64) -> f32 {
 }
 
 /// How a line is drawn.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Pen {
     width_mm: f64,
     /// 0 is black, 1 is white.
@@ -79,6 +79,8 @@ impl Type {
 pub(super) struct Page {
     size: Vec2,
     content: Content,
+    /// The pen that the reader of the page has in hand.
+    pen: Option<Pen>,
 }
 
 impl Page {
@@ -89,7 +91,7 @@ impl Page {
         content
             .set_line_join(pdf_writer::types::LineJoinStyle::RoundJoin)
             .set_line_cap(pdf_writer::types::LineCapStyle::RoundCap);
-        Self { size, content }
+        Self { size, content, pen: None }
     }
 
     /// Width and height, mm.
@@ -102,12 +104,19 @@ impl Page {
     }
 
     fn take(&mut self, pen: Pen) {
+        if self.pen == Some(pen) {
+            return;
+        }
+        self.pen = Some(pen);
         self.content.set_line_width(points(pen.width_mm)).set_stroke_gray(pen.grey);
         self.content.set_dash_pattern(pen.dash_mm.into_iter().flatten().map(points), 0.0);
     }
 
     /// Draws polylines.
     pub(super) fn lines(&mut self, lines: &[Vec<Point2>], pen: Pen) {
+        if lines.is_empty() {
+            return;
+        }
         self.take(pen);
         for line in lines {
             for (n, point) in line.iter().enumerate() {
@@ -146,11 +155,13 @@ impl Page {
 
     /// Draws what `draw` draws within a rectangle only.
     pub(super) fn clipped(&mut self, to: Box2, draw: impl FnOnce(&mut Self)) {
+        let pen = self.pen;
         self.content.save_state();
         self.path(to);
         self.content.clip_nonzero().end_path();
         draw(self);
         self.content.restore_state();
+        self.pen = pen;
     }
 
     /// Writes a line of text; its base line begins, has its middle or ends at `at`.
@@ -179,5 +190,30 @@ impl Page {
         let length_mm = width(&encoded(text)) * set.size_pt * (25.4 / 72.0);
         let size_pt = set.size_pt * (most_mm / length_mm).min(1.0);
         self.text(at, text, Type { size_pt, ..set });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pen_is_taken_once_and_only_where_something_is_drawn() {
+        let at = Point2::new;
+        let mut page = Page::new(Vec2::new(210.0, 297.0));
+        page.lines(&[], Pen::NOTE);
+        page.line(at(0.0, 0.0), at(1.0, 0.0), Pen::CUT);
+        page.clipped(Box2 { min: at(0.0, 0.0), max: at(9.0, 9.0) }, |page| {
+            page.line(at(0.0, 1.0), at(1.0, 1.0), Pen::CUT);
+            page.line(at(0.0, 2.0), at(1.0, 2.0), Pen::SCORE);
+        });
+        // What was in hand before the clip is in hand again.
+        page.line(at(0.0, 3.0), at(1.0, 3.0), Pen::CUT);
+        page.line(at(0.0, 4.0), at(1.0, 4.0), Pen::SCORE);
+        let (_, content) = page.finish();
+        let content = String::from_utf8(content.to_vec()).unwrap();
+        let greys: Vec<&str> = content.lines().filter(|line| line.ends_with(" G")).collect();
+        assert_eq!(greys, ["0 G", "0 G", "0 G"]);
+        assert_eq!(content.matches("] 0 d").count(), 3);
     }
 }

@@ -2,9 +2,12 @@
 
 use super::page::{Page, Pen};
 use crate::stroke_font::strokes;
-use sheetwright::math::Point2;
+use sheetwright::math::{Point2, Vec2};
 use sheetwright::pattern::{PathKind, Piece, Role};
 use sheetwright::predicate::Box2;
+
+/// No pen draws farther from its line, mm.
+const WIDEST_MM: f64 = 1.0;
 
 /// A part of the plane of a piece and where it lies on a page.
 #[derive(Clone, Copy, Debug)]
@@ -68,11 +71,13 @@ pub(super) fn draw(page: &mut Page, piece: &Piece, view: &View, detail: Detail) 
 /// The runs of a line whose edges may be seen in a view, on the page.
 fn visible(line: &[Point2], closed: bool, view: &View) -> Vec<Vec<Point2>> {
     let count = if closed { line.len() } else { line.len().saturating_sub(1) };
+    let wide = Vec2::splat(WIDEST_MM * view.scale);
+    let around = Box2 { min: view.shown.min + -wide, max: view.shown.max + wide };
     let mut runs: Vec<Vec<Point2>> = Vec::new();
     let mut running = false;
     for n in 0..count {
         let (from, to) = (line[n], line[(n + 1) % line.len()]);
-        let seen = overlap(Box2::of_segment(from, to), view.shown);
+        let seen = crosses(around, from, to);
         if seen {
             match runs.last_mut().filter(|_| running) {
                 Some(run) => run.push(view.place(to)),
@@ -85,6 +90,58 @@ fn visible(line: &[Point2], closed: bool, view: &View) -> Vec<Vec<Point2>> {
 }
 
 /// Whether two boxes have a point in common.
-pub(super) fn overlap(a: Box2, b: Box2) -> bool {
+fn overlap(a: Box2, b: Box2) -> bool {
     a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y
+}
+
+/// Whether a segment has a point in a box: it is cut off at the four sides in turn.
+pub(super) fn crosses(cell: Box2, a: Point2, b: Point2) -> bool {
+    if !overlap(Box2::of_segment(a, b), cell) {
+        return false;
+    }
+    let way = b - a;
+    let (mut from, mut to) = (0.0_f64, 1.0_f64);
+    for (way, low, high) in
+        [(way.x, cell.min.x - a.x, cell.max.x - a.x), (way.y, cell.min.y - a.y, cell.max.y - a.y)]
+    {
+        if way != 0.0 {
+            let (enter, leave) = (low / way, high / way);
+            from = from.max(enter.min(leave));
+            to = to.min(enter.max(leave));
+        }
+    }
+    from <= to
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_segment_crosses_a_cell_or_passes_its_corner() {
+        let at = Point2::new;
+        let cell = Box2 { min: at(0.0, 0.0), max: at(1.0, 1.0) };
+        assert!(crosses(cell, at(-1.0, 0.5), at(2.0, 0.6)));
+        assert!(crosses(cell, at(0.2, 0.2), at(0.3, 0.2)));
+        assert!(!crosses(cell, at(-1.0, 0.5), at(0.5, 2.1)));
+        assert!(!crosses(cell, at(2.0, -1.0), at(2.0, 3.0)));
+    }
+
+    #[test]
+    fn only_lines_that_cross_the_view_are_drawn() {
+        let at = Point2::new;
+        let shown = Box2 { min: at(100.0, 100.0), max: at(200.0, 200.0) };
+        let view = View { shown, corner: at(10.0, 10.0), scale: 1.0 };
+        let runs = |line: &[Point2]| visible(line, false, &view).len();
+        // Beside a corner, though its box has part of the view.
+        assert_eq!(runs(&[at(0.0, 250.0), at(180.0, 0.0)]), 1);
+        assert_eq!(runs(&[at(0.0, 150.0), at(150.0, 0.0)]), 0);
+        // Half of its width is seen.
+        assert_eq!(runs(&[at(0.0, 99.9), at(300.0, 99.9)]), 1);
+        // Out and in again.
+        assert_eq!(
+            runs(&[at(150.0, 150.0), at(300.0, 150.0), at(300.0, 170.0), at(150.0, 170.0)]),
+            2
+        );
+    }
 }

@@ -6,7 +6,7 @@
 
 use super::Paper;
 use super::page::{Anchor, Page, Pen, Type};
-use super::piece::{Detail, View, draw, overlap};
+use super::piece::{Detail, View, crosses, draw};
 use sheetwright::math::{Point2, Vec2};
 use sheetwright::pattern::Piece;
 use sheetwright::predicate::Box2;
@@ -218,25 +218,6 @@ fn edges(outline: &[Point2]) -> impl Iterator<Item = (Point2, Point2)> + '_ {
     (0..outline.len()).map(|n| (outline[n], outline[(n + 1) % outline.len()]))
 }
 
-/// Whether a segment has a point in a box: it is cut off at the four sides in turn.
-fn crosses(cell: Box2, a: Point2, b: Point2) -> bool {
-    if !overlap(Box2::of_segment(a, b), cell) {
-        return false;
-    }
-    let way = b - a;
-    let (mut from, mut to) = (0.0_f64, 1.0_f64);
-    for (way, low, high) in
-        [(way.x, cell.min.x - a.x, cell.max.x - a.x), (way.y, cell.min.y - a.y, cell.max.y - a.y)]
-    {
-        if way != 0.0 {
-            let (enter, leave) = (low / way, high / way);
-            from = from.max(enter.min(leave));
-            to = to.min(enter.max(leave));
-        }
-    }
-    from <= to
-}
-
 /// The cells of a row or column of `count` between two places, in cells from its beginning, and
 /// one more on either side: cells begin half an overlap later than windows.
 fn about(from: f64, to: f64, count: usize) -> Range<usize> {
@@ -346,15 +327,5 @@ mod tests {
             [0, 1, 25, 26, 27, 51, 52, 701, 702].map(name),
             ["A3", "B3", "Z3", "AA3", "AB3", "AZ3", "BA3", "ZZ3", "AAA3"]
         );
-    }
-
-    #[test]
-    fn a_segment_crosses_a_cell_or_passes_its_corner() {
-        let at = Point2::new;
-        let cell = Box2 { min: at(0.0, 0.0), max: at(1.0, 1.0) };
-        assert!(crosses(cell, at(-1.0, 0.5), at(2.0, 0.6)));
-        assert!(crosses(cell, at(0.2, 0.2), at(0.3, 0.2)));
-        assert!(!crosses(cell, at(-1.0, 0.5), at(0.5, 2.1)));
-        assert!(!crosses(cell, at(2.0, -1.0), at(2.0, 3.0)));
     }
 }
