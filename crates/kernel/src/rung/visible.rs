@@ -36,27 +36,52 @@ enum Seen {
     AtEnds(Vec<Point2>, OnceLock<PairSet>),
 }
 
-/// A set of unordered pairs of samples, one bit each.
+/// Bits of a word.
+const BITS: usize = u64::BITS as usize;
+
+/// A set of unordered pairs of samples, one bit each: the row of the lower sample, which begins with
+/// the word that has its own bit, has that of the higher one.
 #[derive(Clone, Debug)]
 struct PairSet {
     words: Vec<u64>,
+    /// How many words the first row has.
     words_a_row: usize,
 }
 
 impl PairSet {
     fn new(m: usize) -> Self {
-        let words_a_row = m.div_ceil(64);
-        Self { words: vec![0; words_a_row * m], words_a_row }
+        Self { words: vec![0; Self::words_of(m)], words_a_row: m.div_ceil(BITS) }
+    }
+
+    /// The words of so many samples.
+    fn words_of(m: usize) -> usize {
+        Self::row(m, m.div_ceil(BITS))
+    }
+
+    /// Where the row of a sample begins, if the first one has so many words.
+    #[inline(always)]
+    fn row(i: usize, words_a_row: usize) -> usize {
+        let (before, of_block) = (i / BITS, i % BITS);
+        // Of the blocks of as many rows as a word has bits, each has rows one word shorter.
+        let of_blocks = before * words_a_row - before * before.saturating_sub(1) / 2;
+        BITS * of_blocks + of_block * (words_a_row - before)
+    }
+
+    /// The word of sample `i` that has the bit of sample `j`, which is no lower.
+    #[inline(always)]
+    fn word(&self, i: usize, j: usize) -> usize {
+        Self::row(i, self.words_a_row) + j / BITS - i / BITS
     }
 
     fn insert(&mut self, i: usize, j: usize) {
-        for (a, b) in [(i, j), (j, i)] {
-            self.words[a * self.words_a_row + b / 64] |= 1 << (b % 64);
-        }
+        let (i, j) = (i.min(j), i.max(j));
+        let word = self.word(i, j);
+        self.words[word] |= 1 << (j % BITS);
     }
 
     fn contains(&self, i: usize, j: usize) -> bool {
-        self.words[i * self.words_a_row + j / 64] >> (j % 64) & 1 == 1
+        let (i, j) = (i.min(j), i.max(j));
+        self.words[self.word(i, j)] >> (j % BITS) & 1 == 1
     }
 }
 
@@ -91,7 +116,7 @@ impl Visibility {
 
     /// What it takes for so many samples where not everything is seen, bytes.
     pub(crate) fn memory_needed(m: usize) -> u64 {
-        m as u64 * m.div_ceil(64) as u64 * size_of::<u64>() as u64
+        (PairSet::words_of(m) * size_of::<u64>()) as u64
     }
 
     /// What it takes once it is asked, bytes.
@@ -103,13 +128,13 @@ impl Visibility {
         }
     }
 
-    /// Which of the 16 samples from `first` on, a multiple of 16, may be joined with sample `i`: one
-    /// bit each, the lowest for the first.
+    /// Which of the 16 samples from `first` on, a multiple of 16, may be joined with sample `i`, a lower
+    /// one: one bit each, the lowest for the first.
     #[inline(always)]
     pub(crate) fn allowed(&self, i: usize, first: usize) -> u16 {
         match self.pairs() {
             None => u16::MAX,
-            Some(pairs) => (pairs.words[i * pairs.words_a_row + first / 64] >> (first % 64)) as u16,
+            Some(pairs) => (pairs.words[pairs.word(i, first)] >> (first % BITS)) as u16,
         }
     }
 
@@ -173,48 +198,82 @@ const ROUNDING: f64 = 4e-16;
 /// The pairs of samples whose segment leaves into the inside at both ends, and those for which
 /// rounding leaves that open.
 fn pairs_at_ends(polygon: &[Point2]) -> PairSet {
-    let m = polygon.len();
-    let at = |i: usize| polygon[i % m];
-    // By coordinates, so that many samples are looked at side by side.
-    let (x, y): (Vec<f64>, Vec<f64>) = polygon.iter().map(|p| (p.x, p.y)).unzip();
-    let ways: Vec<Vec2> = (0..m).map(|i| at(i + 1) - at(i)).collect();
-    let (out_x, out_y): (Vec<f64>, Vec<f64>) = ways.iter().map(|w| (w.x, w.y)).unzip();
-    let (mut in_x, mut in_y) = (out_x.clone(), out_y.clone());
-    in_x.rotate_right(1);
-    in_y.rotate_right(1);
-    let is_convex: Vec<bool> =
-        (0..m).map(|i| orientation(at(i + m - 1), at(i), at(i + 1)).is_gt()).collect();
-    // Whether a direction surely points to the right of another.
-    let right = |ax: f64, ay: f64, bx: f64, by: f64| {
-        let (one, other) = (ax * by, ay * bx);
-        one - other < -ROUNDING * (one.abs() + other.abs())
-    };
-    let leaves = |is_convex: bool, first: bool, second: bool| {
-        (is_convex & !first & !second) | (!is_convex & !(first & second))
-    };
-    let mut pairs = PairSet::new(m);
-    let mut row = vec![false; m];
-    for i in 0..m {
-        for j in 0..m {
-            let (dx, dy) = (x[j] - x[i], y[j] - y[i]);
-            let from = leaves(
-                is_convex[i],
-                right(in_x[i], in_y[i], dx, dy),
-                right(out_x[i], out_y[i], dx, dy),
-            );
-            let to = leaves(
-                is_convex[j],
-                right(in_x[j], in_y[j], -dx, -dy),
-                right(out_x[j], out_y[j], -dx, -dy),
-            );
-            row[j] = from & to;
-        }
-        let words = &mut pairs.words[i * pairs.words_a_row..][..pairs.words_a_row];
-        for (word, bits) in words.iter_mut().zip(row.chunks(64)) {
-            *word = bits.iter().rev().fold(0, |word, &bit| word << 1 | u64::from(bit));
-        }
+    let ends = Ends::new(polygon);
+    let mut pairs = PairSet::new(polygon.len());
+    let registers = pulp::Arch::new();
+    for i in 0..polygon.len() {
+        let row = PairSet::row(i, pairs.words_a_row)..PairSet::row(i + 1, pairs.words_a_row);
+        registers.dispatch(LookFrom { ends: &ends, i, words: &mut pairs.words[row] });
     }
     pairs
+}
+
+/// What is asked of the samples of a polygon, by coordinates, so that many are looked at side by side.
+struct Ends {
+    x: Vec<f64>,
+    y: Vec<f64>,
+    /// The edges towards each sample and away from it.
+    inwards: [Vec<f64>; 2],
+    outwards: [Vec<f64>; 2],
+    is_convex: Vec<bool>,
+}
+
+impl Ends {
+    fn new(polygon: &[Point2]) -> Self {
+        let m = polygon.len();
+        let at = |i: usize| polygon[i % m];
+        let ways: Vec<Vec2> = (0..m).map(|i| at(i + 1) - at(i)).collect();
+        let outwards = [ways.iter().map(|w| w.x).collect(), ways.iter().map(|w| w.y).collect()];
+        let mut inwards: [Vec<f64>; 2] = outwards.clone();
+        inwards.iter_mut().for_each(|list| list.rotate_right(1));
+        let (x, y) = polygon.iter().map(|p| (p.x, p.y)).unzip();
+        let is_convex =
+            (0..m).map(|i| orientation(at(i + m - 1), at(i), at(i + 1)).is_gt()).collect();
+        Self { x, y, inwards, outwards, is_convex }
+    }
+
+    /// Whether the way (dx, dy) from a sample may leave into the inside.
+    #[inline(always)]
+    fn leaves(&self, i: usize, dx: f64, dy: f64) -> bool {
+        // Whether a direction surely points to the right of another.
+        let right = |ax: f64, ay: f64| {
+            let (one, other) = (ax * dy, ay * dx);
+            one - other < -ROUNDING * (one.abs() + other.abs())
+        };
+        let first = right(self.inwards[0][i], self.inwards[1][i]);
+        let second = right(self.outwards[0][i], self.outwards[1][i]);
+        let is_convex = self.is_convex[i];
+        (is_convex & !first & !second) | (!is_convex & !(first & second))
+    }
+}
+
+/// Looks from one sample at those that its row has bits for. A type, so that it is compiled for the
+/// widest registers.
+struct LookFrom<'a> {
+    ends: &'a Ends,
+    i: usize,
+    words: &'a mut [u64],
+}
+
+impl pulp::WithSimd for LookFrom<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) {
+        let Self { ends, i, words } = self;
+        let m = ends.x.len();
+        for (at, word) in words.iter_mut().enumerate() {
+            let from = (i / BITS + at) * BITS;
+            let count = BITS.min(m - from);
+            let mut row = [false; BITS];
+            for n in 0..count {
+                let j = from + n;
+                let (dx, dy) = (ends.x[j] - ends.x[i], ends.y[j] - ends.y[i]);
+                row[n] = ends.leaves(i, dx, dy) & ends.leaves(j, -dx, -dy);
+            }
+            *word = row.iter().rev().fold(0, |word, &bit| word << 1 | u64::from(bit));
+        }
+    }
 }
 
 /// A triangulation of the domain, for looking through.
@@ -391,7 +450,9 @@ mod tests {
         let mut tried = 0;
         let mut more = 0;
         for seed in 0..600 {
-            let polygon = star_shaped(4 + (seed % 14) as usize, seed, seed % 2 == 0);
+            // Some have rows of several words.
+            let m = if seed % 200 == 0 { 130 } else { 4 + (seed % 14) as usize };
+            let polygon = star_shaped(m, seed, seed % 2 == 1);
             if first_crossing(&polygon).is_some() || signed_area_doubled(&polygon) <= 0.0 {
                 continue;
             }
@@ -411,5 +472,23 @@ mod tests {
             }
         }
         assert!(tried > 300 && more > 0, "{tried} {more}");
+    }
+
+    #[test]
+    fn every_pair_has_a_bit_of_its_own() {
+        for m in [2, 63, 64, 65, 128, 150, 200] {
+            let all = || (0..m).flat_map(move |j| (0..=j).map(move |i| (i, j)));
+            let mut pairs = PairSet::new(m);
+            for (n, (i, j)) in all().enumerate() {
+                assert!(!pairs.contains(j, i), "{m}: {i} {j}");
+                if n % 3 == 0 {
+                    pairs.insert(j, i);
+                }
+            }
+            for (n, (i, j)) in all().enumerate() {
+                assert_eq!(pairs.contains(i, j), n % 3 == 0, "{m}: {i} {j}");
+            }
+            assert_eq!(pairs.words.len(), PairSet::row(m, m.div_ceil(BITS)));
+        }
     }
 }
