@@ -101,8 +101,8 @@ pub struct PdfOptions {
     pub max_sheets: MaxSheets,
 }
 
-/// How hard pages are compressed, of 10: sheets repeat much, so they become a tenth of their size
-/// at every level, and this one hardly takes time.
+/// How hard pages are compressed, of 10: sheets repeat much, so they become about a quarter of their
+/// size at every level.
 const COMPRESSION: u8 = 6;
 
 /// A written PDF.

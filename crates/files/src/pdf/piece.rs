@@ -6,7 +6,7 @@ use sheetwright::math::{Point2, Vec2};
 use sheetwright::pattern::{PathKind, Piece, Role};
 use sheetwright::predicate::Box2;
 
-/// No pen draws farther from its line, mm.
+/// No pen draws farther from its line on the page, mm: the widest is 0.35 mm wide.
 const WIDEST_MM: f64 = 1.0;
 
 /// A part of the plane of a piece and where it lies on a page.
@@ -95,15 +95,16 @@ fn overlap(a: Box2, b: Box2) -> bool {
 }
 
 /// Whether a segment has a point in a box: it is cut off at the four sides in turn.
-pub(super) fn crosses(cell: Box2, a: Point2, b: Point2) -> bool {
-    if !overlap(Box2::of_segment(a, b), cell) {
+pub(super) fn crosses(within: Box2, a: Point2, b: Point2) -> bool {
+    if !overlap(Box2::of_segment(a, b), within) {
         return false;
     }
     let way = b - a;
     let (mut from, mut to) = (0.0_f64, 1.0_f64);
-    for (way, low, high) in
-        [(way.x, cell.min.x - a.x, cell.max.x - a.x), (way.y, cell.min.y - a.y, cell.max.y - a.y)]
-    {
+    for (way, low, high) in [
+        (way.x, within.min.x - a.x, within.max.x - a.x),
+        (way.y, within.min.y - a.y, within.max.y - a.y),
+    ] {
         if way != 0.0 {
             let (enter, leave) = (low / way, high / way);
             from = from.max(enter.min(leave));
@@ -138,6 +139,16 @@ mod tests {
         assert_eq!(runs(&[at(0.0, 150.0), at(150.0, 0.0)]), 0);
         // Half of its width is seen.
         assert_eq!(runs(&[at(0.0, 99.9), at(300.0, 99.9)]), 1);
+        // Within half a pen of the frame on the page, at a smaller scale.
+        let small = View { scale: 400.0, ..view };
+        let beside = |y: f64| visible(&[at(0.0, y), at(300.0, y)], false, &small).len();
+        assert_eq!((beside(100.0 - 0.1 * 400.0), beside(100.0 - 2.0 * 400.0)), (1, 0));
+        // An outline of which two of four sides are seen.
+        let outline = [at(50.0, 50.0), at(150.0, 50.0), at(150.0, 150.0), at(50.0, 150.0)];
+        assert_eq!(
+            visible(&outline, true, &view),
+            [[at(60.0, -40.0), at(60.0, 60.0), at(-40.0, 60.0)]]
+        );
         // Out and in again.
         assert_eq!(
             runs(&[at(150.0, 150.0), at(300.0, 150.0), at(300.0, 170.0), at(150.0, 170.0)]),

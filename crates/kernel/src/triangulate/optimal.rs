@@ -51,8 +51,9 @@ const GUESSES: [f64; 2] = [1.3, 5.2];
 /// A table has at least so many times the tiles of that of the thinned loop: so many next to a
 /// developable surface, twice as many where all are there.
 const GROWTH: u64 = 8;
-/// And more than so many times: where that would be too large, there is no need to fill the other one.
-const LEAST_GROWTH: u64 = 4;
+/// Where the table may not fit, that of the thinned loop may take one part in so many of the memory: a
+/// table takes more than so many times the bytes of that one, so it would not fit either.
+const SHARE_OF_THINNED: u64 = 4;
 /// Above it no bound is tried: a boundary like that needs all entries.
 const HIGHEST_BOUND: f64 = 100.0;
 
@@ -133,15 +134,19 @@ fn bounds(table: &mut Table<'_>, watch: &mut dyn Watch) -> Result<Vec<f64>, Tria
     let kept = kept(terms);
     let thinned = terms.thinned(&kept);
     let left = terms.memory.saturating_sub(table.bytes());
-    let few = thinned.terms().within(left.min(terms.memory / LEAST_GROWTH));
+    let may_fail = memory_needed(m) > terms.memory;
+    let share = if may_fail { terms.memory / SHARE_OF_THINNED } else { terms.memory };
+    let few = thinned.terms().within(left.min(share));
     let too_large = |needed| TriangulateError::TooLarge { needed, limit: terms.memory };
     let coarse = solve_in_table(&few, &mut Part::silent(watch)).map_err(|error| match error {
-        TriangulateError::TooLarge { .. } => too_large(memory_needed(m)),
+        TriangulateError::TooLarge { needed, .. } => {
+            too_large((table.bytes() + GROWTH * needed).min(memory_needed(m)))
+        }
         error => error,
     })?;
     let Some((coarse, few)) = coarse else { return Ok(vec![f64::INFINITY]) };
     let expected = table.bytes() + few.bytes_of_times(GROWTH);
-    if expected > terms.memory && memory_needed(m) > terms.memory {
+    if expected > terms.memory && may_fail {
         return Err(too_large(expected));
     }
     drop(few);

@@ -72,7 +72,7 @@ pub(super) fn most_bytes(count: usize) -> u64 {
 
 /// The same without any tile that has finite entries.
 pub(super) fn least_bytes(count: usize) -> u64 {
-    (slot(0, count) * size_of::<Option<Tile>>()) as u64
+    slot(0, count) as u64 * size_of::<Option<Tile>>() as u64
 }
 
 /// The tiles with finite entries, on and above the diagonal.

@@ -4,6 +4,7 @@ use super::super::{Terms, TriangulateError};
 use super::blocks::Blocks;
 use crate::cost::FarEnds;
 use crate::watch::Watch;
+use std::ops::Range;
 
 /// The rungs (a, b) that cost no more than twice what may be owed at a and at b together, by their
 /// first sample, the second ones in increasing order; `None` if there are more than `most`.
@@ -39,10 +40,9 @@ pub(super) fn listed(
         open.extend((0..levels[top].len()).filter(|&b| is_later(top, b)).map(|b| (top, b)));
         while let Some((level, block)) = open.pop() {
             if level == 0 {
-                registers.dispatch(
-                    #[inline(always)]
-                    || count += compare(terms, leaves, [leaf, block], &far[block], owed, &mut rows),
-                );
+                let (from, to) = (leaves.samples(leaf), leaves.samples(block));
+                let (far, rows) = (&far[block], &mut rows);
+                count += registers.dispatch(Comparing { terms, from, to, far, owed, rows });
                 continue;
             }
             let below = level - 1;
@@ -64,28 +64,35 @@ pub(super) fn listed(
     Ok(Some(rows))
 }
 
-/// Lists the rungs from the samples of one leaf to higher ones of another; how many there are.
-#[inline(always)]
-fn compare(
-    terms: &Terms<'_>,
-    leaves: &Blocks,
-    [leaf, other]: [usize; 2],
-    far: &FarEnds,
-    owed: &[f64],
-    rows: &mut [Vec<u32>],
-) -> u64 {
-    let m = owed.len();
-    let second = leaves.samples(other);
-    let mut count = 0;
-    for x in leaves.samples(leaf) {
-        let strip = terms.strip(x, far);
-        for (y, price) in second.clone().zip(strip.prices) {
-            let is_rung = y > x + 1 && y - x + 1 < m;
-            if is_rung && price <= 2.0 * (owed[x] + owed[y]) {
-                rows[x].push(y as u32);
-                count += 1;
+/// Lists the rungs from the samples of one leaf to higher ones of another; how many there are. A type
+/// rather than a closure, so that it is compiled for the widest registers.
+struct Comparing<'a> {
+    terms: &'a Terms<'a>,
+    from: Range<usize>,
+    to: Range<usize>,
+    far: &'a FarEnds,
+    owed: &'a [f64],
+    rows: &'a mut [Vec<u32>],
+}
+
+impl pulp::WithSimd for Comparing<'_> {
+    type Output = u64;
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) -> u64 {
+        let Self { terms, from, to, far, owed, rows } = self;
+        let m = owed.len();
+        let mut count = 0;
+        for x in from {
+            let strip = terms.strip(x, far);
+            for (y, price) in to.clone().zip(strip.prices) {
+                let is_rung = y > x + 1 && y - x + 1 < m;
+                if is_rung && price <= 2.0 * (owed[x] + owed[y]) {
+                    rows[x].push(y as u32);
+                    count += 1;
+                }
             }
         }
+        count
     }
-    count
 }

@@ -122,6 +122,23 @@ struct Listed {
     limit: f64,
 }
 
+/// A row to be filled. A type rather than a closure, so that it is compiled for the widest registers.
+struct Filling<'f, 'a> {
+    table: &'f mut Table<'a>,
+    a: usize,
+    listed: &'f [Listed],
+    row: &'f mut Row,
+}
+
+impl pulp::WithSimd for Filling<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) {
+        self.table.fill_row(self.a, self.listed, self.row);
+    }
+}
+
 impl<'a> Table<'a> {
     /// Fills the table with the rungs that are listed for each sample, the second ones in
     /// increasing order; `None` if that takes more than the budget.
@@ -176,10 +193,7 @@ impl<'a> Table<'a> {
                 watch.progress(1.0 - a as f64 / m as f64);
             }
             table.list(a, &rungs[a], &mut listed);
-            registers.dispatch(
-                #[inline(always)]
-                || table.fill_row(a, &listed, &mut row),
-            );
+            registers.dispatch(Filling { table: &mut table, a, listed: &listed, row: &mut row });
             if table.work > budget.work || table.bytes() > budget.memory {
                 return Ok(None);
             }
