@@ -300,8 +300,7 @@ pub fn report_schema() -> Vec<u8> {
     to_bytes(&settings.into_generator().into_root_schema_for::<Report<'_>>())
 }
 
-/// Plain structs of numbers and strings: writing them to memory has no way to fail.
-#[allow(clippy::expect_used)]
+#[allow(clippy::expect_used)] // plain numbers and strings: writing them to memory can't fail
 fn to_bytes(value: &impl Serialize) -> Vec<u8> {
     let mut bytes = serde_json::to_vec_pretty(value).expect("numbers and strings are JSON");
     bytes.push(b'\n');
