@@ -142,6 +142,27 @@ impl Box2 {
             max: Point2::new(a.max.x.max(b.max.x), a.max.y.max(b.max.y)),
         })
     }
+
+    /// The part of the segment from `a` to `b` that lies in the box, sides included, as shares of the
+    /// way between the two; `None` if the segment passes beside it. By the method of Liang and Barsky,
+    /// side by side; not exact: rounding decides of a segment that only just touches a corner.
+    pub fn part_inside(&self, a: Point2, b: Point2) -> Option<[f64; 2]> {
+        let (mut from, mut to) = (0.0_f64, 1.0_f64);
+        for (way, low, high) in [
+            (b.x - a.x, self.min.x - a.x, self.max.x - a.x),
+            (b.y - a.y, self.min.y - a.y, self.max.y - a.y),
+        ] {
+            if low > way.max(0.0) || high < way.min(0.0) {
+                return None;
+            }
+            if way != 0.0 {
+                let (enter, leave) = (low / way, high / way);
+                from = from.max(enter.min(leave));
+                to = to.min(enter.max(leave));
+            }
+        }
+        (from <= to).then_some([from, to])
+    }
 }
 
 /// Calls `visit(i, j)` with i < j for every two boxes, given by their smallest and largest
@@ -224,6 +245,46 @@ mod tests {
         assert_eq!(first_crossing(&spike), Some((0, 1)));
         let straight_run = [p(0.0, 0.0), p(1.0, 0.0), p(2.0, 0.0), p(1.0, 1.0)];
         assert_eq!(first_crossing(&straight_run), None);
+    }
+
+    #[test]
+    fn a_segment_crosses_a_box_or_passes_its_corner() {
+        let square = Box2 { min: p(0.0, 0.0), max: p(1.0, 1.0) };
+        assert_eq!(square.part_inside(p(-1.0, 0.5), p(3.0, 0.5)), Some([0.25, 0.5]));
+        assert_eq!(square.part_inside(p(3.0, 0.5), p(-1.0, 0.5)), Some([0.5, 0.75]));
+        assert_eq!(square.part_inside(p(0.2, 0.2), p(0.3, 0.2)), Some([0.0, 1.0]));
+        // Along a side, at one end, and a segment without length.
+        assert_eq!(square.part_inside(p(1.0, -1.0), p(1.0, 1.0)), Some([0.5, 1.0]));
+        assert_eq!(square.part_inside(p(1.0, 0.5), p(2.0, 0.5)), Some([0.0, 0.0]));
+        assert_eq!(square.part_inside(p(0.5, 0.5), p(0.5, 0.5)), Some([0.0, 1.0]));
+        assert_eq!(square.part_inside(p(0.5, 1.5), p(0.5, 1.5)), None);
+        // Past a corner, beside a side, and short of one.
+        assert_eq!(square.part_inside(p(-1.0, 0.5), p(0.5, 2.1)), None);
+        assert_eq!(square.part_inside(p(2.0, -1.0), p(2.0, 3.0)), None);
+        assert_eq!(square.part_inside(p(-2.0, 0.5), p(-1.0, 0.5)), None);
+    }
+
+    #[test]
+    fn a_segment_is_in_a_box_where_an_end_is_or_where_it_crosses_a_side() {
+        let square = [p(0.0, 0.0), p(1.0, 0.0), p(1.0, 1.0), p(0.0, 1.0)];
+        let around = Box2 { min: square[0], max: square[2] };
+        // Away from the corners, which rounding decides of: multiples of the golden ratio.
+        let spread = |n: u32, by: f64| (f64::from(n) * by).fract() * 3.0 - 1.0;
+        let mut found = [0, 0];
+        for n in 0..2000 {
+            let a = p(spread(n, 0.618_033_988_75), spread(n, 0.414_213_562_37));
+            let b = p(spread(n, 0.732_050_807_57), spread(n, 0.236_067_977_5));
+            let crosses = (0..4).any(|n| segments_touch(a, b, square[n], square[(n + 1) % 4]));
+            let part = around.part_inside(a, b);
+            assert_eq!(part.is_some(), crosses || inside(&square, a), "{a:?} {b:?}");
+            found[usize::from(part.is_some())] += 1;
+            for share in part.into_iter().flatten().filter(|share| 0.0 < *share && *share < 1.0) {
+                let at = a.lerp(b, share);
+                let off = square.map(|corner| (at.x - corner.x).abs().min((at.y - corner.y).abs()));
+                assert!(off.iter().any(|off| *off < 1e-12), "{at:?}");
+            }
+        }
+        assert!(found.iter().all(|count| *count > 300), "{found:?}");
     }
 
     #[test]

@@ -2,6 +2,8 @@
 //! the end of more dashes than fit into memory.
 
 use eframe::egui::{Painter, Pos2, Rect, Shape, Stroke};
+use sheetwright::math::Point2;
+use sheetwright::predicate::Box2;
 
 /// Lines end this far outside of what is seen, points.
 const BEYOND: f32 = 20.0;
@@ -26,31 +28,18 @@ fn runs(way: &[Pos2], within: Rect) -> Vec<Vec<Pos2>> {
     runs
 }
 
-/// The part of a line inside of a rectangle, by the method of Liang and Barsky.
+/// The part of a line inside of a rectangle.
 fn clipped([from, to]: [Pos2; 2], within: Rect) -> Option<[Pos2; 2]> {
     if !(from.is_finite() && to.is_finite() && within.is_finite()) {
         return None;
     }
-    let (start, way) = (
-        [f64::from(from.x), f64::from(from.y)],
-        [f64::from(to.x) - f64::from(from.x), f64::from(to.y) - f64::from(from.y)],
-    );
-    let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
-    for axis in 0..2 {
-        let low = f64::from(within.min[axis]) - start[axis];
-        let high = f64::from(within.max[axis]) - start[axis];
-        if way[axis] == 0.0 {
-            if low > 0.0 || high < 0.0 {
-                return None;
-            }
-            continue;
-        }
-        let (a, b) = (low / way[axis], high / way[axis]);
-        enter = enter.max(a.min(b));
-        leave = leave.min(a.max(b));
-    }
-    let at = |t: f64| Pos2::new((start[0] + t * way[0]) as f32, (start[1] + t * way[1]) as f32);
-    (enter <= leave).then(|| [at(enter), at(leave)])
+    let exact = |p: Pos2| Point2::new(f64::from(p.x), f64::from(p.y));
+    let (from, to) = (exact(from), exact(to));
+    let inside = Box2 { min: exact(within.min), max: exact(within.max) }.part_inside(from, to)?;
+    Some(inside.map(|share| {
+        let at = from + (to - from) * share;
+        Pos2::new(at.x as f32, at.y as f32)
+    }))
 }
 
 #[cfg(test)]

@@ -77,7 +77,7 @@ fn visible(line: &[Point2], closed: bool, view: &View) -> Vec<Vec<Point2>> {
     let mut running = false;
     for n in 0..count {
         let (from, to) = (line[n], line[(n + 1) % line.len()]);
-        let seen = crosses(around, from, to);
+        let seen = around.part_inside(from, to).is_some();
         if seen {
             match runs.last_mut().filter(|_| running) {
                 Some(run) => run.push(view.place(to)),
@@ -89,44 +89,9 @@ fn visible(line: &[Point2], closed: bool, view: &View) -> Vec<Vec<Point2>> {
     runs
 }
 
-/// Whether two boxes have a point in common.
-fn overlap(a: Box2, b: Box2) -> bool {
-    a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y
-}
-
-/// Whether a segment has a point in a box: it is cut off at the four sides in turn.
-pub(super) fn crosses(within: Box2, a: Point2, b: Point2) -> bool {
-    if !overlap(Box2::of_segment(a, b), within) {
-        return false;
-    }
-    let way = b - a;
-    let (mut from, mut to) = (0.0_f64, 1.0_f64);
-    for (way, low, high) in [
-        (way.x, within.min.x - a.x, within.max.x - a.x),
-        (way.y, within.min.y - a.y, within.max.y - a.y),
-    ] {
-        if way != 0.0 {
-            let (enter, leave) = (low / way, high / way);
-            from = from.max(enter.min(leave));
-            to = to.min(enter.max(leave));
-        }
-    }
-    from <= to
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_segment_crosses_a_cell_or_passes_its_corner() {
-        let at = Point2::new;
-        let cell = Box2 { min: at(0.0, 0.0), max: at(1.0, 1.0) };
-        assert!(crosses(cell, at(-1.0, 0.5), at(2.0, 0.6)));
-        assert!(crosses(cell, at(0.2, 0.2), at(0.3, 0.2)));
-        assert!(!crosses(cell, at(-1.0, 0.5), at(0.5, 2.1)));
-        assert!(!crosses(cell, at(2.0, -1.0), at(2.0, 3.0)));
-    }
 
     #[test]
     fn only_lines_that_cross_the_view_are_drawn() {

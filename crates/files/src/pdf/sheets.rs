@@ -6,7 +6,7 @@
 
 use super::Paper;
 use super::page::{Anchor, Page, Pen, Type};
-use super::piece::{Detail, View, crosses, draw};
+use super::piece::{Detail, View, draw};
 use sheetwright::math::{Point2, Vec2};
 use sheetwright::pattern::Piece;
 use sheetwright::predicate::Box2;
@@ -162,7 +162,7 @@ impl Tiling {
                 }
                 for column in self.columns_about(around) {
                     passed[row * self.columns + column] |=
-                        crosses(self.cell(Sheet { row, column }), a, b);
+                        self.cell(Sheet { row, column }).part_inside(a, b).is_some();
                 }
             }
         }
