@@ -45,7 +45,7 @@ const FILE_OWNERS: [(&str, &[&str]); 6] = [
     (
         "pulp::",
         &[
-            "rung/visible.rs",
+            "rung/visible/at_ends.rs",
             "triangulate/optimal/table.rs",
             "triangulate/sparse/listed.rs",
             "triangulate/sparse/table.rs",
