@@ -110,7 +110,7 @@ impl Store {
 
     /// What it takes without the tiles to be used again, bytes.
     pub(super) fn bytes(&self) -> u64 {
-        least_bytes(self.beside.len()) + self.kept as u64 * Tile::bytes(self.folds)
+        least_bytes(self.beside.len()) + self.bytes_of_tiles()
     }
 
     /// Gives back what is to be used again where all together would take more than this, bytes.
@@ -120,10 +120,14 @@ impl Store {
         }
     }
 
-    /// What it would take with so many times the tiles that have finite entries now, without places
-    /// for more, bytes.
-    pub(super) fn bytes_of_times(&self, growth: u64) -> u64 {
-        growth * self.kept as u64 * Tile::bytes(self.folds)
+    /// How many tiles have finite entries.
+    pub(super) fn kept(&self) -> usize {
+        self.kept
+    }
+
+    /// What those take, without places for more, bytes.
+    pub(super) fn bytes_of_tiles(&self) -> u64 {
+        self.kept as u64 * Tile::bytes(self.folds)
     }
 
     /// Takes a tile that was filled. Those beside one another come from left to right.

@@ -167,9 +167,14 @@ impl<'a> Table<'a> {
         self.store.bytes() + self.terms.visibility.bytes()
     }
 
-    /// What so many times the tiles that have finite entries take, bytes.
-    pub(super) fn bytes_of_times(&self, growth: u64) -> u64 {
-        self.store.bytes_of_times(growth)
+    /// How many tiles have finite entries.
+    pub(super) fn tiles(&self) -> usize {
+        self.store.kept()
+    }
+
+    /// What those take, bytes.
+    pub(super) fn bytes_of_tiles(&self) -> u64 {
+        self.store.bytes_of_tiles()
     }
 
     /// One column of tiles after the other, each from the diagonal upwards.
