@@ -10,6 +10,7 @@ mod rebuilt;
 mod run_on;
 mod sampling;
 mod varying;
+mod without_plane;
 
 pub use error::{MakeCause, MakeError, VaryCause};
 pub use joining::Join;
@@ -31,17 +32,17 @@ use crate::curve::{CurveKind, CurvePoint};
 use crate::flatten::{Flattened, Sheet, lay_flat};
 use crate::material::Material;
 use crate::math::Point3;
-use crate::measure::{Measures, first_self_crossing, measures};
+use crate::measure::{Measures, measures};
 use crate::pattern::{PatternOptions, Piece, piece};
 use crate::surface::{Connectivity, Surface};
 use crate::triangulate::{
-    Cheapest, Goal, Method, TriangulateError, TriangulateOptions, Triangulation, cheaper_than,
-    if_it_fits, refuse, triangulate, triangulate_near, with_holes_facing,
+    Goal, Method, TriangulateOptions, Triangulation, refuse, triangulate_near, with_holes_facing,
 };
 use crate::watch::{Stage, Watch};
 pub(crate) use sampling::LEAST_OF_HOLE;
 use sampling::{Sampled, Sampler, Sourced, matched};
 use std::collections::BTreeSet;
+use without_plane::Known;
 
 /// A curve of a design, under its name.
 #[derive(Clone, Debug, PartialEq)]
@@ -279,15 +280,12 @@ fn make_panels(
     panels.map(|panel| make_panel(&sampler, panel, &mut None, watch)).collect()
 }
 
-/// A surface that need not lie over the plane is worth a word if its price is below this share.
-const MUCH_CHEAPER: f64 = 0.5;
-
 /// Makes one panel; `known` is what is known of its triangulation from when it was made before, and
 /// then from now.
 fn make_panel(
     sampler: &Sampler<'_>,
     panel: &DesignPanel,
-    known: &mut Option<Cheapest>,
+    known: &mut Option<Known>,
     watch: &mut dyn Watch,
 ) -> Result<MadePanel, MakeError> {
     match make_as_asked(sampler, panel, known, watch) {
@@ -359,7 +357,7 @@ fn prepare(
 fn make_as_asked(
     sampler: &Sampler<'_>,
     panel: &DesignPanel,
-    known: &mut Option<Cheapest>,
+    known: &mut Option<Known>,
     watch: &mut dyn Watch,
 ) -> Result<MadePanel, MakeError> {
     let failed = |cause: MakeCause| MakeError { panel: panel.name.clone(), curve: None, cause };
@@ -370,16 +368,12 @@ fn make_as_asked(
     let outline = outline::outline(design, &boundary, &sources);
 
     watch.begin(&[&panel.name], Stage::Solve);
-    let is_first = known.is_none();
-    let differed = known.as_ref().is_some_and(|known| known.also_without_plane == Some(false));
-    let cheapest = triangulate_near(&boundary, plane.as_ref(), &options, known.as_ref(), watch)
+    let before = known.as_ref().map(Known::cheapest);
+    let cheapest = triangulate_near(&boundary, plane.as_ref(), &options, before, watch)
         .map_err(|e| failed(MakeCause::Triangulate(e)))?;
     let triangulation = cheapest.triangulation.clone();
-    let known = known.insert(cheapest);
-    // What differed one move ago is not worth a search of its own.
-    if differed && known.also_without_plane.is_none() {
-        known.also_without_plane = Some(false);
-    }
+    let next = Known::next(known.take(), cheapest);
+    let known = known.insert(next);
     let connectivity = Connectivity::new(boundary.loops(), triangulation.triangles.clone())
         .map_err(|e| failed(MakeCause::Surface(e)))?;
     let surface = Surface::new(connectivity, boundary.positions());
@@ -406,27 +400,9 @@ fn make_as_asked(
     }
     let bends = checked.verdict == Verdict::Bends;
     if panel.plane == PlaneChoice::Auto && plane.is_some() && boundary.holes() < 2 && !bends {
-        // The plane, rather than the boundary, may be what keeps it from bending.
-        let limit = MUCH_CHEAPER * triangulation.price;
-        let free = match known.also_without_plane {
-            Some(true) => Ok(None),
-            // Whoever asks again and again had better know.
-            None if !is_first => {
-                let free = triangulate(&boundary, None, &options, watch).map(|free| {
-                    known.also_without_plane = Some(free == triangulation);
-                    Some(free).filter(|free| free.price < limit)
-                });
-                if_it_fits(free)
-            }
-            _ => without_plane(&boundary, &options, &triangulation, limit, watch),
-        };
-        if let Some(free) = free.map_err(|e| failed(MakeCause::Triangulate(e)))? {
-            let connectivity = Connectivity::new(boundary.loops(), free.triangles)
-                .map_err(|e| failed(MakeCause::Surface(e)))?;
-            let surface = Surface::new(connectivity, boundary.positions());
-            if first_self_crossing(&surface).is_none() {
-                checked.add(better_without_plane(triangulation.price, free.price));
-            }
+        let better = known.better_without_plane(&boundary, &options, watch);
+        if let Some(price) = better.map_err(|e| failed(MakeCause::Triangulate(e)))? {
+            checked.add(better_without_plane(triangulation.price, price));
         }
     }
     if let Some(bulges_mm) = new_ends {
@@ -453,24 +429,6 @@ fn make_as_asked(
         piece,
         change: None,
     })
-}
-
-/// The cheapest triangulation of a boundary without its plane, if it costs less than `limit`;
-/// `found` is that with the plane.
-fn without_plane(
-    boundary: &Boundary,
-    options: &TriangulateOptions,
-    found: &Triangulation,
-    limit: f64,
-    watch: &mut dyn Watch,
-) -> Result<Option<Triangulation>, TriangulateError> {
-    let is_plain = boundary.holes() == 0 && options.method == Method::Optimal;
-    // Where one without forced rungs is known, those with them do not count.
-    if is_plain && options.goal == Goal::Price && found.forced_rungs == 0 {
-        return cheaper_than(boundary, options, limit, watch);
-    }
-    let free = triangulate(boundary, None, options, watch)?;
-    Ok(Some(free).filter(|free| free.price < limit))
 }
 
 /// The curves that bound a panel, or the panels that it joins.

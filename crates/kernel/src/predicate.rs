@@ -166,8 +166,20 @@ impl Box2 {
 }
 
 /// Calls `visit(i, j)` with i < j for every two boxes, given by their smallest and largest
-/// coordinates, that touch: a sweep along the axis that they spread over farthest.
+/// coordinates, that touch.
 pub(crate) fn for_touching_boxes(boxes: &[(Vec3, Vec3)], mut visit: impl FnMut(usize, usize)) {
+    any_touching_boxes(boxes, |i, j| {
+        visit(i, j);
+        false
+    });
+}
+
+/// Whether `holds(i, j)`, with i < j, for some two boxes that touch: a sweep along the axis that they
+/// spread over farthest, which stops there.
+pub(crate) fn any_touching_boxes(
+    boxes: &[(Vec3, Vec3)],
+    mut holds: impl FnMut(usize, usize) -> bool,
+) -> bool {
     let mut order: Vec<usize> = (0..boxes.len()).collect();
     let low = boxes.iter().fold(Vec3::INFINITY, |low, b| low.min(b.0));
     let high = boxes.iter().fold(Vec3::NEG_INFINITY, |high, b| high.max(b.0));
@@ -178,12 +190,14 @@ pub(crate) fn for_touching_boxes(boxes: &[(Vec3, Vec3)], mut visit: impl FnMut(u
     for &i in &order {
         open.retain(|&j| boxes[j].1[axis] >= boxes[i].0[axis]);
         for &j in &open {
-            if (boxes[i].0.cmple(boxes[j].1) & boxes[j].0.cmple(boxes[i].1)).all() {
-                visit(i.min(j), i.max(j));
+            let touch = (boxes[i].0.cmple(boxes[j].1) & boxes[j].0.cmple(boxes[i].1)).all();
+            if touch && holds(i.min(j), i.max(j)) {
+                return true;
             }
         }
         open.push(i);
     }
+    false
 }
 
 /// Twice the signed area of a closed polygon, mm²: positive when it runs counter-clockwise.

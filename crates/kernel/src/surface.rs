@@ -6,7 +6,6 @@
 use crate::index::{SampleIndex, TriangleIndex};
 use crate::math::{Point3, Vec3, angle_between, unit};
 use crate::rung::Rung;
-use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Range;
 
@@ -65,6 +64,16 @@ impl fmt::Display for ConnectivityError {
 
 impl std::error::Error for ConnectivityError {}
 
+/// The edges of loops of samples, loop after loop, each from a sample to the next.
+fn edges_of(loops: &[Range<usize>]) -> impl Iterator<Item = [SampleIndex; 2]> + '_ {
+    loops.iter().flat_map(|l| {
+        l.clone().map(|i| {
+            let next = if i + 1 == l.end { l.start } else { i + 1 };
+            [i, next].map(SampleIndex::new)
+        })
+    })
+}
+
 impl Connectivity {
     /// The surface that `triangles` make over the samples of `loops` (numbers of samples, loop
     /// after loop). Corners run counter-clockwise as seen from the side that the surface faces.
@@ -76,40 +85,38 @@ impl Connectivity {
         triangles: Vec<[SampleIndex; 3]>,
     ) -> Result<Self, ConnectivityError> {
         let samples = loops.iter().map(|l| l.end).max().unwrap_or(0);
-        let mut sides: BTreeMap<(SampleIndex, SampleIndex), TriangleIndex> = BTreeMap::new();
+        // Each with the place where it is written, three to a triangle.
+        let mut sides: Vec<([SampleIndex; 2], usize)> = Vec::with_capacity(3 * triangles.len());
         for (n, &[a, b, c]) in triangles.iter().enumerate() {
-            let triangle = TriangleIndex::new(n);
             let corners_differ = a != b && b != c && c != a;
             if !corners_differ || [a, b, c].iter().any(|s| s.get() >= samples) {
-                return Err(ConnectivityError::BadTriangle(triangle));
+                return Err(ConnectivityError::BadTriangle(TriangleIndex::new(n)));
             }
-            for (from, to) in [(a, b), (b, c), (c, a)] {
-                if sides.insert((from, to), triangle).is_some() {
-                    return Err(ConnectivityError::NotManifold { from, to });
-                }
-            }
+            sides.extend([([a, b], 3 * n), ([b, c], 3 * n + 1), ([c, a], 3 * n + 2)]);
         }
-        let edges: std::collections::BTreeSet<(SampleIndex, SampleIndex)> = loops
-            .iter()
-            .flat_map(|l| {
-                l.clone().map(|i| {
-                    let next = if i + 1 == l.end { l.start } else { i + 1 };
-                    (SampleIndex::new(i), SampleIndex::new(next))
-                })
-            })
-            .collect();
-        if let Some(&(from, to)) = edges.iter().find(|edge| !sides.contains_key(edge)) {
+        sides.sort_unstable();
+        let twice = sides.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| pair[1]);
+        if let Some(([from, to], _)) = twice.min_by_key(|(_, place)| *place) {
+            return Err(ConnectivityError::NotManifold { from, to });
+        }
+        let triangle_at = |side: [SampleIndex; 2]| {
+            let found = sides.binary_search_by_key(&side, |(side, _)| *side).ok()?;
+            Some(TriangleIndex::new(sides[found].1 / 3))
+        };
+        let mut edges: Vec<[SampleIndex; 2]> = edges_of(loops).collect();
+        edges.sort_unstable();
+        if let Some(&[from, to]) = edges.iter().find(|edge| triangle_at(**edge).is_none()) {
             return Err(ConnectivityError::OpenSide { from, to });
         }
-        let mut hinges = Vec::new();
-        for (&(from, to), &triangle) in &sides {
-            match sides.get(&(to, from)) {
-                Some(&other) if from < to => hinges.push(Hinge {
+        let mut hinges = Vec::with_capacity(triangles.len());
+        for &([from, to], place) in &sides {
+            match triangle_at([to, from]) {
+                Some(other) if from < to => hinges.push(Hinge {
                     rung: Rung::new(from.get(), to.get()),
-                    triangles: [triangle, other],
+                    triangles: [TriangleIndex::new(place / 3), other],
                 }),
                 Some(_) => {}
-                None if edges.contains(&(from, to)) => {}
+                None if edges.binary_search(&[from, to]).is_ok() => {}
                 None => return Err(ConnectivityError::OpenSide { from, to }),
             }
         }
@@ -138,12 +145,7 @@ impl Connectivity {
 
     /// The edges of the boundary, loop after loop, each from a sample to the next.
     pub fn edges(&self) -> impl Iterator<Item = [SampleIndex; 2]> + '_ {
-        self.loops.iter().flat_map(|l| {
-            l.clone().map(|i| {
-                let next = if i + 1 == l.end { l.start } else { i + 1 };
-                [i, next].map(SampleIndex::new)
-            })
-        })
+        edges_of(&self.loops)
     }
 
     /// All sides: the edges of the boundary, then the rungs.

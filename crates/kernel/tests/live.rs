@@ -1,6 +1,7 @@
 //! Designs that are edited: what is kept and what is made anew come to what making them afresh does.
 #![allow(clippy::unwrap_used)] // tests panic
 
+use sheetwright::boundary::size_of;
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
     CurveUse, Design, DesignCurve, DesignPanel, Join, Live, MakeCause, PanelMethod, PanelShape,
@@ -11,6 +12,7 @@ use sheetwright::triangulate::{Goal, TriangulateError};
 use sheetwright::watch::{Stage, Unwatched, Watch};
 use sheetwright_shapes::drag::{Drag, one_panel, outline};
 use sheetwright_shapes::family::Family;
+use sheetwright_shapes::hull::planks;
 use sheetwright_shapes::random::Random;
 use std::cell::Cell;
 use std::f64::consts::TAU;
@@ -111,6 +113,28 @@ fn curve(name: &str, closed: bool, points: Vec<Point3>) -> DesignCurve {
 
 fn on(name: &str) -> CurveUse {
     CurveUse { name: name.into(), reversed: false }
+}
+
+#[test]
+fn what_bends_without_its_plane_is_as_made_afresh() {
+    let mut found = 0;
+    for fold in [0.0, 1.0] {
+        let mut live = Live::new(planks(30, fold), &mut Unwatched);
+        for handle in 0..4 {
+            let curve = handle % live.design().curves.len();
+            let points = &live.design().curves[curve].points;
+            let size = size_of(points.iter().map(|point| point.at));
+            let mut drag = Drag::new(points[handle].at, 0.02 * size, handle as u64);
+            for step in 0..6 {
+                live.move_point(curve, handle, drag.step(), &mut Unwatched);
+                check(&live, &format!("ν {fold}, handle {handle}, step {step}"));
+                let panels = live.made().unwrap().panels;
+                let findings = panels.iter().flat_map(|panel| &panel.checked.findings);
+                found += findings.filter(|f| f.code == "better-without-plane").count();
+            }
+        }
+    }
+    assert!(found > 20, "{found}");
 }
 
 fn circle(name: &str, radius: f64, height: f64) -> DesignCurve {

@@ -37,7 +37,7 @@ mod strip;
 
 pub use planes::RungPlanes;
 pub use slopes::{Piece, SampleSlope};
-pub(crate) use strip::{FarEnds, LANES, Lanes, Strip};
+pub(crate) use strip::{FarEnds, LANES, Lanes, Strip, Wanted};
 
 use crate::boundary::{Boundary, SupportingPlane};
 use crate::curve::Sample;
@@ -259,13 +259,14 @@ impl Prices {
     /// because it is parallel to a tangent or has no length.
     pub fn planes(&self, i: usize, j: usize) -> Option<RungPlanes> {
         let smooth = smooth(self.smooth_end(i), self.smooth_end(j));
-        if smooth.is_special {
-            // In the order of the boundary, so that rounding does not depend on the chain.
-            let (i, j) = if self.number(i) < self.number(j) { (i, j) } else { (j, i) };
-            special(&self.ends[i], &self.ends[j], self.facing)
-        } else {
-            Some(smooth.into())
-        }
+        if smooth.is_special { self.special_planes(i, j) } else { Some(smooth.into()) }
+    }
+
+    /// The same for a rung that is special.
+    fn special_planes(&self, i: usize, j: usize) -> Option<RungPlanes> {
+        // In the order of the boundary, so that rounding does not depend on the chain.
+        let (i, j) = if self.number(i) < self.number(j) { (i, j) } else { (j, i) };
+        special(&self.ends[i], &self.ends[j], self.facing)
     }
 
     /// The price of the rung between samples `i` < `j` without its folds, a multiple of

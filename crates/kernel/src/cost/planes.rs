@@ -147,6 +147,48 @@ pub(super) fn is_parallel(
     is_along(from_tangent, from_special) || is_along(to_tangent, to_special)
 }
 
+/// How much closer normals may be, as a cosine, than [`is_twisted_above`] finds them: by its rounding, or
+/// where it takes a direction in a narrow sector for one outside.
+const CLOSER: f64 = 1e-9;
+/// Squared sine below which it tells nothing.
+const NARROW: f64 = 1e-12;
+
+/// Whether the rung from a corner to a smooth sample certainly has a twist above `limit`, by neither
+/// root nor quotient: its normal at the smooth sample lies outside the sector of those at the corner, and
+/// too far from both ends.
+pub(super) fn is_twisted_above(
+    corner: &End,
+    (to, tangent, special): ([f64; 3], [f64; 3], f64),
+    limit: f64,
+) -> bool {
+    let cosine = 1.0 - limit - CLOSER;
+    if cosine <= 0.0 {
+        return false;
+    }
+    let from = corner.position.to_array();
+    let d = [to[0] - from[0], to[1] - from[1], to[2] - from[2]];
+    let (length_squared, along) = (dot(d, d), dot(tangent, d));
+    if along * along >= special * length_squared {
+        return false;
+    }
+    let normal = cross(d, tangent);
+    let ends = [corner.tangent_in, corner.tangent_out].map(|t| cross(t.to_array(), d));
+    let squared = dot(normal, normal);
+    let ends_squared = ends.map(|end| dot(end, end));
+    let turn = dot(cross(ends[0], ends[1]), d);
+    let least = NARROW * length_squared;
+    let is_clear = ends_squared[0] > least
+        && ends_squared[1] > least
+        && turn * turn > NARROW * ends_squared[0] * ends_squared[1] * length_squared;
+    let is_inside =
+        dot(cross(ends[0], normal), d) * turn > 0.0 && dot(cross(normal, ends[1]), d) * turn > 0.0;
+    let is_far = |end: [f64; 3], end_squared: f64| {
+        let near = dot(end, normal);
+        near <= 0.0 || near * near < cosine * cosine * squared * end_squared
+    };
+    is_clear && !is_inside && is_far(ends[0], ends_squared[0]) && is_far(ends[1], ends_squared[1])
+}
+
 #[inline(always)]
 pub(super) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]

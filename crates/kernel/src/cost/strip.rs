@@ -3,7 +3,7 @@
 //! A strip is what leads from one sample to [`LANES`] samples in a row. The arithmetic is that of
 //! single rungs and triangles, in the same order, so the bits are the same too.
 
-use super::planes::{cross, dot, is_parallel, smooth};
+use super::planes::{cross, dot, is_parallel, is_twisted_above, smooth};
 use super::{Prices, QUANTUM, TwistForm, fold_of, quantised};
 
 /// How many rungs stand side by side: four vector registers on common processors.
@@ -46,6 +46,20 @@ pub(crate) struct Strip {
     pub(crate) means: [Lanes; 3],
 }
 
+impl Strip {
+    /// To be written to.
+    pub(crate) const NONE: Self = Self { prices: [0.0; LANES], means: [[0.0; LANES]; 3] };
+}
+
+/// The rungs of a strip that matter; of others it may say that they have no tangent planes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Wanted {
+    /// One bit each, the lowest for the first.
+    pub(crate) lanes: u16,
+    /// The dearest.
+    pub(crate) limit: f64,
+}
+
 impl Prices {
     /// The samples from `first` on, at most [`LANES`].
     pub(crate) fn far_ends(&self, first: usize) -> FarEnds {
@@ -60,41 +74,77 @@ impl Prices {
         }
     }
 
-    /// The rungs from sample `i` to higher ones.
+    /// Writes to `strip` the rungs from sample `i` to higher ones; without N unless `MEANS`.
     #[inline(always)]
-    pub(crate) fn strip(&self, i: usize, to: &FarEnds) -> Strip {
+    pub(crate) fn strip<const MEANS: bool>(
+        &self,
+        i: usize,
+        to: &FarEnds,
+        wanted: Wanted,
+        strip: &mut Strip,
+    ) {
         let from = self.smooth_end(i);
-        let mut strip = Strip { prices: [0.0; LANES], means: [[0.0; LANES]; 3] };
         let mut special = [false; LANES];
         for n in 0..LANES {
             let rung = smooth(from, to.end(n));
             strip.prices[n] = quantised(rung.twist);
-            for axis in 0..3 {
-                strip.means[axis][n] = rung.mean[axis];
+            if MEANS {
+                for axis in 0..3 {
+                    strip.means[axis][n] = rung.mean[axis];
+                }
             }
             special[n] = rung.is_special;
         }
-        let printed = self.options.form == TwistForm::Printed;
-        if !printed && special == [false; LANES] {
-            return strip;
+        if special != [false; LANES] || self.options.form == TwistForm::Printed {
+            self.special_lanes(i, to, wanted, &special, strip);
         }
+    }
+
+    /// The same for the special ones among them; all as [`TwistForm::Printed`]. Rarely called, and a
+    /// function of its own, so that it does not slow the others down.
+    #[inline(never)]
+    fn special_lanes(
+        &self,
+        i: usize,
+        to: &FarEnds,
+        wanted: Wanted,
+        special: &[bool; LANES],
+        strip: &mut Strip,
+    ) {
+        let (from, printed) = (self.smooth_end(i), self.options.form == TwistForm::Printed);
         for n in 0..to.count {
             let j = to.first + n;
-            if (special[n] || printed) && j > i {
-                // Most of them run along a straight stretch.
-                if is_parallel(from, to.end(n)) {
-                    strip.prices[n] = f64::INFINITY;
-                    strip.means.iter_mut().for_each(|mean| mean[n] = 0.0);
-                    continue;
-                }
-                let planes = self.planes(i, j);
-                strip.prices[n] = planes.map_or(f64::INFINITY, |planes| self.rung(i, j, &planes));
-                for axis in 0..3 {
-                    strip.means[axis][n] = planes.map_or(0.0, |planes| planes.mean[axis]);
-                }
+            if !(special[n] || printed) || j <= i {
+                continue;
+            }
+            // Most of them run along a straight stretch, or end at a corner and are dear.
+            let is_lost = wanted.lanes >> n & 1 == 0
+                || is_parallel(from, to.end(n))
+                || !printed && self.is_corner_above(i, j, wanted.limit);
+            let planes = match () {
+                () if is_lost => None,
+                () if printed => self.planes(i, j),
+                () => self.special_planes(i, j),
+            };
+            strip.prices[n] = planes.map_or(f64::INFINITY, |planes| self.rung(i, j, &planes));
+            for axis in 0..3 {
+                strip.means[axis][n] = planes.map_or(0.0, |planes| planes.mean[axis]);
             }
         }
-        strip
+    }
+
+    /// Whether the rung from a corner to a smooth sample, or the other way round, certainly costs more
+    /// than `limit`.
+    fn is_corner_above(&self, i: usize, j: usize, limit: f64) -> bool {
+        let is_above = |corner: usize, smooth: usize| {
+            is_twisted_above(&self.ends[corner], self.smooth_end(smooth), limit)
+        };
+        let is_corner = |i: usize| self.special_cosines_squared[i] < 0.0;
+        match (is_corner(i), is_corner(j)) {
+            (true, false) => is_above(i, j),
+            (false, true) => is_above(j, i),
+            _ => false,
+        }
     }
 
     /// The triangles i, k, j, for every `j` of the far ends, with this many rungs and these sums of
@@ -190,10 +240,12 @@ mod tests {
         let samples = samples_from_points(&sides.collect::<Vec<_>>());
         let boundary = Boundary::new(vec![samples]).unwrap();
         let prices = Prices::new(&boundary, None, PriceOptions::default());
-        let mut without = 0;
+        let (mut without, mut dear) = (0, 0);
+        let all = Wanted { lanes: u16::MAX, limit: f64::INFINITY };
         for i in 0..prices.len() {
             for first in (0..prices.len()).step_by(LANES) {
-                let strip = prices.strip(i, &prices.far_ends(first));
+                let mut strip = Strip::NONE;
+                prices.strip::<true>(i, &prices.far_ends(first), all, &mut strip);
                 for (n, j) in (first..prices.len().min(first + LANES)).enumerate() {
                     if j <= i + 1 || prices.neighbours(i, j) {
                         continue;
@@ -202,11 +254,16 @@ mod tests {
                     let price = planes.map_or(f64::INFINITY, |p| prices.rung(i, j, &p));
                     let mean = planes.map_or([0.0; 3], |p| [p.mean.x, p.mean.y, p.mean.z]);
                     assert_eq!(strip.prices[n], price, "{i} {j}");
+                    for limit in [0.0, 1e-6, 1e-3, 0.1, 0.9] {
+                        let is_above = prices.is_corner_above(i, j, limit);
+                        assert!(!is_above || price > limit, "{i} {j}: {price}, {limit}");
+                        dear += usize::from(is_above);
+                    }
                     assert_eq!(strip.means.map(|mean| mean[n]), mean, "{i} {j}");
                     without += usize::from(planes.is_none());
                 }
             }
         }
-        assert!(without > n * n / 2, "{without}");
+        assert!(without > n * n / 2 && dear > 4 * n, "{without} {dear}");
     }
 }

@@ -12,6 +12,7 @@
 //! What comes out is what [`super::make`] makes of the same design, bit by bit.
 
 use super::sampling::{Matched, Sampler, matched};
+use super::without_plane::Known;
 use super::{
     Design, DesignCurve, DesignPanel, Made, MadePanel, MakeCause, MakeError, PanelShape,
     make_panel, used,
@@ -19,7 +20,7 @@ use super::{
 use crate::curve::CurvePoint;
 use crate::material::Material;
 use crate::math::Point3;
-use crate::triangulate::{Cheapest, TriangulateError};
+use crate::triangulate::TriangulateError;
 use crate::watch::Watch;
 
 /// A design that is being edited, with its panels as they are now.
@@ -88,7 +89,7 @@ pub struct LivePanel {
     /// What it was made from; `None` where making it was stopped.
     made_from: Option<Inputs>,
     /// What is known of its triangulation from when it had one last.
-    known: Option<Cheapest>,
+    known: Option<Known>,
 }
 
 impl LivePanel {

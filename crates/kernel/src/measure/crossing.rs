@@ -6,34 +6,43 @@
 //! are compared there. Samples on one spot (the two sides of a seam) count as common.
 
 use crate::boundary::size_of;
-use crate::index::TriangleIndex;
+use crate::index::{SampleIndex, TriangleIndex};
 use crate::math::{Point2, Point3, Vec3};
-use crate::predicate::{for_touching_boxes, orientation, orientation3};
+use crate::predicate::{any_touching_boxes, for_touching_boxes, orientation, orientation3};
 use crate::surface::Surface;
 use crate::tolerance::Tolerance;
 use std::cmp::Ordering;
 
 /// The first two triangles, by their numbers, that pass through one another.
 pub fn first_self_crossing(surface: &Surface) -> Option<[TriangleIndex; 2]> {
-    let count = surface.connectivity().triangles().len();
-    let spots = spots(surface.positions());
-    let corners: Vec<[Point3; 3]> = (0..count)
-        .map(|n| surface.connectivity().triangles()[n].map(|sample| spots[sample.get()]))
-        .collect();
-    let boxes: Vec<(Vec3, Vec3)> = corners
-        .iter()
-        .map(|c| {
-            let [a, b, c] = c.map(Point3::to_vec);
-            (a.min(b).min(c), a.max(b).max(c))
-        })
-        .collect();
+    let triangles = triangles(surface);
     let mut first: Option<[usize; 2]> = None;
-    for_touching_boxes(&boxes, |i, j| {
-        if first.is_none_or(|best| [i, j] < best) && cross(corners[i], corners[j]) {
+    for_touching_boxes(&boxes(&triangles), |i, j| {
+        if first.is_none_or(|best| [i, j] < best) && cross(&triangles[i], &triangles[j]) {
             first = Some([i, j]);
         }
     });
     first.map(|pair| pair.map(TriangleIndex::new))
+}
+
+/// Whether any two triangles pass through one another: sooner known than which are the first.
+pub(crate) fn crosses_itself(surface: &Surface) -> bool {
+    let triangles = triangles(surface);
+    any_touching_boxes(&boxes(&triangles), |i, j| cross(&triangles[i], &triangles[j]))
+}
+
+fn triangles(surface: &Surface) -> Vec<Triangle> {
+    let spots = spots(surface.positions());
+    let corners = |triangle: &[SampleIndex; 3]| triangle.map(|sample| spots[sample.get()]);
+    surface.connectivity().triangles().iter().map(|t| Triangle::new(corners(t))).collect()
+}
+
+fn boxes(triangles: &[Triangle]) -> Vec<(Vec3, Vec3)> {
+    let around = |triangle: &Triangle| {
+        let [a, b, c] = triangle.corners.map(Point3::to_vec);
+        (a.min(b).min(c), a.max(b).max(c))
+    };
+    triangles.iter().map(around).collect()
 }
 
 /// The samples, each moved to the first of those that lie on its spot.
@@ -54,38 +63,84 @@ fn spots(positions: &[Point3]) -> Vec<Point3> {
     first.into_iter().map(|i| positions[i]).collect()
 }
 
+/// What rounding may make of the sixfold volume of a tetrahedron, as a share of the sum of its six
+/// products: a little more than the (7 + 56 ε) ε of \[Shewchuk1997\].
+const ROUNDING: f64 = 8.0 * 0.5 * f64::EPSILON;
+
+/// A triangle and its plane.
+struct Triangle {
+    corners: [Point3; 3],
+    /// The cross product of two sides, and the same with the sizes of its products.
+    normal: Vec3,
+    most: Vec3,
+}
+
+impl Triangle {
+    fn new(corners: [Point3; 3]) -> Self {
+        let (u, v) = (corners[1] - corners[0], corners[2] - corners[0]);
+        let most = |u: [f64; 2], v: [f64; 2]| (u[0] * v[1]).abs() + (u[1] * v[0]).abs();
+        Self {
+            corners,
+            normal: u.cross(v),
+            most: Vec3::new(
+                most([u.y, u.z], [v.y, v.z]),
+                most([u.z, u.x], [v.z, v.x]),
+                most([u.x, u.y], [v.x, v.y]),
+            ),
+        }
+    }
+
+    fn sides(&self) -> [[Point3; 2]; 3] {
+        let [a, b, c] = self.corners;
+        [[a, b], [b, c], [c, a]]
+    }
+
+    /// On which side of its plane a point lies, as [`orientation3`] says, which is asked only where
+    /// rounding leaves it open.
+    fn side(&self, p: Point3) -> Ordering {
+        let [a, b, c] = self.corners;
+        let from = p - a;
+        let (volume, most) = (from.dot(self.normal), from.abs().dot(self.most));
+        match volume.total_cmp(&0.0) {
+            // No product is left, as in a plane along two axes.
+            _ if most == 0.0 => Ordering::Equal,
+            side if volume.abs() > ROUNDING * most => side,
+            _ => orientation3(a, b, c, p),
+        }
+    }
+
+    /// On which sides of its plane the corners of another lie that are none of its own.
+    fn sides_of(&self, other: &Self) -> Sides {
+        let mut sides = Sides { list: [Ordering::Equal; 3], count: 0 };
+        for p in other.corners.into_iter().filter(|p| !self.corners.contains(p)) {
+            sides.list[sides.count] = self.side(p);
+            sides.count += 1;
+        }
+        sides
+    }
+}
+
 /// The two triangles at a rung are never told to cross here unless they lie in one plane, folded
 /// onto one another.
-fn cross(t: [Point3; 3], u: [Point3; 3]) -> bool {
-    let sides = |t: [Point3; 3]| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]];
-    let sides_of_u = off_plane(t, u);
+fn cross(t: &Triangle, u: &Triangle) -> bool {
+    let sides_of_u = t.sides_of(u);
     // Beyond their common samples, one lies wholly on one side of the other.
     if sides_of_u.are_one() {
         return false;
     }
     if sides_of_u.all(Ordering::Equal) {
-        return overlap_in_plane(t, u);
+        return overlap_in_plane(t.corners, u.corners);
     }
-    if off_plane(u, t).are_one() {
+    if u.sides_of(t).are_one() {
         return false;
     }
-    let meets = |t: [Point3; 3], u: [Point3; 3]| {
-        sides(t)
+    let meets = |t: &Triangle, u: &Triangle| {
+        t.sides()
             .into_iter()
-            .filter(|side| side.iter().all(|end| !u.contains(end)))
+            .filter(|side| side.iter().all(|end| !u.corners.contains(end)))
             .any(|[a, b]| pierces(a, b, u))
     };
     meets(t, u) || meets(u, t)
-}
-
-/// On which sides of the plane of a triangle the corners of another lie that are none of its own.
-fn off_plane(plane: [Point3; 3], corners: [Point3; 3]) -> Sides {
-    let mut sides = Sides { list: [Ordering::Equal; 3], count: 0 };
-    for p in corners.into_iter().filter(|p| !plane.contains(p)) {
-        sides.list[sides.count] = orientation3(plane[0], plane[1], plane[2], p);
-        sides.count += 1;
-    }
-    sides
 }
 
 /// Up to three sides of a plane.
@@ -106,13 +161,12 @@ impl Sides {
 }
 
 /// Whether the segment a–b meets a triangle that it has no corner in common with.
-fn pierces(a: Point3, b: Point3, [p, q, r]: [Point3; 3]) -> bool {
-    let (from, to) = (orientation3(p, q, r, a), orientation3(p, q, r, b));
-    if from == to {
+fn pierces(a: Point3, b: Point3, triangle: &Triangle) -> bool {
+    if triangle.side(a) == triangle.side(b) {
         // Both on one side; or both in the plane, and then the triangle's own sides will tell.
         return false;
     }
-    let turns = [(p, q), (q, r), (r, p)].map(|(s, t)| orientation3(a, b, s, t));
+    let turns = triangle.sides().map(|[s, t]| orientation3(a, b, s, t));
     let none = |sign: Ordering| turns.iter().all(|&turn| turn != sign);
     none(Ordering::Less) || none(Ordering::Greater)
 }
@@ -152,6 +206,7 @@ mod tests {
 
     #[test]
     fn triangles_that_cross_and_others() {
+        let cross = |t, u| cross(&Triangle::new(t), &Triangle::new(u));
         let t = [p(0., 0., 0.), p(4., 0., 0.), p(0., 4., 0.)];
         assert!(cross(t, [p(1., 1., -1.), p(1., 1., 1.), p(9., 9., 1.)]));
         assert!(!cross(t, [p(1., 1., 0.5), p(1., 1., 1.), p(9., 9., 1.)]));
@@ -160,5 +215,30 @@ mod tests {
         assert!(cross(t, [p(4., 0., 0.), p(0., 2., 1.), p(0., 2., -1.)]), "corner and crossing");
         assert!(cross(t, [p(4., 0., 0.), p(0., 4., 0.), p(1., 1., 0.)]), "folded back in a plane");
         assert!(!cross(t, [p(4., 0., 0.), p(0., 4., 0.), p(4., 4., 0.)]), "side by side");
+    }
+
+    #[test]
+    fn the_side_of_a_triangle_is_exact() {
+        let mut state = 1u64;
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (state >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+        };
+        let mut found = [0; 3];
+        for n in 0..3000 {
+            // Far from the origin rounding is large; points between the corners are in the plane, or
+            // a last digit off it.
+            let far = [0.0, 1.0, 1e6][n % 3];
+            let mut at = || p(far + random(), random(), far + random());
+            let [a, b, c, aside] = [at(), at(), at(), at()];
+            let between = a.lerp(b, random()).lerp(c, random());
+            let triangle = Triangle::new([a, b, c]);
+            for point in [aside, between, a, a.lerp(b, 0.5)] {
+                let side = orientation3(a, b, c, point);
+                assert_eq!(triangle.side(point), side, "{a:?} {b:?} {c:?} {point:?}");
+                found[(side as i8 + 1) as usize] += 1;
+            }
+        }
+        assert!(found.iter().all(|count| *count > 2000), "{found:?}");
     }
 }

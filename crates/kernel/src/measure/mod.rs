@@ -21,6 +21,7 @@ mod gauss;
 mod mesh;
 
 pub use bend::Apex;
+pub(crate) use crossing::crosses_itself;
 pub use crossing::first_self_crossing;
 pub use gauss::{gauss_area, gauss_area_of_mesh};
 pub use mesh::{CutSuggestion, MeshMeasures, cut_suggestion, mesh_measures};
@@ -151,12 +152,15 @@ fn rungs_and_apexes(surface: &Surface, prices: &Prices) -> (Vec<RungMeasures>, V
     // neighbours' neighbours too.
     let is_fold: Vec<bool> = (0..hinges.len())
         .map(|n| {
+            if to_deg(creases[n].abs()) <= SHARP_CREASE_DEG {
+                return false;
+            }
             let mut near: Vec<usize> = around(n).collect();
             near.extend(around(n).flat_map(around).filter(|&other| other != n));
             near.sort_unstable();
             near.dedup();
             let nearby: f64 = near.into_iter().map(|other| creases[other].abs()).sum();
-            to_deg(creases[n].abs()) > SHARP_CREASE_DEG && creases[n].abs() > 2.0 * nearby
+            creases[n].abs() > 2.0 * nearby
         })
         .collect();
     // Folds are no part of a smooth bend.

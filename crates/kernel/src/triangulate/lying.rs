@@ -84,7 +84,8 @@ fn lying_on(
 
 /// The cheapest triangulation of one loop, any two samples joined, if it costs less than `limit`;
 /// only those count whose rungs all have tangent planes. `None` as well where the table that would
-/// tell does not fit the memory.
+/// tell does not fit the memory. What a triangulation costs that is `known` from before is a bound, on
+/// which the answer does not depend.
 ///
 /// # Errors
 /// See [`TriangulateError`].
@@ -92,12 +93,15 @@ pub(crate) fn cheaper_than(
     boundary: &Boundary,
     options: &TriangulateOptions,
     limit: f64,
+    known: Option<&Triangulation>,
     watch: &mut dyn Watch,
 ) -> Result<Option<Triangulation>, TriangulateError> {
     let prices = Prices::new(boundary, None, options.price);
     let everything = Visibility::everything();
     let terms = Terms::new(&prices, &everything, false).within(options.memory_limit);
-    let found = if_it_fits(optimal::solve_within(&terms, quantised(limit), watch))?;
+    let known = known.filter(|known| mend::is_of(known, &[boundary.len()]));
+    let bound = mend::price(&terms, known).map_or(limit, |price| price.min(limit));
+    let found = if_it_fits(optimal::solve_within(&terms, quantised(bound), watch))?;
     let found = found.filter(|found| found.price < limit);
     Ok(found.map(|found| {
         let found = Found { triangles: found.triangles, lower_bound: None };

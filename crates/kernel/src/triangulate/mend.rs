@@ -7,7 +7,6 @@
 
 use super::{EDGE, Side, Terms, Triangulation};
 use crate::index::SampleIndex;
-use std::collections::BTreeMap;
 
 /// Rungs that are looked at, at the most, for each sample.
 const MOST_LOOKS: usize = 32;
@@ -33,11 +32,50 @@ struct Line {
     far: [usize; 2],
 }
 
+/// The lines of a triangulation, by their ends.
+struct Lines {
+    /// For each sample those to higher ones, in increasing order: two in the mean.
+    rows: Vec<Vec<(usize, Line)>>,
+}
+
+impl Lines {
+    /// Where a line stands, or would stand, in the row of its lower end.
+    fn find(&self, [low, high]: [usize; 2]) -> Result<usize, usize> {
+        self.rows[low].binary_search_by_key(&high, |(high, _)| *high)
+    }
+
+    fn get(&self, ends: [usize; 2]) -> Option<&Line> {
+        self.find(ends).ok().map(|at| &self.rows[ends[0]][at].1)
+    }
+
+    fn get_mut(&mut self, ends: [usize; 2]) -> Option<&mut Line> {
+        self.find(ends).ok().map(|at| &mut self.rows[ends[0]][at].1)
+    }
+
+    fn insert(&mut self, ends: [usize; 2], line: Line) {
+        match self.find(ends) {
+            Ok(at) => self.rows[ends[0]][at].1 = line,
+            Err(at) => self.rows[ends[0]].insert(at, (ends[1], line)),
+        }
+    }
+
+    fn remove(&mut self, ends: [usize; 2]) {
+        if let Ok(at) = self.find(ends) {
+            self.rows[ends[0]].remove(at);
+        }
+    }
+
+    /// All lines with their ends, in order.
+    fn iter(&self) -> impl Iterator<Item = ([usize; 2], &Line)> {
+        let rows = self.rows.iter().enumerate();
+        rows.flat_map(|(low, row)| row.iter().map(move |(high, line)| ([low, *high], line)))
+    }
+}
+
 /// A triangulation on the way.
 struct Mended<'a> {
     terms: &'a Terms<'a>,
-    /// By their ends, the lower first.
-    lines: BTreeMap<[usize; 2], Line>,
+    lines: Lines,
 }
 
 fn ends(a: usize, b: usize) -> [usize; 2] {
@@ -46,20 +84,23 @@ fn ends(a: usize, b: usize) -> [usize; 2] {
 
 impl<'a> Mended<'a> {
     fn new(terms: &'a Terms<'a>, known: &Triangulation) -> Self {
-        let mut lines: BTreeMap<[usize; 2], Line> = BTreeMap::new();
+        let mut lines = Lines { rows: vec![Vec::new(); terms.prices.len()] };
         for corners in &known.triangles {
             let [i, k, j] = corners.map(SampleIndex::get);
             for (a, b, far) in [(i, k, j), (k, j, i), (i, j, k)] {
-                let line = lines.entry(ends(a, b));
-                line.and_modify(|line| line.far[1] = far)
-                    .or_insert_with(|| Line { side: terms.side(a, b), far: [far; 2] });
+                match lines.get_mut(ends(a, b)) {
+                    Some(line) => line.far[1] = far,
+                    None => {
+                        lines.insert(ends(a, b), Line { side: terms.side(a, b), far: [far; 2] });
+                    }
+                }
             }
         }
         Self { terms, lines }
     }
 
     fn side(&self, a: usize, b: usize) -> Side {
-        self.lines.get(&ends(a, b)).map_or(EDGE, |line| line.side)
+        self.lines.get(ends(a, b)).map_or(EDGE, |line| line.side)
     }
 
     /// F of the triangle with these corners, of which one side may not be there yet.
@@ -77,14 +118,14 @@ impl<'a> Mended<'a> {
     fn mend(&mut self) {
         let is_rung = |line: &Line| line.far[0] != line.far[1];
         let rungs = self.lines.iter().filter(|(_, line)| is_rung(line));
-        let mut queue: Vec<[usize; 2]> = rungs.map(|(ends, _)| *ends).collect();
+        let mut queue: Vec<[usize; 2]> = rungs.map(|(ends, _)| ends).collect();
         let mut left = MOST_LOOKS * queue.len();
         while let Some([a, b]) = queue.pop() {
             if left == 0 {
                 break;
             }
             left -= 1;
-            let Some(&line) = self.lines.get(&[a, b]).filter(|line| is_rung(line)) else {
+            let Some(&line) = self.lines.get([a, b]).filter(|line| is_rung(line)) else {
                 continue;
             };
             let [c, d] = line.far;
@@ -94,12 +135,12 @@ impl<'a> Mended<'a> {
             };
             if other.price < f64::INFINITY && of(c, d, [a, b], other) < of(a, b, [c, d], line.side)
             {
-                self.lines.remove(&[a, b]);
+                self.lines.remove([a, b]);
                 self.lines.insert(ends(c, d), Line { side: other, far: [a, b] });
                 // Each side of the two triangles: the corner beyond it was one end and is another.
                 for (p, q, before, now) in [(a, c, b, d), (b, c, a, d), (a, d, b, c), (b, d, a, c)]
                 {
-                    if let Some(line) = self.lines.get_mut(&ends(p, q)) {
+                    if let Some(line) = self.lines.get_mut(ends(p, q)) {
                         for far in &mut line.far {
                             *far = if *far == before { now } else { *far };
                         }
@@ -111,10 +152,10 @@ impl<'a> Mended<'a> {
     }
 
     fn price(&self) -> f64 {
-        let of_rungs: f64 = self.lines.values().map(|line| line.side.price).sum();
+        let of_rungs: f64 = self.lines.iter().map(|(_, line)| line.side.price).sum();
         // Each triangle is looked at from its lowest side.
         let mut of_folds = 0.0;
-        for (&[a, b], line) in &self.lines {
+        for ([a, b], line) in self.lines.iter() {
             let count = if line.far[0] == line.far[1] { 1 } else { 2 };
             for &far in line.far[..count].iter().filter(|far| **far > b) {
                 of_folds += self.fold(a, b, far, line.side);
@@ -168,8 +209,8 @@ mod tests {
                     after < 1.1 * cheapest || wave > 0.05,
                     "{wave}: {cheapest} {after} {before}"
                 );
-                let rungs = mended.lines.values().filter(|line| line.far[0] != line.far[1]);
-                assert_eq!((rungs.count(), mended.lines.len()), (57, 117));
+                let rungs = mended.lines.iter().filter(|(_, line)| line.far[0] != line.far[1]);
+                assert_eq!((rungs.count(), mended.lines.iter().count()), (57, 117));
             }
         }
     }

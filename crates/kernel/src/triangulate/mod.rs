@@ -30,7 +30,9 @@ pub(crate) use lying::cheaper_than;
 pub use optimal::memory_needed;
 
 use crate::boundary::{Boundary, SupportingPlane};
-use crate::cost::{EXACT_BELOW, FarEnds, LANES, MAX_FOLD, PriceOptions, Prices, Strip, TwistForm};
+use crate::cost::{
+    EXACT_BELOW, FarEnds, LANES, MAX_FOLD, PriceOptions, Prices, Strip, TwistForm, Wanted,
+};
 use crate::index::SampleIndex;
 use crate::math::Vec3;
 use crate::rung::{Rung, Visibility};
@@ -489,16 +491,21 @@ impl<'a> Terms<'a> {
         }
     }
 
-    /// All sides from sample `i` to the far ends, at once: what [`Self::side`] says of each; those
-    /// that do not lead to a higher sample are barred.
+    /// Writes to `strip` all sides from sample `i` to the far ends, at once: what [`Self::side`] says of each; those
+    /// that do not lead to a higher sample are barred, and those dearer than `limit` may be. Without N
+    /// unless `MEANS`.
     #[inline(always)]
-    fn strip(&self, i: usize, to: &FarEnds) -> Strip {
-        let mut strip = self.prices.strip(i, to);
-        let Strip { prices, means } = &mut strip;
+    fn strip<const MEANS: bool>(&self, i: usize, to: &FarEnds, limit: f64, strip: &mut Strip) {
+        let in_order = self.prices.in_order();
         let is_apart = i + 1 < to.first && to.count == LANES;
-        if is_apart && self.prices.in_order() && (i > 0 || to.first + LANES < self.prices.len()) {
+        let is_plain = is_apart && in_order && (i > 0 || to.first + LANES < self.prices.len());
+        // Banks cost nothing, and what has no planes may be forced.
+        let limit = if in_order && !self.forced { limit } else { f64::INFINITY };
+        let allowed = if is_plain { self.visibility.allowed(i, to.first) } else { u16::MAX };
+        self.prices.strip::<MEANS>(i, to, Wanted { lanes: allowed, limit }, strip);
+        let Strip { prices, means } = strip;
+        if is_plain {
             // No neighbours among them.
-            let allowed = self.visibility.allowed(i, to.first);
             let lost = if self.forced { FORCED.price } else { BARRED.price };
             for n in 0..LANES {
                 let price = if prices[n] < f64::INFINITY {
@@ -508,7 +515,7 @@ impl<'a> Terms<'a> {
                 };
                 prices[n] = if allowed >> n & 1 == 1 { price } else { BARRED.price };
             }
-            return strip;
+            return;
         }
         for n in 0..LANES {
             let j = to.first + n;
@@ -533,14 +540,6 @@ impl<'a> Terms<'a> {
                 mean[n] = 0.0;
             }
         }
-        strip
-    }
-
-    /// The price of a triangle with corners counter-clockwise.
-    fn triangle(&self, corners: [usize; 3]) -> f64 {
-        let [i, k, j] = corners;
-        let means = [self.side(i, k).mean, self.side(k, j).mean, self.side(i, j).mean];
-        self.prices.triangle(corners, means)
     }
 }
 
@@ -565,21 +564,30 @@ fn outcome(terms: &Terms<'_>, found: Found, method: Method) -> Triangulation {
     rungs.sort_unstable();
     rungs.dedup();
     let ends = |rung: &Rung| rung.ends().map(SampleIndex::get);
-    let without_plane = |rung: &&Rung| {
-        let [i, j] = ends(rung);
-        terms.prices.planes(i, j).is_none()
-    };
-    let forced_rungs = rungs.iter().filter(without_plane).count();
-    let of_rungs: f64 = rungs
+    let sides: Vec<Side> = rungs
         .iter()
         .map(|rung| {
             let [i, j] = ends(rung);
-            terms.side(i, j).price
+            terms.side(i, j)
         })
-        .sum();
-    let of_folds: f64 = triangles.iter().map(|&corners| terms.triangle(corners)).sum();
+        .collect();
+    // A rung without tangent planes has no N; one whose planes are opposite has none either.
+    let without_plane = |(rung, side): &(&Rung, &Side)| {
+        let [i, j] = ends(rung);
+        side.mean == Vec3::ZERO && terms.prices.planes(i, j).is_none()
+    };
+    let forced_rungs = rungs.iter().zip(&sides).filter(without_plane).count();
+    let of_rungs: f64 = sides.iter().map(|side| side.price).sum();
+    let mean = |a: usize, b: usize| {
+        let found = rungs.binary_search(&Rung::new(a, b));
+        found.map_or(Vec3::ZERO, |n| sides[n].mean)
+    };
+    let of_fold = |&[i, k, j]: &[usize; 3]| {
+        terms.prices.triangle([i, k, j], [mean(i, k), mean(k, j), mean(i, j)])
+    };
+    let of_folds: f64 = triangles.iter().map(of_fold).sum();
     let price = of_rungs + of_folds;
-    let largest_twist = terms.largest(&triangles);
+    let largest_twist = sides.iter().map(|side| side.price).fold(0.0, f64::max);
     let lower_bound = found.lower_bound.unwrap_or(price);
     let proven_optimal = method == Method::Optimal && price < EXACT_BELOW && lower_bound >= price;
     Triangulation {

@@ -98,7 +98,7 @@ impl pulp::WithSimd for Filling<'_> {
 struct Least<'a> {
     i: usize,
     to: &'a FarEnds,
-    means: [Lanes; 3],
+    means: &'a [Lanes; 3],
     /// Infinitely low where nothing is looked for.
     prices: Lanes,
     /// The k that they were found at; 0 for none.
@@ -286,14 +286,16 @@ impl<'a> Table<'a> {
     ) {
         let rows = row * LANES..self.m.min((row + 1) * LANES);
         let (to, column) = (&*to, to.first / LANES);
+        let mut strip = Strip::NONE;
         for i in rows.clone().rev() {
             let near = open.band.map(|band| band.lanes(i, to));
             if near.is_some_and(|near| near == [false; LANES]) {
                 continue;
             }
-            let Strip { mut prices, means } = self.terms.strip(i, to);
+            self.terms.strip::<FOLDS>(i, to, open.bound, &mut strip);
+            let Strip { prices, means } = &mut strip;
             if let Some(of_tile) = &mut tile.means {
-                of_tile[i - rows.start] = means;
+                of_tile[i - rows.start] = *means;
             }
             let mut below = [f64::NEG_INFINITY; LANES];
             for n in 0..LANES {

@@ -2,7 +2,7 @@
 
 use super::super::{Terms, TriangulateError};
 use super::blocks::Blocks;
-use crate::cost::FarEnds;
+use crate::cost::{FarEnds, Strip};
 use crate::watch::Watch;
 use std::ops::Range;
 
@@ -83,8 +83,9 @@ impl pulp::WithSimd for Comparing<'_> {
         let Self { terms, from, to, far, owed, rows } = self;
         let m = owed.len();
         let mut count = 0;
+        let mut strip = Strip::NONE;
         for x in from {
-            let strip = terms.strip(x, far);
+            terms.strip::<false>(x, far, f64::INFINITY, &mut strip);
             for (y, price) in to.clone().zip(strip.prices) {
                 let is_rung = y > x + 1 && y - x + 1 < m;
                 if is_rung && price <= 2.0 * (owed[x] + owed[y]) {
