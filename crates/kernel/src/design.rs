@@ -401,7 +401,7 @@ fn make_as_asked(
     let bends = checked.verdict == Verdict::Bends;
     if panel.plane == PlaneChoice::Auto && plane.is_some() && boundary.holes() < 2 && !bends {
         let better = known.better_without_plane(&boundary, &options, watch);
-        if let Some(price) = better.map_err(|e| failed(MakeCause::Triangulate(e)))? {
+        if let Some(price) = better.map_err(failed)? {
             checked.add(better_without_plane(triangulation.price, price));
         }
     }

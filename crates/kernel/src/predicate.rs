@@ -143,8 +143,8 @@ impl Box2 {
         })
     }
 
-    /// The part of the segment from `a` to `b` that lies in the box, sides included, as shares of the
-    /// way between the two; `None` if the segment passes beside it. By the method of Liang and Barsky,
+    /// The part of the segment from `a` to `b`, which are finite, that lies in the box, sides included, as
+    /// shares of the way between the two; `None` if the segment passes beside it. By the method of Liang and Barsky,
     /// side by side; not exact: rounding decides of a segment that only just touches a corner.
     pub fn part_inside(&self, a: Point2, b: Point2) -> Option<[f64; 2]> {
         let (mut from, mut to) = (0.0_f64, 1.0_f64);

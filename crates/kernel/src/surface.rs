@@ -64,22 +64,13 @@ impl fmt::Display for ConnectivityError {
 
 impl std::error::Error for ConnectivityError {}
 
-/// The edges of loops of samples, loop after loop, each from a sample to the next.
-fn edges_of(loops: &[Range<usize>]) -> impl Iterator<Item = [SampleIndex; 2]> + '_ {
-    loops.iter().flat_map(|l| {
-        l.clone().map(|i| {
-            let next = if i + 1 == l.end { l.start } else { i + 1 };
-            [i, next].map(SampleIndex::new)
-        })
-    })
-}
-
 impl Connectivity {
     /// The surface that `triangles` make over the samples of `loops` (numbers of samples, loop
     /// after loop). Corners run counter-clockwise as seen from the side that the surface faces.
     ///
     /// # Errors
-    /// Unless the triangles are a manifold whose border is exactly the loops.
+    /// Unless the triangles are a manifold whose border is exactly the loops. What is wrong with single
+    /// triangles comes first.
     pub fn new(
         loops: &[Range<usize>],
         triangles: Vec<[SampleIndex; 3]>,
@@ -169,6 +160,16 @@ impl Connectivity {
         }
         of_triangles
     }
+}
+
+/// The edges of loops of samples, loop after loop, each from a sample to the next.
+fn edges_of(loops: &[Range<usize>]) -> impl Iterator<Item = [SampleIndex; 2]> + '_ {
+    loops.iter().flat_map(|l| {
+        l.clone().map(|i| {
+            let next = if i + 1 == l.end { l.start } else { i + 1 };
+            [i, next].map(SampleIndex::new)
+        })
+    })
 }
 
 /// A connectivity whose samples have places.

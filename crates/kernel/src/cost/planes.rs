@@ -147,15 +147,16 @@ pub(super) fn is_parallel(
     is_along(from_tangent, from_special) || is_along(to_tangent, to_special)
 }
 
-/// How much closer normals may be, as a cosine, than [`is_twisted_above`] finds them: by its rounding, or
-/// where it takes a direction in a narrow sector for one outside.
+/// Squared sine of angles below which [`is_twisted_above`] tells nothing.
+const NARROW: f64 = 1e-10;
+/// How much closer normals may be, as a cosine, than it finds them. A cross product of unit vectors is off
+/// by some 2·10⁻¹⁶, so the normal of directions that differ by 10⁻⁵ is by some 2·10⁻¹¹; there are two, here
+/// and in [`special`] each.
 const CLOSER: f64 = 1e-9;
-/// Squared sine below which it tells nothing.
-const NARROW: f64 = 1e-12;
 
 /// Whether the rung from a corner to a smooth sample certainly has a twist above `limit`, by neither
-/// root nor quotient: its normal at the smooth sample lies outside the sector of those at the corner, and
-/// too far from both ends.
+/// root nor quotient: its normal at the smooth sample lies outside the sector of those at the corner,
+/// and too far from both ends.
 pub(super) fn is_twisted_above(
     corner: &End,
     (to, tangent, special): ([f64; 3], [f64; 3], f64),
@@ -177,7 +178,8 @@ pub(super) fn is_twisted_above(
     let ends_squared = ends.map(|end| dot(end, end));
     let turn = dot(cross(ends[0], ends[1]), d);
     let least = NARROW * length_squared;
-    let is_clear = ends_squared[0] > least
+    let is_clear = squared > least
+        && ends_squared[0] > least
         && ends_squared[1] > least
         && turn * turn > NARROW * ends_squared[0] * ends_squared[1] * length_squared;
     let is_inside =

@@ -5,6 +5,7 @@
 //! a word. To know takes a search of its own, without the plane. While a handle is dragged, what was
 //! found one move ago bounds it, as it bounds that with the plane.
 
+use super::MakeCause;
 use crate::boundary::Boundary;
 use crate::measure::crosses_itself;
 use crate::surface::{Connectivity, Surface};
@@ -50,13 +51,13 @@ impl Known {
         boundary: &Boundary,
         options: &TriangulateOptions,
         watch: &mut dyn Watch,
-    ) -> Result<Option<f64>, TriangulateError> {
-        self.free = self.much_cheaper(boundary, options, watch)?;
+    ) -> Result<Option<f64>, MakeCause> {
+        self.free = self.much_cheaper(boundary, options, watch).map_err(MakeCause::Triangulate)?;
         let Some(free) = &self.free else { return Ok(None) };
-        let connectivity = Connectivity::new(boundary.loops(), free.triangles.clone());
-        // What is no surface is no better one.
-        let surface = connectivity.map(|c| Surface::new(c, boundary.positions())).ok();
-        Ok(surface.filter(|surface| !crosses_itself(surface)).map(|_| free.price))
+        let connectivity = Connectivity::new(boundary.loops(), free.triangles.clone())
+            .map_err(MakeCause::Surface)?;
+        let surface = Surface::new(connectivity, boundary.positions());
+        Ok(if crosses_itself(&surface) { None } else { Some(free.price) })
     }
 
     /// The cheapest triangulation without the plane, if it costs much less than that with it.

@@ -64,8 +64,8 @@ fn spots(positions: &[Point3]) -> Vec<Point3> {
 }
 
 /// What rounding may make of the sixfold volume of a tetrahedron, as a share of the sum of its six
-/// products: a little more than the (7 + 56 ε) ε of \[Shewchuk1997\].
-const ROUNDING: f64 = 8.0 * 0.5 * f64::EPSILON;
+/// products: a little more than the (7 + 56 ε) ε of \[Shewchuk1997\], whose ε is half of `f64::EPSILON`.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// A triangle and its plane.
 struct Triangle {
@@ -101,12 +101,14 @@ impl Triangle {
         let [a, b, c] = self.corners;
         let from = p - a;
         let (volume, most) = (from.dot(self.normal), from.abs().dot(self.most));
-        match volume.total_cmp(&0.0) {
+        if most == 0.0 {
             // No product is left, as in a plane along two axes.
-            _ if most == 0.0 => Ordering::Equal,
-            side if volume.abs() > ROUNDING * most => side,
-            _ => orientation3(a, b, c, p),
+            return Ordering::Equal;
         }
+        if volume.abs() > ROUNDING * most {
+            return volume.total_cmp(&0.0);
+        }
+        orientation3(a, b, c, p)
     }
 
     /// On which sides of its plane the corners of another lie that are none of its own.

@@ -85,7 +85,7 @@ fn lying_on(
 /// The cheapest triangulation of one loop, any two samples joined, if it costs less than `limit`;
 /// only those count whose rungs all have tangent planes. `None` as well where the table that would
 /// tell does not fit the memory. What a triangulation costs that is `known` from before is a bound, on
-/// which the answer does not depend.
+/// which the answer does not depend, unless it makes the table small enough for the memory.
 ///
 /// # Errors
 /// See [`TriangulateError`].

@@ -13,7 +13,10 @@ const MOST_LOOKS: usize = 32;
 
 /// Whether it is one of a loop with as many samples.
 pub(super) fn is_of(known: &Triangulation, lengths: &[usize]) -> bool {
-    lengths.len() == 1 && known.triangles.len() + 2 == lengths[0]
+    // With holes there are more triangles, and more rungs than that.
+    lengths.len() == 1
+        && known.triangles.len() + 2 == lengths[0]
+        && known.rungs.len() + 3 == lengths[0]
 }
 
 /// What a triangulation costs now that is mended from one that is known: no less than the cheapest.

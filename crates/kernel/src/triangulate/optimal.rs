@@ -48,11 +48,11 @@ use table::Table;
 const LEAST_THINNED: usize = 64;
 /// How much more than that of the thinned loop the answer may cost, where its rungs lead to none.
 const GUESSES: [f64; 2] = [1.3, 5.2];
-/// How many times the tiles of that of the thinned loop a table has: so many next to a developable surface,
-/// up to where all are there.
+/// A table has so many times the tiles of the thinned loop's: the first next to a developable surface,
+/// the second where all are there.
 const GROWTH: [f64; 2] = [8.0, 16.0];
-/// The least that it has, and as a share of what the thinned loop has of its own. Measured on the families
-/// and on random boundaries of 1,200 to 4,000 samples: 5.2 and 0.66.
+/// The least growth, and the least as a share of the growth one step before. On the families and on
+/// random boundaries of 1,200 to 4,000 samples they were 5.2 and 0.66.
 const LEAST_GROWTH: f64 = 5.0;
 const LEAST_SHARE: f64 = 0.65;
 /// Where the table may not fit, that of the thinned loop may take one part in so many of the memory: a
@@ -170,7 +170,8 @@ fn bounds(table: &mut Table<'_>, watch: &mut dyn Watch) -> Result<Bounds, Triang
     let grown = |growth: f64| table.bytes() + (growth * few.bytes_of_tiles() as f64) as u64;
     let growth = growth.unwrap_or(GROWTH[0]);
     if may_fail && grown(LEAST_GROWTH.max(LEAST_SHARE * growth)) > terms.memory {
-        return Err(too_large(grown(growth.clamp(GROWTH[0], GROWTH[1]))));
+        let expected = grown(growth.clamp(GROWTH[0], GROWTH[1]));
+        return Err(too_large(expected.min(memory_needed(m))));
     }
     let tiles_of_thinned = Some(few.tiles());
     drop(few);

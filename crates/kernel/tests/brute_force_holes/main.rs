@@ -1,7 +1,8 @@
 //! Domains with holes against all of their triangulations, enumerated one by one.
 //!
 //! Nothing here knows of cuts or of paths round a hole: [`growth`] goes by the definition.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout)] // tests panic and print what they measured
+// Tests panic and print what they measured.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout)]
 
 mod growth;
 

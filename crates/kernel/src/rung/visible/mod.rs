@@ -9,8 +9,7 @@ mod at_ends;
 mod expansion;
 mod pairs;
 
-use crate::boundary::Boundary;
-use crate::boundary::SupportingPlane;
+use crate::boundary::{Boundary, SupportingPlane};
 use crate::math::Point2;
 use at_ends::pairs_at_ends;
 use expansion::inside_pairs;

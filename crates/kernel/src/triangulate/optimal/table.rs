@@ -286,7 +286,7 @@ impl<'a> Table<'a> {
     ) {
         let rows = row * LANES..self.m.min((row + 1) * LANES);
         let (to, column) = (&*to, to.first / LANES);
-        let mut strip = Strip::NONE;
+        let mut strip = Strip::BLANK;
         for i in rows.clone().rev() {
             let near = open.band.map(|band| band.lanes(i, to));
             if near.is_some_and(|near| near == [false; LANES]) {
@@ -626,6 +626,42 @@ mod tests {
         let points: [Vec<CurvePoint>; 2] =
             [(0..m).map(plate).collect(), (0..m).map(wavy).collect()];
         points.map(|points| Boundary::new(vec![samples_from_points(&points)]).unwrap())
+    }
+
+    #[test]
+    fn strips_are_what_single_sides_are() {
+        let m = 320;
+        let (mut admitted, mut dear) = (0, 0);
+        for boundary in boundaries(m) {
+            let prices = Prices::new(&boundary, None, PriceOptions::default());
+            let some = Visibility::of_pairs(m, |i, j| (i * 7 + j * 3) % 5 != 0);
+            for visibility in [Visibility::everything(), some] {
+                for (forced, bar, limit) in [
+                    (false, f64::INFINITY, f64::INFINITY),
+                    (false, f64::INFINITY, 0.02),
+                    (true, f64::INFINITY, 0.02),
+                    (false, 0.1, 0.02),
+                ] {
+                    let terms = Terms { bar, ..Terms::new(&prices, &visibility, forced) };
+                    let mut strip = Strip::BLANK;
+                    for (i, first) in (0..m).flat_map(|i| [(i, i / 16 * 16), (i, 256), (i, 304)]) {
+                        terms.strip::<true>(i, &prices.far_ends(first), limit, &mut strip);
+                        for (n, j) in (first..first + LANES).enumerate().filter(|(_, j)| *j > i) {
+                            let side = terms.side(i, j);
+                            if side.price <= limit.min(f64::MAX) {
+                                let mean = Vec3::from_array(strip.means.map(|mean| mean[n]));
+                                assert_eq!((strip.prices[n], mean), (side.price, side.mean));
+                                admitted += 1;
+                            } else {
+                                assert!(strip.prices[n] > limit.min(f64::MAX), "{i} {j}");
+                                dear += 1;
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        assert!(admitted > 10_000 && dear > 10_000, "{admitted} {dear}");
     }
 
     #[test]

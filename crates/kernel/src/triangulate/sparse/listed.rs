@@ -83,7 +83,7 @@ impl pulp::WithSimd for Comparing<'_> {
         let Self { terms, from, to, far, owed, rows } = self;
         let m = owed.len();
         let mut count = 0;
-        let mut strip = Strip::NONE;
+        let mut strip = Strip::BLANK;
         for x in from {
             terms.strip::<false>(x, far, f64::INFINITY, &mut strip);
             for (y, price) in to.clone().zip(strip.prices) {
