@@ -3,7 +3,7 @@
 use crate::command::Command;
 use crate::document::{Document, Drawing, Mirror, Plan};
 use crate::editor::Editor;
-use crate::engine::shown::{Shown, ShownPanel};
+use crate::engine::shown::{Shown, ShownPanel, ShownRung};
 use crate::field::{length_ui, name_ui, number_ui};
 use crate::scene::{Act, Edit, PointRef, Selection, curves_of};
 use crate::theme::Theme;
@@ -112,7 +112,8 @@ fn made_ui(
             "Largest twist {:.1}°, the sheet takes {}°",
             shown.rungs[worst].warp_deg, shown.warp_limit_deg
         );
-        let link = ui.link(twist).on_hover_text("Show where it is.");
+        let hint = twist_hint(&shown.rungs[worst], shown.warp_max_deg);
+        let link = ui.link(twist).on_hover_text(hint);
         if link.clicked() {
             acts.push(Act::Select(Selection::of_rung(n, worst)));
         }
@@ -128,6 +129,23 @@ fn made_ui(
         egui::CollapsingHeader::new(title).id_salt(("more", n)).show(ui, |ui| {
             rest.iter().for_each(|finding| finding_ui(ui, theme, finding));
         });
+    }
+}
+
+/// What is said of the largest twist, that at `worst`: reports count what the sampling explains too, and
+/// may name a larger one.
+fn twist_hint(worst: &ShownRung, largest_deg: f64) -> String {
+    let shown = format!("{:.1}", worst.warp_deg);
+    let largest = format!("{largest_deg:.1}");
+    if worst.is_unsure {
+        "Show where it is. It may come from samples that are far apart.".into()
+    } else if largest == shown {
+        "Show where it is.".into()
+    } else {
+        format!(
+            "Show where it is. The {largest}° that the report has may come from samples that are far \
+             apart."
+        )
     }
 }
 
@@ -365,4 +383,26 @@ fn drawing_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) 
             acts.push(Act::Edit(Edit::SetDrawing(Box::new(to))));
         }
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_larger_twist_in_the_report_is_explained() {
+        let rung = |warp_deg: f64, is_unsure: bool| ShownRung {
+            ends: [0, 2],
+            flat_ends: [0, 2],
+            warp_deg,
+            is_unsure,
+            crease_deg: 0.0,
+            normals: Default::default(),
+        };
+        assert_eq!(twist_hint(&rung(9.07, false), 9.07), "Show where it is.");
+        assert!(
+            twist_hint(&rung(0.32, false), 0.8526).contains("The 0.9° that the report has may")
+        );
+        assert!(twist_hint(&rung(15.0, true), 15.0).contains("It may come from samples"));
+    }
 }
