@@ -143,9 +143,10 @@ impl Box2 {
         })
     }
 
-    /// The part of the segment from `a` to `b`, which are finite, that lies in the box, sides included, as
-    /// shares of the way between the two; `None` if the segment passes beside it. By the method of Liang and Barsky,
-    /// side by side; not exact: rounding decides of a segment that only just touches a corner.
+    /// The part of the segment from `a` to `b`, which are finite, that lies in the box, sides
+    /// included, as shares of the way between the two; `None` if the segment passes beside it. By the
+    /// method of Liang and Barsky, side by side; not exact: rounding decides of a segment that only
+    /// just touches a corner.
     pub fn part_inside(&self, a: Point2, b: Point2) -> Option<[f64; 2]> {
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
         for (way, low, high) in [
@@ -282,7 +283,7 @@ mod tests {
     fn a_segment_is_in_a_box_where_an_end_is_or_where_it_crosses_a_side() {
         let square = [p(0.0, 0.0), p(1.0, 0.0), p(1.0, 1.0), p(0.0, 1.0)];
         let around = Box2 { min: square[0], max: square[2] };
-        // Away from the corners, which rounding decides of: multiples of the golden ratio.
+        // Away from the corners, which rounding decides of: multiples of irrational numbers.
         let spread = |n: u32, by: f64| (f64::from(n) * by).fract() * 3.0 - 1.0;
         let mut found = [0, 0];
         for n in 0..2000 {

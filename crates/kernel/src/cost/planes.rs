@@ -149,9 +149,9 @@ pub(super) fn is_parallel(
 
 /// Squared sine of angles below which [`is_twisted_above`] tells nothing.
 const NARROW: f64 = 1e-10;
-/// How much closer normals may be, as a cosine, than it finds them. A cross product of unit vectors is off
-/// by some 2·10⁻¹⁶, so the normal of directions that differ by 10⁻⁵ is by some 2·10⁻¹¹; there are two, here
-/// and in [`special`] each.
+/// How much closer normals may be, as a cosine, than it finds them. A cross product of unit vectors
+/// is off by some 2·10⁻¹⁶, so the normal of directions that differ by 10⁻⁵ is by some 2·10⁻¹¹; there
+/// are two, here and in [`special`] each.
 const CLOSER: f64 = 1e-9;
 
 /// Whether the rung from a corner to a smooth sample certainly has a twist above `limit`, by neither

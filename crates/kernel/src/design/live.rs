@@ -9,7 +9,8 @@
 //!    samples are spread evenly over a smooth stretch of an outline, so when its length changes, all
 //!    of them move.)
 //!
-//! What comes out is what [`super::make`] makes of the same design, bit by bit.
+//! What comes out is what [`super::make`] makes of the same design, bit by bit; only where memory is
+//! short, a bound from before may make a table fit that does not fit afresh.
 
 use super::sampling::{Matched, Sampler, matched};
 use super::without_plane::Known;

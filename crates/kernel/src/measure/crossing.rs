@@ -64,7 +64,8 @@ fn spots(positions: &[Point3]) -> Vec<Point3> {
 }
 
 /// What rounding may make of the sixfold volume of a tetrahedron, as a share of the sum of its six
-/// products: a little more than the (7 + 56 ε) ε of \[Shewchuk1997\], whose ε is half of `f64::EPSILON`.
+/// products: a little more than the (7 + 56 ε) ε of \[Shewchuk1997\], whose ε is half of
+/// `f64::EPSILON`.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// A triangle and its plane.

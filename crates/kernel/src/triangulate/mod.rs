@@ -491,9 +491,9 @@ impl<'a> Terms<'a> {
         }
     }
 
-    /// Writes to `strip` all sides from sample `i` to the far ends, at once: what [`Self::side`] says of
-    /// each; those that do not lead to a higher sample are barred, and those dearer than `limit` may be.
-    /// Without N unless `MEANS`.
+    /// Writes to `strip` all sides from sample `i` to the far ends, at once: what [`Self::side`] says
+    /// of each; those that do not lead to a higher sample are barred, and those dearer than `limit`
+    /// may be. Without N unless `MEANS`.
     #[inline(always)]
     fn strip<const MEANS: bool>(&self, i: usize, to: &FarEnds, limit: f64, strip: &mut Strip) {
         let in_order = self.prices.in_order();

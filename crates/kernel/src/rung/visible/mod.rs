@@ -1,9 +1,9 @@
 //! Which rungs lie inside the projection of the boundary on its supporting plane.
 //!
-//! Exactly, by triangular expansion (`expansion`); or, for most searches, by the ends of the rungs alone
-//! (`at_ends`), which tells most of those apart that are outside and takes a fraction of the time. If the
-//! triangles of the answer do not overlap in the projection, all of its rungs are inside, and no more
-//! need be asked (`triangulate::lying`).
+//! Exactly, by triangular expansion (`expansion`); or, for most searches, by the ends of the rungs
+//! alone (`at_ends`), which tells most of those apart that are outside and takes a fraction of the
+//! time. If the triangles of the answer do not overlap in the projection, all of its rungs are inside,
+//! and no more need be asked (`triangulate::lying`).
 
 mod at_ends;
 mod expansion;
@@ -73,8 +73,8 @@ impl Visibility {
         }
     }
 
-    /// Which of the 16 samples from `first` on, a multiple of 16, may be joined with sample `i`, a lower
-    /// one: one bit each, the lowest for the first.
+    /// Which of the 16 samples from `first` on, a multiple of 16, may be joined with sample `i`, a
+    /// lower one: one bit each, the lowest for the first.
     #[inline(always)]
     pub(crate) fn allowed(&self, i: usize, first: usize) -> u16 {
         match self.pairs() {

@@ -68,8 +68,8 @@ impl PairSet {
         self.words[self.word(i, j)] >> (j % BITS) & 1 == 1
     }
 
-    /// Which of the 16 samples from `first` on, a multiple of 16, are in a pair with sample `i`, a lower
-    /// one: one bit each, the lowest for the first.
+    /// Which of the 16 samples from `first` on, a multiple of 16, are in a pair with sample `i`, a
+    /// lower one: one bit each, the lowest for the first.
     #[inline(always)]
     pub(super) fn sixteen(&self, i: usize, first: usize) -> u16 {
         (self.words[self.word(i, first)] >> (first % BITS)) as u16
