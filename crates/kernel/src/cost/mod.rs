@@ -226,6 +226,11 @@ impl Prices {
         self.ends.is_empty()
     }
 
+    /// The same with another weight of the fold price.
+    pub(crate) fn with_fold(self, fold: f64) -> Self {
+        Self { options: PriceOptions { fold, ..self.options }, ..self }
+    }
+
     /// How prices are made up.
     pub fn options(&self) -> PriceOptions {
         self.options
@@ -248,11 +253,9 @@ impl Prices {
 
     #[inline(always)]
     pub(crate) fn smooth_end(&self, i: usize) -> ([f64; 3], [f64; 3], f64) {
-        (
-            [0, 1, 2].map(|axis| self.positions[axis][i]),
-            [0, 1, 2].map(|axis| self.tangents[axis][i]),
-            self.special_cosines_squared[i],
-        )
+        // Not `[0, 1, 2].map`, whose check of each index keeps it from being inlined.
+        let at = |[x, y, z]: &[Vec<f64>; 3]| [x[i], y[i], z[i]];
+        (at(&self.positions), at(&self.tangents), self.special_cosines_squared[i])
     }
 
     /// The tangent planes along the rung between samples `i` < `j`; `None` where it has none,

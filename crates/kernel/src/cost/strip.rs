@@ -159,9 +159,10 @@ impl Prices {
         rungs: &'a Lanes,
         sums: &'a [Lanes; 3],
     ) -> Fan<'a> {
-        let at = |n: usize| [0, 1, 2].map(|axis| self.positions[axis][n]);
-        let (from, over) = (at(i), at(k));
-        let side = [0, 1, 2].map(|axis| over[axis] - from[axis]);
+        // Not `[0, 1, 2].map`, whose check of each index keeps it from being inlined.
+        let [x, y, z] = &self.positions;
+        let (from, over) = ([x[i], y[i], z[i]], [x[k], y[k], z[k]]);
+        let side = [over[0] - from[0], over[1] - from[1], over[2] - from[2]];
         Fan { fold: self.options.fold, from, side, to, rungs, sums }
     }
 }

@@ -5,11 +5,11 @@
 //!    for an edge of the boundary. Then equation (5) reads
 //!    E(i,j) = w(i,j) + min over i<k<j of E(i,k) + E(k,j) + F(i,k,j),
 //!    with F the fold price of the triangle. Θ(m³) sums, Θ(m²) memory.
-//! 2. The table is kept in tiles of 16 × 16. What a column of tiles holds stays in the processor's
-//!    cache while it is filled, from the diagonal upwards. The innermost loop runs over 16 j side by
-//!    side, for one i and one k, which the compiler vectorises for the widest registers that the
-//!    processor has (crate `pulp`; the bits are the same with any). With the feature `rayon`, threads
-//!    share the tiles of one diagonal after the other, which need nothing of one another.
+//! 2. The table is kept in tiles of 16 × 16. What a few columns of tiles hold stays in the
+//!    processor's cache while they are filled, from the diagonal upwards. The innermost loop runs over
+//!    16 j side by side, for one i and one k, which the compiler vectorises for the widest registers
+//!    that the processor has (crate `pulp`; the bits are the same with any). With the feature `rayon`,
+//!    threads share the tiles of one diagonal after the other, which need nothing of one another.
 //! 3. Prices are never negative, so no entry above the price of a known triangulation is a part of
 //!    the answer. One is found by way of the loop of the corners and every fourth sample (`thinned`):
 //!    only rungs near to the rungs of its optimum are priced and put together (a band of the table),
@@ -17,9 +17,11 @@
 //!    above that price are then dropped. Where the samples of a tile's rows and columns show that none
 //!    of its rungs can cost so little (`span`), the tile is not looked at; where none of its entries is
 //!    left, it is not kept. Next to a developable surface so few are left that their number grows like
-//!    m^1.5. If the band has no triangulation, the bound is guessed from the optimum of the thinned
-//!    loop, and raised until there is an answer below it. While a handle is dragged, the triangulation
-//!    from before gives a bound instead (`mend`).
+//!    m^1.5. Far from one, where the band is dearer than the thinned loop, its optimum may have another
+//!    shape than that of all samples; then the thinned loop is solved with cheaper folds as well, and
+//!    the cheaper of two bands is the bound. If none has a triangulation, the bound is guessed from the
+//!    optimum of the thinned loop, and raised until there is an answer below it. While a handle is
+//!    dragged, the triangulation from before gives a bound instead (`mend`).
 //! 4. Those k come first that were best one row below, so that few others are left to be looked at.
 //!    These are taken tile by tile, where both tiles are kept: E(i,k) and the least E(k,j) of the
 //!    16 j together say for 16 k at once which may lie below the prices so far. For those, the sums
@@ -101,7 +103,9 @@ pub(super) fn solve_priced(
 struct Filled<'a> {
     solved: Solved,
     table: Table<'a>,
-    /// How many times the tiles of that of the thinned loop it has, if there is one.
+    /// How many tiles it has with entries up to the price: those that the least bound leaves.
+    tiles: usize,
+    /// How many times the tiles of that of the thinned loop these are, if there is one.
     growth: Option<f64>,
 }
 
@@ -119,8 +123,9 @@ fn solve_in_table<'a>(
         let price = table.fill(bound, None, watch, share)?;
         if price < f64::INFINITY {
             let solved = Solved { price, triangles: table.trace() };
-            let growth = tiles_of_thinned.map(|few| table.tiles() as f64 / few as f64);
-            return Ok(Some(Filled { solved, table, growth }));
+            let tiles = table.tiles_up_to(price);
+            let growth = tiles_of_thinned.map(|few| tiles as f64 / few as f64);
+            return Ok(Some(Filled { solved, table, tiles, growth }));
         }
         left *= 0.5;
     }
@@ -143,7 +148,7 @@ pub(super) fn solve_within(
 /// Bounds to try on the price of the answer, one after the other; the last is none at all.
 struct Bounds {
     bounds: Vec<f64>,
-    /// How many tiles the table of the thinned loop has that they are from.
+    /// How many tiles with entries up to its price the table of the thinned loop has.
     tiles_of_thinned: Option<usize>,
 }
 
@@ -166,17 +171,29 @@ fn bounds(table: &mut Table<'_>, watch: &mut dyn Watch) -> Result<Bounds, Triang
         }
         error => error,
     })?;
-    let Some(Filled { solved: coarse, table: few, growth }) = coarse else { return Ok(none) };
-    let grown = |growth: f64| table.bytes() + (growth * few.bytes_of_tiles() as f64) as u64;
+    let Some(Filled { solved: coarse, table: few, tiles, growth }) = coarse else {
+        return Ok(none);
+    };
+    let grown = |growth: f64| table.bytes() + (growth * few.bytes_of(tiles) as f64) as u64;
     let growth = growth.unwrap_or(GROWTH[0]);
     if may_fail && grown(LEAST_GROWTH.max(LEAST_SHARE * growth)) > terms.memory {
         let expected = grown(growth.clamp(GROWTH[0], GROWTH[1]));
         return Err(too_large(expected.min(memory_needed(m))));
     }
-    let tiles_of_thinned = Some(few.tiles());
+    let tiles_of_thinned = Some(tiles);
     drop(few);
-    let band = Band::along(&coarse.triangles, &kept, m);
-    let price = table.fill(f64::INFINITY, Some(&band), watch, 0.0..0.0)?;
+    let mut price_near = |triangles: &[[usize; 3]], bound: f64, watch: &mut dyn Watch| {
+        table.fill(bound, Some(&Band::along(triangles, &kept, m)), watch, 0.0..0.0)
+    };
+    let mut price = price_near(&coarse.triangles, f64::INFINITY, watch)?;
+    if terms.folds() && price > coarse.price {
+        let thinned = thinned.with_cheaper_folds();
+        let few = thinned.terms().within(left.min(share));
+        let other = if_it_fits(solve_in_table(&few, &mut Part::silent(watch)))?;
+        if let Some(triangles) = other.map(|other| other.solved.triangles) {
+            price = price.min(price_near(&triangles, price, watch)?);
+        }
+    }
     let bounds = match price {
         _ if coarse.price.min(price) > HIGHEST_BOUND => vec![f64::INFINITY],
         f64::INFINITY => {

@@ -110,7 +110,7 @@ impl Store {
 
     /// What it takes without the tiles to be used again, bytes.
     pub(super) fn bytes(&self) -> u64 {
-        least_bytes(self.beside.len()) + self.bytes_of_tiles()
+        least_bytes(self.beside.len()) + self.bytes_of(self.kept)
     }
 
     /// Gives back what is to be used again where all together would take more than this, bytes.
@@ -120,14 +120,17 @@ impl Store {
         }
     }
 
-    /// How many tiles have finite entries.
-    pub(super) fn kept(&self) -> usize {
-        self.kept
+    /// How many tiles have entries up to `bound`.
+    pub(super) fn tiles_up_to(&self, bound: f64) -> usize {
+        let rows = self.beside.iter().enumerate();
+        let tiles = rows.flat_map(|(row, beside)| beside.iter().map(move |&at| (row, at as usize)));
+        let entries = tiles.filter_map(|(row, column)| self.tile(row, column));
+        entries.filter(|tile| tile.sums.least.iter().any(|&least| least <= bound)).count()
     }
 
-    /// What those take, without places for more, bytes.
-    pub(super) fn bytes_of_tiles(&self) -> u64 {
-        self.kept as u64 * Tile::bytes(self.folds)
+    /// What so many tiles take, without places for more, bytes.
+    pub(super) fn bytes_of(&self, tiles: usize) -> u64 {
+        tiles as u64 * Tile::bytes(self.folds)
     }
 
     /// Takes a tile that was filled. Those beside one another come from left to right.
@@ -197,6 +200,7 @@ mod tests {
         store.put(0, 0, empty);
         store.put(0, 1, tile);
         assert!(store.tile(0, 0).is_none() && store.tile(0, 1).is_some());
+        assert_eq!([0.5, 1.0].map(|bound| store.tiles_up_to(bound)), [0, 1]);
         assert_eq!(store.beside(0), [1]);
         store.clear();
         assert!(store.tile(0, 1).is_none() && store.beside(0).is_empty());

@@ -13,6 +13,10 @@ use std::ops::Range;
 /// What the bound of F may lose to rounding, for ν = 1: |s|² is at most 9 and comes from some ten
 /// operations.
 const SLACK: f64 = 1e-13;
+/// So many columns of tiles are filled together: their tiles stay in the processor's cache, and so do
+/// those to the left in the same rows, which all of them need. Alone, each would have these from
+/// memory: cone, 10,000 samples, a fifth slower.
+const GROUP: usize = 8;
 /// Loops with fewer samples are not worth a second thread.
 const LEAST_SHARED: usize = 256;
 
@@ -167,17 +171,17 @@ impl<'a> Table<'a> {
         self.store.bytes() + self.terms.visibility.bytes()
     }
 
-    /// How many tiles have finite entries.
-    pub(super) fn tiles(&self) -> usize {
-        self.store.kept()
+    /// How many tiles have entries up to `bound`.
+    pub(super) fn tiles_up_to(&self, bound: f64) -> usize {
+        self.store.tiles_up_to(bound)
     }
 
-    /// What those take, bytes.
-    pub(super) fn bytes_of_tiles(&self) -> u64 {
-        self.store.bytes_of_tiles()
+    /// What so many tiles take, bytes.
+    pub(super) fn bytes_of(&self, tiles: usize) -> u64 {
+        self.store.bytes_of(tiles)
     }
 
-    /// One column of tiles after the other, each from the diagonal upwards.
+    /// A few columns of tiles after the others, from the diagonal upwards.
     fn fill_by_columns(
         &mut self,
         columns: &mut [Column],
@@ -187,18 +191,27 @@ impl<'a> Table<'a> {
     ) -> Result<(), TriangulateError> {
         let registers = pulp::Arch::new();
         let count = columns.len() as f64;
-        for (at, column) in columns.iter_mut().enumerate() {
-            for row in (0..=at).rev().filter(|&row| open.is_open(row, at)) {
-                if watch.stop() {
-                    return Err(TriangulateError::Stopped);
+        for first in (0..columns.len()).step_by(GROUP) {
+            let end = columns.len().min(first + GROUP);
+            let [before, after] = [first, end].map(|at| at as f64 / count).map(|x| x * x * x);
+            for row in (0..end).rev() {
+                for at in first.max(row)..end {
+                    if !open.is_open(row, at) {
+                        continue;
+                    }
+                    if watch.stop() {
+                        return Err(TriangulateError::Stopped);
+                    }
+                    let mut tile = self.store.fresh();
+                    let column = &mut columns[at];
+                    registers.dispatch(Filling { table: self, open, row, column, tile: &mut tile });
+                    self.store.put(row, at, tile);
                 }
-                let mut tile = self.store.fresh();
-                registers.dispatch(Filling { table: self, open, row, column, tile: &mut tile });
-                self.store.put(row, at, tile);
+                self.fit()?;
+                // The sums of a tile are as many as its distance from the diagonal.
+                let of_group = (end - row) as f64 / end as f64;
+                tell(before + (after - before) * of_group * of_group, watch);
             }
-            self.fit()?;
-            let done = at as f64 / count;
-            tell(done * done * done, watch);
         }
         Ok(())
     }
@@ -461,7 +474,7 @@ impl<'a> Table<'a> {
     ) {
         let (i, to) = (least.i, least.to);
         let own = match k.checked_sub(to.first) {
-            Some(n) => least.means.map(|mean| mean[n]),
+            Some(n) => of_lane(least.means, n),
             None => self.mean(i, k),
         };
         let mut sums = [[0.0; LANES]; 3];
@@ -502,8 +515,8 @@ impl<'a> Table<'a> {
             let bound = fold * ((rungs[n] * rungs[n] - square) / (2.0 * rungs[n].max(1.0)) - SLACK);
             if sum.max(sum + bound) < least.prices[n] {
                 let own = own.into();
-                let beyond = Vec3::from_array([means[0][n], means[1][n], means[2][n]]);
-                let across = least.means.map(|mean| mean[n]).into();
+                let beyond = of_lane(means, n).into();
+                let across = of_lane(least.means, n).into();
                 let corners = [i, k, to.first + n];
                 let price = sum + self.terms.prices.triangle(corners, [own, beyond, across]);
                 if price < least.prices[n] {
@@ -517,7 +530,7 @@ impl<'a> Table<'a> {
     #[inline(always)]
     fn mean(&self, i: usize, j: usize) -> [f64; 3] {
         let means = self.store.tile(i / LANES, j / LANES).and_then(|tile| tile.means.as_ref());
-        means.map_or([0.0; 3], |means| means[i % LANES].map(|mean| mean[j % LANES]))
+        means.map_or([0.0; 3], |means| of_lane(&means[i % LANES], j % LANES))
     }
 
     fn entry(&self, i: usize, j: usize) -> f64 {
@@ -574,6 +587,13 @@ impl<'a> Table<'a> {
         }
         chosen.2
     }
+}
+
+/// The N of one lane.
+#[inline(always)]
+fn of_lane(means: &[Lanes; 3], n: usize) -> [f64; 3] {
+    // Not `means.map`, which takes all lanes by value.
+    [means[0][n], means[1][n], means[2][n]]
 }
 
 #[inline(always)]
