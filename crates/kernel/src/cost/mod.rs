@@ -37,7 +37,7 @@ mod strip;
 
 pub use planes::RungPlanes;
 pub use slopes::{Piece, SampleSlope};
-pub(crate) use strip::{FarEnds, LANES, Lanes, Strip, Wanted};
+pub(crate) use strip::{FanMeans, FanRungs, FarEnds, LANES, Lanes, Strip, Wanted};
 
 use crate::boundary::{Boundary, SupportingPlane};
 use crate::curve::Sample;

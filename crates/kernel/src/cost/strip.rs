@@ -149,44 +149,81 @@ impl Prices {
         }
     }
 
-    /// The triangles i, k, j, for every `j` of the far ends, with this many rungs and these sums of
-    /// their N.
+    /// From sample `i` to each of the far ends.
+    #[inline(always)]
+    pub(crate) fn offsets(&self, i: usize, to: &FarEnds) -> [Lanes; 3] {
+        let mut offsets = to.positions;
+        for (lanes, from) in offsets.iter_mut().zip(&self.positions) {
+            for lane in lanes {
+                *lane -= from[i];
+            }
+        }
+        offsets
+    }
+
+    /// The triangles i, k, j, for every j of the far ends, with the offsets from i to them.
     #[inline(always)]
     pub(crate) fn fan<'a>(
         &self,
         [i, k]: [usize; 2],
-        to: &'a FarEnds,
-        rungs: &'a Lanes,
-        sums: &'a [Lanes; 3],
+        offsets: &'a [Lanes; 3],
+        rungs: FanRungs,
+        means: FanMeans<'a>,
     ) -> Fan<'a> {
-        // Not `[0, 1, 2].map`, whose check of each index keeps it from being inlined.
-        let [x, y, z] = &self.positions;
-        let (from, over) = ([x[i], y[i], z[i]], [x[k], y[k], z[k]]);
-        let side = [over[0] - from[0], over[1] - from[1], over[2] - from[2]];
-        Fan { fold: self.options.fold, from, side, to, rungs, sums }
+        let side = (self.ends[k].position - self.ends[i].position).to_array();
+        Fan { fold: self.options.fold, side, offsets, rungs, means }
     }
 }
 
 /// Triangles that share one side.
 pub(crate) struct Fan<'a> {
     fold: f64,
-    /// The first end of the side, and from there to the other.
-    from: [f64; 3],
+    /// From the first end of the side to the other.
     side: [f64; 3],
-    to: &'a FarEnds,
-    rungs: &'a Lanes,
-    sums: &'a [Lanes; 3],
+    /// From there to the third corners.
+    offsets: &'a [Lanes; 3],
+    rungs: FanRungs,
+    means: FanMeans<'a>,
+}
+
+/// How many sides of triangles that share one side are rungs.
+#[derive(Clone, Copy)]
+pub(crate) struct FanRungs {
+    /// Of nearly all.
+    pub(crate) most: f64,
+    /// One less for the lanes with these numbers; a number beyond is none.
+    pub(crate) fewer: [usize; 2],
+}
+
+impl FanRungs {
+    #[inline(always)]
+    pub(crate) fn of(&self, n: usize) -> f64 {
+        let less = |lane: usize| if n == lane { 1.0 } else { 0.0 };
+        self.most - less(self.fewer[0]) - less(self.fewer[1])
+    }
+}
+
+/// N of the sides of triangles i, k, j that share the side ⟨i,k⟩; zero for an edge of the boundary.
+pub(crate) struct FanMeans<'a> {
+    pub(crate) shared: [f64; 3],
+    /// Of ⟨k,j⟩, by axis.
+    pub(crate) beyond: &'a [Lanes; 3],
+    /// Of ⟨i,j⟩, by axis.
+    pub(crate) across: &'a [Lanes; 3],
 }
 
 impl Fan<'_> {
     #[inline(always)]
     fn other_side(&self, n: usize) -> [f64; 3] {
-        [0, 1, 2].map(|axis| self.to.positions[axis][n] - self.from[axis])
+        [self.offsets[0][n], self.offsets[1][n], self.offsets[2][n]]
     }
 
+    /// The sum of the N.
     #[inline(always)]
     fn sum(&self, n: usize) -> [f64; 3] {
-        [0, 1, 2].map(|axis| self.sums[axis][n])
+        let FanMeans { shared, beyond, across } = &self.means;
+        let on = |axis: usize| shared[axis] + beyond[axis][n] + across[axis][n];
+        [on(0), on(1), on(2)]
     }
 
     /// The price of each, as [`Prices::triangle`] has it; on loops whose members are numbered in
@@ -196,23 +233,23 @@ impl Fan<'_> {
         let mut prices = [0.0; LANES];
         for n in 0..LANES {
             prices[n] =
-                fold_of(self.fold, self.side, self.other_side(n), self.rungs[n], self.sum(n));
+                fold_of(self.fold, self.side, self.other_side(n), self.rungs.of(n), self.sum(n));
         }
         prices
     }
 
     /// Whether some of them may cost less than `limits`; not, only if none does.
     ///
-    /// With a the area vector and s the sum of the N, that is a · s > c |a| for
-    /// c = rungs − limit / ν, which takes no root and no quotient.
+    /// With a the area vector and s the sum of the N, that is ν a · s > c |a| for
+    /// c = ν rungs − limit, which takes no root and no quotient.
     #[inline(always)]
     pub(crate) fn may_be_below(&self, limits: &Lanes) -> bool {
-        let (per_fold, slack) = (1.0 / self.fold, SLACK + QUANTUM / self.fold);
+        let slack = SLACK * self.fold + QUANTUM;
         let mut any = false;
         for n in 0..LANES {
             let area_vector = cross(self.side, self.other_side(n));
-            let along = dot(area_vector, self.sum(n));
-            let least = self.rungs[n] - limits[n] * per_fold - slack;
+            let along = self.fold * dot(area_vector, self.sum(n));
+            let least = self.fold * self.rungs.of(n) - limits[n] - slack;
             let too_short = along * along < least * least * dot(area_vector, area_vector);
             // `!` of what is certain: squares that leave the range of numbers decide nothing.
             any |= (least <= 0.0) | !((along <= 0.0) | too_short);

@@ -47,6 +47,12 @@ impl Tile {
         }
     }
 
+    /// N of the rungs from sample `i`; `None` when folds cost nothing.
+    #[inline(always)]
+    pub(super) fn means_from(&self, i: usize) -> Option<&[Lanes; 3]> {
+        self.means.as_ref().map(|means| &means[i % LANES])
+    }
+
     /// Whether all entries are infinite.
     pub(super) fn is_empty(&self) -> bool {
         self.sums.least == [f64::INFINITY; LANES]

@@ -3,7 +3,7 @@
 use super::memory_needed;
 use super::near::Band;
 use super::store::{Store, Tile};
-use crate::cost::{FarEnds, LANES, Lanes, QUANTUM, Strip, TwistForm};
+use crate::cost::{FanMeans, FanRungs, FarEnds, LANES, Lanes, QUANTUM, Strip, TwistForm};
 use crate::math::Vec3;
 use crate::triangulate::span::Span;
 use crate::triangulate::{Rule, Terms, TriangulateError};
@@ -103,6 +103,8 @@ struct Least<'a> {
     i: usize,
     to: &'a FarEnds,
     means: &'a [Lanes; 3],
+    /// From sample i to those of the tile; means nothing where folds cost nothing.
+    offsets: &'a [Lanes; 3],
     /// Infinitely low where nothing is looked for.
     prices: Lanes,
     /// The k that they were found at; 0 for none.
@@ -326,7 +328,9 @@ impl<'a> Table<'a> {
             if below == [f64::NEG_INFINITY; LANES] {
                 continue;
             }
-            let mut least = Least { i, to, means, prices: below, best: [0; LANES] };
+            let offsets = if FOLDS { self.terms.prices.offsets(i, to) } else { [[0.0; LANES]; 3] };
+            let mut least =
+                Least { i, to, means, offsets: &offsets, prices: below, best: [0; LANES] };
             self.look_first::<FOLDS>(&mut least, best, column, tile, together);
             self.look_between::<FOLDS>(&mut least, column, tile, together);
             let mut entries = [f64::INFINITY; LANES];
@@ -346,7 +350,7 @@ impl<'a> Table<'a> {
                 let diagonal =
                     if row == column { Some(&*tile) } else { self.store.tile(column, column) };
                 if let Some(diagonal) = diagonal {
-                    self.look::<FOLDS>(&mut least, j, entries[n], diagonal, together);
+                    self.look::<FOLDS>(&mut least, j, entries[n], Some(means), diagonal, together);
                 }
             }
             tile.sums.least[i - rows.start] = lowest(&entries);
@@ -373,11 +377,15 @@ impl<'a> Table<'a> {
                 continue;
             }
             last = k;
-            let entry = self.entry(least.i, k);
-            if entry < f64::INFINITY
-                && let Some(beyond) = self.tile_of(k / LANES, row, column, tile)
-            {
-                self.look::<FOLDS>(least, k, entry, beyond, together);
+            let (Some(own), Some(beyond)) =
+                (self.store.tile(row, k / LANES), self.tile_of(k / LANES, row, column, tile))
+            else {
+                continue;
+            };
+            let entry = own.sums.entries[least.i % LANES][k % LANES];
+            if entry < f64::INFINITY {
+                let means = own.means_from(least.i);
+                self.look::<FOLDS>(least, k, entry, means, beyond, together);
             }
         }
     }
@@ -404,7 +412,7 @@ impl<'a> Table<'a> {
             else {
                 continue;
             };
-            let entries = &own.sums.entries[least.i % LANES];
+            let (entries, means) = (&own.sums.entries[least.i % LANES], own.means_from(least.i));
             let mut left = 0u32;
             for n in 0..LANES {
                 let is_below = together(entries[n], beyond.sums.least[n]) < reach;
@@ -416,7 +424,8 @@ impl<'a> Table<'a> {
             while left != 0 {
                 let n = left.trailing_zeros() as usize;
                 left &= left - 1;
-                self.look::<FOLDS>(least, between * LANES + n, entries[n], beyond, together);
+                let k = between * LANES + n;
+                self.look::<FOLDS>(least, k, entries[n], means, beyond, together);
             }
             reach = highest(&least.prices);
         }
@@ -434,13 +443,15 @@ impl<'a> Table<'a> {
         if wanted == row { Some(tile) } else { self.store.tile(wanted, column) }
     }
 
-    /// Looks at the triangles i, k, j of all j of the tile `beyond`, with E(i,k) = `entry`.
+    /// Looks at the triangles i, k, j of all j of the tile `beyond`, with E(i,k) = `entry` and N of the
+    /// rungs from i to the samples around k.
     #[inline(always)]
     fn look<const FOLDS: bool>(
         &self,
         least: &mut Least<'_>,
         k: usize,
         entry: f64,
+        own: Option<&[Lanes; 3]>,
         beyond: &Tile,
         together: impl Fn(f64, f64) -> f64,
     ) {
@@ -450,8 +461,8 @@ impl<'a> Table<'a> {
             for n in 0..LANES {
                 below |= entry + entries[n] < least.prices[n];
             }
-            if below && let Some(means) = &beyond.means {
-                self.look_closer(least, k, entry, (entries, &means[k % LANES]));
+            if below && let (Some(own), Some(means)) = (own, beyond.means_from(k)) {
+                self.look_closer(least, k, entry, of_lane(own, k % LANES), (entries, means));
             }
             return;
         }
@@ -470,55 +481,62 @@ impl<'a> Table<'a> {
         least: &mut Least<'_>,
         k: usize,
         entry: f64,
+        own: [f64; 3],
         (entries, means): (&Lanes, &[Lanes; 3]),
     ) {
         let (i, to) = (least.i, least.to);
-        let own = match k.checked_sub(to.first) {
-            Some(n) => of_lane(least.means, n),
-            None => self.mean(i, k),
+        // ⟨i,k⟩, ⟨k,j⟩ or ⟨i,j⟩ may be an edge of the boundary.
+        let last = if i == 0 { self.m - 1 } else { usize::MAX };
+        let rungs = FanRungs {
+            most: if k == i + 1 { 2.0 } else { 3.0 },
+            fewer: [k + 1, last].map(|j| j.wrapping_sub(to.first)),
         };
-        let mut sums = [[0.0; LANES]; 3];
-        for axis in 0..3 {
-            for n in 0..LANES {
-                sums[axis][n] = own[axis] + means[axis][n] + least.means[axis][n];
-            }
+        if !self.in_order {
+            return self.look_singly(least, k, entry, own, (entries, means), rungs);
         }
-        let mut rungs = [if k == i + 1 { 2.0 } else { 3.0 }; LANES];
-        if (to.first..to.first + LANES).contains(&(k + 1)) {
-            rungs[k + 1 - to.first] -= 1.0;
+        let means = FanMeans { shared: own, beyond: means, across: least.means };
+        let fan = self.terms.prices.fan([i, k], least.offsets, rungs, means);
+        let mut left = [0.0; LANES];
+        for n in 0..LANES {
+            left[n] = least.prices[n] - (entry + entries[n]);
         }
-        if i == 0 && to.first + LANES >= self.m {
-            rungs[self.m - 1 - to.first] -= 1.0;
-        }
-        if self.in_order {
-            let fan = self.terms.prices.fan([i, k], to, &rungs, &sums);
-            let mut left = [0.0; LANES];
-            for n in 0..LANES {
-                left[n] = least.prices[n] - (entry + entries[n]);
-            }
-            if !fan.may_be_below(&left) {
-                return;
-            }
-            let folds = fan.prices();
-            for n in 0..LANES {
-                let price = entry + entries[n] + folds[n];
-                let lower = price < least.prices[n];
-                least.prices[n] = if lower { price } else { least.prices[n] };
-                least.best[n] = if lower { k as u64 } else { least.best[n] };
-            }
+        if !fan.may_be_below(&left) {
             return;
         }
+        let folds = fan.prices();
+        for n in 0..LANES {
+            let price = entry + entries[n] + folds[n];
+            let lower = price < least.prices[n];
+            least.prices[n] = if lower { price } else { least.prices[n] };
+            least.best[n] = if lower { k as u64 } else { least.best[n] };
+        }
+    }
+
+    /// The same for one triangle after the other, where samples are not numbered in order. What N alone
+    /// say of F comes first.
+    #[inline(never)]
+    fn look_singly(
+        &self,
+        least: &mut Least<'_>,
+        k: usize,
+        entry: f64,
+        own: [f64; 3],
+        (entries, means): (&Lanes, &[Lanes; 3]),
+        rungs: FanRungs,
+    ) {
         let fold = self.terms.prices.options().fold;
-        for n in 0..to.count {
+        for n in 0..least.to.count {
             let sum = entry + entries[n];
-            let square: f64 = sums.iter().map(|sums| sums[n] * sums[n]).sum();
-            let bound = fold * ((rungs[n] * rungs[n] - square) / (2.0 * rungs[n].max(1.0)) - SLACK);
-            if sum.max(sum + bound) < least.prices[n] {
-                let own = own.into();
-                let beyond = of_lane(means, n).into();
-                let across = of_lane(least.means, n).into();
-                let corners = [i, k, to.first + n];
-                let price = sum + self.terms.prices.triangle(corners, [own, beyond, across]);
+            if sum >= least.prices[n] {
+                continue;
+            }
+            let of_sides = [own, of_lane(means, n), of_lane(least.means, n)].map(Vec3::from_array);
+            let square = (of_sides[0] + of_sides[1] + of_sides[2]).length_squared();
+            let rungs = rungs.of(n);
+            let bound = fold * ((rungs * rungs - square) / (2.0 * rungs.max(1.0)) - SLACK);
+            if sum + bound < least.prices[n] {
+                let corners = [least.i, k, least.to.first + n];
+                let price = sum + self.terms.prices.triangle(corners, of_sides);
                 if price < least.prices[n] {
                     (least.prices[n], least.best[n]) = (price, k as u64);
                 }
