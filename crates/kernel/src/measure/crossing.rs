@@ -4,6 +4,10 @@
 //! somewhere else than at a common sample. So every pair of triangles whose boxes touch is looked
 //! at: each side of the one that has no end on the other against that other. Triangles in one plane
 //! are compared there. Samples on one spot (the two sides of a seam) count as common.
+//!
+//! Nearly all of these pairs are told apart sooner: one lies wholly on one side of the plane of the
+//! other, which plain arithmetic shows unless it is near; or, as in a flat panel, a side of one has the
+//! other wholly beyond it as both are seen along an axis, where predicates of the plane suffice.
 
 use crate::boundary::size_of;
 use crate::index::{SampleIndex, TriangleIndex};
@@ -100,22 +104,36 @@ impl Triangle {
     /// rounding leaves it open.
     fn side(&self, p: Point3) -> Ordering {
         let [a, b, c] = self.corners;
-        let from = p - a;
+        self.certain_side(p).unwrap_or_else(|| orientation3(a, b, c, p))
+    }
+
+    /// The same; `None` where rounding leaves it open.
+    fn certain_side(&self, p: Point3) -> Option<Ordering> {
+        let from = p - self.corners[0];
         let (volume, most) = (from.dot(self.normal), from.abs().dot(self.most));
         if most == 0.0 {
             // No product is left, as in a plane along two axes.
-            return Ordering::Equal;
+            return Some(Ordering::Equal);
         }
-        if volume.abs() > ROUNDING * most {
-            return volume.total_cmp(&0.0);
-        }
-        orientation3(a, b, c, p)
+        (volume.abs() > ROUNDING * most).then(|| volume.total_cmp(&0.0))
     }
 
-    /// On which sides of its plane the corners of another lie that are none of its own.
+    /// The corners of another that are none of its own.
+    fn others_of(&self, other: &Self) -> impl Iterator<Item = Point3> {
+        other.corners.into_iter().filter(|p| !self.corners.contains(p))
+    }
+
+    /// Whether these certainly lie on one side of its plane.
+    fn has_on_one_side(&self, other: &Self) -> bool {
+        let mut sides = self.others_of(other).map(|p| self.certain_side(p));
+        let first = sides.next().flatten().filter(|side| side.is_ne());
+        first.is_some() && sides.all(|side| side == first)
+    }
+
+    /// On which sides of its plane these lie.
     fn sides_of(&self, other: &Self) -> Sides {
         let mut sides = Sides { list: [Ordering::Equal; 3], count: 0 };
-        for p in other.corners.into_iter().filter(|p| !self.corners.contains(p)) {
+        for p in self.others_of(other) {
             sides.list[sides.count] = self.side(p);
             sides.count += 1;
         }
@@ -126,6 +144,12 @@ impl Triangle {
 /// The two triangles at a rung are never told to cross here unless they lie in one plane, folded
 /// onto one another.
 fn cross(t: &Triangle, u: &Triangle) -> bool {
+    let are_apart = t.has_on_one_side(u) || u.has_on_one_side(t) || are_apart_as_seen(t, u);
+    !are_apart && cross_at_all(t, u)
+}
+
+/// The same without the shortcuts for most of those that do not.
+fn cross_at_all(t: &Triangle, u: &Triangle) -> bool {
     let sides_of_u = t.sides_of(u);
     // Beyond their common samples, one lies wholly on one side of the other.
     if sides_of_u.are_one() {
@@ -174,25 +198,46 @@ fn pierces(a: Point3, b: Point3, triangle: &Triangle) -> bool {
     none(Ordering::Less) || none(Ordering::Greater)
 }
 
+/// Whether, seen along the axis nearest to the normal of the first, a side of one triangle has all of the
+/// other beyond it but for common samples, so that they have nothing else in common.
+fn are_apart_as_seen(t: &Triangle, u: &Triangle) -> bool {
+    let flat = seen_along(t.normal);
+    let has_beyond = |t: &Triangle, u: &Triangle| {
+        let [a, b, c] = t.corners.map(&flat);
+        let inwards = orientation(a, b, c);
+        let is_beyond = |[s, t]: [Point3; 2]| {
+            let is_out = |p: Point3| orientation(flat(s), flat(t), flat(p)) == inwards.reverse();
+            u.corners.into_iter().all(|p| p == s || p == t || is_out(p))
+        };
+        inwards.is_ne() && t.sides().into_iter().any(is_beyond)
+    };
+    has_beyond(t, u) || has_beyond(u, t)
+}
+
 /// Whether two triangles in one plane have inner points in common.
 fn overlap_in_plane(t: [Point3; 3], u: [Point3; 3]) -> bool {
-    let normal = (t[1] - t[0]).cross(t[2] - t[0]).abs();
     // Seen along the axis nearest to the normal, the order of points is kept.
-    let flat = |p: Point3| {
-        if normal.x >= normal.y && normal.x >= normal.z {
-            Point2::new(p.y, p.z)
-        } else if normal.y >= normal.z {
-            Point2::new(p.x, p.z)
-        } else {
-            Point2::new(p.x, p.y)
-        }
-    };
-    let [t, u] = [t.map(flat), u.map(flat)].map(counter_clockwise);
+    let flat = seen_along((t[1] - t[0]).cross(t[2] - t[0]));
+    let [t, u] = [t.map(&flat), u.map(&flat)].map(counter_clockwise);
     // Apart exactly if a side of one has the other wholly on its right or on its line.
     let separated = |t: [Point2; 3], u: [Point2; 3]| {
         (0..3).any(|n| u.iter().all(|&p| orientation(t[n], t[(n + 1) % 3], p) != Ordering::Greater))
     };
     !separated(t, u) && !separated(u, t)
+}
+
+/// Points as they are seen along the axis nearest to a direction.
+fn seen_along(direction: Vec3) -> impl Fn(Point3) -> Point2 {
+    let along = direction.abs();
+    move |p| {
+        if along.x >= along.y && along.x >= along.z {
+            Point2::new(p.y, p.z)
+        } else if along.y >= along.z {
+            Point2::new(p.x, p.z)
+        } else {
+            Point2::new(p.x, p.y)
+        }
+    }
 }
 
 fn counter_clockwise([a, b, c]: [Point2; 3]) -> [Point2; 3] {
@@ -220,13 +265,43 @@ mod tests {
         assert!(!cross(t, [p(4., 0., 0.), p(0., 4., 0.), p(4., 4., 0.)]), "side by side");
     }
 
-    #[test]
-    fn the_side_of_a_triangle_is_exact() {
+    /// Numbers between -0.5 and 0.5.
+    fn random() -> impl FnMut() -> f64 {
         let mut state = 1u64;
-        let mut random = || {
+        move || {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
             (state >> 11) as f64 / (1u64 << 53) as f64 - 0.5
-        };
+        }
+    }
+
+    #[test]
+    fn shortcuts_change_nothing() {
+        let mut random = random();
+        let mut found = [0; 3];
+        for n in 0..60_000 {
+            // Few places, so that corners are shared, lie on sides and in planes: in space, in a plane
+            // along two axes, and in a slanted one where rounding is felt.
+            let mut at = || {
+                let [x, y, z] = [0, 1, 2].map(|_| (4.0 * random()).round());
+                match n % 3 {
+                    0 => p(x, y, z),
+                    1 => p(x, y, 7.0),
+                    _ => p(x, y, 0.1 * x + 0.3 * y),
+                }
+            };
+            let [t, u] = [0, 1].map(|_| Triangle::new([at(), at(), at()]));
+            if [&t, &u].iter().all(|t| t.normal.length() > 1e-9) {
+                let crosses = cross_at_all(&t, &u);
+                assert_eq!(cross(&t, &u), crosses, "{:?} {:?}", t.corners, u.corners);
+                found[n % 3] += usize::from(crosses);
+            }
+        }
+        assert!(found.iter().all(|count| *count > 2000), "{found:?}");
+    }
+
+    #[test]
+    fn the_side_of_a_triangle_is_exact() {
+        let mut random = random();
         let mut found = [0; 3];
         for n in 0..3000 {
             // Far from the origin rounding is large; points between the corners are in the plane, or
