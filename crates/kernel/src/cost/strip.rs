@@ -6,7 +6,7 @@
 use super::planes::{cross, dot, is_parallel, is_twisted_above, smooth};
 use super::{Prices, QUANTUM, TwistForm, fold_of, quantised};
 
-/// How many rungs stand side by side: four vector registers on common processors.
+/// How many rungs stand side by side: two to four of the widest vector registers of common processors.
 pub(crate) const LANES: usize = 16;
 
 /// What the share of a normal in a sum of three N may lose to rounding.
@@ -180,7 +180,7 @@ pub(crate) struct Fan<'a> {
     fold: f64,
     /// From the first end of the side to the other.
     side: [f64; 3],
-    /// From there to the third corners.
+    /// From the first end to the third corners, by axis.
     offsets: &'a [Lanes; 3],
     rungs: FanRungs,
     means: FanMeans<'a>,
@@ -189,7 +189,7 @@ pub(crate) struct Fan<'a> {
 /// How many sides of triangles that share one side are rungs.
 #[derive(Clone, Copy)]
 pub(crate) struct FanRungs {
-    /// Of nearly all.
+    /// Of all lanes but those in `fewer`.
     pub(crate) most: f64,
     /// One less for the lanes with these numbers; a number beyond is none.
     pub(crate) fewer: [usize; 2],

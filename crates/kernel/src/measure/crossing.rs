@@ -8,6 +8,8 @@
 //! Nearly all of these pairs are told apart sooner: one lies wholly on one side of the plane of the
 //! other, which plain arithmetic shows unless it is near; or, as in a flat panel, a side of one has the
 //! other wholly beyond it as both are seen along an axis, where predicates of the plane suffice.
+//!
+//! A triangle without area crosses none: its longest side is one of a neighbour, which is compared.
 
 use crate::boundary::size_of;
 use crate::index::{SampleIndex, TriangleIndex};
@@ -78,15 +80,24 @@ struct Triangle {
     /// The cross product of two sides, and the same with the sizes of its products.
     normal: Vec3,
     most: Vec3,
+    /// Whether its corners do not lie on one line.
+    has_area: bool,
 }
 
 impl Triangle {
     fn new(corners: [Point3; 3]) -> Self {
         let (u, v) = (corners[1] - corners[0], corners[2] - corners[0]);
         let most = |u: [f64; 2], v: [f64; 2]| (u[0] * v[1]).abs() + (u[1] * v[0]).abs();
+        let normal = u.cross(v);
+        let is_seen_along = |axis: Vec3| {
+            let [a, b, c] = corners.map(seen_along(axis));
+            orientation(a, b, c).is_ne()
+        };
         Self {
             corners,
-            normal: u.cross(v),
+            normal,
+            // Seen along the first of these, it nearly always has area if it has any.
+            has_area: [normal, Vec3::X, Vec3::Y, Vec3::Z].into_iter().any(is_seen_along),
             most: Vec3::new(
                 most([u.y, u.z], [v.y, v.z]),
                 most([u.z, u.x], [v.z, v.x]),
@@ -145,11 +156,15 @@ impl Triangle {
 /// onto one another.
 fn cross(t: &Triangle, u: &Triangle) -> bool {
     let are_apart = t.has_on_one_side(u) || u.has_on_one_side(t) || are_apart_as_seen(t, u);
-    !are_apart && cross_at_all(t, u)
+    !are_apart && cross_by_sides(t, u)
 }
 
-/// The same without the shortcuts for most of those that do not.
-fn cross_at_all(t: &Triangle, u: &Triangle) -> bool {
+/// The same by the sides of planes alone, on which the corners lie, and the sides that lead through
+/// them.
+fn cross_by_sides(t: &Triangle, u: &Triangle) -> bool {
+    if !(t.has_area && u.has_area) {
+        return false;
+    }
     let sides_of_u = t.sides_of(u);
     // Beyond their common samples, one lies wholly on one side of the other.
     if sides_of_u.are_one() {
@@ -198,20 +213,30 @@ fn pierces(a: Point3, b: Point3, triangle: &Triangle) -> bool {
     none(Ordering::Less) || none(Ordering::Greater)
 }
 
-/// Whether, seen along the axis nearest to the normal of the first, a side of one triangle has all of the
-/// other beyond it but for common samples, so that they have nothing else in common.
+/// Whether, seen along the axis nearest to the normal of the first, a side of one triangle has all of
+/// the other beyond it but for common samples, so that they have nothing else in common.
 fn are_apart_as_seen(t: &Triangle, u: &Triangle) -> bool {
     let flat = seen_along(t.normal);
-    let has_beyond = |t: &Triangle, u: &Triangle| {
-        let [a, b, c] = t.corners.map(&flat);
-        let inwards = orientation(a, b, c);
-        let is_beyond = |[s, t]: [Point3; 2]| {
-            let is_out = |p: Point3| orientation(flat(s), flat(t), flat(p)) == inwards.reverse();
-            u.corners.into_iter().all(|p| p == s || p == t || is_out(p))
-        };
-        inwards.is_ne() && t.sides().into_iter().any(is_beyond)
+    let [seen_t, seen_u] = [t, u].map(|triangle| triangle.corners.map(&flat));
+    has_beyond_a_side((t.corners, seen_t), (u.corners, seen_u))
+        || has_beyond_a_side((u.corners, seen_u), (t.corners, seen_t))
+}
+
+/// Whether a side of one triangle has all corners of another beyond it but for common samples, given
+/// the corners of each and how they are seen.
+fn has_beyond_a_side(
+    (corners, seen): ([Point3; 3], [Point2; 3]),
+    (others, seen_others): ([Point3; 3], [Point2; 3]),
+) -> bool {
+    let inwards = orientation(seen[0], seen[1], seen[2]);
+    let has_beyond = |[from, to]: [usize; 2]| {
+        others.iter().zip(seen_others).all(|(other, seen_other)| {
+            *other == corners[from]
+                || *other == corners[to]
+                || orientation(seen[from], seen[to], seen_other) == inwards.reverse()
+        })
     };
-    has_beyond(t, u) || has_beyond(u, t)
+    inwards.is_ne() && [[0, 1], [1, 2], [2, 0]].into_iter().any(has_beyond)
 }
 
 /// Whether two triangles in one plane have inner points in common.
@@ -263,6 +288,9 @@ mod tests {
         assert!(cross(t, [p(4., 0., 0.), p(0., 2., 1.), p(0., 2., -1.)]), "corner and crossing");
         assert!(cross(t, [p(4., 0., 0.), p(0., 4., 0.), p(1., 1., 0.)]), "folded back in a plane");
         assert!(!cross(t, [p(4., 0., 0.), p(0., 4., 0.), p(4., 4., 0.)]), "side by side");
+        let line = [p(-2., 0., 0.), p(0., 2., -2.), p(-1., 1., -1.)];
+        let beside = [p(-2., 2., -1.), p(-1., 0., 2.), p(1., -2., 0.)];
+        assert!(!cross(line, beside) && !cross(beside, line), "one without area");
     }
 
     /// Numbers between -0.5 and 0.5.
@@ -277,7 +305,7 @@ mod tests {
     #[test]
     fn shortcuts_change_nothing() {
         let mut random = random();
-        let mut found = [0; 3];
+        let (mut found, mut without_area) = ([0; 3], 0);
         for n in 0..60_000 {
             // Few places, so that corners are shared, lie on sides and in planes: in space, in a plane
             // along two axes, and in a slanted one where rounding is felt.
@@ -290,13 +318,13 @@ mod tests {
                 }
             };
             let [t, u] = [0, 1].map(|_| Triangle::new([at(), at(), at()]));
-            if [&t, &u].iter().all(|t| t.normal.length() > 1e-9) {
-                let crosses = cross_at_all(&t, &u);
-                assert_eq!(cross(&t, &u), crosses, "{:?} {:?}", t.corners, u.corners);
-                found[n % 3] += usize::from(crosses);
-            }
+            let crosses = cross_by_sides(&t, &u);
+            assert_eq!(cross(&t, &u), crosses, "{:?} {:?}", t.corners, u.corners);
+            found[n % 3] += usize::from(crosses);
+            without_area += usize::from(!(t.has_area && u.has_area));
         }
         assert!(found.iter().all(|count| *count > 2000), "{found:?}");
+        assert!(without_area > 2000, "{without_area}");
     }
 
     #[test]

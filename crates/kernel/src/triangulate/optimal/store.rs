@@ -1,9 +1,9 @@
 //! The tiles of a table, and their memory, kept for the next one.
 //!
 //! While a handle is dragged, and over many holes or panels, one table follows another of about the
-//! same size. Fresh memory comes page by page from the system, which took a seventh of the time. So each
-//! thread keeps some tiles of its last table. Their entries are cleared before they are used again; N is
-//! written wherever an entry is.
+//! same size. Fresh memory comes page by page from the system, which took a seventh of the time. So
+//! each thread keeps some tiles of its last table. Their entries are cleared before they are used
+//! again; N is written wherever an entry is.
 
 use crate::cost::{LANES, Lanes};
 use std::cell::Cell;
@@ -129,9 +129,10 @@ impl Store {
     /// How many tiles have entries up to `bound`.
     pub(super) fn tiles_up_to(&self, bound: f64) -> usize {
         let rows = self.beside.iter().enumerate();
-        let tiles = rows.flat_map(|(row, beside)| beside.iter().map(move |&at| (row, at as usize)));
-        let entries = tiles.filter_map(|(row, column)| self.tile(row, column));
-        entries.filter(|tile| tile.sums.least.iter().any(|&least| least <= bound)).count()
+        let places =
+            rows.flat_map(|(row, beside)| beside.iter().map(move |&at| (row, at as usize)));
+        let tiles = places.filter_map(|(row, column)| self.tile(row, column));
+        tiles.filter(|tile| tile.sums.least.iter().any(|&least| least <= bound)).count()
     }
 
     /// What so many tiles take, without places for more, bytes.

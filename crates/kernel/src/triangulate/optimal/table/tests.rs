@@ -1,0 +1,88 @@
+use super::*;
+use crate::boundary::{Boundary, samples_from_points};
+use crate::cost::{PriceOptions, Prices};
+use crate::curve::CurvePoint;
+use crate::math::{Point3, cos, sin};
+use crate::rung::Visibility;
+use crate::watch::Unwatched;
+
+/// A bent plate of `m` samples with four corners and two straight sides; a wavy loop.
+fn boundaries(m: usize) -> [Boundary; 2] {
+    let plate = |i: usize| {
+        let (side, t) = (4 * i / m, (4 * i % m) as f64 / m as f64);
+        let [s, z] = [[t, 0.0], [1.0, t], [1.0 - t, 1.0], [0.0, 1.0 - t]][side];
+        let at = Point3::new(sin(2.0 * s), 0.3 * s * z - cos(2.0 * s), z);
+        CurvePoint { corner: (4 * i).is_multiple_of(m), ..CurvePoint::smooth(at) }
+    };
+    let wavy = |i: usize| {
+        let t = std::f64::consts::TAU * i as f64 / m as f64;
+        CurvePoint::smooth(Point3::new(cos(t), sin(t), 0.3 * sin(3.0 * t)))
+    };
+    let points: [Vec<CurvePoint>; 2] = [(0..m).map(plate).collect(), (0..m).map(wavy).collect()];
+    points.map(|points| Boundary::new(vec![samples_from_points(&points)]).unwrap())
+}
+
+#[test]
+fn strips_are_what_single_sides_are() {
+    let m = 320;
+    let (mut admitted, mut dear) = (0, 0);
+    for boundary in boundaries(m) {
+        let prices = Prices::new(&boundary, None, PriceOptions::default());
+        let some = Visibility::of_pairs(m, |i, j| (i * 7 + j * 3) % 5 != 0);
+        for visibility in [Visibility::everything(), some] {
+            for (forced, bar, limit) in [
+                (false, f64::INFINITY, f64::INFINITY),
+                (false, f64::INFINITY, 0.02),
+                (true, f64::INFINITY, 0.02),
+                (false, 0.1, 0.02),
+            ] {
+                let terms = Terms { bar, ..Terms::new(&prices, &visibility, forced) };
+                let mut strip = Strip::BLANK;
+                for (i, first) in (0..m).flat_map(|i| [(i, i / 16 * 16), (i, 256), (i, 304)]) {
+                    terms.strip::<true>(i, &prices.far_ends(first), limit, &mut strip);
+                    for (n, j) in (first..first + LANES).enumerate().filter(|(_, j)| *j > i) {
+                        let side = terms.side(i, j);
+                        if side.price <= limit.min(f64::MAX) {
+                            let mean = Vec3::from_array(strip.means.map(|mean| mean[n]));
+                            assert_eq!((strip.prices[n], mean), (side.price, side.mean));
+                            admitted += 1;
+                        } else {
+                            assert!(strip.prices[n] > limit.min(f64::MAX), "{i} {j}");
+                            dear += 1;
+                        }
+                    }
+                }
+            }
+        }
+    }
+    assert!(admitted > 10_000 && dear > 10_000, "{admitted} {dear}");
+}
+
+#[test]
+fn tiles_that_are_not_looked_at_have_no_entries() {
+    let mut closed = 0;
+    for (boundary, fold) in boundaries(320).iter().flat_map(|b| [(b, 0.0), (b, 1.0)]) {
+        let prices = Prices::new(boundary, None, PriceOptions { fold, ..Default::default() });
+        let everything = Visibility::everything();
+        for (forced, rule) in [(false, Rule::Sum), (true, Rule::Sum), (false, Rule::Worst)] {
+            let terms = Terms { rule, ..Terms::new(&prices, &everything, forced) };
+            let known = crate::triangulate::optimal::solve_priced(&terms, &mut Unwatched);
+            let bound = known.unwrap().unwrap().price;
+            let terms = Terms { bar: if forced { 0.5 * bound } else { f64::INFINITY }, ..terms };
+            let (mut table, mut full) = (Table::new(&terms), Table::new(&terms));
+            let few = table.fill(bound, None, &mut Unwatched, 0.0..1.0).unwrap();
+            let all = Open { spans: vec![], ..Open::new(&terms, bound, None) };
+            assert_eq!(few, full.fill_open(&all, &mut Unwatched, 0.0..1.0).unwrap());
+            for (i, j) in (0..table.m).flat_map(|i| (i + 1..320).map(move |j| (i, j))) {
+                assert_eq!(table.entry(i, j), full.entry(i, j), "{i} {j}");
+            }
+            let open = Open::new(&terms, bound, None);
+            let tiles = (0..20).flat_map(|row| (row..20).map(move |column| (row, column)));
+            closed += tiles.filter(|&(row, column)| !open.is_open(row, column)).count();
+            if bound < f64::INFINITY && !forced {
+                assert_eq!(table.trace(), full.trace());
+            }
+        }
+    }
+    assert!(closed > 100, "{closed}");
+}
