@@ -47,6 +47,7 @@ const FILE_OWNERS: [(&str, &[&str]); 6] = [
         &[
             "rung/visible/at_ends.rs",
             "triangulate/optimal/table.rs",
+            "triangulate/optimal/table/tests.rs",
             "triangulate/sparse/listed.rs",
             "triangulate/sparse/table.rs",
         ],

@@ -29,6 +29,8 @@ pub(super) struct Table<'a> {
     folds: bool,
     /// Whether samples are numbered in order, so that many triangles can be priced at once.
     in_order: bool,
+    /// The widest that the processor has.
+    registers: pulp::Arch,
 }
 
 /// Which tiles may have finite entries.
@@ -122,6 +124,7 @@ impl<'a> Table<'a> {
             store: Store::new(m.div_ceil(LANES), folds),
             folds,
             in_order: terms.prices.in_order(),
+            registers: pulp::Arch::new(),
         }
     }
 
@@ -199,7 +202,6 @@ impl<'a> Table<'a> {
         watch: &mut dyn Watch,
         tell: impl Fn(f64, &mut dyn Watch),
     ) -> Result<(), TriangulateError> {
-        let registers = pulp::Arch::new();
         let count = columns.len() as f64;
         for first in (0..columns.len()).step_by(GROUP) {
             let end = columns.len().min(first + GROUP);
@@ -214,7 +216,8 @@ impl<'a> Table<'a> {
                     }
                     let mut tile = self.store.fresh();
                     let column = &mut columns[at];
-                    registers.dispatch(Filling { table: self, open, row, column, tile: &mut tile });
+                    let filling = Filling { table: self, open, row, column, tile: &mut tile };
+                    self.registers.dispatch(filling);
                     self.store.put(row, at, tile);
                 }
                 self.fit()?;
@@ -237,7 +240,7 @@ impl<'a> Table<'a> {
         tell: impl Fn(f64, &mut dyn Watch),
     ) -> Result<(), TriangulateError> {
         use rayon::prelude::*;
-        let registers = pulp::Arch::new();
+        let registers = self.registers;
         for diagonal in 0..columns.len() {
             if watch.stop() {
                 return Err(TriangulateError::Stopped);

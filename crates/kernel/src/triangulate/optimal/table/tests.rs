@@ -86,3 +86,31 @@ fn tiles_that_are_not_looked_at_have_no_entries() {
     }
     assert!(closed > 100, "{closed}");
 }
+
+#[test]
+fn registers_change_no_bit() {
+    #[cfg(target_arch = "x86_64")]
+    let narrow = [Some(pulp::Arch::Scalar), pulp::x86::V3::try_new().map(pulp::Arch::V3)];
+    #[cfg(not(target_arch = "x86_64"))]
+    let narrow = [Some(pulp::Arch::Scalar)];
+    for (boundary, fold) in boundaries(320).iter().flat_map(|b| [(b, 0.0), (b, 1.0)]) {
+        let prices = Prices::new(boundary, None, PriceOptions { fold, ..Default::default() });
+        let everything = Visibility::everything();
+        for rule in [Rule::Sum, Rule::Worst] {
+            let terms = Terms { rule, ..Terms::new(&prices, &everything, false) };
+            let mut widest = Table::new(&terms);
+            let price = widest.fill(1.0, None, &mut Unwatched, 0.0..1.0).unwrap();
+            assert!(price < 1.0, "{price}");
+            for registers in narrow.into_iter().flatten() {
+                let mut table = Table { registers, ..Table::new(&terms) };
+                assert_eq!(table.fill(1.0, None, &mut Unwatched, 0.0..1.0).unwrap(), price);
+                for (i, j) in (0..table.m).flat_map(|i| (i + 1..320).map(move |j| (i, j))) {
+                    assert_eq!(table.entry(i, j), widest.entry(i, j), "{registers:?} {i} {j}");
+                    if table.entry(i, j) < f64::INFINITY {
+                        assert_eq!(table.mean(i, j), widest.mean(i, j), "{registers:?} {i} {j}");
+                    }
+                }
+            }
+        }
+    }
+}
