@@ -10,17 +10,29 @@
 //! other wholly beyond it as both are seen along an axis, where predicates of the plane suffice.
 //!
 //! A triangle without area crosses none: its longest side is one of a neighbour, which is compared.
+//!
+//! Before all that stands a look at the whole. Seen along an axis, a point lies in as many triangles
+//! that turn one way, less those that turn the other, as the boundary winds around it, since the two
+//! triangles at a rung run along it in opposite directions. So if all triangles turn the same way and
+//! the boundary is a simple polygon, each point lies in one triangle at the most, and none crosses
+//! another. Most panels are like that as seen along the axis nearest to their normals.
 
 use crate::boundary::size_of;
 use crate::index::{SampleIndex, TriangleIndex};
 use crate::math::{Point2, Point3, Vec3};
-use crate::predicate::{any_touching_boxes, for_touching_boxes, orientation, orientation3};
+use crate::predicate::{
+    any_touching_boxes, first_crossing, for_touching_boxes, orientation, orientation3,
+};
 use crate::surface::Surface;
 use crate::tolerance::Tolerance;
 use std::cmp::Ordering;
 
 /// The first two triangles, by their numbers, that pass through one another.
 pub fn first_self_crossing(surface: &Surface) -> Option<[TriangleIndex; 2]> {
+    if is_simple_as_seen(surface) { None } else { first_crossing_pair(surface) }
+}
+
+fn first_crossing_pair(surface: &Surface) -> Option<[TriangleIndex; 2]> {
     let triangles = triangles(surface);
     let mut first: Option<[usize; 2]> = None;
     for_touching_boxes(&boxes(&triangles), |i, j| {
@@ -33,8 +45,30 @@ pub fn first_self_crossing(surface: &Surface) -> Option<[TriangleIndex; 2]> {
 
 /// Whether any two triangles pass through one another: sooner known than which are the first.
 pub(crate) fn crosses_itself(surface: &Surface) -> bool {
+    if is_simple_as_seen(surface) {
+        return false;
+    }
     let triangles = triangles(surface);
     any_touching_boxes(&boxes(&triangles), |i, j| cross(&triangles[i], &triangles[j]))
+}
+
+/// Whether, seen along the axis nearest to its normals, all triangles of a surface with one loop turn
+/// the same way and its boundary is a simple polygon. Exact, as coordinates are only left out.
+fn is_simple_as_seen(surface: &Surface) -> bool {
+    let connectivity = surface.connectivity();
+    let [of_loop] = connectivity.loops() else { return false };
+    let numbers = (0..connectivity.triangles().len()).map(TriangleIndex::new);
+    let area_vector = numbers.fold(Vec3::ZERO, |sum, t| sum + surface.area_vector(t));
+    let flat = seen_along(area_vector);
+    let seen: Vec<Point2> = surface.positions().iter().map(|&p| flat(p)).collect();
+    let turns = |corners: &[SampleIndex; 3]| {
+        let [a, b, c] = corners.map(|sample| seen[sample.get()]);
+        orientation(a, b, c)
+    };
+    let mut turns = connectivity.triangles().iter().map(turns);
+    let first = turns.next().filter(|turn| turn.is_ne());
+    first.is_some_and(|first| turns.all(|turn| turn == first))
+        && first_crossing(&seen[of_loop.clone()]).is_none()
 }
 
 fn triangles(surface: &Surface) -> Vec<Triangle> {
@@ -272,6 +306,7 @@ fn counter_clockwise([a, b, c]: [Point2; 3]) -> [Point2; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::surface::Connectivity;
 
     fn p(x: f64, y: f64, z: f64) -> Point3 {
         Point3::new(x, y, z)
@@ -325,6 +360,38 @@ mod tests {
         }
         assert!(found.iter().all(|count| *count > 2000), "{found:?}");
         assert!(without_area > 2000, "{without_area}");
+    }
+
+    /// A fan of triangles around the first corner, heights at will.
+    fn fan(corners: Vec<Point3>) -> Surface {
+        let triangles = (2..corners.len()).map(|n| [0, n - 1, n].map(SampleIndex::new)).collect();
+        let of_loop = 0..corners.len();
+        let connectivity = Connectivity::new(std::slice::from_ref(&of_loop), triangles).unwrap();
+        Surface::new(connectivity, corners)
+    }
+
+    #[test]
+    fn what_is_simple_as_seen_crosses_nowhere() {
+        let mut random = random();
+        let mut found = [[0; 2]; 2];
+        for _ in 0..6000 {
+            // Around the first corner, mostly in order as seen along z; few places, so that some touch.
+            let mut corners = vec![p(0., 0., 0.)];
+            let mut angle = 0.0;
+            for _ in 0..9 {
+                angle += 0.6 + random();
+                let (x, y) = (crate::math::cos(angle), crate::math::sin(angle));
+                let far = 2.5 + 2.0 * random();
+                corners.push(p((far * x).round(), (far * y).round(), 4.0 * random()));
+            }
+            let surface = fan(corners);
+            let (simple, crosses) =
+                (is_simple_as_seen(&surface), first_crossing_pair(&surface).is_some());
+            assert!(!(simple && crosses), "{:?}", surface.positions());
+            found[usize::from(simple)][usize::from(crosses)] += 1;
+        }
+        let [[other, crossing], [simple, _]] = found;
+        assert!(other > 100 && crossing > 100 && simple > 100, "{found:?}");
     }
 
     #[test]
