@@ -37,7 +37,9 @@ mod strip;
 
 pub use planes::RungPlanes;
 pub use slopes::{Piece, SampleSlope};
-pub(crate) use strip::{FanMeans, FanRungs, FarEnds, LANES, Lanes, Strip, Wanted};
+pub(crate) use strip::{
+    Aligned, Fan, FanRungs, Fans, FarEnds, LANES, Lanes, Segment, Strip, Wanted,
+};
 
 use crate::boundary::{Boundary, SupportingPlane};
 use crate::curve::Sample;

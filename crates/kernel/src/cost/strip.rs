@@ -3,8 +3,9 @@
 //! A strip is what leads from one sample to [`LANES`] samples in a row. The arithmetic is that of
 //! single rungs and triangles, in the same order, so the bits are the same too.
 
-use super::planes::{cross, dot, is_parallel, is_twisted_above, smooth};
+use super::planes::{is_parallel, is_twisted_above, smooth};
 use super::{Prices, QUANTUM, TwistForm, fold_of, quantised};
+use std::ops::{Deref, DerefMut};
 
 /// How many rungs stand side by side: two to four of the widest vector registers of common processors.
 pub(crate) const LANES: usize = 16;
@@ -12,8 +13,38 @@ pub(crate) const LANES: usize = 16;
 /// What the share of a normal in a sum of three N may lose to rounding.
 const SLACK: f64 = 1e-12;
 
+/// The least angle between a side's N and a triangle that is told from none: so much more than what
+/// rounding does to the normal of a triangle that it changes the square of that angle by less than
+/// [`SHARE_OF_SQUARE`] leaves, radians.
+const LEAST_SLOPE: f64 = 1e-6;
+/// What is taken of the half square of that angle.
+const SHARE_OF_SQUARE: f64 = 0.49;
+/// (a + b)² ≤ (1 + 1/16) a² + 17 b².
+const OF_SQUARES: [f64; 2] = [17.0 / 16.0, 17.0];
+
 /// One number for each rung of a strip.
 pub(crate) type Lanes = [f64; LANES];
+
+/// What starts where a line of the processor's cache does, so that no register is filled from two.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
+pub(crate) struct Aligned<T>(pub(crate) T);
+
+impl<T> Deref for Aligned<T> {
+    type Target = T;
+
+    #[inline(always)]
+    fn deref(&self) -> &T {
+        &self.0
+    }
+}
+
+impl<T> DerefMut for Aligned<T> {
+    #[inline(always)]
+    fn deref_mut(&mut self) -> &mut T {
+        &mut self.0
+    }
+}
 
 /// The samples at the far ends of strips.
 #[derive(Clone, Debug)]
@@ -22,9 +53,9 @@ pub(crate) struct FarEnds {
     pub(crate) first: usize,
     /// How many there are; lanes beyond repeat the last.
     pub(crate) count: usize,
-    positions: [Lanes; 3],
-    tangents: [Lanes; 3],
-    special_cosines_squared: Lanes,
+    positions: Aligned<[Lanes; 3]>,
+    tangents: Aligned<[Lanes; 3]>,
+    special_cosines_squared: Aligned<Lanes>,
 }
 
 impl FarEnds {
@@ -41,14 +72,15 @@ impl FarEnds {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Strip {
     /// The price of each rung, a multiple of [`super::QUANTUM`]; infinite without tangent planes.
-    pub(crate) prices: Lanes,
+    pub(crate) prices: Aligned<Lanes>,
     /// N of each rung by axis; zero without tangent planes. Means nothing where it was not asked for.
-    pub(crate) means: [Lanes; 3],
+    pub(crate) means: Aligned<[Lanes; 3]>,
 }
 
 impl Strip {
     /// A place to write to: nothing in it means anything yet.
-    pub(crate) const BLANK: Self = Self { prices: [0.0; LANES], means: [[0.0; LANES]; 3] };
+    pub(crate) const BLANK: Self =
+        Self { prices: Aligned([0.0; LANES]), means: Aligned([[0.0; LANES]; 3]) };
 }
 
 /// The rungs of a strip that matter; of others it may say that they have no tangent planes.
@@ -68,9 +100,9 @@ impl Prices {
         FarEnds {
             first,
             count,
-            positions: [0, 1, 2].map(|axis| lanes(&self.positions[axis])),
-            tangents: [0, 1, 2].map(|axis| lanes(&self.tangents[axis])),
-            special_cosines_squared: lanes(&self.special_cosines_squared),
+            positions: Aligned([0, 1, 2].map(|axis| lanes(&self.positions[axis]))),
+            tangents: Aligned([0, 1, 2].map(|axis| lanes(&self.tangents[axis]))),
+            special_cosines_squared: Aligned(lanes(&self.special_cosines_squared)),
         }
     }
 
@@ -151,7 +183,7 @@ impl Prices {
 
     /// From sample `i` to each of the far ends.
     #[inline(always)]
-    pub(crate) fn offsets(&self, i: usize, to: &FarEnds) -> [Lanes; 3] {
+    pub(crate) fn offsets(&self, i: usize, to: &FarEnds) -> Aligned<[Lanes; 3]> {
         let mut offsets = to.positions;
         for (lanes, from) in offsets.iter_mut().zip(&self.positions) {
             for lane in lanes {
@@ -161,32 +193,136 @@ impl Prices {
         offsets
     }
 
-    /// The triangles i, k, j, for every j of the far ends, with the offsets from i to them.
+    /// From sample `i` to the [`LANES`] samples from `first` on; `None` if there are fewer.
     #[inline(always)]
-    pub(crate) fn fan<'a>(
+    pub(crate) fn offsets_to_run(&self, i: usize, first: usize) -> Option<Aligned<[Lanes; 3]>> {
+        let mut offsets = Aligned([[0.0; LANES]; 3]);
+        for (lanes, all) in offsets.iter_mut().zip(&self.positions) {
+            let run: &Lanes = all.get(first..)?.first_chunk()?;
+            for n in 0..LANES {
+                lanes[n] = run[n] - all[i];
+            }
+        }
+        Some(offsets)
+    }
+
+    /// From sample `i` to another.
+    #[inline(always)]
+    pub(crate) fn offset(&self, i: usize, k: usize) -> [f64; 3] {
+        let [x, y, z] = &self.positions;
+        [x[k] - x[i], y[k] - y[i], z[k] - z[i]]
+    }
+
+    /// The triangles from sample i to the far ends, with the offsets from it to them and the N of the
+    /// sides to them.
+    #[inline(always)]
+    pub(crate) fn fans<'a>(&self, offsets: &'a [Lanes; 3], across: &'a [Lanes; 3]) -> Fans<'a> {
+        let fold = self.options.fold;
+        Fans { fold, weight: 1.0 / fold, offsets, across }
+    }
+
+    /// Which of the sides ⟨i,k⟩ may belong to a triangle i, k, j whose price lies below the `limits` of
+    /// its k, for some j of a run: a bit for each k; not, only if no triangle does. `offsets` lead from
+    /// i to the k, `means` are the N of the sides.
+    ///
+    /// The normal n of the triangle is perpendicular to u = P_k − P_i and to v = P_j − P_i, and so to
+    /// the height h = v − λ u with λ = u · v / |u|². Hence |h · N| = |h · (N − n)| ≤ |h| |N − n|, and the
+    /// share of this side in F is ν (1 − n · N) = ½ ν |N − n|² ≥ ½ ν (h · N)² / |h|². On the segment of
+    /// the run h is linear, and where h · N does not change its sign, |h · N| − κ |h| is concave for
+    /// any κ: what is at least 0 at both ends is so between them. At a sample of the run, h differs from
+    /// that by `bow` or less.
+    #[inline(always)]
+    pub(crate) fn sides_below<const FUSED: bool>(
         &self,
-        [i, k]: [usize; 2],
-        offsets: &'a [Lanes; 3],
-        rungs: FanRungs,
-        means: FanMeans<'a>,
-    ) -> Fan<'a> {
-        let side = (self.ends[k].position - self.ends[i].position).to_array();
-        Fan { fold: self.options.fold, side, offsets, rungs, means }
+        i: usize,
+        offsets: &[Lanes; 3],
+        means: &[Lanes; 3],
+        run: &Segment,
+        limits: &Lanes,
+    ) -> u32 {
+        let fold = self.options.fold;
+        let [x, y, z] = self.smooth_end(i).0;
+        let to_ends = run.ends.map(|end| [end[0] - x, end[1] - y, end[2] - z]);
+        let squares = to_ends.map(|v| fused_dot::<FUSED>(v, v));
+        let off = run.bow + LEAST_SLOPE * squares[0].max(squares[1]).sqrt();
+        let slack = SLACK * fold + QUANTUM;
+        let mut below = 0;
+        for n in 0..LANES {
+            let u = [offsets[0][n], offsets[1][n], offsets[2][n]];
+            let mean = [means[0][n], means[1][n], means[2][n]];
+            let (square, slant) = (fused_dot::<FUSED>(u, u), fused_dot::<FUSED>(u, mean));
+            let along = [fused_dot::<FUSED>(to_ends[0], u), fused_dot::<FUSED>(to_ends[1], u)];
+            let limit = (limits[n] + slack) * square;
+            let bow = OF_SQUARES[1] * run.bow * run.bow * square;
+            let mut is_above = true;
+            let mut slopes = [0.0; 2];
+            for end in 0..2 {
+                // h · N and |h|², times |u|².
+                let slope = fused_dot::<FUSED>(to_ends[end], mean) * square - along[end] * slant;
+                let height = squares[end] * square - along[end] * along[end];
+                let least = slope.abs() - off * square;
+                is_above &= (least > 0.0)
+                    & (SHARE_OF_SQUARE * fold * least * least
+                        > limit * (OF_SQUARES[0] * height + bow));
+                slopes[end] = slope;
+            }
+            is_above &= slopes[0] * slopes[1] > 0.0;
+            below |= u32::from(!is_above) << n;
+        }
+        below
     }
 }
 
-/// Triangles that share one side.
-pub(crate) struct Fan<'a> {
-    fold: f64,
-    /// From the first end of the side to the other.
-    side: [f64; 3],
-    /// From the first end to the third corners, by axis.
-    offsets: &'a [Lanes; 3],
-    rungs: FanRungs,
-    means: FanMeans<'a>,
+/// a b + c, rounded once where `FUSED`, which processors without such an instruction take long for.
+#[expect(
+    clippy::disallowed_methods,
+    reason = "says only what need not be worked out, with a margin"
+)]
+#[inline(always)]
+fn fused<const FUSED: bool>(a: f64, b: f64, c: f64) -> f64 {
+    if FUSED { a.mul_add(b, c) } else { a * b + c }
 }
 
-/// How many sides of triangles that share one side are rungs.
+#[inline(always)]
+fn fused_dot<const FUSED: bool>(a: [f64; 3], b: [f64; 3]) -> f64 {
+    fused::<FUSED>(a[0], b[0], fused::<FUSED>(a[1], b[1], a[2] * b[2]))
+}
+
+#[inline(always)]
+fn fused_cross<const FUSED: bool>(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    let on = |one: usize, other: usize| fused::<FUSED>(a[one], b[other], -(a[other] * b[one]));
+    [on(1, 2), on(2, 0), on(0, 1)]
+}
+
+/// Where the samples of a run lie: within `bow` of the segment between two points, mm.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Segment {
+    pub(crate) ends: [[f64; 3]; 2],
+    pub(crate) bow: f64,
+}
+
+/// Triangles i, k, j of one i and all far ends j: a fan for each k.
+pub(crate) struct Fans<'a> {
+    /// ν, and its reciprocal.
+    fold: f64,
+    weight: f64,
+    /// From sample i to the far ends, by axis.
+    offsets: &'a [Lanes; 3],
+    /// N of ⟨i,j⟩, by axis.
+    across: &'a [Lanes; 3],
+}
+
+/// A fan: the triangles i, k, j that share the side ⟨i,k⟩. N is zero for an edge of the boundary.
+pub(crate) struct Fan<'a> {
+    /// From sample i to sample k.
+    pub(crate) side: [f64; 3],
+    /// N of ⟨i,k⟩.
+    pub(crate) shared: [f64; 3],
+    /// N of ⟨k,j⟩, by axis.
+    pub(crate) beyond: &'a [Lanes; 3],
+}
+
+/// How many sides of the triangles of a fan are rungs.
 #[derive(Clone, Copy)]
 pub(crate) struct FanRungs {
     /// Of all lanes but those in `fewer`.
@@ -201,18 +337,16 @@ impl FanRungs {
         let less = |lane: usize| if n == lane { 1.0 } else { 0.0 };
         self.most - less(self.fewer[0]) - less(self.fewer[1])
     }
+
+    /// No lane has fewer.
+    #[inline(always)]
+    pub(crate) fn least(&self) -> f64 {
+        let less = |lane: usize| if lane < LANES { 1.0 } else { 0.0 };
+        self.most - less(self.fewer[0]) - less(self.fewer[1])
+    }
 }
 
-/// N of the sides of triangles i, k, j that share the side ⟨i,k⟩; zero for an edge of the boundary.
-pub(crate) struct FanMeans<'a> {
-    pub(crate) shared: [f64; 3],
-    /// Of ⟨k,j⟩, by axis.
-    pub(crate) beyond: &'a [Lanes; 3],
-    /// Of ⟨i,j⟩, by axis.
-    pub(crate) across: &'a [Lanes; 3],
-}
-
-impl Fan<'_> {
+impl Fans<'_> {
     #[inline(always)]
     fn other_side(&self, n: usize) -> [f64; 3] {
         [self.offsets[0][n], self.offsets[1][n], self.offsets[2][n]]
@@ -220,39 +354,46 @@ impl Fan<'_> {
 
     /// The sum of the N.
     #[inline(always)]
-    fn sum(&self, n: usize) -> [f64; 3] {
-        let FanMeans { shared, beyond, across } = &self.means;
-        let on = |axis: usize| shared[axis] + beyond[axis][n] + across[axis][n];
+    fn sum(&self, fan: &Fan<'_>, n: usize) -> [f64; 3] {
+        let on = |axis: usize| fan.shared[axis] + fan.beyond[axis][n] + self.across[axis][n];
         [on(0), on(1), on(2)]
     }
 
     /// The price of each, as [`Prices::triangle`] has it; on loops whose members are numbered in
     /// order.
     #[inline(always)]
-    pub(crate) fn prices(&self) -> Lanes {
+    pub(crate) fn prices(&self, fan: &Fan<'_>, rungs: FanRungs) -> Lanes {
         let mut prices = [0.0; LANES];
         for n in 0..LANES {
-            prices[n] =
-                fold_of(self.fold, self.side, self.other_side(n), self.rungs.of(n), self.sum(n));
+            let sum = self.sum(fan, n);
+            prices[n] = fold_of(self.fold, fan.side, self.other_side(n), rungs.of(n), sum);
         }
         prices
     }
 
-    /// Whether some of them may cost less than `limits`; not, only if none does.
+    /// Whether some of them may cost less than `limits` above zero, with so many rungs or more; not,
+    /// only if none does.
     ///
-    /// With a the area vector and s the sum of the N, that is ν a · s > c |a| for
-    /// c = ν rungs − limit, which takes no root and no quotient.
+    /// With a the area vector and s the sum of the N, that is a · s > c |a| for
+    /// c = rungs − limit / ν, which takes no root and no quotient.
     #[inline(always)]
-    pub(crate) fn may_be_below(&self, limits: &Lanes) -> bool {
-        let slack = SLACK * self.fold + QUANTUM;
+    pub(crate) fn may_be_below<const FUSED: bool>(
+        &self,
+        fan: &Fan<'_>,
+        rungs: f64,
+        limits: &Lanes,
+    ) -> bool {
+        let rungs = rungs - (SLACK + QUANTUM * self.weight);
         let mut any = false;
         for n in 0..LANES {
-            let area_vector = cross(self.side, self.other_side(n));
-            let along = self.fold * dot(area_vector, self.sum(n));
-            let least = self.fold * self.rungs.of(n) - limits[n] - slack;
-            let too_short = along * along < least * least * dot(area_vector, area_vector);
+            let area_vector = fused_cross::<FUSED>(fan.side, self.other_side(n));
+            let along = fused_dot::<FUSED>(area_vector, self.sum(fan, n));
+            let least = rungs - limits[n] * self.weight;
+            // Squares with the sign of what is squared.
+            let is_too_short = along * along.abs()
+                < least * least.abs() * fused_dot::<FUSED>(area_vector, area_vector);
             // `!` of what is certain: squares that leave the range of numbers decide nothing.
-            any |= (least <= 0.0) | !((along <= 0.0) | too_short);
+            any |= (limits[n] > 0.0) & !is_too_short;
         }
         any
     }
@@ -264,7 +405,8 @@ mod tests {
     use crate::boundary::{Boundary, samples_from_points};
     use crate::cost::PriceOptions;
     use crate::curve::CurvePoint;
-    use crate::math::{Point3, sin};
+    use crate::math::{Point3, Vec3, cos, sin};
+    use std::ops::Range;
 
     /// A quadrangle with two straight sides and two bent ones, so many samples each.
     fn bent(n: usize, corners: [[f64; 2]; 4]) -> Prices {
@@ -302,6 +444,84 @@ mod tests {
                 }
             }
             assert!(found > least, "{corners:?}: {found}");
+        }
+    }
+
+    /// A smooth loop that is far from developable where `height` is large.
+    fn waving(n: usize, height: f64) -> Prices {
+        let points = (0..n).map(|at| {
+            let t = std::f64::consts::TAU * at as f64 / n as f64;
+            CurvePoint::smooth(Point3::new(cos(t), sin(t), height * sin(3.0 * t)))
+        });
+        let samples = samples_from_points(&points.collect::<Vec<_>>());
+        let boundary = Boundary::new(vec![samples]).unwrap();
+        Prices::new(&boundary, None, PriceOptions::default())
+    }
+
+    /// The segment from the first to the last of a run of samples, and how far from it others are.
+    fn segment(prices: &Prices, run: Range<usize>) -> Segment {
+        let at = |i: usize| prices.ends[i].position;
+        let (start, end) = (at(run.start), at(run.end - 1));
+        let off = |i: usize| {
+            let along = (at(i) - start).dot(end - start) / (end - start).length_squared();
+            (at(i) - start - (end - start) * along.clamp(0.0, 1.0)).length()
+        };
+        Segment { ends: [start.to_array(), end.to_array()], bow: run.map(off).fold(0.0, f64::max) }
+    }
+
+    #[test]
+    fn sides_that_are_left_out_have_no_triangle_below_their_limit() {
+        let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+        let reflex = [[0.0, 0.0], [2.0, 0.0], [0.5, 0.4], [0.3, 2.0]];
+        for (prices, least) in [
+            (waving(160, 0.1), 0.2),
+            (waving(160, 1.0), 0.1),
+            (waving(640, 0.3), 0.4),
+            (bent(40, square), 0.15),
+            (bent(40, reflex), 0.04),
+        ] {
+            let m = prices.len();
+            let mean = |i: usize, j: usize| {
+                if prices.neighbours(i, j) {
+                    return Vec3::ZERO;
+                }
+                prices.planes(i, j).map_or(Vec3::ZERO, |planes| planes.mean)
+            };
+            let (mut left_out, mut all) = (0, 0);
+            for i in (0..m - 2 * LANES).step_by(7) {
+                for first in (i.next_multiple_of(LANES)..m - 2 * LANES + 1).step_by(3 * LANES) {
+                    let offsets = prices.offsets_to_run(i, first).unwrap();
+                    let mut means = [[0.0; LANES]; 3];
+                    for n in 0..LANES {
+                        let mean = mean(i, first + n).to_array();
+                        (0..3).for_each(|axis| means[axis][n] = mean[axis]);
+                    }
+                    for start in (first + LANES..m - LANES + 1).step_by(2 * LANES) {
+                        let run = start..start + LANES;
+                        let segment = segment(&prices, run.clone());
+                        let cheapest = std::array::from_fn(|n| {
+                            let k = first + n;
+                            let price = |j: usize| {
+                                prices.triangle([i, k, j], [mean(i, k), mean(k, j), mean(i, j)])
+                            };
+                            run.clone().map(price).fold(f64::INFINITY, f64::min)
+                        });
+                        let below = |limits: &Lanes| {
+                            [
+                                prices.sides_below::<false>(i, &offsets, &means, &segment, limits),
+                                prices.sides_below::<true>(i, &offsets, &means, &segment, limits),
+                            ]
+                        };
+                        let above = cheapest.map(|price| price + QUANTUM);
+                        assert_eq!(below(&above), [0xffff; 2], "{i} {first} {start}");
+                        let far_below = cheapest.map(|price| 0.2 * price);
+                        left_out += LANES as u32 - below(&far_below)[1].count_ones();
+                        all += LANES as u32;
+                    }
+                }
+            }
+            let share = f64::from(left_out) / f64::from(all);
+            assert!(share > least, "{share}");
         }
     }
 

@@ -1,7 +1,7 @@
 //! A run of neighbouring samples, and what no rung between two of them costs less than.
 
 use super::Terms;
-use crate::cost::QUANTUM;
+use crate::cost::{QUANTUM, Segment};
 use crate::math::{Vec3, unit};
 use std::ops::Range;
 
@@ -59,6 +59,13 @@ impl Span {
             span.special_cosine_squared = span.special_cosine_squared.min(special);
         }
         span
+    }
+
+    /// The segment that its samples are near to.
+    pub(super) fn segment(&self) -> Segment {
+        let to_end = self.tangent * self.reach;
+        let ends = [self.middle - to_end, self.middle + to_end].map(|end| end.to_array());
+        Segment { ends, bow: self.bow }
     }
 
     /// How far a sample may be from the middle, and a tangent from t.

@@ -5,7 +5,7 @@
 //! each thread keeps some tiles of its last table. Their entries are cleared before they are used
 //! again; N is written wherever an entry is.
 
-use crate::cost::{LANES, Lanes};
+use crate::cost::{Aligned, LANES, Lanes};
 use std::cell::Cell;
 
 /// What is more is given back, bytes: where that much is taken, filling it takes far longer.
@@ -23,12 +23,12 @@ pub(super) struct Tile {
 }
 
 pub(super) struct Sums {
-    pub(super) entries: [Lanes; LANES],
+    pub(super) entries: Aligned<[Lanes; LANES]>,
     /// The least entry of each row.
-    pub(super) least: Lanes,
+    pub(super) least: Aligned<Lanes>,
 }
 
-pub(super) type Means = [[Lanes; 3]; LANES];
+pub(super) type Means = Aligned<[[Lanes; 3]; LANES]>;
 
 impl Tile {
     /// What a tile takes, bytes, with or without N.
@@ -42,8 +42,8 @@ impl Tile {
     pub(super) fn new(folds: bool) -> Self {
         let none = [f64::INFINITY; LANES];
         Self {
-            sums: Box::new(Sums { entries: [none; LANES], least: none }),
-            means: folds.then(|| Box::new([[[0.0; LANES]; 3]; LANES])),
+            sums: Box::new(Sums { entries: Aligned([none; LANES]), least: Aligned(none) }),
+            means: folds.then(|| Box::new(Aligned([[[0.0; LANES]; 3]; LANES]))),
         }
     }
 
@@ -55,13 +55,13 @@ impl Tile {
 
     /// Whether all entries are infinite.
     pub(super) fn is_empty(&self) -> bool {
-        self.sums.least == [f64::INFINITY; LANES]
+        *self.sums.least == [f64::INFINITY; LANES]
     }
 
     fn clear(&mut self) {
         let none = [f64::INFINITY; LANES];
-        self.sums.entries = [none; LANES];
-        self.sums.least = none;
+        *self.sums.entries = [none; LANES];
+        *self.sums.least = none;
     }
 }
 
@@ -212,7 +212,7 @@ mod tests {
         store.clear();
         assert!(store.tile(0, 1).is_none() && store.beside(0).is_empty());
         let again = store.fresh();
-        assert!(again.is_empty() && again.sums.entries == [[f64::INFINITY; LANES]; LANES]);
+        assert!(again.is_empty() && *again.sums.entries == [[f64::INFINITY; LANES]; LANES]);
         // Tiles without N are of no use where folds cost something, and the other way round.
         drop(store);
         assert!(Store::new(2, false).fresh().means.is_none());

@@ -3,7 +3,9 @@
 use super::memory_needed;
 use super::near::Band;
 use super::store::{Store, Tile};
-use crate::cost::{FanMeans, FanRungs, FarEnds, LANES, Lanes, QUANTUM, Strip, TwistForm};
+use crate::cost::{
+    Aligned, Fan, FanRungs, Fans, FarEnds, LANES, Lanes, QUANTUM, Segment, Strip, TwistForm,
+};
 use crate::math::Vec3;
 use crate::triangulate::span::Span;
 use crate::triangulate::{Rule, Terms, TriangulateError};
@@ -18,6 +20,9 @@ const SLACK: f64 = 1e-13;
 /// takes 1.7 times as long at 10,000 samples, where 7 % of all tiles are kept; random curves and the
 /// twisted strip 1.2 to 2.1 times at 3,200, where 38 to 67 % are.
 const GROUP: usize = 8;
+/// So many sides with the same end are worth to be told apart by their own share in F: it takes about as
+/// long as one of them with all third corners of a tile.
+const WORTH_SIDES: u32 = 3;
 /// Loops with fewer samples are not worth a second thread.
 const LEAST_SHARED: usize = 256;
 
@@ -66,6 +71,11 @@ impl<'a> Open<'a> {
         let run = |at: usize| at * LANES..self.samples.min((at + 1) * LANES);
         !is_dear && self.band.is_none_or(|band| band.has(run(row), run(column)))
     }
+
+    /// Where the samples of a column of tiles lie, if that is known.
+    fn segment(&self, column: usize) -> Option<Segment> {
+        self.spans.get(column).map(Span::segment)
+    }
 }
 
 /// A column of tiles, while it is filled from the diagonal upwards.
@@ -97,7 +107,13 @@ impl pulp::WithSimd for Filling<'_> {
 
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, _: S) {
-        self.table.fill_tile(self.open, self.row, self.column, self.tile);
+        let Self { table, open, row, column, tile } = self;
+        // Wide registers come with products that are added in one step, but for those of browsers.
+        if S::IS_SCALAR || cfg!(target_family = "wasm") {
+            table.fill_tile::<false>(open, row, column, tile);
+        } else {
+            table.fill_tile::<true>(open, row, column, tile);
+        }
     }
 }
 
@@ -106,12 +122,14 @@ struct Least<'a> {
     i: usize,
     to: &'a FarEnds,
     means: &'a [Lanes; 3],
-    /// From sample i to those of the tile; means nothing where folds cost nothing.
-    offsets: &'a [Lanes; 3],
+    /// Means nothing where folds cost nothing.
+    fans: Fans<'a>,
+    /// Where those of the tile lie, if that is known.
+    segment: Option<&'a Segment>,
     /// Infinitely low where nothing is looked for.
-    prices: Lanes,
+    prices: Aligned<Lanes>,
     /// The k that they were found at; 0 for none.
-    best: [u64; LANES],
+    best: Aligned<[u64; LANES]>,
 }
 
 impl<'a> Table<'a> {
@@ -291,18 +309,32 @@ impl<'a> Table<'a> {
     /// Fills the tile of these rows and the columns of the far ends, from all tiles to its left and
     /// below.
     #[inline(always)]
-    fn fill_tile(&self, open: &Open<'_>, row: usize, column: &mut Column, tile: &mut Tile) {
+    fn fill_tile<const FUSED: bool>(
+        &self,
+        open: &Open<'_>,
+        row: usize,
+        column: &mut Column,
+        tile: &mut Tile,
+    ) {
         match (self.folds, self.terms.rule) {
-            (true, _) => self.fill_by::<true>(open, row, column, tile, |a, b| a + b),
-            (false, Rule::Sum) => self.fill_by::<false>(open, row, column, tile, |a, b| a + b),
+            (true, _) => self.fill_by::<true, FUSED>(open, row, column, tile, |a, b| a + b),
+            (false, Rule::Sum) => {
+                self.fill_by::<false, FUSED>(open, row, column, tile, |a, b| a + b);
+            }
             (false, Rule::Worst) => {
-                self.fill_by::<false>(open, row, column, tile, |a, b| if a > b { a } else { b });
+                self.fill_by::<false, FUSED>(
+                    open,
+                    row,
+                    column,
+                    tile,
+                    |a, b| if a > b { a } else { b },
+                );
             }
         }
     }
 
     #[inline(always)]
-    fn fill_by<const FOLDS: bool>(
+    fn fill_by<const FOLDS: bool, const FUSED: bool>(
         &self,
         open: &Open<'_>,
         row: usize,
@@ -312,6 +344,7 @@ impl<'a> Table<'a> {
     ) {
         let rows = row * LANES..self.m.min((row + 1) * LANES);
         let (to, column) = (&*to, to.first / LANES);
+        let segment = if FOLDS && self.in_order { open.segment(column) } else { None };
         let mut strip = Strip::BLANK;
         for i in rows.clone().rev() {
             let near = open.band.map(|band| band.lanes(i, to));
@@ -321,7 +354,7 @@ impl<'a> Table<'a> {
             self.terms.strip::<FOLDS>(i, to, open.bound, &mut strip);
             let Strip { prices, means } = &mut strip;
             if let Some(of_tile) = &mut tile.means {
-                of_tile[i - rows.start] = *means;
+                of_tile[i - rows.start] = **means;
             }
             let mut below = [f64::NEG_INFINITY; LANES];
             for n in 0..LANES {
@@ -339,11 +372,19 @@ impl<'a> Table<'a> {
             if below == [f64::NEG_INFINITY; LANES] {
                 continue;
             }
-            let offsets = if FOLDS { self.terms.prices.offsets(i, to) } else { [[0.0; LANES]; 3] };
-            let mut least =
-                Least { i, to, means, offsets: &offsets, prices: below, best: [0; LANES] };
-            self.look_first::<FOLDS>(&mut least, best, column, tile, together);
-            self.look_between::<FOLDS>(&mut least, column, tile, together);
+            let none = Aligned([[0.0; LANES]; 3]);
+            let offsets = if FOLDS { self.terms.prices.offsets(i, to) } else { none };
+            let mut least = Least {
+                i,
+                to,
+                means,
+                fans: self.terms.prices.fans(&offsets, means),
+                segment: segment.as_ref(),
+                prices: Aligned(below),
+                best: Aligned([0; LANES]),
+            };
+            self.look_first::<FOLDS, FUSED>(&mut least, best, column, tile, together);
+            self.look_between::<FOLDS, FUSED>(&mut least, column, tile, together);
             let mut entries = [f64::INFINITY; LANES];
             for n in 0..to.count {
                 let j = to.first + n;
@@ -361,18 +402,25 @@ impl<'a> Table<'a> {
                 let diagonal =
                     if row == column { Some(&*tile) } else { self.store.tile(column, column) };
                 if let Some(diagonal) = diagonal {
-                    self.look::<FOLDS>(&mut least, j, entries[n], Some(means), diagonal, together);
+                    self.look::<FOLDS, FUSED>(
+                        &mut least,
+                        j,
+                        entries[n],
+                        Some(means),
+                        diagonal,
+                        together,
+                    );
                 }
             }
             tile.sums.least[i - rows.start] = lowest(&entries);
             tile.sums.entries[i - rows.start] = entries;
-            *best = least.best;
+            *best = *least.best;
         }
     }
 
     /// Looks at those k that were best one row below.
     #[inline(always)]
-    fn look_first<const FOLDS: bool>(
+    fn look_first<const FOLDS: bool, const FUSED: bool>(
         &self,
         least: &mut Least<'_>,
         best: &[u64; LANES],
@@ -396,7 +444,7 @@ impl<'a> Table<'a> {
             let entry = own.sums.entries[least.i % LANES][k % LANES];
             if entry < f64::INFINITY {
                 let means = own.means_from(least.i);
-                self.look::<FOLDS>(least, k, entry, means, beyond, together);
+                self.look::<FOLDS, FUSED>(least, k, entry, means, beyond, together);
             }
         }
     }
@@ -404,7 +452,7 @@ impl<'a> Table<'a> {
     /// Looks at the k before those of the column. Of the 16 of a tile, only those whose E(i,k) and
     /// the least E(k,j) together lie below the highest of the least prices.
     #[inline(always)]
-    fn look_between<const FOLDS: bool>(
+    fn look_between<const FOLDS: bool, const FUSED: bool>(
         &self,
         least: &mut Least<'_>,
         column: usize,
@@ -432,11 +480,19 @@ impl<'a> Table<'a> {
             if left == 0 {
                 continue;
             }
+            if FOLDS
+                && self.in_order
+                && let Some(offsets) = self.terms.prices.offsets_to_run(least.i, between * LANES)
+            {
+                self.look_at_sides::<FUSED>(least, between, &offsets, (left, reach), (own, beyond));
+                reach = highest(&least.prices);
+                continue;
+            }
             while left != 0 {
                 let n = left.trailing_zeros() as usize;
                 left &= left - 1;
                 let k = between * LANES + n;
-                self.look::<FOLDS>(least, k, entries[n], means, beyond, together);
+                self.look::<FOLDS, FUSED>(least, k, entries[n], means, beyond, together);
             }
             reach = highest(&least.prices);
         }
@@ -457,7 +513,7 @@ impl<'a> Table<'a> {
     /// Looks at the triangles i, k, j of all j of the tile `beyond`, with E(i,k) = `entry` and N of the
     /// rungs from i to the samples around k.
     #[inline(always)]
-    fn look<const FOLDS: bool>(
+    fn look<const FOLDS: bool, const FUSED: bool>(
         &self,
         least: &mut Least<'_>,
         k: usize,
@@ -474,7 +530,7 @@ impl<'a> Table<'a> {
             }
             if below && let (Some(from_i), Some(means)) = (means_from_i, beyond.means_from(k)) {
                 let shared = of_lane(from_i, k % LANES);
-                self.look_closer(least, k, entry, shared, (entries, means));
+                self.look_closer::<FUSED>(least, k, entry, shared, (entries, means));
             }
             return;
         }
@@ -488,7 +544,7 @@ impl<'a> Table<'a> {
 
     /// The same where some of the sums lie below the least prices, so that F decides.
     #[inline(always)]
-    fn look_closer(
+    fn look_closer<const FUSED: bool>(
         &self,
         least: &mut Least<'_>,
         k: usize,
@@ -499,17 +555,73 @@ impl<'a> Table<'a> {
         if !self.in_order {
             return self.look_singly(least, k, entry, shared, (entries, means));
         }
-        let rungs = self.rungs_of_fan(least.i, k, least.to);
-        let means = FanMeans { shared, beyond: means, across: least.means };
-        let fan = self.terms.prices.fan([least.i, k], least.offsets, rungs, means);
+        let rungs = self.rungs_of_fan(least.i, k, least.to).least();
+        let fan = Fan { side: self.terms.prices.offset(least.i, k), shared, beyond: means };
+        self.look_at_fan::<FUSED>(least, (k, entry), (&fan, rungs), entries);
+    }
+
+    /// Looks at the triangles of those sides ⟨i,k⟩ that have a bit in `left`, with k in the column of
+    /// tiles `between`, which `offsets` lead to, on loops whose members are numbered in order. Sides
+    /// whose own share in F is too much for all j go without a look at each.
+    #[inline(always)]
+    fn look_at_sides<const FUSED: bool>(
+        &self,
+        least: &mut Least<'_>,
+        between: usize,
+        offsets: &[Lanes; 3],
+        (mut left, reach): (u32, f64),
+        (own, beyond): (&Tile, &Tile),
+    ) {
+        let (i, first) = (least.i, between * LANES);
+        let entries = &own.sums.entries[i % LANES];
+        let (Some(means), Some(means_beyond)) = (own.means_from(i), &beyond.means) else { return };
+        if left.count_ones() >= WORTH_SIDES
+            && first > i
+            && let Some(segment) = least.segment
+        {
+            let mut limits = [0.0; LANES];
+            for n in 0..LANES {
+                limits[n] = reach - (entries[n] + beyond.sums.least[n]);
+            }
+            left &= self.terms.prices.sides_below::<FUSED>(i, offsets, means, segment, &limits);
+        }
+        let mut rungs = [if i == 0 { 2.0 } else { 3.0 }; LANES];
+        for edge in [i + 1, least.to.first - 1] {
+            if let Some(rungs) = rungs.get_mut(edge.wrapping_sub(first)) {
+                *rungs -= 1.0;
+            }
+        }
+        while left != 0 {
+            let n = left.trailing_zeros() as usize;
+            left &= left - 1;
+            let fan = Fan {
+                side: of_lane(offsets, n),
+                shared: of_lane(means, n),
+                beyond: &means_beyond[n],
+            };
+            let sums = &beyond.sums.entries[n];
+            self.look_at_fan::<FUSED>(least, (first + n, entries[n]), (&fan, rungs[n]), sums);
+        }
+    }
+
+    /// Looks at the triangles i, k, j of one k and all j, with E(i,k) = `entry`, E(k,j) = `entries`, and
+    /// at least so many `rungs` each.
+    #[inline(always)]
+    fn look_at_fan<const FUSED: bool>(
+        &self,
+        least: &mut Least<'_>,
+        (k, entry): (usize, f64),
+        (fan, rungs): (&Fan<'_>, f64),
+        entries: &Lanes,
+    ) {
         let mut left = [0.0; LANES];
         for n in 0..LANES {
             left[n] = least.prices[n] - (entry + entries[n]);
         }
-        if !fan.may_be_below(&left) {
+        if !least.fans.may_be_below::<FUSED>(fan, rungs, &left) {
             return;
         }
-        let folds = fan.prices();
+        let folds = least.fans.prices(fan, self.rungs_of_fan(least.i, k, least.to));
         for n in 0..LANES {
             let price = entry + entries[n] + folds[n];
             let lower = price < least.prices[n];

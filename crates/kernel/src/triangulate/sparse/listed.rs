@@ -86,7 +86,7 @@ impl pulp::WithSimd for Comparing<'_> {
         let mut strip = Strip::BLANK;
         for x in from {
             terms.strip::<false>(x, far, f64::INFINITY, &mut strip);
-            for (y, price) in to.clone().zip(strip.prices) {
+            for (y, price) in to.clone().zip(*strip.prices) {
                 let is_rung = y > x + 1 && y - x + 1 < m;
                 if is_rung && price <= 2.0 * (owed[x] + owed[y]) {
                     rows[x].push(y as u32);
