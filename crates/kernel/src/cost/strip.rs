@@ -1,9 +1,10 @@
 //! Many rungs and triangles priced at once: side by side in vector registers.
 //!
-//! A strip is what leads from one sample to [`LANES`] samples in a row. The arithmetic is that of
-//! single rungs and triangles, in the same order, so the bits are the same too.
+//! A strip is what leads from one sample to [`LANES`] samples in a row. The arithmetic of prices is
+//! that of single rungs and triangles, in the same order, so the bits are the same too. What says that
+//! some need not be priced has arithmetic of its own, with a margin for rounding.
 
-use super::planes::{is_parallel, is_twisted_above, smooth};
+use super::planes::{cross, dot, is_parallel, is_twisted_above, smooth};
 use super::{Prices, QUANTUM, TwistForm, fold_of, quantised};
 use std::ops::{Deref, DerefMut};
 
@@ -13,9 +14,9 @@ pub(crate) const LANES: usize = 16;
 /// What the share of a normal in a sum of three N may lose to rounding.
 const SLACK: f64 = 1e-12;
 
-/// The least angle between a side's N and a triangle that is told from none: so much more than what
-/// rounding does to the normal of a triangle that it changes the square of that angle by less than
-/// [`SHARE_OF_SQUARE`] leaves, radians.
+/// The least height above a side's tangent plane that is told from none, as a share of the distance from
+/// the end of the side. Then the triangle is no such sliver that rounding turns its normal by more than
+/// a thousandth of its angle to N, and [`SHARE_OF_SQUARE`] leaves more than that.
 const LEAST_SLOPE: f64 = 1e-6;
 /// What is taken of the half square of that angle.
 const SHARE_OF_SQUARE: f64 = 0.49;
@@ -227,10 +228,13 @@ impl Prices {
     ///
     /// The normal n of the triangle is perpendicular to u = P_k − P_i and to v = P_j − P_i, and so to
     /// the height h = v − λ u with λ = u · v / |u|². Hence |h · N| = |h · (N − n)| ≤ |h| |N − n|, and the
-    /// share of this side in F is ν (1 − n · N) = ½ ν |N − n|² ≥ ½ ν (h · N)² / |h|². On the segment of
-    /// the run h is linear, and where h · N does not change its sign, |h · N| − κ |h| is concave for
-    /// any κ: what is at least 0 at both ends is so between them. At a sample of the run, h differs from
-    /// that by `bow` or less.
+    /// share of this side in F is ν (1 − n · N) = ½ ν |N − n|² ≥ ½ ν (h · N)² / |h|², as N is a unit
+    /// vector, or zero for a side without, which is never left out. The other sides' shares are 0 or more.
+    ///
+    /// At a sample of the run, h differs from what it is on the segment by b = `bow` or less. On the
+    /// segment h is linear, and where h · N does not change its sign, |h · N| − κ √(17/16 |h|² + 17 b²) is
+    /// concave for every κ ≥ 0: what is above b at both ends is so between them. The root is |h| + b or
+    /// more.
     #[inline(always)]
     pub(crate) fn sides_below<const FUSED: bool>(
         &self,
@@ -243,7 +247,7 @@ impl Prices {
         let fold = self.options.fold;
         let [x, y, z] = self.smooth_end(i).0;
         let to_ends = run.ends.map(|end| [end[0] - x, end[1] - y, end[2] - z]);
-        let squares = to_ends.map(|v| fused_dot::<FUSED>(v, v));
+        let squares = to_ends.map(|v| dot(v, v));
         let off = run.bow + LEAST_SLOPE * squares[0].max(squares[1]).sqrt();
         let slack = SLACK * fold + QUANTUM;
         let mut below = 0;
@@ -252,6 +256,7 @@ impl Prices {
             let mean = [means[0][n], means[1][n], means[2][n]];
             let (square, slant) = (fused_dot::<FUSED>(u, u), fused_dot::<FUSED>(u, mean));
             let along = [fused_dot::<FUSED>(to_ends[0], u), fused_dot::<FUSED>(to_ends[1], u)];
+            // Both times |u|², as squares of heights are below.
             let limit = (limits[n] + slack) * square;
             let bow = OF_SQUARES[1] * run.bow * run.bow * square;
             let mut is_above = true;
@@ -286,12 +291,6 @@ fn fused<const FUSED: bool>(a: f64, b: f64, c: f64) -> f64 {
 #[inline(always)]
 fn fused_dot<const FUSED: bool>(a: [f64; 3], b: [f64; 3]) -> f64 {
     fused::<FUSED>(a[0], b[0], fused::<FUSED>(a[1], b[1], a[2] * b[2]))
-}
-
-#[inline(always)]
-fn fused_cross<const FUSED: bool>(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    let on = |one: usize, other: usize| fused::<FUSED>(a[one], b[other], -(a[other] * b[one]));
-    [on(1, 2), on(2, 0), on(0, 1)]
 }
 
 /// Where the samples of a run lie: within `bow` of the segment between two points, mm.
@@ -371,8 +370,8 @@ impl Fans<'_> {
         prices
     }
 
-    /// Whether some of them may cost less than `limits` above zero, with so many rungs or more; not,
-    /// only if none does.
+    /// Whether some of them may cost less than their limit, with so many rungs or more; not, only if
+    /// none does. Limits of 0 or less admit none.
     ///
     /// With a the area vector and s the sum of the N, that is a · s > c |a| for
     /// c = rungs − limit / ν, which takes no root and no quotient.
@@ -386,7 +385,8 @@ impl Fans<'_> {
         let rungs = rungs - (SLACK + QUANTUM * self.weight);
         let mut any = false;
         for n in 0..LANES {
-            let area_vector = fused_cross::<FUSED>(fan.side, self.other_side(n));
+            // Not fused: the normal of a sliver turns with the rounding of it, in the price too.
+            let area_vector = cross(fan.side, self.other_side(n));
             let along = fused_dot::<FUSED>(area_vector, self.sum(fan, n));
             let least = rungs - limits[n] * self.weight;
             // Squares with the sign of what is squared.
@@ -458,6 +458,17 @@ mod tests {
         Prices::new(&boundary, None, PriceOptions::default())
     }
 
+    /// A loop with a side along which triangles are slivers, whose normals rounding turns.
+    fn nearly_straight(bend: f64) -> Prices {
+        let side = (0..=400).map(|n| {
+            let x = f64::from(n) / 400.0;
+            Point3::new(0.8 * x, 0.6 * x + bend * x * x, 3.0 * bend * x * x * x)
+        });
+        let points = side.chain([Point3::new(1.0, 2.0, 0.0), Point3::new(0.0, 2.0, 0.0)]);
+        let samples = samples_from_points(&points.map(CurvePoint::smooth).collect::<Vec<_>>());
+        Prices::new(&Boundary::new(vec![samples]).unwrap(), None, PriceOptions::default())
+    }
+
     /// The segment from the first to the last of a run of samples, and how far from it others are.
     fn segment(prices: &Prices, run: Range<usize>) -> Segment {
         let at = |i: usize| prices.ends[i].position;
@@ -479,6 +490,8 @@ mod tests {
             (waving(640, 0.3), 0.4),
             (bent(40, square), 0.15),
             (bent(40, reflex), 0.04),
+            (nearly_straight(1e-3), 0.0),
+            (nearly_straight(1e-5), -1.0),
         ] {
             let m = prices.len();
             let mean = |i: usize, j: usize| {
@@ -522,6 +535,52 @@ mod tests {
             }
             let share = f64::from(left_out) / f64::from(all);
             assert!(share > least, "{share}");
+        }
+    }
+
+    #[test]
+    fn no_triangle_below_its_limit_is_left_out() {
+        for prices in [waving(400, 0.3), nearly_straight(1e-5), nearly_straight(1e-6)] {
+            let mean = |i: usize, j: usize| {
+                let planes = prices.planes(i, j).filter(|_| !prices.neighbours(i, j));
+                planes.map_or([0.0; 3], |planes| planes.mean.to_array())
+            };
+            let lanes = |from: usize, first: usize| {
+                let means: [_; LANES] = std::array::from_fn(|n| mean(from, first + n));
+                [0, 1, 2].map(|axis| means.map(|mean| mean[axis]))
+            };
+            let (mut left_out, mut all) = (0, 0);
+            for i in (0..300).step_by(37) {
+                for k in (i + 1..340).step_by(11) {
+                    for first in (k + 1..380).step_by(48) {
+                        let offsets = prices.offsets_to_run(i, first).unwrap();
+                        let (across, beyond) = (lanes(i, first), lanes(k, first));
+                        let fans = prices.fans(&offsets, &across);
+                        let side = prices.offset(i, k);
+                        let fan = Fan { side, shared: mean(i, k), beyond: &beyond };
+                        let last = if i == 0 { prices.len() - 1 } else { usize::MAX };
+                        let rungs = FanRungs {
+                            most: if k == i + 1 { 2.0 } else { 3.0 },
+                            fewer: [(k + 1).wrapping_sub(first), last.wrapping_sub(first)],
+                        };
+                        let costs = fans.prices(&fan, rungs);
+                        for n in 0..LANES {
+                            let below = |limit: f64| {
+                                let mut limits = [0.0; LANES];
+                                limits[n] = limit;
+                                [
+                                    fans.may_be_below::<false>(&fan, rungs.least(), &limits),
+                                    fans.may_be_below::<true>(&fan, rungs.least(), &limits),
+                                ]
+                            };
+                            assert_eq!(below(costs[n] + QUANTUM), [true; 2], "{i} {k} {first} {n}");
+                            left_out += usize::from(below(0.9 * costs[n]) == [false; 2]);
+                            all += 1;
+                        }
+                    }
+                }
+            }
+            assert!(left_out > all / 2, "{left_out} of {all}");
         }
     }
 

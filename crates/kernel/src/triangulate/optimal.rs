@@ -25,10 +25,10 @@
 //!    dragged, the triangulation from before gives a bound instead (`mend`).
 //! 4. Those k come first that were best one row below, so that few others are left to be looked at.
 //!    These are taken tile by tile, where both tiles are kept: E(i,k) and the least E(k,j) of the
-//!    16 j together say for 16 k at once which may lie below the prices so far. For those, the sums
-//!    E(i,k) + E(k,j) are compared, 16 j at a time. F is never negative, and dear to work out. First,
-//!    for 16 k at once, the share that the side ⟨i,k⟩ has in it is bounded for all 16 j together, which
-//!    leaves out a tenth to a third of those k. Then, where a sum lies below, a test without root and
+//!    16 j together say for 16 k at once which may lie below the prices so far. F is never negative,
+//!    and dear to work out. So for the same 16 k, the share that the side ⟨i,k⟩ has in it is bounded for
+//!    all 16 j together, which leaves out a tenth to a third of them. For the others, the sums
+//!    E(i,k) + E(k,j) are compared, 16 j at a time. Where one lies below, a test without root and
 //!    quotient says whether F may leave it there, and only then F is worked out.
 //! 5. Which k was best is not stored but found again on the way back, for the m − 2 entries that
 //!    belong to the answer. Of equal prices (prices are exact, see [`crate::cost`], so flat regions

@@ -65,7 +65,9 @@ impl Span {
     pub(super) fn segment(&self) -> Segment {
         let to_end = self.tangent * self.reach;
         let ends = [self.middle - to_end, self.middle + to_end].map(|end| end.to_array());
-        Segment { ends, bow: self.bow }
+        // The ends are rounded.
+        let off = 4.0 * f64::EPSILON * (self.middle.length() + self.reach);
+        Segment { ends, bow: self.bow + off }
     }
 
     /// How far a sample may be from the middle, and a tangent from t.

@@ -72,7 +72,7 @@ impl<'a> Open<'a> {
         !is_dear && self.band.is_none_or(|band| band.has(run(row), run(column)))
     }
 
-    /// Where the samples of a column of tiles lie, if that is known.
+    /// Where the samples of a column of tiles lie, if spans tell.
     fn segment(&self, column: usize) -> Option<Segment> {
         self.spans.get(column).map(Span::segment)
     }
@@ -575,6 +575,7 @@ impl<'a> Table<'a> {
         let (i, first) = (least.i, between * LANES);
         let entries = &own.sums.entries[i % LANES];
         let (Some(means), Some(means_beyond)) = (own.means_from(i), &beyond.means) else { return };
+        // In the tile of the rows, k are next to i, where heights are as nothing.
         if left.count_ones() >= WORTH_SIDES
             && first > i
             && let Some(segment) = least.segment
@@ -585,6 +586,7 @@ impl<'a> Table<'a> {
             }
             left &= self.terms.prices.sides_below::<FUSED>(i, offsets, means, segment, &limits);
         }
+        // No triangle has fewer.
         let mut rungs = [if i == 0 { 2.0 } else { 3.0 }; LANES];
         for edge in [i + 1, least.to.first - 1] {
             if let Some(rungs) = rungs.get_mut(edge.wrapping_sub(first)) {

@@ -71,6 +71,7 @@ fn tiles_that_are_not_looked_at_have_no_entries() {
             let terms = Terms { bar: if forced { 0.5 * bound } else { f64::INFINITY }, ..terms };
             let (mut table, mut full) = (Table::new(&terms), Table::new(&terms));
             let few = table.fill(bound, None, &mut Unwatched, 0.0..1.0).unwrap();
+            // Without spans, no side is left out for its own share in the folds either.
             let all = Open { spans: vec![], ..Open::new(&terms, bound, None) };
             assert_eq!(few, full.fill_open(&all, &mut Unwatched, 0.0..1.0).unwrap());
             for (i, j) in (0..table.m).flat_map(|i| (i + 1..320).map(move |j| (i, j))) {
@@ -85,6 +86,35 @@ fn tiles_that_are_not_looked_at_have_no_entries() {
         }
     }
     assert!(closed > 100, "{closed}");
+}
+
+#[test]
+fn samples_lie_where_their_spans_say() {
+    for boundary in boundaries(320) {
+        // Far from the origin, where coordinates are coarse.
+        for away in [0.0, 5e8] {
+            let points = boundary.samples().iter().map(|sample| {
+                let [x, y, z] = sample.position.to_vec().to_array();
+                CurvePoint::smooth(Point3::new(x + away, y - away, z))
+            });
+            let samples = samples_from_points(&points.collect::<Vec<_>>());
+            let boundary = Boundary::new(vec![samples]).unwrap();
+            let prices = Prices::new(&boundary, None, PriceOptions::default());
+            let everything = Visibility::everything();
+            let terms = Terms::new(&prices, &everything, false);
+            for start in (0..320).step_by(LANES) {
+                let segment = Span::of(&terms, start..start + LANES).segment();
+                let ends = segment.ends.map(Vec3::from_array);
+                let (from, along) = (ends[0], ends[1] - ends[0]);
+                for i in start..start + LANES {
+                    let to = Vec3::from_array(prices.smooth_end(i).0) - from;
+                    let share = (to.dot(along) / along.length_squared()).clamp(0.0, 1.0);
+                    let off = (to - along * share).length();
+                    assert!(off <= segment.bow * (1.0 + 1e-12), "{i}: {off} {}", segment.bow);
+                }
+            }
+        }
+    }
 }
 
 #[test]
