@@ -20,9 +20,6 @@ const SLACK: f64 = 1e-13;
 /// takes 1.7 times as long at 10,000 samples, where 7 % of all tiles are kept; random curves and the
 /// twisted strip 1.2 to 2.1 times at 3,200, where 38 to 67 % are.
 const GROUP: usize = 8;
-/// So many sides with the same end are worth to be told apart by their own share in F: it takes about as
-/// long as one of them with all third corners of a tile.
-const WORTH_SIDES: u32 = 3;
 /// Loops with fewer samples are not worth a second thread.
 const LEAST_SHARED: usize = 256;
 
@@ -575,11 +572,7 @@ impl<'a> Table<'a> {
         let (i, first) = (least.i, between * LANES);
         let entries = &own.sums.entries[i % LANES];
         let (Some(means), Some(means_beyond)) = (own.means_from(i), &beyond.means) else { return };
-        // In the tile of the rows, k are next to i, where heights are as nothing.
-        if left.count_ones() >= WORTH_SIDES
-            && first > i
-            && let Some(segment) = least.segment
-        {
+        if let Some(segment) = least.segment {
             let mut limits = [0.0; LANES];
             for n in 0..LANES {
                 limits[n] = reach - (entries[n] + beyond.sums.least[n]);
