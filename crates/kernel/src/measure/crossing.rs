@@ -11,20 +11,17 @@
 //!
 //! A triangle without area crosses none: its longest side is one of a neighbour, which is compared.
 //!
-//! Before all that stands a look at the whole. Seen along an axis, a point lies in as many triangles
-//! that turn one way, less those that turn the other, as the boundary winds around it, since the two
-//! triangles at a rung run along it in opposite directions. So if all triangles turn the same way and
-//! the boundary is a simple polygon, each point lies in one triangle at the most, and none crosses
-//! another. Most panels are like that as seen along the axis nearest to their normals.
+//! Before all that stands a look at the whole (`seen`), after which most panels need nothing else.
+
+mod seen;
 
 use crate::boundary::size_of;
 use crate::index::{SampleIndex, TriangleIndex};
 use crate::math::{Point2, Point3, Vec3};
-use crate::predicate::{
-    any_touching_boxes, first_crossing, for_touching_boxes, orientation, orientation3,
-};
+use crate::predicate::{any_touching_boxes, for_touching_boxes, orientation, orientation3};
 use crate::surface::Surface;
 use crate::tolerance::Tolerance;
+use seen::is_simple_as_seen;
 use std::cmp::Ordering;
 
 /// The first two triangles, by their numbers, that pass through one another.
@@ -50,25 +47,6 @@ pub(crate) fn crosses_itself(surface: &Surface) -> bool {
     }
     let triangles = triangles(surface);
     any_touching_boxes(&boxes(&triangles), |i, j| cross(&triangles[i], &triangles[j]))
-}
-
-/// Whether, seen along the axis nearest to its normals, all triangles of a surface with one loop turn
-/// the same way and its boundary is a simple polygon. Exact, as coordinates are only left out.
-fn is_simple_as_seen(surface: &Surface) -> bool {
-    let connectivity = surface.connectivity();
-    let [of_loop] = connectivity.loops() else { return false };
-    let numbers = (0..connectivity.triangles().len()).map(TriangleIndex::new);
-    let area_vector = numbers.fold(Vec3::ZERO, |sum, t| sum + surface.area_vector(t));
-    let flat = seen_along(area_vector);
-    let seen: Vec<Point2> = surface.positions().iter().map(|&p| flat(p)).collect();
-    let turns = |corners: &[SampleIndex; 3]| {
-        let [a, b, c] = corners.map(|sample| seen[sample.get()]);
-        orientation(a, b, c)
-    };
-    let mut turns = connectivity.triangles().iter().map(turns);
-    let first = turns.next().filter(|turn| turn.is_ne());
-    first.is_some_and(|first| turns.all(|turn| turn == first))
-        && first_crossing(&seen[of_loop.clone()]).is_none()
 }
 
 fn triangles(surface: &Surface) -> Vec<Triangle> {
@@ -108,35 +86,58 @@ fn spots(positions: &[Point3]) -> Vec<Point3> {
 /// `f64::EPSILON`.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
+/// The plane of two directions.
+struct Plane {
+    /// Their cross product, and the same with the sizes of its products.
+    normal: Vec3,
+    most: Vec3,
+}
+
+impl Plane {
+    fn new(u: Vec3, v: Vec3) -> Self {
+        let most = |u: [f64; 2], v: [f64; 2]| (u[0] * v[1]).abs() + (u[1] * v[0]).abs();
+        Self {
+            normal: u.cross(v),
+            most: Vec3::new(
+                most([u.y, u.z], [v.y, v.z]),
+                most([u.z, u.x], [v.z, v.x]),
+                most([u.x, u.y], [v.x, v.y]),
+            ),
+        }
+    }
+
+    /// To which side of it a third one points, `Greater` if to that of its normal; `None` where
+    /// rounding leaves it open.
+    fn certain_side(&self, way: Vec3) -> Option<Ordering> {
+        let (volume, most) = (way.dot(self.normal), way.abs().dot(self.most));
+        if most == 0.0 {
+            // No product is left, as in a plane along two axes.
+            return Some(Ordering::Equal);
+        }
+        (volume.abs() > ROUNDING * most).then(|| volume.total_cmp(&0.0))
+    }
+}
+
 /// A triangle and its plane.
 struct Triangle {
     corners: [Point3; 3],
-    /// The cross product of two sides, and the same with the sizes of its products.
-    normal: Vec3,
-    most: Vec3,
+    plane: Plane,
     /// Whether its corners do not lie on one line.
     has_area: bool,
 }
 
 impl Triangle {
     fn new(corners: [Point3; 3]) -> Self {
-        let (u, v) = (corners[1] - corners[0], corners[2] - corners[0]);
-        let most = |u: [f64; 2], v: [f64; 2]| (u[0] * v[1]).abs() + (u[1] * v[0]).abs();
-        let normal = u.cross(v);
+        let plane = Plane::new(corners[1] - corners[0], corners[2] - corners[0]);
         let is_seen_along = |axis: Vec3| {
             let [a, b, c] = corners.map(seen_along(axis));
             orientation(a, b, c).is_ne()
         };
         Self {
             corners,
-            normal,
             // Seen along the first of these, it nearly always has area if it has any.
-            has_area: [normal, Vec3::X, Vec3::Y, Vec3::Z].into_iter().any(is_seen_along),
-            most: Vec3::new(
-                most([u.y, u.z], [v.y, v.z]),
-                most([u.z, u.x], [v.z, v.x]),
-                most([u.x, u.y], [v.x, v.y]),
-            ),
+            has_area: [plane.normal, Vec3::X, Vec3::Y, Vec3::Z].into_iter().any(is_seen_along),
+            plane,
         }
     }
 
@@ -154,13 +155,7 @@ impl Triangle {
 
     /// The same; `None` where rounding leaves it open.
     fn certain_side(&self, p: Point3) -> Option<Ordering> {
-        let from = p - self.corners[0];
-        let (volume, most) = (from.dot(self.normal), from.abs().dot(self.most));
-        if most == 0.0 {
-            // No product is left, as in a plane along two axes.
-            return Some(Ordering::Equal);
-        }
-        (volume.abs() > ROUNDING * most).then(|| volume.total_cmp(&0.0))
+        self.plane.certain_side(p - self.corners[0])
     }
 
     /// The corners of another that are none of its own.
@@ -250,7 +245,7 @@ fn pierces(a: Point3, b: Point3, triangle: &Triangle) -> bool {
 /// Whether, seen along the axis nearest to the normal of the first, a side of one triangle has all of
 /// the other beyond it but for common samples, so that they have nothing else in common.
 fn are_apart_as_seen(t: &Triangle, u: &Triangle) -> bool {
-    let flat = seen_along(t.normal);
+    let flat = seen_along(t.plane.normal);
     let [seen_t, seen_u] = [t, u].map(|triangle| triangle.corners.map(&flat));
     has_beyond_a_side((t.corners, seen_t), (u.corners, seen_u))
         || has_beyond_a_side((u.corners, seen_u), (t.corners, seen_t))
@@ -305,7 +300,9 @@ fn counter_clockwise([a, b, c]: [Point2; 3]) -> [Point2; 3] {
 
 #[cfg(test)]
 mod tests {
+    use super::seen::{is_simple_along, is_simple_along_axis};
     use super::*;
+    use crate::math::Frame;
     use crate::surface::Connectivity;
 
     fn p(x: f64, y: f64, z: f64) -> Point3 {
@@ -373,7 +370,9 @@ mod tests {
     #[test]
     fn what_is_simple_as_seen_crosses_nowhere() {
         let mut random = random();
-        let mut found = [[0; 2]; 2];
+        // The same turned about, so that no axis is near to where it is seen from.
+        let turned = Frame::with_normal(p(50., -20., 30.), Vec3::new(0.5, 0.6, 0.7)).unwrap();
+        let (mut found, mut found_along) = ([[0; 2]; 2], [0; 2]);
         for _ in 0..6000 {
             // Around the first corner, mostly in order as seen along z; few places, so that some touch.
             let mut corners = vec![p(0., 0., 0.)];
@@ -384,14 +383,32 @@ mod tests {
                 let far = 2.5 + 2.0 * random();
                 corners.push(p((far * x).round(), (far * y).round(), 4.0 * random()));
             }
-            let surface = fan(corners);
-            let (simple, crosses) =
-                (is_simple_as_seen(&surface), first_crossing_pair(&surface).is_some());
+            let Frame { origin, x, y, z } = turned;
+            let turn = |c: &Point3| origin + x * c.x + y * c.y + z * c.z;
+            let surfaces = [fan(corners.iter().map(turn).collect()), fan(corners)];
+            let [turned, surface] = surfaces.each_ref();
+            let [crosses_turned, crosses] =
+                [turned, surface].map(|s| first_crossing_pair(s).is_some());
+            let simple = is_simple_along_axis(surface, Vec3::Z);
             assert!(!(simple && crosses), "{:?}", surface.positions());
             found[usize::from(simple)][usize::from(crosses)] += 1;
+            // Where samples touch, rounding leaves it open.
+            let along = [is_simple_along(surface, Vec3::Z), is_simple_along(turned, z)];
+            assert!(simple || !along[0], "{:?}", surface.positions());
+            assert!(!(along[1] && crosses_turned), "{:?}", turned.positions());
+            for (count, along) in found_along.iter_mut().zip(along) {
+                *count += usize::from(along);
+            }
+            for (s, crosses) in [(surface, crosses), (turned, crosses_turned)] {
+                assert!(!(is_simple_as_seen(s) && crosses), "{:?}", s.positions());
+            }
         }
         let [[other, crossing], [simple, _]] = found;
         assert!(other > 100 && crossing > 100 && simple > 100, "{found:?}");
+        assert!(
+            found_along.iter().all(|along| 10 * along > 9 * simple),
+            "{found_along:?} {simple}"
+        );
     }
 
     #[test]
