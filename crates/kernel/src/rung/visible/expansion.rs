@@ -9,8 +9,9 @@
 //! 4. A boundary edge ends the view.
 //!
 //! Without holes the triangles form a tree, so a sample meets each at most once: O(m) for each
-//! sample, O(m²) for all. Round h holes it may meet a triangle from h + 1 sides. A rung that touches
-//! the boundary between its ends is not inside.
+//! sample, O(m²) for all. Beyond a side lies the part of the loop between its ends, so that the looks at
+//! parts with lower samples alone, which look back, are spared. Round h holes a sample may meet a
+//! triangle from h + 1 sides. A rung that touches the boundary between its ends is not inside.
 
 use super::pairs::PairSet;
 use crate::math::Point2;
@@ -24,8 +25,11 @@ use std::ops::Range;
 pub(super) fn inside_pairs(points: &[Point2], loops: &[Range<usize>]) -> PairSet {
     let view = Triangles::between(points, loops);
     let mut pairs = PairSet::new(points.len());
+    let is_one_loop = loops.len() == 1;
     for source in 0..points.len() {
-        view.look_from(source, points, &mut |seen| pairs.insert(source, seen));
+        // Counter-clockwise, what lies beyond a side runs from its right end to its left one.
+        let is_worth = |right: usize, left: usize| !is_one_loop || left < right || left > source;
+        view.look_from(source, points, is_worth, &mut |seen| pairs.insert(source, seen));
     }
     pairs
 }
@@ -107,7 +111,15 @@ impl Triangles {
         Self { corners, beyond, around }
     }
 
-    fn look_from(&self, source: usize, polygon: &[Point2], see: &mut impl FnMut(usize)) {
+    /// Calls `see` for what one sample sees, but for what lies beyond sides, given by their right and
+    /// their left end, that are not worth a look.
+    fn look_from(
+        &self,
+        source: usize,
+        polygon: &[Point2],
+        is_worth: impl Fn(usize, usize) -> bool,
+        see: &mut impl FnMut(usize),
+    ) {
         let eye = polygon[source];
         // (triangle to look into, side it is entered by, right and left end of the window)
         let mut views: Vec<(usize, [usize; 2], usize, usize)> = Vec::new();
@@ -116,7 +128,7 @@ impl Triangles {
             let (right, left) = (self.corners[t][(n + 1) % 3], self.corners[t][(n + 2) % 3]);
             see(right);
             see(left);
-            if let Some(u) = self.beyond[t][n] {
+            if let Some(u) = self.beyond[t][n].filter(|_| is_worth(right, left)) {
                 views.push((u, [right, left], right, left));
             }
         }
@@ -136,12 +148,14 @@ impl Triangles {
             // Through the side from the right end to the far corner, which is opposite to the
             // left end: seen if the far corner lies to the left of the window's right edge.
             if from_right == Ordering::Greater
+                && is_worth(side_right, far)
                 && let Some(u) = opposite(side_left)
             {
                 let new_left = if from_left == Ordering::Greater { far } else { left };
                 views.push((u, [side_right, far], right, new_left));
             }
             if from_left == Ordering::Greater
+                && is_worth(far, side_left)
                 && let Some(u) = opposite(side_right)
             {
                 let new_right = if from_right == Ordering::Greater { far } else { right };
