@@ -23,10 +23,7 @@ pub use rebuilt::Rebuilt;
 pub use varying::{Change, MovedBy, Vary};
 
 use crate::boundary::{Boundary, Outline, PlaneChoice, SupportingPlane, supporting_plane};
-use crate::check::{
-    Checked, Finding, Panel, Verdict, better_without_plane, check, ran_on, rounded_corner,
-    stayed_straight,
-};
+use crate::check::{Checked, Finding, Panel, check, ran_on, rounded_corner, stayed_straight};
 use crate::cost::{DEFAULT_FOLD, Prices};
 use crate::curve::{CurveKind, CurvePoint};
 use crate::flatten::{Flattened, Sheet, lay_flat};
@@ -277,11 +274,20 @@ fn make_panels(
     let matched = matched(design);
     let sampler = Sampler { design, matched: &matched };
     let panels = design.panels_to_make().into_iter().filter(|panel| wanted(panel));
-    panels.map(|panel| make_panel(&sampler, panel, &mut None, watch)).collect()
+    let make = |panel: &DesignPanel| {
+        let mut known = None;
+        let mut made = make_panel(&sampler, panel, &mut known, watch)?;
+        if let Some(known) = &mut known {
+            let failed = |cause| MakeError { panel: panel.name.clone(), curve: None, cause };
+            known.answer(&mut made, watch).map_err(failed)?;
+        }
+        Ok(made)
+    };
+    panels.map(make).collect()
 }
 
 /// Makes one panel; `known` is what is known of its triangulation from when it was made before, and
-/// then from now.
+/// then from now, with a question that may be open.
 fn make_panel(
     sampler: &Sampler<'_>,
     panel: &DesignPanel,
@@ -291,7 +297,8 @@ fn make_panel(
     match make_as_asked(sampler, panel, known, watch) {
         Err(error) if panel.run_on && error.cause != MakeCause::RunOn && !watch.stop() => {
             let straight = DesignPanel { run_on: false, ..panel.clone() };
-            let mut made = make_as_asked(sampler, &straight, &mut None, watch)?;
+            *known = None;
+            let mut made = make_as_asked(sampler, &straight, known, watch)?;
             made.checked.add(stayed_straight(&error.cause.to_string()));
             Ok(made)
         }
@@ -398,13 +405,6 @@ fn make_as_asked(
             checked.add(finding);
         }
     }
-    let bends = checked.verdict == Verdict::Bends;
-    if panel.plane == PlaneChoice::Auto && plane.is_some() && boundary.holes() < 2 && !bends {
-        let better = known.better_without_plane(&boundary, &options, watch);
-        if let Some(price) = better.map_err(failed)? {
-            checked.add(better_without_plane(triangulation.price, price));
-        }
-    }
     if let Some(bulges_mm) = new_ends {
         let straight = DesignPanel { run_on: false, ..panel.clone() };
         let straight = make_as_asked(sampler, &straight, &mut None, watch).ok();
@@ -412,7 +412,7 @@ fn make_as_asked(
     }
     findings.into_iter().for_each(|finding| checked.add(finding));
     let piece = piece(&panel.name, &sheet, &flat, &measures, &PatternOptions::default());
-    Ok(MadePanel {
+    let made = MadePanel {
         name: panel.name.clone(),
         method: panel.method,
         goal: panel.goal,
@@ -428,7 +428,9 @@ fn make_as_asked(
         checked,
         piece,
         change: None,
-    })
+    };
+    known.ask(panel, &made, options);
+    Ok(made)
 }
 
 /// The curves that bound a panel, or the panels that it joins.

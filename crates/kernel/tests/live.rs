@@ -4,11 +4,13 @@
 use sheetwright::boundary::size_of;
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
-    CurveUse, Design, DesignCurve, DesignPanel, Join, Live, MakeCause, PanelMethod, PanelShape,
-    make,
+    CurveUse, Design, DesignCurve, DesignPanel, Join, Live, LivePanel, Made, MakeCause, MakeError,
+    PanelMethod, PanelShape, make,
 };
 use sheetwright::math::{Point3, Vec3, cos, sin};
-use sheetwright::triangulate::{Goal, TriangulateError};
+use sheetwright::triangulate::{
+    Cheapest, Goal, TriangulateError, TriangulateOptions, triangulate_near,
+};
 use sheetwright::watch::{Stage, Unwatched, Watch};
 use sheetwright_shapes::drag::{Drag, one_panel, outline};
 use sheetwright_shapes::family::Family;
@@ -17,10 +19,25 @@ use sheetwright_shapes::random::Random;
 use std::cell::Cell;
 use std::f64::consts::TAU;
 
+const LEFT_TO_SETTLE: &str = "better-without-plane";
+
 /// Compares with making afresh, to the last bit: what prints alike, with all digits and signs, is
-/// alike.
+/// alike. What is not settled lacks one finding; settled, nothing.
 fn check(live: &Live, what: &str) {
-    let (kept, afresh) = (live.made(), make(live.design(), &mut Unwatched));
+    let mut afresh = make(live.design(), &mut Unwatched);
+    let mut settled = live.clone();
+    settled.settle(&mut Unwatched);
+    assert!(settled.panels().iter().all(LivePanel::is_settled), "{what}");
+    compare(&settled.made(), &afresh, what);
+    for (made, panel) in afresh.iter_mut().flat_map(|made| &mut made.panels).zip(live.panels()) {
+        if !panel.is_settled() {
+            made.checked.findings.retain(|finding| finding.code != LEFT_TO_SETTLE);
+        }
+    }
+    compare(&live.made(), &afresh, what);
+}
+
+fn compare(kept: &Result<Made, MakeError>, afresh: &Result<Made, MakeError>, what: &str) {
     assert!(kept == afresh, "{what}");
     assert_eq!(format!("{kept:?}"), format!("{afresh:?}"), "{what}");
 }
@@ -44,6 +61,9 @@ fn drag(design: Design, reach: f64, steps: usize, seed: u64) -> usize {
         let mut drag = Drag::new(home, far * reach, random.bits());
         for step in 0..steps {
             live.move_point(c, p, drag.step(), &mut Unwatched);
+            if random.unit() < 0.3 {
+                live.settle(&mut Unwatched);
+            }
             check(&live, &format!("{name}, seed {seed}, handle {handle}, step {step}"));
             refused += usize::from(live.made().is_err());
         }
@@ -117,7 +137,7 @@ fn on(name: &str) -> CurveUse {
 
 #[test]
 fn what_bends_without_its_plane_is_as_made_afresh() {
-    let mut found = 0;
+    let (mut found, mut left) = (0, 0);
     for fold in [0.0, 1.0] {
         let mut live = Live::new(planks(30, fold), &mut Unwatched);
         for handle in 0..4 {
@@ -128,13 +148,63 @@ fn what_bends_without_its_plane_is_as_made_afresh() {
             for step in 0..6 {
                 live.move_point(curve, handle, drag.step(), &mut Unwatched);
                 check(&live, &format!("ν {fold}, handle {handle}, step {step}"));
+                let before = live.clone();
+                // One hand rests after each move, one at the end.
+                if handle % 2 == 0 || step == 5 {
+                    let changed = live.settle(&mut Unwatched);
+                    left += changed.len();
+                    for (n, panel) in live.panels().iter().enumerate() {
+                        let is_same = panel.made == before.panels()[n].made;
+                        assert_eq!(is_same, !changed.contains(&n), "{step}: {n}");
+                    }
+                    assert_eq!(live.settle(&mut Unwatched), [0; 0]);
+                    check(&live, &format!("ν {fold}, handle {handle}, step {step}, settled"));
+                }
                 let panels = live.made().unwrap().panels;
                 let findings = panels.iter().flat_map(|panel| &panel.checked.findings);
-                found += findings.filter(|f| f.code == "better-without-plane").count();
+                found += findings.filter(|finding| finding.code == LEFT_TO_SETTLE).count();
             }
         }
     }
-    assert!(found > 20, "{found}");
+    assert!(found > 20 && left > 10, "{found} {left}");
+}
+
+#[test]
+fn what_led_astray_before_changes_nothing() {
+    let families = Family::ALL.into_iter().filter(|family| family.name().contains("patch"));
+    let (mut begun, mut kept, mut ended) = (0, 0, 0);
+    for family in families {
+        let mut design = one_panel(outline(family), 100, 0.0);
+        for handle in (0..24).step_by(3) {
+            let home = design.curves[0].points[handle].at;
+            let mut drag = Drag::new(home, 0.03 * home.to_vec().length(), handle as u64);
+            let mut known: Option<Cheapest> = None;
+            for step in 0..40 {
+                design.curves[0].points[handle].at = drag.step();
+                let panel = make(&design, &mut Unwatched).unwrap().panels.remove(0);
+                let mut options = TriangulateOptions::default();
+                options.price.fold = 0.0;
+                let (boundary, plane) = (&panel.boundary, panel.plane.as_ref());
+                let near = known.as_ref();
+                let next = triangulate_near(boundary, plane, &options, near, &mut Unwatched);
+                let next = next.unwrap();
+                assert_eq!(next.triangulation, panel.triangulation, "{handle}, {step}");
+                if let Some(astray) = &next.astray {
+                    assert!(astray.forced_rungs == 0 && *astray != next.triangulation);
+                }
+                let was_astray = known.is_some_and(|known| known.astray.is_some());
+                match (was_astray, next.astray.is_some()) {
+                    (false, true) => begun += 1,
+                    (true, true) => kept += 1,
+                    (true, false) => ended += 1,
+                    (false, false) => {}
+                }
+                known = Some(next);
+            }
+            design.curves[0].points[handle].at = home;
+        }
+    }
+    assert!(begun > 4 && kept > 20 && ended > 4, "{begun} {kept} {ended}");
 }
 
 fn circle(name: &str, radius: f64, height: f64) -> DesignCurve {
@@ -277,8 +347,11 @@ fn work_that_is_stopped_is_taken_up_again() {
     assert!(counted.told.iter().all(|done| (0.0..=1.0).contains(done)) && !counted.told.is_empty());
     for n in 1..20 {
         let kept = live.clone();
-        let mut watch = StopAt::new(1 + asked * n / 20);
         let to = home + Vec3::Z * (1.0 + n as f64);
+        let mut counted = StopAt::new(usize::MAX);
+        live.clone().move_point(1, 2, to, &mut counted);
+        let asked = usize::MAX - counted.left.get();
+        let mut watch = StopAt::new(1 + asked * n / 20);
         let changed = live.move_point(1, 2, to, &mut watch);
         assert!(changed.len() < 2, "{n}");
         for (panel, before) in live.panels().iter().zip(kept.panels()) {
@@ -289,6 +362,22 @@ fn work_that_is_stopped_is_taken_up_again() {
         let rest = live.move_point(1, 2, to, &mut Unwatched);
         assert_eq!(changed.len() + rest.len(), 2, "{n}");
         check(&live, &format!("stopped at {n}"));
+    }
+    // What waits until the hand rests is taken up again, too.
+    let mut live = Live::new(planks(30, 0.0), &mut Unwatched);
+    let home = live.design().curves[1].points[2].at;
+    live.move_point(1, 2, home + Vec3::Z, &mut Unwatched);
+    let mut counted = StopAt::new(usize::MAX);
+    let changed = live.clone().settle(&mut counted);
+    let asked = usize::MAX - counted.left.get();
+    assert!(asked > 5 && counted.begun == 2 && !changed.is_empty(), "{asked}");
+    for n in 0..5 {
+        let mut live = live.clone();
+        let first = live.settle(&mut StopAt::new(1 + asked * n / 5));
+        assert!(!live.panels().iter().all(LivePanel::is_settled), "{n}");
+        let rest = live.settle(&mut Unwatched);
+        assert_eq!([first, rest].concat(), changed, "{n}");
+        check(&live, &format!("stopped at {n} when at rest"));
     }
     let stopped = Live::new(live.design().clone(), &mut StopAt::new(1));
     let error = stopped.made().unwrap_err();

@@ -22,7 +22,7 @@ use crate::curve::CurvePoint;
 use crate::material::Material;
 use crate::math::Point3;
 use crate::triangulate::TriangulateError;
-use crate::watch::Watch;
+use crate::watch::{Stage, Watch};
 
 /// A design that is being edited, with its panels as they are now.
 ///
@@ -73,6 +73,10 @@ use crate::watch::Watch;
 ///     println!("{:?}: {} triangles", side.checked.verdict, side.triangulation.triangles.len());
 ///     // … draw side.surface, side.flat and side.piece.
 /// }
+///
+/// // The hand rests.
+/// live.settle(&mut Unwatched);
+/// assert_eq!(live.made(), sheetwright::design::make(live.design(), &mut Unwatched));
 /// ```
 #[derive(Clone, Debug)]
 pub struct Live {
@@ -97,6 +101,15 @@ impl LivePanel {
     /// Whether this is the panel of the design as it is now: not where making it was stopped.
     pub fn is_current(&self) -> bool {
         self.made_from.is_some()
+    }
+
+    /// Whether nothing is left that [`Live::settle`] would look for.
+    pub fn is_settled(&self) -> bool {
+        self.is_current() && !self.is_open()
+    }
+
+    fn is_open(&self) -> bool {
+        self.made.is_ok() && self.known.as_ref().is_some_and(Known::is_open)
     }
 }
 
@@ -158,8 +171,8 @@ impl Live {
     }
 
     /// Moves one point of a curve, both by their numbers, to another place, mm, and makes what
-    /// depends on it. Returns the numbers of the panels that were made anew, among
-    /// [`Self::panels`], whether or not they could be made. See [`Self::update`] for stopping.
+    /// depends on it, as far as [`Self::follow`] does. Returns the numbers of the panels that were made
+    /// anew, among [`Self::panels`], whether or not they could be made.
     ///
     /// # Panics
     /// If there is no such curve or point.
@@ -175,17 +188,54 @@ impl Live {
     }
 
     /// Takes another design in the place of this one, changed in whatever way, and makes what
-    /// depends on the change. Returns the numbers of the panels that were made anew, among
-    /// [`Self::panels`], whether or not they could be made.
+    /// depends on the change: surface, pattern, measures, verdict and findings. Of the findings of a
+    /// panel that does not bend, one is left to [`Self::settle`]: whether it would bend better without
+    /// its plane. So a hand is followed in as little as half of the time. Returns the numbers of the
+    /// panels that were made anew, among [`Self::panels`], whether or not they could be made.
     ///
     /// Where the watcher asks to stop, the panels that were not made yet keep what they were made
     /// before, and are made by the next call; [`LivePanel::is_current`] says of which that holds.
-    pub fn update(&mut self, design: Design, watch: &mut dyn Watch) -> Vec<usize> {
+    pub fn follow(&mut self, design: Design, watch: &mut dyn Watch) -> Vec<usize> {
         self.design = design;
         self.make_changed(watch)
     }
 
-    /// What [`super::make`] makes of the design as it is now, if nothing in it is to be moved.
+    /// Looks for what [`Self::follow`] and [`Self::move_point`] have left, as when the hand rests.
+    /// Returns the numbers of the panels that changed. Where the watcher asks to stop, the next call
+    /// looks for the rest; [`LivePanel::is_settled`] says of which panels nothing is left.
+    pub fn settle(&mut self, watch: &mut dyn Watch) -> Vec<usize> {
+        let mut changed = Vec::new();
+        for (n, panel) in self.panels.iter_mut().enumerate() {
+            if !panel.is_current() || !panel.is_open() || watch.stop() {
+                continue;
+            }
+            let (Ok(made), Some(known)) = (&mut panel.made, &mut panel.known) else { continue };
+            watch.begin(&[&panel.name], Stage::Check);
+            match known.answer(made, watch) {
+                Ok(false) => continue,
+                Ok(true) => {}
+                Err(_) if known.is_open() => continue,
+                Err(cause) => {
+                    panel.made = Err(MakeError { panel: panel.name.clone(), curve: None, cause });
+                }
+            }
+            changed.push(n);
+        }
+        changed
+    }
+
+    /// The same as [`Self::follow`], and then [`Self::settle`]. Returns the numbers of the panels that
+    /// either changed, in increasing order.
+    pub fn update(&mut self, design: Design, watch: &mut dyn Watch) -> Vec<usize> {
+        let mut changed = self.follow(design, watch);
+        changed.extend(self.settle(watch));
+        changed.sort_unstable();
+        changed.dedup();
+        changed
+    }
+
+    /// What [`super::make`] makes of the design as it is now, if nothing in it is to be moved, but for
+    /// what is left to [`Self::settle`].
     ///
     /// # Errors
     /// The first panel that can't be made, and why.

@@ -2,11 +2,13 @@
 //!
 //! A surface that need not lie over the plane may pass through itself, so a panel without a plane is
 //! for whoever asks for it. Where one that costs much less does not pass through itself, that is worth
-//! a word. To know takes a search of its own, without the plane. While a handle is dragged, what was
-//! found one move ago bounds it, as it bounds that with the plane.
+//! a word. To know takes a search of its own, without the plane, and nothing else depends on it. So it is
+//! a question that stays open while a panel is made, and may wait until the hand rests that drags a
+//! handle. What was found when it was asked last bounds the search, as it bounds that with the plane.
 
-use super::MakeCause;
-use crate::boundary::Boundary;
+use super::{DesignPanel, MadePanel, MakeCause};
+use crate::boundary::{Boundary, PlaneChoice};
+use crate::check::{Verdict, better_without_plane};
 use crate::measure::crosses_itself;
 use crate::surface::{Connectivity, Surface};
 use crate::triangulate::{
@@ -24,29 +26,69 @@ pub(super) struct Known {
     cheapest: Cheapest,
     /// The cheapest one without the plane, if it was much cheaper when it was last looked for.
     free: Option<Triangulation>,
-    /// Whether the panel was made before.
-    is_again: bool,
+    /// Whether the question was answered before the panel was made anew.
+    was_answered: bool,
+    /// How it was triangulated, if whether it would bend better without its plane is to be asked yet.
+    open: Option<TriangulateOptions>,
 }
 
 impl Known {
     /// After the panel is triangulated anew.
     pub(super) fn next(before: Option<Self>, mut cheapest: Cheapest) -> Self {
-        let is_again = before.is_some();
+        let was_answered = before.as_ref().is_some_and(|known| !known.is_open());
         let differed = |known: &Self| known.cheapest.also_without_plane == Some(false);
         // What differed one move ago is not worth a search of its own.
         if cheapest.also_without_plane.is_none() && before.as_ref().is_some_and(differed) {
             cheapest.also_without_plane = Some(false);
         }
-        Self { cheapest, free: before.and_then(|known| known.free), is_again }
+        let free = before.and_then(|known| known.free);
+        Self { cheapest, free, was_answered, open: None }
     }
 
     pub(super) fn cheapest(&self) -> &Cheapest {
         &self.cheapest
     }
 
+    /// Whether [`Self::answer`] has something to look for.
+    pub(super) fn is_open(&self) -> bool {
+        self.open.is_some()
+    }
+
+    /// Opens the question for a panel that was made with these options, if it is one: who asks for a
+    /// plane gets it, and what bends needs no other surface.
+    pub(super) fn ask(
+        &mut self,
+        panel: &DesignPanel,
+        made: &MadePanel,
+        options: TriangulateOptions,
+    ) {
+        let is_asked = panel.plane == PlaneChoice::Auto
+            && made.plane.is_some()
+            && made.boundary.holes() < 2
+            && made.checked.verdict != Verdict::Bends;
+        self.open = is_asked.then_some(options);
+    }
+
+    /// Answers the question, if it is open, and adds what was found to the findings of the panel.
+    /// Returns whether there was something. Where it is stopped, the question stays open.
+    pub(super) fn answer(
+        &mut self,
+        made: &mut MadePanel,
+        watch: &mut dyn Watch,
+    ) -> Result<bool, MakeCause> {
+        let Some(options) = self.open.take() else { return Ok(false) };
+        let price = self.better_without_plane(&made.boundary, &options, watch);
+        if matches!(&price, Err(MakeCause::Triangulate(TriangulateError::Stopped))) {
+            self.open = Some(options);
+        }
+        let Some(price) = price? else { return Ok(false) };
+        made.checked.add(better_without_plane(made.triangulation.price, price));
+        Ok(true)
+    }
+
     /// The price of the cheapest surface without the plane, if it costs much less than that with it and
     /// does not pass through itself.
-    pub(super) fn better_without_plane(
+    fn better_without_plane(
         &mut self,
         boundary: &Boundary,
         options: &TriangulateOptions,
@@ -71,8 +113,8 @@ impl Known {
         let limit = MUCH_CHEAPER * found.price;
         match self.cheapest.also_without_plane {
             Some(true) => return Ok(None),
-            // Whoever asks again and again had better know.
-            None if self.is_again => {
+            // Who is asked each time had better know.
+            None if self.was_answered => {
                 let free = if_it_fits(triangulate(boundary, None, options, watch).map(Some))?;
                 if let Some(free) = &free {
                     self.cheapest.also_without_plane = Some(free == found);

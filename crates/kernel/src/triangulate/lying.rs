@@ -21,6 +21,19 @@ pub struct Cheapest {
     pub triangulation: Triangulation,
     /// Whether it is that without the plane too, if the search has shown that.
     pub also_without_plane: Option<bool>,
+    /// A triangulation whose rungs begin and end inside the projection, but do not all lie there, that
+    /// was cheaper, if the search has come upon one or knows of one from before.
+    pub astray: Option<Triangulation>,
+}
+
+/// What the cheapest triangulation is of those with more rungs than lie inside the projection.
+pub(super) enum Looked {
+    /// It lies over the plane as it should.
+    Lies(Triangulation),
+    /// It does not.
+    Astray(Triangulation),
+    /// There is none, or it was not looked for.
+    None,
 }
 
 /// The cheapest triangulation of one loop among those with these rungs, which are all that lie
@@ -36,11 +49,15 @@ pub(super) fn sparsely(
         return Ok(None);
     }
     let terms = Terms::new(prices, visibility, false).within(options.memory_limit);
-    let found = sparse::solve(&terms, watch)?;
-    Ok(found.and_then(|found| lying_on(plane, &terms, found.triangles, options.method)))
+    let Some(found) = sparse::solve(&terms, watch)? else { return Ok(None) };
+    Ok(match looked(plane, &terms, found.triangles, options.method) {
+        Looked::Lies(found) => Some(found),
+        _ => None,
+    })
 }
 
-/// The same from the table of all rungs; `known` is a triangulation that is known.
+/// The cheapest triangulation of one loop among those with these rungs, which are all that lie inside
+/// the projection and more, from the table of all rungs; `known` is a triangulation that is known.
 pub(super) fn densely(
     prices: &Prices,
     visibility: &Visibility,
@@ -48,13 +65,28 @@ pub(super) fn densely(
     options: &TriangulateOptions,
     known: Option<&Triangulation>,
     watch: &mut dyn Watch,
-) -> Result<Option<Triangulation>, TriangulateError> {
+) -> Result<Looked, TriangulateError> {
     if !may_ask_less(prices, options) {
-        return Ok(None);
+        return Ok(Looked::None);
     }
     let terms = Terms::new(prices, visibility, false).within(options.memory_limit);
-    let found = optimal::solve(&terms, mend::price(&terms, known), watch)?;
-    Ok(found.and_then(|triangles| lying_on(plane, &terms, triangles, options.method)))
+    let found = optimal::solve(&terms, &mend::bounds(&terms, known), watch)?;
+    Ok(match found {
+        Some(triangles) => looked(plane, &terms, triangles, options.method),
+        None => Looked::None,
+    })
+}
+
+/// A triangulation that is `known`, mended where rungs only have to begin and end inside the projection;
+/// `None` if it can't be mended, or if nothing is known.
+pub(super) fn mended_at_ends(
+    prices: &Prices,
+    at_ends: &Visibility,
+    known: Option<&Triangulation>,
+) -> Option<Triangulation> {
+    let terms = Terms::new(prices, at_ends, false);
+    let triangles = mend::triangles(&terms, known)?;
+    Some(outcome(&terms, Found { triangles, lower_bound: None }, Method::Optimal))
 }
 
 /// Whether the table of all rungs may be filled without asking which lie inside the projection.
@@ -62,24 +94,23 @@ pub(super) fn may_ask_less(prices: &Prices, options: &TriangulateOptions) -> boo
     may_be_among_few(options) && prices.one_loop()
 }
 
-/// The cheapest triangulation of those with more rungs than lie inside the projection, if it is
-/// that with the plane too: where its triangles all lie on the plane as they should, they do not
-/// overlap, and their rungs lie inside. Then it is the cheapest of those too, and ties were decided
-/// among the same.
-fn lying_on(
+/// Whether the cheapest triangulation of those with more rungs than lie inside the projection is that
+/// with the plane too: where its triangles all lie on the plane as they should, they do not overlap,
+/// and their rungs lie inside. Then it is the cheapest of those too, and ties were decided among the
+/// same.
+fn looked(
     plane: Option<&SupportingPlane>,
     terms: &Terms<'_>,
     triangles: Vec<[usize; 3]>,
     method: Method,
-) -> Option<Triangulation> {
+) -> Looked {
     let lie = |plane: &SupportingPlane| {
         let at = |i: usize| plane.projected[i];
         triangles.iter().all(|&[i, k, j]| orientation(at(i), at(k), at(j)).is_gt())
     };
-    if plane.is_some_and(|plane| !lie(plane)) {
-        return None;
-    }
-    Some(outcome(terms, Found { triangles, lower_bound: None }, method))
+    let lies = plane.is_none_or(lie);
+    let found = outcome(terms, Found { triangles, lower_bound: None }, method);
+    if lies { Looked::Lies(found) } else { Looked::Astray(found) }
 }
 
 /// The cheapest triangulation of one loop, any two samples joined, if it costs less than `limit`;

@@ -37,7 +37,7 @@ use crate::index::SampleIndex;
 use crate::math::Vec3;
 use crate::rung::{Rung, Visibility};
 use crate::watch::Watch;
-use lying::{densely, may_ask_less, sparsely};
+use lying::{Looked, densely, may_ask_less, mended_at_ends, sparsely};
 use part::Part;
 use std::fmt;
 
@@ -250,18 +250,21 @@ pub fn triangulate_near(
     let known = known.filter(|known| mend::is_of(&known.triangulation, &lengths));
     // Which rungs lie inside the projection takes its time to find out, so less is asked at first.
     let nothing_asked = Visibility::everything();
-    if let Some(found) = sparsely(&prices, &nothing_asked, plane, options, watch)? {
-        return Ok(Cheapest { triangulation: found, also_without_plane: Some(true) });
+    if let Some(triangulation) = sparsely(&prices, &nothing_asked, plane, options, watch)? {
+        let also_without_plane = Some(true);
+        return Ok(Cheapest { triangulation, also_without_plane, astray: None });
     }
     let mut also_without_plane = None;
     let as_before = known.is_some_and(|known| known.also_without_plane == Some(true));
+    let known_astray = known.and_then(|known| known.astray.as_ref());
     let known = known.map(|known| &known.triangulation);
     if as_before || plane.is_none() {
         match densely(&prices, &nothing_asked, plane, options, known, watch) {
-            Ok(Some(triangulation)) => {
-                return Ok(Cheapest { triangulation, also_without_plane: Some(true) });
+            Ok(Looked::Lies(triangulation)) => {
+                let also_without_plane = Some(true);
+                return Ok(Cheapest { triangulation, also_without_plane, astray: None });
             }
-            Ok(None) => also_without_plane = Some(false),
+            Ok(_) => also_without_plane = Some(false),
             // With the plane, the table may be smaller.
             Err(TriangulateError::TooLarge { .. }) if plane.is_some() => {}
             Err(error) => return Err(error),
@@ -271,15 +274,27 @@ pub fn triangulate_near(
     if options.method == Method::Optimal && plane.is_some() && needed > limit {
         return Err(TriangulateError::TooLarge { needed, limit });
     }
+    let mut astray = None;
     if let Some(plane) = plane
         && may_ask_less(&prices, options)
     {
         let at_ends = Visibility::at_ends(plane);
-        if let Some(found) = densely(&prices, &at_ends, Some(plane), options, known, watch)? {
-            return Ok(Cheapest { triangulation: found, also_without_plane });
+        // What led astray one move ago is most likely to do so again.
+        astray = mended_at_ends(&prices, &at_ends, known_astray);
+        if astray.is_none() {
+            match densely(&prices, &at_ends, Some(plane), options, known, watch)? {
+                Looked::Lies(triangulation) => {
+                    return Ok(Cheapest { triangulation, also_without_plane, astray: None });
+                }
+                Looked::Astray(found) => astray = Some(found),
+                Looked::None => {}
+            }
         }
     }
-    let of_plane = |triangulation| Cheapest { triangulation, also_without_plane };
+    let of_plane = |triangulation: Triangulation| {
+        let astray = astray.filter(|astray| astray.price < triangulation.price);
+        Cheapest { triangulation, also_without_plane, astray }
+    };
     let visibility = Visibility::new(boundary, plane);
     // Rungs without a tangent plane are admitted only when nothing can be done without them, which
     // the table of all rungs has shown where any two samples may be joined.
@@ -330,7 +345,7 @@ fn one_loop(
     watch: &mut dyn Watch,
 ) -> Result<Option<Vec<[usize; 3]>>, TriangulateError> {
     match method {
-        Method::Optimal => optimal::solve(terms, mend::price(terms, known), watch),
+        Method::Optimal => optimal::solve(terms, &mend::bounds(terms, known), watch),
         Method::Bridge => bridge::solve(terms, watch),
         Method::Rails { first } => rails::solve(terms, first, watch),
     }

@@ -80,17 +80,17 @@ pub(super) fn least_memory_needed(m: usize) -> u64 {
     store::least_bytes(m.div_ceil(LANES)).div_ceil(15) * 16
 }
 
-/// The triangles of the cheapest triangulation; `None` if there is none. `known` is the price of a
-/// triangulation that is known.
+/// The triangles of the cheapest triangulation; `None` if there is none. Its price is looked for below
+/// these bounds first, one after the other.
 pub(super) fn solve(
     terms: &Terms<'_>,
-    known: Option<f64>,
+    bounds: &[f64],
     watch: &mut dyn Watch,
 ) -> Result<Option<Vec<[usize; 3]>>, TriangulateError> {
-    if let Some(known) = known.filter(|known| *known <= HIGHEST_BOUND)
-        && let Some(solved) = if_it_fits(solve_within(terms, known, watch))?
-    {
-        return Ok(Some(solved.triangles));
+    for &bound in bounds.iter().filter(|bound| **bound <= HIGHEST_BOUND) {
+        if let Some(solved) = if_it_fits(solve_within(terms, bound, watch))? {
+            return Ok(Some(solved.triangles));
+        }
     }
     Ok(solve_priced(terms, watch)?.map(|solved| solved.triangles))
 }
