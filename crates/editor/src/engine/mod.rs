@@ -1,6 +1,7 @@
 //! What makes a document into surfaces and patterns, beside the hand that draws: a thread on the
 //! desktop, a worker in the browser.
 
+mod pace;
 pub mod shown;
 #[cfg(not(target_arch = "wasm32"))]
 mod thread;
@@ -79,7 +80,7 @@ pub fn doing(panels: &[&str], stage: Stage) -> String {
 /// How fine panels are made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Detail {
-    /// With few samples, while the hand moves.
+    /// While the hand moves: with as many samples as leave time to keep up with it.
     Coarse,
     /// As the design says.
     Full,
