@@ -1,7 +1,6 @@
 //! What makes a document into surfaces and patterns, beside the hand that draws: a thread on the
 //! desktop, a worker in the browser.
 
-mod pace;
 pub mod shown;
 #[cfg(not(target_arch = "wasm32"))]
 mod thread;
@@ -80,7 +79,7 @@ pub fn doing(panels: &[&str], stage: Stage) -> String {
 /// How fine panels are made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Detail {
-    /// While the hand moves: with as many samples as leave time to keep up with it.
+    /// With few samples, while the hand moves.
     Coarse,
     /// As the design says.
     Full,

@@ -3,7 +3,6 @@
 //! What is made of a design is kept, so that the next one, which differs in little, is made from it
 //! ([`sheetwright::design::Live`]).
 
-use super::pace::Pace;
 use super::shown::{Shown, ShownPanel};
 use super::{Answer, Detail, Job, Refusal, Varied};
 use sheetwright::check::Verdict;
@@ -13,13 +12,14 @@ use sheetwright::material::Material;
 use sheetwright::math::to_deg;
 use sheetwright::watch::Watch;
 use sheetwright_files::{Format, OutputFile, PdfOptions, hint_for, output_files};
-use web_time::Instant;
+
+/// Samples of a panel while the hand moves.
+pub const COARSE_SAMPLES: usize = 96;
 
 /// One who works.
 #[derive(Default)]
 pub struct Work {
     live: Option<Live>,
-    pace: Pace,
 }
 
 impl Work {
@@ -28,10 +28,10 @@ impl Work {
         match job {
             Job::Show { number, design, detail } => {
                 let panels = match detail {
-                    Detail::Coarse => self.keep_up(design, watch),
-                    Detail::Full => self.show(design, watch),
+                    Detail::Coarse => self.show(&coarse(design, COARSE_SAMPLES), watch)?,
+                    Detail::Full => self.show(design, watch)?,
                 };
-                Some(Answer::Shown { number: *number, detail: *detail, panels: panels? })
+                Some(Answer::Shown { number: *number, detail: *detail, panels })
             }
             Job::Vary { number, design } => {
                 let made = make(design, watch);
@@ -48,24 +48,18 @@ impl Work {
         }
     }
 
-    /// Shows a design with as many samples as leave time to keep up with the hand.
-    fn keep_up(&mut self, design: &Design, watch: &mut dyn Watch) -> Option<Vec<ShownPanel>> {
-        let begun = Instant::now();
-        let panels = self.show(&coarse(design, self.pace.samples()), watch);
-        let most = design.panels.iter().map(|panel| panel.samples).max().unwrap_or(0);
-        self.pace.took(panels.as_ref().map(|_| begun.elapsed()), most);
-        panels
-    }
-
     fn show(&mut self, design: &Design, watch: &mut dyn Watch) -> Option<Vec<ShownPanel>> {
         // Points that may move stay where they are drawn until somebody asks.
-        let live = self.live.get_or_insert_with(|| Live::new(Design::default(), watch));
-        live.follow(design.clone(), watch);
+        let live = match &mut self.live {
+            Some(live) => {
+                live.update(design.clone(), watch);
+                live
+            }
+            none => none.insert(Live::new(design.clone(), watch)),
+        };
         if watch.stop() {
             return None;
         }
-        // Where the hand has moved on, the panels are shown as they are.
-        live.settle(watch);
         let shown = live.panels().iter().map(|panel| ShownPanel {
             name: panel.name.clone(),
             made: match &panel.made {
@@ -131,66 +125,5 @@ fn varied(made: Made) -> Varied {
         before: made.panels.iter().map(before_of).collect(),
         after: made.panels.iter().map(|panel| shown(panel, made.material)).collect(),
         moved: made.moved,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use sheetwright::curve::{CurveKind, CurvePoint};
-    use sheetwright::design::{CurveUse, DesignCurve, DesignPanel, PanelShape};
-    use sheetwright::math::{Point3, cos, sin};
-    use sheetwright::watch::Stage;
-    use std::sync::Arc;
-
-    /// A saddle, which won't bend.
-    fn saddle(height: f64) -> Arc<Design> {
-        let at = |i: usize| {
-            let t = std::f64::consts::TAU * i as f64 / 12.0;
-            Point3::new(100.0 * cos(t), 100.0 * sin(t), height * cos(2.0 * t))
-        };
-        let curve = DesignCurve {
-            name: "rim".to_owned(),
-            kind: Some(CurveKind::Spline),
-            closed: true,
-            points: (0..12).map(|i| CurvePoint::smooth(at(i))).collect(),
-        };
-        let outer = vec![CurveUse { name: "rim".to_owned(), reversed: false }];
-        let shape = PanelShape::Loops { outer, holes: Vec::new() };
-        Arc::new(Design {
-            name: "saddle".to_owned(),
-            curves: vec![curve],
-            panels: vec![DesignPanel::new("panel", shape, 60)],
-            ..Design::default()
-        })
-    }
-
-    /// Asks to stop from the n-th time on that panels are checked.
-    struct StopAtCheck(usize);
-
-    impl Watch for StopAtCheck {
-        fn begin(&mut self, _panels: &[&str], stage: Stage) {
-            self.0 = self.0.saturating_sub(usize::from(stage == Stage::Check));
-        }
-
-        fn stop(&self) -> bool {
-            self.0 == 0
-        }
-    }
-
-    #[test]
-    fn a_hand_that_moves_on_stops_what_the_picture_does_not_need() {
-        let mut work = Work::default();
-        let show =
-            |height: f64| Job::Show { number: 1, design: saddle(height), detail: Detail::Coarse };
-        // Checked once as it is made, and once when it is asked whether it needs its plane.
-        let Some(Answer::Shown { panels, .. }) = work.run(&show(60.0), &mut StopAtCheck(2)) else {
-            panic!("a picture");
-        };
-        assert_ne!(panels[0].made.as_ref().unwrap().verdict, Verdict::Bends);
-        assert_eq!(work.run(&show(61.0), &mut StopAtCheck(1)), None);
-        let mut all = StopAtCheck(3);
-        assert!(work.run(&show(60.0), &mut all).is_some());
-        assert_eq!(all.0, 1);
     }
 }
