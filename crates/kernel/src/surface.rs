@@ -76,30 +76,32 @@ impl Connectivity {
         triangles: Vec<[SampleIndex; 3]>,
     ) -> Result<Self, ConnectivityError> {
         let samples = loops.iter().map(|l| l.end).max().unwrap_or(0);
-        // Those that begin at each sample lie side by side, up to `end` of it.
-        let mut end = vec![0; samples];
+        // Sides that begin at one sample lie side by side in a list, up to the end of its row.
+        let mut ends = vec![0; samples];
         for (n, &[a, b, c]) in triangles.iter().enumerate() {
             let corners_differ = a != b && b != c && c != a;
             if !corners_differ || [a, b, c].iter().any(|s| s.get() >= samples) {
                 return Err(ConnectivityError::BadTriangle(TriangleIndex::new(n)));
             }
-            [a, b, c].iter().for_each(|from| end[from.get()] += 1);
+            [a, b, c].iter().for_each(|from| ends[from.get()] += 1);
         }
         let mut before = 0;
-        for end in &mut end {
-            before += std::mem::replace(end, before);
+        for end in &mut ends {
+            let count = *end;
+            *end = before;
+            before += count;
         }
         // Each with the place where it is written, three to a triangle.
         let none = ([SampleIndex::new(0); 2], 0);
         let mut sides: Vec<([SampleIndex; 2], usize)> = vec![none; 3 * triangles.len()];
         for (n, &[a, b, c]) in triangles.iter().enumerate() {
             for (side, place) in [([a, b], 3 * n), ([b, c], 3 * n + 1), ([c, a], 3 * n + 2)] {
-                let end = &mut end[side[0].get()];
+                let end = &mut ends[side[0].get()];
                 sides[*end] = (side, place);
                 *end += 1;
             }
         }
-        let row = |from: usize| if from == 0 { 0..end[0] } else { end[from - 1]..end[from] };
+        let row = |from: usize| if from == 0 { 0..ends[0] } else { ends[from - 1]..ends[from] };
         (0..samples).for_each(|from| sides[row(from)].sort_unstable());
         let twice = sides.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| pair[1]);
         if let Some(([from, to], _)) = twice.min_by_key(|(_, place)| *place) {

@@ -4,13 +4,16 @@
 //!    many samples its curves get where seams are matched; one that joins others, on those too. A
 //!    panel for which all that is as it was, to the last bit, stays as it is.
 //! 2. A panel that does change has nearly the triangulation that it had. What that costs now, mended
-//!    by exchanging rungs, bounds the price of the new one, so that the table is filled below it at
+//!    where it has to be, bounds the price of the new one, so that the table is filled below it at
 //!    once, where making a panel afresh looks for such a bound first. (The table itself is not kept:
 //!    samples are spread evenly over a smooth stretch of an outline, so when its length changes, all
 //!    of them move.)
+//! 3. Whether a panel that does not bend would bend better without its plane takes a search of its own
+//!    (`without_plane`), and neither its surface nor its pattern depends on that. While a handle is
+//!    dragged, the question waits until the hand rests.
 //!
-//! What comes out is what [`super::make`] makes of the same design, bit by bit; only where memory is
-//! short, a bound from before may make a table fit that does not fit afresh.
+//! What comes out once it rests is what [`super::make`] makes of the same design, bit by bit; only where
+//! memory is short, a bound from before may make a table fit that does not fit afresh.
 
 use super::sampling::{Matched, Sampler, matched};
 use super::without_plane::Known;

@@ -128,7 +128,7 @@ impl Known {
         if is_plain && options.goal == Goal::Price && found.forced_rungs == 0 {
             return cheaper_than(boundary, options, limit, self.free.as_ref(), watch);
         }
-        let free = triangulate(boundary, None, options, watch)?;
-        Ok(Some(free).filter(|free| free.price < limit))
+        let free = if_it_fits(triangulate(boundary, None, options, watch).map(Some))?;
+        Ok(free.filter(|free| free.price < limit))
     }
 }

@@ -86,7 +86,7 @@ pub(super) fn mended_at_ends(
 ) -> Option<Triangulation> {
     let terms = Terms::new(prices, at_ends, false);
     let triangles = mend::triangles(&terms, known)?;
-    Some(outcome(&terms, Found { triangles, lower_bound: None }, Method::Optimal))
+    Some(outcome(&terms, Found { triangles, lower_bound: Some(0.0) }, Method::Optimal))
 }
 
 /// Whether the table of all rungs may be filled without asking which lie inside the projection.

@@ -33,7 +33,7 @@ pub(super) fn is_of(known: &Triangulation, lengths: &[usize]) -> bool {
 }
 
 /// What a triangulation costs now that is mended from one that is known: no less than the cheapest.
-/// `None` if it has rungs that may not be used now, or if nothing is known.
+/// `None` if it has rungs that may not be used now and can't be mended, or if nothing is known.
 pub(super) fn price(terms: &Terms<'_>, known: Option<&Triangulation>) -> Option<f64> {
     Some(Mended::of(terms, known?)?.price())
 }
@@ -275,13 +275,12 @@ impl<'a> Mended<'a> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{TriangulateOptions, triangulate};
+    use super::super::{Found, Method, TriangulateOptions, outcome, triangulate};
     use super::*;
     use crate::boundary::{Boundary, PlaneChoice, samples_from_points, supporting_plane};
     use crate::cost::{PriceOptions, Prices};
     use crate::curve::CurvePoint;
     use crate::math::{Point3, Vec3, cos, sin};
-    use crate::surface::Connectivity;
 
     /// A closed curve that waves this much.
     fn wavy(wave: f64, m: usize) -> Boundary {
@@ -340,7 +339,7 @@ mod tests {
     #[test]
     fn what_lies_across_a_bay_is_triangulated_anew() {
         let m = 80;
-        let (mut freed, mut few) = (0, 0);
+        let (mut freed, mut few, mut held) = (0, 0, 0);
         for (n, fold) in [0.0, 1.0].into_iter().cycle().take(24).enumerate() {
             let price = PriceOptions { fold, ..PriceOptions::default() };
             let options = TriangulateOptions { price, ..TriangulateOptions::default() };
@@ -363,18 +362,31 @@ mod tests {
             let mended = Mended::of(&terms, &known).unwrap();
             freed += 1;
             assert!(cheapest.price <= mended.price() && mended.price() < f64::INFINITY, "{n}");
-            let triangles = mended.triangles().map(|mut triangle| {
-                triangle.sort_unstable();
-                triangle.map(SampleIndex::new)
-            });
-            let connectivity = Connectivity::new(now.loops(), triangles.collect()).unwrap();
-            assert_eq!(connectivity.hinges().len(), m - 3, "{n}");
-            for hinge in connectivity.hinges() {
-                let [i, j] = hinge.rung.ends().map(SampleIndex::get);
+            let triangles: Vec<[usize; 3]> = mended.triangles().collect();
+            assert_eq!(triangles.len(), m - 2, "{n}");
+            let found = Found { triangles, lower_bound: None };
+            let outcome = outcome(&terms, found, Method::Optimal);
+            assert!((outcome.price - mended.price()).abs() < 1e-12, "{n}");
+            assert_eq!(outcome.rungs.len(), m - 3, "{n}");
+            for rung in &outcome.rungs {
+                let [i, j] = rung.ends().map(SampleIndex::get);
                 assert!(visibility.allows(i, j), "{n}: {i} {j}");
             }
+            // What it costs is a bound; before that, less is tried.
+            let bounds = bounds(&terms, Some(&known));
+            assert_eq!(bounds.last(), Some(&mended.price()), "{n}");
+            let [first, ..] = bounds[..] else { panic!("a bound") };
+            if bounds.len() > 1 {
+                assert!(known.price < first && first < mended.price(), "{n}");
+                held += usize::from(first >= cheapest.price);
+            }
+            // Where nothing is below a bound, the next one is tried.
+            let solve = |bounds: &[f64]| optimal::solve(&terms, bounds, &mut Unwatched).unwrap();
+            let in_vain = quantised(0.9 * cheapest.price);
+            assert_eq!(solve(&[in_vain, mended.price()]), solve(&[]), "{n}");
         }
         // Most of them no exchange of single rungs had freed.
         assert!(freed > 10 && 2 * few < freed, "{freed} {few}");
+        assert!(held > 10, "{held}");
     }
 }

@@ -257,6 +257,7 @@ pub fn triangulate_near(
     let mut also_without_plane = None;
     let as_before = known.is_some_and(|known| known.also_without_plane == Some(true));
     let known_astray = known.and_then(|known| known.astray.as_ref());
+    let known_astray = known_astray.filter(|astray| mend::is_of(astray, &lengths));
     let known = known.map(|known| &known.triangulation);
     if as_before || plane.is_none() {
         match densely(&prices, &nothing_asked, plane, options, known, watch) {

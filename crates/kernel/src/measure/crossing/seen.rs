@@ -5,8 +5,8 @@
 //! opposite directions. So if all triangles turn the same way and the boundary is a simple polygon,
 //! each point lies in one triangle at the most, and none crosses another.
 //!
-//! A panel that lies over its supporting plane is like that as seen along the normal of that plane,
-//! its area vector. The coordinate axis nearest to it is tried first: seen along an axis, coordinates
+//! A panel that lies over the plane of its area vector, which is its supporting plane unless another is
+//! asked for, is like that as seen along it. The coordinate axis nearest to it is tried first: seen along an axis, coordinates
 //! are only left out, so exact predicates of the plane decide. Seen along any other direction they are
 //! rounded, so there only what holds by more than rounding counts.
 
@@ -24,7 +24,9 @@ const ROUNDING: f64 = 1e-12;
 /// Whether, seen along its area vector or the axis nearest to that, all triangles of a surface with one
 /// loop certainly turn the same way and its boundary is certainly a simple polygon.
 pub(super) fn is_simple_as_seen(surface: &Surface) -> bool {
-    if surface.connectivity().loops().len() != 1 {
+    // All samples are looked at as one polygon.
+    let of_all = 0..surface.positions().len();
+    if surface.connectivity().loops() != [of_all] {
         return false;
     }
     let numbers = (0..surface.connectivity().triangles().len()).map(TriangleIndex::new);
@@ -36,16 +38,17 @@ pub(super) fn is_simple_as_seen(surface: &Surface) -> bool {
 pub(super) fn is_simple_along_axis(surface: &Surface, direction: Vec3) -> bool {
     let flat = seen_along(direction);
     let seen: Vec<Point2> = surface.positions().iter().map(|&p| flat(p)).collect();
-    let turn = |[a, b, c]: [usize; 3]| Some(orientation(seen[a], seen[b], seen[c]));
-    all_turn_alike(surface, turn) && first_crossing(&seen).is_none()
+    let exact = |[a, b, c]: [usize; 3]| Some(orientation(seen[a], seen[b], seen[c]));
+    all_turn_alike(surface, exact) && first_crossing(&seen).is_none()
 }
 
 /// The same as seen along a direction; `false` as well where rounding leaves it open.
 pub(super) fn is_simple_along(surface: &Surface, direction: Vec3) -> bool {
     let positions = surface.positions();
-    let turn = |[a, b, c]: [usize; 3]| turn(direction, [positions[a], positions[b], positions[c]]);
+    let certain =
+        |[a, b, c]: [usize; 3]| turn(direction, [positions[a], positions[b], positions[c]]);
     let Some(frame) = Frame::with_normal(positions[0], direction) else { return false };
-    if !all_turn_alike(surface, turn) {
+    if !all_turn_alike(surface, certain) {
         return false;
     }
     let seen: Vec<Point2> = positions.iter().map(|&p| frame.project(p)).collect();
@@ -63,12 +66,13 @@ pub(super) fn is_simple_along(surface: &Surface, direction: Vec3) -> bool {
     let may_meet = |i: usize, j: usize| {
         let (a, b, c, d) = (i, next(i), j, next(j));
         if b == c {
-            return may_fold_back([a, b, d], turn, &seen, margin);
+            return may_fold_back([a, b, d], certain, &seen, margin);
         }
         if d == a {
-            return may_fold_back([c, d, b], turn, &seen, margin);
+            return may_fold_back([c, d, b], certain, &seen, margin);
         }
-        !is_same(turn([a, b, c]), turn([a, b, d])) && !is_same(turn([c, d, a]), turn([c, d, b]))
+        !is_same(certain([a, b, c]), certain([a, b, d]))
+            && !is_same(certain([c, d, a]), certain([c, d, b]))
     };
     !any_touching_boxes(&boxes, may_meet)
 }
