@@ -483,6 +483,23 @@ fn coarse_designs_are_small_and_can_be_made() {
 }
 
 #[test]
+fn coarse_designs_of_what_cant_be_built_ask_for_no_more() {
+    let mut broken = ring("outer", 0.0, 0.0, 100.0);
+    let curves = vec![broken.clone(), ring("hole", 10.0, 0.0, 9.0)];
+    let mut design = drawing(curves);
+    design = panels_of_drawing(&design, plan, 300).applied(&design);
+    // All of its handles on one spot.
+    broken.points.iter_mut().for_each(|point| point.at = Point3::default());
+    for (n, curve) in [(0, "outer"), (1, "hole")] {
+        let mut design = design.clone();
+        design.curves[n] = DesignCurve { name: curve.into(), ..broken.clone() };
+        assert!(make(&design, &mut Unwatched).is_err());
+        let small = coarse(&design, 96);
+        assert!(small.panels[0].samples <= 300, "{curve}: {}", small.panels[0].samples);
+    }
+}
+
+#[test]
 fn coarse_rails_and_corners_keep_what_they_need() {
     let rail = |name: &str, z: f64| {
         let mut c = curve(

@@ -27,7 +27,7 @@ use crate::math::Point3;
 use crate::triangulate::TriangulateError;
 use crate::watch::{Stage, Watch};
 
-/// A design that is being edited, with its panels as they are now.
+/// A design that is being edited, with its panels as they are now; by default, one without any.
 ///
 /// ```
 /// use sheetwright::curve::{CurveKind, CurvePoint};
@@ -81,7 +81,7 @@ use crate::watch::{Stage, Watch};
 /// live.settle(&mut Unwatched);
 /// assert_eq!(live.made(), sheetwright::design::make(live.design(), &mut Unwatched));
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Live {
     design: Design,
     panels: Vec<LivePanel>,
@@ -158,7 +158,7 @@ impl Inputs {
 impl Live {
     /// Makes all panels of a design, as it is drawn: what it says of moving points is left alone.
     pub fn new(design: Design, watch: &mut dyn Watch) -> Self {
-        let mut live = Self { design: Design::default(), panels: Vec::new() };
+        let mut live = Self::default();
         live.update(design, watch);
         live
     }

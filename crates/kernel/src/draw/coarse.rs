@@ -85,7 +85,10 @@ fn corners_of_rail(design: &Design, rail: &CurveUse) -> usize {
 
 /// How many samples all loops of a panel have when it asks for some.
 fn counter(design: &Design, panel: &DesignPanel) -> Option<impl Fn(usize) -> usize> {
-    let length = |uses: &[CurveUse]| curves(design, uses).map(|(c, _)| c.length()).sum::<f64>();
+    // Curves that can't be built have none.
+    let length = |uses: &[CurveUse]| {
+        Some(curves(design, uses).map(|(c, _)| c.length()).sum::<f64>()).filter(|&l| l > 0.0)
+    };
     // Points that are samples themselves: how many.
     let fixed = |uses: &[CurveUse]| match curves(design, uses).next() {
         Some((curve, true)) if uses.len() == 1 => Some(curve.spans().len()),
@@ -94,8 +97,10 @@ fn counter(design: &Design, panel: &DesignPanel) -> Option<impl Fn(usize) -> usi
     let (outer, holes) = match &panel.shape {
         PanelShape::Rails(_) => (None, Vec::new()),
         PanelShape::Loops { outer, holes } => {
-            let hole = |hole: &Vec<CurveUse>| (length(hole), fixed(hole), corners(design, hole));
-            (Some((length(outer), fixed(outer))), holes.iter().map(hole).collect::<Vec<_>>())
+            let hole =
+                |hole: &Vec<CurveUse>| Some((length(hole)?, fixed(hole), corners(design, hole)));
+            let holes = holes.iter().map(hole).collect::<Option<Vec<_>>>()?;
+            (Some((length(outer)?, fixed(outer))), holes)
         }
         PanelShape::Join(_) => return None,
     };

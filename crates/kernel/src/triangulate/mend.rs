@@ -49,7 +49,7 @@ pub(super) fn triangles(
 /// Bounds on the cheapest price to try one after the other, the last of which holds: what a
 /// triangulation costs now that is mended from one that is known, and before that, where this is much
 /// more than it cost, something between the two. In the drags of the bench (`docs/speed.md`), the
-/// cheapest lay below that in 428 of 760 such moves.
+/// cheapest lay below that in 485 of 833 such tries.
 pub(super) fn bounds(terms: &Terms<'_>, known: Option<&Triangulation>) -> Vec<f64> {
     let Some((price, known)) = price(terms, known).zip(known) else { return Vec::new() };
     let between = quantised((price * known.price).sqrt());
@@ -205,7 +205,9 @@ impl<'a> Mended<'a> {
                 match self.lines.get_mut(side) {
                     // The far corner within is one of the polygon; beyond its sides there are others.
                     Some(line) if sides.contains(&side) => {
-                        for old in line.far.iter_mut().filter(|old| corners.contains(old)) {
+                        for old in
+                            line.far.iter_mut().filter(|old| corners.binary_search(old).is_ok())
+                        {
                             *old = far;
                         }
                     }
