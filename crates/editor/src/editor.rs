@@ -217,7 +217,7 @@ impl Editor {
 
     /// Another document takes the place of this one; undo does not bring the other back.
     pub fn replace(&mut self, document: Document, file: Option<String>) {
-        self.jobs.stop();
+        self.jobs.forget();
         self.history = History::starting_at(document, self.history.version() + 1);
         self.saved_version = self.history.version();
         self.file = file;

@@ -1,5 +1,6 @@
 //! How long a frame takes while a handle is dragged: what the program itself does for it (all panes,
-//! laying out, drawing lists, triangles for the card), without the card.
+//! laying out, drawing lists, triangles for the card), without the card; and how the panel keeps up
+//! with the hand, with 120 frames a second.
 //!
 //! `cargo test -p sheetwright-editor --test frames -- --nocapture` prints the figures. Half of the frames
 //! have to be within the time of one at 60 a second, however busy the machine is; the 99th percentile is to
@@ -12,13 +13,15 @@ mod hands;
 use eframe::egui::vec2;
 use hands::{Hands, round};
 use sheetwright_editor::command::Command;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// Moves of the hand.
 const MOVES: usize = 1000;
 
 /// The time of a frame at 60 a second, ms.
 const FRAME_MS: f64 = 1e3 / 60.0;
+/// The hand moves so often.
+const MOVED: Duration = Duration::from_micros(8333);
 
 #[test]
 fn a_drag_of_a_handle_of_a_panel_of_400_samples() {
@@ -44,6 +47,7 @@ fn a_drag_of_a_handle_of_a_panel_of_400_samples() {
         from + vec2(30.0 * angle.sin(), 12.0 * (1.3 * angle).cos())
     }));
     let mut times_ms = Vec::new();
+    let mut pictures = Vec::new();
     hands.press(way[0]);
     for &at in &way[1..] {
         let start = Instant::now();
@@ -53,6 +57,11 @@ fn a_drag_of_a_handle_of_a_panel_of_400_samples() {
         let triangles = hands.harness.ctx.tessellate(shapes, pixels);
         times_ms.push(start.elapsed().as_secs_f64() * 1e3);
         assert!(!triangles.is_empty());
+        let panel = hands.app().editor().shown()[0].made.as_ref().unwrap();
+        if pictures.last().is_none_or(|last| *last != panel.positions) {
+            pictures.push(panel.positions.clone());
+        }
+        std::thread::sleep(MOVED.saturating_sub(start.elapsed()));
     }
     hands.release(way[MOVES]);
     hands.settle();
@@ -64,5 +73,11 @@ fn a_drag_of_a_handle_of_a_panel_of_400_samples() {
         part(0.99),
         part(1.0)
     );
+    // The first is what was there before.
+    pictures.remove(0);
+    let fine = pictures.iter().filter(|positions| positions.len() == 400).count();
+    println!("{} pictures, {fine} of them with all samples", pictures.len());
     assert!(part(0.5) < FRAME_MS);
+    assert!(pictures.len() > MOVES / 10, "the panel follows while the hand moves");
+    assert!(fine > 0, "with all its samples, where there is time");
 }

@@ -2,7 +2,7 @@
 
 mod panes;
 
-use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2, vec2};
+use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Shape, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use panes::{Pane, Window, example, template};
@@ -100,6 +100,46 @@ fn the_view_keeps_everything_in_sight_until_it_is_moved() {
     }
     harness.run();
     assert!((width(&harness) - before).abs() < 0.5);
+}
+
+#[test]
+fn dimensions_cover_no_piece_and_no_other_dimension() {
+    let mut measured = 0;
+    for design in [template("dinghy"), example("ubc-fishing-vessel.sheet.json"), template("cone")] {
+        for size in [SIZE, vec2(497.0, 258.0), vec2(900.0, 200.0), vec2(320.0, 500.0)] {
+            let design = design.clone();
+            let mut harness = Harness::builder()
+                .with_size(size)
+                .with_max_steps(60)
+                .build_eframe(|_| Window::new(Pane::Pattern(PatternPane::new()), design));
+            harness.run();
+            let state = harness.state();
+            let unit = format!(" {}", state.document.drawing.units.name());
+            let texts: Vec<Rect> = harness
+                .output()
+                .shapes
+                .iter()
+                .filter_map(|clipped| match &clipped.shape {
+                    Shape::Text(text) if text.galley.text().ends_with(&unit) => {
+                        Some(text.visual_bounding_rect())
+                    }
+                    _ => None,
+                })
+                .collect();
+            let pieces: Vec<Rect> = state
+                .panels
+                .iter()
+                .map(|panel| harness.get_by_label_contains(&format!("{}, ", panel.name)).rect())
+                .collect();
+            for (n, text) in texts.iter().enumerate() {
+                assert!(Rect::from_min_size(Pos2::ZERO, size).contains_rect(*text), "{text}");
+                assert!(!pieces.iter().any(|piece| piece.intersects(*text)), "{text} {pieces:?}");
+                assert!(!texts[..n].iter().any(|other| other.intersects(*text)), "{text}");
+            }
+            measured += texts.len();
+        }
+    }
+    assert!(measured > 20, "{measured}");
 }
 
 #[test]

@@ -18,8 +18,8 @@ const NOTICED: Duration = Duration::from_millis(250);
 pub(super) struct Jobs {
     engine: Engine,
     next: u64,
-    /// What was asked for last, in either detail.
-    asked: [Option<Asked>; 2],
+    /// What was asked for in either detail and not answered yet, the last one last.
+    asked: [Vec<Asked>; 2],
     /// The version whose panels are shown, and how fine they are.
     shown: Option<(u64, Detail)>,
     changed: Instant,
@@ -38,6 +38,8 @@ struct Asked {
 
 struct Long {
     number: u64,
+    /// Whether it is for what is shown.
+    shows: bool,
     text: String,
     done: f64,
     since: Instant,
@@ -57,7 +59,7 @@ impl Jobs {
         Self {
             engine,
             next: 0,
-            asked: [None; 2],
+            asked: Default::default(),
             shown: None,
             changed: Instant::now(),
             seen_version: None,
@@ -78,7 +80,14 @@ impl Jobs {
     pub(super) fn stop(&mut self) {
         self.engine.stop();
         self.long = None;
-        self.asked[1] = None;
+        self.asked[Detail::Full as usize].clear();
+    }
+
+    /// Stops, and takes no answer to what was asked before: for another document.
+    pub(super) fn forget(&mut self) {
+        self.engine.stop_all();
+        self.long = None;
+        self.asked = Default::default();
     }
 
     /// Asks for the panels of a document as far as they are not shown: coarse ones at once, and the
@@ -88,7 +97,7 @@ impl Jobs {
             self.seen_version = Some(version);
             self.changed = Instant::now();
         }
-        let is_asked = |asked: &Option<Asked>| asked.is_some_and(|asked| asked.version == version);
+        let is_asked = |asked: &[Asked]| asked.last().is_some_and(|last| last.version == version);
         let rests = !is_dragging || self.changed.elapsed() >= REST;
         if self.shown == Some((version, Detail::Full)) || is_asked(&self.asked[1]) {
             return;
@@ -101,9 +110,11 @@ impl Jobs {
         };
         let design = Arc::new(document.design.clone());
         let number = self.number();
-        self.asked[detail as usize] = Some(Asked { number, version });
-        if detail == Detail::Full {
-            self.begin(number, "Working out the panels");
+        self.asked[detail as usize].push(Asked { number, version });
+        match detail {
+            // What was asked for at rest is outdated.
+            Detail::Coarse => _ = self.long.take_if(|long| long.shows),
+            Detail::Full => self.begin(number, true, "Working out the panels"),
         }
         self.engine.ask(Job::Show { number, design, detail });
     }
@@ -113,8 +124,9 @@ impl Jobs {
         self.next
     }
 
-    fn begin(&mut self, number: u64, text: &str) {
-        self.long = Some(Long { number, text: text.to_owned(), done: 0.0, since: Instant::now() });
+    fn begin(&mut self, number: u64, shows: bool, text: &str) {
+        let (text, since) = (text.to_owned(), Instant::now());
+        self.long = Some(Long { number, shows, text, done: 0.0, since });
     }
 
     fn end(&mut self, number: u64) {
@@ -124,13 +136,13 @@ impl Jobs {
     pub(super) fn vary(&mut self, design: Design, version: u64) {
         self.varied_version = version;
         let number = self.number();
-        self.begin(number, "Moving points");
+        self.begin(number, false, "Moving points");
         self.engine.ask(Job::Vary { number, design: Arc::new(design) });
     }
 
     pub(super) fn export(&mut self, design: Design, formats: Vec<Format>) {
         let number = self.number();
-        self.begin(number, "Writing files");
+        self.begin(number, false, "Writing files");
         self.engine.ask(Job::Export { number, design: Arc::new(design), formats });
     }
 }
@@ -140,12 +152,17 @@ impl Editor {
         for answer in self.jobs.engine.answers() {
             match answer {
                 Answer::Shown { number, detail, panels } => {
-                    let asked = self.jobs.asked[detail as usize];
-                    let Some(asked) = asked.filter(|asked| asked.number == number) else {
+                    // Where the hand is faster than the answers, one to an older question is still
+                    // newer than what is shown.
+                    let all = &mut self.jobs.asked[detail as usize];
+                    let Some(n) = all.iter().position(|asked| asked.number == number) else {
                         continue;
                     };
-                    self.jobs.end(number);
-                    self.jobs.asked[detail as usize] = None;
+                    let asked = all[n];
+                    all.drain(..=n);
+                    if detail == Detail::Full {
+                        self.jobs.end(number);
+                    }
                     let is_newer = self.jobs.shown.is_none_or(|(version, fineness)| {
                         version < asked.version
                             || version == asked.version && fineness == Detail::Coarse
@@ -227,5 +244,55 @@ impl Editor {
         let design = self.document().design.clone();
         self.page = Page::Panes;
         self.jobs.export(design, formats);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::engine::tests::saddles;
+    use crate::scene::{Act, PointRef};
+
+    fn editor_with(design: Design) -> Editor {
+        let mut editor = Editor::new(Arc::new(|| {}));
+        editor.replace(Document { design, ..Document::default() }, None);
+        editor
+    }
+
+    /// Moves a handle a little, as a frame does.
+    fn moves(editor: &mut Editor, n: usize) {
+        let mut to = editor.document().design.curves[0].points[0].at;
+        to.z += if n.is_multiple_of(2) { 0.01 } else { -0.01 };
+        editor.carry_out(Act::Move(vec![(PointRef { curve: 0, point: 0 }, to)]));
+        editor.tick();
+        std::thread::sleep(Duration::from_millis(1));
+    }
+
+    #[test]
+    fn panels_follow_a_hand_that_is_faster_than_the_answers() {
+        let mut editor = editor_with(saddles(10, 96, 40.0));
+        let begun = Instant::now();
+        let first = editor.shown_version;
+        let mut n = 0;
+        while editor.shown_version < first + 5 && begun.elapsed() < Duration::from_secs(20) {
+            moves(&mut editor, n);
+            n += 1;
+        }
+        assert!(editor.shown_version >= first + 5, "{} of {n}", editor.shown_version - first);
+    }
+
+    #[test]
+    fn another_document_gets_no_answer_that_was_meant_for_the_last() {
+        let mut editor = editor_with(saddles(10, 96, 40.0));
+        for n in 0..20 {
+            moves(&mut editor, n);
+        }
+        editor.replace(Document::default(), None);
+        let begun = Instant::now();
+        while begun.elapsed() < Duration::from_millis(300) {
+            editor.tick();
+            assert!(editor.shown().is_empty());
+            std::thread::sleep(Duration::from_millis(1));
+        }
     }
 }

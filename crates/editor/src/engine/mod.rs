@@ -1,6 +1,7 @@
 //! What makes a document into surfaces and patterns, beside the hand that draws: a thread on the
 //! desktop, a worker in the browser.
 
+mod fineness;
 pub mod shown;
 #[cfg(not(target_arch = "wasm32"))]
 mod thread;
@@ -19,6 +20,12 @@ use sheetwright::watch::Stage;
 use sheetwright_files::{Format, OutputFile};
 use shown::ShownPanel;
 use std::sync::Arc;
+use web_time::Duration;
+
+/// How long something outdated may be at work before it is stopped. An answer that is a little old is
+/// better than none: where frames are shorter than answers, none would ever come. After each that was
+/// stopped it is twice as long, until there is an answer.
+const PATIENCE: Duration = Duration::from_millis(400);
 
 /// Wakes the window up because there is an answer.
 pub type Wake = Arc<dyn Fn() + Send + Sync>;
@@ -79,7 +86,7 @@ pub fn doing(panels: &[&str], stage: Stage) -> String {
 /// How fine panels are made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Detail {
-    /// With few samples, while the hand moves.
+    /// While the hand moves: as fine as leaves time to keep up with it.
     Coarse,
     /// As the design says.
     Full,
@@ -142,4 +149,37 @@ pub struct Refusal {
     pub message: String,
     /// What to do.
     pub hint: String,
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use sheetwright::curve::{CurveKind, CurvePoint};
+    use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelShape};
+    use sheetwright::math::{Point3, cos, sin};
+
+    /// So many panels with so many samples each, all bounded by the rim of a saddle so high, mm.
+    pub(crate) fn saddles(panels: usize, samples: usize, height: f64) -> Design {
+        let at = |i: usize| {
+            let t = std::f64::consts::TAU * i as f64 / 12.0;
+            let at = Point3::new(100.0 * cos(t), 100.0 * sin(t), height * cos(2.0 * t));
+            CurvePoint::smooth(at)
+        };
+        let rim = DesignCurve {
+            name: "rim".to_owned(),
+            kind: Some(CurveKind::Spline),
+            closed: true,
+            points: (0..12).map(at).collect(),
+        };
+        let panel = |n: usize| {
+            let outer = vec![CurveUse { name: "rim".to_owned(), reversed: false }];
+            let shape = PanelShape::Loops { outer, holes: Vec::new() };
+            DesignPanel::new(format!("panel {n}"), shape, samples)
+        };
+        Design {
+            name: "saddles".to_owned(),
+            curves: vec![rim],
+            panels: (0..panels).map(panel).collect(),
+            ..Design::default()
+        }
+    }
 }

@@ -1,14 +1,15 @@
 //! The engine on the desktop: one thread for what follows the hand, and one for what takes long.
 //!
-//! Of what is to be shown, only the newest waits; whatever is at work on an older one is stopped.
+//! Of what is to be shown, only the newest waits. What takes long and is at work on an older one is
+//! stopped at once; what follows the hand, once it has taken too long for that.
 
 use super::work::Work;
-use super::{Answer, Detail, Job, Wake};
+use super::{Answer, Detail, Job, PATIENCE, Wake};
 use sheetwright::watch::{Stage, Watch};
 use std::collections::VecDeque;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::sync::mpsc::{Receiver, Sender, channel};
-use std::sync::{Arc, Condvar, Mutex, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use web_time::{Duration, Instant};
 
 /// The engine.
@@ -22,19 +23,31 @@ impl Engine {
     /// Starts the threads. `wake` is called whenever there is an answer.
     pub fn new(wake: Wake) -> Self {
         let (send, answers) = channel();
-        Self { quick: Desk::new(send.clone(), wake.clone()), slow: Desk::new(send, wake), answers }
+        let quick = Desk::new(send.clone(), wake.clone(), PATIENCE);
+        let slow = Desk::new(send, wake, Duration::ZERO);
+        Self { quick, slow, answers }
     }
 
     /// Asks for something.
     pub fn ask(&mut self, job: Job) {
         match job {
-            Job::Show { detail: Detail::Coarse, .. } => self.quick.put(job),
+            Job::Show { detail: Detail::Coarse, .. } => {
+                // All of it that is shown at rest is outdated, and would only take time from the hand.
+                self.slow.drop_shows();
+                self.quick.put(job);
+            }
             _ => self.slow.put(job),
         }
     }
 
-    /// Stops what is at work, and drops what waits.
+    /// Stops what takes long, and drops what waits for it.
     pub fn stop(&mut self) {
+        self.slow.stop();
+    }
+
+    /// Stops everything, for another document.
+    pub fn stop_all(&mut self) {
+        self.quick.stop();
         self.slow.stop();
     }
 
@@ -58,38 +71,61 @@ struct Tray {
 #[derive(Default)]
 struct Waiting {
     jobs: VecDeque<Job>,
-    /// What stops the job at work, and whether that job shows something.
-    at_work: Option<(Arc<AtomicBool>, bool)>,
+    at_work: Option<AtWork>,
     over: bool,
 }
 
+/// A job at work.
+struct AtWork {
+    shows: bool,
+    orders: Arc<Orders>,
+}
+
+/// What is said to a job at work.
+#[derive(Default)]
+struct Orders {
+    /// It is to stop.
+    stop: AtomicBool,
+    /// Something newer waits.
+    outdated: AtomicBool,
+}
+
 impl Desk {
-    fn new(send: Sender<Answer>, wake: Wake) -> Self {
+    fn new(send: Sender<Answer>, wake: Wake, patience: Duration) -> Self {
         let tray = Arc::new(Tray::default());
         let its = tray.clone();
         let named = std::thread::Builder::new().name("engine".to_owned());
         // Without a thread there are no answers, and the window says that it is still at work.
-        let _ = named.spawn(move || work_at(&its, &send, &wake));
+        let _ = named.spawn(move || work_at(&its, &send, &wake, patience));
         Self { tray }
     }
 
     fn put(&self, job: Job) {
-        let mut waiting = self.tray.waiting.lock().unwrap_or_else(PoisonError::into_inner);
         if matches!(job, Job::Show { .. }) {
-            waiting.jobs.retain(|other| !matches!(other, Job::Show { .. }));
-            if let Some((stop, true)) = &waiting.at_work {
-                stop.store(true, Ordering::Relaxed);
-            }
+            self.drop_shows();
         }
-        waiting.jobs.push_back(job);
+        self.waiting().jobs.push_back(job);
         self.tray.filled.notify_one();
     }
 
+    /// What is to be shown is outdated.
+    fn drop_shows(&self) {
+        let mut waiting = self.waiting();
+        waiting.jobs.retain(|other| !matches!(other, Job::Show { .. }));
+        if let Some(at_work) = waiting.at_work.as_ref().filter(|at_work| at_work.shows) {
+            at_work.orders.outdated.store(true, Relaxed);
+        }
+    }
+
+    fn waiting(&self) -> MutexGuard<'_, Waiting> {
+        self.tray.waiting.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
     fn stop(&self) {
-        let mut waiting = self.tray.waiting.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut waiting = self.waiting();
         waiting.jobs.clear();
-        if let Some((stop, _)) = &waiting.at_work {
-            stop.store(true, Ordering::Relaxed);
+        if let Some(at_work) = &waiting.at_work {
+            at_work.orders.stop.store(true, Relaxed);
         }
     }
 }
@@ -97,13 +133,14 @@ impl Desk {
 impl Drop for Desk {
     fn drop(&mut self) {
         self.stop();
-        self.tray.waiting.lock().unwrap_or_else(PoisonError::into_inner).over = true;
+        self.waiting().over = true;
         self.tray.filled.notify_one();
     }
 }
 
-fn work_at(tray: &Tray, send: &Sender<Answer>, wake: &Wake) {
+fn work_at(tray: &Tray, send: &Sender<Answer>, wake: &Wake, patience: Duration) {
     let mut work = Work::default();
+    let mut patience_now = patience;
     loop {
         let mut waiting = tray.waiting.lock().unwrap_or_else(PoisonError::into_inner);
         waiting.at_work = None;
@@ -111,20 +148,26 @@ fn work_at(tray: &Tray, send: &Sender<Answer>, wake: &Wake) {
             waiting = tray.filled.wait(waiting).unwrap_or_else(PoisonError::into_inner);
         }
         let Some(job) = waiting.jobs.pop_front() else { return };
-        let stop = Arc::new(AtomicBool::new(false));
-        waiting.at_work = Some((stop.clone(), matches!(job, Job::Show { .. })));
+        let orders = Arc::<Orders>::default();
+        let shows = matches!(job, Job::Show { .. });
+        waiting.at_work = Some(AtWork { shows, orders: orders.clone() });
         drop(waiting);
         let mut teller = Teller {
             number: job.number(),
-            stop,
+            orders,
+            since: Instant::now(),
+            patience: patience_now,
             send,
             wake,
             doing: String::new(),
             told: Instant::now(),
         };
         if let Some(answer) = work.run(&job, &mut teller) {
+            patience_now = patience;
             // Nobody listens once the window is closed.
             let _ = send.send(answer);
+        } else {
+            patience_now = patience_now.saturating_mul(2);
         }
         wake();
     }
@@ -136,7 +179,9 @@ const PAUSE: Duration = Duration::from_millis(100);
 /// Tells the window how far a job is.
 struct Teller<'a> {
     number: u64,
-    stop: Arc<AtomicBool>,
+    orders: Arc<Orders>,
+    since: Instant,
+    patience: Duration,
     send: &'a Sender<Answer>,
     wake: &'a Wake,
     doing: String,
@@ -158,6 +203,31 @@ impl Watch for Teller<'_> {
     }
 
     fn stop(&self) -> bool {
-        self.stop.load(Ordering::Relaxed)
+        let is_outdated = || self.orders.outdated.load(Relaxed);
+        self.orders.stop.load(Relaxed) || is_outdated() && self.since.elapsed() >= self.patience
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::engine::tests::saddles;
+
+    #[test]
+    fn answers_come_while_the_hand_is_faster_than_they_are() {
+        let mut engine = Engine::new(Arc::new(|| {}));
+        let begun = Instant::now();
+        let mut answers = 0;
+        for number in 0.. {
+            let design = Arc::new(saddles(10, 96, 40.0 + (number % 100) as f64 * 0.01));
+            engine.ask(Job::Show { number, design, detail: Detail::Coarse });
+            answers +=
+                engine.answers().iter().filter(|a| matches!(a, Answer::Shown { .. })).count();
+            if answers == 5 || begun.elapsed() > Duration::from_secs(20) {
+                break;
+            }
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        assert_eq!(answers, 5);
     }
 }

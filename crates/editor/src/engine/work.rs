@@ -3,23 +3,22 @@
 //! What is made of a design is kept, so that the next one, which differs in little, is made from it
 //! ([`sheetwright::design::Live`]).
 
+use super::fineness::Fineness;
 use super::shown::{Shown, ShownPanel};
 use super::{Answer, Detail, Job, Refusal, Varied};
 use sheetwright::check::Verdict;
 use sheetwright::design::{Design, Live, Made, MadePanel, MakeError, make};
-use sheetwright::draw::coarse::coarse;
 use sheetwright::material::Material;
 use sheetwright::math::to_deg;
 use sheetwright::watch::Watch;
 use sheetwright_files::{Format, OutputFile, PdfOptions, hint_for, output_files};
-
-/// Samples of a panel while the hand moves.
-pub const COARSE_SAMPLES: usize = 96;
+use web_time::Instant;
 
 /// One who works.
 #[derive(Default)]
 pub struct Work {
-    live: Option<Live>,
+    live: Live,
+    fineness: Fineness,
 }
 
 impl Work {
@@ -28,10 +27,10 @@ impl Work {
         match job {
             Job::Show { number, design, detail } => {
                 let panels = match detail {
-                    Detail::Coarse => self.show(&coarse(design, COARSE_SAMPLES), watch)?,
-                    Detail::Full => self.show(design, watch)?,
+                    Detail::Coarse => self.keep_up(design, watch),
+                    Detail::Full => self.rest(design, watch),
                 };
-                Some(Answer::Shown { number: *number, detail: *detail, panels })
+                Some(Answer::Shown { number: *number, detail: *detail, panels: panels? })
             }
             Job::Vary { number, design } => {
                 let made = make(design, watch);
@@ -48,27 +47,41 @@ impl Work {
         }
     }
 
-    fn show(&mut self, design: &Design, watch: &mut dyn Watch) -> Option<Vec<ShownPanel>> {
-        // Points that may move stay where they are drawn until somebody asks.
-        let live = match &mut self.live {
-            Some(live) => {
-                live.update(design.clone(), watch);
-                live
-            }
-            none => none.insert(Live::new(design.clone(), watch)),
-        };
-        if watch.stop() {
-            return None;
+    /// Panels as fine as leaves time to keep up with the hand.
+    fn keep_up(&mut self, design: &Design, watch: &mut dyn Watch) -> Option<Vec<ShownPanel>> {
+        let begun = Instant::now();
+        let fine = self.fineness.apply(design);
+        let changed = self.live.follow(fine, watch);
+        let panels = (!watch.stop()).then(|| shown_panels(&self.live));
+        let (now, time) = (Instant::now(), begun.elapsed());
+        // What can't be made is refused at once, and says nothing of what takes how long.
+        let is_made = |&n: &usize| self.live.panels()[n].made.is_ok();
+        if panels.is_none() {
+            self.fineness.gave_up(time, now);
+        } else if !changed.is_empty() && changed.iter().all(is_made) {
+            self.fineness.took(time, now);
         }
-        let shown = live.panels().iter().map(|panel| ShownPanel {
-            name: panel.name.clone(),
-            made: match &panel.made {
-                Ok(made) => Ok(Shown::new(made, design.material)),
-                Err(error) => Err(refusal(error)),
-            },
-        });
-        Some(shown.collect())
+        panels
     }
+
+    /// Panels as the design says, with all that is found of them.
+    fn rest(&mut self, design: &Design, watch: &mut dyn Watch) -> Option<Vec<ShownPanel>> {
+        self.live.update(design.clone(), watch);
+        (!watch.stop()).then(|| shown_panels(&self.live))
+    }
+}
+
+/// Points that may move stay where they are drawn until somebody asks.
+fn shown_panels(live: &Live) -> Vec<ShownPanel> {
+    let material = live.design().material;
+    let shown = live.panels().iter().map(|panel| ShownPanel {
+        name: panel.name.clone(),
+        made: match &panel.made {
+            Ok(made) => Ok(Shown::new(made, material)),
+            Err(error) => Err(refusal(error)),
+        },
+    });
+    shown.collect()
 }
 
 /// The files that the command line writes of a design.
@@ -125,5 +138,65 @@ fn varied(made: Made) -> Varied {
         before: made.panels.iter().map(before_of).collect(),
         after: made.panels.iter().map(|panel| shown(panel, made.material)).collect(),
         moved: made.moved,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::engine::tests::saddles;
+    use sheetwright::watch::Unwatched;
+    use sheetwright_shapes::drag::Drag;
+    use sheetwright_shapes::hull::planks;
+    use std::sync::Arc;
+
+    fn shown(work: &mut Work, design: &Design, detail: Detail) -> Vec<ShownPanel> {
+        let job = Job::Show { number: 1, design: Arc::new(design.clone()), detail };
+        match work.run(&job, &mut Unwatched) {
+            Some(Answer::Shown { panels, .. }) => panels,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn under_the_hand_a_small_design_is_what_it_is_at_rest_but_for_what_waits() {
+        let (mut quick, mut slow) = (Work::default(), Work::default());
+        // So few samples that all of them are shown under the hand.
+        let mut design = planks(30, 0.0);
+        let ends = [0, 8].map(|n| design.curves[1].points[n].at);
+        let mut drag =
+            Drag::new(design.curves[1].points[1].at, 0.02 * ends[0].distance(ends[1]), 1);
+        let mut waited = 0;
+        for _ in 0..6 {
+            design.curves[1].points[1].at = drag.step();
+            let rested = shown(&mut slow, &design, Detail::Full);
+            let moving = shown(&mut quick, &design, Detail::Coarse);
+            for (rested, moving) in rested.into_iter().zip(moving) {
+                let (mut rested, moving) = (rested.made.unwrap(), moving.made.unwrap());
+                let is_late =
+                    |finding: &sheetwright::check::Finding| finding.code == "better-without-plane";
+                assert!(!moving.findings.iter().any(is_late));
+                waited += rested.findings.iter().filter(|finding| is_late(finding)).count();
+                rested.findings.retain(|finding| !is_late(finding));
+                assert_eq!(moving, rested);
+            }
+        }
+        assert!(waited > 0);
+    }
+
+    #[test]
+    fn what_is_refused_at_once_does_not_count_as_early() {
+        let mut work = Work::default();
+        let mut design = saddles(1, 3000, 40.0);
+        let rim = design.curves[0].points.clone();
+        for n in 0..20 {
+            // Two handles on one spot are no curve; where they are is another design each time.
+            design.curves[0].points[1].at = design.curves[0].points[0].at;
+            design.curves[0].points[5].at.z = f64::from(n);
+            assert!(shown(&mut work, &design, Detail::Coarse)[0].made.is_err());
+        }
+        design.curves[0].points = rim;
+        let panels = shown(&mut work, &design, Detail::Coarse);
+        assert_eq!(panels[0].made.as_ref().unwrap().positions.len(), 96);
     }
 }

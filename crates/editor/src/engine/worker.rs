@@ -16,7 +16,7 @@
 use super::shown::ShownPanel;
 use super::wire::{answer_bytes, answer_of, job_bytes, job_of};
 use super::work::Work;
-use super::{Answer, Detail, Job, Refusal, Wake};
+use super::{Answer, Detail, Job, PATIENCE, Refusal, Wake};
 use js_sys::Uint8Array;
 use sheetwright::watch::{Stage, Watch};
 use std::cell::RefCell;
@@ -28,9 +28,6 @@ use web_time::{Duration, Instant};
 
 /// What the workers run; it lies beside the page.
 const SCRIPT: &str = "worker.js";
-/// A worker that shows something outdated is ended after this time; before, waiting costs less than
-/// a new one, which has nothing made yet.
-const PATIENCE: Duration = Duration::from_millis(400);
 /// Workers that fail before they did anything, one after the other, until no more are begun.
 const TRIES: u32 = 3;
 /// How often progress is told.
@@ -60,8 +57,14 @@ impl Engine {
         }
     }
 
-    /// Stops what is at work, and drops what waits.
+    /// Stops what takes long, and drops what waits for it.
     pub fn stop(&mut self) {
+        self.slow.stop();
+    }
+
+    /// Stops everything, for another document.
+    pub fn stop_all(&mut self) {
+        self.quick.stop();
         self.slow.stop();
     }
 
@@ -100,6 +103,8 @@ struct Tray {
     worker: Option<Hired>,
     jobs: VecDeque<Job>,
     at_work: Option<(Job, Instant)>,
+    /// A new worker has nothing made yet: waiting for an old one soon costs less.
+    patience: Duration,
     is_free: bool,
     failures: u32,
     /// What the worker said when it failed.
@@ -128,6 +133,7 @@ impl Desk {
             worker: None,
             jobs: VecDeque::new(),
             at_work: None,
+            patience: PATIENCE,
             is_free: false,
             failures: 0,
             fault: String::new(),
@@ -176,7 +182,11 @@ impl Desk {
         let mut outdated = false;
         if matches!(job, Job::Show { .. }) {
             tray.jobs.retain(|other| !matches!(other, Job::Show { .. }));
-            outdated = matches!(&tray.at_work, Some((Job::Show { .. }, since)) if since.elapsed() >= PATIENCE);
+            let patience = tray.patience;
+            outdated = matches!(&tray.at_work, Some((Job::Show { .. }, since)) if since.elapsed() >= patience);
+            if outdated {
+                tray.patience = patience.saturating_mul(2);
+            }
         }
         tray.jobs.push_back(job);
         drop(tray);
@@ -231,6 +241,7 @@ impl Desk {
             // Free after a job, not at its beginning.
             if tray.at_work.take().is_some() {
                 tray.failures = 0;
+                tray.patience = PATIENCE;
             }
             drop(tray);
             self.next();

@@ -6,7 +6,7 @@ mod view;
 use super::SurfaceView;
 use super::space::legend::Legend;
 use super::space::pick::share_along;
-use super::space::sheets::Quantity;
+use super::space::sheets::{Quantity, worst_of_all};
 use super::space::words::{length, length_bare};
 use crate::engine::shown::Shown;
 use crate::scene::{Act, Scene, Selection};
@@ -34,15 +34,15 @@ const ARROW: f32 = 40.0;
 #[derive(Debug)]
 pub struct PatternPane {
     view: View,
-    /// How far pieces are from one another, mm.
-    gap_mm: f64,
+    /// How far pieces are from one another, beside and below, mm.
+    gap_mm: Way,
     /// Whether everything is kept in sight, until the hand moves the view.
     follows: bool,
 }
 
 impl Default for PatternPane {
     fn default() -> Self {
-        Self { view: View::default(), gap_mm: 0.0, follows: true }
+        Self { view: View::default(), gap_mm: Way::default(), follows: true }
     }
 }
 
@@ -80,20 +80,24 @@ impl PatternPane {
         let below = if by.is_some() && rect.height() > 3.0 * LEGEND { LEGEND } else { 0.0 };
         let free = rect.with_max_y(rect.bottom() - below);
         if self.follows {
-            self.gap_mm = roomy_gap(scene, free);
+            self.gap_mm = roomy_gap(scene, free, |piece, view| {
+                paint::height_takes(ui.painter(), scene, &box_of(piece, view, free), piece)
+            });
         }
         let pieces = placed(scene, free, self.gap_mm);
         if self.follows {
             self.view.fit(&pieces, free);
             self.view.pan(free.center() - rect.center());
         }
+        let worst = worst_of_all(scene).map(|(panel, _)| panel);
         let mut clicked = ground.clicked().then(|| ground.interact_pointer_pos()).flatten();
         for piece in &pieces {
             let Some(shown) = made(scene, piece.panel) else { continue };
             let around = box_of(piece, &self.view, rect);
             let response = self.piece(ui, scene, piece, shown, around, acts);
             clicked = clicked.or(response);
-            let look = paint::Look { view: &self.view, rect, piece, by, detail: view };
+            let is_worst = worst == Some(piece.panel);
+            let look = paint::Look { view: &self.view, rect, piece, by, detail: view, is_worst };
             paint::piece(ui.painter(), scene, shown, &look);
         }
         if let Some(at) = clicked {

@@ -5,7 +5,7 @@ use crate::engine::shown::Shown;
 use crate::panes::SurfaceView;
 use crate::panes::space::handles::tag;
 use crate::panes::space::picture::worst_colour;
-use crate::panes::space::sheets::{Quantity, twist, values, worst, worst_of_all};
+use crate::panes::space::sheets::{Quantity, twist, values, worst};
 use crate::panes::space::words::{degrees, length};
 use crate::scene::Scene;
 use crate::theme::{Theme, mapped};
@@ -23,6 +23,10 @@ const RUNGS: usize = 90;
 const LEAST_MEASURED: f32 = 72.0;
 /// How far a dimension stands from its piece, points.
 const AWAY: f32 = 20.0;
+/// How far a height that lies stands from its line, points.
+const BESIDE: f32 = 9.0;
+/// The size of the letters of dimensions, points.
+const DIMENSION: f32 = 12.5;
 /// Letters smaller than this are left out, points.
 const READABLE: f32 = 7.0;
 /// The height of a capital letter as a share of the size of its font.
@@ -40,6 +44,8 @@ pub(super) struct Look<'a> {
     pub(super) by: Option<Quantity>,
     /// What is looked at.
     pub(super) detail: SurfaceView,
+    /// Whether no piece has a rung that twists more.
+    pub(super) is_worst: bool,
 }
 
 impl Look<'_> {
@@ -162,8 +168,7 @@ fn rungs(painter: &Painter, scene: &Scene<'_>, shown: &Shown, look: &Look<'_>) {
     let theme = scene.theme;
     let at = |n: u32| look.seen(shown.flat.get(n as usize).copied().unwrap_or_default());
     let asked = matches!(look.detail, SurfaceView::Warp | SurfaceView::Rungs);
-    let is_worst = worst_of_all(scene).is_some_and(|(panel, _)| panel == look.piece.panel);
-    let told = |&n: &usize| is_worst || twist(&shown.rungs[n]) > shown.warp_limit_deg;
+    let told = |&n: &usize| look.is_worst || twist(&shown.rungs[n]) > shown.warp_limit_deg;
     if let Some(n) = worst(shown).filter(|_| asked).filter(told) {
         let colour = worst_colour(shown, n, theme);
         let [a, b] = shown.rungs[n].flat_ends.map(at);
@@ -212,17 +217,44 @@ fn turned(painter: &Painter, at: Pos2, galley: &Arc<Galley>, angle: f32, up: f32
     painter.add(TextShape::new(at - off, galley.clone(), ink).with_angle(angle));
 }
 
+/// Whether a piece is shown with its dimensions: next to smaller ones they would cover one another,
+/// and the answer has them.
+fn is_measured(around: &Rect) -> bool {
+    around.width().max(around.height()) >= LEAST_MEASURED
+}
+
+/// A length in the units of the drawing.
+fn dimension(painter: &Painter, scene: &Scene<'_>, mm: f64) -> Arc<Galley> {
+    let text = length(mm, scene.document.drawing.units);
+    painter.layout_no_wrap(text, FontId::proportional(DIMENSION), scene.theme.ink)
+}
+
+/// Whether the height of a piece is written upwards, along its line.
+fn stands(around: &Rect, high: &Galley) -> bool {
+    around.height() > high.size().x + 24.0
+}
+
+/// The room to the left of a piece that its height takes, points.
+pub(super) fn height_takes(
+    painter: &Painter,
+    scene: &Scene<'_>,
+    around: &Rect,
+    piece: &Placed,
+) -> f32 {
+    if !is_measured(around) {
+        return 0.0;
+    }
+    let high = dimension(painter, scene, piece.size.y);
+    if stands(around, &high) { AWAY + 0.5 * high.size().y } else { AWAY + BESIDE + high.size().x }
+}
+
 /// Width below and height to the left, in the units of the drawing.
 fn dimensions(painter: &Painter, scene: &Scene<'_>, shown: &Shown, look: &Look<'_>) {
     let theme = scene.theme;
-    let units = scene.document.drawing.units;
     let around = box_of(look.piece, look.view, look.rect);
-    // Next to smaller pieces dimensions would cover one another; the answer has them.
-    if around.width().max(around.height()) < LEAST_MEASURED {
+    if !is_measured(&around) {
         return;
     }
-    let font = FontId::proportional(12.5);
-    let text = |mm: f64| painter.layout_no_wrap(length(mm, units), font.clone(), theme.ink);
     let stroke = Stroke::new(1.0, theme.faint);
     let line = |from: Pos2, to: Pos2, gap: f32| {
         let way = (to - from).normalized();
@@ -238,13 +270,14 @@ fn dimensions(painter: &Painter, scene: &Scene<'_>, shown: &Shown, look: &Look<'
             painter.line_segment([end - across, end + across], stroke);
         }
     };
-    let [wide, high] = [shown.piece.size.x, shown.piece.size.y].map(text);
+    let [wide, high] =
+        [shown.piece.size.x, shown.piece.size.y].map(|mm| dimension(painter, scene, mm));
     let below = around.bottom() + AWAY;
     line(pos2(around.left(), below), pos2(around.right(), below), wide.size().x + 12.0);
     let at = pos2(around.center().x, below);
     painter.galley(Align2::CENTER_CENTER.anchor_size(at, wide.size()).min, wide, theme.ink);
     let beside = around.left() - AWAY;
-    let upright = around.height() > high.size().x + 24.0;
+    let upright = stands(&around, &high);
     let gap = if upright { high.size().x + 12.0 } else { 0.0 };
     line(pos2(beside, around.bottom()), pos2(beside, around.top()), gap);
     let at = pos2(beside, around.center().y);
@@ -253,7 +286,7 @@ fn dimensions(painter: &Painter, scene: &Scene<'_>, shown: &Shown, look: &Look<'
         let angle = -std::f32::consts::FRAC_PI_2;
         painter.add(TextShape::new(at + off, high, theme.ink).with_angle(angle));
     } else {
-        let place = Align2::RIGHT_CENTER.anchor_size(at - vec2(9.0, 0.0), high.size());
+        let place = Align2::RIGHT_CENTER.anchor_size(at - vec2(BESIDE, 0.0), high.size());
         painter.galley(place.min, high, theme.ink);
     }
 }

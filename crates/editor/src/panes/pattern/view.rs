@@ -4,8 +4,11 @@ use crate::scene::Scene;
 use eframe::egui::{Pos2, Rect, Vec2, pos2};
 use sheetwright::math::{Point2, Vec2 as Way};
 
-/// The gap between pieces, points: the dimensions of one and the name of the next stand in it.
+/// The gap between pieces at the least, points: below a piece its width stands in it, and the name of
+/// the next one.
 const GAP: f64 = 56.0;
+/// The room between the height of a piece and the piece to the left of it, points.
+const CLEAR: f64 = 10.0;
 /// The room beside, above and below what fits, points: names and dimensions stand in it.
 const ROOM: Vec2 = Vec2::new(86.0, 46.0);
 
@@ -21,36 +24,44 @@ pub(super) struct Placed {
 }
 
 /// The pieces in rows from above, each as the pattern has it; together they are about as wide to
-/// their height as the pane. `gap` is between them, mm.
-pub(super) fn placed(scene: &Scene<'_>, pane: Rect, gap: f64) -> Vec<Placed> {
+/// their height as the pane. `gap` is between them, beside and below, mm.
+pub(super) fn placed(scene: &Scene<'_>, pane: Rect, gap: Way) -> Vec<Placed> {
     let aspect = f64::from((pane.width() / pane.height()).clamp(0.3, 4.0));
     let sizes: Vec<(usize, Way)> = scene.made().map(|(n, shown)| (n, shown.piece.size)).collect();
-    let area: f64 = sizes.iter().map(|(_, size)| (size.x + gap) * (size.y + gap)).sum();
+    let area: f64 = sizes.iter().map(|(_, size)| (size.x + gap.x) * (size.y + gap.y)).sum();
     let widest = sizes.iter().map(|(_, size)| size.x).fold(0.0, f64::max);
     let row_width = (area * aspect).sqrt().max(widest);
     let mut all = Vec::new();
     let (mut x, mut top, mut row_height) = (0.0, 0.0, 0.0_f64);
     for (panel, size) in sizes {
         if x > 0.0 && x + size.x > row_width {
-            top -= row_height + gap;
+            top -= row_height + gap.y;
             (x, row_height) = (0.0, 0.0);
         }
         all.push(Placed { panel, offset: Way::new(x, top - size.y), size });
-        x += size.x + gap;
+        x += size.x + gap.x;
         row_height = row_height.max(size.y);
     }
     all
 }
 
 /// The gap between pieces that leaves room for their names and dimensions where all are in sight,
-/// mm.
-pub(super) fn roomy_gap(scene: &Scene<'_>, pane: Rect) -> f64 {
+/// beside and below, mm. `height_takes` says how much room the height of a piece takes beside it,
+/// points.
+pub(super) fn roomy_gap(
+    scene: &Scene<'_>,
+    pane: Rect,
+    height_takes: impl Fn(&Placed, &View) -> f32,
+) -> Way {
     let mut view = View::default();
-    let mut gap = 0.0;
+    let mut gap = Way::default();
     // The wider the gap, the smaller everything; three rounds come near enough.
     for _ in 0..3 {
-        view.fit(&placed(scene, pane, gap), pane);
-        gap = GAP * view.mm_per_point;
+        let pieces = placed(scene, pane, gap);
+        view.fit(&pieces, pane);
+        let heights = pieces.iter().map(|piece| f64::from(height_takes(piece, &view)));
+        let beside = (heights.fold(0.0, f64::max) + CLEAR).max(GAP);
+        gap = Way::new(beside, GAP) * view.mm_per_point;
     }
     gap
 }

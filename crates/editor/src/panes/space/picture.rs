@@ -91,12 +91,12 @@ impl Built {
         let mut lines = Lines::about(middle);
         lines.grid(drawing, scene.theme, middle, reach);
         let under = lines.segments.len();
+        let worst = worst_of_all(scene).map(|(panel, _)| panel);
         for (n, shown) in scene.made() {
             let marked = scene.selection.panel == Some(n);
             sheets.extend(vertices(shown, by, middle, marked && view != SurfaceView::Wireframe));
             let rung = scene.selection.rung.filter(|_| marked);
-            let is_worst = worst_of_all(scene).is_some_and(|(panel, _)| panel == n);
-            on_sheet(&mut lines, shown, rung, is_worst, view, scene.theme);
+            on_sheet(&mut lines, shown, rung, worst == Some(n), view, scene.theme);
         }
         let before = lines.segments.len();
         for (n, (_, points)) in self.curves.iter().enumerate() {
