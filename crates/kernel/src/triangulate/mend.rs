@@ -7,7 +7,7 @@
 //!
 //! Where a bay of the boundary has turned the other way, all rungs across it may be barred now, and no
 //! exchange of one leads on. So before that, each patch of triangles that barred rungs hold together is
-//! triangulated anew.
+//! triangulated anew, with some of the triangles around it: without those there may be no way to.
 
 use super::{EDGE, Side, Terms, Triangulation, optimal};
 use crate::cost::quantised;
@@ -65,6 +65,12 @@ struct Line {
     far: [usize; 2],
 }
 
+impl Line {
+    fn is_rung(&self) -> bool {
+        self.far[0] != self.far[1]
+    }
+}
+
 /// The lines of a triangulation, by their ends.
 struct Lines {
     /// For each sample those to higher ones, in increasing order: two in the mean.
@@ -115,6 +121,12 @@ fn ends(a: usize, b: usize) -> [usize; 2] {
     [a.min(b), a.max(b)]
 }
 
+/// The sides of a polygon of samples, which are in increasing order.
+fn sides_of(corners: &[usize]) -> impl Iterator<Item = [usize; 2]> {
+    let last = corners.first().zip(corners.last()).map(|(&first, &last)| [first, last]);
+    corners.windows(2).map(|side| [side[0], side[1]]).chain(last)
+}
+
 impl<'a> Mended<'a> {
     /// Mended from one that is known; `None` where a rung is barred for good.
     fn of(terms: &'a Terms<'a>, known: &Triangulation) -> Option<Self> {
@@ -156,23 +168,38 @@ impl<'a> Mended<'a> {
         self.terms.fold(corners, [mean(i, k), mean(k, j), mean(i, j)])
     }
 
-    /// Triangulates anew what barred rungs hold together. Returns whether no rung is barred any more.
+    /// Triangulates anew what barred rungs hold together, with about as much around it, and with more
+    /// where that can't be triangulated. Returns whether no rung is barred any more.
     fn free(&mut self) -> bool {
         let is_barred = |line: &Line| line.side.price == f64::INFINITY;
         let barred = self.lines.iter().filter(|(_, line)| is_barred(line));
         let mut barred: BTreeSet<[usize; 2]> = barred.map(|(ends, _)| ends).collect();
         while let Some(first) = barred.pop_first() {
             let (mut inner, mut corners) = (vec![first], BTreeSet::new());
-            let mut next = 0;
-            while let Some(&[a, b]) = inner.get(next) {
-                next += 1;
-                let far = self.lines.get([a, b]).map_or([a; 2], |line| line.far);
-                corners.extend([a, b].into_iter().chain(far));
-                let sides = far.into_iter().flat_map(|c| [ends(a, c), ends(b, c)]);
-                inner.extend(sides.filter(|side| barred.remove(side)));
-            }
-            let corners = Vec::from_iter(corners);
-            let Some(triangles) = self.cheapest_within(&corners) else { return false };
+            let (mut next, mut enough) = (0, None);
+            let (corners, triangles) = loop {
+                while let Some(&[a, b]) = inner.get(next) {
+                    next += 1;
+                    let far = self.lines.get([a, b]).map_or([a; 2], |line| line.far);
+                    corners.extend([a, b].into_iter().chain(far));
+                    let sides = far.into_iter().flat_map(|c| [ends(a, c), ends(b, c)]);
+                    inner.extend(sides.filter(|side| barred.remove(side)));
+                }
+                let polygon = Vec::from_iter(corners.iter().copied());
+                let twice = (2 * polygon.len()).min(MOST_CORNERS);
+                let is_rung = |side: &[usize; 2]| self.lines.get(*side).is_some_and(Line::is_rung);
+                let around: Vec<[usize; 2]> = sides_of(&polygon).filter(is_rung).collect();
+                if around.is_empty() || polygon.len() >= *enough.get_or_insert(twice) {
+                    if let Some(triangles) = self.cheapest_within(&polygon) {
+                        break (polygon, triangles);
+                    }
+                    enough = Some(twice);
+                }
+                if around.is_empty() || polygon.len() > MOST_CORNERS {
+                    return false;
+                }
+                inner.extend(around);
+            };
             inner.into_iter().for_each(|rung| self.lines.remove(rung));
             self.fill(&corners, &triangles);
         }
@@ -196,9 +223,7 @@ impl<'a> Mended<'a> {
 
     /// Puts triangles into a polygon without rungs.
     fn fill(&mut self, corners: &[usize], triangles: &[[usize; 3]]) {
-        let mut sides: BTreeSet<[usize; 2]> =
-            corners.windows(2).map(|side| ends(side[0], side[1])).collect();
-        sides.insert(ends(corners[0], corners[corners.len() - 1]));
+        let sides: BTreeSet<[usize; 2]> = sides_of(corners).collect();
         for &[i, k, j] in triangles {
             for (a, b, far) in [(i, k, j), (k, j, i), (i, j, k)] {
                 let side = ends(a, b);
@@ -223,8 +248,7 @@ impl<'a> Mended<'a> {
 
     /// Exchanges rungs as long as that makes it cheaper, those around an exchanged one again.
     fn mend(&mut self) {
-        let is_rung = |line: &Line| line.far[0] != line.far[1];
-        let rungs = self.lines.iter().filter(|(_, line)| is_rung(line));
+        let rungs = self.lines.iter().filter(|(_, line)| line.is_rung());
         let mut queue: Vec<[usize; 2]> = rungs.map(|(ends, _)| ends).collect();
         let mut left = MOST_LOOKS * queue.len();
         while let Some([a, b]) = queue.pop() {
@@ -232,7 +256,7 @@ impl<'a> Mended<'a> {
                 break;
             }
             left -= 1;
-            let Some(&line) = self.lines.get([a, b]).filter(|line| is_rung(line)) else {
+            let Some(&line) = self.lines.get([a, b]).filter(|line| line.is_rung()) else {
                 continue;
             };
             let [c, d] = line.far;
@@ -261,7 +285,7 @@ impl<'a> Mended<'a> {
     /// Its triangles, each from its lowest side.
     fn triangles(&self) -> impl Iterator<Item = [usize; 3]> {
         self.lines.iter().flat_map(|([a, b], line)| {
-            let count = if line.far[0] == line.far[1] { 1 } else { 2 };
+            let count = if line.is_rung() { 2 } else { 1 };
             let far = line.far.into_iter().take(count);
             far.filter(move |far| *far > b).map(move |far| [a, b, far])
         })
@@ -318,7 +342,7 @@ mod tests {
                     after < 1.1 * cheapest || wave > 0.05,
                     "{wave}: {cheapest} {after} {before}"
                 );
-                let rungs = mended.lines.iter().filter(|(_, line)| line.far[0] != line.far[1]);
+                let rungs = mended.lines.iter().filter(|(_, line)| line.is_rung());
                 assert_eq!((rungs.count(), mended.lines.iter().count()), (57, 117));
             }
         }
@@ -390,5 +414,33 @@ mod tests {
         // Most of them no exchange of single rungs had freed.
         assert!(freed > 10 && 2 * few < freed, "{freed} {few}");
         assert!(held > 10, "{held}");
+    }
+
+    #[test]
+    fn a_patch_without_a_triangulation_grows_until_it_has_one() {
+        let (m, price) = (60, PriceOptions::default());
+        let options = TriangulateOptions { price, ..TriangulateOptions::default() };
+        let boundary = wavy(0.0, m);
+        let known = triangulate(&boundary, None, &options, &mut Unwatched).unwrap();
+        let prices = Prices::new(&boundary, None, price);
+        let everything = Visibility::everything();
+        let all = Mended::new(&Terms::new(&prices, &everything, false), &known).lines;
+        let mut rungs = 0;
+        for (ends, line) in all.iter().filter(|(_, line)| line.is_rung()) {
+            // Neither of the two rungs across the four corners is allowed.
+            let barred = [ends, super::ends(line.far[0], line.far[1])];
+            let allows = |i: usize, j: usize| !barred.contains(&super::ends(i, j));
+            let visibility = Visibility::of_pairs(m, allows);
+            let terms = Terms::new(&prices, &visibility, false);
+            let mut tight = vec![ends[0], ends[1], line.far[0], line.far[1]];
+            tight.sort_unstable();
+            let mended = Mended::new(&terms, &known);
+            assert!(mended.cheapest_within(&tight).is_none());
+            let mended = Mended::of(&terms, &known).unwrap();
+            assert!(known.price <= mended.price() && mended.price() < f64::INFINITY, "{ends:?}");
+            assert_eq!(mended.triangles().count(), m - 2, "{ends:?}");
+            rungs += 1;
+        }
+        assert_eq!(rungs, m - 3);
     }
 }
