@@ -208,7 +208,9 @@ impl Editor {
             Act::Select(selection) => self.selection = self.cleaned(selection),
             Act::Move(moved) => {
                 let to = edit::moved(self.history.now(), &moved);
-                self.history.drag(to);
+                if !self.refuses_far(&to) {
+                    self.history.drag(to);
+                }
             }
             Act::Rest => self.history.rest(),
             Act::Edit(edit) => self.edit(&edit),
@@ -254,7 +256,9 @@ impl Editor {
     fn step(&mut self, outcome: Result<edit::Edited, String>) {
         match outcome {
             Ok(edit::Edited { document, select, said }) => {
-                self.history.step(document);
+                if !self.becomes(document) {
+                    return;
+                }
                 if let Some(selection) = select {
                     self.selection = selection;
                 }
@@ -263,6 +267,26 @@ impl Editor {
             }
             Err(text) => self.refuse(text),
         }
+    }
+
+    /// The document becomes another: one step of undo. Whether it did: what no file could hold is
+    /// refused.
+    fn becomes(&mut self, to: Document) -> bool {
+        let is_far = self.refuses_far(&to);
+        if !is_far {
+            self.history.step(to);
+        }
+        !is_far
+    }
+
+    /// Whether something of a document lies too far out for a file, which then is said.
+    fn refuses_far(&mut self, to: &Document) -> bool {
+        let Some(what) = to.out_of_range() else { return false };
+        self.refuse(format!(
+            "{what} would reach further out than 1,000 km. Lengths are within ±1e9 mm: check the \
+             units, the mirror and the numbers."
+        ));
+        true
     }
 
     fn refuse(&mut self, text: String) {

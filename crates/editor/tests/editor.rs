@@ -13,7 +13,7 @@ use sheetwright::design::make;
 use sheetwright::math::{Point2, Point3};
 use sheetwright::watch::Unwatched;
 use sheetwright_editor::command::Command;
-use sheetwright_editor::document::Document;
+use sheetwright_editor::document::{Document, Mirror};
 use sheetwright_editor::editor::{Opened, Page};
 use sheetwright_editor::scene::{Act, Edit, PointRef};
 use sheetwright_files::{Format, PdfOptions, output_files};
@@ -262,6 +262,36 @@ fn with_a_mirror_both_sides_move_alike() {
     assert!(alike(lifted), "{lifted:?}");
 }
 
+/// Found by the monkey: a mirror a thousand kilometres away made an image twice as far out, and a
+/// file that could not be opened again.
+#[test]
+fn what_no_file_could_hold_is_refused() {
+    let mut hands = drawn();
+    let refuses = |hands: &mut Hands, what: &str, act: Act| {
+        let editor = hands.harness.state_mut().editor_mut();
+        let before = editor.document().clone();
+        editor.carry_out(act);
+        editor.carry_out(Act::Rest);
+        let notice = editor.notice.as_ref().unwrap();
+        assert!(notice.is_refusal, "{what}: {}", notice.text);
+        let says = format!("{what} would reach further out than 1,000 km.");
+        assert!(notice.text.starts_with(&says), "{}", notice.text);
+        assert_eq!(editor.document(), &before);
+        assert_eq!(Document::read("a.sheet.json", &editor.bytes()).as_ref(), Ok(&before));
+    };
+    let at = PointRef { curve: 0, point: 1 };
+    let name = hands.app().editor().document().design.curves[0].name.clone();
+    refuses(&mut hands, &name, Act::Move(vec![(at, Point3::new(0.0, 0.0, 1.1e9))]));
+    let mut drawing = hands.app().editor().document().drawing.clone();
+    drawing.mirror = Some(Mirror { upright: true, at_mm: 1e9 });
+    let editor = hands.harness.state_mut().editor_mut();
+    editor.carry_out(Act::Edit(Edit::SetDrawing(Box::new(drawing))));
+    assert!(editor.document().drawing.mirror.is_some());
+    let corners = [[-300.0, 0.0], [-200.0, 0.0], [-200.0, 90.0]].map(|[x, y]| Point2::new(x, y));
+    let corners = Edit::Corners { corners: corners.to_vec(), closed: true };
+    refuses(&mut hands, "outline 3", Act::Edit(corners));
+}
+
 #[test]
 fn corners_put_by_clicks_make_straight_sides() {
     let mut hands = Hands::new(SIZE, false);
@@ -359,6 +389,12 @@ fn a_picture_is_scaled_by_two_places_and_their_distance() {
     assert!((mm_per_pixel - 12.5).abs() < 0.05 && (x - 300.0).abs() < 3.0 && y.abs() < 3.0);
     assert_eq!(hands.app().editor().page, Page::Panes);
     hands.key(Modifiers::COMMAND, Key::Z);
+    assert_eq!(reference(&hands), (5.0, 0.0, 0.0));
+    // As far apart as nothing is.
+    let editor = hands.harness.state_mut().editor_mut();
+    editor.calibrate([Point2::new(0.0, 0.0), Point2::new(1e-3, 0.0)]);
+    editor.calibrated(1e9);
+    assert!(editor.notice.as_ref().unwrap().text.starts_with("The picture would reach"));
     assert_eq!(reference(&hands), (5.0, 0.0, 0.0));
     hands.key(Modifiers::SHIFT, Key::K);
     assert!(hands.app().editor().document().drawing.reference.is_none());

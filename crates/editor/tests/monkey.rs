@@ -1,6 +1,7 @@
 //! A monkey with a seed: random commands, strokes, drags, keys and words, without a panic.
 //!
-//! `SHEETWRIGHT_MONKEY_SECONDS` says for how long (10), `SHEETWRIGHT_MONKEY_SEED` which monkey (1).
+//! `SHEETWRIGHT_MONKEY_SECONDS` says for how long (10), `SHEETWRIGHT_MONKEY_SEED` which monkey (1); what
+//! it says where it fails names it.
 //! Whatever it has done, the document is one that a file can hold, and undo goes back to the
 //! beginning.
 
@@ -69,7 +70,9 @@ fn setting(name: &str, default: u64) -> u64 {
 #[test]
 fn nothing_panics_whatever_is_done() {
     let lasts = Duration::from_secs(setting("SHEETWRIGHT_MONKEY_SECONDS", 10));
-    let mut dice = Dice(setting("SHEETWRIGHT_MONKEY_SEED", 1));
+    let seed = setting("SHEETWRIGHT_MONKEY_SEED", 1);
+    println!("monkey {seed}");
+    let mut dice = Dice(seed);
     let mut hands = Hands::new(SIZE, false);
     let start = Instant::now();
     let (mut done, mut documents) = (0, 0);

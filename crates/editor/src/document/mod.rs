@@ -6,6 +6,7 @@ mod history;
 
 pub use history::History;
 
+use sheetwright::curve::MAX_COORDINATE_MM;
 use sheetwright::design::Design;
 pub use sheetwright_files::{Drawing, Mirror, Plan, Reference};
 
@@ -24,5 +25,21 @@ impl Default for Document {
     fn default() -> Self {
         let design = Design { name: "untitled".to_owned(), ..Design::default() };
         Self { design, drawing: Drawing::default() }
+    }
+}
+
+impl Document {
+    /// What lies further out than [`MAX_COORDINATE_MM`], so that no file of it could be read again:
+    /// a curve by its name, or the picture.
+    pub fn out_of_range(&self) -> Option<&str> {
+        let fits = |mm: f64| mm.abs() <= MAX_COORDINATE_MM;
+        let curve = self.design.curves.iter().find(|curve| {
+            !curve.points.iter().all(|p| fits(p.at.x) && fits(p.at.y) && fits(p.at.z))
+        });
+        let picture = self.drawing.reference.as_ref().filter(|picture| {
+            let is_seen = fits(picture.mm_per_pixel) && picture.mm_per_pixel > 0.0;
+            !(is_seen && fits(picture.centre.x) && fits(picture.centre.y))
+        });
+        curve.map(|curve| curve.name.as_str()).or(picture.map(|_| "The picture"))
     }
 }

@@ -185,7 +185,7 @@ impl Editor {
     fn draw_as(&mut self, change: impl FnOnce(&mut crate::document::Drawing)) {
         let mut document = self.document().clone();
         change(&mut document.drawing);
-        self.history.step(document);
+        self.becomes(document);
     }
 
     /// The panel and the rung with the largest warp angle of all.

@@ -111,7 +111,7 @@ impl Editor {
             mm_per_pixel: 1000.0 / width,
             opacity: 0.5,
         });
-        self.history.step(document);
+        self.becomes(document);
         self.part = crate::room::Part::Plan;
         self.wants_fit = true;
         self.say("Now scale the picture: two places on it, and how far apart they are.");
@@ -178,6 +178,6 @@ impl Editor {
                 Point2::new(from_first(picture.centre.x, a.x), from_first(picture.centre.y, a.y));
             picture.mm_per_pixel *= factor;
         }
-        self.history.step(document);
+        self.becomes(document);
     }
 }

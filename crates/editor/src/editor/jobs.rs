@@ -233,8 +233,9 @@ impl Editor {
             moved.vary.clear();
             let mut document = self.document().clone();
             document.design = moved;
-            self.history.step(document);
-            self.say("The points stay where they were moved; undo takes them back.");
+            if self.becomes(document) {
+                self.say("The points stay where they were moved; undo takes them back.");
+            }
         }
         self.page = Page::Panes;
     }
