@@ -22,7 +22,9 @@
 //!    shape than that of all samples; then the thinned loop is solved with cheaper folds as well, and
 //!    the cheaper of two bands is the bound. If none has a triangulation, the bound is guessed from the
 //!    optimum of the thinned loop, and raised until there is an answer below it. While a handle is
-//!    dragged, the triangulation from before gives a bound instead (`mend`).
+//!    dragged, the triangulation from before gives a bound instead (`mend`). Of more than 4,000 samples
+//!    next to a developable surface, with folds, even fewer are left where it is worked out first what
+//!    the rest of the loop costs beside each rung (`outside`).
 //! 4. Those k come first that were best one row below, so that few others are left to be looked at.
 //!    These are taken tile by tile, where both tiles are kept: E(i,k) and the least E(k,j) of the
 //!    16 j together say for 16 k at once which may lie below the prices so far. F is never negative,
@@ -36,6 +38,7 @@
 //!    triangles rather than fans.
 
 mod near;
+mod outside;
 mod store;
 mod table;
 
@@ -64,6 +67,9 @@ const LEAST_SHARE: f64 = 0.65;
 /// With bounds as good as one another the table takes [`LEAST_GROWTH`] times as much or more, and would
 /// not fit either.
 const SHARE_OF_THINNED: u64 = 4;
+/// Thinned loops with as many samples show whether it is worth it to look first at what the rest of the
+/// loop costs beside each rung (`outside`).
+const LEAST_TRIED: usize = 1024;
 /// Above it no bound is tried: a boundary like that needs all entries.
 const HIGHEST_BOUND: f64 = 100.0;
 
@@ -100,7 +106,7 @@ pub(super) fn solve_priced(
     terms: &Terms<'_>,
     watch: &mut dyn Watch,
 ) -> Result<Option<Solved>, TriangulateError> {
-    Ok(solve_in_table(terms, watch)?.map(|filled| filled.solved))
+    Ok(solve_in_table(terms, false, watch)?.map(|filled| filled.solved))
 }
 
 /// A table with what was found in it.
@@ -111,25 +117,35 @@ struct Filled<'a> {
     tiles: usize,
     /// How many times the tiles of that of the thinned loop these are, if there is one.
     growth: Option<f64>,
+    /// Whether it was worth it to look at the rest of the loop first, if that was tried.
+    from_outside: Option<bool>,
 }
 
-/// The same, with the table.
+/// The same, with the table; `is_thinned` says that the loop is one of fewer samples than another.
 fn solve_in_table<'a>(
     terms: &'a Terms<'a>,
+    is_thinned: bool,
     watch: &mut dyn Watch,
 ) -> Result<Option<Filled<'a>>, TriangulateError> {
     let mut table = Table::new(terms);
     let mut left = 1.0;
-    let Bounds { bounds, tiles_of_thinned } = bounds(&mut table, watch)?;
+    let Bounds { bounds, tiles_of_thinned, from_outside } = bounds(&mut table, watch)?;
+    let is_tried = is_thinned && table.m >= LEAST_TRIED;
     for bound in bounds {
         // Nobody knows how many bounds it takes: each gets half of what is left of the progress.
         let share = 1.0 - left..1.0 - 0.5 * left;
-        let price = table.fill(bound, None, watch, share)?;
+        let price = if from_outside.unwrap_or(is_tried) {
+            table.fill_from_outside((bound, from_outside.is_some()), watch, share)?
+        } else {
+            table.fill(bound, None, watch, share)?
+        };
         if price < f64::INFINITY {
             let solved = Solved { price, triangles: table.trace() };
             let tiles = table.tiles_up_to(price);
             let growth = tiles_of_thinned.map(|few| tiles as f64 / few as f64);
-            return Ok(Some(Filled { solved, table, tiles, growth }));
+            let is_told = from_outside.is_some() || is_tried;
+            let from_outside = is_told.then(|| table.was_outside_worth_it());
+            return Ok(Some(Filled { solved, table, tiles, growth, from_outside }));
         }
         left *= 0.5;
     }
@@ -154,11 +170,13 @@ struct Bounds {
     bounds: Vec<f64>,
     /// How many tiles with entries up to its price the table of the thinned loop has.
     tiles_of_thinned: Option<usize>,
+    /// Whether it was worth it there to look at the rest of the loop first, if that was tried.
+    from_outside: Option<bool>,
 }
 
 fn bounds(table: &mut Table<'_>, watch: &mut dyn Watch) -> Result<Bounds, TriangulateError> {
     let (terms, m) = (table.terms, table.m);
-    let none = Bounds { bounds: vec![f64::INFINITY], tiles_of_thinned: None };
+    let none = Bounds { bounds: vec![f64::INFINITY], tiles_of_thinned: None, from_outside: None };
     if m < LEAST_THINNED {
         return Ok(none);
     }
@@ -169,13 +187,14 @@ fn bounds(table: &mut Table<'_>, watch: &mut dyn Watch) -> Result<Bounds, Triang
     let left = terms.memory.saturating_sub(table.bytes()).min(share);
     let few = thinned.terms().within(left);
     let too_large = |needed| TriangulateError::TooLarge { needed, limit: terms.memory };
-    let coarse = solve_in_table(&few, &mut Part::silent(watch)).map_err(|error| match error {
-        TriangulateError::TooLarge { needed, .. } => {
-            too_large((table.bytes() + (GROWTH[0] * needed as f64) as u64).min(memory_needed(m)))
-        }
-        error => error,
-    })?;
-    let Some(Filled { solved: coarse, table: few, tiles, growth }) = coarse else {
+    let coarse =
+        solve_in_table(&few, true, &mut Part::silent(watch)).map_err(|error| match error {
+            TriangulateError::TooLarge { needed, .. } => too_large(
+                (table.bytes() + (GROWTH[0] * needed as f64) as u64).min(memory_needed(m)),
+            ),
+            error => error,
+        })?;
+    let Some(Filled { solved: coarse, table: few, tiles, growth, from_outside }) = coarse else {
         return Ok(none);
     };
     let grown = |growth: f64| table.bytes() + (growth * few.bytes_of(tiles) as f64) as u64;
@@ -194,7 +213,7 @@ fn bounds(table: &mut Table<'_>, watch: &mut dyn Watch) -> Result<Bounds, Triang
         let left = terms.memory.saturating_sub(table.bytes()).min(needed);
         let thinned = thinned.with_cheaper_folds();
         let few = thinned.terms().within(left);
-        let other = if_it_fits(solve_in_table(&few, &mut Part::silent(watch)))?;
+        let other = if_it_fits(solve_in_table(&few, true, &mut Part::silent(watch)))?;
         if let Some(triangles) = other.map(|other| other.solved.triangles) {
             price = price.min(table.fill(price, Some(&band(&triangles)), watch, 0.0..0.0)?);
         }
@@ -207,5 +226,5 @@ fn bounds(table: &mut Table<'_>, watch: &mut dyn Watch) -> Result<Bounds, Triang
         }
         _ => vec![price],
     };
-    Ok(Bounds { bounds, tiles_of_thinned })
+    Ok(Bounds { bounds, tiles_of_thinned, from_outside })
 }

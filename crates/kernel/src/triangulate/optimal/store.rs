@@ -32,7 +32,7 @@ pub(super) type Means = Aligned<[[Lanes; 3]; LANES]>;
 
 impl Tile {
     /// What a tile takes, bytes, with or without N.
-    fn bytes(folds: bool) -> u64 {
+    pub(super) fn bytes(folds: bool) -> u64 {
         // Its column beside others stands in a list that may have grown by doubling.
         let means = if folds { size_of::<Means>() } else { 0 };
         (size_of::<Sums>() + means + 3 * size_of::<u32>()) as u64
@@ -65,20 +65,14 @@ impl Tile {
     }
 }
 
-/// Where the tile of these rows and columns stands: the tiles of as many columns follow one another,
-/// from the first row down to the diagonal.
-fn slot(row: usize, column: usize) -> usize {
-    column * (column + 1) / 2 + row
-}
-
 /// What so many rows of tiles and as many columns take at the most, with N, bytes.
 pub(super) fn most_bytes(count: usize) -> u64 {
-    least_bytes(count) + slot(0, count) as u64 * Tile::bytes(true)
+    least_bytes(count) + Store::slots(count) as u64 * Tile::bytes(true)
 }
 
 /// The same without any tile that has finite entries.
 pub(super) fn least_bytes(count: usize) -> u64 {
-    slot(0, count) as u64 * size_of::<Option<Tile>>() as u64
+    Store::slots(count) as u64 * size_of::<Option<Tile>>() as u64
 }
 
 /// The tiles with finite entries, on and above the diagonal.
@@ -94,10 +88,22 @@ pub(super) struct Store {
 }
 
 impl Store {
+    /// Where the tile of these rows and columns stands: the tiles of as many columns follow one another,
+    /// from the first row down to the diagonal.
+    #[inline(always)]
+    pub(super) fn slot(row: usize, column: usize) -> usize {
+        column * (column + 1) / 2 + row
+    }
+
+    /// How many tiles so many rows of them and as many columns have.
+    pub(super) fn slots(count: usize) -> usize {
+        Self::slot(0, count)
+    }
+
     /// For so many rows of tiles and as many columns, with or without N.
     pub(super) fn new(count: usize, folds: bool) -> Self {
         let mut tiles = Vec::new();
-        tiles.resize_with(slot(0, count), || None);
+        tiles.resize_with(Store::slots(count), || None);
         let mut spare = SPARE.take();
         spare.retain(|tile| tile.means.is_some() == folds);
         Self { folds, kept: 0, tiles, beside: vec![Vec::new(); count], spare }
@@ -145,7 +151,7 @@ impl Store {
         if tile.is_empty() {
             self.spare.push(tile);
         } else {
-            self.tiles[slot(row, column)] = Some(tile);
+            self.tiles[Self::slot(row, column)] = Some(tile);
             self.kept += 1;
             self.beside[row].push(column as u32);
         }
@@ -154,7 +160,7 @@ impl Store {
     /// `None` if all entries are infinite.
     #[inline(always)]
     pub(super) fn tile(&self, row: usize, column: usize) -> Option<&Tile> {
-        self.tiles[slot(row, column)].as_ref()
+        self.tiles[Self::slot(row, column)].as_ref()
     }
 
     /// The columns of the tiles of these rows.
@@ -168,8 +174,9 @@ impl Store {
         self.kept = 0;
         for (row, beside) in self.beside.iter_mut().enumerate() {
             let tiles = &mut self.tiles;
-            self.spare
-                .extend(beside.drain(..).filter_map(|at| tiles[slot(row, at as usize)].take()));
+            self.spare.extend(
+                beside.drain(..).filter_map(|at| tiles[Self::slot(row, at as usize)].take()),
+            );
         }
     }
 
@@ -194,8 +201,8 @@ mod tests {
 
     #[test]
     fn tiles_are_packed() {
-        let slots = (0..3).flat_map(|column| (0..=column).map(move |row| slot(row, column)));
-        assert!(slots.eq(0..slot(0, 3)));
+        let slots = (0..3).flat_map(|column| (0..=column).map(move |row| Store::slot(row, column)));
+        assert!(slots.eq(0..Store::slots(3)));
     }
 
     #[test]

@@ -1,12 +1,14 @@
 //! The table itself, and how it is filled.
 
-use super::memory_needed;
 use super::near::Band;
+use super::outside::{Limits, Outside};
 use super::store::{Store, Tile};
+use super::{HIGHEST_BOUND, memory_needed};
 use crate::cost::{
     Aligned, Fan, FanRungs, Fans, FarEnds, LANES, Lanes, QUANTUM, Segment, Strip, TwistForm,
 };
 use crate::math::Vec3;
+use crate::triangulate::part::Part;
 use crate::triangulate::span::Span;
 use crate::triangulate::{Rule, Terms, TriangulateError};
 use crate::watch::Watch;
@@ -32,11 +34,13 @@ pub(super) struct Table<'a> {
     /// Whether samples are numbered in order, so that many triangles can be priced at once.
     in_order: bool,
     /// The widest that the processor has.
-    registers: pulp::Arch,
+    pub(super) registers: pulp::Arch,
+    /// What is known of the rest of the loop beside each rung.
+    outside: Option<Outside>,
 }
 
 /// Which tiles may have finite entries.
-struct Open<'a> {
+pub(super) struct Open<'a> {
     /// Only those with rungs of the band.
     band: Option<&'a Band>,
     /// What the samples of the tiles have in common; empty where that tells nothing.
@@ -47,7 +51,7 @@ struct Open<'a> {
 }
 
 impl<'a> Open<'a> {
-    fn new(terms: &Terms<'_>, bound: f64, band: Option<&'a Band>) -> Self {
+    pub(super) fn new(terms: &Terms<'_>, bound: f64, band: Option<&'a Band>) -> Self {
         let m = terms.prices.len();
         let tells = bound < f64::INFINITY
             && terms.prices.in_order()
@@ -57,16 +61,25 @@ impl<'a> Open<'a> {
         Self { band, spans, bound, samples: m }
     }
 
+    /// Whether the tile of these rows and columns has edges of the boundary.
+    fn has_edges(&self, row: usize, column: usize) -> bool {
+        row + 1 >= column || (row, column) == (0, (self.samples - 1) / LANES)
+    }
+
+    /// No rung of the tile of these rows and columns costs less, as far as spans tell.
+    pub(super) fn least(&self, row: usize, column: usize) -> f64 {
+        if self.has_edges(row, column) || self.spans.is_empty() {
+            return 0.0;
+        }
+        self.spans[row].least(&self.spans[column])
+    }
+
     /// Whether the tile of these rows and columns may have finite entries.
     fn is_open(&self, row: usize, column: usize) -> bool {
-        // With edges of the boundary.
-        if row + 1 >= column || (row, column) == (0, (self.samples - 1) / LANES) {
-            return true;
-        }
-        let is_dear =
-            !self.spans.is_empty() && self.spans[row].least(&self.spans[column]) > self.bound;
+        let is_dear = self.least(row, column) > self.bound;
         let run = |at: usize| at * LANES..self.samples.min((at + 1) * LANES);
-        !is_dear && self.band.is_none_or(|band| band.has(run(row), run(column)))
+        let is_near = |band: &Band| band.has(run(row), run(column));
+        !is_dear && (self.has_edges(row, column) || self.band.is_none_or(is_near))
     }
 
     /// Where the samples of a column of tiles lie, if spans tell.
@@ -140,6 +153,7 @@ impl<'a> Table<'a> {
             folds,
             in_order: terms.prices.in_order(),
             registers: pulp::Arch::new(),
+            outside: None,
         }
     }
 
@@ -152,11 +166,46 @@ impl<'a> Table<'a> {
         watch: &mut dyn Watch,
         share: Range<f64>,
     ) -> Result<f64, TriangulateError> {
+        self.outside = None;
         self.fill_open(&Open::new(self.terms, bound, band), watch, share)
     }
 
+    /// The same for all rungs, once it is known what the rest of the loop costs beside each, where that
+    /// is not too much work; `is_sure` says that it was not for the thinned loop.
+    pub(super) fn fill_from_outside(
+        &mut self,
+        (bound, is_sure): (f64, bool),
+        watch: &mut dyn Watch,
+        share: Range<f64>,
+    ) -> Result<f64, TriangulateError> {
+        self.outside = None;
+        let open = Open::new(self.terms, bound, None);
+        let mut start = share.start;
+        if self.folds && self.in_order && bound <= HIGHEST_BOUND {
+            self.store.clear();
+            let memory = self.terms.memory.saturating_sub(self.bytes()) / 2;
+            self.clear_for(memory);
+            let half = share.start..0.5 * (share.start + share.end);
+            start = half.end;
+            let mut part = Part::new(watch, half);
+            let limits = Limits::new(bound, is_sure, memory);
+            self.outside = Outside::new(self, &open, limits, &mut part)?;
+        }
+        self.fill_open(&open, watch, start..share.end)
+    }
+
+    #[cfg(test)]
+    pub(super) fn set_outside(&mut self, outside: Outside) {
+        self.outside = Some(outside);
+    }
+
+    /// Whether it was worth it to look at the rest of the loop first.
+    pub(super) fn was_outside_worth_it(&self) -> bool {
+        self.outside.as_ref().is_some_and(|outside| outside.was_worth_it)
+    }
+
     /// The same for the tiles that are open.
-    fn fill_open(
+    pub(super) fn fill_open(
         &mut self,
         open: &Open<'_>,
         watch: &mut dyn Watch,
@@ -183,7 +232,7 @@ impl<'a> Table<'a> {
         if self.bytes() > limit {
             return Err(TriangulateError::TooLarge { needed: memory_needed(self.m), limit });
         }
-        self.store.shrink_to(limit - self.terms.visibility.bytes());
+        self.store.shrink_to(limit - self.terms.visibility.bytes() - self.outside_bytes());
         Ok(())
     }
 
@@ -194,9 +243,21 @@ impl<'a> Table<'a> {
         self.store.shrink_to(self.terms.memory.saturating_sub(taken));
     }
 
-    /// What it takes, with who sees whom, bytes.
+    /// What it takes, with who sees whom and what is known of the rest of the loop, bytes.
     pub(super) fn bytes(&self) -> u64 {
-        self.store.bytes() + self.terms.visibility.bytes()
+        self.store.bytes() + self.terms.visibility.bytes() + self.outside_bytes()
+    }
+
+    fn outside_bytes(&self) -> u64 {
+        self.outside.as_ref().map_or(0, Outside::bytes)
+    }
+
+    /// Whether the tile of these rows and columns may have finite entries.
+    fn is_open(&self, open: &Open<'_>, row: usize, column: usize) -> bool {
+        match &self.outside {
+            Some(outside) => outside.has(row, column),
+            None => open.is_open(row, column),
+        }
     }
 
     /// How many tiles have entries up to `bound`.
@@ -223,7 +284,7 @@ impl<'a> Table<'a> {
             let [before, after] = [first, end].map(|at| at as f64 / count).map(|x| x * x * x);
             for row in (0..end).rev() {
                 for at in first.max(row)..end {
-                    if !open.is_open(row, at) {
+                    if !self.is_open(open, row, at) {
                         continue;
                     }
                     if watch.stop() {
@@ -260,10 +321,10 @@ impl<'a> Table<'a> {
             if watch.stop() {
                 return Err(TriangulateError::Stopped);
             }
-            let mut tiles: Vec<(usize, Tile)> = (0..columns.len() - diagonal)
-                .filter(|&row| open.is_open(row, row + diagonal))
-                .map(|row| (row, self.store.fresh()))
-                .collect();
+            let mut rows: Vec<usize> = (0..columns.len() - diagonal).collect();
+            rows.retain(|&row| self.is_open(open, row, row + diagonal));
+            let mut tiles: Vec<(usize, Tile)> =
+                rows.into_iter().map(|row| (row, self.store.fresh())).collect();
             let table = &*self;
             // Each tile with its column, of which no other has a part on this diagonal.
             let mut next = 0;
@@ -353,16 +414,21 @@ impl<'a> Table<'a> {
             if let Some(of_tile) = &mut tile.means {
                 of_tile[i - rows.start] = **means;
             }
+            let rests = match &self.outside {
+                Some(outside) => outside.row(i, column).copied().unwrap_or([f64::INFINITY; LANES]),
+                None => [0.0; LANES],
+            };
             let mut below = [f64::NEG_INFINITY; LANES];
             for n in 0..LANES {
                 if near.is_some_and(|near| !near[n]) && to.first + n > i + 1 {
                     prices[n] = f64::INFINITY;
                 }
+                let price = prices[n] + rests[n];
                 let left = match self.terms.rule {
-                    Rule::Sum => open.bound - prices[n],
+                    Rule::Sum => open.bound - price,
                     Rule::Worst => open.bound,
                 };
-                let admitted = prices[n] <= open.bound && prices[n] < f64::INFINITY;
+                let admitted = price <= open.bound && price < f64::INFINITY;
                 // Prices up to the bound lie below the next multiple of the quantum.
                 below[n] = if admitted { left + QUANTUM } else { f64::NEG_INFINITY };
             }
@@ -628,7 +694,7 @@ impl<'a> Table<'a> {
     /// How many sides of the triangles i, k, j are rungs: ⟨i,k⟩, ⟨k,j⟩ or ⟨i,j⟩ may be an edge of
     /// the boundary.
     #[inline(always)]
-    fn rungs_of_fan(&self, i: usize, k: usize, to: &FarEnds) -> FanRungs {
+    pub(super) fn rungs_of_fan(&self, i: usize, k: usize, to: &FarEnds) -> FanRungs {
         let last = if i == 0 { self.m - 1 } else { usize::MAX };
         FanRungs {
             most: if k == i + 1 { 2.0 } else { 3.0 },
@@ -675,13 +741,13 @@ impl<'a> Table<'a> {
         means.map_or([0.0; 3], |means| of_lane(means, j % LANES))
     }
 
-    fn entry(&self, i: usize, j: usize) -> f64 {
+    pub(super) fn entry(&self, i: usize, j: usize) -> f64 {
         let tile = self.store.tile(i / LANES, j / LANES);
         tile.map_or(f64::INFINITY, |tile| tile.sums.entries[i % LANES][j % LANES])
     }
 
     /// F(i,k,j).
-    fn fold(&self, i: usize, k: usize, j: usize) -> f64 {
+    pub(super) fn fold(&self, i: usize, k: usize, j: usize) -> f64 {
         if !self.folds {
             return 0.0;
         }
@@ -733,7 +799,7 @@ impl<'a> Table<'a> {
 
 /// The N of one lane.
 #[inline(always)]
-fn of_lane(means: &[Lanes; 3], n: usize) -> [f64; 3] {
+pub(super) fn of_lane(means: &[Lanes; 3], n: usize) -> [f64; 3] {
     // Not `means.map`, which takes all lanes by value.
     [means[0][n], means[1][n], means[2][n]]
 }
@@ -745,7 +811,7 @@ fn highest(prices: &Lanes) -> f64 {
 }
 
 #[inline(always)]
-fn lowest(prices: &Lanes) -> f64 {
+pub(super) fn lowest(prices: &Lanes) -> f64 {
     reduced(prices, |a, b| if b < a { b } else { a })
 }
 

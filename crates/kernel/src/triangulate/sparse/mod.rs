@@ -259,4 +259,4 @@ fn spread(few: &[f64], kept: &[usize], m: usize) -> Vec<f64> {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

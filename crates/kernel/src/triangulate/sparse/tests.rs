@@ -25,7 +25,7 @@ impl Random {
 
 /// Boundaries of all kinds: near to developable, far from it, tied, with straight and with doubled
 /// back runs, with corners and without.
-fn random_boundary(seed: u64) -> Option<Boundary> {
+pub(in crate::triangulate) fn random_boundary(seed: u64) -> Option<Boundary> {
     let mut random = Random(seed * 7919 + 17);
     for _ in 0..4 {
         random.next();
@@ -97,7 +97,11 @@ fn sorted(solved: Option<Solved>) -> Option<(Vec<[usize; 3]>, f64)> {
     })
 }
 
-fn with_terms<T>(boundary: &Boundary, fold: f64, what: impl FnOnce(&Terms<'_>) -> T) -> T {
+pub(in crate::triangulate) fn with_terms<T>(
+    boundary: &Boundary,
+    fold: f64,
+    what: impl FnOnce(&Terms<'_>) -> T,
+) -> T {
     let prices = Prices::new(boundary, None, PriceOptions { fold, ..Default::default() });
     let everything = Visibility::everything();
     what(&Terms::new(&prices, &everything, false))
