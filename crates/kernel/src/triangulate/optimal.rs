@@ -22,9 +22,9 @@
 //!    shape than that of all samples; then the thinned loop is solved with cheaper folds as well, and
 //!    the cheaper of two bands is the bound. If none has a triangulation, the bound is guessed from the
 //!    optimum of the thinned loop, and raised until there is an answer below it. While a handle is
-//!    dragged, the triangulation from before gives a bound instead (`mend`). Of more than 4,000 samples
-//!    next to a developable surface, with folds, even fewer are left where it is worked out first what
-//!    the rest of the loop costs beside each rung (`outside`).
+//!    dragged, the triangulation from before gives a bound instead (`mend`). From about 4,100 samples
+//!    on, next to a developable surface and with folds, even fewer are left where it is worked out first
+//!    what the rest of the loop costs beside each rung (`outside`).
 //! 4. Those k come first that were best one row below, so that few others are left to be looked at.
 //!    These are taken tile by tile, where both tiles are kept: E(i,k) and the least E(k,j) of the
 //!    16 j together say for 16 k at once which may lie below the prices so far. F is never negative,
@@ -60,7 +60,7 @@ const GUESSES: [f64; 2] = [1.3, 5.2];
 const GROWTH: [f64; 2] = [8.0, 16.0];
 /// The least growth, and the least as a share of the growth one step before. On the families of 1,200
 /// to 4,000 samples and on 80 random curves they were 4.05 (the twisted strip of 2,400 samples, where
-/// folds cost nothing) and 0.67.
+/// folds cost nothing) and 0.67; 4.24 on the cone of 2,500 with what the rest of the loop costs in view.
 const LEAST_GROWTH: f64 = 4.0;
 const LEAST_SHARE: f64 = 0.65;
 /// Where the table may not fit, that of the thinned loop may take one part in so many of the memory.
@@ -115,22 +115,24 @@ struct Filled<'a> {
     table: Table<'a>,
     /// How many tiles it has with entries up to the price: those that the least bound leaves.
     tiles: usize,
-    /// How many times the tiles of that of the thinned loop these are, if there is one.
+    /// How many times the tiles of that of the thinned loop these are, if there is one that was filled
+    /// in the same way.
     growth: Option<f64>,
-    /// Whether it was worth it to look at the rest of the loop first, if that was tried.
+    /// Whether it is filled with what the rest of the loop costs in view, if that was tried.
     from_outside: Option<bool>,
 }
 
-/// The same, with the table; `is_thinned` says that the loop is one of fewer samples than another.
+/// The same, with the table; `may_try` says that it may be tried whether it is worth it to look first at
+/// what the rest of the loop costs, as on a loop of fewer samples than another.
 fn solve_in_table<'a>(
     terms: &'a Terms<'a>,
-    is_thinned: bool,
+    may_try: bool,
     watch: &mut dyn Watch,
 ) -> Result<Option<Filled<'a>>, TriangulateError> {
     let mut table = Table::new(terms);
     let mut left = 1.0;
     let Bounds { bounds, tiles_of_thinned, from_outside } = bounds(&mut table, watch)?;
-    let is_tried = is_thinned && table.m >= LEAST_TRIED;
+    let is_tried = may_try && table.m >= LEAST_TRIED;
     for bound in bounds {
         // Nobody knows how many bounds it takes: each gets half of what is left of the progress.
         let share = 1.0 - left..1.0 - 0.5 * left;
@@ -142,9 +144,10 @@ fn solve_in_table<'a>(
         if price < f64::INFINITY {
             let solved = Solved { price, triangles: table.trace() };
             let tiles = table.tiles_up_to(price);
-            let growth = tiles_of_thinned.map(|few| tiles as f64 / few as f64);
+            let is_alike = table.is_from_outside() == (from_outside == Some(true));
+            let growth = tiles_of_thinned.filter(|_| is_alike).map(|few| tiles as f64 / few as f64);
             let is_told = from_outside.is_some() || is_tried;
-            let from_outside = is_told.then(|| table.was_outside_worth_it());
+            let from_outside = is_told.then(|| table.is_from_outside());
             return Ok(Some(Filled { solved, table, tiles, growth, from_outside }));
         }
         left *= 0.5;
@@ -160,8 +163,21 @@ pub(super) fn solve_within(
     watch: &mut dyn Watch,
 ) -> Result<Option<Solved>, TriangulateError> {
     let mut table = Table::new(terms);
-    let bound = if bound > HIGHEST_BOUND { f64::INFINITY } else { bound };
-    let price = table.fill(bound, None, watch, 0.0..1.0)?;
+    let mut bound = if bound > HIGHEST_BOUND { f64::INFINITY } else { bound };
+    let mut from_outside = None;
+    if terms.folds() && table.m > 4 * LEAST_TRIED {
+        // The thinned loop shows more than a bound.
+        let shown = bounds(&mut table, &mut Part::silent(watch))?;
+        from_outside = shown.from_outside;
+        if let [price] = shown.bounds[..] {
+            bound = bound.min(price);
+        }
+    }
+    let price = if from_outside == Some(true) {
+        table.fill_from_outside((bound, true), watch, 0.0..1.0)?
+    } else {
+        table.fill(bound, None, watch, 0.0..1.0)?
+    };
     Ok((price < f64::INFINITY).then(|| Solved { price, triangles: table.trace() }))
 }
 
@@ -170,7 +186,7 @@ struct Bounds {
     bounds: Vec<f64>,
     /// How many tiles with entries up to its price the table of the thinned loop has.
     tiles_of_thinned: Option<usize>,
-    /// Whether it was worth it there to look at the rest of the loop first, if that was tried.
+    /// Whether that was filled with what the rest of the loop costs in view, if that was tried.
     from_outside: Option<bool>,
 }
 
@@ -213,7 +229,8 @@ fn bounds(table: &mut Table<'_>, watch: &mut dyn Watch) -> Result<Bounds, Triang
         let left = terms.memory.saturating_sub(table.bytes()).min(needed);
         let thinned = thinned.with_cheaper_folds();
         let few = thinned.terms().within(left);
-        let other = if_it_fits(solve_in_table(&few, true, &mut Part::silent(watch)))?;
+        let may_try = from_outside == Some(true);
+        let other = if_it_fits(solve_in_table(&few, may_try, &mut Part::silent(watch)))?;
         if let Some(triangles) = other.map(|other| other.solved.triangles) {
             price = price.min(table.fill(price, Some(&band(&triangles)), watch, 0.0..0.0)?);
         }

@@ -1,27 +1,30 @@
 //! What the rest of the loop costs at the least beside a rung: found from long rungs to short ones.
 //!
-//! The table goes from short rungs to long ones, and keeps what costs little by itself. Short rungs do so
-//! wherever they lie: the planes of one are near to the osculating plane of the boundary there. But a
-//! triangle beyond it leans away from that plane, and its folds cost more than the whole surface does.
-//! The table can't know that; it shows on the way down.
+//! The table goes from short rungs to long ones, and keeps what costs little by itself. Short rungs
+//! do so wherever they lie: the planes of one are near to the osculating plane of the boundary
+//! there. But a triangle beyond it leans away from that plane, and its folds cost more than the
+//! whole surface does. The table can't know that; it shows on the way down.
 //!
-//! 1. Each rung ⟨a,b⟩ of a triangulation is a side of a triangle that lies beyond it. The longest side of
-//!    that, the *parent*, is ⟨a,j⟩ with j > b or ⟨i,b⟩ with i < a. What lies outside of ⟨a,b⟩ is that
-//!    triangle, its parent, what lies outside of the parent, and the part below the third side, which
-//!    costs no less than the third side alone. So the rest of the loop costs no less than
+//! 1. Each rung or edge ⟨a,b⟩ of a triangulation is a side of a triangle that lies beyond it. The
+//!    side of that which spans the others, the *parent*, is ⟨a,j⟩ with j > b or ⟨i,b⟩ with i < a.
+//!    What lies outside of ⟨a,b⟩ is that triangle, its parent, what lies outside of the parent, and
+//!    the part below the third side, which costs no less than the third side alone. So the rest of
+//!    the loop costs no less than
 //!    O(a,b) = min over j of O(a,j) + w(a,j) + F(a,b,j) + w(b,j), and the same over i,
 //!    with O = 0 for the edge ⟨0, m−1⟩.
-//! 2. With a bound U on the price, only rungs with O + w ≤ U are part of the answer, and only entries
-//!    E ≤ U − O of the table. O is an exact sum of prices, as E is, so that ties are kept.
-//! 3. Tiles of rows are gone through from the first to the last, those of a row from right to left, rows
-//!    of a tile downwards, and all sides ⟨i,k⟩ with k in the tile's own columns from right to left: then
-//!    all parents of a rung come before it. What a triangle i, k, j says of its sides ⟨i,k⟩ and ⟨k,j⟩
-//!    is worked out for 16 j side by side, as in the table. Tiles are priced when they are first looked
-//!    at, which most are not.
+//! 2. With a bound U on the price, only rungs with O + w ≤ U are part of the answer, and only
+//!    entries E ≤ U − O of the table. O is an exact sum of prices, as E is, so that ties are kept.
+//! 3. Rows of tiles are gone through from the first to the last, those of a row from right to left,
+//!    rows of a tile downwards, and all sides ⟨i,k⟩ with k in the tile's own columns from right to
+//!    left: then all parents of a rung come before it. O + w never falls from a parent on, so that
+//!    what is left of a tile is known before its own rungs are parents. What a triangle i, k, j
+//!    says of its sides ⟨i,k⟩ and ⟨k,j⟩ is worked out for 16 j side by side, as in the table. Tiles
+//!    are priced when they are first looked at, which most are not.
 //!
-//! On the cone of 1,600 and of 10,000 samples 396 and 2,921 tiles are left, a half and about a fifth of
-//! those that the table keeps without. Far from a developable surface many triangles are cheap, and to look at them
-//! takes longer than to fill the table; so it is given up where they are many.
+//! On the cone of 1,600 and of 10,000 samples 396 and 2,921 tiles are left, a half and about a
+//! fifth of those that the table keeps without. Far from a developable surface many triangles are
+//! cheap, and to look at them takes longer than to fill the table; so it is given up where they are
+//! many.
 
 use super::store::{Store, Tile};
 use super::table::{Open, Table, lowest, of_lane};
@@ -31,14 +34,14 @@ use crate::watch::Watch;
 use std::ops::Range;
 
 /// Looks, each at the triangles i, k, j of one side ⟨i,k⟩ and 16 j, at the most for each tile that may
-/// have cheap rungs. On the cone they are 44 at 1,563 samples and 205 at 100,000; on the wavy loop, where
-/// the table alone takes less time, 281 at 1,600 and 640 at 10,000.
+/// have cheap rungs, in the mean, on one thread. On the cone they are 44 at 1,563 samples and 205 at
+/// 100,000; on the wavy loop, where the table alone takes less time, 281 at 1,600 and 640 at 10,000.
 const MOST_LOOKS: usize = 400;
 /// The same where no thinned loop has shown that it is worth it.
 const MOST_LOOKS_AT_FIRST: usize = 150;
-/// It was worth it where no larger a share of those tiles is left. On the cone it is a quarter at 1,563
+/// It is worth it where no larger a share of those tiles is left. On the cone it is a quarter at 1,563
 /// samples; on the cylinder patch, where the table alone takes less time, two fifths and more.
-const MOST_LEFT: f64 = 0.35;
+const MOST_LEFT: f64 = 0.4;
 
 /// What it may take to work O out.
 pub(super) struct Limits {
@@ -46,14 +49,17 @@ pub(super) struct Limits {
     pub(super) bound: f64,
     /// Looks for each tile that may have cheap rungs, see [`MOST_LOOKS`].
     looks: usize,
-    /// Bytes.
+    /// The share of those tiles that may be left.
+    left: f64,
+    /// Bytes, half of which may be taken for longer.
     memory: u64,
 }
 
 impl Limits {
     /// `is_sure` says that it was worth it for the thinned loop.
     pub(super) fn new(bound: f64, is_sure: bool, memory: u64) -> Self {
-        Self { bound, looks: if is_sure { MOST_LOOKS } else { MOST_LOOKS_AT_FIRST }, memory }
+        let looks = if is_sure { MOST_LOOKS } else { MOST_LOOKS_AT_FIRST };
+        Self { bound, looks, left: MOST_LEFT, memory }
     }
 }
 
@@ -90,27 +96,25 @@ pub(super) struct Outside {
     beside: Vec<Vec<u32>>,
     open: usize,
     looks: usize,
-    /// Whether few of the tiles are left.
-    pub(super) was_worth_it: bool,
 }
 
 impl Outside {
     /// What it takes before any tile is priced, bytes.
     fn least_bytes(count: usize) -> u64 {
-        (Store::slots(count) * size_of::<Place>()) as u64
+        Store::slots(count) as u64 * size_of::<Place>() as u64
     }
 
     /// What it takes, bytes.
     pub(super) fn bytes(&self) -> u64 {
         // Lists may have grown by doubling.
         let reached = size_of::<Reached>() + size_of::<Aligned<[Lanes; LANES]>>();
-        let lists = 2 * self.open * size_of::<u32>() + self.reached.len() * reached;
         Self::least_bytes(self.beside.len())
-            + lists as u64
+            + 2 * self.open as u64 * size_of::<u32>() as u64
+            + self.reached.len() as u64 * reached as u64
             + self.priced.len() as u64 * Tile::bytes(true)
     }
 
-    /// Works it out for a table; `None` where that takes more than it may.
+    /// Works it out for a table; `None` where that takes more than it may, or leaves too much.
     pub(super) fn new(
         table: &Table<'_>,
         open: &Open<'_>,
@@ -131,9 +135,11 @@ impl Outside {
             beside: vec![Vec::new(); count],
             open: 0,
             looks: 0,
-            was_worth_it: false,
         };
         for column in 0..count {
+            if watch.stop() {
+                return Err(TriangulateError::Stopped);
+            }
             for row in 0..=column {
                 let least = open.least(row, column);
                 if least > bound {
@@ -176,8 +182,9 @@ impl Outside {
         }
         outside.priced = Vec::new();
         let left = outside.reached.iter().filter(|tile| tile.is_left).count();
-        outside.was_worth_it = left as f64 <= MOST_LEFT * outside.open as f64;
-        Ok(Some(outside))
+        let is_worth_it = left as f64 <= limits.left * outside.open as f64;
+        // Half of the memory is for the table.
+        Ok((is_worth_it && outside.bytes() <= limits.memory / 2).then_some(outside))
     }
 
     /// O of the rungs from sample `i` to those of a column of tiles; `None` if no rung of the tile is

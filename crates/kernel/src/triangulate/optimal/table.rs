@@ -171,7 +171,7 @@ impl<'a> Table<'a> {
     }
 
     /// The same for all rungs, once it is known what the rest of the loop costs beside each, where that
-    /// is not too much work; `is_sure` says that it was not for the thinned loop.
+    /// is worth it; `is_sure` says that it was for the thinned loop.
     pub(super) fn fill_from_outside(
         &mut self,
         (bound, is_sure): (f64, bool),
@@ -183,25 +183,15 @@ impl<'a> Table<'a> {
         let mut start = share.start;
         if self.folds && self.in_order && bound <= HIGHEST_BOUND {
             self.store.clear();
-            let memory = self.terms.memory.saturating_sub(self.bytes()) / 2;
+            let memory = self.terms.memory.saturating_sub(self.bytes());
             self.clear_for(memory);
-            let half = share.start..0.5 * (share.start + share.end);
-            start = half.end;
-            let mut part = Part::new(watch, half);
+            // It takes most of the time.
+            start += 0.8 * (share.end - share.start);
+            let mut part = Part::new(watch, share.start..start);
             let limits = Limits::new(bound, is_sure, memory);
             self.outside = Outside::new(self, &open, limits, &mut part)?;
         }
         self.fill_open(&open, watch, start..share.end)
-    }
-
-    #[cfg(test)]
-    pub(super) fn set_outside(&mut self, outside: Outside) {
-        self.outside = Some(outside);
-    }
-
-    /// Whether it was worth it to look at the rest of the loop first.
-    pub(super) fn was_outside_worth_it(&self) -> bool {
-        self.outside.as_ref().is_some_and(|outside| outside.was_worth_it)
     }
 
     /// The same for the tiles that are open.
@@ -258,6 +248,16 @@ impl<'a> Table<'a> {
             Some(outside) => outside.has(row, column),
             None => open.is_open(row, column),
         }
+    }
+
+    /// Whether it was filled with what the rest of the loop costs in view.
+    pub(super) fn is_from_outside(&self) -> bool {
+        self.outside.is_some()
+    }
+
+    #[cfg(test)]
+    pub(super) fn set_outside(&mut self, outside: Outside) {
+        self.outside = Some(outside);
     }
 
     /// How many tiles have entries up to `bound`.
