@@ -39,9 +39,10 @@ use std::ops::Range;
 const MOST_LOOKS: usize = 400;
 /// The same where no thinned loop has shown that it is worth it.
 const MOST_LOOKS_AT_FIRST: usize = 150;
-/// It is worth it where no larger a share of those tiles is left. On the cone it is a quarter at 1,563
-/// samples; on the cylinder patch, where the table alone takes less time, two fifths and more.
-const MOST_LEFT: f64 = 0.4;
+/// It is worth it where no larger a share of those tiles is left on the first loop that it is tried on. On
+/// the cone it is a quarter at 1,563 samples; on the cylinder patch, where the table alone takes less time,
+/// more than this up to 10,000.
+const MOST_LEFT: f64 = 0.35;
 
 /// What it may take to work O out.
 pub(super) struct Limits {
@@ -58,8 +59,9 @@ pub(super) struct Limits {
 impl Limits {
     /// `is_sure` says that it was worth it for the thinned loop.
     pub(super) fn new(bound: f64, is_sure: bool, memory: u64) -> Self {
-        let looks = if is_sure { MOST_LOOKS } else { MOST_LOOKS_AT_FIRST };
-        Self { bound, looks, left: MOST_LEFT, memory }
+        let (looks, left) =
+            if is_sure { (MOST_LOOKS, f64::INFINITY) } else { (MOST_LOOKS_AT_FIRST, MOST_LEFT) };
+        Self { bound, looks, left, memory }
     }
 }
 

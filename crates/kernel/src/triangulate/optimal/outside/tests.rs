@@ -168,7 +168,7 @@ fn loops_of_many_samples_have_the_answer_of_the_table() {
         }
     }
 
-    let [boundary, _] = closed(4100);
+    let [boundary, _] = closed(4420);
     with_terms(&boundary, 1.0, |terms| {
         let mut watch = Onwards(true, 0.0);
         let found = solve_in_table(terms, false, &mut watch).unwrap().unwrap();
