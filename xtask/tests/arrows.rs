@@ -46,9 +46,11 @@ const FILE_OWNERS: [(&str, &[&str]); 6] = [
         "pulp::",
         &[
             "rung/visible/at_ends.rs",
+            "triangulate/optimal/lanes.rs",
             "triangulate/optimal/outside.rs",
             "triangulate/optimal/outside/tests.rs",
             "triangulate/optimal/table.rs",
+            "triangulate/optimal/table/filling.rs",
             "triangulate/optimal/table/tests.rs",
             "triangulate/sparse/listed.rs",
             "triangulate/sparse/table.rs",

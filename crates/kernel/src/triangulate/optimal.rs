@@ -37,7 +37,9 @@
 //!    do tie) the k with the least |P_i P_k| + |P_k P_j| wins, then the smallest: strips of compact
 //!    triangles rather than fans.
 
+mod lanes;
 mod near;
+mod open;
 mod outside;
 mod store;
 mod table;
@@ -93,7 +95,9 @@ pub(super) fn solve(
     bounds: &[f64],
     watch: &mut dyn Watch,
 ) -> Result<Option<Vec<[usize; 3]>>, TriangulateError> {
-    for &bound in bounds.iter().filter(|bound| **bound <= HIGHEST_BOUND) {
+    // Each try solves the thinned loop, so that only the bound that holds is tried.
+    let first = if shows_outside(terms) { bounds.len().saturating_sub(1) } else { 0 };
+    for &bound in bounds[first..].iter().filter(|bound| **bound <= HIGHEST_BOUND) {
         if let Some(solved) = if_it_fits(solve_within(terms, bound, watch))? {
             return Ok(Some(solved.triangles));
         }
@@ -165,8 +169,7 @@ pub(super) fn solve_within(
     let mut table = Table::new(terms);
     let mut bound = if bound > HIGHEST_BOUND { f64::INFINITY } else { bound };
     let mut from_outside = None;
-    if terms.folds() && table.m > 4 * LEAST_TRIED {
-        // The thinned loop shows more than a bound.
+    if shows_outside(terms) {
         let shown = bounds(&mut table, &mut Part::silent(watch))?;
         from_outside = shown.from_outside;
         if let [price] = shown.bounds[..] {
@@ -179,6 +182,12 @@ pub(super) fn solve_within(
         table.fill(bound, None, watch, 0.0..1.0)?
     };
     Ok((price < f64::INFINITY).then(|| Solved { price, triangles: table.trace() }))
+}
+
+/// Whether the loop is thinned to one that shows more than a bound: whether it is worth it to look first at
+/// what the rest of the loop costs.
+fn shows_outside(terms: &Terms<'_>) -> bool {
+    terms.folds() && terms.prices.len() > 4 * LEAST_TRIED
 }
 
 /// Bounds to try on the price of the answer, one after the other; the last is none at all.

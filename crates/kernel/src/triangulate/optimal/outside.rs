@@ -26,8 +26,10 @@
 //! cheap, and to look at them takes longer than to fill the table; so it is given up where they are
 //! many.
 
+use super::lanes::{are_fused, lowest, of_lane};
+use super::open::Open;
 use super::store::{Store, Tile};
-use super::table::{Open, Table, lowest, of_lane};
+use super::table::Table;
 use crate::cost::{Aligned, Fan, Fans, FarEnds, LANES, Lanes, QUANTUM, Strip};
 use crate::triangulate::TriangulateError;
 use crate::watch::Watch;
@@ -124,10 +126,27 @@ impl Outside {
         watch: &mut dyn Watch,
     ) -> Result<Option<Self>, TriangulateError> {
         let count = table.m.div_ceil(LANES);
-        let bound = limits.bound;
         if Self::least_bytes(count) > limits.memory {
             return Ok(None);
         }
+        let mut outside = Self::unknown(count, open, limits.bound, watch)?;
+        if !outside.work_out(table, &limits, watch)? {
+            return Ok(None);
+        }
+        outside.priced = Vec::new();
+        let left = outside.reached.iter().filter(|tile| tile.is_left).count();
+        let is_worth_it = left as f64 <= limits.left * outside.open as f64;
+        // Half of the memory is for the table.
+        Ok((is_worth_it && outside.bytes() <= limits.memory / 2).then_some(outside))
+    }
+
+    /// Where spans leave the price of rungs below the bound, and no more.
+    fn unknown(
+        count: usize,
+        open: &Open<'_>,
+        bound: f64,
+        watch: &mut dyn Watch,
+    ) -> Result<Self, TriangulateError> {
         let nowhere = Place { least: f32::INFINITY, priced: NONE, reached: NONE };
         let mut outside = Self {
             bound,
@@ -154,39 +173,46 @@ impl Outside {
                 outside.open += 1;
             }
         }
+        Ok(outside)
+    }
+
+    /// Goes through all tiles; returns whether that took no more than it may.
+    fn work_out(
+        &mut self,
+        table: &Table<'_>,
+        limits: &Limits,
+        watch: &mut dyn Watch,
+    ) -> Result<bool, TriangulateError> {
+        let count = self.beside.len();
         let ends: Vec<FarEnds> =
             (0..count).map(|at| table.terms.prices.far_ends(at * LANES)).collect();
-        let most = outside.open.saturating_mul(limits.looks);
-        let root = outside.reached_at(0, count - 1);
-        outside.reached[root].rows[0][(table.m - 1) % LANES] = 0.0;
-        outside.price(table, &ends, 0, count - 1);
+        let most = self.open.saturating_mul(limits.looks);
+        let root = self.reached_at(0, count - 1);
+        self.reached[root].rows[0][(table.m - 1) % LANES] = 0.0;
+        self.price(table, &ends, 0, count - 1);
         let mut between = Vec::new();
         for row in 0..count {
             // Rows have as many tiles as there are rows below.
             let below = (count - row) as f64 / count as f64;
             watch.progress(1.0 - below * below);
-            outside.price(table, &ends, row, row);
-            for at in (0..outside.beside[row].len()).rev() {
-                let column = outside.beside[row][at] as usize;
-                let Some(least) = outside.least_through(row, column) else { continue };
+            self.price(table, &ends, row, row);
+            for at in (0..self.beside[row].len()).rev() {
+                let column = self.beside[row][at] as usize;
+                let Some(least) = self.least_through(row, column) else { continue };
                 if watch.stop() {
                     return Err(TriangulateError::Stopped);
                 }
-                outside.price(table, &ends, column, column);
-                outside.find_between(table, &ends, (row, column), least, &mut between);
+                self.price(table, &ends, column, column);
+                self.find_between(table, &ends, (row, column), least, &mut between);
                 let (to, between) = (&ends[column], &*between);
-                let outside = &mut outside;
+                let outside = &mut *self;
                 table.registers.dispatch(Lowering { outside, table, row, column, to, between });
-                if outside.looks > most || outside.bytes() > limits.memory {
-                    return Ok(None);
+                if self.looks > most || self.bytes() > limits.memory {
+                    return Ok(false);
                 }
             }
         }
-        outside.priced = Vec::new();
-        let left = outside.reached.iter().filter(|tile| tile.is_left).count();
-        let is_worth_it = left as f64 <= limits.left * outside.open as f64;
-        // Half of the memory is for the table.
-        Ok((is_worth_it && outside.bytes() <= limits.memory / 2).then_some(outside))
+        Ok(true)
     }
 
     /// O of the rungs from sample `i` to those of a column of tiles; `None` if no rung of the tile is
@@ -455,11 +481,10 @@ impl pulp::WithSimd for Lowering<'_> {
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, _: S) {
         let Self { outside, table, row, column, to, between } = self;
-        // As in the table.
-        if S::IS_SCALAR || cfg!(target_family = "wasm") {
-            outside.lower::<false>(table, (row, column), to, between);
-        } else {
+        if are_fused::<S>() {
             outside.lower::<true>(table, (row, column), to, between);
+        } else {
+            outside.lower::<false>(table, (row, column), to, between);
         }
     }
 }

@@ -1,9 +1,11 @@
 use super::*;
 use crate::boundary::{Boundary, samples_from_points};
-use crate::cost::{PriceOptions, Prices};
+use crate::cost::{PriceOptions, Prices, Strip};
 use crate::curve::CurvePoint;
 use crate::math::{Point3, cos, sin};
 use crate::rung::Visibility;
+use crate::triangulate::Rule;
+use crate::triangulate::span::Span;
 use crate::watch::Unwatched;
 
 /// A bent plate of `m` samples with four corners and two straight sides; a wavy loop.
@@ -72,7 +74,7 @@ fn tiles_that_are_not_looked_at_have_no_entries() {
             let (mut table, mut full) = (Table::new(&terms), Table::new(&terms));
             let few = table.fill(bound, None, &mut Unwatched, 0.0..1.0).unwrap();
             // Without spans, no side is left out for its own share in the folds either.
-            let all = Open { spans: vec![], ..Open::new(&terms, bound, None) };
+            let all = Open::new(&terms, bound, None).without_spans();
             assert_eq!(few, full.fill_open(&all, &mut Unwatched, 0.0..1.0).unwrap());
             for (i, j) in (0..table.m).flat_map(|i| (i + 1..320).map(move |j| (i, j))) {
                 assert_eq!(table.entry(i, j), full.entry(i, j), "{i} {j}");

@@ -1,0 +1,447 @@
+//! How a tile of the table is filled: what is looked at for each of its entries, and in which order.
+
+use super::Table;
+use crate::cost::{Aligned, Fan, FanRungs, Fans, FarEnds, LANES, Lanes, QUANTUM, Segment, Strip};
+use crate::math::Vec3;
+use crate::triangulate::optimal::lanes::{are_fused, highest, lowest, of_lane};
+use crate::triangulate::optimal::open::Open;
+use crate::triangulate::optimal::store::Tile;
+use crate::triangulate::{Rule, Terms};
+
+/// What the bound of F may lose to rounding, for ν = 1: |s|² is at most 9 and comes from some ten
+/// operations.
+const SLACK: f64 = 1e-13;
+
+/// A column of tiles, while it is filled from the diagonal upwards.
+pub(super) struct Column {
+    to: FarEnds,
+    /// The best k of the row that was filled last, which is near to that of the next one; 0 for
+    /// none.
+    best: [u64; LANES],
+}
+
+impl Column {
+    pub(super) fn new(terms: &Terms<'_>, at: usize) -> Self {
+        Self { to: terms.prices.far_ends(at * LANES), best: [0; LANES] }
+    }
+}
+
+/// A tile to be filled. A type rather than a closure: the call of a closure by value goes through a
+/// function of its own, which is not compiled for the wider registers.
+pub(super) struct Filling<'a> {
+    pub(super) table: &'a Table<'a>,
+    pub(super) open: &'a Open<'a>,
+    pub(super) row: usize,
+    pub(super) column: &'a mut Column,
+    pub(super) tile: &'a mut Tile,
+}
+
+impl pulp::WithSimd for Filling<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) {
+        let Self { table, open, row, column, tile } = self;
+        if are_fused::<S>() {
+            table.fill_tile::<true>(open, row, column, tile);
+        } else {
+            table.fill_tile::<false>(open, row, column, tile);
+        }
+    }
+}
+
+/// The least sums below the rungs from one sample to those of a tile, on the way.
+struct Least<'a> {
+    i: usize,
+    to: &'a FarEnds,
+    means: &'a [Lanes; 3],
+    /// Means nothing where folds cost nothing.
+    fans: Fans<'a>,
+    /// Where those of the tile lie, if that is known.
+    segment: Option<&'a Segment>,
+    /// Infinitely low where nothing is looked for.
+    prices: Aligned<Lanes>,
+    /// The k that they were found at; 0 for none.
+    best: Aligned<[u64; LANES]>,
+}
+
+impl Least<'_> {
+    /// Takes what is lower with this k.
+    #[inline(always)]
+    fn lower(&mut self, k: usize, price: impl Fn(usize) -> f64) {
+        for n in 0..LANES {
+            let price = price(n);
+            let lower = price < self.prices[n];
+            self.prices[n] = if lower { price } else { self.prices[n] };
+            self.best[n] = if lower { k as u64 } else { self.best[n] };
+        }
+    }
+}
+
+impl Table<'_> {
+    /// Fills the tile of these rows and the columns of the far ends, from all tiles to its left and
+    /// below.
+    #[inline(always)]
+    fn fill_tile<const FUSED: bool>(
+        &self,
+        open: &Open<'_>,
+        row: usize,
+        column: &mut Column,
+        tile: &mut Tile,
+    ) {
+        match (self.folds, self.terms.rule) {
+            (true, _) => self.fill_by::<true, FUSED>(open, row, column, tile, |a, b| a + b),
+            (false, Rule::Sum) => {
+                self.fill_by::<false, FUSED>(open, row, column, tile, |a, b| a + b);
+            }
+            (false, Rule::Worst) => {
+                self.fill_by::<false, FUSED>(
+                    open,
+                    row,
+                    column,
+                    tile,
+                    |a, b| if a > b { a } else { b },
+                );
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn fill_by<const FOLDS: bool, const FUSED: bool>(
+        &self,
+        open: &Open<'_>,
+        row: usize,
+        Column { to, best }: &mut Column,
+        tile: &mut Tile,
+        together: impl Fn(f64, f64) -> f64 + Copy,
+    ) {
+        let rows = row * LANES..self.m.min((row + 1) * LANES);
+        let (to, column) = (&*to, to.first / LANES);
+        let segment = if FOLDS && self.in_order { open.segment(column) } else { None };
+        let mut strip = Strip::BLANK;
+        for i in rows.clone().rev() {
+            let near = open.band.map(|band| band.lanes(i, to));
+            if near.is_some_and(|near| near == [false; LANES]) {
+                continue;
+            }
+            self.terms.strip::<FOLDS>(i, to, open.bound, &mut strip);
+            let Strip { prices, means } = &mut strip;
+            if let Some(of_tile) = &mut tile.means {
+                of_tile[i - rows.start] = **means;
+            }
+            let rests = match &self.outside {
+                Some(outside) => outside.row(i, column).copied().unwrap_or([f64::INFINITY; LANES]),
+                None => [0.0; LANES],
+            };
+            let mut below = [f64::NEG_INFINITY; LANES];
+            for n in 0..LANES {
+                if near.is_some_and(|near| !near[n]) && to.first + n > i + 1 {
+                    prices[n] = f64::INFINITY;
+                }
+                let price = prices[n] + rests[n];
+                let left = match self.terms.rule {
+                    Rule::Sum => open.bound - price,
+                    Rule::Worst => open.bound,
+                };
+                let admitted = price <= open.bound && price < f64::INFINITY;
+                // Prices up to the bound lie below the next multiple of the quantum.
+                below[n] = if admitted { left + QUANTUM } else { f64::NEG_INFINITY };
+            }
+            if below == [f64::NEG_INFINITY; LANES] {
+                continue;
+            }
+            let none = Aligned([[0.0; LANES]; 3]);
+            let offsets = if FOLDS { self.terms.prices.offsets(i, to) } else { none };
+            let mut least = Least {
+                i,
+                to,
+                means,
+                fans: self.terms.prices.fans(&offsets, means),
+                segment: segment.as_ref(),
+                prices: Aligned(below),
+                best: Aligned([0; LANES]),
+            };
+            self.look_first::<FOLDS, FUSED>(&mut least, best, column, tile, together);
+            self.look_between::<FOLDS, FUSED>(&mut least, column, tile, together);
+            let mut entries = [f64::INFINITY; LANES];
+            for n in 0..to.count {
+                let j = to.first + n;
+                if j <= i || below[n] == f64::NEG_INFINITY {
+                    continue;
+                }
+                if j == i + 1 {
+                    entries[n] = prices[n];
+                } else if least.prices[n] < below[n] {
+                    entries[n] = together(prices[n], least.prices[n]);
+                } else {
+                    continue;
+                }
+                // The tile of the diagonal is not stored while it is being filled.
+                let diagonal =
+                    if row == column { Some(&*tile) } else { self.store.tile(column, column) };
+                if let Some(diagonal) = diagonal {
+                    self.look::<FOLDS, FUSED>(
+                        &mut least,
+                        j,
+                        entries[n],
+                        Some(means),
+                        diagonal,
+                        together,
+                    );
+                }
+            }
+            tile.sums.least[i - rows.start] = lowest(&entries);
+            tile.sums.entries[i - rows.start] = entries;
+            *best = *least.best;
+        }
+    }
+
+    /// Looks at those k that were best one row below.
+    #[inline(always)]
+    fn look_first<const FOLDS: bool, const FUSED: bool>(
+        &self,
+        least: &mut Least<'_>,
+        best: &[u64; LANES],
+        column: usize,
+        tile: &Tile,
+        together: impl Fn(f64, f64) -> f64 + Copy,
+    ) {
+        let row = least.i / LANES;
+        let mut last = 0;
+        for n in 0..LANES {
+            let k = best[n] as usize;
+            if k <= least.i || k == last || k >= least.to.first {
+                continue;
+            }
+            last = k;
+            let (Some(own), Some(beyond)) =
+                (self.store.tile(row, k / LANES), self.tile_of(k / LANES, row, column, tile))
+            else {
+                continue;
+            };
+            let entry = own.sums.entries[least.i % LANES][k % LANES];
+            if entry < f64::INFINITY {
+                let means = own.means_from(least.i);
+                self.look::<FOLDS, FUSED>(least, k, entry, means, beyond, together);
+            }
+        }
+    }
+
+    /// Looks at the k before those of the column. Of the 16 of a tile, only those whose E(i,k) and
+    /// the least E(k,j) together lie below the highest of the least prices.
+    #[inline(always)]
+    fn look_between<const FOLDS: bool, const FUSED: bool>(
+        &self,
+        least: &mut Least<'_>,
+        column: usize,
+        tile: &Tile,
+        together: impl Fn(f64, f64) -> f64 + Copy,
+    ) {
+        let row = least.i / LANES;
+        let mut reach = highest(&least.prices);
+        for &between in self.store.beside(row) {
+            let between = between as usize;
+            if reach <= 0.0 {
+                break;
+            }
+            let (Some(own), Some(beyond)) =
+                (self.store.tile(row, between), self.tile_of(between, row, column, tile))
+            else {
+                continue;
+            };
+            let (entries, means) = (&own.sums.entries[least.i % LANES], own.means_from(least.i));
+            let mut left = 0u32;
+            for n in 0..LANES {
+                let is_below = together(entries[n], beyond.sums.least[n]) < reach;
+                left |= u32::from(is_below) << n;
+            }
+            if left == 0 {
+                continue;
+            }
+            if FOLDS
+                && self.in_order
+                && let Some(offsets) = self.terms.prices.offsets_to_run(least.i, between * LANES)
+            {
+                self.look_at_sides::<FUSED>(least, between, &offsets, (left, reach), (own, beyond));
+                reach = highest(&least.prices);
+                continue;
+            }
+            while left != 0 {
+                let n = left.trailing_zeros() as usize;
+                left &= left - 1;
+                let k = between * LANES + n;
+                self.look::<FOLDS, FUSED>(least, k, entries[n], means, beyond, together);
+            }
+            reach = highest(&least.prices);
+        }
+    }
+
+    /// The tile in a column of them, of which `tile`, in `row`, is not yet stored.
+    #[inline(always)]
+    fn tile_of<'t>(
+        &'t self,
+        wanted: usize,
+        row: usize,
+        column: usize,
+        tile: &'t Tile,
+    ) -> Option<&'t Tile> {
+        if wanted == row { Some(tile) } else { self.store.tile(wanted, column) }
+    }
+
+    /// Looks at the triangles i, k, j of all j of the tile `beyond`, with E(i,k) = `entry` and N of the
+    /// rungs from i to the samples around k.
+    #[inline(always)]
+    fn look<const FOLDS: bool, const FUSED: bool>(
+        &self,
+        least: &mut Least<'_>,
+        k: usize,
+        entry: f64,
+        means_from_i: Option<&[Lanes; 3]>,
+        beyond: &Tile,
+        together: impl Fn(f64, f64) -> f64,
+    ) {
+        let entries = &beyond.sums.entries[k % LANES];
+        if FOLDS {
+            let mut below = false;
+            for n in 0..LANES {
+                below |= entry + entries[n] < least.prices[n];
+            }
+            if below && let (Some(from_i), Some(means)) = (means_from_i, beyond.means_from(k)) {
+                let shared = of_lane(from_i, k % LANES);
+                self.look_closer::<FUSED>(least, k, entry, shared, (entries, means));
+            }
+            return;
+        }
+        least.lower(k, |n| together(entry, entries[n]));
+    }
+
+    /// The same where some of the sums lie below the least prices, so that F decides.
+    #[inline(always)]
+    fn look_closer<const FUSED: bool>(
+        &self,
+        least: &mut Least<'_>,
+        k: usize,
+        entry: f64,
+        shared: [f64; 3],
+        (entries, means): (&Lanes, &[Lanes; 3]),
+    ) {
+        if !self.in_order {
+            return self.look_singly(least, k, entry, shared, (entries, means));
+        }
+        let rungs = self.rungs_of_fan(least.i, k, least.to).least();
+        let fan = Fan { side: self.terms.prices.offset(least.i, k), shared, beyond: means };
+        self.look_at_fan::<FUSED>(least, (k, entry), (&fan, rungs), entries);
+    }
+
+    /// Looks at the triangles of those sides ⟨i,k⟩ that have a bit in `left`, with k in the column of
+    /// tiles `between`, which `offsets` lead to, on loops whose members are numbered in order. Sides
+    /// whose own share in F is too much for all j go without a look at each.
+    #[inline(always)]
+    fn look_at_sides<const FUSED: bool>(
+        &self,
+        least: &mut Least<'_>,
+        between: usize,
+        offsets: &[Lanes; 3],
+        (mut left, reach): (u32, f64),
+        (own, beyond): (&Tile, &Tile),
+    ) {
+        let (i, first) = (least.i, between * LANES);
+        let entries = &own.sums.entries[i % LANES];
+        let (Some(means), Some(means_beyond)) = (own.means_from(i), &beyond.means) else { return };
+        if let Some(segment) = least.segment {
+            let mut limits = [0.0; LANES];
+            for n in 0..LANES {
+                limits[n] = reach - (entries[n] + beyond.sums.least[n]);
+            }
+            left &= self.terms.prices.sides_below::<FUSED>(i, offsets, means, segment, &limits);
+        }
+        // No triangle has fewer.
+        let mut rungs = [if i == 0 { 2.0 } else { 3.0 }; LANES];
+        for edge in [i + 1, least.to.first - 1] {
+            if let Some(rungs) = rungs.get_mut(edge.wrapping_sub(first)) {
+                *rungs -= 1.0;
+            }
+        }
+        while left != 0 {
+            let n = left.trailing_zeros() as usize;
+            left &= left - 1;
+            let fan = Fan {
+                side: of_lane(offsets, n),
+                shared: of_lane(means, n),
+                beyond: &means_beyond[n],
+            };
+            let sums = &beyond.sums.entries[n];
+            self.look_at_fan::<FUSED>(least, (first + n, entries[n]), (&fan, rungs[n]), sums);
+        }
+    }
+
+    /// Looks at the triangles i, k, j of one k and all j, with E(i,k) = `entry`, E(k,j) = `entries`, and
+    /// at least so many `rungs` each.
+    #[inline(always)]
+    fn look_at_fan<const FUSED: bool>(
+        &self,
+        least: &mut Least<'_>,
+        (k, entry): (usize, f64),
+        (fan, rungs): (&Fan<'_>, f64),
+        entries: &Lanes,
+    ) {
+        let mut left = [0.0; LANES];
+        for n in 0..LANES {
+            left[n] = least.prices[n] - (entry + entries[n]);
+        }
+        if !least.fans.may_be_below::<FUSED>(fan, rungs, &left) {
+            return;
+        }
+        let folds = least.fans.prices(fan, self.rungs_of_fan(least.i, k, least.to));
+        least.lower(k, |n| entry + entries[n] + folds[n]);
+    }
+
+    /// How many sides of the triangles i, k, j are rungs: ⟨i,k⟩, ⟨k,j⟩ or ⟨i,j⟩ may be an edge of
+    /// the boundary.
+    #[inline(always)]
+    pub(in crate::triangulate::optimal) fn rungs_of_fan(
+        &self,
+        i: usize,
+        k: usize,
+        to: &FarEnds,
+    ) -> FanRungs {
+        let last = if i == 0 { self.m - 1 } else { usize::MAX };
+        FanRungs {
+            most: if k == i + 1 { 2.0 } else { 3.0 },
+            fewer: [(k + 1).wrapping_sub(to.first), last.wrapping_sub(to.first)],
+        }
+    }
+
+    /// The same as [`Self::look_closer`] for one triangle after the other, where samples are not
+    /// numbered in order. First comes a bound of F from the N alone.
+    #[inline(never)]
+    fn look_singly(
+        &self,
+        least: &mut Least<'_>,
+        k: usize,
+        entry: f64,
+        shared: [f64; 3],
+        (entries, means): (&Lanes, &[Lanes; 3]),
+    ) {
+        let rungs = self.rungs_of_fan(least.i, k, least.to);
+        let fold = self.terms.prices.options().fold;
+        for n in 0..least.to.count {
+            let sum = entry + entries[n];
+            if sum >= least.prices[n] {
+                continue;
+            }
+            let of_sides =
+                [shared, of_lane(means, n), of_lane(least.means, n)].map(Vec3::from_array);
+            let square = (of_sides[0] + of_sides[1] + of_sides[2]).length_squared();
+            let rungs = rungs.of(n);
+            let bound = fold * ((rungs * rungs - square) / (2.0 * rungs.max(1.0)) - SLACK);
+            if sum + bound < least.prices[n] {
+                let corners = [least.i, k, least.to.first + n];
+                let price = sum + self.terms.prices.triangle(corners, of_sides);
+                if price < least.prices[n] {
+                    (least.prices[n], least.best[n]) = (price, k as u64);
+                }
+            }
+        }
+    }
+}
