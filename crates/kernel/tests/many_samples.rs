@@ -106,6 +106,38 @@ fn many_samples_need_no_dense_table() {
 }
 
 #[test]
+fn flat_stretches_take_hardly_any_memory() {
+    // Both arcs of the patch lie in planes, with a quarter of all pairs of samples.
+    for fold in [0.0, 1.0] {
+        let boundary = Family::CylinderPatch.boundary(4000);
+        let memory_limit = memory_needed(4000) / 6;
+        let narrow = TriangulateOptions { memory_limit, ..options(fold) };
+        let found = triangulate(&boundary, None, &narrow, &mut Unwatched).unwrap();
+        assert!(found.proven_optimal && found.triangles.len() == 3998);
+    }
+    // All of this outline does.
+    let at = |i: u32| match (i / 750, f64::from(i % 750)) {
+        (0, s) => (s, 0.0),
+        (1, s) => (750.0, s),
+        (2, s) => (750.0 - s, 750.0),
+        (_, s) => (0.0, 750.0 - s),
+    };
+    let corner = |i: u32| {
+        let (x, y) = at(i);
+        let point = Point3::new(x, y, 0.0);
+        if i.is_multiple_of(750) { CurvePoint::corner(point) } else { CurvePoint::smooth(point) }
+    };
+    let samples = samples_from_points(&(0..3000).map(corner).collect::<Vec<_>>());
+    let square = Boundary::new(vec![samples]).unwrap();
+    let memory_limit = memory_needed(3000) / 6;
+    for fold in [0.0, 1.0] {
+        let narrow = TriangulateOptions { memory_limit, ..options(fold) };
+        let found = triangulate(&square, None, &narrow, &mut Unwatched).unwrap();
+        assert!(found.price == 0.0 && found.triangles.len() == 2998);
+    }
+}
+
+#[test]
 fn tables_that_grow_too_large_are_refused_with_their_size() {
     // Far from developable, nearly all of the dense table is needed: that is foreseen.
     let tangled = star(&mut Random::new(5), 1200, 0.4).unwrap();

@@ -17,14 +17,15 @@
 //!    which is cheap, and near to the optimum or the optimum itself. In the table of all rungs, entries
 //!    above that price are then dropped. Where the samples of a tile's rows and columns show that none
 //!    of its rungs can cost so little (`span`), the tile is not looked at; where none of its entries is
-//!    left, it is not kept. Next to a developable surface so few are left that their number grows like
-//!    m^1.5. Far from one, where the band is dearer than the thinned loop, its optimum may have another
-//!    shape than that of all samples; then the thinned loop is solved with cheaper folds as well, and
-//!    the cheaper of two bands is the bound. If none has a triangulation, the bound is guessed from the
-//!    optimum of the thinned loop, and raised until there is an answer below it. While a handle is
-//!    dragged, the triangulation from before gives a bound instead (`mend`). From about 4,100 samples
-//!    on, next to a developable surface and with folds, even fewer are left where it is worked out first
-//!    what the rest of the loop costs beside each rung (`outside`).
+//!    left, it is not kept, and those of flat stretches are kept once for all of them (`store`). Next
+//!    to a developable surface so few are left that their number grows like m^1.5. Far from one, where
+//!    the band is dearer than the thinned loop, its optimum may have another shape than that of all
+//!    samples; then the thinned loop is solved with cheaper folds as well, and the cheaper of two
+//!    bands is the bound. If none has a triangulation, the bound is guessed from the optimum of the
+//!    thinned loop, and raised until there is an answer below it. While a handle is dragged, the
+//!    triangulation from before gives a bound instead (`mend`). From about 4,100 samples on, next to a
+//!    developable surface and with folds, even fewer are left where it is worked out first what the
+//!    rest of the loop costs beside each rung (`outside`).
 //! 4. Those k come first that were best one row below, so that few others are left to be looked at.
 //!    These are taken tile by tile, where both tiles are kept: E(i,k) and the least E(k,j) of the
 //!    16 j together say for 16 k at once which may lie below the prices so far. F is never negative,

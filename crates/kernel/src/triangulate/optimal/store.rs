@@ -1,5 +1,9 @@
 //! The tiles of a table, and their memory, kept for the next one.
 //!
+//! Where a stretch of the boundary lies in a plane, all of its rungs are free, and so is whatever is put
+//! together of them: entries of zero that say nothing, as many as the pairs of its samples. Tiles that
+//! have no other entries and one N throughout are kept once for all of them.
+//!
 //! While a handle is dragged, and over many holes or panels, one table follows another of about the
 //! same size. Fresh memory comes page by page from the system, which took a seventh of the time. So
 //! each thread keeps some tiles of its last table. Their entries are cleared before they are used
@@ -7,6 +11,7 @@
 
 use crate::cost::{Aligned, LANES, Lanes};
 use std::cell::Cell;
+use std::collections::BTreeMap;
 
 /// What is more is given back, bytes: where that much is taken, filling it takes far longer.
 const MOST_KEPT: u64 = 16 << 20;
@@ -33,9 +38,9 @@ pub(super) type Means = Aligned<[[Lanes; 3]; LANES]>;
 impl Tile {
     /// What a tile takes, bytes, with or without N.
     pub(super) fn bytes(folds: bool) -> u64 {
-        // Its column beside others stands in a list that may have grown by doubling.
+        // It stands in a list that may have grown by doubling.
         let means = if folds { size_of::<Means>() } else { 0 };
-        (size_of::<Sums>() + means + 3 * size_of::<u32>()) as u64
+        (2 * size_of::<Self>() + size_of::<Sums>() + means) as u64
     }
 
     /// A tile without finite entries.
@@ -58,6 +63,18 @@ impl Tile {
         *self.sums.least == [f64::INFINITY; LANES]
     }
 
+    /// The N of all rungs, zero without; `None` unless it is one and all entries are zero.
+    fn flat_mean(&self) -> Option<[f64; 3]> {
+        let is_free = self.sums.least.iter().chain(self.sums.entries.as_flattened());
+        if is_free.into_iter().any(|&entry| entry != 0.0) {
+            return None;
+        }
+        let Some(means) = &self.means else { return Some([0.0; 3]) };
+        let mean = [0, 1, 2].map(|axis| means[0][axis][0]);
+        let is_one = |row: &[Lanes; 3]| (0..3).all(|axis| row[axis] == [mean[axis]; LANES]);
+        means.iter().all(is_one).then_some(mean)
+    }
+
     fn clear(&mut self) {
         let none = [f64::INFINITY; LANES];
         *self.sums.entries = [none; LANES];
@@ -67,20 +84,29 @@ impl Tile {
 
 /// What so many rows of tiles and as many columns take at the most, with N, bytes.
 pub(super) fn most_bytes(count: usize) -> u64 {
-    least_bytes(count) + Store::slots(count) as u64 * Tile::bytes(true)
+    least_bytes(count) + Store::slots(count) as u64 * (PLACE_BYTES + Tile::bytes(true))
 }
 
 /// The same without any tile that has finite entries.
 pub(super) fn least_bytes(count: usize) -> u64 {
-    Store::slots(count) as u64 * size_of::<Option<Tile>>() as u64
+    Store::slots(count) as u64 * size_of::<u32>() as u64
 }
+
+/// What a tile's column beside others takes, in a list that may have grown by doubling, bytes.
+const PLACE_BYTES: u64 = 2 * size_of::<u32>() as u64;
+/// No tile.
+const NONE: u32 = u32::MAX;
 
 /// The tiles with finite entries, on and above the diagonal.
 pub(super) struct Store {
     folds: bool,
-    /// How many tiles have finite entries.
-    kept: usize,
-    tiles: Vec<Option<Tile>>,
+    tiles: Vec<Tile>,
+    /// Which of them stands where, or [`NONE`].
+    places: Vec<u32>,
+    /// How many places have one.
+    taken: usize,
+    /// Those that may stand in many places, by the bits of their N.
+    flat: BTreeMap<[u64; 3], u32>,
     /// The columns of the tiles beside one another, in increasing order.
     beside: Vec<Vec<u32>>,
     /// Tiles to be used again.
@@ -102,11 +128,17 @@ impl Store {
 
     /// For so many rows of tiles and as many columns, with or without N.
     pub(super) fn new(count: usize, folds: bool) -> Self {
-        let mut tiles = Vec::new();
-        tiles.resize_with(Store::slots(count), || None);
         let mut spare = SPARE.take();
         spare.retain(|tile| tile.means.is_some() == folds);
-        Self { folds, kept: 0, tiles, beside: vec![Vec::new(); count], spare }
+        Self {
+            folds,
+            tiles: Vec::new(),
+            places: vec![NONE; Store::slots(count)],
+            taken: 0,
+            flat: BTreeMap::new(),
+            beside: vec![Vec::new(); count],
+            spare,
+        }
     }
 
     /// A tile to be filled, without finite entries.
@@ -122,26 +154,24 @@ impl Store {
 
     /// What it takes without the tiles to be used again, bytes.
     pub(super) fn bytes(&self) -> u64 {
-        least_bytes(self.beside.len()) + self.bytes_of(self.kept)
+        let places = least_bytes(self.beside.len()) + self.taken as u64 * PLACE_BYTES;
+        places + self.bytes_of(self.tiles.len())
     }
 
     /// Gives back what is to be used again where all together would take more than this, bytes.
     pub(super) fn shrink_to(&mut self, limit: u64) {
-        if self.bytes() + self.spare.len() as u64 * Tile::bytes(self.folds) > limit {
+        if self.bytes() + self.bytes_of(self.spare.len()) > limit {
             self.spare = Vec::new();
         }
     }
 
-    /// How many tiles have entries up to `bound`.
+    /// How many tiles have entries up to `bound`; those that stand in many places count once.
     pub(super) fn tiles_up_to(&self, bound: f64) -> usize {
-        let rows = self.beside.iter().enumerate();
-        let places =
-            rows.flat_map(|(row, beside)| beside.iter().map(move |&at| (row, at as usize)));
-        let tiles = places.filter_map(|(row, column)| self.tile(row, column));
-        tiles.filter(|tile| tile.sums.least.iter().any(|&least| least <= bound)).count()
+        let has_some = |tile: &&Tile| tile.sums.least.iter().any(|&least| least <= bound);
+        self.tiles.iter().filter(has_some).count()
     }
 
-    /// What so many tiles take, without places for more, bytes.
+    /// What so many tiles take, without places for them, bytes.
     pub(super) fn bytes_of(&self, tiles: usize) -> u64 {
         tiles as u64 * Tile::bytes(self.folds)
     }
@@ -150,17 +180,26 @@ impl Store {
     pub(super) fn put(&mut self, row: usize, column: usize, tile: Tile) {
         if tile.is_empty() {
             self.spare.push(tile);
-        } else {
-            self.tiles[Self::slot(row, column)] = Some(tile);
-            self.kept += 1;
-            self.beside[row].push(column as u32);
+            return;
         }
+        let next = self.tiles.len() as u32;
+        // Zeros have one sign then.
+        let flat = tile.flat_mean().map(|mean| mean.map(|x| (x + 0.0).to_bits()));
+        let at = flat.map_or(next, |mean| *self.flat.entry(mean).or_insert(next));
+        if at == next {
+            self.tiles.push(tile);
+        } else {
+            self.spare.push(tile);
+        }
+        self.places[Self::slot(row, column)] = at;
+        self.taken += 1;
+        self.beside[row].push(column as u32);
     }
 
     /// `None` if all entries are infinite.
     #[inline(always)]
     pub(super) fn tile(&self, row: usize, column: usize) -> Option<&Tile> {
-        self.tiles[Self::slot(row, column)].as_ref()
+        self.tiles.get(self.places[Self::slot(row, column)] as usize)
     }
 
     /// The columns of the tiles of these rows.
@@ -171,13 +210,14 @@ impl Store {
 
     /// Empties the table.
     pub(super) fn clear(&mut self) {
-        self.kept = 0;
         for (row, beside) in self.beside.iter_mut().enumerate() {
-            let tiles = &mut self.tiles;
-            self.spare.extend(
-                beside.drain(..).filter_map(|at| tiles[Self::slot(row, at as usize)].take()),
-            );
+            for column in beside.drain(..) {
+                self.places[Self::slot(row, column as usize)] = NONE;
+            }
         }
+        self.taken = 0;
+        self.flat.clear();
+        self.spare.append(&mut self.tiles);
     }
 
     /// Keeps its memory for the next table of this thread.
@@ -198,6 +238,7 @@ impl Drop for Store {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cost::QUANTUM;
 
     #[test]
     fn tiles_are_packed() {
@@ -224,6 +265,45 @@ mod tests {
         drop(store);
         assert!(Store::new(2, false).fresh().means.is_none());
         assert!(Store::new(2, true).fresh().means.is_some());
+    }
+
+    #[test]
+    fn flat_tiles_of_one_normal_are_kept_once() {
+        let flat = |folds: bool, mean: [f64; 3]| {
+            let mut tile = Tile::new(folds);
+            *tile.sums.entries = [[0.0; LANES]; LANES];
+            *tile.sums.least = [0.0; LANES];
+            if let Some(means) = &mut tile.means {
+                ***means = [mean.map(|x| [x; LANES]); LANES];
+            }
+            tile
+        };
+        for folds in [false, true] {
+            let mut store = Store::new(4, folds);
+            let mut uneven = flat(folds, [0.0, 0.0, 1.0]);
+            uneven.sums.entries[5][6] = QUANTUM;
+            let mut turned = flat(folds, [0.0, 0.0, 1.0]);
+            if let Some(means) = &mut turned.means {
+                means[LANES - 1][0][LANES - 1] = 1e-16;
+            }
+            store.put(0, 1, flat(folds, [0.0, 0.0, 1.0]));
+            store.put(0, 2, flat(folds, [-0.0, 0.0, 1.0]));
+            store.put(0, 3, flat(folds, [0.0, 0.0, -1.0]));
+            store.put(1, 2, uneven);
+            store.put(1, 3, turned);
+            let at = |row, column| store.tile(row, column).map(std::ptr::from_ref);
+            assert_eq!(at(0, 1), at(0, 2));
+            assert_eq!([at(0, 3), at(1, 3)].map(|tile| tile == at(0, 1)), [!folds; 2]);
+            assert_ne!(at(1, 2), at(0, 1));
+            let tiles = if folds { 4 } else { 2 };
+            assert_eq!(store.tiles_up_to(0.0), tiles);
+            let places = least_bytes(4) + 5 * PLACE_BYTES;
+            assert_eq!(store.bytes(), places + tiles as u64 * Tile::bytes(folds));
+            store.clear();
+            assert_eq!((store.bytes(), store.tiles_up_to(0.0)), (least_bytes(4), 0));
+            store.put(0, 1, flat(folds, [0.0, 0.0, 1.0]));
+            assert_eq!((store.beside(0), store.tiles_up_to(0.0)), (&[1][..], 1));
+        }
     }
 
     #[test]

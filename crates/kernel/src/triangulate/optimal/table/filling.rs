@@ -78,6 +78,25 @@ impl Least<'_> {
     }
 }
 
+/// The tiles between the rows and the column of a tile that is filled, as far as they were needed.
+struct Between<'a> {
+    row: usize,
+    column: usize,
+    found: Vec<Sides<'a>>,
+    /// The place, among the tiles beside one another, of the first that was not looked at.
+    next: usize,
+}
+
+/// Two tiles whose rungs are sides of triangles with those of the tile that is filled.
+struct Sides<'a> {
+    /// The columns of the first, which are the rows of the second.
+    at: usize,
+    own: &'a Tile,
+    beyond: &'a Tile,
+    /// No entries of both together are less.
+    least: f64,
+}
+
 impl Table<'_> {
     /// Fills the tile of these rows and the columns of the far ends, from all tiles to its left and
     /// below.
@@ -119,6 +138,7 @@ impl Table<'_> {
         let (to, column) = (&*to, to.first / LANES);
         let segment = if FOLDS && self.in_order { open.segment(column) } else { None };
         let mut strip = Strip::BLANK;
+        let mut between = Between { row, column, found: Vec::new(), next: 0 };
         for i in rows.clone().rev() {
             let near = open.band.map(|band| band.lanes(i, to));
             if near.is_some_and(|near| near == [false; LANES]) {
@@ -162,7 +182,7 @@ impl Table<'_> {
                 best: Aligned([0; LANES]),
             };
             self.look_first::<FOLDS, FUSED>(&mut least, best, column, tile, together);
-            self.look_between::<FOLDS, FUSED>(&mut least, column, tile, together);
+            self.look_between::<FOLDS, FUSED>(&mut least, tile, &mut between, together);
             let mut entries = [f64::INFINITY; LANES];
             for n in 0..to.count {
                 let j = to.first + n;
@@ -227,53 +247,86 @@ impl Table<'_> {
         }
     }
 
-    /// Looks at the k before those of the column. Of the 16 of a tile, only those whose E(i,k) and
-    /// the least E(k,j) together lie below the highest of the least prices.
+    /// Looks at the k before those of the column.
     #[inline(always)]
-    fn look_between<const FOLDS: bool, const FUSED: bool>(
-        &self,
+    fn look_between<'a, const FOLDS: bool, const FUSED: bool>(
+        &'a self,
         least: &mut Least<'_>,
-        column: usize,
         tile: &Tile,
+        between: &mut Between<'a>,
         together: impl Fn(f64, f64) -> f64 + Copy,
     ) {
-        let row = least.i / LANES;
-        let mut reach = highest(&least.prices);
-        for &between in self.store.beside(row) {
-            let between = between as usize;
-            if reach <= 0.0 {
-                break;
-            }
-            let (Some(own), Some(beyond)) =
-                (self.store.tile(row, between), self.tile_of(between, row, column, tile))
-            else {
-                continue;
-            };
-            let (entries, means) = (&own.sums.entries[least.i % LANES], own.means_from(least.i));
-            let mut left = 0u32;
-            for n in 0..LANES {
-                let is_below = together(entries[n], beyond.sums.least[n]) < reach;
-                left |= u32::from(is_below) << n;
-            }
-            if left == 0 {
-                continue;
-            }
-            if FOLDS
-                && self.in_order
-                && let Some(offsets) = self.terms.prices.offsets_to_run(least.i, between * LANES)
-            {
-                self.look_at_sides::<FUSED>(least, between, &offsets, (left, reach), (own, beyond));
-                reach = highest(&least.prices);
-                continue;
-            }
-            while left != 0 {
-                let n = left.trailing_zeros() as usize;
-                left &= left - 1;
-                let k = between * LANES + n;
-                self.look::<FOLDS, FUSED>(least, k, entries[n], means, beyond, together);
-            }
-            reach = highest(&least.prices);
+        let (row, mut reach) = (between.row, highest(&least.prices));
+        // The tile itself is not stored while it is being filled.
+        if reach > 0.0
+            && let Some(own) = self.store.tile(row, row)
+        {
+            let sides = Sides { at: row, own, beyond: tile, least: 0.0 };
+            reach = self.look_through::<FOLDS, FUSED>(least, reach, &sides, together);
         }
+        let mut n = 0;
+        while reach > 0.0 && (n < between.found.len() || self.find_next(between, together)) {
+            let sides = &between.found[n];
+            if sides.least < reach {
+                reach = self.look_through::<FOLDS, FUSED>(least, reach, sides, together);
+            }
+            n += 1;
+        }
+    }
+
+    /// Finds the next two tiles between; returns whether there are any.
+    #[inline(always)]
+    fn find_next<'a>(
+        &'a self,
+        between: &mut Between<'a>,
+        together: impl Fn(f64, f64) -> f64,
+    ) -> bool {
+        while let Some(&at) = self.store.beside(between.row).get(between.next) {
+            between.next += 1;
+            let at = at as usize;
+            let tiles = (self.store.tile(between.row, at), self.store.tile(at, between.column));
+            if let (Some(own), Some(beyond)) = tiles {
+                let least = together(lowest(&own.sums.least), lowest(&beyond.sums.least));
+                between.found.push(Sides { at, own, beyond, least });
+                return true;
+            }
+        }
+        false
+    }
+
+    /// The same for the k of one column of tiles. Of the 16, only those are looked at whose E(i,k) and the
+    /// least E(k,j) together lie below `reach`, the highest of the least prices, which is returned.
+    #[inline(always)]
+    fn look_through<const FOLDS: bool, const FUSED: bool>(
+        &self,
+        least: &mut Least<'_>,
+        reach: f64,
+        &Sides { at, own, beyond, .. }: &Sides<'_>,
+        together: impl Fn(f64, f64) -> f64 + Copy,
+    ) -> f64 {
+        let (entries, means) = (&own.sums.entries[least.i % LANES], own.means_from(least.i));
+        let mut left = 0u32;
+        for n in 0..LANES {
+            let is_below = together(entries[n], beyond.sums.least[n]) < reach;
+            left |= u32::from(is_below) << n;
+        }
+        if left == 0 {
+            return reach;
+        }
+        if FOLDS
+            && self.in_order
+            && let Some(offsets) = self.terms.prices.offsets_to_run(least.i, at * LANES)
+        {
+            self.look_at_sides::<FUSED>(least, at, &offsets, (left, reach), (own, beyond));
+            return highest(&least.prices);
+        }
+        while left != 0 {
+            let n = left.trailing_zeros() as usize;
+            left &= left - 1;
+            let k = at * LANES + n;
+            self.look::<FOLDS, FUSED>(least, k, entries[n], means, beyond, together);
+        }
+        highest(&least.prices)
     }
 
     /// The tile in a column of them, of which `tile`, in `row`, is not yet stored.
