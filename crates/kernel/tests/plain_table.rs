@@ -3,12 +3,14 @@
 
 #![allow(clippy::unwrap_used)] // tests panic
 
-use sheetwright::boundary::Boundary;
+use sheetwright::boundary::{Boundary, samples_from_points};
 use sheetwright::cost::{PriceOptions, Prices, TwistForm};
-use sheetwright::math::Vec3;
+use sheetwright::curve::CurvePoint;
+use sheetwright::math::{Point3, Vec3, cos, sin};
 use sheetwright::triangulate::{Goal, TriangulateOptions, triangulate};
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::family::Family;
+use std::f64::consts::TAU;
 
 /// The least price and its triangles: of equal prices the k with the shortest way from i over k to
 /// j, then the smallest.
@@ -61,6 +63,52 @@ fn check(boundary: &Boundary, price: PriceOptions, what: &str) {
         found.triangles.iter().map(|corners| corners.map(|corner| corner.get())).collect();
     assert!(same == triangles, "{what}: {} {least}", found.price);
     assert_eq!(found.price.to_bits(), least.to_bits(), "{what}");
+}
+
+/// An outline of so many samples in a plane, x and y along the given directions: a square with four
+/// corners, or an egg without straight runs.
+fn plane_outline(m: u32, square: bool, along: [[f64; 3]; 2]) -> Boundary {
+    let point = |i: u32| {
+        let s = 4.0 * f64::from(i) / f64::from(m);
+        let (x, y) = match s {
+            _ if !square => {
+                let t = TAU * s / 4.0;
+                ((3.0 + cos(t)) * cos(t), 2.0 * sin(t))
+            }
+            _ if s < 1.0 => (s, 0.0),
+            _ if s < 2.0 => (1.0, s - 1.0),
+            _ if s < 3.0 => (3.0 - s, 1.0),
+            _ => (0.0, 4.0 - s),
+        };
+        let [x, y] = [x, y].map(|x| 100.0 * x);
+        let at = |axis: usize| x * along[0][axis] + y * along[1][axis];
+        let at = Point3::new(at(0), at(1), at(2));
+        if square && (4 * i).is_multiple_of(m) {
+            CurvePoint::corner(at)
+        } else {
+            CurvePoint::smooth(at)
+        }
+    };
+    Boundary::new(vec![samples_from_points(&(0..m).map(point).collect::<Vec<_>>())]).unwrap()
+}
+
+#[test]
+fn flat_outlines_have_the_triangles_of_the_plain_table() {
+    // In one plane along the axes, and in two others, N has the same bits or not.
+    let planes = [
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+        [[0.0, 0.0, -1.0], [0.0, 1.0, 0.0]],
+        [[0.6, 0.0, 0.8], [0.1, 0.9, -0.3]],
+    ];
+    for along in planes {
+        for (m, square) in [(64, true), (260, true), (65, false), (259, false)] {
+            for fold in [0.0, 1.0] {
+                let price = PriceOptions { fold, ..PriceOptions::default() };
+                let outline = plane_outline(m, square, along);
+                check(&outline, price, &format!("{m} {square} {along:?} {fold}"));
+            }
+        }
+    }
 }
 
 #[test]

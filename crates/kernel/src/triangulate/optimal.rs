@@ -96,7 +96,8 @@ pub(super) fn solve(
     bounds: &[f64],
     watch: &mut dyn Watch,
 ) -> Result<Option<Vec<[usize; 3]>>, TriangulateError> {
-    // Each try solves the thinned loop, so that only the bound that holds is tried.
+    // Where the thinned loop shows more than a bound, each try would solve it again: then only the last is
+    // tried, which holds.
     let first = if shows_outside(terms) { bounds.len().saturating_sub(1) } else { 0 };
     for &bound in bounds[first..].iter().filter(|bound| **bound <= HIGHEST_BOUND) {
         if let Some(solved) = if_it_fits(solve_within(terms, bound, watch))? {
@@ -223,7 +224,8 @@ fn bounds(table: &mut Table<'_>, watch: &mut dyn Watch) -> Result<Bounds, Triang
     let Some(Filled { solved: coarse, table: few, tiles, growth, from_outside }) = coarse else {
         return Ok(none);
     };
-    let grown = |growth: f64| table.bytes() + (growth * few.bytes_of(tiles) as f64) as u64;
+    let places = table.bytes() + GROWTH[1] as u64 * few.bytes_of_places();
+    let grown = |growth: f64| places + (growth * few.bytes_of(tiles) as f64) as u64;
     let growth = growth.unwrap_or(GROWTH[0]);
     if may_fail && grown(LEAST_GROWTH.max(LEAST_SHARE * growth)) > terms.memory {
         let expected = grown(growth.clamp(GROWTH[0], GROWTH[1]));

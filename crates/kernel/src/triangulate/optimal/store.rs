@@ -2,7 +2,8 @@
 //!
 //! Where a stretch of the boundary lies in a plane, all of its rungs are free, and so is whatever is put
 //! together of them: entries of zero that say nothing, as many as the pairs of its samples. Tiles that
-//! have no other entries and one N throughout are kept once for all of them.
+//! have no other entries and, where folds cost something, the same bits of N throughout are kept once for
+//! each N. In planes along the axes N has the same bits, in others it may differ in the last ones.
 //!
 //! While a handle is dragged, and over many holes or panels, one table follows another of about the
 //! same size. Fresh memory comes page by page from the system, which took a seventh of the time. So
@@ -63,10 +64,11 @@ impl Tile {
         *self.sums.least == [f64::INFINITY; LANES]
     }
 
-    /// The N of all rungs, zero without; `None` unless it is one and all entries are zero.
+    /// N, if it is the same for all rungs and all entries are zero; zero where none is stored.
     fn flat_mean(&self) -> Option<[f64; 3]> {
-        let is_free = self.sums.least.iter().chain(self.sums.entries.as_flattened());
-        if is_free.into_iter().any(|&entry| entry != 0.0) {
+        // The least first, which tells of most tiles.
+        let mut sums = self.sums.least.iter().chain(self.sums.entries.as_flattened());
+        if sums.any(|&sum| sum != 0.0) {
             return None;
         }
         let Some(means) = &self.means else { return Some([0.0; 3]) };
@@ -154,7 +156,7 @@ impl Store {
 
     /// What it takes without the tiles to be used again, bytes.
     pub(super) fn bytes(&self) -> u64 {
-        let places = least_bytes(self.beside.len()) + self.taken as u64 * PLACE_BYTES;
+        let places = least_bytes(self.beside.len()) + self.bytes_of_places();
         places + self.bytes_of(self.tiles.len())
     }
 
@@ -169,6 +171,11 @@ impl Store {
     pub(super) fn tiles_up_to(&self, bound: f64) -> usize {
         let has_some = |tile: &&Tile| tile.sums.least.iter().any(|&least| least <= bound);
         self.tiles.iter().filter(has_some).count()
+    }
+
+    /// What the places of all tiles take beside others, bytes.
+    pub(super) fn bytes_of_places(&self) -> u64 {
+        self.taken as u64 * PLACE_BYTES
     }
 
     /// What so many tiles take, without places for them, bytes.
@@ -301,8 +308,14 @@ mod tests {
             assert_eq!(store.bytes(), places + tiles as u64 * Tile::bytes(folds));
             store.clear();
             assert_eq!((store.bytes(), store.tiles_up_to(0.0)), (least_bytes(4), 0));
-            store.put(0, 1, flat(folds, [0.0, 0.0, 1.0]));
-            assert_eq!((store.beside(0), store.tiles_up_to(0.0)), (&[1][..], 1));
+            // The number of the tile that was flat is that of another now.
+            let mut uneven = flat(folds, [0.0, 0.0, 1.0]);
+            uneven.sums.entries[5][6] = QUANTUM;
+            store.put(0, 1, uneven);
+            store.put(0, 2, flat(folds, [0.0, 0.0, 1.0]));
+            assert_eq!((store.beside(0), store.tiles_up_to(0.0)), (&[1, 2][..], 2));
+            let zeros = |column| store.tile(0, column).map(|tile| tile.flat_mean().is_some());
+            assert_eq!([zeros(1), zeros(2)], [Some(false), Some(true)]);
         }
     }
 

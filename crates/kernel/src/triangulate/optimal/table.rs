@@ -163,6 +163,11 @@ impl<'a> Table<'a> {
         self.store.tiles_up_to(bound)
     }
 
+    /// What the places of all tiles take beside others, bytes.
+    pub(super) fn bytes_of_places(&self) -> u64 {
+        self.store.bytes_of_places()
+    }
+
     /// What so many tiles take, bytes.
     pub(super) fn bytes_of(&self, tiles: usize) -> u64 {
         self.store.bytes_of(tiles)

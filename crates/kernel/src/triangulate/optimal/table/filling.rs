@@ -294,7 +294,7 @@ impl Table<'_> {
         false
     }
 
-    /// The same for the k of one column of tiles. Of the 16, only those are looked at whose E(i,k) and the
+    /// Looks at the k of one column of tiles. Of the 16, only those are looked at whose E(i,k) and the
     /// least E(k,j) together lie below `reach`, the highest of the least prices, which is returned.
     #[inline(always)]
     fn look_through<const FOLDS: bool, const FUSED: bool>(
@@ -387,18 +387,18 @@ impl Table<'_> {
     }
 
     /// Looks at the triangles of those sides ⟨i,k⟩ that have a bit in `left`, with k in the column of
-    /// tiles `between`, which `offsets` lead to, on loops whose members are numbered in order. Sides
+    /// tiles `at`, which `offsets` lead to, on loops whose members are numbered in order. Sides
     /// whose own share in F is too much for all j go without a look at each.
     #[inline(always)]
     fn look_at_sides<const FUSED: bool>(
         &self,
         least: &mut Least<'_>,
-        between: usize,
+        at: usize,
         offsets: &[Lanes; 3],
         (mut left, reach): (u32, f64),
         (own, beyond): (&Tile, &Tile),
     ) {
-        let (i, first) = (least.i, between * LANES);
+        let (i, first) = (least.i, at * LANES);
         let entries = &own.sums.entries[i % LANES];
         let (Some(means), Some(means_beyond)) = (own.means_from(i), &beyond.means) else { return };
         if let Some(segment) = least.segment {
