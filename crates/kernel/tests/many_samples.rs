@@ -115,7 +115,7 @@ fn flat_stretches_take_hardly_any_memory() {
         let found = triangulate(&boundary, None, &narrow, &mut Unwatched).unwrap();
         assert!(found.proven_optimal && found.triangles.len() == 3998);
     }
-    // All of this outline does.
+    // All of this outline lies in one.
     let at = |i: u32| match (i / 750, f64::from(i % 750)) {
         (0, s) => (s, 0.0),
         (1, s) => (750.0, s),

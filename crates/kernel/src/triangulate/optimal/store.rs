@@ -285,10 +285,13 @@ mod tests {
             }
             tile
         };
+        let uneven = |folds: bool| {
+            let mut tile = flat(folds, [0.0, 0.0, 1.0]);
+            tile.sums.entries[5][6] = QUANTUM;
+            tile
+        };
         for folds in [false, true] {
             let mut store = Store::new(4, folds);
-            let mut uneven = flat(folds, [0.0, 0.0, 1.0]);
-            uneven.sums.entries[5][6] = QUANTUM;
             let mut turned = flat(folds, [0.0, 0.0, 1.0]);
             if let Some(means) = &mut turned.means {
                 means[LANES - 1][0][LANES - 1] = 1e-16;
@@ -296,7 +299,7 @@ mod tests {
             store.put(0, 1, flat(folds, [0.0, 0.0, 1.0]));
             store.put(0, 2, flat(folds, [-0.0, 0.0, 1.0]));
             store.put(0, 3, flat(folds, [0.0, 0.0, -1.0]));
-            store.put(1, 2, uneven);
+            store.put(1, 2, uneven(folds));
             store.put(1, 3, turned);
             let at = |row, column| store.tile(row, column).map(std::ptr::from_ref);
             assert_eq!(at(0, 1), at(0, 2));
@@ -309,9 +312,7 @@ mod tests {
             store.clear();
             assert_eq!((store.bytes(), store.tiles_up_to(0.0)), (least_bytes(4), 0));
             // The number of the tile that was flat is that of another now.
-            let mut uneven = flat(folds, [0.0, 0.0, 1.0]);
-            uneven.sums.entries[5][6] = QUANTUM;
-            store.put(0, 1, uneven);
+            store.put(0, 1, uneven(folds));
             store.put(0, 2, flat(folds, [0.0, 0.0, 1.0]));
             assert_eq!((store.beside(0), store.tiles_up_to(0.0)), (&[1, 2][..], 2));
             let zeros = |column| store.tile(0, column).map(|tile| tile.flat_mean().is_some());

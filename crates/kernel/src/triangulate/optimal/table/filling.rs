@@ -378,11 +378,11 @@ impl Table<'_> {
         shared: [f64; 3],
         (entries, means): (&Lanes, &[Lanes; 3]),
     ) {
+        let fan = Fan { side: self.terms.prices.offset(least.i, k), shared, beyond: means };
         if !self.in_order {
-            return self.look_singly(least, k, entry, shared, (entries, means));
+            return self.look_singly(least, (k, entry), &fan, entries);
         }
         let rungs = self.rungs_of_fan(least.i, k, least.to).least();
-        let fan = Fan { side: self.terms.prices.offset(least.i, k), shared, beyond: means };
         self.look_at_fan::<FUSED>(least, (k, entry), (&fan, rungs), entries);
     }
 
@@ -471,10 +471,9 @@ impl Table<'_> {
     fn look_singly(
         &self,
         least: &mut Least<'_>,
-        k: usize,
-        entry: f64,
-        shared: [f64; 3],
-        (entries, means): (&Lanes, &[Lanes; 3]),
+        (k, entry): (usize, f64),
+        fan: &Fan<'_>,
+        entries: &Lanes,
     ) {
         let rungs = self.rungs_of_fan(least.i, k, least.to);
         let fold = self.terms.prices.options().fold;
@@ -484,7 +483,7 @@ impl Table<'_> {
                 continue;
             }
             let of_sides =
-                [shared, of_lane(means, n), of_lane(least.means, n)].map(Vec3::from_array);
+                [fan.shared, of_lane(fan.beyond, n), of_lane(least.means, n)].map(Vec3::from_array);
             let square = (of_sides[0] + of_sides[1] + of_sides[2]).length_squared();
             let rungs = rungs.of(n);
             let bound = fold * ((rungs * rungs - square) / (2.0 * rungs.max(1.0)) - SLACK);
