@@ -11,28 +11,30 @@
 //!    registers that the processor has (crate `pulp`; the bits are the same with any). With the feature
 //!    `rayon`, threads share the tiles of one diagonal after the other, which need nothing of one
 //!    another.
-//! 3. Prices are never negative, so no entry above the price of a known triangulation is a part of
-//!    the answer. One is found by way of the loop of the corners and every fourth sample (`thinned`):
-//!    only rungs near to the rungs of its optimum are priced and put together (a band of the table),
-//!    which is cheap, and near to the optimum or the optimum itself. In the table of all rungs, entries
-//!    above that price are then dropped. Where the samples of a tile's rows and columns show that none
-//!    of its rungs can cost so little (`span`), the tile is not looked at; where none of its entries is
-//!    left, it is not kept, and those of flat stretches are kept once for all of them (`store`). Next
-//!    to a developable surface so few are left that their number grows like m^1.5. Far from one, where
-//!    the band is dearer than the thinned loop, its optimum may have another shape than that of all
-//!    samples; then the thinned loop is solved with cheaper folds as well, and the cheaper of two
-//!    bands is the bound. If none has a triangulation, the bound is guessed from the optimum of the
-//!    thinned loop, and raised until there is an answer below it. While a handle is dragged, the
-//!    triangulation from before gives a bound instead (`mend`). From about 4,100 samples on, next to a
-//!    developable surface and with folds, even fewer are left where it is worked out first what the
-//!    rest of the loop costs beside each rung (`outside`).
+//! 3. Prices are never negative, so no entry above the price of a known triangulation is a part of the
+//!    answer. One is found by way of the loop of the corners and every fourth sample (`thinned`): only
+//!    rungs near to the rungs of its optimum are priced and put together (a band of the table), which is
+//!    cheap, and near to the optimum or the optimum itself. In the table of all rungs, entries above
+//!    that price are then dropped. Where the samples of a tile's rows and columns show that none of its
+//!    rungs can cost so little (`span`), the tile is not looked at, and where the least entries of the
+//!    tiles between show that none of its own can, its rungs are not priced (`table/between`); where
+//!    none of its entries is left, it is not kept, and those of flat stretches are kept once for all of
+//!    them (`store`). Next to a developable surface so few are left that their number grows like m^1.5.
+//!    Far from one, where the band is dearer than the thinned loop, its optimum may have another shape
+//!    than that of all samples; then the thinned loop is solved with cheaper folds as well, and the
+//!    cheaper of two bands is the bound. If none has a triangulation, the bound is guessed from the
+//!    optimum of the thinned loop, and raised until there is an answer below it. While a handle is
+//!    dragged, the triangulation from before gives a bound instead (`mend`). From about 4,100 samples
+//!    on, next to a developable surface and with folds, even fewer are left where it is worked out first
+//!    what the rest of the loop costs beside each rung (`outside`).
 //! 4. Those k come first that were best one row below, so that few others are left to be looked at.
-//!    These are taken tile by tile, where both tiles are kept: E(i,k) and the least E(k,j) of the
-//!    16 j together say for 16 k at once which may lie below the prices so far. F is never negative,
-//!    and dear to work out. So for the same 16 k, the share that the side ⟨i,k⟩ has in it is bounded for
-//!    all 16 j together, which leaves out a tenth to a third of them. For the others, the sums
-//!    E(i,k) + E(k,j) are compared, 16 j at a time. Where one lies below, a test without root and
-//!    quotient says whether F may leave it there, and only then F is worked out.
+//!    These are taken tile by tile, where both tiles are kept. Their least entries, together with the
+//!    least F where N lie as theirs (`normals`), may rule out two tiles at once. Else E(i,k) and the
+//!    least E(k,j) of the 16 j together say for 16 k at once which may lie below the prices so far. F is
+//!    never negative, and dear to work out. So for the same 16 k, the share that the side ⟨i,k⟩ has in
+//!    it is bounded for all 16 j together, which leaves out a tenth to a third of them. For the others,
+//!    the sums E(i,k) + E(k,j) are compared, 16 j at a time. Where one lies below, a test without root
+//!    and quotient says whether F may leave it there, and only then F is worked out.
 //! 5. Which k was best is not stored but found again on the way back, for the m − 2 entries that
 //!    belong to the answer. Of equal prices (prices are exact, see [`crate::cost`], so flat regions
 //!    do tie) the k with the least |P_i P_k| + |P_k P_j| wins, then the smallest: strips of compact
@@ -40,6 +42,7 @@
 
 mod lanes;
 mod near;
+mod normals;
 mod open;
 mod outside;
 mod store;

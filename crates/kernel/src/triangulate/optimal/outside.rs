@@ -459,7 +459,7 @@ impl pulp::WithSimd for Pricing<'_> {
             tile.sums.entries[r] = *strip.prices;
             tile.sums.least[r] = lowest(&strip.prices);
             if let Some(means) = &mut tile.means {
-                means[r] = *strip.means;
+                means.rows[r] = *strip.means;
             }
         }
     }

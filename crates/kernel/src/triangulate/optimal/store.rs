@@ -10,6 +10,7 @@
 //! each thread keeps some tiles of its last table. Their entries are cleared before they are used
 //! again; N is written wherever an entry is.
 
+use super::normals::NormalBox;
 use crate::cost::{Aligned, LANES, Lanes};
 use std::cell::Cell;
 use std::collections::BTreeMap;
@@ -34,7 +35,11 @@ pub(super) struct Sums {
     pub(super) least: Aligned<Lanes>,
 }
 
-pub(super) type Means = Aligned<[[Lanes; 3]; LANES]>;
+pub(super) struct Means {
+    pub(super) rows: Aligned<[[Lanes; 3]; LANES]>,
+    /// Where those of finite entries lie, if that is known.
+    pub(super) within: NormalBox,
+}
 
 impl Tile {
     /// What a tile takes, bytes, with or without N.
@@ -47,16 +52,23 @@ impl Tile {
     /// A tile without finite entries.
     pub(super) fn new(folds: bool) -> Self {
         let none = [f64::INFINITY; LANES];
+        let means = || Means { rows: Aligned([[[0.0; LANES]; 3]; LANES]), within: NormalBox::ANY };
         Self {
             sums: Box::new(Sums { entries: Aligned([none; LANES]), least: Aligned(none) }),
-            means: folds.then(|| Box::new(Aligned([[[0.0; LANES]; 3]; LANES]))),
+            means: folds.then(|| Box::new(means())),
         }
     }
 
     /// N of the rungs from sample `i`; `None` when folds cost nothing.
     #[inline(always)]
     pub(super) fn means_from(&self, i: usize) -> Option<&[Lanes; 3]> {
-        self.means.as_ref().map(|means| &means[i % LANES])
+        self.means.as_ref().map(|means| &means.rows[i % LANES])
+    }
+
+    /// Where the N of finite entries lie.
+    #[inline(always)]
+    pub(super) fn normals(&self) -> &NormalBox {
+        self.means.as_ref().map_or(&NormalBox::ANY, |means| &means.within)
     }
 
     /// Whether all entries are infinite.
@@ -71,16 +83,19 @@ impl Tile {
         if sums.any(|&sum| sum != 0.0) {
             return None;
         }
-        let Some(means) = &self.means else { return Some([0.0; 3]) };
-        let mean = [0, 1, 2].map(|axis| means[0][axis][0]);
+        let Some(Means { rows, .. }) = self.means.as_deref() else { return Some([0.0; 3]) };
+        let mean = [0, 1, 2].map(|axis| rows[0][axis][0]);
         let is_one = |row: &[Lanes; 3]| (0..3).all(|axis| row[axis] == [mean[axis]; LANES]);
-        means.iter().all(is_one).then_some(mean)
+        rows.iter().all(is_one).then_some(mean)
     }
 
     fn clear(&mut self) {
         let none = [f64::INFINITY; LANES];
         *self.sums.entries = [none; LANES];
         *self.sums.least = none;
+        if let Some(means) = &mut self.means {
+            means.within = NormalBox::ANY;
+        }
     }
 }
 
@@ -281,7 +296,7 @@ mod tests {
             *tile.sums.entries = [[0.0; LANES]; LANES];
             *tile.sums.least = [0.0; LANES];
             if let Some(means) = &mut tile.means {
-                ***means = [mean.map(|x| [x; LANES]); LANES];
+                *means.rows = [mean.map(|x| [x; LANES]); LANES];
             }
             tile
         };
@@ -294,7 +309,7 @@ mod tests {
             let mut store = Store::new(4, folds);
             let mut turned = flat(folds, [0.0, 0.0, 1.0]);
             if let Some(means) = &mut turned.means {
-                means[LANES - 1][0][LANES - 1] = 1e-16;
+                means.rows[LANES - 1][0][LANES - 1] = 1e-16;
             }
             store.put(0, 1, flat(folds, [0.0, 0.0, 1.0]));
             store.put(0, 2, flat(folds, [-0.0, 0.0, 1.0]));

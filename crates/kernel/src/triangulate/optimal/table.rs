@@ -1,5 +1,6 @@
 //! The table itself, in which order its tiles are filled, and the way back.
 
+mod between;
 mod filling;
 
 use super::lanes::of_lane;

@@ -1,9 +1,11 @@
 //! How a tile of the table is filled: what is looked at for each of its entries, and in which order.
 
 use super::Table;
+use super::between::{Between, Sides};
 use crate::cost::{Aligned, Fan, FanRungs, Fans, FarEnds, LANES, Lanes, QUANTUM, Segment, Strip};
 use crate::math::Vec3;
 use crate::triangulate::optimal::lanes::{are_fused, highest, lowest, of_lane};
+use crate::triangulate::optimal::normals::NormalBox;
 use crate::triangulate::optimal::open::Open;
 use crate::triangulate::optimal::store::Tile;
 use crate::triangulate::{Rule, Terms};
@@ -78,23 +80,12 @@ impl Least<'_> {
     }
 }
 
-/// The tiles between the rows and the column of a tile that is filled, as far as they were needed.
-struct Between<'a> {
-    row: usize,
-    column: usize,
-    found: Vec<Sides<'a>>,
-    /// The place, among the tiles beside one another, of the first that was not looked at.
-    next: usize,
-}
-
-/// Two tiles whose rungs are sides of triangles with those of the tile that is filled.
-struct Sides<'a> {
-    /// The columns of the first, which are the rows of the second.
-    at: usize,
-    own: &'a Tile,
-    beyond: &'a Tile,
-    /// No entries of both together are less.
-    least: f64,
+/// The rungs of a tile, row by row.
+struct Rungs {
+    /// Infinite where nothing is looked for.
+    prices: [Lanes; LANES],
+    /// The sums below each must be less than this; infinitely low where nothing is looked for.
+    below: [Lanes; LANES],
 }
 
 impl Table<'_> {
@@ -137,40 +128,26 @@ impl Table<'_> {
         let rows = row * LANES..self.m.min((row + 1) * LANES);
         let (to, column) = (&*to, to.first / LANES);
         let segment = if FOLDS && self.in_order { open.segment(column) } else { None };
-        let mut strip = Strip::BLANK;
-        let mut between = Between { row, column, found: Vec::new(), next: 0 };
-        for i in rows.clone().rev() {
-            let near = open.band.map(|band| band.lanes(i, to));
-            if near.is_some_and(|near| near == [false; LANES]) {
-                continue;
+        let mut between = Between::new(row, column);
+        // On the diagonal and next to it are the edges ⟨i,i+1⟩, which need nothing below them.
+        if row + 1 < column {
+            let limit = self.sums_below(open.bound, open.least(row, column).max(0.0));
+            if self.leaves_nothing::<FOLDS>(&mut between, limit, together) {
+                return;
             }
-            self.terms.strip::<FOLDS>(i, to, open.bound, &mut strip);
-            let Strip { prices, means } = &mut strip;
-            if let Some(of_tile) = &mut tile.means {
-                of_tile[i - rows.start] = **means;
-            }
-            let rests = match &self.outside {
-                Some(outside) => outside.row(i, column).copied().unwrap_or([f64::INFINITY; LANES]),
-                None => [0.0; LANES],
-            };
-            let mut below = [f64::NEG_INFINITY; LANES];
-            for n in 0..LANES {
-                if near.is_some_and(|near| !near[n]) && to.first + n > i + 1 {
-                    prices[n] = f64::INFINITY;
-                }
-                let price = prices[n] + rests[n];
-                let left = match self.terms.rule {
-                    Rule::Sum => open.bound - price,
-                    Rule::Worst => open.bound,
-                };
-                let admitted = price <= open.bound && price < f64::INFINITY;
-                // Prices up to the bound lie below the next multiple of the quantum.
-                below[n] = if admitted { left + QUANTUM } else { f64::NEG_INFINITY };
-            }
-            if below == [f64::NEG_INFINITY; LANES] {
+        }
+        let rungs = self.price_rungs::<FOLDS>(open, row, to, tile);
+        let has_box = FOLDS && self.in_order && !open.has_edges(row, column);
+        if has_box && let Some(means) = &tile.means {
+            self.know_normals(&mut between, NormalBox::of(&rungs.prices, &means.rows));
+        }
+        for i in rows.rev() {
+            let (prices, below) = (&rungs.prices[i % LANES], &rungs.below[i % LANES]);
+            if *below == [f64::NEG_INFINITY; LANES] {
                 continue;
             }
             let none = Aligned([[0.0; LANES]; 3]);
+            let means = &Aligned(tile.means_from(i).copied().unwrap_or(*none));
             let offsets = if FOLDS { self.terms.prices.offsets(i, to) } else { none };
             let mut least = Least {
                 i,
@@ -178,7 +155,7 @@ impl Table<'_> {
                 means,
                 fans: self.terms.prices.fans(&offsets, means),
                 segment: segment.as_ref(),
-                prices: Aligned(below),
+                prices: Aligned(*below),
                 best: Aligned([0; LANES]),
             };
             self.look_first::<FOLDS, FUSED>(&mut least, best, column, tile, together);
@@ -210,10 +187,65 @@ impl Table<'_> {
                     );
                 }
             }
-            tile.sums.least[i - rows.start] = lowest(&entries);
-            tile.sums.entries[i - rows.start] = entries;
+            tile.sums.least[i % LANES] = lowest(&entries);
+            tile.sums.entries[i % LANES] = entries;
             *best = *least.best;
         }
+        if has_box && let Some(means) = &mut tile.means {
+            means.within = NormalBox::of(&tile.sums.entries, &means.rows);
+        }
+    }
+
+    /// Prices the rungs of the tile of this row, and writes their N to it.
+    #[inline(always)]
+    fn price_rungs<const FOLDS: bool>(
+        &self,
+        open: &Open<'_>,
+        row: usize,
+        to: &FarEnds,
+        tile: &mut Tile,
+    ) -> Rungs {
+        let mut rungs = Rungs {
+            prices: [[f64::INFINITY; LANES]; LANES],
+            below: [[f64::NEG_INFINITY; LANES]; LANES],
+        };
+        let mut strip = Strip::BLANK;
+        for i in row * LANES..self.m.min((row + 1) * LANES) {
+            let near = open.band.map(|band| band.lanes(i, to));
+            if near.is_some_and(|near| near == [false; LANES]) {
+                continue;
+            }
+            self.terms.strip::<FOLDS>(i, to, open.bound, &mut strip);
+            if let Some(of_tile) = &mut tile.means {
+                of_tile.rows[i % LANES] = *strip.means;
+            }
+            let rests = match &self.outside {
+                Some(outside) => {
+                    outside.row(i, to.first / LANES).copied().unwrap_or([f64::INFINITY; LANES])
+                }
+                None => [0.0; LANES],
+            };
+            for n in 0..LANES {
+                let is_near = near.is_none_or(|near| near[n]) || to.first + n <= i + 1;
+                let price = strip.prices[n] + rests[n];
+                if is_near && price <= open.bound && price < f64::INFINITY {
+                    rungs.prices[i % LANES][n] = strip.prices[n];
+                    rungs.below[i % LANES][n] = self.sums_below(open.bound, price);
+                }
+            }
+        }
+        rungs
+    }
+
+    /// What sums below a rung of this price must be less than, for entries up to `bound`.
+    #[inline(always)]
+    fn sums_below(&self, bound: f64, price: f64) -> f64 {
+        let left = match self.terms.rule {
+            Rule::Sum => bound - price,
+            Rule::Worst => bound,
+        };
+        // Prices up to the bound lie below the next multiple of the quantum.
+        left + QUANTUM
     }
 
     /// Looks at those k that were best one row below.
@@ -261,37 +293,19 @@ impl Table<'_> {
         if reach > 0.0
             && let Some(own) = self.store.tile(row, row)
         {
-            let sides = Sides { at: row, own, beyond: tile, least: 0.0 };
-            reach = self.look_through::<FOLDS, FUSED>(least, reach, &sides, together);
+            reach = self.look_through::<FOLDS, FUSED>(least, reach, row, (own, tile), together);
         }
         let mut n = 0;
-        while reach > 0.0 && (n < between.found.len() || self.find_next(between, together)) {
+        while reach > 0.0 && (n < between.found.len() || self.find_next::<FOLDS>(between, together))
+        {
             let sides = &between.found[n];
             if sides.least < reach {
-                reach = self.look_through::<FOLDS, FUSED>(least, reach, sides, together);
+                let Sides { at, own, beyond, .. } = *sides;
+                reach =
+                    self.look_through::<FOLDS, FUSED>(least, reach, at, (own, beyond), together);
             }
             n += 1;
         }
-    }
-
-    /// Finds the next two tiles between; returns whether there are any.
-    #[inline(always)]
-    fn find_next<'a>(
-        &'a self,
-        between: &mut Between<'a>,
-        together: impl Fn(f64, f64) -> f64,
-    ) -> bool {
-        while let Some(&at) = self.store.beside(between.row).get(between.next) {
-            between.next += 1;
-            let at = at as usize;
-            let tiles = (self.store.tile(between.row, at), self.store.tile(at, between.column));
-            if let (Some(own), Some(beyond)) = tiles {
-                let least = together(lowest(&own.sums.least), lowest(&beyond.sums.least));
-                between.found.push(Sides { at, own, beyond, least });
-                return true;
-            }
-        }
-        false
     }
 
     /// Looks at the k of one column of tiles. Of the 16, only those are looked at whose E(i,k) and the
@@ -301,7 +315,8 @@ impl Table<'_> {
         &self,
         least: &mut Least<'_>,
         reach: f64,
-        &Sides { at, own, beyond, .. }: &Sides<'_>,
+        at: usize,
+        (own, beyond): (&Tile, &Tile),
         together: impl Fn(f64, f64) -> f64 + Copy,
     ) -> f64 {
         let (entries, means) = (&own.sums.entries[least.i % LANES], own.means_from(least.i));
@@ -421,7 +436,7 @@ impl Table<'_> {
             let fan = Fan {
                 side: of_lane(offsets, n),
                 shared: of_lane(means, n),
-                beyond: &means_beyond[n],
+                beyond: &means_beyond.rows[n],
             };
             let sums = &beyond.sums.entries[n];
             self.look_at_fan::<FUSED>(least, (first + n, entries[n]), (&fan, rungs[n]), sums);

@@ -1,11 +1,12 @@
+use super::between::Between;
 use super::*;
 use crate::boundary::{Boundary, samples_from_points};
-use crate::cost::{PriceOptions, Prices, Strip};
+use crate::cost::{PriceOptions, Prices, QUANTUM, Strip, quantised};
 use crate::curve::CurvePoint;
 use crate::math::{Point3, cos, sin};
 use crate::rung::Visibility;
-use crate::triangulate::Rule;
 use crate::triangulate::span::Span;
+use crate::triangulate::{Rule, Side};
 use crate::watch::Unwatched;
 
 /// A bent plate of `m` samples with four corners and two straight sides; a wavy loop.
@@ -88,6 +89,81 @@ fn tiles_that_are_not_looked_at_have_no_entries() {
         }
     }
     assert!(closed > 100, "{closed}");
+}
+
+#[test]
+fn entries_are_all_those_of_equation_5_up_to_the_bound() {
+    // The last tiles are not full.
+    let m = 315;
+    let (mut empty, mut apart) = (0, 0);
+    for (boundary, fold) in boundaries(m).iter().flat_map(|b| [(b, 0.0), (b, 1.0)]) {
+        let prices = Prices::new(boundary, None, PriceOptions { fold, ..Default::default() });
+        let everything = Visibility::everything();
+        let terms = Terms::new(&prices, &everything, false);
+        let sides: Vec<Vec<Side>> =
+            (0..m).map(|j| (0..j).map(|i| terms.side(i, j)).collect()).collect();
+        let mut plain = vec![vec![0.0; m]; m];
+        for (length, i) in (2..m).flat_map(|length| (0..m - length).map(move |i| (length, i))) {
+            let j = i + length;
+            let price = |k: usize| {
+                let means = [sides[k][i].mean, sides[j][k].mean, sides[j][i].mean];
+                plain[i][k] + plain[k][j] + prices.triangle([i, k, j], means)
+            };
+            plain[i][j] = sides[j][i].price + (i + 1..j).map(price).fold(f64::INFINITY, f64::min);
+        }
+        let answer = plain[0][m - 1];
+        for bound in [answer, quantised(1.5 * answer)] {
+            let mut table = Table::new(&terms);
+            assert_eq!(table.fill(bound, None, &mut Unwatched, 0.0..1.0), Ok(answer));
+            for (i, j) in (0..m).flat_map(|i| (i + 1..m).map(move |j| (i, j))) {
+                let expected = if plain[i][j] <= bound { plain[i][j] } else { f64::INFINITY };
+                assert_eq!(table.entry(i, j), expected, "{i} {j}");
+            }
+            // What is left out, and by what.
+            let open = Open::new(&terms, bound, None);
+            for (row, column) in (0..20).flat_map(|row| (row + 2..20).map(move |c| (row, c))) {
+                let mut between = Between::new(row, column);
+                let is_empty =
+                    table.leaves_nothing::<true>(&mut between, bound + QUANTUM, |a, b| a + b);
+                empty += usize::from(is_empty && open.is_open(row, column));
+                while table.find_next::<true>(&mut between, |a, b| a + b) {}
+                if let Some(tile) = table.store.tile(row, column) {
+                    table.know_normals(&mut between, *tile.normals());
+                    apart += between.found.iter().filter(|sides| sides.least > bound).count();
+                }
+            }
+        }
+    }
+    assert!(empty > 50 && apart > 200, "{empty} {apart}");
+}
+
+#[test]
+fn rungs_of_long_runs_cost_what_their_spans_say_or_more() {
+    let m = 2_100;
+    let mut closed = 0;
+    for boundary in boundaries(m) {
+        let prices = Prices::new(&boundary, None, PriceOptions::default());
+        let everything = Visibility::everything();
+        let terms = Terms::new(&prices, &everything, false);
+        // With a bound as low as that, only the spans of long runs are asked.
+        let open = Open::new(&terms, QUANTUM, None);
+        let mut strip = Strip::BLANK;
+        for column in 0..m.div_ceil(LANES) {
+            let to = prices.far_ends(column * LANES);
+            for row in 0..column {
+                let least = open.least(row, column);
+                if least <= QUANTUM {
+                    continue;
+                }
+                closed += 1;
+                for i in row * LANES..(row + 1) * LANES {
+                    terms.strip::<false>(i, &to, f64::INFINITY, &mut strip);
+                    assert!(strip.prices[..to.count].iter().all(|&price| price >= least), "{i}");
+                }
+            }
+        }
+    }
+    assert!(closed > 1_000, "{closed}");
 }
 
 #[test]
