@@ -138,6 +138,38 @@ fn entries_are_all_those_of_equation_5_up_to_the_bound() {
 }
 
 #[test]
+fn tiles_that_stand_in_many_places_have_the_n_of_all() {
+    // A patch of a cylinder, whose arcs lie in planes.
+    let m = 640;
+    let patch = |i: usize| {
+        let (side, t) = (4 * i / m, (4 * i % m) as f64 / m as f64);
+        let [s, z] = [[t, -0.8], [1.0, 1.6 * t - 0.8], [1.0 - t, 0.8], [0.0, 0.8 - 1.6 * t]][side];
+        let at = Point3::new(cos(2.0 * s - 1.0), sin(2.0 * s - 1.0), z);
+        CurvePoint { corner: (4 * i).is_multiple_of(m), ..CurvePoint::smooth(at) }
+    };
+    let samples = samples_from_points(&(0..m).map(patch).collect::<Vec<_>>());
+    let boundary = Boundary::new(vec![samples]).unwrap();
+    let prices = Prices::new(&boundary, None, PriceOptions::default());
+    let everything = Visibility::everything();
+    let terms = Terms::new(&prices, &everything, false);
+    let mut table = Table::new(&terms);
+    table.fill(0.5, None, &mut Unwatched, 0.0..1.0).unwrap();
+    let mut places = std::collections::BTreeMap::new();
+    for (row, column) in (0..m / LANES).flat_map(|row| (row..m / LANES).map(move |c| (row, c))) {
+        let Some(tile) = table.store.tile(row, column) else { continue };
+        *places.entry(std::ptr::from_ref(tile)).or_insert(0) += 1;
+        let ends =
+            (0..LANES * LANES).map(|at| (row * LANES + at / LANES, column * LANES + at % LANES));
+        for (i, j) in ends.filter(|&(i, j)| i < j && table.entry(i, j) < f64::INFINITY) {
+            assert_eq!(table.mean(i, j), terms.side(i, j).mean.to_array(), "{i} {j}");
+        }
+    }
+    // One for each arc.
+    let shared: Vec<i32> = places.into_values().filter(|&count| count > 1).collect();
+    assert!(shared.len() == 2 && shared.iter().all(|&count| count > 20), "{shared:?}");
+}
+
+#[test]
 fn rungs_of_long_runs_cost_what_their_spans_say_or_more() {
     let m = 2_100;
     let mut closed = 0;
