@@ -1,6 +1,7 @@
 //! How fast the methods are, on one thread: `cargo bench -p sheetwright`; with `-- holes`, only
 //! the domains with holes, with `-- many`, only boundaries of 1,600 and 10,000 samples, and with
-//! `-- many 100000 blob`, of as many samples as that, of the families with such names.
+//! `-- many 100000 blob`, of as many samples as that, of the families with such names. With
+//! `--features rayon` all cores share the tables, and times are those of the clock on the wall.
 //!
 //! Method: for every curve family and every number of samples, the least of five runs (three at
 //! 1,600) of the whole of `triangulate`, visibility and bound included. The table of a plain
@@ -21,6 +22,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 const SIZES: [usize; 5] = [100, 200, 400, 800, 1600];
+const THREADS: &str = if cfg!(feature = "rayon") { "all cores, on the wall" } else { "one thread" };
 
 fn main() {
     if std::env::args().any(|argument| argument == "many") {
@@ -30,7 +32,7 @@ fn main() {
     if std::env::args().any(|argument| argument == "holes") {
         return;
     }
-    println!("optimal triangulation, one thread, least of several runs, milliseconds\n");
+    println!("optimal triangulation, {THREADS}, least of several runs, milliseconds\n");
     print!("{:<16} {:<22}", "family", "method");
     SIZES.iter().for_each(|m| print!(" {:>9}", format!("m = {m}")));
     println!(" {:>9}", "exponent");
@@ -58,12 +60,11 @@ fn main() {
     }
 }
 
-/// Boundaries of many samples, one run each, above 1,600 only those near to developable: processor
-/// time, price, and the most memory that the program has taken so far, where the system tells.
+/// Boundaries of many samples, one run each, above 1,600 only those near to developable: time, price, and the most memory that the program has taken so far, where the system tells.
 fn many() {
     let sizes: Vec<usize> = std::env::args().filter_map(|size| size.parse().ok()).collect();
     let sizes = if sizes.is_empty() { vec![1600, 10_000] } else { sizes };
-    println!("optimal triangulation of many samples, one thread\n");
+    println!("optimal triangulation of many samples, {THREADS}\n");
     println!(
         "{:<16} {:>7} {:>4} {:>9} {:>12} {:>7} {:>9}",
         "family", "samples", "ν", "s", "price", "proven", "peak, MB"
@@ -104,8 +105,12 @@ fn wanted(family: &str) -> bool {
     !words().any(|word| is_name(&word)) || words().any(|word| family.contains(&word))
 }
 
-/// The time that the processor has spent on the program: on busy machines others have the rest.
+/// The time that the processor has spent on this thread: on busy machines others have the rest. `None`
+/// where threads share the work.
 fn processor_seconds() -> Option<f64> {
+    if cfg!(feature = "rayon") {
+        return None;
+    }
     let stat = std::fs::read_to_string("/proc/self/schedstat").ok()?;
     Some(stat.split(' ').next()?.parse::<f64>().ok()? * 1e-9)
 }
@@ -119,7 +124,7 @@ fn peak_megabytes() -> Option<u64> {
 /// Rings of two loops of 200 samples, and a bent panel of 4 × 8 with round windows in two rows, 200
 /// samples on its rim and 25 on each: time, and how far from the best the answer may be.
 fn holes() {
-    println!("domains with holes, one thread, least of three runs\n");
+    println!("domains with holes, {THREADS}, least of three runs\n");
     println!("{:<34} {:>9} {:>9} {:>9} {:>9}", "domain", "samples", "ν", "ms", "gap, %");
     let circle = |radius: f64, z: f64| move |t: f64| [radius * cos(t), radius * sin(t), z];
     let wild = |t: f64| [100.0 * cos(t) + 20.0 * cos(2.0 * t), 115.0 * sin(t), 20.0 * sin(3.0 * t)];

@@ -6,8 +6,8 @@
 //! changing a length. What remains is to measure it and to say whether a sheet will follow.
 //!
 //! The list of modules is the flow: a module uses only those above it. Lengths are mm, angles
-//! radians. The kernel opens no file, reads no clock, prints nothing and starts no thread, and the
-//! same input gives the same bits on every platform.
+//! radians. The kernel opens no file, reads no clock, prints nothing and, but for the feature `rayon`,
+//! starts no thread, and the same input gives the same bits on every platform.
 //!
 //! ```
 //! use sheetwright::boundary::PlaneChoice;

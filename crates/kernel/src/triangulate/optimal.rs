@@ -9,8 +9,7 @@
 //!    diagonal upwards, so that what they share comes from the processor's cache. The innermost loop
 //!    runs over 16 j side by side, for one i and one k, which the compiler vectorises for the widest
 //!    registers that the processor has (crate `pulp`; the bits are the same with any). With the feature
-//!    `rayon`, threads share the tiles of one diagonal after the other, which need nothing of one
-//!    another.
+//!    `rayon`, threads share the tiles of diagonals, which need nothing of one another (`table/shared`).
 //! 3. Prices are never negative, so no entry above the price of a known triangulation is a part of the
 //!    answer. One is found by way of the loop of the corners and every fourth sample (`thinned`): only
 //!    rungs near to the rungs of its optimum are priced and put together (a band of the table), which is

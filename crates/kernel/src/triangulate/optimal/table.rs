@@ -2,6 +2,8 @@
 
 mod between;
 mod filling;
+#[cfg(feature = "rayon")]
+mod shared;
 
 use super::lanes::of_lane;
 use super::near::Band;
@@ -24,8 +26,6 @@ use std::ops::Range;
 const GROUP: usize = 8;
 /// The share of a length that rounding may take off it.
 const SLACK: f64 = 1e-12;
-/// Loops with fewer samples are not worth a second thread.
-const LEAST_SHARED: usize = 256;
 
 /// The table in tiles of [`LANES`] rows by as many columns, on and above the diagonal.
 pub(super) struct Table<'a> {
@@ -107,11 +107,12 @@ impl<'a> Table<'a> {
         let tell = |done: f64, watch: &mut dyn Watch| {
             watch.progress(share.start + (share.end - share.start) * done);
         };
-        if cfg!(feature = "rayon") && self.m >= LEAST_SHARED {
-            self.fill_by_diagonals(&mut columns, open, watch, tell)?;
-        } else {
-            self.fill_by_columns(&mut columns, open, watch, tell)?;
+        #[cfg(feature = "rayon")]
+        if let Some(helpers) = self.helpers() {
+            self.fill_shared(&helpers, columns, open, watch, tell)?;
+            return Ok(self.entry(0, self.m - 1));
         }
+        self.fill_by_columns(&mut columns, open, watch, tell)?;
         Ok(self.entry(0, self.m - 1))
     }
 
@@ -207,65 +208,6 @@ impl<'a> Table<'a> {
             }
         }
         Ok(())
-    }
-
-    /// One diagonal of tiles after the other. The tiles of a diagonal need nothing of one another,
-    /// so threads share them; each has the same bits whoever fills it.
-    #[cfg(feature = "rayon")]
-    fn fill_by_diagonals(
-        &mut self,
-        columns: &mut [Column],
-        open: &Open<'_>,
-        watch: &mut dyn Watch,
-        tell: impl Fn(f64, &mut dyn Watch),
-    ) -> Result<(), TriangulateError> {
-        use rayon::prelude::*;
-        let registers = self.registers;
-        for diagonal in 0..columns.len() {
-            if watch.stop() {
-                return Err(TriangulateError::Stopped);
-            }
-            let mut rows: Vec<usize> = (0..columns.len() - diagonal).collect();
-            rows.retain(|&row| self.is_open(open, row, row + diagonal));
-            let mut tiles: Vec<(usize, _)> =
-                rows.into_iter().map(|row| (row, self.store.fresh())).collect();
-            let table = &*self;
-            // Each tile with its column, of which no other has a part on this diagonal.
-            let mut next = 0;
-            let wanted: Vec<&mut Column> = columns[diagonal..]
-                .iter_mut()
-                .enumerate()
-                .filter(|(row, _)| {
-                    let is_next = tiles.get(next).is_some_and(|(at, _)| at == row);
-                    next += usize::from(is_next);
-                    is_next
-                })
-                .map(|(_, column)| column)
-                .collect();
-            tiles.par_iter_mut().zip(wanted).for_each(|((row, tile), column)| {
-                registers.dispatch(Filling { table, open, row: *row, column, tile });
-            });
-            for (row, tile) in tiles {
-                self.store.put(row, row + diagonal, tile);
-            }
-            self.fit()?;
-            // The sums of a diagonal are as many as its tiles, times their distance from the
-            // diagonal of the table.
-            let done = diagonal as f64 / columns.len() as f64;
-            tell(done * done * (3.0 - 2.0 * done), watch);
-        }
-        Ok(())
-    }
-
-    #[cfg(not(feature = "rayon"))]
-    fn fill_by_diagonals(
-        &mut self,
-        columns: &mut [Column],
-        open: &Open<'_>,
-        watch: &mut dyn Watch,
-        tell: impl Fn(f64, &mut dyn Watch),
-    ) -> Result<(), TriangulateError> {
-        self.fill_by_columns(columns, open, watch, tell)
     }
 
     /// N of the rung ⟨i,j⟩; zero where folds cost nothing or none is stored.

@@ -254,3 +254,119 @@ fn registers_change_no_bit() {
         }
     }
 }
+
+#[cfg(feature = "rayon")]
+mod threads {
+    use super::*;
+    use std::cell::Cell;
+    use std::panic::{AssertUnwindSafe, catch_unwind};
+
+    fn pool(threads: usize) -> rayon::ThreadPool {
+        rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap()
+    }
+
+    /// Stops, or panics, once it was told of so much progress.
+    struct Ending {
+        told: Cell<f64>,
+        at: f64,
+        panics: bool,
+    }
+
+    impl Watch for Ending {
+        fn progress(&mut self, done: f64) {
+            assert!(done >= self.told.get() && done <= 1.0, "{done} after {}", self.told.get());
+            self.told.set(done);
+        }
+
+        fn stop(&self) -> bool {
+            let ends = self.told.get() >= self.at;
+            assert!(!(ends && self.panics), "as wanted");
+            ends
+        }
+    }
+
+    #[test]
+    fn any_number_of_threads_fills_the_same_table() {
+        // More columns of tiles than are filled together, and fewer.
+        for m in [315, 640] {
+            for (boundary, fold) in boundaries(m).iter().flat_map(|b| [(b, 0.0), (b, 1.0)]) {
+                let prices =
+                    Prices::new(boundary, None, PriceOptions { fold, ..Default::default() });
+                let everything = Visibility::everything();
+                for (rule, bound) in
+                    [(Rule::Sum, 1.0), (Rule::Sum, f64::INFINITY), (Rule::Worst, f64::INFINITY)]
+                {
+                    let terms = Terms { rule, ..Terms::new(&prices, &everything, false) };
+                    let filled = |threads: usize| {
+                        let mut table = Table::new(&terms);
+                        assert_eq!(
+                            pool(threads).install(|| table.helpers()).is_some(),
+                            threads > 1
+                        );
+                        let fill = || table.fill(bound, None, &mut Unwatched, 0.0..1.0);
+                        pool(threads).install(fill).unwrap();
+                        table
+                    };
+                    let alone = filled(1);
+                    assert!(alone.entry(0, m - 1) < f64::INFINITY);
+                    for threads in [2, 3, 8] {
+                        let table = filled(threads);
+                        for (i, j) in (0..m).flat_map(|i| (i + 1..m).map(move |j| (i, j))) {
+                            let what = format!("{threads} threads, {i} {j}");
+                            let entries = [&table, &alone].map(|table| table.entry(i, j).to_bits());
+                            assert_eq!(entries[0], entries[1], "{what}");
+                            assert_eq!(table.mean(i, j), alone.mean(i, j), "{what}");
+                        }
+                        assert_eq!(table.trace(), alone.trace(), "{threads} threads");
+                        assert_eq!(table.bytes(), alone.bytes(), "{threads} threads");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn threads_stop_when_asked_and_when_one_panics() {
+        let [_, wavy] = boundaries(640);
+        let prices = Prices::new(&wavy, None, PriceOptions::default());
+        let everything = Visibility::everything();
+        let terms = Terms::new(&prices, &everything, false);
+        let mut table = Table::new(&terms);
+        let pool = pool(4);
+        let mut fill = |at: f64, panics: bool| {
+            let filled = pool.install(|| {
+                let mut watch = Ending { told: Cell::new(0.0), at, panics };
+                let filled = table.fill(1.0, None, &mut watch, 0.0..1.0);
+                (filled, watch.told.get())
+            });
+            (filled, table.entry(0, 639))
+        };
+        for at in [0.0, 0.3, 0.9] {
+            let ((stopped, told), entry) = fill(at, false);
+            assert!(matches!(stopped, Err(TriangulateError::Stopped)), "{at}: {stopped:?}");
+            assert!(told >= at && entry == f64::INFINITY, "{at}: {told} {entry}");
+            let panicked = catch_unwind(AssertUnwindSafe(|| fill(at, true))).unwrap_err();
+            assert_eq!(panicked.downcast_ref(), Some(&"as wanted"), "{at}");
+        }
+        let ((filled, told), entry) = fill(2.0, false);
+        assert!(filled.unwrap() == entry && entry < 1.0 && told > 0.9, "{entry} {told}");
+    }
+
+    #[test]
+    fn threads_end_where_the_memory_does() {
+        let [plate, _] = boundaries(640);
+        let prices = Prices::new(&plate, None, PriceOptions::default());
+        let everything = Visibility::everything();
+        let terms = Terms::new(&prices, &everything, false);
+        let mut table = Table::new(&terms);
+        pool(4).install(|| table.fill(f64::INFINITY, None, &mut Unwatched, 0.0..1.0)).unwrap();
+        let memory = table.bytes() / 2;
+        let terms = Terms { memory, ..Terms::new(&prices, &everything, false) };
+        let mut table = Table::new(&terms);
+        let refused = pool(4).install(|| table.fill(f64::INFINITY, None, &mut Unwatched, 0.0..1.0));
+        let limit = memory;
+        assert!(
+            matches!(refused, Err(TriangulateError::TooLarge { limit: at, .. }) if at == limit)
+        );
+    }
+}
