@@ -38,7 +38,7 @@ mod strip;
 pub use planes::RungPlanes;
 pub use slopes::{Piece, SampleSlope};
 pub(crate) use strip::{
-    Aligned, Fan, FanRungs, Fans, FarEnds, LANES, Lanes, Segment, Strip, Wanted,
+    Aligned, Fan, FanRungs, Fans, FarEnds, LANES, Lanes, OnEdges, Segment, Strip, Wanted,
 };
 
 use crate::boundary::{Boundary, SupportingPlane};

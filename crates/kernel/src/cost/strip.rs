@@ -300,6 +300,40 @@ pub(crate) struct Segment {
     pub(crate) bow: f64,
 }
 
+/// Triangles one side of which is an edge of the boundary, on loops whose members are numbered in order.
+pub(crate) struct OnEdges<'a> {
+    /// From the lowest corner of each to the two others, by axis.
+    pub(crate) offsets: [&'a [Lanes; 3]; 2],
+    /// N of its two other sides, by axis; zero for an edge.
+    pub(crate) means: [&'a [Lanes; 3]; 2],
+    /// How many of them are rungs.
+    pub(crate) rungs: Lanes,
+}
+
+impl OnEdges<'_> {
+    #[inline(always)]
+    fn side(&self, side: usize, n: usize) -> [f64; 3] {
+        let [x, y, z] = self.offsets[side];
+        [x[n], y[n], z[n]]
+    }
+
+    #[inline(always)]
+    fn sum(&self, n: usize) -> [f64; 3] {
+        let on = |axis: usize| self.means[0][axis][n] + self.means[1][axis][n];
+        [on(0), on(1), on(2)]
+    }
+
+    /// The price of each with the weight `fold`, as [`Prices::triangle`] has it.
+    #[inline(always)]
+    pub(crate) fn prices(&self, fold: f64) -> Lanes {
+        let mut prices = [0.0; LANES];
+        for n in 0..LANES {
+            prices[n] = fold_of(fold, self.side(0, n), self.side(1, n), self.rungs[n], self.sum(n));
+        }
+        prices
+    }
+}
+
 /// Triangles i, k, j of one i and all far ends j: a fan for each k.
 pub(crate) struct Fans<'a> {
     /// ν, and its reciprocal.

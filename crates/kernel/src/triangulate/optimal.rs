@@ -23,9 +23,9 @@
 //!    than that of all samples; then the thinned loop is solved with cheaper folds as well, and the
 //!    cheaper of two bands is the bound. If none has a triangulation, the bound is guessed from the
 //!    optimum of the thinned loop, and raised until there is an answer below it. While a handle is
-//!    dragged, the triangulation from before gives a bound instead (`mend`). From about 4,100 samples
-//!    on, next to a developable surface and with folds, even fewer are left where it is worked out first
-//!    what the rest of the loop costs beside each rung (`outside`).
+//!    dragged, the triangulation from before gives a bound instead (`mend`). From some hundred samples on and
+//!    with folds, even fewer are left, since it is worked out first what the rest of the loop costs beside
+//!    each rung (`outside`).
 //! 4. Those k come first that were best one row below, so that few others are left to be looked at.
 //!    These are taken tile by tile, where both tiles are kept. Their least entries, together with the
 //!    least F where N lie as theirs (`normals`), may rule out two tiles at once. Else E(i,k) and the
@@ -62,21 +62,18 @@ const LEAST_THINNED: usize = 64;
 const GUESSES: [f64; 2] = [1.3, 5.2];
 /// A table has so many times the tiles of the thinned loop's, each counted with entries up to its own
 /// price: the first next to a developable surface, the second where all are there.
-const GROWTH: [f64; 2] = [8.0, 16.0];
-/// The least growth, and the least as a share of the growth one step before. On the families of 1,200
-/// to 4,000 samples and on 80 random curves they were 4.05 (the twisted strip of 2,400 samples, where
-/// folds cost nothing) and 0.67; 4.24 on the cone of 2,500 with what the rest of the loop costs in view.
-/// Flat tiles, stored once, may make it less: 3.36 on the cylinder patch, 1.86 where all lies in one plane
-/// (1,200 to 4,000 samples): such a loop may be refused though it would just fit.
-const LEAST_GROWTH: f64 = 4.0;
+const GROWTH: [f64; 2] = [6.0, 16.0];
+/// The least growth, and the least as a share of the growth one step before. On the families and the planks of
+/// 2,600 to 16,000 samples, with folds, they were 3.74 (*wavy* of 2,600, whose thinned loop has hardly enough
+/// samples for `outside`; 4.02 on all others) and 0.80.
+/// Flat tiles, stored once, may make it less: 1.86 where all lies in one plane (1,200 to 4,000 samples): such
+/// a loop may be refused though it would just fit.
+const LEAST_GROWTH: f64 = 3.5;
 const LEAST_SHARE: f64 = 0.65;
 /// Where the table may not fit, that of the thinned loop may take one part in so many of the memory.
 /// With bounds as good as one another the table takes [`LEAST_GROWTH`] times as much or more, and would
 /// not fit either.
-const SHARE_OF_THINNED: u64 = 4;
-/// Thinned loops with as many samples show whether it is worth it to look first at what the rest of the
-/// loop costs beside each rung (`outside`).
-const LEAST_TRIED: usize = 1024;
+const SHARE_OF_THINNED: u64 = 3;
 /// Above it no bound is tried: a boundary like that needs all entries.
 const HIGHEST_BOUND: f64 = 100.0;
 
@@ -100,10 +97,7 @@ pub(super) fn solve(
     bounds: &[f64],
     watch: &mut dyn Watch,
 ) -> Result<Option<Vec<[usize; 3]>>, TriangulateError> {
-    // Where the thinned loop shows more than a bound, each try would solve it again: then only the last is
-    // tried, which holds.
-    let first = if shows_outside(terms) { bounds.len().saturating_sub(1) } else { 0 };
-    for &bound in bounds[first..].iter().filter(|bound| **bound <= HIGHEST_BOUND) {
+    for &bound in bounds.iter().filter(|bound| **bound <= HIGHEST_BOUND) {
         if let Some(solved) = if_it_fits(solve_within(terms, bound, watch))? {
             return Ok(Some(solved.triangles));
         }
@@ -116,7 +110,7 @@ pub(super) fn solve_priced(
     terms: &Terms<'_>,
     watch: &mut dyn Watch,
 ) -> Result<Option<Solved>, TriangulateError> {
-    Ok(solve_in_table(terms, false, watch)?.map(|filled| filled.solved))
+    Ok(solve_in_table(terms, watch)?.map(|filled| filled.solved))
 }
 
 /// A table with what was found in it.
@@ -125,40 +119,27 @@ struct Filled<'a> {
     table: Table<'a>,
     /// How many tiles it has with entries up to the price: those that the least bound leaves.
     tiles: usize,
-    /// How many times the tiles of that of the thinned loop these are, if there is one that was filled
-    /// in the same way.
+    /// How many times the tiles of that of the thinned loop these are, if there is one.
     growth: Option<f64>,
-    /// Whether it is filled with what the rest of the loop costs in view, if that was tried.
-    from_outside: Option<bool>,
 }
 
-/// The same, with the table; `may_try` says that it may be tried whether it is worth it to look first at
-/// what the rest of the loop costs, as on a loop of fewer samples than another.
+/// The same, with the table.
 fn solve_in_table<'a>(
     terms: &'a Terms<'a>,
-    may_try: bool,
     watch: &mut dyn Watch,
 ) -> Result<Option<Filled<'a>>, TriangulateError> {
     let mut table = Table::new(terms);
     let mut left = 1.0;
-    let Bounds { bounds, tiles_of_thinned, from_outside } = bounds(&mut table, watch)?;
-    let is_tried = may_try && table.m >= LEAST_TRIED;
+    let Bounds { bounds, tiles_of_thinned } = bounds(&mut table, watch)?;
     for bound in bounds {
         // Nobody knows how many bounds it takes: each gets half of what is left of the progress.
         let share = 1.0 - left..1.0 - 0.5 * left;
-        let price = if from_outside.unwrap_or(is_tried) {
-            table.fill_from_outside((bound, from_outside.is_some()), watch, share)?
-        } else {
-            table.fill(bound, None, watch, share)?
-        };
+        let price = table.fill(bound, None, watch, share)?;
         if price < f64::INFINITY {
             let solved = Solved { price, triangles: table.trace() };
             let tiles = table.tiles_up_to(price);
-            let is_alike = table.is_from_outside() == (from_outside == Some(true));
-            let growth = tiles_of_thinned.filter(|_| is_alike).map(|few| tiles as f64 / few as f64);
-            let is_told = from_outside.is_some() || is_tried;
-            let from_outside = is_told.then(|| table.is_from_outside());
-            return Ok(Some(Filled { solved, table, tiles, growth, from_outside }));
+            let growth = tiles_of_thinned.map(|few| tiles as f64 / few as f64);
+            return Ok(Some(Filled { solved, table, tiles, growth }));
         }
         left *= 0.5;
     }
@@ -173,27 +154,9 @@ pub(super) fn solve_within(
     watch: &mut dyn Watch,
 ) -> Result<Option<Solved>, TriangulateError> {
     let mut table = Table::new(terms);
-    let mut bound = if bound > HIGHEST_BOUND { f64::INFINITY } else { bound };
-    let mut from_outside = None;
-    if shows_outside(terms) {
-        let shown = bounds(&mut table, &mut Part::silent(watch))?;
-        from_outside = shown.from_outside;
-        if let [price] = shown.bounds[..] {
-            bound = bound.min(price);
-        }
-    }
-    let price = if from_outside == Some(true) {
-        table.fill_from_outside((bound, true), watch, 0.0..1.0)?
-    } else {
-        table.fill(bound, None, watch, 0.0..1.0)?
-    };
+    let bound = if bound > HIGHEST_BOUND { f64::INFINITY } else { bound };
+    let price = table.fill(bound, None, watch, 0.0..1.0)?;
     Ok((price < f64::INFINITY).then(|| Solved { price, triangles: table.trace() }))
-}
-
-/// Whether the loop is thinned to one that shows more than a bound: whether it is worth it to look first at
-/// what the rest of the loop costs.
-fn shows_outside(terms: &Terms<'_>) -> bool {
-    terms.folds() && terms.prices.len() > 4 * LEAST_TRIED
 }
 
 /// Bounds to try on the price of the answer, one after the other; the last is none at all.
@@ -201,13 +164,11 @@ struct Bounds {
     bounds: Vec<f64>,
     /// How many tiles with entries up to its price the table of the thinned loop has.
     tiles_of_thinned: Option<usize>,
-    /// Whether that was filled with what the rest of the loop costs in view, if that was tried.
-    from_outside: Option<bool>,
 }
 
 fn bounds(table: &mut Table<'_>, watch: &mut dyn Watch) -> Result<Bounds, TriangulateError> {
     let (terms, m) = (table.terms, table.m);
-    let none = Bounds { bounds: vec![f64::INFINITY], tiles_of_thinned: None, from_outside: None };
+    let none = Bounds { bounds: vec![f64::INFINITY], tiles_of_thinned: None };
     if m < LEAST_THINNED {
         return Ok(none);
     }
@@ -218,14 +179,13 @@ fn bounds(table: &mut Table<'_>, watch: &mut dyn Watch) -> Result<Bounds, Triang
     let left = terms.memory.saturating_sub(table.bytes()).min(share);
     let few = thinned.terms().within(left);
     let too_large = |needed| TriangulateError::TooLarge { needed, limit: terms.memory };
-    let coarse =
-        solve_in_table(&few, true, &mut Part::silent(watch)).map_err(|error| match error {
-            TriangulateError::TooLarge { needed, .. } => too_large(
-                (table.bytes() + (GROWTH[0] * needed as f64) as u64).min(memory_needed(m)),
-            ),
-            error => error,
-        })?;
-    let Some(Filled { solved: coarse, table: few, tiles, growth, from_outside }) = coarse else {
+    let coarse = solve_in_table(&few, &mut Part::silent(watch)).map_err(|error| match error {
+        TriangulateError::TooLarge { needed, .. } => {
+            too_large((table.bytes() + (GROWTH[0] * needed as f64) as u64).min(memory_needed(m)))
+        }
+        error => error,
+    })?;
+    let Some(Filled { solved: coarse, table: few, tiles, growth }) = coarse else {
         return Ok(none);
     };
     let places = table.bytes() + GROWTH[1] as u64 * few.bytes_of_places();
@@ -245,8 +205,7 @@ fn bounds(table: &mut Table<'_>, watch: &mut dyn Watch) -> Result<Bounds, Triang
         let left = terms.memory.saturating_sub(table.bytes()).min(needed);
         let thinned = thinned.with_cheaper_folds();
         let few = thinned.terms().within(left);
-        let may_try = from_outside == Some(true);
-        let other = if_it_fits(solve_in_table(&few, may_try, &mut Part::silent(watch)))?;
+        let other = if_it_fits(solve_in_table(&few, &mut Part::silent(watch)))?;
         if let Some(triangles) = other.map(|other| other.solved.triangles) {
             price = price.min(table.fill(price, Some(&band(&triangles)), watch, 0.0..0.0)?);
         }
@@ -259,5 +218,5 @@ fn bounds(table: &mut Table<'_>, watch: &mut dyn Watch) -> Result<Bounds, Triang
         }
         _ => vec![price],
     };
-    Ok(Bounds { bounds, tiles_of_thinned, from_outside })
+    Ok(Bounds { bounds, tiles_of_thinned })
 }

@@ -26,6 +26,30 @@ impl NormalBox {
     pub(super) const ANY: Self =
         Self { least: [f64::NEG_INFINITY; 3], greatest: [f64::INFINITY; 3] };
 
+    /// Of no rung.
+    pub(super) const NONE: Self =
+        Self { least: [f64::INFINITY; 3], greatest: [f64::NEG_INFINITY; 3] };
+
+    /// Of what lies between these, by axis.
+    #[inline(always)]
+    pub(super) fn between(least: [f64; 3], greatest: [f64; 3]) -> Self {
+        Self { least, greatest }
+    }
+
+    /// Its corners, by axis.
+    pub(super) fn extremes(&self) -> ([f64; 3], [f64; 3]) {
+        (self.least, self.greatest)
+    }
+
+    /// Takes in another box.
+    #[inline(always)]
+    pub(super) fn include(&mut self, other: &Self) {
+        for axis in 0..3 {
+            self.least[axis] = self.least[axis].min(other.least[axis]);
+            self.greatest[axis] = self.greatest[axis].max(other.greatest[axis]);
+        }
+    }
+
     /// Of the rungs whose `prices` are finite; `means` are their N.
     #[inline(always)]
     pub(super) fn of(prices: &[Lanes; LANES], means: &[[Lanes; 3]; LANES]) -> Self {
@@ -69,6 +93,25 @@ pub(super) fn least_fold(fold: f64, [a, b, c]: [&NormalBox; 3]) -> f64 {
     let squares = a.apart_squared(b) + a.apart_squared(c) + b.apart_squared(c);
     // Prices are rounded to the quantum.
     let least = fold * (squares / 6.0 - SLACK) - QUANTUM;
+    if least > 0.0 { least } else { 0.0 }
+}
+
+/// The least F of triangles whose normals are no farther than `off` from `middle`, and whose sides have
+/// their N in these boxes, one each; an edge of the boundary has any. The share of a side is
+/// ν (1 − n · N) ≥ ½ ν |n − N|².
+#[inline(always)]
+pub(super) fn least_fold_about(
+    fold: f64,
+    (middle, off): ([f64; 3], f64),
+    sides: [&NormalBox; 3],
+) -> f64 {
+    let normal = NormalBox::between(middle, middle);
+    let mut squares = 0.0;
+    for side in sides {
+        let apart = side.apart_squared(&normal).sqrt() - off;
+        squares += if apart > 0.0 { apart * apart } else { 0.0 };
+    }
+    let least = fold * (0.5 * squares - SLACK) - QUANTUM;
     if least > 0.0 { least } else { 0.0 }
 }
 

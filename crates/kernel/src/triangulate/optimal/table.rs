@@ -6,14 +6,13 @@ mod filling;
 mod shared;
 
 use super::lanes::of_lane;
+use super::memory_needed;
 use super::near::Band;
 use super::open::Open;
-use super::outside::{Limits, Outside};
+use super::outside::Outside;
 use super::store::Store;
-use super::{HIGHEST_BOUND, memory_needed};
 use crate::cost::LANES;
 use crate::math::Vec3;
-use crate::triangulate::part::Part;
 use crate::triangulate::{Terms, TriangulateError};
 use crate::watch::Watch;
 use filling::{Column, Filling};
@@ -24,6 +23,9 @@ use std::ops::Range;
 /// takes 1.7 times as long at 10,000 samples, where 7 % of all tiles are kept; random curves and the
 /// twisted strip 1.2 to 2.1 times at 3,200, where 38 to 67 % are.
 const GROUP: usize = 8;
+/// With fewer samples it takes longer to look first at what the rest of the loop costs than that saves: at 400
+/// the table of a strip takes 0.65 times as long with it, those of random curves 1.1 to 1.3 times.
+const LEAST_OUTSIDE: usize = 640;
 /// The share of a length that rounding may take off it.
 const SLACK: f64 = 1e-12;
 
@@ -56,8 +58,9 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// Fills the table with all entries up to `bound`, those of rungs outside the band excepted,
-    /// and returns the price of the answer. `share` is the part of the progress that this is.
+    /// Fills the table with all entries that may be part of a triangulation up to `bound`, those of rungs
+    /// outside the band excepted, and returns the price of the answer. `share` is the part of the progress
+    /// that this is.
     pub(super) fn fill(
         &mut self,
         bound: f64,
@@ -65,32 +68,14 @@ impl<'a> Table<'a> {
         watch: &mut dyn Watch,
         share: Range<f64>,
     ) -> Result<f64, TriangulateError> {
+        let open = Open::new(self.terms, bound, band);
         self.outside = None;
-        self.fill_open(&Open::new(self.terms, bound, band), watch, share)
-    }
-
-    /// The same for all rungs, once it is known what the rest of the loop costs beside each, where that
-    /// is worth it; `is_sure` says that it was for the thinned loop.
-    pub(super) fn fill_from_outside(
-        &mut self,
-        (bound, is_sure): (f64, bool),
-        watch: &mut dyn Watch,
-        share: Range<f64>,
-    ) -> Result<f64, TriangulateError> {
-        self.outside = None;
-        let open = Open::new(self.terms, bound, None);
-        let mut start = share.start;
-        if self.folds && self.in_order && bound <= HIGHEST_BOUND {
+        if self.folds && self.in_order && band.is_none() && self.m >= LEAST_OUTSIDE {
             self.store.clear();
             let memory = self.terms.memory.saturating_sub(self.bytes());
-            self.clear_for(memory);
-            // It takes most of the time.
-            start += 0.8 * (share.end - share.start);
-            let mut part = Part::new(watch, share.start..start);
-            let limits = Limits::new(bound, is_sure, memory);
-            self.outside = Outside::new(self, &open, limits, &mut part)?;
+            self.outside = Outside::new(self, &open, memory, watch)?;
         }
-        self.fill_open(&open, watch, start..share.end)
+        self.fill_open(&open, watch, share)
     }
 
     /// The same for the tiles that are open.
@@ -144,20 +129,22 @@ impl<'a> Table<'a> {
 
     /// Whether the tile of these rows and columns may have finite entries.
     fn is_open(&self, open: &Open<'_>, row: usize, column: usize) -> bool {
-        match &self.outside {
-            Some(outside) => outside.has(row, column),
-            None => open.is_open(row, column),
-        }
+        let has_some = |outside: &Outside| {
+            open.has_edges(row, column) || outside.least(row, column) < f64::INFINITY
+        };
+        self.outside.as_ref().is_none_or(has_some) && open.is_open(row, column)
     }
 
-    /// Whether it was filled with what the rest of the loop costs in view.
-    pub(super) fn is_from_outside(&self) -> bool {
-        self.outside.is_some()
-    }
-
+    /// The same with what the rest of the loop costs as it was found, or without.
     #[cfg(test)]
-    pub(super) fn set_outside(&mut self, outside: Outside) {
-        self.outside = Some(outside);
+    pub(super) fn fill_beside(
+        &mut self,
+        outside: Option<Outside>,
+        open: &Open<'_>,
+        watch: &mut dyn Watch,
+    ) -> Result<f64, TriangulateError> {
+        self.outside = outside;
+        self.fill_open(open, watch, 0.0..1.0)
     }
 
     /// How many tiles have entries up to `bound`.

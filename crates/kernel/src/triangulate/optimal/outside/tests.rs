@@ -1,27 +1,19 @@
 //! Against what the rest of the loop costs in truth, and against the table without.
 
-use super::super::{solve_in_table, solve_priced, solve_within};
+use super::super::{solve_priced, solve_within};
 use super::*;
 use crate::boundary::{Boundary, samples_from_points};
 use crate::cost::{PriceOptions, Prices, TwistForm, quantised};
 use crate::curve::CurvePoint;
-use crate::math::{Point3, cos, sin};
+use crate::math::{Point3, cos, sin, unit};
 use crate::rung::Visibility;
 use crate::triangulate::Terms;
 use crate::triangulate::sparse::tests::{random_boundary, with_terms};
 use crate::watch::Unwatched;
+use std::f64::consts::TAU;
 
-const UNBOUNDED: Limits =
-    Limits { bound: 0.0, looks: usize::MAX, left: f64::INFINITY, memory: u64::MAX };
-
-fn outside(table: &Table<'_>, limits: Limits) -> Option<Outside> {
-    let open = Open::new(table.terms, limits.bound, None);
-    Outside::new(table, &open, limits, &mut Unwatched).unwrap()
-}
-
-/// O as it is defined, with what `of` says of third sides: their prices, or E, with which it is what the
-/// rest of the loop costs in truth.
-fn defined(terms: &Terms<'_>, of: impl Fn(usize, usize) -> f64) -> Vec<f64> {
+/// What the rest of the loop costs in truth beside each rung ⟨i,j⟩, from E of all.
+fn rests_in_truth(terms: &Terms<'_>, full: &Table<'_>) -> Vec<f64> {
     let m = terms.prices.len();
     let sides: Vec<_> = (0..m * m).map(|at| (at / m, at % m)).collect();
     let sides: Vec<_> = sides.iter().map(|&(i, j)| (i < j).then(|| terms.side(i, j))).collect();
@@ -39,7 +31,8 @@ fn defined(terms: &Terms<'_>, of: impl Fn(usize, usize) -> f64) -> Vec<f64> {
                     continue;
                 }
                 let fold = terms.fold([i, k, j], [first.mean, second.mean, across.mean]);
-                for (side, other) in [(i * m + k, of(k, j)), (k * m + j, of(i, k))] {
+                for (side, other) in [(i * m + k, full.entry(k, j)), (k * m + j, full.entry(i, k))]
+                {
                     rests[side] = rests[side].min(through + other + fold);
                 }
             }
@@ -48,38 +41,41 @@ fn defined(terms: &Terms<'_>, of: impl Fn(usize, usize) -> f64) -> Vec<f64> {
     rests
 }
 
-/// O of all rungs with O + w up to a bound is as it is defined, no more than what the rest costs in truth,
-/// and changes nothing of the answer. Returns how many entries are left of how many.
-fn check(terms: &Terms<'_>, registers: pulp::Arch, what: &str) -> [usize; 2] {
+/// No rung has a rest of the loop that costs less than is said, if both are part of a triangulation up to a
+/// bound, and what is said changes nothing of the answer. Returns how many entries are left of how many, with
+/// the price as the bound.
+fn check(terms: &Terms<'_>, length: usize, registers: pulp::Arch, what: &str) -> [usize; 2] {
     let mut full = Table::new(terms);
     let price = full.fill(f64::INFINITY, None, &mut Unwatched, 0.0..1.0).unwrap();
     let mut counts = [0; 2];
-    if price > 100.0 {
+    if price > 60.0 {
         return counts;
     }
-    let by_definition = defined(terms, |i, j| terms.side(i, j).price);
-    let in_truth = defined(terms, |i, j| full.entry(i, j));
+    let in_truth = rests_in_truth(terms, &full);
     for share in [0.9, 1.0, 1.5] {
         let bound = quantised(share * price);
         let mut table = Table::new(terms);
         table.registers = registers;
-        let found = outside(&table, Limits { bound, ..UNBOUNDED }).unwrap();
+        let open = Open::new(terms, bound, None);
+        let runs = Runs::new(terms, length);
+        let found = Outside::of_runs(runs, &table, &open, u64::MAX, &mut Unwatched);
+        let found = found.unwrap().unwrap();
         for (i, j) in (0..table.m).flat_map(|i| (i + 1..table.m).map(move |j| (i, j))) {
-            let rest = found.row(i, j / LANES).map_or(f64::INFINITY, |row| row[j % LANES]);
-            let (at, side, entry) = (i * table.m + j, terms.side(i, j).price, full.entry(i, j));
-            if by_definition[at] + side <= bound {
-                assert_eq!(rest, by_definition[at], "{what}, {i} {j}");
-                assert!(found.has(i / LANES, j / LANES), "{what}, {i} {j}");
-            } else {
-                assert!(rest + side > bound, "{what}, {i} {j}: {rest}");
+            let (entry, truth) = (full.entry(i, j), in_truth[i * table.m + j]);
+            let mut prices = [0.0; LANES];
+            prices[j % LANES] = terms.side(i, j).price;
+            let rest = found.row(i, j - j % LANES, &prices)[j % LANES];
+            if entry + truth <= bound {
+                assert!(rest <= truth, "{what}, {share}, {i} {j}: {rest} {truth} of {price}");
+                let least = found.least(i / LANES, j / LANES);
+                assert!(terms.prices.neighbours(i, j) || least < f64::INFINITY, "{what}, {i} {j}");
             }
-            assert!(rest <= in_truth[at] || in_truth[at] + entry > bound, "{what}, {i} {j}");
-            counts[0] += usize::from(entry + rest <= bound);
-            counts[1] += usize::from(entry <= bound);
+            if share == 1.0 {
+                counts[0] += usize::from(entry + rest <= bound);
+                counts[1] += usize::from(entry <= bound);
+            }
         }
-        table.set_outside(found);
-        let answer = table.fill_open(&Open::new(terms, bound, None), &mut Unwatched, 0.0..1.0);
-        let answer = answer.unwrap();
+        let answer = table.fill_beside(Some(found), &open, &mut Unwatched).unwrap();
         if price <= bound {
             assert_eq!(answer, price, "{what}");
             assert_eq!(table.trace(), full.trace(), "{what}");
@@ -91,14 +87,15 @@ fn check(terms: &Terms<'_>, registers: pulp::Arch, what: &str) -> [usize; 2] {
 }
 
 #[test]
-fn it_is_as_defined_and_the_answer_is_that_of_the_table() {
+fn no_rest_costs_less_and_the_answer_is_that_of_the_table() {
     let (mut compared, mut counts) = (0, [0; 2]);
     for seed in 0..480 {
         let Some(boundary) = random_boundary(seed) else { continue };
         let fold = [0.1, 1.0, 3.0][(seed / 8 % 3) as usize];
-        let registers = if seed / 24 % 2 == 1 { pulp::Arch::Scalar } else { pulp::Arch::new() };
+        let length = [2, 4, 7, 16][(seed / 24 % 4) as usize];
+        let registers = if seed / 96 % 2 == 1 { pulp::Arch::Scalar } else { pulp::Arch::new() };
         with_terms(&boundary, fold, |terms| {
-            let [left, all] = check(terms, registers, &format!("seed {seed}"));
+            let [left, all] = check(terms, length, registers, &format!("seed {seed}"));
             counts = [counts[0] + left, counts[1] + all];
             compared += usize::from(all > 0);
         });
@@ -108,7 +105,7 @@ fn it_is_as_defined_and_the_answer_is_that_of_the_table() {
 }
 
 #[test]
-fn it_is_as_defined_where_rungs_are_barred_or_forced() {
+fn no_rest_costs_less_where_rungs_are_barred_or_forced() {
     let mut compared = 0;
     for seed in 0..48 {
         let Some(boundary) = random_boundary(seed) else { continue };
@@ -118,7 +115,8 @@ fn it_is_as_defined_where_rungs_are_barred_or_forced() {
         for visibility in [Visibility::everything(), some] {
             for (forced, bar) in [(false, 1.5), (true, f64::INFINITY), (true, 1.5)] {
                 let terms = Terms { bar, ..Terms::new(&prices, &visibility, forced) };
-                let [_, all] = check(&terms, pulp::Arch::new(), &format!("{seed} {forced} {bar}"));
+                let what = format!("{seed} {forced} {bar}");
+                let [_, all] = check(&terms, 4, pulp::Arch::new(), &what);
                 compared += usize::from(all > 0);
             }
         }
@@ -126,39 +124,61 @@ fn it_is_as_defined_where_rungs_are_barred_or_forced() {
     assert!(compared > 150, "{compared}");
 }
 
-/// A curve on a cone, and one that waves.
-fn closed(m: usize) -> [Boundary; 2] {
+/// Smooth curves on a cone, waving and wild, a patch of a cylinder and a twisted strip with four corners.
+fn curves(m: usize) -> Vec<(&'static str, Boundary)> {
     let round = |t: f64| {
         let r = 1.0 + 0.1 * cos(3.0 * t);
         let (angle, along) = (1.2 * r * cos(t), 2.0 + 0.8 * r * sin(t));
         Point3::new(0.5 * along * cos(angle), 0.5 * along * sin(angle), 0.866 * along)
     };
     let waving = |t: f64| Point3::new(cos(t), sin(t), 0.3 * sin(3.0 * t));
-    let curves: [&dyn Fn(f64) -> Point3; 2] = [&round, &waving];
-    curves.map(|curve| {
-        let at = |i: usize| curve(std::f64::consts::TAU * i as f64 / m as f64);
-        let points: Vec<CurvePoint> = (0..m).map(|i| CurvePoint::smooth(at(i))).collect();
-        Boundary::new(vec![samples_from_points(&points)]).unwrap()
+    let wild = |t: f64| {
+        let z = 0.3 * sin(2.0 * t + 1.0) + 0.2 * sin(3.0 * t) + 0.1 * cos(5.0 * t);
+        Point3::new(1.3 * cos(t) + 0.2 * cos(2.0 * t), sin(t), z)
+    };
+    let round_four = |t: f64| {
+        let (side, share) = ((4.0 * t / TAU).floor() as usize % 4, (4.0 * t / TAU).fract());
+        [[share, 0.0], [1.0, share], [1.0 - share, 1.0], [0.0, 1.0 - share]][side]
+    };
+    let patch = |t: f64| {
+        let [u, v] = round_four(t);
+        Point3::new(cos(2.0 * u - 1.0), sin(2.0 * u - 1.0), 1.6 * v)
+    };
+    let strip = |t: f64| {
+        let [u, v] = round_four(t);
+        Point3::new(4.0 * u, (v - 0.5) * cos(1.5 * u), (v - 0.5) * sin(1.5 * u))
+    };
+    let smooth: [(_, &dyn Fn(f64) -> Point3); 3] =
+        [("cone", &round), ("waving", &waving), ("wild", &wild)];
+    let cornered: [(_, &dyn Fn(f64) -> Point3); 2] = [("patch", &patch), ("strip", &strip)];
+    let smooth = smooth.iter().map(|curve| (curve, 0));
+    let all = smooth.chain(cornered.iter().map(|curve| (curve, 4)));
+    all.map(|(&(name, curve), corners)| {
+        let at = |i: usize| CurvePoint {
+            corner: corners > 0 && (corners * i).is_multiple_of(m),
+            ..CurvePoint::smooth(curve(TAU * i as f64 / m as f64))
+        };
+        let samples = samples_from_points(&(0..m).map(at).collect::<Vec<_>>());
+        (name, Boundary::new(vec![samples]).unwrap())
     })
+    .collect()
 }
 
 #[test]
-fn thinned_loops_show_where_it_is_worth_it() {
-    // One sample in the last tile.
-    for (boundary, is_worth_it) in closed(1105).iter().zip([true, false]) {
+fn of_curves_few_entries_are_left() {
+    // Of a hundred, of those up to the price.
+    let most = [("cone", 30), ("waving", 60), ("wild", 80), ("patch", 20), ("strip", 25)];
+    for ((name, boundary), (of, most)) in curves(240).iter().zip(most) {
+        assert_eq!(*name, of);
         with_terms(boundary, 1.0, |terms| {
-            let plain = solve_priced(terms, &mut Unwatched).unwrap().unwrap();
-            let solve = |terms| solve_in_table(terms, true, &mut Unwatched).unwrap().unwrap();
-            let found = solve(terms);
-            assert_eq!(found.from_outside, Some(is_worth_it));
-            assert_eq!(found.solved.price, plain.price);
-            assert_eq!(found.solved.triangles, plain.triangles);
+            let [left, all] = check(terms, 4, pulp::Arch::new(), name);
+            assert!(100 * left < most * all, "{name}: {left} of {all}");
         });
     }
 }
 
 #[test]
-fn loops_of_many_samples_have_the_answer_of_the_table() {
+fn loops_of_many_samples_have_the_answer_of_the_table_without() {
     /// Whether progress never fell, and the last of it.
     struct Onwards(bool, f64);
 
@@ -168,38 +188,28 @@ fn loops_of_many_samples_have_the_answer_of_the_table() {
         }
     }
 
-    let [boundary, _] = closed(4420);
-    with_terms(&boundary, 1.0, |terms| {
-        let mut watch = Onwards(true, 0.0);
-        let found = solve_in_table(terms, false, &mut watch).unwrap().unwrap();
-        assert!(watch.0 && watch.1 > 0.4, "{}", watch.1);
-        assert_eq!(found.from_outside, Some(true));
-        let (price, triangles) = (found.solved.price, found.solved.triangles);
-        let mut plain = Table::new(terms);
-        assert_eq!(plain.fill(price, None, &mut Unwatched, 0.0..1.0).unwrap(), price);
-        assert_eq!(plain.trace(), triangles);
-        // With a bound that is known, and with none below it.
-        for (bound, is_found) in [(quantised(1.2 * price), true), (quantised(0.9 * price), false)] {
-            let found = solve_within(terms, bound, &mut Unwatched).unwrap();
-            let found = found.map(|found| (found.price, found.triangles));
-            assert_eq!(found, is_found.then(|| (price, triangles.clone())));
-        }
-        // Where it takes more than is left beside the table, and where it does not.
-        let mut given_up = 0;
-        for memory in [plain.bytes(), 4 * plain.bytes()] {
-            let few = terms.within(memory);
-            let mut table = Table::new(&few);
-            let found = table.fill_from_outside((price, true), &mut Unwatched, 0.0..1.0).unwrap();
-            assert_eq!((found, table.trace()), (price, triangles.clone()));
-            assert!(table.bytes() <= memory);
-            given_up += usize::from(!table.is_from_outside());
-        }
-        assert_eq!(given_up, 1);
-    });
+    // One sample in the last tile.
+    for (name, boundary) in curves(1105) {
+        with_terms(&boundary, 1.0, |terms| {
+            let mut watch = Onwards(true, 0.0);
+            let found = solve_priced(terms, &mut watch).unwrap().unwrap();
+            assert!(watch.0 && watch.1 > 0.4, "{name}: {}", watch.1);
+            let mut without = Table::new(terms);
+            let open = Open::new(terms, found.price, None);
+            let price = without.fill_beside(None, &open, &mut Unwatched).unwrap();
+            assert_eq!((price, without.trace()), (found.price, found.triangles.clone()), "{name}");
+            // With a bound that is known, and with none below it.
+            for (share, is_found) in [(1.2, true), (0.9, false)] {
+                let again = solve_within(terms, quantised(share * price), &mut Unwatched).unwrap();
+                let again = again.map(|again| (again.price, again.triangles));
+                assert_eq!(again, is_found.then(|| (price, found.triangles.clone())), "{name}");
+            }
+        });
+    }
 }
 
 #[test]
-fn it_is_given_up_where_it_takes_too_much_and_stops_when_asked() {
+fn it_is_left_out_where_memory_is_short_and_stops_when_asked() {
     struct Impatient;
 
     impl Watch for Impatient {
@@ -208,23 +218,100 @@ fn it_is_given_up_where_it_takes_too_much_and_stops_when_asked() {
         }
     }
 
-    let [boundary, _] = closed(400);
-    with_terms(&boundary, 1.0, |terms: &Terms<'_>| {
+    let curves = curves(700);
+    with_terms(&curves[0].1, 1.0, |terms| {
         let bound = solve_priced(terms, &mut Unwatched).unwrap().unwrap().price;
         let table = Table::new(terms);
-        let all = outside(&table, Limits { bound, ..UNBOUNDED }).unwrap();
-        let (looks, taken) = (all.looks.div_ceil(all.open), all.bytes());
-        let least = Outside::least_bytes(25);
-        assert!(least < taken && looks > 1, "{least} {taken} {looks}");
-        let with =
-            |looks, memory| outside(&table, Limits { bound, looks, memory, ..UNBOUNDED }).is_some();
-        assert!(with(looks, u64::MAX) && !with(looks - 1, u64::MAX));
-        // While it is worked out, there are prices, too, and then half of it is left for the table.
-        assert!(with(looks, 100 * taken) && !with(looks, taken) && !with(looks, least - 1));
-        let few = outside(&table, Limits { bound, left: 0.01, ..UNBOUNDED });
-        assert!(few.is_none());
         let open = Open::new(terms, bound, None);
-        let stopped = Outside::new(&table, &open, Limits { bound, ..UNBOUNDED }, &mut Impatient);
+        let with = |memory| Outside::new(&table, &open, memory, &mut Unwatched).unwrap();
+        let needed = Outside::most_bytes(&with(u64::MAX).unwrap().runs);
+        assert!(with(needed).is_some() && with(needed - 1).is_none());
+        assert!(with(needed).unwrap().bytes() < needed);
+        let stopped = Outside::new(&table, &open, u64::MAX, &mut Impatient);
         assert_eq!(stopped.err(), Some(TriangulateError::Stopped));
     });
+}
+
+#[test]
+fn directions_are_as_far_off_as_they_may_be() {
+    for (name, boundary) in curves(160) {
+        with_terms(&boundary, 1.0, |terms| {
+            let runs = Runs::new(terms, 8);
+            let directions = runs::directions(terms, &runs);
+            let at = |i: usize| boundary.samples()[i].position;
+            let mut known = 0;
+            for (i, j) in (0..160).flat_map(|i| (i + 1..160).map(move |j| (i, j))) {
+                let direction = &directions[runs.of(i) * runs.len() + runs.of(j)];
+                let off = (unit(at(j) - at(i)).unwrap() - direction.middle).length();
+                assert!(off <= direction.off, "{name} {i} {j}: {off} {}", direction.off);
+                known += usize::from(direction.off < 0.5);
+            }
+            assert!(known > 5_000, "{name}: {known}");
+        });
+    }
+}
+
+#[test]
+fn cells_hold_what_their_rungs_and_triangles_cost() {
+    for seed in [1, 2, 4, 11, 12, 20, 26] {
+        let Some(boundary) = random_boundary(seed) else { continue };
+        with_terms(&boundary, 1.0, |terms| {
+            let m = terms.prices.len();
+            let table = Table::new(terms);
+            // Of dear rungs and triangles nothing is said.
+            let bound = 0.3;
+            let open = Open::new(terms, bound, None);
+            let cells = Cells::new(&table, &open, Runs::new(terms, 5), &mut Unwatched).unwrap();
+            let (runs, n) = (&cells.runs, cells.runs.len());
+            let mut least = vec![[f64::INFINITY; 5]; n * n];
+            let of = |i: usize| runs.of(i);
+            let lower = |place: &mut f64, price: f64| *place = place.min(price);
+            for (i, j) in (0..m).flat_map(|i| (i + 2..m).map(move |j| (i, j))) {
+                let side = terms.side(i, j);
+                if (i, j) != (0, m - 1) && side.price <= bound {
+                    lower(&mut least[of(i) * n + of(j)][0], side.price);
+                    let (below, above) = cells.of(of(i), of(j)).normals.extremes();
+                    for (axis, x) in side.mean.to_array().into_iter().enumerate() {
+                        assert!(below[axis] <= x && x <= above[axis], "seed {seed}, {i} {j}");
+                    }
+                }
+            }
+            for (i, x) in (0..m - 1).flat_map(|i| (0..m).map(move |x| (i, x))) {
+                if x == i || x == i + 1 {
+                    continue;
+                }
+                let corners = if x < i { [x, i, i + 1] } else { [i, i + 1, x] };
+                let [a, b, c] = corners;
+                let sides = [(a, b), (b, c), (a, c)].map(|(a, b)| terms.side(a, b));
+                if sides.iter().any(|side| side.price > bound) {
+                    continue;
+                }
+                let of_rungs: f64 = sides.iter().map(|side| 0.5 * side.price).sum();
+                let price = of_rungs + terms.fold(corners, sides.map(|side| side.mean));
+                let far = usize::from(x < i);
+                let (own, third) = (of(i), of(x));
+                if own != third && (own == of(i + 1) || of(i + 1) != third) {
+                    let place = own.min(third) * n + own.max(third);
+                    let kind = if own == of(i + 1) { 1 } else { 3 };
+                    lower(&mut least[place][kind + far], price);
+                }
+            }
+            let mut told = 0;
+            for (a, b) in (0..n).flat_map(|a| (a + 1..n).map(move |b| (a, b))) {
+                let cell = cells.of(a, b);
+                let [rung, first, second, to_first, to_second] = least[a * n + b];
+                if (a, b) != (0, n - 1) {
+                    assert_eq!(cell.least, rung, "seed {seed}, {a} {b}");
+                }
+                assert_eq!(cell.on_edges, [first, second], "seed {seed}, {a} {b}");
+                // That from a to b itself has its third corners elsewhere.
+                if b > a + 1 {
+                    assert_eq!(cell.on_links[0], to_first, "seed {seed}, {a} {b}");
+                }
+                assert_eq!(cell.on_links[1], to_second, "seed {seed}, {a} {b}");
+                told += usize::from(first < f64::INFINITY) + usize::from(to_second < f64::INFINITY);
+            }
+            assert!(told > n, "seed {seed}: {told}");
+        });
+    }
 }

@@ -131,7 +131,7 @@ impl Table<'_> {
         let mut between = Between::new(row, column);
         // On the diagonal and next to it are the edges ⟨i,i+1⟩, which need nothing below them.
         if row + 1 < column {
-            let limit = self.sums_below(open.bound, open.least(row, column).max(0.0));
+            let limit = self.sums_below(open.bound, self.least_beside_sums(open, row, column));
             if self.leaves_nothing::<FOLDS>(&mut between, limit, together) {
                 return;
             }
@@ -220,9 +220,7 @@ impl Table<'_> {
                 of_tile.rows[i % LANES] = *strip.means;
             }
             let rests = match &self.outside {
-                Some(outside) => {
-                    outside.row(i, to.first / LANES).copied().unwrap_or([f64::INFINITY; LANES])
-                }
+                Some(outside) => outside.row(i, to.first, &strip.prices),
                 None => [0.0; LANES],
             };
             for n in 0..LANES {
@@ -235,6 +233,18 @@ impl Table<'_> {
             }
         }
         rungs
+    }
+
+    /// What a rung of the tile of these rows and columns and the rest of the loop cost together at the least.
+    #[inline(always)]
+    fn least_beside_sums(&self, open: &Open<'_>, row: usize, column: usize) -> f64 {
+        let least = open.least(row, column).max(0.0);
+        match &self.outside {
+            Some(outside) if !open.has_edges(row, column) => {
+                (outside.least(row, column) + 0.5 * least).max(least)
+            }
+            _ => least,
+        }
     }
 
     /// What sums below a rung of this price must be less than, for entries up to `bound`.
