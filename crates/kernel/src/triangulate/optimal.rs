@@ -119,7 +119,8 @@ struct Filled<'a> {
     table: Table<'a>,
     /// How many tiles it has with entries up to the price: those that the least bound leaves.
     tiles: usize,
-    /// How many times the tiles of that of the thinned loop these are, if there is one.
+    /// How many times the tiles of that of the thinned loop these are, if there is one that was filled in the
+    /// same way.
     growth: Option<f64>,
 }
 
@@ -191,11 +192,13 @@ fn bounds(table: &mut Table<'_>, watch: &mut dyn Watch) -> Result<Bounds, Triang
     let places = table.bytes() + GROWTH[1] as u64 * few.bytes_of_places();
     let grown = |growth: f64| places + (growth * few.bytes_of(tiles) as f64) as u64;
     let growth = growth.unwrap_or(GROWTH[0]);
-    if may_fail && grown(LEAST_GROWTH.max(LEAST_SHARE * growth)) > terms.memory {
+    // Of a table that alone has what the rest of the loop costs in view, the other tells nothing.
+    let is_alike = few.has_outside() == table.has_outside();
+    if may_fail && is_alike && grown(LEAST_GROWTH.max(LEAST_SHARE * growth)) > terms.memory {
         let expected = grown(growth.clamp(GROWTH[0], GROWTH[1]));
         return Err(too_large(expected.min(memory_needed(m))));
     }
-    let tiles_of_thinned = Some(tiles);
+    let tiles_of_thinned = is_alike.then_some(tiles);
     drop(few);
     let band = |triangles: &[[usize; 3]]| Band::along(triangles, &kept, m);
     let mut price = table.fill(f64::INFINITY, Some(&band(&coarse.triangles)), watch, 0.0..0.0)?;

@@ -12,11 +12,12 @@
 //!
 //! 1. A triangle pays its folds and half the price of each of its rungs; all triangles of a
 //!    triangulation pay its price. Let A, B … be runs. A triangle is *wide* if its corners belong to three
-//!    of them, and *thin* if two belong to one. The rungs of a triangulation that join A and B follow one
+//!    of them, *thin* if just two belong to one. The rungs of a triangulation that join A and B follow one
 //!    another, with thin triangles between them: a *bundle*. Bundles and wide triangles are a triangulation
-//!    of the runs. A corner is a run of its own (`runs`).
-//! 2. A wide triangle pays no less than the least that its rungs cost, and the folds that where their N lie,
-//!    and its normal, leave at the least: g (`cells`, `afar`). The edge from one run to the next is
+//!    of the runs. The first sample and the last are runs of their own, so that none runs across the edge
+//!    between them, and so are corners, unless there are many (`runs`).
+//! 2. A wide triangle pays g or more: half of the least that rungs of its three bundles cost, and the least
+//!    that its folds can cost, from where N of these rungs and the normal of the triangle lie (`cells`, `wide`). The edge from one run to the next is
 //!    no rung; what triangles on it pay is known exactly, as the least over third corners in each run.
 //! 3. The |A| − 1 edges within a run are sides of thin triangles, or lie below a *nibble*: a rung between two
 //!    samples of A. The triangle beyond the outermost nibble is thin, too, with its third corner in another
@@ -43,8 +44,8 @@
 mod afar;
 mod cells;
 mod runs;
+mod wide;
 
-use super::HIGHEST_BOUND;
 use super::open::Open;
 use super::table::Table;
 use crate::cost::{LANES, Lanes};
@@ -54,9 +55,11 @@ use afar::Afar;
 use cells::Cells;
 use runs::Runs;
 
-/// There are no more runs than so many for each root of a sample, corners excepted. With 2.5 random curves of
-/// 3,200 samples take 1.3 to 1.4 times as long, with 5 a strip of 1,600 a third more.
+/// There are no more runs than so many for each root of a sample, corners excepted, as far as whole tiles
+/// allow. With 2.5 random curves of 3,200 samples take 1.2 to 1.4 times as long.
 const RUNS_A_ROOT: f64 = 3.6;
+/// More of them take more memory than they save.
+const MOST_RUNS: usize = 400;
 
 /// What the rest of the loop costs at the least beside the rungs between two runs.
 pub(super) struct Outside {
@@ -66,38 +69,30 @@ pub(super) struct Outside {
 }
 
 impl Outside {
-    /// Works it out for a table with folds, whose loop is numbered in order; `None` where it would tell
-    /// nothing or take more than the memory that is left.
-    pub(super) fn new(
-        table: &Table<'_>,
-        open: &Open<'_>,
-        memory: u64,
-        watch: &mut dyn Watch,
-    ) -> Result<Option<Self>, TriangulateError> {
-        Self::of_runs(Runs::new(table.terms, length(table.m)), table, open, memory, watch)
-    }
-
-    fn of_runs(
-        runs: Runs,
-        table: &Table<'_>,
-        open: &Open<'_>,
-        memory: u64,
-        watch: &mut dyn Watch,
-    ) -> Result<Option<Self>, TriangulateError> {
-        if open.bound > HIGHEST_BOUND {
-            return Ok(None);
-        }
-        if Self::most_bytes(&runs) > memory {
-            return Ok(None);
-        }
-        let cells = Cells::new(table, open, runs, watch)?;
-        let rests = Afar::new(table, open.bound, &cells).rests(watch)?;
-        Ok(Some(Self { runs: cells.runs, rests }))
+    /// The runs that the loop of a table is put together to.
+    pub(super) fn runs(table: &Table<'_>) -> Runs {
+        let m = table.m;
+        let length = ((m as f64).sqrt() / RUNS_A_ROOT).ceil() as usize;
+        Runs::new(table.terms, length.max(m.div_ceil(MOST_RUNS)).next_multiple_of(LANES))
     }
 
     /// What it takes while it is worked out, bytes.
-    fn most_bytes(runs: &Runs) -> u64 {
-        Cells::bytes(runs.len()) + Afar::bytes(runs.len()) + runs.bytes()
+    pub(super) fn most_bytes(runs: &Runs) -> u64 {
+        Cells::bytes(runs.len(), runs.samples(runs.len() - 1).end)
+            + Afar::bytes(runs.len())
+            + runs.bytes()
+    }
+
+    /// Works it out for a table with folds, whose loop is numbered in order, and which has a bound.
+    pub(super) fn new(
+        runs: Runs,
+        table: &Table<'_>,
+        open: &Open<'_>,
+        watch: &mut dyn Watch,
+    ) -> Result<Self, TriangulateError> {
+        let cells = Cells::new(table, open, runs, watch)?;
+        let rests = Afar::new(table, open.bound, &cells).rests(watch)?;
+        Ok(Self { runs: cells.runs, rests })
     }
 
     /// What it takes, bytes.
@@ -149,11 +144,6 @@ impl Outside {
         }
         least
     }
-}
-
-/// How long runs are on a loop of m samples: whole tiles.
-fn length(m: usize) -> usize {
-    (((m as f64).sqrt() / RUNS_A_ROOT).ceil() as usize).next_multiple_of(LANES)
 }
 
 #[cfg(test)]

@@ -6,13 +6,14 @@ mod filling;
 mod shared;
 
 use super::lanes::of_lane;
-use super::memory_needed;
 use super::near::Band;
 use super::open::Open;
 use super::outside::Outside;
 use super::store::Store;
+use super::{HIGHEST_BOUND, memory_needed};
 use crate::cost::LANES;
 use crate::math::Vec3;
+use crate::triangulate::part::Part;
 use crate::triangulate::{Terms, TriangulateError};
 use crate::watch::Watch;
 use filling::{Column, Filling};
@@ -23,9 +24,11 @@ use std::ops::Range;
 /// takes 1.7 times as long at 10,000 samples, where 7 % of all tiles are kept; random curves and the
 /// twisted strip 1.2 to 2.1 times at 3,200, where 38 to 67 % are.
 const GROUP: usize = 8;
-/// With fewer samples it takes longer to look first at what the rest of the loop costs than that saves: at 400
-/// the table of a strip takes 0.65 times as long with it, those of random curves 1.1 to 1.3 times.
+/// With fewer samples it takes longer, on the whole, to look first at what the rest of the loop costs than that
+/// saves: at 400 a strip takes 0.65 times as long with it, but random curves 1.1 to 1.3 times.
 const LEAST_OUTSIDE: usize = 640;
+/// The share of the time that it takes, about.
+const SHARE_OF_OUTSIDE: f64 = 0.3;
 /// The share of a length that rounding may take off it.
 const SLACK: f64 = 1e-12;
 
@@ -70,12 +73,18 @@ impl<'a> Table<'a> {
     ) -> Result<f64, TriangulateError> {
         let open = Open::new(self.terms, bound, band);
         self.outside = None;
-        if self.folds && self.in_order && band.is_none() && self.m >= LEAST_OUTSIDE {
-            self.store.clear();
-            let memory = self.terms.memory.saturating_sub(self.bytes());
-            self.outside = Outside::new(self, &open, memory, watch)?;
+        let mut start = share.start;
+        if self.has_outside() && bound <= HIGHEST_BOUND && band.is_none() {
+            let runs = Outside::runs(self);
+            let needed = Outside::most_bytes(&runs);
+            self.clear_for(needed);
+            if self.bytes().saturating_add(needed) <= self.terms.memory {
+                start += SHARE_OF_OUTSIDE * (share.end - share.start);
+                let mut part = Part::new(watch, share.start..start);
+                self.outside = Some(Outside::new(runs, self, &open, &mut part)?);
+            }
         }
-        self.fill_open(&open, watch, share)
+        self.fill_open(&open, watch, start..share.end)
     }
 
     /// The same for the tiles that are open.
@@ -133,6 +142,11 @@ impl<'a> Table<'a> {
             open.has_edges(row, column) || outside.least(row, column) < f64::INFINITY
         };
         self.outside.as_ref().is_none_or(has_some) && open.is_open(row, column)
+    }
+
+    /// Whether it is looked at what the rest of the loop costs, where memory allows.
+    pub(super) fn has_outside(&self) -> bool {
+        self.folds && self.in_order && self.m >= LEAST_OUTSIDE
     }
 
     /// The same with what the rest of the loop costs as it was found, or without.

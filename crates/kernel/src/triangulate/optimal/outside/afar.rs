@@ -2,10 +2,11 @@
 //! leaves for the rest of the loop, from long ones to short ones.
 //!
 //! Both go through all triples of runs A < K < B for one A and K after the other, with sixteen B side by
-//! side, as the table does. What wide triangles pay at the least is worked out once, in between.
+//! side, as the table does. What wide triangles pay at the least is worked out on the way outwards, and kept.
 
 use super::cells::Cells;
 use super::runs::{Direction, directions};
+use super::wide::{Rungs, Wide, least_wide};
 use crate::cost::{LANES, Lanes};
 use crate::triangulate::TriangulateError;
 use crate::triangulate::optimal::lanes::lowest;
@@ -13,15 +14,13 @@ use crate::triangulate::optimal::normals::{NormalBox, least_fold, least_fold_abo
 use crate::triangulate::optimal::table::Table;
 use crate::watch::Watch;
 
-/// What sums of prices over all runs may gain by rounding, far more than they do.
+/// What sums over all runs may gain on the prices of triangulations: by rounding, and by half a quantum for
+/// each triangle whose folds are rounded down; 4e-11 for 1,500 runs.
 const SLACK: f64 = 1e-10;
-/// The share that is taken off a price before it is rounded to single precision, which may add 2⁻²⁴.
-const ROUNDED: f64 = 1e-6;
-
 /// Prices of a bundle with neither of its runs charged, the first, the second, and both: bit 0 says whether
 /// the first is, bit 1 whether the second is.
 type Charged = [f64; 4];
-const NONE: usize = 0;
+const NEITHER: usize = 0;
 const FIRST: usize = 1;
 const SECOND: usize = 2;
 const BOTH: usize = 3;
@@ -32,7 +31,7 @@ const NEVER: Bundles = [[f64::INFINITY; LANES]; 4];
 
 #[inline(always)]
 fn of_lane(bundles: &Bundles, lane: usize) -> Charged {
-    [bundles[NONE][lane], bundles[FIRST][lane], bundles[SECOND][lane], bundles[BOTH][lane]]
+    [bundles[NEITHER][lane], bundles[FIRST][lane], bundles[SECOND][lane], bundles[BOTH][lane]]
 }
 
 #[inline(always)]
@@ -42,48 +41,11 @@ fn set_lane(bundles: &mut Bundles, lane: usize, charged: Charged) {
     }
 }
 
-/// The rungs of bundles that begin at one run and end at [`LANES`] runs in a row.
-#[derive(Clone, Copy)]
-#[repr(align(64))]
-struct Rungs {
-    /// None costs less.
-    least: Lanes,
-    /// Where their N lie, by axis.
-    lower: [Lanes; 3],
-    upper: [Lanes; 3],
-    /// Their directions, by axis, and how far off these may be.
-    along: [Lanes; 3],
-    off: Lanes,
-}
-
-impl Rungs {
-    const NONE: Self = Self {
-        least: [f64::INFINITY; LANES],
-        lower: [[f64::INFINITY; LANES]; 3],
-        upper: [[f64::NEG_INFINITY; LANES]; 3],
-        along: [[0.0; LANES]; 3],
-        off: [f64::INFINITY; LANES],
-    };
-
-    /// Those of one bundle, so many times.
-    #[inline(always)]
-    fn all_like(&self, lane: usize) -> Self {
-        let all = |of: &Lanes| [of[lane]; LANES];
-        let by_axis = |of: &[Lanes; 3]| [all(&of[0]), all(&of[1]), all(&of[2])];
-        Self {
-            least: all(&self.least),
-            lower: by_axis(&self.lower),
-            upper: by_axis(&self.upper),
-            along: by_axis(&self.along),
-            off: all(&self.off),
-        }
-    }
-}
-
 /// What is known of a loop of runs.
 pub(super) struct Afar<'a> {
     /// ν.
     fold: f64,
+    /// With [`SLACK`].
     bound: f64,
     registers: pulp::Arch,
     cells: &'a Cells,
@@ -100,10 +62,9 @@ impl<'a> Afar<'a> {
     /// What it takes for so many runs, bytes.
     pub(super) fn bytes(runs: usize) -> u64 {
         let width = runs.div_ceil(LANES);
-        let of_triples = Wide::starts(runs)[runs] * size_of::<f32>();
-        let of_pairs = size_of::<Direction>() + 2 * size_of::<f64>();
-        let of_groups = size_of::<Rungs>() + 2 * size_of::<Bundles>();
-        (of_triples + runs * runs * of_pairs + runs * width * of_groups) as u64
+        let of_pair = size_of::<Direction>() + 2 * size_of::<f64>();
+        let of_group = size_of::<Rungs>() + 2 * size_of::<Bundles>();
+        Wide::bytes(runs) + runs as u64 * (runs * of_pair + width * of_group) as u64
     }
 
     pub(super) fn new(table: &Table<'_>, bound: f64, cells: &'a Cells) -> Self {
@@ -111,7 +72,7 @@ impl<'a> Afar<'a> {
         let width = n.div_ceil(LANES);
         let mut afar = Self {
             fold: table.terms.prices.options().fold,
-            bound,
+            bound: bound + SLACK,
             registers: table.registers,
             cells,
             directions: directions(table.terms, &cells.runs),
@@ -131,7 +92,7 @@ impl<'a> Afar<'a> {
                     group.upper[axis][lane] = upper[axis];
                     group.along[axis][lane] = along[axis];
                 }
-                if cell.least <= bound {
+                if cell.least <= afar.bound {
                     afar.charges[a * n + b] = afar.charge(a, b);
                     afar.charges[b * n + a] = afar.charge(b, a);
                 }
@@ -170,7 +131,7 @@ impl<'a> Afar<'a> {
                 let within = of_lane(&inside[at], b % LANES);
                 let beyond = of_lane(&outside[at], b % LANES);
                 let both = (0..4).map(|at| within[at] + beyond[at]).fold(f64::INFINITY, f64::min);
-                if both <= self.bound + SLACK {
+                if both <= self.bound {
                     rests[a * n + b] = beyond[BOTH] - SLACK;
                 }
             }
@@ -233,13 +194,13 @@ impl<'a> Afar<'a> {
             if beyond > self.bound {
                 continue;
             }
-            let below = inside[at][NONE][to % LANES];
+            let below = inside[at][NEITHER][to % LANES];
             least = least.min(beyond + below + self.nibble_of_rungs(a, x));
             if to - from == 1 {
                 least = least.min(beyond + self.nibble_of_edge(a, x));
             }
         }
-        if least <= self.bound + SLACK { least - SLACK } else { f64::INFINITY }
+        if least <= self.bound { least - SLACK } else { f64::INFINITY }
     }
 
     /// What is inside of the edge between two runs: nothing is charged there, but that runs without inner
@@ -258,122 +219,6 @@ impl<'a> Afar<'a> {
         let n = self.cells.runs.len();
         [self.charges[a * n + b], self.charges[b * n + a]]
     }
-}
-
-/// What wide triangles pay at the least, rounded down: for each first run and each second one, side by side,
-/// as many groups of third ones as from that of the first on.
-struct Wide {
-    prices: Vec<f32>,
-    /// Where those of each first run begin, and how many there are.
-    starts: Vec<usize>,
-}
-
-impl Wide {
-    fn starts(n: usize) -> Vec<usize> {
-        let width = n.div_ceil(LANES);
-        let mut starts = vec![0];
-        for a in 0..n {
-            starts.push(starts[a] + (n - a - 1) * (width - a / LANES) * LANES);
-        }
-        starts
-    }
-
-    fn new(n: usize) -> Self {
-        let starts = Self::starts(n);
-        Self { prices: vec![f32::INFINITY; starts[n]], starts }
-    }
-
-    /// Where the group of the third run stands.
-    #[inline(always)]
-    fn place(&self, a: usize, k: usize, group: usize) -> usize {
-        let width = (self.starts.len() - 1).div_ceil(LANES);
-        let groups = (k - a - 1) * (width - a / LANES) + group - a / LANES;
-        self.starts[a] + groups * LANES
-    }
-
-    #[inline(always)]
-    fn of(&self, place: usize) -> Lanes {
-        let mut prices = [0.0; LANES];
-        for n in 0..LANES {
-            prices[n] = f64::from(self.prices[place + n]);
-        }
-        prices
-    }
-}
-
-/// What wide triangles pay at the least for ν = `fold`, of which these are the sides, `across` the one that
-/// spans the others: for their folds what the N of their sides leave, taken two at a time, as in
-/// [`least_fold`], or what their normals do, as in [`least_fold_about`], from the two sides that tell these
-/// best.
-#[inline(always)]
-fn wide(fold: f64, first: &Rungs, second: &Rungs, across: &Rungs) -> Lanes {
-    let mut apart = [0.0; LANES];
-    for (one, other) in [(first, second), (first, across), (second, across)] {
-        for axis in 0..3 {
-            for n in 0..LANES {
-                let above = one.lower[axis][n] - other.upper[axis][n];
-                let below = other.lower[axis][n] - one.upper[axis][n];
-                let gap = if above > below { above } else { below };
-                let gap = if gap > 0.0 { gap } else { 0.0 };
-                apart[n] += gap * gap;
-            }
-        }
-    }
-    // The square of how far off it may be, as a share of its length.
-    let (mut normal, mut share) = ([[0.0; LANES]; 3], [f64::INFINITY; LANES]);
-    for (one, other) in [(first, across), (first, second), (across, second)] {
-        let (mut middle, mut shares) = ([[0.0; LANES]; 3], [0.0; LANES]);
-        for n in 0..LANES {
-            let (u, v) = (&one.along, &other.along);
-            let x = u[1][n] * v[2][n] - u[2][n] * v[1][n];
-            let y = u[2][n] * v[0][n] - u[0][n] * v[2][n];
-            let z = u[0][n] * v[1][n] - u[1][n] * v[0][n];
-            (middle[0][n], middle[1][n], middle[2][n]) = (x, y, z);
-            let off = one.off[n] + other.off[n] + one.off[n] * other.off[n];
-            shares[n] = off * off / (x * x + y * y + z * z);
-        }
-        for n in 0..LANES {
-            let is_closer = shares[n] < share[n];
-            share[n] = if is_closer { shares[n] } else { share[n] };
-            for axis in 0..3 {
-                normal[axis][n] = if is_closer { middle[axis][n] } else { normal[axis][n] };
-            }
-        }
-    }
-    let mut off = [0.0; LANES];
-    for n in 0..LANES {
-        let [x, y, z] = [normal[0][n], normal[1][n], normal[2][n]];
-        let scale = 1.0 / (x * x + y * y + z * z).sqrt();
-        (normal[0][n], normal[1][n], normal[2][n]) = (x * scale, y * scale, z * scale);
-        off[n] = Direction::OFF_OF_SHARE * share[n].sqrt() + Direction::LEAST_OFF;
-    }
-    let mut about = [0.0; LANES];
-    for side in [first, second, across] {
-        let mut squares = [0.0; LANES];
-        for axis in 0..3 {
-            for n in 0..LANES {
-                let above = normal[axis][n] - side.upper[axis][n];
-                let below = side.lower[axis][n] - normal[axis][n];
-                let gap = if above > below { above } else { below };
-                let gap = if gap > 0.0 { gap } else { 0.0 };
-                squares[n] += gap * gap;
-            }
-        }
-        for n in 0..LANES {
-            let apart = squares[n].sqrt() - off[n];
-            let apart = if apart > 0.0 { apart } else { 0.0 };
-            about[n] += apart * apart;
-        }
-    }
-    let mut prices = [0.0; LANES];
-    for n in 0..LANES {
-        let is_known = share[n] <= Direction::FARTHEST * Direction::FARTHEST;
-        let about = if is_known { 0.5 * about[n] } else { 0.0 };
-        let apart = apart[n] / 6.0;
-        let folds = if about > apart { about } else { apart };
-        prices[n] = 0.5 * (first.least[n] + second.least[n] + across.least[n]) + fold * folds;
-    }
-    prices
 }
 
 #[inline(always)]
@@ -398,7 +243,7 @@ fn joined(first: &Charged, second: &Charged, at: usize) -> f64 {
 #[inline(always)]
 fn beside_first(second: &Charged, across: &Charged, at: usize) -> f64 {
     let of_first = at & FIRST;
-    let of_middle = if at & SECOND == 0 { FIRST } else { NONE };
+    let of_middle = if at & SECOND == 0 { FIRST } else { NEITHER };
     lower_of(
         second[of_middle] + across[of_first],
         second[of_middle | SECOND] + across[of_first | SECOND],
@@ -408,7 +253,7 @@ fn beside_first(second: &Charged, across: &Charged, at: usize) -> f64 {
 /// The same of the second side.
 #[inline(always)]
 fn beside_second(first: &Charged, across: &Charged, at: usize) -> f64 {
-    let of_middle = if at & FIRST == 0 { SECOND } else { NONE };
+    let of_middle = if at & FIRST == 0 { SECOND } else { NEITHER };
     let of_second = at & SECOND;
     lower_of(
         first[of_middle] + across[of_second],
@@ -430,7 +275,7 @@ impl pulp::WithSimd for Outwards<'_, '_> {
 
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, _: S) {
-        let Self { afar, a, wide: prices, inside } = self;
+        let Self { afar, a, wide, inside } = self;
         let (n, width) = (afar.cells.runs.len(), afar.width);
         for k in a + 1..n {
             let (at, lane) = (a * width + k / LANES, k % LANES);
@@ -440,9 +285,9 @@ impl pulp::WithSimd for Outwards<'_, '_> {
             if afar.cells.of(a, k).least > afar.bound {
                 first = [f64::INFINITY; 4];
             }
-            first[FIRST] = first[FIRST].min(first[NONE] + of_a);
+            first[FIRST] = first[FIRST].min(first[NEITHER] + of_a);
             first[BOTH] = first[BOTH].min(first[SECOND] + of_a);
-            first[SECOND] = first[SECOND].min(first[NONE] + of_k);
+            first[SECOND] = first[SECOND].min(first[NEITHER] + of_k);
             first[BOTH] = first[BOTH].min(first[FIRST] + of_k);
             set_lane(&mut inside[at], lane, first);
             // Triangles on the edge from a to k, with the third corner in later runs.
@@ -471,7 +316,7 @@ impl pulp::WithSimd for Outwards<'_, '_> {
                     sums[at][b % LANES] = lower_of(sums[at][b % LANES], sum);
                 }
             }
-            if first[NONE] > afar.bound {
+            if first[NEITHER] > afar.bound {
                 continue;
             }
             let own = afar.rungs[at].all_like(lane);
@@ -480,27 +325,27 @@ impl pulp::WithSimd for Outwards<'_, '_> {
                 let across = &afar.rungs[a * width + group];
                 let below = inside[k * width + group];
                 let mut any = false;
-                for n in 0..LANES {
-                    let rungs = 0.5 * (own.least[n] + second.least[n] + across.least[n]);
-                    any |= first[NONE] + below[NONE][n] + rungs <= afar.bound;
+                for lane in 0..LANES {
+                    let rungs = 0.5 * (own.least[lane] + second.least[lane] + across.least[lane]);
+                    any |= first[NEITHER] + below[NEITHER][lane] + rungs <= afar.bound;
                 }
                 if !any {
                     continue;
                 }
-                let place = prices.place(a, k, group);
-                let found = wide(afar.fold, &own, second, across);
-                for n in 0..LANES {
-                    let is_third = group * LANES + n > k;
-                    let price = if is_third { found[n] } else { f64::INFINITY };
-                    prices.prices[place + n] = (price * (1.0 - ROUNDED)) as f32;
+                let place = wide.place(a, k, group);
+                let mut prices = least_wide(afar.fold, &own, second, across);
+                for lane in 0..LANES {
+                    let is_third = group * LANES + lane > k;
+                    prices[lane] = if is_third { prices[lane] } else { f64::INFINITY };
                 }
-                let found = prices.of(place);
+                wide.set(place, &prices);
+                let prices = wide.of(place);
                 let sums = &mut inside[a * width + group];
-                for n in 0..LANES {
-                    let below = of_lane(&below, n);
+                for lane in 0..LANES {
+                    let below = of_lane(&below, lane);
                     for at in 0..4 {
-                        let sum = found[n] + joined(&first, &below, at);
-                        sums[at][n] = lower_of(sums[at][n], sum);
+                        let sum = prices[lane] + joined(&first, &below, at);
+                        sums[at][lane] = lower_of(sums[at][lane], sum);
                     }
                 }
             }
@@ -532,27 +377,27 @@ impl pulp::WithSimd for Inwards<'_, '_> {
             let first = of_lane(&inside[at], lane);
             let mut beyond = of_lane(&outside[at], lane);
             for group in (k + 1) / LANES..width {
-                if first[NONE] + least[group] > afar.bound {
+                if first[NEITHER] + least[group] > afar.bound {
                     continue;
                 }
                 let price = wide.of(wide.place(a, k, group));
                 let (below, parents) = (&inside[k * width + group], &through[group]);
                 let mut any = false;
-                for n in 0..LANES {
-                    let sum = first[NONE] + below[NONE][n] + parents[BOTH][n] + price[n];
-                    any |= sum <= afar.bound + SLACK;
+                for lane in 0..LANES {
+                    let inner = first[NEITHER] + below[NEITHER][lane];
+                    any |= inner + parents[BOTH][lane] + price[lane] <= afar.bound;
                 }
                 if !any {
                     continue;
                 }
                 let sums = &mut outside[k * width + group];
                 let mut of_first = NEVER;
-                for n in 0..LANES {
-                    let (below, parent) = (of_lane(below, n), of_lane(parents, n));
+                for lane in 0..LANES {
+                    let (below, parent) = (of_lane(below, lane), of_lane(parents, lane));
                     for at in 0..4 {
-                        of_first[at][n] = price[n] + beside_first(&below, &parent, at);
-                        let sum = price[n] + beside_second(&first, &parent, at);
-                        sums[at][n] = lower_of(sums[at][n], sum);
+                        of_first[at][lane] = price[lane] + beside_first(&below, &parent, at);
+                        let sum = price[lane] + beside_second(&first, &parent, at);
+                        sums[at][lane] = lower_of(sums[at][lane], sum);
                     }
                 }
                 for at in 0..4 {
@@ -586,7 +431,7 @@ impl pulp::WithSimd for Inwards<'_, '_> {
             let mut own = beyond;
             own[FIRST] = own[FIRST].min(own[BOTH] + of_k);
             own[SECOND] = own[SECOND].min(own[BOTH] + of_a);
-            own[NONE] = own[NONE].min(own[FIRST] + of_a).min(own[SECOND] + of_k);
+            own[NEITHER] = own[NEITHER].min(own[FIRST] + of_a).min(own[SECOND] + of_k);
             set_lane(&mut through[k / LANES], lane, own);
             least[k / LANES] = least[k / LANES].min(own[BOTH]);
         }

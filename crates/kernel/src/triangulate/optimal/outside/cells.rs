@@ -43,9 +43,11 @@ pub(super) struct Cells {
 }
 
 impl Cells {
-    /// What so many take, bytes.
-    pub(super) fn bytes(runs: usize) -> u64 {
-        (runs * runs * size_of::<Cell>()) as u64
+    /// What they take while they are priced, for so many runs of so many samples, bytes.
+    pub(super) fn bytes(runs: usize, samples: usize) -> u64 {
+        let of_tiles = size_of::<FarEnds>() + size_of::<Strip>();
+        let of_pairs = (runs as u64).pow(2) * size_of::<Cell>() as u64;
+        of_pairs + (samples.div_ceil(LANES) * of_tiles) as u64
     }
 
     /// Prices all rungs that spans leave open.
@@ -65,6 +67,9 @@ impl Cells {
             if watch.stop() {
                 return Err(TriangulateError::Stopped);
             }
+            // Rows have as many tiles as there are rows below.
+            let below = (count - row) as f64 / count as f64;
+            watch.progress(1.0 - below * below);
             let mut before = [LastRung::NONE; LANES];
             for column in row..count {
                 if !open.is_open(row, column) {
@@ -287,7 +292,7 @@ impl pulp::WithSimd for Pricing<'_> {
                     lower_on_edges(&mut least, fold, prices, &triangles);
                     for lane in 0..to.count {
                         let b = cells.runs.of(to.first + lane);
-                        if b >= run {
+                        if b > run {
                             let link = &mut cells.of_mut(before, b).on_links[0];
                             *link = link.min(least[lane]);
                         }

@@ -8,7 +8,7 @@ use std::ops::Range;
 /// choose from, which would blur whatever run they shared.
 const RUNS_A_CORNER: usize = 4;
 /// Runs of neighbouring samples. The first sample, the last, and each corner are runs of their own.
-pub(super) struct Runs {
+pub(in crate::triangulate::optimal) struct Runs {
     /// The first sample of each run, and the number of samples.
     starts: Vec<u32>,
     /// The run of each sample.
@@ -76,6 +76,9 @@ impl Direction {
     pub(super) const OFF_OF_SHARE: f64 = 1.1;
     /// What rounding may turn a direction by, far more than it does.
     pub(super) const LEAST_OFF: f64 = 1e-7;
+    /// A triangle with two corners this close to one another, as a share of the size of the loop, may
+    /// have a normal that rounding turns by as much as a radian.
+    const CLOSE: f64 = 4e-15;
 
     /// Of all vectors that differ from `middle` by no more than `off`.
     fn around(middle: Vec3, off: f64) -> Self {
@@ -142,6 +145,9 @@ pub(super) fn directions(terms: &Terms<'_>, runs: &Runs) -> Vec<Direction> {
     let balls: Vec<(Vec3, f64)> =
         (0..n).map(|run| Extent::of(runs.samples(run).map(at)).ball()).collect();
     let edge = |i: usize| unit(at(i + 1) - at(i)).unwrap_or(Vec3::ZERO);
+    let m = terms.prices.len();
+    let close = Direction::CLOSE * 2.0 * Extent::of((0..m).map(at)).ball().1;
+    let shortest = (1..m).map(|i| (at(i) - at(i - 1)).length()).fold(f64::INFINITY, f64::min);
     let inner = |run: usize| {
         let samples = runs.samples(run);
         Extent::of((samples.start..samples.end - 1).map(edge))
@@ -161,11 +167,11 @@ pub(super) fn directions(terms: &Terms<'_>, runs: &Runs) -> Vec<Direction> {
             let mut direction = Direction::ANY;
             if edges.least[0] <= edges.greatest[0] {
                 let (middle, off) = edges.ball();
-                direction = Direction::around(middle, off);
+                direction = Direction::around(middle, off + close / shortest);
             }
             if b > a {
                 let ((from, of_from), (end, of_end)) = (balls[a], balls[b]);
-                let by_balls = Direction::around(end - from, of_from + of_end);
+                let by_balls = Direction::around(end - from, of_from + of_end + close);
                 if by_balls.off < direction.off {
                     direction = by_balls;
                 }

@@ -58,8 +58,7 @@ fn check(terms: &Terms<'_>, length: usize, registers: pulp::Arch, what: &str) ->
         table.registers = registers;
         let open = Open::new(terms, bound, None);
         let runs = Runs::new(terms, length);
-        let found = Outside::of_runs(runs, &table, &open, u64::MAX, &mut Unwatched);
-        let found = found.unwrap().unwrap();
+        let found = Outside::new(runs, &table, &open, &mut Unwatched).unwrap();
         for (i, j) in (0..table.m).flat_map(|i| (i + 1..table.m).map(move |j| (i, j))) {
             let (entry, truth) = (full.entry(i, j), in_truth[i * table.m + j]);
             let mut prices = [0.0; LANES];
@@ -165,6 +164,40 @@ fn curves(m: usize) -> Vec<(&'static str, Boundary)> {
 }
 
 #[test]
+fn no_rest_costs_less_in_tilted_planes_and_where_folds_are_dear() {
+    // Where N differs in its last bits, all costs nothing or nearly so.
+    let star = |i: usize, m: usize| {
+        let t = TAU * i as f64 / m as f64;
+        let r = 30.0 + 12.0 * cos(5.0 * t);
+        [r * cos(t), r * sin(t), 0.0]
+    };
+    for seed in 0..48 {
+        let m = 60 + 2 * (seed % 5);
+        let (a, b) = (0.3 + 0.37 * seed as f64, 1.1 + 0.53 * seed as f64);
+        let at = |i: usize| {
+            let [x, y, _] = star(i, m);
+            let [y, z] = [y * cos(a), y * sin(a)];
+            let [x, z] = [x * cos(b) - z * sin(b), x * sin(b) + z * cos(b)];
+            CurvePoint::smooth(Point3::new(x, y, z))
+        };
+        let samples = samples_from_points(&(0..m).map(at).collect::<Vec<_>>());
+        let boundary = Boundary::new(vec![samples]).unwrap();
+        let (fold, length) = ([1.0, 10.0][seed % 2], [1, 2, 4][seed % 3]);
+        with_terms(&boundary, fold, |terms| {
+            check(terms, length, pulp::Arch::new(), &format!("tilted {seed}"));
+        });
+    }
+    for (name, boundary) in curves(140) {
+        for length in [4, 32, 48] {
+            with_terms(&boundary, 10.0, |terms| {
+                let [_, all] = check(terms, length, pulp::Arch::new(), name);
+                assert!(all > 0, "{name}");
+            });
+        }
+    }
+}
+
+#[test]
 fn of_curves_few_entries_are_left() {
     // Of a hundred, of those up to the price.
     let most = [("cone", 30), ("waving", 60), ("wild", 80), ("patch", 20), ("strip", 25)];
@@ -220,14 +253,36 @@ fn it_is_left_out_where_memory_is_short_and_stops_when_asked() {
 
     let curves = curves(700);
     with_terms(&curves[0].1, 1.0, |terms| {
-        let bound = solve_priced(terms, &mut Unwatched).unwrap().unwrap().price;
-        let table = Table::new(terms);
+        let solved = solve_priced(terms, &mut Unwatched).unwrap().unwrap();
+        let (bound, mut plain) = (solved.price, Table::new(terms));
         let open = Open::new(terms, bound, None);
-        let with = |memory| Outside::new(&table, &open, memory, &mut Unwatched).unwrap();
-        let needed = Outside::most_bytes(&with(u64::MAX).unwrap().runs);
-        assert!(with(needed).is_some() && with(needed - 1).is_none());
-        assert!(with(needed).unwrap().bytes() < needed);
-        let stopped = Outside::new(&table, &open, u64::MAX, &mut Impatient);
+        plain.fill_beside(None, &open, &mut Unwatched).unwrap();
+        // What the table takes at last within so much memory, if that is enough.
+        let taken = |memory: u64| {
+            let few = terms.within(memory);
+            let mut table = Table::new(&few);
+            match table.fill(bound, None, &mut Unwatched, 0.0..1.0) {
+                Ok(price) => {
+                    assert_eq!((price, table.trace()), (bound, solved.triangles.clone()));
+                    Some(table.bytes())
+                }
+                Err(TriangulateError::TooLarge { limit, .. }) if limit == memory => None,
+                Err(error) => panic!("{error}"),
+            }
+        };
+        let all = taken(u64::MAX).unwrap();
+        assert!(all < plain.bytes(), "{all} {}", plain.bytes());
+        let needed = Table::new(terms).bytes() + Outside::most_bytes(&Outside::runs(&plain));
+        assert_eq!(taken(needed.max(all)), Some(all));
+        let mut refused = 0;
+        for memory in [plain.bytes(), needed - 1, needed / 2, all - 1, all / 4] {
+            match taken(memory) {
+                Some(bytes) => assert!(bytes <= memory, "{bytes} {memory}"),
+                None => refused += 1,
+            }
+        }
+        assert!(refused > 0 && refused < 5, "{refused}");
+        let stopped = Outside::new(Outside::runs(&plain), &plain, &open, &mut Impatient);
         assert_eq!(stopped.err(), Some(TriangulateError::Stopped));
     });
 }

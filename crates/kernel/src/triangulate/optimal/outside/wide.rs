@@ -1,0 +1,176 @@
+//! What wide triangles pay at the least, from what the rungs of three bundles have in common.
+
+use super::runs::Direction;
+use crate::cost::{LANES, Lanes};
+
+/// The share that is taken off a price before it is rounded to single precision, which may add 2⁻²⁴.
+const ROUNDED: f64 = 1e-6;
+
+/// The rungs of bundles that begin at one run and end at [`LANES`] runs in a row.
+#[derive(Clone, Copy)]
+#[repr(align(64))]
+pub(super) struct Rungs {
+    /// None costs less.
+    pub(super) least: Lanes,
+    /// Where their N lie, by axis.
+    pub(super) lower: [Lanes; 3],
+    pub(super) upper: [Lanes; 3],
+    /// Their directions, by axis, and how far off these may be.
+    pub(super) along: [Lanes; 3],
+    pub(super) off: Lanes,
+}
+
+impl Rungs {
+    pub(super) const NONE: Self = Self {
+        least: [f64::INFINITY; LANES],
+        lower: [[f64::INFINITY; LANES]; 3],
+        upper: [[f64::NEG_INFINITY; LANES]; 3],
+        along: [[0.0; LANES]; 3],
+        off: [f64::INFINITY; LANES],
+    };
+
+    /// Those of one bundle, so many times.
+    #[inline(always)]
+    pub(super) fn all_like(&self, lane: usize) -> Self {
+        let all = |of: &Lanes| [of[lane]; LANES];
+        let by_axis = |of: &[Lanes; 3]| [all(&of[0]), all(&of[1]), all(&of[2])];
+        Self {
+            least: all(&self.least),
+            lower: by_axis(&self.lower),
+            upper: by_axis(&self.upper),
+            along: by_axis(&self.along),
+            off: all(&self.off),
+        }
+    }
+}
+
+/// What wide triangles pay at the least, rounded down: for each first run and each second one, side by side,
+/// as many groups of third ones as from that of the first on.
+pub(super) struct Wide {
+    prices: Vec<f32>,
+    /// Where those of each first run begin, and how many there are.
+    starts: Vec<usize>,
+}
+
+impl Wide {
+    /// What they take for so many runs, bytes.
+    pub(super) fn bytes(runs: usize) -> u64 {
+        let width = runs.div_ceil(LANES);
+        let of_first = |a: usize| ((runs - a - 1) * (width - a / LANES) * LANES) as u64;
+        (0..runs).map(of_first).sum::<u64>() * size_of::<f32>() as u64
+    }
+
+    fn starts(n: usize) -> Vec<usize> {
+        let width = n.div_ceil(LANES);
+        let mut starts = vec![0];
+        for a in 0..n {
+            starts.push(starts[a] + (n - a - 1) * (width - a / LANES) * LANES);
+        }
+        starts
+    }
+
+    pub(super) fn new(n: usize) -> Self {
+        let starts = Self::starts(n);
+        Self { prices: vec![f32::INFINITY; starts[n]], starts }
+    }
+
+    /// Where the group of the third run stands.
+    #[inline(always)]
+    pub(super) fn place(&self, a: usize, k: usize, group: usize) -> usize {
+        let width = (self.starts.len() - 1).div_ceil(LANES);
+        let groups = (k - a - 1) * (width - a / LANES) + group - a / LANES;
+        self.starts[a] + groups * LANES
+    }
+
+    /// Sets those of a group, rounded down.
+    #[inline(always)]
+    pub(super) fn set(&mut self, place: usize, prices: &Lanes) {
+        for lane in 0..LANES {
+            self.prices[place + lane] = (prices[lane] * (1.0 - ROUNDED)) as f32;
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn of(&self, place: usize) -> Lanes {
+        let mut prices = [0.0; LANES];
+        for n in 0..LANES {
+            prices[n] = f64::from(self.prices[place + n]);
+        }
+        prices
+    }
+}
+
+/// What wide triangles cost at the least for ν = `fold`, of which these are the sides, `across` the one that
+/// spans the others: for their folds what the N of their sides leave, taken two at a time, as in
+/// `normals::least_fold`, or what their normals do, as in `normals::least_fold_about`, from the two sides that
+/// tell these best.
+#[inline(always)]
+pub(super) fn least_wide(fold: f64, first: &Rungs, second: &Rungs, across: &Rungs) -> Lanes {
+    let mut apart = [0.0; LANES];
+    for (one, other) in [(first, second), (first, across), (second, across)] {
+        for axis in 0..3 {
+            for n in 0..LANES {
+                let above = one.lower[axis][n] - other.upper[axis][n];
+                let below = other.lower[axis][n] - one.upper[axis][n];
+                let gap = if above > below { above } else { below };
+                let gap = if gap > 0.0 { gap } else { 0.0 };
+                apart[n] += gap * gap;
+            }
+        }
+    }
+    // The square of how far off it may be, as a share of its length.
+    let (mut normal, mut share) = ([[0.0; LANES]; 3], [f64::INFINITY; LANES]);
+    for (one, other) in [(first, across), (first, second), (across, second)] {
+        let (mut middle, mut shares) = ([[0.0; LANES]; 3], [0.0; LANES]);
+        for n in 0..LANES {
+            let (u, v) = (&one.along, &other.along);
+            let x = u[1][n] * v[2][n] - u[2][n] * v[1][n];
+            let y = u[2][n] * v[0][n] - u[0][n] * v[2][n];
+            let z = u[0][n] * v[1][n] - u[1][n] * v[0][n];
+            (middle[0][n], middle[1][n], middle[2][n]) = (x, y, z);
+            let off = one.off[n] + other.off[n] + one.off[n] * other.off[n];
+            shares[n] = off * off / (x * x + y * y + z * z);
+        }
+        for n in 0..LANES {
+            let is_closer = shares[n] < share[n];
+            share[n] = if is_closer { shares[n] } else { share[n] };
+            for axis in 0..3 {
+                normal[axis][n] = if is_closer { middle[axis][n] } else { normal[axis][n] };
+            }
+        }
+    }
+    let mut off = [0.0; LANES];
+    for n in 0..LANES {
+        let [x, y, z] = [normal[0][n], normal[1][n], normal[2][n]];
+        let scale = 1.0 / (x * x + y * y + z * z).sqrt();
+        (normal[0][n], normal[1][n], normal[2][n]) = (x * scale, y * scale, z * scale);
+        off[n] = Direction::OFF_OF_SHARE * share[n].sqrt() + Direction::LEAST_OFF;
+    }
+    let mut about = [0.0; LANES];
+    for side in [first, second, across] {
+        let mut squares = [0.0; LANES];
+        for axis in 0..3 {
+            for n in 0..LANES {
+                let above = normal[axis][n] - side.upper[axis][n];
+                let below = side.lower[axis][n] - normal[axis][n];
+                let gap = if above > below { above } else { below };
+                let gap = if gap > 0.0 { gap } else { 0.0 };
+                squares[n] += gap * gap;
+            }
+        }
+        for n in 0..LANES {
+            let apart = squares[n].sqrt() - off[n];
+            let apart = if apart > 0.0 { apart } else { 0.0 };
+            about[n] += apart * apart;
+        }
+    }
+    let mut prices = [0.0; LANES];
+    for n in 0..LANES {
+        let is_known = share[n] <= Direction::FARTHEST * Direction::FARTHEST;
+        let about = if is_known { 0.5 * about[n] } else { 0.0 };
+        let apart = apart[n] / 6.0;
+        let folds = if about > apart { about } else { apart };
+        prices[n] = 0.5 * (first.least[n] + second.least[n] + across.least[n]) + fold * folds;
+    }
+    prices
+}
