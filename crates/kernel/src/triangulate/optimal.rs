@@ -117,7 +117,7 @@ pub(super) fn solve_priced(
 struct Filled<'a> {
     solved: Solved,
     table: Table<'a>,
-    /// How many tiles it has with entries up to the price: those that the least bound leaves.
+    /// How many tiles it has with entries up to the price.
     tiles: usize,
     /// How many times the tiles of that of the thinned loop these are, if there is one that was filled in the
     /// same way.

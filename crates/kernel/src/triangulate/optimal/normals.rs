@@ -6,6 +6,9 @@
 //! boundary, 2 − |s| ≥ (4 − |s|²) / 4 is more than a sixth of the square of what the other two differ by.
 //! Of a triangle with two edges nothing is said; one without area costs 2 ν a rung, which is more than any
 //! of this.
+//!
+//! Where it is known about which way n points, the share of each side, ν (1 − n · N) = ½ ν |n − N|², tells
+//! more.
 
 use super::lanes::{highest, lowest};
 use crate::cost::{LANES, Lanes, QUANTUM};

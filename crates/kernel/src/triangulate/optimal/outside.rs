@@ -17,8 +17,9 @@
 //!    of the runs. The first sample and the last are runs of their own, so that none runs across the edge
 //!    between them, and so are corners, unless there are many (`runs`).
 //! 2. A wide triangle pays g or more: half of the least that rungs of its three bundles cost, and the least
-//!    that its folds can cost, from where N of these rungs and the normal of the triangle lie (`cells`, `wide`). The edge from one run to the next is
-//!    no rung; what triangles on it pay is known exactly, as the least over third corners in each run.
+//!    that its folds can cost, from where N of these rungs and the normal of the triangle lie (`cells`,
+//!    `wide`). The edge from one run to the next is no rung; what triangles on it pay is known exactly, as
+//!    the least over third corners in each run.
 //! 3. The |A| − 1 edges within a run are sides of thin triangles, or lie below a *nibble*: a rung between two
 //!    samples of A. The triangle beyond the outermost nibble is thin, too, with its third corner in another
 //!    run. If each thin triangle with the third corner in X pays c or more for each edge of A on it or

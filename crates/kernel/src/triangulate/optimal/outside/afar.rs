@@ -17,6 +17,7 @@ use crate::watch::Watch;
 /// What sums over all runs may gain on the prices of triangulations: by rounding, and by half a quantum for
 /// each triangle whose folds are rounded down; 4e-11 for 1,500 runs.
 const SLACK: f64 = 1e-10;
+
 /// Prices of a bundle with neither of its runs charged, the first, the second, and both: bit 0 says whether
 /// the first is, bit 1 whether the second is.
 type Charged = [f64; 4];
@@ -38,6 +39,14 @@ fn of_lane(bundles: &Bundles, lane: usize) -> Charged {
 fn set_lane(bundles: &mut Bundles, lane: usize, charged: Charged) {
     for (bundle, price) in bundles.iter_mut().zip(charged) {
         bundle[lane] = price;
+    }
+}
+
+/// Takes the prices of a lane that are lower.
+#[inline(always)]
+fn lower_lane(bundles: &mut Bundles, lane: usize, price: impl Fn(usize) -> f64) {
+    for at in 0..4 {
+        bundles[at][lane] = lower_of(bundles[at][lane], price(at));
     }
 }
 
@@ -297,10 +306,7 @@ impl pulp::WithSimd for Outwards<'_, '_> {
                     let second = of_lane(&inside[k * width + b / LANES], b % LANES);
                     let price = afar.cells.of(a, b).on_links[0];
                     let sums = &mut inside[a * width + b / LANES];
-                    for at in 0..4 {
-                        let sum = price + joined(&edge, &second, at);
-                        sums[at][b % LANES] = lower_of(sums[at][b % LANES], sum);
-                    }
+                    lower_lane(sums, b % LANES, |at| price + joined(&edge, &second, at));
                 }
             }
             // Those on the edge from k to the run after it, with the third corner in a. Two edges of the
@@ -311,10 +317,9 @@ impl pulp::WithSimd for Outwards<'_, '_> {
                 let before = if is_between { afar.edge(a, k) } else { [f64::INFINITY; 4] };
                 let price = afar.cells.of(a, k).on_links[1];
                 let sums = &mut inside[a * width + b / LANES];
-                for at in 0..4 {
-                    let sum = price + joined(&first, &edge, at).min(joined(&before, &edge, at));
-                    sums[at][b % LANES] = lower_of(sums[at][b % LANES], sum);
-                }
+                lower_lane(sums, b % LANES, |at| {
+                    price + lower_of(joined(&first, &edge, at), joined(&before, &edge, at))
+                });
             }
             if first[NEITHER] > afar.bound {
                 continue;
@@ -343,10 +348,7 @@ impl pulp::WithSimd for Outwards<'_, '_> {
                 let sums = &mut inside[a * width + group];
                 for lane in 0..LANES {
                     let below = of_lane(&below, lane);
-                    for at in 0..4 {
-                        let sum = prices[lane] + joined(&first, &below, at);
-                        sums[at][lane] = lower_of(sums[at][lane], sum);
-                    }
+                    lower_lane(sums, lane, |at| prices[lane] + joined(&first, &below, at));
                 }
             }
         }
@@ -396,9 +398,8 @@ impl pulp::WithSimd for Inwards<'_, '_> {
                     let (below, parent) = (of_lane(below, lane), of_lane(parents, lane));
                     for at in 0..4 {
                         of_first[at][lane] = price[lane] + beside_first(&below, &parent, at);
-                        let sum = price[lane] + beside_second(&first, &parent, at);
-                        sums[at][lane] = lower_of(sums[at][lane], sum);
                     }
+                    lower_lane(sums, lane, |at| price[lane] + beside_second(&first, &parent, at));
                 }
                 for at in 0..4 {
                     beyond[at] = beyond[at].min(lowest(&of_first[at]));
@@ -411,10 +412,7 @@ impl pulp::WithSimd for Inwards<'_, '_> {
                     let parent = of_lane(&through[b / LANES], b % LANES);
                     let price = afar.cells.of(a, b).on_links[0];
                     let sums = &mut outside[k * width + b / LANES];
-                    for at in 0..4 {
-                        let sum = price + beside_second(&edge, &parent, at);
-                        sums[at][b % LANES] = lower_of(sums[at][b % LANES], sum);
-                    }
+                    lower_lane(sums, b % LANES, |at| price + beside_second(&edge, &parent, at));
                 }
             }
             // Those on the edge from k to the run after it.

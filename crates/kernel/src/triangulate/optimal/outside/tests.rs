@@ -202,6 +202,36 @@ fn no_rest_costs_less_in_tilted_planes_and_where_folds_are_dear() {
 }
 
 #[test]
+fn no_rest_costs_less_where_samples_all_but_coincide() {
+    // No boundary is built of them, but seams of panels that are joined come as close.
+    let (mut random, mut compared) = (Random::new(3), 0);
+    for seed in 0..60 {
+        let m = 24 + seed % 9;
+        let (one, other) = (3 + seed % 5, m / 2 + seed % 7);
+        let mut points: Vec<CurvePoint> = (0..m)
+            .map(|i| {
+                let t = TAU * i as f64 / m as f64;
+                let z = 20.0 * sin(2.0 * t) + random.between(-5.0, 5.0);
+                CurvePoint::smooth(Point3::new(50.0 * cos(t), 50.0 * sin(t), z))
+            })
+            .collect();
+        let close = [1e-14, 1e-13, 1e-12, 1e-11][seed % 4];
+        let off = Vec3::from_array([(); 3].map(|()| random.between(-close, close)));
+        points[other].at = points[one].at + off;
+        points[one].corner = true;
+        points[other].corner = true;
+        let prices = Prices::of_ring(&samples_from_points(&points), PriceOptions::default());
+        let everything = Visibility::everything();
+        for forced in [false, true] {
+            let terms = Terms::new(&prices, &everything, forced);
+            let [_, all] = check(&terms, 1, pulp::Arch::new(), &format!("close {seed}"));
+            compared += usize::from(all > 0);
+        }
+    }
+    assert!(compared > 60, "{compared}");
+}
+
+#[test]
 fn of_curves_few_entries_are_left() {
     // Of a hundred, of those up to the price.
     let most = [("cone", 30), ("waving", 60), ("wild", 80), ("patch", 20), ("strip", 25)];

@@ -100,6 +100,13 @@ impl Wide {
     }
 }
 
+/// How far a value is from an interval that it is so much above or below of.
+#[inline(always)]
+fn gap_of(above: f64, below: f64) -> f64 {
+    let gap = if above > below { above } else { below };
+    if gap > 0.0 { gap } else { 0.0 }
+}
+
 /// What wide triangles cost at the least for ν = `fold`, of which these are the sides, `across` the one that
 /// spans the others: for their folds what the N of their sides leave, taken two at a time, as in
 /// `normals::least_fold`, or what their normals do, as in `normals::least_fold_about`, from the two sides that
@@ -112,8 +119,7 @@ pub(super) fn least_wide(fold: f64, first: &Rungs, second: &Rungs, across: &Rung
             for n in 0..LANES {
                 let above = one.lower[axis][n] - other.upper[axis][n];
                 let below = other.lower[axis][n] - one.upper[axis][n];
-                let gap = if above > below { above } else { below };
-                let gap = if gap > 0.0 { gap } else { 0.0 };
+                let gap = gap_of(above, below);
                 apart[n] += gap * gap;
             }
         }
@@ -153,8 +159,7 @@ pub(super) fn least_wide(fold: f64, first: &Rungs, second: &Rungs, across: &Rung
             for n in 0..LANES {
                 let above = normal[axis][n] - side.upper[axis][n];
                 let below = side.lower[axis][n] - normal[axis][n];
-                let gap = if above > below { above } else { below };
-                let gap = if gap > 0.0 { gap } else { 0.0 };
+                let gap = gap_of(above, below);
                 squares[n] += gap * gap;
             }
         }
