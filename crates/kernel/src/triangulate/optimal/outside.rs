@@ -18,7 +18,7 @@
 //!    between them, and so are corners, unless there are many (`runs`).
 //! 2. A wide triangle pays g or more: half of the least that rungs of its three bundles cost, and the least
 //!    that its folds can cost, from where N of these rungs and the normal of the triangle lie (`cells`,
-//!    `wide`). The edge from one run to the next is no rung; what triangles on it pay is known exactly, as
+//!    `wide`). The edge from one run to the next is no rung; what triangles on it pay is known well, as
 //!    the least over third corners in each run.
 //! 3. The |A| − 1 edges within a run are sides of thin triangles, or lie below a *nibble*: a rung between two
 //!    samples of A. The triangle beyond the outermost nibble is thin, too, with its third corner in another
@@ -101,10 +101,10 @@ impl Outside {
         (self.rests.len() * size_of::<f64>()) as u64 + self.runs.bytes()
     }
 
-    /// What the rest of the loop costs at the least beside the rungs from sample `i` to those from `first`
-    /// on, whose prices these are; 0 beside edges of the boundary.
+    /// What the rest of the loop and half of each rung cost at the least, of the rungs from sample `i` to those
+    /// from `first` on; infinite where none is part of the answer, and 0 beside edges of the boundary.
     #[inline(always)]
-    pub(super) fn row(&self, i: usize, first: usize, prices: &Lanes) -> Lanes {
+    pub(super) fn row(&self, i: usize, first: usize) -> Lanes {
         let n = self.runs.len();
         let rests = &self.rests[self.runs.of(i) * n..][..n];
         let last = self.last();
@@ -113,9 +113,6 @@ impl Outside {
             for lane in 0..LANES {
                 row[lane] = rests[self.runs.of(last.min(first + lane))];
             }
-        }
-        for lane in 0..LANES {
-            row[lane] -= 0.5 * prices[lane];
         }
         for edge in [i + 1, if i == 0 { last } else { usize::MAX }] {
             if let Some(rest) = row.get_mut(edge.wrapping_sub(first)) {

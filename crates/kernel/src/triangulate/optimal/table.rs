@@ -5,16 +5,16 @@ mod filling;
 #[cfg(feature = "rayon")]
 mod shared;
 
-use super::lanes::of_lane;
+use super::lanes::{lowest, of_lane};
 use super::near::Band;
 use super::open::Open;
 use super::outside::Outside;
 use super::store::Store;
 use super::{HIGHEST_BOUND, memory_needed};
-use crate::cost::LANES;
+use crate::cost::{EXACT_BELOW, LANES};
 use crate::math::Vec3;
 use crate::triangulate::part::Part;
-use crate::triangulate::{Terms, TriangulateError};
+use crate::triangulate::{Rule, Terms, TriangulateError};
 use crate::watch::Watch;
 use filling::{Column, Filling};
 use std::ops::Range;
@@ -264,32 +264,63 @@ impl<'a> Table<'a> {
 
     /// The k of E(i,j), by the rule for equals.
     fn chosen(&self, i: usize, j: usize, reaches: &[f64]) -> usize {
-        let mut chosen = (f64::INFINITY, f64::INFINITY, i + 1);
-        for &at in self.store.beside(i / LANES) {
-            let at = at as usize;
-            let first = at * LANES;
-            if first >= j {
+        let price = self.price_below(i, j);
+        let is_known = price < f64::INFINITY;
+        let mut chosen = (price, f64::INFINITY, usize::MAX);
+        // On flat stretches all are equal, and most are a long way round: the shortest ways come first.
+        for (least, at) in self.tiles_below(i, j, price, reaches) {
+            if is_known && least > chosen.1 {
                 break;
             }
             let tiles = (self.store.tile(i / LANES, at), self.store.tile(at, j / LANES));
             let (Some(own), Some(beyond)) = tiles else { continue };
-            // On flat stretches all are equal, and most are a long way round.
-            let detour = self.terms.prices.detour(i, self.middle(at), j);
-            let least = detour - 2.0 * reaches[at] - SLACK * detour;
             for n in 0..LANES {
-                let (k, entry) = (first + n, own.sums.entries[i % LANES][n]);
+                let (k, entry) = (at * LANES + n, own.sums.entries[i % LANES][n]);
                 let sum = self.terms.together(entry, beyond.sums.entries[n][j % LANES]);
-                let is_worse = sum > chosen.0 || sum == chosen.0 && least > chosen.1;
-                if is_worse || sum == f64::INFINITY {
+                if sum > chosen.0 || sum == f64::INFINITY {
                     continue;
                 }
-                let key = (sum + self.fold(i, k, j), self.terms.prices.detour(i, k, j), k);
-                if (key.0, key.1) < (chosen.0, chosen.1) {
+                // None is cheaper than what is known, nor than its own sum.
+                let detour = self.terms.prices.detour(i, k, j);
+                if (is_known || sum == chosen.0) && detour > chosen.1 {
+                    continue;
+                }
+                let key = (sum + self.fold(i, k, j), detour, k);
+                if key < chosen {
                     chosen = key;
                 }
             }
         }
         chosen.2
+    }
+
+    /// The columns of tiles with the k of E(i,j), by how long the way over them is at the least, mm; not those
+    /// whose sums are more than `price`.
+    fn tiles_below(&self, i: usize, j: usize, price: f64, reaches: &[f64]) -> Vec<(f64, usize)> {
+        let columns = self.store.beside(i / LANES).iter().map(|at| *at as usize);
+        let mut below: Vec<(f64, usize)> = columns
+            .take_while(|at| at * LANES < j)
+            .filter(|&at| {
+                let tiles = (self.store.tile(i / LANES, at), self.store.tile(at, j / LANES));
+                let (Some(own), Some(beyond)) = tiles else { return false };
+                let (own, beyond) = (own.sums.least[i % LANES], lowest(&beyond.sums.least));
+                self.terms.together(own, beyond) <= price
+            })
+            .map(|at| {
+                let detour = self.terms.prices.detour(i, self.middle(at), j);
+                (detour - 2.0 * reaches[at] - SLACK * detour, at)
+            })
+            .collect();
+        below.sort_by(|a, b| a.0.total_cmp(&b.0));
+        below
+    }
+
+    /// What the triangle below the rung ⟨i,j⟩ and all below that cost in E(i,j): without the rung's own price,
+    /// as far as sums are exact, and infinite where nothing is known.
+    fn price_below(&self, i: usize, j: usize) -> f64 {
+        let entry = self.entry(i, j);
+        let is_exact = self.terms.rule == Rule::Sum && entry < EXACT_BELOW;
+        if is_exact { entry - self.terms.side(i, j).price } else { f64::INFINITY }
     }
 }
 

@@ -10,8 +10,102 @@ use crate::triangulate::optimal::open::Open;
 use crate::triangulate::optimal::table::Table;
 use crate::watch::Watch;
 
-/// The rungs from one sample to those of a tile, if none is up to the bound.
-const NO_RUNGS: Strip = Strip { prices: Aligned([f64::INFINITY; LANES]), ..Strip::BLANK };
+/// Numbers of the rungs from one sample to those of a tile, with that of the rung before them in front: on edges
+/// before samples of the tile each rung meets the one before. To move them by one lane takes longer than to
+/// read them at another place.
+#[derive(Clone, Copy)]
+struct Row(Aligned<[f64; 2 * LANES]>);
+
+impl Row {
+    const fn all(of: f64) -> Self {
+        Self(Aligned([of; 2 * LANES]))
+    }
+
+    #[inline(always)]
+    fn set(&mut self, before: f64, lanes: &Lanes) {
+        self.0[LANES - 1] = before;
+        self.0[LANES..].copy_from_slice(lanes);
+    }
+
+    /// Of the rungs to the samples of the tile.
+    #[inline(always)]
+    fn lanes(&self) -> Lanes {
+        self.from(LANES)
+    }
+
+    /// Of the rungs to the samples before those.
+    #[inline(always)]
+    fn before(&self) -> Lanes {
+        self.from(LANES - 1)
+    }
+
+    #[inline(always)]
+    fn from(&self, first: usize) -> Lanes {
+        let mut lanes = [0.0; LANES];
+        for n in 0..LANES {
+            lanes[n] = self.0[first + n];
+        }
+        lanes
+    }
+}
+
+/// The rungs from one sample to those of a tile.
+#[derive(Clone, Copy)]
+struct Rungs {
+    /// Infinite where there is none up to the bound.
+    prices: Row,
+    /// Where any of them is finite.
+    any: bool,
+    means: [Row; 3],
+    offsets: [Row; 3],
+}
+
+impl Rungs {
+    /// If none is up to the bound.
+    const NONE: Self = Self {
+        prices: Row::all(f64::INFINITY),
+        any: false,
+        means: [Row::all(0.0); 3],
+        offsets: [Row::all(0.0); 3],
+    };
+
+    #[inline(always)]
+    fn set(&mut self, before: &LastRung, to_before: [f64; 3], strip: &Strip, offsets: &[Lanes; 3]) {
+        self.prices.set(before.price, &strip.prices);
+        for axis in 0..3 {
+            self.means[axis].set(before.mean[axis], &strip.means[axis]);
+            self.offsets[axis].set(to_before[axis], &offsets[axis]);
+        }
+    }
+
+    /// The same as [`lower_on_edges`] for those before the samples of the tile: the triangles i, j − 1, j. The
+    /// last sample of the loop comes after `i`.
+    #[inline(always)]
+    fn lower_on_column_edges(
+        &self,
+        least: &mut Lanes,
+        fold: f64,
+        [i, last]: [usize; 2],
+        to: &FarEnds,
+    ) {
+        if !self.any {
+            return;
+        }
+        let triangles = OnEdges {
+            offsets: [
+                &self.offsets.each_ref().map(Row::before),
+                &self.offsets.each_ref().map(Row::lanes),
+            ],
+            means: [
+                &self.means.each_ref().map(Row::before),
+                &self.means.each_ref().map(Row::lanes),
+            ],
+            rungs: rungs(to.first, [i + 2, if i == 0 { last } else { usize::MAX }]),
+        };
+        let prices = [&self.prices.before(), &beyond(i + 1, to, &self.prices.lanes())];
+        lower_on_edges(least, fold, prices, &triangles);
+    }
+}
 
 /// What is known of two runs, a and b, which may be one.
 #[derive(Clone, Copy)]
@@ -20,8 +114,8 @@ pub(super) struct Cell {
     pub(super) least: f64,
     /// Where N of the rungs up to the bound lies.
     pub(super) normals: NormalBox,
-    /// The least price, with half of those of its rungs, of a triangle on an edge between samples of a
-    /// whose third corner is of b, and the other way round.
+    /// No triangle on an edge between samples of a whose third corner is of b costs less, with half of the
+    /// prices of its rungs, nor the other way round; hardly less than the least where folds are slight.
     pub(super) on_edges: [f64; 2],
     /// The same on the edge from a to the run after it, and on that from b to the run after it.
     pub(super) on_links: [f64; 2],
@@ -45,7 +139,7 @@ pub(super) struct Cells {
 impl Cells {
     /// What they take while they are priced, for so many runs of so many samples, bytes.
     pub(super) fn bytes(runs: usize, samples: usize) -> u64 {
-        let of_tiles = size_of::<FarEnds>() + size_of::<Strip>();
+        let of_tiles = size_of::<FarEnds>() + size_of::<Rungs>();
         let of_pairs = (runs as u64).pow(2) * size_of::<Cell>() as u64;
         of_pairs + (samples.div_ceil(LANES) * of_tiles) as u64
     }
@@ -62,7 +156,7 @@ impl Cells {
             (0..count).map(|at| table.terms.prices.far_ends(at * LANES)).collect();
         let mut cells = Self { cells: vec![Cell::UNKNOWN; runs.len() * runs.len()], runs };
         // The last row that was priced in each column of tiles.
-        let mut above = vec![NO_RUNGS; count];
+        let mut above = vec![Rungs::NONE; count];
         for row in 0..count {
             if watch.stop() {
                 return Err(TriangulateError::Stopped);
@@ -73,7 +167,7 @@ impl Cells {
             let mut before = [LastRung::NONE; LANES];
             for column in row..count {
                 if !open.is_open(row, column) {
-                    above[column] = NO_RUNGS;
+                    above[column].any = false;
                     before = [LastRung::NONE; LANES];
                     continue;
                 }
@@ -153,11 +247,21 @@ fn lower_on_edges(least: &mut Lanes, fold: f64, prices: [&Lanes; 2], triangles: 
     if !any {
         return;
     }
-    let folds = triangles.prices(fold);
+    let folds = triangles.least_prices(fold);
     for lane in 0..LANES {
         let price = rungs[lane] + folds[lane];
         least[lane] = if price < least[lane] { price } else { least[lane] };
     }
+}
+
+/// The prices of the rungs to samples beyond i.
+#[inline(always)]
+fn beyond(i: usize, to: &FarEnds, prices: &Lanes) -> Lanes {
+    let mut beyond = *prices;
+    for lane in 0..LANES {
+        beyond[lane] = if to.first + lane > i { prices[lane] } else { f64::INFINITY };
+    }
+    beyond
 }
 
 /// How many of the sides to samples from `first` on are rungs, where those to `edges` are not.
@@ -170,14 +274,6 @@ fn rungs(first: usize, edges: [usize; 2]) -> Lanes {
         }
     }
     rungs
-}
-
-/// The same one lane on, with `first` before.
-#[inline(always)]
-fn shifted(lanes: &Lanes, first: f64) -> Lanes {
-    let mut shifted = [first; LANES];
-    shifted[1..].copy_from_slice(&lanes[..LANES - 1]);
-    shifted
 }
 
 /// What the rungs from some samples of one run to those of a tile have in common, for each of the latter.
@@ -229,9 +325,8 @@ struct Pricing<'a> {
     bound: f64,
     row: usize,
     to: &'a FarEnds,
-    /// The rungs from the last sample of the tile above, and then from the last of this one; infinite if
-    /// above the bound.
-    above: &'a mut Strip,
+    /// The rungs from the last sample of the tile above, and then from the last of this one.
+    above: &'a mut Rungs,
     /// The last rung of each row of the tile to the left, and then of this one.
     before: &'a mut [LastRung; LANES],
     cells: &'a mut Cells,
@@ -242,83 +337,74 @@ impl pulp::WithSimd for Pricing<'_> {
 
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, _: S) {
-        let Self { table, bound, row, to, above, before, cells } = self;
+        let Self { table, bound, row, to, above: of_last, before, cells } = self;
         let (terms, last, fold) = (table.terms, table.m - 1, table.terms.prices.options().fold);
         let rows = row * LANES..table.m.min((row + 1) * LANES);
         let mut gathered = Gathered::NOTHING;
-        // The strip of a row and that of the row above, in turn.
-        let mut strips = [*above, Strip::BLANK];
+        let mut strip = Strip::BLANK;
+        // The rungs of a row and of the row above, in turn.
+        let mut turns = [*of_last, Rungs::NONE];
         let mut upper = 0;
         for i in rows.clone() {
             let run = cells.runs.of(i);
-            if i > rows.start && cells.runs.of(i - 1) != run {
-                cells.take(cells.runs.of(i - 1), to, &gathered);
-                gathered = Gathered::NOTHING;
-            }
-            let [zeroth, first] = &mut strips;
-            let (above, strip) = if upper == 0 { (zeroth, first) } else { (first, zeroth) };
+            let [zeroth, first] = &mut turns;
+            let (above, own) = if upper == 0 { (zeroth, first) } else { (first, zeroth) };
             upper = 1 - upper;
-            terms.strip::<true>(i, to, bound, strip);
+            if i > rows.start {
+                above.lower_on_column_edges(&mut gathered.on_column_edges, fold, [i - 1, last], to);
+                if cells.runs.of(i - 1) != run {
+                    cells.take(cells.runs.of(i - 1), to, &gathered);
+                    gathered = Gathered::NOTHING;
+                }
+            }
+            terms.strip::<true>(i, to, bound, &mut strip);
             for price in strip.prices.iter_mut() {
                 *price = if *price <= bound { *price } else { f64::INFINITY };
             }
             let left = std::mem::replace(&mut before[i - rows.start], LastRung::NONE);
-            if lowest(&strip.prices) == f64::INFINITY {
+            own.any = lowest(&strip.prices) < f64::INFINITY;
+            if !own.any {
                 continue;
             }
             if to.count == LANES {
                 let mean = of_lane(&strip.means, LANES - 1);
                 before[i - rows.start] = LastRung { price: strip.prices[LANES - 1], mean };
             }
-            gathered.take_rungs(i, to.first, last, strip);
-            // On the edge before sample i: the triangles i − 1, i, j.
-            if i > 0 {
-                let along = terms.prices.offset(i - 1, i).map(|x| [x; LANES]);
-                let triangles = OnEdges {
-                    offsets: [&along, &terms.prices.offsets(i - 1, to)],
-                    means: [&strip.means, &above.means],
-                    rungs: rungs(to.first, [i + 1, if i == 1 { last } else { usize::MAX }]),
-                };
-                let mut prices = strip.prices;
-                for lane in 0..LANES {
-                    prices[lane] = if to.first + lane > i { prices[lane] } else { f64::INFINITY };
-                }
-                let prices = [&*prices, &*above.prices];
-                let before = cells.runs.of(i - 1);
-                if before == run {
-                    lower_on_edges(&mut gathered.on_row_edges, fold, prices, &triangles);
-                } else {
-                    let mut least = [f64::INFINITY; LANES];
-                    lower_on_edges(&mut least, fold, prices, &triangles);
-                    for lane in 0..to.count {
-                        let b = cells.runs.of(to.first + lane);
-                        if b > run {
-                            let link = &mut cells.of_mut(before, b).on_links[0];
-                            *link = link.min(least[lane]);
-                        }
-                    }
-                }
-            }
-            // On the edges before the samples of the tile: the triangles i, j − 1, j.
-            let offsets = terms.prices.offsets(i, to);
             let to_first =
                 if to.first > i { terms.prices.offset(i, to.first - 1) } else { [0.0; 3] };
-            let triangles = OnEdges {
-                offsets: [&[0, 1, 2].map(|axis| shifted(&offsets[axis], to_first[axis])), &offsets],
-                means: [
-                    &[0, 1, 2].map(|axis| shifted(&strip.means[axis], left.mean[axis])),
-                    &strip.means,
-                ],
-                rungs: rungs(to.first, [i + 2, if i == 0 { last } else { usize::MAX }]),
-            };
-            let mut prices = strip.prices;
-            for lane in 0..LANES {
-                prices[lane] = if to.first + lane > i + 1 { prices[lane] } else { f64::INFINITY };
+            own.set(&left, to_first, &strip, &terms.prices.offsets(i, to));
+            gathered.take_rungs(i, to.first, last, &strip);
+            if i == 0 || !above.any {
+                continue;
             }
-            let prices = [&shifted(&strip.prices, left.price), &*prices];
-            lower_on_edges(&mut gathered.on_column_edges, fold, prices, &triangles);
+            // On the edge before sample i: the triangles i − 1, i, j.
+            let triangles = OnEdges {
+                offsets: [
+                    &terms.prices.offset(i - 1, i).map(|x| [x; LANES]),
+                    &above.offsets.each_ref().map(Row::lanes),
+                ],
+                means: [&strip.means, &above.means.each_ref().map(Row::lanes)],
+                rungs: rungs(to.first, [i + 1, if i == 1 { last } else { usize::MAX }]),
+            };
+            let prices = [&beyond(i, to, &strip.prices), &above.prices.lanes()];
+            let before = cells.runs.of(i - 1);
+            if before == run {
+                lower_on_edges(&mut gathered.on_row_edges, fold, prices, &triangles);
+                continue;
+            }
+            let mut least = [f64::INFINITY; LANES];
+            lower_on_edges(&mut least, fold, prices, &triangles);
+            for lane in 0..to.count {
+                let b = cells.runs.of(to.first + lane);
+                if b > run {
+                    let link = &mut cells.of_mut(before, b).on_links[0];
+                    *link = link.min(least[lane]);
+                }
+            }
         }
-        *above = strips[upper];
-        cells.take(cells.runs.of(rows.end - 1), to, &gathered);
+        let (own, i) = (&turns[upper], rows.end - 1);
+        own.lower_on_column_edges(&mut gathered.on_column_edges, fold, [i, last], to);
+        cells.take(cells.runs.of(i), to, &gathered);
+        *of_last = *own;
     }
 }

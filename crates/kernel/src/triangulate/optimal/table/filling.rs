@@ -215,17 +215,21 @@ impl Table<'_> {
             if near.is_some_and(|near| near == [false; LANES]) {
                 continue;
             }
-            self.terms.strip::<FOLDS>(i, to, open.bound, &mut strip);
+            let rests = self.outside.as_ref().map_or([0.0; LANES], |of| of.row(i, to.first));
+            let least = lowest(&rests);
+            if least == f64::INFINITY {
+                continue;
+            }
+            // Half of what a rung costs and the rest of the loop are up to the bound.
+            let dearest = open.bound.min(2.0 * (open.bound - least));
+            self.terms.strip::<FOLDS>(i, to, dearest, &mut strip);
             if let Some(of_tile) = &mut tile.means {
                 of_tile.rows[i % LANES] = *strip.means;
             }
-            let rests = match &self.outside {
-                Some(outside) => outside.row(i, to.first, &strip.prices),
-                None => [0.0; LANES],
-            };
+            let share = if self.outside.is_some() { 0.5 } else { 1.0 };
             for n in 0..LANES {
                 let is_near = near.is_none_or(|near| near[n]) || to.first + n <= i + 1;
-                let price = strip.prices[n] + rests[n];
+                let price = share * strip.prices[n] + rests[n];
                 if is_near && price <= open.bound && price < f64::INFINITY {
                     rungs.prices[i % LANES][n] = strip.prices[n];
                     rungs.below[i % LANES][n] = self.sums_below(open.bound, price);
