@@ -48,7 +48,7 @@ const FILE_OWNERS: [(&str, &[&str]); 6] = [
             "rung/visible/at_ends.rs",
             "triangulate/optimal/lanes.rs",
             "triangulate/optimal/outside/afar.rs",
-            "triangulate/optimal/outside/cells.rs",
+            "triangulate/optimal/outside/pricing.rs",
             "triangulate/optimal/outside/tests.rs",
             "triangulate/optimal/table.rs",
             "triangulate/optimal/table/filling.rs",
@@ -57,7 +57,7 @@ const FILE_OWNERS: [(&str, &[&str]); 6] = [
             "triangulate/sparse/table.rs",
         ],
     ),
-    ("rayon::", &["triangulate/optimal/table/shared.rs", "triangulate/optimal/table/tests.rs"]),
+    ("rayon::", &["triangulate/optimal/threads.rs", "triangulate/optimal/table/tests.rs"]),
 ];
 
 fn root() -> PathBuf {

@@ -46,6 +46,7 @@ mod open;
 mod outside;
 mod store;
 mod table;
+mod threads;
 
 use super::part::Part;
 use super::thinned::kept;

@@ -17,7 +17,7 @@ use crate::cost::{LANES, Lanes, QUANTUM};
 const SLACK: f64 = 1e-13;
 
 /// A box that the N of some rungs lie in.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct NormalBox {
     /// By axis.
     least: [f64; 3],

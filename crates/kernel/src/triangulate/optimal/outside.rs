@@ -44,6 +44,7 @@
 
 mod afar;
 mod cells;
+mod pricing;
 mod runs;
 mod wide;
 

@@ -10,6 +10,8 @@ use super::near::Band;
 use super::open::Open;
 use super::outside::Outside;
 use super::store::Store;
+#[cfg(feature = "rayon")]
+use super::threads::Helpers;
 use super::{HIGHEST_BOUND, memory_needed};
 use crate::cost::{EXACT_BELOW, LANES};
 use crate::math::Vec3;
@@ -102,7 +104,7 @@ impl<'a> Table<'a> {
             watch.progress(share.start + (share.end - share.start) * done);
         };
         #[cfg(feature = "rayon")]
-        if let Some(helpers) = self.helpers() {
+        if let Some(helpers) = Helpers::call(self.m.div_ceil(LANES)) {
             self.fill_shared(&helpers, columns, open, watch, tell)?;
             return Ok(self.entry(0, self.m - 1));
         }

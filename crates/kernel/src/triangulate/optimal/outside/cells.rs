@@ -1,114 +1,31 @@
 //! What is known of all rungs between two runs, and of the triangles on edges of the one whose third corner
-//! lies in the other: priced once, sixteen at a time.
+//! lies in the other.
+//!
+//! Each thread takes one *block* of neighbouring runs after the other, and prices the rungs from their samples
+//! to all later ones (`pricing`), row by row of tiles. The triangles on the edge from a block to the next are
+//! found by the former, so that no block needs another.
 
+use super::pricing::{Gathered, LastRow, LastRung, Linking, Pricing, Rungs};
 use super::runs::Runs;
-use crate::cost::{Aligned, FarEnds, LANES, Lanes, OnEdges, Strip};
+use crate::cost::{FarEnds, LANES, Lanes};
 use crate::triangulate::TriangulateError;
-use crate::triangulate::optimal::lanes::{lowest, of_lane};
 use crate::triangulate::optimal::normals::NormalBox;
 use crate::triangulate::optimal::open::Open;
 use crate::triangulate::optimal::table::Table;
+use crate::triangulate::optimal::threads::{Helpers, MOST_THREADS};
 use crate::watch::Watch;
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
 
-/// Numbers of the rungs from one sample to those of a tile, with that of the rung before them in front: on edges
-/// before samples of the tile each rung meets the one before. To move them by one lane takes longer than to
-/// read them at another place.
-#[derive(Clone, Copy)]
-struct Row(Aligned<[f64; 2 * LANES]>);
-
-impl Row {
-    const fn all(of: f64) -> Self {
-        Self(Aligned([of; 2 * LANES]))
-    }
-
-    #[inline(always)]
-    fn set(&mut self, before: f64, lanes: &Lanes) {
-        self.0[LANES - 1] = before;
-        self.0[LANES..].copy_from_slice(lanes);
-    }
-
-    /// Of the rungs to the samples of the tile.
-    #[inline(always)]
-    fn lanes(&self) -> Lanes {
-        self.from(LANES)
-    }
-
-    /// Of the rungs to the samples before those.
-    #[inline(always)]
-    fn before(&self) -> Lanes {
-        self.from(LANES - 1)
-    }
-
-    #[inline(always)]
-    fn from(&self, first: usize) -> Lanes {
-        let mut lanes = [0.0; LANES];
-        for n in 0..LANES {
-            lanes[n] = self.0[first + n];
-        }
-        lanes
-    }
-}
-
-/// The rungs from one sample to those of a tile.
-#[derive(Clone, Copy)]
-struct Rungs {
-    /// Infinite where there is none up to the bound.
-    prices: Row,
-    /// Where any of them is finite.
-    any: bool,
-    means: [Row; 3],
-    offsets: [Row; 3],
-}
-
-impl Rungs {
-    /// If none is up to the bound.
-    const NONE: Self = Self {
-        prices: Row::all(f64::INFINITY),
-        any: false,
-        means: [Row::all(0.0); 3],
-        offsets: [Row::all(0.0); 3],
-    };
-
-    #[inline(always)]
-    fn set(&mut self, before: &LastRung, to_before: [f64; 3], strip: &Strip, offsets: &[Lanes; 3]) {
-        self.prices.set(before.price, &strip.prices);
-        for axis in 0..3 {
-            self.means[axis].set(before.mean[axis], &strip.means[axis]);
-            self.offsets[axis].set(to_before[axis], &offsets[axis]);
-        }
-    }
-
-    /// The same as [`lower_on_edges`] for those before the samples of the tile: the triangles i, j − 1, j. The
-    /// last sample of the loop comes after `i`.
-    #[inline(always)]
-    fn lower_on_column_edges(
-        &self,
-        least: &mut Lanes,
-        fold: f64,
-        [i, last]: [usize; 2],
-        to: &FarEnds,
-    ) {
-        if !self.any {
-            return;
-        }
-        let triangles = OnEdges {
-            offsets: [
-                &self.offsets.each_ref().map(Row::before),
-                &self.offsets.each_ref().map(Row::lanes),
-            ],
-            means: [
-                &self.means.each_ref().map(Row::before),
-                &self.means.each_ref().map(Row::lanes),
-            ],
-            rungs: rungs(to.first, [i + 2, if i == 0 { last } else { usize::MAX }]),
-        };
-        let prices = [&self.prices.before(), &beyond(i + 1, to, &self.prices.lanes())];
-        lower_on_edges(least, fold, prices, &triangles);
-    }
-}
+/// Rows of tiles in a block where threads share them, at the least: the first row of the next is priced
+/// twice.
+const LEAST_ROWS: usize = 4;
+/// Blocks for each thread, so that none waits long for the others.
+const BLOCKS_A_THREAD: usize = 8;
 
 /// What is known of two runs, a and b, which may be one.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Cell {
     /// No rung between them costs less; infinite if there is none up to the bound.
     pub(super) least: f64,
@@ -139,7 +56,7 @@ pub(super) struct Cells {
 impl Cells {
     /// What they take while they are priced, for so many runs of so many samples, bytes.
     pub(super) fn bytes(runs: usize, samples: usize) -> u64 {
-        let of_tiles = size_of::<FarEnds>() + size_of::<Rungs>();
+        let of_tiles = size_of::<FarEnds>() + MOST_THREADS * size_of::<LastRow>();
         let of_pairs = (runs as u64).pow(2) * size_of::<Cell>() as u64;
         of_pairs + (samples.div_ceil(LANES) * of_tiles) as u64
     }
@@ -152,67 +69,115 @@ impl Cells {
         watch: &mut dyn Watch,
     ) -> Result<Self, TriangulateError> {
         let count = table.m.div_ceil(LANES);
+        let helpers = Helpers::call(count);
+        let rows = helpers.as_ref().map_or(count, |helpers| {
+            count.div_ceil(BLOCKS_A_THREAD * (1 + helpers.count())).max(LEAST_ROWS)
+        });
+        Self::in_blocks(table, open, runs, rows, helpers.as_ref(), watch)
+    }
+
+    /// The same with so many rows of tiles in a block, or some more, and these helpers.
+    pub(super) fn in_blocks(
+        table: &Table<'_>,
+        open: &Open<'_>,
+        runs: Runs,
+        rows: usize,
+        helpers: Option<&Helpers>,
+        watch: &mut dyn Watch,
+    ) -> Result<Self, TriangulateError> {
+        let count = table.m.div_ceil(LANES);
         let ends: Vec<FarEnds> =
             (0..count).map(|at| table.terms.prices.far_ends(at * LANES)).collect();
-        let mut cells = Self { cells: vec![Cell::UNKNOWN; runs.len() * runs.len()], runs };
-        // The last row that was priced in each column of tiles.
-        let mut above = vec![Rungs::NONE; count];
-        for row in 0..count {
-            if watch.stop() {
-                return Err(TriangulateError::Stopped);
-            }
-            // Rows have as many tiles as there are rows below.
-            let below = (count - row) as f64 / count as f64;
-            watch.progress(1.0 - below * below);
-            let mut before = [LastRung::NONE; LANES];
-            for column in row..count {
-                if !open.is_open(row, column) {
-                    above[column].any = false;
-                    before = [LastRung::NONE; LANES];
-                    continue;
-                }
-                let (to, cells) = (&ends[column], &mut cells);
-                let (above, before) = (&mut above[column], &mut before);
-                let bound = open.bound;
-                let pricing = Pricing { table, bound, row, to, above, before, cells };
-                table.registers.dispatch(pricing);
-            }
+        let mut cells = vec![Cell::UNKNOWN; runs.len() * runs.len()];
+        let all = All {
+            table,
+            open,
+            ends: &ends,
+            blocks: Mutex::new(blocks(&runs, rows, count, &mut cells).into_iter()),
+            is_stopped: AtomicBool::new(false),
+        };
+        let mut lead = || {
+            all.price(&mut |row| {
+                // Rows have as many tiles as there are rows below.
+                let below = (count - row) as f64 / count as f64;
+                watch.progress(1.0 - below * below);
+                !watch.stop()
+            });
+        };
+        match helpers {
+            Some(helpers) => helpers.join(|| all.price(&mut |_| true), lead),
+            None => lead(),
+        }
+        if all.is_stopped.into_inner() {
+            return Err(TriangulateError::Stopped);
         }
         // The edge from the last sample to the first is no rung, and costs nothing.
-        let last = cells.runs.len() - 1;
-        let root = cells.of_mut(0, last);
+        let root = &mut cells[runs.len() - 1];
         (root.least, root.normals) = (0.0, NormalBox::ANY);
-        Ok(cells)
+        Ok(Self { runs, cells })
     }
 
     #[inline(always)]
     pub(super) fn of(&self, a: usize, b: usize) -> &Cell {
         &self.cells[a * self.runs.len() + b]
     }
+}
 
+/// Parts `count` rows of tiles to blocks of `rows` or some more, which begin with a run.
+fn blocks<'c>(
+    runs: &'c Runs,
+    rows: usize,
+    count: usize,
+    mut cells: &'c mut [Cell],
+) -> Vec<Block<'c>> {
+    let begins_run =
+        |row: usize| row == count || runs.samples(runs.of(row * LANES)).start == row * LANES;
+    let mut blocks = vec![];
+    let (mut row, mut run) = (0, 0);
+    while row < count {
+        let end = (row + rows..count).find(|row| begins_run(*row)).unwrap_or(count);
+        let next = if end == count { runs.len() } else { runs.of(end * LANES) };
+        let (own, others) = cells.split_at_mut((next - run) * runs.len());
+        cells = others;
+        blocks.push(Block { runs, rows: row..end, first: run, cells: own });
+        (row, run) = (end, next);
+    }
+    blocks
+}
+
+/// The cells of neighbouring runs with all others.
+pub(super) struct Block<'c> {
+    pub(super) runs: &'c Runs,
+    /// The rows of tiles with the samples of its runs.
+    rows: Range<usize>,
+    first: usize,
+    cells: &'c mut [Cell],
+}
+
+impl Block<'_> {
     #[inline(always)]
     fn of_mut(&mut self, a: usize, b: usize) -> &mut Cell {
-        &mut self.cells[a * self.runs.len() + b]
+        &mut self.cells[(a - self.first) * self.runs.len() + b]
     }
 
-    /// Takes what was gathered of one run of rows and one column of tiles.
-    fn take(&mut self, a: usize, to: &FarEnds, gathered: &Gathered) {
-        let n = self.runs.len();
+    /// Takes what was gathered of run a and one column of tiles.
+    pub(super) fn take(&mut self, a: usize, to: &FarEnds, gathered: &Gathered) {
         for lane in 0..to.count {
             let j = to.first + lane;
             let b = self.runs.of(j);
             if b < a {
                 continue;
             }
-            let cell = &mut self.cells[a * n + b];
+            let cell = self.of_mut(a, b);
             cell.least = cell.least.min(gathered.prices[lane]);
             let at = |of: &[Lanes; 3]| [of[0][lane], of[1][lane], of[2][lane]];
             cell.normals.include(&NormalBox::between(at(&gathered.least), at(&gathered.greatest)));
             cell.on_edges[0] = cell.on_edges[0].min(gathered.on_row_edges[lane]);
             // That of a column is the edge before it.
-            let before = if j == 0 { b } else { self.runs.of(j - 1) };
             let price = gathered.on_column_edges[lane];
+            let before = if j == 0 { b } else { self.runs.of(j - 1) };
             if before == b {
+                let cell = self.of_mut(a, b);
                 cell.on_edges[1] = cell.on_edges[1].min(price);
             } else if before > a {
                 let cell = self.of_mut(a, before);
@@ -220,191 +185,86 @@ impl Cells {
             }
         }
     }
-}
 
-/// The rung that leads to the last sample of a tile.
-#[derive(Clone, Copy)]
-struct LastRung {
-    /// Infinite if there is none up to the bound.
-    price: f64,
-    mean: [f64; 3],
-}
-
-impl LastRung {
-    const NONE: Self = Self { price: f64::INFINITY, mean: [0.0; 3] };
-}
-
-/// Takes the prices of triangles on edges of the boundary, with half of those of their rungs, `prices`, where
-/// they are lower than the least so far.
-#[inline(always)]
-fn lower_on_edges(least: &mut Lanes, fold: f64, prices: [&Lanes; 2], triangles: &OnEdges<'_>) {
-    let mut rungs = [0.0; LANES];
-    let mut any = false;
-    for lane in 0..LANES {
-        rungs[lane] = 0.5 * (prices[0][lane] + prices[1][lane]);
-        any |= rungs[lane] < least[lane];
-    }
-    if !any {
-        return;
-    }
-    let folds = triangles.least_prices(fold);
-    for lane in 0..LANES {
-        let price = rungs[lane] + folds[lane];
-        least[lane] = if price < least[lane] { price } else { least[lane] };
-    }
-}
-
-/// The prices of the rungs to samples beyond i.
-#[inline(always)]
-fn beyond(i: usize, to: &FarEnds, prices: &Lanes) -> Lanes {
-    let mut beyond = *prices;
-    for lane in 0..LANES {
-        beyond[lane] = if to.first + lane > i { prices[lane] } else { f64::INFINITY };
-    }
-    beyond
-}
-
-/// How many of the sides to samples from `first` on are rungs, where those to `edges` are not.
-#[inline(always)]
-fn rungs(first: usize, edges: [usize; 2]) -> Lanes {
-    let mut rungs = [2.0; LANES];
-    for edge in edges {
-        if let Some(rungs) = rungs.get_mut(edge.wrapping_sub(first)) {
-            *rungs -= 1.0;
-        }
-    }
-    rungs
-}
-
-/// What the rungs from some samples of one run to those of a tile have in common, for each of the latter.
-struct Gathered {
-    prices: Aligned<Lanes>,
-    least: Aligned<[Lanes; 3]>,
-    greatest: Aligned<[Lanes; 3]>,
-    on_row_edges: Aligned<Lanes>,
-    on_column_edges: Aligned<Lanes>,
-}
-
-impl Gathered {
-    const NOTHING: Self = Self {
-        prices: Aligned([f64::INFINITY; LANES]),
-        least: Aligned([[f64::INFINITY; LANES]; 3]),
-        greatest: Aligned([[f64::NEG_INFINITY; LANES]; 3]),
-        on_row_edges: Aligned([f64::INFINITY; LANES]),
-        on_column_edges: Aligned([f64::INFINITY; LANES]),
-    };
-
-    #[inline(always)]
-    fn take_rungs(&mut self, i: usize, first: usize, last: usize, strip: &Strip) {
-        let mut prices = *strip.prices;
-        // Edges of the boundary are none.
-        for lane in 0..LANES {
-            let j = first + lane;
-            if j <= i + 1 || (i == 0 && j == last) {
-                prices[lane] = f64::INFINITY;
-            }
-        }
-        for lane in 0..LANES {
-            let is_lower = prices[lane] < self.prices[lane];
-            self.prices[lane] = if is_lower { prices[lane] } else { self.prices[lane] };
-        }
-        for axis in 0..3 {
-            let (least, greatest) = (&mut self.least[axis], &mut self.greatest[axis]);
-            for lane in 0..LANES {
-                let (x, is_one) = (strip.means[axis][lane], prices[lane] < f64::INFINITY);
-                least[lane] = if is_one & (x < least[lane]) { x } else { least[lane] };
-                greatest[lane] = if is_one & (x > greatest[lane]) { x } else { greatest[lane] };
+    /// Takes the least prices of triangles on the edge before sample i, the first of a run, and of one column of
+    /// tiles.
+    pub(super) fn take_link(&mut self, i: usize, to: &FarEnds, least: &Lanes) {
+        let (before, run) = (self.runs.of(i - 1), self.runs.of(i));
+        for lane in 0..to.count {
+            let b = self.runs.of(to.first + lane);
+            if b > run {
+                let cell = self.of_mut(before, b);
+                cell.on_links[0] = cell.on_links[0].min(least[lane]);
             }
         }
     }
 }
 
-/// A tile to be priced. A type rather than a closure, as that of the table.
-struct Pricing<'a> {
-    table: &'a Table<'a>,
-    bound: f64,
-    row: usize,
-    to: &'a FarEnds,
-    /// The rungs from the last sample of the tile above, and then from the last of this one.
-    above: &'a mut Rungs,
-    /// The last rung of each row of the tile to the left, and then of this one.
-    before: &'a mut [LastRung; LANES],
-    cells: &'a mut Cells,
+/// What threads share that price all blocks.
+struct All<'s, 'c> {
+    table: &'s Table<'s>,
+    open: &'s Open<'s>,
+    ends: &'s [FarEnds],
+    /// Those that no thread has taken.
+    blocks: Mutex<std::vec::IntoIter<Block<'c>>>,
+    is_stopped: AtomicBool,
 }
 
-impl pulp::WithSimd for Pricing<'_> {
-    type Output = ();
+impl All<'_, '_> {
+    /// Prices blocks until none is left, or `goes_on` says no before some row of tiles.
+    fn price(&self, goes_on: &mut dyn FnMut(usize) -> bool) {
+        // The last row that was priced in each column of tiles.
+        let mut above = vec![LastRow::NONE; self.ends.len()];
+        let next = || self.blocks.lock().unwrap_or_else(PoisonError::into_inner).next();
+        while let Some(mut block) = next() {
+            above.fill(LastRow::NONE);
+            for row in block.rows.clone() {
+                if self.is_stopped.load(Ordering::Relaxed) || !goes_on(row) {
+                    self.is_stopped.store(true, Ordering::Relaxed);
+                    return;
+                }
+                self.price_row(&mut block, row, &mut above);
+            }
+            self.link(&mut block, &above);
+        }
+    }
 
-    #[inline(always)]
-    fn with_simd<S: pulp::Simd>(self, _: S) {
-        let Self { table, bound, row, to, above: of_last, before, cells } = self;
-        let (terms, last, fold) = (table.terms, table.m - 1, table.terms.prices.options().fold);
+    /// Prices a row of tiles.
+    fn price_row(&self, block: &mut Block<'_>, row: usize, above: &mut [LastRow]) {
+        let (table, bound) = (self.table, self.open.bound);
         let rows = row * LANES..table.m.min((row + 1) * LANES);
-        let mut gathered = Gathered::NOTHING;
-        let mut strip = Strip::BLANK;
-        // The rungs of a row and of the row above, in turn.
-        let mut turns = [*of_last, Rungs::NONE];
-        let mut upper = 0;
-        for i in rows.clone() {
-            let run = cells.runs.of(i);
-            let [zeroth, first] = &mut turns;
-            let (above, own) = if upper == 0 { (zeroth, first) } else { (first, zeroth) };
-            upper = 1 - upper;
-            if i > rows.start {
-                above.lower_on_column_edges(&mut gathered.on_column_edges, fold, [i - 1, last], to);
-                if cells.runs.of(i - 1) != run {
-                    cells.take(cells.runs.of(i - 1), to, &gathered);
-                    gathered = Gathered::NOTHING;
-                }
-            }
-            terms.strip::<true>(i, to, bound, &mut strip);
-            for price in strip.prices.iter_mut() {
-                *price = if *price <= bound { *price } else { f64::INFINITY };
-            }
-            let left = std::mem::replace(&mut before[i - rows.start], LastRung::NONE);
-            own.any = lowest(&strip.prices) < f64::INFINITY;
-            if !own.any {
+        let mut before = [LastRung::NONE; LANES];
+        let mut turns = [Rungs::NONE; 2];
+        for column in row..self.ends.len() {
+            let above = &mut above[column];
+            if !self.open.is_open(row, column) {
+                *above = LastRow::NONE;
+                before = [LastRung::NONE; LANES];
                 continue;
             }
-            if to.count == LANES {
-                let mean = of_lane(&strip.means, LANES - 1);
-                before[i - rows.start] = LastRung { price: strip.prices[LANES - 1], mean };
-            }
-            let to_first =
-                if to.first > i { terms.prices.offset(i, to.first - 1) } else { [0.0; 3] };
-            own.set(&left, to_first, &strip, &terms.prices.offsets(i, to));
-            gathered.take_rungs(i, to.first, last, &strip);
-            if i == 0 || !above.any {
-                continue;
-            }
-            // On the edge before sample i: the triangles i − 1, i, j.
-            let triangles = OnEdges {
-                offsets: [
-                    &terms.prices.offset(i - 1, i).map(|x| [x; LANES]),
-                    &above.offsets.each_ref().map(Row::lanes),
-                ],
-                means: [&strip.means, &above.means.each_ref().map(Row::lanes)],
-                rungs: rungs(to.first, [i + 1, if i == 1 { last } else { usize::MAX }]),
-            };
-            let prices = [&beyond(i, to, &strip.prices), &above.prices.lanes()];
-            let before = cells.runs.of(i - 1);
-            if before == run {
-                lower_on_edges(&mut gathered.on_row_edges, fold, prices, &triangles);
-                continue;
-            }
-            let mut least = [f64::INFINITY; LANES];
-            lower_on_edges(&mut least, fold, prices, &triangles);
-            for lane in 0..to.count {
-                let b = cells.runs.of(to.first + lane);
-                if b > run {
-                    let link = &mut cells.of_mut(before, b).on_links[0];
-                    *link = link.min(least[lane]);
-                }
+            let (rows, to) = (rows.clone(), &self.ends[column]);
+            let (before, turns) = (&mut before, &mut turns);
+            table.registers.dispatch(Pricing {
+                table,
+                bound,
+                rows,
+                to,
+                above,
+                before,
+                turns,
+                block,
+            });
+        }
+    }
+
+    /// Finds what triangles on the edge after the last sample of a block cost.
+    fn link(&self, block: &mut Block<'_>, above: &[LastRow]) {
+        let (table, bound, row) = (self.table, self.open.bound, block.rows.end);
+        for column in row..self.ends.len() {
+            if self.open.is_open(row, column) {
+                let (i, to, above) = (row * LANES, &self.ends[column], &above[column]);
+                table.registers.dispatch(Linking { table, bound, i, to, above, block });
             }
         }
-        let (own, i) = (&turns[upper], rows.end - 1);
-        own.lower_on_column_edges(&mut gathered.on_column_edges, fold, [i, last], to);
-        cells.take(cells.runs.of(i), to, &gathered);
-        *of_last = *own;
     }
 }

@@ -472,3 +472,29 @@ fn cells_hold_what_their_rungs_and_triangles_cost() {
         });
     }
 }
+
+#[test]
+fn cells_are_the_same_however_many_blocks_they_are_priced_in() {
+    for (what, boundary) in curves(700) {
+        with_terms(&boundary, 1.0, |terms| {
+            let table = Table::new(terms);
+            let open = Open::new(terms, 0.3, None);
+            for length in [16, 48] {
+                let in_blocks = |rows: usize| {
+                    let runs = Runs::new(terms, length);
+                    Cells::in_blocks(&table, &open, runs, rows, None, &mut Unwatched).unwrap()
+                };
+                let (one, n) = (in_blocks(44), Runs::new(terms, length).len());
+                let known = |cells: &Cells, a, b| cells.of(a, b).least < f64::INFINITY;
+                let pairs: Vec<_> = (0..n).flat_map(|a| (a..n).map(move |b| (a, b))).collect();
+                assert!(pairs.iter().filter(|(a, b)| known(&one, *a, *b)).count() > n, "{what}");
+                for rows in [1, 4, 20] {
+                    let many = in_blocks(rows);
+                    for &(a, b) in &pairs {
+                        assert_eq!(many.of(a, b), one.of(a, b), "{what}, {length} {rows}, {a} {b}");
+                    }
+                }
+            }
+        });
+    }
+}

@@ -6,26 +6,19 @@
 //!    as long at 100,000 samples (*wavy*).
 //! 2. A table of 400 samples has 25 diagonals and takes a few milliseconds: to wake threads for each of
 //!    them would take longer than its work. So helpers are called once for a table, and look out for the
-//!    next diagonal until the last is filled. Whoever called them, the *leader*, begins at once, so that
-//!    one who comes late costs no time until the end; only there is each waited for.
+//!    next diagonal until the last is filled (`threads`).
 
 use super::filling::{Column, Filling};
 use super::{Open, Table};
-use crate::cost::LANES;
 use crate::triangulate::TriangulateError;
 use crate::triangulate::optimal::store::Tile;
+use crate::triangulate::optimal::threads::{Helpers, MOST_THREADS};
 use crate::watch::Watch;
-use std::error::Error;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, OnceLock, PoisonError, RwLock, RwLockWriteGuard, TryLockError};
+use std::sync::{Mutex, PoisonError, RwLock, RwLockWriteGuard, TryLockError};
 
 /// So many columns of tiles are filled together; with 8 of them *wavy* takes 4 % longer at 100,000 samples.
-const WIDTH: usize = 32;
-/// Columns of tiles for each thread, at the least: with fewer it would mostly wait, for the tiles of a
-/// diagonal are no more than the columns, and half as many in the mean.
-const LEAST_COLUMNS: usize = 4;
-/// Threads at the most, for the same reason: diagonals have no more than [`WIDTH`] tiles.
-const MOST_THREADS: usize = WIDTH / 2;
+const WIDTH: usize = 2 * MOST_THREADS;
 /// The numbers that no diagonal has, before the first and after the last.
 const NONE_YET: usize = usize::MAX - 1;
 const NONE_LEFT: usize = usize::MAX;
@@ -166,62 +159,7 @@ impl Diagonal<'_, '_> {
     }
 }
 
-/// Helpers that leaders outside of the pool have called. A leader waits in the end for each that it called,
-/// so that one that helps another for long must not be called; leaders in the pool don't wait for those that
-/// have not begun.
-static CALLED: AtomicUsize = AtomicUsize::new(0);
-
-/// Threads that are free to fill a table, besides the one that leads.
-pub(super) struct Helpers {
-    count: usize,
-    is_outside: bool,
-}
-
-impl Helpers {
-    /// Up to so many of the pool, if there are any.
-    fn call(most: usize) -> Option<Self> {
-        let is_outside = rayon::current_thread_index().is_none();
-        if !is_outside {
-            let count = most.min(rayon::current_num_threads() - 1);
-            return (count > 0).then_some(Self { count, is_outside });
-        }
-        if !has_started() {
-            return None;
-        }
-        let threads = rayon::current_num_threads();
-        let free = |called: usize| most.min(threads - 1).min(threads.saturating_sub(called));
-        let (order, more) = (Ordering::Relaxed, |called| Some(called + free(called)));
-        let called = CALLED.fetch_update(order, order, more).unwrap_or(threads);
-        (free(called) > 0).then(|| Self { count: free(called), is_outside })
-    }
-}
-
-impl Drop for Helpers {
-    fn drop(&mut self) {
-        if self.is_outside {
-            CALLED.fetch_sub(self.count, Ordering::Relaxed);
-        }
-    }
-}
-
-/// Starts the pool, unless it is; returns whether it runs. Where the system starts no threads, to ask
-/// `rayon` how many there are would panic.
-fn has_started() -> bool {
-    static STARTED: OnceLock<bool> = OnceLock::new();
-    *STARTED.get_or_init(|| match rayon::ThreadPoolBuilder::new().build_global() {
-        Ok(()) => true,
-        // Else it has run before.
-        Err(error) => error.source().is_none(),
-    })
-}
-
 impl Table<'_> {
-    /// Calls threads besides this one, if they are of use and free.
-    pub(super) fn helpers(&self) -> Option<Helpers> {
-        let most = (self.m.div_ceil(LANES) / LEAST_COLUMNS).min(MOST_THREADS);
-        if most > 1 { Helpers::call(most - 1) } else { None }
-    }
-
     /// Fills the tiles that are open, with these helpers.
     pub(super) fn fill_shared(
         &mut self,
@@ -232,12 +170,7 @@ impl Table<'_> {
         tell: impl Fn(f64, &mut dyn Watch),
     ) -> Result<(), TriangulateError> {
         let shared = Shared::new(self, columns, open);
-        rayon::in_place_scope(|scope| {
-            for _ in 0..helpers.count {
-                scope.spawn(|_| shared.help());
-            }
-            shared.lead(watch, tell)
-        })
+        helpers.join(|| shared.help(), || shared.lead(watch, tell))
     }
 }
 
@@ -291,19 +224,6 @@ mod tests {
         assert!(led.entry(0, 319) < 1.0);
         for (i, j) in (0..320).flat_map(|i| (i + 1..320).map(move |j| (i, j))) {
             assert_eq!(helped.entry(i, j).to_bits(), led.entry(i, j).to_bits(), "{i} {j}");
-        }
-    }
-
-    #[test]
-    fn no_more_helpers_are_called_than_are_free() {
-        let called: Vec<Helpers> = std::iter::from_fn(|| Helpers::call(1)).take(1000).collect();
-        assert!(called.len() <= rayon::current_num_threads(), "{}", called.len());
-        drop(called);
-        if rayon::current_num_threads() > 1 {
-            while Helpers::call(1).is_none() {
-                // Other tests have them.
-                std::thread::yield_now();
-            }
         }
     }
 }

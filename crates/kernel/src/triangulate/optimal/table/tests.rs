@@ -301,7 +301,9 @@ mod threads {
                     let filled = |threads: usize| {
                         let mut table = Table::new(&terms);
                         assert_eq!(
-                            pool(threads).install(|| table.helpers()).is_some(),
+                            pool(threads)
+                                .install(|| Helpers::call(table.m.div_ceil(LANES)))
+                                .is_some(),
                             threads > 1
                         );
                         let fill = || table.fill(bound, None, &mut Unwatched, 0.0..1.0);
@@ -316,7 +318,10 @@ mod threads {
                             let what = format!("{threads} threads, {i} {j}");
                             let entries = [&table, &alone].map(|table| table.entry(i, j).to_bits());
                             assert_eq!(entries[0], entries[1], "{what}");
-                            assert_eq!(table.mean(i, j), alone.mean(i, j), "{what}");
+                            // N means nothing elsewhere.
+                            if alone.entry(i, j) < f64::INFINITY {
+                                assert_eq!(table.mean(i, j), alone.mean(i, j), "{what}");
+                            }
                         }
                         assert_eq!(table.trace(), alone.trace(), "{threads} threads");
                         assert_eq!(table.bytes(), alone.bytes(), "{threads} threads");

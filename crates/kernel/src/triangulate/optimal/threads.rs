@@ -1,0 +1,130 @@
+//! Threads that help the one that works out a table.
+//!
+//! Helpers are called once for all that is to be shared, and look for something to do until nothing is left.
+//! Whoever called them, the *leader*, begins at once, so that one who comes late costs no time until the end;
+//! only there is each waited for. Without the feature `rayon` there are none.
+
+#[cfg(feature = "rayon")]
+use std::{
+    error::Error,
+    sync::OnceLock,
+    sync::atomic::{AtomicUsize, Ordering},
+};
+
+/// Threads at the most, with the leader.
+pub(super) const MOST_THREADS: usize = if cfg!(feature = "rayon") { 16 } else { 1 };
+/// Columns of tiles for each thread, at the least: with fewer it would mostly wait, for the tiles of a
+/// diagonal are no more than the columns, and half as many in the mean.
+#[cfg(feature = "rayon")]
+const LEAST_COLUMNS: usize = 4;
+
+/// Helpers that leaders outside of the pool have called. A leader waits in the end for each that it called,
+/// so that one that helps another for long must not be called; leaders in the pool don't wait for those that
+/// have not begun.
+#[cfg(feature = "rayon")]
+static CALLED: AtomicUsize = AtomicUsize::new(0);
+
+/// Threads that are free, besides the one that leads.
+#[cfg(feature = "rayon")]
+pub(super) struct Helpers {
+    count: usize,
+    is_outside: bool,
+}
+
+#[cfg(feature = "rayon")]
+impl Helpers {
+    /// As many of the pool as are of use for so many columns of tiles and free, if there are any.
+    pub(super) fn call(columns: usize) -> Option<Self> {
+        let threads = (columns / LEAST_COLUMNS).min(MOST_THREADS);
+        if threads > 1 { Self::up_to(threads - 1) } else { None }
+    }
+
+    /// Up to so many of the pool, if there are any.
+    fn up_to(most: usize) -> Option<Self> {
+        let is_outside = rayon::current_thread_index().is_none();
+        if !is_outside {
+            let count = most.min(rayon::current_num_threads() - 1);
+            return (count > 0).then_some(Self { count, is_outside });
+        }
+        if !has_started() {
+            return None;
+        }
+        let threads = rayon::current_num_threads();
+        let free = |called: usize| most.min(threads - 1).min(threads.saturating_sub(called));
+        let (order, more) = (Ordering::Relaxed, |called| Some(called + free(called)));
+        let called = CALLED.fetch_update(order, order, more).unwrap_or(threads);
+        (free(called) > 0).then(|| Self { count: free(called), is_outside })
+    }
+
+    pub(super) fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Has each of them `help`, while this thread leads.
+    pub(super) fn join<R>(&self, help: impl Fn() + Sync, lead: impl FnOnce() -> R) -> R {
+        rayon::in_place_scope(|scope| {
+            for _ in 0..self.count {
+                scope.spawn(|_| help());
+            }
+            lead()
+        })
+    }
+}
+
+#[cfg(feature = "rayon")]
+impl Drop for Helpers {
+    fn drop(&mut self) {
+        if self.is_outside {
+            CALLED.fetch_sub(self.count, Ordering::Relaxed);
+        }
+    }
+}
+
+/// Starts the pool, unless it is; returns whether it runs. Where the system starts no threads, to ask
+/// `rayon` how many there are would panic.
+#[cfg(feature = "rayon")]
+fn has_started() -> bool {
+    static STARTED: OnceLock<bool> = OnceLock::new();
+    *STARTED.get_or_init(|| match rayon::ThreadPoolBuilder::new().build_global() {
+        Ok(()) => true,
+        // Else it has run before.
+        Err(error) => error.source().is_none(),
+    })
+}
+
+/// None.
+#[cfg(not(feature = "rayon"))]
+pub(super) enum Helpers {}
+
+#[cfg(not(feature = "rayon"))]
+impl Helpers {
+    pub(super) fn call(_columns: usize) -> Option<Self> {
+        None
+    }
+
+    pub(super) fn count(&self) -> usize {
+        match *self {}
+    }
+
+    pub(super) fn join<R>(&self, _help: impl Fn() + Sync, _lead: impl FnOnce() -> R) -> R {
+        match *self {}
+    }
+}
+
+#[cfg(all(test, feature = "rayon"))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_more_helpers_are_called_than_are_free() {
+        let called: Vec<Helpers> = std::iter::from_fn(|| Helpers::up_to(1)).take(1000).collect();
+        assert!(called.len() <= rayon::current_num_threads(), "{}", called.len());
+        drop(called);
+        if rayon::current_num_threads() > 1 {
+            while Helpers::up_to(1).is_none() {
+                // Other tests have them.
+                std::thread::yield_now();
+            }
+        }
+    }
+}
