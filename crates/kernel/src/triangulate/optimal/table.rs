@@ -293,6 +293,7 @@ impl<'a> Table<'a> {
                 }
             }
         }
+        debug_assert!(chosen.2 < j, "no sums make the entry {i} {j}: {price}");
         chosen.2
     }
 

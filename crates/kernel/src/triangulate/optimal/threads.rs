@@ -11,10 +11,10 @@ use std::{
     sync::atomic::{AtomicUsize, Ordering},
 };
 
-/// Threads at the most, with the leader.
+/// Threads at the most, with the leader: of the table twice as many tiles are filled at a time, at the most.
 pub(super) const MOST_THREADS: usize = if cfg!(feature = "rayon") { 16 } else { 1 };
 /// Columns of tiles for each thread, at the least: with fewer it would mostly wait, for the tiles of a
-/// diagonal are no more than the columns, and half as many in the mean.
+/// diagonal of the table are no more than the columns, and half as many in the mean.
 #[cfg(feature = "rayon")]
 const LEAST_COLUMNS: usize = 4;
 

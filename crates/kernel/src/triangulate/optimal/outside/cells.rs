@@ -18,8 +18,8 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-/// Rows of tiles in a block where threads share them, at the least: the first row of the next is priced
-/// twice.
+/// Rows of tiles in a block where threads share them, at the least: rungs from the first sample of the next are
+/// priced twice.
 const LEAST_ROWS: usize = 4;
 /// Blocks for each thread, so that none waits long for the others.
 const BLOCKS_A_THREAD: usize = 8;
@@ -54,7 +54,8 @@ pub(super) struct Cells {
 }
 
 impl Cells {
-    /// What they take while they are priced, for so many runs of so many samples, bytes.
+    /// What they take while they are priced, for so many runs of so many samples, with as many threads as there
+    /// may be, bytes.
     pub(super) fn bytes(runs: usize, samples: usize) -> u64 {
         let of_tiles = size_of::<FarEnds>() + MOST_THREADS * size_of::<LastRow>();
         let of_pairs = (runs as u64).pow(2) * size_of::<Cell>() as u64;
@@ -214,10 +215,11 @@ impl All<'_, '_> {
     /// Prices blocks until none is left, or `goes_on` says no before some row of tiles.
     fn price(&self, goes_on: &mut dyn FnMut(usize) -> bool) {
         // The last row that was priced in each column of tiles.
-        let mut above = vec![LastRow::NONE; self.ends.len()];
+        let mut above = vec![];
         let next = || self.blocks.lock().unwrap_or_else(PoisonError::into_inner).next();
         while let Some(mut block) = next() {
-            above.fill(LastRow::NONE);
+            above.clear();
+            above.resize(self.ends.len(), LastRow::NONE);
             for row in block.rows.clone() {
                 if self.is_stopped.load(Ordering::Relaxed) || !goes_on(row) {
                     self.is_stopped.store(true, Ordering::Relaxed);
