@@ -47,7 +47,9 @@ const FILE_OWNERS: [(&str, &[&str]); 6] = [
         &[
             "rung/visible/at_ends.rs",
             "triangulate/optimal/lanes.rs",
+            "triangulate/optimal/outside.rs",
             "triangulate/optimal/outside/afar.rs",
+            "triangulate/optimal/outside/cells.rs",
             "triangulate/optimal/outside/pricing.rs",
             "triangulate/optimal/outside/tests.rs",
             "triangulate/optimal/table.rs",

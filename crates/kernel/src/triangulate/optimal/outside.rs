@@ -49,9 +49,8 @@ mod runs;
 mod wide;
 
 use super::open::Open;
-use super::table::Table;
 use crate::cost::{LANES, Lanes};
-use crate::triangulate::TriangulateError;
+use crate::triangulate::{Terms, TriangulateError};
 use crate::watch::Watch;
 use afar::Afar;
 use cells::Cells;
@@ -71,11 +70,11 @@ pub(super) struct Outside {
 }
 
 impl Outside {
-    /// The runs that the loop of a table is put together to.
-    pub(super) fn runs(table: &Table<'_>) -> Runs {
-        let m = table.m;
+    /// The runs that a loop is put together to.
+    pub(super) fn runs(terms: &Terms<'_>) -> Runs {
+        let m = terms.prices.len();
         let length = ((m as f64).sqrt() / RUNS_A_ROOT).ceil() as usize;
-        Runs::new(table.terms, length.max(m.div_ceil(MOST_RUNS)).next_multiple_of(LANES))
+        Runs::new(terms, length.max(m.div_ceil(MOST_RUNS)).next_multiple_of(LANES))
     }
 
     /// What it takes while it is worked out, bytes.
@@ -85,15 +84,16 @@ impl Outside {
             + runs.bytes()
     }
 
-    /// Works it out for a table with folds, whose loop is numbered in order, and which has a bound.
+    /// Works it out where folds cost something, for a loop that is numbered in order, up to a bound.
     pub(super) fn new(
         runs: Runs,
-        table: &Table<'_>,
+        terms: &Terms<'_>,
+        registers: pulp::Arch,
         open: &Open<'_>,
         watch: &mut dyn Watch,
     ) -> Result<Self, TriangulateError> {
-        let cells = Cells::new(table, open, runs, watch)?;
-        let rests = Afar::new(table, open.bound, &cells).rests(watch)?;
+        let cells = Cells::new(terms, registers, open, runs, watch)?;
+        let rests = Afar::new(terms, registers, open.bound, &cells).rests(watch)?;
         Ok(Self { runs: cells.runs, rests })
     }
 

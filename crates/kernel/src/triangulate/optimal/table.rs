@@ -9,7 +9,7 @@ use super::lanes::{lowest, of_lane};
 use super::near::Band;
 use super::open::Open;
 use super::outside::Outside;
-use super::store::Store;
+use super::store::{Store, Tile};
 #[cfg(feature = "rayon")]
 use super::threads::Helpers;
 use super::{HIGHEST_BOUND, memory_needed};
@@ -48,6 +48,17 @@ pub(super) struct Table<'a> {
     outside: Option<Outside>,
 }
 
+/// The ways from one sample to another over those of a column of tiles.
+struct Ways<'t> {
+    /// How long they are at the least, mm.
+    least: f64,
+    at: usize,
+    /// With E of their first halves.
+    own: &'t Tile,
+    /// With E of their second halves.
+    beyond: &'t Tile,
+}
+
 impl<'a> Table<'a> {
     pub(super) fn new(terms: &'a Terms<'a>) -> Self {
         let m = terms.prices.len();
@@ -77,13 +88,14 @@ impl<'a> Table<'a> {
         self.outside = None;
         let mut start = share.start;
         if self.has_outside() && bound <= HIGHEST_BOUND && band.is_none() {
-            let runs = Outside::runs(self);
+            let runs = Outside::runs(self.terms);
             let needed = Outside::most_bytes(&runs);
             self.clear_for(needed);
             if self.bytes().saturating_add(needed) <= self.terms.memory {
                 start += SHARE_OF_OUTSIDE * (share.end - share.start);
                 let mut part = Part::new(watch, share.start..start);
-                self.outside = Some(Outside::new(runs, self, &open, &mut part)?);
+                self.outside =
+                    Some(Outside::new(runs, self.terms, self.registers, &open, &mut part)?);
             }
         }
         self.fill_open(&open, watch, start..share.end)
@@ -270,12 +282,10 @@ impl<'a> Table<'a> {
         let is_known = price < f64::INFINITY;
         let mut chosen = (price, f64::INFINITY, usize::MAX);
         // On flat stretches all are equal, and most are a long way round: the shortest ways come first.
-        for (least, at) in self.tiles_below(i, j, price, reaches) {
+        for Ways { least, at, own, beyond } in self.ways(i, j, price, reaches) {
             if is_known && least > chosen.1 {
                 break;
             }
-            let tiles = (self.store.tile(i / LANES, at), self.store.tile(at, j / LANES));
-            let (Some(own), Some(beyond)) = tiles else { continue };
             for n in 0..LANES {
                 let (k, entry) = (at * LANES + n, own.sums.entries[i % LANES][n]);
                 let sum = self.terms.together(entry, beyond.sums.entries[n][j % LANES]);
@@ -297,25 +307,26 @@ impl<'a> Table<'a> {
         chosen.2
     }
 
-    /// The columns of tiles with the k of E(i,j), by how long the way over them is at the least, mm; not those
-    /// whose sums are more than `price`.
-    fn tiles_below(&self, i: usize, j: usize, price: f64, reaches: &[f64]) -> Vec<(f64, usize)> {
+    /// The tiles with the sums that E(i,j) may be the least of, the shortest ways first; not those whose sums are
+    /// more than `price`.
+    fn ways(&self, i: usize, j: usize, price: f64, reaches: &[f64]) -> Vec<Ways<'_>> {
         let columns = self.store.beside(i / LANES).iter().map(|at| *at as usize);
-        let mut below: Vec<(f64, usize)> = columns
+        let mut ways: Vec<Ways<'_>> = columns
             .take_while(|at| at * LANES < j)
-            .filter(|&at| {
-                let tiles = (self.store.tile(i / LANES, at), self.store.tile(at, j / LANES));
-                let (Some(own), Some(beyond)) = tiles else { return false };
-                let (own, beyond) = (own.sums.least[i % LANES], lowest(&beyond.sums.least));
-                self.terms.together(own, beyond) <= price
-            })
-            .map(|at| {
+            .filter_map(|at| {
+                let own = self.store.tile(i / LANES, at)?;
+                let beyond = self.store.tile(at, j / LANES)?;
+                let sums = [own.sums.least[i % LANES], lowest(&beyond.sums.least)];
+                if self.terms.together(sums[0], sums[1]) > price {
+                    return None;
+                }
                 let detour = self.terms.prices.detour(i, self.middle(at), j);
-                (detour - 2.0 * reaches[at] - SLACK * detour, at)
+                let least = detour - 2.0 * reaches[at] - SLACK * detour;
+                Some(Ways { least, at, own, beyond })
             })
             .collect();
-        below.sort_by(|a, b| a.0.total_cmp(&b.0));
-        below
+        ways.sort_by(|a, b| a.least.total_cmp(&b.least));
+        ways
     }
 
     /// What the triangle below the rung ⟨i,j⟩ and all below that cost in E(i,j): without the rung's own price,

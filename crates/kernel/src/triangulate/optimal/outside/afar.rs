@@ -8,10 +8,9 @@ use super::cells::Cells;
 use super::runs::{Direction, directions};
 use super::wide::{Rungs, Wide, least_wide};
 use crate::cost::{LANES, Lanes};
-use crate::triangulate::TriangulateError;
 use crate::triangulate::optimal::lanes::lowest;
 use crate::triangulate::optimal::normals::{NormalBox, least_fold, least_fold_about};
-use crate::triangulate::optimal::table::Table;
+use crate::triangulate::{Terms, TriangulateError};
 use crate::watch::Watch;
 
 /// What sums over all runs may gain on the prices of triangulations: by rounding, and by half a quantum for
@@ -76,15 +75,20 @@ impl<'a> Afar<'a> {
         Wide::bytes(runs) + runs as u64 * (runs * of_pair + width * of_group) as u64
     }
 
-    pub(super) fn new(table: &Table<'_>, bound: f64, cells: &'a Cells) -> Self {
+    pub(super) fn new(
+        terms: &Terms<'_>,
+        registers: pulp::Arch,
+        bound: f64,
+        cells: &'a Cells,
+    ) -> Self {
         let n = cells.runs.len();
         let width = n.div_ceil(LANES);
         let mut afar = Self {
-            fold: table.terms.prices.options().fold,
+            fold: terms.prices.options().fold,
             bound: bound + SLACK,
-            registers: table.registers,
+            registers,
             cells,
-            directions: directions(table.terms, &cells.runs),
+            directions: directions(terms, &cells.runs),
             width,
             rungs: vec![Rungs::NONE; n * width],
             charges: vec![f64::INFINITY; n * n],

@@ -5,14 +5,13 @@
 //! to all later ones (`pricing`), row by row of tiles. The triangles on the edge from a block to the next are
 //! found by the former, so that no block needs another.
 
-use super::pricing::{Gathered, LastRow, LastRung, Linking, Pricing, Rungs};
+use super::pricing::{Gathered, LastRow, LastRung, Linking, Pricing, Row};
 use super::runs::Runs;
 use crate::cost::{FarEnds, LANES, Lanes};
-use crate::triangulate::TriangulateError;
 use crate::triangulate::optimal::normals::NormalBox;
 use crate::triangulate::optimal::open::Open;
-use crate::triangulate::optimal::table::Table;
 use crate::triangulate::optimal::threads::{Helpers, MOST_THREADS};
+use crate::triangulate::{Terms, TriangulateError};
 use crate::watch::Watch;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -64,34 +63,36 @@ impl Cells {
 
     /// Prices all rungs that spans leave open.
     pub(super) fn new(
-        table: &Table<'_>,
+        terms: &Terms<'_>,
+        registers: pulp::Arch,
         open: &Open<'_>,
         runs: Runs,
         watch: &mut dyn Watch,
     ) -> Result<Self, TriangulateError> {
-        let count = table.m.div_ceil(LANES);
+        let count = terms.prices.len().div_ceil(LANES);
         let helpers = Helpers::call(count);
         let rows = helpers.as_ref().map_or(count, |helpers| {
             count.div_ceil(BLOCKS_A_THREAD * (1 + helpers.count())).max(LEAST_ROWS)
         });
-        Self::in_blocks(table, open, runs, rows, helpers.as_ref(), watch)
+        Self::in_blocks(terms, registers, open, runs, rows, helpers.as_ref(), watch)
     }
 
     /// The same with so many rows of tiles in a block, or some more, and these helpers.
     pub(super) fn in_blocks(
-        table: &Table<'_>,
+        terms: &Terms<'_>,
+        registers: pulp::Arch,
         open: &Open<'_>,
         runs: Runs,
         rows: usize,
         helpers: Option<&Helpers>,
         watch: &mut dyn Watch,
     ) -> Result<Self, TriangulateError> {
-        let count = table.m.div_ceil(LANES);
-        let ends: Vec<FarEnds> =
-            (0..count).map(|at| table.terms.prices.far_ends(at * LANES)).collect();
+        let count = terms.prices.len().div_ceil(LANES);
+        let ends: Vec<FarEnds> = (0..count).map(|at| terms.prices.far_ends(at * LANES)).collect();
         let mut cells = vec![Cell::UNKNOWN; runs.len() * runs.len()];
         let all = All {
-            table,
+            terms,
+            registers,
             open,
             ends: &ends,
             blocks: Mutex::new(blocks(&runs, rows, count, &mut cells).into_iter()),
@@ -203,7 +204,8 @@ impl Block<'_> {
 
 /// What threads share that price all blocks.
 struct All<'s, 'c> {
-    table: &'s Table<'s>,
+    terms: &'s Terms<'s>,
+    registers: pulp::Arch,
     open: &'s Open<'s>,
     ends: &'s [FarEnds],
     /// Those that no thread has taken.
@@ -233,10 +235,10 @@ impl All<'_, '_> {
 
     /// Prices a row of tiles.
     fn price_row(&self, block: &mut Block<'_>, row: usize, above: &mut [LastRow]) {
-        let (table, bound) = (self.table, self.open.bound);
-        let rows = row * LANES..table.m.min((row + 1) * LANES);
+        let (terms, bound) = (self.terms, self.open.bound);
+        let rows = row * LANES..terms.prices.len().min((row + 1) * LANES);
         let mut before = [LastRung::NONE; LANES];
-        let mut turns = [Rungs::NONE; 2];
+        let mut turns = [Row::NONE; 2];
         for column in row..self.ends.len() {
             let above = &mut above[column];
             if !self.open.is_open(row, column) {
@@ -246,8 +248,8 @@ impl All<'_, '_> {
             }
             let (rows, to) = (rows.clone(), &self.ends[column]);
             let (before, turns) = (&mut before, &mut turns);
-            table.registers.dispatch(Pricing {
-                table,
+            self.registers.dispatch(Pricing {
+                terms,
                 bound,
                 rows,
                 to,
@@ -261,11 +263,11 @@ impl All<'_, '_> {
 
     /// Finds what triangles on the edge after the last sample of a block cost.
     fn link(&self, block: &mut Block<'_>, above: &[LastRow]) {
-        let (table, bound, row) = (self.table, self.open.bound, block.rows.end);
+        let (terms, bound, row) = (self.terms, self.open.bound, block.rows.end);
         for column in row..self.ends.len() {
             if self.open.is_open(row, column) {
                 let (i, to, above) = (row * LANES, &self.ends[column], &above[column]);
-                table.registers.dispatch(Linking { table, bound, i, to, above, block });
+                self.registers.dispatch(Linking { terms, bound, i, to, above, block });
             }
         }
     }

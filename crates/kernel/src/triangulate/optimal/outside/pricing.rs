@@ -3,17 +3,17 @@
 
 use super::cells::Block;
 use crate::cost::{Aligned, FarEnds, LANES, Lanes, OnEdges, Strip};
+use crate::triangulate::Terms;
 use crate::triangulate::optimal::lanes::{lowest, of_lane};
-use crate::triangulate::optimal::table::Table;
 use std::ops::Range;
 
 /// Numbers of the rungs from one sample to those of a tile, with that of the rung before them in front: on edges
 /// before samples of the tile each rung meets the one before. To move them by one lane takes longer than to
 /// read them at another place.
 #[derive(Clone, Copy)]
-struct Row(Aligned<[f64; 2 * LANES]>);
+struct Numbers(Aligned<[f64; 2 * LANES]>);
 
-impl Row {
+impl Numbers {
     const fn all(of: f64) -> Self {
         Self(Aligned([of; 2 * LANES]))
     }
@@ -48,22 +48,22 @@ impl Row {
 
 /// The rungs from one sample to those of a tile.
 #[derive(Clone, Copy)]
-pub(super) struct Rungs {
+pub(super) struct Row {
     /// Infinite where there is none up to the bound.
-    prices: Row,
+    prices: Numbers,
     /// Where any of them is finite.
     any: bool,
-    means: [Row; 3],
-    offsets: [Row; 3],
+    means: [Numbers; 3],
+    offsets: [Numbers; 3],
 }
 
-impl Rungs {
+impl Row {
     /// If none is up to the bound.
     pub(super) const NONE: Self = Self {
-        prices: Row::all(f64::INFINITY),
+        prices: Numbers::all(f64::INFINITY),
         any: false,
-        means: [Row::all(0.0); 3],
-        offsets: [Row::all(0.0); 3],
+        means: [Numbers::all(0.0); 3],
+        offsets: [Numbers::all(0.0); 3],
     };
 
     /// Takes those of the last row of a tile, of which those before it matter no more.
@@ -99,17 +99,41 @@ impl Rungs {
         }
         let triangles = OnEdges {
             offsets: [
-                &self.offsets.each_ref().map(Row::before),
-                &self.offsets.each_ref().map(Row::lanes),
+                &self.offsets.each_ref().map(Numbers::before),
+                &self.offsets.each_ref().map(Numbers::lanes),
             ],
             means: [
-                &self.means.each_ref().map(Row::before),
-                &self.means.each_ref().map(Row::lanes),
+                &self.means.each_ref().map(Numbers::before),
+                &self.means.each_ref().map(Numbers::lanes),
             ],
             rungs: rungs(to.first, [i + 2, if i == 0 { last } else { usize::MAX }]),
         };
         let prices = [&self.prices.before(), &beyond(i + 1, to, &self.prices.lanes())];
         lower_on_edges(least, fold, prices, &triangles);
+    }
+
+    /// The same as [`lower_on_edges`] for the edge between the sample that they lead from and sample i, the next
+    /// one, with its rungs: the triangles i − 1, i, j.
+    #[inline(always)]
+    fn lower_on_row_edge(
+        &self,
+        least: &mut Lanes,
+        terms: &Terms<'_>,
+        i: usize,
+        to: &FarEnds,
+        strip: &Strip,
+    ) {
+        let (prices, last) = (terms.prices, terms.prices.len() - 1);
+        let triangles = OnEdges {
+            offsets: [
+                &prices.offset(i - 1, i).map(|x| [x; LANES]),
+                &self.offsets.each_ref().map(Numbers::lanes),
+            ],
+            means: [&strip.means, &self.means.each_ref().map(Numbers::lanes)],
+            rungs: rungs(to.first, [i + 1, if i == 1 { last } else { usize::MAX }]),
+        };
+        let of_rungs = [&beyond(i, to, &strip.prices), &self.prices.lanes()];
+        lower_on_edges(least, prices.options().fold, of_rungs, &triangles);
     }
 }
 
@@ -135,6 +159,16 @@ pub(super) struct LastRow {
 
 impl LastRow {
     pub(super) const NONE: Self = Self { strip: Strip::BLANK, any: false };
+}
+
+/// Prices the rungs from sample i to those of a tile, infinite if above the bound; returns whether any is not.
+#[inline(always)]
+fn price_up_to(terms: &Terms<'_>, bound: f64, i: usize, to: &FarEnds, strip: &mut Strip) -> bool {
+    terms.strip::<true>(i, to, bound, strip);
+    for price in strip.prices.iter_mut() {
+        *price = if *price <= bound { *price } else { f64::INFINITY };
+    }
+    lowest(&strip.prices) < f64::INFINITY
 }
 
 /// Takes the prices of triangles on edges of the boundary, with half of those of their rungs, `prices`, where
@@ -224,7 +258,7 @@ impl Gathered {
 
 /// A tile to be priced. A type rather than a closure, as that of the table.
 pub(super) struct Pricing<'p, 'c> {
-    pub(super) table: &'p Table<'p>,
+    pub(super) terms: &'p Terms<'p>,
     pub(super) bound: f64,
     pub(super) rows: Range<usize>,
     pub(super) to: &'p FarEnds,
@@ -233,7 +267,7 @@ pub(super) struct Pricing<'p, 'c> {
     /// The last rung of each row of the tile to the left, and then of this one.
     pub(super) before: &'p mut [LastRung; LANES],
     /// Where the rungs of a row and of the row above are kept, in turn.
-    pub(super) turns: &'p mut [Rungs; 2],
+    pub(super) turns: &'p mut [Row; 2],
     pub(super) block: &'p mut Block<'c>,
 }
 
@@ -242,8 +276,8 @@ impl pulp::WithSimd for Pricing<'_, '_> {
 
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, _: S) {
-        let Self { table, bound, rows, to, above: last_row, before, turns, block } = self;
-        let (terms, last, fold) = (table.terms, table.m - 1, table.terms.prices.options().fold);
+        let Self { terms, bound, rows, to, above: last_row, before, turns, block } = self;
+        let (last, fold) = (terms.prices.len() - 1, terms.prices.options().fold);
         let mut gathered = Gathered::NOTHING;
         let mut strip = Strip::BLANK;
         turns[0].set_last(last_row, || terms.prices.offsets(rows.start - 1, to));
@@ -260,7 +294,7 @@ impl pulp::WithSimd for Pricing<'_, '_> {
                     gathered = Gathered::NOTHING;
                 }
             }
-            own.any = table.price_up_to(bound, i, to, &mut strip);
+            own.any = price_up_to(terms, bound, i, to, &mut strip);
             let left = std::mem::replace(&mut before[i - rows.start], LastRung::NONE);
             if !own.any {
                 continue;
@@ -277,10 +311,10 @@ impl pulp::WithSimd for Pricing<'_, '_> {
                 continue;
             }
             if block.runs.of(i - 1) == run {
-                table.lower_on_row_edge(&mut gathered.on_row_edges, i, to, &strip, above);
+                above.lower_on_row_edge(&mut gathered.on_row_edges, terms, i, to, &strip);
             } else {
                 let mut least = [f64::INFINITY; LANES];
-                table.lower_on_row_edge(&mut least, i, to, &strip, above);
+                above.lower_on_row_edge(&mut least, terms, i, to, &strip);
                 block.take_link(i, to, &least);
             }
         }
@@ -294,7 +328,7 @@ impl pulp::WithSimd for Pricing<'_, '_> {
 /// The triangles on the edge before sample i, the first that is not of a block, with the third corner in the
 /// samples of a tile.
 pub(super) struct Linking<'p, 'c> {
-    pub(super) table: &'p Table<'p>,
+    pub(super) terms: &'p Terms<'p>,
     pub(super) bound: f64,
     pub(super) i: usize,
     pub(super) to: &'p FarEnds,
@@ -308,50 +342,14 @@ impl pulp::WithSimd for Linking<'_, '_> {
 
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, _: S) {
-        let Self { table, bound, i, to, above, block } = self;
+        let Self { terms, bound, i, to, above, block } = self;
         let mut strip = Strip::BLANK;
-        if above.any && table.price_up_to(bound, i, to, &mut strip) {
-            let mut last = Rungs::NONE;
-            last.set_last(above, || table.terms.prices.offsets(i - 1, to));
+        if above.any && price_up_to(terms, bound, i, to, &mut strip) {
+            let mut last = Row::NONE;
+            last.set_last(above, || terms.prices.offsets(i - 1, to));
             let mut least = [f64::INFINITY; LANES];
-            table.lower_on_row_edge(&mut least, i, to, &strip, &last);
+            last.lower_on_row_edge(&mut least, terms, i, to, &strip);
             block.take_link(i, to, &least);
         }
-    }
-}
-
-impl Table<'_> {
-    /// Prices the rungs from sample i to those of a tile, infinite if above the bound; returns whether any is
-    /// not.
-    #[inline(always)]
-    fn price_up_to(&self, bound: f64, i: usize, to: &FarEnds, strip: &mut Strip) -> bool {
-        self.terms.strip::<true>(i, to, bound, strip);
-        for price in strip.prices.iter_mut() {
-            *price = if *price <= bound { *price } else { f64::INFINITY };
-        }
-        lowest(&strip.prices) < f64::INFINITY
-    }
-
-    /// The same as [`lower_on_edges`] for the edge before sample i: the triangles i − 1, i, j.
-    #[inline(always)]
-    fn lower_on_row_edge(
-        &self,
-        least: &mut Lanes,
-        i: usize,
-        to: &FarEnds,
-        strip: &Strip,
-        above: &Rungs,
-    ) {
-        let prices = self.terms.prices;
-        let triangles = OnEdges {
-            offsets: [
-                &prices.offset(i - 1, i).map(|x| [x; LANES]),
-                &above.offsets.each_ref().map(Row::lanes),
-            ],
-            means: [&strip.means, &above.means.each_ref().map(Row::lanes)],
-            rungs: rungs(to.first, [i + 1, if i == 1 { self.m - 1 } else { usize::MAX }]),
-        };
-        let of_rungs = [&beyond(i, to, &strip.prices), &above.prices.lanes()];
-        lower_on_edges(least, prices.options().fold, of_rungs, &triangles);
     }
 }

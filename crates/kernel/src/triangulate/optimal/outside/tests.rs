@@ -7,8 +7,8 @@ use crate::cost::{PriceOptions, Prices, QUANTUM, TwistForm, quantised};
 use crate::curve::CurvePoint;
 use crate::math::{Point3, Vec3, cos, sin, unit};
 use crate::rung::Visibility;
-use crate::triangulate::Terms;
 use crate::triangulate::optimal::normals::{NormalBox, least_fold, least_fold_about};
+use crate::triangulate::optimal::table::Table;
 use crate::triangulate::sparse::tests::{random_boundary, with_terms};
 use crate::watch::Unwatched;
 use runs::Direction;
@@ -62,7 +62,7 @@ fn check(terms: &Terms<'_>, length: usize, registers: pulp::Arch, what: &str) ->
         table.registers = registers;
         let open = Open::new(terms, bound, None);
         let runs = Runs::new(terms, length);
-        let found = Outside::new(runs, &table, &open, &mut Unwatched).unwrap();
+        let found = Outside::new(runs, terms, registers, &open, &mut Unwatched).unwrap();
         for (i, j) in (0..table.m).flat_map(|i| (i + 1..table.m).map(move |j| (i, j))) {
             let (entry, truth) = (full.entry(i, j), in_truth[i * table.m + j]);
             let half = 0.5 * terms.side(i, j).price;
@@ -305,7 +305,7 @@ fn it_is_left_out_where_memory_is_short_and_stops_when_asked() {
         };
         let all = taken(u64::MAX).unwrap();
         assert!(all < plain.bytes(), "{all} {}", plain.bytes());
-        let needed = Table::new(terms).bytes() + Outside::most_bytes(&Outside::runs(&plain));
+        let needed = Table::new(terms).bytes() + Outside::most_bytes(&Outside::runs(terms));
         assert_eq!(taken(needed.max(all)), Some(all));
         let mut refused = 0;
         for memory in [plain.bytes(), needed - 1, needed / 2, all - 1, all / 4] {
@@ -315,7 +315,8 @@ fn it_is_left_out_where_memory_is_short_and_stops_when_asked() {
             }
         }
         assert!(refused > 0 && refused < 5, "{refused}");
-        let stopped = Outside::new(Outside::runs(&plain), &plain, &open, &mut Impatient);
+        let stopped =
+            Outside::new(Outside::runs(terms), terms, plain.registers, &open, &mut Impatient);
         assert_eq!(stopped.err(), Some(TriangulateError::Stopped));
     });
 }
@@ -413,11 +414,12 @@ fn cells_hold_what_their_rungs_and_triangles_cost() {
         let Some(boundary) = random_boundary(seed) else { continue };
         with_terms(&boundary, 1.0, |terms| {
             let m = terms.prices.len();
-            let table = Table::new(terms);
             // Of dear rungs and triangles nothing is said.
             let bound = 0.3;
             let open = Open::new(terms, bound, None);
-            let cells = Cells::new(&table, &open, Runs::new(terms, 5), &mut Unwatched).unwrap();
+            let cells =
+                Cells::new(terms, pulp::Arch::new(), &open, Runs::new(terms, 5), &mut Unwatched)
+                    .unwrap();
             let (runs, n) = (&cells.runs, cells.runs.len());
             let mut least = vec![[f64::INFINITY; 5]; n * n];
             let of = |i: usize| runs.of(i);
@@ -480,12 +482,13 @@ fn cells_are_the_same_however_many_blocks_they_are_priced_in() {
     // Corners before, on and after the edges of tiles, and a last tile of one sample.
     for (what, boundary) in [700, 1_024, 1_028, 1_105].into_iter().flat_map(curves) {
         with_terms(&boundary, 1.0, |terms| {
-            let table = Table::new(terms);
+            let registers = pulp::Arch::new();
             let open = Open::new(terms, 0.3, None);
             for length in [16, 32, 48] {
                 let in_blocks = |rows: usize| {
                     let runs = Runs::new(terms, length);
-                    Cells::in_blocks(&table, &open, runs, rows, None, &mut Unwatched).unwrap()
+                    Cells::in_blocks(terms, registers, &open, runs, rows, None, &mut Unwatched)
+                        .unwrap()
                 };
                 let (one, n) = (in_blocks(usize::MAX / 2), Runs::new(terms, length).len());
                 let known = |cells: &Cells, a, b| cells.of(a, b).least < f64::INFINITY;
