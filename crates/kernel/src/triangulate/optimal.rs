@@ -35,9 +35,9 @@
 //!    the sums E(i,k) + E(k,j) are compared, 16 j at a time. Where one lies below, a test without root
 //!    and quotient says whether F may leave it there, and only then F is worked out.
 //! 5. Which k was best is not stored but found again on the way back, for the m − 2 entries that
-//!    belong to the answer, among those that make its price. Of equal prices (prices are exact, see [`crate::cost`], so flat regions
-//!    do tie) the k with the least |P_i P_k| + |P_k P_j| wins, then the smallest: strips of compact
-//!    triangles rather than fans.
+//!    belong to the answer, among those that make its price. Of equal prices (prices are exact, see
+//!    [`crate::cost`], so flat regions do tie) the k with the least |P_i P_k| + |P_k P_j| wins, then the
+//!    smallest: strips of compact triangles rather than fans.
 
 mod lanes;
 mod near;
