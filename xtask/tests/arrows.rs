@@ -45,6 +45,7 @@ const FILE_OWNERS: [(&str, &[&str]); 6] = [
     (
         "pulp::",
         &[
+            "cost/specials.rs",
             "rung/visible/at_ends.rs",
             "triangulate/optimal/lanes.rs",
             "triangulate/optimal/outside.rs",

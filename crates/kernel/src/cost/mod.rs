@@ -33,6 +33,7 @@
 
 mod planes;
 mod slopes;
+mod specials;
 mod strip;
 
 pub use planes::RungPlanes;

@@ -69,7 +69,7 @@ impl End {
     /// Open directions lie on and inside the cone whose diameter the two edges are, so within twice
     /// the larger angle between the tangent and an edge.
     pub(super) fn special_cosine_squared(&self) -> f64 {
-        if self.tangent_in != self.tangent_out {
+        if self.is_corner() {
             return -1.0;
         }
         let to_edge = self.tangent_in.dot(self.edge_in).min(self.tangent_in.dot(self.edge_out));
@@ -77,6 +77,19 @@ impl End {
         // A little wider, so that rounding never takes an open direction for a plain one; and never
         // so narrow that a parallel rung escapes.
         (twice * twice - COSINE_MARGIN).min(1.0 - COSINE_MARGIN)
+    }
+
+    pub(super) fn is_corner(&self) -> bool {
+        self.tangent_in != self.tangent_out
+    }
+
+    /// What special rungs between smooth samples depend on here.
+    pub(super) fn leaving(&self) -> Leaving {
+        Leaving {
+            position: self.position.to_array(),
+            tangent: self.tangent_out.to_array(),
+            edges: [self.edge_in.to_array(), self.edge_out.to_array()],
+        }
     }
 
     /// The normal of the plane of both tangents of a corner, on the side of `facing`: that of the
@@ -206,6 +219,11 @@ fn scaled(a: [f64; 3], factor: f64) -> [f64; 3] {
     [a[0] * factor, a[1] * factor, a[2] * factor]
 }
 
+#[inline(always)]
+fn divided(a: [f64; 3], by: f64) -> [f64; 3] {
+    [a[0] / by, a[1] / by, a[2] / by]
+}
+
 impl From<Smooth> for RungPlanes {
     fn from(smooth: Smooth) -> Self {
         Self {
@@ -227,21 +245,82 @@ enum Normals {
 /// The planes of a special rung; `None` where it has none, because it is parallel to a tangent or
 /// has no length. Where nothing else decides, normals point to the side of `facing`.
 pub(super) fn special(from: &End, to: &End, facing: Vec3) -> Option<RungPlanes> {
+    if !from.is_corner() && !to.is_corner() {
+        let open = special_smooth(&from.leaving(), &to.leaving(), facing.to_array());
+        return (!open.is_lost).then(|| RungPlanes {
+            at_ends: open.normals.map(Vec3::from_array),
+            mean: Vec3::from_array(open.mean),
+            twist: open.twist,
+        });
+    }
     let d = unit(to.position - from.position)?;
     Some(match (from.normals(d)?, to.normals(-d)?) {
         (Normals::One(u), Normals::One(v)) => RungPlanes::new(u, v),
         (Normals::One(u), Normals::EitherSign(v)) => RungPlanes::new(u, along(v, u)),
         (Normals::EitherSign(u), Normals::One(v)) => RungPlanes::new(along(u, v), v),
-        (Normals::EitherSign(u), Normals::EitherSign(v)) => {
-            let v = along(v, u);
-            let sign = if (u + v).dot(facing) < 0.0 { -1.0 } else { 1.0 };
-            RungPlanes::new(u * sign, v * sign)
-        }
         (u, v) => {
             let reference = from.plane_normal(facing) + to.plane_normal(facing);
             between_sectors(u, v, d, reference)
         }
     })
+}
+
+/// A special rung between two smooth samples, as numbers that stand in vector registers.
+#[derive(Clone, Copy)]
+pub(super) struct SpecialSmooth {
+    pub(super) normals: [[f64; 3]; 2],
+    /// Zero where the normals are opposite.
+    pub(super) mean: [f64; 3],
+    pub(super) twist: f64,
+    /// Whether it has no planes, because it is parallel to a tangent or has no length.
+    pub(super) is_lost: bool,
+}
+
+/// What the planes of a special rung depend on at a smooth sample: its position and tangent, and the unit
+/// directions of the edges that arrive and leave.
+pub(super) struct Leaving {
+    pub(super) position: [f64; 3],
+    pub(super) tangent: [f64; 3],
+    pub(super) edges: [[f64; 3]; 2],
+}
+
+/// The planes of the special rung between two smooth samples. Where the sign of one normal is open, it lies along
+/// the other; where both are, to the side of `facing`.
+#[inline(always)]
+pub(super) fn special_smooth(from: &Leaving, to: &Leaving, facing: [f64; 3]) -> SpecialSmooth {
+    let (a, b) = (from.position, to.position);
+    let (d, has_length) = unit_of([b[0] - a[0], b[1] - a[1], b[2] - a[2]]);
+    let normal = |end: &Leaving, d: [f64; 3]| {
+        let leaving = cross(end.tangent, d);
+        let sine = dot(leaving, leaving).sqrt();
+        let is_open = dot(cross(end.edges[0], d), cross(end.edges[1], d)) <= 0.0;
+        (divided(leaving, sine), is_open, sine <= PARALLEL_SINE)
+    };
+    let (u, u_open, u_lost) = normal(from, d);
+    let (v, v_open, v_lost) = normal(to, scaled(d, -1.0));
+    let is_turned = dot(u, v) < 0.0;
+    let turn = |n: [f64; 3], is_turned: bool| scaled(n, if is_turned { -1.0 } else { 1.0 });
+    let (u, v) = (turn(u, is_turned & u_open & !v_open), turn(v, is_turned & v_open));
+    let sum = [u[0] + v[0], u[1] + v[1], u[2] + v[2]];
+    let is_behind = u_open & v_open & (dot(sum, facing) < 0.0);
+    let (u, v, sum) = (turn(u, is_behind), turn(v, is_behind), turn(sum, is_behind));
+    let difference = [u[0] - v[0], u[1] - v[1], u[2] - v[2]];
+    let (mean, has_mean) = unit_of(sum);
+    SpecialSmooth {
+        normals: [u, v],
+        mean: if has_mean { mean } else { [0.0; 3] },
+        twist: 0.5 * dot(difference, difference),
+        is_lost: !has_length | u_lost | v_lost,
+    }
+}
+
+/// The same as [`unit`], and whether there is any; for vectors that are finite.
+#[inline(always)]
+fn unit_of(v: [f64; 3]) -> ([f64; 3], bool) {
+    let larger = |a: f64, b: f64| if b > a { b } else { a };
+    let scale = larger(larger(v[0].abs(), v[1].abs()), v[2].abs());
+    let scaled = divided(v, scale);
+    (divided(scaled, dot(scaled, scaled).sqrt()), scale > 0.0)
 }
 
 /// The planes of a rung, along the unit direction `d`, that ends at a corner: the two normals, one
@@ -269,7 +348,7 @@ impl End {
     /// The normals of a rung that leaves this sample in the unit direction `d`.
     fn normals(&self, d: Vec3) -> Option<Normals> {
         let leaving = self.tangent_out.cross(d);
-        if self.tangent_in == self.tangent_out {
+        if !self.is_corner() {
             let sine = leaving.length();
             if sine <= PARALLEL_SINE {
                 return None;
@@ -309,10 +388,13 @@ impl Normals {
 /// least; where the sectors overlap, both are what is nearest to `reference` in the overlap.
 fn closest(u: (Vec3, Vec3), v: (Vec3, Vec3), d: Vec3, reference: Vec3) -> RungPlanes {
     let angle = |from: Vec3, to: Vec3| atan2(from.cross(to).dot(d), from.dot(to));
-    // All angles are measured about d from the first normal of u.
-    let span = |start: f64, turn: f64| (start.min(start + turn), start.max(start + turn));
-    let (u_low, u_high) = span(0.0, angle(u.0, u.1));
-    let (v_low, v_high) = span(angle(u.0, v.0), angle(v.0, v.1));
+    // All angles are measured about d from the first normal of u. Most sectors are one normal.
+    let span = |start: f64, (from, to): (Vec3, Vec3)| {
+        let turn = if from == to { 0.0 } else { angle(from, to) };
+        (start.min(start + turn), start.max(start + turn))
+    };
+    let (u_low, u_high) = span(0.0, u);
+    let (v_low, v_high) = span(angle(u.0, v.0), v);
     let wanted = angle(u.0, reference - d * d.dot(reference));
     let at = |angle: f64| {
         if angle == 0.0 { u.0 } else { unit(turned(u.0, d, angle)).unwrap_or(u.0) }
@@ -337,7 +419,8 @@ fn closest(u: (Vec3, Vec3), v: (Vec3, Vec3), d: Vec3, reference: Vec3) -> RungPl
         }
     }
     let (gap, _, a, b) = best.unwrap_or((0.0, 0.0, 0.0, 0.0));
-    let mut planes = RungPlanes::new(at(a), at(b));
+    let first = at(a);
+    let mut planes = RungPlanes::new(first, if a == b { first } else { at(b) });
     // The gap itself, rather than the difference of two turned vectors, so that no rounding is
     // left where there is no twist.
     planes.twist = if gap == 0.0 { 0.0 } else { 2.0 * sin(0.5 * gap) * sin(0.5 * gap) };

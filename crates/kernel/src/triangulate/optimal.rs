@@ -26,7 +26,8 @@
 //!    dragged, the triangulation from before gives a bound instead (`mend`). From some hundred samples on and
 //!    with folds, even fewer are left, since it is worked out first what the rest of the loop costs beside
 //!    each rung (`outside`).
-//! 4. Those k come first that were best one row below, so that few others are left to be looked at.
+//! 4. Those k come first that were best one row below, and then all triangles i, j − 1, j on edges of the
+//!    boundary at once (`table/entries`), so that few others are left to be looked at.
 //!    These are taken tile by tile, where both tiles are kept. Their least entries, together with the
 //!    least F where N lie as theirs (`normals`), may rule out two tiles at once. Else E(i,k) and the
 //!    least E(k,j) of the 16 j together say for 16 k at once which may lie below the prices so far. F is

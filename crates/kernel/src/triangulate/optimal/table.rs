@@ -1,7 +1,9 @@
 //! The table itself, in which order its tiles are filled, and the way back.
 
 mod between;
+mod entries;
 mod filling;
+mod least;
 #[cfg(feature = "rayon")]
 mod shared;
 

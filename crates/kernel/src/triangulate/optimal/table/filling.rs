@@ -2,7 +2,9 @@
 
 use super::Table;
 use super::between::{Between, Sides};
-use crate::cost::{Aligned, Fan, FanRungs, Fans, FarEnds, LANES, Lanes, QUANTUM, Segment, Strip};
+use super::entries::{OnEdgesOfRow, RungsOfRow};
+use super::least::Least;
+use crate::cost::{Aligned, Fan, FanRungs, FarEnds, LANES, Lanes, QUANTUM, Strip};
 use crate::math::Vec3;
 use crate::triangulate::optimal::lanes::{are_fused, highest, lowest, of_lane};
 use crate::triangulate::optimal::normals::NormalBox;
@@ -19,12 +21,12 @@ pub(super) struct Column {
     to: FarEnds,
     /// The best k of the row that was filled last, which is near to that of the next one; 0 for
     /// none.
-    best: [u64; LANES],
+    best: Lanes,
 }
 
 impl Column {
     pub(super) fn new(terms: &Terms<'_>, at: usize) -> Self {
-        Self { to: terms.prices.far_ends(at * LANES), best: [0; LANES] }
+        Self { to: terms.prices.far_ends(at * LANES), best: [0.0; LANES] }
     }
 }
 
@@ -48,34 +50,6 @@ impl pulp::WithSimd for Filling<'_> {
             table.fill_tile::<true>(open, row, column, tile);
         } else {
             table.fill_tile::<false>(open, row, column, tile);
-        }
-    }
-}
-
-/// The least sums below the rungs from one sample to those of a tile, on the way.
-struct Least<'a> {
-    i: usize,
-    to: &'a FarEnds,
-    means: &'a [Lanes; 3],
-    /// Means nothing where folds cost nothing.
-    fans: Fans<'a>,
-    /// Where those of the tile lie, if that is known.
-    segment: Option<&'a Segment>,
-    /// Infinitely low where nothing is looked for.
-    prices: Aligned<Lanes>,
-    /// The k that they were found at; 0 for none.
-    best: Aligned<[u64; LANES]>,
-}
-
-impl Least<'_> {
-    /// Takes what is lower with this k.
-    #[inline(always)]
-    fn lower(&mut self, k: usize, price: impl Fn(usize) -> f64) {
-        for n in 0..LANES {
-            let price = price(n);
-            let lower = price < self.prices[n];
-            self.prices[n] = if lower { price } else { self.prices[n] };
-            self.best[n] = if lower { k as u64 } else { self.best[n] };
         }
     }
 }
@@ -156,37 +130,22 @@ impl Table<'_> {
                 fans: self.terms.prices.fans(&offsets, means),
                 segment: segment.as_ref(),
                 prices: Aligned(*below),
-                best: Aligned([0; LANES]),
+                best: Aligned([0.0; LANES]),
             };
             self.look_first::<FOLDS, FUSED>(&mut least, best, column, tile, together);
-            self.look_between::<FOLDS, FUSED>(&mut least, tile, &mut between, together);
-            let mut entries = [f64::INFINITY; LANES];
-            for n in 0..to.count {
-                let j = to.first + n;
-                if j <= i || below[n] == f64::NEG_INFINITY {
-                    continue;
-                }
-                if j == i + 1 {
-                    entries[n] = prices[n];
-                } else if least.prices[n] < below[n] {
-                    entries[n] = together(prices[n], least.prices[n]);
-                } else {
-                    continue;
-                }
-                // The tile of the diagonal is not stored while it is being filled.
-                let diagonal =
-                    if row == column { Some(&*tile) } else { self.store.tile(column, column) };
-                if let Some(diagonal) = diagonal {
-                    self.look::<FOLDS, FUSED>(
-                        &mut least,
-                        j,
-                        entries[n],
-                        Some(means),
-                        diagonal,
-                        together,
-                    );
-                }
+            let rungs = RungsOfRow { prices, below };
+            let mut on_edges = OnEdgesOfRow::NONE;
+            // On flat stretches nothing is left to be lower.
+            if FOLDS && self.in_order && highest(&least.prices) > 0.0 {
+                on_edges = self.on_edges_of_row(&least, row);
+                on_edges.lower(&mut least, &rungs);
             }
+            self.look_between::<FOLDS, FUSED>(&mut least, tile, &mut between, together);
+            // The tile of the diagonal is not stored while it is being filled.
+            let diagonal =
+                if row == column { Some(&*tile) } else { self.store.tile(column, column) };
+            let entries = self
+                .entries_of_row::<FOLDS, FUSED>(&mut least, &rungs, &on_edges, diagonal, together);
             tile.sums.least[i % LANES] = lowest(&entries);
             tile.sums.entries[i % LANES] = entries;
             *best = *least.best;
@@ -194,6 +153,13 @@ impl Table<'_> {
         if has_box && let Some(means) = &mut tile.means {
             means.within = NormalBox::of(&tile.sums.entries, &means.rows);
         }
+    }
+
+    /// How many sides of the triangles i, k, j are rungs at the least, where ⟨k,j⟩ is.
+    #[inline(always)]
+    pub(super) fn least_rungs(&self, i: usize, k: usize) -> f64 {
+        let across = if i == 0 { 0.0 } else { 1.0 };
+        across + if k == i + 1 { 1.0 } else { 2.0 }
     }
 
     /// Prices the rungs of the tile of this row, and writes their N to it.
@@ -226,14 +192,27 @@ impl Table<'_> {
             if let Some(of_tile) = &mut tile.means {
                 of_tile.rows[i % LANES] = *strip.means;
             }
+            // Of each rung, with what the rest of the loop costs.
             let share = if self.outside.is_some() { 0.5 } else { 1.0 };
+            let mut together = [0.0; LANES];
             for n in 0..LANES {
-                let is_near = near.is_none_or(|near| near[n]) || to.first + n <= i + 1;
-                let price = share * strip.prices[n] + rests[n];
-                if is_near && price <= open.bound && price < f64::INFINITY {
-                    rungs.prices[i % LANES][n] = strip.prices[n];
-                    rungs.below[i % LANES][n] = self.sums_below(open.bound, price);
+                together[n] = share * strip.prices[n] + rests[n];
+            }
+            if let Some(near) = near {
+                for n in 0..LANES {
+                    let is_near = near[n] || to.first + n <= i + 1;
+                    together[n] = if is_near { together[n] } else { f64::INFINITY };
                 }
+            }
+            // One list after the other: else the lanes are looked at one by one.
+            let (prices, below) = (&mut rungs.prices[i % LANES], &mut rungs.below[i % LANES]);
+            let most = open.bound.min(f64::MAX);
+            for n in 0..LANES {
+                prices[n] = if together[n] <= most { strip.prices[n] } else { f64::INFINITY };
+            }
+            for n in 0..LANES {
+                let limit = self.sums_below(open.bound, together[n]);
+                below[n] = if together[n] <= most { limit } else { f64::NEG_INFINITY };
             }
         }
         rungs
@@ -267,7 +246,7 @@ impl Table<'_> {
     fn look_first<const FOLDS: bool, const FUSED: bool>(
         &self,
         least: &mut Least<'_>,
-        best: &[u64; LANES],
+        best: &Lanes,
         column: usize,
         tile: &Tile,
         together: impl Fn(f64, f64) -> f64 + Copy,
@@ -373,7 +352,7 @@ impl Table<'_> {
     /// Looks at the triangles i, k, j of all j of the tile `beyond`, with E(i,k) = `entry` and N of the
     /// rungs from i to the samples around k.
     #[inline(always)]
-    fn look<const FOLDS: bool, const FUSED: bool>(
+    pub(super) fn look<const FOLDS: bool, const FUSED: bool>(
         &self,
         least: &mut Least<'_>,
         k: usize,
@@ -412,7 +391,8 @@ impl Table<'_> {
             return self.look_singly(least, (k, entry), &fan, entries);
         }
         let rungs = self.rungs_of_fan(least.i, k, least.to).least();
-        self.look_at_fan::<FUSED>(least, (k, entry), (&fan, rungs), entries);
+        let left = least.left(entry, entries);
+        self.look_at_fan::<FUSED>(least, (k, entry), (&fan, rungs), (entries, &left));
     }
 
     /// Looks at the triangles of those sides ⟨i,k⟩ that have a bit in `left`, with k in the column of
@@ -437,13 +417,6 @@ impl Table<'_> {
             }
             left &= self.terms.prices.sides_below::<FUSED>(i, offsets, means, segment, &limits);
         }
-        // No triangle has fewer.
-        let mut rungs = [if i == 0 { 2.0 } else { 3.0 }; LANES];
-        for edge in [i + 1, least.to.first - 1] {
-            if let Some(rungs) = rungs.get_mut(edge.wrapping_sub(first)) {
-                *rungs -= 1.0;
-            }
-        }
         while left != 0 {
             let n = left.trailing_zeros() as usize;
             left &= left - 1;
@@ -452,26 +425,26 @@ impl Table<'_> {
                 shared: of_lane(means, n),
                 beyond: &means_beyond.rows[n],
             };
-            let sums = &beyond.sums.entries[n];
-            self.look_at_fan::<FUSED>(least, (first + n, entries[n]), (&fan, rungs[n]), sums);
+            let (k, entry, sums) = (first + n, entries[n], &beyond.sums.entries[n]);
+            // The triangle on an edge to the column is known.
+            let edge = if k + 1 == least.to.first { 0 } else { usize::MAX };
+            let left = least.left_but(edge, entry, sums);
+            let rungs = self.least_rungs(i, k);
+            self.look_at_fan::<FUSED>(least, (k, entry), (&fan, rungs), (sums, &left));
         }
     }
 
     /// Looks at the triangles i, k, j of one k and all j, with E(i,k) = `entry`, E(k,j) = `entries`, and
-    /// at least so many `rungs` each.
+    /// at least so many `rungs` each, whose F is below what is `left`.
     #[inline(always)]
-    fn look_at_fan<const FUSED: bool>(
+    pub(super) fn look_at_fan<const FUSED: bool>(
         &self,
         least: &mut Least<'_>,
         (k, entry): (usize, f64),
         (fan, rungs): (&Fan<'_>, f64),
-        entries: &Lanes,
+        (entries, left): (&Lanes, &Lanes),
     ) {
-        let mut left = [0.0; LANES];
-        for n in 0..LANES {
-            left[n] = least.prices[n] - (entry + entries[n]);
-        }
-        if !least.fans.may_be_below::<FUSED>(fan, rungs, &left) {
+        if !least.fans.may_be_below::<FUSED>(fan, rungs, left) {
             return;
         }
         let folds = least.fans.prices(fan, self.rungs_of_fan(least.i, k, least.to));
@@ -520,7 +493,7 @@ impl Table<'_> {
                 let corners = [least.i, k, least.to.first + n];
                 let price = sum + self.terms.prices.triangle(corners, of_sides);
                 if price < least.prices[n] {
-                    (least.prices[n], least.best[n]) = (price, k as u64);
+                    (least.prices[n], least.best[n]) = (price, k as f64);
                 }
             }
         }
