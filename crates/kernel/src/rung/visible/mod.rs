@@ -49,6 +49,11 @@ impl Visibility {
         Self { seen: Seen::AtEnds(plane.projected.clone(), OnceLock::new()) }
     }
 
+    /// Whether any two samples may be joined.
+    pub(crate) fn is_everything(&self) -> bool {
+        matches!(self.seen, Seen::Everything)
+    }
+
     /// Who sees whom; nothing if everybody sees everybody.
     #[inline(always)]
     fn pairs(&self) -> Option<&PairSet> {
