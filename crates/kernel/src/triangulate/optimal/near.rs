@@ -59,9 +59,14 @@ impl Band {
     pub(super) fn lanes(&self, i: usize, to: &FarEnds) -> [bool; LANES] {
         let row = &self.near[self.part_of[i] as usize];
         let last = self.part_of.len() - 1;
+        let (mut near, mut part) = (false, u32::MAX);
         std::array::from_fn(|n| {
-            let part = self.part_of[(to.first + n).min(last)];
-            row.binary_search(&part).is_ok()
+            // Neighbours mostly belong to one part.
+            let of_lane = self.part_of[(to.first + n).min(last)];
+            if of_lane != part {
+                (near, part) = (row.binary_search(&of_lane).is_ok(), of_lane);
+            }
+            near
         })
     }
 }

@@ -244,7 +244,7 @@ impl Table<'_> {
         left + QUANTUM
     }
 
-    /// Looks at those k that were best one row below.
+    /// Looks at those k before the column that were best one row below.
     #[inline(always)]
     fn look_first<const FOLDS: bool, const FUSED: bool>(
         &self,
@@ -255,10 +255,12 @@ impl Table<'_> {
         together: impl Fn(f64, f64) -> f64 + Copy,
     ) {
         let row = least.i / LANES;
+        // The sample before those of the column is best for the triangle on the edge between, which is known.
+        let end = least.to.first.saturating_sub(usize::from(FOLDS && self.in_order));
         let mut last = 0;
         for n in 0..LANES {
             let k = best[n] as usize;
-            if k <= least.i || k == last || k >= least.to.first {
+            if k <= least.i || k == last || k >= end {
                 continue;
             }
             last = k;
