@@ -18,7 +18,8 @@
 //!    rungs can cost so little (`span`), the tile is not looked at, and where the least entries of the
 //!    tiles between show that none of its own can, its rungs are not priced (`table/between`); where
 //!    none of its entries is left, it is not kept, and those of flat stretches are kept once for all of
-//!    them (`store`), in planes along the axes without a look at their rungs (`flat`). Next to a developable surface so few are left that their number grows like m^1.5.
+//!    them (`store`), in planes along the axes without a look at their rungs (`flat`). Next to a
+//!    developable surface so few are left that their number grows like m^1.5.
 //!    Far from one, where the band is dearer than the thinned loop, its optimum may have another shape
 //!    than that of all samples; then the thinned loop is solved with cheaper folds as well, and the
 //!    cheaper of two bands is the bound. If none has a triangulation, the bound is guessed from the

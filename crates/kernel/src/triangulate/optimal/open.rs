@@ -43,6 +43,7 @@ impl<'a> Open<'a> {
         Self { band, spans: spans_of(LANES), of_long, flat, bound, samples: m }
     }
 
+    /// The same without what samples tell, of flat stretches, too.
     #[cfg(test)]
     pub(super) fn without_spans(self) -> Self {
         Self { spans: vec![], of_long: vec![], flat: Flat::NONE, ..self }
