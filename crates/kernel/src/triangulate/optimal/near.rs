@@ -44,6 +44,12 @@ impl Band {
         Self { part_of, near }
     }
 
+    /// Whether all rungs near those of `other`, for the same samples kept, are near these, too.
+    pub(super) fn covers(&self, other: &Self) -> bool {
+        let has = |row: &[u32], part: &u32| row.binary_search(part).is_ok();
+        self.near.iter().zip(&other.near).all(|(row, of)| of.iter().all(|part| has(row, part)))
+    }
+
     /// Whether some rungs between samples of these two runs are near, the lower one first.
     pub(super) fn has(&self, from: Range<usize>, to: Range<usize>) -> bool {
         let parts = |run: Range<usize>| self.part_of[run.start]..=self.part_of[run.end - 1];
