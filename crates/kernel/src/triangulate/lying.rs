@@ -70,7 +70,7 @@ pub(super) fn densely(
         return Ok(Looked::None);
     }
     let terms = Terms::new(prices, visibility, false).within(options.memory_limit);
-    let found = optimal::solve(&terms, &mend::bounds(&terms, known), watch)?;
+    let found = optimal::solve(&terms, mend::bound(&terms, known, watch)?, watch)?;
     Ok(match found {
         Some(triangles) => looked(plane, &terms, triangles, options.method),
         None => Looked::None,

@@ -8,12 +8,14 @@
 //! Where a bay of the boundary has turned the other way, all rungs across it may be barred now, and no
 //! exchange of one leads on. So before that, each patch of triangles that barred rungs hold together is
 //! triangulated anew, with some of the triangles around it: without those there may be no way to.
+//!
+//! Exchanges of single rungs may end far from the cheapest. Where they do, a band of the table about the rungs that
+//! are known is filled for a better bound: it finds what takes many exchanges at once.
 
-use super::{EDGE, Side, Terms, Triangulation, optimal};
-use crate::cost::quantised;
+use super::{EDGE, Side, Terms, TriangulateError, Triangulation, optimal};
 use crate::index::SampleIndex;
 use crate::rung::Visibility;
-use crate::watch::Unwatched;
+use crate::watch::{Unwatched, Watch};
 use std::collections::BTreeSet;
 
 /// Rungs that are looked at, at the most, for each sample.
@@ -46,15 +48,20 @@ pub(super) fn triangles(
     Some(Mended::of(terms, known?)?.triangles().collect())
 }
 
-/// Bounds on the cheapest price to try one after the other, the last of which holds: what a
-/// triangulation costs now that is mended from one that is known, and before that, where this is much
-/// more than it cost, something between the two. In the drags of the bench (`docs/speed.md`), the
-/// cheapest lay below that in 485 of 833 such tries.
-pub(super) fn bounds(terms: &Terms<'_>, known: Option<&Triangulation>) -> Vec<f64> {
-    let Some((price, known)) = price(terms, known).zip(known) else { return Vec::new() };
-    let between = quantised((price * known.price).sqrt());
-    let is_far = price > MUCH_DEARER * known.price && between > 0.0;
-    if is_far { vec![between, price] } else { vec![price] }
+/// A bound on the cheapest price: what a triangulation costs now that is mended from one that is known. Where that is
+/// much more than it cost, exchanges have led astray from it, and there may be a cheap one near to the rungs that are
+/// known.
+pub(super) fn bound(
+    terms: &Terms<'_>,
+    known: Option<&Triangulation>,
+    watch: &mut dyn Watch,
+) -> Result<Option<f64>, TriangulateError> {
+    let Some((price, known)) = price(terms, known).zip(known) else { return Ok(None) };
+    if price <= MUCH_DEARER * known.price || known.price == 0.0 {
+        return Ok(Some(price));
+    }
+    let triangles = known.triangles.iter().map(|corners| corners.map(SampleIndex::get));
+    Ok(Some(optimal::price_near(terms, triangles, price, watch)?))
 }
 
 /// A rung or an edge of the boundary.
@@ -365,7 +372,7 @@ mod tests {
     #[test]
     fn what_lies_across_a_bay_is_triangulated_anew() {
         let m = 80;
-        let (mut freed, mut few, mut held) = (0, 0, 0);
+        let (mut freed, mut few, mut lower) = (0, 0, 0);
         for (n, fold) in [0.0, 1.0].into_iter().cycle().take(24).enumerate() {
             let price = PriceOptions { fold, ..PriceOptions::default() };
             let options = TriangulateOptions { price, ..TriangulateOptions::default() };
@@ -398,22 +405,16 @@ mod tests {
                 let [i, j] = rung.ends().map(SampleIndex::get);
                 assert!(visibility.allows(i, j), "{n}: {i} {j}");
             }
-            // What it costs is a bound; before that, less is tried.
-            let bounds = bounds(&terms, Some(&known));
-            assert_eq!(bounds.last(), Some(&mended.price()), "{n}");
-            let [first, ..] = bounds[..] else { panic!("a bound") };
-            if bounds.len() > 1 {
-                assert!(known.price < first && first < mended.price(), "{n}");
-                held += usize::from(first >= cheapest.price);
-            }
-            // Where nothing is below a bound, the next one is tried.
-            let solve = |bounds: &[f64]| optimal::solve(&terms, bounds, &mut Unwatched).unwrap();
-            let in_vain = quantised(0.9 * cheapest.price);
-            assert_eq!(solve(&[in_vain, mended.price()]), solve(&[]), "{n}");
+            // What it costs is a bound; near to what is known may be a lower one.
+            let bound = bound(&terms, Some(&known), &mut Unwatched).unwrap().unwrap();
+            assert!(cheapest.price <= bound && bound <= mended.price(), "{n}");
+            lower += usize::from(bound < mended.price());
+            let solve = |bound| optimal::solve(&terms, bound, &mut Unwatched).unwrap();
+            assert_eq!(solve(Some(bound)), solve(None), "{n}");
         }
         // Most of them no exchange of single rungs had freed.
         assert!(freed > 10 && 2 * few < freed, "{freed} {few}");
-        assert!(held > 10, "{held}");
+        assert!(lower > 1, "{lower}");
     }
 
     #[test]

@@ -346,7 +346,10 @@ fn one_loop(
     watch: &mut dyn Watch,
 ) -> Result<Option<Vec<[usize; 3]>>, TriangulateError> {
     match method {
-        Method::Optimal => optimal::solve(terms, &mend::bounds(terms, known), watch),
+        Method::Optimal => {
+            let bound = mend::bound(terms, known, watch)?;
+            optimal::solve(terms, bound, watch)
+        }
         Method::Bridge => bridge::solve(terms, watch),
         Method::Rails { first } => rails::solve(terms, first, watch),
     }

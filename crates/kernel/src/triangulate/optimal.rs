@@ -54,6 +54,8 @@ use crate::rung::Visibility;
 use crate::watch::Watch;
 use table::Table;
 
+pub(super) use bounds::{price_near, solve_priced};
+
 /// Above it no bound is tried: a boundary like that needs all entries.
 const HIGHEST_BOUND: f64 = 100.0;
 
@@ -70,27 +72,19 @@ pub(super) fn least_memory_needed(m: usize) -> u64 {
     store::least_bytes(m.div_ceil(LANES)).div_ceil(15) * 16
 }
 
-/// The triangles of the cheapest triangulation; `None` if there is none. Its price is looked for below
-/// these bounds first, one after the other.
+/// The triangles of the cheapest triangulation; `None` if there is none. Where a `bound` on its price is known,
+/// none is looked for.
 pub(super) fn solve(
     terms: &Terms<'_>,
-    bounds: &[f64],
+    bound: Option<f64>,
     watch: &mut dyn Watch,
 ) -> Result<Option<Vec<[usize; 3]>>, TriangulateError> {
-    for &bound in bounds.iter().filter(|bound| **bound <= HIGHEST_BOUND) {
-        if let Some(solved) = if_it_fits(solve_within(terms, bound, watch))? {
-            return Ok(Some(solved.triangles));
-        }
+    if let Some(bound) = bound.filter(|bound| *bound <= HIGHEST_BOUND)
+        && let Some(solved) = if_it_fits(solve_within(terms, bound, watch))?
+    {
+        return Ok(Some(solved.triangles));
     }
     Ok(solve_priced(terms, watch)?.map(|solved| solved.triangles))
-}
-
-/// The same, with its price.
-pub(super) fn solve_priced(
-    terms: &Terms<'_>,
-    watch: &mut dyn Watch,
-) -> Result<Option<Solved>, TriangulateError> {
-    bounds::solve(terms, watch)
 }
 
 /// The triangles of the cheapest triangulation up to the price `bound`, and that price; `None` if

@@ -52,11 +52,28 @@ const LEAST_SHARE: f64 = 0.65;
 const SHARE_OF_THINNED: u64 = 3;
 
 /// The cheapest triangulation; `None` if there is none.
-pub(super) fn solve(
+pub(in crate::triangulate) fn solve_priced(
     terms: &Terms<'_>,
     watch: &mut dyn Watch,
 ) -> Result<Option<Solved>, TriangulateError> {
     Ok(solve_in_table(terms, false, watch)?.map(|filled| filled.solved))
+}
+
+/// What the cheapest triangulation near to the rungs of these triangles costs, if that is less than `bound`; else
+/// `bound`.
+pub(in crate::triangulate) fn price_near(
+    terms: &Terms<'_>,
+    triangles: impl Iterator<Item = [usize; 3]>,
+    bound: f64,
+    watch: &mut dyn Watch,
+) -> Result<f64, TriangulateError> {
+    let mut table = Table::new(terms);
+    if table.m < LEAST_THINNED {
+        return Ok(bound);
+    }
+    let band = Band::about(triangles, &kept(terms), table.m);
+    let found = table.fill(bound, Some(&band), &mut Part::silent(watch), 0.0..0.0);
+    Ok(if_it_fits(found.map(Some))?.map_or(bound, |price| price.min(bound)))
 }
 
 /// A table with what was found in it.
@@ -337,7 +354,7 @@ mod tests {
             if rough.is_cheapest {
                 assert_eq!(cheapest.triangles, rough.solved.triangles, "{seed} {fold}");
             }
-            let solved = solve(&terms, &mut Unwatched).unwrap().unwrap();
+            let solved = solve_priced(&terms, &mut Unwatched).unwrap().unwrap();
             let alone = solve_within(&terms, f64::INFINITY, &mut Unwatched).unwrap().unwrap();
             assert_eq!(solved.price.to_bits(), alone.price.to_bits(), "{seed} {fold}");
             assert_eq!(solved.triangles, alone.triangles, "{seed} {fold}");

@@ -18,6 +18,17 @@ pub(super) struct Band {
 }
 
 impl Band {
+    /// What is near to these triangles between any of the samples, as far off as where some are kept.
+    pub(super) fn about(
+        triangles: impl Iterator<Item = [usize; 3]>,
+        kept: &[usize],
+        m: usize,
+    ) -> Self {
+        let part = |sample: usize| kept.partition_point(|first| *first <= sample) - 1;
+        let parts: Vec<[usize; 3]> = triangles.map(|corners| corners.map(part)).collect();
+        Self::along(&parts, kept, m)
+    }
+
     /// What is near to these triangles between the samples that were kept, for a loop of `m` samples.
     pub(super) fn along(triangles: &[[usize; 3]], kept: &[usize], m: usize) -> Self {
         let n = kept.len();
