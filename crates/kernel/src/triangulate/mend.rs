@@ -57,6 +57,7 @@ pub(super) fn bound(
     watch: &mut dyn Watch,
 ) -> Result<Option<f64>, TriangulateError> {
     let Some((price, known)) = price(terms, known).zip(known) else { return Ok(None) };
+    // Beside what cost nothing all is much dearer, and tables as cheap as that take less than a band.
     if price <= MUCH_DEARER * known.price || known.price == 0.0 {
         return Ok(Some(price));
     }
@@ -414,7 +415,7 @@ mod tests {
         }
         // Most of them no exchange of single rungs had freed.
         assert!(freed > 10 && 2 * few < freed, "{freed} {few}");
-        assert!(lower > 1, "{lower}");
+        assert!(lower > 2, "{lower}");
     }
 
     #[test]

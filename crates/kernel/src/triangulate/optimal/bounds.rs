@@ -28,12 +28,12 @@ const LEAST_ROUGH: usize = 128;
 /// to be nearly the cheapest. Next to a developable surface it is a quarter. Of random curves, some cost 0.31 to 0.46
 /// times as much where another shape was far cheaper.
 const NEAR: f64 = 0.3;
-/// What costs more than so many times as much, one step later, was not.
-const NOT_NEAR: f64 = 0.5;
-/// A triangulation of another shape costs less than so many times as much, mostly.
-const CHEAPER: f64 = 0.95;
 /// The same for what is found with cheaper folds, which is one guess of two.
 const NEAR_WITH_CHEAPER_FOLDS: f64 = 1.0;
+/// Where the next band costs more than so many times as much, what was taken to be nearly the cheapest was not.
+const NOT_NEAR: f64 = 0.5;
+/// A cheapest triangulation that costs as many times as much as the rough one, or more, leads to no other bound.
+const CHEAPER: f64 = 0.95;
 /// How much more than that of the thinned loop the answer may cost, where its rungs lead to none.
 const GUESSES: [f64; 2] = [1.3, 5.2];
 /// A table has so many times the tiles of the thinned loop's, each counted with entries up to its own
@@ -216,7 +216,7 @@ impl<'t, 'a> Thinning<'t, 'a> {
         if price > NOT_NEAR * coarse.price && !is_cheapest {
             let few = self.thinned.terms().within(self.left());
             let before = coarse.price;
-            coarse = solve_within(&few, before, watch)?.unwrap_or(coarse);
+            coarse = if_it_fits(solve_within(&few, before, watch))?.unwrap_or(coarse);
             let other = self.band_of(&coarse);
             if coarse.price < CHEAPER * before && !band.covers(&other) {
                 held = self.table.fill(price, Some(&other), watch, 0.0..0.0)?;
@@ -226,6 +226,7 @@ impl<'t, 'a> Thinning<'t, 'a> {
         }
         let mut held = Some([held, coarse.price]).filter(|[held, _]| *held < f64::INFINITY);
         if self.table.terms.folds() && coarse.price <= HIGHEST_BOUND && price > coarse.price {
+            // The table is needed for others.
             held = None;
             price = price.min(self.with_cheaper_folds(&band, price, watch)?);
         }
@@ -358,6 +359,16 @@ mod tests {
             let alone = solve_within(&terms, f64::INFINITY, &mut Unwatched).unwrap().unwrap();
             assert_eq!(solved.price.to_bits(), alone.price.to_bits(), "{seed} {fold}");
             assert_eq!(solved.triangles, alone.triangles, "{seed} {fold}");
+            // About the cheapest is none cheaper; below it there is nothing.
+            for bound in [f64::INFINITY, 10.0, solved.price, quantised(0.5 * solved.price)] {
+                let triangles = solved.triangles.iter().copied();
+                let price = price_near(&terms, triangles, bound, &mut Unwatched).unwrap();
+                assert_eq!(
+                    price.to_bits(),
+                    bound.min(solved.price).to_bits(),
+                    "{seed} {fold} {bound}"
+                );
+            }
         }
         assert!(found[0] > 2 && found[1] > 2, "{found:?}");
     }

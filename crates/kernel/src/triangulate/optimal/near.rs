@@ -18,7 +18,8 @@ pub(super) struct Band {
 }
 
 impl Band {
-    /// What is near to these triangles between any of the samples, as far off as where some are kept.
+    /// What is near to these triangles between any of the samples: between the parts that they are in, which begin
+    /// with the samples that were kept, and the parts beside those.
     pub(super) fn about(
         triangles: impl Iterator<Item = [usize; 3]>,
         kept: &[usize],
