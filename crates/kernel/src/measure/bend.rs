@@ -51,6 +51,8 @@ const PUT_DOWN: f64 = 0.8;
 const APEX_RUNGS: usize = 4;
 /// Turns below it, radians, are rounding: the sheet is flat there.
 const FLAT: f64 = 1e-9;
+/// What bounds are enlarged by, far more than rounding takes off them.
+const MORE: f64 = 1.0 + 1e-9;
 
 /// A sample that rulings run together in, as in the point of a cone: towards it the bend radius
 /// falls to nothing.
@@ -90,6 +92,13 @@ struct Station {
     length: f64,
     /// How its triangle lies to the rulings.
     lie: Option<Lie>,
+}
+
+impl Station {
+    /// Whether the tangent plane turns there.
+    fn turns(&self) -> bool {
+        self.turn.length_squared() > FLAT * FLAT
+    }
 }
 
 /// An edge of the border with its triangle.
@@ -180,8 +189,10 @@ pub(super) fn rolls(surface: &Surface, creases: &[f64]) -> Rolls {
             (stations[n].turn, stations[n].axis) = (Vec3::ZERO, Vec3::ZERO);
         }
         note_lies(stations, size);
-        let rolls: Vec<Option<Roll>> =
-            (0..stations.len()).map(|first| roll_from(stations, first, size)).collect();
+        let mut narrow = Vec::new();
+        let rolls: Vec<Option<Roll>> = (0..stations.len())
+            .map(|first| roll_from(stations, first, size, &mut narrow))
+            .collect();
         note_radii(&rolls, &mut radii_mm[of_loop.clone()]);
     }
     Rolls { radii_mm, apexes }
@@ -279,56 +290,151 @@ impl Roll {
     }
 }
 
+/// A stretch of border, summed up from its first station on.
+#[derive(Clone, Copy)]
+struct Stretch {
+    /// τ.
+    turn: Vec3,
+    /// E, mm.
+    width: Vec3,
+    /// The sum of the axes of its stations.
+    axis: Vec3,
+    /// Its first station.
+    first: usize,
+    /// How many it has.
+    count: usize,
+    /// The longest of its edges and those next to it, mm.
+    longest: f64,
+}
+
+impl Stretch {
+    /// One without stations, beside the edge that leads to the first.
+    fn before(stations: &[Station], first: usize) -> Self {
+        let [turn, width, axis] = [Vec3::ZERO; 3];
+        let longest = stations[before(first, stations.len())].length;
+        Self { turn, width, axis, first, count: 0, longest }
+    }
+
+    fn take(&mut self, station: &Station) {
+        self.turn += station.turn;
+        self.width += station.width;
+        self.axis += lying(station.axis, self.axis);
+        self.longest = f64::max(self.longest, station.length);
+        self.count += 1;
+    }
+
+    /// How wide a roll on it is at the least for its edges, mm.
+    fn narrowest(&self) -> f64 {
+        ROLL_EDGES * self.longest
+    }
+
+    /// Its station number `n`.
+    fn number(&self, n: usize, m: usize) -> usize {
+        let at = self.first + n;
+        if at < m { at } else { at - m }
+    }
+
+    /// How the triangles before its first station and after its last lie to the rulings.
+    fn lies<'s>(&self, stations: &'s [Station]) -> [Option<&'s Lie>; 2] {
+        let m = stations.len();
+        [before(self.first, m), self.number(self.count - 1, m)].map(|n| stations[n].lie.as_ref())
+    }
+
+    /// The roll that it is, with whether it is as wide as one is at the least: if not, as if it were.
+    fn roll(&self, stations: &[Station], size: f64) -> Option<(Roll, bool)> {
+        let (m, ruling) = (stations.len(), unit(self.axis)?);
+        let slope = |lie: &Lie| lie.slope(ruling, self.longest);
+        let [start, end] = self.lies(stations).map(|lie| lie.map_or(Slope::default(), slope));
+        let width = self.width.dot(ruling) + end.offset - start.offset;
+        let turn = self.turn.dot(ruling);
+        let least = shallowest(turn.abs().max(FLAT), size)
+            .max(self.narrowest())
+            .max(CERTAIN * (start.doubt + end.doubt));
+        let certain = (turn.abs() - start.sway - end.sway).max((1.0 - PUT_DOWN) * turn.abs());
+        if certain.is_nan() || certain <= FLAT {
+            return None;
+        }
+        // Of two in the middle the first.
+        let middle = self.number((self.count - 1) / 2, m);
+        let roll = Roll {
+            turn: certain * (turn * width).signum(),
+            width: width.abs().max(least),
+            step: stations[self.first].width.dot(ruling).abs(),
+            count: self.count,
+            middle: if stations[middle].turns() { middle } else { self.first },
+        };
+        Some((roll, width.abs() >= least))
+    }
+
+    /// Bounds of that, which take no quotient: the most that its width can be, mm, and its turn, radians, both
+    /// times the length of its axis, which is the third.
+    fn bounds(&self, stations: &[Station]) -> [f64; 3] {
+        let length = self.axis.length();
+        let off = |lie: Option<&Lie>| lie.map_or(0.0, |lie| lie.offset.abs());
+        let [start, end] = self.lies(stations).map(off);
+        let width = self.width.dot(self.axis).abs() + (start + end) * length;
+        [width * MORE, self.turn.dot(self.axis).abs() * MORE, length]
+    }
+}
+
+/// The number of the station before another, of m.
+fn before(n: usize, m: usize) -> usize {
+    if n == 0 { m - 1 } else { n - 1 }
+}
+
 /// The roll that begins at a station of a loop: the narrowest that is deep and wide enough, or if
 /// there is none, the tightest that is not, as if it were. `size` is the surface's, mm.
-fn roll_from(stations: &[Station], first: usize, size: f64) -> Option<Roll> {
+///
+/// Most stretches are looked at only as far as shows that they are neither: those that certainly are not wide
+/// enough are kept in `narrow`, and looked at where none is. Then those that turn most come first, which leave
+/// hardly any that may be tighter.
+fn roll_from(
+    stations: &[Station],
+    first: usize,
+    size: f64,
+    narrow: &mut Vec<Stretch>,
+) -> Option<Roll> {
     let m = stations.len();
-    let turns = |n: usize| stations[n % m].turn.length_squared() > FLAT * FLAT;
-    if !turns(first) {
+    if !stations[first].turns() {
         return None;
     }
-    let mut tightest: Option<Roll> = None;
-    let mut sum = Station::default();
-    let (mut way, mut longest) = (0.0, stations[(first + m - 1) % m].length);
-    for last in first..first + m {
-        let station = &stations[last % m];
-        sum.turn += station.turn;
-        sum.width += station.width;
-        sum.axis += lying(station.axis, sum.axis);
+    narrow.clear();
+    let mut stretch = Stretch::before(stations, first);
+    let mut way = 0.0;
+    for n in 0..m {
+        let station = &stations[stretch.number(n, m)];
+        stretch.take(station);
         way += station.length;
-        longest = f64::max(longest, station.length);
-        let narrowest = ROLL_EDGES * longest;
-        if let (true, Some(ruling)) = (turns(last), unit(sum.axis)) {
-            let slope = |n: usize| {
-                let lie = stations[n % m].lie.as_ref();
-                lie.map_or(Slope::default(), |lie| lie.slope(ruling, longest))
-            };
-            let (start, end) = (slope(first + m - 1), slope(last));
-            let width = sum.width.dot(ruling) + end.offset - start.offset;
-            let turn = sum.turn.dot(ruling);
-            let least = shallowest(turn.abs().max(FLAT), size)
-                .max(narrowest)
-                .max(CERTAIN * (start.doubt + end.doubt));
-            let certain = (turn.abs() - start.sway - end.sway).max((1.0 - PUT_DOWN) * turn.abs());
-            if certain > FLAT {
-                let middle = (first + last) / 2;
-                let roll = Roll {
-                    turn: certain * (turn * width).signum(),
-                    width: width.abs().max(least),
-                    step: stations[first].width.dot(ruling).abs(),
-                    count: last - first + 1,
-                    middle: if turns(middle) { middle % m } else { first },
-                };
-                if width.abs() >= least {
-                    return Some(roll);
-                }
-                if tightest.is_none_or(|tightest| roll.radius() < tightest.radius()) {
-                    tightest = Some(roll);
-                }
+        if station.turns() {
+            narrow.push(stretch);
+            let [width, turn, length] = stretch.bounds(stations);
+            let turn = turn.max(FLAT * length);
+            let is_narrow = width < stretch.narrowest() * length
+                || width < ROLL_WIDTH * size * length
+                    && width * turn < 8.0 * ROLL_DEPTH * size * length * length;
+            if !is_narrow && let Some((roll, true)) = stretch.roll(stations, size) {
+                return Some(roll);
             }
         }
-        if way > REACH * narrowest.max(ROLL_WIDTH * size) {
+        if way > REACH * stretch.narrowest().max(ROLL_WIDTH * size) {
             break;
+        }
+    }
+    let mut tightest: Option<Roll> = None;
+    for stretch in narrow.iter().rev() {
+        let radius = tightest.map_or(f64::INFINITY, |roll| roll.radius());
+        let [_, turn, length] = stretch.bounds(stations);
+        // A roll that is no wider than it has to be has at least this radius for its turn.
+        let is_wider = stretch.narrowest() * length > radius * turn
+            || ROLL_WIDTH * size * length > radius * turn
+                && 8.0 * ROLL_DEPTH * size * length * length > radius * turn * turn;
+        if is_wider && tightest.is_some() {
+            continue;
+        }
+        let Some((roll, _)) = stretch.roll(stations, size) else { continue };
+        // Of those as tight the narrowest.
+        if tightest.is_none_or(|tightest| roll.radius() <= tightest.radius()) {
+            tightest = Some(roll);
         }
     }
     tightest
@@ -351,5 +457,93 @@ fn note_radii(rolls: &[Option<Roll>], radii_mm: &mut [f64]) {
         let averaged = width / turn.abs();
         let radius = &mut radii_mm[roll.middle];
         *radius = radius.min(if averaged.is_finite() { averaged } else { roll.radius() });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::boundary::{Boundary, samples_from_points};
+    use crate::curve::CurvePoint;
+    use crate::math::Point3;
+    use crate::surface::Connectivity;
+    use crate::triangulate::{TriangulateOptions, triangulate};
+    use crate::watch::Unwatched;
+    use sheetwright_shapes::family::Family;
+    use sheetwright_shapes::random::{Random, star, tangle};
+
+    /// The roll that begins at a station, from a look at each stretch in turn.
+    fn one_by_one(stations: &[Station], first: usize, size: f64) -> Option<Roll> {
+        let m = stations.len();
+        if !stations[first].turns() {
+            return None;
+        }
+        let mut tightest: Option<Roll> = None;
+        let mut stretch = Stretch::before(stations, first);
+        let mut way = 0.0;
+        for n in first..first + m {
+            stretch.take(&stations[n % m]);
+            way += stations[n % m].length;
+            if stations[n % m].turns()
+                && let Some((roll, is_wide)) = stretch.roll(stations, size)
+            {
+                if is_wide {
+                    return Some(roll);
+                }
+                if tightest.is_none_or(|tightest| roll.radius() < tightest.radius()) {
+                    tightest = Some(roll);
+                }
+            }
+            if way > REACH * stretch.narrowest().max(ROLL_WIDTH * size) {
+                break;
+            }
+        }
+        tightest
+    }
+
+    #[test]
+    fn stretches_that_are_left_out_are_no_rolls() {
+        let mut random = Random::new(7);
+        let boundaries = (0..80).filter_map(|n| {
+            let (m, corners) = (8 + random.below(60), random.unit());
+            let boundary = match n {
+                0..16 => Some(Family::ALL[n % 8].boundary(if n < 8 { 60 } else { 150 })),
+                16..48 => star(&mut random, m, corners),
+                _ => tangle(&mut random, m, corners),
+            };
+            let positions = boundary?.positions();
+            let point = |n: usize| Point3::new(positions[n].x, positions[n].y, positions[n].z);
+            let points: Vec<CurvePoint> =
+                (0..positions.len()).map(|n| CurvePoint::smooth(point(n))).collect();
+            Boundary::new(vec![samples_from_points(&points)]).ok()
+        });
+        let (mut wide, mut narrow) = (0, 0);
+        for boundary in boundaries {
+            let options = TriangulateOptions::default();
+            let Ok(found) = triangulate(&boundary, None, &options, &mut Unwatched) else {
+                continue;
+            };
+            let connectivity = Connectivity::new(boundary.loops(), found.triangles).unwrap();
+            let surface = Surface::new(connectivity, boundary.positions());
+            let size = size_of(surface.positions().iter().copied());
+            let hinges = surface.connectivity().hinges();
+            let creases: Vec<f64> = hinges.iter().map(|hinge| surface.crease(hinge)).collect();
+            let mut stations = stations(&surface, &creases);
+            note_lies(&mut stations, size);
+            let mut seen = Vec::new();
+            for first in 0..stations.len() {
+                let roll = roll_from(&stations, first, size, &mut seen);
+                let plain = one_by_one(&stations, first, size);
+                let numbers = |roll: &Roll| {
+                    let lengths = [roll.turn, roll.width, roll.step].map(f64::to_bits);
+                    (lengths, roll.count, roll.middle)
+                };
+                assert_eq!(roll.as_ref().map(numbers), plain.as_ref().map(numbers), "{first}");
+                let is_wide = roll
+                    .is_some_and(|roll| seen.last().is_some_and(|last| last.count == roll.count));
+                (wide, narrow) = (wide + usize::from(is_wide), narrow + usize::from(!is_wide));
+            }
+        }
+        assert!(wide > 1000 && narrow > 1000, "{wide} {narrow}");
     }
 }
