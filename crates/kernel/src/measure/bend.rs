@@ -372,7 +372,16 @@ impl Stretch {
         let off = |lie: Option<&Lie>| lie.map_or(0.0, |lie| lie.offset.abs());
         let [start, end] = self.lies(stations).map(off);
         let width = self.width.dot(self.axis).abs() + (start + end) * length;
-        [width * MORE, self.turn.dot(self.axis).abs() * MORE, length]
+        let turn = (self.turn.dot(self.axis).abs() * MORE).max(FLAT * length);
+        [width * MORE, turn, length]
+    }
+
+    /// Whether a roll on it is wider than this at the least; as far as products tell, and all as in
+    /// [`Self::bounds`].
+    fn is_wider(&self, [width, turn, length]: [f64; 3], size: f64) -> bool {
+        let is_deeper = width < ROLL_WIDTH * size * length
+            && width * turn < 8.0 * ROLL_DEPTH * size * length * length;
+        is_deeper || width < self.narrowest() * length
     }
 }
 
@@ -405,11 +414,7 @@ fn roll_from(
         way += station.length;
         if station.turns() {
             seen.push(stretch);
-            let [width, turn, length] = stretch.bounds(stations);
-            let turn = turn.max(FLAT * length);
-            let is_narrow = width < stretch.narrowest() * length
-                || width < ROLL_WIDTH * size * length
-                    && width * turn < 8.0 * ROLL_DEPTH * size * length * length;
+            let is_narrow = stretch.is_wider(stretch.bounds(stations), size);
             if !is_narrow && let Some((roll, true)) = stretch.roll(stations, size) {
                 return Some(roll);
             }
@@ -422,11 +427,8 @@ fn roll_from(
     for stretch in seen.iter().rev() {
         let radius = tightest.map_or(f64::INFINITY, |roll| roll.radius());
         let [_, turn, length] = stretch.bounds(stations);
-        // A roll that is no wider than it has to be has at least this radius for its turn.
-        let is_wider = stretch.narrowest() * length > radius * turn
-            || ROLL_WIDTH * size * length > radius * turn
-                && 8.0 * ROLL_DEPTH * size * length * length > radius * turn * turn;
-        if is_wider && tightest.is_some() {
+        // Wider than one with that radius, so its own is larger.
+        if stretch.is_wider([radius * turn, turn, length], size) {
             continue;
         }
         let Some((roll, _)) = stretch.roll(stations, size) else { continue };
