@@ -6,7 +6,7 @@
 //! let it read what is written.
 
 use crate::drawing::{digits, extent, shapes};
-use crate::read_back::{MAX_BYTES, PatternReadError, ReadPattern, pattern};
+use crate::read_back::{Lines, MAX_BYTES, PatternReadError, ReadPattern, pattern};
 use sheetwright::math::Point2;
 use sheetwright::pattern::{Piece, Role};
 use std::fmt::{Display, Write as _};
@@ -151,27 +151,31 @@ fn ascii(text: &str) -> String {
 /// # Errors
 /// See [`PatternReadError`]. Another release than 12 and other entities than polylines are refused.
 pub fn read_dxf(bytes: &[u8]) -> Result<ReadPattern, PatternReadError> {
+    pattern(dxf_lines(bytes)?)
+}
+
+/// The lines of a pattern that [`write_dxf`] wrote, before it is known what each of them is.
+pub(crate) fn dxf_lines(bytes: &[u8]) -> Result<Lines, PatternReadError> {
     if bytes.len() > MAX_BYTES {
         return Err(PatternReadError::TooLarge);
     }
     let text = std::str::from_utf8(bytes).map_err(|_| PatternReadError::NotText)?;
     let polylines = polylines(&mut Reader { lines: text.lines(), line: 0 })?;
-    let mut cuts = Vec::new();
-    let mut segments = Vec::new();
+    let mut found = Lines::default();
     for Polyline { layer, points, closed } in polylines {
         match (Role::ALL.into_iter().find(|role| role.name() == layer), &points[..]) {
-            (Some(Role::Cut), _) if closed => cuts.push(points),
+            (Some(Role::Cut), _) if closed => found.cuts.push(points),
             (Some(Role::Cut), _) => {
                 return Err(PatternReadError::Unexpected("open line to cut".to_owned()));
             }
-            (Some(_), &[from, to]) if !closed => segments.push([from, to]),
+            (Some(_), &[from, to]) if !closed => found.segments.push([from, to]),
             (Some(_), _) => {}
             (None, _) => {
                 return Err(PatternReadError::Unexpected(format!("layer '{layer}'")));
             }
         }
     }
-    pattern(cuts, segments)
+    Ok(found)
 }
 
 struct Reader<'a> {

@@ -215,7 +215,8 @@ pub fn mesh_output_files(
         let mut checked = panel.checked.clone();
         let (svg, dxf) = patterns.of(n);
         let size = panel.piece.size.length();
-        let read = read_back_error_mm(&panel.piece, svg, dxf).and_then(|by_mm| {
+        let overlaps = panel.flat.overlap.is_some();
+        let read = read_back_error_mm(&panel.piece, overlaps, svg, dxf).and_then(|by_mm| {
             let is_off = by_mm > Tolerance::REFOLD.length_mm(size);
             if is_off { Err(RefoldFileError::Moved { by_mm }) } else { Ok(by_mm) }
         });

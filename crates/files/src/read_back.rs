@@ -82,17 +82,33 @@ impl fmt::Display for PatternReadError {
 
 impl std::error::Error for PatternReadError {}
 
-/// The pattern of the closed lines to cut and of the segments that may be rungs. A segment is a
-/// rung if both its ends lie on corners of the outline; dimensions and letters lie elsewhere.
-pub(crate) fn pattern(
-    mut cuts: Vec<Vec<Point2>>,
-    mut segments: Vec<[Point2; 2]>,
-) -> Result<ReadPattern, PatternReadError> {
-    let count = cuts.len();
-    let finite = |p: &Point2| p.x.is_finite() && p.y.is_finite();
-    if !cuts.iter().flatten().chain(segments.iter().flatten()).all(finite) {
-        return Err(PatternReadError::NotFinite);
+/// The lines of a file, before it is known what each of them is.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Lines {
+    /// The closed lines to cut, in the order of the file, mm.
+    pub(crate) cuts: Vec<Vec<Point2>>,
+    /// The segments that may be rungs, mm.
+    pub(crate) segments: Vec<[Point2; 2]>,
+}
+
+impl Lines {
+    fn points_mut(&mut self) -> impl Iterator<Item = &mut Point2> {
+        self.cuts.iter_mut().flatten().chain(self.segments.iter_mut().flatten())
     }
+
+    fn check_finite(&self) -> Result<(), PatternReadError> {
+        let mut points = self.cuts.iter().flatten().chain(self.segments.iter().flatten());
+        let finite = points.all(|p| p.x.is_finite() && p.y.is_finite());
+        if finite { Ok(()) } else { Err(PatternReadError::NotFinite) }
+    }
+}
+
+/// The pattern of some lines. A segment is a rung if both its ends lie on corners of the outline;
+/// dimensions and letters lie elsewhere.
+pub(crate) fn pattern(lines: Lines) -> Result<ReadPattern, PatternReadError> {
+    lines.check_finite()?;
+    let Lines { mut cuts, mut segments } = lines;
+    let count = cuts.len();
     let area = |line: &Vec<Point2>| signed_area_doubled(line);
     let largest = (0..count)
         .max_by(|&a, &b| area(&cuts[a]).abs().total_cmp(&area(&cuts[b]).abs()).then(b.cmp(&a)));
@@ -127,6 +143,46 @@ pub(crate) fn pattern(
     rungs.dedup();
     let outline = cuts.remove(0);
     Ok(ReadPattern { outline, holes: cuts, rungs })
+}
+
+/// The pattern of some lines where it is known to overlap itself. A hole may then run any way and reach
+/// out of the outline, and a corner may lie on another, so that lines alone do not tell which is which.
+/// They are read as what was laid: the outline and the holes in the order of the file, moved so that the
+/// box around all of them has its lower left corner where that of `laid` has it; and those of the
+/// `wanted` rungs, by numbers of corners, that a segment joins.
+pub(crate) fn overlapping_pattern(
+    mut lines: Lines,
+    laid: &[Point2],
+    wanted: &[Rung],
+) -> Result<ReadPattern, PatternReadError> {
+    lines.check_finite()?;
+    let read = Box2::of_points(lines.cuts.iter().flatten().copied());
+    let around = read.zip(Box2::of_points(laid.iter().copied()));
+    let Some((read, laid)) = around else {
+        return Err(PatternReadError::Outlines(lines.cuts.len()));
+    };
+    let to_laid = laid.min - read.min;
+    for point in lines.points_mut() {
+        *point = *point + to_laid;
+    }
+    let corners = lines.cuts.concat();
+    let near_mm = SAME_POINT * laid.min.distance(laid.max);
+    let ends = lines.segments.iter().flat_map(|&[a, b]| [[a, b], [b, a]]);
+    let mut by_x: Vec<[Point2; 2]> = ends.collect();
+    by_x.sort_by(|a, b| a[0].x.total_cmp(&b[0].x));
+    let is_drawn = |rung: &&Rung| {
+        let [Some(&from), Some(&to)] = rung.ends().map(|sample| corners.get(sample.get())) else {
+            return false;
+        };
+        let first = by_x.partition_point(|segment| segment[0].x < from.x - near_mm);
+        by_x[first..]
+            .iter()
+            .take_while(|segment| segment[0].x <= from.x + near_mm)
+            .any(|[a, b]| a.distance(from) <= near_mm && b.distance(to) <= near_mm)
+    };
+    let rungs = wanted.iter().filter(is_drawn).copied().collect();
+    let outline = lines.cuts.remove(0);
+    Ok(ReadPattern { outline, holes: lines.cuts, rungs })
 }
 
 /// The corners of closed lines, found by where they lie.
@@ -197,7 +253,7 @@ mod tests {
         let outline = points(&[(1.0, 2.0), (5.0, 2.0), (5.0, 4.0), (1.0, 4.0)]);
         let segment = |a: (f64, f64), b: (f64, f64)| [a, b].map(|(x, y)| Point2::new(x, y));
         let segments = vec![segment((5.0, 4.0), (1.0, 2.0)), segment((1.0, 4.0), (5.0, 2.5))];
-        let read = pattern(vec![outline], segments).unwrap();
+        let read = pattern(Lines { cuts: vec![outline], segments }).unwrap();
         assert_eq!(read.rungs, [Rung::new(0, 2)]);
         assert_eq!(read.outline[0], Point2::default());
     }
@@ -221,18 +277,38 @@ mod tests {
         ]);
         let at = |i: usize| outline[i];
         let segments = vec![[at(0), at(10)], [at(5), at(7)], [at(11), at(1)], [at(6), at(4)]];
-        let read = pattern(vec![outline.clone()], segments).unwrap();
+        let read = pattern(Lines { cuts: vec![outline.clone()], segments }).unwrap();
         let expected = [Rung::new(0, 10), Rung::new(1, 11), Rung::new(4, 6), Rung::new(5, 7)];
         assert_eq!(read.rungs, expected);
     }
 
     #[test]
     fn one_outline_is_wanted() {
-        assert_eq!(pattern(vec![], vec![]), Err(PatternReadError::Outlines(0)));
+        let of = |cuts: Vec<Vec<Point2>>| pattern(Lines { cuts, segments: Vec::new() });
+        assert_eq!(of(vec![]), Err(PatternReadError::Outlines(0)));
         let square = points(&[(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]);
-        let two = pattern(vec![square.clone(), square], vec![]);
-        assert_eq!(two, Err(PatternReadError::Outlines(2)));
+        assert_eq!(of(vec![square.clone(), square]), Err(PatternReadError::Outlines(2)));
         let nowhere = points(&[(0.0, 0.0), (f64::NAN, 0.0), (0.0, 1.0)]);
-        assert_eq!(pattern(vec![nowhere], vec![]), Err(PatternReadError::NotFinite));
+        assert_eq!(of(vec![nowhere]), Err(PatternReadError::NotFinite));
+    }
+
+    #[test]
+    fn where_a_pattern_overlaps_its_lines_are_what_was_laid() {
+        // A hole that runs as the outline does, with two of its corners on corners of the outline.
+        let outline = points(&[(0.0, 0.0), (6.0, 0.0), (6.0, 6.0), (0.0, 6.0)]);
+        let hole = points(&[(0.0, 0.0), (2.0, 1.0), (6.0, 6.0), (-3.0, 7.0)]);
+        let laid: Vec<Point2> = outline.iter().chain(&hole).copied().collect();
+        let away = Point2::new(40.0, 30.0).to_vec();
+        let moved = |line: &[Point2]| line.iter().map(|&p| p + away).collect::<Vec<Point2>>();
+        let segments = vec![[laid[1], laid[5]], [laid[5], laid[2]]];
+        let segments = segments.into_iter().map(|ends| ends.map(|p| p + away)).collect();
+        let lines = Lines { cuts: vec![moved(&outline), moved(&hole)], segments };
+        assert_eq!(pattern(lines.clone()), Err(PatternReadError::Outlines(2)));
+        let wanted = [Rung::new(1, 5), Rung::new(2, 4), Rung::new(5, 6)];
+        let read = overlapping_pattern(lines, &laid, &wanted).unwrap();
+        assert_eq!(read.points(), laid);
+        assert_eq!(read.rungs, [wanted[0], wanted[2]], "the second is not drawn");
+        let none = overlapping_pattern(Lines::default(), &laid, &wanted);
+        assert_eq!(none, Err(PatternReadError::Outlines(0)));
     }
 }

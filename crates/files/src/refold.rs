@@ -1,8 +1,8 @@
 //! Reads written patterns back and folds them up again.
 
-use crate::dxf::read_dxf;
-use crate::read_back::{PatternReadError, ReadPattern};
-use crate::svg::{read_svg, write_svg};
+use crate::dxf::dxf_lines;
+use crate::read_back::{PatternReadError, ReadPattern, overlapping_pattern, pattern};
+use crate::svg::{svg_lines, write_svg};
 use sheetwright::design::MadePanel;
 use sheetwright::flatten::{RefoldError, refold};
 use sheetwright::math::Point2;
@@ -55,7 +55,10 @@ pub fn refold_error_mm(
     svg: Option<&[u8]>,
     dxf: Option<&[u8]>,
 ) -> Result<f64, RefoldFileError> {
-    let read = read_patterns(&panel.piece, svg, dxf)?;
+    let sides = panel.sheet.surface().connectivity().hinges().iter();
+    let rungs: Vec<Rung> = sides.map(|hinge| hinge.rung).collect();
+    let overlapping = panel.flat.overlap.map(|_| &rungs[..]);
+    let read = read_patterns(&panel.piece, overlapping, svg, dxf)?;
     read.iter().try_fold(0.0, |worst: f64, pattern| {
         let sheet = panel.sheet.surface();
         let lines = std::iter::once(&pattern.outline).chain(&pattern.holes).map(Vec::len);
@@ -77,17 +80,19 @@ pub fn refold_error_mm(
 }
 
 /// How far the points of the written outline and holes of a piece come from where they were laid when
-/// they are read back, mm: the worse of the files that are given, or of an SVG in memory.
+/// they are read back, mm: the worse of the files that are given, or of an SVG in memory. `overlaps` says
+/// that the pattern is known to overlap itself.
 ///
 /// # Errors
 /// A file that can't be read, or has other lines than the piece.
 pub(crate) fn read_back_error_mm(
     piece: &Piece,
+    overlaps: bool,
     svg: Option<&[u8]>,
     dxf: Option<&[u8]>,
 ) -> Result<f64, RefoldFileError> {
     let mut worst = 0.0f64;
-    for pattern in read_patterns(piece, svg, dxf)? {
+    for pattern in read_patterns(piece, overlaps.then_some(&[][..]), svg, dxf)? {
         let lines = std::iter::once(&pattern.outline).chain(&pattern.holes);
         let mut laid = piece.loops();
         for line in lines {
@@ -103,23 +108,33 @@ pub(crate) fn read_back_error_mm(
     Ok(worst)
 }
 
-/// What was written of a piece, read back.
+/// What was written of a piece, read back. A pattern that overlaps itself is given with the rungs that
+/// are looked for in it: its lines alone do not tell what they are.
 fn read_patterns(
     piece: &Piece,
+    overlapping: Option<&[Rung]>,
     svg: Option<&[u8]>,
     dxf: Option<&[u8]>,
 ) -> Result<Vec<ReadPattern>, RefoldFileError> {
-    let mut read: Vec<ReadPattern> = Vec::new();
+    let mut files = Vec::new();
     if let Some(svg) = svg {
-        read.push(read_svg(svg).map_err(RefoldFileError::Read)?);
+        files.push(svg_lines(svg));
     }
     if let Some(dxf) = dxf {
-        read.push(read_dxf(dxf).map_err(RefoldFileError::Read)?);
+        files.push(dxf_lines(dxf));
     }
-    if read.is_empty() {
-        read.push(read_svg(&write_svg(piece)).map_err(RefoldFileError::Read)?);
+    if files.is_empty() {
+        files.push(svg_lines(&write_svg(piece)));
     }
-    Ok(read)
+    let laid: Vec<Point2> = piece.loops().flatten().copied().collect();
+    let read = files.into_iter().map(|lines| {
+        let read = lines.and_then(|lines| match overlapping {
+            Some(rungs) => overlapping_pattern(lines, &laid, rungs),
+            None => pattern(lines),
+        });
+        read.map_err(RefoldFileError::Read)
+    });
+    read.collect()
 }
 
 /// How far the pattern of a panel comes from its surface before it is written, mm, where closing its

@@ -5,7 +5,7 @@
 //! letters are strokes, so that no program looks for a font.
 
 use crate::drawing::{Shape, What, digits, extent, shapes};
-use crate::read_back::{MAX_BYTES, PatternReadError, ReadPattern, pattern};
+use crate::read_back::{Lines, MAX_BYTES, PatternReadError, ReadPattern, pattern};
 use sheetwright::math::Point2;
 use sheetwright::pattern::{Piece, Role};
 use std::fmt::Write as _;
@@ -117,6 +117,11 @@ fn escaped(text: &str) -> String {
 /// # Errors
 /// See [`PatternReadError`]. Transforms and curves are refused, since a pattern has none.
 pub fn read_svg(bytes: &[u8]) -> Result<ReadPattern, PatternReadError> {
+    pattern(svg_lines(bytes)?)
+}
+
+/// The lines of a pattern that [`write_svg`] wrote, before it is known what each of them is.
+pub(crate) fn svg_lines(bytes: &[u8]) -> Result<Lines, PatternReadError> {
     if bytes.len() > MAX_BYTES {
         return Err(PatternReadError::TooLarge);
     }
@@ -134,8 +139,7 @@ pub fn read_svg(bytes: &[u8]) -> Result<ReadPattern, PatternReadError> {
             node.tag_name().name()
         )));
     }
-    let mut cuts = Vec::new();
-    let mut segments = Vec::new();
+    let mut found = Lines::default();
     for role in Role::ALL {
         let group = root
             .children()
@@ -144,17 +148,17 @@ pub fn read_svg(bytes: &[u8]) -> Result<ReadPattern, PatternReadError> {
         for path in group.descendants().filter(|n| n.has_tag_name("path")) {
             for (points, closed) in lines(path.attribute("d").unwrap_or_default(), unit_mm)? {
                 match (role, &points[..]) {
-                    (Role::Cut, _) if closed => cuts.push(points),
+                    (Role::Cut, _) if closed => found.cuts.push(points),
                     (Role::Cut, _) => {
                         return Err(PatternReadError::Unexpected("open line to cut".to_owned()));
                     }
-                    (_, &[from, to]) if !closed => segments.push([from, to]),
+                    (_, &[from, to]) if !closed => found.segments.push([from, to]),
                     _ => {}
                 }
             }
         }
     }
-    pattern(cuts, segments)
+    Ok(found)
 }
 
 /// How many millimetres a unit of the view box is.

@@ -6,8 +6,8 @@ use sheetwright::boundary::PlaneChoice;
 use sheetwright::design::{Made, MadePanel, MeshOptions, make, make_meshes};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
-    Format, Input, Outputs, PdfOptions, ReadOptions, ReadPattern, mesh_output_files, output_files,
-    read_any, read_dxf, read_input, read_svg,
+    Format, Input, Outputs, PatternReadError, PdfOptions, ReadOptions, ReadPattern,
+    mesh_output_files, output_files, read_any, read_dxf, read_input, read_svg,
 };
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -53,10 +53,12 @@ fn the_facts_of_every_mesh_hold() {
         let mut problems = differences(&report["panels"][0], &facts);
         assert_eq!((made.panels.len(), outputs.files.len()), (1, 6));
         let panel = &made.panels[0];
-        let svg = read_svg(file(&outputs, &format!("{}.svg", panel.name))).unwrap();
-        let dxf = read_dxf(file(&outputs, &format!("{}.dxf", panel.name))).unwrap();
+        problems.extend(fault_of_files(&outputs));
+        let svg = read_svg(file(&outputs, &format!("{}.svg", panel.name)));
+        let dxf = read_dxf(file(&outputs, &format!("{}.dxf", panel.name)));
         let near = 1e-9_f64.max(1e-12 * panel.piece.size.length());
         for read in [svg, dxf] {
+            let Some(read) = readable(read, panel.flat.overlap.is_some()) else { continue };
             let lines = || std::iter::once(&read.outline).chain(&read.holes);
             let same = lines().map(Vec::len).eq(panel.piece.loops().map(<[_]>::len));
             let mut corners = lines().flatten().zip(panel.piece.loops().flatten());
@@ -94,6 +96,20 @@ fn the_facts_of_every_boundary_hold() {
         wrong.extend(problems.map(|what| format!("{name}: {what}")));
     }
     assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
+}
+
+/// A file as it was read; `None` if its lines are no outline with holes since the pattern overlaps itself.
+fn readable(read: Result<ReadPattern, PatternReadError>, overlaps: bool) -> Option<ReadPattern> {
+    match read {
+        Err(PatternReadError::Outlines(_)) if overlaps => None,
+        read => Some(read.unwrap()),
+    }
+}
+
+/// What the finding says that written files are not what was laid, which is a fault of the program.
+fn fault_of_files(outputs: &Outputs) -> Option<String> {
+    let fault = outputs.panels[0].findings.iter().find(|finding| finding.code == "refold");
+    fault.map(|finding| finding.text.clone())
 }
 
 fn file<'a>(outputs: &'a Outputs, name: &str) -> &'a [u8] {
@@ -155,9 +171,11 @@ fn always(made: &Made, outputs: &Outputs) -> Vec<String> {
         }
     }
     let name = &panel.name;
-    let svg = read_svg(file(outputs, &format!("{name}.svg"))).unwrap();
-    let dxf = read_dxf(file(outputs, &format!("{name}.dxf"))).unwrap();
+    wrong.extend(fault_of_files(outputs));
+    let svg = read_svg(file(outputs, &format!("{name}.svg")));
+    let dxf = read_dxf(file(outputs, &format!("{name}.dxf")));
     for (format, read) in [("SVG", svg), ("DXF", dxf)] {
+        let Some(read) = readable(read, panel.flat.overlap.is_some()) else { continue };
         if !is_pattern_of(&read, panel) {
             wrong.push(format!("the {format} reads back as another pattern"));
         }

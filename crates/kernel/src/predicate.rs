@@ -3,6 +3,8 @@
 //! The answers are exact for the coordinates as they are stored (Shewchuk's adaptive predicates
 //! \[Shewchuk1997\], from the crate `robust`).
 
+mod cover;
+
 use crate::math::{Point2, Point3, Vec3};
 use std::cmp::Ordering;
 use std::ops::Range;
@@ -97,6 +99,13 @@ pub fn first_crossing_of_loops(
         }
     });
     first
+}
+
+/// Two edges where a sheet with these closed lines as its border, which lies to their left, lies over
+/// itself: the first that cross or touch, or an edge of a line on whose left it does not lie once and
+/// one beside it. `None` if it covers no point twice. Exact.
+pub fn first_overlap_of_loops(points: &[Point2], loops: &[Range<usize>]) -> Option<(usize, usize)> {
+    first_crossing_of_loops(points, loops).or_else(|| cover::first_not_covered_once(points, loops))
 }
 
 /// Whether a point lies inside a closed polygon that does not touch it: on which side of the

@@ -9,7 +9,7 @@ use super::{FlattenError, Flattened};
 use crate::boundary::size_of;
 use crate::index::SampleIndex;
 use crate::math::{Point2, Point3, Vec2};
-use crate::predicate::{first_crossing_of_loops, signed_area_doubled};
+use crate::predicate::{first_overlap_of_loops, signed_area_doubled};
 use crate::surface::Surface;
 use crate::tolerance::Tolerance;
 use crate::watch::Watch;
@@ -130,7 +130,7 @@ fn rejoined(
     }
     let loops = sheet.surface().connectivity().loops();
     let points = posed(&points, &loops[0]);
-    let overlap = first_crossing_of_loops(&points, loops);
+    let overlap = first_overlap_of_loops(&points, loops);
     Ok((sheet, Flattened { points, overlap }))
 }
 

@@ -27,8 +27,9 @@ pub struct Flattened {
     /// pattern lies in the rectangle of least area around it, its longer side along x, with its
     /// lower left corner at the origin.
     pub points: Vec<Point2>,
-    /// Two edges of the loops that cross in the plane, by the samples that they begin at: the
-    /// pattern overlaps itself and can't be cut from one sheet. Exact.
+    /// Two edges of the loops between which the pattern overlaps itself, by the samples that they begin
+    /// at: they cross in the plane, or lie where it is covered twice without a crossing. It can't be
+    /// cut from one sheet then. Exact.
     pub overlap: Option<(usize, usize)>,
 }
 

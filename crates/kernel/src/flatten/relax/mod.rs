@@ -21,7 +21,7 @@ use crate::index::TriangleIndex;
 use crate::math::sparse::{Plan, elimination_order};
 use crate::math::{Point2, Vec2};
 use crate::mesh::{Mesh, Topology};
-use crate::predicate::{first_crossing_of_loops, orientation};
+use crate::predicate::{first_overlap_of_loops, orientation};
 use crate::watch::Watch;
 use aims::Run;
 use shape::{LEAST_AREA, Shape, corners_of, flipped, shapes};
@@ -88,9 +88,9 @@ pub struct Relaxed {
     /// Where the vertices lie in the plane, mm, seen from the side that the mesh faces: in the
     /// rectangle of least area around them, its longer side along x, its lower left corner at the origin.
     pub points: Vec<Point2>,
-    /// Two edges of the border that cross in the plane, by the vertices that they begin at: the
-    /// pattern overlaps itself and can't be cut from one sheet. Exact. Without one, no two triangles
-    /// overlap.
+    /// Two edges of the border between which the pattern overlaps itself, by the vertices that they
+    /// begin at: they cross in the plane, or lie where it is covered twice without a crossing. It can't
+    /// be cut from one sheet then. Exact. Without one, no two triangles overlap.
     pub overlap: Option<(usize, usize)>,
     /// How many triangles do not run counter-clockwise. Exact; 0, unless the last turn into the
     /// rectangle rounds a needle over.
@@ -241,7 +241,7 @@ fn check(topology: &Topology) -> Result<(), RelaxError> {
     }
 }
 
-/// The first two edges of the border that cross.
+/// Two edges of the border that tell where the pattern overlaps itself.
 fn overlap(topology: &Topology, points: &[Point2]) -> Option<(usize, usize)> {
     let vertices: Vec<usize> = topology.loops().iter().flatten().map(|v| v.get()).collect();
     let border: Vec<Point2> = vertices.iter().map(|&v| points[v]).collect();
@@ -252,7 +252,7 @@ fn overlap(topology: &Topology, points: &[Point2]) -> Option<(usize, usize)> {
         start..end
     });
     let ranges: Vec<std::ops::Range<usize>> = ranges.collect();
-    first_crossing_of_loops(&border, &ranges).map(|(a, b)| (vertices[a], vertices[b]))
+    first_overlap_of_loops(&border, &ranges).map(|(a, b)| (vertices[a], vertices[b]))
 }
 
 /// A mesh from within: which vertices are joined, and how far apart they are.
