@@ -71,6 +71,9 @@ pub fn mesh_hint_for(error: &MeshMakeError) -> String {
             MeshError::NotOrientable { .. } => {
                 "Cut it through once, so that it has a front and a back, and export it again."
             }
+            MeshError::TooSmall => {
+                "Check the units: --units says what a coordinate of the file is in."
+            }
             MeshError::Degenerate { .. } => {
                 "Take the triangle out, or merge its points by distance, in the program that it is from."
             }

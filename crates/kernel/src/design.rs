@@ -4,20 +4,23 @@ mod error;
 mod joining;
 mod links;
 mod live;
+mod mesh_design;
 mod meshes;
 mod outline;
 mod rebuilt;
 mod run_on;
 mod sampling;
+mod specks;
 mod varying;
 mod without_plane;
 
 pub use error::{MakeCause, MakeError, VaryCause};
 pub use joining::Join;
 pub use live::{Live, LivePanel};
+pub use mesh_design::{MeshDesign, MeshGroup};
 pub use meshes::{
-    Joint, MAX_MESH_PANELS, MadeMesh, MadeMeshes, MeshCause, MeshDesign, MeshGroup, MeshMakeError,
-    MeshOptions, make_meshes,
+    Joint, MAX_MESH_PANELS, MadeMesh, MadeMeshes, MeshCause, MeshMakeError, MeshOptions,
+    make_meshes,
 };
 pub use rebuilt::Rebuilt;
 pub use varying::{Change, MovedBy, Vary};

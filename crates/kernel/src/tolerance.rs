@@ -1,5 +1,9 @@
 //! A tolerance: positive by type, and relative to the size of the model.
 
+/// The smallest size of a model, mm (a nanometre): below it, coordinates have no digits left. Boundaries
+/// and meshes are refused below it, and parts of a mesh are left out.
+pub const MIN_SIZE_MM: f64 = 1e-6;
+
 /// A positive, finite share of the size of a model, without unit.
 ///
 /// Tolerances measure (is this close enough to show, to merge, to stop?); they never decide

@@ -17,14 +17,13 @@ pub use smooth::{Continuity, Joint, Within};
 use crate::curve::{MAX_COORDINATE_MM, Sample};
 use crate::index::SampleIndex;
 use crate::math::{Point3, Vec3, unit};
+pub use crate::tolerance::MIN_SIZE_MM;
 use crate::tolerance::Tolerance;
 use std::fmt;
 use std::ops::Range;
 
 /// Samples of all loops at the most: what the typed indices and the solvers are made for.
 pub const MAX_SAMPLES: usize = 1_000_000;
-/// Smallest size of a boundary, mm (a nanometre): below it, coordinates have no digits left.
-pub const MIN_SIZE_MM: f64 = 1e-6;
 
 /// Closed loops of samples with their tangents.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,7 +3,7 @@
 use super::{Checked, EASY_SHARE, Finding, Severity, Verdict};
 use crate::material::{Material, stretch_limit};
 use crate::math::{Point3, to_deg};
-use crate::mesh::{CutMesh, Mesh, crease_angles};
+use crate::mesh::{CutMesh, Mesh, Specks, crease_angles};
 use crate::pattern::{SCORED_CREASE_DEG, seam_mark};
 
 /// The border is true up to this share of a length.
@@ -26,12 +26,15 @@ pub struct MeshPanel<'a> {
     pub border_error: Option<f64>,
     /// A cut that would help, from inside or from a hole to the border: its ends, mm.
     pub cut: Option<[Point3; 2]>,
-    /// Two sides of the border, by their first vertices on the sheet, that cross when it is flat.
+    /// Two sides of the border, by their first vertices on the sheet, between which it overlaps itself
+    /// when it is flat.
     pub overlap: Option<[Point3; 2]>,
     /// Triangles that lie upside down when it is flat.
     pub flipped: usize,
     /// Triangles of the file that were left out, with two corners in one place.
     pub left_out: usize,
+    /// Parts of it that were left out because they are too small to be sheet.
+    pub specks: Option<Specks>,
     /// Points in which parts of it met that have no side in common there.
     pub contacts: usize,
     /// Cuts that were asked for, from the border to points inside.
@@ -42,7 +45,7 @@ pub struct MeshPanel<'a> {
 
 /// Checks a mesh panel.
 pub fn check_mesh(panel: &MeshPanel<'_>) -> Checked {
-    let checks = [stretch, border, overlap, flipped, folds, seams, left_out, contacts];
+    let checks = [stretch, border, overlap, flipped, folds, seams, left_out, specks, contacts];
     let mut findings: Vec<Finding> = checks.iter().filter_map(|check| check(panel)).collect();
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
     let has = |code: &str, severity: Severity| {
@@ -236,6 +239,22 @@ fn left_out(panel: &MeshPanel<'_>) -> Option<Finding> {
             if count == 1 { "was" } else { "were" }
         ),
         place: String::new(),
+    })
+}
+
+fn specks(panel: &MeshPanel<'_>) -> Option<Finding> {
+    let Specks { parts, first } = panel.specks?;
+    Some(Finding {
+        severity: Severity::Note,
+        code: "left-out",
+        text: format!(
+            "{} left out: smaller than 1e-6 mm, or narrower than 1e-12 of the size of the file.",
+            match parts {
+                1 => "A part of the mesh was".to_owned(),
+                _ => format!("{parts} parts of the mesh were"),
+            }
+        ),
+        place: format!("{}at {}", if parts == 1 { "" } else { "the first " }, place(first)),
     })
 }
 

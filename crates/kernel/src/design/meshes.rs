@@ -1,11 +1,12 @@
-//! Meshes from elsewhere as one plain value, from which [`make_meshes`] derives every stage: the
-//! other kind of design, whose surfaces are given instead of found.
+//! From meshes from elsewhere to patterns: [`make_meshes`] derives every stage.
 //!
-//! A group becomes a panel, or one for each of its parts that hang together. A panel that is closed or
-//! has a handle is cut open; one with holes or open at both ends is laid flat as it stands, and cut
-//! from border to border where that leaves less than half of the error.
+//! A group becomes a panel, or one for each of its parts that hang together and are large enough to
+//! be sheet. A panel that is closed or has a handle is cut open; one with holes or open at both ends is
+//! laid flat as it stands, and cut from border to border where that leaves less than half of the error.
 
+use super::mesh_design::{MeshDesign, MeshGroup};
 use super::rebuilt::{Rebuilt, rebuilt};
+use super::specks::cleaned;
 use crate::check::{Checked, MeshPanel, check_mesh};
 use crate::flatten::{Aim, RelaxError, RelaxOptions, Relaxed, relax};
 use crate::index::{TriangleIndex, VertexIndex};
@@ -13,7 +14,8 @@ use crate::material::{Material, stretch_limit};
 use crate::math::Point3;
 use crate::measure::{MeshMeasures, cut_suggestion, mesh_measures};
 use crate::mesh::{
-    Cut, CutMesh, Mesh, MeshError, MeshSeam, cut_along, cut_to_disk, separated, split_along_creases,
+    Cut, CutMesh, Mesh, MeshError, MeshSeam, Specks, cut_along, cut_to_disk, separated,
+    split_along_creases,
 };
 use crate::pattern::{EdgeMark, Piece, joint_mark, mesh_piece, seam_marks};
 use crate::watch::{Stage, Watch};
@@ -22,30 +24,6 @@ use std::fmt;
 
 /// A cut that need not be is worth it if it leaves less than this share of the largest length error.
 const MUCH_LESS: f64 = 0.5;
-
-/// Triangles that are one panel, or several that do not hang together.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MeshGroup {
-    /// Its name; no two groups share one.
-    pub name: String,
-    /// Its vertices, mm, each used by some triangle.
-    pub positions: Vec<Point3>,
-    /// Its triangles.
-    pub triangles: Vec<[VertexIndex; 3]>,
-    /// How many of its triangles were left out because two of their corners lie in one place.
-    pub left_out: usize,
-}
-
-/// All inputs of the main job, where surfaces are given as meshes.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MeshDesign {
-    /// Its name.
-    pub name: String,
-    /// The sheet it is made from, if one is named.
-    pub material: Option<&'static Material>,
-    /// Its groups.
-    pub groups: Vec<MeshGroup>,
-}
 
 /// How meshes are made.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -220,9 +198,12 @@ pub fn make_meshes(
         design.groups.iter().map(|group| group.name.to_lowercase()).collect();
     let mut parts = Vec::new();
     let mut joints = 0;
-    for group in &design.groups {
+    for (group, specks) in cleaned(&design.groups) {
         let failed = |cause| MeshMakeError { panel: group.name.clone(), cause };
-        let of_group = parts_of(group, options).map_err(failed)?;
+        let mut of_group = parts_of(&group, options).map_err(failed)?;
+        if let Some(first) = of_group.first_mut() {
+            first.specks = specks;
+        }
         let found = of_group.len();
         if found + parts.len() > MAX_MESH_PANELS {
             return Err(failed(MeshCause::Pieces { found }));
@@ -258,6 +239,7 @@ struct Part {
     name: String,
     mesh: Mesh,
     left_out: usize,
+    specks: Option<Specks>,
     contacts: usize,
     joints: Vec<PartJoint>,
 }
@@ -317,7 +299,8 @@ fn parts_of(group: &MeshGroup, options: &MeshOptions) -> Result<Vec<Part>, MeshC
         // What was found in the group as a whole is said once.
         let (left_out, contacts) = if n == 0 { (group.left_out, contacts.len()) } else { (0, 0) };
         let joints = std::mem::take(&mut joints[n]);
-        parts.push(Part { name: String::new(), mesh: whole, left_out, contacts, joints });
+        let name = String::new();
+        parts.push(Part { name, mesh: whole, left_out, specks: None, contacts, joints });
     }
     Ok(parts)
 }
@@ -388,7 +371,7 @@ fn make_mesh(
     options: &MeshOptions,
     watch: &mut dyn Watch,
 ) -> Result<MadeMesh, MeshMakeError> {
-    let Part { name, mesh, left_out, contacts, joints } = part;
+    let Part { name, mesh, left_out, specks, contacts, joints } = part;
     let failed = |cause| MeshMakeError { panel: name.clone(), cause };
     watch.begin(&[&name], Stage::Flatten);
     let limit = stretch_limit(material);
@@ -428,6 +411,7 @@ fn make_mesh(
         overlap: flat.overlap.map(|(a, b)| [first_of(a), first_of(b)]),
         flipped: flat.flipped,
         left_out,
+        specks,
         contacts,
         darts,
         material,

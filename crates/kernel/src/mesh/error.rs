@@ -24,6 +24,8 @@ pub enum MeshError {
         /// The vertex.
         vertex: VertexIndex,
     },
+    /// All vertices within [`crate::tolerance::MIN_SIZE_MM`].
+    TooSmall,
     /// A triangle without area: two corners in one place, or three on one line.
     Degenerate {
         /// The triangle.
@@ -68,6 +70,9 @@ impl fmt::Display for MeshError {
             }
             Self::NotFinite { vertex } => {
                 write!(f, "vertex {vertex} has a coordinate that is no finite number")
+            }
+            Self::TooSmall => {
+                write!(f, "nothing of it is larger than a millionth of a millimetre")
             }
             Self::Degenerate { triangle } => write!(f, "triangle {triangle} has no area"),
             Self::Unused { vertex } => write!(f, "vertex {vertex} belongs to no triangle"),

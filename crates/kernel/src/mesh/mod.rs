@@ -2,12 +2,13 @@
 //!
 //! [`Topology`] knows which vertices are joined and nothing of where they lie; [`Mesh`] adds
 //! positions. Both are validated once, in [`Mesh::new`], and trusted afterwards: every side belongs to
-//! one triangle or two, every vertex has one fan of triangles, neighbours run the same way round, and
-//! no triangle is without area. A mesh may be of several [`Piece`]s.
+//! one triangle or two, every vertex has one fan of triangles, neighbours run the same way round, no
+//! triangle is without area, and the whole is not smaller than [`MIN_SIZE_MM`]. A mesh may be of several [`Piece`]s.
 
 mod corners;
 mod cut;
 mod error;
+mod specks;
 mod split;
 mod topology;
 mod ways;
@@ -17,12 +18,15 @@ pub use cut::{
     Cut, CutMesh, MeshSeam, angle_defects, cut_along, cut_through, cut_to_disk, worst_points,
 };
 pub use error::MeshError;
+pub use specks::{Specks, WithoutSpecks, without_specks};
 pub use split::{crease_angles, split_along_creases};
 pub use topology::{MeshEdge, Piece, Topology};
 pub(crate) use ways::Ways;
 
+use crate::boundary::size_of;
 use crate::index::{TriangleIndex, VertexIndex};
 use crate::math::{Point3, Vec3};
+use crate::tolerance::MIN_SIZE_MM;
 
 /// The most triangles that a mesh may have: two million take about a gigabyte on their way to a
 /// pattern.
@@ -58,6 +62,9 @@ impl Mesh {
         }
         if let Some(vertex) = positions.iter().position(|p| !p.is_finite()) {
             return Err(MeshError::NotFinite { vertex: VertexIndex::new(vertex) });
+        }
+        if size_of(positions.iter().copied()) < MIN_SIZE_MM {
+            return Err(MeshError::TooSmall);
         }
         for (n, corners) in triangles.iter().enumerate() {
             let triangle = TriangleIndex::new(n);
