@@ -1,11 +1,13 @@
 //! Chores of the project: `cargo xtask` lists them.
 #![allow(clippy::print_stdout, clippy::print_stderr)] // a program for the terminal
 
+mod compare;
 mod composites;
 mod figures;
 mod fold_price;
 mod gallery;
 mod measured;
+mod outputs;
 mod peers;
 mod quads;
 mod templates;
@@ -15,11 +17,13 @@ mod web;
 use std::process::ExitCode;
 
 const HELP: &str = "Chores of the project:
+  cargo xtask compare      compares two folders that outputs wrote: BEFORE AFTER
   cargo xtask composites   writes docs/composites.md and examples/three-cones.sheet.json
   cargo xtask figures      writes docs/pictures/: the hull, the three cones, moved curves, meshes
   cargo xtask fold-price   writes docs/fold-price.md: what the fold price costs and what it buys
   cargo xtask gallery      writes docs/gallery.md, its pictures and examples/gallery/
   cargo xtask measured     writes docs/measured.md: gores against the sphere, a duct against tradition
+  cargo xtask outputs      makes all there is with a command: --with COMMAND --out DIR
   cargo xtask peers        what bench/peers/run calls: our speed beside CGAL's, docs/speed.md
   cargo xtask quads        writes docs/quads.md: planar quads and smooth strips, measured
   cargo xtask templates    writes docs/templates.md and its pictures, from the catalogue
@@ -30,11 +34,13 @@ const HELP: &str = "Chores of the project:
 fn main() -> ExitCode {
     let chore = std::env::args().nth(1).unwrap_or_default();
     let done = match chore.as_str() {
+        "compare" => compare::run().map_err(Into::into),
         "composites" => composites::write(),
         "figures" => figures::write(),
         "fold-price" => fold_price::write(),
         "gallery" => gallery::write(),
         "measured" => measured::write(),
+        "outputs" => outputs::write().map_err(Into::into),
         "peers" => peers::run(),
         "quads" => quads::write(),
         "templates" => templates::write(),
