@@ -29,9 +29,10 @@ sheetwright make dome.sheet.json --out build
 ```
 
 Lengths are in mm or have a unit: `400mm`, `40cm`, `0.4m`, `15 3/4in`, `1' 4\"`; a shell wants quotes
-around the last two. Angles are in degrees. Lists of lengths have commas between them. Every template
-also takes `material=NAME` ([the list](files.md#materials)), and the verdict then knows how tightly
-that sheet bends.
+around the last two. A comma stands before decimals (`250,5`), and sums and differences are worked out
+(`200+50`); what could be thousands, as `1,250`, is refused. Angles are in degrees. Lists of lengths have
+commas between them, or semicolons. Every template also takes `material=NAME`
+([the list](files.md#materials)), and the verdict then knows how tightly that sheet bends.
 
 A table is a [curve table](files.md#curve-table-csv) in the folder of the design that is written; the
 design takes its points from there, and follows when the table is corrected.

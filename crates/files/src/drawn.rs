@@ -119,6 +119,14 @@ pub struct Reference {
     pub opacity: f64,
 }
 
+impl Drawing {
+    /// An empty drawing in these units, with a grid that is round in them.
+    pub fn in_units(units: Units) -> Self {
+        let usual = Self::default();
+        Self { units, grid_mm: units.round_step_mm(usual.grid_mm), ..usual }
+    }
+}
+
 impl Default for Drawing {
     fn default() -> Self {
         Self {

@@ -46,7 +46,10 @@ pub use obj::{write_meshes_obj, write_obj};
 pub use output::{Format, OutputError, OutputFile, Outputs, mesh_output_files, output_files};
 pub use pdf::{MaxSheets, Paper, PdfOptions, Reduced, WrittenPdf, write_pdf};
 pub use quads::{PanelQuads, write_quads};
-pub use quantity::{distance_mm, length_in, length_text, warp_deg};
+pub use quantity::{
+    distance_mm, length_in, length_text, read_angle, read_length, read_lengths, read_number,
+    step_text, warp_deg,
+};
 pub use read_back::{PatternReadError, ReadPattern};
 pub use reading::{InputError, MAX_INPUT_BYTES, ReadOptions, VarySettings, read_limited};
 pub use refold::{RefoldFileError, refold_error_mm};

@@ -2,7 +2,7 @@
 
 use crate::design_json::{table_beside, write_design, write_design_of_table};
 use crate::names::{did_you_mean, nearest, shown};
-use crate::quantity::{LENGTH_EXAMPLES, angle_deg, length_mm, plain};
+use crate::quantity::{LENGTH_EXAMPLES, Slip, angle, length, lengths, plain};
 use crate::reading::InputError;
 use crate::units::Units;
 use sheetwright::design::Design;
@@ -160,25 +160,27 @@ fn set(values: &mut Values, name: &str, text: &str) -> Result<(), InputError> {
         let message = format!("there is no parameter {}", shown(name));
         return Err(InputError::at(template.name, message, did_you_mean(name, &known)));
     };
-    let value = read(&parameter.kind, text).ok_or_else(|| {
-        let message = format!("{} is no {}", shown(text), what(&parameter.kind));
-        InputError::at(place(template, parameter.name), message, how(&parameter.kind))
+    let value = read(&parameter.kind, text).map_err(|slip| {
+        let what = what(&parameter.kind);
+        let message = format!("{} is no {what}", shown(text));
+        let hint = slip.and_then(|slip| slip.advice(what)).unwrap_or_else(|| how(&parameter.kind));
+        InputError::at(place(template, parameter.name), message, hint)
     })?;
     values.set(parameter.name, value).map_err(|error| in_words(&error, template, text))
 }
 
-/// The value in a text.
-fn read(kind: &Kind, text: &str) -> Option<Value> {
-    match kind {
-        Kind::Length(_) => length_mm(text).map(Value::Number),
-        Kind::Angle(_) => angle_deg(text).map(Value::Number),
+/// The value in a text; or what is wrong with it, where that is a slip of the fingers.
+fn read(kind: &Kind, text: &str) -> Result<Value, Option<Slip>> {
+    let mm = Units::Millimetres;
+    let value = match kind {
+        Kind::Length(_) => length(text, mm).map(Value::Number),
+        Kind::Angle(_) => angle(text).map(Value::Number),
         Kind::Count(_) | Kind::Number(_) => plain(text).map(Value::Number),
-        Kind::Lengths { .. } => {
-            text.split(',').map(length_mm).collect::<Option<Vec<f64>>>().map(Value::Numbers)
-        }
-        Kind::Choice(_) => Some(Value::Choice(text.to_owned())),
-        Kind::Table => None,
-    }
+        Kind::Lengths { .. } => lengths(text, mm).map(Value::Numbers),
+        Kind::Choice(_) => Ok(Value::Choice(text.to_owned())),
+        Kind::Table => return Err(None),
+    };
+    value.map_err(Some)
 }
 
 fn what(kind: &Kind) -> &'static str {
@@ -341,7 +343,7 @@ mod tests {
 
     #[test]
     fn settings_have_units() {
-        let metric = settings(&["bottom=40cm", "top = 400 mm", "height=0.4m"]);
+        let metric = settings(&["bottom=40,0cm", "top = 350 + 50", "height=0.4m"]);
         let metric = design_from_template("cone", &metric).unwrap();
         assert_eq!(metric, {
             let bare = settings(&["bottom=400", "top=400", "height=400"]);
@@ -361,6 +363,10 @@ mod tests {
             (&["bottom=20", "bottom=30"], "cone: 'bottom' is set twice / "),
             (&["bottom=1/4 in"], "cone: bottom: 6.35 mm ('1/4 in') is out of range / It takes a"),
             (&["pieces=1.5"], "cone: pieces: '1.5' is no whole number / It takes a whole number"),
+            (
+                &["bottom=1,250"],
+                "cone: bottom: '1,250' is no length / ‘1,250’ can mean 1250 or 1.250",
+            ),
             (&["material=papper"], "cone: material: the material 'papper' is not known / Did you"),
         ] {
             let said = refused(list);

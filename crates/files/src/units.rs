@@ -55,11 +55,55 @@ impl Units {
             Self::Feet => 304.8,
         }
     }
+
+    /// The step of a grid that is round in this unit and nearest to a length by its ratio, mm: 1, 2 or 5
+    /// times a power of ten; inches and what is less than a foot in 1/64, 1/32 … 1/2, 1, 2, 3 and 6 in.
+    /// The length itself where it is none.
+    pub fn round_step_mm(self, mm: f64) -> f64 {
+        if !(mm.is_finite() && mm > 0.0) {
+            return mm;
+        }
+        let inch = Self::Inches.in_mm();
+        let small = [64.0, 32.0, 16.0, 8.0, 4.0, 2.0].map(|part| inch / part);
+        let inches = [1.0, 2.0, 3.0, 6.0].map(|count| inch * count);
+        let (unit, below): (f64, Vec<f64>) = match self {
+            Self::Inches => (inch, small.to_vec()),
+            Self::Feet => (self.in_mm(), [&small[..], &inches[..]].concat()),
+            _ => (0.01, Vec::new()),
+        };
+        let tens = (0..12).scan(unit, |ten, _| {
+            let now = *ten;
+            *ten *= 10.0;
+            Some(now)
+        });
+        let round = tens.flat_map(|ten| [1.0, 2.0, 5.0].map(|digit| digit * ten));
+        let off = |step: &f64| (step / mm).max(mm / step);
+        let steps = below.into_iter().chain(round);
+        steps.min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(mm)
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn steps_of_a_grid_are_round_in_their_unit() {
+        for (units, mm, step) in [
+            (Units::Millimetres, 50.8, 50.0),
+            (Units::Metres, 120.0, 100.0),
+            (Units::Inches, 50.0, 50.8),
+            (Units::Inches, 3.0, 3.175),
+            (Units::Inches, 120.0, 127.0),
+            (Units::Feet, 50.0, 50.8),
+            (Units::Feet, 290.0, 304.8),
+            (Units::Feet, 500.0, 609.6),
+        ] {
+            let found = units.round_step_mm(mm);
+            assert!((found - step).abs() < 1e-9, "{units:?} {mm}: {found}");
+            assert_eq!(units.round_step_mm(found), found);
+        }
+    }
 
     #[test]
     fn names_are_those_of_the_files() {
