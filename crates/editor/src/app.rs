@@ -7,7 +7,7 @@ use crate::editor::{Editor, Page, Zoom};
 use crate::engine::Wake;
 use crate::io::{Dialogs, FileAnswer, SystemDialogs};
 use crate::layout::{Panes, bar_frame};
-use crate::pages::calibrate::calibrate_ui;
+use crate::pages::calibrate::CalibratePage;
 use crate::pages::export::ExportPage;
 use crate::pages::keys::keys_ui;
 use crate::pages::palette::Palette;
@@ -15,12 +15,13 @@ use crate::pages::start::{Offers, StartAct, StartPage};
 use crate::pages::tour::Tour;
 use crate::pages::vary::{VaryAct, VaryPage};
 use crate::panes::plan::PlanPane;
+use crate::panes::space::SpacePane;
 use crate::panes::space::navigation::Navigation;
 use crate::room::Room;
 use crate::scene::Act;
 use crate::store::{Autosave, Recovered, Store};
 use crate::theme::{Look, Theme};
-use eframe::egui::{self, Panel, Ui};
+use eframe::egui::{self, Panel, SurrenderFocusOn, Ui};
 use std::sync::Arc;
 use web_time::{Duration, Instant};
 
@@ -32,8 +33,11 @@ pub struct App {
     start: StartPage,
     export: ExportPage,
     vary: VaryPage,
+    calibrate: CalibratePage,
     palette: Palette,
     tour: Tour,
+    /// Whether somebody was typing when the last frame ended.
+    was_typing: bool,
     recent: Vec<String>,
     /// Where work and settings are kept, if there is such a place.
     store: Option<Store>,
@@ -97,7 +101,11 @@ impl App {
     pub fn with_dialogs(cc: &eframe::CreationContext<'_>, dialogs: Box<dyn Dialogs>) -> Self {
         Theme::load_fonts(&cc.egui_ctx);
         // Zooming is a command of ours, so that it stands in menus too.
-        cc.egui_ctx.options_mut(|options| options.zoom_with_keyboard = false);
+        cc.egui_ctx.options_mut(|options| {
+            options.zoom_with_keyboard = false;
+            // A press on a handle selects it: what is typed is to be taken before, for what it was meant.
+            options.input_options.surrender_focus_on = SurrenderFocusOn::Presses;
+        });
         Self {
             editor: Editor::new(waker(&cc.egui_ctx)),
             dialogs,
@@ -105,8 +113,10 @@ impl App {
             start: StartPage::default(),
             export: ExportPage::default(),
             vary: VaryPage::default(),
+            calibrate: CalibratePage::default(),
             palette: Palette::default(),
             tour: Tour::default(),
+            was_typing: false,
             recent: Vec::new(),
             store: None,
             autosave: None,
@@ -132,6 +142,11 @@ impl App {
     /// How the plan is seen now, and where: for whoever points at it from outside.
     pub fn plan(&self) -> &PlanPane {
         &self.panes.plan
+    }
+
+    /// From where space is looked at: likewise.
+    pub fn space(&self) -> &SpacePane {
+        &self.panes.space
     }
 
     /// Opens a file by its path.
@@ -230,9 +245,14 @@ impl App {
         theme
     }
 
-    /// Keys that mean a command, unless somebody is typing.
+    /// Keys that mean a command, unless somebody is typing. Esc first closes a menu or a list, then drops
+    /// what is typed.
     fn keys(&self, ctx: &egui::Context, acts: &mut Vec<Act>) {
         let types = ctx.egui_wants_keyboard_input() && ctx.text_edit_focused();
+        let lists = egui::Popup::is_any_open(ctx);
+        let page = self.editor.page;
+        // These have nothing but what is typed.
+        let is_of_field = self.was_typing && !matches!(page, Page::Calibrate | Page::Palette);
         // With Shift first: without it, a key means the same with or without.
         let mut all = Command::all();
         all.sort_by_key(|command| !command.key().modifiers.shift);
@@ -242,7 +262,10 @@ impl App {
             let is_plain = types_text && key.logical_key != egui::Key::Escape;
             // In a field, these are the field's own.
             let is_of_text = matches!(command, Command::SelectAll | Command::Undo | Command::Redo);
-            if is_plain && (types || self.editor.page == Page::Palette) || is_of_text && types {
+            if is_plain && (types || lists) || is_of_text && types || !reaches(command, page) {
+                continue;
+            }
+            if command == Command::Escape && (lists || is_of_field) {
                 continue;
             }
             if ctx.input_mut(|i| i.consume_shortcut(&key)) {
@@ -315,7 +338,7 @@ impl App {
             Page::Tour => self.tour.ui(ctx, &self.editor, theme, acts),
             Page::Keys => keys_ui(ctx, theme),
             Page::Calibrate => {
-                let (stays, distance) = calibrate_ui(ctx, &self.editor, theme);
+                let (stays, distance) = self.calibrate.ui(ctx, &self.editor, theme);
                 if let Some(mm) = distance {
                     self.editor.calibrated(mm);
                 }
@@ -329,6 +352,9 @@ impl App {
         if page != Page::Palette {
             self.palette.close();
         }
+        if page != Page::Calibrate {
+            self.calibrate.close();
+        }
     }
 
     /// What the editor wants of the window.
@@ -339,6 +365,9 @@ impl App {
         if std::mem::take(&mut self.editor.wants_fit) {
             self.panes.fit();
         }
+        if let Some((panel, rung)) = self.editor.wants_sight.take() {
+            self.panes.bring_into_sight(panel, rung);
+        }
         if let Some(zoom) = self.editor.wants_zoom.take() {
             let now = ctx.zoom_factor();
             ctx.set_zoom_factor(match zoom {
@@ -347,6 +376,25 @@ impl App {
                 Zoom::Normal => 1.0,
             });
         }
+    }
+}
+
+/// Whether a key reaches what its command changes: nothing behind a page, nor what the start page hides.
+fn reaches(command: Command, page: Page) -> bool {
+    use Command as C;
+    let is_of_window = matches!(
+        command,
+        C::Escape | C::Stop | C::ZoomIn | C::ZoomOut | C::ZoomReset | C::Look(_) | C::Navigate(_)
+    );
+    match page {
+        Page::Panes | Page::Tour => true,
+        Page::Start => {
+            let begins = matches!(command, C::New | C::Open | C::Draw | C::Select | C::Start);
+            let opens = matches!(command, C::Tour | C::Keys | C::Palette | C::Save | C::SaveAs);
+            is_of_window || begins || opens
+        }
+        Page::Palette => matches!(command, C::Escape | C::Stop),
+        Page::Export | Page::Vary | Page::Keys | Page::Calibrate => is_of_window,
     }
 }
 
@@ -403,6 +451,7 @@ impl eframe::App for App {
         if let Some(places) = self.panes.plan.take_calibrated() {
             self.editor.calibrate(places);
         }
+        self.was_typing = ctx.text_edit_focused();
         self.grant(&ctx);
         self.keep_settings();
         self.save_by_itself(&ctx);

@@ -173,7 +173,11 @@ pub(crate) fn bottom_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut 
             command_button(ui, editor, Command::Stop, "Stop", acts);
             ui.add(ProgressBar::new(work.done as f32).desired_width(120.0));
             if editor.room == Room::All {
-                ui.label(work.text);
+                let most = (ui.available_width() / 2.0).max(0.0);
+                ui.scope(|ui| {
+                    ui.set_max_width(most);
+                    ui.add(egui::Label::new(work.text).truncate()).on_hover_text(work.text);
+                });
             }
         }
         ui.with_layout(Layout::left_to_right(egui::Align::Center), |ui| match &editor.notice {

@@ -8,7 +8,7 @@ mod jobs;
 pub use files::{FileWish, Opened};
 pub use jobs::Work;
 
-use crate::document::{Document, History, edit};
+use crate::document::{Document, FARTHEST_MM, History, edit};
 use crate::engine::shown::ShownPanel;
 use crate::engine::{Engine, Refusal, Varied, Wake};
 use crate::panes::SurfaceView;
@@ -43,6 +43,8 @@ pub struct Editor {
     pub page: Page,
     /// Whether everything is to be brought into sight.
     pub wants_fit: bool,
+    /// A panel and one of its rungs that are to be brought into sight.
+    pub wants_sight: Option<(usize, usize)>,
     /// How much larger or smaller than they were made things are to be, where somebody asked.
     pub wants_zoom: Option<Zoom>,
     /// What was last said to the person.
@@ -118,6 +120,7 @@ impl Editor {
             part: Part::default(),
             page: Page::default(),
             wants_fit: true,
+            wants_sight: None,
             wants_zoom: None,
             notice: None,
             wishes: Vec::new(),
@@ -206,6 +209,7 @@ impl Editor {
         match act {
             Act::Run(command) => self.run(command),
             Act::Select(selection) => self.selection = self.cleaned(selection),
+            Act::Show(selection) => self.bring_into_sight(selection),
             Act::Move(moved) => {
                 let to = edit::moved(self.history.now(), &moved);
                 if !self.refuses_far(&to) {
@@ -282,9 +286,13 @@ impl Editor {
     /// Whether something of a document lies too far out for a file, which then is said.
     fn refuses_far(&mut self, to: &Document) -> bool {
         let Some(what) = to.out_of_range() else { return false };
+        // A file may hold what is farther out; there it may stay.
+        if self.document().out_of_range() == Some(what) {
+            return false;
+        }
         self.refuse(format!(
-            "{what} would reach further out than 1,000 km. Lengths are within ±1e9 mm: check the \
-             units, the mirror and the numbers."
+            "{what} would reach further out than {} km. Check the units, the mirror and the numbers.",
+            FARTHEST_MM / 1e6
         ));
         true
     }

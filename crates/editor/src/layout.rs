@@ -11,8 +11,9 @@ use crate::panes::plan::PlanPane;
 use crate::panes::space::SpacePane;
 use crate::room::{Part, Room};
 use crate::scene::{Act, Scene};
-use crate::side::side_ui;
+use crate::side::fields_ui;
 use crate::theme::Theme;
+use crate::verdicts::{banner_ui, verdicts_ui};
 use eframe::CreationContext;
 use eframe::egui::{self, Frame, Margin, Panel, RichText, Ui, vec2};
 
@@ -20,6 +21,8 @@ use eframe::egui::{self, Frame, Margin, Panel, RichText, Ui, vec2};
 /// plan is what people draw on, and space what they look at.
 const PLAN_SHARE: f32 = 0.5;
 const PATTERN_SHARE: f32 = 0.36;
+/// What the cards of the panels take of the height of the bar at the side, at first.
+const VERDICT_SHARE: f32 = 0.48;
 /// How wide the answer is at first, points: a verdict in some lines.
 const SIDE: f32 = 286.0;
 /// What is narrower or lower is of no use, points.
@@ -36,6 +39,7 @@ pub(crate) struct Panes {
     pub(crate) pattern: PatternPane,
     plan_share: Share,
     pattern_share: Share,
+    verdict_share: Share,
 }
 
 impl Panes {
@@ -47,6 +51,7 @@ impl Panes {
             pattern: PatternPane::default(),
             plan_share: Share::new(0, PLAN_SHARE),
             pattern_share: Share::new(1, PATTERN_SHARE),
+            verdict_share: Share::new(1, VERDICT_SHARE),
         }
     }
 
@@ -55,6 +60,12 @@ impl Panes {
         self.plan.fit();
         self.space.fit();
         self.pattern.fit();
+    }
+
+    /// Brings a rung of a panel into sight, where it is not.
+    pub(crate) fn bring_into_sight(&mut self, panel: usize, rung: usize) {
+        self.space.bring_into_sight(panel, rung);
+        self.pattern.bring_into_sight(panel, rung);
     }
 
     /// What the hand holds in panes that are not shown is let go, except for these.
@@ -87,7 +98,8 @@ impl Panes {
         if editor.room != Room::One {
             let most = (0.5 * ui.available_width()).max(SIDE);
             let side = Panel::right("side").frame(bar).default_size(SIDE);
-            side.size_range(LEAST_ACROSS..=most).show(ui, |ui| side_ui(ui, editor, theme, acts));
+            let side = side.size_range(LEAST_ACROSS..=most);
+            side.show(ui, |ui| self.side_ui(ui, editor, theme, acts));
         }
         if editor.room == Room::All {
             self.all_ui(ui, editor, &scene, pane, acts);
@@ -103,8 +115,18 @@ impl Panes {
                     self.space.ui(ui, &scene, editor.view, acts);
                 }
                 Part::Pattern => self.pattern.ui(ui, &scene, editor.view, acts),
-                Part::Answer => side_ui(ui, editor, theme, acts),
+                Part::Answer => self.side_ui(ui, editor, theme, acts),
             }
+        });
+    }
+
+    /// How many panels are not fine; what can be typed, at places that no verdict moves; the verdicts.
+    fn side_ui(&mut self, ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
+        banner_ui(ui, editor, theme, acts);
+        let panel = Panel::bottom("verdicts").frame(Frame::new()).resizable(true);
+        self.verdict_share.show(ui, panel, LEAST_DOWN, |ui| verdicts_ui(ui, editor, theme, acts));
+        egui::CentralPanel::default().frame(Frame::new()).show(ui, |ui| {
+            fields_ui(ui, editor, theme, acts);
         });
     }
 

@@ -30,5 +30,6 @@ mod side;
 pub mod store;
 pub mod theme;
 mod thumb;
+mod verdicts;
 #[cfg(target_arch = "wasm32")]
 pub mod web;

@@ -31,7 +31,7 @@ impl<'a> Scene<'a> {
 }
 
 /// A point of a curve, by their numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct PointRef {
     /// The curve.
     pub curve: usize,
@@ -76,6 +76,8 @@ pub enum Act {
     Run(Command),
     /// Something is selected.
     Select(Selection),
+    /// Something is selected and brought into sight.
+    Show(Selection),
     /// Points are moved to these places, mm, and may move on: a drag. Where the drawing has a
     /// mirror, their images follow. Until [`Act::Rest`] it is one step of undo.
     Move(Vec<(PointRef, Point3)>),

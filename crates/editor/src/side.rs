@@ -1,27 +1,31 @@
-//! The bar at the side: the verdict in words, and typed values for what is selected.
+//! Typed values for what is selected, the sheet, the panel and the drawing.
+//!
+//! What is selected stands at the top, and the verdict, which grows, in a part of its own below: a field
+//! stays where it is while somebody types into it. Each field belongs to the thing by its name, so that
+//! what is typed never lands in another.
 
 use crate::command::Command;
-use crate::document::{Document, Drawing, Mirror, Plan};
+use crate::document::{Document, Drawing, FARTHEST_MM, Mirror, Plan};
 use crate::editor::Editor;
-use crate::engine::shown::{Shown, ShownPanel, ShownRung};
-use crate::field::{length_ui, name_ui, number_ui};
-use crate::scene::{Act, Edit, PointRef, Selection, curves_of};
+use crate::field::Field;
+use crate::scene::{Act, Edit, PointRef, curves_of};
 use crate::theme::Theme;
-use eframe::egui::{self, ComboBox, Frame, Margin, RichText, Ui};
+use eframe::egui::{self, ComboBox, Id, RichText, Ui};
 use sheetwright::boundary::PlaneChoice;
-use sheetwright::check::{Finding, Severity, Verdict};
 use sheetwright::design::{DesignPanel, PanelShape};
 use sheetwright::material::MATERIALS;
 use sheetwright::math::Point2;
-use sheetwright_files::{Units, length_text, verdict_sentence, verdict_word};
+use sheetwright_files::Units;
+use std::ops::RangeInclusive;
 
-/// Findings that are shown at once.
-const FINDINGS: usize = 3;
+/// Where things may lie, mm.
+const PLACES: RangeInclusive<f64> = -FARTHEST_MM..=FARTHEST_MM;
+/// How far lines of a grid may be apart, mm.
+const GRIDS: RangeInclusive<f64> = 0.01..=1e6;
 
-/// The whole bar.
-pub(crate) fn side_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
+/// All fields.
+pub(crate) fn fields_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
     egui::ScrollArea::vertical().auto_shrink([false; 2]).show(ui, |ui| {
-        verdicts_ui(ui, editor, theme, acts);
         selected_ui(ui, editor, theme, acts);
         panel_ui(ui, editor, theme, acts);
         drawing_ui(ui, editor, theme, acts);
@@ -31,150 +35,6 @@ pub(crate) fn side_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Ve
 fn section(ui: &mut Ui, title: &str, content: impl FnOnce(&mut Ui)) {
     ui.add_space(6.0);
     egui::CollapsingHeader::new(RichText::new(title).strong()).default_open(true).show(ui, content);
-}
-
-/// Will it bend? One card a panel.
-fn verdicts_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
-    ui.add_space(4.0);
-    ui.heading("Will it bend?");
-    if editor.shown().is_empty() {
-        let text = if editor.document().design.curves.is_empty() {
-            "Nothing is drawn yet."
-        } else if editor.document().design.panels.is_empty() {
-            "No outline is closed yet. Join the ends of a curve to close it."
-        } else {
-            "Working it out…"
-        };
-        ui.label(RichText::new(text).color(theme.faint));
-    }
-    for (n, panel) in editor.shown().iter().enumerate() {
-        card_ui(ui, editor, theme, n, panel, acts);
-    }
-}
-
-fn card_ui(
-    ui: &mut Ui,
-    editor: &Editor,
-    theme: &Theme,
-    n: usize,
-    panel: &ShownPanel,
-    acts: &mut Vec<Act>,
-) {
-    let is_selected = editor.selection().panel == Some(n);
-    let line = if is_selected { theme.accent } else { theme.line };
-    let frame = Frame::new()
-        .fill(theme.paper)
-        .stroke(egui::Stroke::new(if is_selected { 1.5 } else { 1.0 }, line))
-        .corner_radius(6)
-        .inner_margin(Margin::same(10));
-    frame.show(ui, |ui| {
-        ui.set_width(ui.available_width());
-        match &panel.made {
-            Ok(shown) => made_ui(ui, editor, theme, n, panel, shown, acts),
-            Err(refusal) => {
-                ui.label(RichText::new(&panel.name).strong());
-                ui.label(RichText::new("Can't be made yet").color(theme.verdicts[1]).strong());
-                ui.label(&refusal.message);
-                ui.label(RichText::new(&refusal.hint).color(theme.faint));
-            }
-        }
-    });
-}
-
-fn made_ui(
-    ui: &mut Ui,
-    editor: &Editor,
-    theme: &Theme,
-    n: usize,
-    panel: &ShownPanel,
-    shown: &Shown,
-    acts: &mut Vec<Act>,
-) {
-    let units = editor.document().drawing.units;
-    ui.horizontal(|ui| {
-        let name = egui::Button::selectable(editor.selection().panel == Some(n), &panel.name);
-        if ui.add(name).on_hover_text("Select this panel.").clicked() {
-            acts.push(Act::Select(Selection { panel: Some(n), ..Selection::default() }));
-        }
-    });
-    let word = RichText::new(format!("{} {}", sign(shown.verdict), verdict_word(shown.verdict)))
-        .color(theme.verdict(shown.verdict))
-        .size(18.0)
-        .strong();
-    ui.label(word);
-    ui.label(verdict_sentence(shown.verdict));
-    let size = shown.piece.size;
-    let size =
-        format!("{} × {}", length_text(round(size.x), units), length_text(round(size.y), units));
-    ui.label(RichText::new(format!("Pattern: {size}")).color(theme.faint));
-    if let Some(worst) = shown.worst_rung() {
-        let twist = format!(
-            "Largest twist {:.1}°, the sheet takes {}°",
-            shown.rungs[worst].warp_deg, shown.warp_limit_deg
-        );
-        let hint = twist_hint(&shown.rungs[worst], shown.warp_max_deg);
-        let link = ui.link(twist).on_hover_text(hint);
-        if link.clicked() {
-            acts.push(Act::Select(Selection::of_rung(n, worst)));
-        }
-    }
-    if shown.bend_radius_min_mm.is_finite() {
-        let radius = length_text(round(shown.bend_radius_min_mm), units);
-        ui.label(RichText::new(format!("Tightest bend {radius} radius")).color(theme.faint));
-    }
-    let (first, rest) = shown.findings.split_at(shown.findings.len().min(FINDINGS));
-    first.iter().for_each(|finding| finding_ui(ui, theme, finding));
-    if !rest.is_empty() {
-        let title = format!("{} more", rest.len());
-        egui::CollapsingHeader::new(title).id_salt(("more", n)).show(ui, |ui| {
-            rest.iter().for_each(|finding| finding_ui(ui, theme, finding));
-        });
-    }
-}
-
-/// What is said of the largest twist, that at `worst`: reports count what the sampling explains too, and
-/// may name a larger one.
-fn twist_hint(worst: &ShownRung, largest_deg: f64) -> String {
-    let shown = format!("{:.1}", worst.warp_deg);
-    let largest = format!("{largest_deg:.1}");
-    if worst.is_unsure {
-        "Show where it is. It may come from samples that are far apart.".into()
-    } else if largest == shown {
-        "Show where it is.".into()
-    } else {
-        format!(
-            "Show where it is. The {largest}° that the report has may come from samples that are far \
-             apart."
-        )
-    }
-}
-
-fn finding_ui(ui: &mut Ui, theme: &Theme, finding: &Finding) {
-    let (sign, ink) = match finding.severity {
-        Severity::Error => ("■", theme.verdicts[2]),
-        Severity::Warning => ("▲", theme.verdicts[1]),
-        Severity::Note => ("•", theme.faint),
-    };
-    ui.horizontal_top(|ui| {
-        ui.label(RichText::new(sign).color(ink));
-        let place =
-            if finding.place.is_empty() { String::new() } else { format!(" ({})", finding.place) };
-        ui.add(egui::Label::new(format!("{}{place}", finding.text)).wrap());
-    });
-}
-
-fn sign(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::Bends | Verdict::BendsAndFolds => "●",
-        Verdict::BendsWithForce => "▲",
-        Verdict::Undecided => "?",
-        Verdict::WillNotBend => "■",
-    }
-}
-
-/// Tenths of a millimetre are enough for a look.
-fn round(mm: f64) -> f64 {
-    (mm * 10.0).round() / 10.0
 }
 
 fn selected_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
@@ -225,8 +85,9 @@ fn point_ui(ui: &mut Ui, document: &Document, theme: &Theme, at: PointRef, acts:
     let names = axes(plan);
     let mut to = (flat, plan.lift(point.at));
     let mut is_changed = false;
-    for (name, value) in names.iter().zip([&mut to.0.x, &mut to.0.y, &mut to.1]) {
-        if let Some(mm) = length_ui(ui, theme, name, *value, units) {
+    let of = Id::unique(("handle", &curve.name, at.point));
+    for (label, value) in names.into_iter().zip([&mut to.0.x, &mut to.0.y, &mut to.1]) {
+        if let Some(mm) = (Field { theme, of, label }).length(ui, *value, units, PLACES) {
             *value = mm;
             is_changed = true;
         }
@@ -252,7 +113,8 @@ fn lift_all_ui(
     let Drawing { plan, units, .. } = document.drawing;
     let place = |r: &PointRef| Some(document.design.curves.get(r.curve)?.points.get(r.point)?.at);
     let Some(first) = points.first().and_then(place) else { return };
-    if let Some(mm) = length_ui(ui, theme, axes(plan)[2], plan.lift(first), units) {
+    let field = Field { theme, of: Id::unique(("handles", points)), label: axes(plan)[2] };
+    if let Some(mm) = field.length(ui, plan.lift(first), units, PLACES) {
         let moved = points.iter().filter_map(|r| Some((*r, plan.space(plan.flat(place(r)?), mm))));
         acts.push(Act::Move(moved.collect()));
         acts.push(Act::Rest);
@@ -262,7 +124,8 @@ fn lift_all_ui(
 fn curve_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, n: usize, acts: &mut Vec<Act>) {
     let design = &editor.document().design;
     let curve = &design.curves[n];
-    if let Some(name) = name_ui(ui, theme, "Name of curve", &curve.name) {
+    let of = Id::unique(("curve", &curve.name));
+    if let Some(name) = (Field { theme, of, label: "Name of curve" }).name(ui, &curve.name) {
         acts.push(Act::Edit(Edit::RenameCurve { curve: n, name }));
     }
     let state = if curve.closed { "closed" } else { "open" };
@@ -311,14 +174,16 @@ fn panel_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
     };
     let panel = &design.panels[n];
     section(ui, "Panel", |ui| {
-        if let Some(name) = name_ui(ui, theme, "Name of panel", &panel.name) {
+        let of = Id::unique(("panel", &panel.name));
+        let field = |label| Field { theme, of, label };
+        if let Some(name) = field("Name of panel").name(ui, &panel.name) {
             acts.push(Act::Edit(Edit::RenamePanel { panel: n, name }));
         }
         let mut to = panel.clone();
-        if let Some(samples) = number_ui(ui, theme, "Samples", to.samples as f64, 3.0..=100_000.0) {
+        if let Some(samples) = field("Samples").count(ui, to.samples as f64, 3.0..=100_000.0) {
             to.samples = samples as usize;
         }
-        if let Some(fold) = number_ui(ui, theme, "Fold price", to.fold, 0.0..=10.0) {
+        if let Some(fold) = field("Fold price").number(ui, to.fold, 0.0..=10.0) {
             to.fold = fold;
         }
         let mut lies_over = to.plane != PlaneChoice::None;
@@ -351,14 +216,18 @@ fn drawing_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) 
                 }
             },
         );
-        if let Some(mm) = length_ui(ui, theme, "Grid", to.grid_mm, drawing.units)
-            && mm > 0.0
-        {
+        if to.units != drawing.units && drawing.units.round_step_mm(to.grid_mm) == to.grid_mm {
+            // What was round in the old unit is to be round in the new one.
+            to.grid_mm = to.units.round_step_mm(to.grid_mm);
+        }
+        let of = Id::unique("drawing");
+        let field = |label| Field { theme, of, label };
+        if let Some(mm) = field("Grid").step(ui, drawing.grid_mm, drawing.units, GRIDS) {
             to.grid_mm = mm;
         }
         if let Some(mirror) = drawing.mirror {
             let name = if mirror.upright { "Mirror across" } else { "Mirror up" };
-            if let Some(at_mm) = length_ui(ui, theme, name, mirror.at_mm, drawing.units) {
+            if let Some(at_mm) = field(name).length(ui, mirror.at_mm, drawing.units, PLACES) {
                 to.mirror = Some(Mirror { at_mm, ..mirror });
             }
             let mut upright = mirror.upright;
@@ -372,10 +241,10 @@ fn drawing_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) 
             ui.label(RichText::new(format!("Picture: {}", picture.name)).color(theme.faint));
             ui.add(egui::Slider::new(&mut picture.opacity, 0.1..=1.0).text("Opacity"));
             let Point2 { x, y } = picture.centre;
-            if let Some(mm) = length_ui(ui, theme, "Middle across", x, drawing.units) {
+            if let Some(mm) = field("Middle across").length(ui, x, drawing.units, PLACES) {
                 picture.centre.x = mm;
             }
-            if let Some(mm) = length_ui(ui, theme, "Middle up", y, drawing.units) {
+            if let Some(mm) = field("Middle up").length(ui, y, drawing.units, PLACES) {
                 picture.centre.y = mm;
             }
         }
@@ -383,26 +252,4 @@ fn drawing_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) 
             acts.push(Act::Edit(Edit::SetDrawing(Box::new(to))));
         }
     });
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_larger_twist_in_the_report_is_explained() {
-        let rung = |warp_deg: f64, is_unsure: bool| ShownRung {
-            ends: [0, 2],
-            flat_ends: [0, 2],
-            warp_deg,
-            is_unsure,
-            crease_deg: 0.0,
-            normals: Default::default(),
-        };
-        assert_eq!(twist_hint(&rung(9.07, false), 9.07), "Show where it is.");
-        assert!(
-            twist_hint(&rung(0.32, false), 0.8526).contains("The 0.9° that the report has may")
-        );
-        assert!(twist_hint(&rung(15.0, true), 15.0).contains("It may come from samples"));
-    }
 }

@@ -192,7 +192,8 @@ impl Theme {
         v.window_fill = self.ground;
         v.extreme_bg_color = self.field;
         v.faint_bg_color = self.paper;
-        v.override_text_color = Some(self.ink);
+        // No colour over all text: what is selected has the ink of its ground.
+        v.override_text_color = None;
         v.weak_text_color = Some(self.faint);
         v.hyperlink_color = self.accent;
         v.selection.bg_fill = self.accent;
@@ -203,6 +204,7 @@ impl Theme {
         let widgets = &mut v.widgets;
         widgets.noninteractive.bg_fill = self.ground;
         widgets.noninteractive.bg_stroke = egui::Stroke::new(1.0, self.line);
+        widgets.noninteractive.fg_stroke = egui::Stroke::new(1.0, self.ink);
         for widget in
             [&mut widgets.inactive, &mut widgets.hovered, &mut widgets.active, &mut widgets.open]
         {
@@ -234,3 +236,36 @@ pub const TOUCH: f32 = 40.0;
 pub const HANDLE: f32 = 5.0;
 /// The width of a boundary curve, points.
 pub const CURVE_WIDTH: f32 = 2.0;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// How much lighter one colour is than another, 1 ..= 21, as WCAG 2 measures it; here with powers of 2.
+    fn contrast(a: Color32, b: Color32) -> f32 {
+        let light = |c: Color32| {
+            let [r, g, b] =
+                [c.r(), c.g(), c.b()].map(|v| (f32::from(v) / 255.0) * (f32::from(v) / 255.0));
+            0.2126 * r + 0.7152 * g + 0.0722 * b
+        };
+        let (a, b) = (light(a) + 0.05, light(b) + 0.05);
+        (a / b).max(b / a)
+    }
+
+    #[test]
+    fn what_is_selected_can_be_read() {
+        for look in Look::ALL {
+            let ctx = egui::Context::default();
+            let theme = Theme::of(look, false);
+            theme.apply(&ctx);
+            let visuals = ctx.global_style().visuals.clone();
+            // A colour over all text would be that of selected text too.
+            assert_eq!(visuals.override_text_color, None);
+            let selected = contrast(visuals.selection.stroke.color, visuals.selection.bg_fill);
+            let usual = contrast(visuals.text_color(), visuals.panel_fill);
+            assert!(selected > 4.5 && usual > 4.5, "{look:?}: {selected} {usual}");
+            assert_eq!(visuals.text_color(), theme.ink);
+            assert_eq!(visuals.strong_text_color(), theme.ink);
+        }
+    }
+}

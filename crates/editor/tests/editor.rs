@@ -141,7 +141,7 @@ fn points_move_so_that_the_sheet_bends_and_are_accepted_or_dropped() {
         hands.click("Try it");
         hands.settle();
         let varied = hands.app().editor().varied().unwrap().as_ref().unwrap();
-        assert!(varied.moved.is_some(), "{}", varied.text);
+        assert!(varied.moved.is_some() && varied.moved_max_mm > 0.0);
         hands.click(if accept { "Accept" } else { "Drop" });
         hands.settle();
         assert_eq!(*hands.app().editor().document() == before, !accept);
@@ -274,16 +274,16 @@ fn what_no_file_could_hold_is_refused() {
         editor.carry_out(Act::Rest);
         let notice = editor.notice.as_ref().unwrap();
         assert!(notice.is_refusal, "{what}: {}", notice.text);
-        let says = format!("{what} would reach further out than 1,000 km.");
+        let says = format!("{what} would reach further out than 100 km.");
         assert!(notice.text.starts_with(&says), "{}", notice.text);
         assert_eq!(editor.document(), &before);
         assert_eq!(Document::read("a.sheet.json", &editor.bytes()).as_ref(), Ok(&before));
     };
     let at = PointRef { curve: 0, point: 1 };
     let name = hands.app().editor().document().design.curves[0].name.clone();
-    refuses(&mut hands, &name, Act::Move(vec![(at, Point3::new(0.0, 0.0, 1.1e9))]));
+    refuses(&mut hands, &name, Act::Move(vec![(at, Point3::new(0.0, 0.0, 1.1e8))]));
     let mut drawing = hands.app().editor().document().drawing.clone();
-    drawing.mirror = Some(Mirror { upright: true, at_mm: 1e9 });
+    drawing.mirror = Some(Mirror { upright: true, at_mm: 1e8 });
     let editor = hands.harness.state_mut().editor_mut();
     editor.carry_out(Act::Edit(Edit::SetDrawing(Box::new(drawing))));
     assert!(editor.document().drawing.mirror.is_some());
@@ -418,11 +418,11 @@ fn what_cannot_be_opened_is_said_on_the_start_page_too() {
 fn of_lines_that_lead_far_away_only_what_is_seen_is_drawn() {
     let mut hands = Hands::new(SIZE, false);
     hands.run(Command::New);
-    let corners = vec![Point2::new(0.0, 0.0), Point2::new(1e9, 1e9)];
+    let corners = vec![Point2::new(0.0, 0.0), Point2::new(1e8, 1e8)];
     let editor = hands.harness.state_mut().editor_mut();
     editor.carry_out(Act::Edit(Edit::Corners { corners, closed: false }));
     let at = PointRef { curve: 0, point: 0 };
-    editor.carry_out(Act::Move(vec![(at, Point3::new(0.0, 0.0, 1e9))]));
+    editor.carry_out(Act::Move(vec![(at, Point3::new(0.0, 0.0, 1e8))]));
     editor.carry_out(Act::Rest);
     hands.settle();
     // As close as it goes, on the plan and in space.

@@ -28,11 +28,14 @@ impl Default for Document {
     }
 }
 
+/// Nothing is put farther out, mm. Files hold coordinates of up to [`MAX_COORDINATE_MM`], and a curve
+/// swings out beyond its handles by less than ten times.
+pub const FARTHEST_MM: f64 = 0.1 * MAX_COORDINATE_MM;
+
 impl Document {
-    /// What lies further out than [`MAX_COORDINATE_MM`], so that no file of it could be read again:
-    /// a curve by its name, or the picture.
+    /// What lies further out than [`FARTHEST_MM`]: a curve by its name, or the picture.
     pub fn out_of_range(&self) -> Option<&str> {
-        let fits = |mm: f64| mm.abs() <= MAX_COORDINATE_MM;
+        let fits = |mm: f64| mm.abs() <= FARTHEST_MM;
         let curve = self.design.curves.iter().find(|curve| {
             !curve.points.iter().all(|p| fits(p.at.x) && fits(p.at.y) && fits(p.at.z))
         });

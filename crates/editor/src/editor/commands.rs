@@ -3,6 +3,7 @@
 use super::{Editor, FileWish, Page, Zoom};
 use crate::command::Command;
 use crate::document::{Document, Mirror, edit};
+use crate::engine::shown::Shown;
 use crate::panes::plan::Tool;
 use crate::room::{Part, Room};
 use crate::scene::Selection;
@@ -65,7 +66,8 @@ impl Editor {
 
     pub(super) fn run(&mut self, command: Command) {
         if let Some(why) = self.why_not(command) {
-            self.refuse(why.to_owned());
+            // Nothing went wrong: there is only nothing to do.
+            self.say(why);
             return;
         }
         self.notice = None;
@@ -135,8 +137,7 @@ impl Editor {
             Command::ToggleOrthographic => self.orthographic = !self.orthographic,
             Command::WorstRung => {
                 if let Some((panel, rung)) = self.worst_rung() {
-                    self.selection = Selection::of_rung(panel, rung);
-                    self.show_sheet();
+                    self.bring_into_sight(Selection::of_rung(panel, rung));
                 }
             }
             Command::Vary => self.page = Page::Vary,
@@ -176,6 +177,13 @@ impl Editor {
         }
     }
 
+    /// Selects something, and brings its rung into sight.
+    pub(super) fn bring_into_sight(&mut self, selection: Selection) {
+        self.wants_sight = selection.panel.zip(selection.rung);
+        self.selection = self.cleaned(selection);
+        self.show_sheet();
+    }
+
     fn use_tool(&mut self, tool: Tool) {
         self.page = Page::Panes;
         self.part = Part::Plan;
@@ -188,14 +196,33 @@ impl Editor {
         self.becomes(document);
     }
 
-    /// The panel and the rung with the largest warp angle of all.
+    /// The panel and the rung with the largest warp angle of all: of those that the sampling does not
+    /// explain, if there are any.
     pub fn worst_rung(&self) -> Option<(usize, usize)> {
         let made = self.shown.iter().enumerate();
         let worst = made.filter_map(|(n, panel)| {
             let shown = panel.made.as_ref().ok()?;
             let rung = shown.worst_rung()?;
-            Some((n, rung, shown.rungs[rung].warp_deg))
+            Some((n, rung, shown.twist()))
         });
-        worst.max_by(|a, b| a.2.total_cmp(&b.2)).map(|(panel, rung, _)| (panel, rung))
+        worst.max_by(|a, b| a.2.cmp(&b.2)).map(|(panel, rung, _)| (panel, rung))
+    }
+
+    /// The numbers of the panels that are shown, the worst first; those that are as bad in their order.
+    pub fn worst_first(&self) -> Vec<usize> {
+        let mut order: Vec<usize> = (0..self.shown.len()).collect();
+        let rank = |n: &usize| {
+            let panel = &self.shown[*n];
+            (panel.badness(), panel.made.as_ref().ok().map(Shown::twist))
+        };
+        order.sort_by_key(|n| std::cmp::Reverse(rank(n)));
+        order
+    }
+
+    /// The worst panel with its worst rung, if it has one.
+    pub fn worst_place(&self) -> Option<Selection> {
+        let panel = *self.worst_first().first()?;
+        let rung = self.shown[panel].made.as_ref().ok().and_then(Shown::worst_rung);
+        Some(Selection { panel: Some(panel), rung, ..Selection::default() })
     }
 }

@@ -80,8 +80,14 @@ pub fn doing(panels: &[&str], stage: Stage) -> String {
         Stage::Flatten => "Laying flat",
         Stage::Check => "Checking",
     };
-    format!("{what} {}", panels.join(", "))
+    let rest = panels.len().saturating_sub(NAMED);
+    let names = panels[..panels.len() - rest].join(", ");
+    let more = if rest == 0 { String::new() } else { format!(" and {rest} more") };
+    format!("{what} {names}{more}")
 }
+
+/// So many panels are named while something is done to them: a line has no room for more.
+const NAMED: usize = 2;
 
 /// How fine panels are made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -134,8 +140,8 @@ pub enum Answer {
 pub struct Varied {
     /// The design with its points moved; `None` if nothing had to move, or nothing helped.
     pub moved: Option<Design>,
-    /// How it ended, in words.
-    pub text: String,
+    /// How far a sample of the panels moves at most, mm.
+    pub moved_max_mm: f64,
     /// The panels before.
     pub before: Vec<ShownPanel>,
     /// The panels after.
@@ -156,6 +162,14 @@ pub(crate) mod tests {
     use sheetwright::curve::{CurveKind, CurvePoint};
     use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelShape};
     use sheetwright::math::{Point3, cos, sin};
+
+    #[test]
+    fn what_is_done_to_many_panels_fits_a_line() {
+        use super::{Stage, doing};
+        assert_eq!(doing(&["a"], Stage::Check), "Checking a");
+        assert_eq!(doing(&["a", "b"], Stage::Check), "Checking a, b");
+        assert_eq!(doing(&["a", "b", "c", "d"], Stage::Flatten), "Laying flat a, b and 2 more");
+    }
 
     /// So many panels with so many samples each, all bounded by the rim of a saddle so high, mm.
     pub(crate) fn saddles(panels: usize, samples: usize, height: f64) -> Design {

@@ -17,6 +17,37 @@ pub struct ShownPanel {
     pub made: Result<Shown, Refusal>,
 }
 
+impl ShownPanel {
+    /// How bad it is: 0 where it bends, more the worse, most where it could not be made.
+    pub fn badness(&self) -> usize {
+        let place = |shown: &Shown| Verdict::ALL.iter().position(|v| *v == shown.verdict);
+        self.made.as_ref().ok().and_then(place).unwrap_or(Verdict::ALL.len())
+    }
+}
+
+/// How far a panel twists, in the order of how bad that is: what the sampling may explain comes first.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Twist {
+    /// Whether the sampling does not explain it.
+    pub is_sure: bool,
+    /// The warp angle, degrees.
+    pub deg: f64,
+}
+
+impl Eq for Twist {}
+
+impl Ord for Twist {
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        self.is_sure.cmp(&other.is_sure).then(self.deg.total_cmp(&other.deg))
+    }
+}
+
+impl PartialOrd for Twist {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
 /// What is shown of a panel that was made.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shown {
@@ -117,11 +148,17 @@ impl Shown {
     /// The rung that twists most, by its number among [`Self::rungs`]: of those whose warp angle the
     /// sampling does not explain, if there are any.
     pub fn worst_rung(&self) -> Option<usize> {
-        let rank = |n: usize| (!self.rungs[n].is_unsure, self.rungs[n].warp_deg);
-        let worst = |a: &usize, b: &usize| {
-            let ((a_sure, a_deg), (b_sure, b_deg)) = (rank(*a), rank(*b));
-            a_sure.cmp(&b_sure).then(a_deg.total_cmp(&b_deg))
-        };
-        (0..self.rungs.len()).max_by(worst)
+        (0..self.rungs.len()).max_by_key(|&n| self.rungs[n].twist())
+    }
+
+    /// The largest twist that is said of the panel, wherever that is: that of [`Self::worst_rung`].
+    pub fn twist(&self) -> Twist {
+        self.worst_rung().map_or(Twist::default(), |n| self.rungs[n].twist())
+    }
+}
+
+impl ShownRung {
+    fn twist(&self) -> Twist {
+        Twist { is_sure: !self.is_unsure, deg: self.warp_deg }
     }
 }

@@ -6,10 +6,8 @@
 use super::fineness::Fineness;
 use super::shown::{Shown, ShownPanel};
 use super::{Answer, Detail, Job, Refusal, Varied};
-use sheetwright::check::Verdict;
 use sheetwright::design::{Design, Live, Made, MadePanel, MakeError, make};
 use sheetwright::material::Material;
-use sheetwright::math::to_deg;
 use sheetwright::watch::Watch;
 use sheetwright_files::{Format, OutputFile, PdfOptions, hint_for, output_files};
 use web_time::Instant;
@@ -110,31 +108,13 @@ fn varied(made: Made) -> Varied {
         Some(change) => shown(&change.before, made.material),
         None => shown(panel, made.material),
     };
-    let worst = |panels: &mut dyn Iterator<Item = &MadePanel>| {
-        to_deg(panels.map(|panel| panel.measures.warp_max).fold(0.0, f64::max))
-    };
-    let now = worst(&mut made.panels.iter());
-    let was = worst(&mut made.panels.iter().map(|panel| match &panel.change {
-        Some(change) => &*change.before,
-        None => panel,
-    }));
-    let farthest = made
+    let moved_max_mm = made
         .panels
         .iter()
         .filter_map(|panel| Some(panel.change.as_ref()?.moved_max_mm()))
         .fold(0.0, f64::max);
-    let all_bend = made.panels.iter().all(|p| p.checked.verdict != Verdict::WillNotBend);
-    let text = if made.moved.is_none() {
-        "Nothing moved: either it bends already, or moving this far does not help.".to_owned()
-    } else {
-        format!(
-            "The largest twist goes from {was:.1}° to {now:.1}°; no sample moves farther than \
-             {farthest:.1} mm. {}",
-            if all_bend { "Every panel bends now." } else { "Not every panel bends yet." }
-        )
-    };
     Varied {
-        text,
+        moved_max_mm,
         before: made.panels.iter().map(before_of).collect(),
         after: made.panels.iter().map(|panel| shown(panel, made.material)).collect(),
         moved: made.moved,

@@ -10,19 +10,25 @@ pub mod vary;
 
 use crate::room::fitting;
 use crate::theme::Theme;
-use eframe::egui::{self, Align2, Ui};
+use eframe::egui::{self, Align2, Color32, Id, LayerId, Order, Sense, Ui};
 
 /// What is left free around a window, in points.
 const MARGIN: f32 = 12.0;
+/// What lies over everything behind a window.
+const SHADE: Color32 = Color32::from_black_alpha(70);
 
 /// A window in the middle, closed by its cross; whether it stays open. It is never larger than what
-/// it stands in: what finds no room is scrolled to.
+/// it stands in: what finds no room is scrolled to. Nothing behind it is reached by hand or key.
 fn window(ctx: &egui::Context, title: &str, width: f32, content: impl FnOnce(&mut Ui)) -> bool {
     let mut is_open = true;
     let room = ctx.content_rect().size();
     // The title, and the margins of the frame.
     let around = egui::vec2(40.0, 90.0);
+    let id = Id::unique(("page", title));
+    shield(ctx, id);
     egui::Window::new(title)
+        .id(id)
+        .order(Order::Foreground)
         .open(&mut is_open)
         .collapsible(false)
         .resizable(false)
@@ -35,6 +41,31 @@ fn window(ctx: &egui::Context, title: &str, width: f32, content: impl FnOnce(&mu
             area.max_height(height).min_scrolled_height(height).show(ui, content);
         });
     is_open
+}
+
+/// Covers everything behind the window of this name, so that neither hand nor keys reach it; whether the
+/// hand has clicked there.
+fn shield(ctx: &egui::Context, window: Id) -> bool {
+    let id = window.with("shield");
+    let pass = ctx.cumulative_pass_nr();
+    let last = ctx.data(|d| d.get_temp::<u64>(id));
+    ctx.data_mut(|d| d.insert_temp(id, pass));
+    if last.is_none_or(|last| last + 2 < pass) {
+        // What had the keys behind it has them no more.
+        ctx.memory_mut(|memory| {
+            if let Some(focused) = memory.focused() {
+                memory.surrender_focus(focused);
+            }
+        });
+    }
+    let room = ctx.content_rect();
+    let area = egui::Area::new(id).order(Order::Middle).fixed_pos(room.min).constrain(false);
+    let shield = area.show(ctx, |ui| {
+        ui.painter().rect_filled(room, 0.0, SHADE);
+        ui.allocate_rect(room, Sense::CLICK | Sense::DRAG)
+    });
+    ctx.memory_mut(|memory| memory.set_modal_layer(LayerId::new(Order::Foreground, window)));
+    shield.inner.clicked()
 }
 
 /// A button that stands out, as it is what people came for.

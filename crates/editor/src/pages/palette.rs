@@ -1,11 +1,12 @@
 //! Every command by a few letters of its name.
 
+use super::shield;
 use crate::command::Command;
 use crate::editor::Editor;
 use crate::room::fitting;
 use crate::scene::Act;
 use crate::theme::Theme;
-use eframe::egui::{self, Align2, Id, Key, RichText, TextEdit, Ui};
+use eframe::egui::{self, Align2, Id, Key, Order, RichText, TextEdit, Ui};
 
 /// What is typed so far, and the line that is chosen.
 #[derive(Clone, Debug, Default)]
@@ -42,7 +43,11 @@ impl Palette {
         self.chosen = (self.chosen + usize::from(down)).saturating_sub(usize::from(up)).min(last);
         let mut stays = true;
         let room = ctx.content_rect().size();
+        let id = Id::unique("palette page");
+        stays &= !shield(ctx, id);
         egui::Window::new("Find a command")
+            .id(id)
+            .order(Order::Foreground)
             .title_bar(false)
             .resizable(false)
             .anchor(Align2::CENTER_TOP, egui::vec2(0.0, (0.11 * room.y).min(90.0)))

@@ -6,14 +6,14 @@ use crate::bars::notice_ui;
 use crate::command::Command;
 use crate::document::Document;
 use crate::editor::Notice;
-use crate::field::typed_ui;
+use crate::field::Field;
 use crate::room::{Room, fitting};
 use crate::scene::Act;
 use crate::theme::Theme;
 use crate::thumb::Thumbs;
-use eframe::egui::{self, Align, Button, Layout, RichText, ScrollArea, TextEdit, Ui, vec2};
-use sheetwright::template::{Kind, Parameter, Template, catalogue};
-use sheetwright_files::{Drawing, Units, design_from_template, length_in, length_text};
+use eframe::egui::{self, Align, Button, Id, Layout, RichText, ScrollArea, TextEdit, Ui, vec2};
+use sheetwright::template::{Kind, Parameter, Range, Template, catalogue};
+use sheetwright_files::{Drawing, Units, design_from_template, length_in, read_lengths};
 use std::collections::BTreeMap;
 
 /// What the page shows and what is chosen on it.
@@ -320,10 +320,7 @@ impl Form {
         let settings: Vec<String> =
             self.settings.iter().map(|(name, value)| format!("{name}={value}")).collect();
         self.outcome = match design_from_template(self.template.name, &settings) {
-            Ok(design) => {
-                let drawing = Drawing { units, ..Drawing::default() };
-                Ok(Document { design, drawing })
-            }
+            Ok(design) => Ok(Document { design, drawing: Drawing::in_units(units) }),
             Err(error) => Err(format!("{error}. {}", error.hint)),
         };
     }
@@ -357,37 +354,30 @@ impl Form {
     ) -> bool {
         let set = self.settings.get(parameter.name);
         let label = capitalised(parameter.meaning);
+        let of = Id::unique(("template", self.template.name, parameter.name));
+        let field = Field { theme, of, label: &label };
         let new = match parameter.kind {
-            Kind::Length(range) => {
+            Kind::Length(Range { least, most, default }) => {
                 let now = set.and_then(|text| length_in(text, Units::Millimetres));
-                let shown = length_text(now.unwrap_or(range.default), units);
-                let hint = format!(
-                    "From {} to {}.",
-                    length_text(range.least, units),
-                    length_text(range.most, units)
-                );
-                let read = |text: &str| {
-                    let mm = length_in(text, units)?;
-                    (range.least..=range.most).contains(&mm).then(|| format!("{mm}"))
-                };
-                typed_ui(ui, theme, &label, &shown, &hint, read)
+                let typed = field.length(ui, now.unwrap_or(default), units, least..=most);
+                typed.map(|mm| mm.to_string())
             }
             Kind::Angle(range) | Kind::Count(range) | Kind::Number(range) => {
-                let shown = set.cloned().unwrap_or_else(|| format!("{}", range.default));
-                let hint = format!("From {} to {}.", range.least, range.most);
-                let is_whole = matches!(parameter.kind, Kind::Count(_));
-                let read = |text: &str| {
-                    let number: f64 = text.trim().trim_end_matches('°').parse().ok()?;
-                    let fits = (range.least..=range.most).contains(&number);
-                    (fits && (!is_whole || number.fract() == 0.0)).then(|| format!("{number}"))
+                let now = set.and_then(|text| text.parse().ok()).unwrap_or(range.default);
+                let range = range.least..=range.most;
+                let typed = match parameter.kind {
+                    Kind::Angle(_) => field.angle(ui, now, range),
+                    Kind::Count(_) => field.count(ui, now, range),
+                    _ => field.number(ui, now, range),
                 };
-                typed_ui(ui, theme, &label, &shown, &hint, read)
+                typed.map(|number| number.to_string())
             }
-            Kind::Lengths { default, .. } => {
-                let numbers: Vec<String> = default.iter().map(|mm| format!("{mm}")).collect();
-                let shown = set.cloned().unwrap_or_else(|| numbers.join(","));
-                let hint = "Lengths in mm with commas between them.";
-                typed_ui(ui, theme, &label, &shown, hint, |text| Some(text.to_owned()))
+            Kind::Lengths { default, least, most, .. } => {
+                let now = set.and_then(|text| read_lengths(text, Units::Millimetres).ok());
+                let now = now.unwrap_or_else(|| default.to_vec());
+                let typed = field.lengths(ui, &now, units, least..=most);
+                let text = |mm: &f64| mm.to_string();
+                typed.map(|list| list.iter().map(text).collect::<Vec<_>>().join(","))
             }
             Kind::Choice(choices) => {
                 let now = set.map_or(choices[0].name, String::as_str);

@@ -3,25 +3,33 @@
 
 use super::{main_button, window};
 use crate::command::Command;
+use crate::document::FARTHEST_MM;
 use crate::editor::Editor;
 use crate::engine::Varied;
-use crate::engine::shown::ShownPanel;
-use crate::field::{length_ui, number_ui};
+use crate::engine::shown::{Shown, ShownPanel};
+use crate::field::Field;
 use crate::scene::Act;
 use crate::theme::Theme;
-use eframe::egui::{self, ProgressBar, RichText, Ui};
+use eframe::egui::{self, Id, Label, ProgressBar, RichText, Ui};
+use sheetwright::check::Verdict;
 use sheetwright::design::Vary;
+use sheetwright::material::warp_limit_deg;
 use sheetwright::math::from_deg;
 use sheetwright::vary::Goal;
-use sheetwright_files::verdict_word;
+use sheetwright_files::{Units, length_text, verdict_word};
+use std::ops::RangeInclusive;
+
+/// Angles that may be reached, degrees.
+const ANGLES: RangeInclusive<f64> = 0.1..=90.0;
 
 /// What is asked for.
 #[derive(Clone, Debug)]
 pub struct VaryPage {
     held: Vec<String>,
     reach_angle: bool,
-    angle_deg: f64,
-    limit_mm: f64,
+    /// What was typed; else the twist that the sheet takes, and what is usual in the units.
+    angle_deg: Option<f64>,
+    limit_mm: Option<f64>,
     was_limited: bool,
 }
 
@@ -30,8 +38,8 @@ impl Default for VaryPage {
         Self {
             held: Vec::new(),
             reach_angle: false,
-            angle_deg: 3.0,
-            limit_mm: 10.0,
+            angle_deg: None,
+            limit_mm: None,
             was_limited: true,
         }
     }
@@ -62,7 +70,10 @@ impl VaryPage {
         let stays = window(ctx, "Make it bend", 430.0, |ui| {
             if let Some(outcome) = editor.varied() {
                 match outcome {
-                    Ok(varied) => out = outcome_ui(ui, theme, varied),
+                    Ok(varied) => {
+                        let units = editor.document().drawing.units;
+                        out = outcome_ui(ui, theme, varied, units);
+                    }
                     Err(refusal) => {
                         ui.label(RichText::new(&refusal.message).color(theme.verdicts[2]));
                         ui.label(&refusal.hint);
@@ -75,8 +86,9 @@ impl VaryPage {
             }
             self.ask_ui(ui, editor, theme, &mut out);
             if let Some(work) = editor.work() {
+                ui.add(Label::new(work.text).wrap());
                 ui.horizontal(|ui| {
-                    ui.add(ProgressBar::new(work.done as f32).desired_width(260.0).text(work.text));
+                    ui.add(ProgressBar::new(work.done as f32).desired_width(260.0));
                     if ui.button("Stop").clicked() {
                         acts.push(Act::Run(Command::Stop));
                     }
@@ -96,19 +108,18 @@ impl VaryPage {
             true,
             "Reach an angle, and move no more than that takes",
         );
-        if self.reach_angle
-            && let Some(deg) = number_ui(ui, theme, "Largest twist (°)", self.angle_deg, 0.1..=90.0)
-        {
-            self.angle_deg = deg;
+        let field = |label| Field { theme, of: Id::unique("vary"), label };
+        let angle_deg = self.angle_deg.unwrap_or(warp_limit_deg(document.design.material));
+        if self.reach_angle {
+            let typed = field("Largest twist").angle(ui, angle_deg, ANGLES);
+            self.angle_deg = typed.or(self.angle_deg);
         }
         ui.checkbox(&mut self.was_limited, "Nothing moves farther than");
+        let units = document.drawing.units;
+        let limit_mm = self.limit_mm.unwrap_or(usual_limit_mm(units));
         if self.was_limited {
-            let units = document.drawing.units;
-            if let Some(mm) = length_ui(ui, theme, "Distance", self.limit_mm, units)
-                && mm >= 0.0
-            {
-                self.limit_mm = mm;
-            }
+            let typed = field("Distance").length(ui, limit_mm, units, 0.0..=FARTHEST_MM);
+            self.limit_mm = typed.or(self.limit_mm);
         }
         ui.add_space(6.0);
         ui.label("Curves that may move:");
@@ -127,15 +138,17 @@ impl VaryPage {
         let names = document.design.curves.iter().map(|curve| curve.name.as_str());
         let curves: Vec<String> = names.filter(is_free).map(str::to_owned).collect();
         ui.add_space(8.0);
-        let can = !curves.is_empty() && editor.work().is_none();
+        let is_refused = self.reach_angle && field("Largest twist").is_refused(ui)
+            || self.was_limited && field("Distance").is_refused(ui);
+        let can = !curves.is_empty() && editor.work().is_none() && !is_refused;
         ui.add_enabled_ui(can, |ui| {
             if main_button(ui, theme, "Try it").clicked() {
                 let goal = if self.reach_angle {
-                    Goal::Warp { largest: from_deg(self.angle_deg) }
+                    Goal::Warp { largest: from_deg(angle_deg) }
                 } else {
                     Goal::Price
                 };
-                let limit_mm = self.was_limited.then_some(self.limit_mm);
+                let limit_mm = self.was_limited.then_some(limit_mm);
                 *out = Some(VaryAct::Move(Box::new(Vary {
                     curves,
                     goal,
@@ -147,8 +160,42 @@ impl VaryPage {
     }
 }
 
-fn outcome_ui(ui: &mut Ui, theme: &Theme, varied: &Varied) -> Option<VaryAct> {
-    ui.label(&varied.text);
+/// How far points may move unless somebody types it, mm: about a centimetre, round in the units.
+fn usual_limit_mm(units: Units) -> f64 {
+    match units {
+        Units::Millimetres | Units::Centimetres | Units::Metres => 10.0,
+        Units::Inches => 0.5 * Units::Inches.in_mm(),
+        Units::Feet => 0.04 * Units::Feet.in_mm(),
+    }
+}
+
+/// How it ended, in words. Angles are those of the cards at the side.
+fn said(varied: &Varied, units: Units) -> String {
+    if varied.moved.is_none() {
+        return "Nothing moved: either it bends already, or moving this far does not help."
+            .to_owned();
+    }
+    let twist = |panels: &[ShownPanel]| {
+        let made = panels.iter().filter_map(|panel| panel.made.as_ref().ok());
+        made.map(Shown::twist).max().unwrap_or_default().deg
+    };
+    let is_bad = |panel: &ShownPanel| {
+        panel.made.as_ref().is_ok_and(|shown| shown.verdict == Verdict::WillNotBend)
+    };
+    let end = match varied.after.iter().any(is_bad) {
+        true => "Not every panel bends yet.",
+        false => "Every panel bends now.",
+    };
+    format!(
+        "The largest twist goes from {:.1}° to {:.1}°; no sample moves farther than {}. {end}",
+        twist(&varied.before),
+        twist(&varied.after),
+        length_text(varied.moved_max_mm, units),
+    )
+}
+
+fn outcome_ui(ui: &mut Ui, theme: &Theme, varied: &Varied, units: Units) -> Option<VaryAct> {
+    ui.label(said(varied, units));
     ui.add_space(6.0);
     egui::Grid::new("varied").num_columns(3).striped(true).show(ui, |ui| {
         for title in ["Panel", "Before", "After"] {
@@ -179,7 +226,7 @@ fn outcome_ui(ui: &mut Ui, theme: &Theme, varied: &Varied) -> Option<VaryAct> {
 fn said_ui(ui: &mut Ui, theme: &Theme, panel: &ShownPanel) {
     match &panel.made {
         Ok(shown) => {
-            let text = format!("{}, {:.1}°", verdict_word(shown.verdict), shown.warp_max_deg);
+            let text = format!("{}, {:.1}°", verdict_word(shown.verdict), shown.twist().deg);
             ui.label(RichText::new(text).color(theme.verdict(shown.verdict)));
         }
         Err(refusal) => {

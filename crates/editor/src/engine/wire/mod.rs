@@ -234,7 +234,7 @@ fields!(Point2 { x, y });
 fields!(Point3 { x, y, z });
 fields!(Refusal { message, hint });
 fields!(OutputFile { name, bytes });
-fields!(Varied { moved, text, before, after });
+fields!(Varied { moved, moved_max_mm, before, after });
 kinds!(Detail { Coarse, Full });
 kinds!(Format { Obj, Svg, Dxf, Pdf, Quads, Step, Report });
 

@@ -70,7 +70,7 @@ fn answers() -> Vec<Answer> {
         let (before, after) = (panels.clone(), Vec::new());
         Answer::Varied {
             number: 3,
-            outcome: Ok(Box::new(Varied { moved, text: "moved".to_owned(), before, after })),
+            outcome: Ok(Box::new(Varied { moved, moved_max_mm: 1.5, before, after })),
         }
     };
     let file = OutputFile { name: "a.svg".to_owned(), bytes: (0..=255).collect() };

@@ -38,11 +38,13 @@ pub struct PatternPane {
     gap_mm: Way,
     /// Whether everything is kept in sight, until the hand moves the view.
     follows: bool,
+    /// A panel and its rung that are to be brought into sight.
+    to_bring: Option<(usize, usize)>,
 }
 
 impl Default for PatternPane {
     fn default() -> Self {
-        Self { view: View::default(), gap_mm: Way::default(), follows: true }
+        Self { view: View::default(), gap_mm: Way::default(), follows: true, to_bring: None }
     }
 }
 
@@ -55,6 +57,26 @@ impl PatternPane {
     /// Brings everything into sight, and keeps it there until the hand moves the view.
     pub fn fit(&mut self) {
         self.follows = true;
+    }
+
+    /// Brings a rung of a panel into sight, where it is not.
+    pub(crate) fn bring_into_sight(&mut self, panel: usize, rung: usize) {
+        self.to_bring = Some((panel, rung));
+    }
+
+    /// Moves the rung that is to be seen into the middle, unless it is in sight.
+    fn bring(&mut self, scene: &Scene<'_>, pieces: &[Placed], rect: Rect) {
+        let Some((panel, rung)) = self.to_bring.take() else { return };
+        let piece = pieces.iter().find(|piece| piece.panel == panel);
+        let Some((piece, shown)) = piece.zip(made(scene, panel)) else { return };
+        let Some(rung) = shown.rungs.get(rung) else { return };
+        let ends = rung.flat_ends.map(|end| shown.flat.get(end as usize).copied());
+        let [Some(a), Some(b)] = ends else { return };
+        let seen = [a, b].map(|p| self.view.seen(p + piece.offset, rect));
+        if !seen.iter().all(|&at| rect.contains(at)) {
+            self.view.pan(rect.center() - seen[0].lerp(seen[1], 0.5));
+            self.follows = false;
+        }
     }
 
     /// Shows the pieces and answers the hand.
@@ -89,6 +111,7 @@ impl PatternPane {
             self.view.fit(&pieces, free);
             self.view.pan(free.center() - rect.center());
         }
+        self.bring(scene, &pieces, rect);
         let worst = worst_of_all(scene).map(|(panel, _)| panel);
         let mut clicked = ground.clicked().then(|| ground.interact_pointer_pos()).flatten();
         for piece in &pieces {

@@ -366,7 +366,9 @@ impl PlanPane {
     }
 
     fn keys(&mut self, ui: &Ui, response: &Response, scene: &Scene<'_>, acts: &mut Vec<Act>) {
-        if !self.corners.is_empty() {
+        // Keys that a field or a page has are not for the plan.
+        let is_free = ui.memory(|m| m.allows_interaction(response.layer_id));
+        if !self.corners.is_empty() && is_free && !ui.ctx().text_edit_focused() {
             let (enter, back) =
                 ui.input(|i| (i.key_pressed(Key::Enter), i.key_pressed(Key::Backspace)));
             if enter {

@@ -61,6 +61,8 @@ pub struct SpacePane {
     turn: Option<Turn>,
     /// What is to be brought into sight once the size of the pane is known.
     to_fit: Fit,
+    /// A panel and its rung that are to be brought into sight.
+    to_bring: Option<(usize, usize)>,
     has_card: bool,
 }
 
@@ -103,6 +105,7 @@ impl SpacePane {
             handles: Handles::default(),
             turn: None,
             to_fit: Fit::AtFirst,
+            to_bring: None,
             has_card: card.is_some(),
         }
     }
@@ -110,6 +113,11 @@ impl SpacePane {
     /// Brings everything into sight.
     pub fn fit(&mut self) {
         self.to_fit = Fit::Asked;
+    }
+
+    /// Brings a rung of a panel into sight, where it is not.
+    pub(crate) fn bring_into_sight(&mut self, panel: usize, rung: usize) {
+        self.to_bring = Some((panel, rung));
     }
 
     /// What the hand holds is let go where it is: the pane is not shown any more.
@@ -217,6 +225,7 @@ impl SpacePane {
                 self.gauss = Camera { direction: self.gauss.direction, ..gauss_camera(rect) };
             }
         }
+        self.bring(ui, scene, rect);
         // The first look at the image is at its middle.
         if view == SurfaceView::Gauss && !self.gauss_turned {
             self.gauss = gauss_camera(rect);
@@ -236,6 +245,23 @@ impl SpacePane {
                 self.camera = turn.to;
                 self.turn = None;
             }
+        }
+    }
+
+    /// Looks at the rung that is to be seen, from where it looks now, unless it is in sight.
+    fn bring(&mut self, ui: &Ui, scene: &Scene<'_>, rect: Rect) {
+        let Some((panel, rung)) = self.to_bring.take() else { return };
+        let Some(Ok(shown)) = scene.panels.get(panel).map(|panel| &panel.made) else { return };
+        let Some(rung) = shown.rungs.get(rung) else { return };
+        let ends = rung.ends.map(|end| shown.positions.get(end as usize).copied());
+        let [Some(a), Some(b)] = ends else { return };
+        let mut to = self.turn.map_or(self.camera, |turn| turn.to);
+        let is_seen = |p| to.seen(p, rect).is_some_and(|seen| rect.contains(seen.at));
+        if !(is_seen(a) && is_seen(b)) {
+            to.target = a.lerp(b, 0.5);
+            // A rung is seen with what is round it.
+            to.height_mm = to.height_mm.max(3.0 * a.distance(b));
+            self.go(to, ui);
         }
     }
 
@@ -315,7 +341,9 @@ impl SpacePane {
             }
         }
         let text = match gauss::middle(scene) {
-            Some(_) => "The directions that the sheet faces. A line bends freely, a band twists.",
+            Some(_) => {
+                "The directions that the sheet faces. A line bends freely, a band twists: its colour says how far."
+            }
             None => "There is no sheet yet.",
         };
         let width = (rect.width() - 150.0).max(120.0);

@@ -1,0 +1,265 @@
+//! Will it bend? A line that counts, always at the top of the bar, and a card a panel, the worst first.
+
+use crate::editor::Editor;
+use crate::engine::shown::{Shown, ShownPanel, ShownRung};
+use crate::scene::{Act, Selection};
+use crate::theme::Theme;
+use eframe::egui::{self, Align, Button, Color32, Frame, Layout, Margin, RichText, Ui, vec2};
+use sheetwright::check::{Finding, Severity, Verdict};
+use sheetwright_files::{length_text, verdict_sentence, verdict_word};
+
+/// Findings that are shown at once.
+const FINDINGS: usize = 3;
+/// Of more panels than this, those that bend are shown in a line each.
+const WHOLE_CARDS: usize = 3;
+/// How high the line that counts is, points: the same whatever it says, so that nothing below it moves.
+const BANNER: f32 = 34.0;
+
+/// How many panels are not fine, in a line. A click brings the worst place into sight.
+pub(crate) fn banner_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
+    let (text, ink) = match counted(editor.shown()) {
+        Some((text, panel)) => (text, ink(theme, panel)),
+        None => (waiting(editor).to_owned(), theme.faint),
+    };
+    let worst = editor.worst_place();
+    let text = RichText::new(text).color(ink).strong().size(15.0);
+    let button = Button::new(text).fill(theme.paper).truncate();
+    let room = vec2(ui.available_width(), BANNER);
+    let placed =
+        Layout::left_to_right(Align::Center).with_cross_justify(true).with_main_justify(true);
+    ui.allocate_ui_with_layout(room, placed, |ui| {
+        let button = button.wrap_mode(egui::TextWrapMode::Truncate);
+        let response = ui.add_enabled(worst.is_some(), button);
+        let response = response.on_hover_text("Show the worst place.");
+        if let Some(worst) = worst.filter(|_| response.clicked()) {
+            acts.push(Act::Show(worst));
+        }
+    });
+}
+
+/// Why there is no verdict.
+fn waiting(editor: &Editor) -> &'static str {
+    let design = &editor.document().design;
+    if design.curves.is_empty() {
+        "Nothing is drawn yet"
+    } else if design.panels.is_empty() {
+        "No outline is closed yet"
+    } else {
+        "Working it out…"
+    }
+}
+
+/// How many panels are as bad as the worst, in words, and the first of these; `None` without panels.
+fn counted(panels: &[ShownPanel]) -> Option<(String, &ShownPanel)> {
+    let worst = panels.iter().max_by_key(|panel| panel.badness())?;
+    let count = panels.iter().filter(|panel| panel.badness() == worst.badness()).count();
+    let all = panels.len();
+    let verdict = worst.made.as_ref().ok().map(|shown| shown.verdict);
+    let (one, more) = match verdict {
+        None => ("can't be made yet", "can't be made yet"),
+        Some(Verdict::WillNotBend) => ("will not bend", "will not bend"),
+        Some(Verdict::Undecided) => ("can't be told yet", "can't be told yet"),
+        Some(Verdict::BendsWithForce) => ("bends with force", "bend with force"),
+        Some(Verdict::BendsAndFolds) => ("bends and folds", "bend and fold"),
+        Some(Verdict::Bends) => ("bends", "bend"),
+    };
+    let sign = verdict.map_or("▲", sign);
+    let text = match (all, count) {
+        (1, _) => format!("{sign} The panel {one}"),
+        (_, _) if all == count => format!("{sign} All {all} panels {more}"),
+        (_, 1) => format!("{sign} 1 of {all} panels {one}"),
+        _ => format!("{sign} {count} of {all} panels {more}"),
+    };
+    Some((text, worst))
+}
+
+fn ink(theme: &Theme, panel: &ShownPanel) -> Color32 {
+    panel.made.as_ref().map_or(theme.verdicts[1], |shown| theme.verdict(shown.verdict))
+}
+
+/// Will it bend? One card a panel.
+pub(crate) fn verdicts_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
+    ui.add_space(4.0);
+    ui.heading("Will it bend?");
+    if editor.shown().is_empty() && !editor.document().design.curves.is_empty() {
+        let text = match editor.document().design.panels.is_empty() {
+            true => "Join the ends of a curve to close it: a closed outline bounds a panel.",
+            false => "Working it out…",
+        };
+        ui.label(RichText::new(text).color(theme.faint));
+    }
+    egui::ScrollArea::vertical().auto_shrink([false; 2]).show(ui, |ui| {
+        for n in editor.worst_first() {
+            card_ui(ui, editor, theme, n, &editor.shown()[n], acts);
+        }
+    });
+}
+
+fn card_ui(
+    ui: &mut Ui,
+    editor: &Editor,
+    theme: &Theme,
+    n: usize,
+    panel: &ShownPanel,
+    acts: &mut Vec<Act>,
+) {
+    let is_selected = editor.selection().panel == Some(n);
+    let line = if is_selected { theme.accent } else { theme.line };
+    let frame = Frame::new()
+        .fill(theme.paper)
+        .stroke(egui::Stroke::new(if is_selected { 1.5 } else { 1.0 }, line))
+        .corner_radius(6)
+        .inner_margin(Margin::same(10));
+    let is_short = editor.shown().len() > WHOLE_CARDS && !is_selected;
+    frame.show(ui, |ui| {
+        ui.set_width(ui.available_width());
+        match &panel.made {
+            Ok(shown) if is_short && shown.verdict == Verdict::Bends => {
+                ui.horizontal_wrapped(|ui| {
+                    name_ui(ui, editor, n, panel, acts);
+                    ui.label(verdict_text(theme, shown.verdict));
+                });
+            }
+            Ok(shown) => made_ui(ui, editor, theme, n, panel, shown, acts),
+            Err(refusal) => {
+                ui.label(RichText::new(&panel.name).strong());
+                ui.label(RichText::new("Can't be made yet").color(theme.verdicts[1]).strong());
+                ui.label(&refusal.message);
+                ui.label(RichText::new(&refusal.hint).color(theme.faint));
+            }
+        }
+    });
+}
+
+fn made_ui(
+    ui: &mut Ui,
+    editor: &Editor,
+    theme: &Theme,
+    n: usize,
+    panel: &ShownPanel,
+    shown: &Shown,
+    acts: &mut Vec<Act>,
+) {
+    let units = editor.document().drawing.units;
+    ui.horizontal(|ui| name_ui(ui, editor, n, panel, acts));
+    ui.label(verdict_text(theme, shown.verdict).size(18.0));
+    ui.label(verdict_sentence(shown.verdict));
+    let size = shown.piece.size;
+    let size =
+        format!("{} × {}", length_text(round(size.x), units), length_text(round(size.y), units));
+    ui.label(RichText::new(format!("Pattern: {size}")).color(theme.faint));
+    if let Some(worst) = shown.worst_rung() {
+        let twist = format!(
+            "Largest twist {:.1}°, the sheet takes {}°",
+            shown.rungs[worst].warp_deg, shown.warp_limit_deg
+        );
+        let hint = twist_hint(&shown.rungs[worst], shown.warp_max_deg);
+        let link = ui.link(twist).on_hover_text(hint);
+        if link.clicked() {
+            acts.push(Act::Show(Selection::of_rung(n, worst)));
+        }
+    }
+    if shown.bend_radius_min_mm.is_finite() {
+        let radius = length_text(round(shown.bend_radius_min_mm), units);
+        ui.label(RichText::new(format!("Tightest bend {radius} radius")).color(theme.faint));
+    }
+    let (first, rest) = shown.findings.split_at(shown.findings.len().min(FINDINGS));
+    first.iter().for_each(|finding| finding_ui(ui, theme, finding));
+    if !rest.is_empty() {
+        let title = format!("{} more", rest.len());
+        egui::CollapsingHeader::new(title).id_salt(("more", n)).show(ui, |ui| {
+            rest.iter().for_each(|finding| finding_ui(ui, theme, finding));
+        });
+    }
+}
+
+fn name_ui(ui: &mut Ui, editor: &Editor, n: usize, panel: &ShownPanel, acts: &mut Vec<Act>) {
+    let name = Button::selectable(editor.selection().panel == Some(n), &panel.name);
+    if ui.add(name).on_hover_text("Select this panel.").clicked() {
+        acts.push(Act::Select(Selection { panel: Some(n), ..Selection::default() }));
+    }
+}
+
+/// A verdict with its sign: `● Bends`.
+fn verdict_text(theme: &Theme, verdict: Verdict) -> RichText {
+    let text = format!("{} {}", sign(verdict), verdict_word(verdict));
+    RichText::new(text).color(theme.verdict(verdict)).strong()
+}
+
+/// What is said of the largest twist, that at `worst`: reports count what the sampling explains too, and
+/// may name a larger one.
+fn twist_hint(worst: &ShownRung, largest_deg: f64) -> String {
+    let shown = format!("{:.1}", worst.warp_deg);
+    let largest = format!("{largest_deg:.1}");
+    if worst.is_unsure {
+        "Show where it is. It may come from samples that are far apart.".into()
+    } else if largest == shown {
+        "Show where it is.".into()
+    } else {
+        format!(
+            "Show where it is. The {largest}° that the report has may come from samples that are far \
+             apart."
+        )
+    }
+}
+
+fn finding_ui(ui: &mut Ui, theme: &Theme, finding: &Finding) {
+    let (sign, ink) = match finding.severity {
+        Severity::Error => ("■", theme.verdicts[2]),
+        Severity::Warning => ("▲", theme.verdicts[1]),
+        Severity::Note => ("•", theme.faint),
+    };
+    ui.horizontal_top(|ui| {
+        ui.label(RichText::new(sign).color(ink));
+        let place =
+            if finding.place.is_empty() { String::new() } else { format!(" ({})", finding.place) };
+        ui.add(egui::Label::new(format!("{}{place}", finding.text)).wrap());
+    });
+}
+
+fn sign(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Bends | Verdict::BendsAndFolds => "●",
+        Verdict::BendsWithForce => "▲",
+        Verdict::Undecided => "?",
+        Verdict::WillNotBend => "■",
+    }
+}
+
+/// Tenths of a millimetre are enough for a look.
+fn round(mm: f64) -> f64 {
+    (mm * 10.0).round() / 10.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_line_counts_the_worst() {
+        let refusal = crate::engine::Refusal { message: String::new(), hint: String::new() };
+        let panel = |name: &str| ShownPanel { name: name.into(), made: Err(refusal.clone()) };
+        let panels = [panel("a"), panel("b")];
+        let (text, worst) = counted(&panels[..1]).unwrap();
+        assert_eq!((&text[..], &worst.name[..]), ("▲ The panel can't be made yet", "a"));
+        assert_eq!(counted(&panels).unwrap().0, "▲ All 2 panels can't be made yet");
+        assert_eq!(counted(&[]), None);
+    }
+
+    #[test]
+    fn a_larger_twist_in_the_report_is_explained() {
+        let rung = |warp_deg: f64, is_unsure: bool| ShownRung {
+            ends: [0, 2],
+            flat_ends: [0, 2],
+            warp_deg,
+            is_unsure,
+            crease_deg: 0.0,
+            normals: Default::default(),
+        };
+        assert_eq!(twist_hint(&rung(9.07, false), 9.07), "Show where it is.");
+        assert!(
+            twist_hint(&rung(0.32, false), 0.8526).contains("The 0.9° that the report has may")
+        );
+        assert!(twist_hint(&rung(15.0, true), 15.0).contains("It may come from samples"));
+    }
+}
