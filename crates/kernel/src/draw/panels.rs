@@ -4,12 +4,17 @@
 //! around it in the plan; inside a hole, or where nothing is around it, it becomes a panel. So depth
 //! after depth of curves drawn inside one another is in turn sheet and air. What panels there are
 //! keep everything. One that a new curve is drawn around stays, and the new panel has a hole there.
+//!
+//! A new panel runs along its curve so that it faces as its neighbours do: against the way that a
+//! panel runs which has two of its points in a row too; without such a neighbour, counter-clockwise,
+//! so that it faces whoever looks at the plan. Which way the hand drew means nothing.
 
 use super::edit::{built, free_of};
 use super::loops::{Nesting, nesting};
 use crate::curve::Curve;
 use crate::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelShape};
 use crate::math::{Point2, Point3};
+use crate::predicate::signed_area_doubled;
 use std::collections::BTreeSet;
 
 /// Something that is proposed for the panels of a design.
@@ -31,8 +36,9 @@ pub enum PanelChange {
 pub struct Proposal {
     /// The changes, in the order of the curves.
     pub changes: Vec<PanelChange>,
-    /// Pairs of curves that cross or touch in the plan, at least one of them free: nothing is
-    /// proposed for a free curve that crosses something.
+    /// Pairs of curves that cross in the plan, lie on one another or touch with one inside the
+    /// other, at least one of them free: nothing is proposed for a free curve that crosses something.
+    /// Neighbours that touch from outside are no such pair, unless both would be holes of one panel.
     pub crossing: Vec<[String; 2]>,
     /// Free curves that cross themselves in the plan: nothing is proposed for them.
     pub crossing_itself: Vec<String>,
@@ -93,6 +99,8 @@ struct Loop {
     /// The curves it is made of.
     names: Vec<String>,
     polygon: Vec<Point2>,
+    /// The points of the curves as the loop runs.
+    points: Vec<Point3>,
     part: Part,
 }
 
@@ -108,18 +116,20 @@ enum Part {
 
 fn loops_of(design: &Design, project: &impl Fn(Point3) -> Point2) -> Vec<Loop> {
     let mut loops = Vec::new();
-    let polygon_of = |uses: &[CurveUse]| -> Vec<Point2> {
-        let mut points = Vec::new();
+    let run_along = |uses: &[CurveUse]| -> (Vec<Point2>, Vec<Point3>) {
+        let (mut polygon, mut points) = (Vec::new(), Vec::new());
         for part in uses {
             let Some(curve) = design.curves.iter().find(|c| c.name == part.name) else { continue };
             let curve = match part.reversed {
                 true => &super::edit::reversed(curve),
                 false => curve,
             };
-            points.extend(in_plan(curve, project));
+            polygon.extend(in_plan(curve, project));
+            points.extend(curve.points.iter().map(|point| point.at));
         }
+        polygon.dedup();
         points.dedup();
-        points
+        (polygon, points)
     };
     let mut bound: BTreeSet<&str> = BTreeSet::new();
     for (n, panel) in design.panels.iter().enumerate() {
@@ -130,7 +140,8 @@ fn loops_of(design: &Design, project: &impl Fn(Point3) -> Point2) -> Vec<Loop> {
                     bound.extend(uses.iter().map(|u| u.name.as_str()));
                     let names = uses.iter().map(|u| u.name.clone()).collect();
                     let part = if k == 0 { Part::Outer(n) } else { Part::Hole };
-                    loops.push(Loop { names, polygon: polygon_of(uses), part });
+                    let (polygon, points) = run_along(uses);
+                    loops.push(Loop { names, polygon, points, part });
                 }
             }
             PanelShape::Join(_) => {}
@@ -139,10 +150,34 @@ fn loops_of(design: &Design, project: &impl Fn(Point3) -> Point2) -> Vec<Loop> {
     for curve in design.curves.iter().filter(|c| c.closed && !bound.contains(c.name.as_str())) {
         let polygon = in_plan(curve, project);
         if polygon.len() >= 3 {
-            loops.push(Loop { names: vec![curve.name.clone()], polygon, part: Part::Free });
+            let points = curve.points.iter().map(|point| point.at).collect();
+            let names = vec![curve.name.clone()];
+            loops.push(Loop { names, polygon, points, part: Part::Free });
         }
     }
     loops
+}
+
+/// Whether a new outline is to be run against the way that its curve has, among the outer loops of
+/// the panels that there are.
+fn is_turned(new: &Loop, others: &[Vec<Point3>]) -> bool {
+    let m = new.points.len();
+    let side = |n: usize| [new.points[n], new.points[(n + 1) % m]];
+    let runs = |other: &[Point3], [from, to]: [Point3; 2]| {
+        let m = other.len();
+        (0..m).any(|n| other[n] == from && other[(n + 1) % m] == to)
+    };
+    let shared = |turned: bool| {
+        let of = |n: usize| if turned { [side(n)[1], side(n)[0]] } else { side(n) };
+        let count = |other: &Vec<Point3>| (0..m).filter(|&n| runs(other, of(n))).count();
+        others.iter().map(count).sum::<usize>()
+    };
+    // Neighbours run along what they share in opposite directions.
+    match shared(false).cmp(&shared(true)) {
+        std::cmp::Ordering::Greater => true,
+        std::cmp::Ordering::Less => false,
+        std::cmp::Ordering::Equal => signed_area_doubled(&new.polygon) < 0.0,
+    }
 }
 
 /// What becomes of every closed curve that no panel uses. New panels get the free names that follow
@@ -154,7 +189,7 @@ pub fn panels_of_drawing(
 ) -> Proposal {
     let loops = loops_of(design, &project);
     let polygons: Vec<Vec<Point2>> = loops.iter().map(|l| l.polygon.clone()).collect();
-    let Nesting { loops: nested, crossing, crossing_itself } = nesting(&polygons);
+    let Nesting { loops: nested, crossing, touching, crossing_itself } = nesting(&polygons);
     let is_free = |n: usize| loops[n].part == Part::Free;
     let mut proposal = Proposal::default();
     let mut barred: BTreeSet<usize> = BTreeSet::new();
@@ -167,21 +202,35 @@ pub fn panels_of_drawing(
         proposal.crossing_itself.push(loops[n].names.join(", "));
     }
     // Around it, past loops that are barred.
-    let parent = |n: usize| {
+    let parent = |n: usize, barred: &BTreeSet<usize>| {
         let up = |&n: &usize| nested[n].parent;
         std::iter::successors(up(&n), up).find(|n| !barred.contains(n))
+    };
+    let neighbours = |n: usize| {
+        let of = move |pair: &&[usize; 2]| pair.contains(&n);
+        touching.iter().filter(of).map(move |&[a, b]| if a == n { b } else { a })
     };
     // From outside inwards, so that what is around a loop has its part.
     let mut order: Vec<usize> =
         (0..loops.len()).filter(|n| is_free(*n) && !barred.contains(n)).collect();
     order.sort_by_key(|&n| (nested[n].depth, n));
     let mut parts: Vec<Part> = loops.iter().map(|l| l.part).collect();
+    let is_outer = |part: Part| matches!(part, Part::Outer(_));
+    let mut outer_points: Vec<Vec<Point3>> =
+        loops.iter().filter(|l| is_outer(l.part)).map(|l| l.points.clone()).collect();
     let first_new = design.panels.len();
     let mut new: Vec<(usize, DesignPanel)> = Vec::new();
     let mut holes: Vec<(usize, PanelChange)> = Vec::new();
     for n in order {
         let name = loops[n].names[0].clone();
-        if let Some(Part::Outer(panel)) = parent(n).map(|n| parts[n]) {
+        if let Some(Part::Outer(panel)) = parent(n, &barred).map(|n| parts[n]) {
+            // Between two holes that touch there would be no sheet.
+            if let Some(other) = neighbours(n).find(|&other| parts[other] == Part::Hole) {
+                barred.insert(n);
+                let pair = [n.min(other), n.max(other)];
+                proposal.crossing.push(pair.map(|n| loops[n].names.join(", ")));
+                continue;
+            }
             parts[n] = Part::Hole;
             if panel >= first_new {
                 add_hole(&mut new[panel - first_new].1, vec![used(&name)]);
@@ -196,10 +245,14 @@ pub fn panels_of_drawing(
         let others = design.panels.iter().map(|p| p.name.as_str());
         let others: Vec<&str> = others.chain(new.iter().map(|(_, p)| p.name.as_str())).collect();
         let free = free_of(&others, &name);
-        let shape = PanelShape::Loops { outer: vec![used(&name)], holes: Vec::new() };
+        let reversed = is_turned(&loops[n], &outer_points);
+        let turned: Vec<Point3> = loops[n].points.iter().rev().copied().collect();
+        outer_points.push(if reversed { turned } else { loops[n].points.clone() });
+        let outer = vec![CurveUse { name: name.clone(), reversed }];
+        let shape = PanelShape::Loops { outer, holes: Vec::new() };
         new.push((n, DesignPanel::new(free, shape, samples)));
         // Panels that there are and that it is drawn around.
-        for inner in (0..loops.len()).filter(|&i| parent(i) == Some(n)) {
+        for inner in (0..loops.len()).filter(|&i| parent(i, &barred) == Some(n)) {
             if let Part::Outer(of) = loops[inner].part
                 && let PanelShape::Loops { outer, .. } = &design.panels[of].shape
                 && let Some((_, panel)) = new.last_mut()
