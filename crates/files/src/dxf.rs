@@ -68,8 +68,9 @@ fn tables(pairs: &mut Pairs) {
         let layers = Role::ALL.map(|role| (role.name(), colour_number(role)));
         for (name, colour) in std::iter::once(layer_0).chain(layers) {
             pairs.put(0, "LAYER");
-            pairs.put(2, name);
+            // FreeCAD 0.20 reads no name of a layer that stands before the flags.
             pairs.put(70, 0);
+            pairs.put(2, name);
             pairs.put(62, colour);
             pairs.put(6, "CONTINUOUS");
         }

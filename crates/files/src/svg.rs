@@ -13,6 +13,11 @@ use svgtypes::{Length, LengthUnit, SimplePathSegment, SimplifyingPathParser, Vie
 
 /// The width of every line, mm: thin enough for every laser to follow rather than to fill.
 const LINE_MM: f64 = 0.1;
+/// On a screen lines are one pixel wide at any zoom: of a plank of 4 m, shown whole, lines of 0.1 mm
+/// would be a hundredth of a pixel. Only browsers know `@supports`; by the rules of CSS, programs
+/// that drive machines pass over it and take [`LINE_MM`].
+const ON_SCREENS: &str = "@supports (vector-effect:non-scaling-stroke){@media screen{\
+path{vector-effect:non-scaling-stroke;stroke-width:1px}}}";
 /// Between the drawing and the edge of the page, mm.
 const EDGE_MM: f64 = 5.0;
 
@@ -44,7 +49,8 @@ pub fn write_svg(piece: &Piece) -> Vec<u8> {
          width=\"{width}mm\" height=\"{height}mm\" viewBox=\"0 0 {width} {height}\">\n\
          <title>{name}</title>\n\
          <desc>Flat pattern of {name}, {:.1} × {:.1} mm, by Sheetwright. Units: mm, true scale. \
-         Groups: cut (red), score (blue), engrave (black), note (grey, for people alone).</desc>\n",
+         Groups: cut (red), score (blue), engrave (black), note (grey, for people alone).</desc>\n\
+         <style>{ON_SCREENS}</style>\n",
         piece.size.x, piece.size.y
     );
     for role in Role::ALL {

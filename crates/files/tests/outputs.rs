@@ -108,6 +108,38 @@ fn dxf_keeps_every_bit() {
     assert_eq!(read.outline, panel.piece.outline());
 }
 
+/// FreeCAD 0.20 reads no name of a layer that stands before the flags.
+#[test]
+fn layers_of_dxf_have_their_flags_before_their_names() {
+    let dxf = write_dxf(&hull(1000.0).panels[0].piece);
+    let lines: Vec<&str> = text(&dxf).lines().collect();
+    let pairs: Vec<(&str, &str)> = lines.chunks(2).map(|p| (p[0].trim(), p[1])).collect();
+    let layers: Vec<usize> = (0..pairs.len()).filter(|&n| pairs[n] == ("0", "LAYER")).collect();
+    assert_eq!(layers.len(), 5);
+    for n in layers {
+        assert_eq!([1, 2, 3].map(|k| pairs[n + k].0), ["70", "2", "62"]);
+    }
+}
+
+/// A browser draws lines of a pixel at any zoom; all others see 0.1 mm.
+#[test]
+fn lines_of_svg_show_in_browsers_and_are_thin_for_machines() {
+    let svg = write_svg(&hull(1000.0).panels[0].piece);
+    let document = roxmltree::Document::parse(text(&svg)).unwrap();
+    let groups: Vec<_> =
+        document.root_element().children().filter(|n| n.has_tag_name("g")).collect();
+    assert_eq!(groups.len(), 4);
+    assert!(groups.iter().all(|g| g.attribute("stroke-width") == Some("0.1")));
+    let style = document.descendants().find(|n| n.has_tag_name("style")).unwrap();
+    let rules = style.text().unwrap();
+    // Whatever reads style sheets without knowing this rule has to pass over all of it.
+    assert!(
+        rules.starts_with("@supports (vector-effect:non-scaling-stroke){")
+            && rules.ends_with("}}}")
+    );
+    assert!(rules.contains("stroke-width:1px"));
+}
+
 /// Small whole numbers that look random, the same ones every time (a linear congruence).
 struct Dice(u64);
 
