@@ -236,7 +236,8 @@ impl Columns {
             return Err(failed(message, "Write a distance, or 0 or nothing where it is fixed."));
         }
         let at = Point3::new(xyz[0], xyz[1], xyz[2]);
-        Ok((self.curve.map_or(UNNAMED, value), CurvePoint { at, corner, move_mm }))
+        let name = self.curve.map_or(UNNAMED, |column| unguarded(value(column)));
+        Ok((name, CurvePoint { at, corner, move_mm }))
     }
 }
 
@@ -339,7 +340,7 @@ pub fn write_table(curves: &[DesignCurve]) -> Vec<u8> {
     table.push_str(if corners { ",corner" } else { "" });
     table.push_str(if moves { ",move\n" } else { "\n" });
     for curve in curves {
-        let name = quoted(&curve.name);
+        let name = quoted(&guarded(&curve.name));
         for point in &curve.points {
             let [x, y, z] = [point.at.x, point.at.y, point.at.z].map(number);
             table.push_str(&format!("{name},{x},{y},{z}"));
@@ -353,6 +354,26 @@ pub fn write_table(curves: &[DesignCurve]) -> Vec<u8> {
         }
     }
     table.into_bytes()
+}
+
+/// What begins a formula in some spreadsheet, in the letters of every country.
+const FORMULA: [char; 8] = ['=', '+', '-', '@', '＝', '＋', '－', '＠'];
+/// Stands before a name that begins so, as spreadsheets have it: what follows is a text.
+const AS_TEXT: char = '\'';
+
+/// Whether a spreadsheet could take a name for a formula, or would if it had fewer apostrophes.
+fn looks_like_a_formula(name: &str) -> bool {
+    name.trim_start_matches(AS_TEXT).starts_with(FORMULA)
+}
+
+/// The name of a curve as a table holds it: no spreadsheet that opens the table runs it.
+fn guarded(name: &str) -> String {
+    if looks_like_a_formula(name) { format!("{AS_TEXT}{name}") } else { name.to_owned() }
+}
+
+/// The name that [`guarded`] was given.
+fn unguarded(cell: &str) -> &str {
+    cell.strip_prefix(AS_TEXT).filter(|name| looks_like_a_formula(name)).unwrap_or(cell)
 }
 
 /// A cell, in quotation marks where commas or such marks in it ask for them.
@@ -454,6 +475,28 @@ mod tests {
         assert_eq!(design.panels[0].samples, 50);
         let error = read_as_design(text, "con.csv", &ReadOptions::default()).unwrap_err();
         assert!(error.message.contains("device on Windows"));
+    }
+
+    #[test]
+    fn no_name_is_a_formula_in_a_written_table_and_all_read_back() {
+        let names = ["=1+1", "+", "@SUM(A1)", "'=1", "''+", "＝1", "a=b", "it's", "'", "=1,\"2\""];
+        let points = vec![CurvePoint::smooth(Point3::new(0.0, 0.0, 0.0))];
+        let curve = |name: &str| DesignCurve {
+            name: name.to_owned(),
+            kind: None,
+            closed: false,
+            points: points.clone(),
+        };
+        let written = write_table(&names.map(curve));
+        let text = String::from_utf8(written).unwrap();
+        for row in text.lines() {
+            let cell = row.trim_start_matches('"');
+            assert!(!cell.starts_with(FORMULA), "{row}");
+        }
+        let back: Vec<String> = read(&text).unwrap().into_iter().map(|c| c.name).collect();
+        assert_eq!(back, names);
+        // Those that are no formula stand there as they are.
+        assert!(text.contains("\na=b,") && text.contains("\nit's,") && text.contains("\n',"));
     }
 
     #[test]
