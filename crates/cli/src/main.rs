@@ -7,6 +7,7 @@ mod failure;
 mod make;
 mod new;
 mod pages;
+mod signals;
 mod source;
 mod voice;
 mod watcher;
@@ -26,6 +27,7 @@ const FOUND: u8 = 1;
 const REFUSED: u8 = 2;
 
 fn main() -> ExitCode {
+    signals::clean_up_when_stopped();
     ExitCode::from(match Cli::try_parse() {
         Ok(cli) => {
             let voice = Voice { json: cli.json, quiet: cli.quiet };

@@ -3,7 +3,7 @@
 use crate::args::NewArgs;
 use crate::failure::Failure;
 use crate::make::Job;
-use crate::voice::{Voice, print};
+use crate::voice::{Voice, print, print_as_it_is};
 use sheetwright::design::MeshOptions;
 use sheetwright::template::template;
 use sheetwright_files::whole::write_one;
@@ -39,7 +39,7 @@ pub(crate) fn run(args: &NewArgs, voice: Voice) -> Result<bool, Failure> {
     let bytes = new.bytes();
     match &args.out {
         Some(path) => write_one(path, &bytes)?,
-        None => print(&String::from_utf8_lossy(&bytes))?,
+        None => print_as_it_is(&bytes)?,
     }
     Ok(false)
 }

@@ -2,14 +2,14 @@
 
 use crate::args::Cli;
 use crate::failure::Failure;
-use crate::voice::print;
+use crate::voice::print_as_it_is;
 use clap::CommandFactory;
 use clap_complete::Shell;
 
 pub(crate) fn completions(shell: Shell) -> Result<(), Failure> {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut Cli::command(), "sheetwright", &mut script);
-    print(&String::from_utf8_lossy(&script))
+    print_as_it_is(&script)
 }
 
 pub(crate) fn man(name: Option<&str>) -> Result<(), Failure> {
@@ -27,5 +27,5 @@ pub(crate) fn man(name: Option<&str>) -> Result<(), Failure> {
     clap_mangen::Man::new(command.clone())
         .render(&mut page)
         .map_err(|error| Failure::new(error.to_string(), "This is a fault of the program."))?;
-    print(&String::from_utf8_lossy(&page))
+    print_as_it_is(&page)
 }

@@ -1,8 +1,9 @@
-//! What the command says: answers on standard output, everything else on standard error.
+//! What the command says: answers on standard output, everything else on standard error. Words come to
+//! a terminal, so they go out without what it would obey ([`visible`]); designs and pages as they are.
 
 use crate::failure::Failure;
 use sheetwright::check::{Checked, Severity, Verdict};
-use sheetwright_files::error_json;
+use sheetwright_files::{error_json, visible};
 use std::io::{self, Write};
 
 /// How the command speaks.
@@ -22,27 +23,38 @@ impl Voice {
             error_json(message, place.as_deref(), hint)
         } else {
             let place = place.as_ref().map_or(String::new(), |place| format!("{place}: "));
-            format!("error: {place}{message}\nhint: {hint}\n")
+            let said = [format!("error: {place}{message}"), format!("hint: {hint}")];
+            said.map(|text| in_one_line(&text)).concat()
         });
     }
 
     /// Says something about the work, unless silence is asked for.
     pub(crate) fn note(self, text: &str) {
         if !self.quiet && !self.json {
-            say(&format!("{text}\n"));
+            say(&in_one_line(text));
         }
     }
 }
 
-/// Writes to standard error. If nobody can hear it, there is nobody to tell.
-pub(crate) fn say(text: &str) {
-    let _ = io::stderr().lock().write_all(text.as_bytes());
+/// A line of its own, whatever a path or a name in it has.
+fn in_one_line(text: &str) -> String {
+    text.replace('\n', "\u{fffd}") + "\n"
 }
 
-/// Writes to standard output. A reader that has seen enough and left is no failure.
+/// Writes to standard error. If nobody can hear it, there is nobody to tell.
+pub(crate) fn say(text: &str) {
+    let _ = io::stderr().lock().write_all(visible(text).as_bytes());
+}
+
+/// Writes words or messages to standard output. A reader that has seen enough and left is no failure.
 pub(crate) fn print(text: &str) -> Result<(), Failure> {
+    print_as_it_is(visible(text).as_bytes())
+}
+
+/// Writes what is no message, such as a design, to standard output.
+pub(crate) fn print_as_it_is(bytes: &[u8]) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+    match out.write_all(bytes).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::new(
             format!("standard output can't be written: {error}"),
             "Check where it leads to.",

@@ -42,6 +42,7 @@ pub use hint::{hint_for, mesh_hint_for};
 pub use input::{Input, InputFormat, read_any, read_any_bytes, read_bytes, read_input};
 pub use mesh::MeshFormat;
 pub use messages::{PanelTimes, error_json, findings_json, timing_json};
+pub use names::visible;
 pub use obj::{write_meshes_obj, write_obj};
 pub use output::{Format, OutputError, OutputFile, Outputs, mesh_output_files, output_files};
 pub use pdf::{MaxSheets, Paper, PdfOptions, Reduced, WrittenPdf, write_pdf};

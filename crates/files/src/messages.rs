@@ -1,6 +1,7 @@
 //! What the command tells other programs: errors, findings and times as JSON. docs/files.md lists
 //! the fields.
 
+use crate::names::is_invisible;
 use serde::Serialize;
 use sheetwright::check::Checked;
 
@@ -94,9 +95,20 @@ pub fn timing_json(panels: &[PanelTimes], total: f64) -> Vec<u8> {
     line(&TimingFile { panels, total }).into_bytes()
 }
 
-/// Texts and finite numbers have nothing that JSON can't say.
+/// Texts and finite numbers have nothing that JSON can't say. What a terminal obeys or does not show
+/// is escaped, also where JSON does not ask for it.
 fn line(value: &impl Serialize) -> String {
-    serde_json::to_string(value).unwrap_or_default() + "\n"
+    let json = serde_json::to_string(value).unwrap_or_default();
+    let mut line = String::with_capacity(json.len() + 1);
+    for c in json.chars() {
+        if is_invisible(c) {
+            // All of them have four digits or fewer.
+            line.push_str(&format!("\\u{:04x}", u32::from(c)));
+        } else {
+            line.push(c);
+        }
+    }
+    line + "\n"
 }
 
 #[cfg(test)]
@@ -109,6 +121,8 @@ mod tests {
             error_json("a \"b\"\nc", Some("f.csv:2"), "do"),
             "{\"error\":\"a \\\"b\\\"\\nc\",\"where\":\"f.csv:2\",\"hint\":\"do\"}\n"
         );
+        let odd = error_json("a\u{9b}\u{202e}\u{1b}", None, "do");
+        assert_eq!(odd, "{\"error\":\"a\\u009b\\u202e\\u001b\",\"hint\":\"do\"}\n");
         assert_eq!(error_json("a", None, "do"), "{\"error\":\"a\",\"hint\":\"do\"}\n");
     }
 

@@ -13,7 +13,7 @@ pub(crate) const MAX_NAME_BYTES: usize = 100;
 const SEPARATORS: [char; 9] = ['/', '\\', ':', '*', '?', '"', '<', '>', '|'];
 
 /// Names that Windows keeps for devices, with any ending.
-const RESERVED: [&str; 4] = ["con", "prn", "aux", "nul"];
+const RESERVED: [&str; 7] = ["con", "prn", "aux", "nul", "conin$", "conout$", "clock$"];
 /// Names that Windows keeps for devices when a digit follows.
 const RESERVED_NUMBERED: [&str; 2] = ["com", "lpt"];
 
@@ -91,9 +91,15 @@ pub(crate) fn folded(name: &str) -> String {
 }
 
 /// Control characters, and those that turn the direction of writing and so hide an ending.
-fn is_invisible(c: char) -> bool {
+pub(crate) fn is_invisible(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}')
+}
+
+/// A text without what a terminal obeys or does not show, so that no name and no path can move its
+/// cursor, colour it, or hide what it is: each such character becomes U+FFFD. Ends of lines stay.
+pub fn visible(text: &str) -> String {
+    text.chars().map(|c| if is_invisible(c) && c != '\n' { '\u{fffd}' } else { c }).collect()
 }
 
 /// What stands in a file, fit for a message: quoted, short, in one line.
@@ -171,6 +177,10 @@ mod tests {
             "a\nb",
             "a\u{202e}gvs",
             "COM²",
+            "lpt¹.svg",
+            "CONIN$",
+            "conout$.old",
+            "Clock$",
             &"x".repeat(101),
         ] {
             assert!(refused_for_file(name).is_some(), "{name:?}");
@@ -208,6 +218,14 @@ mod tests {
             did_you_mean("hole", &known),
             "Did you mean 'holes'? Known here: 'rails', 'boundary', 'holes'."
         );
+    }
+
+    #[test]
+    fn what_terminals_obey_is_made_visible() {
+        let odd = "a\u{1b}[31mb\u{9b}2J\u{7f}\r\t\u{202e}c\nd";
+        let made = visible(odd);
+        assert_eq!(made.matches('\u{fffd}').count(), 6, "{made:?}");
+        assert!(made.ends_with("c\nd") && made.chars().count() == odd.chars().count());
     }
 
     #[test]

@@ -1,13 +1,15 @@
-//! Files that are written whole or not at all: under a temporary name in the same folder, then
-//! renamed.
+//! Files that are written whole or not at all: they wait in a room of their own beside where they belong
+//! ([`room`]), then all get their names. If one can't have its name, those before it are put back as
+//! they were.
 
-use std::fs;
+mod room;
+
+pub use room::{TEMPORARY, give_up};
+
+use room::{Room, hold, remove_empty, sweep};
+use std::fs::{self, File};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
-use tempfile::NamedTempFile;
-
-/// How temporary names begin. A program that is killed leaves them behind.
-pub const TEMPORARY: &str = ".sheetwright-";
 
 /// Why a file can't be written, and what to do.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -61,128 +63,196 @@ impl Folder {
     /// The folder of this path, which need not be there yet.
     ///
     /// # Errors
-    /// A file has this name.
+    /// A file has this name or that of a folder above, or a link there leads nowhere.
     pub fn new(path: &Path) -> Result<Self, WriteError> {
-        if path.exists() && !path.is_dir() {
-            let hint = "Name a folder, or leave the name free for a new one.";
-            return Err(WriteError::new(path, "this is no folder", hint));
+        for above in path.ancestors().filter(|above| !above.as_os_str().is_empty()) {
+            let Ok(found) = above.symlink_metadata() else { continue };
+            if found.is_symlink() && !above.exists() {
+                return Err(leads_nowhere(above));
+            }
+            if !above.is_dir() {
+                let hint = "Name a folder, or leave the name free for a new one.";
+                return Err(WriteError::new(above, "this is no folder", hint));
+            }
+            break;
         }
         Ok(Self { path: path.to_owned() })
     }
 
-    /// Files to be kept together. Creates the folder if need be.
+    /// Files to be kept together. Creates the folder if need be, and removes what killed programs
+    /// have left in it.
     ///
     /// # Errors
     /// The folder can't be created.
-    pub fn batch(&self) -> Result<Batch<'_>, WriteError> {
-        let mut created = Vec::new();
-        for folder in self.path.ancestors() {
-            if folder.as_os_str().is_empty() || folder.exists() {
-                break;
-            }
-            created.push(folder.to_owned());
-        }
-        // From here on the batch removes what it has created, unless it is kept.
-        let batch = Batch { folder: &self.path, files: Vec::new(), created };
-        fs::create_dir_all(&self.path).map_err(|error| WriteError::of(&self.path, &error))?;
-        Ok(batch)
+    pub fn batch(&self) -> Result<Batch, WriteError> {
+        let is_new = |folder: &&Path| !folder.as_os_str().is_empty() && !folder.exists();
+        let mut hold = hold();
+        let created: Vec<PathBuf> =
+            self.path.ancestors().take_while(is_new).map(Path::to_owned).collect();
+        let room = fs::create_dir_all(&self.path).and_then(|()| {
+            sweep(&self.path);
+            Room::new(&mut hold, &self.path)
+        });
+        let room = room.map_err(|error| {
+            remove_empty(&created);
+            WriteError::of(&self.path, &error)
+        })?;
+        room.goes_with(&mut hold, created);
+        Ok(Batch { folder: self.path.clone(), room, paths: Vec::new(), lasts: false })
     }
+}
+
+fn leads_nowhere(link: &Path) -> WriteError {
+    let target = fs::read_link(link).unwrap_or_default();
+    let message = format!("this link leads to '{}', which is not there", target.display());
+    WriteError::new(link, message, "Create what it leads to, or choose another name.")
 }
 
 /// Files that get their names together, or go.
 #[derive(Debug)]
-pub struct Batch<'a> {
-    folder: &'a Path,
-    files: Vec<(NamedTempFile, PathBuf)>,
-    /// Folders that were not there before, the innermost first.
-    created: Vec<PathBuf>,
+pub struct Batch {
+    folder: PathBuf,
+    room: Room,
+    /// What the files in the room are to be called.
+    paths: Vec<PathBuf>,
+    /// Whether the disk must have each file before it gets its name.
+    lasts: bool,
 }
 
-impl Batch<'_> {
-    /// Writes a file under a temporary name.
+impl Batch {
+    /// Writes a file into the room.
     ///
     /// # Errors
-    /// It can't be written, or a folder has its name.
+    /// It can't be written, or a folder or a read-only file has its name.
     pub fn add(&mut self, name: &str, bytes: &[u8]) -> Result<(), WriteError> {
-        let path = self.folder.join(name);
-        let file = written(self.folder, &path, bytes)?;
-        self.files.push((file, path));
+        self.write(self.folder.join(name), bytes)
+    }
+
+    fn write(&mut self, path: PathBuf, bytes: &[u8]) -> Result<(), WriteError> {
+        check_replaceable(&path)?;
+        let _writing = hold();
+        let waiting = self.room.new_file(self.paths.len());
+        File::create_new(waiting)
+            .and_then(|mut file| {
+                file.write_all(bytes)?;
+                if self.lasts { file.sync_all() } else { Ok(()) }
+            })
+            .map_err(|error| WriteError::of(&path, &error))?;
+        self.paths.push(path);
         Ok(())
     }
 
     /// Gives all files their names.
     ///
     /// # Errors
-    /// A file can't be renamed; those before it have their names.
-    pub fn keep(mut self) -> Result<(), WriteError> {
-        for (file, path) in std::mem::take(&mut self.files) {
-            renamed(file, &path)?;
-            self.created.clear();
+    /// A file can't have its name. Then all is as it was before.
+    pub fn keep(self) -> Result<(), WriteError> {
+        let mut naming = hold();
+        self.back_up()?;
+        for (n, path) in self.paths.iter().enumerate() {
+            if let Err(error) = fs::rename(self.room.new_file(n), path) {
+                self.put_back(n);
+                return Err(not_replaced(path, &error));
+            }
+        }
+        self.room.goes_with(&mut naming, Vec::new());
+        // The name is the folder's. Where a folder can't be opened as a file, its system sees to it.
+        #[cfg(unix)]
+        if self.lasts {
+            File::open(&self.folder)
+                .and_then(|folder| folder.sync_all())
+                .map_err(|error| WriteError::of(&self.folder, &error))?;
         }
         Ok(())
     }
-}
 
-impl Drop for Batch<'_> {
-    fn drop(&mut self) {
-        self.files.clear();
-        for folder in &self.created {
-            // A folder that something else has come into stays.
-            let _ = fs::remove_dir(folder);
+    /// Keeps what the files take the place of. A single file needs none of it: it gets its name, or
+    /// does not.
+    fn back_up(&self) -> Result<(), WriteError> {
+        if self.paths.len() < 2 {
+            return Ok(());
+        }
+        for (n, path) in self.paths.iter().enumerate() {
+            if path.symlink_metadata().is_ok() {
+                let old = self.room.old_file(n);
+                // Not every disk has a second name for a file.
+                fs::hard_link(path, &old)
+                    .or_else(|_| fs::copy(path, &old).map(drop))
+                    .map_err(|error| not_replaced(path, &error))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Puts back what the first `count` files have taken the place of.
+    fn put_back(&self, count: usize) {
+        for (n, path) in self.paths[..count].iter().enumerate() {
+            let old = self.room.old_file(n);
+            // What can't be put back stays new: it is whole, too.
+            let _ = if old.exists() { fs::rename(old, path) } else { fs::remove_file(path) };
         }
     }
 }
 
-/// Writes one file, into a folder that is there.
-///
-/// # Errors
-/// It can't be written, or a folder has its name.
-pub fn write_one(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
-    renamed(written(folder_of(path), path, bytes)?, path)
+fn check_replaceable(path: &Path) -> Result<(), WriteError> {
+    let Ok(found) = path.metadata() else { return Ok(()) };
+    if found.is_dir() {
+        let hint = "Remove or rename it.";
+        return Err(WriteError::new(path, "a folder has this name", hint));
+    }
+    if found.permissions().readonly() {
+        let hint = "Make it writable, remove it, or choose another name or folder.";
+        return Err(WriteError::new(path, "the file there is read-only", hint));
+    }
+    Ok(())
 }
 
-/// [`write_one`], and waits until the disk has it, so that it outlasts a loss of power.
+fn not_replaced(path: &Path, error: &io::Error) -> WriteError {
+    if error.kind() != io::ErrorKind::PermissionDenied {
+        return WriteError::of(path, error);
+    }
+    let hint = "It belongs to somebody else, or another program has it open. Remove it, or choose \
+                another name or folder.";
+    WriteError::new(path, "the file there may not be replaced", hint)
+}
+
+/// Writes one file, into a folder that is there. Where a link has its name, the link stays and what it
+/// leads to is written; a device or a pipe gets the bytes.
+///
+/// # Errors
+/// It can't be written, or a folder or a read-only file has its name.
+pub fn write_one(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
+    let linked = path.is_symlink().then(|| path.canonicalize().map_err(|_| leads_nowhere(path)));
+    let target = linked.transpose()?.unwrap_or_else(|| path.to_owned());
+    if target.metadata().is_ok_and(|found| !found.is_file() && !found.is_dir()) {
+        let mut options = File::options();
+        let written = options.write(true).open(&target).and_then(|mut to| to.write_all(bytes));
+        return written.map_err(|error| WriteError::of(path, &error));
+    }
+    write_single(&target, bytes, false)
+}
+
+/// [`write_one`], of a file and no link, and waits until the disk has it, so that it outlasts a loss
+/// of power.
 ///
 /// # Errors
 /// As [`write_one`].
 pub fn write_to_last(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
-    let folder = folder_of(path);
-    let file = written(folder, path, bytes)?;
-    file.as_file().sync_all().map_err(|error| WriteError::of(path, &error))?;
-    renamed(file, path)?;
-    // The name is the folder's. Where a folder can't be opened as a file, its system sees to it.
-    #[cfg(unix)]
-    fs::File::open(folder)
-        .and_then(|folder| folder.sync_all())
-        .map_err(|error| WriteError::of(path, &error))?;
-    Ok(())
+    write_single(path, bytes, true)
 }
 
-/// The folder that a file lies in.
-fn folder_of(path: &Path) -> &Path {
-    match path.parent() {
+fn write_single(path: &Path, bytes: &[u8], lasts: bool) -> Result<(), WriteError> {
+    let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
-    }
-}
-
-/// The bytes under a temporary name in the folder, to become `path`.
-fn written(folder: &Path, path: &Path, bytes: &[u8]) -> Result<NamedTempFile, WriteError> {
-    if path.is_dir() {
-        let hint = "Remove or rename it.";
-        return Err(WriteError::new(path, "a folder has this name", hint));
-    }
-    let failed = |error: io::Error| WriteError::of(path, &error);
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(TEMPORARY);
-    // A file for others, too, as far as the person's own mask goes; not the private kind.
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let mut file = builder.tempfile_in(folder).map_err(failed)?;
-    file.write_all(bytes).map_err(failed)?;
-    Ok(file)
-}
-
-fn renamed(file: NamedTempFile, path: &Path) -> Result<(), WriteError> {
-    file.persist(path).map(drop).map_err(|error| WriteError::of(path, &error.error))
+    };
+    check_replaceable(path)?;
+    let room = {
+        let mut hold = hold();
+        sweep(folder);
+        Room::new(&mut hold, folder).map_err(|error| WriteError::of(path, &error))?
+    };
+    let mut batch = Batch { folder: folder.to_owned(), room, paths: Vec::new(), lasts };
+    batch.write(path.to_owned(), bytes)?;
+    batch.keep()
 }
