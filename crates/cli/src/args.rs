@@ -11,7 +11,8 @@ use sheetwright::material::{MATERIALS, Material};
 use sheetwright::math::from_deg;
 use sheetwright::template::catalogue;
 use sheetwright_files::{
-    Format, InputFormat, MaxSheets, MeshFormat, Paper, PdfOptions, ReadOptions, Units, VarySettings,
+    Format, InputFormat, MaxSheets, MeshFormat, Paper, PdfOptions, ReadOptions, Units,
+    VarySettings, material_hint, visible,
 };
 use std::ffi::OsStr;
 use std::path::PathBuf;
@@ -42,7 +43,7 @@ const MAKE_EXAMPLES: &str = "\
 Examples:
   sheetwright make dinghy.sheet.json --out build
   sheetwright make leaf.csv --out build --units in --samples 300
-  generate-curve | sheetwright make - --from csv --out build
+  generate-curve | sheetwright make - --out build
   sheetwright make dinghy.sheet.json --out build --json --formats dxf,report
   sheetwright make tent.obj --out build --units m --aim seams
       Meshes (.obj, .stl, .ply, .glb): one panel a group, its seams as long on both sides
@@ -72,7 +73,7 @@ Examples:
   sheetwright new cone --list                         the same of one template
   sheetwright new cone --set bottom=40cm --set height='15 3/4in' -o hood.sheet.json
   sheetwright new hemisphere --make build             the patterns and the report at once
-  sheetwright new cone --set material=steel-1mm | sheetwright check - --from json";
+  sheetwright new cone --set material=steel-1mm | sheetwright check -";
 
 /// From boundary curves to the developable surface that fits them best, and its flat pattern.
 #[derive(Debug, Parser)]
@@ -125,7 +126,8 @@ pub(crate) struct MakeArgs {
     #[command(flatten)]
     pub(crate) mesh: MeshArgs,
     /// The formats to write, separated by commas [default: all but quads and step]
-    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = format_parser())]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', ignore_case = true,
+        value_parser = format_parser())]
     pub(crate) formats: Vec<Format>,
     #[command(flatten)]
     pub(crate) pdf: PdfArgs,
@@ -144,7 +146,7 @@ pub(crate) struct CheckArgs {
 #[command(next_help_heading = "Meshes")]
 pub(crate) struct MeshArgs {
     /// What flattening makes small where it can't be exact, which is with meshes alone [default: mean]
-    #[arg(long, value_enum, value_name = "AIM")]
+    #[arg(long, value_enum, ignore_case = true, value_name = "AIM")]
     pub(crate) aim: Option<AimArg>,
     /// Divide a mesh into panels along the creases that turn by more than this
     #[arg(long, value_name = "DEG", value_parser = crease_deg)]
@@ -221,7 +223,8 @@ pub(crate) struct ConvertArgs {
 #[derive(Debug, Args)]
 pub(crate) struct PdfArgs {
     /// The paper that the PDF is tiled to
-    #[arg(long, value_name = "PAPER", default_value = "a4", value_parser = paper_parser())]
+    #[arg(long, value_name = "PAPER", default_value = "a4", ignore_case = true,
+        value_parser = paper_parser())]
     paper: Paper,
     /// The most sheets that a panel may take in the PDF [default: 2000]; a larger one is drawn to a
     /// smaller scale on one page, with a table of offsets. Up to 20000
@@ -247,8 +250,8 @@ pub(crate) struct SourceArgs {
     /// input
     #[arg(value_name = "INPUT")]
     pub(crate) input: PathBuf,
-    /// The format of standard input
-    #[arg(long, value_enum, value_name = "FORMAT")]
+    /// The format of standard input [default: as its content shows]
+    #[arg(long, value_enum, ignore_case = true, value_name = "FORMAT")]
     pub(crate) from: Option<StdinFormat>,
     /// Samples of each outer loop or rail; a curve table is smoothed by a spline through its points
     #[arg(long, value_name = "N")]
@@ -257,14 +260,14 @@ pub(crate) struct SourceArgs {
     #[arg(long, value_name = "NU", allow_negative_numbers = true)]
     fold: Option<f64>,
     /// Which triangulations are looked at
-    #[arg(long, value_enum, value_name = "METHOD")]
+    #[arg(long, value_enum, ignore_case = true, value_name = "METHOD")]
     method: Option<MethodArg>,
     /// Whether the surface must lie over a plane that the boundary projects onto [default: as the
     /// design says, or auto: over the best-fit plane where there is one]
-    #[arg(long, value_enum, value_name = "PLANE")]
+    #[arg(long, value_enum, ignore_case = true, value_name = "PLANE")]
     plane: Option<PlaneArg>,
     /// The unit of a curve table or a mesh [default: mm]; a design says its own
-    #[arg(long, value_name = "UNITS", value_parser = units_parser())]
+    #[arg(long, value_name = "UNITS", ignore_case = true, value_parser = units_parser())]
     units: Option<Units>,
     /// The sheet that it is made from, instead of what the design says; docs/files.md lists them
     #[arg(long, value_name = "NAME", value_parser = MaterialName)]
@@ -373,7 +376,8 @@ impl StdinFormat {
 enum MethodArg {
     /// All of them: the best there is
     Optimal,
-    /// Those whose every triangle has an edge of the boundary: faster for many samples
+    /// Those whose every triangle has an edge of the boundary, to compare with: mostly slower than
+    /// optimal
     Bridge,
     /// Those whose every rung joins the two rails; for panels with rails
     Rails,
@@ -399,7 +403,7 @@ impl AimArg {
     }
 }
 
-/// The name of a material; the refusal of an unknown one names the nearest known one.
+/// The name of a material; the refusal of an unknown one names those that may be meant.
 #[derive(Clone, Debug)]
 struct MaterialName;
 
@@ -412,10 +416,14 @@ impl TypedValueParser for MaterialName {
         arg: Option<&clap::Arg>,
         value: &OsStr,
     ) -> Result<&'static Material, clap::Error> {
-        let names = PossibleValuesParser::new(MATERIALS.map(|material| material.name));
-        let name = names.parse_ref(command, arg, value)?;
-        let unknown = || clap::Error::new(ErrorKind::InvalidValue).with_cmd(command);
-        Material::named(&name).ok_or_else(unknown)
+        let name = StringValueParser::new().parse_ref(command, arg, value)?;
+        Material::named(&name.to_lowercase()).ok_or_else(|| {
+            // A refusal in two parts, as `Failure::of_call` reads it.
+            let shown = visible(&name).replace('\n', " ");
+            let said =
+                format!("the material '{shown}' is not known\n\n  tip: {}\n", material_hint(&name));
+            clap::Error::raw(ErrorKind::ValueValidation, said).with_cmd(command)
+        })
     }
 
     fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
@@ -450,17 +458,17 @@ impl TypedValueParser for TemplateName {
 fn format_parser() -> impl TypedValueParser<Value = Format> {
     let names = Format::ALL.map(Format::name);
     PossibleValuesParser::new(names)
-        .try_map(|name| Format::from_name(&name).ok_or("this format is not known"))
+        .try_map(|name| Format::from_name(&name.to_lowercase()).ok_or("this format is not known"))
 }
 
 fn paper_parser() -> impl TypedValueParser<Value = Paper> {
     let names = Paper::ALL.map(Paper::name);
     PossibleValuesParser::new(names)
-        .try_map(|name| Paper::from_name(&name).ok_or("this paper is not known"))
+        .try_map(|name| Paper::from_name(&name.to_lowercase()).ok_or("this paper is not known"))
 }
 
 fn units_parser() -> impl TypedValueParser<Value = Units> {
     let names = Units::ALL.map(Units::name);
     PossibleValuesParser::new(names)
-        .try_map(|name| Units::from_name(&name).ok_or("this unit is not known"))
+        .try_map(|name| Units::from_name(&name.to_lowercase()).ok_or("this unit is not known"))
 }

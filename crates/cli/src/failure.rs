@@ -1,9 +1,10 @@
 //! Why a command can't do what was asked: what, where, and what to do.
 
-use clap::error::ErrorKind;
-use sheetwright::design::{MakeError, MeshMakeError};
+use crate::source::{INPUT_ENDINGS, for_all};
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use sheetwright::design::{Design, MakeError, MeshMakeError};
 use sheetwright_files::whole::WriteError;
-use sheetwright_files::{InputError, hint_for, mesh_hint_for};
+use sheetwright_files::{InputError, Units, hint_in_design, length_in, mesh_hint_for};
 
 const HELP: &str = "`sheetwright --help` shows the commands with examples.";
 
@@ -29,8 +30,8 @@ impl Failure {
     }
 
     /// A design that can't be made. `input` is what it was read from.
-    pub(crate) fn of_make(error: &MakeError, input: &str) -> Self {
-        Self::new(error.to_string(), hint_for(error)).at(input)
+    pub(crate) fn of_make(error: &MakeError, design: &Design, input: &str) -> Self {
+        Self::new(error.to_string(), hint_in_design(error, design)).at(input)
     }
 
     /// A mesh that can't be made. `input` is what it was read from.
@@ -55,12 +56,33 @@ impl Failure {
             .filter_map(|line| line.trim().strip_prefix("tip: "))
             .filter(|tip| !tip.starts_with("to pass "))
             .collect();
-        let mut hint = tips.join("; ");
-        if hint.is_empty() {
-            hint = HELP.to_owned();
-        }
+        let hint = match tips.join("; ") {
+            tips if !tips.is_empty() => tips,
+            _ => too_many(error).unwrap_or_else(|| HELP.to_owned()),
+        };
         Self::new(message, hint)
     }
+}
+
+/// What to do about an argument too many: a unit that belongs to the number before it, or another
+/// input.
+fn too_many(error: &clap::Error) -> Option<String> {
+    let Some(ContextValue::String(extra)) = error.get(ContextKind::InvalidArg) else { return None };
+    if error.kind() != ErrorKind::UnknownArgument || extra.starts_with('-') {
+        return None;
+    }
+    let args: Vec<String> = std::env::args_os().map(|a| a.to_string_lossy().into_owned()).collect();
+    let before = args.iter().position(|arg| arg == extra).and_then(|n| args.get(n.checked_sub(1)?));
+    let number = before.filter(|before| before.ends_with(|c: char| c.is_ascii_digit()));
+    if let Some(number) = number
+        && length_in(&format!("1 {extra}"), Units::Millimetres).is_some()
+    {
+        let hint = format!("A value with a blank stands in quotation marks: '{number} {extra}'.");
+        return Some(hint);
+    }
+    let makes = args.iter().any(|arg| ["make", "check"].contains(&arg.as_str()));
+    let ending = INPUT_ENDINGS.iter().find(|ending| extra.ends_with(**ending)).filter(|_| makes)?;
+    Some(format!("Give one input at a time. {}", for_all(&format!("*{ending}"), ending)))
 }
 
 impl From<InputError> for Failure {

@@ -115,7 +115,8 @@ impl Job<'_> {
         // The answer first: where it can't be given, nothing is written.
         print(&answer)?;
         batch.keep()?;
-        voice.note(&format!("{} files written to {}", names.len(), self.out.display()));
+        let files = if names.len() == 1 { "file" } else { "files" };
+        voice.note(&format!("{} {files} written to {}", names.len(), self.out.display()));
         Ok(found_errors(&outputs.panels))
     }
 }
@@ -136,7 +137,7 @@ impl Made {
         let made = match input {
             Input::Design(design) => make(design, watcher)
                 .map(Self::Design)
-                .map_err(|error| Failure::of_make(&error, place)),
+                .map_err(|error| Failure::of_make(&error, design, place)),
             Input::Mesh(design) => make_meshes(design, mesh, watcher)
                 .map(Self::Meshes)
                 .map_err(|error| Failure::of_meshes(&error, place)),

@@ -2,7 +2,7 @@
 
 use crate::args::SourceArgs;
 use crate::failure::Failure;
-use sheetwright_files::{Input, read_any, read_any_bytes, read_limited};
+use sheetwright_files::{Input, InputFormat, read_any, read_any_bytes, read_limited};
 use std::io;
 use std::path::Path;
 
@@ -17,16 +17,56 @@ pub(crate) fn input(args: &SourceArgs) -> Result<Input, Failure> {
             Ok(read_any_bytes(from.format(), &bytes, "-", None, &options)?)
         }
         (true, None) => {
-            let message = "the format of standard input is not given";
-            Err(Failure::new(message, "Add --from csv, --from json or --from obj."))
+            let bytes = read_limited(io::stdin().lock(), STDIN)?;
+            // Nothing at all is refused as any format is.
+            let none = bytes.trim_ascii().is_empty().then_some(InputFormat::Table);
+            let format = InputFormat::of_bytes(&bytes).or(none).ok_or_else(|| {
+                let message = "the content does not show which format it is in";
+                let hint = "Say so: add --from csv, json, obj, stl, ply or glb.";
+                Failure::new(message, hint).at(STDIN)
+            })?;
+            Ok(read_any_bytes(format, &bytes, "-", None, &options)?)
         }
         (false, Some(_)) => {
             let message = "--from is for standard input";
             Err(Failure::new(message, "Leave it out: a file's name ends in its format."))
         }
+        (false, None) if args.input.is_dir() => Err(folder(&args.input)),
         (false, None) => Ok(read_any(&args.input, &options)?),
     }
 }
+
+/// The refusal of a folder, with what makes all that is in it, for the kind of files that is there.
+fn folder(path: &Path) -> Failure {
+    let names: Vec<String> = std::fs::read_dir(path)
+        .into_iter()
+        .flatten()
+        .flatten()
+        .map(|entry| entry.file_name().to_string_lossy().into_owned())
+        .collect();
+    let is_there = |ending: &&&str| names.iter().any(|name| name.ends_with(**ending));
+    let hint = match INPUT_ENDINGS.iter().find(is_there) {
+        Some(ending) => {
+            let all = path.join(format!("*{ending}")).display().to_string();
+            format!("Name one file in it. {}", for_all(&all, ending))
+        }
+        None => "Name a file: a design (.sheet.json), a curve table (.csv) or a mesh (.obj, .stl, \
+                 .ply or .glb)."
+            .to_owned(),
+    };
+    Failure::new("this is a folder", hint).at(path.display().to_string())
+}
+
+/// How a shell makes all inputs of a pattern, each into a folder of its own.
+pub(crate) fn for_all(pattern: &str, ending: &str) -> String {
+    format!(
+        "For all, in a shell: for f in {pattern}; do sheetwright make \"$f\" --out \
+         \"${{f%{ending}}}\"; done"
+    )
+}
+
+/// The endings of inputs, as the hints have them.
+pub(crate) const INPUT_ENDINGS: [&str; 6] = [".sheet.json", ".csv", ".obj", ".stl", ".ply", ".glb"];
 
 /// How messages name the input.
 pub(crate) fn name(args: &SourceArgs) -> String {

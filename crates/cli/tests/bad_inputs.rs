@@ -95,6 +95,15 @@ fn generated(recipe: &str, folder: &Path) -> Option<String> {
                 writeln!(file, "{row},0,0").unwrap();
             }
         }
+        ["loops", loops, _] => {
+            let mut file = std::io::BufWriter::new(fs::File::create(&path).unwrap());
+            writeln!(file, "curve,x,y,z,corner").unwrap();
+            for n in 0..count(loops) {
+                for (x, y) in [(0, 0), (1, 0), (1, 1), (0, 1)] {
+                    writeln!(file, "c{n},{},{y},0,1", 2 * n + x).unwrap();
+                }
+            }
+        }
         ["points", points, _] => {
             let mut list = String::from("[0,0,0]");
             for point in 1..count(points) {

@@ -2,7 +2,9 @@
 
 use sheetwright::boundary::{BoundaryError, JoinCause, PlaneError};
 use sheetwright::curve::{CurveError, SampleError};
-use sheetwright::design::{MakeCause, MakeError, MeshCause, MeshMakeError, VaryCause};
+use sheetwright::design::{
+    Design, MakeCause, MakeError, MeshCause, MeshMakeError, PanelShape, VaryCause,
+};
 use sheetwright::flatten::{FlattenError, RelaxError};
 use sheetwright::mesh::MeshError;
 use sheetwright::surface::ConnectivityError;
@@ -50,6 +52,30 @@ pub fn hint_for(error: &MakeError) -> String {
         MakeCause::Surface(error) => surface(error).to_owned(),
         MakeCause::Flatten(error) => flat(error).to_owned(),
         MakeCause::Vary(cause) => varying(cause).to_owned(),
+    }
+}
+
+/// [`hint_for`], and of a panel that has many holes how to make its curves panels instead: people
+/// expect of a table of many curves that each becomes one.
+pub fn hint_in_design(error: &MakeError, design: &Design) -> String {
+    let hint = hint_for(error);
+    let holes = design.panels.iter().find(|panel| panel.name == error.panel).map(|panel| {
+        let PanelShape::Loops { holes, .. } = &panel.shape else { return 0 };
+        holes.len()
+    });
+    let is_of_holes = matches!(
+        error.cause,
+        MakeCause::Plane(PlaneError::HoleOutside { .. })
+            | MakeCause::Triangulate(TriangulateError::TooLarge { .. })
+    );
+    match holes {
+        Some(count) if count > 0 && is_of_holes => format!(
+            "This is one panel with {count} {}: its first curve is the outline, all others are \
+             holes. To make a panel each, list them in a design: \"panels\": [{{ \"name\": \"a\", \
+             \"boundary\": [\"a\"] }}, …]. Else: {hint}",
+            if count == 1 { "hole" } else { "holes" }
+        ),
+        _ => hint,
     }
 }
 

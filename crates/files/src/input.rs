@@ -53,6 +53,52 @@ impl InputFormat {
     }
 }
 
+impl InputFormat {
+    /// The format that some bytes are in, by how they begin; `None` where that does not show.
+    pub fn of_bytes(bytes: &[u8]) -> Option<Self> {
+        if bytes.starts_with(b"glTF") {
+            return Some(Self::Mesh(MeshFormat::Glb));
+        }
+        if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r") {
+            return Some(Self::Mesh(MeshFormat::Ply));
+        }
+        if is_binary_stl(bytes) {
+            return Some(Self::Mesh(MeshFormat::Stl));
+        }
+        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        let text = String::from_utf8_lossy(&bytes[..bytes.len().min(SHOWS)]).to_lowercase();
+        let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty());
+        let first = lines.clone().next()?;
+        if first.starts_with('{') {
+            return Some(Self::Design);
+        }
+        if first == "solid" || first.starts_with("solid ") {
+            return Some(Self::Mesh(MeshFormat::Stl));
+        }
+        let columns: Vec<&str> =
+            first.split([',', ';', '\t']).map(|c| c.trim_matches([' ', '"'])).collect();
+        if ["x", "y", "z"].iter().all(|column| columns.contains(column)) {
+            return Some(Self::Table);
+        }
+        let is_point = |line: &str| line.starts_with("v ") || line.starts_with("v\t");
+        lines.any(is_point).then_some(Self::Mesh(MeshFormat::Obj))
+    }
+}
+
+/// The beginning of an input, in which its format shows, bytes: comments of some programs are long.
+const SHOWS: usize = 1 << 16;
+
+/// Whether these are as many bytes as a binary STL says that it has.
+fn is_binary_stl(bytes: &[u8]) -> bool {
+    const HEADER: usize = 80;
+    const TRIANGLE: usize = 50;
+    let count = bytes.get(HEADER..HEADER + 4).and_then(|count| count.try_into().ok());
+    count.map(u32::from_le_bytes).is_some_and(|count| {
+        let rest = bytes.len() - HEADER - 4;
+        count > 0 && rest as u64 == u64::from(count) * TRIANGLE as u64
+    })
+}
+
 /// The design in a file.
 ///
 /// # Errors
@@ -193,6 +239,35 @@ mod tests {
         let mesh = InputFormat::of(Path::new("hull.STL"));
         assert_eq!(mesh, Ok(InputFormat::Mesh(MeshFormat::Stl)));
         assert!(InputFormat::of(Path::new("a.txt")).unwrap_err().hint.contains(".csv"));
+    }
+
+    #[test]
+    fn the_content_tells_the_format() {
+        let mesh = |format| Some(InputFormat::Mesh(format));
+        let mut stl = vec![b's'; 80];
+        stl.extend(1u32.to_le_bytes());
+        stl.extend([0; 50]);
+        for (bytes, format) in [
+            (&b" \n{ \"sheetwright\": 1 }"[..], Some(InputFormat::Design)),
+            (b"\xef\xbb\xbf{}", Some(InputFormat::Design)),
+            (b"\nCurve; X; Y; Z\n", Some(InputFormat::Table)),
+            (b"x\ty\tz", Some(InputFormat::Table)),
+            (b"solid part\n facet", mesh(MeshFormat::Stl)),
+            (&stl, mesh(MeshFormat::Stl)),
+            (b"ply\nformat ascii 1.0", mesh(MeshFormat::Ply)),
+            (b"glTF\x02\0\0\0", mesh(MeshFormat::Glb)),
+            (b"# made by\nmtllib a.mtl\no box\nv 0 0 0\n", mesh(MeshFormat::Obj)),
+            (b"1,2,3\n4,5,6\n", None),
+            (b"", None),
+            (b"\0\x01\x02", None),
+        ] {
+            assert_eq!(
+                InputFormat::of_bytes(bytes),
+                format,
+                "{:?}",
+                String::from_utf8_lossy(bytes)
+            );
+        }
     }
 
     fn example(name: &str) -> Design {

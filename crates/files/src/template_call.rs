@@ -1,14 +1,15 @@
 //! A template as it is called: its name and `NAME=VALUE` texts, to a design.
 
 use crate::design_json::{table_beside, write_design, write_design_of_table};
-use crate::names::{did_you_mean, nearest, shown};
+use crate::meant::{material_hint, parameter_hint, template_question};
+use crate::names::{did_you_mean, shown};
 use crate::quantity::{LENGTH_EXAMPLES, Slip, angle, length, lengths, plain};
 use crate::reading::InputError;
 use crate::units::Units;
 use sheetwright::design::Design;
-use sheetwright::material::{MATERIALS, Material};
+use sheetwright::material::Material;
 use sheetwright::template::{
-    Kind, NamedCurve, Parameter, Template, TemplateError, Value, Values, catalogue, template,
+    Kind, NamedCurve, Parameter, Template, TemplateError, Value, Values, template,
 };
 use std::path::Path;
 
@@ -69,7 +70,7 @@ fn called(name: &str, settings: &[String], folder: Option<&Path>) -> Result<NewD
     let template = template(name).ok_or_else(|| InputError {
         message: format!("there is no template {}", shown(name)),
         place: None,
-        hint: meant(name) + "`sheetwright new --list` describes all there are.",
+        hint: template_question(name) + "`sheetwright new --list` describes all there are.",
     })?;
     let mut values = template.defaults();
     let mut seen: Vec<&str> = Vec::new();
@@ -82,6 +83,7 @@ fn called(name: &str, settings: &[String], folder: Option<&Path>) -> Result<NewD
             return Err(InputError::at(template.name, message, hint));
         };
         let (name, text) = (name.trim(), text.trim());
+        refuse_several(setting, template)?;
         if seen.contains(&name) {
             let message = format!("{} is set twice", shown(name));
             return Err(InputError::at(template.name, message, "Keep one of them."));
@@ -125,40 +127,38 @@ fn set_table(
     values.set(name, Value::Table(curves)).map_err(|error| in_words(&error, template, path))
 }
 
-/// The templates that may be meant by a name that none has: one of a name like it, or those that are
-/// searched for by this word.
-fn meant(wanted: &str) -> String {
-    let by_name = nearest(wanted, catalogue().iter().map(|template| template.name));
-    let words = catalogue().iter().flat_map(|template| template.words.iter().copied());
-    let word = nearest(wanted, words);
-    let is_meant = |template: &&Template| match (by_name, word) {
-        (Some(name), _) => template.name == name,
-        (None, Some(word)) => template.words.contains(&word),
-        (None, None) => false,
+/// A list of settings is no setting: a comma stands between lengths.
+fn refuse_several(setting: &str, template: &Template) -> Result<(), InputError> {
+    let is_name = |text: &str| {
+        text.starts_with(char::is_alphabetic)
+            && text.chars().all(|c| c.is_alphanumeric() || c == '-')
     };
-    let found: Vec<String> =
-        catalogue().iter().filter(is_meant).map(|template| shown(template.name)).collect();
-    match found.is_empty() {
-        true => String::new(),
-        false => format!("Did you mean {}? ", found.join(" or ")),
+    let parts: Vec<&str> = setting.split([',', ';']).map(str::trim).collect();
+    let is_setting =
+        |part: &&str| part.split_once('=').is_some_and(|(name, _)| is_name(name.trim()));
+    if parts.len() < 2 || !parts.iter().all(|part| is_setting(&part)) {
+        return Ok(());
     }
+    let message = format!("{} is several settings", shown(setting));
+    let each: Vec<String> = parts.iter().take(3).map(|part| format!("--set {part}")).collect();
+    let rest = if parts.len() > 3 { " …" } else { "" };
+    let hint = format!("Give each its own: {}{rest}.", each.join(" "));
+    Err(InputError::at(template.name, message, hint))
 }
 
 fn set(values: &mut Values, name: &str, text: &str) -> Result<(), InputError> {
     let template = values.template();
     if name == MATERIAL {
         values.material = Some(Material::named(text).ok_or_else(|| {
-            let known: Vec<&str> = MATERIALS.iter().map(|m| m.name).collect();
             let message = format!("the material {} is not known", shown(text));
-            InputError::at(place(template, MATERIAL), message, did_you_mean(text, &known))
+            InputError::at(place(template, MATERIAL), message, material_hint(text))
         })?);
         return Ok(());
     }
     let Some(parameter) = template.parameter(name) else {
-        let mut known: Vec<&str> = template.parameters.iter().map(|p| p.name).collect();
-        known.push(MATERIAL);
         let message = format!("there is no parameter {}", shown(name));
-        return Err(InputError::at(template.name, message, did_you_mean(name, &known)));
+        let hint = parameter_hint(name, template, &[MATERIAL]);
+        return Err(InputError::at(template.name, message, hint));
     };
     let value = read(&parameter.kind, text).map_err(|slip| {
         let what = what(&parameter.kind);
@@ -331,6 +331,7 @@ mod tests {
     use super::*;
     use crate::input::{InputFormat, read_bytes};
     use crate::reading::ReadOptions;
+    use sheetwright::template::catalogue;
 
     fn settings(list: &[&str]) -> Vec<String> {
         list.iter().map(|&text| text.to_owned()).collect()

@@ -9,6 +9,7 @@ use super::source::Source;
 use super::table_path::Tables;
 use super::vary::VaryReader;
 use super::wrong_version;
+use crate::meant::material_hint;
 use crate::names::{
     did_you_mean, folded, refused_anywhere, refused_for_curve, refused_for_file, shown,
 };
@@ -21,7 +22,7 @@ use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
     CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape, Vary,
 };
-use sheetwright::material::{MATERIALS, Material};
+use sheetwright::material::Material;
 use sheetwright::math::{Point3, Vec3};
 use sheetwright::triangulate::Goal;
 use std::collections::BTreeMap;
@@ -51,9 +52,8 @@ pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, In
     let material = match file.material {
         None => None,
         Some(wanted) => Some(Material::named(&wanted).ok_or_else(|| {
-            let known: Vec<&str> = MATERIALS.iter().map(|m| m.name).collect();
             let message = format!("the material {} is not known", shown(&wanted));
-            source.error("material", message, did_you_mean(&wanted, &known))
+            source.error("material", message, material_hint(&wanted))
         })?),
     };
     let curves = curves(file.curves.0, file.units, source)?;

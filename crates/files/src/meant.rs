@@ -1,0 +1,264 @@
+//! What people may have meant by a name that is none: of a template, of a parameter, of a material.
+//!
+//! A slip of the fingers is the nearest name. Other words for the thing are looked up: in what the
+//! catalogue says of templates and parameters, and for materials in a list of trade and American words.
+
+use crate::names::{did_you_mean, folded, nearest, shown};
+use crate::units::Units;
+use sheetwright::material::MATERIALS;
+use sheetwright::template::{Parameter, Template, catalogue};
+
+/// Templates that are named in a hint, at the most.
+const MOST_NAMED: usize = 4;
+
+/// Words for sheets, by how the names of the materials here begin.
+const MATERIAL_WORDS: [(&str, &[&str]); 9] = [
+    (
+        "steel",
+        &[
+            "galvanised",
+            "galvanized",
+            "galv",
+            "gi",
+            "zinc",
+            "zintec",
+            "stainless",
+            "inox",
+            "iron",
+            "tin",
+            "tinplate",
+            "corten",
+            "metal",
+            "sheetmetal",
+        ],
+    ),
+    ("aluminium", &["aluminum", "alu", "dural", "alloy", "metal", "sheetmetal"]),
+    ("plywood", &["ply", "wood", "okoume", "birch", "marine", "veneer", "mdf", "hardboard"]),
+    ("polypropylene", &["pp", "plastic", "polyprop", "pvc", "petg", "styrene", "acrylic"]),
+    (
+        "canvas",
+        &[
+            "fabric",
+            "cloth",
+            "sail",
+            "sailcloth",
+            "textile",
+            "cotton",
+            "nylon",
+            "polyester",
+            "ripstop",
+            "dacron",
+            "tarp",
+            "tarpaulin",
+            "denim",
+        ],
+    ),
+    ("leather", &["hide", "suede", "cowhide"]),
+    ("cardboard", &["board", "greyboard", "grayboard", "chipboard", "pasteboard", "millboard"]),
+    ("card", &["cardstock", "bristol", "manila"]),
+    ("paper", &["kraft", "tissue", "parchment"]),
+];
+
+/// Words for what is set, and the word for it here.
+const PARAMETER_WORDS: [(&str, &[&str]); 9] = [
+    ("diameter", &["dia", "diam", "d", "ø", "radius", "r", "bore", "round", "size"]),
+    ("height", &["h", "high", "tall", "rise", "drop"]),
+    ("width", &["w", "wide", "beam", "breadth", "side"]),
+    ("length", &["l", "len", "long", "loa"]),
+    ("depth", &["deep"]),
+    (
+        "pieces",
+        &["n", "count", "number", "parts", "sections", "segments", "panels", "gores", "seams"],
+    ),
+    ("angle", &["degrees", "deg", "bend"]),
+    ("radius", &["r", "rad"]),
+    ("units", &["unit"]),
+];
+
+/// What to do about a material that is not known.
+pub fn material_hint(wanted: &str) -> String {
+    let known: Vec<&str> = MATERIALS.iter().map(|m| m.name).collect();
+    let words = words_of(wanted);
+    let is_called = |stem: &str, others: &[&str]| {
+        words.iter().any(|word| word == stem || others.contains(&word.as_str()))
+    };
+    let stems: Vec<&str> = MATERIAL_WORDS
+        .iter()
+        .filter(|(stem, others)| is_called(stem, others))
+        .map(|(stem, _)| *stem)
+        .collect();
+    let stem_of = |name: &str| name.split('-').next().unwrap_or_default().to_owned();
+    let meant: Vec<&str> =
+        known.iter().copied().filter(|name| stems.contains(&stem_of(name).as_str())).collect();
+    if meant.is_empty() || nearest(wanted, known.iter().copied()).is_some() {
+        return did_you_mean(wanted, &known);
+    }
+    // A word of its own, far from every name.
+    format!("Did you mean {}? {}", one_of(&meant), did_you_mean("", &known))
+}
+
+/// The templates that may be meant by a name that none has, as a question; empty if none may.
+pub(crate) fn template_question(wanted: &str) -> String {
+    if Units::from_name(wanted).is_some() {
+        return "A value with a blank stands in quotation marks: --set 'height=500 mm'. "
+            .to_owned();
+    }
+    let found = templates_meant(wanted);
+    match found.is_empty() {
+        true => String::new(),
+        false => format!("Did you mean {}? ", one_of(&found)),
+    }
+}
+
+/// Templates called so, or that have the word among theirs; else those with the nearest name or word;
+/// else those that say the word of themselves.
+fn templates_meant(wanted: &str) -> Vec<&'static str> {
+    let words = words_of(wanted);
+    let has_all = |texts: &[&str]| {
+        let all: Vec<String> = texts.iter().flat_map(|text| words_of(text)).collect();
+        !words.is_empty() && words.iter().all(|word| all.contains(word))
+    };
+    let named = |is_meant: &dyn Fn(&Template) -> bool| -> Vec<&'static str> {
+        catalogue().iter().filter(|t| is_meant(t)).take(MOST_NAMED).map(|t| t.name).collect()
+    };
+    let by_word = named(&|t| has_all(&[t.name]) || t.words.iter().any(|text| has_all(&[text])));
+    if !by_word.is_empty() {
+        return by_word;
+    }
+    if let Some(name) = nearest(wanted, catalogue().iter().map(|t| t.name)) {
+        return vec![name];
+    }
+    if let Some(word) = nearest(wanted, catalogue().iter().flat_map(|t| t.words.iter().copied())) {
+        return named(&|t| t.words.contains(&word));
+    }
+    let begins = folded(wanted);
+    let by_beginning = named(&|t| begins.chars().count() >= 3 && t.name.starts_with(&begins));
+    if !by_beginning.is_empty() {
+        return by_beginning;
+    }
+    named(&|t| has_all(&[t.title, t.who]))
+}
+
+/// What to do about a parameter that a template has not; `others` are what every template takes.
+pub(crate) fn parameter_hint(wanted: &str, template: &Template, others: &[&str]) -> String {
+    let mut known: Vec<&str> = template.parameters.iter().map(|p| p.name).collect();
+    known.extend(others);
+    let list = did_you_mean(wanted, &known);
+    if nearest(wanted, known.iter().copied()).is_some() {
+        return list;
+    }
+    let wanted = folded(wanted);
+    let meant = parameters_meant(&wanted, template);
+    match &meant[..] {
+        [] => list,
+        [one] => format!("Did you mean {} ({})? {list}", shown(one.name), one.meaning),
+        several => {
+            let names: Vec<&str> = several.iter().map(|p| p.name).collect();
+            format!("Did you mean {}? {list}", one_of(&names))
+        }
+    }
+}
+
+/// Parameters that the word begins or is a part of; else those that say it of themselves; else the same
+/// of the usual word for it, and of others.
+fn parameters_meant(wanted: &str, template: &Template) -> Vec<&'static Parameter> {
+    let usual = PARAMETER_WORDS.iter().filter(|(_, others)| others.contains(&wanted));
+    let alike = usual.flat_map(|(word, others)| [*word].into_iter().chain(others.iter().copied()));
+    for word in [wanted].into_iter().chain(alike) {
+        let of_name = |p: &&Parameter| {
+            let begins = word.chars().count() >= 3 && p.name.starts_with(word);
+            begins || p.name.split('-').any(|part| part == word)
+        };
+        let of_meaning = |p: &&Parameter| words_of(p.meaning).iter().any(|said| said == word);
+        let by_name: Vec<&Parameter> = template.parameters.iter().filter(of_name).collect();
+        let found = if by_name.is_empty() {
+            template.parameters.iter().filter(of_meaning).take(MOST_NAMED).collect()
+        } else {
+            by_name
+        };
+        if !found.is_empty() {
+            return found;
+        }
+    }
+    Vec::new()
+}
+
+/// The words of a text, in small letters.
+fn words_of(text: &str) -> Vec<String> {
+    let text = folded(text);
+    let words = text.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+    words.map(str::to_owned).collect()
+}
+
+/// `'a', 'b' or 'c'`.
+fn one_of(names: &[&str]) -> String {
+    let names: Vec<String> = names.iter().map(|name| shown(name)).collect();
+    match names.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
+        _ => names.concat(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use sheetwright::template::template;
+
+    #[test]
+    fn other_words_lead_to_templates() {
+        for (wanted, meant) in [
+            ("lamp", "'lampshade'"),
+            ("Lamp shade", "'lampshade'"),
+            ("kone", "'cone'"),
+            ("half-sphere", "'dome'"),
+            ("Zepelin", "'airship'"),
+            ("hemi", "'hemisphere'"),
+        ] {
+            let said = template_question(wanted);
+            assert_eq!(said, format!("Did you mean {meant}? "), "{wanted}");
+        }
+        assert_eq!(template_question("xyzzy"), "");
+        assert!(template_question("mm").contains("quotation marks"));
+    }
+
+    #[test]
+    fn other_words_lead_to_parameters() {
+        for (name, wanted, meant) in [
+            ("lampshade", "height", "'slant' (height along the side, as the shade is sold)"),
+            ("dome", "dia", "'diameter' (diameter at the foot)"),
+            ("dome", "Ø", "'diameter' (diameter at the foot)"),
+            ("cone", "dia", "'bottom' or 'top'"),
+            ("dome", "segments", "'gores'"),
+            ("square-to-round", "offset", "'offset-x' or 'offset-y'"),
+        ] {
+            let said = parameter_hint(wanted, template(name).unwrap(), &["material"]);
+            assert!(said.starts_with(&format!("Did you mean {meant}")), "{wanted}: {said}");
+            assert!(said.contains("? Known here: "), "{said}");
+        }
+    }
+
+    #[test]
+    fn other_words_lead_to_materials() {
+        for (wanted, meant) in [
+            ("galvanised", "'steel-1mm' or 'steel-5mm'"),
+            ("Galvanized steel", "'steel-1mm' or 'steel-5mm'"),
+            ("aluminum", "'aluminium-1mm', 'aluminium-2mm' or 'aluminium-4mm'"),
+            ("plastic", "'polypropylene-0.8mm'"),
+            ("sailcloth", "'canvas'"),
+            ("stainless 2mm", "'steel-1mm' or 'steel-5mm'"),
+        ] {
+            let said = material_hint(wanted);
+            assert!(said.starts_with(&format!("Did you mean {meant}? Known here: ")), "{said}");
+        }
+        assert!(material_hint("papper").starts_with("Did you mean 'paper'? "));
+        assert!(material_hint("xyzzy").starts_with("Known here: "));
+    }
+
+    /// A name that no material has would lead nowhere.
+    #[test]
+    fn the_words_are_of_materials_that_are_there() {
+        for (stem, _) in MATERIAL_WORDS {
+            assert!(MATERIALS.iter().any(|m| m.name.split('-').next() == Some(stem)), "{stem}");
+        }
+    }
+}
