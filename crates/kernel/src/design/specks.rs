@@ -52,3 +52,43 @@ fn both(a: Option<Specks>, b: Option<Specks>) -> Option<Specks> {
         (a, b) => a.or(b),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::index::VertexIndex;
+    use crate::math::Point3;
+
+    /// Right triangles of these sizes, mm, 10 mm apart along z.
+    fn group(name: &str, sizes: &[f64], left_out: usize) -> MeshGroup {
+        let corners = |(n, size): (usize, &f64)| {
+            let at = |x: f64, y: f64| Point3::new(x, y, 10.0 * n as f64);
+            [at(0.0, 0.0), at(*size, 0.0), at(0.0, *size)]
+        };
+        let numbers = (0..sizes.len()).map(|n| [3 * n, 3 * n + 1, 3 * n + 2]);
+        MeshGroup {
+            name: name.to_owned(),
+            positions: sizes.iter().enumerate().flat_map(corners).collect(),
+            triangles: numbers.map(|t| t.map(VertexIndex::new)).collect(),
+            left_out,
+        }
+    }
+
+    #[test]
+    fn a_group_of_nothing_but_specks_is_no_panel_and_is_counted() {
+        let groups = [
+            group("dust", &[1e-9, 1e-14], 2),
+            group("hood", &[80.0, 1e-9], 1),
+            group("lid", &[9.0], 0),
+        ];
+        let kept = cleaned(&groups);
+        let names: Vec<&str> = kept.iter().map(|(group, _)| &group.name[..]).collect();
+        assert_eq!(names, ["hood", "lid"]);
+        assert_eq!((kept[0].0.triangles.len(), kept[0].0.left_out), (1, 3));
+        assert_eq!(kept[0].1.map(|specks| specks.parts), Some(3));
+        assert!(matches!(kept[1], (Cow::Borrowed(_), None)));
+        // Where there is nothing else, what is wrong with it is for the door to say.
+        let kept = cleaned(&groups[..1]);
+        assert!(matches!(kept[..], [(Cow::Borrowed(_), None)]) && kept[0].0.triangles.len() == 2);
+    }
+}
