@@ -5,27 +5,35 @@
 //! counted. Its triangle at ⟨i,j⟩ has an edge of the boundary at i or at j:
 //! D⟨i,j⟩⁺ = min{ D⟨i+,j⟩⁺ + w⟨i+,j⟩ , D⟨i,j−⟩⁺ + w⟨i,j−⟩ }, plus the price of that triangle.
 //! The part on the other side, ⟨i,j⟩⁻, is the part from j on to i, so one table over (start,
-//! length) serves both. Every triangulation has a rung at sample 0 or the rung ⟨0−,0+⟩, and
+//! length) serves both; it is filled by length, and of the prices only those of two lengths are kept, and
+//! those of the parts that begin or end at sample 0. Every triangulation has a rung at sample 0 or the rung ⟨0−,0+⟩, and
 //! equation (2) puts the two sides of it together.
 
 use super::{Side, Terms, TriangulateError};
 use crate::watch::Watch;
 
-/// What the tables of m samples take, bytes.
+/// What the tables of m samples take, bytes: a choice for every start and length.
 pub(super) fn memory_needed(m: usize) -> u64 {
-    // A price and a choice for every start and length, and the side of every pair.
-    let per_part = size_of::<f64>() + size_of::<bool>();
-    (m as u64) * (m as u64) * (per_part + size_of::<Side>()) as u64
+    (m as u64) * (m as u64) * size_of::<bool>() as u64
 }
 
+/// The parts of one length at a time, by where they start, and what is needed of all lengths.
 struct Parts<'a> {
     terms: &'a Terms<'a>,
     m: usize,
-    sides: Vec<Side>,
-    /// D⟨i, i + length⟩⁺ at [length · m + i].
-    least: Vec<f64>,
-    /// Whether its first triangle has its edge of the boundary at the start.
+    /// The rungs ⟨i, i + length⟩ of the length before and of this one.
+    sides: [Vec<Side>; 2],
+    /// D⟨i, i + length⟩⁺ of the length before and of this one.
+    least: [Vec<f64>; 2],
+    /// Whether the first triangle of a part has its edge of the boundary at the start, at
+    /// [length · m + i].
     at_start: Vec<bool>,
+    /// D⟨0, length⟩⁺ by length.
+    from_first: Vec<f64>,
+    /// D⟨j, 0⟩⁺ by j.
+    to_first: Vec<f64>,
+    /// D⟨1, m − 1⟩⁺.
+    cut_off: f64,
 }
 
 /// The triangles of the cheapest bridge triangulation; `None` if there is none.
@@ -34,43 +42,59 @@ pub(super) fn solve(
     watch: &mut dyn Watch,
 ) -> Result<Option<Vec<[usize; 3]>>, TriangulateError> {
     let m = terms.prices.len();
-    let mut sides = vec![super::EDGE; m * m];
-    for i in 0..m {
-        if watch.stop() {
-            return Err(TriangulateError::Stopped);
-        }
-        watch.progress(0.5 * i as f64 / m as f64);
-        for j in i + 1..m {
-            sides[i * m + j] = terms.side(i, j);
-            sides[j * m + i] = sides[i * m + j];
-        }
+    if m == 3 {
+        return Ok(Some(vec![[0, 1, 2]]));
     }
-    let mut parts =
-        Parts { terms, m, sides, least: vec![0.0; m * m], at_start: vec![false; m * m] };
-    for length in 2..m {
+    let mut parts = Parts::new(terms);
+    for length in 2..m - 1 {
         if watch.stop() {
             return Err(TriangulateError::Stopped);
         }
-        watch.progress(0.5 + 0.5 * length as f64 / m as f64);
-        for i in 0..m {
-            parts.fill(i, length);
-        }
+        watch.progress(length as f64 / m as f64);
+        parts.fill(length);
     }
     Ok(parts.together())
 }
 
-impl Parts<'_> {
-    fn side(&self, i: usize, j: usize) -> Side {
-        self.sides[i * self.m + j]
+impl<'a> Parts<'a> {
+    fn new(terms: &'a Terms<'a>) -> Self {
+        let m = terms.prices.len();
+        Self {
+            terms,
+            m,
+            sides: [Self::sides(terms, 1), Vec::new()],
+            least: [vec![0.0; m], vec![0.0; m]],
+            at_start: vec![false; m * m],
+            from_first: vec![0.0; m],
+            to_first: vec![0.0; m],
+            cut_off: 0.0,
+        }
     }
 
-    /// The price of a triangle whose corners follow one another round the loop.
-    fn triangle(&self, corners: [usize; 3]) -> f64 {
-        let mut sorted = corners;
-        sorted.sort_unstable();
-        let [i, k, j] = sorted;
-        let means = [self.side(i, k).mean, self.side(k, j).mean, self.side(i, j).mean];
-        self.terms.fold(sorted, means)
+    /// The rungs across so many edges, by where they start.
+    fn sides(terms: &Terms<'_>, length: usize) -> Vec<Side> {
+        let m = terms.prices.len();
+        let side = |i: usize| {
+            let j = (i + length) % m;
+            terms.side(i.min(j), i.max(j))
+        };
+        (0..m).map(side).collect()
+    }
+
+    /// The price of a triangle whose corners follow one another round the loop; the first rung joins
+    /// the first two corners, and so on.
+    fn triangle(&self, corners: [usize; 3], rungs: [&Side; 3]) -> f64 {
+        // The corners in order, and the rungs with them.
+        let turn = match corners {
+            [i, k, j] if i < k && k < j => 0,
+            [_, k, j] if k < j => 1,
+            _ => 2,
+        };
+        let [corners, at] = [corners, [0, 1, 2]].map(|mut list| {
+            list.rotate_left(turn);
+            list
+        });
+        self.terms.fold(corners, at.map(|n| rungs[n].mean))
     }
 
     /// The price of three parts together.
@@ -78,37 +102,46 @@ impl Parts<'_> {
         self.terms.together(self.terms.together(a, b), c)
     }
 
-    fn fill(&mut self, i: usize, length: usize) {
+    /// All parts of this length, from those that are shorter by one.
+    fn fill(&mut self, length: usize) {
         let m = self.m;
-        let [i_next, j_before, j] = [i + 1, i + length - 1, i + length].map(|k| k % m);
-        // With an edge at the start, the part from i+ to j is left; at the end, from i to j−.
-        let start = self.three(
-            self.least[(length - 1) * m + i_next],
-            self.side(i_next, j).price,
-            self.triangle([i, i_next, j]),
-        );
-        let end = self.three(
-            self.least[(length - 1) * m + i],
-            self.side(i, j_before).price,
-            self.triangle([i, j_before, j]),
-        );
-        self.at_start[length * m + i] = start <= end;
-        self.least[length * m + i] = if start <= end { start } else { end };
+        self.sides[1] = Self::sides(self.terms, length);
+        for i in 0..m {
+            let [i_next, j_before, j] = [i + 1, i + length - 1, i + length].map(|k| k % m);
+            let [before, now] = &self.sides;
+            // With an edge at the start, the part from i+ to j is left; at the end, from i to j−.
+            let start = self.three(
+                self.least[0][i_next],
+                before[i_next].price,
+                self.triangle([i, i_next, j], [&super::EDGE, &before[i_next], &now[i]]),
+            );
+            let end = self.three(
+                self.least[0][i],
+                before[i].price,
+                self.triangle([i, j_before, j], [&before[i], &super::EDGE, &now[i]]),
+            );
+            self.at_start[length * m + i] = start <= end;
+            self.least[1][i] = if start <= end { start } else { end };
+        }
+        self.sides.swap(0, 1);
+        self.least.swap(0, 1);
+        self.from_first[length] = self.least[0][0];
+        self.to_first[m - length] = self.least[0][m - length];
+        self.cut_off = self.least[0][1];
     }
 
     /// Equation (2) over the rungs at sample 0 and the rung that cuts it off.
     fn together(&self) -> Option<Vec<[usize; 3]>> {
         let m = self.m;
-        if m == 3 {
-            return Some(vec![[0, 1, 2]]);
-        }
-        let both = |j: usize| {
-            self.three(self.least[j * m], self.least[(m - j) * m + j], self.side(0, j).price)
-        };
+        let side = |i: usize, j: usize| self.terms.side(i, j);
+        let both = |j: usize| self.three(self.from_first[j], self.to_first[j], side(0, j).price);
+        let across = side(1, m - 1);
+        let rungs = [&super::EDGE, &super::EDGE, &across];
         let cut_off = self.three(
-            self.least[(m - 2) * m + 1],
-            self.side(1, m - 1).price,
-            self.triangle([m - 1, 0, 1]),
+            self.cut_off,
+            across.price,
+            // From sample m − 1 on, by way of 0.
+            self.triangle([m - 1, 0, 1], rungs),
         );
         let best = (2..m - 1).min_by(|&a, &b| both(a).total_cmp(&both(b)).then(a.cmp(&b)));
         let mut triangles = Vec::with_capacity(m - 2);

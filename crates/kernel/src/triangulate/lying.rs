@@ -4,9 +4,10 @@
 //! with more rungs than those, and the answer is looked at: mostly it lies over the plane as it
 //! should, and then it is the answer.
 
+use super::memory::obtainable;
 use super::{
     Found, Method, Terms, TriangulateError, TriangulateOptions, Triangulation, if_it_fits,
-    may_be_among_few, mend, optimal, outcome, sparse,
+    may_be_among_few, memory_needed, mend, optimal, outcome, sparse,
 };
 use crate::boundary::{Boundary, SupportingPlane};
 use crate::cost::{Prices, quantised};
@@ -129,7 +130,8 @@ pub(crate) fn cheaper_than(
 ) -> Result<Option<Triangulation>, TriangulateError> {
     let prices = Prices::new(boundary, None, options.price);
     let everything = Visibility::everything();
-    let terms = Terms::new(&prices, &everything, false).within(options.memory_limit);
+    let limit_bytes = obtainable(options.memory_limit, memory_needed(boundary.len()));
+    let terms = Terms::new(&prices, &everything, false).within(limit_bytes);
     let known = known.filter(|known| mend::is_of(known, &[boundary.len()]));
     let bound = mend::price(&terms, known).map_or(limit, |price| price.min(limit));
     let found = if_it_fits(optimal::solve_within(&terms, quantised(bound), watch))?;

@@ -16,6 +16,7 @@ mod bridge;
 mod facing;
 mod holes;
 mod lying;
+mod memory;
 mod mend;
 mod optimal;
 mod part;
@@ -90,7 +91,8 @@ pub struct TriangulateOptions {
     /// How they are priced.
     pub price: PriceOptions,
     /// The most memory that tables may take, bytes. Default 4 GiB: `Optimal` up to 15,000 samples
-    /// without holes, and many more where the boundary comes near to a developable surface.
+    /// without holes, and many more where the boundary comes near to a developable surface. Less where the system does
+    /// not give as much.
     pub memory_limit: u64,
 }
 
@@ -243,6 +245,9 @@ pub fn triangulate_near(
     watch: &mut dyn Watch,
 ) -> Result<Cheapest, TriangulateError> {
     let lengths: Vec<usize> = boundary.loops().iter().map(ExactSizeIterator::len).collect();
+    refuse(&lengths, options)?;
+    let memory_limit = memory::obtainable(options.memory_limit, needed(&lengths, options));
+    let options = &TriangulateOptions { memory_limit, ..options.clone() };
     refuse(&lengths, options)?;
     // Some methods begin anew; progress does not.
     let watch = &mut Part::new(watch, 0.0..1.0);
