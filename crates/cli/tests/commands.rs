@@ -603,3 +603,88 @@ fn what_was_moved_can_be_made_again() {
     let words = text(&output.stdout);
     assert!(words.contains("'outline' moved by up to "), "{words}");
 }
+
+/// A quarter of a cylinder of 100 mm, which nothing need be moved for; 4 mm plywood takes 385 mm.
+#[test]
+fn a_radius_that_is_too_tight_is_not_called_fine() {
+    let arc = |y: f64| -> String {
+        let point = |n: i32| {
+            let turn = f64::from(n) / 10.0 * std::f64::consts::FRAC_PI_2;
+            let [z, x] =
+                [sheetwright::math::cos(turn), sheetwright::math::sin(turn)].map(|x| 100.0 * x);
+            format!("[{x},{y},{z}]")
+        };
+        (0..=10).map(point).collect::<Vec<String>>().join(",")
+    };
+    let design = format!(
+        r#"{{ "sheetwright": 1, "material": "plywood-4mm", "curves": {{
+            "a": {{ "kind": "spline", "points": [{}] }}, "b": {{ "kind": "spline", "points": [{}] }} }},
+          "panels": [{{ "name": "plank", "rails": ["a", "b"], "samples": 40 }}] }}"#,
+        arc(0.0),
+        arc(300.0)
+    );
+    let desk = Desk::new(&[("plank.sheet.json", &design)]);
+    let (words, _) = desk.says("check plank.sheet.json --vary-warp 5", 1);
+    assert!(
+        words.starts_with("plank: will not bend\n  error: The panel is bent to a radius"),
+        "{words}"
+    );
+    let truth = "note: Nothing was moved: no ruling twists by more than the 5.0° asked for, as far as its \
+                 samples tell. What keeps the panel from bending is its radius,";
+    assert!(words.contains(truth) && !words.contains("bends as it is"), "{words}");
+    // Of paper, it is fine.
+    let (words, _) = desk.says("check plank.sheet.json --vary-warp 5 --material paper", 0);
+    assert!(words.contains("Nothing was moved: the panel bends as it is"), "{words}");
+}
+
+#[test]
+fn a_good_duct_is_told_to_bend_its_corners_in_steps() {
+    let desk = Desk::new(&[]);
+    desk.says("new square-to-round --set material=steel-1mm -o duct.sheet.json", 0);
+    let (words, _) = desk.says("check duct.sheet.json", 0);
+    assert_eq!(words.matches("note: Bend the corners in steps: ").count(), 1, "{words}");
+    assert!(!words.contains("run together in points"), "{words}");
+}
+
+#[test]
+fn names_of_choices_are_taken_in_capitals() {
+    let desk = Desk::new(&[("square.csv", SQUARE)]);
+    let call = "make square.csv --out out --paper A4 --formats PDF,Svg --units MM --material Paper \
+                --method Optimal";
+    desk.says(call, 0);
+    assert_eq!(names_in(&desk.path("out")), ["pattern.pdf", "square.svg"]);
+}
+
+#[test]
+fn a_folder_is_answered_with_what_makes_all_in_it() {
+    let desk = Desk::new(&[]);
+    fs::create_dir(desk.path("parts")).unwrap();
+    fs::write(desk.path("parts/square.csv"), SQUARE).unwrap();
+    let (_, error) = desk.says("make parts --out out", 2);
+    let wanted = "error: parts: this is a folder\nhint: Name one file in it. For all, in a shell: for f in \
+                  parts/*.csv; do sheetwright make \"$f\" --out \"${f%.csv}\"; done\n";
+    assert_eq!(error, wanted);
+    let (_, error) = desk.says("check parts/square.csv parts/other.csv", 2);
+    assert!(
+        error.contains("hint: Give one input at a time. For all, in a shell: for f in *.csv"),
+        "{error}"
+    );
+}
+
+/// The table of the method takes 0.84 GiB, which the program may, and does not get.
+#[cfg(target_os = "linux")]
+#[test]
+fn memory_that_can_not_be_had_is_refused_in_words() {
+    let desk = Desk::new(&[("square.csv", SQUARE)]);
+    let mut shell = Command::new("sh");
+    shell.current_dir(desk.0.path()).stdin(Stdio::null());
+    shell
+        .arg("-c")
+        .arg("ulimit -v 700000; exec \"$0\" \"$@\"")
+        .arg(env!("CARGO_BIN_EXE_sheetwright"));
+    let output = shell.args("check square.csv --method bridge --samples 30000".split(' ')).output();
+    let output = output.unwrap();
+    let words = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{words}");
+    assert!(words.contains("the tables need 0.8 GiB of memory and may take 0."), "{words}");
+}

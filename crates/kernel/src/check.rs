@@ -269,21 +269,29 @@ fn points(panel: &Panel<'_>) -> Option<Finding> {
     if stiff.is_none() && to_deg(sharpest.turn) < SEEN_POINT_DEG {
         return None;
     }
+    let one = apexes.len() == 1;
     let (severity, advice) = match stiff {
         Some(m) => (
             Severity::Error,
             format!(
-                "{} takes {:.1} mm, and there it would have to take {:.1} mm. Cut the point off, or \
-                 move the boundary there.",
+                "{} takes a radius of {:.1} mm, and there it would have to take {:.1} mm. Cut the \
+                 point off, or move the boundary there.",
                 m.title, m.bend_radius_mm, sharpest.radius_mm
             ),
         ),
         None => (
             Severity::Note,
-            "Bend it there as along a fold. The bend radius in this report is measured apart from \
-             it."
-            .to_owned(),
+            format!(
+                "The bend radius in this report leaves {} out.",
+                if one { "it" } else { "them" }
+            ),
         ),
+    };
+    let begin = match (severity, one) {
+        (Severity::Note, true) => "Bend the corner in steps: bend lines run together in it",
+        (Severity::Note, false) => "Bend the corners in steps: bend lines run together in them",
+        (_, true) => "Bend lines run together in a point",
+        (_, false) => "Bend lines run together in points",
     };
     let samples: Vec<String> =
         apexes.iter().take(SHOWN).map(|apex| (apex.sample.get() + 1).to_string()).collect();
@@ -293,16 +301,10 @@ fn points(panel: &Panel<'_>) -> Option<Finding> {
         severity,
         code: "point",
         text: format!(
-            "Rulings run together in {}, round which the sheet turns by up to {:.1}°: the nearer to \
-             it, the more tightly it is bent. {advice}",
-            if apexes.len() == 1 { "a point" } else { "points" },
+            "{begin} and turn the sheet by up to {:.1}° there. {advice}",
             to_deg(sharpest.turn)
         ),
-        place: format!(
-            "sample{} {}{rest}",
-            if apexes.len() == 1 { "" } else { "s" },
-            samples.join(", ")
-        ),
+        place: format!("sample{} {}{rest}", if one { "" } else { "s" }, samples.join(", ")),
     })
 }
 
@@ -324,13 +326,20 @@ fn crossing(panel: &Panel<'_>) -> Option<Finding> {
 fn overlap(panel: &Panel<'_>) -> Option<Finding> {
     let (a, b) = panel.flat.overlap?;
     let sample = |n: usize| panel.sheet.origin(SampleIndex::new(n)).get() + 1;
+    // Both sides of a cut may begin at one sample, so an edge is named by both of its ends.
+    let loops = panel.sheet.surface().connectivity().loops();
+    let next = |n: usize| {
+        let of_loop = loops.iter().find(|of_loop| of_loop.contains(&n));
+        of_loop.filter(|of_loop| n + 1 == of_loop.end).map_or(n + 1, |of_loop| of_loop.start)
+    };
+    let edge = |n: usize| format!("{} to {}", sample(n), sample(next(n)));
     Some(Finding {
         severity: Severity::Error,
         code: "overlap",
         text: "Laid flat, the pattern overlaps itself, so it can't be cut from one sheet. Divide \
                the panel."
             .to_owned(),
-        place: format!("edges after samples {} and {}", sample(a), sample(b)),
+        place: format!("edges from sample {} and from {}", edge(a), edge(b)),
     })
 }
 

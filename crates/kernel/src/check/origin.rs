@@ -1,6 +1,6 @@
 //! Findings of how a boundary came to be: what its curves look like, and what was done to them.
 
-use super::{Finding, Severity, where_rungs};
+use super::{Checked, Finding, Severity, Verdict, where_rungs};
 use crate::boundary::Joined;
 use crate::curve::CurvePoint;
 use crate::math::{angle_between, to_deg};
@@ -155,6 +155,8 @@ pub struct BoundaryMoved<'a> {
     pub before: &'a Measures,
     /// What is measured now.
     pub after: &'a Measures,
+    /// What is found now.
+    pub checked: &'a Checked,
 }
 
 /// The finding that a boundary was moved, and what came of it: a warning where an angle that was
@@ -184,7 +186,7 @@ pub fn moved(moving: &BoundaryMoved<'_>) -> Finding {
     let mut place = String::new();
     match (ended, missed) {
         (Ended::NothingToDo, None) => {
-            text.push_str(": the panel bends as it is, as far as its samples tell.");
+            text.push_str(&not_needed(moving));
             code = "not-moved";
         }
         (Ended::NothingToDo, Some(_)) => {
@@ -204,9 +206,42 @@ pub fn moved(moving: &BoundaryMoved<'_>) -> Finding {
             ));
             place = where_rungs(&after.rungs, |rung| to_deg(rung.warp) > wanted);
         }
-        (_, None) => text.push_str(&format!("; {ended}.")),
+        (_, None) => {
+            text.push_str(&format!("; {ended}."));
+            text.push_str(other_reason(moving.checked));
+        }
     }
     Finding { severity, code, text, place }
+}
+
+/// Why nothing was moved, as the end of a sentence, and what is to be done instead where the panel
+/// does not bend.
+fn not_needed(moving: &BoundaryMoved<'_>) -> String {
+    let tell = "as far as its samples tell";
+    if moving.checked.verdict != Verdict::WillNotBend {
+        return format!(": the panel bends as it is, {tell}.");
+    }
+    let twist = match moving.wanted.map(to_deg) {
+        Some(wanted) => format!("no ruling twists by more than the {wanted:.1}° asked for"),
+        None => "no ruling twists".to_owned(),
+    };
+    format!(": {twist}, {tell}.{}", other_reason(moving.checked))
+}
+
+/// What keeps a panel from bending that has all the warp angles asked for, as a sentence.
+fn other_reason(checked: &Checked) -> &'static str {
+    let has =
+        |code| checked.findings.iter().any(|f| f.code == code && f.severity == Severity::Error);
+    if checked.verdict != Verdict::WillNotBend {
+        ""
+    } else if has("warp-too-large") {
+        " The sheet takes less than that: ask for a smaller angle."
+    } else if has("radius-too-small") {
+        " What keeps the panel from bending is its radius, which moving for less twist does not \
+         change: take a thinner sheet, or draw the curves rounder."
+    } else {
+        " What keeps the panel from bending is not its twist: see the errors beside this."
+    }
 }
 
 /// Names in a sentence.

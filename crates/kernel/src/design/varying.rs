@@ -145,6 +145,7 @@ impl Change {
             size_mm: now.boundary.size(),
             before: &self.before.measures,
             after: &now.measures,
+            checked: &now.checked,
         }
     }
 }
