@@ -211,12 +211,22 @@ impl Editor {
             Act::Select(selection) => self.selection = self.cleaned(selection),
             Act::Show(selection) => self.bring_into_sight(selection),
             Act::Move(moved) => {
-                let to = edit::moved(self.history.now(), &moved);
+                let now = self.history.now();
+                let before = self.history.before_drag().unwrap_or(now);
+                let to = edit::moved(now, before, &moved);
                 if !self.refuses_far(&to) {
                     self.history.drag(to);
                 }
             }
-            Act::Rest => self.history.rest(),
+            Act::Rest => {
+                // What crossed no more has its panel within the same step.
+                let before = self.history.before_drag();
+                if let Some(to) = before.and_then(|b| edit::with_freed(b, self.history.now())) {
+                    self.history.drag(to);
+                    self.notice = None;
+                }
+                self.history.rest();
+            }
             Act::Edit(edit) => self.edit(&edit),
         }
     }

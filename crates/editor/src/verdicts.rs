@@ -1,5 +1,6 @@
 //! Will it bend? A line that counts, always at the top of the bar, and a card a panel, the worst first.
 
+use crate::document::edit::why_no_panel;
 use crate::editor::Editor;
 use crate::engine::shown::{Shown, ShownPanel, ShownRung};
 use crate::scene::{Act, Selection};
@@ -43,7 +44,7 @@ fn waiting(editor: &Editor) -> &'static str {
     if design.curves.is_empty() {
         "Nothing is drawn yet"
     } else if design.panels.is_empty() {
-        "No outline is closed yet"
+        "No outline bounds a panel yet"
     } else {
         "Working it out…"
     }
@@ -83,8 +84,8 @@ pub(crate) fn verdicts_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mu
     ui.heading("Will it bend?");
     if editor.shown().is_empty() && !editor.document().design.curves.is_empty() {
         let text = match editor.document().design.panels.is_empty() {
-            true => "Join the ends of a curve to close it: a closed outline bounds a panel.",
-            false => "Working it out…",
+            true => why_no_panel(editor.document()),
+            false => "Working it out…".to_owned(),
         };
         ui.label(RichText::new(text).color(theme.faint));
     }

@@ -314,6 +314,10 @@ fn legends_say_their_units_and_the_limit() {
     harness.state_mut().view = SurfaceView::LengthError;
     harness.run();
     harness.get_by_label_contains("Legend: Lengths: exact");
+    // The Gauss image tells twist by its width, not by colours.
+    harness.state_mut().view = SurfaceView::Gauss;
+    harness.run();
+    assert!(harness.query_by_label_contains("Legend:").is_none());
 }
 
 #[test]

@@ -10,10 +10,12 @@ use sheetwright::draw::edit::{
 };
 use sheetwright::draw::join;
 use sheetwright::draw::mirror::{closed_by_mirror, mirror_partner, mirrored};
-use sheetwright::draw::panels::{panels_of_drawing, without_curve};
+use sheetwright::draw::panels::{PanelChange, Proposal, panels_of_drawing, without_curve};
+use sheetwright::draw::round::circle;
+use sheetwright::draw::settle::{point_at, settled};
 use sheetwright::draw::stroke::{StrokeOptions, stroke};
 use sheetwright::material::Material;
-use sheetwright::math::{Point2, Point3, cos, from_deg, sin};
+use sheetwright::math::{Point2, Point3};
 
 /// What came of an edit.
 pub struct Edited {
@@ -103,10 +105,11 @@ fn image(plan: Plan, mirror: Mirror, p: Point3) -> Point3 {
     plan.space(mirror.image(plan.flat(p)), plan.lift(p))
 }
 
-/// The document with points moved; with them go points of other curves on the same spots, so that
-/// chained curves stay chained, and their images where there is a mirror.
-pub fn moved(document: &Document, moved: &[(PointRef, Point3)]) -> Document {
-    let moved = &with_those_on_the_spot(document, moved)[..];
+/// The document with points moved; with them go points of other curves that were on the same spots
+/// `before` they began to move, so that chained curves stay chained and none is picked up on the
+/// way, and their images where there is a mirror.
+pub fn moved(document: &Document, before: &Document, moved: &[(PointRef, Point3)]) -> Document {
+    let moved = &with_those_on_the_spot(before, moved)[..];
     let mut next = document.clone();
     let curves = &mut next.design.curves;
     let mut put = |r: PointRef, to: Point3| {
@@ -182,11 +185,22 @@ fn partner(document: &Document, mirror: Mirror, r: PointRef) -> Option<PointRef>
         .next()
 }
 
+/// The position of the point that lies exactly at a place of the plan, if there is one: what was
+/// drawn onto it shares it.
+fn shared(document: &Document, place: Point2) -> Option<Point3> {
+    let plan = document.drawing.plan;
+    let points = document.design.curves.iter().flat_map(|curve| &curve.points);
+    point_at(points.map(|point| point.at), place, |p| plan.flat(p), |p| plan.lift(p))
+}
+
 /// A stroke becomes a curve.
 fn drawn(document: &Document, places: &[Point2], grain_mm: f64) -> Outcome {
+    let ends = [places.first(), places.last()].map(|place| shared(document, *place?));
+    // From one point to another it is not meant to be closed.
+    let is_between = matches!(ends, [Some(start), Some(end)] if start != end);
     let options = StrokeOptions {
         tolerance_share: TOLERANCE_SHARE,
-        close_share: CLOSE_SHARE,
+        close_share: if is_between { 0.0 } else { CLOSE_SHARE },
         smallest_mm: 6.0 * grain_mm,
         grain_mm,
         ..StrokeOptions::default()
@@ -199,13 +213,21 @@ fn drawn(document: &Document, places: &[Point2], grain_mm: f64) -> Outcome {
         move_mm: 0.0,
     });
     let what = if found.closed { "outline" } else { "curve" };
-    with_curve(document, what, points.collect(), found.closed)
+    let curve = DesignCurve {
+        name: what.to_owned(),
+        kind: Some(CurveKind::Spline),
+        closed: found.closed,
+        points: points.collect(),
+    };
+    let curve = settled(&curve, ends, |p| plan.flat(p)).map_err(|error| sentence(&error))?;
+    with_curve(document, what, curve.points, found.closed)
 }
 
-/// Corners put one by one become a curve.
+/// Corners put one by one become a curve; it shares those that lie on points.
 fn cornered(document: &Document, corners: &[Point2], closed: bool) -> Outcome {
     let plan = document.drawing.plan;
-    let points = corners.iter().map(|&p| CurvePoint::corner(plan.space(p, 0.0))).collect();
+    let at = |p: Point2| shared(document, p).unwrap_or(plan.space(p, 0.0));
+    let points = corners.iter().map(|&p| CurvePoint::corner(at(p))).collect();
     with_curve(document, if closed { "outline" } else { "curve" }, points, closed)
 }
 
@@ -218,20 +240,25 @@ pub fn with_rectangle(document: &Document) -> Outcome {
     let half = SHAPES[0] * document.drawing.grid_mm;
     let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
     let corners = corners.map(|[x, y]| Point2::new(1.5 * half * x, half * y));
-    cornered(&free_of_mirror(document), &corners, true).map(|done| with_mirror_of(document, done))
+    with_shape(document, "outline", &corners, CurvePoint::corner)
 }
 
 /// The document with one more round outline, in the middle of the plan.
 pub fn with_circle(document: &Document) -> Outcome {
-    const HANDLES: usize = 8;
-    let plan = document.drawing.plan;
     let radius = SHAPES[1] * document.drawing.grid_mm;
-    let at = |n: usize| {
-        let angle = from_deg(360.0 * n as f64 / HANDLES as f64);
-        Point2::new(radius * cos(angle), radius * sin(angle))
-    };
-    let points = (0..HANDLES).map(|n| CurvePoint::smooth(plan.space(at(n), 0.0))).collect();
-    let done = with_curve(&free_of_mirror(document), "circle", points, true)?;
+    with_shape(document, "circle", &circle(Point2::default(), radius), CurvePoint::smooth)
+}
+
+/// The document with one more closed curve that lies on the plan.
+fn with_shape(
+    document: &Document,
+    base: &str,
+    places: &[Point2],
+    point: fn(Point3) -> CurvePoint,
+) -> Outcome {
+    let plan = document.drawing.plan;
+    let points = places.iter().map(|&p| point(plan.space(p, 0.0))).collect();
+    let done = with_curve(&free_of_mirror(document), base, points, true)?;
     Ok(with_mirror_of(document, done))
 }
 
@@ -301,19 +328,56 @@ fn crosses(curve: &DesignCurve, plan: Plan, mirror: Mirror) -> bool {
     curve.points.iter().any(side) && !curve.points.iter().all(side)
 }
 
+fn proposal(document: &Document) -> Proposal {
+    let plan = document.drawing.plan;
+    panels_of_drawing(&document.design, |p| plan.flat(p), SAMPLES)
+}
+
 /// Closed curves that bound nothing yet become panels, or holes in those that contain them.
 fn with_panels(mut document: Document) -> Outcome {
-    let plan = document.drawing.plan;
-    let found = panels_of_drawing(&document.design, |p| plan.flat(p), SAMPLES);
+    let found = proposal(&document);
     document.design = found.applied(&document.design);
+    Ok(Edited { document, select: None, said: unbound(&found) })
+}
+
+/// Why a closed curve bounds no panel, if one is kept from it, and what helps.
+fn unbound(found: &Proposal) -> Option<String> {
     let crossing = found.crossing.first().map(|[a, b]| {
-        format!("{a} and {b} cross one another on the plan. Move one, then join or close it again.")
+        format!(
+            "{a} and {b} cross on the plan, or one touches the other from inside, so no panel is \
+             made of the later one. Move its handles until they don't."
+        )
     });
     let crossing_itself = found.crossing_itself.first().map(|curve| {
-        format!("{curve} crosses itself on the plan, so it bounds no panel yet. Move its handles.")
+        format!(
+            "{curve} crosses itself on the plan, so it bounds no panel. Move its handles until it \
+             doesn't."
+        )
     });
-    let said = crossing.or(crossing_itself);
-    Ok(Edited { document, select: None, said })
+    crossing.or(crossing_itself)
+}
+
+/// Why there is no panel though something is drawn, and what helps.
+pub fn why_no_panel(document: &Document) -> String {
+    let open = || "No outline is closed yet. Join the ends of a curve to close it.".to_owned();
+    unbound(&proposal(document)).unwrap_or_else(open)
+}
+
+/// The document with the panels of closed curves that crossed something `before` and don't any more;
+/// `None` if there are none.
+pub fn with_freed(before: &Document, now: &Document) -> Option<Document> {
+    let Proposal { crossing, crossing_itself, .. } = proposal(before);
+    let barred: Vec<String> = crossing.into_iter().flatten().chain(crossing_itself).collect();
+    if barred.is_empty() {
+        return None;
+    }
+    let mut found = proposal(now);
+    found.changes.retain(|change| match change {
+        PanelChange::Hole { curve, .. } => barred.contains(curve),
+        PanelChange::Panel(panel) => curves_of(panel).iter().any(|u| barred.contains(&u.name)),
+    });
+    let design = found.applied(&now.design);
+    (!found.changes.is_empty()).then(|| Document { design, ..now.clone() })
 }
 
 fn inserted(document: &Document, curve: usize, at: Point2) -> Outcome {

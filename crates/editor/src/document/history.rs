@@ -40,6 +40,11 @@ impl History {
         self.before_drag.is_some()
     }
 
+    /// What the document was when the drag that is under way began.
+    pub fn before_drag(&self) -> Option<&Document> {
+        self.before_drag.as_ref()
+    }
+
     /// How many steps can be taken back.
     pub fn steps_back(&self) -> usize {
         self.past.len() + usize::from(self.before_drag.is_some())

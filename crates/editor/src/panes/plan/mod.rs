@@ -12,10 +12,13 @@ mod view;
 use view::View;
 
 use crate::command::Command;
+use crate::panes::is_resized;
+use crate::panes::lit::Lit;
 use crate::scene::{Act, Edit, PointRef, Scene, Selection};
-use eframe::egui::{self, Key, PointerButton, Pos2, Rect, Response, Sense, Ui};
+use eframe::egui::{self, Key, PointerButton, Pos2, Rect, Response, Sense, Ui, Vec2};
 use handles::Handles;
-use sheetwright::math::Point2;
+use sheetwright::draw::settle::point_at;
+use sheetwright::math::{Point2, Point3};
 use snap::{Snap, snapped};
 
 /// What the hand does on the plan.
@@ -37,7 +40,10 @@ pub struct PlanPane {
     view: View,
     /// Where the pane lay in the last frame.
     pane: Rect,
-    is_fitted: bool,
+    /// How large the pane was when everything was brought into sight; `None` if that is to be done.
+    fitted: Option<Vec2>,
+    /// Whether the hand has moved the view since then.
+    is_by_hand: bool,
     /// The stroke under way, mm.
     stroke: Vec<Point2>,
     /// Corners put by single clicks, mm.
@@ -56,8 +62,10 @@ pub struct PlanPane {
 struct Drag {
     /// The one under the hand.
     held: PointRef,
-    /// Where each lay when it was taken hold of, mm.
-    from: Vec<(PointRef, Point2)>,
+    /// Where each lay in space when it was taken hold of, mm.
+    from: Vec<(PointRef, Point3)>,
+    /// All that move: with them those of other curves on their spots.
+    moving: Vec<PointRef>,
     /// Where the hand took hold, less the handle, mm.
     grip: Point2,
 }
@@ -83,7 +91,8 @@ impl Default for PlanPane {
             tool: Tool::default(),
             view: View::default(),
             pane: Rect::ZERO,
-            is_fitted: false,
+            fitted: None,
+            is_by_hand: false,
             stroke: Vec::new(),
             corners: Vec::new(),
             calibrated: Vec::new(),
@@ -99,7 +108,19 @@ impl Default for PlanPane {
 impl PlanPane {
     /// Brings everything into sight with the next frame.
     pub fn fit(&mut self) {
-        self.is_fitted = false;
+        self.fitted = None;
+    }
+
+    /// Brings everything into sight, if that is to be done, or if the pane has another size now and
+    /// the hand has left the view as it was. What is under way stays where it is.
+    fn settle(&mut self, pane: Rect, scene: &Scene<'_>) {
+        let is_busy = self.drag.is_some() || !self.stroke.is_empty() || !self.corners.is_empty();
+        let resized = self.fitted.is_some_and(|size| is_resized(size, pane.size()));
+        if self.fitted.is_none() || resized && !self.is_by_hand && !is_busy {
+            self.view.fit(pane, view::places(scene.document));
+            self.fitted = Some(pane.size());
+            self.is_by_hand = false;
+        }
     }
 
     /// Ends what is under way; whether there was something.
@@ -143,11 +164,9 @@ impl PlanPane {
         let pane = ui.available_rect_before_wrap();
         let response = ui.allocate_rect(pane, Sense::click_and_drag());
         self.pane = pane;
-        if !self.is_fitted {
-            self.view.fit(pane, view::places(scene.document));
-            self.is_fitted = true;
-        }
+        self.settle(pane, scene);
         self.snaps.clear();
+        let view = self.view;
         self.navigate(ui, &response, pane);
         let handles = Handles::new(scene, self.view, pane);
         match self.tool {
@@ -156,6 +175,7 @@ impl PlanPane {
             Tool::Calibrate => self.calibrate(&response, pane),
         }
         self.keys(ui, &response, scene, acts);
+        self.is_by_hand |= self.view != view;
         self.paint(ui, &response, pane, scene, &handles);
         Self::menu(&response, &handles, scene, acts);
         handles.widgets(ui, scene, acts);
@@ -211,7 +231,7 @@ impl PlanPane {
             let hand = self.view.to_plan(pane, at);
             let wanted = Point2::new(hand.x - drag.grip.x, hand.y - drag.grip.y);
             let (to, snaps) = self.snapped_drag(ui, drag, wanted, scene, handles);
-            let moved = drag.moved(to, scene);
+            let moved = drag.moved(to, &snaps, scene);
             self.snaps = snaps;
             acts.push(Act::Move(moved));
         }
@@ -252,20 +272,23 @@ impl PlanPane {
         scene: &Scene<'_>,
         acts: &mut Vec<Act>,
     ) {
-        let plan = scene.document.drawing.plan;
         let place = |r: PointRef| {
             let point = scene.document.design.curves.get(r.curve)?.points.get(r.point)?;
-            Some((r, plan.flat(point.at)))
+            Some((r, point.at))
         };
         let mut points = scene.selection.points.clone();
         if !points.contains(&held) {
             points = vec![held];
             acts.push(Act::Select(Selection::of_point(held)));
         }
-        let Some((_, here)) = place(held) else { return };
+        let Some((_, at_first)) = place(held) else { return };
+        let here = scene.document.drawing.plan.flat(at_first);
         let hand = self.view.to_plan(pane, at);
         let grip = Point2::new(hand.x - here.x, hand.y - here.y);
-        self.drag = Some(Drag { held, from: points.into_iter().filter_map(place).collect(), grip });
+        let from: Vec<(PointRef, Point3)> = points.into_iter().filter_map(place).collect();
+        let goes = |(_, at): &(PointRef, Point3)| from.iter().any(|(_, moved)| moved == at);
+        let moving = all_points(scene).filter(goes).map(|(r, _)| r).collect();
+        self.drag = Some(Drag { held, from, moving, grip });
     }
 
     /// Where the handle under the hand settles.
@@ -280,15 +303,11 @@ impl PlanPane {
         if ui.input(|i| i.modifiers.alt) {
             return (wanted, Vec::new());
         }
-        let is_moving = |r: &PointRef| drag.from.iter().any(|(moving, _)| moving == r);
+        let is_moving = |r: &PointRef| drag.moving.contains(r);
         let others: Vec<Point2> =
             handles.all().filter(|(r, _)| !is_moving(r)).map(|h| h.1).collect();
-        // On a smooth run two handles on one spot make no curve; ends of other curves do.
-        let may_meet: Vec<Point2> = handles
-            .all()
-            .filter(|(r, _)| !is_moving(r) && r.curve != drag.held.curve)
-            .map(|h| h.1)
-            .collect();
+        let may_meet: Vec<Point2> =
+            handles.all().filter(|(r, _)| drag.may_meet(*r)).map(|h| h.1).collect();
         snapped(wanted, &may_meet, &others, &scene.document.drawing, SNAP / self.view.scale)
     }
 
@@ -306,7 +325,7 @@ impl PlanPane {
             && !is_space
             && let Some(origin) = ui.input(|i| i.pointer.press_origin())
         {
-            self.stroke = vec![self.view.to_plan(pane, origin)];
+            self.stroke = vec![self.on_point(self.view.to_plan(pane, origin), scene)];
         }
         if !self.stroke.is_empty() {
             // Every place since the last frame: a quick hand moves far in one.
@@ -323,7 +342,10 @@ impl PlanPane {
                 }
             }
             if response.drag_stopped() {
-                let places = std::mem::take(&mut self.stroke);
+                let mut places = std::mem::take(&mut self.stroke);
+                if let Some(end) = places.last_mut() {
+                    *end = self.on_point(*end, scene);
+                }
                 acts.push(Act::Edit(Edit::Stroke { places, grain_mm: 1.0 / self.view.scale }));
             }
             return;
@@ -332,9 +354,14 @@ impl PlanPane {
         let places: Vec<Point2> = view::places(scene.document).collect();
         let wanted = self.view.to_plan(pane, at);
         let first = self.corners.first().copied();
-        let ends: Vec<Point2> = first.filter(|_| self.corners.len() > 2).into_iter().collect();
+        // The first corner, which closes the outline, before what others it lies on.
+        let closing = first.filter(|f| self.corners.len() > 2 && f.distance(wanted) <= reach);
+        let points: Vec<Point2> = match closing {
+            Some(first) => vec![first],
+            None => places.iter().filter(|&p| !self.corners.contains(p)).copied().collect(),
+        };
         let lines: Vec<Point2> = self.corners.iter().copied().chain(places).collect();
-        let (to, snaps) = snapped(wanted, &ends, &lines, &scene.document.drawing, reach);
+        let (to, snaps) = snapped(wanted, &points, &lines, &scene.document.drawing, reach);
         self.snaps = snaps;
         if response.clicked() {
             let closes = first.is_some_and(|f| self.corners.len() > 2 && f.distance(to) <= reach);
@@ -346,6 +373,13 @@ impl PlanPane {
                 self.corners.push(to);
             }
         }
+    }
+
+    /// The place of the handle of a curve that is near a place of the plan, or that place itself.
+    fn on_point(&self, at: Point2, scene: &Scene<'_>) -> Point2 {
+        let near = view::places(scene.document).map(|p| (p.distance(at) * self.view.scale, p));
+        let near = near.filter(|(points, _)| *points <= SNAP);
+        near.min_by(|a, b| a.0.total_cmp(&b.0)).map_or(at, |(_, p)| p)
     }
 
     /// What was clicked becomes a curve.
@@ -426,13 +460,19 @@ impl PlanPane {
         sheet.panels();
         self.outlines.show(&sheet);
         let hovered = response.hover_pos().and_then(|at| handles.at(at));
-        sheet.handles(handles, hovered);
+        let hand = response.hover_pos().or(response.interact_pointer_pos());
+        let curve = hand.and_then(|at| self.outlines.nearest(pane, self.view, at));
+        let held = self.drag.iter().flat_map(|drag| &drag.moving);
+        let under = hovered.iter().chain(held).map(|r| r.curve).chain(curve);
+        let boxed = self.lasso.zip(response.interact_pointer_pos());
+        let boxed = boxed.map(|(from, to)| Rect::from_two_pos(from, to));
+        sheet.handles(handles, hovered, &Lit::new(scene, under), boxed);
         sheet.stroke(&self.stroke, &self.corners, response.hover_pos());
         sheet.places(&self.calibrated);
         sheet.snaps(&self.snaps);
         sheet.scale();
-        if let (Some(from), Some(to)) = (self.lasso, response.interact_pointer_pos()) {
-            sheet.lasso(Rect::from_two_pos(from, to));
+        if let Some(area) = boxed {
+            sheet.lasso(area);
         }
         if scene.document.design.curves.is_empty()
             && self.stroke.is_empty()
@@ -440,9 +480,7 @@ impl PlanPane {
         {
             sheet.invitation(self.tool);
         }
-        let is_on_curve = response
-            .hover_pos()
-            .is_some_and(|at| self.outlines.nearest(pane, self.view, at).is_some());
+        let is_on_curve = curve.is_some();
         let icon = match self.tool {
             Tool::Draw | Tool::Calibrate => egui::CursorIcon::Crosshair,
             Tool::Select if self.drag.is_some() => egui::CursorIcon::Grabbing,
@@ -475,21 +513,52 @@ impl PlanPane {
 }
 
 impl Drag {
-    /// Where every handle goes if the one under the hand goes there.
-    fn moved(&self, to: Point2, scene: &Scene<'_>) -> Vec<(PointRef, sheetwright::math::Point3)> {
+    /// Where every handle goes if the one under the hand goes to a place of the plan: across the
+    /// plan alone; on a point that it settled on, to where that lies in space.
+    fn moved(&self, to: Point2, snaps: &[Snap], scene: &Scene<'_>) -> Vec<(PointRef, Point3)> {
         let plan = scene.document.drawing.plan;
         let Some((_, held)) = self.from.iter().find(|(r, _)| *r == self.held) else {
             return Vec::new();
         };
-        let by = Point2::new(to.x - held.x, to.y - held.y);
-        let curves = &scene.document.design.curves;
-        let place = |(r, from): &(PointRef, Point2)| {
-            let now = curves.get(r.curve)?.points.get(r.point)?.at;
-            let there = Point2::new(from.x + by.x, from.y + by.y);
-            Some((*r, plan.space(there, plan.lift(now))))
+        let at = plan.flat(*held);
+        let by = Point2::new(to.x - at.x, to.y - at.y);
+        let other = match snaps {
+            [Snap::Point(p)] => self.settled_on(*p, scene),
+            _ => None,
         };
-        self.from.iter().filter_map(place).collect()
+        let lifted = other.map_or(0.0, |other| plan.lift(other) - plan.lift(*held));
+        let place = |&(r, from): &(PointRef, Point3)| {
+            if let Some(other) = other.filter(|_| from == *held) {
+                return (r, other);
+            }
+            let flat = plan.flat(from);
+            let there = Point2::new(flat.x + by.x, flat.y + by.y);
+            (r, plan.space(there, plan.lift(from) + lifted))
+        };
+        self.from.iter().map(place).collect()
     }
+
+    /// Whether the handle under the hand may settle on another. On a smooth run two handles on one
+    /// spot make no curve; ends of other curves do.
+    fn may_meet(&self, other: PointRef) -> bool {
+        other.curve != self.held.curve && !self.moving.contains(&other)
+    }
+
+    /// Where the point lies in space that the hand settled on: of several the one on top.
+    fn settled_on(&self, place: Point2, scene: &Scene<'_>) -> Option<Point3> {
+        let plan = scene.document.drawing.plan;
+        let others = all_points(scene).filter(|(r, _)| self.may_meet(*r)).map(|(_, at)| at);
+        point_at(others, place, |p| plan.flat(p), |p| plan.lift(p))
+    }
+}
+
+/// Every point of every curve, and where it lies in space, mm.
+fn all_points<'a>(scene: &Scene<'a>) -> impl Iterator<Item = (PointRef, Point3)> + use<'a> {
+    let curves = scene.document.design.curves.iter().enumerate();
+    curves.flat_map(|(curve, of)| {
+        let points = of.points.iter().enumerate();
+        points.map(move |(point, p)| (PointRef { curve, point }, p.at))
+    })
 }
 
 /// A selection with one point more, or less.

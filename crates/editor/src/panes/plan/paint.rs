@@ -6,6 +6,7 @@ use super::snap::Snap;
 use super::view::{View, grid_step};
 use crate::document::{Plan, Reference};
 use crate::panes::dashes::dashed;
+use crate::panes::lit::Lit;
 use crate::scene::{PointRef, Scene};
 use crate::theme::{CURVE_WIDTH, HANDLE};
 use eframe::egui::{
@@ -104,10 +105,18 @@ impl Sheet<'_> {
         }
     }
 
-    pub(super) fn handles(&self, handles: &Handles, hovered: Option<PointRef>) {
+    /// The handles that are lit, and those in the box that the hand draws.
+    pub(super) fn handles(
+        &self,
+        handles: &Handles,
+        hovered: Option<PointRef>,
+        lit: &Lit,
+        boxed: Option<Rect>,
+    ) {
         let theme = self.scene.theme;
         for (point, at, radius) in handles.on_screen() {
-            if !self.pane.expand(HANDLE).contains(at) {
+            let is_shown = lit.shows(point) || boxed.is_some_and(|area| area.contains(at));
+            if !is_shown || !self.pane.expand(HANDLE).contains(at) {
                 continue;
             }
             let curve = &self.scene.document.design.curves[point.curve];

@@ -2,14 +2,14 @@
 //!
 //! Along a ruling of a developable sheet the tangent plane stays the same, so both ends of a rung
 //! have one normal and the image is a curve. What twists spreads it to a ribbon, as wide as the
-//! warp angle.
+//! warp angle: width says it, so colours don't, and the image needs no legend.
 
 use super::gpu::SheetVertex;
 use super::lines::{Lines, Pen};
-use super::sheets::{Quantity, rungs_by_ends, sides, sorted, twist};
+use super::sheets::{rungs_by_ends, sides, sorted};
 use crate::engine::shown::Shown;
 use crate::scene::Scene;
-use crate::theme::{Theme, mapped};
+use crate::theme::Theme;
 use sheetwright::math::{Point3, Vec3, angle_between, cos, from_deg, sin, to_deg, turned, unit};
 
 /// The sphere has this many faces round, and half as many from pole to pole.
@@ -20,7 +20,7 @@ const ARC_DEG: f64 = 3.0;
 const OFF: f64 = 1.003;
 
 /// What is drawn for the Gauss image: a ball of radius 1, and lines on it.
-pub(super) fn image(scene: &Scene<'_>, by: Option<Quantity>) -> (Vec<SheetVertex>, Lines) {
+pub(super) fn image(scene: &Scene<'_>) -> (Vec<SheetVertex>, Lines) {
     let theme = scene.theme;
     let mut lines = Lines::about(Point3::default());
     graticule(&mut lines, theme);
@@ -36,8 +36,7 @@ pub(super) fn image(scene: &Scene<'_>, by: Option<Quantity>) -> (Vec<SheetVertex
             let pen = if at_rung {
                 Pen::new(theme.accent, 4.0, 3.0)
             } else {
-                let share = by.map_or(0.0, |by| by.share(twist(rung)));
-                Pen::new(mapped(share), 1.5, 1.0).faded(opacity)
+                Pen::new(theme.rung, 1.5, 1.0).faded(opacity)
             };
             arc(&mut lines, rung.normals, pen);
         }

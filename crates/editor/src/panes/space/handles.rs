@@ -4,6 +4,7 @@
 use super::camera::{Camera, Ray};
 use super::words::length;
 use crate::panes::dashes::dashed;
+use crate::panes::lit::Lit;
 use crate::scene::{Act, PointRef, Scene, Selection};
 use crate::theme::{HANDLE, TOUCH, Theme};
 use eframe::egui::accesskit::{Action, Role};
@@ -73,6 +74,8 @@ pub(crate) struct Look<'a> {
     pub(crate) rect: Rect,
     /// The pane's own response, which has the focus after a click beside handles.
     pub(crate) ground: &'a Response,
+    /// The curve under the hand.
+    pub(crate) curve: Option<usize>,
 }
 
 impl Handles {
@@ -203,9 +206,15 @@ impl Handles {
         let theme = scene.theme;
         let plan = scene.document.drawing.plan;
         let painter = ui.painter();
-        let many = handles.len() > MANY;
+        let is_met = |h: &&Handle| h.response.hovered() || h.response.has_focus();
+        let met = handles.iter().filter(is_met).map(|h| h.of.curve);
+        let held = self.drag.iter().flat_map(|drag| &drag.starts).map(|(of, _)| of.curve);
+        let lit = Lit::new(scene, met.chain(held).chain(look.curve));
+        let shown = || handles.iter().filter(|handle| lit.shows(handle.of));
+        let count = shown().count();
+        let many = count > MANY;
         let is_selected = |h: &Handle| scene.selection.points.contains(&h.of);
-        for handle in handles {
+        for handle in shown() {
             let chosen = is_selected(handle);
             let Some(top) = handle.seen else { continue };
             if many && !chosen && !handle.response.hovered() {
@@ -224,10 +233,10 @@ impl Handles {
         if let Some(drag) = &self.drag {
             drag.paint_snap(painter, scene, look);
         }
-        for handle in handles {
+        for handle in shown() {
             let Some(at) = handle.seen else { continue };
             let hovered = handle.response.hovered() || handle.response.dragged();
-            let size = match handles.len() {
+            let size = match count {
                 _ if hovered => HANDLE + 1.5,
                 _ if is_selected(handle) => HANDLE,
                 n if n > MANY => 0.5 * HANDLE,

@@ -22,7 +22,7 @@ pub(crate) mod sheets;
 mod view_cube;
 pub mod words;
 
-use crate::panes::SurfaceView;
+use crate::panes::{SurfaceView, is_resized};
 use crate::scene::{Act, Scene};
 use camera::{Camera, Direction};
 use eframe::CreationContext;
@@ -30,7 +30,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::emath::GuiRounding as _;
 use eframe::egui::{
     Align2, EventFilter, FontId, PointerButton, Pos2, Rect, Response, Sense, Stroke, StrokeKind,
-    Ui, UiBuilder, WidgetInfo, vec2,
+    Ui, UiBuilder, Vec2, WidgetInfo, vec2,
 };
 use eframe::egui_wgpu::Callback;
 use handles::{Handles, Look, tag};
@@ -63,6 +63,9 @@ pub struct SpacePane {
     to_fit: Fit,
     /// A panel and its rung that are to be brought into sight.
     to_bring: Option<(usize, usize)>,
+    /// How large the pane was when everything was brought into sight, unless the hand has shifted or
+    /// zoomed since then.
+    fitted: Option<Vec2>,
     has_card: bool,
 }
 
@@ -106,6 +109,7 @@ impl SpacePane {
             turn: None,
             to_fit: Fit::AtFirst,
             to_bring: None,
+            fitted: None,
             has_card: card.is_some(),
         }
     }
@@ -159,16 +163,20 @@ impl SpacePane {
         if is_gauss {
             self.paint_gauss(ui, scene, &camera, rect);
         } else {
-            let look = Look { camera: &camera, rect, ground: &ground };
+            let hand =
+                ui.input(|i| i.pointer.hover_pos()).filter(|_| ui.rect_contains_pointer(rect));
+            let curve = hand.and_then(|hand| self.built.nearest(&camera, rect, hand));
+            let look = Look { camera: &camera, rect, ground: &ground, curve };
             if let Some(other) = self.handles.ui(ui, scene, &look, acts) {
                 self.turn = None;
+                let before = (self.camera.target, self.camera.height_mm);
                 navigation::drag(&mut self.camera, self.navigation, &other, rect, ui);
+                self.notice_hand(before);
             }
             labels(ui, scene, view, &camera, rect);
             self.click(ui, scene, &ground, rect, acts);
         }
-        let quantity = if is_gauss { SurfaceView::Warp } else { view };
-        if let Some(by) = Quantity::of(quantity, scene.made().map(|(_, shown)| shown))
+        if let Some(by) = Quantity::of(view, scene.made().map(|(_, shown)| shown))
             && !scene.panels.is_empty()
         {
             Legend::of(scene, by).ui(ui, rect, scene.theme);
@@ -208,6 +216,10 @@ impl SpacePane {
 
     /// Brings into sight what is to be, and goes on with a turn.
     fn settle(&mut self, ui: &Ui, scene: &Scene<'_>, view: SurfaceView, rect: Rect) {
+        let resized = self.fitted.is_some_and(|size| is_resized(size, rect.size()));
+        if resized && self.to_fit == Fit::No && !self.handles.dragging() {
+            self.to_fit = Fit::AtFirst;
+        }
         if self.to_fit != Fit::No {
             let points: Vec<Point3> = self.built.points(scene);
             if !points.is_empty() {
@@ -215,9 +227,10 @@ impl SpacePane {
                 to.fit(&points, rect);
                 match self.to_fit {
                     Fit::Asked => self.go(to, ui),
-                    _ => self.camera = to,
+                    _ => (self.camera, self.turn) = (to, None),
                 }
                 self.to_fit = Fit::No;
+                self.fitted = Some(rect.size());
             } else if self.to_fit == Fit::Asked {
                 self.to_fit = Fit::AtFirst;
             }
@@ -268,6 +281,7 @@ impl SpacePane {
     fn navigate(&mut self, ui: &Ui, view: SurfaceView, rect: Rect, ground: &Response) {
         let by = self.navigation;
         let held = self.handles.dragging();
+        let before = (self.camera.target, self.camera.height_mm);
         let camera = self.active(view);
         let mut moved = navigation::drag(camera, by, ground, rect, ui);
         if !held {
@@ -284,6 +298,15 @@ impl SpacePane {
         }
         if moved {
             self.turn = None;
+        }
+        self.notice_hand(before);
+    }
+
+    /// A view that the hand has shifted or zoomed stays as it is when the pane changes its size; one
+    /// that was only turned does not.
+    fn notice_hand(&mut self, before: (Point3, f64)) {
+        if before != (self.camera.target, self.camera.height_mm) {
+            self.fitted = None;
         }
     }
 

@@ -4,19 +4,22 @@ use super::camera::Camera;
 use super::gauss;
 use super::gpu::{Globals, Picture};
 use super::lines::{Lines, Pen, curve_points};
+use super::pick::share_along;
 use super::sheets::{Quantity, twist, vertices, worst, worst_of_all};
 use crate::document::Plan;
 use crate::engine::shown::Shown;
 use crate::panes::SurfaceView;
 use crate::scene::{Scene, Selection};
 use crate::theme::{CURVE_WIDTH, Theme, mapped};
-use eframe::egui::{Color32, Rect};
+use eframe::egui::{Color32, Pos2, Rect};
 use sheetwright::design::DesignCurve;
 use sheetwright::math::{Point3, Vec3};
 use std::sync::Arc;
 
 /// Rungs that are drawn of a panel, at the most.
 const RUNGS: usize = 110;
+/// A curve this near is under the hand, points.
+const NEAR_CURVE: f32 = 9.0;
 
 /// What a picture was made of; another one is another picture.
 #[derive(Clone, Debug, PartialEq)]
@@ -78,8 +81,7 @@ impl Built {
         self.key = Some(key);
         let by = Quantity::of(view, scene.made().map(|(_, shown)| shown));
         if view == SurfaceView::Gauss {
-            let by = Quantity::of(SurfaceView::Warp, scene.made().map(|(_, shown)| shown));
-            let (sheets, lines) = gauss::image(scene, by);
+            let (sheets, lines) = gauss::image(scene);
             (self.origin, self.reach) = (Point3::default(), 1.3);
             self.picture = Arc::new(Picture { sheets, lines: lines.segments, under: 0, ghosts: 0 });
             return;
@@ -145,6 +147,20 @@ impl Built {
         points.extend(of_points.map(|point| point.at));
         points.retain(|point| point.is_finite());
         points
+    }
+
+    /// The curve under the hand, if one is near.
+    pub(super) fn nearest(&self, camera: &Camera, rect: Rect, hand: Pos2) -> Option<usize> {
+        let distance = |points: &[Point3]| {
+            let seen = points.iter().map(|&p| camera.seen(p, rect).map(|seen| seen.at));
+            let seen: Vec<Option<Pos2>> = seen.collect();
+            let sides = seen.windows(2).filter_map(|side| side[0].zip(side[1]));
+            let apart = |(a, b): (Pos2, Pos2)| a.lerp(b, share_along(a, b, hand)).distance(hand);
+            sides.map(apart).fold(f32::INFINITY, f32::min)
+        };
+        let all = self.curves.iter().enumerate().map(|(n, (_, points))| (distance(points), n));
+        let near = all.filter(|(apart, _)| *apart <= NEAR_CURVE);
+        near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, n)| n)
     }
 
     /// How it is looked at.
