@@ -8,6 +8,7 @@ mod hands;
 use eframe::egui::vec2;
 use hands::{Hands, round};
 use sheetwright_editor::command::Command;
+use sheetwright_editor::document::Document;
 use sheetwright_editor::panes::SurfaceView;
 use sheetwright_editor::room::Part;
 use sheetwright_editor::scene::{Act, PointRef};
@@ -82,6 +83,21 @@ fn pictures_are_taken_where_somebody_asks() {
             }
             keep(&mut hands, &folder, &format!("{name}-{page}"));
             hands.run(Command::Escape);
+        }
+        hands.run(Command::View(SurfaceView::Shaded));
+        for template in ["dome", "hemisphere", "dinghy"] {
+            let design = sheetwright::template::template(template).unwrap().defaults().design();
+            let document = Document { design: design.unwrap(), ..Document::default() };
+            hands.harness.state_mut().editor_mut().replace(document, None);
+            hands.settle();
+            for _ in 0..40 {
+                hands.step();
+            }
+            keep(&mut hands, &folder, &format!("{name}-{template}"));
+            let at = hands.app().editor().document().design.curves[1].points[1].at;
+            let at = hands.on_plan(at.x, at.y);
+            hands.move_to(at);
+            keep(&mut hands, &folder, &format!("{name}-{template}-under-the-hand"));
         }
     }
 }

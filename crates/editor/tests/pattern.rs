@@ -159,6 +159,120 @@ fn what_is_not_made_says_why() {
     harness.get_by_label_contains(&refused.message);
 }
 
+fn window_of(size: Vec2, design: Design) -> Harness<'static, Window> {
+    let harness = Harness::builder().with_size(size).with_max_steps(60);
+    let mut harness =
+        harness.build_eframe(|_| Window::new(Pane::Pattern(PatternPane::new()), design));
+    harness.run();
+    harness
+}
+
+/// Where the part of each panel lies.
+fn boxes(harness: &Harness<'_, Window>) -> Vec<Rect> {
+    let panels = harness.state().panels.iter();
+    let named = |name: &str| harness.get_by_label_contains(&format!("{name}, ")).rect();
+    panels.map(|panel| named(&panel.name)).collect()
+}
+
+fn drawn_texts(harness: &Harness<'_, Window>) -> Vec<String> {
+    let text = |clipped: &eframe::egui::epaint::ClippedShape| match &clipped.shape {
+        Shape::Text(text) => Some(text.galley.text().to_owned()),
+        _ => None,
+    };
+    harness.output().shapes.iter().filter_map(text).collect()
+}
+
+#[test]
+fn pieces_that_are_one_part_stand_once_and_large() {
+    let mut harness = window_of(vec2(720.0, 250.0), template("dome"));
+    let count = harness.state().panels.len();
+    let all = boxes(&harness);
+    assert!(count >= 8 && all.iter().all(|b| *b == all[0]), "{all:?}");
+    assert!(all[0].size().max_elem() > 150.0, "{}", all[0]);
+    let texts = drawn_texts(&harness);
+    assert!(texts.iter().any(|text| text.ends_with(&format!(" ×{count}"))), "{texts:?}");
+    harness.hover_at(all[0].center());
+    for _ in 0..60 {
+        harness.step();
+    }
+    let texts = drawn_texts(&harness).join("\n");
+    assert!(texts.contains("mm each"), "{texts}");
+    harness.hover_at(Pos2::new(2.0, 2.0));
+    harness.run();
+    // The one that is selected stands for all.
+    let name = harness.state().panels[3].name.clone();
+    harness.get_by_label_contains(&format!("{name}, ")).click_accesskit();
+    harness.run();
+    assert_eq!(harness.state().selection.panel, Some(3));
+}
+
+#[test]
+fn parts_lie_where_they_lie_whatever_is_looked_at() {
+    for size in [SIZE, vec2(500.0, 700.0)] {
+        let mut harness = window_of(size, template("dinghy"));
+        let before = boxes(&harness);
+        for view in SurfaceView::ALL {
+            harness.state_mut().view = view;
+            harness.run();
+            assert_eq!(boxes(&harness), before, "{view:?}");
+        }
+    }
+}
+
+#[test]
+fn while_a_button_is_down_parts_stay_about_their_middles() {
+    let mut harness = window_of(SIZE, template("dinghy"));
+    let before = boxes(&harness);
+    let press = |harness: &mut Harness<'_, Window>, pressed| {
+        let (button, modifiers) = (PointerButton::Primary, Modifiers::NONE);
+        let pos = Pos2::new(4.0, 4.0);
+        harness.hover_at(pos);
+        harness.step();
+        harness.event(Event::PointerButton { pos, button, pressed, modifiers });
+        harness.step();
+    };
+    press(&mut harness, true);
+    let mut design = harness.state().document.design.clone();
+    // One of the curves bulges: its panels become larger, and no longer mirror images of others.
+    let points = &mut design.curves[0].points;
+    let inner = 1..points.len() - 1;
+    for point in &mut points[inner] {
+        point.at.y *= 1.25;
+    }
+    harness.state_mut().panels = panes::shown(&design);
+    harness.state_mut().version += 1;
+    harness.step();
+    let held = boxes(&harness);
+    assert_ne!(held, before);
+    for (a, b) in held.iter().zip(&before) {
+        assert!(a.center().distance(b.center()) < 0.01, "{a} {b}");
+    }
+    press(&mut harness, false);
+    harness.run();
+    let pane = Rect::from_min_size(Pos2::ZERO, SIZE);
+    assert!(boxes(&harness).iter().all(|b| pane.contains_rect(*b)));
+}
+
+#[test]
+fn rungs_are_drawn_where_they_tell_something() {
+    let lines = |harness: &Harness<'_, Window>| {
+        let is_line =
+            |c: &&eframe::egui::epaint::ClippedShape| matches!(c.shape, Shape::LineSegment { .. });
+        harness.output().shapes.iter().filter(is_line).count()
+    };
+    let flat = |design: &mut Design| {
+        design.curves.iter_mut().flat_map(|c| &mut c.points).for_each(|p| p.at.z = 0.0);
+    };
+    let mut design = template("dinghy");
+    assert!(lines(&window_of(SIZE, design.clone())) > 60);
+    assert!(lines(&window_of(vec2(90.0, 60.0), design.clone())) < 40);
+    design.panels.retain(|panel| panel.name.contains("bottom"));
+    design.panels.truncate(1);
+    assert!(!design.panels.is_empty());
+    flat(&mut design);
+    assert!(lines(&window_of(SIZE, design)) < 20);
+}
+
 /// Pictures to look at, into the folder that `SHEETWRIGHT_PICTURES` names.
 #[test]
 fn pictures_to_look_at() {
@@ -170,6 +284,8 @@ fn pictures_to_look_at() {
         ("hull", example("ubc-fishing-vessel.sheet.json")),
         ("three-cones", example("three-cones.sheet.json")),
         ("cone", template("cone")),
+        ("dome", template("dome")),
+        ("hemisphere", template("hemisphere")),
         ("empty", Design::default()),
     ];
     for (name, design) in designs {

@@ -1,5 +1,9 @@
-//! The flat pattern: all pieces beside one another, as they will be cut, with their dimensions.
+//! The flat pattern: all parts beside one another, as they will be cut, with their dimensions.
+//!
+//! Where parts lie depends on their shapes and on the pane alone, not on what is looked at, and stays
+//! while a button is down. Files have each piece as the kernel laid it.
 
+mod arrange;
 mod paint;
 mod view;
 
@@ -10,6 +14,7 @@ use super::space::sheets::{Quantity, worst_of_all};
 use super::space::words::{length, length_bare};
 use crate::engine::shown::Shown;
 use crate::scene::{Act, Scene, Selection};
+use arrange::{Arrangement, ShownPart};
 use eframe::egui::accesskit::Role;
 use eframe::egui::emath::GuiRounding as _;
 use eframe::egui::{
@@ -18,10 +23,12 @@ use eframe::egui::{
 };
 use sheetwright::math::{Point2, Vec2 as Way, pow};
 use sheetwright_files::Units;
-use view::{Placed, View, box_of, placed, roomy_gap};
+use view::{View, box_of};
 
 /// A pane of this height has room for a legend, points.
 const LEGEND_FROM: f32 = 360.0;
+/// Names that a hint lists, at the most.
+const LISTED: usize = 12;
 
 /// A rung is hit within this, points.
 const NEAR: f32 = 6.0;
@@ -34,17 +41,28 @@ const ARROW: f32 = 40.0;
 #[derive(Debug)]
 pub struct PatternPane {
     view: View,
-    /// How far pieces are from one another, beside and below, mm.
-    gap_mm: Way,
+    arrangement: Arrangement,
+    /// What it is the arrangement of.
+    arranged: Option<Arranged>,
     /// Whether everything is kept in sight, until the hand moves the view.
     follows: bool,
     /// A panel and its rung that are to be brought into sight.
     to_bring: Option<(usize, usize)>,
 }
 
+/// What parts are arranged for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Arranged {
+    panels_version: u64,
+    units: Units,
+    pane: Vec2,
+}
+
 impl Default for PatternPane {
     fn default() -> Self {
-        Self { view: View::default(), gap_mm: Way::default(), follows: true, to_bring: None }
+        let arrangement = Arrangement::default();
+        let view = View::default();
+        Self { view, arrangement, arranged: None, follows: true, to_bring: None }
     }
 }
 
@@ -65,14 +83,14 @@ impl PatternPane {
     }
 
     /// Moves the rung that is to be seen into the middle, unless it is in sight.
-    fn bring(&mut self, scene: &Scene<'_>, pieces: &[Placed], rect: Rect) {
+    fn bring(&mut self, scene: &Scene<'_>, parts: &[ShownPart], rect: Rect) {
         let Some((panel, rung)) = self.to_bring.take() else { return };
-        let piece = pieces.iter().find(|piece| piece.panel == panel);
+        let piece = parts.iter().map(|part| &part.placed).find(|piece| piece.panel == panel);
         let Some((piece, shown)) = piece.zip(made(scene, panel)) else { return };
         let Some(rung) = shown.rungs.get(rung) else { return };
         let ends = rung.flat_ends.map(|end| shown.flat.get(end as usize).copied());
         let [Some(a), Some(b)] = ends else { return };
-        let seen = [a, b].map(|p| self.view.seen(p + piece.offset, rect));
+        let seen = [a, b].map(|p| self.view.seen(piece.on_paper(p), rect));
         if !seen.iter().all(|&at| rect.contains(at)) {
             self.view.pan(rect.center() - seen[0].lerp(seen[1], 0.5));
             self.follows = false;
@@ -98,33 +116,24 @@ impl PatternPane {
             ground.request_focus();
         }
         let by = Quantity::of(view, scene.made().map(|(_, shown)| shown));
-        // The legend has the lower edge for itself.
-        let below = if by.is_some() && rect.height() > 3.0 * LEGEND { LEGEND } else { 0.0 };
-        let free = rect.with_max_y(rect.bottom() - below);
-        if self.follows {
-            self.gap_mm = roomy_gap(scene, free, |piece, view| {
-                paint::height_takes(ui.painter(), scene, &box_of(piece, view, free), piece)
-            });
-        }
-        let pieces = placed(scene, free, self.gap_mm);
-        if self.follows {
-            self.view.fit(&pieces, free);
-            self.view.pan(free.center() - rect.center());
-        }
-        self.bring(scene, &pieces, rect);
         let worst = worst_of_all(scene).map(|(panel, _)| panel);
+        self.arrange(ui, scene, rect);
+        let parts = self.arrangement.shown(scene, worst);
+        self.bring(scene, &parts, rect);
         let mut clicked = ground.clicked().then(|| ground.interact_pointer_pos()).flatten();
-        for piece in &pieces {
+        for part in &parts {
+            let piece = &part.placed;
             let Some(shown) = made(scene, piece.panel) else { continue };
             let around = box_of(piece, &self.view, rect);
-            let response = self.piece(ui, scene, piece, shown, around, acts);
-            clicked = clicked.or(response);
+            clicked = clicked.or(Self::part(ui, scene, part, around, acts));
             let is_worst = worst == Some(piece.panel);
-            let look = paint::Look { view: &self.view, rect, piece, by, detail: view, is_worst };
+            let name = self.arrangement.is_named.then_some(&part.name[..]);
+            let view_of = &self.view;
+            let look = paint::Look { view: view_of, rect, piece, by, detail: view, is_worst, name };
             paint::piece(ui.painter(), scene, shown, &look);
         }
         if let Some(at) = clicked {
-            let found = self.selected(scene, &pieces, rect, at);
+            let found = self.selected(scene, &parts, rect, at);
             if ground.double_clicked() && found.is_empty() {
                 self.fit();
                 ui.ctx().request_repaint();
@@ -138,40 +147,77 @@ impl PatternPane {
         }
         // The pane of space has the same, and a low pane no room for it.
         let has_room = rect.height() > LEGEND_FROM;
-        if let Some(by) = by.filter(|_| !pieces.is_empty() && has_room) {
+        if let Some(by) = by.filter(|_| !parts.is_empty() && has_room) {
             Legend::of(scene, by).ui(ui, rect, theme);
         }
         words(ui, scene, rect);
     }
 
-    /// The widget of a piece: it can have the focus, and a key selects its panel. A click of the
-    /// hand on it comes back.
-    fn piece(
-        &self,
+    /// Lays the parts out, if there are other ones, or other shapes and no hand at work; and brings
+    /// all into sight where that is kept up.
+    fn arrange(&mut self, ui: &Ui, scene: &Scene<'_>, rect: Rect) {
+        // The legend has the lower edge for itself, whether or not it is shown now.
+        let legend = if rect.height() > LEGEND_FROM { LEGEND } else { 0.0 };
+        let free = rect.with_max_y(rect.bottom() - legend);
+        let now = Arranged {
+            panels_version: scene.panels_version,
+            units: scene.document.drawing.units,
+            pane: rect.size(),
+        };
+        if self.arranged != Some(now) {
+            let is_resized = self.arranged.is_none_or(|then| then.pane != now.pane);
+            let is_held = ui.input(|i| i.pointer.any_down()) && !is_resized;
+            if is_held && self.arrangement.is_of(scene) {
+                // It stays as it is until the hand rests.
+            } else if !self.follows && self.arrangement.renewed(scene) {
+                self.arranged = Some(now);
+            } else {
+                let texts = |members: &[usize]| {
+                    let size = made(scene, members[0]).map_or(Way::ZERO, |s| s.piece.size);
+                    paint::texts(ui.painter(), scene, &arrange::name(scene, members), size)
+                };
+                self.arrangement = Arrangement::new(scene, free.size(), texts, paint::takes);
+                self.arranged = Some(now);
+            }
+        }
+        if self.follows {
+            self.view = self.arrangement.view;
+            self.view.pan(free.center() - rect.center());
+        }
+    }
+
+    /// The widgets of a part, one for each of its panels: it can have the focus, and a key selects
+    /// the panel. A click of the hand comes back.
+    fn part(
         ui: &Ui,
         scene: &Scene<'_>,
-        piece: &Placed,
-        shown: &Shown,
+        part: &ShownPart,
         around: Rect,
         acts: &mut Vec<Act>,
     ) -> Option<Pos2> {
-        let id = ui.scope_id().with(("piece", piece.panel));
-        let response = ui.interact(around, id, Sense::click());
-        let name = &scene.panels[piece.panel].name;
-        let text = format!("{name}, {}", size(shown.piece.size, scene.document.drawing.units));
-        let chosen = scene.selection.panel == Some(piece.panel);
-        response.widget_info(|| WidgetInfo::selected(Role::Button, true, chosen, &text));
-        if response.has_focus() {
-            let ring = Stroke::new(1.5, scene.theme.accent);
-            ui.painter().rect_stroke(around.expand(6.0), 4.0, ring, StrokeKind::Middle);
-        }
-        if !response.clicked() {
-            return None;
-        }
-        let by_hand = response.interact_pointer_pos();
-        if by_hand.is_none() {
-            let panel = Some(piece.panel);
-            acts.push(Act::Select(Selection { panel, ..Selection::default() }));
+        let mut by_hand = None;
+        let units = scene.document.drawing.units;
+        for &panel in &part.members {
+            let Some(shown) = made(scene, panel) else { continue };
+            let response =
+                ui.interact(around, ui.scope_id().with(("piece", panel)), Sense::click());
+            let text = format!("{}, {}", scene.panels[panel].name, size(shown.piece.size, units));
+            let chosen = scene.selection.panel == Some(panel);
+            response.widget_info(|| WidgetInfo::selected(Role::Button, true, chosen, &text));
+            if response.has_focus() {
+                let ring = Stroke::new(1.5, scene.theme.accent);
+                ui.painter().rect_stroke(around.expand(6.0), 4.0, ring, StrokeKind::Middle);
+            }
+            if response.clicked() {
+                by_hand = response.interact_pointer_pos();
+                if by_hand.is_none() {
+                    let panel = Some(panel);
+                    acts.push(Act::Select(Selection { panel, ..Selection::default() }));
+                }
+            }
+            response.on_hover_ui(|ui| {
+                ui.label(hint(scene, part));
+            });
         }
         by_hand
     }
@@ -215,13 +261,13 @@ impl PatternPane {
     }
 
     /// What a click selects: the rung there, else the piece.
-    fn selected(&self, scene: &Scene<'_>, pieces: &[Placed], rect: Rect, at: Pos2) -> Selection {
+    fn selected(&self, scene: &Scene<'_>, parts: &[ShownPart], rect: Rect, at: Pos2) -> Selection {
         let mut best: Option<(f32, Selection)> = None;
-        for piece in pieces {
+        for piece in parts.iter().map(|part| &part.placed) {
             let Some(shown) = made(scene, piece.panel) else { continue };
             let seen = |n: u32| {
                 let p = shown.flat.get(n as usize).copied().unwrap_or_default();
-                self.view.seen(p + piece.offset, rect)
+                self.view.seen(piece.on_paper(p), rect)
             };
             for (n, rung) in shown.rungs.iter().enumerate() {
                 let [a, b] = rung.flat_ends.map(seen);
@@ -235,11 +281,11 @@ impl PatternPane {
             return found;
         }
         let place = self.view.under(at, rect);
-        let on = |piece: &&Placed| {
-            let own = place + -piece.offset;
-            made(scene, piece.panel).is_some_and(|shown| covers(shown, own))
+        let on = |part: &&ShownPart| {
+            let own = part.placed.on_piece(place);
+            made(scene, part.placed.panel).is_some_and(|shown| covers(shown, own))
         };
-        let panel = pieces.iter().find(on).map(|piece| piece.panel);
+        let panel = parts.iter().find(on).map(|part| part.placed.panel);
         Selection { panel, ..Selection::default() }
     }
 }
@@ -257,6 +303,17 @@ fn covers(shown: &Shown, p: Point2) -> bool {
 
 fn made<'a>(scene: &Scene<'a>, panel: usize) -> Option<&'a Shown> {
     scene.panels.get(panel)?.made.as_ref().ok()
+}
+
+/// What a part is, how large, and what for: `gore ×12`, `812 × 340 mm each`, and its panels.
+fn hint(scene: &Scene<'_>, part: &ShownPart) -> String {
+    let Some(shown) = made(scene, part.placed.panel) else { return String::new() };
+    let size = size(shown.piece.size, scene.document.drawing.units);
+    let [_, _, ..] = part.members[..] else { return format!("{}\n{size}", part.name) };
+    let names = part.members.iter().map(|&n| scene.panels[n].name.as_str());
+    let names: Vec<&str> = names.take(LISTED).collect();
+    let more = if part.members.len() > LISTED { ", …" } else { "" };
+    format!("{}\n{size} each\n{}{more}", part.name, names.join(", "))
 }
 
 /// Width and height: `812 × 340 mm`.

@@ -1,5 +1,6 @@
 //! How a piece looks: its sheet, what is done along its lines, its texts and its dimensions.
 
+use super::arrange::{Takes, Texts};
 use super::view::{Placed, View, box_of};
 use crate::engine::shown::Shown;
 use crate::panes::SurfaceView;
@@ -13,18 +14,25 @@ use eframe::egui::epaint::TextShape;
 use eframe::egui::{
     Align2, Color32, FontId, Galley, Mesh, Painter, Pos2, Rect, Shape, Stroke, Vec2, pos2, vec2,
 };
-use sheetwright::math::{Point2, atan2};
+use sheetwright::math::{Point2, Vec2 as Way, atan2};
 use sheetwright::pattern::{PathKind, PatternLabel, Role};
 use std::sync::Arc;
 
 /// Rungs that are drawn of a piece, at the most.
 const RUNGS: usize = 90;
+/// The shorter side of a piece that is shown with its rungs, points; of one whose rungs are asked for,
+/// the longer side.
+const LEAST_WITH_RUNGS: f32 = 40.0;
+/// A piece whose rungs all together bend by less is flat, degrees: they say nothing.
+const FLAT_DEG: f64 = 0.1;
 /// The longer side of a piece that is shown with its dimensions, points.
 const LEAST_MEASURED: f32 = 72.0;
 /// How far a dimension stands from its piece, points.
 const AWAY: f32 = 20.0;
 /// How far a height that lies stands from its line, points.
 const BESIDE: f32 = 9.0;
+/// A height is written upwards along its line if that is longer by this, points.
+const STANDS: f32 = 24.0;
 /// The size of the letters of dimensions, points.
 const DIMENSION: f32 = 12.5;
 /// Letters smaller than this are left out, points.
@@ -46,11 +54,24 @@ pub(super) struct Look<'a> {
     pub(super) detail: SurfaceView,
     /// Whether no piece has a rung that twists more.
     pub(super) is_worst: bool,
+    /// What stands above it: its name, where there is room, and how many there are.
+    pub(super) name: Option<&'a str>,
 }
 
 impl Look<'_> {
     fn seen(&self, p: Point2) -> Pos2 {
-        self.view.seen(p + self.piece.offset, self.rect)
+        self.view.seen(self.piece.on_paper(p), self.rect)
+    }
+
+    /// Whether its rungs are drawn: they tell something, and can be told apart.
+    fn has_rungs(&self, shown: &Shown) -> bool {
+        let size = box_of(self.piece, self.view, self.rect).size();
+        let side = match self.detail {
+            SurfaceView::Rungs => size.max_elem(),
+            _ => size.min_elem(),
+        };
+        let bends: f64 = shown.rungs.iter().map(|rung| rung.crease_deg.abs()).sum();
+        side >= LEAST_WITH_RUNGS && bends > FLAT_DEG
     }
 }
 
@@ -65,15 +86,15 @@ pub(super) fn piece(painter: &Painter, scene: &Scene<'_>, shown: &Shown, look: &
     for label in &shown.piece.labels {
         // Its own dimensions are in mm; ours are in the units of the drawing.
         if label.role != Role::Note && letters(painter, label, look, theme) {
-            named |= label.text == shown.piece.name;
+            named |= Some(&label.text[..]) == look.name;
         }
     }
-    if !named {
+    if let Some(name) = look.name.filter(|_| !named) {
         let at = box_of(look.piece, look.view, look.rect).left_top() + vec2(0.0, -5.0);
-        let font = FontId::proportional(12.5);
-        painter.text(at, Align2::LEFT_BOTTOM, &shown.piece.name, font, theme.ink);
+        let font = FontId::proportional(DIMENSION);
+        painter.text(at, Align2::LEFT_BOTTOM, name, font, theme.ink);
     }
-    dimensions(painter, scene, shown, look);
+    dimensions(painter, scene, look);
 }
 
 /// The sheet itself: plain, or in the colours of what is measured.
@@ -132,10 +153,12 @@ fn measured(mesh: &mut Mesh, corners: [Pos2; 3], values: [f32; 3]) {
 /// What is done along lines.
 fn paths(painter: &Painter, shown: &Shown, look: &Look<'_>, theme: &Theme) {
     let (rungs, mut passed) = (shown.rungs.len(), 0);
+    let has_rungs = look.has_rungs(shown);
     let [cut, score, engrave, _] = theme.roles;
     for path in &shown.piece.paths {
         let stroke = match (path.kind, path.role) {
             (PathKind::Dimension, _) => continue,
+            (PathKind::Rung(_), Role::Note) | (PathKind::RulingTick, _) if !has_rungs => continue,
             (PathKind::Rung(_), Role::Note) => {
                 // Of many rungs close to one another some stand for all.
                 let most = if look.by.is_some() { RUNGS / 2 } else { RUNGS };
@@ -203,7 +226,8 @@ fn letters(painter: &Painter, label: &PatternLabel, look: &Look<'_>, theme: &The
     // Letters are laid out in whole sizes, so that zooming does not fill the memory with them.
     let font = FontId::proportional(size.min(96.0).round());
     let galley = painter.layout_no_wrap(label.text.clone(), font, ink);
-    let angle = -atan2(label.along.y, label.along.x) as f32;
+    let along = look.piece.along(label.along);
+    let angle = -atan2(along.y, along.x) as f32;
     turned(painter, look.seen(label.at), &galley, angle, CAPITAL, ink);
     true
 }
@@ -231,25 +255,32 @@ fn dimension(painter: &Painter, scene: &Scene<'_>, mm: f64) -> Arc<Galley> {
 
 /// Whether the height of a piece is written upwards, along its line.
 fn stands(around: &Rect, high: &Galley) -> bool {
-    around.height() > high.size().x + 24.0
+    around.height() > high.size().x + STANDS
 }
 
-/// The room to the left of a piece that its height takes, points.
-pub(super) fn height_takes(
-    painter: &Painter,
-    scene: &Scene<'_>,
-    around: &Rect,
-    piece: &Placed,
-) -> f32 {
-    if !is_measured(around) {
-        return 0.0;
+/// The texts of a part.
+pub(super) fn texts(painter: &Painter, scene: &Scene<'_>, name: &str, size: Way) -> Texts {
+    let font = FontId::proportional(DIMENSION);
+    let name = painter.layout_no_wrap(name.to_owned(), font, scene.theme.ink).size().x;
+    let sizes = [size.x, size.y].map(|mm| dimension(painter, scene, mm).size());
+    Texts { name, dimension: sizes[0].max(sizes[1]) }
+}
+
+/// The room that the dimensions of a piece take about it, which is so large on the screen.
+pub(super) fn takes(of: Vec2, texts: &Texts) -> Takes {
+    if of.max_elem() < LEAST_MEASURED {
+        return Takes { left: 0.0, right: 0.0, below: 0.0 };
     }
-    let high = dimension(painter, scene, piece.size.y);
-    if stands(around, &high) { AWAY + 0.5 * high.size().y } else { AWAY + BESIDE + high.size().x }
+    let text = texts.dimension;
+    let stands = of.y > text.x + STANDS;
+    let left = if stands { AWAY + 0.5 * text.y } else { AWAY + BESIDE + text.x };
+    // The width below may be wider than the piece.
+    let over = 0.5 * (text.x - of.x).max(0.0);
+    Takes { left: left.max(over), right: over, below: AWAY + 0.5 * text.y }
 }
 
 /// Width below and height to the left, in the units of the drawing.
-fn dimensions(painter: &Painter, scene: &Scene<'_>, shown: &Shown, look: &Look<'_>) {
+fn dimensions(painter: &Painter, scene: &Scene<'_>, look: &Look<'_>) {
     let theme = scene.theme;
     let around = box_of(look.piece, look.view, look.rect);
     if !is_measured(&around) {
@@ -270,8 +301,8 @@ fn dimensions(painter: &Painter, scene: &Scene<'_>, shown: &Shown, look: &Look<'
             painter.line_segment([end - across, end + across], stroke);
         }
     };
-    let [wide, high] =
-        [shown.piece.size.x, shown.piece.size.y].map(|mm| dimension(painter, scene, mm));
+    let size = look.piece.box_size();
+    let [wide, high] = [size.x, size.y].map(|mm| dimension(painter, scene, mm));
     let below = around.bottom() + AWAY;
     line(pos2(around.left(), below), pos2(around.right(), below), wide.size().x + 12.0);
     let at = pos2(around.center().x, below);

@@ -1,69 +1,49 @@
 //! The sheet of paper that pieces lie on: where each lies, and which part of it is looked at.
 
-use crate::scene::Scene;
 use eframe::egui::{Pos2, Rect, Vec2, pos2};
 use sheetwright::math::{Point2, Vec2 as Way};
-
-/// The gap between pieces at the least, points: below a piece its width stands in it, and the name of
-/// the next one.
-const GAP: f64 = 56.0;
-/// The room between the height of a piece and the piece to the left of it, points.
-const CLEAR: f64 = 10.0;
-/// The room beside, above and below what fits, points: names and dimensions stand in it.
-const ROOM: Vec2 = Vec2::new(86.0, 46.0);
 
 /// Where a piece lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Placed {
     /// Its panel.
     pub(super) panel: usize,
-    /// What is added to its own places, mm.
-    pub(super) offset: Way,
-    /// Its width and height, mm.
+    /// The lower left corner of its box on the paper, mm.
+    offset: Way,
+    /// Its width and height as files have it, mm.
     pub(super) size: Way,
+    /// Whether it is turned by a right angle, counter-clockwise.
+    pub(super) turned: bool,
 }
 
-/// The pieces in rows from above, each as the pattern has it; together they are about as wide to
-/// their height as the pane. `gap` is between them, beside and below, mm.
-pub(super) fn placed(scene: &Scene<'_>, pane: Rect, gap: Way) -> Vec<Placed> {
-    let aspect = f64::from((pane.width() / pane.height()).clamp(0.3, 4.0));
-    let sizes: Vec<(usize, Way)> = scene.made().map(|(n, shown)| (n, shown.piece.size)).collect();
-    let area: f64 = sizes.iter().map(|(_, size)| (size.x + gap.x) * (size.y + gap.y)).sum();
-    let widest = sizes.iter().map(|(_, size)| size.x).fold(0.0, f64::max);
-    let row_width = (area * aspect).sqrt().max(widest);
-    let mut all = Vec::new();
-    let (mut x, mut top, mut row_height) = (0.0, 0.0, 0.0_f64);
-    for (panel, size) in sizes {
-        if x > 0.0 && x + size.x > row_width {
-            top -= row_height + gap.y;
-            (x, row_height) = (0.0, 0.0);
-        }
-        all.push(Placed { panel, offset: Way::new(x, top - size.y), size });
-        x += size.x + gap.x;
-        row_height = row_height.max(size.y);
+impl Placed {
+    /// A piece about a place of the paper.
+    pub(super) fn about(middle: Point2, panel: usize, size: Way, turned: bool) -> Self {
+        let placed = Self { panel, offset: Way::ZERO, size, turned };
+        Self { offset: middle.to_vec() - placed.box_size() * 0.5, ..placed }
     }
-    all
-}
 
-/// The gap between pieces that leaves room for their names and dimensions where all are in sight,
-/// beside and below, mm. `height_takes` says how much room the height of a piece takes beside it,
-/// points.
-pub(super) fn roomy_gap(
-    scene: &Scene<'_>,
-    pane: Rect,
-    height_takes: impl Fn(&Placed, &View) -> f32,
-) -> Way {
-    let mut view = View::default();
-    let mut gap = Way::default();
-    // The wider the gap, the smaller everything; three rounds come near enough.
-    for _ in 0..3 {
-        let pieces = placed(scene, pane, gap);
-        view.fit(&pieces, pane);
-        let heights = pieces.iter().map(|piece| f64::from(height_takes(piece, &view)));
-        let beside = (heights.fold(0.0, f64::max) + CLEAR).max(GAP);
-        gap = Way::new(beside, GAP) * view.mm_per_point;
+    /// Its width and height on the paper, mm.
+    pub(super) fn box_size(&self) -> Way {
+        if self.turned { Way::new(self.size.y, self.size.x) } else { self.size }
     }
-    gap
+
+    /// Where a place of the piece lies on the paper, mm.
+    pub(super) fn on_paper(&self, p: Point2) -> Point2 {
+        let p = if self.turned { Point2::new(self.size.y - p.y, p.x) } else { p };
+        p + self.offset
+    }
+
+    /// The place of the piece at a place of the paper, mm.
+    pub(super) fn on_piece(&self, p: Point2) -> Point2 {
+        let p = p + -self.offset;
+        if self.turned { Point2::new(p.y, self.size.y - p.x) } else { p }
+    }
+
+    /// A direction on the piece, as it lies on the paper.
+    pub(super) fn along(&self, way: Way) -> Way {
+        if self.turned { way.perp() } else { way }
+    }
 }
 
 /// Which part of the paper is looked at.
@@ -110,31 +90,12 @@ impl View {
         self.middle = fixed.lerp(self.middle, size / self.mm_per_point);
         self.mm_per_point = size;
     }
-
-    /// Brings all pieces into sight, with room for their dimensions.
-    pub(super) fn fit(&mut self, pieces: &[Placed], rect: Rect) {
-        let (mut low, mut high) = (Way::splat(f64::INFINITY), Way::splat(f64::NEG_INFINITY));
-        for piece in pieces {
-            low = low.min(piece.offset);
-            high = high.max(piece.offset + piece.size);
-        }
-        if !(high - low).is_finite() {
-            return;
-        }
-        let room = (rect.size() - 2.0 * ROOM).max(Vec2::splat(40.0));
-        let size = (high - low).max(Way::splat(1e-3));
-        let scale = (size.x / f64::from(room.x)).max(size.y / f64::from(room.y));
-        self.mm_per_point = scale;
-        // Dimensions stand below and to the left.
-        let middle = (low + high) * 0.5 + Way::new(-24.0, -8.0) * scale;
-        self.middle = Point2::new(middle.x, middle.y);
-    }
 }
 
 /// A rectangle around a piece on the screen.
 pub(super) fn box_of(piece: &Placed, view: &View, rect: Rect) -> Rect {
-    let low = Point2::new(piece.offset.x, piece.offset.y);
-    let high = low + piece.size;
+    let low = Point2::default() + piece.offset;
+    let high = low + piece.box_size();
     let (a, b) = (view.seen(low, rect), view.seen(high, rect));
     Rect::from_min_max(pos2(a.x, b.y), pos2(b.x, a.y))
 }
@@ -155,14 +116,17 @@ mod tests {
     }
 
     #[test]
-    fn what_fits_is_in_the_pane() {
-        let rect = Rect::from_min_size(pos2(0.0, 0.0), Vec2::new(300.0, 200.0));
-        let piece = |x, y, w, h| Placed { panel: 0, offset: Way::new(x, y), size: Way::new(w, h) };
-        let pieces = [piece(0.0, -500.0, 900.0, 500.0), piece(1000.0, -80.0, 70.0, 80.0)];
-        let mut view = View::default();
-        view.fit(&pieces, rect);
-        for piece in &pieces {
-            assert!(rect.contains_rect(box_of(piece, &view, rect)));
+    fn a_piece_that_stands_has_its_places_where_it_lies() {
+        let size = Way::new(30.0, 10.0);
+        for turned in [false, true] {
+            let placed = Placed::about(Point2::new(100.0, 50.0), 0, size, turned);
+            let (low, high) =
+                (placed.on_paper(Point2::default()), placed.on_paper(Point2::default() + size));
+            assert_eq!(low.lerp(high, 0.5), Point2::new(100.0, 50.0));
+            let p = Point2::new(7.0, 3.0);
+            assert!(placed.on_piece(placed.on_paper(p)).distance(p) < 1e-12);
+            let way = placed.on_paper(p + Way::X) - placed.on_paper(p);
+            assert!((way - placed.along(Way::X)).length() < 1e-12);
         }
     }
 }
