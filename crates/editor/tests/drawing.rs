@@ -230,7 +230,7 @@ fn of_many_handles_those_of_the_curve_under_the_hand_are_shown() {
     hands.settle();
     hands.harness.run_steps(30);
     let all: usize = curves(&hands).iter().map(|curve| curve.points.len()).sum();
-    assert!(all > 48, "{all}");
+    assert!(all > 80, "{all}");
     hands.move_to(pane(&hands, "Flat pattern").center());
     hands.harness.run_steps(3);
     let panes = ["Plan", "Space"].map(|name| pane(&hands, name));

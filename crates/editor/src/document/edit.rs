@@ -344,8 +344,8 @@ fn with_panels(mut document: Document) -> Outcome {
 fn unbound(found: &Proposal) -> Option<String> {
     let crossing = found.crossing.first().map(|[a, b]| {
         format!(
-            "{a} and {b} cross on the plan, or one touches the other from inside, so no panel is \
-             made of the later one. Move its handles until they don't."
+            "{a} and {b} cross on the plan, or touch with one inside the other. Move handles until \
+             they don't: then a panel is made."
         )
     });
     let crossing_itself = found.crossing_itself.first().map(|curve| {

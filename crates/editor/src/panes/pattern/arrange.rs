@@ -78,23 +78,33 @@ pub(super) fn parts(scene: &Scene<'_>) -> Vec<Part> {
 /// how many there are.
 pub(super) fn name(scene: &Scene<'_>, members: &[usize]) -> String {
     let names: Vec<&str> = members.iter().map(|&n| scene.panels[n].name.as_str()).collect();
-    let [first, others @ ..] = &names[..] else { return String::new() };
-    if others.is_empty() {
-        return (*first).to_owned();
+    match names[..] {
+        [] => String::new(),
+        [only] => only.to_owned(),
+        [first, ..] => {
+            let stem = stem(&names);
+            format!("{} ×{}", if stem.is_empty() { first } else { stem }, names.len())
+        }
     }
+}
+
+/// What all names begin with, in whole words and numbers.
+fn stem<'a>(names: &[&'a str]) -> &'a str {
+    let [first, others @ ..] = names else { return "" };
     let agree = |other: &&str| {
         let same = first.chars().zip(other.chars()).take_while(|(a, b)| a == b);
         same.map(|(a, _)| a.len_utf8()).sum::<usize>()
     };
-    let mut shared = &first[..others.iter().map(agree).min().unwrap_or(0)];
-    let is_counted = |c: char| c.is_ascii_digit() || c.is_whitespace() || "-_.,(#".contains(c);
-    let goes_on = |name: &&str| name[shared.len()..].starts_with(char::is_alphabetic);
-    if shared.ends_with(char::is_alphabetic) && names.iter().any(goes_on) {
-        // No half words.
-        shared = shared.rfind(is_counted).map_or("", |end| &shared[..end]);
+    let mut shared = &first[..others.iter().map(agree).min().unwrap_or(first.len())];
+    let kinds: [fn(char) -> bool; 2] = [char::is_alphabetic, char::is_numeric];
+    for kind in kinds {
+        let goes_on = |name: &&str| name[shared.len()..].starts_with(kind);
+        if shared.ends_with(kind) && names.iter().any(goes_on) {
+            shared = shared.trim_end_matches(kind);
+            break;
+        }
     }
-    let stem = shared.trim_end_matches(is_counted);
-    format!("{} ×{}", if stem.is_empty() { first } else { stem }, names.len())
+    shared.trim_end_matches(|c: char| !c.is_alphanumeric())
 }
 
 /// The parts on the paper.
@@ -190,8 +200,8 @@ impl Arrangement {
                 ((now - was).abs() / was.abs().max(now).max(f64::MIN_POSITIVE), n)
             });
             let most = changed.max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
-            let wished = [scene.selection.panel, worst].into_iter().flatten();
-            let wished = wished.filter(|n| slot.members.contains(n)).next();
+            let mut wished = [scene.selection.panel, worst].into_iter().flatten();
+            let wished = wished.find(|n| slot.members.contains(n));
             let changed = most.filter(|(share, _)| *share > CHANGED).map(|(_, n)| n);
             let panel = changed.or(wished).or(slot.members.first().copied())?;
             let size = scene.panels[panel].made.as_ref().ok()?.piece.size;
@@ -302,6 +312,22 @@ fn shelved(cells: &Cells<'_>, scale: f64, width: f32) -> Shelves {
 mod tests {
     use super::*;
     use eframe::egui::Rect;
+
+    #[test]
+    fn names_share_whole_words_and_numbers() {
+        for (names, wanted) in [
+            (&["gore-1", "gore-10", "gore-11"][..], "gore"),
+            (&["band-1-1", "band-1-2", "band-1-12"], "band-1"),
+            (&["port-side", "port-stern"], "port"),
+            (&["strake 2 port", "strake 2 starboard"], "strake 2"),
+            (&["panel1", "panel2"], "panel"),
+            (&["outline", "outline 2"], "outline"),
+            (&["lid", "floor"], ""),
+            (&["ä-1", "ä-2"], "ä"),
+        ] {
+            assert_eq!(stem(names), wanted);
+        }
+    }
 
     fn cells(sizes: &[[f64; 2]]) -> (Vec<Part>, Vec<Texts>) {
         let part = |&[x, y]: &[f64; 2]| Part { members: vec![0], size: Way::new(x, y) };

@@ -6,7 +6,7 @@ use super::snap::Snap;
 use super::view::{View, grid_step};
 use crate::document::{Plan, Reference};
 use crate::panes::dashes::dashed;
-use crate::panes::lit::Lit;
+use crate::panes::lit::{Lit, paint_dim};
 use crate::scene::{PointRef, Scene};
 use crate::theme::{CURVE_WIDTH, HANDLE};
 use eframe::egui::{
@@ -116,7 +116,11 @@ impl Sheet<'_> {
         let theme = self.scene.theme;
         for (point, at, radius) in handles.on_screen() {
             let is_shown = lit.shows(point) || boxed.is_some_and(|area| area.contains(at));
-            if !is_shown || !self.pane.expand(HANDLE).contains(at) {
+            if !self.pane.expand(HANDLE).contains(at) {
+                continue;
+            }
+            if !is_shown {
+                paint_dim(self.painter, theme, at);
                 continue;
             }
             let curve = &self.scene.document.design.curves[point.curve];

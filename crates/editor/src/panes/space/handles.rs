@@ -4,7 +4,7 @@
 use super::camera::{Camera, Ray};
 use super::words::length;
 use crate::panes::dashes::dashed;
-use crate::panes::lit::Lit;
+use crate::panes::lit::{Lit, paint_dim};
 use crate::scene::{Act, PointRef, Scene, Selection};
 use crate::theme::{HANDLE, TOUCH, Theme};
 use eframe::egui::accesskit::{Action, Role};
@@ -214,6 +214,9 @@ impl Handles {
         let count = shown().count();
         let many = count > MANY;
         let is_selected = |h: &Handle| scene.selection.points.contains(&h.of);
+        for at in handles.iter().filter(|h| !lit.shows(h.of)).filter_map(|h| h.seen) {
+            paint_dim(painter, theme, at);
+        }
         for handle in shown() {
             let chosen = is_selected(handle);
             let Some(top) = handle.seen else { continue };

@@ -22,6 +22,7 @@ pub(crate) mod sheets;
 mod view_cube;
 pub mod words;
 
+use crate::panes::lit::are_many;
 use crate::panes::{SurfaceView, is_resized};
 use crate::scene::{Act, Scene};
 use camera::{Camera, Direction};
@@ -163,8 +164,8 @@ impl SpacePane {
         if is_gauss {
             self.paint_gauss(ui, scene, &camera, rect);
         } else {
-            let hand =
-                ui.input(|i| i.pointer.hover_pos()).filter(|_| ui.rect_contains_pointer(rect));
+            let hand = ui.input(|i| i.pointer.hover_pos());
+            let hand = hand.filter(|_| ui.rect_contains_pointer(rect) && are_many(scene));
             let curve = hand.and_then(|hand| self.built.nearest(&camera, rect, hand));
             let look = Look { camera: &camera, rect, ground: &ground, curve };
             if let Some(other) = self.handles.ui(ui, scene, &look, acts) {
@@ -369,10 +370,12 @@ impl SpacePane {
             }
             None => "There is no sheet yet.",
         };
-        let width = (rect.width() - 150.0).max(120.0);
+        // Below, beside the axis that points down.
+        let width = (0.5 * rect.width() - 40.0).max(120.0);
         let font = FontId::proportional(13.0);
         let galley = ui.painter().layout(text.to_owned(), font, theme.faint, width);
-        ui.painter().galley(rect.min + vec2(14.0, 12.0), galley, theme.faint);
+        let at = rect.left_bottom() + vec2(14.0, -12.0 - galley.size().y);
+        ui.painter().galley(at, galley, theme.faint);
     }
 }
 
