@@ -2,6 +2,7 @@
 //! names that a terminal could obey.
 
 #![allow(clippy::unwrap_used, reason = "a test that can't go on fails")]
+#![allow(clippy::print_stderr, reason = "what is skipped says so")]
 #![cfg(unix)]
 
 use std::fmt::Write as _;

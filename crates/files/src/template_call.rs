@@ -136,7 +136,7 @@ fn refuse_several(setting: &str, template: &Template) -> Result<(), InputError> 
     let parts: Vec<&str> = setting.split([',', ';']).map(str::trim).collect();
     let is_setting =
         |part: &&str| part.split_once('=').is_some_and(|(name, _)| is_name(name.trim()));
-    if parts.len() < 2 || !parts.iter().all(|part| is_setting(&part)) {
+    if parts.len() < 2 || !parts.iter().all(is_setting) {
         return Ok(());
     }
     let message = format!("{} is several settings", shown(setting));
