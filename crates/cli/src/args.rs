@@ -259,6 +259,10 @@ pub(crate) struct SourceArgs {
     /// The weight of the fold price, from 0 (twist alone) to 10
     #[arg(long, value_name = "NU", allow_negative_numbers = true)]
     fold: Option<f64>,
+    /// How much work the search may do where there are holes, as a multiple of the default, which is
+    /// up to 5 seconds; then it answers with the best that was found, and how far from the best it may be
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    effort: Option<f64>,
     /// Which triangulations are looked at
     #[arg(long, value_enum, ignore_case = true, value_name = "METHOD")]
     method: Option<MethodArg>,
@@ -315,6 +319,7 @@ impl SourceArgs {
         ReadOptions {
             samples: self.samples,
             fold: self.fold,
+            effort: self.effort,
             method: self.method.map(|method| match method {
                 MethodArg::Optimal => PanelMethod::Optimal,
                 MethodArg::Bridge => PanelMethod::Bridge,

@@ -445,6 +445,31 @@ fn the_number_of_threads_changes_no_bytes() {
     }
 }
 
+/// Four loops in space that no sheet spans: the search ends with the work that it may do, which is
+/// counted, so that it ends at the same place with any number of threads.
+#[test]
+fn loops_far_from_developable_end_with_their_work() {
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    let vessel = examples.join("ubc-fishing-vessel.csv");
+    let desk = Desk::new(&[]);
+    let run = |threads: &str, effort: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_sheetwright"));
+        command.current_dir(desk.0.path()).stdin(Stdio::null()).env("RAYON_NUM_THREADS", threads);
+        command.arg("check").arg(&vessel).args(["--json", "--samples", "60", "--effort", effort]);
+        command.output().unwrap()
+    };
+    let [one, two] = ["1", "2"].map(|threads| run(threads, "0.05"));
+    assert_eq!(one.status.code(), Some(1), "{}", text(&one.stderr));
+    assert_eq!(text(&one.stdout), text(&two.stdout));
+    let note = text(&one.stdout);
+    assert!(note.contains("not-proven") && note.contains("`--effort 10`"), "{note}");
+    for wrong in ["0", "-1", "1001", "NaN"] {
+        let refused = run("1", wrong);
+        assert_eq!(refused.status.code(), Some(2), "{wrong}");
+        assert!(text(&refused.stderr).contains("0.001 to 1000"), "{}", text(&refused.stderr));
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn a_reader_that_leaves_is_no_failure() {

@@ -3,13 +3,13 @@
 use crate::mesh::MeshFormat;
 use crate::names::shown;
 use crate::reading::{
-    InputError, MAX_INPUT_BYTES, ReadOptions, TAKEN, VarySettings, display_name, read_whole,
-    refuse_folder, text_of, too_large,
+    EFFORTS, InputError, MAX_INPUT_BYTES, ReadOptions, TAKEN, VarySettings, display_name,
+    read_whole, refuse_folder, text_of, too_large,
 };
 use crate::{design_json, mesh, table};
 use sheetwright::boundary::MAX_SAMPLES;
 use sheetwright::cost::MAX_FOLD;
-use sheetwright::design::{Design, MeshDesign};
+use sheetwright::design::{Design, LEAST_EFFORT, MOST_EFFORT, MeshDesign};
 use std::path::Path;
 
 /// Formats that the main job takes.
@@ -202,11 +202,18 @@ fn check_options(format: InputFormat, options: &ReadOptions) -> Result<(), Input
             "Ask for 0 (twist alone) to 10.",
         );
     }
+    if let Some(effort) = options.effort
+        && !(LEAST_EFFORT..=MOST_EFFORT).contains(&effort)
+    {
+        return refused(format!("an effort of {effort} was asked for"), EFFORTS);
+    }
     if let InputFormat::Mesh(_) = format {
-        let ReadOptions { samples, fold, method, plane, vary, units: _, material: _ } = *options;
+        let ReadOptions { samples, fold, effort, method, plane, vary, units: _, material: _ } =
+            *options;
         let given = [
             ("samples", samples.is_some()),
             ("a fold price", fold.is_some()),
+            ("an effort", effort.is_some()),
             ("a method", method.is_some()),
             ("a plane", plane.is_some()),
             ("what may move", vary != VarySettings::default()),

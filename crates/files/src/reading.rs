@@ -84,6 +84,10 @@ impl VarySettings {
     }
 }
 
+/// Which efforts may be asked for.
+pub(crate) const EFFORTS: &str =
+    "Ask for 0.001 to 1000 times the default; 1 is up to 5 seconds a panel.";
+
 /// What the caller sets instead of the file.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ReadOptions {
@@ -92,6 +96,8 @@ pub struct ReadOptions {
     pub samples: Option<usize>,
     /// The weight ν of the fold price, 0 ..= 10. Default: as the design says.
     pub fold: Option<f64>,
+    /// How much work the search may do where there are holes, as a multiple of the default.
+    pub effort: Option<f64>,
     /// Which triangulations are looked at. Default: as the design says.
     pub method: Option<PanelMethod>,
     /// The supporting plane of every panel. Default: as the design says, or `auto`.

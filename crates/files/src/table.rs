@@ -319,6 +319,7 @@ pub(crate) fn read_as_design(
         run_on: false,
         plane: options.plane.unwrap_or_default(),
         fold: options.fold.unwrap_or(PriceOptions::default().fold),
+        effort: options.effort.unwrap_or(1.0),
         cut: Vec::new(),
     };
     let vary = options.vary.applied(Vec::new());

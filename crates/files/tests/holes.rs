@@ -4,12 +4,27 @@
 use serde_json::{Value, json};
 use sheetwright::design::{Made, MadePanel, make};
 use sheetwright::math::{Point2, Vec2, cos, sin};
+use sheetwright::triangulate::DEFAULT_WORK;
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
     Format, InputFormat, Outputs, PdfOptions, ReadOptions, RefoldFileError, output_files,
-    read_bytes, read_dxf, read_svg, refold_error_mm, write_svg,
+    read_bytes, read_dxf, read_input, read_svg, refold_error_mm, write_svg,
 };
 use std::f64::consts::TAU;
+
+/// Four loops far from developable, of 240 samples: with no end to its work, the search took minutes.
+#[test]
+fn the_vessel_is_made_with_the_work_that_a_panel_may_take() {
+    let vessel = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/ubc-fishing-vessel.csv");
+    let options = ReadOptions { samples: Some(60), effort: Some(0.2), ..ReadOptions::default() };
+    let design = read_input(vessel.as_ref(), &options).unwrap();
+    let panel = &make(&design, &mut Unwatched).unwrap().panels[0];
+    let (found, may) = (&panel.triangulation, 0.2 * DEFAULT_WORK as f64);
+    assert!(found.cut_short && !found.proven_optimal);
+    assert!(found.work as f64 <= 1.1 * may, "{} of {may}", found.work);
+    // As cheap as what was found with hours of work.
+    assert!(found.price < 22.0, "{}", found.price);
+}
 
 /// A spline through points of a circle.
 fn circle(radius: f64, centre: [f64; 3]) -> Value {

@@ -46,6 +46,7 @@ fn hull(scale: f64) -> Made {
         run_on: false,
         plane: PlaneChoice::None,
         fold: 0.1,
+        effort: 1.0,
         cut: Vec::new(),
     });
     let design = Design {

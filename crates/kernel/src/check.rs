@@ -374,14 +374,27 @@ pub fn better_without_plane(with: f64, without: f64) -> Finding {
 }
 
 fn not_proven(panel: &Panel<'_>) -> Option<Finding> {
-    let gap = panel.triangulation.gap().filter(|&gap| gap > 0.0)?;
+    let better = match panel.triangulation.gap() {
+        Some(gap) if gap > 0.0 => {
+            format!("A better one may exist, with a price up to {:.2} % lower", 100.0 * gap)
+        }
+        // Of one loop this is said where another method was asked for, which proves nothing.
+        None if panel.boundary.holes() > 0 => {
+            "A better one may exist; how much lower its price may be is not known".to_owned()
+        }
+        _ => return None,
+    };
+    let how = if panel.triangulation.cut_short {
+        " The search ended with the work that it may do; more effort, such as `--effort 10`, gives it \
+         ten times as much."
+    } else {
+        ""
+    };
     Some(Finding {
         severity: Severity::Note,
         code: "not-proven",
         text: format!(
-            "This is the best surface that was found. A better one may exist, with a price up to \
-             {:.2} % lower; the pattern is exact for this one.",
-            100.0 * gap
+            "This is the best surface that was found. {better}; the pattern is exact for this one.{how}"
         ),
         place: String::new(),
     })

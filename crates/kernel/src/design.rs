@@ -36,7 +36,8 @@ use crate::measure::{Measures, measures};
 use crate::pattern::{PatternOptions, Piece, piece};
 use crate::surface::{Connectivity, Surface};
 use crate::triangulate::{
-    Goal, Method, TriangulateOptions, Triangulation, refuse, triangulate_near, with_holes_facing,
+    DEFAULT_WORK, Goal, Method, TriangulateOptions, Triangulation, refuse, triangulate_near,
+    with_holes_facing,
 };
 use crate::watch::{Stage, Watch};
 pub(crate) use sampling::LEAST_OF_HOLE;
@@ -106,6 +107,11 @@ impl PanelMethod {
     }
 }
 
+/// The least effort of a panel, as a multiple of the default.
+pub const LEAST_EFFORT: f64 = 0.001;
+/// The most: about an hour.
+pub const MOST_EFFORT: f64 = 1000.0;
+
 /// A panel of a design.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DesignPanel {
@@ -126,6 +132,9 @@ pub struct DesignPanel {
     pub run_on: bool,
     /// The weight ν of the fold price.
     pub fold: f64,
+    /// How much work the search may do where there are holes, as a multiple of [`DEFAULT_WORK`], within
+    /// [`LEAST_EFFORT`] ..= [`MOST_EFFORT`].
+    pub effort: f64,
     /// Where the pattern is to be cut open if it must be, mm: along the rungs from loop to loop
     /// whose middles lie nearest. Empty: where the cuts are shortest.
     pub cut: Vec<Point3>,
@@ -144,6 +153,7 @@ impl DesignPanel {
             plane: PlaneChoice::Auto,
             run_on: false,
             fold: DEFAULT_FOLD,
+            effort: 1.0,
             cut: Vec::new(),
         }
     }
@@ -338,6 +348,7 @@ fn prepare(
     let mut options =
         TriangulateOptions { method, goal: panel.goal, ..TriangulateOptions::default() };
     options.price.fold = panel.fold;
+    options.work_limit = (panel.effort * DEFAULT_WORK as f64) as u64;
     // Before the boundary is looked at, which takes its time for a long one.
     let lengths: Vec<usize> = sampled.loops.iter().map(Vec::len).collect();
     refuse(&lengths, &options).map_err(|e| failed(MakeCause::Triangulate(e)))?;

@@ -41,6 +41,7 @@
 //!         run_on: false,
 //!         plane: PlaneChoice::Auto,
 //!         fold: sheetwright::cost::DEFAULT_FOLD,
+//!         effort: 1.0,
 //!         cut: Vec::new(),
 //!     }],
 //!     ..Design::default()

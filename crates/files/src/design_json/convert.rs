@@ -13,14 +13,15 @@ use crate::meant::material_hint;
 use crate::names::{
     did_you_mean, folded, refused_anywhere, refused_for_curve, refused_for_file, shown,
 };
-use crate::reading::{InputError, stem};
+use crate::reading::{EFFORTS, InputError, stem};
 use crate::table::{MAX_CURVES, RANGE_HINT, in_range_mm};
 use crate::units::Units;
 use sheetwright::boundary::{MAX_SAMPLES, PlaneChoice};
 use sheetwright::cost::{MAX_FOLD, PriceOptions};
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
-    CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape, Vary,
+    CurveUse, Design, DesignCurve, DesignPanel, LEAST_EFFORT, MOST_EFFORT, PanelMethod, PanelShape,
+    Vary,
 };
 use sheetwright::material::Material;
 use sheetwright::math::{Point3, Vec3};
@@ -277,6 +278,7 @@ impl PanelReader<'_> {
             run_on,
             plane: self.source.options.plane.unwrap_or(plane),
             fold: self.fold(file.fold)?,
+            effort: self.effort(file.effort)?,
         })
     }
 
@@ -422,5 +424,14 @@ impl PanelReader<'_> {
             return Err(self.error(".fold", message, "Ask for 0 (twist alone) to 10."));
         }
         Ok(self.source.options.fold.unwrap_or(fold))
+    }
+
+    fn effort(&self, written: Option<f64>) -> Result<f64, InputError> {
+        let effort = written.unwrap_or(1.0);
+        if !(LEAST_EFFORT..=MOST_EFFORT).contains(&effort) {
+            let message = format!("an effort of {effort} is asked for");
+            return Err(self.error(".effort", message, EFFORTS));
+        }
+        Ok(self.source.options.effort.unwrap_or(effort))
     }
 }

@@ -212,6 +212,11 @@ pub(super) struct PanelFile {
     #[serde(default)]
     #[schemars(range(min = 0, max = 10))]
     pub(super) fold: Option<f64>,
+    /// How much work the search may do where there are holes, as a multiple of the default, which is
+    /// a few seconds. Default: 1.
+    #[serde(default)]
+    #[schemars(range(min = 0.001, max = 1000))]
+    pub(super) effort: Option<f64>,
     /// Where the pattern of a panel with holes is to be cut open, if it must be: points `[x, y, z]`,
     /// at the most one a hole. Cuts run from loop to loop, where their middles lie nearest to the
     /// points. Default: where they are shortest.

@@ -338,6 +338,7 @@ mod tests {
             plane: Some(sheetwright::boundary::PlaneChoice::None),
             samples: Some(77),
             fold: Some(2.0),
+            effort: Some(20.0),
             method: Some(PanelMethod::Bridge),
             units: None,
             material: Material::named("leather-2mm"),
@@ -347,7 +348,7 @@ mod tests {
             read_bytes(InputFormat::Design, DINGHY.as_bytes(), "d.json", None, &options).unwrap();
         assert_eq!(design.material.map(|m| m.name), Some("leather-2mm"));
         for panel in &design.panels {
-            assert_eq!((panel.samples, panel.fold), (77, 2.0));
+            assert_eq!((panel.samples, panel.fold, panel.effort), (77, 2.0, 20.0));
             assert_eq!(panel.method, PanelMethod::Bridge);
         }
         for vary in &design.vary {
@@ -384,6 +385,8 @@ mod tests {
             ("\"-chine\"", "\"-chin\"", "panels[0].rails[1]"),
             ("\"name\": \"lid\"", "\"name\": \"BOTTOM\"", "panels[1].name"),
             ("\"fold\": 0", "\"fold\": 11", "panels[0].fold"),
+            ("\"fold\": 0", "\"effort\": 0", "panels[0].effort"),
+            ("\"fold\": 0", "\"effort\": 1001", "panels[0].effort"),
             ("\"plane\": [0, 0, 1]", "\"plane\": \"automatic\"", "panels[1].plane"),
             ("\"worst-warp\"", "\"max\"", "panels[0].goal"),
             ("\"samples\": 50", "\"run_on\": true", "panels[1].run_on"),

@@ -154,6 +154,9 @@ fn panel(panel: &DesignPanel, vary: Option<String>) -> String {
         }
     });
     fields.push(format!("\"fold\": {}", json(&panel.fold)));
+    if panel.effort != 1.0 {
+        fields.push(format!("\"effort\": {}", json(&panel.effort)));
+    }
     if !panel.cut.is_empty() {
         let cut: Vec<[f64; 3]> = panel.cut.iter().map(|p| [p.x, p.y, p.z]).collect();
         fields.push(format!("\"cut\": {}", json(&cut)));

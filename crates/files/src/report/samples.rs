@@ -27,6 +27,7 @@ fn panel(name: &str, shape: PanelShape, samples: usize) -> DesignPanel {
         goal: Goal::Price,
         run_on: false,
         fold: 0.1,
+        effort: 1.0,
         cut: Vec::new(),
     }
 }

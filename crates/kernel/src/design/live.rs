@@ -57,6 +57,7 @@ use crate::watch::{Stage, Watch};
 ///     run_on: false,
 ///     plane: Default::default(),
 ///     fold: sheetwright::cost::DEFAULT_FOLD,
+///     effort: 1.0,
 ///     cut: Vec::new(),
 /// };
 /// let design = Design {

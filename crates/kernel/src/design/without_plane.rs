@@ -20,6 +20,9 @@ use crate::watch::Watch;
 /// A surface that need not lie over the plane is worth a word if its price is below this share.
 const MUCH_CHEAPER: f64 = 0.5;
 
+/// The question takes no more than one part in so many of the work that the answer may.
+const SHARE_OF_WORK: u64 = 4;
+
 /// What is known of the triangulations of a panel.
 #[derive(Clone, Debug)]
 pub(super) struct Known {
@@ -114,7 +117,7 @@ impl Known {
         match self.cheapest.also_without_plane {
             Some(true) => return Ok(None),
             // Who is asked each time had better know.
-            None if self.was_answered => {
+            None if self.was_answered && boundary.holes() == 0 => {
                 let free = if_it_fits(triangulate(boundary, None, options, watch).map(Some))?;
                 if let Some(free) = &free {
                     self.cheapest.also_without_plane = Some(free == found);
@@ -123,7 +126,9 @@ impl Known {
             }
             _ => {}
         }
-        let is_plain = boundary.holes() == 0 && options.method == Method::Optimal;
+        let few_work = options.work_limit / SHARE_OF_WORK;
+        let options = &TriangulateOptions { work_limit: few_work, ..options.clone() };
+        let is_plain = options.method == Method::Optimal;
         // Where one without forced rungs is known, those with them do not count.
         if is_plain && options.goal == Goal::Price && found.forced_rungs == 0 {
             return cheaper_than(boundary, options, limit, self.free.as_ref(), watch);

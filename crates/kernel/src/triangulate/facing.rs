@@ -3,8 +3,10 @@
 //! A hole must run the other way round than the outer loop, as seen from the side that the surface
 //! faces; people draw it either way. On a supporting plane its area says which. Without one, as at
 //! the two ends of a tube, each way bounds a surface of its own, and the cheaper one is meant: a
-//! tube rather than one that passes through itself. That is decided on a few of the samples.
+//! tube rather than one that passes through itself. That is decided on a few of the samples, with a
+//! part of the work that the search may do: what is not looked at any more stays as it was found by then.
 
+use super::holes::{Tally, Work};
 use super::{Terms, TriangulateError, TriangulateOptions, holes};
 use crate::boundary::Boundary;
 use crate::boundary::SupportingPlane;
@@ -16,6 +18,8 @@ use crate::watch::Watch;
 
 /// Samples of each loop that the choice is made on, about.
 const FEW: usize = 16;
+/// The share of the work that the choice may take.
+const SHARE: f64 = 0.25;
 
 /// The boundary with those holes turned that run the wrong way. `plane` is the supporting plane, if
 /// there is one.
@@ -40,10 +44,14 @@ pub fn with_holes_facing(
     let watch = &mut Silent(watch);
     let mut few = boundary.thinned(FEW);
     let mut turned = vec![false; boundary.holes() + 1];
+    let tally = Tally::default();
+    let work = Work::new(&tally, options.work_limit).part(SHARE);
+    let left = |hole: usize| 1.0 / (boundary.holes() + 1 - hole) as f64;
     // Each hole with the outer loop alone, then, where there are several, each among all others.
     for hole in holes.clone() {
         let drawn = few.with_holes(&[hole]);
-        if is_cheaper(&drawn.with_hole_turned(1), &drawn, options.price, watch)? {
+        let part = work.part(0.5 * left(hole));
+        if is_cheaper(&drawn.with_hole_turned(1), &drawn, options.price, part, watch)? {
             few = few.with_hole_turned(hole);
             turned[hole] = !turned[hole];
         }
@@ -51,7 +59,11 @@ pub fn with_holes_facing(
     if boundary.holes() > 1 {
         for hole in holes.clone() {
             let other = few.with_hole_turned(hole);
-            if is_cheaper(&other, &few, options.price, watch)? {
+            let part = work.part(left(hole));
+            if part.left() < least_work(few.len() + 2 * few.holes()) {
+                break;
+            }
+            if is_cheaper(&other, &few, options.price, part, watch)? {
                 few = other;
                 turned[hole] = !turned[hole];
             }
@@ -66,23 +78,30 @@ fn is_cheaper(
     one: &Boundary,
     other: &Boundary,
     price: PriceOptions,
+    work: Work<'_>,
     watch: &mut dyn Watch,
 ) -> Result<bool, TriangulateError> {
     // A tube through itself is slow to search, so the cheaper one by a first guess goes first, and
     // the other is searched up to its price.
     let guess = |boundary: &Boundary, watch: &mut dyn Watch| {
-        with_terms(boundary, price, |terms| holes::guess(terms, boundary.loops(), watch))
+        let work = work.part(SHARE);
+        with_terms(boundary, price, |terms| holes::guess(terms, boundary.loops(), work, watch))
     };
     let one_first = guess(one, watch)? < guess(other, watch)?;
     let (first, second) = if one_first { (one, other) } else { (other, one) };
-    let least = |boundary: &Boundary, bound: f64, watch: &mut dyn Watch| {
+    let least = |boundary: &Boundary, bound: f64, work: Work<'_>, watch: &mut dyn Watch| {
         with_terms(boundary, price, |terms| {
-            holes::good_price(terms, boundary.loops(), bound, watch)
+            holes::good_price(terms, boundary.loops(), bound, work, watch)
         })
     };
-    let first_price = least(first, f64::INFINITY, watch)?;
-    let second_price = least(second, first_price, watch)?;
+    let first_price = least(first, f64::INFINITY, work.part(0.5), watch)?;
+    let second_price = least(second, first_price, work, watch)?;
     Ok(if one_first { first_price < second_price } else { second_price < first_price })
+}
+
+/// What comparing two boundaries takes at the least, steps: two tables each, of so many places.
+fn least_work(places: usize) -> u64 {
+    4 * (places as u64).pow(3) / 6
 }
 
 fn with_terms<T>(

@@ -6,7 +6,7 @@
 
 use super::memory::obtainable;
 use super::{
-    Found, Method, Terms, TriangulateError, TriangulateOptions, Triangulation, if_it_fits,
+    Found, Method, Terms, TriangulateError, TriangulateOptions, Triangulation, holes, if_it_fits,
     may_be_among_few, memory_needed, mend, optimal, outcome, sparse,
 };
 use crate::boundary::{Boundary, SupportingPlane};
@@ -114,8 +114,8 @@ fn looked(
     if lies { Looked::Lies(found) } else { Looked::Astray(found) }
 }
 
-/// The cheapest triangulation of one loop, any two samples joined, if it costs less than `limit`;
-/// only those count whose rungs all have tangent planes. `None` as well where the table that would
+/// The cheapest triangulation of one loop, or the best that is found of a ring, any two samples joined,
+/// if it costs less than `limit`; only those count whose rungs all have tangent planes. `None` as well where the table that would
 /// tell does not fit the memory. What a triangulation costs that is `known` from before is a bound, on
 /// which the answer does not depend, unless it makes the table small enough for the memory.
 ///
@@ -132,6 +132,13 @@ pub(crate) fn cheaper_than(
     let everything = Visibility::everything();
     let limit_bytes = obtainable(options.memory_limit, memory_needed(boundary.len()));
     let terms = Terms::new(&prices, &everything, false).within(limit_bytes);
+    if boundary.holes() == 1 {
+        let tally = holes::Tally::default();
+        let work = holes::Work::new(&tally, options.work_limit);
+        let found = holes::solve(&terms, None, boundary.loops(), quantised(limit), work, watch)?;
+        let found = found.map(|found| outcome(&terms, found, options.method));
+        return Ok(found.filter(|found| found.price < limit));
+    }
     let known = known.filter(|known| mend::is_of(known, &[boundary.len()]));
     let bound = mend::price(&terms, known).map_or(limit, |price| price.min(limit));
     let found = if_it_fits(optimal::solve_within(&terms, quantised(bound), watch))?;

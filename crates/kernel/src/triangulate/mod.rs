@@ -94,7 +94,15 @@ pub struct TriangulateOptions {
     /// without holes, and many more where the boundary comes near to a developable surface. Less where the system does
     /// not give as much.
     pub memory_limit: u64,
+    /// The most work that the search with holes may do, steps of about a nanosecond: about what it
+    /// takes to compare two sums of prices. Work is counted, not timed, so that the answer is the same
+    /// everywhere. A search that has done it answers with the best that it has found and what is
+    /// proven of it; it goes beyond only to find a first answer. Default [`DEFAULT_WORK`].
+    pub work_limit: u64,
 }
+
+/// The default of [`TriangulateOptions::work_limit`], steps: a few seconds.
+pub const DEFAULT_WORK: u64 = 3_000_000_000;
 
 impl Default for TriangulateOptions {
     fn default() -> Self {
@@ -103,6 +111,7 @@ impl Default for TriangulateOptions {
             goal: Goal::Price,
             price: PriceOptions::default(),
             memory_limit: 4 << 30,
+            work_limit: DEFAULT_WORK,
         }
     }
 }
@@ -133,6 +142,11 @@ pub struct Triangulation {
     /// Rungs without a tangent plane that no triangulation could do without; each counts as a
     /// twist of 2.
     pub forced_rungs: usize,
+    /// What the search with holes has done, steps; 0 without holes, where nothing is counted.
+    pub work: u64,
+    /// Whether that search ended because it had done the work that it may: with more,
+    /// [`TriangulateOptions::work_limit`], there may be a better one, or it may be proven.
+    pub cut_short: bool,
 }
 
 impl Triangulation {
@@ -305,11 +319,13 @@ pub fn triangulate_near(
     // Rungs without a tangent plane are admitted only when nothing can be done without them, which
     // the table of all rungs has shown where any two samples may be joined.
     let none_unforced = plane.is_none() && may_ask_less(&prices, options);
+    let tally = holes::Tally::default();
+    let work = holes::Work::new(&tally, options.work_limit);
     for forced in [false, true].into_iter().skip(usize::from(none_unforced)) {
         let mut terms = Terms::new(&prices, &visibility, forced).within(options.memory_limit);
         let simple = |triangles| Found { triangles, lower_bound: None };
         let found = if boundary.holes() > 0 {
-            holes::solve(&terms, plane, boundary.loops(), f64::INFINITY, watch)?
+            holes::solve(&terms, plane, boundary.loops(), f64::INFINITY, work, watch)?
         } else if options.goal == Goal::Price {
             one_loop(&terms, options.method, known, watch)?.map(simple)
         } else {
@@ -320,7 +336,9 @@ pub fn triangulate_near(
             one_loop(&terms, options.method, None, &mut Part::new(watch, 0.5..1.0))?.map(simple)
         };
         if let Some(found) = found {
-            return Ok(of_plane(outcome(&terms, found, options.method)));
+            let found = outcome(&terms, found, options.method);
+            let cut_short = tally.is_cut_short() && !found.proven_optimal;
+            return Ok(of_plane(Triangulation { work: tally.done(), cut_short, ..found }));
         }
     }
     Err(TriangulateError::NoneInside)
@@ -622,5 +640,7 @@ fn outcome(terms: &Terms<'_>, found: Found, method: Method) -> Triangulation {
         proven_optimal,
         lower_bound: if method == Method::Optimal { lower_bound.min(price) } else { 0.0 },
         forced_rungs,
+        work: 0,
+        cut_short: false,
     }
 }

@@ -13,7 +13,7 @@ use sheetwright::vary;
 fields!(Design { name, material, curves, panels, vary, match_seams });
 fields!(DesignCurve { name, kind, closed, points });
 fields!(CurvePoint { at, corner, move_mm });
-fields!(DesignPanel { name, shape, samples, method, goal, plane, run_on, fold, cut });
+fields!(DesignPanel { name, shape, samples, method, goal, plane, run_on, fold, effort, cut });
 fields!(CurveUse { name, reversed });
 fields!(Join { parts, smooth, within, keep_parts });
 fields!(Vary { panels, curves, goal, limit_mm, budget_mm, by, leave_developable });

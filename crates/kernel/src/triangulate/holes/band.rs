@@ -17,7 +17,9 @@
 //!    bound on all of their walks, and the answer if it happens to close. Sets are halved between
 //!    start and end until the cheapest path of all closes (branch and bound, as for circular
 //!    shortest paths \[Appleton2003\]); a set that is no cheaper than a walk that is known is
-//!    dropped. A few dozen sets are usual; at worst there is one for each pair.
+//!    dropped. A few dozen sets are usual; at worst there is one for each pair. Where the work that may
+//!    be done ends before, the best closed walk is the answer, and the cheapest path of the sets that
+//!    are left is the lower bound.
 //! 5. A walk with fewer than three steps along one chain, or one that takes all steps along one
 //!    chain before all along the other, uses a rung twice and is no surface. It is possible only
 //!    without a plane. Where the cheapest walk is one of those, the search is run again over paths
@@ -28,6 +30,7 @@ use super::chains::{Chains, Spot};
 use super::cover::{Along, BandWalk, Count, Grid, Least, Pair, Starts, before};
 use super::pockets::{Pockets, Walk, least_of};
 use super::winding::Winding;
+use super::work::Work;
 use super::{Part, search};
 use crate::cost::QUANTUM;
 use crate::watch::Watch;
@@ -48,45 +51,56 @@ pub(super) fn memory_needed(m: usize, k: usize) -> u64 {
 const MOST_COUNTING_CELLS: u64 = 60_000_000;
 
 /// The cheapest triangulation of a ring; `None` if there is none up to `bound`. `first` is one that
-/// is known.
+/// is known. Where there is no work left to be done, the best that is known by then, and what none is
+/// cheaper than.
 pub(super) fn solve_exactly(
     chains: &Chains<'_>,
     first: Option<Solved>,
     bound: f64,
     watch: &mut dyn Watch,
 ) -> Result<Option<Found>, TriangulateError> {
-    let bound = first.as_ref().map_or(bound, |first| first.price.min(bound));
-    let Some(band) = Band::new(chains, bound, &mut Part::new(watch, 0.0..0.3))? else {
+    let limit = first.as_ref().map_or(bound, |first| first.price.min(bound));
+    let Some(band) = Band::new(chains, limit, &mut Part::new(watch, 0.0..0.3))? else {
         return Ok(None);
     };
-    let mut part = Part::new(watch, 0.3..0.7);
-    let Some(walk) = band.cheapest_walk(false, bound, &mut part)? else { return Ok(None) };
-    if walk.is_simple() {
-        return Ok(Some(Found { triangles: band.triangles(&walk), lower_bound: None }));
-    }
-    if 2 * (chains.len(0) * chains.len(1) * Count::ALL) as u64 > MOST_COUNTING_CELLS {
+    let mut sought = band.cheapest_walk(false, limit, &mut Part::new(watch, 0.3..0.7))?;
+    if let Some(walk) = sought.walk.take_if(|walk| !walk.is_simple()) {
         // The cheapest walk of all is no surface, but no surface is cheaper.
-        let lower_bound = Some(walk.price);
-        let first = match first {
-            Some(first) => Some(first),
-            None => search::first(chains, bound, &mut Part::silent(watch))?,
-        };
-        return Ok(first.map(|first| Found { triangles: first.triangles, lower_bound }));
+        let no_cheaper = sought.lower_bound.unwrap_or(walk.price);
+        sought.lower_bound = Some(no_cheaper);
+        let cells = 2 * (chains.len(0) * chains.len(1) * Count::ALL) as u64;
+        if cells <= MOST_COUNTING_CELLS && !chains.work.is_out() {
+            sought = band.cheapest_walk(true, limit, &mut Part::new(watch, 0.7..1.0))?;
+            sought.lower_bound = sought.lower_bound.map(|bound| bound.max(no_cheaper));
+        }
     }
-    let walk = band.cheapest_walk(true, bound, &mut Part::new(watch, 0.7..1.0))?;
-    Ok(walk.map(|walk| Found { triangles: band.triangles(&walk), lower_bound: None }))
+    let Sought { walk, lower_bound } = sought;
+    if let Some(walk) = walk {
+        return Ok(Some(Found { triangles: band.triangles(&walk), lower_bound }));
+    }
+    // Where nothing is left open, there is none.
+    if lower_bound.is_none() {
+        return Ok(None);
+    }
+    let first = match first {
+        Some(first) => Some(first),
+        None => search::first(chains, bound, &mut Part::silent(watch))?,
+    };
+    Ok(first.map(|first| Found { triangles: first.triangles, lower_bound }))
 }
 
 /// The cheapest triangulation of the ring between two chains up to `bound`, without the price of
-/// its cuts; `None` if there is none, or it is no surface.
+/// its cuts, or the best that was found before there was no work left; `None` if there is none, or it
+/// is no surface.
 pub(super) fn solve(
     chains: &Chains<'_>,
     bound: f64,
     watch: &mut dyn Watch,
 ) -> Result<Option<Solved>, TriangulateError> {
     let Some(band) = Band::new(chains, bound, watch)? else { return Ok(None) };
-    let walk = band.cheapest_walk(false, bound, watch)?;
-    Ok(walk
+    let sought = band.cheapest_walk(false, bound, watch)?;
+    Ok(sought
+        .walk
         .filter(BandWalk::is_simple)
         .map(|walk| Solved { price: walk.price, triangles: band.triangles(&walk) }))
 }
@@ -107,6 +121,17 @@ struct Band<'c, 'a> {
     joins: Vec<Join>,
     outer_pockets: Pockets,
     inner_pockets: Pockets,
+}
+
+/// The share of the work that sets of starts get; the rest is for closed walks where that was not enough.
+const SHARE_OF_SETS: f64 = 0.8;
+
+/// What a search for the cheapest closed walk has found.
+struct Sought {
+    /// The cheapest that is known.
+    walk: Option<BandWalk>,
+    /// What no closed walk is cheaper than, if one may be cheaper than that.
+    lower_bound: Option<f64>,
 }
 
 /// A set of starts waiting to be halved; the cheapest first.
@@ -219,21 +244,17 @@ impl<'c, 'a> Band<'c, 'a> {
         counting: bool,
         mut bound: f64,
         watch: &mut dyn Watch,
-    ) -> Result<Option<BandWalk>, TriangulateError> {
-        let sweep = |starts: &Starts, bound: f64, watch: &mut dyn Watch| {
-            if counting {
-                self.counting_sweep(starts, bound, watch)
-            } else {
-                self.sweep(starts, bound, watch)
-            }
-        };
+    ) -> Result<Sought, TriangulateError> {
+        let work = self.chains.work.part(SHARE_OF_SETS);
         let (m, k) = (self.m(), self.k());
         // A walk through the reference cut gives a first bound.
         let through_cut = Starts { outer: (0, 0), inner: (0, 0) };
         let mut open = BinaryHeap::new();
         let mut left = 1.0;
         let mut part = Part::new(watch, 0.0..0.3);
-        if let Some(walk) = sweep(&through_cut, bound, &mut part)? {
+        if let Some(walk) =
+            self.swept(&through_cut, counting, bound, self.chains.work, &mut part)?
+        {
             // From here on, only what is cheaper counts.
             bound = bound.min(walk.price - QUANTUM);
             open.push(Open { walk, starts: through_cut });
@@ -243,27 +264,97 @@ impl<'c, 'a> Band<'c, 'a> {
         } else {
             ((0, k - 1), (0, k - 1))
         };
-        let mut sets =
-            vec![Starts { outer: (0, 0), inner: first }, Starts { outer: (1, m - 1), inner: all }];
+        let mut sets = vec![
+            (Starts { outer: (0, 0), inner: first }, 0.0),
+            (Starts { outer: (1, m - 1), inner: all }, 0.0),
+        ];
         left *= 0.7;
+        // The least that a walk may cost from starts that were not sought.
+        let mut unsought = f64::INFINITY;
         loop {
-            for starts in sets.drain(..) {
+            for (starts, least) in sets.drain(..) {
                 // Nobody knows how often sets are halved: each sweep gets half of what is left.
                 let mut part = Part::new(watch, 1.0 - left..1.0 - 0.5 * left);
                 left *= 0.5;
-                if let Some(walk) = sweep(&starts, bound, &mut part)? {
+                if let Some(walk) = self.swept(&starts, counting, bound, work, &mut part)? {
                     if walk.closes() {
                         // From here on, only what is cheaper counts.
                         bound = bound.min(walk.price - QUANTUM);
                     }
                     open.push(Open { walk, starts });
+                } else if work.is_out() {
+                    unsought = unsought.min(least);
                 }
             }
-            let Some(Open { walk, starts }) = open.pop() else { return Ok(None) };
-            if walk.closes() {
-                return Ok(Some(walk));
+            if unsought < f64::INFINITY {
+                return self.given_up(open.into_sorted_vec(), unsought, counting, bound, watch);
             }
-            sets.extend(starts.halved(walk.start(), walk.end));
+            let Some(Open { walk, starts }) = open.pop() else {
+                return Ok(self.sought(None, f64::INFINITY));
+            };
+            if walk.closes() {
+                let price = walk.price;
+                return Ok(self.sought(Some(walk), price));
+            }
+            sets.extend(starts.halved(walk.start(), walk.end).map(|half| (half, walk.price)));
+        }
+    }
+
+    /// What was found when no walk is cheaper than `least`, as far as all pockets are worked out.
+    fn sought(&self, walk: Option<BandWalk>, least: f64) -> Sought {
+        let are_all = self.outer_pockets.are_all && self.inner_pockets.are_all;
+        let least = if are_all { least } else { 0.0 };
+        let is_least = least >= walk.as_ref().map_or(f64::INFINITY, |walk| walk.price);
+        Sought { walk, lower_bound: (!is_least).then_some(least) }
+    }
+
+    /// The best closed walk that is known when not all starts could be sought: `open` has the cheapest
+    /// paths from those that were, the cheapest last. From where they begin, a few closed walks more
+    /// are sought with what work is left.
+    fn given_up(
+        &self,
+        open: Vec<Open>,
+        unsought: f64,
+        counting: bool,
+        mut bound: f64,
+        watch: &mut dyn Watch,
+    ) -> Result<Sought, TriangulateError> {
+        let least = open.iter().map(|open| open.walk.price).fold(unsought, f64::min);
+        let (mut closed, paths): (Vec<Open>, Vec<Open>) =
+            open.into_iter().rev().partition(|open| open.walk.closes());
+        for (p, a) in paths.iter().flat_map(|path| [path.walk.start(), path.walk.end]) {
+            let starts = Starts { outer: (p, p), inner: (a, a) };
+            let part = &mut Part::silent(watch);
+            if let Some(walk) = self.swept(&starts, counting, bound, self.chains.work, part)? {
+                bound = bound.min(walk.price - QUANTUM);
+                closed.push(Open { walk, starts });
+            }
+        }
+        let key = |open: &Open| (!open.walk.is_simple(), open.walk.price);
+        let best = closed.into_iter().min_by(|a, b| {
+            let (a, b) = (key(a), key(b));
+            a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+        });
+        Ok(self.sought(best.map(|best| best.walk), least))
+    }
+
+    /// The cheapest path from one of the starts to the image of one of them, if there is work left to
+    /// find it.
+    fn swept(
+        &self,
+        starts: &Starts,
+        counting: bool,
+        bound: f64,
+        work: Work<'_>,
+        watch: &mut dyn Watch,
+    ) -> Result<Option<BandWalk>, TriangulateError> {
+        if work.is_out() {
+            return Ok(None);
+        }
+        if counting {
+            self.counting_sweep(starts, bound, work, watch)
+        } else {
+            self.sweep(starts, bound, work, watch)
         }
     }
 
@@ -272,6 +363,7 @@ impl<'c, 'a> Band<'c, 'a> {
         &self,
         starts: &Starts,
         bound: f64,
+        work: Work<'_>,
         watch: &mut dyn Watch,
     ) -> Result<Option<BandWalk>, TriangulateError> {
         let grid = Grid::new(starts, self.m(), self.k());
@@ -280,7 +372,11 @@ impl<'c, 'a> Band<'c, 'a> {
             if watch.stop() {
                 return Err(TriangulateError::Stopped);
             }
+            if work.is_out() {
+                return Ok(None);
+            }
             watch.progress(c as f64 / grid.columns as f64);
+            work.count(grid.rows as u64);
             for r in 0..grid.rows {
                 let (p, a) = grid.pair(c, r);
                 let price = self.join_price(p, a);
@@ -360,6 +456,7 @@ impl<'c, 'a> Band<'c, 'a> {
         if first >= grid.columns {
             return None;
         }
+        self.chains.work.count((grid.columns - first) as u64);
         let longest = q + m - grid.pair(first, 0).0;
         let jumps = &self.outer_pockets.ending_at(q)[m - longest..][..grid.columns - first];
         least_of(&row[first..], jumps, below, |at| {
@@ -373,6 +470,7 @@ impl<'c, 'a> Band<'c, 'a> {
         &self,
         starts: &Starts,
         bound: f64,
+        work: Work<'_>,
         watch: &mut dyn Watch,
     ) -> Result<Option<BandWalk>, TriangulateError> {
         let grid = Grid::new(starts, self.m(), self.k());
@@ -384,7 +482,11 @@ impl<'c, 'a> Band<'c, 'a> {
             if watch.stop() {
                 return Err(TriangulateError::Stopped);
             }
+            if work.is_out() {
+                return Ok(None);
+            }
             watch.progress(c as f64 / grid.columns as f64);
+            work.count(grid.rows as u64);
             for r in 0..grid.rows {
                 let (p, a) = grid.pair(c, r);
                 let price = self.join_price(p, a);
@@ -448,6 +550,7 @@ impl<'c, 'a> Band<'c, 'a> {
         match along {
             Along::Outer => {
                 let jumps = &self.outer_pockets.ending_at(p % m)[m - c..];
+                self.chains.work.count(c as u64);
                 least_of(&least.row(grid, r)[..c], jumps, below, |c| {
                     self.outer_fold(grid.pair(c, r).0, p, a)
                 })
@@ -455,6 +558,7 @@ impl<'c, 'a> Band<'c, 'a> {
             }
             Along::Inner => {
                 let first = r.saturating_sub(k - 1);
+                self.chains.work.count((r - first) as u64);
                 let jumps = &self.inner_pockets.ending_at(self.below(a))[k - (r - first)..];
                 least_of(&least.column(grid, c)[first..r], jumps, below, |at| {
                     self.inner_fold(p, grid.pair(c, first + at).1, a)
@@ -486,7 +590,7 @@ impl<'c, 'a> Band<'c, 'a> {
 }
 
 /// The joining rung that is allowed and shortest; of equals, the first.
-fn shortest_join(chains: &Chains<'_>) -> Option<(Spot, Spot)> {
+pub(super) fn shortest_join(chains: &Chains<'_>) -> Option<(Spot, Spot)> {
     let mut best: Option<(f64, (Spot, Spot))> = None;
     for p in (0..chains.len(0)).map(|at| Spot { chain: 0, at }) {
         for q in (0..chains.len(1)).map(|at| Spot { chain: 1, at }) {

@@ -24,6 +24,7 @@
 
 use super::super::{BARRED, EDGE, Solved, TriangulateError};
 use super::chains::Chains;
+use super::work::{SIDE, TRIANGLE};
 use crate::cost::QUANTUM;
 use crate::predicate::orientation;
 use crate::watch::Watch;
@@ -91,13 +92,14 @@ pub(super) struct Left {
     of_triangles: Vec<i64>,
     /// In half quanta.
     pub(super) bound: i64,
-    /// Triangles looked at so far.
-    pub(super) work: u64,
+    /// Triangles looked at in the last sweep.
+    pub(super) looked: u64,
 }
 
 impl Relaxation {
     /// The relaxation of a domain of which `best` is a triangulation; `None` if it has too many
-    /// triangles. `chain` is what is left when `best` is cut into one chain.
+    /// triangles, or more than there is work left for. `chain` is what is left when `best` is cut into
+    /// one chain.
     pub(super) fn new(
         chains: &Chains<'_>,
         chain: &[usize],
@@ -109,6 +111,7 @@ impl Relaxation {
         let mut number = vec![NONE; m * m];
         let mut later: Vec<Vec<usize>> = vec![Vec::new(); m];
         let mut found = Vec::new();
+        chains.work.count(SIDE * (m as u64).pow(2) / 2);
         for a in 0..m {
             for b in a + 1..m {
                 let is_edge = chains.terms.prices.neighbours(a, b);
@@ -138,9 +141,10 @@ impl Relaxation {
                 return Err(TriangulateError::Stopped);
             }
             for (n, &b) in later[a].iter().enumerate() {
-                if relaxation.corners.len() > MOST_TRIANGLES {
+                if relaxation.corners.len() > MOST_TRIANGLES || chains.work.is_out() {
                     return Ok(None);
                 }
+                let (others, before) = (later[a].len() - n, relaxation.corners.len());
                 for &c in &later[a][n + 1..] {
                     if number[b * m + c] == NONE {
                         continue;
@@ -162,6 +166,8 @@ impl Relaxation {
                         }
                     }
                 }
+                let new = relaxation.corners.len() - before;
+                chains.work.count(others as u64 + TRIANGLE * new as u64);
             }
         }
         relaxation.sides = found
@@ -214,7 +220,7 @@ impl Relaxation {
 
     /// Nothing moved or taken yet.
     pub(super) fn whole(&self) -> Left {
-        Left { of_triangles: self.prices.clone(), bound: 0, work: 0 }
+        Left { of_triangles: self.prices.clone(), bound: 0, looked: 0 }
     }
 
     /// Only the triangles that are not dropped.
@@ -264,7 +270,7 @@ impl Left {
     }
 
     fn least(&mut self, list: &[u32]) -> i64 {
-        self.work += list.len() as u64;
+        self.looked += list.len() as u64;
         list.iter().map(|&t| self.of_triangles[t as usize]).min().unwrap_or(DROPPED)
     }
 
@@ -289,6 +295,8 @@ impl Left {
     /// One sweep, and what is dropped after it; false if nothing below the limit is left. A rung
     /// moves `share` sixteenths of the difference.
     pub(super) fn sweep(&mut self, relaxation: &Relaxation, forwards: bool, share: i64) -> bool {
+        // All are looked at once more at the end.
+        self.looked = self.of_triangles.len() as u64;
         let moved = relaxation.order.len();
         for n in 0..moved {
             let inner = relaxation.order[if forwards { n } else { moved - 1 - n }];

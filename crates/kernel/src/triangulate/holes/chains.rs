@@ -10,6 +10,7 @@ use super::super::BARRED;
 use super::super::EDGE;
 use super::super::Side;
 use super::super::Terms;
+use super::work::{CUT, FOLD, SIDE, Work};
 use crate::boundary::SupportingPlane;
 use crate::math::{Point2, Vec3};
 use crate::predicate::{orientation, segments_touch};
@@ -35,6 +36,8 @@ pub(super) struct Chains<'a> {
     pub(super) cuts: Vec<[usize; 2]>,
     /// Pairs of spots on the only chain left that may not be joined, the lower place first.
     pub(super) barred: BTreeSet<[usize; 2]>,
+    /// What may be done for it.
+    pub(super) work: Work<'a>,
 }
 
 impl<'a> Chains<'a> {
@@ -42,6 +45,7 @@ impl<'a> Chains<'a> {
         terms: &'a Terms<'a>,
         plane: Option<&'a SupportingPlane>,
         loops: &[Range<usize>],
+        work: Work<'a>,
     ) -> Self {
         Self {
             terms,
@@ -49,7 +53,13 @@ impl<'a> Chains<'a> {
             chains: loops.iter().map(|of_loop| of_loop.clone().collect()).collect(),
             cuts: Vec::new(),
             barred: BTreeSet::new(),
+            work,
         }
+    }
+
+    /// The same with other work.
+    pub(super) fn within(&self, work: Work<'a>) -> Self {
+        Self { work, ..self.clone() }
     }
 
     pub(super) fn has_plane(&self) -> bool {
@@ -92,6 +102,7 @@ impl<'a> Chains<'a> {
 
     /// The side between two spots.
     pub(super) fn side(&self, p: Spot, q: Spot) -> Side {
+        self.work.count(SIDE);
         let (a, b) = (self.sample(p), self.sample(q));
         if self.consecutive(p, q) {
             return if self.is_cut(a, b) { self.bank(a, b) } else { EDGE };
@@ -117,6 +128,7 @@ impl<'a> Chains<'a> {
             return false;
         }
         let Some(points) = self.projected else { return true };
+        self.work.count(CUT * self.cuts.len() as u64);
         let leaves = |from: Spot, to: usize| {
             let own = points[self.sample(from)];
             let doubled = self.cuts.iter().any(|cut| cut.contains(&self.sample(from)));
@@ -155,6 +167,7 @@ impl<'a> Chains<'a> {
     /// The price of a triangle between samples, counter-clockwise, with the N of its sides.
     pub(super) fn fold(&self, corners: [usize; 3], means: [Vec3; 3]) -> f64 {
         if self.terms.prices.options().fold > 0.0 {
+            self.work.count(FOLD);
             self.terms.prices.triangle(corners, means)
         } else {
             0.0

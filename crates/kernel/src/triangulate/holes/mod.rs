@@ -9,6 +9,8 @@ mod polygon;
 mod prove;
 mod search;
 mod winding;
+mod work;
+mod zigzag;
 
 use super::Found;
 use super::Method;
@@ -21,6 +23,7 @@ use crate::boundary::SupportingPlane;
 use crate::watch::Watch;
 use chains::Chains;
 use std::ops::Range;
+pub(super) use work::{Tally, Work};
 
 /// Prices above which a bound prunes little on a ring, so that it isn't worth looking for one.
 const WORTH_A_BOUND: f64 = 4.0;
@@ -35,15 +38,22 @@ pub(super) fn memory_needed(lengths: &[usize]) -> u64 {
     chain.max(band).max(bound)
 }
 
-/// The cheapest triangles between the loops; `None` if there are none up to the price `bound`.
+/// The share of the work that is left which improving the first triangulation may take: a good answer
+/// comes before the proof that it is.
+const SHARE_OF_IMPROVING: f64 = 0.4;
+
+/// The cheapest triangles between the loops; `None` if there are none up to the price `bound`. Where the
+/// work that may be done ends before that is known, the best that were found, and what none is cheaper
+/// than.
 pub(super) fn solve(
     terms: &Terms<'_>,
     plane: Option<&SupportingPlane>,
     loops: &[Range<usize>],
     bound: f64,
+    work: Work<'_>,
     watch: &mut dyn Watch,
 ) -> Result<Option<Found>, TriangulateError> {
-    let chains = Chains::new(terms, plane, loops);
+    let chains = Chains::new(terms, plane, loops, work);
     let watch = &mut Part::new(watch, 0.0..1.0);
     if loops.len() == 2 {
         let worth = bound.min(WORTH_A_BOUND);
@@ -52,7 +62,12 @@ pub(super) fn solve(
     }
     let first = search::first(&chains, bound, &mut Part::new(watch, 0.0..0.1))?;
     let Some(first) = first else { return Ok(None) };
-    let best = search::improved(&chains, first, &mut Part::new(watch, 0.1..0.5))?;
+    if first.price == 0.0 {
+        // Prices are never negative: it lies flat, and no other is cheaper.
+        return Ok(Some(Found { triangles: first.triangles, lower_bound: None }));
+    }
+    let improving = chains.within(work.part(SHARE_OF_IMPROVING));
+    let best = search::improved(&improving, first, &mut Part::new(watch, 0.1..0.5))?;
     let (best, lower_bound) = prove::prove(&chains, best, &mut Part::new(watch, 0.5..1.0))?;
     Ok(Some(Found { triangles: best.triangles, lower_bound }))
 }
@@ -63,11 +78,12 @@ pub(super) fn good_price(
     terms: &Terms<'_>,
     loops: &[Range<usize>],
     bound: f64,
+    work: Work<'_>,
     watch: &mut dyn Watch,
 ) -> Result<f64, TriangulateError> {
-    let chains = Chains::new(terms, None, loops);
+    let chains = Chains::new(terms, None, loops, work);
     if loops.len() == 2 {
-        let found = solve(terms, None, loops, bound, watch)?;
+        let found = solve(terms, None, loops, bound, work, watch)?;
         return Ok(
             found.map_or(f64::INFINITY, |found| outcome(terms, found, Method::Optimal).price)
         );
@@ -80,8 +96,9 @@ pub(super) fn good_price(
 pub(super) fn guess(
     terms: &Terms<'_>,
     loops: &[Range<usize>],
+    work: Work<'_>,
     watch: &mut dyn Watch,
 ) -> Result<f64, TriangulateError> {
-    let first = search::first(&Chains::new(terms, None, loops), f64::INFINITY, watch)?;
+    let first = search::first(&Chains::new(terms, None, loops, work), f64::INFINITY, watch)?;
     Ok(first.map_or(f64::INFINITY, |first| first.price))
 }

@@ -60,6 +60,9 @@ pub(super) struct Pockets {
     by_end: Vec<f64>,
     /// The N of the side between two places, at s · n + q.
     means: Vec<Vec3>,
+    /// Whether all runs are worked out: else the long ones have no price, since there was no more
+    /// work to be done.
+    pub(super) are_all: bool,
 }
 
 impl Pockets {
@@ -69,7 +72,7 @@ impl Pockets {
         (n as u64) * (n as u64) * entry as u64
     }
 
-    /// The pockets of a walk up to the price `bound`. `closes(s, q)` says whether the rung between
+    /// The pockets of a walk up to the price `bound`, as far as there is work left to be done. `closes(s, q)` says whether the rung between
     /// two places may close off the run from the first on to the second.
     pub(super) fn new(
         chains: &Chains<'_>,
@@ -92,6 +95,7 @@ impl Pockets {
             by_start: vec![f64::INFINITY; n * n],
             by_end: vec![f64::INFINITY; n * n],
             means: sides.iter().map(|side| side.mean).collect(),
+            are_all: true,
         };
         for s in 0..n {
             pockets.set(s, 1, 0.0);
@@ -101,7 +105,12 @@ impl Pockets {
             if watch.stop() {
                 return Err(TriangulateError::Stopped);
             }
+            if chains.work.is_out() {
+                pockets.are_all = false;
+                break;
+            }
             watch.progress(length as f64 / n as f64);
+            chains.work.count(n as u64);
             for s in 0..n {
                 let q = (s + length) % n;
                 let Side { price, .. } = sides[s * n + q];
@@ -158,6 +167,7 @@ impl Pockets {
         let q = (s + length) % n;
         let first = &self.by_start[s * n + 1..][..length - 1];
         let second = &self.by_end[q * n + n - length + 1..][..length - 1];
+        chains.work.count(length as u64);
         least_of(first, second, below, |at| {
             let k = (s + at + 1) % n;
             self.fold(chains, walk, [s, k, q])

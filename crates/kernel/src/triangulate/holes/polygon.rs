@@ -1,19 +1,28 @@
 //! The cheapest triangulation of a domain whose cuts have joined all loops into one chain.
 
 use super::super::optimal;
-use super::super::{Solved, Terms, TriangulateError};
-use super::Part;
+use super::super::{Found, Method, Solved, Terms, TriangulateError};
 use super::chains::{Chains, Spot};
+use super::{Part, WORTH_A_BOUND, outcome};
 use crate::rung::Visibility;
 use crate::watch::Watch;
 use std::collections::BTreeMap;
+
+/// Steps for a sum of the table with folds, on a chain.
+const FOLDED_SUM: u64 = 10;
+/// A table that takes more than one part in so many of the work that is left is large.
+const LARGE: u64 = 4;
+
+/// Tables at the most for a surface that is to be found soon.
+const MOST_QUICK: usize = 4;
 
 /// The cheapest triangulation of the only chain that is a surface; `None` if there is none up to
 /// `bound`, or none after `most` tries.
 ///
 /// Without a plane, the cheapest of all may use a rung from both banks of a cut, which is no
 /// surface. Then there are two cases, with one of the two barred, and the cheapest case is tried
-/// first.
+/// first. Once there is no work left to be done, one of the two is barred wherever a rung is used
+/// from both banks, all at once: that finds a surface after a few tables, mostly.
 pub(super) fn solve_simple(
     chains: &Chains<'_>,
     bound: f64,
@@ -25,13 +34,14 @@ pub(super) fn solve_simple(
         cases.push((solved, chains.clone()));
     }
     for _ in 0..most {
+        if chains.work.is_out() {
+            break;
+        }
         let cheapest =
             (0..cases.len()).min_by(|&a, &b| cases[a].0.price.total_cmp(&cases[b].0.price));
         let Some((solved, case)) = cheapest.map(|n| cases.swap_remove(n)) else { break };
-        let Some(twice) = used_twice(&case, &solved.triangles) else {
-            let sample = |at: usize| case.sample(Spot { chain: 0, at });
-            let triangles = solved.triangles.iter().map(|t| t.map(sample)).collect();
-            return Ok(Some(Solved { triangles, ..solved }));
+        let Some(&twice) = used_twice(&case, &solved.triangles).first() else {
+            return Ok(Some(by_samples(&case, solved)));
         };
         for barred in twice {
             let mut case = case.clone();
@@ -41,11 +51,51 @@ pub(super) fn solve_simple(
             }
         }
     }
+    let cheapest = cases.into_iter().min_by(|a, b| a.0.price.total_cmp(&b.0.price));
+    match cheapest {
+        Some((solved, case)) if chains.work.is_out() => quickly(case, solved, bound, watch),
+        _ => Ok(None),
+    }
+}
+
+/// A surface that is found soon, from a triangulation that uses rungs from both banks of a cut.
+fn quickly(
+    mut case: Chains<'_>,
+    mut solved: Solved,
+    bound: f64,
+    watch: &mut dyn Watch,
+) -> Result<Option<Solved>, TriangulateError> {
+    for _ in 0..MOST_QUICK {
+        let twice = used_twice(&case, &solved.triangles);
+        if twice.is_empty() {
+            return Ok(Some(by_samples(&case, solved)));
+        }
+        // The shorter run along the chain keeps its rung.
+        let apart = |places: &[usize; 2]| {
+            let apart = places[1] - places[0];
+            apart.min(case.len(0) - apart)
+        };
+        let barred =
+            twice.iter().map(|&[one, other]| if apart(&one) > apart(&other) { one } else { other });
+        let barred: Vec<[usize; 2]> = barred.collect();
+        case.barred.extend(barred);
+        let Some(next) = solve(&case, bound, watch)? else { return Ok(None) };
+        solved = next;
+    }
     Ok(None)
 }
 
-/// Two rungs between different places that join the same samples, if some do.
-fn used_twice(chains: &Chains<'_>, places: &[[usize; 3]]) -> Option<[[usize; 2]; 2]> {
+/// Triangles between samples, from triangles between places on the chain.
+fn by_samples(chains: &Chains<'_>, solved: Solved) -> Solved {
+    let sample = |at: usize| chains.sample(Spot { chain: 0, at });
+    let triangles = solved.triangles.iter().map(|t| t.map(sample)).collect();
+    Solved { triangles, ..solved }
+}
+
+/// Pairs of rungs between different places that join the same samples, in the order in which the
+/// triangles come upon them.
+fn used_twice(chains: &Chains<'_>, places: &[[usize; 3]]) -> Vec<[[usize; 2]; 2]> {
+    let mut twice = Vec::new();
     let mut of_samples: BTreeMap<[usize; 2], [usize; 2]> = BTreeMap::new();
     for &[a, b, c] in places {
         for (p, q) in [(a, b), (b, c), (c, a)] {
@@ -57,11 +107,11 @@ fn used_twice(chains: &Chains<'_>, places: &[[usize; 3]]) -> Option<[[usize; 2];
             let own = [p.min(q), p.max(q)];
             let first = *of_samples.entry([s.min(t), s.max(t)]).or_insert(own);
             if first != own {
-                return Some([first, own]);
+                twice.push([first, own]);
             }
         }
     }
-    None
+    twice
 }
 
 /// The triangles of the cheapest triangulation of the only chain, as places on it, and its price
@@ -85,15 +135,53 @@ fn solve(
     let prices = chains.terms.prices.chain(&order, |a, b| chains.is_cut(a, b));
     let visibility = Visibility::of_pairs(n, |i, j| chains.sees(spot(i), spot(j)));
     let terms = Terms::new(&prices, &visibility, chains.terms.forced);
-    let found = if bound < f64::INFINITY {
-        optimal::solve_within(&terms, bound - of_cuts, &mut Part::silent(watch))?
-    } else {
-        optimal::solve_priced(&terms, watch)?
-    };
+    let found = solve_on_chain(chains, &terms, &order, bound - of_cuts, watch)?;
     Ok(found.map(|Solved { price, mut triangles }| {
         for triangle in &mut triangles {
             *triangle = triangle.map(|i| spot(i).at);
         }
         Solved { price: price + of_cuts, triangles }
     }))
+}
+
+/// The triangles of the cheapest triangulation of a chain of these samples, numbered in order, and its
+/// price; `None` if there is none up to `bound`.
+///
+/// Members of a chain have no numbers in order, for which the table with folds takes about ten times
+/// as long. Where that is a large part of the work, the chain is taken for a loop in order first, which
+/// leaves out the folds at its cuts. What comes out is a bound for the table, or, where no bound leaves
+/// little to look at, the answer: good, and not the cheapest.
+fn solve_on_chain(
+    chains: &Chains<'_>,
+    terms: &Terms<'_>,
+    order: &[usize],
+    mut bound: f64,
+    watch: &mut dyn Watch,
+) -> Result<Option<Solved>, TriangulateError> {
+    let sums = (order.len() as u64).pow(3) / 6;
+    let all = if terms.folds() { FOLDED_SUM * sums } else { sums };
+    if terms.folds() && all > chains.work.left() / LARGE {
+        chains.work.count(sums);
+        let in_order = chains.terms.prices.chain_in_order(order);
+        let in_order = Terms::new(&in_order, terms.visibility, terms.forced);
+        let Some(rough) = optimal::solve_priced(&in_order, &mut Part::silent(watch))? else {
+            return Ok(None);
+        };
+        let found = Found { triangles: rough.triangles.clone(), lower_bound: None };
+        let price = outcome(terms, found, Method::Optimal).price;
+        if price > bound {
+            return Ok(None);
+        }
+        if price >= WORTH_A_BOUND {
+            return Ok(Some(Solved { price, ..rough }));
+        }
+        bound = price;
+    }
+    // Far from developable the table takes all sums; below a low bound, few are left.
+    chains.work.count(if bound < WORTH_A_BOUND { sums } else { all });
+    if bound < f64::INFINITY {
+        optimal::solve_within(terms, bound, &mut Part::silent(watch))
+    } else {
+        optimal::solve_priced(terms, watch)
+    }
 }

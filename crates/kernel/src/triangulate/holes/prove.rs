@@ -6,20 +6,23 @@
 //! beginning at an edge of the boundary, the side that waits for a triangle and has the fewest to
 //! choose from gets one after the other, and the bound is raised anew. A surface that grows to the
 //! end this way is cheaper than the best, and is checked to be one: without a plane, the relaxation
-//! also admits holes that are closed by a lid of their own, and the like. The search ends after a
-//! stated amount of work; then the lowest bound of what was not searched is the lower bound.
+//! also admits holes that are closed by a lid of their own, and the like. The search ends when there is
+//! no work left to be done; then the lowest bound of what was not searched is the lower bound.
 
 use super::super::{Solved, TriangulateError};
 use super::Part;
 use super::bound::{Left, Relaxation, price_of, units};
 use super::chains::Chains;
 use super::search::{Sides, one_chain};
+use super::work::LOOK;
 use crate::cost::EXACT_BELOW;
 use crate::watch::Watch;
 use std::collections::BTreeSet;
 
-/// Triangles that are looked at, at the most, before the search is given up: some ten seconds.
-const MOST_WORK: u64 = 1_000_000_000;
+/// The share of the work that is left which sweeps may take before the search begins.
+const SHARE_OF_SWEEPS: f64 = 0.5;
+/// Steps for each step of the search, beside the triangles that it looks at.
+const OF_STEP: u64 = 1000;
 /// Sweeps at the most before the search begins, and at each of its steps.
 const FIRST_SWEEPS: usize = 400;
 const SWEEPS: usize = 12;
@@ -64,10 +67,12 @@ pub(super) fn prove(
     if !chains.has_plane() && chains.terms.prices.options().fold > 0.0 {
         left.take((relaxation.limit / FOR_COUNT).min(i64::MAX / 4 / wanted as i64), wanted);
     }
-    let mut any = raise(chains, &relaxation, &mut left, FIRST_SWEEPS, watch)?;
+    let sweeping = &chains.within(chains.work.part(SHARE_OF_SWEEPS));
+    let mut any = raise(sweeping, &relaxation, &mut left, FIRST_SWEEPS, watch)?;
     if any && !left.is_bound() {
         left = relaxation.whole();
-        any = raise(chains, &relaxation, &mut left, FIRST_SWEEPS, watch)?;
+        let sweeping = &chains.within(chains.work.part(SHARE_OF_SWEEPS));
+        any = raise(sweeping, &relaxation, &mut left, FIRST_SWEEPS, watch)?;
     }
     if !any {
         return Ok((best, None));
@@ -76,15 +81,8 @@ pub(super) fn prove(
         return Ok((best, Some(price_of(left.bound).max(0.0))));
     }
     let (relaxation, left) = relaxation.without_dropped(&left);
-    let mut search = Search {
-        chains,
-        limit: relaxation.limit,
-        relaxation,
-        best,
-        work: left.work,
-        open_bound: None,
-        wanted,
-    };
+    let mut search =
+        Search { chains, limit: relaxation.limit, relaxation, best, open_bound: None, wanted };
     search.grow(left, Grown::default(), watch)?;
     let lower_bound = search.open_bound.map(price_of);
     Ok((search.best, lower_bound))
@@ -113,7 +111,9 @@ fn raise(
             false if sweep < HALVING => SHARE_FIRST,
             false => SHARE_OPEN,
         };
-        if !left.sweep(relaxation, sweep % 2 == 0, share) {
+        let any = left.sweep(relaxation, sweep % 2 == 0, share);
+        chains.work.count(LOOK * left.looked);
+        if !any {
             return Ok(false);
         }
         let gap = relaxation.limit - left.bound;
@@ -122,7 +122,7 @@ fn raise(
         } else {
             0
         };
-        if stalled >= ENOUGH_STALLED || left.work > MOST_WORK / 2 {
+        if stalled >= ENOUGH_STALLED || chains.work.is_out() {
             break;
         }
     }
@@ -142,7 +142,6 @@ struct Search<'c, 'a> {
     relaxation: Relaxation,
     best: Solved,
     limit: i64,
-    work: u64,
     /// The lowest bound of what was not searched, in half quanta.
     open_bound: Option<i64>,
     /// How many triangles a triangulation has.
@@ -166,6 +165,7 @@ impl Search<'_, '_> {
             let [.., last] = candidates[..] else { return Ok(()) };
             for &triangle in &candidates[..candidates.len() - 1] {
                 let (mut left, mut grown) = (left.clone(), grown.clone());
+                self.chains.work.count(self.relaxation.corners.len() as u64);
                 if self.take(&mut left, &mut grown, triangle) {
                     self.grow(left, grown, watch)?;
                 }
@@ -194,18 +194,18 @@ impl Search<'_, '_> {
         watch: &mut dyn Watch,
     ) -> Result<Option<Vec<u32>>, TriangulateError> {
         self.relaxation.limit = self.limit;
+        watch.progress(self.chains.work.share());
         if grown.waiting.is_empty() && !grown.triangles.is_empty() {
             self.finish(grown);
             return Ok(None);
         }
-        if self.work > MOST_WORK {
+        if self.chains.work.is_out() {
             self.open_bound = Some(self.open_bound.map_or(left.bound, |b| b.min(left.bound)));
             return Ok(None);
         }
-        left.work = 0;
         let part = &mut Part::silent(watch);
         let any = raise(self.chains, &self.relaxation, left, SWEEPS, part)?;
-        self.work += left.work + 1000;
+        self.chains.work.count(OF_STEP);
         if !any {
             return Ok(None);
         }

@@ -8,7 +8,7 @@
 
 use super::super::{Solved, TriangulateError};
 use super::chains::{Chains, Spot};
-use super::{Part, band, polygon};
+use super::{Part, band, polygon, zigzag};
 use crate::watch::Watch;
 use std::collections::BTreeMap;
 
@@ -84,7 +84,8 @@ impl Sides {
     }
 }
 
-/// The best triangulation that the replacement of cuts finds, beginning with `best`.
+/// The best triangulation that the replacement of cuts finds, beginning with `best`, as far as there is
+/// work left to be done.
 pub(super) fn improved(
     chains: &Chains<'_>,
     mut best: Solved,
@@ -99,7 +100,7 @@ pub(super) fn improved(
             better |= improve(chains, &mut best, kind, &mut part)?;
             left *= 0.8;
         }
-        if !better {
+        if !better || chains.work.is_out() {
             break;
         }
     }
@@ -129,10 +130,15 @@ pub(super) fn first(
     watch: &mut dyn Watch,
 ) -> Result<Option<Solved>, TriangulateError> {
     let mut cut = chains.clone();
+    let mut ring = None;
     while cut.chains.len() > 1 {
+        if cut.chains.len() == 2 {
+            ring = Some(cut.clone());
+        }
         let mut shortest: Option<(f64, Spot, Spot)> = None;
         for (chain, list) in cut.chains.iter().enumerate().skip(1) {
             for q in (0..list.len()).map(|at| Spot { chain, at }) {
+                cut.work.count(cut.len(0) as u64);
                 for p in (0..cut.len(0)).map(|at| Spot { chain: 0, at }) {
                     let length = cut.terms.prices.length(cut.sample(p), cut.sample(q));
                     if shortest.is_none_or(|(least, ..)| length < least)
@@ -146,7 +152,20 @@ pub(super) fn first(
         let Some((_, p, q)) = shortest else { return Ok(None) };
         cut = cut.with_cut(p, q);
     }
-    polygon::solve_simple(&cut, bound, MOST_CASES, watch)
+    let found = polygon::solve_simple(&cut, bound, MOST_CASES, watch)?;
+    if found.is_some() || chains.has_plane() || bound < f64::INFINITY {
+        return Ok(found);
+    }
+    // Something had better be found.
+    let found = ring.and_then(|ring| {
+        let solved = zigzag::zigzag(&ring)?;
+        Some(Solved { price: solved.price + ring.price_of_cuts(), ..solved })
+    });
+    let is_surface = |found: &Solved| {
+        let sides = Sides::new(chains, &found.triangles);
+        sides.is_some_and(|sides| sides.fans_are_whole(&found.triangles))
+    };
+    Ok(found.filter(is_surface))
 }
 
 /// Replaces the cuts of one choice, one after the other; whether that made it cheaper.
@@ -159,7 +178,10 @@ fn improve(
     let mut better = false;
     let holes = chains.chains.len() - 1;
     for left_out in 0..holes {
-        watch.progress(left_out as f64 / holes as f64);
+        if chains.work.is_out() {
+            break;
+        }
+        watch.progress((left_out as f64 / holes as f64).max(chains.work.share()));
         let Some(sides) = Sides::new(chains, &best.triangles) else { return Ok(better) };
         let mut cuts = tree(chains, &sides, prefer);
         if left_out >= cuts.len() {
