@@ -1,11 +1,14 @@
 //! The window: bars, panes and pages around the [`Editor`], the same on the desktop and in a browser.
 
+mod files;
+mod kept;
+
 use crate::bars;
 use crate::command::Command;
-use crate::document::Document;
-use crate::editor::{Editor, Page, Zoom};
+use crate::document::Draft;
+use crate::editor::{Coming, Editor, Next, Page, Source, Zoom};
 use crate::engine::Wake;
-use crate::io::{Dialogs, FileAnswer, SystemDialogs};
+use crate::io::{Dialogs, SystemDialogs};
 use crate::layout::{Panes, bar_frame};
 use crate::pages::calibrate::CalibratePage;
 use crate::pages::export::ExportPage;
@@ -13,17 +16,19 @@ use crate::pages::keys::keys_ui;
 use crate::pages::palette::Palette;
 use crate::pages::start::{Offers, StartAct, StartPage};
 use crate::pages::tour::Tour;
+use crate::pages::typed::TypedPath;
+use crate::pages::unsaved::unsaved_ui;
 use crate::pages::vary::{VaryAct, VaryPage};
 use crate::panes::plan::PlanPane;
 use crate::panes::space::SpacePane;
-use crate::panes::space::navigation::Navigation;
 use crate::room::Room;
 use crate::scene::Act;
-use crate::store::{Autosave, Recovered, Store};
+use crate::store::Store;
 use crate::theme::{Look, Theme};
-use eframe::egui::{self, Panel, SurrenderFocusOn, Ui};
+use eframe::egui::{self, Event, Panel, SurrenderFocusOn, Ui, ViewportCommand};
+use kept::Kept;
 use std::sync::Arc;
-use web_time::{Duration, Instant};
+use web_time::Duration;
 
 /// The window.
 pub struct App {
@@ -38,28 +43,14 @@ pub struct App {
     tour: Tour,
     /// Whether somebody was typing when the last frame ended.
     was_typing: bool,
-    recent: Vec<String>,
-    /// Where work and settings are kept, if there is such a place.
-    store: Option<Store>,
-    autosave: Option<Autosave>,
-    /// The version of the document that needs no keeping, as autosave was told last.
-    settled: Option<u64>,
-    recovered: Vec<Recovered>,
-    /// What has come back, until it is kept in the slot of this window: then its own is emptied.
-    came_back: Vec<Recovered>,
-    /// The settings as they are kept.
-    kept: (Look, Navigation),
+    /// A path that is typed, where the system has no dialog.
+    typed: Option<TypedPath>,
+    kept: Kept,
     dressed: Option<(Look, bool)>,
 }
 
 /// While something is under way, the window looks again this often.
 const LOOK_AGAIN: Duration = Duration::from_millis(50);
-/// Recent files that are offered.
-const RECENT: usize = 8;
-/// What settings are kept under.
-const RECENT_FILES: &str = "recent-files";
-const LOOK: &str = "look";
-const MOUSE: &str = "mouse";
 
 impl App {
     /// The window with the dialogs of the system.
@@ -74,27 +65,8 @@ impl App {
     }
 
     /// Work and settings are kept in a store from now on, and what it holds comes back.
-    pub fn keep_in(&mut self, mut store: Store) {
-        self.recovered = store.load_all();
-        self.recent = store
-            .get(RECENT_FILES)
-            .map_or(Vec::new(), |text| text.lines().map(str::to_owned).take(RECENT).collect());
-        let named = |look: &Look| store.get(LOOK).is_some_and(|name| name == look.name());
-        if let Some(look) = Look::ALL.into_iter().find(named) {
-            self.editor.look = look;
-        }
-        let named = |habit: &Navigation| store.get(MOUSE).is_some_and(|name| name == habit.name());
-        if let Some(habit) = Navigation::ALL.into_iter().find(named) {
-            self.editor.navigation = habit;
-        }
-        self.kept = (self.editor.look, self.editor.navigation);
-        if let Some(warning) = store.warning() {
-            self.editor.done(warning.to_owned());
-        }
-        let version = self.editor.history().version();
-        self.autosave = Some(Autosave::new(store.clone(), version));
-        self.settled = Some(version);
-        self.store = Some(store);
+    pub fn keep_in(&mut self, store: Store) {
+        self.kept.begin(store, &mut self.editor);
     }
 
     /// The window with other dialogs, which keeps nothing by itself.
@@ -117,13 +89,8 @@ impl App {
             palette: Palette::default(),
             tour: Tour::default(),
             was_typing: false,
-            recent: Vec::new(),
-            store: None,
-            autosave: None,
-            settled: None,
-            recovered: Vec::new(),
-            came_back: Vec::new(),
-            kept: (Look::default(), Navigation::default()),
+            typed: None,
+            kept: Kept::default(),
             dressed: None,
         }
     }
@@ -147,92 +114,6 @@ impl App {
     /// From where space is looked at: likewise.
     pub fn space(&self) -> &SpacePane {
         &self.panes.space
-    }
-
-    /// Opens a file by its path.
-    pub fn open_path(&mut self, path: &str) {
-        match self.dialogs.read(path) {
-            Ok(opened) => {
-                if self.editor.open(&opened) {
-                    self.remember(path);
-                }
-            }
-            Err(text) => self.editor.failed(text),
-        }
-    }
-
-    fn remember(&mut self, path: &str) {
-        // Nobody can open it again by its name alone.
-        if cfg!(target_arch = "wasm32") {
-            return;
-        }
-        self.recent.retain(|other| other != path);
-        self.recent.insert(0, path.to_owned());
-        self.recent.truncate(RECENT);
-        let text = self.recent.join("\n");
-        self.set(RECENT_FILES, &text);
-    }
-
-    /// Keeps a setting; that it can't be kept is no reason to stop anybody.
-    fn set(&mut self, name: &str, text: &str) {
-        if let Some(store) = &mut self.store {
-            let _ = store.set(name, text);
-        }
-    }
-
-    fn keep_settings(&mut self) {
-        let now = (self.editor.look, self.editor.navigation);
-        if self.kept != now {
-            self.kept = now;
-            self.set(LOOK, now.0.name());
-            self.set(MOUSE, now.1.name());
-        }
-    }
-
-    /// Keeps what is not in a file yet.
-    fn save_by_itself(&mut self, ctx: &egui::Context) {
-        let Some(autosave) = &mut self.autosave else { return };
-        let version = self.editor.history().version();
-        if !self.editor.is_unsaved() && self.settled != Some(version) {
-            autosave.settled(version);
-            self.settled = Some(version);
-        }
-        let document = || {
-            let document = self.editor.document().clone();
-            Box::new(move || document.bytes()) as crate::store::Job
-        };
-        if let Some(after) = autosave.frame(version, Instant::now(), document) {
-            ctx.request_repaint_after(after);
-        }
-        if let Some(problem) = autosave.problem() {
-            self.editor.failed(format!("Work is not kept by itself: {problem}"));
-        } else if autosave.has_kept(version) {
-            for found in std::mem::take(&mut self.came_back) {
-                self.forget(&found);
-            }
-        }
-    }
-
-    /// What a window left behind comes back.
-    fn recover(&mut self, n: usize) {
-        let found = self.recovered.remove(n);
-        match Document::read("recovered.sheet.json", &found.bytes) {
-            Ok(document) => {
-                self.editor.replace(document, None);
-                self.editor.mark_unsaved();
-                self.settled = None;
-                self.came_back.push(found);
-            }
-            Err(text) => self.editor.failed(text),
-        }
-    }
-
-    fn forget(&mut self, found: &Recovered) {
-        if let Some(store) = &mut self.store
-            && let Err(error) = store.remove(&found.slot)
-        {
-            self.editor.failed(error.to_string());
-        }
     }
 
     fn dress(&mut self, ctx: &egui::Context) -> &'static Theme {
@@ -274,43 +155,58 @@ impl App {
         }
     }
 
-    fn take_file_answers(&mut self) {
-        for answer in self.dialogs.answers() {
-            match answer {
-                FileAnswer::Opened(opened) => {
-                    if self.editor.open(&opened) {
-                        self.remember(&opened.path);
-                    }
-                }
-                FileAnswer::Picture(opened) => self.editor.trace(opened),
-                FileAnswer::Saved { path, version } => {
-                    self.remember(&path);
-                    self.editor.saved(path, version);
-                }
-                FileAnswer::Exported { count, folder } => {
-                    self.editor.done(format!("{count} files are in {folder}."));
-                }
-                FileAnswer::Failed(text) => self.editor.failed(text),
+    fn start_ui(&mut self, ui: &mut Ui, theme: &'static Theme, acts: &mut Vec<Act>) {
+        let offers = Offers {
+            recent: self.kept.recent(),
+            recovered: &self.kept.recovered_in_words(),
+            closed: &self.kept.closed_in_words(),
+            back_to: (!self.editor.document().is_blank()).then(|| self.editor.title()),
+            notice: self.editor.notice.as_ref(),
+        };
+        match self.start.ui(ui, theme, &offers, acts) {
+            Some(StartAct::Take { document, is_safe }) => {
+                let draft = Draft { document: *document, file: None };
+                let coming = Coming { draft, is_safe, source: Source::Shape };
+                self.editor.leave_for(Next::Document(Box::new(coming)));
             }
+            Some(StartAct::Recent(path)) => self.open_path(&path),
+            Some(StartAct::Recover(n)) => self.kept.recover(n, &mut self.editor),
+            Some(StartAct::Forget(n)) => self.kept.forget(n, &mut self.editor),
+            Some(StartAct::Reopen(n)) => self.kept.reopen(n, &mut self.editor),
+            Some(StartAct::Back) => self.editor.page = Page::Panes,
+            None => {}
         }
     }
 
-    fn start_ui(&mut self, ui: &mut Ui, theme: &'static Theme, acts: &mut Vec<Act>) {
-        let recovered: Vec<String> = self.recovered.iter().map(in_words).collect();
-        let notice = self.editor.notice.as_ref();
-        let offers = Offers { recent: &self.recent, recovered: &recovered, notice };
-        match self.start.ui(ui, theme, &offers, acts) {
-            Some(StartAct::Take(document)) => {
-                self.editor.replace(*document, None);
-                self.editor.mark_unsaved();
+    /// Questions that stand above everything else, which gets no keys meanwhile.
+    fn questions_ui(&mut self, ctx: &egui::Context, theme: &'static Theme) {
+        if self.typed.is_some() {
+            self.typed_ui(ctx, theme);
+        } else if self.editor.asks().is_some() {
+            if let Some(decision) = unsaved_ui(ctx, &self.editor, theme) {
+                self.editor.decide(decision);
             }
-            Some(StartAct::Recent(path)) => self.open_path(&path),
-            Some(StartAct::Recover(n)) => self.recover(n),
-            Some(StartAct::Forget(n)) => {
-                let found = self.recovered.remove(n);
-                self.forget(&found);
-            }
-            None => {}
+        } else {
+            return;
+        }
+        let is_key = |event: &Event| matches!(event, Event::Key { .. } | Event::Text(_));
+        ctx.input_mut(|i| i.events.retain(|event| !is_key(event)));
+    }
+
+    /// The window closes when nothing is lost by it, or when the person has decided so.
+    fn close(&self, ctx: &egui::Context) {
+        if self.editor.closes() {
+            ctx.send_viewport_cmd(ViewportCommand::Close);
+        }
+    }
+
+    fn ask_before_closing(&mut self, ctx: &egui::Context) {
+        if self.editor.closes() || !ctx.input(|i| i.viewport().close_requested()) {
+            return;
+        }
+        self.editor.leave_for(Next::Close);
+        if !self.editor.closes() {
+            ctx.send_viewport_cmd(ViewportCommand::CancelClose);
         }
     }
 
@@ -398,20 +294,6 @@ fn reaches(command: Command, page: Page) -> bool {
     }
 }
 
-/// `hood, 3 minutes ago`.
-fn in_words(found: &Recovered) -> String {
-    let name = Document::read("recovered.sheet.json", &found.bytes)
-        .map_or_else(|_| "A design that can't be read".to_owned(), |found| found.design.name);
-    let Some(age) = found.age else { return name };
-    let (count, unit) = match age.as_secs() {
-        seconds @ 0..60 => (seconds, "second"),
-        seconds @ 60..3600 => (seconds / 60, "minute"),
-        seconds @ 3600..86_400 => (seconds / 3600, "hour"),
-        seconds => (seconds / 86_400, "day"),
-    };
-    format!("{name}, {count} {unit}{} ago", if count == 1 { "" } else { "s" })
-}
-
 fn waker(ctx: &egui::Context) -> Wake {
     let ctx = ctx.clone();
     Arc::new(move || ctx.request_repaint())
@@ -423,8 +305,11 @@ impl eframe::App for App {
         let theme = self.dress(&ctx);
         let mut acts = Vec::new();
         self.take_file_answers();
+        self.take_dropped_files(&ctx);
         self.editor.tick();
         self.editor.room = Room::of(ctx.content_rect().size());
+        self.ask_before_closing(&ctx);
+        self.questions_ui(&ctx, theme);
         self.keys(&ctx, &mut acts);
         let bar = bar_frame(theme);
         if self.editor.page == Page::Start {
@@ -452,11 +337,15 @@ impl eframe::App for App {
             self.editor.calibrate(places);
         }
         self.was_typing = ctx.text_edit_focused();
+        files::hover_ui(&ctx, theme);
         self.grant(&ctx);
-        self.keep_settings();
-        self.save_by_itself(&ctx);
+        self.kept.frame(&ctx, &mut self.editor);
+        self.close(&ctx);
         if !self.editor.is_settled() {
             ctx.request_repaint_after(LOOK_AGAIN);
+        }
+        if let Some(left) = self.editor.notice_ends_in() {
+            ctx.request_repaint_after(left);
         }
     }
 }

@@ -187,14 +187,11 @@ pub(crate) fn bottom_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut 
     });
 }
 
-/// Which file it is, and whether the file has it all; its whole path is under the pointer.
+/// Which file it is, or which design, and whether a file has it all; its whole path is under the pointer.
 fn saved_ui(ui: &mut Ui, editor: &Editor, theme: &Theme) {
-    let name = editor.file().map(|file| file.rsplit(['/', '\\']).next().unwrap_or(file));
-    let text = match (name, editor.is_unsaved()) {
-        (Some(name), false) => name.to_owned(),
-        (Some(name), true) => format!("{name} · not saved yet"),
-        (None, _) => editor.document().design.name.clone(),
-    };
+    let title = editor.title();
+    let text =
+        if editor.is_in_no_file() { format!("{title} · not saved yet") } else { title.to_owned() };
     let most = (ui.available_width() / 3.0).max(0.0);
     let said = ui.scope(|ui| {
         ui.set_max_width(most);
@@ -207,7 +204,11 @@ fn saved_ui(ui: &mut Ui, editor: &Editor, theme: &Theme) {
 
 /// What was last said to the person, in a line or as many as it takes.
 pub(crate) fn notice_ui(ui: &mut Ui, theme: &Theme, notice: &Notice, wraps: bool) {
-    let ink = if notice.is_refusal { theme.verdicts[2] } else { theme.ink };
+    let ink = match notice {
+        Notice { is_refusal: true, .. } => theme.verdicts[2],
+        Notice { is_passing: true, .. } => theme.faint,
+        _ => theme.ink,
+    };
     said_ui(ui, &notice.text, ink, wraps);
 }
 

@@ -4,11 +4,16 @@
 mod commands;
 mod files;
 mod jobs;
+mod leave;
+mod notice;
 
-pub use files::{FileWish, Opened};
+pub use files::{Dropped, FileWish, Opened};
+pub(crate) use files::{PICTURES, name_of};
 pub use jobs::Work;
+pub use leave::{Coming, Decision, Next, Source};
+pub use notice::Notice;
 
-use crate::document::{Document, FARTHEST_MM, History, edit};
+use crate::document::{Document, Draft, FARTHEST_MM, History, edit};
 use crate::engine::shown::ShownPanel;
 use crate::engine::{Engine, Refusal, Varied, Wake};
 use crate::panes::SurfaceView;
@@ -19,6 +24,7 @@ use crate::scene::{Act, Edit, Scene, Selection};
 use crate::theme::{Look, Theme};
 use jobs::Jobs;
 use sheetwright::math::Point2;
+use web_time::Instant;
 
 /// Everything but the window.
 pub struct Editor {
@@ -49,6 +55,8 @@ pub struct Editor {
     pub wants_zoom: Option<Zoom>,
     /// What was last said to the person.
     pub notice: Option<Notice>,
+    /// When it was said, where it is said for a moment only, and of which version of the document.
+    said: Option<(Instant, u64)>,
     /// What the app has to ask the system for.
     pub wishes: Vec<FileWish>,
     shown: Vec<ShownPanel>,
@@ -61,6 +69,16 @@ pub struct Editor {
     /// The name of the file, and the version of the document that it holds.
     file: Option<String>,
     saved_version: u64,
+    /// The version that this document began with.
+    first_version: u64,
+    /// What takes its place once the person has decided what becomes of work that no file has.
+    next: Option<Next>,
+    /// What was dropped on the way, until somebody keeps it.
+    dropped: Vec<Draft>,
+    /// Where documents have come from, until somebody asks.
+    sources: Vec<Source>,
+    /// Whether the window is to close.
+    closes: bool,
 }
 
 /// What is open over the panes.
@@ -96,15 +114,6 @@ pub enum Zoom {
     Normal,
 }
 
-/// Something said to the person, in a line.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Notice {
-    /// What.
-    pub text: String,
-    /// Whether it is why something can't be done.
-    pub is_refusal: bool,
-}
-
 impl Editor {
     /// An editor with an empty document. `wake` is called when there is an answer of the engine.
     pub fn new(wake: Wake) -> Self {
@@ -123,6 +132,7 @@ impl Editor {
             wants_sight: None,
             wants_zoom: None,
             notice: None,
+            said: None,
             wishes: Vec::new(),
             shown: Vec::new(),
             shown_version: 0,
@@ -131,6 +141,11 @@ impl Editor {
             calibrated: None,
             file: None,
             saved_version: 0,
+            first_version: 0,
+            next: None,
+            dropped: Vec::new(),
+            sources: Vec::new(),
+            closes: false,
         }
     }
 
@@ -164,9 +179,19 @@ impl Editor {
         self.file.as_deref()
     }
 
-    /// Whether the file lacks something.
+    /// What people know the document by: its file's name without folders, or its own.
+    pub fn title(&self) -> &str {
+        self.file().map_or(self.document().design.name.as_str(), name_of)
+    }
+
+    /// Whether there is something that the file lacks, or that was typed or drawn without one.
     pub fn is_unsaved(&self) -> bool {
         self.saved_version != self.history.version()
+    }
+
+    /// Whether there is something that no file has: also a shape as it was offered.
+    pub fn is_in_no_file(&self) -> bool {
+        self.is_unsaved() || self.file.is_none() && !self.document().is_blank()
     }
 
     /// What is being worked at.
@@ -200,6 +225,7 @@ impl Editor {
     /// every frame.
     pub fn tick(&mut self) {
         self.take_answers();
+        self.end_notice();
         let is_dragging = self.history.is_dragging();
         self.jobs.show(self.history.now(), self.history.version(), is_dragging);
     }
@@ -231,11 +257,13 @@ impl Editor {
         }
     }
 
-    /// Another document takes the place of this one; undo does not bring the other back.
+    /// Another document takes the place of this one, unasked ([`Self::leave_for`] asks); undo does not
+    /// bring the other back.
     pub fn replace(&mut self, document: Document, file: Option<String>) {
         self.jobs.forget();
         self.history = History::starting_at(document, self.history.version() + 1);
         self.saved_version = self.history.version();
+        self.first_version = self.saved_version;
         self.file = file;
         self.selection = Selection::default();
         self.shown.clear();
@@ -248,7 +276,7 @@ impl Editor {
         self.notice = None;
     }
 
-    /// What is replaced counts as unsaved: what was recovered, or comes from a template.
+    /// The document counts as unsaved: what was recovered, or has typed numbers.
     pub fn mark_unsaved(&mut self) {
         self.saved_version = u64::MAX;
     }
@@ -277,7 +305,10 @@ impl Editor {
                     self.selection = selection;
                 }
                 self.selection = self.cleaned(self.selection.clone());
-                self.notice = said.map(|text| Notice { text, is_refusal: false });
+                self.notice = None;
+                if let Some(text) = said {
+                    self.say(text);
+                }
             }
             Err(text) => self.refuse(text),
         }
@@ -305,14 +336,6 @@ impl Editor {
             FARTHEST_MM / 1e6
         ));
         true
-    }
-
-    fn refuse(&mut self, text: String) {
-        self.notice = Some(Notice { text, is_refusal: true });
-    }
-
-    fn say(&mut self, text: impl Into<String>) {
-        self.notice = Some(Notice { text: text.into(), is_refusal: false });
     }
 
     /// A selection without what is not there.

@@ -1,7 +1,8 @@
 //! What the editor asks of the system: files to open and to write.
 //!
 //! [`Dialogs`] is what a window or a browser does about it, and a test instead of both. Answers come
-//! later, with the next frames.
+//! later, with the next frames. Where the system has no dialog for files, as on a bare Linux, that is
+//! an answer too, and the person types a path instead.
 
 #[cfg(target_arch = "wasm32")]
 mod browser;
@@ -13,7 +14,11 @@ pub use browser::SystemDialogs;
 #[cfg(not(target_arch = "wasm32"))]
 pub use desktop::SystemDialogs;
 
-use crate::editor::{FileWish, Opened};
+#[cfg(not(target_arch = "wasm32"))]
+pub use desktop::read_dropped;
+
+use crate::editor::{Dropped, FileWish, Opened};
+use eframe::egui::DroppedFileHandle;
 
 /// What came of a wish.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,6 +41,26 @@ pub enum FileAnswer {
         /// Where to.
         folder: String,
     },
+    /// Files that were dropped on the window were read.
+    Dropped(Vec<Dropped>),
+    /// The system has no dialog for this wish.
+    NoDialog {
+        /// The wish.
+        wish: FileWish,
+        /// The folder that a typed path may begin with.
+        folder: String,
+    },
+    /// It did not work out: why, and what to do.
+    Failed(String),
+}
+
+/// What came of a wish with a typed path.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Typed {
+    /// It was granted.
+    Granted(FileAnswer),
+    /// There is a file of this name, which would be replaced.
+    IsThere(String),
     /// It did not work out: why, and what to do.
     Failed(String),
 }
@@ -47,6 +72,13 @@ pub trait Dialogs {
 
     /// What has come of wishes since the last call. Whoever changes his mind answers nothing.
     fn answers(&mut self) -> Vec<FileAnswer>;
+
+    /// Grants a wish with a path that the person has typed. A file that is there is replaced only where
+    /// that is said.
+    fn grant_at(&mut self, wish: &FileWish, path: &str, replaces: bool) -> Typed;
+
+    /// Reads files that were dropped on the window, now or later.
+    fn read_dropped(&mut self, files: Vec<DroppedFileHandle>);
 
     /// A file by its path, if there are paths here.
     fn read(&mut self, path: &str) -> Result<Opened, String>;

@@ -33,3 +33,4 @@ mod thumb;
 mod verdicts;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
+mod words;

@@ -359,6 +359,54 @@ fn what_was_not_saved_comes_back_and_settings_stay() {
     assert!(hands.app().editor().is_unsaved());
 }
 
+/// What is not possible now is no error: it is said in passing, and gone as soon as anything changes.
+#[test]
+fn what_is_not_possible_now_is_said_in_passing() {
+    let mut hands = Hands::new(SIZE, false);
+    hands.run(Command::New);
+    for key in [Key::Z, Key::S, Key::E, Key::A] {
+        hands.key(Modifiers::COMMAND, key);
+        let notice = hands.app().editor().notice.clone().unwrap();
+        assert!(notice.is_passing && !notice.is_refusal, "{notice:?}");
+    }
+    assert!(hands.sees("Nothing is drawn yet."));
+    let middle = hands.on_plan(0.0, 0.0);
+    let way = round(middle, vec2(170.0, 110.0), 90);
+    hands.drag(&way);
+    hands.settle();
+    assert!(!hands.sees("Nothing is drawn yet."));
+    // It goes by itself too.
+    hands.key(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
+    assert!(hands.sees("Nothing was taken back."));
+    let start = std::time::Instant::now();
+    while hands.sees("Nothing was taken back.") {
+        assert!(start.elapsed() < std::time::Duration::from_secs(10), "it stays");
+        std::thread::sleep(std::time::Duration::from_millis(50));
+        hands.step();
+    }
+    // What stands in no hurry stays.
+    hands.run(Command::Save);
+    hands.step();
+    let saved = hands.app().editor().notice.clone().unwrap();
+    assert!(!saved.is_passing && saved.text.ends_with('.'), "{saved:?}");
+}
+
+/// Seen: "… on the same spot as the one before Remove one of the two; …".
+#[test]
+fn why_a_panel_is_not_made_stands_in_sentences() {
+    let mut hands = drawn();
+    let mut document = hands.app().editor().document().clone();
+    let points = &mut document.design.curves[0].points;
+    points[1].at = points[0].at;
+    hands.harness.state_mut().editor_mut().replace(document, None);
+    hands.settle();
+    let refusal = hands.app().editor().shown()[0].made.clone().unwrap_err();
+    assert!(refusal.message.ends_with("as the one before."), "{refusal:?}");
+    assert!(refusal.message.starts_with(char::is_uppercase), "{refusal:?}");
+    assert!(refusal.hint.starts_with("Remove one") && refusal.hint.ends_with('.'), "{refusal:?}");
+    assert!(hands.sees("as the one before. Remove one of the two"));
+}
+
 #[test]
 fn a_picture_is_scaled_by_two_places_and_their_distance() {
     let mut hands = Hands::new(SIZE, false);

@@ -9,7 +9,7 @@ use eframe::egui::{Pos2, Rect, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 use hands::{Hands, round};
 use sheetwright_editor::command::Command;
-use sheetwright_editor::document::Plan;
+use sheetwright_editor::document::{Document, Plan};
 use sheetwright_editor::pages::start::CARD;
 use sheetwright_editor::panes::SurfaceView;
 use sheetwright_editor::room::Part;
@@ -56,7 +56,7 @@ fn where_there_is_no_room_for_all_one_part_is_seen_at_a_time() {
 fn what_is_begun_anew_is_drawn_on_a_plan_that_is_seen() {
     let mut hands = Hands::new([390.0, 844.0], false);
     for command in [Command::New, Command::AddCircle, Command::PlanOf(Plan::Front)] {
-        hands.run(Command::New);
+        hands.harness.state_mut().editor_mut().replace(Document::default(), None);
         hands.run(Command::Show(Part::Pattern));
         assert_eq!(panes(&hands), [false, false, true]);
         hands.run(command);

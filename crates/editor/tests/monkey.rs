@@ -13,7 +13,7 @@ use eframe::egui::{Event, Key, Modifiers, MouseWheelUnit, Pos2, pos2, vec2};
 use hands::{Hands, round};
 use sheetwright_editor::command::Command;
 use sheetwright_editor::document::Document;
-use sheetwright_editor::editor::{Opened, Page};
+use sheetwright_editor::editor::{Decision, Opened, Page};
 use sheetwright_editor::scene::Act;
 use std::time::{Duration, Instant};
 
@@ -92,6 +92,10 @@ fn nothing_panics_whatever_is_done() {
 
 fn act(hands: &mut Hands, dice: &mut Dice) {
     let all = Command::all();
+    if hands.app().editor().asks().is_some() && dice.below(3) == 0 {
+        let decision = dice.one(&[Decision::Save, Decision::Drop, Decision::Stay]);
+        hands.harness.state_mut().editor_mut().decide(decision);
+    }
     match dice.below(15) {
         0..=2 => hands.run(dice.one(&all)),
         3 | 4 => {

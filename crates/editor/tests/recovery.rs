@@ -13,7 +13,7 @@ mod hands;
 use hands::Hands;
 use sheetwright::math::{Point2, Point3};
 use sheetwright_editor::command::Command as Asked;
-use sheetwright_editor::document::Document;
+use sheetwright_editor::document::Draft;
 use sheetwright_editor::scene::{Act, Edit, PointRef};
 use sheetwright_editor::store::{Autosave, Store};
 use std::io::{BufRead, BufReader, Write};
@@ -100,7 +100,7 @@ fn recovered(folder: &Path, of_editor: bool) -> u64 {
     assert!(found.len() <= 1);
     let Some(found) = found.first() else { return 0 };
     let version = if of_editor {
-        let found = Document::read("found.sheet.json", &found.bytes).unwrap();
+        let found = Draft::read(&found.bytes).unwrap().document;
         let lifted = found.design.curves.first().map_or(0.0, |curve| curve.points[0].at.z);
         assert_eq!(lifted.fract(), 0.0);
         lifted as u64

@@ -3,6 +3,7 @@
 
 use super::{Document, Mirror, Plan};
 use crate::scene::{Edit, PointRef, Selection, curves_of};
+use crate::words::sentence;
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{CurveUse, Design, DesignCurve, PanelShape};
 use sheetwright::draw::edit::{
@@ -569,15 +570,6 @@ fn renamed_curve(document: &Document, curve: usize, name: &str) -> Outcome {
         }
     }
     readable(next)
-}
-
-/// An error of the kernel as a sentence.
-fn sentence(error: &impl std::fmt::Display) -> String {
-    let text = error.to_string();
-    let mut chars = text.chars();
-    let first = chars.next().map(|c| c.to_uppercase().collect::<String>()).unwrap_or_default();
-    let dot = if text.ends_with('.') { "" } else { "." };
-    format!("{first}{}{dot}", chars.as_str())
 }
 
 /// Whether a curve bounds some panel.

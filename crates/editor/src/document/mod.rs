@@ -1,9 +1,11 @@
 //! What a person edits: a design, and how it is drawn.
 
+mod draft;
 pub mod edit;
 pub(crate) mod file;
 mod history;
 
+pub use draft::Draft;
 pub use history::History;
 
 use sheetwright::curve::MAX_COORDINATE_MM;
@@ -33,6 +35,12 @@ impl Default for Document {
 pub const FARTHEST_MM: f64 = 0.1 * MAX_COORDINATE_MM;
 
 impl Document {
+    /// Whether there is nothing on it that could be lost: no curve and no picture.
+    pub fn is_blank(&self) -> bool {
+        let Design { curves, panels, .. } = &self.design;
+        curves.is_empty() && panels.is_empty() && self.drawing.reference.is_none()
+    }
+
     /// What lies further out than [`FARTHEST_MM`]: a curve by its name, or the picture.
     pub fn out_of_range(&self) -> Option<&str> {
         let fits = |mm: f64| mm.abs() <= FARTHEST_MM;

@@ -1,8 +1,8 @@
 //! Every command, carried out; and why one can't be.
 
-use super::{Editor, FileWish, Page, Zoom};
+use super::{Editor, FileWish, Next, Page, Zoom};
 use crate::command::Command;
-use crate::document::{Document, Mirror, edit};
+use crate::document::{Mirror, edit};
 use crate::engine::shown::Shown;
 use crate::panes::plan::Tool;
 use crate::room::{Part, Room};
@@ -66,8 +66,8 @@ impl Editor {
 
     pub(super) fn run(&mut self, command: Command) {
         if let Some(why) = self.why_not(command) {
-            // Nothing went wrong: there is only nothing to do.
-            self.say(why);
+            // No fault of anybody, and over as soon as something changes.
+            self.say_in_passing(why);
             return;
         }
         self.notice = None;
@@ -76,10 +76,7 @@ impl Editor {
             self.page = Page::Panes;
         }
         match command {
-            Command::New => {
-                self.replace(Document::default(), None);
-                self.tool = Tool::Draw;
-            }
+            Command::New => self.leave_for(Next::Blank),
             Command::Start => self.page = Page::Start,
             Command::Open => self.wishes.push(FileWish::Open),
             Command::Save => self.save(self.file.clone()),

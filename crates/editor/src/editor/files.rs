@@ -3,8 +3,8 @@
 //! The editor itself touches no disk: it says what it wishes, and whoever owns the window (or a test)
 //! asks the person and answers.
 
-use super::Editor;
-use crate::document::{Document, Reference};
+use super::{Coming, Editor, Next, Source};
+use crate::document::{Document, Draft, Reference};
 use sheetwright::math::Point2;
 use sheetwright_files::{InputFormat, OutputFile, ReadOptions, read_bytes};
 use std::path::Path;
@@ -41,6 +41,64 @@ pub struct Opened {
     pub bytes: Vec<u8>,
 }
 
+/// A file that was dropped on the window.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Dropped {
+    /// Its path, or its name where there are no paths.
+    pub path: String,
+    /// What it holds, or why it can't be read.
+    pub bytes: Result<Vec<u8>, String>,
+}
+
+/// What a dropped file is taken for.
+enum Taken {
+    Design(Box<Coming>),
+    Picture(Opened),
+}
+
+/// What the editor opens.
+const TAKEN: &str = "The editor opens designs (.json) and tables of curves (.csv).";
+
+/// The ends of the names of pictures to draw after.
+pub(crate) const PICTURES: [&str; 3] = ["png", "jpg", "jpeg"];
+
+/// What a dropped file is taken for, or why it can't be opened.
+fn taken(file: Dropped) -> Result<Taken, String> {
+    let Dropped { path, bytes } = file;
+    let bytes = bytes.map_err(|error| format!("{path} can't be read: {error}."))?;
+    let opened = Opened { path, bytes };
+    let ending = Path::new(&opened.path).extension().and_then(|ending| ending.to_str());
+    let is_picture = ending.is_some_and(|it| PICTURES.contains(&it.to_lowercase().as_str()));
+    if is_picture && image::guess_format(&opened.bytes).is_ok() {
+        return Ok(Taken::Picture(opened));
+    }
+    coming(opened).map(|coming| Taken::Design(Box::new(coming)))
+}
+
+/// The design or the table in a file, as what comes next.
+fn coming(opened: Opened) -> Result<Coming, String> {
+    let Opened { path, bytes } = opened;
+    let document = Document::read(&path, &bytes)?;
+    let file = path.ends_with(".json").then(|| path.clone());
+    Ok(Coming { draft: Draft { document, file }, is_safe: true, source: Source::File(path) })
+}
+
+/// The last part of a path.
+pub(crate) fn name_of(path: &str) -> &str {
+    path.rsplit(['/', '\\']).next().unwrap_or(path)
+}
+
+/// Which files were not opened, after a space; nothing if there are none.
+fn left_out(names: &[String]) -> String {
+    let Some((last, rest)) = names.split_last() else { return String::new() };
+    match rest {
+        [] => format!(" {last} was not opened: one file opens at a time."),
+        rest => {
+            format!(" {} and {last} were not opened: one file opens at a time.", rest.join(", "))
+        }
+    }
+}
+
 /// A larger picture would not fit where drawings are kept.
 const MOST_PICTURE_BYTES: usize = 8 << 20;
 
@@ -56,11 +114,15 @@ impl Editor {
         self.wishes.push(FileWish::Save { to, name, bytes, version });
     }
 
-    /// A document was written.
+    /// A document was written. What waited for it goes on, unless something has changed meanwhile.
     pub fn saved(&mut self, path: String, version: u64) {
-        self.say(format!("Saved to {path}"));
-        self.file = Some(path);
-        self.saved_version = version;
+        self.say(format!("Saved to {path}."));
+        // Another document may have taken its place meanwhile: its file is not that of the other.
+        if version >= self.first_version {
+            self.file = Some(path);
+            self.saved_version = version;
+            self.go_on_if_safe();
+        }
     }
 
     /// Something of the system did not work out.
@@ -73,18 +135,47 @@ impl Editor {
         self.say(text);
     }
 
-    /// A file was chosen to be opened: whether it is open now.
-    pub fn open(&mut self, opened: &Opened) -> bool {
-        match Document::read(&opened.path, &opened.bytes) {
-            Ok(document) => {
-                let is_design = opened.path.ends_with(".json");
-                self.replace(document, is_design.then(|| opened.path.clone()));
-                true
+    /// A file was chosen to be opened. It is, once the person has decided about work that no file has.
+    pub fn open(&mut self, opened: Opened) {
+        match coming(opened) {
+            Ok(coming) => self.leave_for(Next::Document(Box::new(coming))),
+            Err(text) => self.refuse(text),
+        }
+    }
+
+    /// Files were dropped on the window: the first that can be opened is, and the others are named.
+    pub fn open_first(&mut self, files: Vec<Dropped>) {
+        let (mut found, mut refusal, mut others) = (None, None, Vec::new());
+        for file in files {
+            let name = name_of(&file.path).to_owned();
+            if found.is_some() {
+                others.push(name);
+                continue;
             }
-            Err(text) => {
-                self.refuse(text);
-                false
+            match taken(file) {
+                Ok(taken) => found = Some(taken),
+                Err(text) => {
+                    others.push(name);
+                    refusal.get_or_insert(text);
+                }
             }
+        }
+        match (found, refusal) {
+            (Some(Taken::Design(coming)), _) => self.leave_for(Next::Document(coming)),
+            (Some(Taken::Picture(picture)), _) => {
+                self.page = super::Page::Panes;
+                self.trace(picture);
+            }
+            (None, Some(text)) => {
+                // The first is named by why it can't be opened.
+                others.remove(0);
+                self.refuse(text + &left_out(&others));
+                return;
+            }
+            (None, None) => return,
+        }
+        if !others.is_empty() {
+            self.say(left_out(&others).trim_start());
         }
     }
 
@@ -131,7 +222,8 @@ impl Document {
     pub fn read(path: &str, bytes: &[u8]) -> Result<Self, String> {
         let words = |error: sheetwright_files::InputError| format!("{error}. {}", error.hint);
         let of = Path::new(path);
-        let format = InputFormat::of(of).map_err(words)?;
+        // What the command takes besides, the editor does not.
+        let format = InputFormat::of(of).map_err(|error| format!("{error}. {TAKEN}"))?;
         match format {
             InputFormat::Design => crate::document::file::read(path, bytes).map_err(words),
             InputFormat::Table => {
@@ -139,8 +231,9 @@ impl Document {
                 Ok(Self { design: design.map_err(words)?, ..Self::default() })
             }
             InputFormat::Mesh(_) => Err(format!(
-                "{path} is a mesh, which has no curves to edit. The command line lays meshes flat: \
-                 sheetwright make {path} --out build"
+                "{path} is a mesh, which the editor does not open. {TAKEN} To make patterns of a mesh, \
+                 run the command sheetwright in a terminal: sheetwright make \"{}\" --out build",
+                name_of(path)
             )),
         }
     }

@@ -1,6 +1,6 @@
 //! What the engine is asked for, and what it answers.
 
-use super::{Editor, Notice, Page};
+use super::{Editor, Page};
 use crate::document::Document;
 use crate::engine::{Answer, Detail, Engine, Job};
 use crate::scene::Selection;
@@ -186,8 +186,7 @@ impl Editor {
                     match outcome {
                         Ok(files) => self.wishes.push(super::FileWish::Export(files)),
                         Err(refusal) => {
-                            let text = format!("{} {}", refusal.message, refusal.hint);
-                            self.notice = Some(Notice { text, is_refusal: true });
+                            self.refuse(format!("{} {}", refusal.message, refusal.hint));
                         }
                     }
                 }

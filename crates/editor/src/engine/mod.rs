@@ -15,6 +15,7 @@ pub use thread::Engine;
 #[cfg(target_arch = "wasm32")]
 pub use worker::Engine;
 
+use crate::words::sentence;
 use sheetwright::design::Design;
 use sheetwright::watch::Stage;
 use sheetwright_files::{Format, OutputFile};
@@ -151,10 +152,17 @@ pub struct Varied {
 /// Why something can't be done, and what to do.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
-    /// What is wrong.
+    /// What is wrong, in sentences.
     pub message: String,
-    /// What to do.
+    /// What to do, in sentences.
     pub hint: String,
+}
+
+impl Refusal {
+    /// Of an error and what to do about it: as sentences, which may follow one another.
+    pub fn new(error: &impl std::fmt::Display, hint: impl Into<String>) -> Self {
+        Self { message: sentence(error), hint: hint.into() }
+    }
 }
 
 #[cfg(test)]

@@ -89,14 +89,13 @@ fn files(
     watch: &mut dyn Watch,
 ) -> Result<Vec<OutputFile>, Refusal> {
     let made = make(design, watch).map_err(|error| refusal(&error))?;
-    let outputs = output_files(&made, formats, &PdfOptions::default()).map_err(|error| {
-        Refusal { message: error.to_string(), hint: "Give the panels other names.".to_owned() }
-    })?;
+    let outputs = output_files(&made, formats, &PdfOptions::default())
+        .map_err(|error| Refusal::new(&error, "Give the panels other names."))?;
     Ok(outputs.files)
 }
 
 fn refusal(error: &MakeError) -> Refusal {
-    Refusal { message: error.to_string(), hint: hint_for(error) }
+    Refusal::new(error, hint_for(error))
 }
 
 fn shown(panel: &MadePanel, material: Option<&Material>) -> ShownPanel {

@@ -272,12 +272,11 @@ impl Desk {
 
 /// The answer to a job that the worker has not survived, or that none could take.
 fn refused(job: &Job, fault: &str) -> Answer {
-    let message = match fault {
+    let error = match fault {
         "" => "the browser does not let this page work beside the drawing".to_owned(),
         fault => format!("the program has a fault: {fault}"),
     };
-    let hint = "Save your work to a file and load the page again.".to_owned();
-    let refusal = Refusal { message, hint };
+    let refusal = Refusal::new(&error, "Save your work to a file and load the page again.");
     match job {
         Job::Show { number, design, detail } => {
             let panel =

@@ -1,8 +1,9 @@
 //! Files in a browser: chosen by its own dialog, and downloaded.
 
-use super::{Dialogs, FileAnswer};
-use crate::editor::{FileWish, Opened};
+use super::{Dialogs, FileAnswer, Typed};
+use crate::editor::{Dropped, FileWish, Opened};
 use crate::engine::Wake;
+use eframe::egui::DroppedFileHandle;
 use std::cell::RefCell;
 use std::rc::Rc;
 
@@ -17,21 +18,40 @@ impl SystemDialogs {
     pub fn new(wake: Wake) -> Self {
         Self { answers: Rc::default(), wake }
     }
-}
 
-impl Dialogs for SystemDialogs {
-    fn grant(&mut self, wish: FileWish) {
+    fn answer_later(&self, answer: impl Future<Output = Option<FileAnswer>> + 'static) {
         let (answers, wake) = (self.answers.clone(), self.wake.clone());
         wasm_bindgen_futures::spawn_local(async move {
-            if let Some(answer) = granted(wish).await {
+            if let Some(answer) = answer.await {
                 answers.borrow_mut().push(answer);
             }
             wake();
         });
     }
+}
+
+impl Dialogs for SystemDialogs {
+    fn grant(&mut self, wish: FileWish) {
+        self.answer_later(granted(wish));
+    }
 
     fn answers(&mut self) -> Vec<FileAnswer> {
         self.answers.take()
+    }
+
+    fn grant_at(&mut self, _: &FileWish, path: &str, _: bool) -> Typed {
+        Typed::Failed(format!("A browser has no file {path} of its own. Choose one in its dialog."))
+    }
+
+    fn read_dropped(&mut self, files: Vec<DroppedFileHandle>) {
+        self.answer_later(async move {
+            let mut read = Vec::with_capacity(files.len());
+            for file in files {
+                let path = file.path().display().to_string();
+                read.push(Dropped { path, bytes: file.bytes_async().await });
+            }
+            Some(FileAnswer::Dropped(read))
+        });
     }
 
     fn read(&mut self, path: &str) -> Result<Opened, String> {
@@ -47,8 +67,8 @@ async fn granted(wish: FileWish) -> Option<FileAnswer> {
             Some(FileAnswer::Opened(read(dialog.pick_file().await?).await))
         }
         FileWish::Picture => {
-            let dialog =
-                rfd::AsyncFileDialog::new().add_filter("Pictures", &["png", "jpg", "jpeg"]);
+            let pictures = crate::editor::PICTURES;
+            let dialog = rfd::AsyncFileDialog::new().add_filter("Pictures", &pictures);
             Some(FileAnswer::Picture(read(dialog.pick_file().await?).await))
         }
         FileWish::Save { name, bytes, version, .. } => Some(match download(&name, &bytes) {

@@ -6,6 +6,8 @@ pub mod keys;
 pub mod palette;
 pub mod start;
 pub mod tour;
+pub mod typed;
+pub mod unsaved;
 pub mod vary;
 
 use crate::room::fitting;
@@ -66,6 +68,24 @@ fn shield(ctx: &egui::Context, window: Id) -> bool {
     });
     ctx.memory_mut(|memory| memory.set_modal_layer(LayerId::new(Order::Foreground, window)));
     shield.inner.clicked()
+}
+
+/// A question in the middle, above everything else, which gets no clicks meanwhile. What it holds is told
+/// whether it has just opened, so that what is used most can take the keys.
+fn modal(ctx: &egui::Context, name: &str, width: f32, content: impl FnOnce(&mut Ui, bool)) {
+    let id = Id::unique(name);
+    let frame = ctx.cumulative_pass_nr();
+    let last = ctx.data_mut(|data| std::mem::replace(data.get_temp_mut_or(id, 0_u64), frame));
+    let is_new = last == 0 || last + 2 < frame;
+    let room = ctx.content_rect().size();
+    egui::Modal::new(id).show(ctx, |ui| {
+        ui.set_width(fitting(width, room.x - 60.0));
+        let height = fitting(f32::INFINITY, room.y - 60.0);
+        let area = egui::ScrollArea::vertical().auto_shrink([false, true]);
+        let area = area.max_height(height).min_scrolled_height(height);
+        let frame = egui::Frame::new().inner_margin(10);
+        area.show(ui, |ui| frame.show(ui, |ui| content(ui, is_new)));
+    });
 }
 
 /// A button that stands out, as it is what people came for.

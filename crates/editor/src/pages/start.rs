@@ -1,11 +1,11 @@
-//! The start page: an empty sheet, templates and examples with pictures, recent files, and what was
-//! not saved when the program ended last.
+//! The start page: an empty sheet, templates and examples with pictures, recent files, what was closed
+//! without being saved, and what was not saved when the program ended last.
 
 use super::main_button;
 use crate::bars::notice_ui;
 use crate::command::Command;
 use crate::document::Document;
-use crate::editor::Notice;
+use crate::editor::{Notice, name_of};
 use crate::field::Field;
 use crate::room::{Room, fitting};
 use crate::scene::Act;
@@ -37,13 +37,22 @@ struct Form {
 /// What the page came to.
 pub enum StartAct {
     /// A new document takes the place of the one that is edited.
-    Take(Box<Document>),
+    Take {
+        /// The document.
+        document: Box<Document>,
+        /// Whether it is as it is offered: nothing was typed for it that could be lost.
+        is_safe: bool,
+    },
     /// A recent file is to be opened.
     Recent(String),
     /// Something that was not saved comes back, by its number.
     Recover(usize),
     /// Something that was not saved is not needed, by its number.
     Forget(usize),
+    /// Something that was closed without being saved comes back, by its number.
+    Reopen(usize),
+    /// Back to the document that is edited.
+    Back,
 }
 
 /// What the page offers beside templates.
@@ -52,6 +61,10 @@ pub struct Offers<'a> {
     pub recent: &'a [String],
     /// What was not saved when the program ended last, in words.
     pub recovered: &'a [String],
+    /// What was closed without being saved, in words.
+    pub closed: &'a [String],
+    /// What is edited, unless it is blank.
+    pub back_to: Option<&'a str>,
     /// What was last said to the person.
     pub notice: Option<&'a Notice>,
 }
@@ -164,6 +177,12 @@ impl StartPage {
         if ui.add(draw).on_hover_text(Command::New.tooltip()).clicked() {
             acts.push(Act::Run(Command::New));
         }
+        if let Some(title) = offers.back_to {
+            let back = wide(&format!("Back to {title}")).truncate();
+            if ui.add(back).on_hover_text("Go on with what is open.").clicked() {
+                out = Some(StartAct::Back);
+            }
+        }
         for command in [Command::Open, Command::Tour] {
             if ui.add(wide(command.name())).on_hover_text(command.tooltip()).clicked() {
                 acts.push(Act::Run(command));
@@ -178,22 +197,34 @@ impl StartPage {
             ui.add_space(16.0);
             ui.label(RichText::new("Not saved when it ended").color(theme.verdicts[1]).strong());
             for (n, text) in offers.recovered.iter().enumerate() {
-                ui.horizontal(|ui| {
-                    if ui.link(text).on_hover_text("Bring it back.").clicked() {
-                        out = Some(StartAct::Recover(n));
-                    }
+                // However long the name is, the button beside it stays in sight.
+                let line = vec2(ui.available_width(), ui.spacing().interact_size.y);
+                ui.allocate_ui_with_layout(line, Layout::right_to_left(Align::Center), |ui| {
                     if ui.small_button("×").on_hover_text("Forget it.").clicked() {
                         out = Some(StartAct::Forget(n));
                     }
+                    ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                        if left_ui(ui, text, "Bring it back.") {
+                            out = Some(StartAct::Recover(n));
+                        }
+                    });
                 });
+            }
+        }
+        if !offers.closed.is_empty() {
+            ui.add_space(16.0);
+            ui.label(RichText::new("Recently closed").strong());
+            for (n, text) in offers.closed.iter().enumerate() {
+                if left_ui(ui, text, "Open it again. It was closed without being saved.") {
+                    out = Some(StartAct::Reopen(n));
+                }
             }
         }
         if !offers.recent.is_empty() {
             ui.add_space(16.0);
             ui.label(RichText::new("Recent files").strong());
             for path in offers.recent {
-                let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
-                if ui.link(name).on_hover_text(path).clicked() {
+                if left_ui(ui, name_of(path), path) {
                     out = Some(StartAct::Recent(path.clone()));
                 }
             }
@@ -252,7 +283,7 @@ impl StartPage {
                 if self.thumbs.card_ui(ui, theme, CARD, name, what, shape)
                     && let Some(document) = read()
                 {
-                    out = Some(StartAct::Take(Box::new(document)));
+                    out = Some(StartAct::Take { document: Box::new(document), is_safe: true });
                 }
             }
         });
@@ -334,9 +365,10 @@ impl Form {
         }
         ui.add_space(12.0);
         match &self.outcome {
-            Ok(document) => main_button(ui, theme, "Make it")
-                .clicked()
-                .then(|| StartAct::Take(Box::new(document.clone()))),
+            Ok(document) => main_button(ui, theme, "Make it").clicked().then(|| StartAct::Take {
+                document: Box::new(document.clone()),
+                is_safe: self.settings.is_empty(),
+            }),
             Err(text) => {
                 ui.label(RichText::new(text).color(theme.verdicts[2]));
                 None
@@ -408,6 +440,15 @@ impl Form {
             true
         })
     }
+}
+
+/// A line to click that leads to something that is kept, on one line however long; whether it was clicked.
+fn left_ui(ui: &mut Ui, text: &str, hint: &str) -> bool {
+    ui.scope(|ui| {
+        ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Truncate);
+        ui.link(text).on_hover_text(hint).clicked()
+    })
+    .inner
 }
 
 fn capitalised(text: &str) -> String {

@@ -3,9 +3,11 @@
 //! The app says with every frame which version its document has. When a save is due, it hands over a
 //! job that makes the bytes: on the desktop a thread does it, so that no frame waits for a disk, and
 //! of jobs that come while it is at work only the newest is done. In the browser the database works
-//! beside the page; there too only the newest waits.
+//! beside the page; there too only the newest waits. What is put aside, into slots of their own, is kept
+//! first, and all of it.
 
 use super::{Due, Pace, Store, StoreError};
+use std::collections::VecDeque;
 use std::time::Duration;
 use web_time::Instant;
 
@@ -72,6 +74,21 @@ impl Autosave {
         self.saver.hand(Task::Empty);
     }
 
+    /// Keeps bytes in a slot of their own, before the slot of this window is saved or emptied next.
+    pub fn put_aside(&mut self, slot: String, bytes: Vec<u8>) {
+        self.saver.hand(Task::PutAside(slot, bytes));
+    }
+
+    /// Why something that was put aside is not kept; once for each time.
+    pub fn not_put_aside(&mut self) -> Option<StoreError> {
+        self.saver.not_put_aside()
+    }
+
+    /// Whether everything that was handed over is done, and worked out.
+    pub fn rests(&self) -> bool {
+        !self.saver.is_busy() && self.problem.is_none()
+    }
+
     /// Whether this version is in the slot.
     pub fn has_kept(&self, version: u64) -> bool {
         self.kept == Some(version)
@@ -88,10 +105,55 @@ impl Autosave {
     }
 }
 
-/// What is done with the slot.
+/// What is done with the slot of this window, or with one of their own.
 enum Task {
     Save(Job),
     Empty,
+    PutAside(String, Vec<u8>),
+}
+
+/// What is to be done: all that is put aside, and the newest of the rest.
+#[derive(Default)]
+struct Tasks {
+    aside: VecDeque<Task>,
+    newest: Option<Task>,
+}
+
+impl Tasks {
+    fn add(&mut self, task: Task) {
+        match task {
+            Task::PutAside(..) => self.aside.push_back(task),
+            Task::Save(_) | Task::Empty => self.newest = Some(task),
+        }
+    }
+
+    fn next(&mut self) -> Option<Task> {
+        self.aside.pop_front().or_else(|| self.newest.take())
+    }
+
+    #[cfg(not(target_arch = "wasm32"))]
+    fn is_empty(&self) -> bool {
+        self.aside.is_empty() && self.newest.is_none()
+    }
+}
+
+/// What came of tasks, until it is asked for.
+#[derive(Default)]
+struct Outcomes {
+    /// Of the slot of this window.
+    own: Option<Result<(), StoreError>>,
+    /// Why something was not put aside.
+    aside: Option<StoreError>,
+}
+
+impl Outcomes {
+    fn note(&mut self, is_aside: bool, outcome: Result<(), StoreError>) {
+        if !is_aside {
+            self.own = Some(outcome);
+        } else if let Err(error) = outcome {
+            self.aside = Some(error);
+        }
+    }
 }
 
 #[cfg(not(target_arch = "wasm32"))]
@@ -101,6 +163,7 @@ impl Task {
         match self {
             Self::Save(job) => store.save(&slot, &job()),
             Self::Empty => store.remove(&slot),
+            Self::PutAside(slot, bytes) => store.save(&slot, &bytes),
         }
     }
 }
@@ -113,7 +176,7 @@ use thread::Saver;
 /// In the browser: asked of its database.
 #[cfg(target_arch = "wasm32")]
 mod page {
-    use super::{Store, StoreError, Task};
+    use super::{Outcomes, Store, StoreError, Task, Tasks};
     use std::cell::RefCell;
     use std::rc::Rc;
     use wasm_bindgen_futures::spawn_local;
@@ -122,8 +185,8 @@ mod page {
     struct Desk {
         is_busy: bool,
         /// What is asked for as soon as the database has done what it is at.
-        next: Option<Task>,
-        outcome: Option<Result<(), StoreError>>,
+        tasks: Tasks,
+        outcomes: Outcomes,
     }
 
     pub(super) struct Saver {
@@ -144,19 +207,23 @@ mod page {
 
         pub(super) fn hand(&mut self, task: Task) {
             let mut desk = self.desk.borrow_mut();
-            desk.next = Some(task);
+            desk.tasks.add(task);
             if !std::mem::replace(&mut desk.is_busy, true) {
                 spawn_local(work(self.store.clone(), self.desk.clone()));
             }
         }
 
         pub(super) fn outcome(&mut self) -> Option<Result<(), StoreError>> {
-            self.desk.borrow_mut().outcome.take()
+            self.desk.borrow_mut().outcomes.own.take()
+        }
+
+        pub(super) fn not_put_aside(&mut self) -> Option<StoreError> {
+            self.desk.borrow_mut().outcomes.aside.take()
         }
 
         pub(super) fn is_busy(&self) -> bool {
             let desk = self.desk.borrow();
-            desk.is_busy || desk.outcome.is_some()
+            desk.is_busy || desk.outcomes.own.is_some()
         }
 
         /// A page can't wait; what was asked for is done without it.
@@ -166,12 +233,14 @@ mod page {
     /// Does tasks until there are no more.
     async fn work(store: Rc<Store>, desk: Rc<RefCell<Desk>>) {
         loop {
-            let Some(task) = desk.borrow_mut().next.take() else { break };
+            let Some(task) = desk.borrow_mut().tasks.next() else { break };
+            let is_aside = matches!(task, Task::PutAside(..));
             let outcome = match task {
                 Task::Save(job) => store.save(store.own_slot(), &job()).await,
                 Task::Empty => store.emptied(store.own_slot()).await,
+                Task::PutAside(slot, bytes) => store.save(&slot, &bytes).await,
             };
-            desk.borrow_mut().outcome = Some(outcome);
+            desk.borrow_mut().outcomes.note(is_aside, outcome);
         }
         desk.borrow_mut().is_busy = false;
     }
@@ -180,7 +249,7 @@ mod page {
 /// On the desktop: in a thread.
 #[cfg(not(target_arch = "wasm32"))]
 mod thread {
-    use super::{Store, StoreError, Task};
+    use super::{Outcomes, Store, StoreError, Task, Tasks};
     use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
     use std::thread::JoinHandle;
     use std::time::Duration;
@@ -190,10 +259,10 @@ mod thread {
 
     #[derive(Default)]
     struct Desk {
-        task: Option<Task>,
+        tasks: Tasks,
         working: bool,
         closing: bool,
-        outcome: Option<Result<(), StoreError>>,
+        outcomes: Outcomes,
     }
 
     #[derive(Default)]
@@ -216,13 +285,14 @@ mod thread {
         fn work(&self, store: &mut Store) {
             let mut desk = self.desk();
             loop {
-                if let Some(task) = desk.task.take() {
+                if let Some(task) = desk.tasks.next() {
                     desk.working = true;
                     drop(desk);
+                    let is_aside = matches!(task, Task::PutAside(..));
                     let outcome = task.run(store);
                     desk = self.desk();
                     desk.working = false;
-                    desk.outcome = Some(outcome);
+                    desk.outcomes.note(is_aside, outcome);
                     self.changed.notify_all();
                 } else if desk.closing {
                     return;
@@ -260,26 +330,32 @@ mod thread {
 
         pub(super) fn hand(&mut self, task: Task) {
             if let Some(store) = &mut self.here {
-                self.shared.desk().outcome = Some(task.run(store));
+                let is_aside = matches!(task, Task::PutAside(..));
+                let outcome = task.run(store);
+                self.shared.desk().outcomes.note(is_aside, outcome);
                 return;
             }
-            self.shared.desk().task = Some(task);
+            self.shared.desk().tasks.add(task);
             self.shared.changed.notify_all();
         }
 
         pub(super) fn outcome(&mut self) -> Option<Result<(), StoreError>> {
-            self.shared.desk().outcome.take()
+            self.shared.desk().outcomes.own.take()
+        }
+
+        pub(super) fn not_put_aside(&mut self) -> Option<StoreError> {
+            self.shared.desk().outcomes.aside.take()
         }
 
         pub(super) fn is_busy(&self) -> bool {
             let desk = self.shared.desk();
-            desk.working || desk.task.is_some() || desk.outcome.is_some()
+            desk.working || !desk.tasks.is_empty() || desk.outcomes.own.is_some()
         }
 
         pub(super) fn wait(&mut self) {
             let mut desk = self.shared.desk();
             // A thread that has panicked does nothing more.
-            while desk.working || desk.task.is_some() {
+            while desk.working || !desk.tasks.is_empty() {
                 if self.thread.as_ref().is_none_or(JoinHandle::is_finished) {
                     return;
                 }

@@ -3,14 +3,14 @@
 #![allow(dead_code, clippy::unwrap_used)] // each test uses some of it, and tests panic
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2, pos2};
+use eframe::egui::{DroppedFileHandle, Event, Key, Modifiers, PointerButton, Pos2, Vec2, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use sheetwright::math::Point2;
 use sheetwright_editor::app::App;
 use sheetwright_editor::command::Command;
 use sheetwright_editor::editor::{FileWish, Opened};
-use sheetwright_editor::io::{Dialogs, FileAnswer};
+use sheetwright_editor::io::{Dialogs, FileAnswer, Typed, read_dropped};
 use sheetwright_editor::scene::Act;
 use sheetwright_files::OutputFile;
 use std::sync::{Arc, Mutex};
@@ -25,6 +25,10 @@ pub(crate) struct Disk {
     pub(crate) saved: Vec<u8>,
     /// What is chosen when somebody is asked for a file.
     pub(crate) to_open: Option<Opened>,
+    /// Where somebody who is asked chooses not to save after all.
+    pub(crate) saves_nothing: bool,
+    /// Where the system has no dialogs: paths are typed, and these are there.
+    pub(crate) paths: Option<Vec<String>>,
     answers: Vec<FileAnswer>,
 }
 
@@ -34,12 +38,18 @@ pub(crate) struct Chosen(pub(crate) Arc<Mutex<Disk>>);
 impl Dialogs for Chosen {
     fn grant(&mut self, wish: FileWish) {
         let mut disk = self.0.lock().unwrap();
+        let is_known = matches!(wish, FileWish::Save { to: Some(_), .. });
+        if disk.paths.is_some() && !is_known {
+            disk.answers.push(FileAnswer::NoDialog { wish, folder: "/home/".to_owned() });
+            return;
+        }
         let answer = match wish {
+            FileWish::Save { to: None, .. } if disk.saves_nothing => None,
             FileWish::Open => disk.to_open.take().map(FileAnswer::Opened),
             FileWish::Picture => disk.to_open.take().map(FileAnswer::Picture),
-            FileWish::Save { name, bytes, version, .. } => {
+            FileWish::Save { to, name, bytes, version } => {
                 disk.saved = bytes;
-                Some(FileAnswer::Saved { path: name, version })
+                Some(FileAnswer::Saved { path: to.unwrap_or(name), version })
             }
             FileWish::Export(files) => {
                 disk.exported = files;
@@ -52,6 +62,32 @@ impl Dialogs for Chosen {
 
     fn answers(&mut self) -> Vec<FileAnswer> {
         std::mem::take(&mut self.0.lock().unwrap().answers)
+    }
+
+    fn grant_at(&mut self, wish: &FileWish, path: &str, replaces: bool) -> Typed {
+        let mut disk = self.0.lock().unwrap();
+        let is_there = disk.paths.iter().flatten().any(|other| other == path);
+        match wish {
+            FileWish::Open | FileWish::Picture if !is_there => {
+                Typed::Failed(format!("{path} is not there."))
+            }
+            FileWish::Open => Typed::Granted(FileAnswer::Opened(disk.to_open.take().unwrap())),
+            FileWish::Picture => Typed::Granted(FileAnswer::Picture(disk.to_open.take().unwrap())),
+            FileWish::Save { .. } if is_there && !replaces => Typed::IsThere(path.to_owned()),
+            FileWish::Save { bytes, version, .. } => {
+                disk.saved.clone_from(bytes);
+                Typed::Granted(FileAnswer::Saved { path: path.to_owned(), version: *version })
+            }
+            FileWish::Export(files) => {
+                disk.exported.clone_from(files);
+                let (count, folder) = (files.len(), path.to_owned());
+                Typed::Granted(FileAnswer::Exported { count, folder })
+            }
+        }
+    }
+
+    fn read_dropped(&mut self, files: Vec<DroppedFileHandle>) {
+        self.0.lock().unwrap().answers.push(FileAnswer::Dropped(read_dropped(&files)));
     }
 
     fn read(&mut self, path: &str) -> Result<Opened, String> {
@@ -121,6 +157,11 @@ impl Hands {
         self.harness.key_press_modifiers(modifiers, key);
         self.step();
         self.step();
+    }
+
+    /// Whether something of this name, or with this in its name, is seen.
+    pub(crate) fn sees(&self, label: &str) -> bool {
+        self.harness.query_all_by_label_contains(label).next().is_some()
     }
 
     /// Clicks on what has this name.

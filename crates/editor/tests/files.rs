@@ -1,0 +1,289 @@
+//! Files from outside: dropped on the window, and by typed paths where the system has no dialog.
+
+#![allow(clippy::unwrap_used)] // tests panic
+
+mod hands;
+
+use eframe::egui::{DroppedFile, Event, HoveredFile, Key, Modifiers, vec2};
+use egui_kittest::kittest::Queryable;
+use hands::{Hands, round};
+use sheetwright_editor::command::Command;
+use sheetwright_editor::document::Document;
+use sheetwright_editor::editor::{FileWish, Opened, Page};
+use sheetwright_editor::io::{Dialogs, FileAnswer, SystemDialogs, Typed};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+const SIZE: [f32; 2] = [1280.0, 800.0];
+
+/// A file that lies nowhere.
+#[derive(Debug)]
+struct File(PathBuf, Result<Vec<u8>, String>);
+
+impl DroppedFile for File {
+    fn path(&self) -> &Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        self.1.clone()
+    }
+}
+
+fn design(name: &str) -> Vec<u8> {
+    let mut document = Document::default();
+    document.design.name = name.to_owned();
+    document.bytes()
+}
+
+fn dropped(hands: &mut Hands, files: Vec<(&str, Result<Vec<u8>, String>)>) {
+    for (path, bytes) in files {
+        let file = Arc::new(File(PathBuf::from(path), bytes));
+        hands.harness.input_mut().dropped_files.push(file);
+    }
+    hands.step();
+    hands.step();
+}
+
+fn notice(hands: &Hands) -> String {
+    hands.app().editor().notice.as_ref().map_or(String::new(), |notice| notice.text.clone())
+}
+
+const MESH: &[u8] = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+const TABLE: &[u8] = b"x,y,z\n0,0,0\n9,0,0\n9,9,3";
+
+#[test]
+fn a_design_or_a_table_that_is_dropped_opens() {
+    let mut hands = Hands::new(SIZE, false);
+    hands.step();
+    dropped(&mut hands, vec![("/home/hood.sheet.json", Ok(design("hood")))]);
+    let editor = hands.app().editor();
+    assert_eq!(editor.document().design.name, "hood");
+    assert_eq!((editor.file(), editor.page), (Some("/home/hood.sheet.json"), Page::Panes));
+    dropped(&mut hands, vec![("/home/rim.csv", Ok(TABLE.to_vec()))]);
+    let editor = hands.app().editor();
+    assert_eq!((editor.document().design.curves.len(), editor.file()), (1, None));
+    // Later it stands among recent files.
+    hands.run(Command::Start);
+    assert!(hands.sees("hood.sheet.json") && hands.sees("rim.csv"));
+}
+
+#[test]
+fn of_several_the_first_that_can_be_opened_is_and_the_others_are_named() {
+    let mut hands = Hands::new(SIZE, false);
+    hands.step();
+    let files = vec![
+        ("/a/hull.stl", Ok(MESH.to_vec())),
+        ("/a/gone.json", Err("No such file".to_owned())),
+        ("/a/hood.sheet.json", Ok(design("hood"))),
+        ("/a/brim.sheet.json", Ok(design("brim"))),
+    ];
+    dropped(&mut hands, files);
+    assert_eq!(hands.app().editor().document().design.name, "hood");
+    let said = "hull.stl, gone.json and brim.sheet.json were not opened: one file opens at a time.";
+    assert_eq!(notice(&hands), said);
+}
+
+#[test]
+fn what_can_not_be_opened_is_refused_as_open_refuses_it() {
+    let mut hands = Hands::new(SIZE, false);
+    hands.step();
+    let files = [("/a/hull.obj", Ok(MESH.to_vec())), ("/a/hull.dwg", Ok(Vec::new()))];
+    for (path, bytes) in files {
+        let opened = Opened { path: path.to_owned(), bytes: bytes.clone().unwrap() };
+        hands.harness.state_mut().editor_mut().open(opened);
+        let said = notice(&hands);
+        assert!(said.starts_with(path) && said.ends_with(['.', 'd']), "{said}");
+        // It says what the editor opens, and never that it takes meshes.
+        assert!(said.contains("The editor opens designs (.json) and tables of curves (.csv)."));
+        assert!(!said.contains("STL"), "{said}");
+        dropped(&mut hands, vec![(path, bytes)]);
+        assert_eq!(notice(&hands), said);
+        assert_eq!(hands.app().editor().page, Page::Start);
+    }
+    let gone = vec![("/a/gone.csv", Err("No such file".to_owned())), ("/a/b.stl", Ok(Vec::new()))];
+    dropped(&mut hands, gone);
+    let said = notice(&hands);
+    assert!(said.starts_with("/a/gone.csv can't be read: No such file. b.stl was not"), "{said}");
+}
+
+#[test]
+fn a_dropped_picture_lies_under_the_plan() {
+    let mut hands = Hands::new(SIZE, false);
+    hands.run(Command::New);
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    image::RgbImage::new(200, 100).write_to(&mut bytes, image::ImageFormat::Png).unwrap();
+    dropped(&mut hands, vec![("/a/Photo.PNG", Ok(bytes.into_inner()))]);
+    assert!(hands.app().editor().document().drawing.reference.is_some());
+}
+
+#[test]
+fn dropped_files_ask_about_unsaved_work_as_well() {
+    let mut hands = Hands::new(SIZE, false);
+    hands.run(Command::New);
+    let middle = hands.on_plan(0.0, 0.0);
+    hands.drag(&round(middle, vec2(120.0, 90.0), 60));
+    dropped(&mut hands, vec![("/a/hood.sheet.json", Ok(design("hood")))]);
+    assert!(hands.app().editor().asks().is_some());
+    dropped(&mut hands, vec![("/a/brim.sheet.json", Ok(design("brim")))]);
+    assert!(hands.sees("Answer the question first"));
+    hands.click("Drop");
+    assert_eq!(hands.app().editor().document().design.name, "hood");
+}
+
+#[test]
+fn a_file_that_hovers_is_seen() {
+    let mut hands = Hands::new(SIZE, false);
+    hands.run(Command::New);
+    hands.harness.run_steps(40);
+    let shapes = hands.harness.output().shapes.len();
+    hands.harness.input_mut().hovered_files.push(HoveredFile::default());
+    hands.step();
+    assert!(hands.harness.output().shapes.len() > shapes);
+    hands.harness.input_mut().hovered_files.clear();
+    hands.step();
+    assert_eq!(hands.harness.output().shapes.len(), shapes);
+}
+
+/// Types a path in place of what stands there.
+fn type_path(hands: &mut Hands, label: &str, path: &str) {
+    hands.step();
+    assert!(hands.harness.query_all_by_label(label).next().is_some(), "no field {label}");
+    hands.key(Modifiers::COMMAND, Key::A);
+    hands.harness.event(Event::Text(path.to_owned()));
+    hands.step();
+    hands.key(Modifiers::NONE, Key::Enter);
+}
+
+/// A window on a system without dialogs for files.
+fn without_dialogs(paths: &[&str]) -> Hands {
+    let mut hands = Hands::new(SIZE, false);
+    hands.run(Command::New);
+    let middle = hands.on_plan(0.0, 0.0);
+    hands.drag(&round(middle, vec2(120.0, 90.0), 60));
+    hands.settle();
+    hands.disk.lock().unwrap().paths = Some(paths.iter().map(|path| (*path).to_owned()).collect());
+    hands
+}
+
+#[test]
+fn without_a_dialog_a_path_is_typed_to_save() {
+    let mut hands = without_dialogs(&["/home/old.sheet.json"]);
+    hands.run(Command::Save);
+    hands.step();
+    assert!(hands.sees("This system shows no dialog for files"));
+    type_path(&mut hands, "Path of the file", "/home/old.sheet.json");
+    assert!(hands.sees("/home/old.sheet.json is there already"));
+    assert!(hands.disk.lock().unwrap().saved.is_empty(), "Enter replaces nothing");
+    // It grows by what it says.
+    hands.harness.run_steps(3);
+    hands.click("Replace it");
+    assert!(!hands.disk.lock().unwrap().saved.is_empty());
+    assert_eq!(hands.app().editor().file(), Some("/home/old.sheet.json"));
+    assert!(!hands.sees("This system shows no dialog"));
+    // Save as begins with the name of the design.
+    hands.run(Command::SaveAs);
+    hands.step();
+    hands.key(Modifiers::NONE, Key::Enter);
+    assert_eq!(hands.app().editor().file(), Some("/home/untitled.sheet.json"));
+}
+
+#[test]
+fn without_a_dialog_a_path_is_typed_to_export() {
+    let mut hands = without_dialogs(&[]);
+    hands.run(Command::Export);
+    hands.click("Choose a folder…");
+    hands.settle();
+    hands.step();
+    assert!(hands.sees("This system shows no dialog for files"));
+    type_path(&mut hands, "Path of the folder", "/home/cut");
+    assert!(!hands.disk.lock().unwrap().exported.is_empty());
+    assert!(notice(&hands).ends_with("files are in /home/cut."));
+}
+
+#[test]
+fn without_a_dialog_a_path_is_typed_to_open() {
+    let mut hands = without_dialogs(&["/home/hood.sheet.json"]);
+    let (path, bytes) = ("/home/hood.sheet.json".to_owned(), design("hood"));
+    hands.disk.lock().unwrap().to_open = Some(Opened { path, bytes });
+    for command in [Command::Open, Command::AddReference] {
+        hands.run(command);
+        hands.step();
+        type_path(&mut hands, "Path of the file", "/home/nothing");
+        assert!(hands.sees("/home/nothing is not there."));
+        hands.key(Modifiers::NONE, Key::Escape);
+        assert!(!hands.sees("This system shows no dialog"));
+    }
+    hands.run(Command::Open);
+    hands.step();
+    type_path(&mut hands, "Path of the file", "/home/hood.sheet.json");
+    assert!(hands.app().editor().asks().is_some());
+    // Its path is typed too where the work is saved first.
+    hands.click("Save");
+    hands.step();
+    hands.key(Modifiers::NONE, Key::Enter);
+    hands.step();
+    assert_eq!(hands.app().editor().document().design.name, "hood");
+}
+
+const CHILD: &str = "SHEETWRIGHT_TEST_CHILD";
+
+/// In a program that finds neither a portal nor zenity: this one, started once more.
+#[test]
+fn a_system_without_dialogs_is_told_from_a_person_who_changes_his_mind() {
+    let name = "a_system_without_dialogs_is_told_from_a_person_who_changes_his_mind";
+    if std::env::var_os(CHILD).is_none() {
+        let status = std::process::Command::new(std::env::current_exe().unwrap())
+            .args(["--exact", name])
+            .env(CHILD, "1")
+            .env("PATH", "/nowhere")
+            .env("DBUS_SESSION_BUS_ADDRESS", "unix:path=/nowhere")
+            .status()
+            .unwrap();
+        assert!(status.success());
+        return;
+    }
+    let save = FileWish::Save { to: None, name: "a".to_owned(), bytes: Vec::new(), version: 1 };
+    for wish in [FileWish::Open, FileWish::Picture, save, FileWish::Export(Vec::new())] {
+        let mut dialogs = SystemDialogs::new(Arc::new(|| {}));
+        dialogs.grant(wish.clone());
+        let start = Instant::now();
+        let answer = loop {
+            if let Some(answer) = dialogs.answers().pop() {
+                break answer;
+            }
+            assert!(start.elapsed() < Duration::from_secs(20), "no answer to {wish:?}");
+            std::thread::sleep(Duration::from_millis(5));
+        };
+        let FileAnswer::NoDialog { wish: found, folder } = answer else { panic!("{answer:?}") };
+        assert_eq!(found, wish);
+        assert!(Path::new(&folder).is_dir() && folder.ends_with('/'));
+    }
+}
+
+#[test]
+fn typed_paths_are_paths_of_the_system() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let mut dialogs = SystemDialogs::new(Arc::new(|| {}));
+    let (name, bytes) = ("hood.sheet.json".to_owned(), design("hood"));
+    let save = FileWish::Save { to: None, name, bytes: bytes.clone(), version: 3 };
+    // With the ending that it takes to be opened again, and with the name that was offered.
+    for (typed, path) in [("a", "a.sheet.json"), ("b.json", "b.json"), ("", "hood.sheet.json")] {
+        let path = at(path);
+        let granted = Typed::Granted(FileAnswer::Saved { path: path.clone(), version: 3 });
+        assert_eq!(dialogs.grant_at(&save, &at(typed), false), granted);
+        assert_eq!(dialogs.grant_at(&save, &at(typed), false), Typed::IsThere(path.clone()));
+        assert_eq!(dialogs.grant_at(&save, &at(typed), true), granted);
+        let opened = Opened { path, bytes: bytes.clone() };
+        let found = dialogs.grant_at(&FileWish::Open, &format!(" {} ", opened.path), false);
+        assert_eq!(found, Typed::Granted(FileAnswer::Opened(opened)));
+    }
+    let Typed::Failed(text) = dialogs.grant_at(&FileWish::Open, &at("none"), false) else {
+        panic!("there is none")
+    };
+    assert!(text.contains("none can't be read"), "{text}");
+    let export = dialogs.grant_at(&FileWish::Export(Vec::new()), &at("new/folder"), false);
+    assert!(matches!(export, Typed::Granted(FileAnswer::Exported { count: 0, .. })), "{export:?}");
+}
