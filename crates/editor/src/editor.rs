@@ -66,9 +66,11 @@ pub struct Editor {
     varied: Option<Result<Box<Varied>, Refusal>>,
     /// Two places of the picture, mm, until their distance is typed.
     calibrated: Option<[Point2; 2]>,
-    /// The name of the file, and the version of the document that it holds.
+    /// The name of the file, the version of the document that it holds, and that document, if it is
+    /// known: undo comes back to it with another version.
     file: Option<String>,
     saved_version: u64,
+    saved_document: Option<Document>,
     /// The version that this document began with.
     first_version: u64,
     /// What takes its place once the person has decided what becomes of work that no file has.
@@ -141,6 +143,7 @@ impl Editor {
             calibrated: None,
             file: None,
             saved_version: 0,
+            saved_document: Some(Document::default()),
             first_version: 0,
             next: None,
             dropped: Vec::new(),
@@ -187,6 +190,7 @@ impl Editor {
     /// Whether there is something that the file lacks, or that was typed or drawn without one.
     pub fn is_unsaved(&self) -> bool {
         self.saved_version != self.history.version()
+            && self.saved_document.as_ref() != Some(self.document())
     }
 
     /// Whether there is something that no file has: also a shape as it was offered.
@@ -263,6 +267,7 @@ impl Editor {
         self.jobs.forget();
         self.history = History::starting_at(document, self.history.version() + 1);
         self.saved_version = self.history.version();
+        self.saved_document = Some(self.document().clone());
         self.first_version = self.saved_version;
         self.file = file;
         self.selection = Selection::default();
@@ -279,6 +284,7 @@ impl Editor {
     /// The document counts as unsaved: what was recovered, or has typed numbers.
     pub fn mark_unsaved(&mut self) {
         self.saved_version = u64::MAX;
+        self.saved_document = None;
     }
 
     fn edit(&mut self, edit: &Edit) {

@@ -192,6 +192,11 @@ fn a_saved_design_is_asked_about_only_after_a_change() {
     assert!(!hands.sees("· not saved yet"));
     lift(&mut hands);
     assert!(hands.sees("· not saved yet"));
+    // Taken back, it is what the file has.
+    hands.run(Command::Undo);
+    assert!(!hands.sees("· not saved yet"));
+    hands.run(Command::Redo);
+    assert!(hands.sees("· not saved yet"));
     hands.run(Command::New);
     assert!(asks(&mut hands));
     hands.click("Save");

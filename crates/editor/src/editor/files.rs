@@ -121,6 +121,8 @@ impl Editor {
         if version >= self.first_version {
             self.file = Some(path);
             self.saved_version = version;
+            let is_now = version == self.history.version();
+            self.saved_document = is_now.then(|| self.document().clone());
             self.go_on_if_safe();
         }
     }
