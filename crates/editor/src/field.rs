@@ -140,9 +140,23 @@ impl Field<'_> {
         self.typed(ui, name, "Type a name.", read).filter(|new| new != name)
     }
 
-    /// Puts the cursor into the field.
+    /// Puts the cursor into the field, once it has been shown, to type over what is there.
     pub(crate) fn focus(&self, ui: &Ui) {
         ui.memory_mut(|memory| memory.request_focus(self.id()));
+        ui.data_mut(|d| {
+            d.insert_temp(self.fresh(), true);
+            d.insert_temp(self.untouched(), true);
+        });
+    }
+
+    /// Whether the cursor was put there by nobody's hand yet.
+    fn untouched(&self) -> Id {
+        self.id().with("untouched")
+    }
+
+    /// Whether somebody has just come to it.
+    fn fresh(&self) -> Id {
+        self.id().with("fresh")
     }
 
     /// Whether it holds what was refused.
@@ -206,8 +220,10 @@ impl Field<'_> {
     /// A field that is come to is typed over. A click puts the cursor once more where the button is let
     /// go, so that this waits for it.
     fn select_what_is_there(&self, ui: &Ui, response: &egui::Response, text: &str) {
-        let fresh = self.id().with("fresh");
-        if response.gained_focus() {
+        let fresh = self.fresh();
+        let is_first = response.clicked()
+            && ui.data_mut(|d| d.remove_temp::<bool>(self.untouched())).is_some();
+        if response.gained_focus() || is_first {
             ui.data_mut(|d| d.insert_temp(fresh, true));
         }
         let is_held = ui.input(|i| i.pointer.any_down());

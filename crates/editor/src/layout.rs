@@ -22,7 +22,7 @@ use eframe::egui::{self, Frame, Margin, Panel, RichText, Ui, vec2};
 const PLAN_SHARE: f32 = 0.5;
 const PATTERN_SHARE: f32 = 0.36;
 /// What the cards of the panels take of the height of the bar at the side, at first.
-const VERDICT_SHARE: f32 = 0.48;
+const VERDICT_SHARE: f32 = 0.42;
 /// How wide the answer is at first, points: a verdict in some lines.
 const SIDE: f32 = 286.0;
 /// What is narrower or lower is of no use, points.

@@ -24,12 +24,11 @@ pub(crate) fn banner_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut 
     };
     let worst = editor.worst_place();
     let text = RichText::new(text).color(ink).strong().size(15.0);
-    let button = Button::new(text).fill(theme.paper).truncate();
+    let button = Button::new(text).fill(theme.paper).wrap_mode(egui::TextWrapMode::Truncate);
     let room = vec2(ui.available_width(), BANNER);
     let placed =
         Layout::left_to_right(Align::Center).with_cross_justify(true).with_main_justify(true);
     ui.allocate_ui_with_layout(room, placed, |ui| {
-        let button = button.wrap_mode(egui::TextWrapMode::Truncate);
         let response = ui.add_enabled(worst.is_some(), button);
         let response = response.on_hover_text("Show the worst place.");
         if let Some(worst) = worst.filter(|_| response.clicked()) {
@@ -50,7 +49,7 @@ fn waiting(editor: &Editor) -> &'static str {
     }
 }
 
-/// How many panels are as bad as the worst, in words, and the first of these; `None` without panels.
+/// How many panels are as bad as the worst, in words, and one of these; `None` without panels.
 fn counted(panels: &[ShownPanel]) -> Option<(String, &ShownPanel)> {
     let worst = panels.iter().max_by_key(|panel| panel.badness())?;
     let count = panels.iter().filter(|panel| panel.badness() == worst.badness()).count();
@@ -65,13 +64,19 @@ fn counted(panels: &[ShownPanel]) -> Option<(String, &ShownPanel)> {
         Some(Verdict::Bends) => ("bends", "bend"),
     };
     let sign = verdict.map_or("▲", sign);
+    let is_hidden =
+        |panel: &&ShownPanel| verdict.is_none() && panel.badness() + 1 == worst.badness();
+    let more_bad = match panels.iter().filter(is_hidden).count() {
+        0 => String::new(),
+        bad => format!(", {bad} will not bend"),
+    };
     let text = match (all, count) {
         (1, _) => format!("{sign} The panel {one}"),
         (_, _) if all == count => format!("{sign} All {all} panels {more}"),
         (_, 1) => format!("{sign} 1 of {all} panels {one}"),
         _ => format!("{sign} {count} of {all} panels {more}"),
     };
-    Some((text, worst))
+    Some((text + &more_bad, worst))
 }
 
 fn ink(theme: &Theme, panel: &ShownPanel) -> Color32 {

@@ -309,7 +309,8 @@ fn decimal(text: &str) -> Result<(f64, &str), Slip> {
     let digits = |text: &str| text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len());
     let whole = digits(text);
     let mut end = whole;
-    let is_parted = text[end..].starts_with(['.', ',']);
+    let is_comma = text[end..].starts_with(',') && digits(&text[end + 1..]) > 0;
+    let is_parted = is_comma || text[end..].starts_with('.');
     if is_parted {
         end += 1 + digits(&text[end + 1..]);
     }
@@ -321,7 +322,6 @@ fn decimal(text: &str) -> Result<(f64, &str), Slip> {
         }
         return Err(Slip::Separators(text[..end].to_owned()));
     }
-    let is_comma = text[whole..end].starts_with(',');
     // 0,125 parts no thousands.
     if is_comma && end - whole == 4 && (1..=3).contains(&whole) && !text.starts_with('0') {
         return Err(Slip::Ambiguous(text[..end].to_owned()));

@@ -34,10 +34,10 @@ impl CalibratePage {
             let now = self.typed.or(editor.calibrating()).unwrap_or(0.0);
             let units = editor.document().drawing.units;
             let field = Field { theme, of: Id::unique("picture"), label: "Distance" };
+            let typed = field.length(ui, now, units, 0.01..=FARTHEST_MM);
             if !std::mem::replace(&mut self.is_open, true) {
                 field.focus(ui);
             }
-            let typed = field.length(ui, now, units, 0.01..=FARTHEST_MM);
             self.typed = typed.or(self.typed);
             // Whoever leaves the field may still want to drop it.
             let is_entered = typed.is_some() && ui.input(|i| i.key_pressed(Key::Enter));
