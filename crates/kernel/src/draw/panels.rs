@@ -104,6 +104,12 @@ struct Loop {
     part: Part,
 }
 
+impl Loop {
+    fn is_free(&self) -> bool {
+        self.part == Part::Free
+    }
+}
+
 #[derive(Clone, Copy, PartialEq)]
 enum Part {
     /// The outer loop of a panel, by its number.
@@ -180,6 +186,28 @@ fn is_turned(new: &Loop, others: &[Vec<Point3>]) -> bool {
     }
 }
 
+/// The free loops that nothing is proposed for, and a proposal that says why.
+fn barred(
+    loops: &[Loop],
+    crossing: &[[usize; 2]],
+    crossing_itself: &[usize],
+) -> (Proposal, BTreeSet<usize>) {
+    let mut proposal = Proposal::default();
+    let mut barred = BTreeSet::new();
+    for pair in crossing {
+        let free: Vec<usize> = pair.iter().copied().filter(|&n| loops[n].is_free()).collect();
+        if !free.is_empty() {
+            proposal.crossing.push(pair.map(|n| loops[n].names.join(", ")));
+        }
+        barred.extend(free);
+    }
+    for &n in crossing_itself.iter().filter(|&&n| loops[n].is_free()) {
+        barred.insert(n);
+        proposal.crossing_itself.push(loops[n].names.join(", "));
+    }
+    (proposal, barred)
+}
+
 /// What becomes of every closed curve that no panel uses. New panels get the free names that follow
 /// the names of their curves, and `samples` samples.
 pub fn panels_of_drawing(
@@ -190,17 +218,7 @@ pub fn panels_of_drawing(
     let loops = loops_of(design, &project);
     let polygons: Vec<Vec<Point2>> = loops.iter().map(|l| l.polygon.clone()).collect();
     let Nesting { loops: nested, crossing, touching, crossing_itself } = nesting(&polygons);
-    let is_free = |n: usize| loops[n].part == Part::Free;
-    let mut proposal = Proposal::default();
-    let mut barred: BTreeSet<usize> = BTreeSet::new();
-    for [a, b] in crossing.into_iter().filter(|&[a, b]| is_free(a) || is_free(b)) {
-        barred.extend([a, b].into_iter().filter(|&n| is_free(n)));
-        proposal.crossing.push([a, b].map(|n| loops[n].names.join(", ")));
-    }
-    for n in crossing_itself.into_iter().filter(|&n| is_free(n)) {
-        barred.insert(n);
-        proposal.crossing_itself.push(loops[n].names.join(", "));
-    }
+    let (mut proposal, mut barred) = barred(&loops, &crossing, &crossing_itself);
     // Around it, past loops that are barred.
     let parent = |n: usize, barred: &BTreeSet<usize>| {
         let up = |&n: &usize| nested[n].parent;
@@ -212,7 +230,7 @@ pub fn panels_of_drawing(
     };
     // From outside inwards, so that what is around a loop has its part.
     let mut order: Vec<usize> =
-        (0..loops.len()).filter(|n| is_free(*n) && !barred.contains(n)).collect();
+        (0..loops.len()).filter(|n| loops[*n].is_free() && !barred.contains(n)).collect();
     order.sort_by_key(|&n| (nested[n].depth, n));
     let mut parts: Vec<Part> = loops.iter().map(|l| l.part).collect();
     let is_outer = |part: Part| matches!(part, Part::Outer(_));
@@ -241,9 +259,9 @@ pub fn panels_of_drawing(
             continue;
         }
         parts[n] = Part::Outer(first_new + new.len());
+        let others = design.panels.iter().chain(new.iter().map(|(_, panel)| panel));
+        let others: Vec<&str> = others.map(|panel| panel.name.as_str()).collect();
         // A panel has the name of its curve if no other has it.
-        let others = design.panels.iter().map(|p| p.name.as_str());
-        let others: Vec<&str> = others.chain(new.iter().map(|(_, p)| p.name.as_str())).collect();
         let free = free_of(&others, &name);
         let reversed = is_turned(&loops[n], &outer_points);
         let turned: Vec<Point3> = loops[n].points.iter().rev().copied().collect();

@@ -4,6 +4,7 @@
 //! single clicks, which put corners), [`Tool::Calibrate`] takes two places of the picture under the
 //! drawing. All of them pan with the middle or right button, or two fingers, and zoom with the wheel.
 
+mod drag;
 mod handles;
 mod paint;
 mod snap;
@@ -15,10 +16,10 @@ use crate::command::Command;
 use crate::panes::is_resized;
 use crate::panes::lit::Lit;
 use crate::scene::{Act, Edit, PointRef, Scene, Selection};
+use drag::Drag;
 use eframe::egui::{self, Key, PointerButton, Pos2, Rect, Response, Sense, Ui, Vec2};
 use handles::Handles;
-use sheetwright::draw::settle::point_at;
-use sheetwright::math::{Point2, Point3};
+use sheetwright::math::Point2;
 use snap::{Snap, snapped};
 
 /// What the hand does on the plan.
@@ -56,18 +57,6 @@ pub struct PlanPane {
     snaps: Vec<Snap>,
     picture: paint::ReferencePicture,
     outlines: paint::Outlines,
-}
-
-/// Handles on their way.
-struct Drag {
-    /// The one under the hand.
-    held: PointRef,
-    /// Where each lay in space when it was taken hold of, mm.
-    from: Vec<(PointRef, Point3)>,
-    /// All that move: with them those of other curves on their spots.
-    moving: Vec<PointRef>,
-    /// Where the hand took hold, less the handle, mm.
-    grip: Point2,
 }
 
 /// How far a snap may jump, points of the screen.
@@ -272,23 +261,12 @@ impl PlanPane {
         scene: &Scene<'_>,
         acts: &mut Vec<Act>,
     ) {
-        let place = |r: PointRef| {
-            let point = scene.document.design.curves.get(r.curve)?.points.get(r.point)?;
-            Some((r, point.at))
-        };
         let mut points = scene.selection.points.clone();
         if !points.contains(&held) {
             points = vec![held];
             acts.push(Act::Select(Selection::of_point(held)));
         }
-        let Some((_, at_first)) = place(held) else { return };
-        let here = scene.document.drawing.plan.flat(at_first);
-        let hand = self.view.to_plan(pane, at);
-        let grip = Point2::new(hand.x - here.x, hand.y - here.y);
-        let from: Vec<(PointRef, Point3)> = points.into_iter().filter_map(place).collect();
-        let goes = |(_, at): &(PointRef, Point3)| from.iter().any(|(_, moved)| moved == at);
-        let moving = all_points(scene).filter(goes).map(|(r, _)| r).collect();
-        self.drag = Some(Drag { held, from, moving, grip });
+        self.drag = Drag::new(held, &points, self.view.to_plan(pane, at), scene);
     }
 
     /// Where the handle under the hand settles.
@@ -303,9 +281,8 @@ impl PlanPane {
         if ui.input(|i| i.modifiers.alt) {
             return (wanted, Vec::new());
         }
-        let is_moving = |r: &PointRef| drag.moving.contains(r);
         let others: Vec<Point2> =
-            handles.all().filter(|(r, _)| !is_moving(r)).map(|h| h.1).collect();
+            handles.all().filter(|(r, _)| !drag.moves(*r)).map(|h| h.1).collect();
         let may_meet: Vec<Point2> =
             handles.all().filter(|(r, _)| drag.may_meet(*r)).map(|h| h.1).collect();
         snapped(wanted, &may_meet, &others, &scene.document.drawing, SNAP / self.view.scale)
@@ -351,18 +328,9 @@ impl PlanPane {
             return;
         }
         let Some(at) = response.hover_pos().or(response.interact_pointer_pos()) else { return };
-        let places: Vec<Point2> = view::places(scene.document).collect();
-        let wanted = self.view.to_plan(pane, at);
-        let first = self.corners.first().copied();
-        // The first corner, which closes the outline, before what others it lies on.
-        let closing = first.filter(|f| self.corners.len() > 2 && f.distance(wanted) <= reach);
-        let points: Vec<Point2> = match closing {
-            Some(first) => vec![first],
-            None => places.iter().filter(|&p| !self.corners.contains(p)).copied().collect(),
-        };
-        let lines: Vec<Point2> = self.corners.iter().copied().chain(places).collect();
-        let (to, snaps) = snapped(wanted, &points, &lines, &scene.document.drawing, reach);
+        let (to, snaps) = self.snapped_corner(self.view.to_plan(pane, at), reach, scene);
         self.snaps = snaps;
+        let first = self.corners.first().copied();
         if response.clicked() {
             let closes = first.is_some_and(|f| self.corners.len() > 2 && f.distance(to) <= reach);
             let is_repeated =
@@ -373,6 +341,19 @@ impl PlanPane {
                 self.corners.push(to);
             }
         }
+    }
+
+    /// Where the next corner settles.
+    fn snapped_corner(&self, wanted: Point2, reach: f64, scene: &Scene<'_>) -> (Point2, Vec<Snap>) {
+        let places: Vec<Point2> = view::places(scene.document).collect();
+        // The first corner, which closes the outline, before what others it lies on.
+        let first = self.corners.first().filter(|_| self.corners.len() > 2);
+        let points: Vec<Point2> = match first.filter(|first| first.distance(wanted) <= reach) {
+            Some(&first) => vec![first],
+            None => places.iter().filter(|&p| !self.corners.contains(p)).copied().collect(),
+        };
+        let lines: Vec<Point2> = self.corners.iter().copied().chain(places).collect();
+        snapped(wanted, &points, &lines, &scene.document.drawing, reach)
     }
 
     /// The place of the handle of a curve that is near a place of the plan, or that place itself.
@@ -510,55 +491,6 @@ impl PlanPane {
             }
         });
     }
-}
-
-impl Drag {
-    /// Where every handle goes if the one under the hand goes to a place of the plan: across the
-    /// plan alone; on a point that it settled on, to where that lies in space.
-    fn moved(&self, to: Point2, snaps: &[Snap], scene: &Scene<'_>) -> Vec<(PointRef, Point3)> {
-        let plan = scene.document.drawing.plan;
-        let Some((_, held)) = self.from.iter().find(|(r, _)| *r == self.held) else {
-            return Vec::new();
-        };
-        let at = plan.flat(*held);
-        let by = Point2::new(to.x - at.x, to.y - at.y);
-        let other = match snaps {
-            [Snap::Point(p)] => self.settled_on(*p, scene),
-            _ => None,
-        };
-        let lifted = other.map_or(0.0, |other| plan.lift(other) - plan.lift(*held));
-        let place = |&(r, from): &(PointRef, Point3)| {
-            if let Some(other) = other.filter(|_| from == *held) {
-                return (r, other);
-            }
-            let flat = plan.flat(from);
-            let there = Point2::new(flat.x + by.x, flat.y + by.y);
-            (r, plan.space(there, plan.lift(from) + lifted))
-        };
-        self.from.iter().map(place).collect()
-    }
-
-    /// Whether the handle under the hand may settle on another. On a smooth run two handles on one
-    /// spot make no curve; ends of other curves do.
-    fn may_meet(&self, other: PointRef) -> bool {
-        other.curve != self.held.curve && !self.moving.contains(&other)
-    }
-
-    /// Where the point lies in space that the hand settled on: of several the one on top.
-    fn settled_on(&self, place: Point2, scene: &Scene<'_>) -> Option<Point3> {
-        let plan = scene.document.drawing.plan;
-        let others = all_points(scene).filter(|(r, _)| self.may_meet(*r)).map(|(_, at)| at);
-        point_at(others, place, |p| plan.flat(p), |p| plan.lift(p))
-    }
-}
-
-/// Every point of every curve, and where it lies in space, mm.
-fn all_points<'a>(scene: &Scene<'a>) -> impl Iterator<Item = (PointRef, Point3)> + use<'a> {
-    let curves = scene.document.design.curves.iter().enumerate();
-    curves.flat_map(|(curve, of)| {
-        let points = of.points.iter().enumerate();
-        points.map(move |(point, p)| (PointRef { curve, point }, p.at))
-    })
 }
 
 /// A selection with one point more, or less.
