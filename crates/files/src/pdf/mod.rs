@@ -5,6 +5,7 @@
 //! together is drawn on one page instead, to a smaller scale that is stated, with a table of
 //! offsets to mark it out by.
 
+mod labels;
 mod offsets;
 mod overview;
 mod page;
@@ -127,6 +128,20 @@ pub struct Reduced {
     /// Whether its sheets would be few enough, but those of the panels before it leave it no room
     /// among [`MaxSheets::MOST`].
     pub file_full: bool,
+}
+
+impl Reduced {
+    /// How to print it true to scale all the same, in a sentence; `None` where no PDF takes so many.
+    pub(crate) fn way_to_sheets(&self) -> Option<String> {
+        let Self { sheets, file_full, .. } = *self;
+        if sheets > MaxSheets::MOST.get() {
+            None
+        } else if file_full {
+            Some("Make it in a design of its own to print it true to scale.".to_owned())
+        } else {
+            Some(format!("To print it true to scale all the same, add --max-sheets {sheets}."))
+        }
+    }
 }
 
 /// How a piece comes to paper.

@@ -77,7 +77,7 @@ pub(super) fn page(piece: &Piece, reduced: &Reduced, paper: Paper) -> Page {
             page.text(at, &format!("{x:.0}"), Type::new(6.5).at(Anchor::Middle));
         }
     }
-    draw(&mut page, piece, &view, Detail::Lines);
+    draw(&mut page, piece, &[], &view, Detail::Lines);
     page.rectangle(view.frame(), Pen::FRAME);
     table(&mut page, piece, &stations, corner.y - 11.0, reduced);
     page
@@ -129,7 +129,11 @@ fn table(page: &mut Page, piece: &Piece, stations: &[f64], top: f64, reduced: &R
          along a base line, y square to it, in mm.",
         reduced.sheets
     );
-    page.fitted_text(Point2::new(left, top), &told, Type::new(9.0), page.size().x - 2.0 * left);
+    let most_mm = page.size().x - 2.0 * left;
+    page.fitted_text(Point2::new(left, top), &told, Type::new(9.0), most_mm);
+    let top = top - 4.6;
+    let way = reduced.way_to_sheets().unwrap_or("SVG and DXF are true to scale.".to_owned());
+    page.fitted_text(Point2::new(left, top), &way, Type::new(9.0), most_mm);
     let head = Type::new(9.0).bold();
     let first_row = top - 7.0;
     let end = |x: f64| left + 18.0 + x;

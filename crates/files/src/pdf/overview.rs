@@ -2,11 +2,13 @@
 
 use super::page::{Anchor, Page, Pen, Type};
 use super::piece::{Detail, View, draw};
-use super::sheets::{MARGIN_MM, Tiling};
-use super::{Paper, Plan, Reduced};
+use super::sheets::{MARGIN_MM, Sheet, Tiling};
+use super::text::{encoded, width};
+use super::{Paper, Plan};
 use sheetwright::math::{Point2, Vec2};
-use sheetwright::pattern::Piece;
+use sheetwright::pattern::{Piece, Role};
 use sheetwright::predicate::Box2;
+use std::collections::BTreeMap;
 
 /// The side of the check square, mm.
 const CHECK_MM: f64 = 100.0;
@@ -164,9 +166,12 @@ fn piece_block(
             let sheets = if count == 1 { "1 sheet".to_owned() } else { format!("{count} sheets") };
             format!("{size}. {sheets} on {pages}. Drawn here at 1:{:.1}.", block.scale)
         }
-        Plan::Reduced(Reduced { sheets, scale, .. }) => format!(
-            "{size}. About {sheets} sheets at 1:1, so it is drawn at 1:{scale} with a table of \
-             offsets on {pages}."
+        Plan::Reduced(reduced) => format!(
+            "{size}. About {} sheets at 1:1, so it is drawn at 1:{} with a table of offsets on \
+             {pages}.{}",
+            reduced.sheets,
+            reduced.scale,
+            reduced.way_to_sheets().map_or(String::new(), |way| format!(" {way}"))
         ),
     };
     page.fitted_text(Point2::new(MARGIN_MM, top - 9.5), &told, Type::new(9.0), width_mm);
@@ -174,23 +179,102 @@ fn piece_block(
     let corner = Point2::new(MARGIN_MM, top - CAPTION_MM - height_mm);
     let view = View { shown: block.shown, corner, scale: block.scale };
     if let Plan::Tiled(tiling) = plan {
-        grid(page, tiling, &view);
+        grid(page, piece, tiling, &view);
     }
-    draw(page, piece, &view, Detail::Lines);
+    draw(page, piece, &[], &view, Detail::Lines);
 }
 
-/// The cells of the sheets with their names.
-fn grid(page: &mut Page, tiling: &Tiling, view: &View) {
+/// The cells of the sheets with their names, which stand where no line of the piece runs.
+fn grid(page: &mut Page, piece: &Piece, tiling: &Tiling, view: &View) {
+    let lines = lines_of_cells(piece, tiling);
     for &sheet in &tiling.sheets {
         let cell = tiling.cell(sheet);
         let cell = Box2 { min: view.place(cell.min), max: view.place(cell.max) };
         page.rectangle(cell, Pen::FRAME);
-        let room = cell.max - cell.min;
+        let near = lines.get(&sheet).map_or(&[][..], |list| &list[..]);
+        let near: Vec<[Point2; 2]> = near.iter().map(|e| e.map(|p| view.place(p))).collect();
         let name = sheet.name();
-        // As large as the cell lets it be, in its corner, where the outline rarely is.
-        let size_pt = (room.y * 1.6).min(room.x * 3.6 / name.len() as f64).min(8.0);
-        let capital_mm = 0.72 * size_pt * (25.4 / 72.0);
-        let base = Point2::new(cell.min.x + 0.5, cell.max.y - 0.5 - capital_mm);
+        let (size_pt, base) = name_place(&name, cell, &near);
         page.text(base, &name, Type::new(size_pt));
+    }
+}
+
+/// The size of the letters of a sheet's name, and where it begins in the cell: in the largest size and
+/// at the first place where no line runs through it, else where the fewest do.
+fn name_place(name: &str, cell: Box2, lines: &[[Point2; 2]]) -> (f64, Point2) {
+    let room = cell.max - cell.min;
+    let largest_pt = (room.y * 1.6).min(room.x * 3.6 / name.len() as f64).min(8.0);
+    let sizes = [1.0, 0.75, 0.55].map(|share| share * largest_pt);
+    let tries = sizes
+        .into_iter()
+        .flat_map(|size_pt| places(cell, name_box(name, size_pt)).map(move |base| (size_pt, base)));
+    let crossings = |&(size_pt, base): &(f64, Point2)| {
+        let air = Vec2::splat(NAME_AIR_MM);
+        let around = Box2 { min: base + -air, max: base + name_box(name, size_pt) + air };
+        lines.iter().filter(|[a, b]| around.part_inside(*a, *b).is_some()).count()
+    };
+    tries.min_by_key(crossings).unwrap_or((largest_pt, cell.min))
+}
+
+/// Between the name of a sheet and a line, mm.
+const NAME_AIR_MM: f64 = 0.3;
+
+/// Width and height of the name of a sheet, mm.
+fn name_box(name: &str, size_pt: f64) -> Vec2 {
+    let mm = size_pt * (25.4 / 72.0);
+    Vec2::new(width(&encoded(name)) * mm, 0.72 * mm)
+}
+
+/// Where the name of a sheet may begin in its cell: the corners, the middles of the sides, the
+/// middle; on a line where there is no other room.
+fn places(cell: Box2, size: Vec2) -> impl Iterator<Item = Point2> {
+    let low = cell.min + Vec2::splat(0.5);
+    let high = cell.max + -(size + Vec2::splat(0.5));
+    let shares = [(0.0, 1.0), (1.0, 1.0), (0.0, 0.0), (1.0, 0.0)];
+    let more = [(0.5, 1.0), (0.5, 0.0), (0.0, 0.5), (1.0, 0.5), (0.5, 0.5)];
+    let at = move |(x, y): (f64, f64)| {
+        Point2::new(low.x + x * (high.x - low.x), low.y + y * (high.y - low.y))
+    };
+    shares.into_iter().chain(more).map(at)
+}
+
+/// The lines that the overview draws, by the sheets whose cells they may pass.
+fn lines_of_cells(piece: &Piece, tiling: &Tiling) -> BTreeMap<Sheet, Vec<[Point2; 2]>> {
+    let mut found: BTreeMap<Sheet, Vec<[Point2; 2]>> = BTreeMap::new();
+    let drawn = piece.paths.iter().filter(|p| matches!(p.role, Role::Cut | Role::Score));
+    for path in drawn {
+        let count = path.points.len() - usize::from(!path.closed);
+        for n in 0..count {
+            let ends = [path.points[n], path.points[(n + 1) % path.points.len()]];
+            for sheet in tiling.sheets_about(Box2::of_segment(ends[0], ends[1])) {
+                found.entry(sheet).or_default().push(ends);
+            }
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_name_of_a_sheet_stands_off_the_lines() {
+        let at = Point2::new;
+        let cell = Box2 { min: at(0.0, 0.0), max: at(20.0, 14.0) };
+        let crossed = |lines: &[[Point2; 2]]| {
+            let (size_pt, base) = name_place("B13", cell, lines);
+            let around = Box2 { min: base, max: base + name_box("B13", size_pt) };
+            assert!(cell.min.x <= around.min.x && around.max.x <= cell.max.x);
+            assert!(cell.min.y <= around.min.y && around.max.y <= cell.max.y);
+            lines.iter().any(|[a, b]| around.part_inside(*a, *b).is_some())
+        };
+        let (_, corner) = name_place("B13", cell, &[]);
+        assert!(corner.x < 1.0 && corner.y > 10.0, "in the upper left corner");
+        assert!(!crossed(&[[at(0.0, 12.0), at(20.0, 12.0)]]));
+        assert!(!crossed(&[[at(0.0, 14.0), at(20.0, 0.0)], [at(0.0, 0.0), at(20.0, 14.0)]]));
+        let steps = (0..3).map(|n| 12.5 - 5.0 * f64::from(n));
+        let lines: Vec<_> = steps.map(|y| [at(0.0, y), at(20.0, y)]).collect();
+        assert!(!crossed(&lines), "smaller, between lines");
     }
 }

@@ -3,7 +3,7 @@
 use super::page::{Page, Pen};
 use crate::stroke_font::strokes;
 use sheetwright::math::{Point2, Vec2};
-use sheetwright::pattern::{PathKind, Piece, Role};
+use sheetwright::pattern::{PathKind, PatternLabel, Piece, Role};
 use sheetwright::predicate::Box2;
 
 /// No pen draws farther from its line on the page, mm: the widest is 0.35 mm wide.
@@ -41,8 +41,14 @@ pub(super) enum Detail {
     Lines,
 }
 
-/// Draws the part of the piece that the view shows.
-pub(super) fn draw(page: &mut Page, piece: &Piece, view: &View, detail: Detail) {
+/// Draws the part of the piece that the view shows, with some texts.
+pub(super) fn draw(
+    page: &mut Page,
+    piece: &Piece,
+    labels: &[PatternLabel],
+    view: &View,
+    detail: Detail,
+) {
     page.clipped(view.frame(), |page| {
         // The lines that matter most are drawn last, over the others.
         for (role, pen) in [
@@ -59,7 +65,7 @@ pub(super) fn draw(page: &mut Page, piece: &Piece, view: &View, detail: Detail) 
                     page.lines(&visible(&path.points, path.closed, view), pen);
                 }
             }
-            for label in piece.labels.iter().filter(|l| l.role == role && role != Role::Note) {
+            for label in labels.iter().filter(|label| label.role == role) {
                 for stroke in strokes(&label.text, label.at, label.along, label.height_mm) {
                     page.lines(&visible(&stroke, false, view), pen);
                 }

@@ -5,10 +5,11 @@
 //! middle of the overlaps, and where they cross, all four sheets print the same cross.
 
 use super::Paper;
+use super::labels::labels;
 use super::page::{Anchor, Page, Pen, Type};
 use super::piece::{Detail, View, draw};
 use sheetwright::math::{Point2, Vec2};
-use sheetwright::pattern::Piece;
+use sheetwright::pattern::{PatternLabel, Piece};
 use sheetwright::predicate::Box2;
 use std::ops::Range;
 
@@ -196,6 +197,25 @@ impl Tiling {
         about((top - around.max.y) / step, (top - around.min.y) / step, self.rows)
     }
 
+    /// The sheets whose cells a box may have a point of.
+    pub(super) fn sheets_about(&self, around: Box2) -> impl Iterator<Item = Sheet> + use<> {
+        let columns = self.columns_about(around);
+        let rows = self.rows_about(around);
+        rows.flat_map(move |row| columns.clone().map(move |column| Sheet { row, column }))
+    }
+
+    /// The cells of the sheets that a box reaches into.
+    pub(super) fn cells_about(&self, around: Box2) -> Vec<Box2> {
+        let sheets = self.sheets_about(around).filter(|&sheet| self.has(sheet));
+        let reach = |cell: &Box2| {
+            cell.min.x <= around.max.x
+                && around.min.x <= cell.max.x
+                && cell.min.y <= around.max.y
+                && around.min.y <= cell.max.y
+        };
+        sheets.map(|sheet| self.cell(sheet)).filter(reach).collect()
+    }
+
     fn has(&self, sheet: Sheet) -> bool {
         self.sheets.binary_search(&sheet).is_ok()
     }
@@ -228,10 +248,11 @@ fn about(from: f64, to: f64, count: usize) -> Range<usize> {
 
 /// The sheets of a piece.
 pub(super) fn pages<'a>(piece: &'a Piece, tiling: &'a Tiling) -> impl Iterator<Item = Page> + 'a {
-    tiling.sheets.iter().map(move |&sheet| page(piece, tiling, sheet))
+    let labels = labels(piece, tiling);
+    tiling.sheets.iter().map(move |&sheet| page(piece, &labels, tiling, sheet))
 }
 
-fn page(piece: &Piece, tiling: &Tiling, sheet: Sheet) -> Page {
+fn page(piece: &Piece, labels: &[PatternLabel], tiling: &Tiling, sheet: Sheet) -> Page {
     let mut page = Page::new(tiling.page);
     let corner = Point2::new(MARGIN_MM, MARGIN_MM);
     let view = View { shown: tiling.window(sheet), corner, scale: 1.0 };
@@ -243,7 +264,7 @@ fn page(piece: &Piece, tiling: &Tiling, sheet: Sheet) -> Page {
         tiling.columns
     );
     header(&mut page, &piece.name, &sheet.name(), &place, &view);
-    draw(&mut page, piece, &view, Detail::Full);
+    draw(&mut page, piece, labels, &view, Detail::Full);
     page.rectangle(view.frame(), Pen::FRAME);
     seams(&mut page, tiling, sheet, &view);
     page

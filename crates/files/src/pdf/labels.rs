@@ -1,0 +1,155 @@
+//! Where the names and marks of a piece stand on its sheets: no joint of two sheets cuts one.
+//!
+//! A text that a joint would cut moves by the least way into one of the sheets that it lies on, off
+//! the lines that are cut if it was off them, and becomes smaller only where no sheet has room for it.
+
+use super::sheets::Tiling;
+use crate::stroke_font::strokes;
+use sheetwright::math::{Point2, Vec2};
+use sheetwright::pattern::{PatternLabel, Piece, Role};
+use sheetwright::predicate::Box2;
+
+/// Between a text and a joint, mm.
+const AWAY_MM: f64 = 1.0;
+
+/// The texts that are drawn on the sheets of a piece, where they stand.
+pub(super) fn labels(piece: &Piece, tiling: &Tiling) -> Vec<PatternLabel> {
+    let drawn = piece.labels.iter().filter(|label| label.role != Role::Note);
+    drawn.map(|label| off_joints(label, piece, tiling)).collect()
+}
+
+/// The box around the strokes of a text, mm.
+pub(super) fn around(label: &PatternLabel) -> Option<Box2> {
+    let lines = strokes(&label.text, label.at, label.along, label.height_mm);
+    Box2::of_points(lines.into_iter().flatten())
+}
+
+fn off_joints(label: &PatternLabel, piece: &Piece, tiling: &Tiling) -> PatternLabel {
+    let Some(stands) = around(label) else { return label.clone() };
+    let cells: Vec<Box2> = tiling.cells_about(stands).into_iter().map(inner).collect();
+    if cells.iter().any(|cell| holds(cell, &stands)) {
+        return label.clone();
+    }
+    let mut tried: Vec<(f64, f64, PatternLabel)> = Vec::new();
+    for cell in &cells {
+        let (room, size) = (cell.max - cell.min, stands.max - stands.min);
+        let share = (room.x / size.x).min(room.y / size.y).min(1.0);
+        let smaller = PatternLabel { height_mm: share * label.height_mm, ..label.clone() };
+        let Some(stands) = around(&smaller) else { continue };
+        for way in ways(cell, &stands, label.along) {
+            let moved = PatternLabel { at: label.at + way, ..smaller.clone() };
+            if around(&moved).is_some_and(|stands| holds(cell, &stands)) {
+                tried.push((share, way.length(), moved));
+            }
+        }
+    }
+    // Those of full size first, and of them the nearest.
+    tried.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.total_cmp(&b.1)));
+    let is_free = |label: &PatternLabel| around(label).is_some_and(|it| !is_cut(piece, &it));
+    let free = tried.iter().position(|tried| is_free(&tried.2));
+    let best = free.unwrap_or(0);
+    tried.into_iter().nth(best).map_or_else(|| label.clone(), |(_, _, moved)| moved)
+}
+
+/// A cell without its edge, along which the joints run.
+fn inner(cell: Box2) -> Box2 {
+    let away = Vec2::splat(AWAY_MM);
+    Box2 { min: cell.min + away, max: cell.max + -away }
+}
+
+fn holds(cell: &Box2, other: &Box2) -> bool {
+    /// Rounding of a sum, mm.
+    const EPS: f64 = 1e-9;
+    cell.min.x - EPS <= other.min.x
+        && cell.min.y - EPS <= other.min.y
+        && other.max.x <= cell.max.x + EPS
+        && other.max.y <= cell.max.y + EPS
+}
+
+/// The ways into a cell: the shortest, and the shortest along the text.
+fn ways(cell: &Box2, stands: &Box2, along: Vec2) -> Vec<Vec2> {
+    let into = |low: f64, high: f64, least: f64, most: f64| {
+        if low < least {
+            least - low
+        } else if high > most {
+            most - high
+        } else {
+            0.0
+        }
+    };
+    let x = into(stands.min.x, stands.max.x, cell.min.x, cell.max.x);
+    let y = into(stands.min.y, stands.max.y, cell.min.y, cell.max.y);
+    let mut ways = vec![Vec2::new(x, y)];
+    for (by, of) in [(x, along.x), (y, along.y)] {
+        if by != 0.0 && of != 0.0 {
+            ways.push(along * (by / of));
+        }
+    }
+    ways
+}
+
+/// Whether a line to cut passes through a box.
+fn is_cut(piece: &Piece, around: &Box2) -> bool {
+    piece.loops().any(|line| {
+        let ends = |n: usize| (line[n], line[(n + 1) % line.len()]);
+        let edges = (0..line.len()).map(ends);
+        edges.into_iter().any(|(a, b): (Point2, Point2)| around.part_inside(a, b).is_some())
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Paper, sheets};
+    use super::*;
+    use sheetwright::math::from_deg;
+    use sheetwright::pattern::{PathKind, PatternPath};
+
+    fn piece(size: Vec2, labels: Vec<PatternLabel>) -> Piece {
+        let corners = [(0.0, 0.0), (size.x, 0.0), (size.x, size.y), (0.0, size.y)];
+        let outline = PatternPath {
+            role: Role::Cut,
+            kind: PathKind::Outline,
+            points: corners.map(|(x, y)| Point2::new(x, y)).to_vec(),
+            closed: true,
+        };
+        Piece { name: "front".to_owned(), paths: vec![outline], labels, size }
+    }
+
+    fn label(text: &str, at: Point2, along: Vec2, height_mm: f64) -> PatternLabel {
+        PatternLabel { role: Role::Engrave, at, along, height_mm, text: text.to_owned() }
+    }
+
+    /// Names all over a piece of several sheets, along and aslant, short and long.
+    #[test]
+    fn no_joint_cuts_a_name() {
+        let size = Vec2::new(900.0, 700.0);
+        let mut moved = 0;
+        for (text, height_mm) in [("front", 25.0), ("S1", 4.0), ("a name that is long", 25.0)] {
+            for along in [0.0, 90.0, 30.0, 180.0].map(from_deg) {
+                let along = Vec2::new(sheetwright::math::cos(along), sheetwright::math::sin(along));
+                for n in 0..60 {
+                    let at = Point2::new(60.0 + 13.0 * f64::from(n), 80.0 + 9.0 * f64::from(n));
+                    let piece = piece(size, vec![label(text, at, along, height_mm)]);
+                    let tiling = sheets::tiling(&piece, Paper::A4, 2000).unwrap_or_else(|n| {
+                        panic!("{n} sheets");
+                    });
+                    let drawn = labels(&piece, &tiling);
+                    let stands = around(&drawn[0]).unwrap_or_else(|| panic!("{text}"));
+                    let cells = tiling.cells_about(stands);
+                    assert!(cells.len() == 1 && holds(&cells[0], &stands), "{text} at {at:?}");
+                    assert!(!is_cut(&piece, &stands), "{text} at {at:?}");
+                    moved += u32::from(drawn[0] != piece.labels[0]);
+                }
+            }
+        }
+        assert!((100..700).contains(&moved), "{moved} of 720");
+    }
+
+    #[test]
+    fn what_no_joint_cuts_stays_where_it_is() {
+        let there = label("front", Point2::new(60.0, 50.0), Vec2::X, 10.0);
+        let piece = piece(Vec2::new(120.0, 100.0), vec![there.clone()]);
+        let tiling = sheets::tiling(&piece, Paper::A4, 2000).unwrap_or_else(|n| panic!("{n}"));
+        assert_eq!(labels(&piece, &tiling), [there]);
+    }
+}
