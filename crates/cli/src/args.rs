@@ -11,8 +11,8 @@ use sheetwright::material::{MATERIALS, Material};
 use sheetwright::math::from_deg;
 use sheetwright::template::catalogue;
 use sheetwright_files::{
-    Format, InputFormat, MaxSheets, MeshFormat, Paper, PdfOptions, ReadOptions, Units,
-    VarySettings, material_hint, visible,
+    Format, InputFormat, MaxSheets, MeshFormat, OutputOptions, Paper, PdfOptions, ReadOptions,
+    ReportForm, Units, VarySettings, material_hint, visible,
 };
 use std::ffi::OsStr;
 use std::path::PathBuf;
@@ -129,8 +129,31 @@ pub(crate) struct MakeArgs {
     #[arg(long, value_name = "LIST", value_delimiter = ',', ignore_case = true,
         value_parser = format_parser())]
     pub(crate) formats: Vec<Format>,
+    /// How much report.html shows: everything of every panel, or a table with thumbnails [default:
+    /// long up to 100 panels, short beyond]
+    #[arg(long, value_enum, value_name = "FORM")]
+    pub(crate) report: Option<ReportArg>,
     #[command(flatten)]
     pub(crate) pdf: PdfArgs,
+}
+
+impl MakeArgs {
+    pub(crate) fn options(&self) -> OutputOptions {
+        let report = match self.report {
+            None => ReportForm::Auto,
+            Some(ReportArg::Short) => ReportForm::Short,
+            Some(ReportArg::Long) => ReportForm::Long,
+        };
+        OutputOptions { pdf: self.pdf.options(), report }
+    }
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum ReportArg {
+    /// A table of all panels with thumbnails, and what was found
+    Short,
+    /// Everything of every panel
+    Long,
 }
 
 #[derive(Debug, Args)]

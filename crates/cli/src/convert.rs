@@ -76,7 +76,8 @@ pub(crate) fn run(args: &ConvertArgs, voice: Voice) -> Result<bool, Failure> {
             if single && made.panels().len() > 1 {
                 return Err(for_one_panel(ending, &args.out));
             }
-            let outputs = made.files(&[format], &args.pdf.options(), &mut watcher, &place)?;
+            let outputs =
+                made.files(&[format], (&args.pdf.options()).into(), &mut watcher, &place)?;
 
             let file = outputs.files.iter().find(|file| file.name.ends_with(ending));
             let file = file.ok_or_else(|| {

@@ -9,7 +9,8 @@ use sheetwright::check::Checked;
 use sheetwright::design::{MadeMeshes, MeshOptions, make, make_meshes};
 use sheetwright_files::whole::Folder;
 use sheetwright_files::{
-    Format, Input, Outputs, PdfOptions, findings_json, mesh_output_files, output_files, timing_json,
+    Format, Input, OutputOptions, Outputs, findings_json, mesh_output_files, output_files,
+    timing_json,
 };
 use std::path::Path;
 use std::time::Instant;
@@ -32,7 +33,7 @@ pub(crate) fn run(args: &MakeArgs, voice: Voice) -> Result<bool, Failure> {
         input: &source::name(&args.source),
         out: &args.out,
         formats: &formats,
-        pdf: args.pdf.options(),
+        options: args.options(),
         mesh: args.mesh.options(),
         beside: None,
     };
@@ -74,8 +75,8 @@ pub(crate) struct Job<'a> {
     pub(crate) out: &'a Path,
     /// The formats to write.
     pub(crate) formats: &'a [Format],
-    /// How patterns come to paper.
-    pub(crate) pdf: PdfOptions,
+    /// How its files are written.
+    pub(crate) options: OutputOptions,
     /// How meshes are flattened.
     pub(crate) mesh: MeshOptions,
     /// A file that goes with them: its name and its bytes.
@@ -90,7 +91,7 @@ impl Job<'_> {
         let folder = Folder::new(self.out)?;
         let mut watcher = Watcher::new(voice);
         let made = Made::of(input, &self.mesh, &mut watcher, self.input)?;
-        let outputs = made.files(formats, &self.pdf, &mut watcher, self.input)?;
+        let outputs = made.files(formats, self.options, &mut watcher, self.input)?;
         let mut names: Vec<String> = outputs.files.iter().map(|file| file.name.clone()).collect();
 
         let mut batch = folder.batch()?;
@@ -173,14 +174,14 @@ impl Made {
     pub(crate) fn files(
         &self,
         formats: &[Format],
-        pdf: &PdfOptions,
+        options: OutputOptions,
         watcher: &mut Watcher,
         place: &str,
     ) -> Result<Outputs, Failure> {
         watcher.begin_writing();
         match self {
-            Self::Design(made) => output_files(made, formats, pdf),
-            Self::Meshes(made) => mesh_output_files(made, formats, pdf),
+            Self::Design(made) => output_files(made, formats, options),
+            Self::Meshes(made) => mesh_output_files(made, formats, options),
         }
         .map_err(|error| Failure::new(error.to_string(), FAULT).at(place))
     }

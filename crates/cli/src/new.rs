@@ -8,7 +8,7 @@ use sheetwright::design::MeshOptions;
 use sheetwright::template::template;
 use sheetwright_files::whole::write_one;
 use sheetwright_files::{
-    Format, Input, PdfOptions, catalogue_json, catalogue_text, design_from_template, new_design,
+    Format, Input, OutputOptions, catalogue_json, catalogue_text, design_from_template, new_design,
     template_text, write_design,
 };
 use std::path::Path;
@@ -31,9 +31,9 @@ pub(crate) fn run(args: &NewArgs, voice: Voice) -> Result<bool, Failure> {
     if let Some(out) = &args.make {
         // Tables need not lie in the folder of the patterns: the design there has their points.
         let beside = Some((format!("{}.sheet.json", new.design.name), write_design(&new.design)));
-        let pdf = PdfOptions::default();
+        let options = OutputOptions::default();
         let mesh = MeshOptions::default();
-        let job = Job { input: name, out, formats: &Format::DEFAULT, pdf, mesh, beside };
+        let job = Job { input: name, out, formats: &Format::DEFAULT, options, mesh, beside };
         return job.run(&Input::Design(new.design), start, voice);
     }
     let bytes = new.bytes();

@@ -381,6 +381,22 @@ fn patterns_come_on_the_paper_that_is_asked_for() {
 }
 
 #[test]
+fn the_page_of_a_report_is_long_or_short_as_it_is_asked_for() {
+    let desk = Desk::new(&[("two.sheet.json", TWO_PANELS)]);
+    let page = |asked: &str| {
+        desk.says(&format!("make two.sheet.json --out out --formats report {asked}"), 0);
+        fs::read_to_string(desk.path("out/report.html")).unwrap()
+    };
+    let short = page("--report short");
+    assert!(short.contains("Of 2 panels") && !short.contains("id=\"panel-1\""));
+    for long in [page("--report long"), page("")] {
+        assert!(long.contains("id=\"panel-1\"") && !long.contains("Of 2 panels"));
+    }
+    let (_, said) = desk.says("make two.sheet.json --out out --report some", 2);
+    assert!(said.contains("short") && said.contains("long"), "{said}");
+}
+
+#[test]
 fn a_large_panel_is_tiled_if_so_many_sheets_are_allowed() {
     let desk = Desk::new(&[("large.csv", LARGE)]);
     let (words, _) = desk.says("make large.csv --out few --formats pdf --max-sheets 200", 0);

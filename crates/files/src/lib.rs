@@ -46,7 +46,9 @@ pub use mesh::MeshFormat;
 pub use messages::{PanelTimes, error_json, findings_json, timing_json};
 pub use names::visible;
 pub use obj::{write_meshes_obj, write_obj};
-pub use output::{Format, OutputError, OutputFile, Outputs, mesh_output_files, output_files};
+pub use output::{
+    Format, OutputError, OutputFile, OutputOptions, Outputs, mesh_output_files, output_files,
+};
 pub use pdf::{MaxSheets, Paper, PdfOptions, Reduced, WrittenPdf, write_pdf};
 pub use quads::{PanelQuads, write_quads};
 pub use quantity::{
@@ -57,10 +59,10 @@ pub use read_back::{PatternReadError, ReadPattern};
 pub use reading::{InputError, MAX_INPUT_BYTES, ReadOptions, VarySettings, read_limited};
 pub use refold::{RefoldFileError, refold_error_mm};
 pub use report::{
-    Picture, design_picture, flat_picture, gauss_picture, heat_picture, mesh_gauss_picture,
-    mesh_picture, mesh_report_html, mesh_report_json, meshes_picture, moved_picture, quads_picture,
-    report_html, report_json, report_schema, side_by_side, stacked, surface_picture,
-    verdict_sentence, verdict_word, warp_chart,
+    Picture, ReportForm, design_picture, flat_picture, gauss_picture, heat_picture,
+    mesh_gauss_picture, mesh_picture, mesh_report_html, mesh_report_json, meshes_picture,
+    moved_picture, quads_picture, report_html, report_json, report_schema, side_by_side, stacked,
+    surface_picture, verdict_sentence, verdict_word, warp_chart,
 };
 pub use step::write_step;
 pub use svg::{read_svg, write_svg};

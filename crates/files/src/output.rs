@@ -7,7 +7,7 @@ use crate::obj::{write_meshes_obj, write_obj};
 use crate::pdf::{MaxSheets, PdfOptions, Reduced, WrittenPdf, write_pieces};
 use crate::quads::{PanelQuads, write_quads};
 use crate::refold::{RefoldFileError, known_miss_mm, read_back_error_mm, refold_error_mm};
-use crate::report::{mesh_report_html, mesh_report_json, report_html, report_json};
+use crate::report::{ReportForm, mesh_report_html, mesh_report_json, report_html, report_json};
 use crate::step::write_step;
 use crate::svg::write_svg;
 use crate::table::write_table;
@@ -66,6 +66,22 @@ impl Format {
     /// The format of a name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|format| format.name() == name)
+    }
+}
+
+/// How the files of a design are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct OutputOptions {
+    /// How patterns come to paper.
+    pub pdf: PdfOptions,
+    /// How much `report.html` shows. Default: all of up to 100 panels, a table of more.
+    pub report: ReportForm,
+}
+
+/// Everything but paper as it is by default.
+impl From<&PdfOptions> for OutputOptions {
+    fn from(pdf: &PdfOptions) -> Self {
+        Self { pdf: *pdf, ..Self::default() }
     }
 }
 
@@ -131,11 +147,12 @@ impl std::error::Error for OutputError {}
 pub fn output_files(
     made: &Made,
     formats: &[Format],
-    pdf: &PdfOptions,
+    options: impl Into<OutputOptions>,
 ) -> Result<Outputs, OutputError> {
+    let OutputOptions { pdf, report } = options.into();
     let pieces: Vec<&Piece> = made.panels.iter().map(|panel| &panel.piece).collect();
     check_names(made.panels.iter().map(|panel| &panel.name[..]))?;
-    let patterns = Patterns::written(&made.name, &pieces, formats, pdf);
+    let patterns = Patterns::written(&made.name, &pieces, formats, &pdf);
     let asked = |format: Format| formats.contains(&format);
     let in_quads: Vec<Option<PanelQuads>> = made
         .panels
@@ -186,7 +203,7 @@ pub fn output_files(
     }
     if asked(Format::Report) {
         files.push(file("report.json", report_json(made, &errors_mm, &panels, &in_quads)));
-        files.push(file("report.html", report_html(made, &errors_mm, &panels)));
+        files.push(file("report.html", report_html(made, &errors_mm, &panels, report)));
     }
     if let Some(moved) = &made.moved {
         files.push(file(MOVED_TABLE, write_table(&moved.curves)));
@@ -204,11 +221,12 @@ pub fn output_files(
 pub fn mesh_output_files(
     made: &MadeMeshes,
     formats: &[Format],
-    pdf: &PdfOptions,
+    options: impl Into<OutputOptions>,
 ) -> Result<Outputs, OutputError> {
+    let OutputOptions { pdf, report } = options.into();
     let pieces: Vec<&Piece> = made.panels.iter().map(|panel| &panel.piece).collect();
     check_names(made.panels.iter().map(|panel| &panel.name[..]))?;
-    let patterns = Patterns::written(&made.name, &pieces, formats, pdf);
+    let patterns = Patterns::written(&made.name, &pieces, formats, &pdf);
     let mut panels = Vec::with_capacity(made.panels.len());
     let mut errors_mm = Vec::with_capacity(made.panels.len());
     for (n, panel) in made.panels.iter().enumerate() {
@@ -234,7 +252,7 @@ pub fn mesh_output_files(
     let mut files = patterns.files(surface);
     if asked(Format::Report) {
         files.push(file("report.json", mesh_report_json(made, &errors_mm, &panels)));
-        files.push(file("report.html", mesh_report_html(made, &errors_mm, &panels)));
+        files.push(file("report.html", mesh_report_html(made, &errors_mm, &panels, report)));
     }
     Ok(Outputs { files, panels, refold_error_mm: errors_mm })
 }
@@ -325,26 +343,23 @@ fn check_names<'a>(names: impl Iterator<Item = &'a str>) -> Result<(), OutputErr
 fn not_tiled(reduced: &Reduced) -> Finding {
     let Reduced { sheets, scale, file_full, .. } = *reduced;
     let most = MaxSheets::MOST.get();
-    let (too_many, instead) = if file_full {
-        (
-            format!(", for which the panels before it leave no room among the {most} of one PDF"),
-            "Make it in a design of its own to print it true to scale. ".to_owned(),
-        )
+    let too_many = if file_full {
+        format!(", for which the panels before it leave no room among the {most} of one PDF")
     } else if sheets > most {
-        (format!("; {most} are the most that a PDF takes"), String::new())
+        format!("; {most} are the most that a PDF takes")
     } else {
-        (
-            String::new(),
-            format!("To print it true to scale all the same, add --max-sheets {sheets}. "),
-        )
+        String::new()
     };
+    let way = reduced.way_to_sheets().unwrap_or_else(|| {
+        "For a pattern at true size, divide the panel, or print the SVG on a roll.".to_owned()
+    });
     Finding {
         severity: Severity::Note,
         code: "pdf-reduced",
         text: format!(
             "True to scale, this panel would take about {sheets} sheets of paper{too_many}. So \
-             pattern.pdf shows it at 1:{scale} with a table of offsets to mark it out by. \
-             {instead}SVG and DXF are true to scale."
+             pattern.pdf shows it at 1:{scale} with a table of offsets to mark it out by. {way} \
+             SVG and DXF are true to scale."
         ),
         place: String::new(),
     }

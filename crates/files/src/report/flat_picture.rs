@@ -1,13 +1,13 @@
 //! The flat pattern: outline, rulings, folds, overall dimensions and the lengths of its edges.
 
-use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, line, number, text};
-use super::space_picture::rung_classes;
+use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, distance, line, number, text};
+use super::space_picture::{legend, rung_classes};
 use super::wording::{millimetres, thinned};
 use sheetwright::design::MadePanel;
 use sheetwright::index::SampleIndex;
 use sheetwright::material::Material;
 use sheetwright::math::{Point2, Vec2, angle_between, from_deg, unit2};
-use sheetwright::pattern::{PathKind, Role, seam_mark};
+use sheetwright::pattern::{PathKind, Piece, Role, seam_mark};
 use sheetwright::rung::Rung;
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -26,6 +26,8 @@ const CORNER_DEG: f64 = 10.0;
 /// How far a letter stands from its edge, and how far letters stay apart.
 const LETTER_AWAY: f64 = 15.0;
 const LETTER_APART: f64 = 22.0;
+/// How far the middle of a letter stays from lines to cut: its circle is 9.5 in radius.
+const LETTER_CLEAR: f64 = 11.0;
 
 /// An edge of the outline from corner to corner.
 pub(super) struct Edge {
@@ -33,18 +35,18 @@ pub(super) struct Edge {
     pub(super) letter: String,
     /// Its length, mm.
     pub(super) length_mm: f64,
-    /// Its middle and the way out of the piece there, in the picture.
+    /// Where its letter stands in the picture.
     at: Point2,
 }
 
 /// Where the pattern lies in the picture: pixels a millimetre.
-pub(super) fn scale_of(panel: &MadePanel) -> f64 {
-    (WIDTH - LEFT - RIGHT) / panel.piece.size.x.max(1e-12)
+pub(super) fn scale_of(piece: &Piece) -> f64 {
+    (WIDTH - LEFT - RIGHT) / piece.size.x.max(1e-12)
 }
 
 /// The flat pattern of a panel, seen from the side that the surface faces.
 pub fn flat_picture(panel: &MadePanel, material: Option<&Material>) -> Picture {
-    let (scale, size) = (scale_of(panel), panel.piece.size);
+    let (scale, size) = (scale_of(&panel.piece), panel.piece.size);
     let bottom = TOP + scale * size.y;
     let place = |p: Point2| Point2::new(LEFT + scale * p.x, bottom - scale * p.y);
     let mut outline = PathData::default();
@@ -53,7 +55,8 @@ pub fn flat_picture(panel: &MadePanel, material: Option<&Material>) -> Picture {
         outline.ring(line.iter().map(|&p| place(p)));
     }
     let mut body = outline.element("sheet");
-    body += &rungs(panel, material, place);
+    let classes = rung_classes(panel, material, RULINGS);
+    body += &rungs(panel, &classes, place);
     body += &marks(panel, place);
     body += &outline.element("cut");
     body += &overlap(panel, place);
@@ -63,15 +66,16 @@ pub fn flat_picture(panel: &MadePanel, material: Option<&Material>) -> Picture {
         let below = Point2::new(edge.at.x, edge.at.y + 4.5);
         body += &text("letter", Anchor::Middle, below, &edge.letter);
     }
-    Picture::new(WIDTH, bottom + FOOT, format!("{} laid flat", panel.name), body)
+    let shown = legend(classes.iter(), bottom + FOOT);
+    let height = bottom + FOOT + shown.height;
+    Picture::new(WIDTH, height, format!("{} laid flat", panel.name), body + &shown.body)
 }
 
 fn rungs(
     panel: &MadePanel,
-    material: Option<&Material>,
+    classes: &[Option<&'static str>],
     place: impl Fn(Point2) -> Point2,
 ) -> String {
-    let classes = rung_classes(panel, material, RULINGS);
     let scored: BTreeSet<Rung> = panel
         .piece
         .paths
@@ -94,6 +98,7 @@ fn rungs(
     for (class, list) in [
         ("r", rulings),
         ("score", thinned(&folds, RULINGS)),
+        ("t", of_class("t")),
         ("x", of_class("x")),
         ("w", of_class("w")),
     ] {
@@ -184,18 +189,20 @@ pub(super) fn edges(panel: &MadePanel) -> Vec<Edge> {
     if corners.len() < 2 {
         return Vec::new();
     }
+    let mut tags = Tags::of(&panel.piece);
     let mut sides: Vec<Edge> = Vec::new();
     for (n, seam) in panel.sheet.seams().iter().enumerate() {
         for side in seam.sides {
-            let (length_mm, at) = stretch(panel, &side.map(|s| s.get()));
-            sides.push(Edge { letter: seam_mark(n), length_mm, at });
+            let side = Stretch::new(panel, &side.map(|s| s.get()));
+            let at = tags.place(&side.places);
+            sides.push(Edge { letter: seam_mark(n), length_mm: side.length_mm, at });
         }
     }
     let is_seam = |samples: &[usize]| {
         let sides = panel.sheet.seams().iter().flat_map(|seam| seam.sides);
         sides.map(|side| side.map(|s| s.get())).any(|side| side == samples)
     };
-    let mut stretches: Vec<(usize, f64, Point2)> = (0..corners.len())
+    let mut stretches: Vec<(usize, Stretch)> = (0..corners.len())
         .filter_map(|n| {
             let to = corners[(n + 1) % corners.len()];
             let mut samples = vec![corners[n]];
@@ -206,17 +213,17 @@ pub(super) fn edges(panel: &MadePanel) -> Vec<Edge> {
                     break;
                 }
             }
-            let (length, at) = stretch(panel, &samples);
-            (!is_seam(&samples)).then_some((n, length, at))
+            (!is_seam(&samples)).then(|| (n, Stretch::new(panel, &samples)))
         })
         .collect();
-    stretches.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+    stretches.sort_by(|a, b| b.1.length_mm.total_cmp(&a.1.length_mm).then(a.0.cmp(&b.0)));
     let mut chosen: Vec<(usize, f64, Point2)> = Vec::new();
-    for found in stretches {
-        let tags = chosen.iter().map(|other| other.2).chain(sides.iter().map(|side| side.at));
-        let free = tags.into_iter().all(|other| other.distance(found.2) >= LETTER_APART);
-        if free && chosen.len() < LETTERED {
-            chosen.push(found);
+    for (n, found) in stretches {
+        if chosen.len() == LETTERED {
+            break;
+        }
+        if let Some(at) = tags.place_free(&found.places) {
+            chosen.push((n, found.length_mm, at));
         }
     }
     chosen.sort_by_key(|c| c.0);
@@ -241,14 +248,39 @@ fn corners(panel: &MadePanel) -> Vec<usize> {
         .collect()
 }
 
-/// The length of some steps of the outline, mm, and where their letter stands in the picture.
-fn stretch(panel: &MadePanel, samples: &[usize]) -> (f64, Point2) {
-    let at = |i: usize| panel.flat.points[i];
-    let length: f64 = samples.windows(2).map(|w| at(w[0]).distance(at(w[1]))).sum();
-    let mut left = 0.5 * length;
-    let (mut middle, mut along) = (at(samples[0]), Vec2::X);
-    for pair in samples.windows(2) {
-        let (from, to) = (at(pair[0]), at(pair[1]));
+/// Some steps of the outline.
+struct Stretch {
+    length_mm: f64,
+    /// Where its letter may stand in the picture, the best place first.
+    places: Vec<Point2>,
+}
+
+impl Stretch {
+    fn new(panel: &MadePanel, samples: &[usize]) -> Self {
+        let at = |i: usize| panel.flat.points[i];
+        let steps = samples.windows(2).map(|w| at(w[0]).distance(at(w[1])));
+        let length_mm = steps.sum();
+        let points: Vec<Point2> = samples.iter().map(|&i| at(i)).collect();
+        Self { length_mm, places: beside(&panel.piece, &points) }
+    }
+}
+
+/// Places in the picture for a letter that belongs to a line of the pattern: beside its middle, right
+/// of it, which is outside where it is the outline, or else left; then nearer to its ends.
+pub(super) fn beside(piece: &Piece, line: &[Point2]) -> Vec<Point2> {
+    let length: f64 = line.windows(2).map(|pair| pair[0].distance(pair[1])).sum();
+    let shares = [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8];
+    let both = |share| [LETTER_AWAY, -LETTER_AWAY].map(|right| (share * length, right));
+    let places = shares.into_iter().flat_map(both);
+    places.map(|(along, right)| place_beside(piece, line, along, right)).collect()
+}
+
+/// The place in the picture so far along a line of the pattern, mm, and so far right of it.
+fn place_beside(piece: &Piece, line: &[Point2], along_mm: f64, right: f64) -> Point2 {
+    let mut left = along_mm;
+    let (mut middle, mut along) = (line[0], Vec2::X);
+    for pair in line.windows(2) {
+        let (from, to) = (pair[0], pair[1]);
         let step = from.distance(to);
         along = to - from;
         middle = from.lerp(to, if step > 0.0 { (left / step).min(1.0) } else { 0.0 });
@@ -257,10 +289,68 @@ fn stretch(panel: &MadePanel, samples: &[usize]) -> (f64, Point2) {
         }
         left -= step;
     }
-    // The outline runs counter-clockwise: out is to its right. The picture's y points down.
-    let out = unit2(along).map_or(Vec2::Y, |a| Vec2::new(a.y, -a.x));
-    let scale = scale_of(panel);
-    let bottom = TOP + scale * panel.piece.size.y;
-    let on = Point2::new(LEFT + scale * middle.x, bottom - scale * middle.y);
-    (length, Point2::new(on.x + LETTER_AWAY * out.x, on.y - LETTER_AWAY * out.y))
+    let way = unit2(along).map_or(Vec2::Y, |a| Vec2::new(a.y, -a.x));
+    let on = in_picture(piece, middle);
+    // The picture's y points down.
+    Point2::new(on.x + right * way.x, on.y - right * way.y)
+}
+
+/// Where a point of the pattern lies in the picture.
+fn in_picture(piece: &Piece, p: Point2) -> Point2 {
+    let scale = scale_of(piece);
+    let bottom = TOP + scale * piece.size.y;
+    Point2::new(LEFT + scale * p.x, bottom - scale * p.y)
+}
+
+/// The letters of a picture, which keep apart from one another and off the lines to cut.
+pub(super) struct Tags {
+    /// The lines to cut, in the picture.
+    lines: Vec<[Point2; 2]>,
+    taken: Vec<Point2>,
+    /// The height of the picture.
+    height: f64,
+}
+
+impl Tags {
+    /// None yet, in the picture of a piece.
+    pub(super) fn of(piece: &Piece) -> Self {
+        let placed = |line: &[Point2]| -> Vec<Point2> {
+            line.iter().map(|&p| in_picture(piece, p)).collect()
+        };
+        let ends = |line: Vec<Point2>| {
+            let next = line.iter().copied().cycle().skip(1);
+            line.iter().copied().zip(next).map(|(a, b)| [a, b]).collect::<Vec<_>>()
+        };
+        let lines = piece.loops().flat_map(|line| ends(placed(line))).collect();
+        let height = TOP + scale_of(piece) * piece.size.y + FOOT;
+        Self { lines, taken: Vec::new(), height }
+    }
+
+    /// How much room a letter has at a place: up to 1, which is enough.
+    fn room(&self, at: Point2) -> f64 {
+        let other = self.taken.iter().map(|other| other.distance(at) / LETTER_APART);
+        let line = self.lines.iter().map(|line| distance(at, *line) / LETTER_CLEAR);
+        let sides = [at.x, WIDTH - at.x, at.y, self.height - at.y].map(|room| room / LETTER_CLEAR);
+        other.chain(line).chain(sides).fold(1.0, f64::min)
+    }
+
+    /// The first of some places with enough room for a letter, else that with the most.
+    fn place(&mut self, places: &[Point2]) -> Point2 {
+        let mut best = (f64::NEG_INFINITY, Point2::default());
+        for &at in places {
+            let room = self.room(at);
+            if room > best.0 {
+                best = (room, at);
+            }
+        }
+        self.taken.push(best.1);
+        best.1
+    }
+
+    /// The first place with enough room, if there is one.
+    pub(super) fn place_free(&mut self, places: &[Point2]) -> Option<Point2> {
+        let at = places.iter().copied().find(|&at| self.room(at) >= 1.0)?;
+        self.taken.push(at);
+        Some(at)
+    }
 }

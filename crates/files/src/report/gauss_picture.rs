@@ -5,15 +5,15 @@
 //! the warp angle.
 
 use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, line, round_below, scale_bar, text};
-use super::space_picture::rung_classes;
+use super::space_picture::{RUNG_CLASSES, rung_classes};
 use super::strips::strips;
 use super::view::View;
 use super::wording::decimal;
 use sheetwright::design::{MadeMesh, MadePanel};
-use sheetwright::index::TriangleIndex;
+use sheetwright::index::{TriangleIndex, VertexIndex};
 use sheetwright::material::Material;
 use sheetwright::math::{Point2, Vec3, angle_between, cos, from_deg, sin, to_deg, unit};
-use sheetwright::mesh::Mesh;
+use sheetwright::mesh::{Mesh, crease_angles};
 
 const HEIGHT: f64 = 236.0;
 const RADIUS: f64 = 102.0;
@@ -26,6 +26,10 @@ const NARROWEST: f64 = 0.05;
 const RUNGS: usize = 70;
 /// Sides of a mesh drawn, at the most.
 const MESH_SIDES: usize = 4000;
+/// The class of those sides.
+const NET: &str = "net";
+/// Creases that turn by more than this, degrees, part two directions.
+const SHARP_DEG: f64 = 30.0;
 /// Points of a curve that lie closer than this in the picture are left out.
 const APART: f64 = 0.5;
 
@@ -44,12 +48,13 @@ fn pictured(image: &Image, name: &str) -> Picture {
     let spread = image.spread();
     let enlarged = (NARROWEST..=WIDEST).contains(&to_deg(spread));
     let centre = Point2::new(if enlarged { 116.0 } else { 0.5 * WIDTH }, 0.5 * HEIGHT);
-    let mut body = sphere(&image.view, centre);
+    let (mut body, names) = sphere(&image.view, centre);
     let on_sphere = |n: Vec3| {
         let p = image.view.direction(n);
         Point2::new(centre.x + RADIUS * p.x, centre.y - RADIUS * p.y)
     };
     body += &image.draw(on_sphere, |n| n.dot(image.view.toward) >= 0.0);
+    body += &names;
     if enlarged {
         body += &image.enlarged(spread);
     }
@@ -103,18 +108,14 @@ impl Image {
     fn of_mesh(mesh: &Mesh) -> Option<Self> {
         let areas = (0..mesh.triangles().len()).map(|t| mesh.area_vector(TriangleIndex::new(t)));
         let areas: Vec<Vec3> = areas.collect();
-        let sides: Vec<[Vec3; 2]> = mesh
-            .edges()
-            .iter()
-            .filter_map(|edge| {
-                let [Some(left), Some(right)] = edge.triangles else { return None };
-                Some([unit(areas[left.get()])?, unit(areas[right.get()])?])
-            })
-            .collect();
+        if !mesh.edges().iter().any(|edge| !edge.is_border()) {
+            return None;
+        }
+        let sides = sides_on_ball(mesh, &areas);
         let first = sides.first()?[0];
         let facing = unit(areas.iter().copied().sum()).unwrap_or(first);
         let every = sides.len().div_ceil(MESH_SIDES);
-        let rungs = sides.into_iter().step_by(every).map(|normals| ("r", normals)).collect();
+        let rungs = sides.into_iter().step_by(every).map(|normals| (NET, normals)).collect();
         Some(Self { view: View::from(facing), strips: Vec::new(), rungs })
     }
 
@@ -130,7 +131,7 @@ impl Image {
         let mut body = String::new();
         // Strips whose rungs all face one way.
         let mut dots = String::new();
-        for wanted in ["r", "x", "w"] {
+        for wanted in RUNG_CLASSES.into_iter().chain([NET]) {
             let mut path = PathData::default();
             for (class, normals) in &self.rungs {
                 let ends = normals.map(&place);
@@ -200,8 +201,60 @@ impl Image {
     }
 }
 
-/// A ball with circles of latitude and longitude about z.
-fn sphere(view: &View, centre: Point2) -> String {
+/// The sides of a mesh as they lie on the ball: each joins the directions that the mesh faces at its
+/// two ends. A direction at a vertex is the mean of the triangles round it, weighed by their areas, up
+/// to sharp creases, where it has one on either side, which are joined too. The directions of single
+/// triangles would jump from side to side, and their lines be a tangle.
+fn sides_on_ball(mesh: &Mesh, areas: &[Vec3]) -> Vec<[Vec3; 2]> {
+    let corner = |t: TriangleIndex, v: VertexIndex| {
+        3 * t.get() + mesh.triangles()[t.get()].iter().position(|&c| c == v).unwrap_or(0)
+    };
+    let inner = || {
+        mesh.edges().iter().zip(crease_angles(mesh)).filter_map(|(edge, angle)| {
+            let [Some(left), Some(right)] = edge.triangles else { return None };
+            Some((edge.ends, [left, right], angle.abs() > from_deg(SHARP_DEG)))
+        })
+    };
+    // Corners that have one direction, as trees of which the root stands for all.
+    let mut parent: Vec<usize> = (0..3 * areas.len()).collect();
+    for (ends, [left, right], is_sharp) in inner() {
+        for v in ends {
+            if !is_sharp {
+                let [a, b] = [left, right].map(|t| root(&mut parent, corner(t, v)));
+                parent[a.max(b)] = a.min(b);
+            }
+        }
+    }
+    let roots: Vec<usize> = (0..parent.len()).map(|n| root(&mut parent, n)).collect();
+    let mut sums = vec![Vec3::ZERO; roots.len()];
+    for (n, &of) in roots.iter().enumerate() {
+        sums[of] += areas[n / 3];
+    }
+    let facing = |t: TriangleIndex, v: VertexIndex| unit(sums[roots[corner(t, v)]]);
+    let mut sides = Vec::new();
+    for ([a, b], [left, right], is_sharp) in inner() {
+        sides.push([facing(left, a), facing(left, b)]);
+        if is_sharp {
+            sides.push([facing(right, a), facing(right, b)]);
+            sides.push([facing(left, a), facing(right, a)]);
+            sides.push([facing(left, b), facing(right, b)]);
+        }
+    }
+    sides.into_iter().filter_map(|[a, b]| Some([a?, b?])).collect()
+}
+
+/// The root of a tree, with the way to it made short.
+fn root(parent: &mut [usize], mut n: usize) -> usize {
+    while parent[n] != n {
+        parent[n] = parent[parent[n]];
+        n = parent[n];
+    }
+    n
+}
+
+/// A ball with circles of latitude and longitude about z, and the names of its axes, which lie over
+/// everything.
+fn sphere(view: &View, centre: Point2) -> (String, String) {
     let mut grid = PathData::default();
     let mut arc = |point: &dyn Fn(f64) -> Vec3, from: i32, to: i32| {
         let mut run: Vec<Point2> = Vec::new();
@@ -229,6 +282,7 @@ fn sphere(view: &View, centre: Point2) -> String {
         let a = from_deg(30.0 * f64::from(longitude));
         arc(&|l| Vec3::new(cos(l) * cos(a), cos(l) * sin(a), sin(l)), -9, 9);
     }
+    let mut names = String::new();
     let mut body = circle("ball", centre, RADIUS) + &grid.element("grid");
     for (axis, name) in [(Vec3::X, "x"), (Vec3::Y, "y"), (Vec3::Z, "z")] {
         for (sign, mark) in [(1.0, "+"), (-1.0, "−")] {
@@ -242,8 +296,8 @@ fn sphere(view: &View, centre: Point2) -> String {
             body += &line("axis", &[at(RADIUS), end]);
             let word = at(RADIUS * 0.86);
             let word = Point2::new(word.x, word.y + 4.0);
-            body += &text("halo quiet", Anchor::Middle, word, &format!("{mark}{name}"));
+            names += &text("halo quiet", Anchor::Middle, word, &format!("{mark}{name}"));
         }
     }
-    body
+    (body, names)
 }

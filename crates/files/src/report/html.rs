@@ -1,6 +1,7 @@
 //! `report.html`: the report for people, one file that works offline.
 
 use super::flat_picture::{edges, flat_picture, outline_length};
+use super::form::{ReportForm, Row, short};
 use super::gauss_picture::gauss_picture;
 use super::moved_picture::{enlarged, moved_picture};
 use super::space_picture::{design_picture, surface_picture};
@@ -27,7 +28,12 @@ use std::collections::BTreeSet;
 ///
 /// # Panics
 /// Unless there is one entry a panel.
-pub fn report_html(made: &Made, refold_error_mm: &[f64], checked: &[Checked]) -> Vec<u8> {
+pub fn report_html(
+    made: &Made,
+    refold_error_mm: &[f64],
+    checked: &[Checked],
+    form: ReportForm,
+) -> Vec<u8> {
     assert_eq!(made.panels.len(), refold_error_mm.len(), "one refold error a panel");
     assert_eq!(made.panels.len(), checked.len(), "one verdict a panel");
     let each = made.panels.iter().zip(refold_error_mm).zip(checked).enumerate();
@@ -40,23 +46,37 @@ pub fn report_html(made: &Made, refold_error_mm: &[f64], checked: &[Checked]) ->
             material: made.material,
         })
         .collect();
+    let is_short = form.is_short(pages.len());
     document(
         &made.name,
         html! {
             h1 { (made.name) }
             p.sub { (subtitle(made)) }
-            ul.cards { @for page in &pages { (card(page.number, &page.panel.name, page.checked)) } }
+            @if !is_short {
+                ul.cards {
+                    @for page in &pages { (card(page.number, &page.panel.name, page.checked)) }
+                }
+            }
             @if made.panels.len() > 1 {
                 figure.whole {
                     (PreEscaped(design_picture(made).inline()))
                     figcaption { "All panels in space, with their rulings." }
                 }
             }
-            (summary(&SUMMARY, pages.iter().map(|page| (&page.panel.name[..], page.summary()))))
-            @for page in &pages { (page.section()) }
+            @if is_short {
+                (short(&SUMMARY, pages.iter().map(Page::row).collect()))
+            } @else {
+                (summary(&SUMMARY, pages.iter().map(|p| (&p.panel.name[..], p.summary()))))
+                @for page in &pages { (page.section()) }
+            }
         },
     )
 }
+
+/// What a browser may do for the page: take its own style sheet, and nothing else. No text of a
+/// design, whatever it holds, can run or fetch anything.
+const POLICY: &str =
+    "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'";
 
 /// The page of a design: what its body shows, with the head that every report has.
 pub(super) fn document(name: &str, body: Markup) -> Vec<u8> {
@@ -65,6 +85,7 @@ pub(super) fn document(name: &str, body: Markup) -> Vec<u8> {
         html lang="en" {
             head {
                 meta charset="utf-8";
+                meta http-equiv="Content-Security-Policy" content=(POLICY);
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 title { (name) " – Sheetwright report" }
                 style { (PreEscaped(page_style())) }
@@ -147,6 +168,11 @@ struct Page<'a> {
 }
 
 impl Page<'_> {
+    fn row(&self) -> Row<'_> {
+        let Self { panel, checked, .. } = *self;
+        Row { name: &panel.name, piece: &panel.piece, checked, values: self.summary() }
+    }
+
     fn summary(&self) -> Vec<String> {
         let (measures, size) = (&self.panel.measures, self.panel.piece.size);
         vec![
@@ -370,7 +396,7 @@ impl Page<'_> {
 }
 
 /// How bad things are: the worst finding and the verdict together.
-fn severity(checked: &Checked) -> Severity {
+pub(super) fn severity(checked: &Checked) -> Severity {
     let of_verdict = match checked.verdict {
         Verdict::Bends => Severity::Note,
         Verdict::BendsAndFolds | Verdict::BendsWithForce | Verdict::Undecided => Severity::Warning,

@@ -1,5 +1,6 @@
 //! `report.html` of meshes: what flattening stretches, and where.
 
+use super::form::{ReportForm, Row, short};
 use super::gauss_picture::mesh_gauss_picture;
 use super::html::{card, document, findings, numbers, summary, verdict};
 use super::json::{aim_name, steps_length};
@@ -37,6 +38,7 @@ pub fn mesh_report_html(
     made: &MadeMeshes,
     written_error_mm: &[f64],
     checked: &[Checked],
+    form: ReportForm,
 ) -> Vec<u8> {
     assert_eq!(made.panels.len(), written_error_mm.len(), "one error a panel");
     assert_eq!(made.panels.len(), checked.len(), "one verdict a panel");
@@ -46,16 +48,24 @@ pub fn mesh_report_html(
         html! {
             h1 { (made.name) }
             p.sub { (subtitle(made)) }
-            ul.cards { @for (n, (panel, checked)) in each() { (card(n + 1, &panel.name, checked)) } }
+            @if !form.is_short(made.panels.len()) {
+                ul.cards {
+                    @for (n, (panel, checked)) in each() { (card(n + 1, &panel.name, checked)) }
+                }
+            }
             @if made.panels.len() > 1 {
                 figure.whole {
                     (PreEscaped(meshes_picture(made).inline()))
                     figcaption { "All panels in space, with their borders and seams." }
                 }
             }
-            (summary(&SUMMARY, made.panels.iter().map(|p| (&p.name[..], short(p)))))
-            @for (n, (panel, checked)) in each() {
-                (section(made, n, panel, written_error_mm[n], checked))
+            @if form.is_short(made.panels.len()) {
+                (short(&SUMMARY, each().map(|(_, (panel, checked))| row(panel, checked)).collect()))
+            } @else {
+                (summary(&SUMMARY, made.panels.iter().map(|p| (&p.name[..], values(p)))))
+                @for (n, (panel, checked)) in each() {
+                    (section(made, n, panel, written_error_mm[n], checked))
+                }
             }
         },
     )
@@ -73,7 +83,11 @@ fn subtitle(made: &MadeMeshes) -> String {
     }
 }
 
-fn short(panel: &MadeMesh) -> Vec<String> {
+fn row<'a>(panel: &'a MadeMesh, checked: &'a Checked) -> Row<'a> {
+    Row { name: &panel.name, piece: &panel.piece, checked, values: values(panel) }
+}
+
+fn values(panel: &MadeMesh) -> Vec<String> {
     let (measures, size) = (&panel.measures, panel.piece.size);
     vec![
         format!("{} × {}", millimetres(size.x), millimetres(size.y)),
@@ -152,8 +166,8 @@ fn space_caption(panel: &MadeMesh) -> Markup {
 fn gauss_caption(panel: &MadeMesh) -> Markup {
     html! {
         strong { "Which way it faces. " }
-        "Every direction is a point on a ball; the directions of triangles that meet are joined. A \
-         curve: it lies flat without stretching. A net: it must stretch, the more the more it covers. \
+        "Every direction is a point on a ball; the directions at both ends of each side of the mesh \
+         are joined. A curve: it lies flat without stretching. A net: it must stretch, the more the more it covers. \
          Its area here is " (steradians(gauss_area_of_mesh(&panel.mesh))) ", of 12.57\u{a0}sr that the \
          whole ball has."
     }

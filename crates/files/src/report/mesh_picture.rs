@@ -2,28 +2,25 @@
 //! coloured by how much lengths differ.
 
 use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, line, rectangle, round_below, text};
-use super::cells::Cells;
-use super::flat_picture::{FOOT, LEFT, RIGHT, TOP, dimensions};
+use super::flat_picture::{FOOT, LEFT, RIGHT, TOP, Tags, beside, dimensions};
+use super::paint::{MOST_PATHS, Scene, joined, shades_of};
+use super::raster::{Facet, Raster};
 use super::space_picture::Fit;
-use super::style::{HEATS, SHADES};
+use super::style::HEATS;
 use super::view::{View, best_view, longest_direction};
 use super::wording::plain_per_cent;
 use sheetwright::design::{MadeMesh, MadeMeshes};
 use sheetwright::index::{TriangleIndex, VertexIndex};
 use sheetwright::material::{Material, stretch_limit};
-use sheetwright::math::{Point2, Vec2, Vec3, from_deg, unit};
+use sheetwright::math::{Point2, Vec2, Vec3, from_deg};
 use sheetwright::mesh::crease_angles;
 use sheetwright::pattern::{PathKind, SCORED_CREASE_DEG, seam_marks};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A mesh of more triangles is drawn in cells: by then they are smaller than its lines are thick.
-const MOST_PATHS: usize = 12_000;
 /// The view is chosen by so many triangles at the most.
 const LOOKED_AT: usize = 4000;
-/// What hides a line lies before it by more than this share of the picture's size.
-const BEHIND: f64 = 0.012;
-/// The least difference of brightness that the shades are spread over.
-const LEAST_CONTRAST: f64 = 0.18;
+/// What lies behind a surface by less than this, in units of the picture, lies on it.
+const LIES_ON: f64 = 2.0;
 /// Room for the legend of the colour map, below the pattern.
 const LEGEND: f64 = 58.0;
 /// Below this the colour map has one colour: nothing that a workshop could measure.
@@ -48,51 +45,30 @@ fn pictured(panels: &[MadeMesh], title: String) -> Picture {
     let fit = Fit::new(projected.iter().flatten());
     let placed: Vec<Vec<Point2>> =
         projected.iter().map(|list| list.iter().map(|p| fit.place(*p)).collect()).collect();
-    let mut cells = Cells::new(Vec2::new(WIDTH, fit.total));
-    let shades = shades(&view, panels);
+    let areas: Vec<Vec<Vec3>> = panels.iter().map(areas).collect();
+    let shades = shades_of(&view, &areas);
     let near = |panel: usize, v: VertexIndex| view.nearness(panels[panel].sheet.mesh.position(v));
-    let mut facets: Vec<(f64, usize, usize)> = Vec::new();
-    for (n, panel) in panels.iter().enumerate() {
-        for (t, corners) in panel.sheet.mesh.triangles().iter().enumerate() {
-            let depths = corners.map(|v| near(n, v));
-            cells.triangle(corners.map(|v| placed[n][v.get()]), depths, shades[n][t]);
-            facets.push((depths.iter().sum(), n, t));
-        }
-    }
-    // Large triangles that hide one another have no order from far to near that is right all over.
-    let hides = shades.iter().flatten().any(|&shade| shade >= 100);
-    let mut body = if hides || facets.len() > MOST_PATHS {
-        cells.elements(shade_name)
-    } else {
-        facets.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
-        painted(
-            &facets,
-            |n, t| {
-                let corners = panels[n].sheet.mesh.triangles()[t];
-                (shades[n][t], corners.map(|v| placed[n][v.get()]))
-            },
-            shade_name,
-        )
-    };
-    let depths = (0..panels.len()).flat_map(|n| {
-        let count = panels[n].sheet.mesh.positions().len();
-        (0..count).map(move |v| (n, VertexIndex::new(v)))
-    });
-    let span = depths
-        .map(|(n, v)| near(n, v))
-        .fold([f64::INFINITY, f64::NEG_INFINITY], |s, d| [s[0].min(d), s[1].max(d)]);
-    // A picture that is flat has no depth, but what lies in it is still seen.
-    let width = fit.millimetres(WIDTH);
-    let enough = BEHIND * width.max(span[1] - span[0]);
+    let facets: Vec<Facet> = (0..panels.len())
+        .flat_map(|n| {
+            let triangles = panels[n].sheet.mesh.triangles().iter().zip(&shades[n]);
+            let (placed, near) = (&placed, &near);
+            triangles.map(move |(corners, &class)| Facet {
+                corners: corners.map(|v| placed[n][v.get()]),
+                near: corners.map(|v| near(n, v)),
+                class,
+            })
+        })
+        .collect();
+    let size = Vec2::new(WIDTH, fit.total);
+    let scene = Scene::new(size, &facets, fit.millimetres(LIES_ON));
+    let mut body = scene.fills();
     for (class, wanted) in [("score", Line::Crease), ("e", Line::Border), ("seam", Line::Seam)] {
         let mut path = PathData::default();
         for (n, panel) in panels.iter().enumerate() {
-            for ends in lines(panel, wanted) {
-                let at = ends.map(|v| placed[n][v.get()]);
-                for piece in cells.visible(at, ends.map(|v| near(n, v)), enough) {
-                    path.line(piece);
-                }
-            }
+            let seen = lines(panel, wanted).into_iter().flat_map(|ends| {
+                scene.visible(ends.map(|v| placed[n][v.get()]), ends.map(|v| near(n, v)))
+            });
+            joined(seen).into_iter().for_each(|run| path.line(run));
         }
         body += &path.element(class);
     }
@@ -115,61 +91,10 @@ fn view_of(panels: &[MadeMesh]) -> View {
     best_view(&areas, long)
 }
 
-fn shades(view: &View, panels: &[MadeMesh]) -> Vec<Vec<u16>> {
-    let areas = panels.iter().map(|panel| {
-        let all = 0..panel.mesh.triangles().len();
-        all.map(|t| panel.mesh.area_vector(TriangleIndex::new(t))).collect()
-    });
-    shades_of(view, &areas.collect::<Vec<_>>())
-}
-
-/// The class of a shade.
-pub(super) fn shade_name(shade: u16) -> String {
-    let (side, n) = if shade < 100 { ('f', shade) } else { ('b', shade - 100) };
-    format!("{side}{n}")
-}
-
-/// The shades of faces, given by the area vectors of those of each panel; 100 is added to those that
-/// show their other side.
-pub(super) fn shades_of(view: &View, areas: &[Vec<Vec3>]) -> Vec<Vec<u16>> {
-    // A lamp above the left shoulder.
-    let lamp = unit(view.toward * 0.75 + view.up * 0.55 - view.right * 0.45).unwrap_or(Vec3::Z);
-    let light = |area: &Vec3| {
-        let normal = unit(*area).unwrap_or(view.toward);
-        let front = normal.dot(view.toward) >= 0.0;
-        let seen = if front { normal } else { -normal };
-        (front, 0.5 + 0.5 * seen.dot(lamp))
-    };
-    let lit: Vec<Vec<(bool, f64)>> =
-        areas.iter().map(|areas| areas.iter().map(light).collect()).collect();
-    let all = || lit.iter().flatten().map(|l| l.1);
-    let most = all().fold(0.0, f64::max);
-    let least = all().fold(most - LEAST_CONTRAST, f64::min);
-    let shade = |&(front, brightness): &(bool, f64)| {
-        let share = (brightness - least) / (most - least);
-        let shade = (((SHADES - 1) as f64 * share).round() as usize).min(SHADES - 1) as u16;
-        if front { shade } else { shade + 100 }
-    };
-    lit.iter().map(|list| list.iter().map(shade).collect()).collect()
-}
-
-/// Triangles from far to near, neighbours of one class in one path.
-fn painted(
-    facets: &[(f64, usize, usize)],
-    of: impl Fn(usize, usize) -> (u16, [Point2; 3]),
-    name: impl Fn(u16) -> String,
-) -> String {
-    let mut body = String::new();
-    let (mut last, mut run) = (0, PathData::default());
-    for &(_, n, t) in facets {
-        let (class, corners) = of(n, t);
-        if class != last {
-            body += &std::mem::take(&mut run).element(&name(last));
-            last = class;
-        }
-        run.ring(corners);
-    }
-    body + &run.element(&name(last))
+/// The area vectors of the triangles of a panel.
+fn areas(panel: &MadeMesh) -> Vec<Vec3> {
+    let all = 0..panel.mesh.triangles().len();
+    all.map(|t| panel.mesh.area_vector(TriangleIndex::new(t))).collect()
 }
 
 /// What is drawn of a mesh beside its triangles.
@@ -232,9 +157,9 @@ pub fn heat_picture(panel: &MadeMesh, material: Option<&Material>) -> Picture {
     let name = |class: u16| format!("k{class}");
     let count = mesh.triangles().len();
     let mut body = if count > MOST_PATHS {
-        let mut cells = Cells::new(Vec2::new(WIDTH, bottom + 1.0));
-        (0..count).for_each(|t| cells.triangle(corners(t), [0.0; 3], heat(t)));
-        cells.elements(name)
+        let facet = |t| Facet { corners: corners(t), near: [0.0; 3], class: heat(t) };
+        let facets: Vec<Facet> = (0..count).map(facet).collect();
+        Raster::new(Vec2::new(WIDTH, bottom + 1.0), 1.0, &facets).elements(name)
     } else {
         let mut fills: BTreeMap<u16, PathData> = BTreeMap::new();
         (0..count).for_each(|t| fills.entry(heat(t)).or_default().ring(corners(t)));
@@ -252,7 +177,7 @@ pub fn heat_picture(panel: &MadeMesh, material: Option<&Material>) -> Picture {
         }
         body += &path.element(class);
     }
-    body += &seam_tags(panel, place);
+    body += &seam_tags(panel);
     if let (Some(worst), false) = (panel.worst_edge(), exact) {
         let [a, b] = mesh.edges()[worst].ends.map(|v| place(panel.flat.points[v.get()]));
         body += &circle("here", a.lerp(b, 0.5), 8.0);
@@ -269,26 +194,20 @@ pub fn heat_picture(panel: &MadeMesh, material: Option<&Material>) -> Picture {
     Picture::new(WIDTH, bottom + FOOT + LEGEND, title, body)
 }
 
-/// The marks of seams and joints on their sides, until they would lie on one another.
-fn seam_tags(panel: &MadeMesh, place: impl Fn(Point2) -> Point2) -> String {
-    const APART: f64 = 24.0;
+/// The marks of seams and joints beside their sides, where there is room.
+fn seam_tags(panel: &MadeMesh) -> String {
     let mut body = String::new();
-    let mut taken: Vec<Point2> = Vec::new();
+    let mut tags = Tags::of(&panel.piece);
     let of_joints = panel.joints.iter().map(|joint| (joint.mark.clone(), &joint.steps));
     let marks = seam_marks(&panel.sheet.seams);
     let of_seams = marks.iter().map(|mark| (mark.mark.clone(), &mark.steps));
     for (mark, steps) in of_seams.chain(of_joints) {
-        let at = |v: VertexIndex| place(panel.flat.points[v.get()]);
-        let Some([a, b]) = steps.get(steps.len() / 2) else { continue };
-        // An odd number of steps has its middle on one of them, an even one between two.
-        let middle = if steps.len() % 2 == 1 { at(*a).lerp(at(*b), 0.5) } else { at(*a) };
-        if taken.iter().any(|other| other.distance(middle) < APART) {
-            continue;
-        }
-        taken.push(middle);
-        body += &circle("tag", middle, 10.5);
-        let below = Point2::new(middle.x, middle.y + 4.5);
-        body += &text("letter", Anchor::Middle, below, &mark);
+        let at = |v: VertexIndex| panel.flat.points[v.get()];
+        let Some(last) = steps.last() else { continue };
+        let line: Vec<Point2> = steps.iter().map(|step| at(step[0])).chain([at(last[1])]).collect();
+        let Some(at) = tags.place_free(&beside(&panel.piece, &line)) else { continue };
+        body += &circle("tag", at, 10.5);
+        body += &text("letter", Anchor::Middle, Point2::new(at.x, at.y + 4.5), &mark);
     }
     body
 }

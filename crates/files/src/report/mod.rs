@@ -6,18 +6,19 @@
 //! every platform: all colours and sizes of letters are classes of one style sheet.
 
 mod canvas;
-mod cells;
 mod flat_picture;
+mod form;
 mod gauss_picture;
-mod hidden;
 mod html;
 mod json;
 mod mesh_html;
 mod mesh_picture;
 mod moved_picture;
+mod order;
 mod paint;
 mod part;
 mod quads_picture;
+mod raster;
 mod space_picture;
 mod strips;
 mod style;
@@ -27,6 +28,7 @@ mod wording;
 
 pub use canvas::{Picture, side_by_side, stacked};
 pub use flat_picture::flat_picture;
+pub use form::ReportForm;
 pub use gauss_picture::{gauss_picture, mesh_gauss_picture};
 pub use html::report_html;
 pub use json::{mesh_report_json, report_json, report_schema};

@@ -1,127 +1,159 @@
-//! Painting surfaces as they are seen.
-//!
-//! Painter's algorithm: triangles from far to near, then those parts of lines that no triangle
-//! hides. Where nothing hides anything (see [`is_plain`]) no order is needed, and triangles of one
-//! shade and all lines of a kind are one path each, which makes the page small.
+//! Painting surfaces as they are seen: shaded triangles, and those parts of lines that none of them
+//! hides.
 
-use super::canvas::PathData;
-use super::hidden::Seen;
-use super::part::Part;
+use super::canvas::{PathData, simplified};
+use super::order::{Order, order};
+use super::raster::{Facet, Line, Raster};
 use super::style::SHADES;
-use super::view::{View, is_plain};
-use sheetwright::index::TriangleIndex;
-use sheetwright::math::{Point2, Vec3, unit};
+use super::view::View;
+use sheetwright::math::{Point2, Vec2, Vec3, unit};
 use std::collections::BTreeMap;
 
+/// More triangles are drawn in cells: by then they are smaller than their lines are thick.
+pub(super) const MOST_PATHS: usize = 12_000;
+/// Cells per unit of the picture, which is about a pixel of a page.
+const PER_UNIT: f64 = 1.0;
 /// The least difference of brightness that the shades are spread over: below it a surface is so
 /// flat that it may look so.
 const LEAST_CONTRAST: f64 = 0.18;
-/// The classes of rungs, in the order in which they are drawn.
-const RUNG_CLASSES: [&str; 3] = ["r", "x", "w"];
+/// What is added to the number of a shade of the side that the surface does not face.
+const BACK: u16 = 100;
 
-/// A triangle of a part, with the class of its shade.
-struct Facet {
-    part: usize,
-    triangle: TriangleIndex,
-    shade: String,
+/// Triangles that are painted, and what of lines they leave to be seen.
+pub(super) struct Scene<'a> {
+    raster: Raster<'a>,
+    order: Option<Order>,
+    /// What hides a line lies nearer than the line by more than this.
+    enough: f64,
 }
 
-/// The elements of a picture of some panels.
-pub(super) fn paint(view: &View, parts: &[Part<'_>]) -> String {
-    let facets = facets(view, parts);
-    match parts {
-        [only] if is_plain(view, only.panel) => paint_plain(only, &facets),
-        _ => paint_by_depth(view, parts, &facets),
+impl<'a> Scene<'a> {
+    /// Facets in a picture of a size. What lies behind others by less than `enough` is seen.
+    pub(super) fn new(size: Vec2, facets: &'a [Facet], enough: f64) -> Self {
+        let raster = Raster::new(size, PER_UNIT, facets);
+        let order = (facets.len() <= MOST_PATHS).then(|| order(&raster));
+        Self { raster, order, enough }
     }
-}
 
-/// All triangles: the side that is seen of each, and how bright it is.
-fn facets(view: &View, parts: &[Part<'_>]) -> Vec<Facet> {
-    // A lamp above the left shoulder.
-    let lamp = unit(view.toward * 0.75 + view.up * 0.55 - view.right * 0.45).unwrap_or(Vec3::Z);
-    let mut lit: Vec<(usize, TriangleIndex, bool, f64)> = Vec::new();
-    for (n, part) in parts.iter().enumerate() {
-        let surface = &part.panel.surface;
-        for triangle in (0..surface.connectivity().triangles().len()).map(TriangleIndex::new) {
-            let normal = surface.normal(triangle).unwrap_or(view.toward);
-            let front = normal.dot(view.toward) >= 0.0;
-            let seen = if front { normal } else { -normal };
-            lit.push((n, triangle, front, 0.5 + 0.5 * seen.dot(lamp)));
-        }
+    /// Whether nothing hides anything, so that every line is seen all along.
+    pub(super) fn is_plain(&self) -> bool {
+        self.order == Some(Order::Any)
     }
-    let most = lit.iter().map(|l| l.3).fold(0.0, f64::max);
-    let least = lit.iter().map(|l| l.3).fold(most - LEAST_CONTRAST, f64::min);
-    let facet = |(part, triangle, front, brightness): (usize, TriangleIndex, bool, f64)| {
-        let share = (brightness - least) / (most - least);
-        let shade = ((SHADES - 1) as f64 * share).round() as usize;
-        let side = if front { 'f' } else { 'b' };
-        Facet { part, triangle, shade: format!("{side}{}", shade.min(SHADES - 1)) }
-    };
-    lit.into_iter().map(facet).collect()
-}
 
-fn paint_plain(part: &Part<'_>, facets: &[Facet]) -> String {
-    let mut fills: BTreeMap<&str, PathData> = BTreeMap::new();
-    for facet in facets {
-        fills.entry(&facet.shade).or_default().ring(part.corners(facet.triangle));
-    }
-    let mut body: String = fills.iter().map(|(class, path)| path.element(class)).collect();
-    for class in RUNG_CLASSES {
-        let mut path = PathData::default();
-        for ends in part.rungs_of(class) {
-            path.line(ends.map(|s| part.points[s.get()]));
-        }
-        body += &path.element(class);
-    }
-    let mut edge = PathData::default();
-    for range in part.panel.surface.connectivity().loops() {
-        edge.ring(part.points[range.clone()].iter().copied());
-    }
-    body + &edge.element("e")
-}
-
-fn paint_by_depth(view: &View, parts: &[Part<'_>], facets: &[Facet]) -> String {
-    let nearness: Vec<f64> = facets
-        .iter()
-        .map(|facet| {
-            let corners = parts[facet.part].panel.surface.corners(facet.triangle);
-            corners.iter().map(|&p| view.nearness(p)).sum::<f64>()
-        })
-        .collect();
-    let mut order: Vec<usize> = (0..facets.len()).collect();
-    order.sort_by(|&a, &b| nearness[a].total_cmp(&nearness[b]).then(a.cmp(&b)));
-    let mut body = String::new();
-    let (mut class, mut run) = ("", PathData::default());
-    for facet in order.into_iter().map(|n| &facets[n]) {
-        if class != facet.shade {
-            body += &std::mem::take(&mut run).element(class);
-            class = &facet.shade;
-        }
-        run.ring(parts[facet.part].corners(facet.triangle));
-    }
-    body += &run.element(class);
-    let seen = Seen::new(view, parts);
-    for class in RUNG_CLASSES {
-        let mut path = PathData::default();
-        for (n, part) in parts.iter().enumerate() {
-            for piece in part.rungs_of(class).flat_map(|ends| seen.visible(n, ends)) {
-                path.line(piece);
+    /// All triangles, each in the class of its shade.
+    pub(super) fn fills(&self) -> String {
+        let facets = self.raster.facets;
+        match &self.order {
+            None => self.raster.elements(shade_name),
+            // Those of one shade are one path, which makes the page small.
+            Some(Order::Any) => {
+                let mut fills: BTreeMap<u16, PathData> = BTreeMap::new();
+                for facet in facets {
+                    fills.entry(facet.class).or_default().ring(facet.corners);
+                }
+                fills.iter().map(|(class, path)| path.element(&shade_name(*class))).collect()
+            }
+            Some(Order::Of(list, wrong)) => {
+                let mut body = String::new();
+                let (mut class, mut run) = (0, PathData::default());
+                for facet in list.iter().map(|&n| &facets[n]) {
+                    if class != facet.class {
+                        body += &std::mem::take(&mut run).element(&shade_name(class));
+                        class = facet.class;
+                    }
+                    run.ring(facet.corners);
+                }
+                body += &run.element(&shade_name(class));
+                let patches = wrong
+                    .as_ref()
+                    .map(|wrong| self.raster.elements_where(|cell| wrong[cell], shade_name));
+                body + &patches.unwrap_or_default()
             }
         }
-        body += &path.element(class);
     }
-    let mut path = PathData::default();
-    for (n, part) in parts.iter().enumerate() {
-        let edges = part.panel.surface.connectivity().edges();
-        for run in joined(edges.flat_map(|edge| seen.visible(n, edge))) {
-            path.line(run);
+
+    /// The pieces of a line that are seen.
+    pub(super) fn visible(&self, ends: [Point2; 2], near: [f64; 2]) -> Vec<[Point2; 2]> {
+        self.visible_on(ends, near, [true; 2])
+    }
+
+    /// The pieces that are seen of a line where a surface turns from the eye: its own steep facets do
+    /// not hide it.
+    pub(super) fn visible_turn(&self, ends: [Point2; 2], near: [f64; 2]) -> Vec<[Point2; 2]> {
+        const STEEP: f64 = 8.0;
+        self.visible_beyond(ends, near, [true; 2], STEEP * self.enough)
+    }
+
+    /// The pieces that are seen of a line that lies on the front of a surface, on its back, or on both.
+    pub(super) fn visible_on(
+        &self,
+        ends: [Point2; 2],
+        near: [f64; 2],
+        sides: [bool; 2],
+    ) -> Vec<[Point2; 2]> {
+        self.visible_beyond(ends, near, sides, self.enough)
+    }
+
+    fn visible_beyond(
+        &self,
+        ends: [Point2; 2],
+        near: [f64; 2],
+        sides: [bool; 2],
+        enough: f64,
+    ) -> Vec<[Point2; 2]> {
+        if self.is_plain() {
+            return vec![ends];
         }
+        let belongs = |class: u16| sides[usize::from(!is_front(class))];
+        self.raster.visible(&Line { ends, near, enough, belongs: &belongs })
     }
-    body + &path.element("e")
 }
 
-/// Pieces that follow one another as one line.
-fn joined(pieces: impl Iterator<Item = [Point2; 2]>) -> Vec<Vec<Point2>> {
+/// Whether a shade is one of the side that the surface faces.
+pub(super) fn is_front(shade: u16) -> bool {
+    shade < BACK
+}
+
+/// The class of a shade.
+pub(super) fn shade_name(shade: u16) -> String {
+    let (side, n) = if is_front(shade) { ('f', shade) } else { ('b', shade - BACK) };
+    format!("{side}{n}")
+}
+
+/// A shade of few, for surfaces that change from cell to cell: fewer make the page smaller.
+pub(super) fn coarse_shade(shade: u16) -> u16 {
+    /// So many shades become one.
+    const TOGETHER: u16 = 4;
+    shade / TOGETHER * TOGETHER + TOGETHER / 2
+}
+
+/// The shades of faces, given by the area vectors of those of each panel: the side that is seen of
+/// each, and how bright it is.
+pub(super) fn shades_of(view: &View, areas: &[Vec<Vec3>]) -> Vec<Vec<u16>> {
+    // A lamp above the left shoulder.
+    let lamp = unit(view.toward * 0.75 + view.up * 0.55 - view.right * 0.45).unwrap_or(Vec3::Z);
+    let light = |area: &Vec3| {
+        let normal = unit(*area).unwrap_or(view.toward);
+        let front = normal.dot(view.toward) >= 0.0;
+        let seen = if front { normal } else { -normal };
+        (front, 0.5 + 0.5 * seen.dot(lamp))
+    };
+    let lit: Vec<Vec<(bool, f64)>> =
+        areas.iter().map(|areas| areas.iter().map(light).collect()).collect();
+    let all = || lit.iter().flatten().map(|l| l.1);
+    let most = all().fold(0.0, f64::max);
+    let least = all().fold(most - LEAST_CONTRAST, f64::min);
+    let shade = |&(front, brightness): &(bool, f64)| {
+        let share = (brightness - least) / (most - least);
+        let shade = (((SHADES - 1) as f64 * share).round() as usize).min(SHADES - 1) as u16;
+        if front { shade } else { shade + BACK }
+    };
+    lit.iter().map(|list| list.iter().map(shade).collect()).collect()
+}
+
+/// Steps that follow one another as one line, as far as it can be told from one with fewer points.
+pub(super) fn joined(pieces: impl Iterator<Item = [Point2; 2]>) -> Vec<Vec<Point2>> {
+    const SEEN: f64 = 0.15;
     let mut runs: Vec<Vec<Point2>> = Vec::new();
     for [from, to] in pieces {
         match runs.last_mut() {
@@ -129,5 +161,5 @@ fn joined(pieces: impl Iterator<Item = [Point2; 2]>) -> Vec<Vec<Point2>> {
             _ => runs.push(vec![from, to]),
         }
     }
-    runs
+    runs.iter().map(|run| simplified(run, SEEN)).collect()
 }

@@ -1,12 +1,14 @@
 //! A panel in planar quads, in space: shaded faces with their sides.
 
 use super::canvas::{PathData, Picture, WIDTH};
-use super::mesh_picture::{shade_name, shades_of};
+use super::paint::{Scene, shades_of};
+use super::raster::Facet;
 use super::space_picture::Fit;
 use super::view::view_of;
 use sheetwright::design::MadePanel;
-use sheetwright::math::{Point2, Vec3};
+use sheetwright::math::{Point2, Vec2, Vec3};
 use sheetwright::quads::QuadMesh;
+use std::collections::BTreeSet;
 
 /// The quads of a panel in space.
 pub fn quads_picture(panel: &MadePanel, quads: &QuadMesh) -> Picture {
@@ -21,19 +23,29 @@ pub fn quads_picture(panel: &MadePanel, quads: &QuadMesh) -> Picture {
         fan.map(|[a, b]| a.cross(b) * 0.5).sum()
     };
     let shades = shades_of(&view, &[faces.iter().map(area).collect()]);
-    let depth = |face: &[usize]| {
-        face.iter().map(|&v| view.nearness(positions[v])).sum::<f64>() / face.len() as f64
-    };
-    // From far to near, each with its sides, so that what lies before them hides them.
-    let mut order: Vec<usize> = (0..faces.len()).collect();
-    order.sort_by(|&a, &b| depth(faces[a]).total_cmp(&depth(faces[b])).then(a.cmp(&b)));
-    let mut body = String::new();
-    for n in order {
-        let mut path = PathData::default();
-        path.ring(faces[n].iter().map(|&v| fit.place(projected[v])));
-        body += &path.element(&shade_name(shades[0][n]));
-        body += &path.element("r");
+    let near = |v: usize| view.nearness(positions[v]);
+    let placed: Vec<Point2> = projected.iter().map(|p| fit.place(*p)).collect();
+    let fans = faces.iter().zip(&shades[0]).flat_map(|(face, &class)| {
+        let fan = face[1..].windows(2).map(|pair| [face[0], pair[0], pair[1]]);
+        fan.map(move |corners| (corners, class))
+    });
+    let facets: Vec<Facet> = fans
+        .map(|(v, class)| Facet { corners: v.map(|v| placed[v]), near: v.map(near), class })
+        .collect();
+    let size = Vec2::new(WIDTH, fit.total);
+    let scene = Scene::new(size, &facets, fit.millimetres(1.0));
+    let mut body = scene.fills();
+    let sides = faces
+        .iter()
+        .flat_map(|face| (0..face.len()).map(|n| [face[n], face[(n + 1) % face.len()]]));
+    // Every side once.
+    let sides: BTreeSet<[usize; 2]> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    let mut path = PathData::default();
+    for ends in sides {
+        let pieces = scene.visible(ends.map(|v| placed[v]), ends.map(near));
+        pieces.into_iter().for_each(|piece| path.line(piece));
     }
+    body += &path.element("r");
     body += &fit.foot(&view);
     Picture::new(WIDTH, fit.total, format!("{} in planar quads", panel.name), body)
 }

@@ -147,6 +147,43 @@ pub(super) fn quarter() -> Made {
     between("quarter tube", [&arc(0.0), &arc(500.0)], 40, "plywood-4mm")
 }
 
+/// A quarter of a pipe of 10 mm, too tight for its sheet.
+pub(super) fn tight() -> Made {
+    let arc = |y: f64| {
+        move |t: f64| {
+            let a = from_deg(90.0 * t);
+            [10.0 * cos(a), y, 10.0 * sin(a)]
+        }
+    };
+    between("tight tube", [&arc(0.0), &arc(50.0)], 40, "plywood-4mm")
+}
+
+/// A wavy wall of many panels beside and above one another.
+pub(super) fn facade(count: usize) -> Made {
+    let columns = 60;
+    let (mut curves, mut panels) = (Vec::new(), Vec::new());
+    for n in 0..count {
+        let (column, row) = ((n % columns) as f64, (n / columns) as f64);
+        let names = ["a", "b"].map(|side| format!("{side}{n}"));
+        for (name, height) in names.iter().zip([0.02, 0.98]) {
+            let at = |step: u32| {
+                let x = column + 0.02 + 0.24 * f64::from(step);
+                let y = 400.0 * sin(0.2 * x) + 60.0 * sin(3.0 * (x - column));
+                CurvePoint::smooth(Point3::new(1000.0 * x, y, 1500.0 * (row + height)))
+            };
+            let points = (0..=4).map(at).collect();
+            let kind = Some(CurveKind::Spline);
+            curves.push(DesignCurve { name: name.clone(), kind, closed: false, points });
+        }
+        let shape = PanelShape::Rails(names.map(|name| used(&name)));
+        let mut made = panel(&format!("P{n}"), shape, 20);
+        made.plane = PlaneChoice::None;
+        made.method = PanelMethod::Rails;
+        panels.push(made);
+    }
+    made("facade", "steel-1mm", curves, panels)
+}
+
 /// The same in so few samples that nobody can tell bending from twist.
 pub(super) fn coarse_quarter() -> Made {
     let arc = |y: f64| {

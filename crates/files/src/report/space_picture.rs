@@ -1,14 +1,16 @@
 //! The surface in space: shaded triangles, rulings and the boundary.
 
-use super::canvas::{Anchor, Picture, WIDTH, line, round_below, scale_bar, text};
-use super::paint::paint;
+use super::canvas::{Anchor, PathData, Picture, WIDTH, line, round_below, scale_bar, text};
+use super::paint::{MOST_PATHS, Scene, coarse_shade, joined, shades_of};
 use super::part::Part;
+use super::raster::Facet;
 use super::view::{View, view_of};
 use super::wording::{length_short, thinned};
 use super::worst_rung;
 use sheetwright::design::{Made, MadePanel};
 use sheetwright::material::{Material, warp_limit_deg};
 use sheetwright::math::{Point2, Vec2, Vec3, from_deg};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Room round the surface, and below it for the axes and the scale.
 const MARGIN: f64 = 16.0;
@@ -17,6 +19,16 @@ const FOOT: f64 = 96.0;
 const MOST_HEIGHT: f64 = 330.0;
 /// Rulings drawn on a panel, at the most.
 const RULINGS: usize = 60;
+/// The middles of rulings stand at least this far apart, or those of several panels, where
+/// narrow ones would become dark with them.
+const APART: f64 = 5.0;
+const APART_OF_SEVERAL: f64 = 9.0;
+/// With more panels, outlines are thin.
+const MOST_THICK: usize = 12;
+/// What lies behind a surface by less than this, in units of the picture, lies on it.
+const LIES_ON: f64 = 1.0;
+/// The classes of rungs, in the order in which they are drawn.
+pub(super) const RUNG_CLASSES: [&str; 4] = ["r", "t", "x", "w"];
 
 /// The surface of a panel in space, shaded, with rulings; those that warp more than the sheet takes
 /// stand out.
@@ -40,15 +52,130 @@ fn pictured(panels: &[MadePanel], material: Option<&Material>, title: String) ->
     let parts: Vec<Part<'_>> = panels
         .iter()
         .zip(&projected)
-        .map(|(panel, points)| Part {
-            panel,
-            points: points.iter().map(|p| fit.place(*p)).collect(),
-            rungs: rung_classes(panel, material, RULINGS),
+        .map(|(panel, points)| {
+            let points: Vec<Point2> = points.iter().map(|p| fit.place(*p)).collect();
+            Part::new(panel, &view, points, rung_classes(panel, material, RULINGS))
         })
         .collect();
-    let mut body = paint(&view, &parts);
+    let mut shades = shades_of(&view, &parts.iter().map(Part::areas).collect::<Vec<_>>());
+    if shades.iter().map(Vec::len).sum::<usize>() > MOST_PATHS {
+        shades.iter_mut().flatten().for_each(|shade| *shade = coarse_shade(*shade));
+    }
+    let facets: Vec<Facet> =
+        parts.iter().zip(&shades).flat_map(|(part, shades)| part.facets(shades)).collect();
+    let scene = Scene::new(Vec2::new(WIDTH, fit.total), &facets, fit.millimetres(LIES_ON));
+    let mut body = scene.fills();
+    body += &rungs(&parts, &shades, &scene);
+    body += &outlines(&parts, &shades, &scene);
     body += &fit.foot(&view);
-    Picture::new(WIDTH, fit.total, title, body)
+    let shown = legend(parts.iter().flat_map(|part| &part.rungs), fit.total);
+    Picture::new(WIDTH, fit.total + shown.height, title, body + &shown.body)
+}
+
+/// The boundaries of all parts, and where their surfaces turn away from the eye.
+fn outlines(parts: &[Part<'_>], shades: &[Vec<u16>], scene: &Scene<'_>) -> String {
+    let (mut border, mut turns) = (PathData::default(), PathData::default());
+    for (part, shades) in parts.iter().zip(shades) {
+        let connectivity = part.panel.surface.connectivity();
+        let lines = connectivity.edges().map(|edge| part.line(edge));
+        if scene.is_plain() {
+            for range in connectivity.loops() {
+                border.ring(part.points[range.clone()].iter().copied());
+            }
+        } else {
+            let pieces = lines.flat_map(|(ends, near)| scene.visible(ends, near));
+            joined(pieces).into_iter().for_each(|run| border.line(run));
+            let lines = part.turns(shades).map(|ends| part.line(ends));
+            let pieces = lines.flat_map(|(ends, near)| scene.visible_turn(ends, near));
+            joined(pieces).into_iter().for_each(|run| turns.line(run));
+        }
+    }
+    let border = border.element(if parts.len() > MOST_THICK { "e thin" } else { "e" });
+    turns.element("e thin") + &border
+}
+
+/// The rungs of all parts, as far as they are seen. Where rulings would run into one another, some are
+/// left out.
+fn rungs(parts: &[Part<'_>], shades: &[Vec<u16>], scene: &Scene<'_>) -> String {
+    let apart = if parts.len() > 1 { APART_OF_SEVERAL } else { APART };
+    let mut drawn = Middles { apart, squares: BTreeMap::new() };
+    let mut body = String::new();
+    for class in RUNG_CLASSES {
+        let mut path = PathData::default();
+        for (part, shades) in parts.iter().zip(shades) {
+            for (ends, sides) in part.rungs_of(class, shades) {
+                let (ends, near) = part.line(ends);
+                let middle = ends[0].lerp(ends[1], 0.5);
+                let is_ruling = class == "r";
+                if is_ruling && !drawn.is_free(middle) {
+                    continue;
+                }
+                let pieces = scene.visible_on(ends, near, sides);
+                if is_ruling && !pieces.is_empty() {
+                    drawn.take(middle);
+                }
+                pieces.into_iter().for_each(|piece| path.line(piece));
+            }
+        }
+        body += &path.element(class);
+    }
+    body
+}
+
+/// The middles of rulings that are drawn, by squares as large as they stand apart.
+struct Middles {
+    apart: f64,
+    squares: BTreeMap<(i64, i64), Vec<Point2>>,
+}
+
+impl Middles {
+    fn square(&self, middle: Point2) -> (i64, i64) {
+        ((middle.x / self.apart).floor() as i64, (middle.y / self.apart).floor() as i64)
+    }
+
+    /// Whether no other is near.
+    fn is_free(&self, middle: Point2) -> bool {
+        let (x, y) = self.square(middle);
+        let around = (-1..=1).flat_map(|i| (-1..=1).map(move |k| (x + i, y + k)));
+        let mut near = around.filter_map(|square| self.squares.get(&square)).flatten();
+        near.all(|other| other.distance(middle) >= self.apart)
+    }
+
+    fn take(&mut self, middle: Point2) {
+        self.squares.entry(self.square(middle)).or_default().push(middle);
+    }
+}
+
+/// What the lines of a picture mean that stand out.
+pub(super) struct Legend {
+    pub(super) body: String,
+    /// How much higher it makes the picture.
+    pub(super) height: f64,
+}
+
+/// The legend of the classes of some rungs, from a height of the picture on; empty if none stands
+/// out.
+pub(super) fn legend<'a>(
+    classes: impl Iterator<Item = &'a Option<&'static str>>,
+    top: f64,
+) -> Legend {
+    const ROW: f64 = 22.0;
+    let shown: BTreeSet<&str> = classes.flatten().copied().collect();
+    let mut legend = Legend { body: String::new(), height: 0.0 };
+    for (class, words) in [
+        ("w", "warps most"),
+        ("x", "warps more than the sheet takes"),
+        ("t", "bent more tightly than the sheet takes"),
+    ] {
+        if shown.contains(class) {
+            let y = top + legend.height + 0.5 * ROW;
+            legend.body += &line(class, &[Point2::new(MARGIN, y), Point2::new(MARGIN + 34.0, y)]);
+            let at = Point2::new(MARGIN + 44.0, y + 5.0);
+            legend.body += &text("", Anchor::Start, at, words);
+            legend.height += ROW;
+        }
+    }
+    legend
 }
 
 /// Where projected points lie in a picture that shows all of them, with the axes and the scale below.
@@ -96,20 +223,24 @@ impl Fit {
     }
 }
 
-/// The class of every rung that is drawn: `w` the worst if it is beyond the limit, `x` beyond it,
-/// `r` any other. At the most about `most` of each.
+/// The class of every rung that is drawn: `w` the one that warps most, if it is beyond the limit, `x`
+/// beyond it, `t` bent more tightly than the sheet takes, `r` any other. At the most about `most` of
+/// each.
 pub(super) fn rung_classes(
     panel: &MadePanel,
     material: Option<&Material>,
     most: usize,
 ) -> Vec<Option<&'static str>> {
     let limit = from_deg(warp_limit_deg(material));
+    let least_mm = material.map_or(0.0, |m| m.bend_radius_mm);
     let rungs = &panel.measures.rungs;
     let worst = worst_rung(&panel.measures).filter(|&n| rungs[n].warp_beyond_sampling() > limit);
     let mut classes = vec![None; rungs.len()];
     let (beyond, within): (Vec<usize>, Vec<usize>) =
         (0..rungs.len()).partition(|&n| rungs[n].warp_beyond_sampling() > limit);
-    for (list, class) in [(within, "r"), (beyond, "x")] {
+    let (tight, wide): (Vec<usize>, Vec<usize>) =
+        within.into_iter().partition(|&n| rungs[n].bend_radius_mm < least_mm);
+    for (list, class) in [(wide, "r"), (tight, "t"), (beyond, "x")] {
         for n in thinned(&list, most) {
             classes[n] = Some(class);
         }

@@ -83,7 +83,7 @@ fn heats(css: &mut String, ramp: &[[f64; 3]; 4]) {
 
 const PICTURE: &str = "\
 .pic{--ink:#16202a;--quiet:#5a6672;--paper:#fff;--line:#173a5e;--bad:#b83c05;--warm:#8a5a00;\
---tint:#eef4fa;--bar:#2f6ea8;--force:#fbf0d6;--beyond:#fbe0d3;--other:#0b6b57;\
+--tint:#eef4fa;--bar:#2f6ea8;--force:#fbf0d6;--beyond:#fbe0d3;--other:#0b6b57;--tight:#86198f;\
 font-family:system-ui,-apple-system,'Segoe UI',Roboto,'Helvetica Neue',Arial,sans-serif}\
 .pic path,.pic circle,.pic rect{vector-effect:non-scaling-stroke}\
 .pic path{fill:none;stroke-linejoin:round;stroke-linecap:round}\
@@ -100,10 +100,12 @@ font-family:system-ui,-apple-system,'Segoe UI',Roboto,'Helvetica Neue',Arial,san
 .pic .band{fill:var(--warm)}\
 .pic .letter{font-weight:600}\
 .pic .r{stroke:var(--line);stroke-width:.7;stroke-opacity:.5}\
+.pic .net{stroke:var(--line);stroke-width:.6;stroke-opacity:.55}\
 .pic .x{stroke:var(--bad);stroke-width:1}\
 .pic .w{stroke:var(--bad);stroke-width:3}\
+.pic .t{stroke:var(--tight);stroke-width:2;stroke-dasharray:3 4}\
 .pic .e{stroke:var(--ink);stroke-width:2}\
-.pic .cut{stroke:var(--ink);stroke-width:2}\
+.pic .cut{stroke:var(--ink);stroke-width:2}.pic .thin{stroke-width:1}\
 .pic .paper{fill:var(--paper)}.pic .sheet{fill:var(--tint)}\
 .pic .score{stroke:var(--line);stroke-width:1.4;stroke-dasharray:7 4}\
 .pic .tick{stroke:var(--line);stroke-width:1.6}\
@@ -125,11 +127,11 @@ font-family:system-ui,-apple-system,'Segoe UI',Roboto,'Helvetica Neue',Arial,san
 
 const PICTURE_DARK: &str = "\
 .pic{--ink:#e9eff5;--quiet:#9daab7;--paper:#12181f;--line:#dbe9f7;--bad:#ff9257;--warm:#e9bd5c;\
---tint:#1b2733;--bar:#6db1ee;--force:#33290f;--beyond:#421f10;--other:#5fd0b4}";
+--tint:#1b2733;--bar:#6db1ee;--force:#33290f;--beyond:#421f10;--other:#5fd0b4;--tight:#e58cf0}";
 
 const PICTURE_PRINT: &str = "\
 .pic{--ink:#16202a;--quiet:#5a6672;--paper:#fff;--line:#173a5e;--bad:#b83c05;--warm:#8a5a00;\
---tint:#eef4fa;--bar:#2f6ea8;--force:#fbf0d6;--beyond:#fbe0d3;--other:#0b6b57}\
+--tint:#eef4fa;--bar:#2f6ea8;--force:#fbf0d6;--beyond:#fbe0d3;--other:#0b6b57;--tight:#86198f}\
 .pic text{font-size:16px}";
 
 const PAGE: &str = "\
@@ -172,6 +174,8 @@ figcaption{font-size:.92rem;color:var(--quiet);margin-top:6px}\
 figcaption strong{color:var(--ink)}\
 .edges{list-style:none;padding:0;margin:6px 0 0;display:flex;flex-wrap:wrap;gap:2px 18px;\
 color:var(--ink)}\
+.short td svg{display:block;width:96px;height:48px}.short .verdict{font-size:1rem}\
+.short td .findings{margin-top:8px;font-size:.92rem}.short tr{break-inside:avoid}\
 .findings{list-style:none;margin:0;padding:0}\
 .findings li{border-left:4px solid var(--good);padding:2px 0 2px 12px;margin:0 0 12px}\
 .findings li.warning{border-left-color:var(--warm)}.findings li.error{border-left-color:var(--bad)}\

@@ -5,7 +5,7 @@ use sheetwright::check::Checked;
 use sheetwright::design::Made;
 
 fn all() -> Vec<Made> {
-    let bent = [quarter(), coarse_quarter(), cone(), helicoid(), moved()];
+    let bent = [quarter(), coarse_quarter(), cone(), helicoid(), moved(), tight()];
     [hull(40, "steel-5mm"), concave(), triangle()].into_iter().chain(bent).collect()
 }
 
@@ -21,7 +21,7 @@ fn none(made: &Made) -> Vec<Option<PanelQuads>> {
 
 fn html(made: &Made) -> String {
     let (errors, checked) = checks(made);
-    String::from_utf8(report_html(made, &errors, &checked)).unwrap()
+    String::from_utf8(report_html(made, &errors, &checked, ReportForm::Auto)).unwrap()
 }
 
 fn json(made: &Made) -> serde_json::Value {
@@ -246,10 +246,61 @@ fn a_page_refers_to_nothing_outside_itself() {
     for made in all() {
         let page = html(&made);
         let without = page.replace(r#"xmlns="http://www.w3.org/2000/svg""#, "");
+        assert_eq!(page.matches("http-equiv").count(), 1);
+        let without = without.replace("http-equiv", "");
         for word in ["http", "//", "url(", "@import", "<script", "<img", "<link", "src="] {
             assert!(!without.contains(word), "{word} in {}", made.name);
         }
     }
+}
+
+/// Before anything that a browser could fetch or run.
+#[test]
+fn a_page_lets_a_browser_do_nothing_but_show_it() {
+    let page = html(&concave());
+    let policy = page.find("Content-Security-Policy").unwrap();
+    assert!(policy < page.find("<style").unwrap() && policy < page.find("<title").unwrap());
+    assert!(page.contains(r#"content="default-src 'none'; style-src 'unsafe-inline';"#));
+}
+
+/// Of a design of many panels the page is a table, whichever way it is asked for.
+#[test]
+fn the_short_form_shows_every_panel_in_a_few_kilobytes() {
+    let mut made = facade(101);
+    let bad = helicoid().panels[0].clone();
+    made.panels[70] = bad;
+    let page = html(&made);
+    assert_eq!(pictures(&page).len(), 1 + 101, "the whole, and a thumbnail a panel");
+    let told = page.find("Of 101 panels").map_or("nothing", |at| &page[at..at + 90]);
+    assert!(
+        told.starts_with("Of 101 panels 100 bend, 1 will not bend.</strong> Do not cut 1 of"),
+        "{told}"
+    );
+    assert!(page.contains("--report long") && !page.contains("class=\"numbers\""));
+    let first = page.find("<th scope=\"row\">").unwrap();
+    assert!(page[first..].starts_with("<th scope=\"row\">ramp<"), "what needs a look is first");
+    assert!(page.len() < 101 * 4000, "{} bytes", page.len());
+    made.panels.truncate(100);
+    assert!(html(&made).contains("class=\"numbers\""));
+    let (errors, checked) = checks(&made);
+    let short = report_html(&made, &errors, &checked, ReportForm::Short);
+    assert!(String::from_utf8(short).unwrap().contains("Of 100 panels"));
+}
+
+/// Bends that are too tight are seen in space and flat, with a legend; twice as wide they are none.
+#[test]
+fn bends_that_are_too_tight_stand_out() {
+    let made = tight();
+    let least = made.material.unwrap().bend_radius_mm;
+    assert!(made.panels[0].measures.bend_radius_min_mm < least);
+    let page = html(&made);
+    let shown = pictures(&page).iter().filter(|p| p.contains(r#"class="t""#)).count();
+    assert!(shown >= 2, "in space and flat");
+    let legends = page.matches("bent more tightly than the sheet takes").count();
+    assert_eq!(legends, 2, "in space and flat");
+    assert!(!page.contains("warps more than the sheet takes"));
+    assert!(!html(&concave()).contains("bent more tightly"));
+    assert_eq!(html(&helicoid()).matches("warps most").count(), 2);
 }
 
 #[test]
@@ -257,7 +308,8 @@ fn no_number_fails_to_be_one() {
     let mut pages: Vec<String> = all().iter().map(html).collect();
     let made = quarter();
     let checked = vec![made.panels[0].checked.clone()];
-    let unread = String::from_utf8(report_html(&made, &[f64::NAN], &checked)).unwrap();
+    let unread =
+        String::from_utf8(report_html(&made, &[f64::NAN], &checked, ReportForm::Auto)).unwrap();
     assert!(unread.contains("not read back"));
     pages.push(unread);
     for page in pages {
@@ -320,7 +372,7 @@ fn an_error_is_not_hidden_behind_a_good_verdict() {
     checked.verdict = sheetwright::check::Verdict::Bends;
     checked.findings.retain(|f| f.code == "overlap");
     assert_eq!(checked.findings.len(), 1);
-    let page = String::from_utf8(report_html(&made, &[0.0], &[checked])).unwrap();
+    let page = String::from_utf8(report_html(&made, &[0.0], &[checked], ReportForm::Auto)).unwrap();
     assert!(page.contains("Bends, but do not cut it"));
     assert!(page.contains(r#"class="card error""#));
 }
@@ -329,6 +381,32 @@ fn an_error_is_not_hidden_behind_a_good_verdict() {
 fn the_page_of_a_hull_stays_small() {
     let bytes = html(&hull(200, "steel-5mm")).len();
     assert!(bytes < 400_000, "{bytes} bytes");
+}
+
+/// Sixteen times as many panels take about sixteen times as long, for all of them in one picture too:
+/// a bound that a busy machine keeps, and that work on every pair of panels does not.
+#[test]
+fn the_time_of_a_report_grows_with_the_panels_and_no_faster() {
+    let planks = hull(40, "steel-5mm");
+    let time = |count: usize| {
+        let mut made = planks.clone();
+        made.panels = (0..count).map(|n| planks.panels[n % 3].clone()).collect();
+        let took = || {
+            let start = std::time::Instant::now();
+            assert!(!html(&made).is_empty());
+            start.elapsed().as_secs_f64()
+        };
+        (0..3).map(|_| took()).fold(f64::INFINITY, f64::min)
+    };
+    let (few, many) = (time(110), time(16 * 110));
+    assert!(many < 4.0 * 16.0 * few, "{few} s and {many} s");
+}
+
+/// The picture of many panels is no larger than what can be seen in it.
+#[test]
+fn the_picture_of_many_panels_stays_small() {
+    let bytes = design_picture(&facade(1500)).inline().len();
+    assert!(bytes < 1_300_000, "{bytes} bytes");
 }
 
 #[test]

@@ -4,7 +4,6 @@ use sheetwright::boundary::size_of;
 use sheetwright::design::MadePanel;
 use sheetwright::index::TriangleIndex;
 use sheetwright::math::{Point2, Point3, Vec3, cos, from_deg, sin, unit};
-use sheetwright::predicate::first_crossing;
 
 /// A parallel projection, world z up where that has a meaning.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,14 +51,19 @@ const FACING: f64 = 0.78;
 /// How much of the panel's length should be seen: in full, a tube looks like a plate.
 const LENGTH: f64 = 0.9;
 
+/// The view is chosen by so many triangles, or one a panel if they are more.
+const LOOKED_AT: usize = 20_000;
+
 /// The view of some panels, from the side that they face: chosen among some dozens so that most of
 /// them is seen, aslant, nearly at full length and with little of their back.
 pub(super) fn view_of(panels: &[MadePanel]) -> View {
     let mut areas: Vec<Vec3> = Vec::new();
     let mut long = Vec3::ZERO;
+    let triangles = |panel: &MadePanel| panel.surface.connectivity().triangles().len();
+    let step = panels.iter().map(triangles).sum::<usize>().div_ceil(LOOKED_AT).max(1);
     for panel in panels {
-        let count = panel.surface.connectivity().triangles().len();
-        areas.extend((0..count).map(|n| panel.surface.area_vector(TriangleIndex::new(n))));
+        let all = (0..triangles(panel)).step_by(step);
+        areas.extend(all.map(|n| panel.surface.area_vector(TriangleIndex::new(n))));
         let sheet = panel.sheet.surface().positions();
         let of_panel = longest_direction(sheet, &panel.flat.points) * panel.boundary.size();
         // The first panel says which way is right.
@@ -106,20 +110,6 @@ pub(super) fn longest_direction(space: &[Point3], flat: &[Point2]) -> Vec3 {
     let mean = flat.iter().map(|p| p.x).sum::<f64>() / flat.len() as f64;
     let Some(&first) = space.first() else { return Vec3::X };
     unit(space.iter().zip(flat).map(|(p, f)| (*p - first) * (f.x - mean)).sum()).unwrap_or(Vec3::X)
-}
-
-/// Whether nothing hides anything: every triangle turns the same side to the eye and the boundary
-/// does not cross itself in the picture, so that the picture is one to one.
-pub(super) fn is_plain(view: &View, panel: &MadePanel) -> bool {
-    let connectivity = panel.surface.connectivity();
-    let signs: Vec<bool> = (0..connectivity.triangles().len())
-        .map(|n| panel.surface.area_vector(TriangleIndex::new(n)).dot(view.toward) > 0.0)
-        .collect();
-    let outer = connectivity.loops()[0].clone();
-    let ring: Vec<Point2> =
-        panel.surface.positions()[outer].iter().map(|&p| view.project(p)).collect();
-    let one_side = signs.iter().all(|&s| s == signs[0]);
-    one_side && connectivity.loops().len() == 1 && first_crossing(&ring).is_none()
 }
 
 /// Length, width and height of the box around a panel along the axes, mm.

@@ -95,7 +95,7 @@ impl Chart<'_> {
             return LEFT + (WIDTH - LEFT - RIGHT) / self.span().max(1e-12) * place;
         }
         // As in the picture of the pattern above it.
-        LEFT + scale_of(self.panel) * place
+        LEFT + scale_of(&self.panel.piece) * place
     }
 
     fn y(&self, deg: f64) -> f64 {

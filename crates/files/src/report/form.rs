@@ -1,0 +1,137 @@
+//! How much `report.html` shows: of many panels a table with thumbnails, since a page of all their
+//! pictures would be of no use to anyone and of many megabytes.
+
+use super::canvas::{PathData, Picture, simplified};
+use super::html::{findings, severity, verdict};
+use maud::{Markup, PreEscaped, html};
+use sheetwright::check::{Checked, Severity, Verdict};
+use sheetwright::math::Point2;
+use sheetwright::pattern::Piece;
+
+/// How much `report.html` shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ReportForm {
+    /// Everything of up to 100 panels, a table of more.
+    #[default]
+    Auto,
+    /// A table of all panels with thumbnails of their patterns, and what was found.
+    Short,
+    /// Everything of every panel.
+    Long,
+}
+
+impl ReportForm {
+    /// Beyond so many panels the report is short by itself.
+    const MOST_LONG: usize = 100;
+
+    /// How people ask for it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Auto => "auto",
+            Self::Short => "short",
+            Self::Long => "long",
+        }
+    }
+
+    /// Whether the report of so many panels is short.
+    pub(super) const fn is_short(self, panels: usize) -> bool {
+        match self {
+            Self::Auto => panels > Self::MOST_LONG,
+            Self::Short => true,
+            Self::Long => false,
+        }
+    }
+}
+
+/// A panel in the short form.
+pub(super) struct Row<'a> {
+    pub(super) name: &'a str,
+    pub(super) piece: &'a Piece,
+    pub(super) checked: &'a Checked,
+    /// What stands under the labels.
+    pub(super) values: Vec<String>,
+}
+
+/// All panels in the short form: how many bend, and a table with those first that need a look.
+pub(super) fn short(labels: &[&str], rows: Vec<Row<'_>>) -> Markup {
+    let mut order: Vec<usize> = (0..rows.len()).collect();
+    order.sort_by_key(|&n| std::cmp::Reverse(severity(rows[n].checked)));
+    html! {
+        (counts(&rows))
+        p.sub {
+            "This is the short form of the report, those panels first that need a look. The long \
+             form has a page with pictures of every panel: `sheetwright make` writes it with "
+            code { "--report long" } "."
+        }
+        table.summary.short {
+            caption { "All panels" }
+            thead {
+                tr {
+                    th scope="col" { "Pattern" }
+                    th scope="col" { "Panel" }
+                    th scope="col" { "Verdict" }
+                    @for label in labels { th scope="col" { (label) } }
+                }
+            }
+            tbody {
+                @for row in order.iter().map(|&n| &rows[n]) {
+                    tr {
+                        td data-label="Pattern" { (PreEscaped(thumbnail(row.piece).inline())) }
+                        th scope="row" { (row.name) }
+                        td data-label="Verdict" {
+                            (verdict(row.checked))
+                            @if severity(row.checked) > Severity::Note { (findings(row.checked)) }
+                        }
+                        @for (label, value) in labels.iter().zip(&row.values) {
+                            td data-label=(label) { (value) }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// How many panels have which verdict, the best first.
+fn counts(rows: &[Row<'_>]) -> Markup {
+    let all = [
+        (Verdict::Bends, "bend"),
+        (Verdict::BendsAndFolds, "bend and fold"),
+        (Verdict::BendsWithForce, "bend with force"),
+        (Verdict::Undecided, "can't be told yet"),
+        (Verdict::WillNotBend, "will not bend"),
+    ];
+    let with = |verdict| rows.iter().filter(|row| row.checked.verdict == verdict).count();
+    let found = all.map(|(verdict, words)| (with(verdict), words));
+    let told: Vec<String> = found
+        .iter()
+        .filter(|(count, _)| *count > 0)
+        .map(|(count, words)| format!("{count} {words}"))
+        .collect();
+    let errors = rows.iter().filter(|row| severity(row.checked) == Severity::Error).count();
+    html! {
+        p {
+            strong { "Of " (rows.len()) " panels " (told.join(", ")) "." }
+            @if errors > 0 { " Do not cut " (errors) " of them as they are." }
+        }
+    }
+}
+
+/// The outline of a pattern, small.
+fn thumbnail(piece: &Piece) -> Picture {
+    const SIZE: Point2 = Point2::new(96.0, 48.0);
+    const EDGE: f64 = 2.0;
+    /// What is left out of the outline lies nearer to it.
+    const SEEN: f64 = 0.15;
+    let room = Point2::new(SIZE.x - 2.0 * EDGE, SIZE.y - 2.0 * EDGE);
+    let scale = (room.x / piece.size.x.max(1e-12)).min(room.y / piece.size.y.max(1e-12));
+    let (left, bottom) =
+        (0.5 * (SIZE.x - scale * piece.size.x), 0.5 * (SIZE.y + scale * piece.size.y));
+    let mut path = PathData::default();
+    for line in piece.loops() {
+        let place = |p: &Point2| Point2::new(left + scale * p.x, bottom - scale * p.y);
+        path.ring(simplified(&line.iter().map(place).collect::<Vec<_>>(), SEEN));
+    }
+    let title = format!("{} laid flat", piece.name);
+    Picture::new(SIZE.x, SIZE.y, title, path.element("sheet thin cut"))
+}

@@ -1,0 +1,326 @@
+//! Which triangle of a picture lies nearest, cell by cell.
+//!
+//! The depth buffer of Catmull (1974): every triangle goes into the cells whose middles it covers, and
+//! each cell keeps the nearest. It takes time as the triangles have cells, however many there are. It
+//! says in which order triangles are drawn ([`order`](super::order)), which parts of lines are hidden,
+//! and it is the picture itself where there are so many triangles that a path for each would make the
+//! page large.
+
+use super::canvas::number;
+use sheetwright::math::{Point2, Vec2};
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+/// Whether a line is seen is asked at least every so often, in units of the picture.
+const PIECE: f64 = 2.0;
+/// At the most so many times a line.
+const MOST_PIECES: f64 = 256.0;
+/// Where a line begins or ceases to be seen is halved so often.
+const HALVINGS: usize = 4;
+
+/// A triangle as it lies in a picture.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Facet {
+    pub(super) corners: [Point2; 3],
+    /// How near to the eye its corners are.
+    pub(super) near: [f64; 3],
+    /// The number of its class.
+    pub(super) class: u16,
+}
+
+impl Facet {
+    fn doubled_area(&self) -> f64 {
+        let [a, b, c] = self.corners;
+        (b - a).perp_dot(c - a)
+    }
+
+    /// The least and the most of how near it is.
+    fn span(&self) -> [f64; 2] {
+        let [a, b, c] = self.near;
+        [a.min(b).min(c), a.max(b).max(c)]
+    }
+
+    pub(super) fn mean_near(&self) -> f64 {
+        self.near.iter().sum::<f64>() / 3.0
+    }
+
+    /// How much nearer it becomes per unit to the right and downwards. Zero if it is seen edge on.
+    fn slope(&self) -> Vec2 {
+        let whole = self.doubled_area();
+        if whole == 0.0 {
+            return Vec2::ZERO;
+        }
+        let ([a, b, c], [of_a, of_b, of_c]) = (self.corners, self.near);
+        let (ab, ac, up_b, up_c) = (b - a, c - a, of_b - of_a, of_c - of_a);
+        Vec2::new(up_b * ac.y - up_c * ab.y, up_c * ab.x - up_b * ac.x) / whole
+    }
+
+    /// How near its plane is at a place, no nearer and no farther than the triangle itself.
+    pub(super) fn near_at(&self, at: Point2) -> f64 {
+        let [least, most] = self.span();
+        if self.doubled_area() == 0.0 {
+            return self.mean_near();
+        }
+        (self.near[0] + self.slope().dot(at - self.corners[0])).clamp(least, most)
+    }
+}
+
+/// A line as it lies in a picture.
+pub(super) struct Line<'a> {
+    pub(super) ends: [Point2; 2],
+    /// How near to the eye its ends are.
+    pub(super) near: [f64; 2],
+    /// What hides it lies nearer by more than this.
+    pub(super) enough: f64,
+    /// Whether it may lie on facets of a class.
+    pub(super) belongs: &'a dyn Fn(u16) -> bool,
+}
+
+/// The nearest facets of a picture.
+pub(super) struct Raster<'a> {
+    pub(super) facets: &'a [Facet],
+    /// Cells per unit of the picture.
+    per_unit: f64,
+    pub(super) width: usize,
+    pub(super) height: usize,
+    /// The nearest facet of each cell, [`NONE`] where there is none.
+    top: Vec<u32>,
+    /// Whether a facet covers the middle of a cell at all.
+    covers: Vec<bool>,
+    /// Whether some cell is covered twice.
+    overlaps: bool,
+}
+
+const NONE: u32 = u32::MAX;
+
+impl<'a> Raster<'a> {
+    /// Facets, at the most 2³² − 1, in a picture of a size with so many cells per unit.
+    pub(super) fn new(size: Vec2, per_unit: f64, facets: &'a [Facet]) -> Self {
+        let [width, height] = [size.x, size.y].map(|s| (s * per_unit).ceil().max(1.0) as usize);
+        let covers = vec![false; facets.len()];
+        let top = Vec::new();
+        let mut raster = Self { facets, per_unit, width, height, top, covers, overlaps: false };
+        let mut top = vec![NONE; width * height];
+        let mut near = vec![f64::NEG_INFINITY; width * height];
+        for (n, facet) in facets.iter().enumerate() {
+            let slope = facet.slope();
+            let [least, most] = facet.span();
+            let step = slope.x / per_unit;
+            for (row, from, to) in raster.rows(facet) {
+                raster.covers[n] = true;
+                let first = raster.middle(row, from) - facet.corners[0];
+                let start = facet.near[0] + slope.dot(first);
+                for column in from..to {
+                    let here = (start + step * (column - from) as f64).clamp(least, most);
+                    let cell = row * width + column;
+                    raster.overlaps |= top[cell] != NONE;
+                    if here > near[cell] {
+                        near[cell] = here;
+                        top[cell] = n as u32;
+                    }
+                }
+            }
+        }
+        raster.top = top;
+        raster
+    }
+
+    /// The middle of a cell, in units of the picture.
+    fn middle(&self, row: usize, column: usize) -> Point2 {
+        Point2::new((column as f64 + 0.5) / self.per_unit, (row as f64 + 0.5) / self.per_unit)
+    }
+
+    /// The cells whose middles a facet covers: rows, each from a column to before another. Facets that
+    /// share a side share no cell.
+    fn rows(&self, facet: &Facet) -> impl Iterator<Item = (usize, usize, usize)> + use<> {
+        let corners = facet
+            .corners
+            .map(|p| Point2::new(self.per_unit * p.x - 0.5, self.per_unit * p.y - 0.5));
+        let low = corners.iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
+        let high = corners.iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
+        let width = self.width;
+        // Conversion saturates at 0.
+        let end = (high.ceil() as usize).min(self.height);
+        (low.ceil() as usize..end).filter_map(move |row| {
+            let y = row as f64;
+            let mut ends = [f64::INFINITY, f64::NEG_INFINITY];
+            for n in 0..3 {
+                // From the lower to the upper corner, so that both facets of a side say the same.
+                let (a, b) = (corners[n], corners[(n + 1) % 3]);
+                let (a, b) = if a.y <= b.y { (a, b) } else { (b, a) };
+                if a.y <= y && y < b.y {
+                    let x = a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x);
+                    ends = [ends[0].min(x), ends[1].max(x)];
+                }
+            }
+            let [from, to] = ends.map(|x| (x.ceil().max(0.0) as usize).min(width));
+            (from < to).then_some((row, from, to))
+        })
+    }
+
+    /// The cells of a facet.
+    pub(super) fn cells(&self, n: usize) -> impl Iterator<Item = usize> + use<> {
+        let width = self.width;
+        let rows = self.rows(&self.facets[n]);
+        rows.flat_map(move |(row, from, to)| row * width + from..row * width + to)
+    }
+
+    /// The facet that shows in a cell.
+    pub(super) fn top(&self, cell: usize) -> Option<usize> {
+        Some(self.top[cell]).filter(|&n| n != NONE).map(|n| n as usize)
+    }
+
+    /// Whether a facet covers the middle of a cell: one that is thinner than a cell may not.
+    pub(super) fn covers(&self, n: usize) -> bool {
+        self.covers[n]
+    }
+
+    /// Whether nothing may hide anything: every facet covers cells, and all of them others.
+    pub(super) fn is_plain(&self) -> bool {
+        !self.overlaps && self.covers.iter().all(|&covers| covers)
+    }
+
+    /// The facet that shows at a place.
+    pub(super) fn top_at(&self, at: Point2) -> Option<usize> {
+        let cell = |x: f64, count: usize| ((x * self.per_unit).max(0.0) as usize).min(count - 1);
+        self.top(cell(at.y, self.height) * self.width + cell(at.x, self.width))
+    }
+
+    /// Whether something lies before a place by more than `enough`. What shows in the cell is asked
+    /// for its plane there; a steep one is not sure to within a cell. Where that leaves a doubt, what
+    /// the line does not `belong` to hides it.
+    fn is_hidden(&self, at: Point2, line: &Line<'_>, near: f64) -> bool {
+        self.top_at(at).is_some_and(|n| {
+            let facet = &self.facets[n];
+            let [least, most] = facet.span();
+            let unsure = (facet.slope().length() / self.per_unit).min(0.5 * (most - least));
+            let before = facet.near_at(at) - near;
+            let doubt = line.enough + unsure;
+            before > doubt || (before > -doubt && !(line.belongs)(facet.class))
+        })
+    }
+
+    /// The pieces of a line that nothing hides.
+    pub(super) fn visible(&self, line: &Line<'_>) -> Vec<[Point2; 2]> {
+        let ([a, b], [near_a, near_b]) = (line.ends, line.near);
+        let pieces = (a.distance(b) / PIECE).ceil().clamp(1.0, MOST_PIECES);
+        let seen = |share: f64| {
+            !self.is_hidden(a.lerp(b, share), line, near_a + share * (near_b - near_a))
+        };
+        // Not at the very ends, where other lines begin.
+        let middles = (0..pieces as usize).map(|n| (n as f64 + 0.5) / pieces);
+        let mut found: Vec<[f64; 2]> = Vec::new();
+        let (mut last, mut was_seen) = (0.0, false);
+        for (n, share) in middles.enumerate() {
+            let is_seen = seen(share);
+            let turn = if n == 0 { 0.0 } else { halved(seen, [last, share], was_seen) };
+            match (was_seen, is_seen) {
+                (false, true) => found.push([turn, 1.0]),
+                (true, false) => {
+                    if let Some(piece) = found.last_mut() {
+                        piece[1] = turn;
+                    }
+                }
+                _ => {}
+            }
+            (last, was_seen) = (share, is_seen);
+        }
+        // To the very end, where the next line begins.
+        let at = |share: f64| if share == 1.0 { b } else { a.lerp(b, share) };
+        found.iter().map(|ends| ends.map(at)).collect()
+    }
+
+    /// All cells as one element a class: rows of equal cells are rectangles.
+    pub(super) fn elements(&self, name: impl Fn(u16) -> String) -> String {
+        self.elements_where(|_| true, name)
+    }
+
+    /// Some of the cells as one element a class.
+    pub(super) fn elements_where(
+        &self,
+        wanted: impl Fn(usize) -> bool,
+        name: impl Fn(u16) -> String,
+    ) -> String {
+        let class =
+            |cell: usize| self.top(cell).filter(|_| wanted(cell)).map(|n| self.facets[n].class);
+        let size = |cells: usize| number(cells as f64 / self.per_unit);
+        let mut paths: BTreeMap<u16, String> = BTreeMap::new();
+        for row in 0..self.height {
+            let mut x = 0;
+            while x < self.width {
+                let (start, here) = (x, class(row * self.width + x));
+                while x < self.width && class(row * self.width + x) == here {
+                    x += 1;
+                }
+                if let Some(here) = here {
+                    let (left, top, wide, high) =
+                        (size(start), size(row), size(x - start), size(1));
+                    // Writing to a string does not fail.
+                    let path = paths.entry(here).or_default();
+                    let _ = write!(path, "M{left} {top}h{wide}v{high}h-{wide}z");
+                }
+            }
+        }
+        let mut body = String::new();
+        for (class, path) in paths {
+            let _ = write!(body, r#"<path class="{} cells" d="{path}"/>"#, name(class));
+        }
+        body
+    }
+}
+
+/// Where between two places, of which the first is seen or not and the other is the opposite, that
+/// turns.
+fn halved(seen: impl Fn(f64) -> bool, [mut from, mut to]: [f64; 2], from_seen: bool) -> f64 {
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (from + to);
+        *(if seen(middle) == from_seen { &mut from } else { &mut to }) = middle;
+    }
+    0.5 * (from + to)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn facet(corners: [[f64; 2]; 3], near: f64, class: u16) -> Facet {
+        Facet { corners: corners.map(|[x, y]| Point2::new(x, y)), near: [near; 3], class }
+    }
+
+    #[test]
+    fn what_is_nearer_shows_and_hides() {
+        let p = Point2::new;
+        let facets = [
+            facet([[0., 0.], [4., 0.], [0., 2.]], 0.0, 1),
+            facet([[0., 0.], [2., 0.], [0., 10.]], 1.0, 2),
+            facet([[0., 0.], [2., 0.], [0., 10.]], -1.0, 3),
+        ];
+        let cells = Raster::new(Vec2::new(4.0, 2.0), 1.0, &facets);
+        let body = cells.elements(|class| format!("c{class}"));
+        assert_eq!(
+            body,
+            r#"<path class="c1 cells" d="M2 0h1v1h-1z"/><path class="c2 cells" d="M0 0h2v1h-2zM0 1h2v1h-2z"/>"#
+        );
+        let line = |near: f64, belongs: &dyn Fn(u16) -> bool| {
+            let ends = [p(0., 0.5), p(4., 0.5)];
+            cells.visible(&Line { ends, near: [near; 2], enough: 0.1, belongs })
+        };
+        let seen = line(0.5, &|_| true);
+        assert_eq!(seen.len(), 1);
+        assert!((seen[0][0].x - 2.0).abs() < 0.1 && seen[0][1] == p(4., 0.5), "{seen:?}");
+        // On the facet of class 1 as far as that can be told, and on no other.
+        assert_eq!(line(0.05, &|class| class == 1).len(), 1);
+        assert!(line(0.05, &|class| class == 2).iter().all(|piece| piece[0].x > 2.9));
+    }
+
+    #[test]
+    fn facets_with_a_common_side_share_no_cell_and_leave_none_out() {
+        let corners = [[0.3, 0.1], [19.7, 2.9], [17.2, 18.8], [1.6, 15.5]];
+        let [a, b, c, d] = corners;
+        let facets = [facet([a, b, c], 0.0, 1), facet([a, c, d], 0.0, 2), facet([a, b, d], 0.0, 0)];
+        let raster = Raster::new(Vec2::new(20.0, 20.0), 2.0, &facets);
+        let of = |n: usize| raster.cells(n).collect::<std::collections::BTreeSet<usize>>();
+        assert!(of(0).is_disjoint(&of(1)));
+        assert!(of(2).is_subset(&of(0).union(&of(1)).copied().collect()));
+    }
+}
