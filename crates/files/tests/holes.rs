@@ -22,8 +22,8 @@ fn the_vessel_is_made_with_the_work_that_a_panel_may_take() {
     let (found, may) = (&panel.triangulation, 0.2 * DEFAULT_WORK as f64);
     assert!(found.cut_short && !found.proven_optimal);
     assert!(found.work as f64 <= 1.1 * may, "{} of {may}", found.work);
-    // As cheap as what was found with hours of work.
-    assert!(found.price < 22.0, "{}", found.price);
+    // Five times as much work finds one for 21.9.
+    assert!(found.price < 22.5, "{}", found.price);
 }
 
 /// A spline through points of a circle.
