@@ -271,9 +271,9 @@ fn largest(cells: &Cells<'_>, room: Vec2) -> (f64, Shelves) {
         let scale = (low * high).sqrt();
         let shelves = shelved(cells, scale, room.x);
         if shelves.size.x <= room.x && shelves.size.y <= room.y {
-            low = scale
+            low = scale;
         } else {
-            high = scale
+            high = scale;
         }
     }
     (low, shelved(cells, low, room.x))
