@@ -210,7 +210,7 @@ mod tests {
             ("lamp", "'lampshade'"),
             ("Lamp shade", "'lampshade'"),
             ("kone", "'cone'"),
-            ("half-sphere", "'dome'"),
+            ("half-sphere", "'dome' or 'hemisphere'"),
             ("Zepelin", "'airship'"),
             ("hemi", "'hemisphere'"),
         ] {
@@ -229,7 +229,8 @@ mod tests {
             ("dome", "Ø", "'diameter' (diameter at the foot)"),
             ("cone", "dia", "'bottom' or 'top'"),
             ("dome", "segments", "'gores'"),
-            ("square-to-round", "offset", "'offset-x' or 'offset-y'"),
+            ("square-to-round", "offset", "'offset-x'"),
+            ("tent", "width", "'front-width', 'middle-width' or 'rear-width'"),
         ] {
             let said = parameter_hint(wanted, template(name).unwrap(), &["material"]);
             assert!(said.starts_with(&format!("Did you mean {meant}")), "{wanted}: {said}");
