@@ -150,7 +150,9 @@ mod tests {
         assert_eq!(overlap(&[outer.clone(), backwards(hole.clone())]), None);
         // Edge 1 is the right side of the outline, edge 4 begins at the hole's lower left corner.
         assert_eq!(overlap(&[outer.clone(), hole.clone()]), Some((1, 4)));
-        assert_eq!(overlap(&[backwards(outer.clone()), hole.clone()]), None, "inside out");
+        let outline_last = [backwards(hole.clone()), outer.clone()];
+        assert_eq!(overlap(&outline_last), None, "whichever comes first");
+        assert!(overlap(&[backwards(outer.clone()), hole.clone()]).is_some(), "turned over");
         assert_eq!(overlap(std::slice::from_ref(&outer)), None);
         let island = square(1.0, 1.0, 1.0);
         let three = [outer.clone(), backwards(hole.clone()), island.clone()];
