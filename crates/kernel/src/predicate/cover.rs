@@ -158,7 +158,7 @@ mod tests {
         let three = [outer.clone(), backwards(hole.clone()), island.clone()];
         assert_eq!(overlap(&three), None, "an island in a hole is covered once");
         let [outer, hole, island] = three;
-        assert_eq!(overlap(&[outer.clone(), hole.clone(), backwards(island)]), Some((4, 9)));
+        assert_eq!(overlap(&[outer.clone(), hole.clone(), backwards(island)]), Some((5, 11)));
         assert!(overlap(&[outer, backwards(square(20.0, 0.0, 2.0))]).is_some(), "a hole outside");
     }
 
