@@ -1,6 +1,5 @@
 //! Why a command can't do what was asked: what, where, and what to do.
 
-use crate::source::{INPUT_ENDINGS, for_all};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use sheetwright::design::{Design, MakeError, MeshMakeError};
 use sheetwright_files::whole::WriteError;
@@ -96,3 +95,14 @@ impl From<WriteError> for Failure {
         Self { message: error.message, place: Some(error.place), hint: error.hint }
     }
 }
+
+/// How a shell makes all inputs of a pattern, each into a folder of its own.
+pub(crate) fn for_all(pattern: &str, ending: &str) -> String {
+    format!(
+        "For all, in a shell: for f in {pattern}; do sheetwright make \"$f\" --out \
+         \"${{f%{ending}}}\"; done"
+    )
+}
+
+/// The endings of inputs, as the hints have them.
+pub(crate) const INPUT_ENDINGS: [&str; 6] = [".sheet.json", ".csv", ".obj", ".stl", ".ply", ".glb"];

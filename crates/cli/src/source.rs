@@ -1,7 +1,7 @@
 //! The input of a command, from a file or from standard input.
 
 use crate::args::SourceArgs;
-use crate::failure::Failure;
+use crate::failure::{Failure, INPUT_ENDINGS, for_all};
 use sheetwright_files::{Input, InputFormat, read_any, read_any_bytes, read_limited};
 use std::io;
 use std::path::Path;
@@ -56,17 +56,6 @@ fn folder(path: &Path) -> Failure {
     };
     Failure::new("this is a folder", hint).at(path.display().to_string())
 }
-
-/// How a shell makes all inputs of a pattern, each into a folder of its own.
-pub(crate) fn for_all(pattern: &str, ending: &str) -> String {
-    format!(
-        "For all, in a shell: for f in {pattern}; do sheetwright make \"$f\" --out \
-         \"${{f%{ending}}}\"; done"
-    )
-}
-
-/// The endings of inputs, as the hints have them.
-pub(crate) const INPUT_ENDINGS: [&str; 6] = [".sheet.json", ".csv", ".obj", ".stl", ".ply", ".glb"];
 
 /// How messages name the input.
 pub(crate) fn name(args: &SourceArgs) -> String {

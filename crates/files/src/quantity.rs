@@ -59,7 +59,7 @@ impl Slip {
             Self::Separators(text) => {
                 format!("‘{text}’: leave the separators between thousands out.")
             }
-            Self::SomeUnits => "Give every number a unit, or none.".to_owned(),
+            Self::SomeUnits => "Give every number a unit, as in 1' 4\", or none.".to_owned(),
             Self::Unit(unit) => match what {
                 "length" => format!("‘{unit}’ is not a unit of length: mm, cm, m, in or ft."),
                 "angle" => format!("‘{unit}’ is not a unit of angle: deg or °."),
@@ -485,7 +485,7 @@ mod tests {
             ("12,500 mm", "‘12,500’ can mean 12500 or 12.500: write one of them."),
             ("1,000,000", "‘1,000,000’: leave the separators between thousands out."),
             ("1 250", "‘1 250’: leave the separators between thousands out."),
-            ("1' 4", "Give every number a unit, or none."),
+            ("1' 4", "Give every number a unit, as in 1' 4\", or none."),
             ("5 kg", "‘kg’ is not a unit of length: mm, cm, m, in or ft."),
             ("abc", "‘abc’ is not a number."),
             ("200 +", "A number is missing at the end."),

@@ -3,7 +3,7 @@
 //! A text that a joint would cut moves by the least way into one of the sheets that it lies on, off
 //! the lines that are cut if it was off them, and becomes smaller only where no sheet has room for it.
 
-use super::sheets::Tiling;
+use super::tiling::Tiling;
 use crate::stroke_font::strokes;
 use sheetwright::math::{Point2, Vec2};
 use sheetwright::pattern::{PatternLabel, Piece, Role};
@@ -99,7 +99,7 @@ fn is_cut(piece: &Piece, around: &Box2) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Paper, sheets};
+    use super::super::{Paper, tiling};
     use super::*;
     use sheetwright::math::from_deg;
     use sheetwright::pattern::{PathKind, PatternPath};
@@ -130,7 +130,7 @@ mod tests {
                 for n in 0..60 {
                     let at = Point2::new(60.0 + 13.0 * f64::from(n), 80.0 + 9.0 * f64::from(n));
                     let piece = piece(size, vec![label(text, at, along, height_mm)]);
-                    let tiling = sheets::tiling(&piece, Paper::A4, 2000).unwrap_or_else(|n| {
+                    let tiling = tiling::tiling(&piece, Paper::A4, 2000).unwrap_or_else(|n| {
                         panic!("{n} sheets");
                     });
                     let drawn = labels(&piece, &tiling);
@@ -149,7 +149,7 @@ mod tests {
     fn what_no_joint_cuts_stays_where_it_is() {
         let there = label("front", Point2::new(60.0, 50.0), Vec2::X, 10.0);
         let piece = piece(Vec2::new(120.0, 100.0), vec![there.clone()]);
-        let tiling = sheets::tiling(&piece, Paper::A4, 2000).unwrap_or_else(|n| panic!("{n}"));
+        let tiling = tiling::tiling(&piece, Paper::A4, 2000).unwrap_or_else(|n| panic!("{n}"));
         assert_eq!(labels(&piece, &tiling), [there]);
     }
 }

@@ -12,14 +12,16 @@ mod page;
 mod piece;
 mod sheets;
 mod text;
+mod tiling;
 
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use page::Page;
 use pdf_writer::{Filter, Finish, Name, Pdf, Rect, Ref, TextStr};
-use sheets::Tiling;
+
 use sheetwright::design::Made;
 use sheetwright::math::Vec2;
 use sheetwright::pattern::Piece;
+use tiling::Tiling;
 
 /// A size of paper.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -162,7 +164,7 @@ pub(crate) fn write_pieces(title: &str, pieces: &[&Piece], options: &PdfOptions)
     let mut room = MaxSheets::MOST.get();
     let mut plans = Vec::with_capacity(pieces.len());
     for (panel, piece) in pieces.iter().enumerate() {
-        plans.push(match sheets::tiling(piece, paper, room.min(max_sheets.get())) {
+        plans.push(match tiling::tiling(piece, paper, room.min(max_sheets.get())) {
             Ok(tiling) => {
                 room -= tiling.sheets.len();
                 Plan::Tiled(tiling)

@@ -5,7 +5,8 @@
 
 use super::page::{Anchor, Page, Pen, Type};
 use super::piece::{Detail, View, draw};
-use super::sheets::{HEADER_MM, MARGIN_MM, header};
+use super::sheets::header;
+use super::tiling::{HEADER_MM, MARGIN_MM};
 use super::{Paper, Reduced};
 use sheetwright::math::{Point2, Vec2, angle_between, from_deg};
 use sheetwright::pattern::Piece;

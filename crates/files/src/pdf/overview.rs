@@ -2,8 +2,8 @@
 
 use super::page::{Anchor, Page, Pen, Type};
 use super::piece::{Detail, View, draw};
-use super::sheets::{MARGIN_MM, Sheet, Tiling};
 use super::text::{encoded, width};
+use super::tiling::{MARGIN_MM, Sheet, Tiling};
 use super::{Paper, Plan};
 use sheetwright::math::{Point2, Vec2};
 use sheetwright::pattern::{Piece, Role};

@@ -2,7 +2,7 @@
 //! pictures would be of no use to anyone and of many megabytes.
 
 use super::canvas::{PathData, Picture, simplified};
-use super::html::{findings, severity, verdict};
+use super::verdict::{findings, severity, verdict};
 use maud::{Markup, PreEscaped, html};
 use sheetwright::check::{Checked, Severity, Verdict};
 use sheetwright::math::Point2;

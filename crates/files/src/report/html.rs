@@ -6,6 +6,7 @@ use super::gauss_picture::gauss_picture;
 use super::moved_picture::{enlarged, moved_picture};
 use super::space_picture::{design_picture, surface_picture};
 use super::style::page_style;
+use super::verdict::{findings, severity, verdict};
 use super::view::box_of;
 use super::warp_chart::warp_chart;
 use super::wording::{
@@ -14,7 +15,7 @@ use super::wording::{
 };
 use super::worst_rung;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
-use sheetwright::check::{Checked, Severity, Verdict};
+use sheetwright::check::Checked;
 use sheetwright::design::{Made, MadePanel};
 use sheetwright::material::{Material, warp_limit_deg};
 use sheetwright::math::{from_deg, to_deg};
@@ -395,40 +396,6 @@ impl Page<'_> {
     }
 }
 
-/// How bad things are: the worst finding and the verdict together.
-pub(super) fn severity(checked: &Checked) -> Severity {
-    let of_verdict = match checked.verdict {
-        Verdict::Bends => Severity::Note,
-        Verdict::BendsAndFolds | Verdict::BendsWithForce | Verdict::Undecided => Severity::Warning,
-        Verdict::WillNotBend => Severity::Error,
-    };
-    checked.findings.iter().map(|f| f.severity).fold(of_verdict, Severity::max)
-}
-
-/// The verdict with its mark.
-pub(super) fn verdict(checked: &Checked) -> Markup {
-    let severity = severity(checked);
-    let mark = match severity {
-        Severity::Note => "✓",
-        Severity::Warning => "!",
-        Severity::Error => "×",
-    };
-    let word = verdict_word(checked.verdict);
-    // A sheet that would bend may still be one that must not be cut.
-    let but = match (checked.verdict, severity) {
-        (Verdict::WillNotBend, _) => "",
-        (_, Severity::Error) => ", but do not cut it",
-        (Verdict::Bends, Severity::Warning) => ", but look before you cut",
-        _ => "",
-    };
-    html! {
-        span class={ "verdict " (severity.name()) } {
-            b aria-hidden="true" { i { (mark) } }
-            span { (word) (but) }
-        }
-    }
-}
-
 /// The card of a panel, by its number from 1, which leads to its part of the page.
 pub(super) fn card(number: usize, name: &str, checked: &Checked) -> Markup {
     html! {
@@ -439,28 +406,6 @@ pub(super) fn card(number: usize, name: &str, checked: &Checked) -> Markup {
                 @match checked.findings.first() {
                     Some(finding) => (finding.text),
                     None => "Nothing was found against it.",
-                }
-            }
-        }
-    }
-}
-
-/// Everything that was found.
-pub(super) fn findings(checked: &Checked) -> Markup {
-    html! {
-        @if checked.findings.is_empty() {
-            p { "Nothing was found against it." }
-        } @else {
-            ul.findings {
-                @for finding in &checked.findings {
-                    li class=(finding.severity.name()) {
-                        span.kind { (severity_word(finding.severity)) } " "
-                        (finding.text)
-                        span.where {
-                            @if !finding.place.is_empty() { "Where: " (finding.place) ". " }
-                            code { (finding.code) }
-                        }
-                    }
                 }
             }
         }
@@ -485,13 +430,5 @@ fn gauss_caption(area_sr: f64) -> Markup {
          stretching. A ribbon or an area: it must stretch, the more the wider it is. Its area here is "
         (steradians(area_sr))
         ", of 12.57\u{a0}sr that the whole ball has; a little always comes from the sampling."
-    }
-}
-
-fn severity_word(severity: Severity) -> &'static str {
-    match severity {
-        Severity::Note => "Note:",
-        Severity::Warning => "Warning:",
-        Severity::Error => "Error:",
     }
 }

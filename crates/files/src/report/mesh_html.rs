@@ -2,9 +2,10 @@
 
 use super::form::{ReportForm, Row, short};
 use super::gauss_picture::mesh_gauss_picture;
-use super::html::{card, document, findings, numbers, summary, verdict};
+use super::html::{card, document, numbers, summary};
 use super::json::{aim_name, steps_length};
 use super::mesh_picture::{NO_ERROR, heat_picture, mesh_picture, meshes_picture};
+use super::verdict::{findings, verdict};
 use super::wording::{
     area, decimal, degrees, millimetres, millimetres_fine, per_cent, plain_per_cent, refold,
     steradians,

@@ -22,6 +22,7 @@ mod raster;
 mod space_picture;
 mod strips;
 mod style;
+mod verdict;
 mod view;
 mod warp_chart;
 mod wording;

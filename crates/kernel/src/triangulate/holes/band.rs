@@ -26,7 +26,7 @@
 //!    that count their steps and turns.
 
 use super::super::{Found, Side, Solved, TriangulateError};
-use super::chains::{Chains, Spot};
+use super::chains::{Chains, shortest_join};
 use super::cover::{Along, BandWalk, Count, Grid, Least, Pair, Starts, before};
 use super::pockets::{Pockets, Walk, least_of};
 use super::winding::Winding;
@@ -587,20 +587,4 @@ impl<'c, 'a> Band<'c, 'a> {
         }
         triangles
     }
-}
-
-/// The joining rung that is allowed and shortest; of equals, the first.
-pub(super) fn shortest_join(chains: &Chains<'_>) -> Option<(Spot, Spot)> {
-    let mut best: Option<(f64, (Spot, Spot))> = None;
-    for p in (0..chains.len(0)).map(|at| Spot { chain: 0, at }) {
-        for q in (0..chains.len(1)).map(|at| Spot { chain: 1, at }) {
-            let length = chains.terms.prices.length(chains.sample(p), chains.sample(q));
-            if best.is_none_or(|(least, _)| length < least)
-                && chains.side(p, q).price < f64::INFINITY
-            {
-                best = Some((length, (p, q)));
-            }
-        }
-    }
-    best.map(|(_, pair)| pair)
 }

@@ -201,3 +201,19 @@ pub(super) fn in_sector(own: Point2, from: Point2, until: Point2, to: Point2) ->
 fn opposite(own: Point2, a: Point2, b: Point2) -> bool {
     orientation(own, a, b) == Ordering::Equal && (a - own).dot(b - own) < 0.0
 }
+
+/// The joining rung that is allowed and shortest; of equals, the first.
+pub(super) fn shortest_join(chains: &Chains<'_>) -> Option<(Spot, Spot)> {
+    let mut best: Option<(f64, (Spot, Spot))> = None;
+    for p in (0..chains.len(0)).map(|at| Spot { chain: 0, at }) {
+        for q in (0..chains.len(1)).map(|at| Spot { chain: 1, at }) {
+            let length = chains.terms.prices.length(chains.sample(p), chains.sample(q));
+            if best.is_none_or(|(least, _)| length < least)
+                && chains.side(p, q).price < f64::INFINITY
+            {
+                best = Some((length, (p, q)));
+            }
+        }
+    }
+    best.map(|(_, pair)| pair)
+}

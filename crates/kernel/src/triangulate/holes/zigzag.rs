@@ -6,8 +6,7 @@
 //! else was found before the work ended.
 
 use super::super::{Side, Solved};
-use super::band::shortest_join;
-use super::chains::{Chains, Spot};
+use super::chains::{Chains, Spot, shortest_join};
 use super::pockets::Walk;
 use super::work::SIDE;
 use crate::math::Vec3;

@@ -1,0 +1,237 @@
+//! How a piece is divided into sheets of paper: a grid of rows A, B, … from the top and columns 1, 2, …
+//! from the left, upright or lying, whichever takes fewer.
+
+use super::Paper;
+use sheetwright::math::{Point2, Vec2};
+use sheetwright::pattern::Piece;
+use sheetwright::predicate::Box2;
+use std::ops::Range;
+
+/// Printers leave the edge of a sheet blank, few more than this, mm.
+pub(super) const MARGIN_MM: f64 = 10.0;
+/// The strip above the window for the name of the sheet and the scale bar, mm.
+pub(super) const HEADER_MM: f64 = 16.0;
+/// How far the windows of neighbours overlap, mm.
+pub(super) const OVERLAP_MM: f64 = 10.0;
+/// At least this much of the window lies around the piece, mm, so that no line lies on its edge.
+const AIR_MM: f64 = 1.0;
+
+/// How a piece is divided into sheets.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Tiling {
+    /// Width and height of a sheet as it is printed, upright or lying, mm.
+    pub(super) page: Vec2,
+    /// The lower left corner of the window of the lower left sheet, mm.
+    origin: Point2,
+    /// How many columns and rows of sheets there are.
+    pub(super) columns: usize,
+    pub(super) rows: usize,
+    /// The sheets that have a part of the piece, row after row.
+    pub(super) sheets: Vec<Sheet>,
+}
+
+/// A place in the grid of sheets, counted from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Sheet {
+    pub(super) row: usize,
+    pub(super) column: usize,
+}
+
+impl Sheet {
+    /// Its name, such as B3: A, B, … Z, AA, AB, … are the rows.
+    pub(super) fn name(self) -> String {
+        let mut letters = Vec::new();
+        let mut row = self.row;
+        loop {
+            letters.push(char::from(b'A' + (row % 26) as u8));
+            if row < 26 {
+                break;
+            }
+            row = row / 26 - 1;
+        }
+        let letters: String = letters.into_iter().rev().collect();
+        format!("{letters}{}", self.column + 1)
+    }
+}
+
+/// The sheets that a piece takes, on paper upright or lying, whichever takes fewer.
+///
+/// # Errors
+/// About how many, if they are more than `most`. So many would always be enough.
+pub(super) fn tiling(piece: &Piece, paper: Paper, most: usize) -> Result<Tiling, usize> {
+    let upright = paper.size_mm();
+    let candidates =
+        [upright, Vec2::new(upright.y, upright.x)].map(|page| on_page(piece, page, most));
+    let [first, second] = candidates;
+    match (first, second) {
+        (Ok(first), Ok(second)) if second.sheets.len() < first.sheets.len() => Ok(second),
+        (Ok(tiling), _) | (Err(_), Ok(tiling)) => Ok(tiling),
+        (Err(first), Err(second)) => Err(first.min(second)),
+    }
+}
+
+/// The size of the window of a page, mm.
+fn window(page: Vec2) -> Vec2 {
+    page - Vec2::new(2.0 * MARGIN_MM, 2.0 * MARGIN_MM + HEADER_MM)
+}
+
+fn on_page(piece: &Piece, page: Vec2, most: usize) -> Result<Tiling, usize> {
+    let around = Box2::of_points(piece.outline().iter().copied())
+        .unwrap_or(Box2 { min: Point2::default(), max: Point2::default() });
+    let step = window(page) - Vec2::splat(OVERLAP_MM);
+    let need = around.max - around.min + Vec2::splat(2.0 * AIR_MM - OVERLAP_MM);
+    // Conversion saturates, so that no size runs over.
+    let count = |need: f64, step: f64| (need / step).ceil().max(1.0) as usize;
+    let (columns, rows) = (count(need.x, step.x), count(need.y, step.y));
+    // Pieces lie in the rectangle of least area around them, so few leave most of it empty.
+    let grid = columns.saturating_mul(rows);
+    if grid > most.saturating_mul(20) {
+        return Err(grid);
+    }
+    let size = Vec2::new(columns as f64 * step.x, rows as f64 * step.y) + Vec2::splat(OVERLAP_MM);
+    let middle = around.min.lerp(around.max, 0.5);
+    let corner = middle + size * -0.5;
+    // In steps of 0.001 mm, so that the digits on the sheets are exact.
+    let rounded = |x: f64| (x * 1000.0).round() / 1000.0;
+    let origin = Point2::new(rounded(corner.x), rounded(corner.y));
+    let mut tiling = Tiling { page, origin, columns, rows, sheets: Vec::new() };
+    tiling.sheets = tiling.touched(piece.loops());
+    if tiling.sheets.len() > most { Err(grid) } else { Ok(tiling) }
+}
+
+impl Tiling {
+    /// What a sheet shows of the piece, mm.
+    pub(super) fn window(&self, sheet: Sheet) -> Box2 {
+        let window = window(self.page);
+        let step = window - Vec2::splat(OVERLAP_MM);
+        let from_below = self.rows - 1 - sheet.row;
+        let min = self.origin + Vec2::new(sheet.column as f64 * step.x, from_below as f64 * step.y);
+        Box2 { min, max: min + window }
+    }
+
+    /// The window up to the seams with its neighbours, mm: the cells of all sheets fill the grid
+    /// without overlapping.
+    pub(super) fn cell(&self, sheet: Sheet) -> Box2 {
+        let Box2 { min, max } = self.window(sheet);
+        let half = 0.5 * OVERLAP_MM;
+        let inner = |is_inner: bool| if is_inner { half } else { 0.0 };
+        let left = inner(sheet.column > 0);
+        let right = inner(sheet.column + 1 < self.columns);
+        let above = inner(sheet.row > 0);
+        let below = inner(sheet.row + 1 < self.rows);
+        Box2 { min: min + Vec2::new(left, below), max: max + Vec2::new(-right, -above) }
+    }
+
+    /// The box around all windows, mm.
+    pub(super) fn extent(&self) -> Box2 {
+        let lower_left = Sheet { row: self.rows - 1, column: 0 };
+        let upper_right = Sheet { row: 0, column: self.columns - 1 };
+        Box2 { min: self.window(lower_left).min, max: self.window(upper_right).max }
+    }
+
+    /// The sheets whose cells have a point of the piece: those that its outline or a hole passes
+    /// through, and those whose middle lies inside. Edges look at the cells about them alone.
+    fn touched<'a>(&self, loops: impl Iterator<Item = &'a [Point2]>) -> Vec<Sheet> {
+        let middle = |sheet| {
+            let cell = self.cell(sheet);
+            cell.min.lerp(cell.max, 0.5)
+        };
+        let columns: Vec<f64> =
+            (0..self.columns).map(|column| middle(Sheet { row: 0, column }).x).collect();
+        let mut passed = vec![false; self.rows * self.columns];
+        // Whether an odd number of edges crosses the middle of a row between the middles of two
+        // columns, the first one left of the middle of column 0.
+        let width = self.columns + 1;
+        let mut odd = vec![false; self.rows * width];
+        for (a, b) in loops.flat_map(edges) {
+            let around = Box2::of_segment(a, b);
+            for row in self.rows_about(around) {
+                let y = middle(Sheet { row, column: 0 }).y;
+                if (a.y > y) != (b.y > y) {
+                    let x = a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x);
+                    odd[row * width + columns.partition_point(|&middle| middle < x)] ^= true;
+                }
+                for column in self.columns_about(around) {
+                    passed[row * self.columns + column] |=
+                        self.cell(Sheet { row, column }).part_inside(a, b).is_some();
+                }
+            }
+        }
+        let mut sheets = Vec::new();
+        for row in 0..self.rows {
+            let mut inside = false;
+            for column in 0..self.columns {
+                inside ^= odd[row * width + column];
+                if inside || passed[row * self.columns + column] {
+                    sheets.push(Sheet { row, column });
+                }
+            }
+        }
+        sheets
+    }
+
+    /// The columns whose cells a box may have a point of.
+    fn columns_about(&self, around: Box2) -> Range<usize> {
+        let step = window(self.page).x - OVERLAP_MM;
+        about(
+            (around.min.x - self.origin.x) / step,
+            (around.max.x - self.origin.x) / step,
+            self.columns,
+        )
+    }
+
+    /// The rows whose cells a box may have a point of.
+    fn rows_about(&self, around: Box2) -> Range<usize> {
+        let step = window(self.page).y - OVERLAP_MM;
+        let top = self.origin.y + self.rows as f64 * step;
+        about((top - around.max.y) / step, (top - around.min.y) / step, self.rows)
+    }
+
+    /// The sheets whose cells a box may have a point of.
+    pub(super) fn sheets_about(&self, around: Box2) -> impl Iterator<Item = Sheet> + use<> {
+        let columns = self.columns_about(around);
+        let rows = self.rows_about(around);
+        rows.flat_map(move |row| columns.clone().map(move |column| Sheet { row, column }))
+    }
+
+    /// The cells of the sheets that a box reaches into.
+    pub(super) fn cells_about(&self, around: Box2) -> Vec<Box2> {
+        let sheets = self.sheets_about(around).filter(|&sheet| self.has(sheet));
+        let reach = |cell: &Box2| {
+            cell.min.x <= around.max.x
+                && around.min.x <= cell.max.x
+                && cell.min.y <= around.max.y
+                && around.min.y <= cell.max.y
+        };
+        sheets.map(|sheet| self.cell(sheet)).filter(reach).collect()
+    }
+
+    fn has(&self, sheet: Sheet) -> bool {
+        self.sheets.binary_search(&sheet).is_ok()
+    }
+
+    /// The sheets beside one, each with the direction in which it lies.
+    pub(super) fn neighbours(&self, sheet: Sheet) -> Vec<(Vec2, Sheet)> {
+        let Sheet { row, column } = sheet;
+        let beside = [
+            (Vec2::NEG_X, column.checked_sub(1).map(|column| Sheet { row, column })),
+            (Vec2::X, Some(Sheet { row, column: column + 1 })),
+            (Vec2::Y, row.checked_sub(1).map(|row| Sheet { row, column })),
+            (Vec2::NEG_Y, Some(Sheet { row: row + 1, column })),
+        ];
+        let there = beside.into_iter().filter_map(|(way, sheet)| Some((way, sheet?)));
+        there.filter(|&(_, sheet)| self.has(sheet)).collect()
+    }
+}
+
+fn edges(outline: &[Point2]) -> impl Iterator<Item = (Point2, Point2)> + '_ {
+    (0..outline.len()).map(|n| (outline[n], outline[(n + 1) % outline.len()]))
+}
+
+/// The cells of a row or column of `count` between two places, in cells from its beginning, and
+/// one more on either side: cells begin half an overlap later than windows.
+fn about(from: f64, to: f64, count: usize) -> Range<usize> {
+    // Conversion saturates, so that what lies outside is cut off.
+    let first = ((from - 1.0).floor() as usize).min(count);
+    first..((to + 2.0).ceil() as usize).min(count)
+}

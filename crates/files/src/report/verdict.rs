@@ -1,0 +1,69 @@
+//! The verdict of a part and what was found, as the page shows them.
+
+use super::wording::verdict_word;
+use maud::{Markup, html};
+use sheetwright::check::{Checked, Severity, Verdict};
+
+/// How bad things are: the worst finding and the verdict together.
+pub(super) fn severity(checked: &Checked) -> Severity {
+    let of_verdict = match checked.verdict {
+        Verdict::Bends => Severity::Note,
+        Verdict::BendsAndFolds | Verdict::BendsWithForce | Verdict::Undecided => Severity::Warning,
+        Verdict::WillNotBend => Severity::Error,
+    };
+    checked.findings.iter().map(|f| f.severity).fold(of_verdict, Severity::max)
+}
+
+/// The verdict with its mark.
+pub(super) fn verdict(checked: &Checked) -> Markup {
+    let severity = severity(checked);
+    let mark = match severity {
+        Severity::Note => "✓",
+        Severity::Warning => "!",
+        Severity::Error => "×",
+    };
+    let word = verdict_word(checked.verdict);
+    // A sheet that would bend may still be one that must not be cut.
+    let but = match (checked.verdict, severity) {
+        (Verdict::WillNotBend, _) => "",
+        (_, Severity::Error) => ", but do not cut it",
+        (Verdict::Bends, Severity::Warning) => ", but look before you cut",
+        _ => "",
+    };
+    html! {
+        span class={ "verdict " (severity.name()) } {
+            b aria-hidden="true" { i { (mark) } }
+            span { (word) (but) }
+        }
+    }
+}
+
+/// Everything that was found.
+pub(super) fn findings(checked: &Checked) -> Markup {
+    html! {
+        @if checked.findings.is_empty() {
+            p { "Nothing was found against it." }
+        } @else {
+            ul.findings {
+                @for finding in &checked.findings {
+                    li class=(finding.severity.name()) {
+                        span.kind { (severity_word(finding.severity)) } " "
+                        (finding.text)
+                        span.where {
+                            @if !finding.place.is_empty() { "Where: " (finding.place) ". " }
+                            code { (finding.code) }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn severity_word(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Note => "Note:",
+        Severity::Warning => "Warning:",
+        Severity::Error => "Error:",
+    }
+}
