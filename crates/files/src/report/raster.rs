@@ -76,11 +76,14 @@ pub(super) struct Line<'a> {
     pub(super) belongs: &'a dyn Fn(u16) -> bool,
 }
 
-/// The nearest facets of a picture.
+/// The nearest facets of a picture, in the cells of the box around them.
 pub(super) struct Raster<'a> {
     pub(super) facets: &'a [Facet],
     /// Cells per unit of the picture.
     per_unit: f64,
+    /// The cells left of the box and above it.
+    left: usize,
+    above: usize,
     pub(super) width: usize,
     pub(super) height: usize,
     /// The nearest facet of each cell, [`NONE`] where there is none.
@@ -96,10 +99,19 @@ const NONE: u32 = u32::MAX;
 impl<'a> Raster<'a> {
     /// Facets, at the most 2³² − 1, in a picture of a size with so many cells per unit.
     pub(super) fn new(size: Vec2, per_unit: f64, facets: &'a [Facet]) -> Self {
-        let [width, height] = [size.x, size.y].map(|s| (s * per_unit).ceil().max(1.0) as usize);
+        let range = |size: f64, along: fn(&Point2) -> f64| {
+            let corners = || facets.iter().flat_map(|facet| &facet.corners).map(along);
+            let least = corners().fold(size, f64::min);
+            let most = corners().fold(least, f64::max).min(size);
+            // Conversion saturates at 0.
+            let first = (least * per_unit).floor() as usize;
+            (first, ((most * per_unit).ceil() as usize).saturating_sub(first).max(1))
+        };
+        let ((left, width), (above, height)) = (range(size.x, |p| p.x), range(size.y, |p| p.y));
         let covers = vec![false; facets.len()];
-        let top = Vec::new();
-        let mut raster = Self { facets, per_unit, width, height, top, covers, overlaps: false };
+        let (top, overlaps) = (Vec::new(), false);
+        let mut raster =
+            Self { facets, per_unit, left, above, width, height, top, covers, overlaps };
         let mut top = vec![NONE; width * height];
         let mut near = vec![f64::NEG_INFINITY; width * height];
         for (n, facet) in facets.iter().enumerate() {
@@ -127,33 +139,29 @@ impl<'a> Raster<'a> {
 
     /// The middle of a cell, in units of the picture.
     fn middle(&self, row: usize, column: usize) -> Point2 {
-        Point2::new((column as f64 + 0.5) / self.per_unit, (row as f64 + 0.5) / self.per_unit)
+        let at = |n: usize| (n as f64 + 0.5) / self.per_unit;
+        Point2::new(at(self.left + column), at(self.above + row))
+    }
+
+    /// Where a place of the picture lies, in cells from the middle of the first.
+    fn in_cells(&self, p: Point2) -> Point2 {
+        let along = |x: f64, first: usize| self.per_unit * x - first as f64 - 0.5;
+        Point2::new(along(p.x, self.left), along(p.y, self.above))
     }
 
     /// The cells whose middles a facet covers: rows, each from a column to before another. Facets that
     /// share a side share no cell.
     fn rows(&self, facet: &Facet) -> impl Iterator<Item = (usize, usize, usize)> + use<> {
-        let corners = facet
-            .corners
-            .map(|p| Point2::new(self.per_unit * p.x - 0.5, self.per_unit * p.y - 0.5));
-        let low = corners.iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
-        let high = corners.iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
+        let mut corners = facet.corners.map(|p| self.in_cells(p));
+        corners.sort_unstable_by(|a, b| a.y.total_cmp(&b.y));
+        let [low, middle, high] = corners;
+        let (long, lower, upper) =
+            (Side::new(low, high), Side::new(low, middle), Side::new(middle, high));
         let width = self.width;
-        // Conversion saturates at 0.
-        let end = (high.ceil() as usize).min(self.height);
-        (low.ceil() as usize..end).filter_map(move |row| {
+        (whole_from(low.y)..whole_from(high.y).min(self.height)).filter_map(move |row| {
             let y = row as f64;
-            let mut ends = [f64::INFINITY, f64::NEG_INFINITY];
-            for n in 0..3 {
-                // From the lower to the upper corner, so that both facets of a side say the same.
-                let (a, b) = (corners[n], corners[(n + 1) % 3]);
-                let (a, b) = if a.y <= b.y { (a, b) } else { (b, a) };
-                if a.y <= y && y < b.y {
-                    let x = a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x);
-                    ends = [ends[0].min(x), ends[1].max(x)];
-                }
-            }
-            let [from, to] = ends.map(|x| (x.ceil().max(0.0) as usize).min(width));
+            let (a, b) = (long.at(y), if y < middle.y { &lower } else { &upper }.at(y));
+            let [from, to] = [a.min(b), a.max(b)].map(|x| whole_from(x).min(width));
             (from < to).then_some((row, from, to))
         })
     }
@@ -182,7 +190,8 @@ impl<'a> Raster<'a> {
 
     /// The facet that shows at a place.
     pub(super) fn top_at(&self, at: Point2) -> Option<usize> {
-        let cell = |x: f64, count: usize| ((x * self.per_unit).max(0.0) as usize).min(count - 1);
+        let cell = |x: f64, count: usize| ((x + 0.5).max(0.0) as usize).min(count - 1);
+        let at = self.in_cells(at);
         self.top(cell(at.y, self.height) * self.width + cell(at.x, self.width))
     }
 
@@ -253,8 +262,8 @@ impl<'a> Raster<'a> {
                     x += 1;
                 }
                 if let Some(here) = here {
-                    let (left, top, wide, high) =
-                        (size(start), size(row), size(x - start), size(1));
+                    let (left, top) = (size(self.left + start), size(self.above + row));
+                    let (wide, high) = (size(x - start), size(1));
                     // Writing to a string does not fail.
                     let path = paths.entry(here).or_default();
                     let _ = write!(path, "M{left} {top}h{wide}v{high}h-{wide}z");
@@ -267,6 +276,31 @@ impl<'a> Raster<'a> {
         }
         body
     }
+}
+
+/// A side of a facet, in cells, from its lower to its upper end, so that both facets of a side say the
+/// same of it.
+struct Side {
+    from: Point2,
+    slope: f64,
+}
+
+impl Side {
+    fn new(low: Point2, high: Point2) -> Self {
+        Self { from: low, slope: (high.x - low.x) / (high.y - low.y) }
+    }
+
+    /// Where it is at a height between those of its ends. Never asked of a level one.
+    fn at(&self, y: f64) -> f64 {
+        self.from.x + self.slope * (y - self.from.y)
+    }
+}
+
+/// The least whole number that is not below another, at least 0.
+fn whole_from(x: f64) -> usize {
+    // Conversion cuts off, and saturates at 0.
+    let whole = x as usize;
+    if (whole as f64) < x { whole + 1 } else { whole }
 }
 
 /// Where between two places, of which the first is seen or not and the other is the opposite, that
@@ -322,5 +356,17 @@ mod tests {
         let of = |n: usize| raster.cells(n).collect::<std::collections::BTreeSet<usize>>();
         assert!(of(0).is_disjoint(&of(1)));
         assert!(of(2).is_subset(&of(0).union(&of(1)).copied().collect()));
+    }
+
+    #[test]
+    fn there_are_cells_where_facets_are_and_nowhere_else() {
+        let far = facet([[90.2, 70.0], [94.0, 70.0], [90.2, 72.5]], 1.0, 7);
+        let facets = [far];
+        let raster = Raster::new(Vec2::new(100.0, 80.0), 2.0, &facets);
+        assert_eq!((raster.width, raster.height), (8, 5));
+        assert_eq!(raster.top_at(Point2::new(90.7, 70.2)), Some(0));
+        assert_eq!(raster.top_at(Point2::new(93.9, 72.4)), None);
+        let body = raster.elements(|class| format!("c{class}"));
+        assert!(body.starts_with(r#"<path class="c7 cells" d="M90 70h"#), "{body}");
     }
 }
