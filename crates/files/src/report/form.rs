@@ -60,7 +60,8 @@ pub(super) fn short(labels: &[&str], rows: Vec<Row<'_>>) -> Markup {
         (counts(&rows))
         p.sub {
             "This is the short form of the report, those panels first that need a look. The long \
-             form has a page with pictures of every panel: `sheetwright make` writes it with "
+             form has a page with pictures of every panel: " code { "sheetwright make" }
+            " writes it with "
             code { "--report long" } "."
         }
         table.summary.short {

@@ -14,6 +14,7 @@ use sheetwright::index::{TriangleIndex, VertexIndex};
 use sheetwright::material::Material;
 use sheetwright::math::{Point2, Vec3, angle_between, cos, from_deg, sin, to_deg, unit};
 use sheetwright::mesh::{Mesh, crease_angles};
+use std::collections::BTreeMap;
 
 const HEIGHT: f64 = 236.0;
 const RADIUS: f64 = 102.0;
@@ -28,8 +29,13 @@ const RUNGS: usize = 70;
 const MESH_SIDES: usize = 4000;
 /// The class of those sides.
 const NET: &str = "net";
+/// Up to so many different sides, lines between directions are as thick as a curve, and dots mark up
+/// to so many directions.
+const FEW: usize = 160;
 /// Creases that turn by more than this, degrees, part two directions.
 const SHARP_DEG: f64 = 30.0;
+/// Lines shorter than this in the picture are not seen.
+const SEEN: f64 = 0.05;
 /// Points of a curve that lie closer than this in the picture are left out.
 const APART: f64 = 0.5;
 
@@ -131,17 +137,16 @@ impl Image {
         let mut body = String::new();
         // Strips whose rungs all face one way.
         let mut dots = String::new();
-        for wanted in RUNG_CLASSES.into_iter().chain([NET]) {
+        for wanted in RUNG_CLASSES {
             let mut path = PathData::default();
-            for (class, normals) in &self.rungs {
-                let ends = normals.map(&place);
-                let seen = normals.iter().all(|&n| visible(n));
-                if *class == wanted && seen && ends[0].distance(ends[1]) > 0.05 {
+            for ends in self.ends_of(wanted, &place, &visible) {
+                if ends[0].distance(ends[1]) > SEEN {
                     path.line(ends);
                 }
             }
             body += &path.element(wanted);
         }
+        body += &net(self.ends_of(NET, &place, &visible));
         for side in [0, 1] {
             let (mut front, mut behind) = (PathData::default(), PathData::default());
             for strip in &self.strips {
@@ -172,6 +177,18 @@ impl Image {
         body + &dots
     }
 
+    /// Where the ends of the rungs of a class lie, as far as both are visible.
+    fn ends_of(
+        &self,
+        class: &str,
+        place: impl Fn(Vec3) -> Point2,
+        visible: impl Fn(Vec3) -> bool,
+    ) -> Vec<[Point2; 2]> {
+        let of_class = self.rungs.iter().filter(|rung| rung.0 == class).map(|rung| rung.1);
+        let seen = of_class.filter(|normals| normals.iter().all(|&n| visible(n)));
+        seen.map(|normals| normals.map(&place)).collect()
+    }
+
     /// The image alone, angles from its middle to scale.
     fn enlarged(&self, spread: f64) -> String {
         const HALF: f64 = 96.0;
@@ -199,6 +216,32 @@ impl Image {
             + &scale_bar(corner, scale * bar, &label)
             + &text("quiet", Anchor::Start, Point2::new(WIDTH - 228.0, HEIGHT - 8.0), "enlarged")
     }
+}
+
+/// The lines between directions of a mesh, each once: thin ones of a net, and dots with thick ones where
+/// there are so few that they would be lost among the circles of the ball.
+fn net(sides: Vec<[Point2; 2]>) -> String {
+    let rounded = |p: Point2| [p.x, p.y].map(|x| (x / SEEN).round() as i64);
+    let mut places: BTreeMap<[i64; 2], Point2> = BTreeMap::new();
+    let mut lines: BTreeMap<[[i64; 2]; 2], [Point2; 2]> = BTreeMap::new();
+    for ends in sides {
+        let mut key = ends.map(rounded);
+        key.iter().zip(ends).for_each(|(key, end)| {
+            places.entry(*key).or_insert(end);
+        });
+        key.sort_unstable();
+        if key[0] != key[1] {
+            lines.entry(key).or_insert(ends);
+        }
+    }
+    let is_few = lines.len() <= FEW;
+    let mut path = PathData::default();
+    lines.into_values().for_each(|ends| path.line(ends));
+    let mut body = path.element(if is_few { "curve few" } else { NET });
+    if is_few {
+        places.into_values().for_each(|at| body += &circle("head", at, 2.5));
+    }
+    body
 }
 
 /// The sides of a mesh as they lie on the ball: each joins the directions that the mesh faces at its

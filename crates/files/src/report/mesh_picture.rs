@@ -3,7 +3,7 @@
 
 use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, line, rectangle, round_below, text};
 use super::flat_picture::{FOOT, LEFT, RIGHT, TOP, Tags, beside, dimensions};
-use super::paint::{MOST_PATHS, Scene, joined, shades_of};
+use super::paint::{MOST_PATHS, Scene, is_front, joined, shades_of};
 use super::raster::{Facet, Raster};
 use super::space_picture::Fit;
 use super::style::HEATS;
@@ -62,6 +62,14 @@ fn pictured(panels: &[MadeMesh], title: String) -> Picture {
     let size = Vec2::new(WIDTH, fit.total);
     let scene = Scene::new(size, &facets, fit.millimetres(LIES_ON));
     let mut body = scene.fills();
+    let mut path = PathData::default();
+    for (n, panel) in panels.iter().enumerate() {
+        let seen = turns(panel, &shades[n]).flat_map(|ends| {
+            scene.visible_turn(ends.map(|v| placed[n][v.get()]), ends.map(|v| near(n, v)))
+        });
+        joined(seen).into_iter().for_each(|run| path.line(run));
+    }
+    body += &path.element("e thin");
     for (class, wanted) in [("score", Line::Crease), ("e", Line::Border), ("seam", Line::Seam)] {
         let mut path = PathData::default();
         for (n, panel) in panels.iter().enumerate() {
@@ -95,6 +103,20 @@ fn view_of(panels: &[MadeMesh]) -> View {
 fn areas(panel: &MadeMesh) -> Vec<Vec3> {
     let all = 0..panel.mesh.triangles().len();
     all.map(|t| panel.mesh.area_vector(TriangleIndex::new(t))).collect()
+}
+
+/// Where the surface turns from the eye: the edges between triangles of its front and of its back, given
+/// the shades of all triangles.
+fn turns<'a>(
+    panel: &'a MadeMesh,
+    shades: &'a [u16],
+) -> impl Iterator<Item = [VertexIndex; 2]> + 'a {
+    let edges = panel.sheet.mesh.edges().iter();
+    let turning = edges.filter(|edge| {
+        let [Some(left), Some(right)] = edge.triangles else { return false };
+        is_front(shades[left.get()]) != is_front(shades[right.get()])
+    });
+    turning.map(|edge| edge.ends)
 }
 
 /// What is drawn of a mesh beside its triangles.

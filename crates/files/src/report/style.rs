@@ -120,7 +120,7 @@ font-family:system-ui,-apple-system,'Segoe UI',Roboto,'Helvetica Neue',Arial,san
 .pic .head{fill:var(--bar)}.pic circle.over{fill:var(--bad)}.pic circle.unsure{fill:var(--warm)}\
 .pic .ball{fill:var(--tint);stroke:var(--quiet);stroke-width:1.2}\
 .pic .grid{stroke:var(--quiet);stroke-width:.6;stroke-opacity:.4}\
-.pic .curve{stroke:var(--bar);stroke-width:2.4}\
+.pic .curve{stroke:var(--bar);stroke-width:2.4}.pic .few{stroke-width:1.2}\
 .pic .other{stroke:var(--other);stroke-dasharray:5 5}\
 .pic .behind{stroke-dasharray:2 4;stroke-width:1.4}\
 @media screen and (max-width:560px){.pic text{font-size:17px}}";

@@ -2,7 +2,9 @@ use super::*;
 use crate::quads::PanelQuads;
 use samples::*;
 use sheetwright::check::Checked;
-use sheetwright::design::Made;
+use sheetwright::design::{Made, MadeMeshes, MeshOptions, make_meshes};
+use sheetwright::watch::Unwatched;
+use std::path::Path;
 
 fn all() -> Vec<Made> {
     let bent = [quarter(), coarse_quarter(), cone(), helicoid(), moved(), tight()];
@@ -407,6 +409,38 @@ fn the_time_of_a_report_grows_with_the_panels_and_no_faster() {
 fn the_picture_of_many_panels_stays_small() {
     let bytes = design_picture(&facade(1500)).inline().len();
     assert!(bytes < 1_300_000, "{bytes} bytes");
+}
+
+/// A mesh of the corpus, made.
+fn mesh(file: &str) -> MadeMeshes {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../corpus/good").join(file);
+    let read = crate::read_any(&path, &crate::ReadOptions::default()).unwrap();
+    let crate::Input::Mesh(design) = read else { panic!("{file} is no mesh") };
+    make_meshes(&design, &MeshOptions::default(), &mut Unwatched).unwrap()
+}
+
+#[test]
+fn the_few_directions_of_a_mesh_are_dots_and_many_are_a_net() {
+    let image = |file| mesh_gauss_picture(&mesh(file).panels[0]).unwrap().inline();
+    let dots = |body: &str| body.matches(r#"class="head""#).count();
+    let plate = image("mesh-plate-with-crumbs.stl");
+    assert_eq!((dots(&plate), plate.contains("few")), (1, false), "it faces one way");
+    // Of six sides those that are seen: that at the eye, and the four of the rim.
+    let cube = image("mesh-cube.obj");
+    assert!(dots(&cube) >= 3 && cube.contains(r#"class="curve few""#), "{cube}");
+    let tube = image("mesh-tube.stl");
+    let steps = tube.split(r#"class="curve few" d=""#).nth(1).unwrap();
+    let steps = &steps[..steps.find('"').unwrap()];
+    assert!(steps.matches('M').count() < 100, "each line is drawn once: {steps}");
+    let cap = image("mesh-cap.ply");
+    assert!(dots(&cap) == 0 && cap.contains(r#"class="net""#));
+}
+
+#[test]
+fn a_mesh_has_an_outline_where_it_turns_away() {
+    let outline = |file| mesh_picture(&mesh(file).panels[0]).inline().contains(r#"class="e thin""#);
+    assert!(outline("mesh-tube.stl"));
+    assert!(!outline("mesh-plate-with-crumbs.stl"));
 }
 
 #[test]
