@@ -13,6 +13,10 @@ use svgtypes::{Length, LengthUnit, SimplePathSegment, SimplifyingPathParser, Vie
 
 /// The width of every line, mm: thin enough for every laser to follow rather than to fill.
 const LINE_MM: f64 = 0.1;
+/// Inkscape draws lines that are thinner than a pixel as nothing, and those by this rule, which it alone
+/// knows, one pixel wide at any zoom. It has to stand in a style sheet of its own, since Inkscape passes
+/// over a whole sheet that has a rule with `@supports`.
+const IN_INKSCAPE: &str = "path{-inkscape-stroke:hairline}";
 /// On a screen lines are one pixel wide at any zoom: of a plank of 4 m, shown whole, lines of 0.1 mm
 /// would be a hundredth of a pixel. Only browsers know `@supports`; by the rules of CSS, programs
 /// that drive machines pass over it and take [`LINE_MM`].
@@ -50,6 +54,7 @@ pub fn write_svg(piece: &Piece) -> Vec<u8> {
          <title>{name}</title>\n\
          <desc>Flat pattern of {name}, {:.1} × {:.1} mm, by Sheetwright. Units: mm, true scale. \
          Groups: cut (red), score (blue), engrave (black), note (grey, for people alone).</desc>\n\
+         <style>{IN_INKSCAPE}</style>\n\
          <style>{ON_SCREENS}</style>\n",
         piece.size.x, piece.size.y
     );
