@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used)] // tests panic
 
 use sheetwright::boundary::{Boundary, PlaneChoice, samples_from_points, supporting_plane};
+use sheetwright::cost::PriceOptions;
 use sheetwright::curve::CurvePoint;
 use sheetwright::design::{Design, DesignCurve, DesignPanel, PanelShape, make};
 use sheetwright::index::SampleIndex;
@@ -161,4 +162,32 @@ fn a_panel_has_the_effort_that_it_asks_for() {
         more.work > few.work && more.price <= few.price && more.gap() < few.gap().or(Some(1.0))
     );
     assert!(told.0 > 5, "{}", told.0);
+}
+
+/// Without a plane any two samples may be joined, so that there is a surface for any loops; on a plane,
+/// loops beside one another bound a polygon with holes.
+#[test]
+fn there_always_is_a_surface() {
+    let mut random = Random::new(36);
+    for round in 0..60 {
+        let sizes: Vec<usize> = (0..2 + random.below(5)).map(|_| 3 + random.below(14)).collect();
+        let corners = [0.0, 0.3][round % 2];
+        let tangled = tangled_loops(&mut random, &sizes, corners);
+        let flat = plate(&mut random, &sizes, corners);
+        let tangled = tangled.map(|boundary| (boundary, PlaneChoice::None));
+        let flat = flat.map(|boundary| (boundary, FROM_ABOVE));
+        for (boundary, choice) in tangled.into_iter().chain(flat) {
+            for (fold, work_limit) in [(0.0, 0), (0.1, DEFAULT_WORK / 1000), (1.0, 0)] {
+                let plane = supporting_plane(&boundary, choice).unwrap();
+                let price = PriceOptions { fold, ..Default::default() };
+                let options = TriangulateOptions { work_limit, price, ..Default::default() };
+                let found = triangulate(&boundary, plane.as_ref(), &options, &mut Unwatched);
+                let found = found.unwrap_or_else(|error| panic!("{sizes:?} {fold}: {error}"));
+                let triangles: Vec<[usize; 3]> =
+                    found.triangles.iter().map(|t| t.map(SampleIndex::get)).collect();
+                assert_eq!(fault(boundary.loops(), &triangles), None, "{sizes:?} {fold}");
+                assert!(found.lower_bound <= found.price, "{sizes:?} {fold}");
+            }
+        }
+    }
 }

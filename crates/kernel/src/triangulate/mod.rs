@@ -186,8 +186,7 @@ pub enum TriangulateError {
     Fold,
     /// The rails do not divide the loop: each needs at least one sample.
     Rails,
-    /// No triangulation of this method lies inside the projection on the supporting plane; without
-    /// a plane, and with several holes, none was found.
+    /// No triangulation of this method lies inside the projection on the supporting plane.
     NoneInside,
     /// The watcher asked to stop.
     Stopped,

@@ -4,6 +4,7 @@ mod band;
 mod bound;
 mod chains;
 mod cover;
+mod floor;
 mod pockets;
 mod polygon;
 mod prove;
@@ -54,21 +55,35 @@ pub(super) fn solve(
     watch: &mut dyn Watch,
 ) -> Result<Option<Found>, TriangulateError> {
     let chains = Chains::new(terms, plane, loops, work);
-    let watch = &mut Part::new(watch, 0.0..1.0);
-    if loops.len() == 2 {
-        let worth = bound.min(WORTH_A_BOUND);
-        let first = search::first(&chains, worth, &mut Part::new(watch, 0.0..0.1))?;
-        return band::solve_exactly(&chains, first, bound, &mut Part::new(watch, 0.1..1.0));
+    let mut found = searched(&chains, bound, watch)?;
+    if let Some(Found { lower_bound: Some(least), .. }) = &mut found {
+        *least = least.max(floor::floor(&chains));
     }
-    let first = search::first(&chains, bound, &mut Part::new(watch, 0.0..0.1))?;
+    Ok(found)
+}
+
+/// The best triangles that are found up to `bound`, and what none is cheaper than as far as the search
+/// has come.
+fn searched(
+    chains: &Chains<'_>,
+    bound: f64,
+    watch: &mut dyn Watch,
+) -> Result<Option<Found>, TriangulateError> {
+    let watch = &mut Part::new(watch, 0.0..1.0);
+    if chains.chains.len() == 2 {
+        let worth = bound.min(WORTH_A_BOUND);
+        let first = search::first(chains, worth, &mut Part::new(watch, 0.0..0.1))?;
+        return band::solve_exactly(chains, first, bound, &mut Part::new(watch, 0.1..1.0));
+    }
+    let first = search::first(chains, bound, &mut Part::new(watch, 0.0..0.1))?;
     let Some(first) = first else { return Ok(None) };
     if first.price == 0.0 {
         // Prices are never negative: it lies flat, and no other is cheaper.
         return Ok(Some(Found { triangles: first.triangles, lower_bound: None }));
     }
-    let improving = chains.within(work.part(SHARE_OF_IMPROVING));
+    let improving = chains.within(chains.work.part(SHARE_OF_IMPROVING));
     let best = search::improved(&improving, first, &mut Part::new(watch, 0.1..0.5))?;
-    let (best, lower_bound) = prove::prove(&chains, best, &mut Part::new(watch, 0.5..1.0))?;
+    let (best, lower_bound) = prove::prove(chains, best, &mut Part::new(watch, 0.5..1.0))?;
     Ok(Some(Found { triangles: best.triangles, lower_bound }))
 }
 

@@ -123,18 +123,16 @@ enum Prefer {
 }
 
 /// A first triangulation: the loops are tied together by the shortest rungs. `None` if there is
-/// none up to `bound`, or none was found.
+/// none up to `bound`, or none was found up to it. Without a bound one is found wherever there is one:
+/// on a plane a domain that is cut open is a polygon, whose rungs lie apart, and without a plane see
+/// [`zigzag`].
 pub(super) fn first(
     chains: &Chains<'_>,
     bound: f64,
     watch: &mut dyn Watch,
 ) -> Result<Option<Solved>, TriangulateError> {
     let mut cut = chains.clone();
-    let mut ring = None;
     while cut.chains.len() > 1 {
-        if cut.chains.len() == 2 {
-            ring = Some(cut.clone());
-        }
         let mut shortest: Option<(f64, Spot, Spot)> = None;
         for (chain, list) in cut.chains.iter().enumerate().skip(1) {
             for q in (0..list.len()).map(|at| Spot { chain, at }) {
@@ -156,16 +154,8 @@ pub(super) fn first(
     if found.is_some() || chains.has_plane() || bound < f64::INFINITY {
         return Ok(found);
     }
-    // Something had better be found.
-    let found = ring.and_then(|ring| {
-        let solved = zigzag::zigzag(&ring)?;
-        Some(Solved { price: solved.price + ring.price_of_cuts(), ..solved })
-    });
-    let is_surface = |found: &Solved| {
-        let sides = Sides::new(chains, &found.triangles);
-        sides.is_some_and(|sides| sides.fans_are_whole(&found.triangles))
-    };
-    Ok(found.filter(is_surface))
+    // Any two samples may be joined: there always is one.
+    Ok(zigzag::nested(chains))
 }
 
 /// Replaces the cuts of one choice, one after the other; whether that made it cheaper.

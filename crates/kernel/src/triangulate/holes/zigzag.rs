@@ -1,23 +1,72 @@
-//! A ring that is triangulated in no time: from edge to edge, without pockets.
+//! A triangulation without a plane that always exists: rings from edge to edge, without pockets.
 //!
-//! Without a plane any two samples may be joined, so that there always is a band whose steps each run
-//! along one edge; its cheapest is a shortest path through the lattice of all pairs, in one pass. The
-//! steps begin along either chain in turn, as no rung is used twice then. It is the answer where none
-//! else was found before the work ended.
+//! Without a plane any two samples may be joined. A *zigzag* is a band between two loops whose steps
+//! each run along one edge; the cheapest is a shortest path through the lattice of all pairs, in one
+//! pass. It answers where no other triangulation was found before the work ended.
+//!
+//! It is a surface for any number of loops of three or more samples each:
+//!
+//! 1. A zigzag uses no rung twice. The path begins along either chain in turn, (0,0), (1,0), (1,1),
+//!    (2,1), (2,2), so that from there on both places are 2 or more, and at most once round. Two pairs
+//!    of it that stand for the same samples would differ by a round along one chain, so that one of
+//!    them had a place 0; only (0,0) and (1,0) have one, and only the end, (m,k), comes back to
+//!    either. A rung joins two loops, so it is no edge.
+//! 2. Another loop goes into one triangle of what is there: a zigzag between that triangle and the loop
+//!    takes its place. Its rungs all end at samples that had no triangle before, so none is used twice;
+//!    each side of the triangle keeps one triangle on its inner side, and the fans at its corners stay
+//!    whole.
+//! 3. Where rungs without tangent planes are admitted, every rung has a price.
 
-use super::super::{Side, Solved};
+use super::super::{Found, Method, Side, Solved, outcome};
 use super::chains::{Chains, Spot, shortest_join};
 use super::pockets::Walk;
 use super::work::SIDE;
 use crate::math::Vec3;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Where the path is free: two steps along each chain, in turn, lead there.
 const FREE_FROM: usize = 2;
 
+/// A triangulation without a plane, which always is a surface: see above. `None` if a rung without
+/// tangent planes would be needed, and is not admitted.
+pub(super) fn nested(chains: &Chains<'_>) -> Option<Solved> {
+    let (outer, holes) = chains.chains.split_first()?;
+    let (first, others) = holes.split_first()?;
+    let mut triangles = zigzag(&ring(chains, outer, first))?.triangles;
+    for hole in others {
+        let triangle = triangles.swap_remove(nearest(chains, &triangles, hole)?);
+        triangles.extend(zigzag(&ring(chains, &triangle, hole))?.triangles);
+    }
+    let found = Found { triangles: triangles.clone(), lower_bound: None };
+    Some(Solved { price: outcome(chains.terms, found, Method::Optimal).price, triangles })
+}
+
+/// The ring between two loops; sides of the outer one that are rungs are banks of cuts.
+fn ring<'a>(chains: &Chains<'a>, outer: &[usize], hole: &[usize]) -> Chains<'a> {
+    let sides = outer.iter().zip(outer.iter().cycle().skip(1));
+    let rungs = sides.filter(|&(&a, &b)| !chains.terms.prices.neighbours(a, b));
+    let cuts = rungs.map(|(&a, &b)| [a.min(b), a.max(b)]).collect();
+    Chains { chains: vec![outer.to_vec(), hole.to_vec()], cuts, ..chains.clone() }
+}
+
+/// The triangle whose corners are nearest to a loop: the one with the least sum of the three distances
+/// from its samples.
+fn nearest(chains: &Chains<'_>, triangles: &[[usize; 3]], hole: &[usize]) -> Option<usize> {
+    let corners: BTreeSet<usize> = triangles.iter().flatten().copied().collect();
+    chains.work.count((corners.len() * hole.len()) as u64);
+    let away = |corner: usize| {
+        let lengths = hole.iter().map(|&sample| chains.terms.prices.length(corner, sample));
+        (corner, lengths.fold(f64::INFINITY, f64::min))
+    };
+    let away: BTreeMap<usize, f64> = corners.into_iter().map(away).collect();
+    let sum = |n: usize| triangles[n].iter().map(|corner| away[corner]).sum::<f64>();
+    (0..triangles.len()).min_by(|&one, &other| sum(one).total_cmp(&sum(other)))
+}
+
 /// The cheapest band between the two chains whose steps run along one edge each and begin at their
 /// shortest join, without the price of the cuts; `None` if a rung without tangent planes would be
 /// needed, and is not admitted.
-pub(super) fn zigzag(chains: &Chains<'_>) -> Option<Solved> {
+fn zigzag(chains: &Chains<'_>) -> Option<Solved> {
     let (o, e) = shortest_join(chains)?;
     let band = Lattice {
         chains,
@@ -109,4 +158,44 @@ fn before((p, a): Pair) -> impl Iterator<Item = Pair> {
     let within = p <= FREE_FROM && a <= FREE_FROM || is_free;
     let outer = (within && along_outer && p > 0).then(|| (p - 1, a));
     outer.into_iter().chain((within && along_inner && a > 0).then(|| (p, a - 1)))
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)] // tests panic
+mod tests {
+    use super::super::search::Sides;
+    use super::*;
+    use crate::boundary::{Boundary, samples_from_points};
+    use crate::cost::{PriceOptions, Prices};
+    use crate::curve::CurvePoint;
+    use crate::math::{Point3, sin};
+    use crate::rung::Visibility;
+    use crate::triangulate::Terms;
+    use crate::triangulate::holes::{Tally, Work};
+
+    #[test]
+    fn any_loops_have_a_surface() {
+        for case in 0..60 {
+            // Points of a cube in no order; corners too, which have no tangent plane.
+            let point = |n: usize| {
+                let [x, y, z] = [1.3, 2.7, 4.1].map(|f| 50.0 * sin(f * (n * n + case) as f64));
+                let at = Point3::new(x, y, z);
+                if n % 4 == case % 4 { CurvePoint::corner(at) } else { CurvePoint::smooth(at) }
+            };
+            let points = |of: usize| (0..3 + (7 * case + 5 * of) % 23).map(move |n| 100 * of + n);
+            let loops = (0..2 + case % 6).map(|of| points(of).map(point).collect::<Vec<_>>());
+            let loops = loops.map(|points| samples_from_points(&points)).collect();
+            let boundary = Boundary::new(loops).unwrap();
+            let prices = Prices::new(&boundary, None, PriceOptions::default());
+            let everything = Visibility::everything();
+            let terms = Terms::new(&prices, &everything, true);
+            let tally = Tally::default();
+            let chains = Chains::new(&terms, None, boundary.loops(), Work::new(&tally, 0));
+            let found = nested(&chains).unwrap();
+            assert_eq!(found.triangles.len(), boundary.len() + 2 * boundary.holes() - 2);
+            let sides = Sides::new(&chains, &found.triangles).unwrap();
+            assert!(sides.fans_are_whole(&found.triangles), "{case}");
+            assert!(found.price.is_finite() && super::super::floor::floor(&chains) <= found.price);
+        }
+    }
 }
