@@ -39,6 +39,9 @@ use unknowns::Unknowns;
 const MOST_POINTS: usize = 20_000;
 /// Where nothing says how far points may move, this share of the size of the panels.
 const DEFAULT_SHARE: f64 = 0.01;
+/// What a search with holes may do while points move, as a share of the panel's effort: there are dozens
+/// of searches on the way, and the panel that comes out is triangulated with all of it.
+const SHARE_OF_EFFORT: f64 = 0.1;
 /// How often points are held back by what samples between them moved too far.
 const ATTEMPTS: usize = 3;
 /// By how much more, since other displacements come out each time.
@@ -453,7 +456,8 @@ impl Moving for Drawn<'_> {
         unknowns: &[Vec3],
         watch: &mut dyn Watch,
     ) -> Result<Vec<MovingPanel>, VaryError> {
-        let moved = self.unknowns.moved(&self.design, unknowns);
+        let mut moved = self.unknowns.moved(&self.design, unknowns);
+        moved.panels.iter_mut().for_each(|panel| panel.effort *= SHARE_OF_EFFORT);
         let prepared = self.problem.prepared(&moved, watch).map_err(|error| match error.cause {
             MakeCause::Triangulate(TriangulateError::Stopped) => VaryError::Stopped,
             _ => VaryError::NoPanels,
