@@ -5,6 +5,7 @@
 //! what is typed never lands in another.
 
 use crate::command::Command;
+use crate::document::edit::why_unbound;
 use crate::document::{Document, Drawing, FARTHEST_MM, Mirror, Plan};
 use crate::editor::Editor;
 use crate::field::Field;
@@ -12,6 +13,7 @@ use crate::scene::{Act, Edit, PointRef, curves_of};
 use crate::theme::Theme;
 use eframe::egui::{self, ComboBox, Id, RichText, Ui};
 use sheetwright::boundary::PlaneChoice;
+use sheetwright::check::Verdict;
 use sheetwright::design::{DesignPanel, PanelShape};
 use sheetwright::material::MATERIALS;
 use sheetwright::math::Point2;
@@ -58,7 +60,7 @@ fn selected_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>)
         section(ui, "Rung", |ui| {
             ui.label(format!("Rung {} of {}", rung + 1, shown.rungs.len()));
             ui.label(format!("Twist {:.2}° of {}°", at.warp_deg, shown.warp_limit_deg));
-            if at.is_unsure {
+            if at.is_unsure && shown.verdict == Verdict::Undecided {
                 let text = "With so few samples this may be bending alone.";
                 ui.label(RichText::new(text).color(theme.faint));
             }
@@ -122,7 +124,8 @@ fn lift_all_ui(
 }
 
 fn curve_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, n: usize, acts: &mut Vec<Act>) {
-    let design = &editor.document().design;
+    let document = editor.document();
+    let design = &document.design;
     let curve = &design.curves[n];
     let of = Id::unique(("curve", &curve.name));
     if let Some(name) = (Field { theme, of, label: "Name of curve" }).name(ui, &curve.name) {
@@ -132,10 +135,10 @@ fn curve_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, n: usize, acts: &mut Ve
     ui.label(RichText::new(format!("{} points, {state}", curve.points.len())).color(theme.faint));
     let uses = |panel: &&DesignPanel| curves_of(panel).iter().any(|u| u.name == curve.name);
     let of: Vec<&str> = design.panels.iter().filter(uses).map(|p| p.name.as_str()).collect();
-    let text = if of.is_empty() {
-        "It bounds no panel yet: close it.".to_owned()
-    } else {
-        format!("It bounds {}.", of.join(", "))
+    let text = match (of.is_empty(), curve.closed) {
+        (false, _) => format!("It bounds {}.", of.join(", ")),
+        (true, false) => "It bounds no panel yet: close it.".to_owned(),
+        (true, true) => why_unbound(document).unwrap_or_else(|| "It bounds no panel.".to_owned()),
     };
     ui.label(RichText::new(text).color(theme.faint));
     ui.horizontal_wrapped(|ui| {

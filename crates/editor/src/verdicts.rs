@@ -49,34 +49,47 @@ fn waiting(editor: &Editor) -> &'static str {
     }
 }
 
-/// How many panels are as bad as the worst, in words, and one of these; `None` without panels.
+/// How many panels are as bad as the worst, and how many else are not known to bend, in words; and one of
+/// the worst. `None` without panels.
 fn counted(panels: &[ShownPanel]) -> Option<(String, &ShownPanel)> {
     let worst = panels.iter().max_by_key(|panel| panel.badness())?;
     let count = panels.iter().filter(|panel| panel.badness() == worst.badness()).count();
     let all = panels.len();
-    let verdict = worst.made.as_ref().ok().map(|shown| shown.verdict);
+    let verdict = verdict_of(worst);
+    let sign = verdict.map_or("▲", sign);
+    let text = match (all, count) {
+        (1, _) => format!("{sign} The panel {}", said_of(verdict, 1)),
+        (_, _) if all == count => format!("{sign} All {all} panels {}", said_of(verdict, all)),
+        _ => format!("{sign} {count} of {all} panels {}", said_of(verdict, count)),
+    };
+    let others = not_bending(panels).into_iter().filter(|&(of, _)| of != verdict);
+    let others = others.map(|(of, count)| format!(", {count} {}", said_of(of, count)));
+    Some((text + &others.collect::<String>(), worst))
+}
+
+fn verdict_of(panel: &ShownPanel) -> Option<Verdict> {
+    panel.made.as_ref().ok().map(|shown| shown.verdict)
+}
+
+/// The verdicts of panels that are not known to bend, the worst first, and how many have each; `None` is of
+/// those that can't be made.
+pub(crate) fn not_bending(panels: &[ShownPanel]) -> Vec<(Option<Verdict>, usize)> {
+    let count = |of| (of, panels.iter().filter(|panel| verdict_of(panel) == of).count());
+    let classes = [None, Some(Verdict::WillNotBend), Some(Verdict::Undecided)].map(count);
+    classes.into_iter().filter(|&(_, count)| count > 0).collect()
+}
+
+/// What a line says of so many panels with a verdict; `None` is of those that can't be made.
+pub(crate) fn said_of(verdict: Option<Verdict>, count: usize) -> &'static str {
     let (one, more) = match verdict {
         None => ("can't be made yet", "can't be made yet"),
         Some(Verdict::WillNotBend) => ("will not bend", "will not bend"),
-        Some(Verdict::Undecided) => ("can't be told yet", "can't be told yet"),
+        Some(Verdict::Undecided) => ("is undecided", "are undecided"),
         Some(Verdict::BendsWithForce) => ("bends with force", "bend with force"),
         Some(Verdict::BendsAndFolds) => ("bends and folds", "bend and fold"),
         Some(Verdict::Bends) => ("bends", "bend"),
     };
-    let sign = verdict.map_or("▲", sign);
-    let is_hidden =
-        |panel: &&ShownPanel| verdict.is_none() && panel.badness() + 1 == worst.badness();
-    let more_bad = match panels.iter().filter(is_hidden).count() {
-        0 => String::new(),
-        bad => format!(", {bad} will not bend"),
-    };
-    let text = match (all, count) {
-        (1, _) => format!("{sign} The panel {one}"),
-        (_, _) if all == count => format!("{sign} All {all} panels {more}"),
-        (_, 1) => format!("{sign} 1 of {all} panels {one}"),
-        _ => format!("{sign} {count} of {all} panels {more}"),
-    };
-    Some((text + &more_bad, worst))
+    if count == 1 { one } else { more }
 }
 
 fn ink(theme: &Theme, panel: &ShownPanel) -> Color32 {

@@ -12,6 +12,7 @@ use sheetwright::design::DesignCurve;
 use sheetwright::math::{Point2, Point3};
 use sheetwright_editor::command::Command;
 use sheetwright_editor::document::{Document, Plan};
+use sheetwright_editor::editor::Opened;
 use sheetwright_editor::scene::{Act, Edit, PointRef, Selection};
 use sheetwright_editor::theme::HANDLE;
 
@@ -294,4 +295,32 @@ fn panes_whose_view_is_not_the_hands_show_everything_when_the_window_shrinks() {
     let before = apart(&hands);
     shrink(&mut hands, [940.0, 600.0]);
     assert!((apart(&hands) - before).abs() < 1e-3);
+}
+
+#[test]
+fn page_up_lifts_what_is_selected_on_the_plan() {
+    let mut hands = lifted();
+    let before = curves(&hands)[0].points[0].at;
+    let at = hands.on_plan(before.x, before.y);
+    hands.drag(&[at, at]);
+    hands.key(Modifiers::NONE, eframe::egui::Key::PageUp);
+    hands.settle();
+    let grid = hands.app().editor().document().drawing.grid_mm;
+    let after = curves(&hands)[0].points[0].at;
+    assert_eq!(after, Point3::new(before.x, before.y, before.z + grid));
+}
+
+#[test]
+fn a_picture_comes_in_as_wide_as_what_is_drawn() {
+    let mut hands = lifted();
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    image::RgbImage::new(200, 100).write_to(&mut bytes, image::ImageFormat::Png).unwrap();
+    let picture = Opened { path: "photo.png".to_owned(), bytes: bytes.into_inner() };
+    let points = &curves(&hands)[0].points;
+    let [least, most] =
+        [f64::min, f64::max].map(|of| points.iter().map(|p| p.at.x).reduce(of).unwrap());
+    hands.harness.state_mut().editor_mut().trace(picture);
+    let reference = hands.app().editor().document().drawing.reference.clone().unwrap();
+    assert!((200.0 * reference.mm_per_pixel - (most - least)).abs() < 1e-9);
+    assert!((reference.centre.x - 0.5 * (least + most)).abs() < 1e-9);
 }

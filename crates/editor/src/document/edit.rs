@@ -361,7 +361,12 @@ fn unbound(found: &Proposal) -> Option<String> {
 /// Why there is no panel though something is drawn, and what helps.
 pub fn why_no_panel(document: &Document) -> String {
     let open = || "No outline is closed yet. Join the ends of a curve to close it.".to_owned();
-    unbound(&proposal(document)).unwrap_or_else(open)
+    why_unbound(document).unwrap_or_else(open)
+}
+
+/// Why a closed curve bounds no panel, if one does not, and what helps.
+pub fn why_unbound(document: &Document) -> Option<String> {
+    unbound(&proposal(document))
 }
 
 /// The document with the panels of closed curves that crossed something `before` and don't any more;

@@ -6,6 +6,7 @@
 use super::{Coming, Editor, Next, Source};
 use crate::document::{Document, Draft, Reference};
 use sheetwright::math::Point2;
+use sheetwright::predicate::Box2;
 use sheetwright_files::{InputFormat, OutputFile, ReadOptions, read_bytes};
 use std::path::Path;
 use std::sync::Arc;
@@ -194,14 +195,23 @@ impl Editor {
         };
         let width = f64::from(picture.width().max(1));
         let mut document = self.document().clone();
+        let plan = document.drawing.plan;
+        let points = document.design.curves.iter().flat_map(|curve| &curve.points);
+        let drawn = Box2::of_points(points.map(|point| plan.flat(point.at)));
+        // Of an empty sheet, or one straight line, a metre is as good as anything.
+        let (centre, wide_mm) = drawn
+            .filter(|drawn| drawn.max.x > drawn.min.x)
+            .map_or((Point2::default(), 1000.0), |drawn| {
+                (drawn.min.lerp(drawn.max, 0.5), drawn.max.x - drawn.min.x)
+            });
         let name = Path::new(&opened.path)
             .file_name()
             .map_or(String::new(), |name| name.to_string_lossy().into_owned());
         document.drawing.reference = Some(Reference {
             name,
             bytes: Arc::from(opened.bytes),
-            centre: Point2::new(0.0, 0.0),
-            mm_per_pixel: 1000.0 / width,
+            centre,
+            mm_per_pixel: wide_mm / width,
             opacity: 0.5,
         });
         self.becomes(document);

@@ -10,8 +10,8 @@ use crate::engine::shown::{Shown, ShownPanel};
 use crate::field::Field;
 use crate::scene::Act;
 use crate::theme::Theme;
+use crate::verdicts::{not_bending, said_of};
 use eframe::egui::{self, Id, Label, ProgressBar, RichText, Ui};
-use sheetwright::check::Verdict;
 use sheetwright::design::Vary;
 use sheetwright::material::warp_limit_deg;
 use sheetwright::math::from_deg;
@@ -179,12 +179,13 @@ fn said(varied: &Varied, units: Units) -> String {
         let made = panels.iter().filter_map(|panel| panel.made.as_ref().ok());
         made.map(Shown::twist).max().unwrap_or_default().deg
     };
-    let is_bad = |panel: &ShownPanel| {
-        panel.made.as_ref().is_ok_and(|shown| shown.verdict == Verdict::WillNotBend)
-    };
-    let end = match varied.after.iter().any(is_bad) {
-        true => "Not every panel bends yet.",
-        false => "Every panel bends now.",
+    let end = match &not_bending(&varied.after)[..] {
+        [] => "Every panel bends now.".to_owned(),
+        left => {
+            let counted = |&(of, count)| format!("{count} {}", said_of(of, count));
+            let left: Vec<String> = left.iter().map(counted).collect();
+            format!("Of {} panels, {}.", varied.after.len(), left.join(", "))
+        }
     };
     format!(
         "The largest twist goes from {:.1}° to {:.1}°; no sample moves farther than {}. {end}",

@@ -116,8 +116,8 @@ pub(super) fn read(
     units: Units,
     source: &Source<'_>,
 ) -> Result<Drawing, InputError> {
-    let usual = Drawing { units, ..Drawing::default() };
-    let Some(Object(file)) = file else { return Ok(usual) };
+    let Some(Object(file)) = file else { return Ok(Drawing::in_units(units)) };
+    let usual = Drawing::in_units(file.units.unwrap_or(units));
     let in_range = |path: &str, mm: f64| {
         in_range_mm(mm, Units::Millimetres).ok_or_else(|| {
             let path = format!("drawing.{path}");
@@ -173,8 +173,8 @@ pub(super) fn read(
 
 /// What stands in a file, if it differs from what is usual.
 fn file_of(drawing: &Drawing) -> Option<DrawingFile> {
-    let usual = Drawing::default();
-    if *drawing == usual {
+    let usual = Drawing::in_units(drawing.units);
+    if *drawing == Drawing::default() {
         return None;
     }
     let plan = match drawing.plan {
@@ -237,6 +237,22 @@ mod tests {
             assert_eq!(super::super::read(text, "cone.sheet.json", None, &options), Ok(back.0));
         }
         assert_eq!(write_drawn(&design, &Drawing::default()), crate::write_design(&design));
+    }
+
+    #[test]
+    fn a_grid_that_no_file_names_is_round_in_the_units_shown() {
+        for (units, mm) in [("mm", 50.0), ("ft", 50.8), ("in", 50.8)] {
+            let text =
+                format!(r#"{{"sheetwright":1,"units":"{units}","curves":{{}},"panels":[]}}"#);
+            let (design, drawing) = read_drawn(text.as_bytes(), "a.sheet.json", None).unwrap();
+            assert_eq!(drawing.grid_mm, mm, "{units}");
+            // What the hand has set stays, whether or not it is round.
+            for grid_mm in [mm, 50.0, 50.8] {
+                let drawing = Drawing { grid_mm, ..drawing.clone() };
+                let bytes = write_drawn(&design, &drawing);
+                assert_eq!(read_drawn(&bytes, "a.sheet.json", None).unwrap().1, drawing, "{units}");
+            }
+        }
     }
 
     #[test]

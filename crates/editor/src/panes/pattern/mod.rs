@@ -12,6 +12,7 @@ use super::space::legend::Legend;
 use super::space::pick::share_along;
 use super::space::sheets::{Quantity, worst_of_all};
 use super::space::words::{length, length_bare};
+use crate::document::edit::why_no_panel;
 use crate::engine::shown::Shown;
 use crate::scene::{Act, Scene, Selection};
 use arrange::{Arrangement, ShownPart};
@@ -351,7 +352,15 @@ fn words(ui: &Ui, scene: &Scene<'_>, rect: Rect) {
             Some(format!("{}: {} {}", panel.name, refusal.message, refusal.hint))
         })
         .collect();
-    if !refused.is_empty() {
+    if !refused.is_empty() && scene.made().next().is_some() {
+        // Why stands on their cards, and would hide the patterns here.
+        let text = match refused.len() {
+            1 => "1 panel has no pattern yet".to_owned(),
+            count => format!("{count} panels have no pattern yet"),
+        };
+        let foot = rect.left_bottom() + vec2(14.0, -LEGEND);
+        ui.painter().text(foot, Align2::LEFT_BOTTOM, text, font, theme.verdicts[2]);
+    } else if !refused.is_empty() {
         let width = (rect.width() - 28.0).max(80.0);
         let galley = ui.painter().layout(refused.join("\n"), font, theme.verdicts[2], width);
         let response = ui.interact(
@@ -363,11 +372,14 @@ fn words(ui: &Ui, scene: &Scene<'_>, rect: Rect) {
         response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &text));
         ui.painter().galley(rect.min + vec2(14.0, 12.0), galley, theme.verdicts[2]);
     } else if scene.panels.is_empty() {
-        let text = "Draw a closed outline on the plan to see its pattern here.";
-        let galley = ui.painter().layout(text.to_owned(), font, theme.faint, rect.width() - 40.0);
+        let text = match scene.document.design.curves.is_empty() {
+            true => "Draw a closed outline on the plan to see its pattern here.".to_owned(),
+            false => why_no_panel(scene.document),
+        };
+        let galley = ui.painter().layout(text.clone(), font, theme.faint, rect.width() - 40.0);
         let at = Align2::CENTER_CENTER.anchor_size(rect.center(), galley.size());
         let response = ui.interact(at, ui.scope_id().with("empty"), Sense::hover());
-        response.widget_info(|| WidgetInfo::labeled(Role::Label, true, text));
+        response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &text));
         ui.painter().galley(at.min, galley, theme.faint);
     }
 }

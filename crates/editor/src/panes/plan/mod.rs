@@ -15,6 +15,7 @@ use view::View;
 use crate::command::Command;
 use crate::panes::is_resized;
 use crate::panes::lit::Lit;
+use crate::panes::space::handles::lift;
 use crate::scene::{Act, Edit, PointRef, Scene, Selection};
 use drag::Drag;
 use eframe::egui::{self, Key, PointerButton, Pos2, Rect, Response, Sense, Ui, Vec2};
@@ -414,6 +415,10 @@ impl PlanPane {
         if by != Point2::new(0.0, 0.0) && !scene.selection.points.is_empty() {
             acts.push(Act::Move(handles::moved_by(scene, by)));
             acts.push(Act::Rest);
+        }
+        let lifted = (pressed(Key::PageUp) - pressed(Key::PageDown)) * step;
+        if lifted != 0.0 {
+            lift(scene, &scene.selection.points, lifted, acts);
         }
         let (zoom_in, zoom_out) = ui.input(|i| {
             let plain = i.modifiers.is_none() || i.modifiers.shift_only();

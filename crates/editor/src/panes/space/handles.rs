@@ -372,7 +372,7 @@ fn joined(scene: &Scene<'_>, of: &[PointRef]) -> Vec<(PointRef, Point3)> {
 }
 
 /// Lifts points by a step, mm.
-fn lift(scene: &Scene<'_>, of: &[PointRef], by: f64, acts: &mut Vec<Act>) {
+pub(in crate::panes) fn lift(scene: &Scene<'_>, of: &[PointRef], by: f64, acts: &mut Vec<Act>) {
     let way = scene.document.drawing.plan.normal() * by;
     let moved: Vec<_> = joined(scene, of).into_iter().map(|(p, at)| (p, at + way)).collect();
     if !moved.is_empty() {
