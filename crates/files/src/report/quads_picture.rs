@@ -1,14 +1,14 @@
-//! A panel in planar quads, in space: shaded faces with their sides.
+//! A panel in planar quads, in space: shaded faces with their sides and the border.
 
 use super::canvas::{PathData, Picture, WIDTH};
-use super::paint::{Scene, shades_of};
+use super::paint::{Scene, joined, shades_of};
 use super::raster::Facet;
 use super::space_picture::Fit;
 use super::view::view_of;
 use sheetwright::design::MadePanel;
 use sheetwright::math::{Point2, Vec2, Vec3};
 use sheetwright::quads::QuadMesh;
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 /// The quads of a panel in space.
 pub fn quads_picture(panel: &MadePanel, quads: &QuadMesh) -> Picture {
@@ -38,14 +38,18 @@ pub fn quads_picture(panel: &MadePanel, quads: &QuadMesh) -> Picture {
     let sides = faces
         .iter()
         .flat_map(|face| (0..face.len()).map(|n| [face[n], face[(n + 1) % face.len()]]));
-    // Every side once.
-    let sides: BTreeSet<[usize; 2]> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
-    let mut path = PathData::default();
-    for ends in sides {
-        let pieces = scene.visible(ends.map(|v| placed[v]), ends.map(near));
-        pieces.into_iter().for_each(|piece| path.line(piece));
+    // Every side once: one of a single face is the border.
+    let mut faces_of: BTreeMap<[usize; 2], usize> = BTreeMap::new();
+    sides.for_each(|[a, b]| *faces_of.entry([a.min(b), a.max(b)]).or_default() += 1);
+    let (border, rulings): (Vec<_>, Vec<_>) = faces_of.into_iter().partition(|side| side.1 == 1);
+    for (class, sides) in [("r", rulings), ("e", border)] {
+        let mut path = PathData::default();
+        let seen = sides
+            .into_iter()
+            .flat_map(|(ends, _)| scene.visible(ends.map(|v| placed[v]), ends.map(near)));
+        joined(seen).into_iter().for_each(|run| path.line(run));
+        body += &path.element(class);
     }
-    body += &path.element("r");
     body += &fit.foot(&view);
     Picture::new(WIDTH, fit.total, format!("{} in planar quads", panel.name), body)
 }

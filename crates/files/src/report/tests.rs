@@ -444,6 +444,14 @@ fn a_mesh_has_an_outline_where_it_turns_away() {
 }
 
 #[test]
+fn planar_quads_have_their_border_beside_their_sides() {
+    let made = quarter();
+    let panel = &made.panels[0];
+    let body = quads_picture(panel, &PanelQuads::new(panel).planar.mesh).inline();
+    assert!(body.contains(r#"class="r""#) && body.contains(r#"class="e""#), "{body}");
+}
+
+#[test]
 fn pictures_in_a_row_are_one_file() {
     let made = hull(40, "steel-5mm");
     let panel = &made.panels[0];
