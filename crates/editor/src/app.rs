@@ -339,6 +339,10 @@ impl eframe::App for App {
         self.was_typing = ctx.text_edit_focused();
         files::hover_ui(&ctx, theme);
         self.grant(&ctx);
+        // A person who stays with what is not saved comes back to the numbers that were typed.
+        if self.editor.took_shape() {
+            self.start.close_form();
+        }
         self.kept.frame(&ctx, &mut self.editor);
         self.close(&ctx);
         if !self.editor.is_settled() {

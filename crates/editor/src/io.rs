@@ -59,8 +59,13 @@ pub enum FileAnswer {
 pub enum Typed {
     /// It was granted.
     Granted(FileAnswer),
-    /// There is a file of this name, which would be replaced.
-    IsThere(String),
+    /// There are files of these names, which would be replaced.
+    IsThere {
+        /// The path of the first.
+        first: String,
+        /// How many there are.
+        count: usize,
+    },
     /// It did not work out: why, and what to do.
     Failed(String),
 }
@@ -73,8 +78,8 @@ pub trait Dialogs {
     /// What has come of wishes since the last call. Whoever changes his mind answers nothing.
     fn answers(&mut self) -> Vec<FileAnswer>;
 
-    /// Grants a wish with a path that the person has typed. A file that is there is replaced only where
-    /// that is said.
+    /// Grants a wish with a path that the person has typed. Files that are there are replaced only
+    /// where that is said.
     fn grant_at(&mut self, wish: &FileWish, path: &str, replaces: bool) -> Typed;
 
     /// Reads files that were dropped on the window, now or later.

@@ -11,6 +11,7 @@ use sheetwright_editor::command::Command;
 use sheetwright_editor::document::Document;
 use sheetwright_editor::editor::{FileWish, Opened, Page};
 use sheetwright_editor::io::{Dialogs, FileAnswer, SystemDialogs, Typed};
+use sheetwright_files::OutputFile;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -203,6 +204,65 @@ fn without_a_dialog_a_path_is_typed_to_export() {
 }
 
 #[test]
+fn files_that_an_export_would_replace_are_asked_about() {
+    let mut hands = without_dialogs(&[]);
+    let export = |hands: &mut Hands| {
+        hands.run(Command::Export);
+        hands.click("Choose a folder…");
+        hands.settle();
+        hands.step();
+        type_path(hands, "Path of the folder", "/home/cut");
+    };
+    export(&mut hands);
+    let files = std::mem::take(&mut hands.disk.lock().unwrap().exported);
+    assert!(files.len() > 1);
+    let paths: Vec<String> = files.iter().map(|file| format!("/home/cut/{}", file.name)).collect();
+    let first = paths[0].clone();
+    hands.disk.lock().unwrap().paths = Some(paths);
+    export(&mut hands);
+    assert!(hands.sees(&format!("{first} and {} more file", files.len() - 1)));
+    hands.key(Modifiers::NONE, Key::Enter);
+    assert!(hands.disk.lock().unwrap().exported.is_empty(), "Enter replaces nothing");
+    hands.harness.run_steps(3);
+    hands.click("Replace them");
+    assert_eq!(hands.disk.lock().unwrap().exported, files);
+    assert!(!hands.sees("This system shows no dialog"));
+}
+
+#[test]
+fn a_typed_path_to_what_can_not_be_opened_can_be_typed_again() {
+    let mut hands = without_dialogs(&["/home/notes.txt", "/home/hood.sheet.json"]);
+    hands.run(Command::Save);
+    hands.step();
+    hands.key(Modifiers::NONE, Key::Enter);
+    let notes = || Opened { path: "/home/notes.txt".to_owned(), bytes: b"milk".to_vec() };
+    let refusals = [
+        (Command::AddReference, "is no picture in PNG or JPEG."),
+        (Command::Open, "The editor opens designs (.json)"),
+    ];
+    for (command, why) in refusals {
+        hands.disk.lock().unwrap().to_open = Some(notes());
+        hands.run(command);
+        hands.step();
+        let said = notice(&hands);
+        type_path(&mut hands, "Path of the file", "/home/notes.txt");
+        hands.step();
+        assert!(hands.sees("This system shows no dialog"), "{command:?}");
+        // Once, where the path is typed.
+        let found = hands.harness.query_all_by_label_contains(why).count();
+        assert!(found == 1 && notice(&hands) == said, "{command:?}: {found}");
+        if command == Command::AddReference {
+            hands.key(Modifiers::NONE, Key::Escape);
+        }
+    }
+    let (path, bytes) = ("/home/hood.sheet.json".to_owned(), design("hood"));
+    hands.disk.lock().unwrap().to_open = Some(Opened { path: path.clone(), bytes });
+    type_path(&mut hands, "Path of the file", &path);
+    assert!(!hands.sees("This system shows no dialog"));
+    assert_eq!(hands.app().editor().document().design.name, "hood");
+}
+
+#[test]
 fn without_a_dialog_a_path_is_typed_to_open() {
     let mut hands = without_dialogs(&["/home/hood.sheet.json"]);
     let (path, bytes) = ("/home/hood.sheet.json".to_owned(), design("hood"));
@@ -274,7 +334,8 @@ fn typed_paths_are_paths_of_the_system() {
         let path = at(path);
         let granted = Typed::Granted(FileAnswer::Saved { path: path.clone(), version: 3 });
         assert_eq!(dialogs.grant_at(&save, &at(typed), false), granted);
-        assert_eq!(dialogs.grant_at(&save, &at(typed), false), Typed::IsThere(path.clone()));
+        let is_there = Typed::IsThere { first: path.clone(), count: 1 };
+        assert_eq!(dialogs.grant_at(&save, &at(typed), false), is_there);
         assert_eq!(dialogs.grant_at(&save, &at(typed), true), granted);
         let opened = Opened { path, bytes: bytes.clone() };
         let found = dialogs.grant_at(&FileWish::Open, &format!(" {} ", opened.path), false);
@@ -286,4 +347,27 @@ fn typed_paths_are_paths_of_the_system() {
     assert!(text.contains("none can't be read"), "{text}");
     let export = dialogs.grant_at(&FileWish::Export(Vec::new()), &at("new/folder"), false);
     assert!(matches!(export, Typed::Granted(FileAnswer::Exported { count: 0, .. })), "{export:?}");
+}
+
+#[test]
+fn files_in_a_typed_folder_are_replaced_only_where_that_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let (path, name) = (folder.path().display().to_string(), |name: &str| name.to_owned());
+    let mut dialogs = SystemDialogs::new(Arc::new(|| {}));
+    for file in ["b.dxf", "c.dxf"] {
+        std::fs::write(folder.path().join(file), "mine").unwrap();
+    }
+    let file = |of: &str| OutputFile { name: name(of), bytes: b"new".to_vec() };
+    let export = FileWish::Export(vec![file("a.dxf"), file("b.dxf"), file("c.dxf")]);
+    let read = |file: &str| std::fs::read_to_string(folder.path().join(file)).ok();
+    let first = folder.path().join("b.dxf").display().to_string();
+    assert_eq!(dialogs.grant_at(&export, &path, false), Typed::IsThere { first, count: 2 });
+    assert_eq!((read("a.dxf"), read("b.dxf")), (None, Some(name("mine"))));
+    let granted = Typed::Granted(FileAnswer::Exported { count: 3, folder: path.clone() });
+    assert_eq!(dialogs.grant_at(&export, &path, true), granted);
+    assert_eq!((read("a.dxf"), read("c.dxf")), (Some(name("new")), Some(name("new"))));
+    // Other names stay unasked.
+    let other = FileWish::Export(vec![file("d.dxf")]);
+    let granted = Typed::Granted(FileAnswer::Exported { count: 1, folder: path.clone() });
+    assert_eq!(dialogs.grant_at(&other, &path, false), granted);
 }

@@ -6,7 +6,7 @@
 mod hands;
 
 use eframe::egui::{Event, Key, Modifiers, ViewportCommand, ViewportEvent, ViewportId, vec2};
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 use hands::{Hands, round};
 use sheetwright_editor::command::Command;
 use sheetwright_editor::document::Document;
@@ -129,6 +129,33 @@ fn nothing_takes_the_place_of_unsaved_work_unasked() {
         assert_eq!(Document::read("a.sheet.json", &saved), Ok(work), "{way}");
         assert_ne!(hands.app().editor().page, Page::Start, "{way}");
     }
+}
+
+#[test]
+fn who_stays_with_unsaved_work_keeps_the_numbers_typed_for_a_template() {
+    let mut hands = changed_dome();
+    hands.run(Command::Start);
+    hands.click("Lampshade");
+    hands.type_into("Diameter of the lower ring", "30cm");
+    for leaves in ["Esc", "Cancel"] {
+        hands.click("Make it");
+        assert!(asks(&mut hands));
+        match leaves {
+            "Esc" => hands.key(Modifiers::NONE, Key::Escape),
+            _ => hands.click("Cancel"),
+        }
+        assert!(!asks(&mut hands) && hands.app().editor().page == Page::Start);
+        let field = hands.harness.query_all_by_label("Diameter of the lower ring");
+        let values: Vec<_> = field.filter_map(|node| node.accesskit_node().value()).collect();
+        assert!(values.contains(&"300 mm".to_owned()), "{leaves}: {values:?}");
+    }
+    hands.click("Make it");
+    assert!(asks(&mut hands));
+    hands.click("Drop");
+    assert_eq!(hands.app().editor().page, Page::Panes);
+    // Once it is taken, the shapes are shown again.
+    hands.run(Command::Start);
+    assert!(hands.sees("Dome in gores") && !hands.sees("Make it"));
 }
 
 #[test]

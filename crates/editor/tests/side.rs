@@ -287,6 +287,28 @@ fn numbers_of_templates_are_refused_in_words_too() {
 }
 
 #[test]
+fn a_template_is_not_made_while_a_refused_number_stands_in_red() {
+    let mut hands = Hands::new(SIZE, false);
+    hands.step();
+    hands.click("Lampshade");
+    hands.type_into("Diameter of the lower ring", "9km");
+    assert!(says(&hands, "First correct the diameter of the lower ring"));
+    // Esc drops it, and what is typed but not yet taken is refused when the button is pressed.
+    hands.key(Modifiers::NONE, Key::Escape);
+    assert!(!says(&hands, "First correct"));
+    begin_to_type(&mut hands, "Diameter of the lower ring", "9km");
+    let button = hands.harness.get_by_label("Make it").rect().center();
+    hands.drag(&[button, button]);
+    assert_eq!(hands.app().editor().page, Page::Start);
+    assert!(says(&hands, "First correct"));
+    hands.click("Make it");
+    assert_eq!(hands.app().editor().page, Page::Start);
+    hands.type_into("Diameter of the lower ring", "30cm");
+    hands.click("Make it");
+    assert_eq!(hands.app().editor().page, Page::Panes);
+}
+
+#[test]
 fn esc_closes_menus_and_lists_first() {
     let mut hands = with_handle();
     let kept = hands.app().editor().selection().clone();

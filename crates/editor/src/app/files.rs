@@ -58,20 +58,34 @@ impl App {
 
     /// The page on which a path is typed, where the system has no dialog.
     pub(super) fn typed_ui(&mut self, ctx: &egui::Context, theme: &Theme) {
-        let Some(typed) = &mut self.typed else { return };
-        match typed.ui(ctx, theme) {
-            Some(PathAct::Use { replaces }) => {
-                match self.dialogs.grant_at(typed.wish(), typed.path(), replaces) {
-                    Typed::Granted(answer) => {
-                        self.typed = None;
-                        self.take_file_answer(answer);
-                    }
-                    refused => typed.refused(refused),
-                }
-            }
-            Some(PathAct::Leave) => self.typed = None,
-            None => {}
+        let Some(mut typed) = self.typed.take() else { return };
+        let stays = match typed.ui(ctx, theme) {
+            Some(PathAct::Use { replaces }) => self.refuses_path(&mut typed, replaces),
+            Some(PathAct::Leave) => false,
+            None => true,
+        };
+        if stays {
+            self.typed = Some(typed);
         }
+    }
+
+    /// Uses a typed path; whether it was refused, so that another one can be typed.
+    fn refuses_path(&mut self, typed: &mut TypedPath, replaces: bool) -> bool {
+        let refused = match self.dialogs.grant_at(typed.wish(), typed.path(), replaces) {
+            Typed::Granted(answer) => {
+                // A file that was read may still be refused for what it holds.
+                let is_read = matches!(answer, FileAnswer::Opened(_) | FileAnswer::Picture(_));
+                let before = self.editor.notice.take();
+                self.take_file_answer(answer);
+                let notice = self.editor.notice.take_if(|said| is_read && said.is_refusal);
+                let Some(notice) = notice else { return false };
+                self.editor.notice = before;
+                Typed::Failed(notice.text)
+            }
+            refused => refused,
+        };
+        typed.refused(refused);
+        true
     }
 }
 

@@ -90,6 +90,11 @@ impl Editor {
         std::mem::take(&mut self.sources)
     }
 
+    /// Whether a template or an example has come since [`Self::take_sources`] was called last.
+    pub fn took_shape(&self) -> bool {
+        self.sources.contains(&Source::Shape)
+    }
+
     /// Whether the window is to close.
     pub fn closes(&self) -> bool {
         self.closes

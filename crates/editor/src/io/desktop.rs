@@ -131,14 +131,28 @@ fn granted_at(wish: &FileWish, mut path: PathBuf, replaces: bool) -> Typed {
         } else if path.extension().is_none_or(|ending| ending != "json") {
             path.as_mut_os_string().push(".sheet.json");
         }
-        if path.exists() && !replaces {
-            return Typed::IsThere(path.display().to_string());
-        }
+    }
+    if !replaces && let Some(is_there) = in_the_way(wish, &path) {
+        return is_there;
     }
     match done_at(wish, &path) {
         FileAnswer::Failed(text) => Typed::Failed(text),
         answer => Typed::Granted(answer),
     }
+}
+
+/// The files that a wish would replace at this path, if there are any.
+fn in_the_way(wish: &FileWish, path: &Path) -> Option<Typed> {
+    let all = match wish {
+        FileWish::Open | FileWish::Picture => Vec::new(),
+        FileWish::Save { .. } => vec![path.to_owned()],
+        FileWish::Export(files) => files.iter().map(|file| path.join(&file.name)).collect(),
+    };
+    // A folder of this name is never replaced: writing says so.
+    let is_file = |path: &&PathBuf| path.exists() && !path.is_dir();
+    let there: Vec<&PathBuf> = all.iter().filter(is_file).collect();
+    let first = there.first()?.display().to_string();
+    Some(Typed::IsThere { first, count: there.len() })
 }
 
 /// A typed path: `~` is the folder of the person, and what begins nowhere begins where the program runs.

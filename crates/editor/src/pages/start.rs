@@ -34,6 +34,16 @@ struct Form {
     outcome: Result<Document, String>,
 }
 
+/// What came of a field of a form.
+enum Entry {
+    /// Nothing.
+    Same,
+    /// A new value, which is set.
+    New,
+    /// It holds what was refused.
+    Refused,
+}
+
 /// What the page came to.
 pub enum StartAct {
     /// A new document takes the place of the one that is edited.
@@ -326,10 +336,15 @@ impl StartPage {
                 picture_ui(ui, form, PICTURES[1]);
             });
         }
-        if is_left || out.is_some() {
+        if is_left {
             self.form = None;
         }
         out
+    }
+
+    /// The template that was filled in is edited by now: next time the shapes are shown again.
+    pub fn close_form(&mut self) {
+        self.form = None;
     }
 }
 
@@ -358,17 +373,29 @@ impl Form {
 
     /// The fields for all parameters, and the design if it is to be made.
     fn ui(&mut self, ui: &mut Ui, theme: &Theme, units: Units) -> Option<StartAct> {
+        let mut refused = None;
         for parameter in self.template.parameters {
-            if self.parameter_ui(ui, theme, parameter, units) {
-                self.draw(units);
+            match self.parameter_ui(ui, theme, parameter, units) {
+                Entry::New => self.draw(units),
+                Entry::Refused => _ = refused.get_or_insert(parameter.meaning),
+                Entry::Same => {}
             }
         }
         ui.add_space(12.0);
         match &self.outcome {
-            Ok(document) => main_button(ui, theme, "Make it").clicked().then(|| StartAct::Take {
-                document: Box::new(document.clone()),
-                is_safe: self.settings.is_empty(),
-            }),
+            Ok(document) => {
+                // What stands in red would not be what is made.
+                let button = |ui: &mut Ui| main_button(ui, theme, "Make it").clicked();
+                let is_clicked = ui.add_enabled_ui(refused.is_none(), button).inner;
+                if let Some(meaning) = refused {
+                    let text = format!("First correct the {meaning}, or press Esc in its field.");
+                    ui.label(RichText::new(text).color(theme.verdicts[2]));
+                }
+                is_clicked.then(|| StartAct::Take {
+                    document: Box::new(document.clone()),
+                    is_safe: self.settings.is_empty(),
+                })
+            }
             Err(text) => {
                 ui.label(RichText::new(text).color(theme.verdicts[2]));
                 None
@@ -376,14 +403,14 @@ impl Form {
         }
     }
 
-    /// A field for a parameter; whether it was changed.
+    /// A field for a parameter; what came of it.
     fn parameter_ui(
         &mut self,
         ui: &mut Ui,
         theme: &Theme,
         parameter: &Parameter,
         units: Units,
-    ) -> bool {
+    ) -> Entry {
         let set = self.settings.get(parameter.name);
         let label = capitalised(parameter.meaning);
         let of = Id::unique(("template", self.template.name, parameter.name));
@@ -435,10 +462,15 @@ impl Form {
             // Tables come from files, which the command line takes.
             Kind::Table => None,
         };
-        new.is_some_and(|value| {
-            self.settings.insert(parameter.name, value);
-            true
-        })
+        let is_refused = field.is_refused(ui);
+        match new {
+            Some(value) => {
+                self.settings.insert(parameter.name, value);
+                Entry::New
+            }
+            None if is_refused => Entry::Refused,
+            None => Entry::Same,
+        }
     }
 }
 

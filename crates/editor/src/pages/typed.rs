@@ -16,9 +16,9 @@ pub struct TypedPath {
 
 /// What the person wants with the typed path.
 pub enum PathAct {
-    /// Use it; a file that is there is replaced if so said.
+    /// Use it; files that are there are replaced if so said.
     Use {
-        /// Whether a file that is there is replaced.
+        /// Whether files that are there are replaced.
         replaces: bool,
     },
     /// Nothing.
@@ -70,10 +70,11 @@ impl TypedPath {
             if edit.changed() {
                 self.outcome = None;
             }
-            let replaces = matches!(self.outcome, Some(Typed::IsThere(_)));
+            let mut replaces = None;
             match &self.outcome {
-                Some(Typed::IsThere(path)) => {
-                    let text = format!("{path} is there already. Type another name or replace it.");
+                Some(Typed::IsThere { first, count }) => {
+                    let (text, verb) = is_there(first, *count);
+                    replaces = Some(verb);
                     ui.label(RichText::new(text).color(theme.verdicts[1]));
                 }
                 Some(Typed::Failed(text)) => {
@@ -83,7 +84,8 @@ impl TypedPath {
             }
             ui.add_space(10.0);
             ui.horizontal_wrapped(|ui| {
-                let verb = if replaces { "Replace it" } else { verb };
+                let verb = replaces.unwrap_or(verb);
+                let replaces = replaces.is_some();
                 ui.add_enabled_ui(!self.path.trim().is_empty(), |ui| {
                     // Enter replaces nothing: that takes a click.
                     if main_button(ui, theme, verb).clicked()
@@ -99,6 +101,20 @@ impl TypedPath {
         });
         act
     }
+}
+
+/// What is said of files that are there, and what the button says that replaces them.
+fn is_there(first: &str, count: usize) -> (String, &'static str) {
+    let more = match count {
+        0 | 1 => {
+            let text = format!("{first} is there already. Type another path or replace it.");
+            return (text, "Replace it");
+        }
+        2 => "1 more file".to_owned(),
+        count => format!("{} more files", count - 1),
+    };
+    let text = format!("{first} and {more} are there already. Type another path or replace them.");
+    (text, "Replace them")
 }
 
 /// The title, the name of the field, and what the button says.

@@ -66,14 +66,23 @@ impl Dialogs for Chosen {
 
     fn grant_at(&mut self, wish: &FileWish, path: &str, replaces: bool) -> Typed {
         let mut disk = self.0.lock().unwrap();
-        let is_there = disk.paths.iter().flatten().any(|other| other == path);
+        let has = |path: &str| disk.paths.iter().flatten().any(|other| other == path);
+        let is_there = has(path);
+        let in_folder = |file: &OutputFile| format!("{path}/{}", file.name);
+        let there: Vec<String> = match wish {
+            FileWish::Export(files) => files.iter().map(in_folder).filter(|at| has(at)).collect(),
+            FileWish::Save { .. } if is_there => vec![path.to_owned()],
+            _ => Vec::new(),
+        };
+        if let (false, Some(first)) = (replaces, there.first()) {
+            return Typed::IsThere { first: first.clone(), count: there.len() };
+        }
         match wish {
             FileWish::Open | FileWish::Picture if !is_there => {
                 Typed::Failed(format!("{path} is not there."))
             }
             FileWish::Open => Typed::Granted(FileAnswer::Opened(disk.to_open.take().unwrap())),
             FileWish::Picture => Typed::Granted(FileAnswer::Picture(disk.to_open.take().unwrap())),
-            FileWish::Save { .. } if is_there && !replaces => Typed::IsThere(path.to_owned()),
             FileWish::Save { bytes, version, .. } => {
                 disk.saved.clone_from(bytes);
                 Typed::Granted(FileAnswer::Saved { path: path.to_owned(), version: *version })
