@@ -2,7 +2,7 @@
 
 use crate::command::Command;
 use crate::document::Plan;
-use crate::editor::{Editor, Notice};
+use crate::editor::{Editor, Notice, Page};
 use crate::panes::SurfaceView;
 use crate::panes::plan::Tool;
 use crate::panes::space::navigation::Navigation;
@@ -169,7 +169,8 @@ pub(crate) fn bottom_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut 
         if editor.room != Room::One {
             saved_ui(ui, editor, theme);
         }
-        if let Some(work) = editor.work() {
+        // *Make it bend* shows its work itself, and lies over this line.
+        if let Some(work) = editor.work().filter(|_| editor.page != Page::Vary) {
             command_button(ui, editor, Command::Stop, "Stop", acts);
             ui.add(ProgressBar::new(work.done as f32).desired_width(120.0));
             if editor.room == Room::All {

@@ -298,16 +298,18 @@ fn panes_whose_view_is_not_the_hands_show_everything_when_the_window_shrinks() {
 }
 
 #[test]
-fn page_up_lifts_what_is_selected_on_the_plan() {
+fn keys_move_and_lift_what_is_selected_on_the_plan() {
     let mut hands = lifted();
     let before = curves(&hands)[0].points[0].at;
     let at = hands.on_plan(before.x, before.y);
     hands.drag(&[at, at]);
-    hands.key(Modifiers::NONE, eframe::egui::Key::PageUp);
-    hands.settle();
+    for key in [eframe::egui::Key::PageUp, eframe::egui::Key::ArrowRight] {
+        hands.key(Modifiers::NONE, key);
+        hands.settle();
+    }
     let grid = hands.app().editor().document().drawing.grid_mm;
     let after = curves(&hands)[0].points[0].at;
-    assert_eq!(after, Point3::new(before.x, before.y, before.z + grid));
+    assert_eq!(after, Point3::new(before.x + grid, before.y, before.z + grid));
 }
 
 #[test]

@@ -1,5 +1,5 @@
 //! Files that are written whole or not at all: they wait in a room of their own beside where they belong
-//! ([`room`]), then all get their names. If one can't have its name, those before it are put back as
+//! (`room`), then all get their names. If one can't have its name, those before it are put back as
 //! they were.
 
 mod room;

@@ -86,7 +86,12 @@ impl VaryPage {
             }
             self.ask_ui(ui, editor, theme, &mut out);
             if let Some(work) = editor.work() {
-                ui.add(Label::new(work.text).wrap());
+                // Two lines whatever it says, so that *Stop* stays under the hand.
+                let lines = 2.0 * ui.text_style_height(&egui::TextStyle::Body);
+                ui.scope(|ui| {
+                    ui.set_min_height(lines);
+                    ui.add(Label::new(work.text).wrap());
+                });
                 ui.horizontal(|ui| {
                     ui.add(ProgressBar::new(work.done as f32).desired_width(260.0));
                     if ui.button("Stop").clicked() {

@@ -394,7 +394,9 @@ impl PlanPane {
                 self.corners.pop();
             }
         }
-        if !response.has_focus() {
+        // After a click nothing has the keys; then they are for what is selected on the plan.
+        let is_nobodys = is_free && ui.memory(|m| m.focused().is_none());
+        if !(response.has_focus() || is_nobodys) {
             return;
         }
         ui.memory_mut(|m| {
