@@ -85,20 +85,7 @@ impl VaryPage {
                 return;
             }
             self.ask_ui(ui, editor, theme, &mut out);
-            if let Some(work) = editor.work() {
-                // Two lines whatever it says, so that *Stop* stays under the hand.
-                let lines = 2.0 * ui.text_style_height(&egui::TextStyle::Body);
-                ui.scope(|ui| {
-                    ui.set_min_height(lines);
-                    ui.add(Label::new(work.text).wrap());
-                });
-                ui.horizontal(|ui| {
-                    ui.add(ProgressBar::new(work.done as f32).desired_width(260.0));
-                    if ui.button("Stop").clicked() {
-                        acts.push(Act::Run(Command::Stop));
-                    }
-                });
-            }
+            work_ui(ui, editor, acts);
         });
         (stays, out)
     }
@@ -172,6 +159,27 @@ fn usual_limit_mm(units: Units) -> f64 {
         Units::Inches => 0.5 * Units::Inches.in_mm(),
         Units::Feet => 0.04 * Units::Feet.in_mm(),
     }
+}
+
+/// What is being worked out. It takes as much room whatever it says and before it begins, so that nothing
+/// moves under the hand.
+fn work_ui(ui: &mut Ui, editor: &Editor, acts: &mut Vec<Act>) {
+    let lines = 2.0 * ui.text_style_height(&egui::TextStyle::Body);
+    let bar = ui.spacing().interact_size.y;
+    ui.scope(|ui| {
+        ui.set_min_height(lines + ui.spacing().item_spacing.y + bar);
+        let Some(work) = editor.work() else { return };
+        ui.scope(|ui| {
+            ui.set_min_height(lines);
+            ui.add(Label::new(work.text).wrap());
+        });
+        ui.horizontal(|ui| {
+            ui.add(ProgressBar::new(work.done as f32).desired_width(260.0));
+            if ui.button("Stop").clicked() {
+                acts.push(Act::Run(Command::Stop));
+            }
+        });
+    });
 }
 
 /// How it ended, in words. Angles are those of the cards at the side.
