@@ -103,6 +103,12 @@ impl Camera {
         Vec3::new(cos(pitch) * cos(yaw), cos(pitch) * sin(yaw), sin(pitch))
     }
 
+    /// From where the front of a surface with this normal is seen: from where it is looked at now, unless
+    /// that shows its back. What turns its back is mostly hidden by what turns its front.
+    pub fn facing(&self, normal: Vec3) -> Direction {
+        if self.toward().dot(normal) < 0.0 { Direction::towards(normal) } else { self.direction }
+    }
+
     /// To the right on the picture.
     pub fn right(&self) -> Vec3 {
         Vec3::new(-sin(self.direction.yaw), cos(self.direction.yaw), 0.0)
@@ -307,5 +313,15 @@ mod tests {
         let from = Direction { yaw: from_deg(170.0), pitch: 0.0 };
         let to = Direction { yaw: from_deg(-170.0), pitch: 0.0 };
         assert!((from.toward(to, 0.5).yaw - PI).abs() < 1e-12);
+    }
+
+    #[test]
+    fn what_shows_its_back_is_looked_at_from_the_other_side() {
+        let camera = Camera::default();
+        assert_eq!(camera.facing(camera.toward()), camera.direction);
+        assert_eq!(camera.facing(Vec3::new(0.0, 0.0, 0.0)), camera.direction, "no tangent plane");
+        let normal = -camera.toward();
+        let turned = Camera { direction: camera.facing(normal), ..camera };
+        assert!(turned.toward().dot(normal) > 1.0 - 1e-12);
     }
 }

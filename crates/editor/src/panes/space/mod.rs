@@ -262,7 +262,8 @@ impl SpacePane {
         }
     }
 
-    /// Looks at the rung that is to be seen, from where it looks now, unless it is in sight.
+    /// Looks at the rung that is to be seen, unless it is in sight: from where it looks now, or from the
+    /// other side if that shows the back of the sheet there.
     fn bring(&mut self, ui: &Ui, scene: &Scene<'_>, rect: Rect) {
         let Some((panel, rung)) = self.to_bring.take() else { return };
         let Some(Ok(shown)) = scene.panels.get(panel).map(|panel| &panel.made) else { return };
@@ -271,7 +272,9 @@ impl SpacePane {
         let [Some(a), Some(b)] = ends else { return };
         let mut to = self.turn.map_or(self.camera, |turn| turn.to);
         let is_seen = |p| to.seen(p, rect).is_some_and(|seen| rect.contains(seen.at));
-        if !(is_seen(a) && is_seen(b)) {
+        let direction = to.facing(rung.normals[0] + rung.normals[1]);
+        if direction != to.direction || !(is_seen(a) && is_seen(b)) {
+            to.direction = direction;
             to.target = a.lerp(b, 0.5);
             // A rung is seen with what is round it.
             to.height_mm = to.height_mm.max(3.0 * a.distance(b));
