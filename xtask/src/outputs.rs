@@ -1,8 +1,8 @@
-//! Everything that a command makes of what lies in the house, kept in folders: the one half of showing
-//! that a change of the code changes no output. `compare` is the other half.
+//! Everything that a command makes of what lies in the house, kept in folders: the one half of
+//! showing that a change of the code changes no output. `compare` is the other half.
 //!
-//! Each input gets a folder with the status, both streams and all files that were written: the examples,
-//! the gallery, the good corpus entries, and the templates at their defaults.
+//! Each input gets a folder with the status, both streams and all files that were written: the
+//! examples, the gallery, the good corpus entries, and the templates at their defaults.
 
 use crate::root;
 use sheetwright::template::catalogue;

@@ -13,7 +13,8 @@ struct Model {
     name: &'static str,
     /// The total twist before and after, in its table 2.
     twist: [f64; 2],
-    /// The curves of the example that are most like those that moved in the paper, and more of them.
+    /// The curves of the example that are most like those that moved in the paper, and more of
+    /// them.
     alike: &'static [&'static [&'static str]],
     /// Its time, and what was read of ours by points and by samples, seconds.
     times: [f64; 3],

@@ -2,11 +2,11 @@
 //!
 //! 1. The crate is compiled for WebAssembly, by whichever toolchain here can: the one in PATH if it
 //!    has the target, else Debian's, which builds the standard library for it on the way.
-//! 2. `wasm-bindgen` writes what joins it to a page. No `wasm-opt` after it: what the compiler makes for
-//!    size is smaller once a server has packed it, and older ones break it.
-//! 3. The page is put beside it (`crates/editor/web`), with the colours of the editor's theme, an icon
-//!    in the same colours, and a list of all files under a number made from their contents, from
-//!    which the service worker keeps them for when there is no network.
+//! 2. `wasm-bindgen` writes what joins it to a page. No `wasm-opt` after it: what the compiler
+//!    makes for size is smaller once a server has packed it, and older ones break it.
+//! 3. The page is put beside it (`crates/editor/web`), with the colours of the editor's theme, an
+//!    icon in the same colours, and a list of all files under a number made from their contents,
+//!    from which the service worker keeps them for when there is no network.
 
 mod icon;
 

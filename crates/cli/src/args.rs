@@ -168,7 +168,8 @@ pub(crate) struct CheckArgs {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Meshes")]
 pub(crate) struct MeshArgs {
-    /// What flattening makes small where it can't be exact, which is with meshes alone [default: mean]
+    /// What flattening makes small where it can't be exact, which is with meshes alone [default:
+    /// mean]
     #[arg(long, value_enum, ignore_case = true, value_name = "AIM")]
     pub(crate) aim: Option<AimArg>,
     /// Divide a mesh into panels along the creases that turn by more than this
@@ -269,8 +270,8 @@ fn max_sheets(given: &str) -> Result<MaxSheets, String> {
 /// What is read, and what is set instead of it.
 #[derive(Debug, Args)]
 pub(crate) struct SourceArgs {
-    /// A design (.sheet.json), a curve table (.csv), a mesh (.obj, .stl, .ply, .glb), or - for standard
-    /// input
+    /// A design (.sheet.json), a curve table (.csv), a mesh (.obj, .stl, .ply, .glb), or - for
+    /// standard input
     #[arg(value_name = "INPUT")]
     pub(crate) input: PathBuf,
     /// The format of standard input [default: as its content shows]
@@ -282,8 +283,9 @@ pub(crate) struct SourceArgs {
     /// The weight of the fold price, from 0 (twist alone) to 10
     #[arg(long, value_name = "NU", allow_negative_numbers = true)]
     fold: Option<f64>,
-    /// How much work the search may do where there are holes, as a multiple of the default, which is
-    /// up to 5 seconds; then it answers with the best that was found, and how far from the best it may be
+    /// How much work the search may do where there are holes, as a multiple of the default, which
+    /// is up to 5 seconds; then it answers with the best that was found, and how far from the best
+    /// it may be
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     effort: Option<f64>,
     /// Which triangulations are looked at
@@ -460,8 +462,8 @@ impl TypedValueParser for MaterialName {
     }
 }
 
-/// Any name, while completions and help show the known ones: the refusal of an unknown one comes with
-/// the nearest known one, as everywhere.
+/// Any name, while completions and help show the known ones: the refusal of an unknown one comes
+/// with the nearest known one, as everywhere.
 #[derive(Clone, Debug)]
 struct TemplateName;
 

@@ -1,5 +1,6 @@
-//! What the command says: answers on standard output, everything else on standard error. Words come to
-//! a terminal, so they go out without what it would obey ([`visible`]); designs and pages as they are.
+//! What the command says: answers on standard output, everything else on standard error. Words come
+//! to a terminal, so they go out without what it would obey ([`visible`]); designs and pages as
+//! they are.
 
 use crate::failure::Failure;
 use sheetwright::check::{Checked, Severity, Verdict};
@@ -46,7 +47,8 @@ pub(crate) fn say(text: &str) {
     let _ = io::stderr().lock().write_all(visible(text).as_bytes());
 }
 
-/// Writes words or messages to standard output. A reader that has seen enough and left is no failure.
+/// Writes words or messages to standard output. A reader that has seen enough and left is no
+/// failure.
 pub(crate) fn print(text: &str) -> Result<(), Failure> {
     print_as_it_is(visible(text).as_bytes())
 }

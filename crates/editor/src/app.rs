@@ -1,4 +1,5 @@
-//! The window: bars, panes and pages around the [`Editor`], the same on the desktop and in a browser.
+//! The window: bars, panes and pages around the [`Editor`], the same on the desktop and in a
+//! browser.
 
 mod files;
 mod kept;
@@ -75,7 +76,8 @@ impl App {
         // Zooming is a command of ours, so that it stands in menus too.
         cc.egui_ctx.options_mut(|options| {
             options.zoom_with_keyboard = false;
-            // A press on a handle selects it: what is typed is to be taken before, for what it was meant.
+            // A press on a handle selects it: what is typed is to be taken before, for what it was
+            // meant.
             options.input_options.surrender_focus_on = SurrenderFocusOn::Presses;
         });
         Self {
@@ -126,8 +128,8 @@ impl App {
         theme
     }
 
-    /// Keys that mean a command, unless somebody is typing. Esc first closes a menu or a list, then drops
-    /// what is typed.
+    /// Keys that mean a command, unless somebody is typing. Esc first closes a menu or a list, then
+    /// drops what is typed.
     fn keys(&self, ctx: &egui::Context, acts: &mut Vec<Act>) {
         let types = ctx.egui_wants_keyboard_input() && ctx.text_edit_focused();
         let lists = egui::Popup::is_any_open(ctx);
@@ -275,7 +277,8 @@ impl App {
     }
 }
 
-/// Whether a key reaches what its command changes: nothing behind a page, nor what the start page hides.
+/// Whether a key reaches what its command changes: nothing behind a page, nor what the start page
+/// hides.
 fn reaches(command: Command, page: Page) -> bool {
     use Command as C;
     let is_of_window = matches!(

@@ -13,8 +13,8 @@ use eframe::egui::{self, Button, Color32, Id, Layout, ProgressBar, RichText, Ui,
 
 /// What is above and below an open menu, points.
 const AROUND_MENU: f32 = 70.0;
-/// Widths that are to be left before something is put into the bar at the top, points: its own and what
-/// comes after it, by the longest of their texts.
+/// Widths that are to be left before something is put into the bar at the top, points: its own and
+/// what comes after it, by the longest of their texts.
 const ROOM_FOR_REDO: f32 = 150.0;
 const ROOM_FOR_HABITS: f32 = 530.0;
 const ROOM_FOR_VARY: f32 = 130.0;
@@ -188,7 +188,8 @@ pub(crate) fn bottom_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut 
     });
 }
 
-/// Which file it is, or which design, and whether a file has it all; its whole path is under the pointer.
+/// Which file it is, or which design, and whether a file has it all; its whole path is under the
+/// pointer.
 fn saved_ui(ui: &mut Ui, editor: &Editor, theme: &Theme) {
     let title = editor.title();
     let text =

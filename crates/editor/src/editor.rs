@@ -261,8 +261,8 @@ impl Editor {
         }
     }
 
-    /// Another document takes the place of this one, unasked ([`Self::leave_for`] asks); undo does not
-    /// bring the other back.
+    /// Another document takes the place of this one, unasked ([`Self::leave_for`] asks); undo does
+    /// not bring the other back.
     pub fn replace(&mut self, document: Document, file: Option<String>) {
         self.jobs.forget();
         self.history = History::starting_at(document, self.history.version() + 1);

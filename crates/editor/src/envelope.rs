@@ -1,7 +1,7 @@
 //! Bytes with a head that tells whether they are whole.
 //!
-//! Renaming a file puts it there whole or not at all, but disks and browsers have their own ideas of
-//! what they have written; what was cut off or mixed up must not come back as somebody's work.
+//! Renaming a file puts it there whole or not at all, but disks and browsers have their own ideas
+//! of what they have written; what was cut off or mixed up must not come back as somebody's work.
 
 /// `SWR1`, the length, and a check sum of what follows.
 const MARK: [u8; 4] = *b"SWR1";

@@ -1,9 +1,10 @@
 //! Fields that people type quantities into: `40cm`, `1' 4"`, `12,5`, `200 + 50`, `15°`.
 //!
-//! While a field is typed into it keeps its own text; Enter, or leaving it, takes the value. What then
-//! can't be read or is out of range stays there in red, and why stands below it, until it is right or
-//! Esc drops it. A field belongs to the thing whose value it has ([`Field::of`]): where another thing
-//! is shown in its place, or the value changes by other means, what was typed is dropped.
+//! While a field is typed into it keeps its own text; Enter, or leaving it, takes the value. What
+//! then can't be read or is out of range stays there in red, and why stands below it, until it is
+//! right or Esc drops it. A field belongs to the thing whose value it has ([`Field::of`]): where
+//! another thing is shown in its place, or the value changes by other means, what was typed is
+//! dropped.
 
 use crate::theme::Theme;
 use eframe::egui::{self, Id, Key, RichText, Ui};
@@ -168,7 +169,8 @@ impl Field<'_> {
         self.of.with(("field", self.label))
     }
 
-    /// A text that `read` makes something of, or says why not. `Some` when something else was typed.
+    /// A text that `read` makes something of, or says why not. `Some` when something else was
+    /// typed.
     fn typed<T>(
         &self,
         ui: &mut Ui,
@@ -217,8 +219,8 @@ impl Field<'_> {
         None
     }
 
-    /// A field that is come to is typed over. A click puts the cursor once more where the button is let
-    /// go, so that this waits for it.
+    /// A field that is come to is typed over. A click puts the cursor once more where the button is
+    /// let go, so that this waits for it.
     fn select_what_is_there(&self, ui: &Ui, response: &egui::Response, text: &str) {
         let fresh = self.fresh();
         let is_first = response.clicked()

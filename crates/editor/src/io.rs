@@ -1,8 +1,8 @@
 //! What the editor asks of the system: files to open and to write.
 //!
-//! [`Dialogs`] is what a window or a browser does about it, and a test instead of both. Answers come
-//! later, with the next frames. Where the system has no dialog for files, as on a bare Linux, that is
-//! an answer too, and the person types a path instead.
+//! [`Dialogs`] is what a window or a browser does about it, and a test instead of both. Answers
+//! come later, with the next frames. Where the system has no dialog for files, as on a bare Linux,
+//! that is an answer too, and the person types a path instead.
 
 #[cfg(target_arch = "wasm32")]
 mod browser;

@@ -120,7 +120,8 @@ impl Panes {
         });
     }
 
-    /// How many panels are not fine; what can be typed, at places that no verdict moves; the verdicts.
+    /// How many panels are not fine; what can be typed, at places that no verdict moves; the
+    /// verdicts.
     fn side_ui(&mut self, ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
         banner_ui(ui, editor, theme, acts);
         let panel = Panel::bottom("verdicts").frame(Frame::new()).resizable(true);
@@ -162,8 +163,8 @@ impl Panes {
     }
 }
 
-/// How much of the width or the height a panel takes. A panel of egui keeps its size when the window
-/// changes; ours keep their share, also where they had to be larger for a while.
+/// How much of the width or the height a panel takes. A panel of egui keeps its size when the
+/// window changes; ours keep their share, also where they had to be larger for a while.
 #[derive(Clone, Copy, Debug)]
 struct Share {
     /// 0 across, 1 down.

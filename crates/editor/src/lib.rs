@@ -8,9 +8,9 @@
 //!   └────── scene ◄────────┴──────────────────────────┘
 //! ```
 //!
-//! A pane looks at the scene (the document and what was last made of it), draws it, and answers with
-//! acts; the app alone carries them out. The document is one plain value, so that undo is a list of
-//! values. All geometry is the kernel's; all bytes are those of `sheetwright-files`.
+//! A pane looks at the scene (the document and what was last made of it), draws it, and answers
+//! with acts; the app alone carries them out. The document is one plain value, so that undo is a
+//! list of values. All geometry is the kernel's; all bytes are those of `sheetwright-files`.
 
 pub mod app;
 mod bars;

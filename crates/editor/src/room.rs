@@ -1,5 +1,5 @@
-//! How much of it all a window has room for. A phone has little, and no more has a small screen with
-//! text at 200 %.
+//! How much of it all a window has room for. A phone has little, and no more has a small screen
+//! with text at 200 %.
 
 use eframe::egui::{Key, Vec2};
 
@@ -77,7 +77,8 @@ impl Part {
 /// What is smaller is of no use, points.
 const LEAST: f32 = 40.0;
 
-/// As long as it is wanted, or as there is room, in points; but never nothing, however small a window is.
+/// As long as it is wanted, or as there is room, in points; but never nothing, however small a
+/// window is.
 pub(crate) fn fitting(wanted: f32, room: f32) -> f32 {
     wanted.min(room).max(LEAST)
 }

@@ -1,8 +1,8 @@
 //! Typed values for what is selected, the sheet, the panel and the drawing.
 //!
-//! What is selected stands at the top, and the verdict, which grows, in a part of its own below: a field
-//! stays where it is while somebody types into it. Each field belongs to the thing by its name, so that
-//! what is typed never lands in another.
+//! What is selected stands at the top, and the verdict, which grows, in a part of its own below: a
+//! field stays where it is while somebody types into it. Each field belongs to the thing by its
+//! name, so that what is typed never lands in another.
 
 use crate::command::Command;
 use crate::document::edit::why_unbound;

@@ -1,9 +1,9 @@
 //! Every colour and size of the editor: nothing else names one.
 //!
 //! Ground and ink are warm greys, so that the few colours that mean something stand out: the accent
-//! for what is selected or can be taken hold of, and green, amber and red for verdicts, which always
-//! come with a word or a sign too. Maps of quantities run through cividis, which people with any
-//! kind of colour blindness read alike.
+//! for what is selected or can be taken hold of, and green, amber and red for verdicts, which
+//! always come with a word or a sign too. Maps of quantities run through cividis, which people with
+//! any kind of colour blindness read alike.
 
 use eframe::egui::{self, Color32};
 use sheetwright::check::Verdict;
@@ -241,7 +241,8 @@ pub const CURVE_WIDTH: f32 = 2.0;
 mod tests {
     use super::*;
 
-    /// How much lighter one colour is than another, 1 ..= 21, as WCAG 2 measures it; here with powers of 2.
+    /// How much lighter one colour is than another, 1 ..= 21, as WCAG 2 measures it; here with
+    /// powers of 2.
     fn contrast(a: Color32, b: Color32) -> f32 {
         let light = |c: Color32| {
             let [r, g, b] =

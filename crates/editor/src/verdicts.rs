@@ -1,4 +1,5 @@
-//! Will it bend? A line that counts, always at the top of the bar, and a card a panel, the worst first.
+//! Will it bend? A line that counts, always at the top of the bar, and a card a panel, the worst
+//! first.
 
 use crate::document::edit::why_no_panel;
 use crate::editor::Editor;
@@ -13,7 +14,8 @@ use sheetwright_files::{length_text, verdict_sentence, verdict_word};
 const FINDINGS: usize = 3;
 /// Of more panels than this, those that bend are shown in a line each.
 const WHOLE_CARDS: usize = 3;
-/// How high the line that counts is, points: the same whatever it says, so that nothing below it moves.
+/// How high the line that counts is, points: the same whatever it says, so that nothing below it
+/// moves.
 const BANNER: f32 = 34.0;
 
 /// How many panels are not fine, in a line. A click brings the worst place into sight.
@@ -49,8 +51,8 @@ fn waiting(editor: &Editor) -> &'static str {
     }
 }
 
-/// How many panels are as bad as the worst, and how many else are not known to bend, in words; and one of
-/// the worst. `None` without panels.
+/// How many panels are as bad as the worst, and how many else are not known to bend, in words; and
+/// one of the worst. `None` without panels.
 fn counted(panels: &[ShownPanel]) -> Option<(String, &ShownPanel)> {
     let worst = panels.iter().max_by_key(|panel| panel.badness())?;
     let count = panels.iter().filter(|panel| panel.badness() == worst.badness()).count();
@@ -71,8 +73,8 @@ fn verdict_of(panel: &ShownPanel) -> Option<Verdict> {
     panel.made.as_ref().ok().map(|shown| shown.verdict)
 }
 
-/// The verdicts of panels that are not known to bend, the worst first, and how many have each; `None` is of
-/// those that can't be made.
+/// The verdicts of panels that are not known to bend, the worst first, and how many have each;
+/// `None` is of those that can't be made.
 pub(crate) fn not_bending(panels: &[ShownPanel]) -> Vec<(Option<Verdict>, usize)> {
     let count = |of| (of, panels.iter().filter(|panel| verdict_of(panel) == of).count());
     let classes = [None, Some(Verdict::WillNotBend), Some(Verdict::Undecided)].map(count);
@@ -205,8 +207,8 @@ fn verdict_text(theme: &Theme, verdict: Verdict) -> RichText {
     RichText::new(text).color(theme.verdict(verdict)).strong()
 }
 
-/// What is said of the largest twist, that at `worst`: reports count what the sampling explains too, and
-/// may name a larger one.
+/// What is said of the largest twist, that at `worst`: reports count what the sampling explains
+/// too, and may name a larger one.
 fn twist_hint(worst: &ShownRung, largest_deg: f64) -> String {
     let shown = format!("{:.1}", worst.warp_deg);
     let largest = format!("{largest_deg:.1}");

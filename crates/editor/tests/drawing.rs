@@ -1,5 +1,5 @@
-//! Drawing on from what is there: points that are shared, neighbours, messages, and whose handles are
-//! shown.
+//! Drawing on from what is there: points that are shared, neighbours, messages, and whose handles
+//! are shown.
 
 #![allow(clippy::unwrap_used)] // tests panic
 

@@ -359,7 +359,8 @@ fn what_was_not_saved_comes_back_and_settings_stay() {
     assert!(hands.app().editor().is_unsaved());
 }
 
-/// What is not possible now is no error: it is said in passing, and gone as soon as anything changes.
+/// What is not possible now is no error: it is said in passing, and gone as soon as anything
+/// changes.
 #[test]
 fn what_is_not_possible_now_is_said_in_passing() {
     let mut hands = Hands::new(SIZE, false);

@@ -1,10 +1,10 @@
-//! How long a frame takes while a handle is dragged: what the program itself does for it (all panes,
-//! laying out, drawing lists, triangles for the card), without the card; and how the panel keeps up
-//! with the hand, with 120 frames a second.
+//! How long a frame takes while a handle is dragged: what the program itself does for it (all
+//! panes, laying out, drawing lists, triangles for the card), without the card; and how the panel
+//! keeps up with the hand, with 120 frames a second.
 //!
-//! `cargo test -p sheetwright-editor --test frames -- --nocapture` prints the figures. Half of the frames
-//! have to be within the time of one at 60 a second, however busy the machine is; the 99th percentile is to
-//! be read where nothing else runs.
+//! `cargo test -p sheetwright-editor --test frames -- --nocapture` prints the figures. Half of the
+//! frames have to be within the time of one at 60 a second, however busy the machine is; the 99th
+//! percentile is to be read where nothing else runs.
 
 #![allow(clippy::print_stdout)] // a measurement
 

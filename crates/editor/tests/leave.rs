@@ -1,5 +1,5 @@
-//! Work that no file has never goes unasked: whatever takes its place, the person saves it, drops it or
-//! stays with it; and what was dropped can be had back.
+//! Work that no file has never goes unasked: whatever takes its place, the person saves it, drops
+//! it or stays with it; and what was dropped can be had back.
 
 #![allow(clippy::unwrap_used)] // tests panic
 

@@ -1,5 +1,5 @@
-//! Pictures of the window, to be looked at: `SHEETWRIGHT_LOOK=folder cargo test --test look`. Of another
-//! size and scale: `SHEETWRIGHT_LOOK_AT=2560x1440@2`, in pixels, with two pixels a point.
+//! Pictures of the window, to be looked at: `SHEETWRIGHT_LOOK=folder cargo test --test look`. Of
+//! another size and scale: `SHEETWRIGHT_LOOK_AT=2560x1440@2`, in pixels, with two pixels a point.
 
 #![allow(clippy::unwrap_used)] // tests panic
 

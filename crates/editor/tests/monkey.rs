@@ -1,9 +1,8 @@
 //! A monkey with a seed: random commands, strokes, drags, keys and words, without a panic.
 //!
-//! `SHEETWRIGHT_MONKEY_SECONDS` says for how long (10), `SHEETWRIGHT_MONKEY_SEED` which monkey (1); what
-//! it says where it fails names it.
-//! Whatever it has done, the document is one that a file can hold, and undo goes back to the
-//! beginning.
+//! `SHEETWRIGHT_MONKEY_SECONDS` says for how long (10), `SHEETWRIGHT_MONKEY_SEED` which monkey (1);
+//! what it says where it fails names it. Whatever it has done, the document is one that a file can
+//! hold, and undo goes back to the beginning.
 
 #![allow(clippy::print_stdout, clippy::unwrap_used)] // tests panic, and say what they did
 

@@ -2,9 +2,9 @@
 //! older than two seconds may be missing.
 //!
 //! The program that is killed is this one, with a variable set. Every second time it is the whole
-//! editor but for the card: a handle is lifted with every frame. In between it is the autosave alone,
-//! with up to a megabyte every few milliseconds. Both print the number of each version with the time
-//! when it was made.
+//! editor but for the card: a handle is lifted with every frame. In between it is the autosave
+//! alone, with up to a megabyte every few milliseconds. Both print the number of each version with
+//! the time when it was made.
 
 #![allow(clippy::print_stdout, clippy::unwrap_used, missing_docs)] // a test that runs itself
 

@@ -1,5 +1,5 @@
-//! The bar at the side and the pages: the worst is seen first, fields stay where they are and what they
-//! are, what is refused says why, and nothing behind a page is reached.
+//! The bar at the side and the pages: the worst is seen first, fields stay where they are and what
+//! they are, what is refused says why, and nothing behind a page is reached.
 
 #![allow(clippy::unwrap_used)] // tests panic
 

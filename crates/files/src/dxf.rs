@@ -146,8 +146,8 @@ fn ascii(text: &str) -> String {
     out
 }
 
-/// Reads back the outline, the holes and the rungs of a pattern that [`write_dxf`] wrote: the closed
-/// polylines on `cut`, and the segments on the other layers between its corners.
+/// Reads back the outline, the holes and the rungs of a pattern that [`write_dxf`] wrote: the
+/// closed polylines on `cut`, and the segments on the other layers between its corners.
 ///
 /// # Errors
 /// See [`PatternReadError`]. Another release than 12 and other entities than polylines are refused.

@@ -1,7 +1,8 @@
 //! What people may have meant by a name that is none: of a template, of a parameter, of a material.
 //!
 //! A slip of the fingers is the nearest name. Other words for the thing are looked up: in what the
-//! catalogue says of templates and parameters, and for materials in a list of trade and American words.
+//! catalogue says of templates and parameters, and for materials in a list of trade and American
+//! words.
 
 use crate::names::{did_you_mean, folded, nearest, shown};
 use crate::units::Units;
@@ -110,8 +111,8 @@ pub(crate) fn template_question(wanted: &str) -> String {
     }
 }
 
-/// Templates called so, or that have the word among theirs; else those with the nearest name or word;
-/// else those that say the word of themselves.
+/// Templates called so, or that have the word among theirs; else those with the nearest name or
+/// word; else those that say the word of themselves.
 fn templates_meant(wanted: &str) -> Vec<&'static str> {
     let words = words_of(wanted);
     let has_all = |texts: &[&str]| {
@@ -159,8 +160,8 @@ pub(crate) fn parameter_hint(wanted: &str, template: &Template, others: &[&str])
     }
 }
 
-/// Parameters that the word begins or is a part of; else those that say it of themselves; else the same
-/// of the usual word for it, and of others.
+/// Parameters that the word begins or is a part of; else those that say it of themselves; else the
+/// same of the usual word for it, and of others.
 fn parameters_meant(wanted: &str, template: &Template) -> Vec<&'static Parameter> {
     let usual = PARAMETER_WORDS.iter().filter(|(_, others)| others.contains(&wanted));
     let alike = usual.flat_map(|(word, others)| [*word].into_iter().chain(others.iter().copied()));

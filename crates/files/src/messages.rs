@@ -65,8 +65,8 @@ pub fn error_json(message: &str, place: Option<&str>, hint: &str) -> String {
 }
 
 /// The verdict and the findings of every panel as one line of JSON, panels and findings as in
-/// `report.json`. `panels` has one entry a name; `files` are the files that were written, if any were
-/// asked for.
+/// `report.json`. `panels` has one entry a name; `files` are the files that were written, if any
+/// were asked for.
 pub fn findings_json(
     name: &str,
     names: &[&str],
@@ -95,8 +95,8 @@ pub fn timing_json(panels: &[PanelTimes], total: f64) -> Vec<u8> {
     line(&TimingFile { panels, total }).into_bytes()
 }
 
-/// Texts and finite numbers have nothing that JSON can't say. What a terminal obeys or does not show
-/// is escaped, also where JSON does not ask for it.
+/// Texts and finite numbers have nothing that JSON can't say. What a terminal obeys or does not
+/// show is escaped, also where JSON does not ask for it.
 fn line(value: &impl Serialize) -> String {
     let json = serde_json::to_string(value).unwrap_or_default();
     let mut line = String::with_capacity(json.len() + 1);

@@ -1,4 +1,5 @@
-//! Quantities as people type them: `400mm`, `40 cm`, `15 3/4in`, `1' 4"`, `45°`, `200 + 50`, `12,5`.
+//! Quantities as people type them: `400mm`, `40 cm`, `15 3/4in`, `1' 4"`, `45°`, `200 + 50`,
+//! `12,5`.
 //!
 //! ```text
 //! quantity = [sign] part {("+" | "-") part}
@@ -9,9 +10,9 @@
 //! unit     = mm cm m in ft, " ″ inch inches, ' ′ foot feet; of an angle deg ° degree degrees
 //! ```
 //!
-//! A comma stands before decimals. Where it could as well part thousands, as in `1,250`, the text is
-//! refused: a length that is a thousand times another must not be a guess. Fields of the editor, settings
-//! of templates and options of the command read quantities here and nowhere else.
+//! A comma stands before decimals. Where it could as well part thousands, as in `1,250`, the text
+//! is refused: a length that is a thousand times another must not be a guess. Fields of the editor,
+//! settings of templates and options of the command read quantities here and nowhere else.
 
 use crate::design_json::MOST_WARP_DEG;
 use crate::table::in_range_mm;
@@ -84,7 +85,8 @@ pub fn read_length(text: &str, units: Units) -> Result<f64, String> {
     length(text, units).map_err(|slip| slip.words("length"))
 }
 
-/// Lengths, mm, with commas between them; or with semicolons, where a comma may stand before decimals.
+/// Lengths, mm, with commas between them; or with semicolons, where a comma may stand before
+/// decimals.
 ///
 /// # Errors
 /// Why one of them is no length, in a sentence.
@@ -176,7 +178,8 @@ pub(crate) fn length(text: &str, units: Units) -> Result<f64, Slip> {
         let mut sum = 0.0;
         for (number, unit) in &part.terms {
             let of = unit_of(unit).ok_or_else(|| Slip::Unit((*unit).to_owned()))?;
-            // Units are whole tenths of a mm; counted in these, 15.75 inches are 400.05 mm to the digit.
+            // Units are whole tenths of a mm; counted in these, 15.75 inches are 400.05 mm to the
+            // digit.
             sum += number * (of.in_mm() * 10.0) / 10.0;
         }
         total += part.sign * sum;

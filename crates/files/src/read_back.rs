@@ -145,11 +145,11 @@ pub(crate) fn pattern(lines: Lines) -> Result<ReadPattern, PatternReadError> {
     Ok(ReadPattern { outline, holes: cuts, rungs })
 }
 
-/// The pattern of some lines where it is known to overlap itself. A hole may then run any way and reach
-/// out of the outline, and a corner may lie on another, so that lines alone do not tell which is which.
-/// They are read as what was laid: the outline and the holes in the order of the file, moved so that the
-/// box around all of them has its lower left corner where that of `laid` has it; and those of the
-/// `wanted` rungs, by numbers of corners, that a segment joins.
+/// The pattern of some lines where it is known to overlap itself. A hole may then run any way and
+/// reach out of the outline, and a corner may lie on another, so that lines alone do not tell which
+/// is which. They are read as what was laid: the outline and the holes in the order of the file,
+/// moved so that the box around all of them has its lower left corner where that of `laid` has it;
+/// and those of the `wanted` rungs, by numbers of corners, that a segment joins.
 pub(crate) fn overlapping_pattern(
     mut lines: Lines,
     laid: &[Point2],

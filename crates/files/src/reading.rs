@@ -1,5 +1,5 @@
-//! What every reader needs: errors with a place and a hint, what the caller sets, and bytes and text
-//! within bounds.
+//! What every reader needs: errors with a place and a hint, what the caller sets, and bytes and
+//! text within bounds.
 
 use crate::units::Units;
 use sheetwright::boundary::PlaneChoice;

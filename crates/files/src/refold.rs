@@ -79,9 +79,9 @@ pub fn refold_error_mm(
     })
 }
 
-/// How far the points of the written outline and holes of a piece come from where they were laid when
-/// they are read back, mm: the worse of the files that are given, or of an SVG in memory. `overlaps` says
-/// that the pattern is known to overlap itself.
+/// How far the points of the written outline and holes of a piece come from where they were laid
+/// when they are read back, mm: the worse of the files that are given, or of an SVG in memory.
+/// `overlaps` says that the pattern is known to overlap itself.
 ///
 /// # Errors
 /// A file that can't be read, or has other lines than the piece.
@@ -108,8 +108,8 @@ pub(crate) fn read_back_error_mm(
     Ok(worst)
 }
 
-/// What was written of a piece, read back. A pattern that overlaps itself is given with the rungs that
-/// are looked for in it: its lines alone do not tell what they are.
+/// What was written of a piece, read back. A pattern that overlaps itself is given with the rungs
+/// that are looked for in it: its lines alone do not tell what they are.
 fn read_patterns(
     piece: &Piece,
     overlapping: Option<&[Rung]>,
@@ -137,8 +137,8 @@ fn read_patterns(
     read.collect()
 }
 
-/// How far the pattern of a panel comes from its surface before it is written, mm, where closing its
-/// windows may have changed lengths; 0 where there are none. What the written files may miss by
+/// How far the pattern of a panel comes from its surface before it is written, mm, where closing
+/// its windows may have changed lengths; 0 where there are none. What the written files may miss by
 /// without being wrong: that the lengths are right is measured by themselves.
 pub(crate) fn known_miss_mm(panel: &MadePanel) -> f64 {
     if panel.sheet.surface().connectivity().loops().len() == 1 {

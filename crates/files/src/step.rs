@@ -2,8 +2,8 @@
 //! system reads it.
 //!
 //! Each panel is a product of its own with one open shell: ruled strips are B-spline surfaces of
-//! degree 3 × 1, flat parts are planes, and faces that meet share the edge. Millimetres. No date and
-//! no author: the same design gives the same bytes.
+//! degree 3 × 1, flat parts are planes, and faces that meet share the edge. Millimetres. No date
+//! and no author: the same design gives the same bytes.
 //!
 //! Written here rather than by a crate: what there is brings a modelling kernel of a hundred crates
 //! along, and all that is needed is a list of numbered records.

@@ -13,13 +13,13 @@ use svgtypes::{Length, LengthUnit, SimplePathSegment, SimplifyingPathParser, Vie
 
 /// The width of every line, mm: thin enough for every laser to follow rather than to fill.
 const LINE_MM: f64 = 0.1;
-/// Inkscape draws lines that are thinner than a pixel as nothing, and those by this rule, which it alone
-/// knows, one pixel wide at any zoom. It has to stand in a style sheet of its own, since Inkscape passes
-/// over a whole sheet that has a rule with `@supports`.
+/// Inkscape draws lines that are thinner than a pixel as nothing, and those by this rule, which it
+/// alone knows, one pixel wide at any zoom. It has to stand in a style sheet of its own, since
+/// Inkscape passes over a whole sheet that has a rule with `@supports`.
 const IN_INKSCAPE: &str = "path{-inkscape-stroke:hairline}";
-/// On a screen lines are one pixel wide at any zoom: of a plank of 4 m, shown whole, lines of 0.1 mm
-/// would be a hundredth of a pixel. Only browsers know `@supports`; by the rules of CSS, programs
-/// that drive machines pass over it and take [`LINE_MM`].
+/// On a screen lines are one pixel wide at any zoom: of a plank of 4 m, shown whole, lines of 0.1
+/// mm would be a hundredth of a pixel. Only browsers know `@supports`; by the rules of CSS,
+/// programs that drive machines pass over it and take [`LINE_MM`].
 const ON_SCREENS: &str = "@supports (vector-effect:non-scaling-stroke){@media screen{\
 path{vector-effect:non-scaling-stroke;stroke-width:1px}}}";
 /// Between the drawing and the edge of the page, mm.
@@ -121,9 +121,9 @@ fn escaped(text: &str) -> String {
     out
 }
 
-/// Reads back the outline, the holes and the rungs of a pattern that [`write_svg`] wrote: the closed
-/// paths of `cut`, and the segments of the other groups between its corners. What the paths are named is
-/// not looked at; the unit is what `width` and `height` make of `viewBox`.
+/// Reads back the outline, the holes and the rungs of a pattern that [`write_svg`] wrote: the
+/// closed paths of `cut`, and the segments of the other groups between its corners. What the paths
+/// are named is not looked at; the unit is what `width` and `height` make of `viewBox`.
 ///
 /// # Errors
 /// See [`PatternReadError`]. Transforms and curves are refused, since a pattern has none.

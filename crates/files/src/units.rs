@@ -56,9 +56,9 @@ impl Units {
         }
     }
 
-    /// The step of a grid that is round in this unit and nearest to a length by its ratio, mm: 1, 2 or 5
-    /// times a power of ten; inches and what is less than a foot in 1/64, 1/32 … 1/2, 1, 2, 3 and 6 in.
-    /// The length itself where it is none.
+    /// The step of a grid that is round in this unit and nearest to a length by its ratio, mm: 1, 2
+    /// or 5 times a power of ten; inches and what is less than a foot in 1/64, 1/32 … 1/2, 1, 2, 3
+    /// and 6 in. The length itself where it is none.
     pub fn round_step_mm(self, mm: f64) -> f64 {
         if !(mm.is_finite() && mm > 0.0) {
             return mm;

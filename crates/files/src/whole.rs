@@ -1,6 +1,6 @@
-//! Files that are written whole or not at all: they wait in a room of their own beside where they belong
-//! (`room`), then all get their names. If one can't have its name, those before it are put back as
-//! they were.
+//! Files that are written whole or not at all: they wait in a room of their own beside where they
+//! belong (`room`), then all get their names. If one can't have its name, those before it are put
+//! back as they were.
 
 mod room;
 
@@ -156,7 +156,8 @@ impl Batch {
             }
         }
         self.room.goes_with(&mut naming, Vec::new());
-        // The name is the folder's. Where a folder can't be opened as a file, its system sees to it.
+        // The name is the folder's. Where a folder can't be opened as a file, its system sees to
+        // it.
         #[cfg(unix)]
         if self.lasts {
             File::open(&self.folder)
@@ -216,8 +217,8 @@ fn not_replaced(path: &Path, error: &io::Error) -> WriteError {
     WriteError::new(path, "the file there may not be replaced", hint)
 }
 
-/// Writes one file, into a folder that is there. Where a link has its name, the link stays and what it
-/// leads to is written; a device or a pipe gets the bytes.
+/// Writes one file, into a folder that is there. Where a link has its name, the link stays and what
+/// it leads to is written; a device or a pipe gets the bytes.
 ///
 /// # Errors
 /// It can't be written, or a folder or a read-only file has its name.
@@ -232,8 +233,8 @@ pub fn write_one(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
     write_single(&target, bytes, false)
 }
 
-/// [`write_one`], of a file and no link, and waits until the disk has it, so that it outlasts a loss
-/// of power.
+/// [`write_one`], of a file and no link, and waits until the disk has it, so that it outlasts a
+/// loss of power.
 ///
 /// # Errors
 /// As [`write_one`].

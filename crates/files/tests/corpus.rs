@@ -98,7 +98,8 @@ fn the_facts_of_every_boundary_hold() {
     assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
 }
 
-/// A file as it was read; `None` if its lines are no outline with holes since the pattern overlaps itself.
+/// A file as it was read; `None` if its lines are no outline with holes since the pattern overlaps
+/// itself.
 fn readable(read: Result<ReadPattern, PatternReadError>, overlaps: bool) -> Option<ReadPattern> {
     match read {
         Err(PatternReadError::Outlines(_)) if overlaps => None,

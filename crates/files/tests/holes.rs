@@ -12,7 +12,8 @@ use sheetwright_files::{
 };
 use std::f64::consts::TAU;
 
-/// Four loops far from developable, of 240 samples: with no end to its work, the search took minutes.
+/// Four loops far from developable, of 240 samples: with no end to its work, the search took
+/// minutes.
 #[test]
 fn the_vessel_is_made_with_the_work_that_a_panel_may_take() {
     let vessel = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/ubc-fishing-vessel.csv");

@@ -8,9 +8,9 @@ use sheetwright_files::{
 };
 use std::fmt::Write;
 
-/// A plate of 120 mm with a window of 40 mm, and on the window's upper edge an upright flap between two
-/// places, so long, mm. The plate has samples every 20 mm, so that corners of the flap may come to lie on
-/// some of them.
+/// A plate of 120 mm with a window of 40 mm, and on the window's upper edge an upright flap between
+/// two places, so long, mm. The plate has samples every 20 mm, so that corners of the flap may come
+/// to lie on some of them.
 fn plate_with_flap([from, to]: [i32; 2], long: i32) -> String {
     let mut table = "curve,x,y,z,corner\n".to_owned();
     let mut line = |name: &str, points: &[[i32; 3]], every: i32| {

@@ -1,5 +1,5 @@
-//! Quads as OBJ and smooth surfaces as STEP: what a reader relies on. Programs that are not ours read
-//! the examples in `.ci/step.py`.
+//! Quads as OBJ and smooth surfaces as STEP: what a reader relies on. Programs that are not ours
+//! read the examples in `.ci/step.py`.
 #![allow(clippy::unwrap_used)] // Whatever fails here is a failed test.
 
 use sheetwright::design::{Made, make};

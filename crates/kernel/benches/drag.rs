@@ -1,16 +1,17 @@
 //! How fast panels follow a handle that is dragged, on one thread: `cargo bench -p sheetwright
-//! --bench drag`; with `-- stages`, where the time goes; with a part of a name, that family alone. With
-//! `--features rayon` all cores share the tables, and all times are those of the clock on the wall.
+//! --bench drag`; with `-- stages`, where the time goes; with a part of a name, that family alone.
+//! With `--features rayon` all cores share the tables, and all times are those of the clock on the
+//! wall.
 //!
 //! Method: a panel of 400 samples whose outline is a curve of 24 handles along a curve family, and
-//! the published hull of three planks of 400 samples each \[ZB18\]. Ten handles, one after the other,
-//! make 100 moves each, by about 0.4 % of the size at a time and up to some 5 % in all; every move
-//! ends with surface, pattern, measures and verdict; after every tenth the hand rests, and the same
-//! design is made afresh. Then all of it once more with the hand at rest after every move, so that the
-//! question that a move leaves open counts, too. What is counted is processor time, where the system
-//! tells it, so that other work on the same machine counts as little as can be, and beside it the
-//! clock on the wall. The ratio is that of making afresh to a move with the hand at rest, which answers
-//! the same.
+//! the published hull of three planks of 400 samples each \[ZB18\]. Ten handles, one after the
+//! other, make 100 moves each, by about 0.4 % of the size at a time and up to some 5 % in all;
+//! every move ends with surface, pattern, measures and verdict; after every tenth the hand rests,
+//! and the same design is made afresh. Then all of it once more with the hand at rest after every
+//! move, so that the question that a move leaves open counts, too. What is counted is processor
+//! time, where the system tells it, so that other work on the same machine counts as little as can
+//! be, and beside it the clock on the wall. The ratio is that of making afresh to a move with the
+//! hand at rest, which answers the same.
 #![allow(clippy::print_stdout, clippy::unwrap_used)] // it prints; what fails should stop it
 
 use sheetwright::boundary::size_of;

@@ -1,5 +1,6 @@
-//! How fast meshes are laid flat, and how well: `cargo bench -p sheetwright --bench flatten -- MESH.obj`;
-//! without a file, a surface of its own, as fine as `--cells N` says, which `--write FILE` only writes.
+//! How fast meshes are laid flat, and how well: `cargo bench -p sheetwright --bench flatten --
+//! MESH.obj`; without a file, a surface of its own, as fine as `--cells N` says, which `--write
+//! FILE` only writes.
 //!
 //! A line for each way: its name, seconds (the least of three runs, one thread), the mean and the
 //! largest relative length error (every side counting the same), triangles turned over, steps, and

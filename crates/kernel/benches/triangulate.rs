@@ -60,7 +60,8 @@ fn main() {
     }
 }
 
-/// Boundaries of many samples, one run each, above 1,600 only those near to developable: time, price, and the most memory that the program has taken so far, where the system tells.
+/// Boundaries of many samples, one run each, above 1,600 only those near to developable: time,
+/// price, and the most memory that the program has taken so far, where the system tells.
 fn many() {
     let sizes: Vec<usize> = std::env::args().filter_map(|size| size.parse().ok()).collect();
     let sizes = if sizes.is_empty() { vec![1600, 10_000] } else { sizes };
@@ -105,8 +106,8 @@ fn wanted(family: &str) -> bool {
     !words().any(|word| is_name(&word)) || words().any(|word| family.contains(&word))
 }
 
-/// The time that the processor has spent on this thread: on busy machines others have the rest. `None`
-/// where threads share the work.
+/// The time that the processor has spent on this thread: on busy machines others have the rest.
+/// `None` where threads share the work.
 fn processor_seconds() -> Option<f64> {
     if cfg!(feature = "rayon") {
         return None;

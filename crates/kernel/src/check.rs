@@ -260,8 +260,9 @@ fn bend_radius(panel: &Panel<'_>) -> Option<Finding> {
 /// A point round which the sheet turns by less than this, degrees, is rounded off and hardly seen.
 const SEEN_POINT_DEG: f64 = 15.0;
 
-/// A point is no harder on a sheet than a fold through it would be. So what takes folds takes points;
-/// what does not can't have any, unless the shallowest roll that rounds it off is wide enough.
+/// A point is no harder on a sheet than a fold through it would be. So what takes folds takes
+/// points; what does not can't have any, unless the shallowest roll that rounds it off is wide
+/// enough.
 fn points(panel: &Panel<'_>) -> Option<Finding> {
     let apexes = &panel.measures.apexes;
     let sharpest = apexes.iter().max_by(|a, b| a.turn.total_cmp(&b.turn))?;

@@ -132,8 +132,8 @@ pub struct DesignPanel {
     pub run_on: bool,
     /// The weight ν of the fold price.
     pub fold: f64,
-    /// How much work the search may do where there are holes, as a multiple of [`DEFAULT_WORK`], within
-    /// [`LEAST_EFFORT`] ..= [`MOST_EFFORT`].
+    /// How much work the search may do where there are holes, as a multiple of [`DEFAULT_WORK`],
+    /// within [`LEAST_EFFORT`] ..= [`MOST_EFFORT`].
     pub effort: f64,
     /// Where the pattern is to be cut open if it must be, mm: along the rungs from loop to loop
     /// whose middles lie nearest. Empty: where the cuts are shortest.
@@ -141,8 +141,8 @@ pub struct DesignPanel {
 }
 
 impl DesignPanel {
-    /// A panel with the defaults: the best of all triangulations by its price with the default fold,
-    /// on the best-fit plane where there is one, and straight ends.
+    /// A panel with the defaults: the best of all triangulations by its price with the default
+    /// fold, on the best-fit plane where there is one, and straight ends.
     pub fn new(name: impl Into<String>, shape: PanelShape, samples: usize) -> Self {
         Self {
             name: name.into(),

@@ -6,14 +6,16 @@
 //! changing a length. What remains is to measure it and to say whether a sheet will follow.
 //!
 //! The list of modules is the flow: a module uses only those above it. Lengths are mm, angles
-//! radians. The kernel opens no file, reads no clock, prints nothing and, but for the feature `rayon`,
-//! starts no thread, and the same input gives the same bits on every platform.
+//! radians. The kernel opens no file, reads no clock, prints nothing and, but for the feature
+//! `rayon`, starts no thread, and the same input gives the same bits on every platform.
 //!
 //! ```
 //! use sheetwright::boundary::PlaneChoice;
 //! use sheetwright::check::Verdict;
 //! use sheetwright::curve::{CurveKind, CurvePoint};
-//! use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape, make};
+//! use sheetwright::design::{
+//!     CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape, make,
+//! };
 //! use sheetwright::math::Point3;
 //! use sheetwright::triangulate::Goal;
 //! use sheetwright::watch::Unwatched;

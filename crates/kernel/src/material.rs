@@ -2,11 +2,11 @@
 //!
 //! The numbers are working rules to begin with, and only one of them has a source that was read:
 //! metal shipbuilding accepts a warp angle of 6° \[ZB18\]. A warp angle along a ruling means that a
-//! sheet must stretch there, so this list takes 6° for every sheet that hardly stretches, and assumes
-//! twice as much for those that do. The radii are rules of thumb that were not looked up: for plywood
-//! of 6 and 9 mm, bent dry across the face grain, as commonly quoted from \[APA-E30\], thinner
-//! plywood by the same ratio to its thickness; for metal a multiple of the thickness. Check them
-//! against the sheet that is to be cut.
+//! sheet must stretch there, so this list takes 6° for every sheet that hardly stretches, and
+//! assumes twice as much for those that do. The radii are rules of thumb that were not looked up:
+//! for plywood of 6 and 9 mm, bent dry across the face grain, as commonly quoted from \[APA-E30\],
+//! thinner plywood by the same ratio to its thickness; for metal a multiple of the thickness. Check
+//! them against the sheet that is to be cut.
 
 /// A sheet material of a thickness.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,12 +25,13 @@ pub struct Material {
     pub stretch_limit: f64,
 }
 
-/// The largest warp angle of a sheet that nothing is known of, degrees: metal shipbuilding \[ZB18\].
+/// The largest warp angle of a sheet that nothing is known of, degrees: metal shipbuilding
+/// \[ZB18\].
 pub const DEFAULT_WARP_LIMIT_DEG: f64 = 6.0;
 
 /// By which share a sheet that nothing is known of is stretched within its plane at most: a
-/// millimetre in a metre, about where metal stops springing back. Assumed, not looked up; the same as
-/// [`crate::tolerance::Tolerance::MOST_STRETCH`].
+/// millimetre in a metre, about where metal stops springing back. Assumed, not looked up; the same
+/// as [`crate::tolerance::Tolerance::MOST_STRETCH`].
 pub const DEFAULT_STRETCH_LIMIT: f64 = 1e-3;
 
 /// The same for leather, cloth and soft plastic, which stretch a few per cent. Assumed.

@@ -1,5 +1,5 @@
-//! Points, vectors and frames: the only file that names the crate of vectors; [`sparse`] alone names
-//! that of sparse systems.
+//! Points, vectors and frames: the only file that names the crate of vectors; [`sparse`] alone
+//! names that of sparse systems.
 //!
 //! A point is a place and a vector is a way to go; the difference of two points is a vector. Every
 //! transcendental function of the kernel stands here and comes from the `libm` crate, so that a
@@ -153,7 +153,8 @@ impl Frame {
         Some(Self { origin, x, y: z.cross(x), z })
     }
 
-    /// The coordinates of a point along x and y, mm: its orthogonal projection on the frame's plane.
+    /// The coordinates of a point along x and y, mm: its orthogonal projection on the frame's
+    /// plane.
     pub fn project(&self, point: Point3) -> Point2 {
         let way = point - self.origin;
         Point2::new(way.dot(self.x), way.dot(self.y))

@@ -101,9 +101,9 @@ pub fn first_crossing_of_loops(
     first
 }
 
-/// Two edges where a sheet with these closed lines as its border, which lies to their left, lies over
-/// itself: the first that cross or touch, or an edge of a line on whose left it does not lie once and
-/// one beside it. `None` if it covers no point twice. Exact.
+/// Two edges where a sheet with these closed lines as its border, which lies to their left, lies
+/// over itself: the first that cross or touch, or an edge of a line on whose left it does not lie
+/// once and one beside it. `None` if it covers no point twice. Exact.
 pub fn first_overlap_of_loops(points: &[Point2], loops: &[Range<usize>]) -> Option<(usize, usize)> {
     first_crossing_of_loops(points, loops).or_else(|| cover::first_not_covered_once(points, loops))
 }
@@ -153,9 +153,9 @@ impl Box2 {
     }
 
     /// The part of the segment from `a` to `b`, which are finite, that lies in the box, sides
-    /// included, as shares of the way between the two; `None` if the segment passes beside it. By the
-    /// method of Liang and Barsky, side by side; not exact: rounding decides of a segment that only
-    /// just touches a corner.
+    /// included, as shares of the way between the two; `None` if the segment passes beside it. By
+    /// the method of Liang and Barsky, side by side; not exact: rounding decides of a segment that
+    /// only just touches a corner.
     pub fn part_inside(&self, a: Point2, b: Point2) -> Option<[f64; 2]> {
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
         for (way, low, high) in [
@@ -184,8 +184,8 @@ pub(crate) fn for_touching_boxes(boxes: &[(Vec3, Vec3)], mut visit: impl FnMut(u
     });
 }
 
-/// Whether `holds(i, j)`, with i < j, for some two boxes that touch: a sweep along the axis that they
-/// spread over farthest, which stops there.
+/// Whether `holds(i, j)`, with i < j, for some two boxes that touch: a sweep along the axis that
+/// they spread over farthest, which stops there.
 pub(crate) fn any_touching_boxes(
     boxes: &[(Vec3, Vec3)],
     mut holds: impl FnMut(usize, usize) -> bool,

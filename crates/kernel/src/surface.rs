@@ -69,8 +69,8 @@ impl Connectivity {
     /// after loop). Corners run counter-clockwise as seen from the side that the surface faces.
     ///
     /// # Errors
-    /// Unless the triangles are a manifold whose border is exactly the loops. What is wrong with single
-    /// triangles comes first.
+    /// Unless the triangles are a manifold whose border is exactly the loops. What is wrong with
+    /// single triangles comes first.
     pub fn new(
         loops: &[Range<usize>],
         triangles: Vec<[SampleIndex; 3]>,

@@ -1,7 +1,7 @@
 //! A tolerance: positive by type, and relative to the size of the model.
 
-/// The smallest size of a model, mm (a nanometre): below it, coordinates have no digits left. Boundaries
-/// and meshes are refused below it, and parts of a mesh are left out.
+/// The smallest size of a model, mm (a nanometre): below it, coordinates have no digits left.
+/// Boundaries and meshes are refused below it, and parts of a mesh are left out.
 pub const MIN_SIZE_MM: f64 = 1e-6;
 
 /// A positive, finite share of the size of a model, without unit.
@@ -21,12 +21,12 @@ impl Tolerance {
     /// A written pattern that folds back onto its surface within this share of the size is right.
     pub const REFOLD: Self = Self(1e-6);
 
-    /// Sides of a cut that lie this near to one another on the pattern, as a share of the size, meet
-    /// but for rounding: lengths are exact to some 13 digits and add up along the way round.
+    /// Sides of a cut that lie this near to one another on the pattern, as a share of the size,
+    /// meet but for rounding: lengths are exact to some 13 digits and add up along the way round.
     pub const ROUNDING: Self = Self(1e-9);
-    /// A cut that gapes by more than this share of the size is a seam; one that gapes by less may be
-    /// one round a window, and is closed if little stretching does it. (Of an elliptic window in a
-    /// cylinder, the gap is 6e-5 with 100 samples on the outline, and 2e-6 with 400.)
+    /// A cut that gapes by more than this share of the size is a seam; one that gapes by less may
+    /// be one round a window, and is closed if little stretching does it. (Of an elliptic window in
+    /// a cylinder, the gap is 6e-5 with 100 samples on the outline, and 2e-6 with 400.)
     pub const CLOSING: Self = Self(1e-2);
     /// Lengths are changed by no more than this share to close a cut: a tenth of a millimetre in a
     /// metre is less than any shop cuts to. (Those windows need 2e-6 and 5e-9.)

@@ -93,7 +93,8 @@ fn the_tight_end_is_found_and_errors_fall() {
         println!("{}: {errors:.4?}", blob.name);
         let [at_50, at_100, at_200, at_400] = errors.map(f64::abs);
         assert!(at_50 < 0.05 && at_100 < 0.015 && at_200 < 0.007, "{}: {errors:?}", blob.name);
-        // A roll has a depth, so that where the radius changes along the border, a few thousandths stay.
+        // A roll has a depth, so that where the radius changes along the border, a few thousandths
+        // stay.
         assert!(at_400 < 0.006 && at_400 < 0.5 * at_50, "{}: {errors:?}", blob.name);
     }
 }
@@ -254,7 +255,8 @@ fn errors_fall_where_sheets_are_flat_in_places_and_where_they_turn_over() {
 }
 
 /// Tables of points have some digits, which bend a sheet by nothing that matters. The finer the
-/// samples, the more they turn the edges; what is left of that is what a bend radius may read low by.
+/// samples, the more they turn the edges; what is left of that is what a bend radius may read low
+/// by.
 #[test]
 fn rounded_points_are_not_taken_for_bends() {
     for sheet in sheets() {
@@ -314,8 +316,9 @@ fn it_does_not_depend_on_how_the_boundary_is_told() {
     }
 }
 
-/// Outlines that come near to the point of a cone, to 60 and 40 mm, where a roll is one or two samples
-/// wide at first: it reads wide, since nothing tells how much tighter it is, and comes down.
+/// Outlines that come near to the point of a cone, to 60 and 40 mm, where a roll is one or two
+/// samples wide at first: it reads wide, since nothing tells how much tighter it is, and comes
+/// down.
 #[test]
 fn the_tight_end_is_found_near_the_point_of_a_cone() {
     for (reach, worst) in [(240.0, 0.1), (260.0, 0.25)] {

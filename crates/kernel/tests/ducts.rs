@@ -131,7 +131,8 @@ fn the_pieces_of_a_y_branch_meet() {
             assert!((away - trunk / 2.0).abs() < 1e-9, "{p:?}: {away}");
         }
         assert!(between.iter().all(|p| p.x.abs() < 1e-9));
-        // The upper edge of the trunk is that same cut on one side and its mirror image on the other.
+        // The upper edge of the trunk is that same cut on one side and its mirror image on the
+        // other.
         let source = design.curves.iter().find(|curve| curve.name == "right-cut").unwrap();
         let curve = Curve::new(source.kind.unwrap(), &source.points, false).unwrap();
         let fine: Vec<Point3> = (0..=20_000)

@@ -1,4 +1,5 @@
-//! A search with holes ends with the work that it may do, and answers with what it has found by then.
+//! A search with holes ends with the work that it may do, and answers with what it has found by
+//! then.
 #![allow(clippy::unwrap_used)] // tests panic
 
 use sheetwright::boundary::{Boundary, PlaneChoice, samples_from_points, supporting_plane};
@@ -164,8 +165,8 @@ fn a_panel_has_the_effort_that_it_asks_for() {
     assert!(told.0 > 5, "{}", told.0);
 }
 
-/// Without a plane any two samples may be joined, so that there is a surface for any loops; on a plane,
-/// loops beside one another bound a polygon with holes.
+/// Without a plane any two samples may be joined, so that there is a surface for any loops; on a
+/// plane, loops beside one another bound a polygon with holes.
 #[test]
 fn there_always_is_a_surface() {
     let mut random = Random::new(36);

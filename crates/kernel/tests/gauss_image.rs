@@ -64,7 +64,8 @@ fn a_helicoid_turns_as_its_curvature_says() {
 
 #[test]
 fn a_warp_that_changes_its_sign_counts_on_both_sides() {
-    // z = x² y: rulings along y, whose warp is 4 x to first order and changes its sign in the middle.
+    // z = x² y: rulings along y, whose warp is 4 x to first order and changes its sign in the
+    // middle.
     let signed = |from: f64| {
         ruled(401, |share, side| {
             let x = from + (1.0 - from) * share;

@@ -1,4 +1,5 @@
-//! Designs that are edited: what is kept and what is made anew come to what making them afresh does.
+//! Designs that are edited: what is kept and what is made anew come to what making them afresh
+//! does.
 #![allow(clippy::unwrap_used)] // tests panic
 
 use sheetwright::boundary::size_of;

@@ -1,4 +1,5 @@
-//! Patterns that lie over themselves without an edge that crosses another, against counting triangles.
+//! Patterns that lie over themselves without an edge that crosses another, against counting
+//! triangles.
 
 #![allow(clippy::unwrap_used)] // tests panic
 
@@ -10,8 +11,8 @@ use sheetwright::predicate::{first_crossing_of_loops, orientation};
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::random::Random;
 
-/// A plate of 200 mm with a triangular window, `half` mm to each side along x and `open` mm deep, and on
-/// the window's long edge a triangular flap `deep` mm long, turned up by an angle.
+/// A plate of 200 mm with a triangular window, `half` mm to each side along x and `open` mm deep,
+/// and on the window's long edge a triangular flap `deep` mm long, turned up by an angle.
 fn plate_with_flap(half: f64, open: f64, deep: f64, turned: f64) -> Mesh {
     let p = Point3::new;
     let positions = vec![

@@ -1,5 +1,5 @@
-//! The optimal triangulation against equation (5) as three nested loops, beyond the sizes that can be
-//! enumerated: the same triangles, ties included, and the same bits of the price.
+//! The optimal triangulation against equation (5) as three nested loops, beyond the sizes that can
+//! be enumerated: the same triangles, ties included, and the same bits of the price.
 
 #![allow(clippy::unwrap_used)] // tests panic
 

@@ -129,8 +129,8 @@ fn quads_cover_the_boundary_with_one_rung_a_vertex() {
     assert!(tried > 150 && larger > 100 && quads_in_all * 10 > faces * 8);
 }
 
-/// Lengths of a flat pattern against those in space, both diagonals of every quad included; relative
-/// to the size.
+/// Lengths of a flat pattern against those in space, both diagonals of every quad included;
+/// relative to the size.
 fn flat_error(mesh: &QuadMesh, size: f64) -> f64 {
     let (sheet, flat) = lay_quads_flat(mesh, &[], &mut Unwatched).unwrap();
     // Along a seam a vertex lies on the pattern twice; the triangles know which place is theirs.

@@ -49,9 +49,9 @@ fn off_cylinder(p: Point3) -> f64 {
 }
 
 /// Rails round a cylinder whose ends lie askew: the rulings of the cylinder leave through the ends,
-/// and with rails that run on, the strip is the cylinder's. With straight ends, rulings fan out from two
-/// of its corners: as little twisted, but with a point at each, round which the sheet turns by a third
-/// of a right angle.
+/// and with rails that run on, the strip is the cylinder's. With straight ends, rulings fan out
+/// from two of its corners: as little twisted, but with a point at each, round which the sheet
+/// turns by a third of a right angle.
 #[test]
 fn a_strip_askew_on_a_cylinder_becomes_the_cylinders() {
     for method in [PanelMethod::Optimal, PanelMethod::Bridge, PanelMethod::Rails] {
@@ -79,14 +79,16 @@ fn a_strip_askew_on_a_cylinder_becomes_the_cylinders() {
         assert!(run_on.boundary.len() > straight.boundary.len());
         // A natural spline is a little straighter near its ends, so the rails run on a little wide.
         assert!(off(&run_on) < 0.6 && middles(&run_on) < 0.1 * middles(&straight));
-        // The radius is measured apart from points, so by itself it does not tell the two strips apart.
+        // The radius is measured apart from points, so by itself it does not tell the two strips
+        // apart.
         let points = straight.measures.apexes.iter().map(|apex| to_deg(apex.turn));
         assert_eq!(points.filter(|turn| *turn > 25.0).count(), 2, "{:?}", straight.measures.apexes);
         assert_eq!(run_on.measures.apexes, []);
-        // The new ends bulge from the cylinder and come back to it at the corners, where they are bent
-        // most: the developable surface through such an end and its rail, found ruling by ruling from
-        // where tangents and ruling lie in one plane, has 69.3 mm at its tightest and 75 mm or less
-        // over 4 mm. As a roll of the least depth that is 84 mm, at 160 and 320 samples too.
+        // The new ends bulge from the cylinder and come back to it at the corners, where they are
+        // bent most: the developable surface through such an end and its rail, found ruling by
+        // ruling from where tangents and ruling lie in one plane, has 69.3 mm at its tightest and
+        // 75 mm or less over 4 mm. As a roll of the least depth that is 84 mm, at 160 and 320
+        // samples too.
         let radius = run_on.measures.bend_radius_min_mm;
         assert!((0.78 * RADIUS..0.9 * RADIUS).contains(&radius), "{radius}");
         assert!(b < 1.0);

@@ -1,4 +1,5 @@
-//! The slopes that variation descends on, against central differences, and its value against prices.
+//! The slopes that variation descends on, against central differences, and its value against
+//! prices.
 #![allow(clippy::unwrap_used, clippy::print_stdout)] // tests panic and print what they measured
 
 use sheetwright::boundary::{Boundary, PlaneChoice, supporting_plane};

@@ -88,7 +88,7 @@ fn off_sphere(gore: &MadePanel, radius: f64) -> f64 {
 pub fn expected(gores: usize) -> [f64; 3] {
     let square = (PI / gores as f64) * (PI / gores as f64);
     // A gore's middle is a quarter of an ellipse with the half axes R cos(π/n) and R, which is a
-    // quarter shorter than R is; its width is a chord, a sixth shorter than its arc; its area is the
-    // integral of the two along it, a third.
+    // quarter shorter than R is; its width is a chord, a sixth shorter than its arc; its area is
+    // the integral of the two along it, a third.
     [square / 3.0, square / 4.0, square / 2.0]
 }

@@ -4,9 +4,9 @@
 //! holes, [`family`] the curve families that programs of this field are compared on, [`hemisphere`]
 //! the pieces of a gored hemisphere, [`gored`] what gores lose of a sphere, [`transition`] the
 //! classical square-to-round duct, [`three_cones`] a sheet that branches, [`random`] a generator of
-//! numbers and boundaries, [`hull`] the planks of a published one, [`drag`] handles and the way that a
-//! hand drags them, [`gallery`] the shapes of the gallery, [`pierced`] random boundaries with holes,
-//! and [`domain`] the definition of what a triangulation of such a boundary is.
+//! numbers and boundaries, [`hull`] the planks of a published one, [`drag`] handles and the way
+//! that a hand drags them, [`gallery`] the shapes of the gallery, [`pierced`] random boundaries
+//! with holes, and [`domain`] the definition of what a triangulation of such a boundary is.
 #![allow(clippy::expect_used)] // nothing comes from outside: a shape that fails is a fault of ours
 
 pub mod developable;

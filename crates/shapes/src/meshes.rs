@@ -1,4 +1,5 @@
-//! Triangle meshes with interior vertices: developable ones, whose lengths can all be kept, and others.
+//! Triangle meshes with interior vertices: developable ones, whose lengths can all be kept, and
+//! others.
 
 use crate::random::Random;
 use sheetwright::index::VertexIndex;
@@ -59,8 +60,9 @@ pub fn cylinder(radius: f64, angle: f64, height: f64, cells: usize, seed: u64) -
 }
 
 /// Part of a cone with its apex at the origin, whose rulings rise by half their length: from
-/// `inner` to `outer` mm along them, over `angle` radians round its axis, which may be several times
-/// round. Vertices lie on rulings, so it unrolls exactly, into a sector of nearly cos 30° of the angle.
+/// `inner` to `outer` mm along them, over `angle` radians round its axis, which may be several
+/// times round. Vertices lie on rulings, so it unrolls exactly, into a sector of nearly cos 30° of
+/// the angle.
 pub fn cone(inner: f64, outer: f64, angle: f64, around: usize, along: usize) -> Mesh {
     let level = 0.75f64.sqrt();
     grid_mesh(along + 1, around + 1, |i, j| {
@@ -105,8 +107,8 @@ pub fn cap(angle: f64, rings: usize, sides: usize) -> Mesh {
     Mesh::new(positions, triangles).expect("a cap is a mesh")
 }
 
-/// A square of 2 × 2 mm with gentle bumps of 0.02 mm and vertices shifted at random, `cells` × `cells`:
-/// nearly developable, as measured surfaces are.
+/// A square of 2 × 2 mm with gentle bumps of 0.02 mm and vertices shifted at random, `cells` ×
+/// `cells`: nearly developable, as measured surfaces are.
 pub fn bumpy(cells: usize) -> Mesh {
     let mut random = Random::new(20);
     let step = 2.0 / cells as f64;

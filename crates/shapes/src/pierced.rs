@@ -38,7 +38,8 @@ fn lifted(plan: &[Point2], mut height: impl FnMut(Point2) -> f64) -> Vec<Point3>
     plan.iter().map(|&p| Point3::new(p.x, p.y, height(p))).collect()
 }
 
-/// The boundary of these loops, whichever way they run, if it has a supporting plane seen from above.
+/// The boundary of these loops, whichever way they run, if it has a supporting plane seen from
+/// above.
 fn over_its_plan(random: &mut Random, loops: &[Vec<Point3>], corners: f64) -> Option<Boundary> {
     let loops: Vec<Vec<Sample>> = loops
         .iter()

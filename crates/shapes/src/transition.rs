@@ -93,8 +93,8 @@ impl Transition {
         }
     }
 
-    /// The duct, made with so many samples of each rail (one more than a multiple of eight times the
-    /// divisions that it is compared with).
+    /// The duct, made with so many samples of each rail (one more than a multiple of eight times
+    /// the divisions that it is compared with).
     pub fn made(&self, samples: usize) -> MadePanel {
         let mut design = self.design();
         design.panels[0].samples = samples;
@@ -122,7 +122,8 @@ fn laid_out(strip: &[(Point3, bool)]) -> Vec<Point2> {
     flat
 }
 
-/// The samples at the corners of the rectangle. The ends of the seam, corners of the loop, are none.
+/// The samples at the corners of the rectangle. The ends of the seam, corners of the loop, are
+/// none.
 fn corners(duct: &MadePanel) -> [usize; 4] {
     let samples = duct.boundary.samples();
     let inner = 1..samples.len() / 2 - 1;

@@ -1,5 +1,5 @@
-//! What a drawing shows, apart from how its file says so: to tell a pattern that has moved from one that
-//! is written in another way.
+//! What a drawing shows, apart from how its file says so: to tell a pattern that has moved from one
+//! that is written in another way.
 
 use miniz_oxide::inflate::decompress_to_vec_zlib;
 

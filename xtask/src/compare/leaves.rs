@@ -1,7 +1,7 @@
 //! The values of a JSON text, each with the way to it: `panels[0].warp_max_deg`.
 //!
-//! Numbers stay as they are written: rounding on the way in must not hide a last digit. So this is a
-//! reader of our own, of texts that our own writers made.
+//! Numbers stay as they are written: rounding on the way in must not hide a last digit. So this is
+//! a reader of our own, of texts that our own writers made.
 
 /// A value without values of its own.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,4 +1,5 @@
-//! Two folders of outputs compared file by file: what a change of the code has changed of what comes out.
+//! Two folders of outputs compared file by file: what a change of the code has changed of what
+//! comes out.
 //!
 //! - `report.json`: the numbers, truth values and codes, value by value. Sentences may change.
 //! - Drawings (SVG, DXF, PDF): byte by byte, and where bytes differ, whether what they show does.
@@ -166,7 +167,8 @@ fn compare_reports(name: &str, both: [&Vec<u8>; 2], allowed: Allowed, compared: 
     }
 }
 
-/// Whether two values are the same: numbers if they are so to the last bit, however they are written.
+/// Whether two values are the same: numbers if they are so to the last bit, however they are
+/// written.
 fn is_same(a: &Leaf, b: &Leaf) -> bool {
     let number = |leaf: &Leaf| match leaf {
         Leaf::Token(token) => token.parse::<f64>().ok().map(f64::to_bits),

@@ -1,5 +1,5 @@
-//! What outlasts the window: work that no file has, designs that were closed without being saved, recent
-//! files and settings.
+//! What outlasts the window: work that no file has, designs that were closed without being saved,
+//! recent files and settings.
 
 use crate::document::Draft;
 use crate::editor::{Coming, Editor, Next, Source};

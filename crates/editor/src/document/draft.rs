@@ -1,8 +1,8 @@
-//! What is kept of a document that its file does not have: all of it, and the name of the file, so that
-//! *Save* still goes there after it has come back.
+//! What is kept of a document that its file does not have: all of it, and the name of the file, so
+//! that *Save* still goes there after it has come back.
 //!
-//! `SWD1`, the length of the name, the name, and then the bytes of a design. What begins otherwise is a
-//! design that was kept without a name, as earlier versions did.
+//! `SWD1`, the length of the name, the name, and then the bytes of a design. What begins otherwise
+//! is a design that was kept without a name, as earlier versions did.
 
 use super::Document;
 

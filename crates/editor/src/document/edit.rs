@@ -232,8 +232,8 @@ fn cornered(document: &Document, corners: &[Point2], closed: bool) -> Outcome {
     with_curve(document, if closed { "outline" } else { "curve" }, points, closed)
 }
 
-/// Half the height of a rectangle that is put on the plan, and the radius of a circle, which then is a
-/// hole in it, in steps of the grid.
+/// Half the height of a rectangle that is put on the plan, and the radius of a circle, which then
+/// is a hole in it, in steps of the grid.
 const SHAPES: [f64; 2] = [4.0, 2.0];
 
 /// The document with one more outline of four corners, in the middle of the plan.
@@ -369,8 +369,8 @@ pub fn why_unbound(document: &Document) -> Option<String> {
     unbound(&proposal(document))
 }
 
-/// The document with the panels of closed curves that crossed something `before` and don't any more;
-/// `None` if there are none.
+/// The document with the panels of closed curves that crossed something `before` and don't any
+/// more; `None` if there are none.
 pub fn with_freed(before: &Document, now: &Document) -> Option<Document> {
     let Proposal { crossing, crossing_itself, .. } = proposal(before);
     let barred: Vec<String> = crossing.into_iter().flatten().chain(crossing_itself).collect();

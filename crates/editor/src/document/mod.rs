@@ -30,8 +30,8 @@ impl Default for Document {
     }
 }
 
-/// Nothing is put farther out, mm. Files hold coordinates of up to [`MAX_COORDINATE_MM`], and a curve
-/// swings out beyond its handles by less than ten times.
+/// Nothing is put farther out, mm. Files hold coordinates of up to [`MAX_COORDINATE_MM`], and a
+/// curve swings out beyond its handles by less than ten times.
 pub const FARTHEST_MM: f64 = 0.1 * MAX_COORDINATE_MM;
 
 impl Document {

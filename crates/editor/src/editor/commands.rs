@@ -167,7 +167,8 @@ impl Editor {
         }
     }
 
-    /// Brings the sheet into sight, as it is in space; or as it lies flat, for whoever looks at that.
+    /// Brings the sheet into sight, as it is in space; or as it lies flat, for whoever looks at
+    /// that.
     fn show_sheet(&mut self) {
         if self.part != Part::Pattern {
             self.part = Part::Space;
@@ -193,8 +194,8 @@ impl Editor {
         self.becomes(document);
     }
 
-    /// The panel and the rung with the largest warp angle of all: of those that the sampling does not
-    /// explain, if there are any.
+    /// The panel and the rung with the largest warp angle of all: of those that the sampling does
+    /// not explain, if there are any.
     pub fn worst_rung(&self) -> Option<(usize, usize)> {
         let made = self.shown.iter().enumerate();
         let worst = made.filter_map(|(n, panel)| {
@@ -205,7 +206,8 @@ impl Editor {
         worst.max_by(|a, b| a.2.cmp(&b.2)).map(|(panel, rung, _)| (panel, rung))
     }
 
-    /// The numbers of the panels that are shown, the worst first; those that are as bad in their order.
+    /// The numbers of the panels that are shown, the worst first; those that are as bad in their
+    /// order.
     pub fn worst_first(&self) -> Vec<usize> {
         let mut order: Vec<usize> = (0..self.shown.len()).collect();
         let rank = |n: &usize| {

@@ -1,7 +1,7 @@
 //! Files: what the editor wants of the system, and what comes back.
 //!
-//! The editor itself touches no disk: it says what it wishes, and whoever owns the window (or a test)
-//! asks the person and answers.
+//! The editor itself touches no disk: it says what it wishes, and whoever owns the window (or a
+//! test) asks the person and answers.
 
 use super::{Coming, Editor, Next, Source};
 use crate::document::{Document, Draft, Reference};
@@ -138,7 +138,8 @@ impl Editor {
         self.say(text);
     }
 
-    /// A file was chosen to be opened. It is, once the person has decided about work that no file has.
+    /// A file was chosen to be opened. It is, once the person has decided about work that no file
+    /// has.
     pub fn open(&mut self, opened: Opened) {
         match coming(opened) {
             Ok(coming) => self.leave_for(Next::Document(Box::new(coming))),
@@ -265,8 +266,8 @@ impl Editor {
         self.calibrated.map(|[a, b]| a.distance(b))
     }
 
-    /// The two places are this far apart, mm: the picture becomes as large as that makes it, and the
-    /// first of them stays where it is.
+    /// The two places are this far apart, mm: the picture becomes as large as that makes it, and
+    /// the first of them stays where it is.
     pub fn calibrated(&mut self, distance_mm: f64) {
         let Some([a, b]) = self.calibrated.take() else { return };
         self.page = super::Page::Panes;

@@ -1,6 +1,6 @@
-//! What happens before another document takes the place of one with work that no file has: the person
-//! is asked, and what waits goes on once the work is saved or dropped. What is dropped is handed to
-//! whoever keeps things, so that it can be had back.
+//! What happens before another document takes the place of one with work that no file has: the
+//! person is asked, and what waits goes on once the work is saved or dropped. What is dropped is
+//! handed to whoever keeps things, so that it can be had back.
 
 use super::Editor;
 use crate::document::{Document, Draft};

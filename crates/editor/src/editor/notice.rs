@@ -1,5 +1,5 @@
-//! What is said to the person, in a line: why something can't be done, that something was done, or in
-//! passing that something is not possible now, which goes by itself.
+//! What is said to the person, in a line: why something can't be done, that something was done, or
+//! in passing that something is not possible now, which goes by itself.
 
 use super::Editor;
 use web_time::{Duration, Instant};

@@ -2,13 +2,13 @@
 //!
 //! There is to be an answer for every frame, and nobody knows beforehand how long one takes: it
 //! depends on the design, the handle and the machine. So it is measured. The first answers have few
-//! samples; what is early enough is followed by twice as many, up to all that the design asks for, and
-//! what is late again and again, by half as many.
+//! samples; what is early enough is followed by twice as many, up to all that the design asks for,
+//! and what is late again and again, by half as many.
 //!
 //! Another fineness makes all panels afresh, the next answer those alone that the hand changes. So
-//! the first answer of a fineness is no measure for the next ones, but for what the first of the next
-//! fineness would take, for which the picture stands still. What was too much is not tried again for
-//! a while.
+//! the first answer of a fineness is no measure for the next ones, but for what the first of the
+//! next fineness would take, for which the picture stands still. What was too much is not tried
+//! again for a while.
 
 use sheetwright::design::Design;
 use sheetwright::draw::coarse::coarse;
@@ -126,8 +126,8 @@ mod tests {
     use super::*;
     use crate::engine::tests::saddles;
 
-    /// A hand that moves, and a machine on which a panel of 96 samples takes so many microseconds, and
-    /// one of twice as many so many times as long. One panel follows the hand.
+    /// A hand that moves, and a machine on which a panel of 96 samples takes so many microseconds,
+    /// and one of twice as many so many times as long. One panel follows the hand.
     struct Hand {
         fineness: Fineness,
         design: Design,

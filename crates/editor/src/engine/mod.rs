@@ -23,9 +23,9 @@ use shown::ShownPanel;
 use std::sync::Arc;
 use web_time::Duration;
 
-/// How long something outdated may be at work before it is stopped. An answer that is a little old is
-/// better than none: where frames are shorter than answers, none would ever come. After each that was
-/// stopped it is twice as long, until there is an answer.
+/// How long something outdated may be at work before it is stopped. An answer that is a little old
+/// is better than none: where frames are shorter than answers, none would ever come. After each
+/// that was stopped it is twice as long, until there is an answer.
 const PATIENCE: Duration = Duration::from_millis(400);
 
 /// Wakes the window up because there is an answer.

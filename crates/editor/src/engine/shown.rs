@@ -25,7 +25,8 @@ impl ShownPanel {
     }
 }
 
-/// How far a panel twists, in the order of how bad that is: what the sampling may explain comes first.
+/// How far a panel twists, in the order of how bad that is: what the sampling may explain comes
+/// first.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Twist {
     /// Whether the sampling does not explain it.
@@ -145,8 +146,8 @@ impl Shown {
         }
     }
 
-    /// The rung that twists most, by its number among [`Self::rungs`]: of those whose warp angle the
-    /// sampling does not explain, if there are any.
+    /// The rung that twists most, by its number among [`Self::rungs`]: of those whose warp angle
+    /// the sampling does not explain, if there are any.
     pub fn worst_rung(&self) -> Option<usize> {
         (0..self.rungs.len()).max_by_key(|&n| self.rungs[n].twist())
     }

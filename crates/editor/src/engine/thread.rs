@@ -32,7 +32,8 @@ impl Engine {
     pub fn ask(&mut self, job: Job) {
         match job {
             Job::Show { detail: Detail::Coarse, .. } => {
-                // All of it that is shown at rest is outdated, and would only take time from the hand.
+                // All of it that is shown at rest is outdated, and would only take time from the
+                // hand.
                 self.slow.drop_shows();
                 self.quick.put(job);
             }

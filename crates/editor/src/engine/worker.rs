@@ -1,8 +1,8 @@
 //! The engine in the browser: one worker for what follows the hand, and one for what takes long.
 //!
-//! A page has one thread, and a page that computes is a page that hangs. So jobs and answers cross to
-//! workers as bytes. Nothing reaches a worker while it computes: to stop one is to end it, and to
-//! begin another, which runs the program that the page has compiled.
+//! A page has one thread, and a page that computes is a page that hangs. So jobs and answers cross
+//! to workers as bytes. Nothing reaches a worker while it computes: to stop one is to end it, and
+//! to begin another, which runs the program that the page has compiled.
 //!
 //! ```text
 //! page                         worker

@@ -1,4 +1,5 @@
-//! Files on the desktop: the system's own dialogs, each on a thread, so that the window stays alive.
+//! Files on the desktop: the system's own dialogs, each on a thread, so that the window stays
+//! alive.
 
 use super::{Dialogs, FileAnswer, Typed};
 use crate::editor::{Dropped, FileWish, Opened};
@@ -155,7 +156,8 @@ fn in_the_way(wish: &FileWish, path: &Path) -> Option<Typed> {
     Some(Typed::IsThere { first, count: there.len() })
 }
 
-/// A typed path: `~` is the folder of the person, and what begins nowhere begins where the program runs.
+/// A typed path: `~` is the folder of the person, and what begins nowhere begins where the program
+/// runs.
 fn typed_path(text: &str) -> PathBuf {
     let text = text.trim();
     let of_home = text.strip_prefix('~').filter(|rest| rest.is_empty() || rest.starts_with('/'));
@@ -194,8 +196,8 @@ thread_local! {
     static NO_DIALOG: Cell<bool> = const { Cell::new(false) };
 }
 
-/// `rfd` gives the same answer whether a person changes his mind or there is nothing to show a dialog
-/// with, neither a portal nor zenity; only its log tells. It logs on the thread that asks.
+/// `rfd` gives the same answer whether a person changes his mind or there is nothing to show a
+/// dialog with, neither a portal nor zenity; only its log tells. It logs on the thread that asks.
 struct Listener;
 
 impl log::Log for Listener {

@@ -45,8 +45,8 @@ fn window(ctx: &egui::Context, title: &str, width: f32, content: impl FnOnce(&mu
     is_open
 }
 
-/// Covers everything behind the window of this name, so that neither hand nor keys reach it; whether the
-/// hand has clicked there.
+/// Covers everything behind the window of this name, so that neither hand nor keys reach it;
+/// whether the hand has clicked there.
 fn shield(ctx: &egui::Context, window: Id) -> bool {
     let id = window.with("shield");
     let pass = ctx.cumulative_pass_nr();
@@ -70,8 +70,8 @@ fn shield(ctx: &egui::Context, window: Id) -> bool {
     shield.inner.clicked()
 }
 
-/// A question in the middle, above everything else, which gets no clicks meanwhile. What it holds is told
-/// whether it has just opened, so that what is used most can take the keys.
+/// A question in the middle, above everything else, which gets no clicks meanwhile. What it holds
+/// is told whether it has just opened, so that what is used most can take the keys.
 fn modal(ctx: &egui::Context, name: &str, width: f32, content: impl FnOnce(&mut Ui, bool)) {
     let id = Id::unique(name);
     let frame = ctx.cumulative_pass_nr();

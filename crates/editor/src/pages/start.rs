@@ -1,5 +1,5 @@
-//! The start page: an empty sheet, templates and examples with pictures, recent files, what was closed
-//! without being saved, and what was not saved when the program ended last.
+//! The start page: an empty sheet, templates and examples with pictures, recent files, what was
+//! closed without being saved, and what was not saved when the program ended last.
 
 use super::main_button;
 use crate::bars::notice_ui;
@@ -474,7 +474,8 @@ impl Form {
     }
 }
 
-/// A line to click that leads to something that is kept, on one line however long; whether it was clicked.
+/// A line to click that leads to something that is kept, on one line however long; whether it was
+/// clicked.
 fn left_ui(ui: &mut Ui, text: &str, hint: &str) -> bool {
     ui.scope(|ui| {
         ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Truncate);

@@ -161,8 +161,8 @@ fn usual_limit_mm(units: Units) -> f64 {
     }
 }
 
-/// What is being worked out. It takes as much room whatever it says and before it begins, so that nothing
-/// moves under the hand.
+/// What is being worked out. It takes as much room whatever it says and before it begins, so that
+/// nothing moves under the hand.
 fn work_ui(ui: &mut Ui, editor: &Editor, acts: &mut Vec<Act>) {
     let lines = 2.0 * ui.text_style_height(&egui::TextStyle::Body);
     let bar = ui.spacing().interact_size.y;

@@ -1,5 +1,5 @@
-//! Dashed lines, of which only what can be seen is drawn: a handle far away, looked at closely, is at
-//! the end of more dashes than fit into memory.
+//! Dashed lines, of which only what can be seen is drawn: a handle far away, looked at closely, is
+//! at the end of more dashes than fit into memory.
 
 use eframe::egui::{Painter, Pos2, Rect, Shape, Stroke};
 use sheetwright::math::Point2;

@@ -1,6 +1,6 @@
 //! Whose handles are shown: of few all; of many those of the curves that are selected, or under the
-//! hand. The others are dots, and there all the same, for the hand, for keys and for screen readers:
-//! a hand that comes to one is on its curve, and so sees it.
+//! hand. The others are dots, and there all the same, for the hand, for keys and for screen
+//! readers: a hand that comes to one is on its curve, and so sees it.
 
 use crate::scene::{PointRef, Scene, curves_of};
 use crate::theme::Theme;

@@ -1,10 +1,10 @@
 //! Saves the work of a window while it is made.
 //!
-//! The app says with every frame which version its document has. When a save is due, it hands over a
-//! job that makes the bytes: on the desktop a thread does it, so that no frame waits for a disk, and
-//! of jobs that come while it is at work only the newest is done. In the browser the database works
-//! beside the page; there too only the newest waits. What is put aside, into slots of their own, is kept
-//! first, and all of it.
+//! The app says with every frame which version its document has. When a save is due, it hands over
+//! a job that makes the bytes: on the desktop a thread does it, so that no frame waits for a disk,
+//! and of jobs that come while it is at work only the newest is done. In the browser the database
+//! works beside the page; there too only the newest waits. What is put aside, into slots of their
+//! own, is kept first, and all of it.
 
 use super::{Due, Pace, Store, StoreError};
 use std::collections::VecDeque;

@@ -2,11 +2,12 @@
 //!
 //! The database (IndexedDB) has room for gigabytes, and what it says is done outlasts the tab and a
 //! browser that is killed. Local storage does not: browsers write it to the disk seconds later. It
-//! answers at once, which is enough for settings. The browser may clear both, so work is read back and
-//! compared when it was written, and people are told to save to a file.
+//! answers at once, which is enough for settings. The browser may clear both, so work is read back
+//! and compared when it was written, and people are told to save to a file.
 //!
-//! The page's script speaks to the database (`kept.js`), and only it knows which other tabs run (Web
-//! Locks, which go when their tab does). It says all that to [`prepare`] before anything is opened.
+//! The page's script speaks to the database (`kept.js`), and only it knows which other tabs run
+//! (Web Locks, which go when their tab does). It says all that to [`prepare`] before anything is
+//! opened.
 
 use super::{Recovered, StoreError, checked, is_name};
 use crate::envelope::{opened, sealed};

@@ -1,9 +1,9 @@
 //! What is in the canvas, as elements that screen readers find.
 //!
-//! A canvas is a picture to a screen reader. So each named thing in it has an element over it that is
-//! not seen and that the pointer passes through: with its role, its name, its state and its place.
-//! What a screen reader activates there happens in the canvas. The elements are those of the tree
-//! that desktop systems get (AccessKit), written at most a few times a second and only where
+//! A canvas is a picture to a screen reader. So each named thing in it has an element over it that
+//! is not seen and that the pointer passes through: with its role, its name, its state and its
+//! place. What a screen reader activates there happens in the canvas. The elements are those of the
+//! tree that desktop systems get (AccessKit), written at most a few times a second and only where
 //! something has changed.
 
 use super::document;

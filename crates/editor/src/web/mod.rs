@@ -1,8 +1,8 @@
 //! The door from the page: its script calls [`start`], and everything else happens in the canvas.
 //!
-//! What the canvas can't say is said in the page itself, in plain words: that there are no graphics,
-//! or that the program has a fault. The page also has a copy of the names and places of everything in
-//! the canvas, for screen readers ([`mirror`]).
+//! What the canvas can't say is said in the page itself, in plain words: that there are no
+//! graphics, or that the program has a fault. The page also has a copy of the names and places of
+//! everything in the canvas, for screen readers ([`mirror`]).
 
 mod mirror;
 

@@ -88,7 +88,8 @@ impl<T: Serialize> Serialize for Object<T> {
     }
 }
 
-/// The design in some bytes, and how it is drawn. Tables that it refers to lie in `folder` or below.
+/// The design in some bytes, and how it is drawn. Tables that it refers to lie in `folder` or
+/// below.
 ///
 /// # Errors
 /// Bytes that are no design that this version takes.

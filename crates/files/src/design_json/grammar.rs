@@ -43,8 +43,8 @@ pub(super) struct DesignFile {
     #[serde(default)]
     #[schemars(with = "Option<VaryFile>")]
     pub(super) vary: Option<Object<VaryFile>>,
-    /// Whether curves that several panels share get as many samples on each, so that both sides of a
-    /// seam are equally long. They do in any case where something moves. Default: false.
+    /// Whether curves that several panels share get as many samples on each, so that both sides of
+    /// a seam are equally long. They do in any case where something moves. Default: false.
     #[serde(default)]
     pub(super) match_seams: bool,
     /// How it is drawn in the editor. Nothing in it changes what is made.
@@ -212,14 +212,14 @@ pub(super) struct PanelFile {
     #[serde(default)]
     #[schemars(range(min = 0, max = 10))]
     pub(super) fold: Option<f64>,
-    /// How much work the search may do where there are holes, as a multiple of the default, which is
-    /// a few seconds. Default: 1.
+    /// How much work the search may do where there are holes, as a multiple of the default, which
+    /// is a few seconds. Default: 1.
     #[serde(default)]
     #[schemars(range(min = 0.001, max = 1000))]
     pub(super) effort: Option<f64>,
-    /// Where the pattern of a panel with holes is to be cut open, if it must be: points `[x, y, z]`,
-    /// at the most one a hole. Cuts run from loop to loop, where their middles lie nearest to the
-    /// points. Default: where they are shortest.
+    /// Where the pattern of a panel with holes is to be cut open, if it must be: points `[x, y,
+    /// z]`, at the most one a hole. Cuts run from loop to loop, where their middles lie nearest to
+    /// the points. Default: where they are shortest.
     #[serde(default)]
     #[schemars(with = "Option<Vec<[f64; 3]>>")]
     pub(super) cut: Option<Vec<Triple>>,

@@ -174,7 +174,8 @@ impl Builder {
     /// The groups that have triangles, each with the points that its own use. What was left out of
     /// groups of which nothing is left is counted with the first.
     pub(super) fn built(mut self) -> Result<Vec<Built>, InputError> {
-        // A file whose every triangle has corners of its own can't mean that nothing hangs together.
+        // A file whose every triangle has corners of its own can't mean that nothing hangs
+        // together.
         let mut used = vec![false; self.points.len()];
         let corners = self.groups.iter().flat_map(|group| group.triangles.iter().flatten());
         let shared = corners.into_iter().any(|&corner| std::mem::replace(&mut used[corner], true));

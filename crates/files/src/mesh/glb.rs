@@ -1,4 +1,5 @@
-//! glTF in one binary file (`.glb`, version 2): the triangles of every node, where the node puts them.
+//! glTF in one binary file (`.glb`, version 2): the triangles of every node, where the node puts
+//! them.
 //!
 //! Normals and colours force such files to give a corner more than one point; those with the same
 //! coordinates, to the last bit, are one again.
@@ -317,8 +318,8 @@ impl File<'_> {
         Ok(())
     }
 
-    /// The numbers of an accessor, row by row, and how many rows there are: all of them lie within the
-    /// file.
+    /// The numbers of an accessor, row by row, and how many rows there are: all of them lie within
+    /// the file.
     fn rows<const N: usize>(
         &self,
         accessor: usize,

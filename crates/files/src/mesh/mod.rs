@@ -1,8 +1,9 @@
 //! Meshes from elsewhere: OBJ, STL, PLY and glTF binary, one module a format.
 //!
-//! Every reader hands its polygons to a [`Builder`], which sorts them into groups, splits those with
-//! more than three corners, welds where the format can't say which corners are one, and leaves out
-//! what is no triangle. What remains is for the kernel to judge: whether it is a surface at all.
+//! Every reader hands its polygons to a [`Builder`], which sorts them into groups, splits those
+//! with more than three corners, welds where the format can't say which corners are one, and leaves
+//! out what is no triangle. What remains is for the kernel to judge: whether it is a surface at
+//! all.
 //!
 //! The readers are our own lines. The crates that were tried (tobj 4.0, stl_io 0.8, ply-rs-bw 2.0,
 //! gltf 1.4) name no line or offset of what is broken, tobj splits a polygon that is not convex

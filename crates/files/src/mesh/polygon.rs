@@ -1,9 +1,9 @@
 //! Polygons with more than three corners become triangles.
 //!
 //! A quadrilateral is divided along its shorter diagonal, unless it is not convex there. One with
-//! more corners is looked at along its mean normal (Newell's), and corners that stick out and hold no
-//! other corner are cut off one after the other, those with the shortest cut first. What can't be
-//! divided so, because it crosses itself, becomes a fan.
+//! more corners is looked at along its mean normal (Newell's), and corners that stick out and hold
+//! no other corner are cut off one after the other, those with the shortest cut first. What can't
+//! be divided so, because it crosses itself, becomes a fan.
 
 use sheetwright::math::{Point2, Point3, Vec3, unit};
 use sheetwright::predicate::orientation;

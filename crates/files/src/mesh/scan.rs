@@ -1,5 +1,5 @@
-//! What the readers of text and of bytes share: lines with their numbers, numbers, and a cursor over
-//! bytes that knows where it is.
+//! What the readers of text and of bytes share: lines with their numbers, numbers, and a cursor
+//! over bytes that knows where it is.
 
 use crate::names::shown;
 use crate::reading::InputError;

@@ -1,7 +1,8 @@
 //! Where the names and marks of a piece stand on its sheets: no joint of two sheets cuts one.
 //!
 //! A text that a joint would cut moves by the least way into one of the sheets that it lies on, off
-//! the lines that are cut if it was off them, and becomes smaller only where no sheet has room for it.
+//! the lines that are cut if it was off them, and becomes smaller only where no sheet has room for
+//! it.
 
 use super::tiling::Tiling;
 use crate::stroke_font::strokes;

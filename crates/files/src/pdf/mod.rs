@@ -87,8 +87,8 @@ impl MaxSheets {
     }
 }
 
-/// 2,000: a PDF is true to scale for everything that fits a workshop, the planks of a vessel of 20 m
-/// among it, in a file of a few MB.
+/// 2,000: a PDF is true to scale for everything that fits a workshop, the planks of a vessel of 20
+/// m among it, in a file of a few MB.
 impl Default for MaxSheets {
     fn default() -> Self {
         Self(2_000)
@@ -104,8 +104,8 @@ pub struct PdfOptions {
     pub max_sheets: MaxSheets,
 }
 
-/// How hard pages are compressed, of 10: sheets repeat much, so they become about a quarter of their
-/// size at every level.
+/// How hard pages are compressed, of 10: sheets repeat much, so they become about a quarter of
+/// their size at every level.
 const COMPRESSION: u8 = 6;
 
 /// A written PDF.
@@ -133,7 +133,8 @@ pub struct Reduced {
 }
 
 impl Reduced {
-    /// How to print it true to scale all the same, in a sentence; `None` where no PDF takes so many.
+    /// How to print it true to scale all the same, in a sentence; `None` where no PDF takes so
+    /// many.
     pub(crate) fn way_to_sheets(&self) -> Option<String> {
         let Self { sheets, file_full, .. } = *self;
         if sheets > MaxSheets::MOST.get() {

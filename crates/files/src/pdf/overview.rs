@@ -199,8 +199,8 @@ fn grid(page: &mut Page, piece: &Piece, tiling: &Tiling, view: &View) {
     }
 }
 
-/// The size of the letters of a sheet's name, and where it begins in the cell: in the largest size and
-/// at the first place where no line runs through it, else where the fewest do.
+/// The size of the letters of a sheet's name, and where it begins in the cell: in the largest size
+/// and at the first place where no line runs through it, else where the fewest do.
 fn name_place(name: &str, cell: Box2, lines: &[[Point2; 2]]) -> (f64, Point2) {
     let room = cell.max - cell.min;
     let largest_pt = (room.y * 1.6).min(room.x * 3.6 / name.len() as f64).min(8.0);

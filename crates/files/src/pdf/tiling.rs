@@ -1,5 +1,5 @@
-//! How a piece is divided into sheets of paper: a grid of rows A, B, … from the top and columns 1, 2, …
-//! from the left, upright or lying, whichever takes fewer.
+//! How a piece is divided into sheets of paper: a grid of rows A, B, … from the top and columns 1,
+//! 2, … from the left, upright or lying, whichever takes fewer.
 
 use super::Paper;
 use sheetwright::math::{Point2, Vec2};

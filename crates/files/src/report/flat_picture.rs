@@ -265,8 +265,8 @@ impl Stretch {
     }
 }
 
-/// Places in the picture for a letter that belongs to a line of the pattern: beside its middle, right
-/// of it, which is outside where it is the outline, or else left; then nearer to its ends.
+/// Places in the picture for a letter that belongs to a line of the pattern: beside its middle,
+/// right of it, which is outside where it is the outline, or else left; then nearer to its ends.
 pub(super) fn beside(piece: &Piece, line: &[Point2]) -> Vec<Point2> {
     let length: f64 = line.windows(2).map(|pair| pair[0].distance(pair[1])).sum();
     let shares = [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8];

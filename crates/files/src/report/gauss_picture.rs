@@ -29,8 +29,8 @@ const RUNGS: usize = 70;
 const MESH_SIDES: usize = 4000;
 /// The class of those sides.
 const NET: &str = "net";
-/// Up to so many different sides, lines between directions are as thick as a curve, and dots mark up
-/// to so many directions.
+/// Up to so many different sides, lines between directions are as thick as a curve, and dots mark
+/// up to so many directions.
 const FEW: usize = 160;
 /// Creases that turn by more than this, degrees, part two directions.
 const SHARP_DEG: f64 = 30.0;
@@ -218,8 +218,8 @@ impl Image {
     }
 }
 
-/// The lines between directions of a mesh, each once: thin ones of a net, and dots with thick ones where
-/// there are so few that they would be lost among the circles of the ball.
+/// The lines between directions of a mesh, each once: thin ones of a net, and dots with thick ones
+/// where there are so few that they would be lost among the circles of the ball.
 fn net(sides: Vec<[Point2; 2]>) -> String {
     let rounded = |p: Point2| [p.x, p.y].map(|x| (x / SEEN).round() as i64);
     let mut places: BTreeMap<[i64; 2], Point2> = BTreeMap::new();
@@ -244,10 +244,10 @@ fn net(sides: Vec<[Point2; 2]>) -> String {
     body
 }
 
-/// The sides of a mesh as they lie on the ball: each joins the directions that the mesh faces at its
-/// two ends. A direction at a vertex is the mean of the triangles round it, weighed by their areas, up
-/// to sharp creases, where it has one on either side, which are joined too. The directions of single
-/// triangles would jump from side to side, and their lines be a tangle.
+/// The sides of a mesh as they lie on the ball: each joins the directions that the mesh faces at
+/// its two ends. A direction at a vertex is the mean of the triangles round it, weighed by their
+/// areas, up to sharp creases, where it has one on either side, which are joined too. The
+/// directions of single triangles would jump from side to side, and their lines be a tangle.
 fn sides_on_ball(mesh: &Mesh, areas: &[Vec3]) -> Vec<[Vec3; 2]> {
     let corner = |t: TriangleIndex, v: VertexIndex| {
         3 * t.get() + mesh.triangles()[t.get()].iter().position(|&c| c == v).unwrap_or(0)

@@ -44,8 +44,8 @@ struct Report<'a> {
 struct PanelReport<'a> {
     /// Its name; its files are called so.
     name: &'a str,
-    /// Which triangulations were looked at: `optimal`, `bridge` or `rails`; or `mesh` for a mesh that
-    /// was flattened as it stands.
+    /// Which triangulations were looked at: `optimal`, `bridge` or `rails`; or `mesh` for a mesh
+    /// that was flattened as it stands.
     method: &'static str,
     /// What was made as small as could be: `price`, or `worst-warp`, which is the largest twist
     /// first and then the price. Null for a mesh.
@@ -58,8 +58,8 @@ struct PanelReport<'a> {
     /// Whether no triangulation at all, of those that the supporting plane admits, is better by
     /// that goal. Null for a mesh.
     proven_optimal: Option<bool>,
-    /// The share of the price that a cheaper one could save at the most: 0 where there is none, null
-    /// where nothing is known.
+    /// The share of the price that a cheaper one could save at the most: 0 where there is none,
+    /// null where nothing is known.
     gap: Option<f64>,
     /// Samples of the boundary; of a mesh, the points of the outline and the holes of its pattern.
     samples: usize,
@@ -84,11 +84,11 @@ struct PanelReport<'a> {
     /// The largest warp angle that is accepted, degrees: the material's, or the default without
     /// one.
     warp_limit_deg: f64,
-    /// The smallest radius that the sheet is bent to, mm; null for a flat panel, and for a mesh, where
-    /// it is not measured.
+    /// The smallest radius that the sheet is bent to, mm; null for a flat panel, and for a mesh,
+    /// where it is not measured.
     bend_radius_min_mm: Option<f64>,
-    /// The area of the Gauss image, steradians: how much of the unit sphere the normals sweep. 0 for a
-    /// developable surface; of a mesh, the angle defects at its inner vertices.
+    /// The area of the Gauss image, steradians: how much of the unit sphere the normals sweep. 0
+    /// for a developable surface; of a mesh, the angle defects at its inner vertices.
     gauss_area_sr: f64,
     /// The largest relative difference of a length, flat against space. Without unit.
     length_error_max: f64,
@@ -97,8 +97,8 @@ struct PanelReport<'a> {
     /// The mean relative difference of all lengths, each weighed by the area of its triangles.
     /// Without unit; null unless it is a mesh.
     length_error_area_mean: Option<f64>,
-    /// The largest factor by which a triangle is stretched in some direction, flat against space; null
-    /// where the panel unrolls exactly.
+    /// The largest factor by which a triangle is stretched in some direction, flat against space;
+    /// null where the panel unrolls exactly.
     stretch_max: Option<f64>,
     /// The smallest such factor: below 1 it is pressed together.
     stretch_min: Option<f64>,
@@ -118,14 +118,15 @@ struct PanelReport<'a> {
     /// Where the pattern had to be cut open, to be joined again; none where there are no holes or
     /// it lies flat with them.
     seams: Vec<SeamReport>,
-    /// Where a mesh was divided along its creases: the lines along which it is joined to other panels.
+    /// Where a mesh was divided along its creases: the lines along which it is joined to other
+    /// panels.
     joints: Vec<JointReport<'a>>,
     /// How far the pattern as it was written comes from the surface when it is folded up again,
     /// mm; null if it could not be read back. Of a mesh, how far its outline and holes as they were
     /// written lie from where they were laid.
     refold_error_mm: Option<f64>,
-    /// The largest distance of the mesh from the optimal surface of its border alone, mm; null unless
-    /// a mesh is divided along its creases, and where there is no such surface.
+    /// The largest distance of the mesh from the optimal surface of its border alone, mm; null
+    /// unless a mesh is divided along its creases, and where there is no such surface.
     rebuilt_distance_max_mm: Option<f64>,
     /// The mean of that distance over the area of the mesh, mm.
     rebuilt_distance_mean_mm: Option<f64>,
@@ -175,7 +176,8 @@ struct BeforeReport {
 struct QuadsReport {
     /// Quads.
     quads: usize,
-    /// Triangles: ends of strips, and what is left of larger polygons with an odd number of corners.
+    /// Triangles: ends of strips, and what is left of larger polygons with an odd number of
+    /// corners.
     triangles: usize,
     /// Larger polygons where strips meet, before they were split.
     larger_polygons: usize,
@@ -187,8 +189,8 @@ struct QuadsReport {
     planarity_after_mm: f64,
     /// The largest distance by which a vertex was moved, mm.
     moved_max_mm: f64,
-    /// The largest distance from a vertex to the boundary, mm; where not all are planar, that which it
-    /// would take.
+    /// The largest distance from a vertex to the boundary, mm; where not all are planar, that which
+    /// it would take.
     off_boundary_max_mm: f64,
     /// Ruled strips of the smooth surface.
     strips: usize,
@@ -251,8 +253,8 @@ struct FindingReport<'a> {
 }
 
 /// `report.json` of a made design. `refold_error_mm` and `checked` have one entry a panel; a refold
-/// error that is not finite says that the written pattern could not be read back. So has `quads`, where
-/// they were made.
+/// error that is not finite says that the written pattern could not be read back. So has `quads`,
+/// where they were made.
 ///
 /// # Panics
 /// Unless there is one entry a panel.

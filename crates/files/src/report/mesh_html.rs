@@ -30,8 +30,8 @@ const SUMMARY: [&str; 6] = [
     "Seams",
 ];
 
-/// `report.html` of meshes. `written_error_mm` and `checked` have one entry a panel; an error that is
-/// not finite says that the written pattern could not be read back.
+/// `report.html` of meshes. `written_error_mm` and `checked` have one entry a panel; an error that
+/// is not finite says that the written pattern could not be read back.
 ///
 /// # Panics
 /// Unless there is one entry a panel.

@@ -105,8 +105,8 @@ fn areas(panel: &MadeMesh) -> Vec<Vec3> {
     all.map(|t| panel.mesh.area_vector(TriangleIndex::new(t))).collect()
 }
 
-/// Where the surface turns from the eye: the edges between triangles of its front and of its back, given
-/// the shades of all triangles.
+/// Where the surface turns from the eye: the edges between triangles of its front and of its back,
+/// given the shades of all triangles.
 fn turns<'a>(
     panel: &'a MadeMesh,
     shades: &'a [u16],

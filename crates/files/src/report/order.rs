@@ -1,12 +1,12 @@
 //! In which order the triangles of a picture are drawn, so that what is nearer lies over what is
 //! farther.
 //!
-//! No rule by one number a triangle, such as the depth of its middle, is right for long triangles that
-//! lie across one another. So the order is sorted from what must lie over what, as Newell, Newell and
-//! Sancha do (1972), with the depth buffer for their tests: a triangle that shows in a cell is drawn
-//! after each other one that covers it. Triangles that show nowhere are left out. Where triangles lie
-//! over one another in a ring, or pass through one another, one of them is drawn all the same, and the
-//! cells that come out wrong by it are drawn last, one by one.
+//! No rule by one number a triangle, such as the depth of its middle, is right for long triangles
+//! that lie across one another. So the order is sorted from what must lie over what, as Newell,
+//! Newell and Sancha do (1972), with the depth buffer for their tests: a triangle that shows in a
+//! cell is drawn after each other one that covers it. Triangles that show nowhere are left out.
+//! Where triangles lie over one another in a ring, or pass through one another, one of them is
+//! drawn all the same, and the cells that come out wrong by it are drawn last, one by one.
 
 use super::raster::Raster;
 use sheetwright::math::Point2;
@@ -21,7 +21,8 @@ const SAME: f64 = 1e-3;
 pub(super) enum Order {
     /// Nothing hides anything: in any order.
     Any,
-    /// From the first to the last, by their numbers; then the cells that are marked, if there are any.
+    /// From the first to the last, by their numbers; then the cells that are marked, if there are
+    /// any.
     Of(Vec<usize>, Option<Vec<bool>>),
 }
 
@@ -66,8 +67,8 @@ pub(super) fn order(raster: &Raster<'_>) -> Order {
     Order::Of(list, wrong)
 }
 
-/// Whether a facet that covers the middle of no cell shows somewhere, by some places on it. Depths that
-/// differ by less than `same` are one.
+/// Whether a facet that covers the middle of no cell shows somewhere, by some places on it. Depths
+/// that differ by less than `same` are one.
 fn thin(raster: &Raster<'_>, n: usize, same: f64, pairs: &mut Vec<(u32, u32)>) -> bool {
     let facet = &raster.facets[n];
     let mut shows = false;
@@ -184,7 +185,8 @@ mod tests {
         [right, cells - right]
     }
 
-    /// The middle of the long bar is farther than that of the short one, which it hides all the same.
+    /// The middle of the long bar is farther than that of the short one, which it hides all the
+    /// same.
     #[test]
     fn a_long_triangle_hides_what_lies_behind_one_of_its_ends() {
         let long = bar([2., 20.], [38., 20.], [10., -30.]);

@@ -77,14 +77,15 @@ impl<'a> Scene<'a> {
         self.visible_on(ends, near, [true; 2])
     }
 
-    /// The pieces that are seen of a line where a surface turns from the eye: its own steep facets do
-    /// not hide it.
+    /// The pieces that are seen of a line where a surface turns from the eye: its own steep facets
+    /// do not hide it.
     pub(super) fn visible_turn(&self, ends: [Point2; 2], near: [f64; 2]) -> Vec<[Point2; 2]> {
         const STEEP: f64 = 8.0;
         self.visible_beyond(ends, near, [true; 2], STEEP * self.enough)
     }
 
-    /// The pieces that are seen of a line that lies on the front of a surface, on its back, or on both.
+    /// The pieces that are seen of a line that lies on the front of a surface, on its back, or on
+    /// both.
     pub(super) fn visible_on(
         &self,
         ends: [Point2; 2],

@@ -1,10 +1,10 @@
 //! Which triangle of a picture lies nearest, cell by cell.
 //!
-//! The depth buffer of Catmull (1974): every triangle goes into the cells whose middles it covers, and
-//! each cell keeps the nearest. It takes time as the triangles have cells, however many there are. It
-//! says in which order triangles are drawn ([`order`](super::order)), which parts of lines are hidden,
-//! and it is the picture itself where there are so many triangles that a path for each would make the
-//! page large.
+//! The depth buffer of Catmull (1974): every triangle goes into the cells whose middles it covers,
+//! and each cell keeps the nearest. It takes time as the triangles have cells, however many there
+//! are. It says in which order triangles are drawn ([`order`](super::order)), which parts of lines
+//! are hidden, and it is the picture itself where there are so many triangles that a path for each
+//! would make the page large.
 
 use super::canvas::number;
 use sheetwright::math::{Point2, Vec2};
@@ -149,8 +149,8 @@ impl<'a> Raster<'a> {
         Point2::new(along(p.x, self.left), along(p.y, self.above))
     }
 
-    /// The cells whose middles a facet covers: rows, each from a column to before another. Facets that
-    /// share a side share no cell.
+    /// The cells whose middles a facet covers: rows, each from a column to before another. Facets
+    /// that share a side share no cell.
     fn rows(&self, facet: &Facet) -> impl Iterator<Item = (usize, usize, usize)> + use<> {
         let mut corners = facet.corners.map(|p| self.in_cells(p));
         corners.sort_unstable_by(|a, b| a.y.total_cmp(&b.y));
@@ -196,8 +196,8 @@ impl<'a> Raster<'a> {
     }
 
     /// Whether something lies before a place by more than `enough`. What shows in the cell is asked
-    /// for its plane there; a steep one is not sure to within a cell. Where that leaves a doubt, what
-    /// the line does not `belong` to hides it.
+    /// for its plane there; a steep one is not sure to within a cell. Where that leaves a doubt,
+    /// what the line does not `belong` to hides it.
     fn is_hidden(&self, at: Point2, line: &Line<'_>, near: f64) -> bool {
         self.top_at(at).is_some_and(|n| {
             let facet = &self.facets[n];
@@ -278,8 +278,8 @@ impl<'a> Raster<'a> {
     }
 }
 
-/// A side of a facet, in cells, from its lower to its upper end, so that both facets of a side say the
-/// same of it.
+/// A side of a facet, in cells, from its lower to its upper end, so that both facets of a side say
+/// the same of it.
 struct Side {
     from: Point2,
     slope: f64,

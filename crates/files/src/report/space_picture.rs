@@ -94,8 +94,8 @@ fn outlines(parts: &[Part<'_>], shades: &[Vec<u16>], scene: &Scene<'_>) -> Strin
     turns.element("e thin") + &border
 }
 
-/// The rungs of all parts, as far as they are seen. Where rulings would run into one another, some are
-/// left out.
+/// The rungs of all parts, as far as they are seen. Where rulings would run into one another, some
+/// are left out.
 fn rungs(parts: &[Part<'_>], shades: &[Vec<u16>], scene: &Scene<'_>) -> String {
     let apart = if parts.len() > 1 { APART_OF_SEVERAL } else { APART };
     let mut drawn = Middles { apart, squares: BTreeMap::new() };
@@ -178,7 +178,8 @@ pub(super) fn legend<'a>(
     legend
 }
 
-/// Where projected points lie in a picture that shows all of them, with the axes and the scale below.
+/// Where projected points lie in a picture that shows all of them, with the axes and the scale
+/// below.
 pub(super) struct Fit {
     left: f64,
     high: f64,
@@ -223,9 +224,9 @@ impl Fit {
     }
 }
 
-/// The class of every rung that is drawn: `w` the one that warps most, if it is beyond the limit, `x`
-/// beyond it, `t` bent more tightly than the sheet takes, `r` any other. At the most about `most` of
-/// each.
+/// The class of every rung that is drawn: `w` the one that warps most, if it is beyond the limit,
+/// `x` beyond it, `t` bent more tightly than the sheet takes, `r` any other. At the most about
+/// `most` of each.
 pub(super) fn rung_classes(
     panel: &MadePanel,
     material: Option<&Material>,

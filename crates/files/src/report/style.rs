@@ -23,8 +23,8 @@ const DARK: [Ramp; 2] =
 /// Steps of the colour map of errors.
 pub(super) const HEATS: usize = 12;
 
-/// From no error to the largest, on a light page: paper, yellow, orange, dark red. Brightness falls all
-/// the way, so that any kind of colour vision reads it, and a grey print too.
+/// From no error to the largest, on a light page: paper, yellow, orange, dark red. Brightness falls
+/// all the way, so that any kind of colour vision reads it, and a grey print too.
 const LIGHT_HEAT: [[f64; 3]; 4] =
     [[240.0, 244.0, 248.0], [252.0, 214.0, 112.0], [226.0, 110.0, 30.0], [122.0, 18.0, 22.0]];
 /// The same on a dark page, where brightness rises.

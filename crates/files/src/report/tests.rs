@@ -385,8 +385,8 @@ fn the_page_of_a_hull_stays_small() {
     assert!(bytes < 400_000, "{bytes} bytes");
 }
 
-/// Sixteen times as many panels take about sixteen times as long, for all of them in one picture too:
-/// a bound that a busy machine keeps, and that work on every pair of panels does not.
+/// Sixteen times as many panels take about sixteen times as long, for all of them in one picture
+/// too: a bound that a busy machine keeps, and that work on every pair of panels does not.
 #[test]
 fn the_time_of_a_report_grows_with_the_panels_and_no_faster() {
     let planks = hull(40, "steel-5mm");

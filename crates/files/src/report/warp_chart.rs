@@ -21,8 +21,8 @@ const HEADS: usize = 60;
 const BAND_FOR_TEXT: f64 = 20.0;
 
 /// The warp angle of every rung over its middle's place along the flat pattern, against the
-/// material's limit. What is above it but may come from the sampling looks unsure, as the verdict is.
-/// `None` without rungs.
+/// material's limit. What is above it but may come from the sampling looks unsure, as the verdict
+/// is. `None` without rungs.
 pub fn warp_chart(panel: &MadePanel, material: Option<&Material>) -> Option<Picture> {
     if panel.measures.rungs.is_empty() {
         return None;

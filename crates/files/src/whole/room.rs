@@ -1,9 +1,9 @@
 //! The room of a batch: a folder `.sheetwright-…` beside where its files go.
 //!
-//! Files wait there under numbers until all are written, each closed as soon as it is. A lock on the
-//! file `lock` says that the batch is alive; the system lets go of it when the program ends, however it
-//! ends. So a room whose lock can be had was left by a program that was killed, and the next batch
-//! in the same folder removes it. Two programs at once leave each other's rooms alone.
+//! Files wait there under numbers until all are written, each closed as soon as it is. A lock on
+//! the file `lock` says that the batch is alive; the system lets go of it when the program ends,
+//! however it ends. So a room whose lock can be had was left by a program that was killed, and the
+//! next batch in the same folder removes it. Two programs at once leave each other's rooms alone.
 
 use std::fs::{self, File, TryLockError};
 use std::io;
@@ -20,8 +20,8 @@ const LOCK: &str = "lock";
 const NEW: &str = "new-";
 /// What was there before, until all files have their names.
 const OLD: &str = "old-";
-/// Names that are tried for a room, at the most; each is taken by another batch of this process, or of
-/// a process of this number on another computer.
+/// Names that are tried for a room, at the most; each is taken by another batch of this process, or
+/// of a process of this number on another computer.
 const TRIES: usize = 10_000;
 
 /// What a program that is stopped has to remove: the rooms in use, and the folders made for them.
@@ -92,8 +92,8 @@ impl Room {
         self.path.join(format!("{OLD}{n}"))
     }
 
-    /// These folders, the innermost first, were made for the room and go with it, where nothing else
-    /// is in them.
+    /// These folders, the innermost first, were made for the room and go with it, where nothing
+    /// else is in them.
     pub(super) fn goes_with(&self, hold: &mut Hold, created: Vec<PathBuf>) {
         if let Some(open) = hold.0.iter_mut().find(|open| open.room == self.path) {
             open.created = created;

@@ -226,8 +226,8 @@ impl Boundary {
         self.of_lists(loops.map(|n| self.samples[self.loops[n].clone()].to_vec()))
     }
 
-    /// About so many samples of each loop, evenly chosen, with the tangents that they have; at least
-    /// three.
+    /// About so many samples of each loop, evenly chosen, with the tangents that they have; at
+    /// least three.
     pub(crate) fn thinned(&self, samples: usize) -> Self {
         self.of_lists(self.loops.iter().map(|of_loop| {
             let step = (of_loop.len() / samples.max(3)).max(1);

@@ -26,8 +26,8 @@ pub struct MeshPanel<'a> {
     pub border_error: Option<f64>,
     /// A cut that would help, from inside or from a hole to the border: its ends, mm.
     pub cut: Option<[Point3; 2]>,
-    /// Two sides of the border, by their first vertices on the sheet, between which it overlaps itself
-    /// when it is flat.
+    /// Two sides of the border, by their first vertices on the sheet, between which it overlaps
+    /// itself when it is flat.
     pub overlap: Option<[Point3; 2]>,
     /// Triangles that lie upside down when it is flat.
     pub flipped: usize,

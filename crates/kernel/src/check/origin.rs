@@ -11,9 +11,9 @@ use crate::vary::Ended;
 /// was typed as a corner comes out round. A smooth curve of eight points turns by 45° at each.
 const ROUNDED_CORNER_DEG: f64 = 60.0;
 
-/// The finding that the points of a spline turn sharply where no corner is marked, so that the curve
-/// runs round a corner that its maker may have meant; `None` if they do not. `points` are those of
-/// the curve of this name.
+/// The finding that the points of a spline turn sharply where no corner is marked, so that the
+/// curve runs round a corner that its maker may have meant; `None` if they do not. `points` are
+/// those of the curve of this name.
 pub fn rounded_corner(name: &str, points: &[CurvePoint], closed: bool) -> Option<Finding> {
     let m = points.len();
     let inner = if closed { 0..m } else { 1..m.saturating_sub(1) };
@@ -63,9 +63,10 @@ pub fn smoothed_joints(joined: &Joined) -> Option<Finding> {
 }
 
 /// The finding that the rails of a panel were let run on, what became of its ends, and whether that
-/// was worth it: a warning if both the largest warp and the smallest bend radius are worse. `bulges_mm` is how far the end at the beginning of the first rail, and that at its
-/// end, bulge from the straight line, mm; `None` for an end that stays straight. `straight` are the
-/// measures of the same panel with straight ends, if it can be made.
+/// was worth it: a warning if both the largest warp and the smallest bend radius are worse.
+/// `bulges_mm` is how far the end at the beginning of the first rail, and that at its end, bulge
+/// from the straight line, mm; `None` for an end that stays straight. `straight` are the measures
+/// of the same panel with straight ends, if it can be made.
 pub fn ran_on(
     bulges_mm: [Option<f64>; 2],
     measures: &Measures,

@@ -64,8 +64,8 @@ pub enum TwistForm {
     /// With unit normals: only twist counts.
     #[default]
     Normalised,
-    /// As printed in the seed and in \[G14\], divided by the length of the rung alone: oblique rungs
-    /// cost too. For comparison.
+    /// As printed in the seed and in \[G14\], divided by the length of the rung alone: oblique
+    /// rungs cost too. For comparison.
     Printed,
 }
 
@@ -171,9 +171,9 @@ impl Prices {
         Self { numbers, after, ..Self::of_ends(ends, self.options, self.facing) }
     }
 
-    /// The same as [`Self::chain`] with the chain taken for a loop in order, whose banks are edges: the
-    /// folds at the cuts are left out, and triangles may differ in their last bit. Tables of it are
-    /// filled many times as fast.
+    /// The same as [`Self::chain`] with the chain taken for a loop in order, whose banks are edges:
+    /// the folds at the cuts are left out, and triangles may differ in their last bit. Tables of it
+    /// are filled many times as fast.
     pub(crate) fn chain_in_order(&self, order: &[usize]) -> Self {
         let ends = order.iter().map(|&i| self.ends[i]).collect();
         Self::of_ends(ends, self.options, self.facing)

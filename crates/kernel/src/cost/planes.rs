@@ -143,8 +143,8 @@ pub(super) fn smooth(
     }
 }
 
-/// Whether the rung between two samples certainly has no planes, because it is parallel to the tangent
-/// of a smooth one; [`special`] says so of a few more.
+/// Whether the rung between two samples certainly has no planes, because it is parallel to the
+/// tangent of a smooth one; [`special`] says so of a few more.
 #[inline(always)]
 pub(super) fn is_parallel(
     (from, from_tangent, from_special): ([f64; 3], [f64; 3], f64),
@@ -163,13 +163,13 @@ pub(super) fn is_parallel(
 /// Squared sine of angles below which [`is_twisted_above`] tells nothing.
 const NARROW: f64 = 1e-10;
 /// How much closer normals may be, as a cosine, than it finds them. A cross product of unit vectors
-/// is off by some 2·10⁻¹⁶, so the normal of directions that differ by 10⁻⁵ is by some 2·10⁻¹¹; there
-/// are two, here and in [`special`] each.
+/// is off by some 2·10⁻¹⁶, so the normal of directions that differ by 10⁻⁵ is by some 2·10⁻¹¹;
+/// there are two, here and in [`special`] each.
 const CLOSER: f64 = 1e-9;
 
-/// Whether the rung from a corner to a smooth sample certainly has a twist above `limit`, by neither
-/// root nor quotient: its normal at the smooth sample lies outside the sector of those at the corner,
-/// and too far from both ends.
+/// Whether the rung from a corner to a smooth sample certainly has a twist above `limit`, by
+/// neither root nor quotient: its normal at the smooth sample lies outside the sector of those at
+/// the corner, and too far from both ends.
 pub(super) fn is_twisted_above(
     corner: &End,
     (to, tangent, special): ([f64; 3], [f64; 3], f64),
@@ -276,16 +276,16 @@ pub(super) struct SpecialSmooth {
     pub(super) is_lost: bool,
 }
 
-/// What the planes of a special rung depend on at a smooth sample: its position and tangent, and the unit
-/// directions of the edges that arrive and leave.
+/// What the planes of a special rung depend on at a smooth sample: its position and tangent, and
+/// the unit directions of the edges that arrive and leave.
 pub(super) struct Leaving {
     pub(super) position: [f64; 3],
     pub(super) tangent: [f64; 3],
     pub(super) edges: [[f64; 3]; 2],
 }
 
-/// The planes of the special rung between two smooth samples. Where the sign of one normal is open, it lies along
-/// the other; where both are, to the side of `facing`.
+/// The planes of the special rung between two smooth samples. Where the sign of one normal is open,
+/// it lies along the other; where both are, to the side of `facing`.
 #[inline(always)]
 pub(super) fn special_smooth(from: &Leaving, to: &Leaving, facing: [f64; 3]) -> SpecialSmooth {
     let (a, b) = (from.position, to.position);

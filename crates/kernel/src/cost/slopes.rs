@@ -5,8 +5,8 @@
 //! they come from, to positions and tangents.
 //!
 //! A rung at a corner or with an open sign has a price in pieces. Which piece is active is read off
-//! its planes: each normal is ± t × d of one tangent, or, where two sectors overlap, what is nearest
-//! to the planes of the corners.
+//! its planes: each normal is ± t × d of one tangent, or, where two sectors overlap, what is
+//! nearest to the planes of the corners.
 
 use super::{End, Prices, RungPlanes};
 use crate::math::{Vec3, unit};

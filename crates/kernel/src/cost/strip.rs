@@ -1,22 +1,23 @@
 //! Many rungs and triangles priced at once: side by side in vector registers.
 //!
 //! A strip is what leads from one sample to [`LANES`] samples in a row. The arithmetic of prices is
-//! that of single rungs and triangles, in the same order, so the bits are the same too. What says that
-//! some need not be priced has arithmetic of its own, with a margin for rounding.
+//! that of single rungs and triangles, in the same order, so the bits are the same too. What says
+//! that some need not be priced has arithmetic of its own, with a margin for rounding.
 
 use super::planes::{cross, dot, smooth};
 use super::{Prices, QUANTUM, TwistForm, fold_of, quantised};
 use std::ops::{Deref, DerefMut};
 
-/// How many rungs stand side by side: two to four of the widest vector registers of common processors.
+/// How many rungs stand side by side: two to four of the widest vector registers of common
+/// processors.
 pub(crate) const LANES: usize = 16;
 
 /// What the share of a normal in a sum of three N may lose to rounding.
 const SLACK: f64 = 1e-12;
 
-/// The least height above a side's tangent plane that is told from none, as a share of the distance from
-/// the end of the side. Then the triangle is no such sliver that rounding turns its normal by more than
-/// a thousandth of its angle to N, and [`SHARE_OF_SQUARE`] leaves more than that.
+/// The least height above a side's tangent plane that is told from none, as a share of the distance
+/// from the end of the side. Then the triangle is no such sliver that rounding turns its normal by
+/// more than a thousandth of its angle to N, and [`SHARE_OF_SQUARE`] leaves more than that.
 const LEAST_SLOPE: f64 = 1e-6;
 /// What is taken of the half square of that angle.
 const SHARE_OF_SQUARE: f64 = 0.49;
@@ -74,7 +75,8 @@ impl FarEnds {
 pub(crate) struct Strip {
     /// The price of each rung, a multiple of [`super::QUANTUM`]; infinite without tangent planes.
     pub(crate) prices: Aligned<Lanes>,
-    /// N of each rung by axis; zero without tangent planes. Means nothing where it was not asked for.
+    /// N of each rung by axis; zero without tangent planes. Means nothing where it was not asked
+    /// for.
     pub(crate) means: Aligned<[Lanes; 3]>,
 }
 
@@ -165,27 +167,28 @@ impl Prices {
         [x[k] - x[i], y[k] - y[i], z[k] - z[i]]
     }
 
-    /// The triangles from sample i to the far ends, with the offsets from it to them and the N of the
-    /// sides to them.
+    /// The triangles from sample i to the far ends, with the offsets from it to them and the N of
+    /// the sides to them.
     #[inline(always)]
     pub(crate) fn fans<'a>(&self, offsets: &'a [Lanes; 3], across: &'a [Lanes; 3]) -> Fans<'a> {
         let fold = self.options.fold;
         Fans { fold, weight: 1.0 / fold, offsets, across }
     }
 
-    /// Which of the sides ⟨i,k⟩ may belong to a triangle i, k, j whose price lies below the `limits` of
-    /// its k, for some j of a run: a bit for each k; not, only if no triangle does. `offsets` lead from
-    /// i to the k, `means` are the N of the sides.
+    /// Which of the sides ⟨i,k⟩ may belong to a triangle i, k, j whose price lies below the
+    /// `limits` of its k, for some j of a run: a bit for each k; not, only if no triangle does.
+    /// `offsets` lead from i to the k, `means` are the N of the sides.
     ///
-    /// The normal n of the triangle is perpendicular to u = P_k − P_i and to v = P_j − P_i, and so to
-    /// the height h = v − λ u with λ = u · v / |u|². Hence |h · N| = |h · (N − n)| ≤ |h| |N − n|, and the
-    /// share of this side in F is ν (1 − n · N) = ½ ν |N − n|² ≥ ½ ν (h · N)² / |h|², as N is a unit
-    /// vector, or zero for a side without, which is never left out. The other sides' shares are 0 or more.
+    /// The normal n of the triangle is perpendicular to u = P_k − P_i and to v = P_j − P_i, and so
+    /// to the height h = v − λ u with λ = u · v / |u|². Hence
+    /// |h · N| = |h · (N − n)| ≤ |h| |N − n|, and the share of this side in F is
+    /// ν (1 − n · N) = ½ ν |N − n|² ≥ ½ ν (h · N)² / |h|², as N is a unit vector, or zero for a
+    /// side without, which is never left out. The other sides' shares are 0 or more.
     ///
-    /// At a sample of the run, h differs from what it is on the segment by b = `bow` or less. On the
-    /// segment h is linear, and where h · N does not change its sign, |h · N| − κ √(17/16 |h|² + 17 b²) is
-    /// concave for every κ ≥ 0: what is above b at both ends is so between them. The root is |h| + b or
-    /// more.
+    /// At a sample of the run, h differs from what it is on the segment by b = `bow` or less. On
+    /// the segment h is linear, and where h · N does not change its sign,
+    /// |h · N| − κ √(17/16 |h|² + 17 b²) is concave for every κ ≥ 0: what is above b at both ends
+    /// is so between them. The root is |h| + b or more.
     #[inline(always)]
     pub(crate) fn sides_below<const FUSED: bool>(
         &self,
@@ -251,7 +254,8 @@ pub(crate) struct Segment {
     pub(crate) bow: f64,
 }
 
-/// Triangles one side of which is an edge of the boundary, on loops whose members are numbered in order.
+/// Triangles one side of which is an edge of the boundary, on loops whose members are numbered in
+/// order.
 pub(crate) struct OnEdges<'a> {
     /// From the lowest corner of each to the two others, by axis.
     pub(crate) offsets: [&'a [Lanes; 3]; 2],
@@ -274,11 +278,12 @@ impl OnEdges<'_> {
         [on(0), on(1), on(2)]
     }
 
-    /// No more than the price of each with the weight `fold`, and hardly less where folds are slight.
+    /// No more than the price of each with the weight `fold`, and hardly less where folds are
+    /// slight.
     ///
-    /// With c = n · s for the normal n and the sum s of the N, and r rungs, x = r² − c² says it without a root:
-    /// r − c = x / (r + c), and c ≤ r − x / 2r, so that r − c ≥ x / 2r (1 + x / 4r²). Prices are rounded to the
-    /// quantum.
+    /// With c = n · s for the normal n and the sum s of the N, and r rungs, x = r² − c² says it
+    /// without a root: r − c = x / (r + c), and c ≤ r − x / 2r, so that r − c ≥ x / 2r (1 + x /
+    /// 4r²). Prices are rounded to the quantum.
     #[inline(always)]
     pub(crate) fn least_prices(&self, fold: f64) -> Lanes {
         let mut prices = [0.0; LANES];
@@ -370,7 +375,8 @@ impl Fans<'_> {
     }
 
     /// The prices of the triangles i, j − 1, j on edges of the boundary, with so many rungs, as
-    /// [`Prices::triangle`] has them. `before` is where the sample before the first j lies, and N of its rung.
+    /// [`Prices::triangle`] has them. `before` is where the sample before the first j lies, and N
+    /// of its rung.
     #[inline(always)]
     pub(crate) fn on_edges(&self, before: [[f64; 3]; 2], rungs: FanRungs) -> Lanes {
         let one_before = |of: &[Lanes; 3], before: [f64; 3]| {
@@ -395,8 +401,8 @@ impl Fans<'_> {
         prices
     }
 
-    /// Whether some of them may cost less than their limit, with so many rungs or more; not, only if
-    /// none does. Limits of 0 or less admit none.
+    /// Whether some of them may cost less than their limit, with so many rungs or more; not, only
+    /// if none does. Limits of 0 or less admit none.
     ///
     /// With a the area vector and s the sum of the N, that is a · s > c |a| for
     /// c = rungs − limit / ν, which takes no root and no quotient.
@@ -653,7 +659,8 @@ mod tests {
         }
     }
 
-    /// A loop whose samples stand to either side of a line in turn, so that the sign of many normals is open.
+    /// A loop whose samples stand to either side of a line in turn, so that the sign of many
+    /// normals is open.
     fn zigzag(off: f64) -> Prices {
         let points = (0..120).map(|n| {
             let t = std::f64::consts::TAU * f64::from(n) / 120.0;

@@ -2,9 +2,9 @@
 //!
 //! The curves are split at their corners into smooth stretches. Every stretch begins and ends at a
 //! sample and is divided evenly; the divisions are shared out by length, at least one a stretch
-//! (largest remainder, the first of equals), but where a number is given for a curve. A stretch that
-//! is walked back along another, as the two sides of a seam are, gets as many; and whichever way a
-//! stretch is run, its samples have the same bits.
+//! (largest remainder, the first of equals), but where a number is given for a curve. A stretch
+//! that is walked back along another, as the two sides of a seam are, gets as many; and whichever
+//! way a stretch is run, its samples have the same bits.
 
 use super::arc_length::{length, parameter_at};
 use super::{Cubic, Curve};

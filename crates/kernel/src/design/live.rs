@@ -1,19 +1,20 @@
-//! A design while it is edited: of what is made from it, only what depends on a change is made anew.
+//! A design while it is edited: of what is made from it, only what depends on a change is made
+//! anew.
 //!
 //! 1. A panel depends on the curves that bound it, on its own settings, on the material, and on how
 //!    many samples its curves get where seams are matched; one that joins others, on those too. A
 //!    panel for which all that is as it was, to the last bit, stays as it is.
-//! 2. A panel that does change has nearly the triangulation that it had. What that costs now, mended
-//!    where it has to be, bounds the price of the new one, so that the table is filled below it at
-//!    once, where making a panel afresh looks for such a bound first. (The table itself is not kept:
-//!    samples are spread evenly over a smooth stretch of an outline, so when its length changes, all
-//!    of them move.)
-//! 3. Whether a panel that does not bend would bend better without its plane takes a search of its own
-//!    (`without_plane`), and neither its surface nor its pattern depends on that. While a handle is
-//!    dragged, the question waits until the hand rests.
+//! 2. A panel that does change has nearly the triangulation that it had. What that costs now,
+//!    mended where it has to be, bounds the price of the new one, so that the table is filled below
+//!    it at once, where making a panel afresh looks for such a bound first. (The table itself is
+//!    not kept: samples are spread evenly over a smooth stretch of an outline, so when its length
+//!    changes, all of them move.)
+//! 3. Whether a panel that does not bend would bend better without its plane takes a search of its
+//!    own (`without_plane`), and neither its surface nor its pattern depends on that. While a
+//!    handle is dragged, the question waits until the hand rests.
 //!
-//! What comes out once it rests is what [`super::make`] makes of the same design, bit by bit; only where
-//! memory is short, a bound from before may make a table fit that does not fit afresh.
+//! What comes out once it rests is what [`super::make`] makes of the same design, bit by bit; only
+//! where memory is short, a bound from before may make a table fit that does not fit afresh.
 
 use super::sampling::{Matched, Sampler, matched};
 use super::without_plane::Known;
@@ -175,8 +176,8 @@ impl Live {
     }
 
     /// Moves one point of a curve, both by their numbers, to another place, mm, and makes what
-    /// depends on it, as far as [`Self::follow`] does. Returns the numbers of the panels that were made
-    /// anew, among [`Self::panels`], whether or not they could be made.
+    /// depends on it, as far as [`Self::follow`] does. Returns the numbers of the panels that were
+    /// made anew, among [`Self::panels`], whether or not they could be made.
     ///
     /// # Panics
     /// If there is no such curve or point.
@@ -192,10 +193,11 @@ impl Live {
     }
 
     /// Takes another design in the place of this one, changed in whatever way, and makes what
-    /// depends on the change: surface, pattern, measures, verdict and findings. Of the findings of a
-    /// panel that does not bend, one is left to [`Self::settle`]: whether it would bend better without
-    /// its plane. So a hand is followed in as little as half of the time. Returns the numbers of the
-    /// panels that were made anew, among [`Self::panels`], whether or not they could be made.
+    /// depends on the change: surface, pattern, measures, verdict and findings. Of the findings of
+    /// a panel that does not bend, one is left to [`Self::settle`]: whether it would bend better
+    /// without its plane. So a hand is followed in as little as half of the time. Returns the
+    /// numbers of the panels that were made anew, among [`Self::panels`], whether or not they could
+    /// be made.
     ///
     /// Where the watcher asks to stop, the panels that were not made yet keep what they were made
     /// before, and are made by the next call; [`LivePanel::is_current`] says of which that holds.
@@ -205,8 +207,8 @@ impl Live {
     }
 
     /// Looks for what [`Self::follow`] and [`Self::move_point`] have left, as when the hand rests.
-    /// Returns the numbers of the panels that changed. Where the watcher asks to stop, the next call
-    /// looks for the rest; [`LivePanel::is_settled`] says of which panels nothing is left.
+    /// Returns the numbers of the panels that changed. Where the watcher asks to stop, the next
+    /// call looks for the rest; [`LivePanel::is_settled`] says of which panels nothing is left.
     pub fn settle(&mut self, watch: &mut dyn Watch) -> Vec<usize> {
         let mut changed = Vec::new();
         for (n, panel) in self.panels.iter_mut().enumerate() {
@@ -228,8 +230,8 @@ impl Live {
         changed
     }
 
-    /// The same as [`Self::follow`], and then [`Self::settle`]. Returns the numbers of the panels that
-    /// either changed, in increasing order.
+    /// The same as [`Self::follow`], and then [`Self::settle`]. Returns the numbers of the panels
+    /// that either changed, in increasing order.
     pub fn update(&mut self, design: Design, watch: &mut dyn Watch) -> Vec<usize> {
         let mut changed = self.follow(design, watch);
         changed.extend(self.settle(watch));
@@ -238,8 +240,8 @@ impl Live {
         changed
     }
 
-    /// What [`super::make`] makes of the design as it is now, if nothing in it is to be moved, but for
-    /// what is left to [`Self::settle`].
+    /// What [`super::make`] makes of the design as it is now, if nothing in it is to be moved, but
+    /// for what is left to [`Self::settle`].
     ///
     /// # Errors
     /// The first panel that can't be made, and why.

@@ -1,5 +1,5 @@
-//! Meshes from elsewhere as one plain value: the other kind of design, whose surfaces are given instead
-//! of found.
+//! Meshes from elsewhere as one plain value: the other kind of design, whose surfaces are given
+//! instead of found.
 
 use crate::index::VertexIndex;
 use crate::material::Material;

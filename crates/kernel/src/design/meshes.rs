@@ -1,8 +1,9 @@
 //! From meshes from elsewhere to patterns: [`make_meshes`] derives every stage.
 //!
 //! A group becomes a panel, or one for each of its parts that hang together and are large enough to
-//! be sheet. A panel that is closed or has a handle is cut open; one with holes or open at both ends is
-//! laid flat as it stands, and cut from border to border where that leaves less than half of the error.
+//! be sheet. A panel that is closed or has a handle is cut open; one with holes or open at both
+//! ends is laid flat as it stands, and cut from border to border where that leaves less than half
+//! of the error.
 
 use super::mesh_design::{MeshDesign, MeshGroup};
 use super::rebuilt::{Rebuilt, rebuilt};
@@ -22,7 +23,8 @@ use crate::watch::{Stage, Watch};
 use std::collections::BTreeSet;
 use std::fmt;
 
-/// A cut that need not be is worth it if it leaves less than this share of the largest length error.
+/// A cut that need not be is worth it if it leaves less than this share of the largest length
+/// error.
 const MUCH_LESS: f64 = 0.5;
 
 /// How meshes are made.
@@ -52,7 +54,8 @@ pub struct Joint {
     pub with: usize,
     /// How long it is in space, mm.
     pub length_mm: f64,
-    /// The sides of triangles that it runs along, by vertices of the sheet, which lies to their left.
+    /// The sides of triangles that it runs along, by vertices of the sheet, which lies to their
+    /// left.
     pub steps: Vec<[VertexIndex; 2]>,
 }
 
@@ -75,8 +78,8 @@ pub struct MadeMesh {
     pub piece: Piece,
     /// Where it is joined to the panels that it was divided from.
     pub joints: Vec<Joint>,
-    /// The surface that its border alone asks for, where meshes are divided along creases and there is
-    /// one.
+    /// The surface that its border alone asks for, where meshes are divided along creases and there
+    /// is one.
     pub rebuilt: Option<Rebuilt>,
 }
 
@@ -459,8 +462,8 @@ fn is_better(open: &Result<Laid, MeshCause>, closed: &Result<Laid, MeshCause>) -
 /// A panel is cut to so many points, at the most: each takes laying it flat again.
 const MOST_DARTS: usize = 12;
 
-/// The cut with the one added that the measures of the sheet suggest; `None` where they suggest none
-/// that is new.
+/// The cut with the one added that the measures of the sheet suggest; `None` where they suggest
+/// none that is new.
 fn with_dart(mesh: &Mesh, laid: &Laid, cut: &Cut, limit: f64) -> Option<Cut> {
     let suggested = cut_suggestion(&laid.sheet.mesh, &laid.measures, limit)?;
     let way: Vec<VertexIndex> = suggested.path.iter().map(|v| laid.sheet.origin[v.get()]).collect();

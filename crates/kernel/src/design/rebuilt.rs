@@ -1,6 +1,6 @@
 //! A mesh panel found again from its border alone: the optimal triangulation of the border, and how
-//! far the mesh lies from it. Where it lies near, the panel is developable but for noise, and a design
-//! of its border is the better input: it unrolls exactly.
+//! far the mesh lies from it. Where it lies near, the panel is developable but for noise, and a
+//! design of its border is the better input: it unrolls exactly.
 
 use crate::boundary::{Boundary, PlaneChoice, samples_from_points, supporting_plane};
 use crate::curve::CurvePoint;
@@ -25,12 +25,13 @@ pub struct Rebuilt {
     pub surface: Surface,
     /// The largest distance of a vertex of the mesh from it, mm.
     pub distance_max_mm: f64,
-    /// The mean distance of the vertices of the mesh from it, each weighed by the area round it, mm.
+    /// The mean distance of the vertices of the mesh from it, each weighed by the area round it,
+    /// mm.
     pub distance_mean_mm: f64,
 }
 
-/// The surface that the border of a mesh of one piece asks for. `None` where it has holes or none at
-/// all, too many points, or a border that no surface without interior vertices takes.
+/// The surface that the border of a mesh of one piece asks for. `None` where it has holes or none
+/// at all, too many points, or a border that no surface without interior vertices takes.
 pub(super) fn rebuilt(mesh: &Mesh, watch: &mut dyn Watch) -> Option<Rebuilt> {
     let [border] = mesh.loops() else { return None };
     if border.len() > MOST_SAMPLES || !mesh.pieces().first().is_some_and(|piece| piece.is_disk()) {

@@ -12,8 +12,8 @@ use crate::curve::{
 use crate::tolerance::Tolerance;
 use std::collections::BTreeMap;
 
-/// Lengths that differ by less than this share of the spacing get as many samples: two equal circles
-/// are built from different numbers.
+/// Lengths that differ by less than this share of the spacing get as many samples: two equal
+/// circles are built from different numbers.
 const SAME_SPACING: f64 = 1e-6;
 /// Samples of a hole at the least, however small it is: a round one must not be cut as a triangle.
 pub(crate) const LEAST_OF_HOLE: usize = 24;
@@ -97,8 +97,9 @@ impl Sampled {
 /// How many divisions the smooth runs of curves get, as they were drawn, where seams are matched.
 pub(super) type Matched = BTreeMap<usize, Vec<usize>>;
 
-/// The divisions of the curves that several loops share: of each smooth run, the most that it has in
-/// any of them. Empty unless the design matches its seams. Panels that can't be sampled are left out.
+/// The divisions of the curves that several loops share: of each smooth run, the most that it has
+/// in any of them. Empty unless the design matches its seams. Panels that can't be sampled are left
+/// out.
 pub(super) fn matched(design: &Design) -> Matched {
     let mut most = Matched::new();
     if !design.match_seams {
@@ -164,9 +165,9 @@ fn counted(curve: &Curve, samples: &[Placed]) -> Vec<usize> {
     found
 }
 
-/// Divisions of the runs of a curve as it is run, in the order of the curve as it was drawn; and the
-/// other way round. The runs of a closed curve begin at its first corner, and the last runs over its
-/// beginning if that is none: it stays the last.
+/// Divisions of the runs of a curve as it is run, in the order of the curve as it was drawn; and
+/// the other way round. The runs of a closed curve begin at its first corner, and the last runs
+/// over its beginning if that is none: it stays the last.
 fn drawn(mut divisions: Vec<usize>, curve: &Curve, reversed: bool) -> Vec<usize> {
     if reversed {
         let over_the_beginning = curve.closed() && !curve.begins_with_a_corner();
@@ -324,8 +325,9 @@ impl Sampler<'_> {
             Ok(samples.into_iter().map(|placed| sourced(placed, &uses)).collect::<Vec<_>>())
         };
         let (mut first, mut second) = (sample(&first, &rails[0])?, sample(&second, &rails[1])?);
-        // The second runs back: the way that leaves the rails nearer to one another all along. Their
-        // ends alone would not tell where each rail ends where it begins, as those of a duct do.
+        // The second runs back: the way that leaves the rails nearer to one another all along.
+        // Their ends alone would not tell where each rail ends where it begins, as those of a duct
+        // do.
         if runs_back(&first, &second) {
             second = back(second);
         }
@@ -442,8 +444,8 @@ pub(super) fn built(
     Ok(if wanted.reversed { curve.reversed() } else { curve })
 }
 
-/// How a curve is made when it is a part of something: points that are samples themselves are joined
-/// straight.
+/// How a curve is made when it is a part of something: points that are samples themselves are
+/// joined straight.
 pub(super) fn kind_of_part(source: &DesignCurve) -> CurveKind {
     source.kind.unwrap_or(CurveKind::Polyline)
 }

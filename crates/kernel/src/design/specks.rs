@@ -8,9 +8,9 @@ use std::borrow::Cow;
 /// A group as it is made, and what was left out of it.
 pub(super) type Cleaned<'a> = (Cow<'a, MeshGroup>, Option<Specks>);
 
-/// The groups without parts that are too small, and those parts; of groups of which nothing is left,
-/// what was left out counts with the first that is kept. If nothing is left of any, all stay as they
-/// are, to be refused for what is wrong with them.
+/// The groups without parts that are too small, and those parts; of groups of which nothing is
+/// left, what was left out counts with the first that is kept. If nothing is left of any, all stay
+/// as they are, to be refused for what is wrong with them.
 pub(super) fn cleaned(groups: &[MeshGroup]) -> Vec<Cleaned<'_>> {
     let size = size_of(groups.iter().flat_map(|group| group.positions.iter().copied()));
     let one = |group: &'_ MeshGroup| -> (Option<MeshGroup>, Option<Specks>) {

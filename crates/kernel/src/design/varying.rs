@@ -1,10 +1,10 @@
-//! Designs whose curves move, \[G14\], so that the sheet bends better: what [`crate::vary`] does with
-//! samples, done with the points that people draw.
+//! Designs whose curves move, \[G14\], so that the sheet bends better: what [`crate::vary`] does
+//! with samples, done with the points that people draw.
 //!
 //! The unknowns are the displacements of the points of curves, so that a spline of a dozen points
 //! stays one, and what comes out is a design like any other: [`varied`] makes designs of designs.
-//! Points on one spot, such as the ends of curves that meet, are one unknown, and so is a curve that
-//! several panels share. With [`MovedBy::Samples`] a curve first gets as many points as it has
+//! Points on one spot, such as the ends of curves that meet, are one unknown, and so is a curve
+//! that several panels share. With [`MovedBy::Samples`] a curve first gets as many points as it has
 //! samples.
 //!
 //! Between two triangulations the places of the samples on their curves are held, and so are the
@@ -39,8 +39,8 @@ use unknowns::Unknowns;
 const MOST_POINTS: usize = 20_000;
 /// Where nothing says how far points may move, this share of the size of the panels.
 const DEFAULT_SHARE: f64 = 0.01;
-/// What a search with holes may do while points move, as a share of the panel's effort: there are dozens
-/// of searches on the way, and the panel that comes out is triangulated with all of it.
+/// What a search with holes may do while points move, as a share of the panel's effort: there are
+/// dozens of searches on the way, and the panel that comes out is triangulated with all of it.
 const SHARE_OF_EFFORT: f64 = 0.1;
 /// How often points are held back by what samples between them moved too far.
 const ATTEMPTS: usize = 3;
@@ -62,8 +62,8 @@ pub enum MovedBy {
 /// What may move, how far, and what for.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vary {
-    /// The panels that are to bend better; empty: all that are made. Other panels that share a curve
-    /// that moves follow: their prices count, too.
+    /// The panels that are to bend better; empty: all that are made. Other panels that share a
+    /// curve that moves follow: their prices count, too.
     pub panels: Vec<String>,
     /// The curves that may move; empty: all those of the panels, or those of them that have points
     /// with a distance by which they may move.
@@ -362,8 +362,8 @@ impl Problem<'_> {
         Ok((after, shifts))
     }
 
-    /// Moves the points so that no sample moves farther than it may. Between its points a spline may
-    /// move farther than they do; where it would, they are held back by as much.
+    /// Moves the points so that no sample moves farther than it may. Between its points a spline
+    /// may move farther than they do; where it would, they are held back by as much.
     fn within_the_limit(
         &self,
         drawn: &Drawn<'_>,

@@ -1,10 +1,11 @@
 //! Whether the plane of a panel, rather than its boundary, keeps it from bending.
 //!
-//! A surface that need not lie over the plane may pass through itself, so a panel without a plane is
-//! for whoever asks for it. Where one that costs much less does not pass through itself, that is worth
-//! a word. To know takes a search of its own, without the plane, and nothing else depends on it. So it is
-//! a question that stays open while a panel is made, and may wait until the hand rests that drags a
-//! handle. What was found when it was asked last bounds the search, as it bounds that with the plane.
+//! A surface that need not lie over the plane may pass through itself, so a panel without a plane
+//! is for whoever asks for it. Where one that costs much less does not pass through itself, that is
+//! worth a word. To know takes a search of its own, without the plane, and nothing else depends on
+//! it. So it is a question that stays open while a panel is made, and may wait until the hand rests
+//! that drags a handle. What was found when it was asked last bounds the search, as it bounds that
+//! with the plane.
 
 use super::{DesignPanel, MadePanel, MakeCause};
 use crate::boundary::{Boundary, PlaneChoice};
@@ -31,7 +32,8 @@ pub(super) struct Known {
     free: Option<Triangulation>,
     /// Whether the question was answered before the panel was made anew.
     was_answered: bool,
-    /// How it was triangulated, if whether it would bend better without its plane is to be asked yet.
+    /// How it was triangulated, if whether it would bend better without its plane is to be asked
+    /// yet.
     open: Option<TriangulateOptions>,
 }
 
@@ -57,8 +59,8 @@ impl Known {
         self.open.is_some()
     }
 
-    /// Opens the question for a panel that was made with these options, if it is one: who asks for a
-    /// plane gets it, and what bends needs no other surface.
+    /// Opens the question for a panel that was made with these options, if it is one: who asks for
+    /// a plane gets it, and what bends needs no other surface.
     pub(super) fn ask(
         &mut self,
         panel: &DesignPanel,
@@ -89,8 +91,8 @@ impl Known {
         Ok(true)
     }
 
-    /// The price of the cheapest surface without the plane, if it costs much less than that with it and
-    /// does not pass through itself.
+    /// The price of the cheapest surface without the plane, if it costs much less than that with it
+    /// and does not pass through itself.
     fn better_without_plane(
         &mut self,
         boundary: &Boundary,

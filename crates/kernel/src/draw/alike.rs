@@ -1,10 +1,10 @@
 //! Which pieces of a pattern are the same part: cut once, any of them fits.
 //!
-//! Two outlines are compared about the means of their corners. A turn, or a turn of the mirror image,
-//! keeps each corner's distance from there; so only those corners of the second outline can belong to
-//! the first of the first from which all distances follow one another alike. For each such start the
-//! turn is found by least squares, and every corner must then come to lie on its partner. What else is
-//! cut or scored has to follow.
+//! Two outlines are compared about the means of their corners. A turn, or a turn of the mirror
+//! image, keeps each corner's distance from there; so only those corners of the second outline can
+//! belong to the first of the first from which all distances follow one another alike. For each
+//! such start the turn is found by least squares, and every corner must then come to lie on its
+//! partner. What else is cut or scored has to follow.
 
 use crate::math::{Point2, Vec2};
 use crate::pattern::{PathKind, Piece, Role};
@@ -27,9 +27,9 @@ impl Motion {
     }
 }
 
-/// Whether two pieces are the same part, maybe turned over: every corner of what is cut or scored of
-/// the one comes to lie within `within_mm` of one of the other. Pieces whose outlines have different
-/// numbers of corners are not compared.
+/// Whether two pieces are the same part, maybe turned over: every corner of what is cut or scored
+/// of the one comes to lie within `within_mm` of one of the other. Pieces whose outlines have
+/// different numbers of corners are not compared.
 pub fn alike(a: &Piece, b: &Piece, within_mm: f64) -> bool {
     let (of_a, of_b) = (a.outline(), b.outline());
     let size = |piece: &Piece| {

@@ -1,13 +1,13 @@
 //! Which closed curves of a plan lie inside which, which cross, and which are neighbours.
 //!
-//! Loops that do not meet are nested like bowls. Counted from outside, a loop at an even depth bounds
-//! a panel and one at an odd depth is a hole of the panel around it. Loops that meet in corners or
-//! along sides, each outside of the other, are neighbours, as panels are that are drawn off one
-//! another; neither lies inside the other. Loops that meet in any other way cross: one runs through
-//! the other, touches it from inside, or lies on it.
+//! Loops that do not meet are nested like bowls. Counted from outside, a loop at an even depth
+//! bounds a panel and one at an odd depth is a hole of the panel around it. Loops that meet in
+//! corners or along sides, each outside of the other, are neighbours, as panels are that are drawn
+//! off one another; neither lies inside the other. Loops that meet in any other way cross: one runs
+//! through the other, touches it from inside, or lies on it.
 //!
-//! All tests are exact on the polygons that are given. Two edges that cross in their middles tell at
-//! once. Where loops only touch, each place is a corner of one of them; around it, the edges of
+//! All tests are exact on the polygons that are given. Two edges that cross in their middles tell
+//! at once. Where loops only touch, each place is a corner of one of them; around it, the edges of
 //! either run into the other, out of it, or along it, which the turns about that corner tell.
 
 use crate::math::Point2;
@@ -41,7 +41,8 @@ pub struct Nesting {
     /// The pairs of loops that cross, lie on one another, or touch with one inside the other; the
     /// smaller number first, in order.
     pub crossing: Vec<[usize; 2]>,
-    /// The pairs of loops that touch, each outside of the other; the smaller number first, in order.
+    /// The pairs of loops that touch, each outside of the other; the smaller number first, in
+    /// order.
     pub touching: Vec<[usize; 2]>,
     /// The loops that cross or touch themselves, in order.
     pub crossing_itself: Vec<usize>,
@@ -189,9 +190,9 @@ fn way_round(polygon: &[Point2]) -> Ordering {
     orientation(before, polygon[corner], behind)
 }
 
-/// Where the way from a place `p` on a polygon towards another point begins: `Greater` inside of the
-/// polygon, `Less` outside, `Equal` along it. `before` and `behind` are the corners of the polygon
-/// beside `p`, and it runs round `way`.
+/// Where the way from a place `p` on a polygon towards another point begins: `Greater` inside of
+/// the polygon, `Less` outside, `Equal` along it. `before` and `behind` are the corners of the
+/// polygon beside `p`, and it runs round `way`.
 fn side(p: Point2, [before, behind]: [Point2; 2], way: Ordering, toward: Point2) -> Ordering {
     let alike = |a: f64, b: f64, from: f64| a.partial_cmp(&from) == b.partial_cmp(&from);
     let runs_along = |corner: Point2| {

@@ -5,8 +5,8 @@ use crate::curve::CurvePoint;
 use crate::design::DesignCurve;
 use crate::math::{Point3, Vec3, angle_between, from_deg};
 
-/// A curve that meets its image at less than this turn, degrees, is meant to run on smoothly: a hand
-/// does not meet a mirror more exactly.
+/// A curve that meets its image at less than this turn, degrees, is meant to run on smoothly: a
+/// hand does not meet a mirror more exactly.
 const SMOOTH_DEG: f64 = 25.0;
 /// The part of a span over which the direction of its image is found.
 const SHORT: f64 = 1e-3;

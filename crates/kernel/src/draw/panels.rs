@@ -1,13 +1,15 @@
 //! From the closed curves of a design to panels and holes.
 //!
 //! A closed curve that no panel uses becomes a hole of the panel whose outer loop is the nearest
-//! around it in the plan; inside a hole, or where nothing is around it, it becomes a panel. So depth
-//! after depth of curves drawn inside one another is in turn sheet and air. What panels there are
-//! keep everything. One that a new curve is drawn around stays, and the new panel has a hole there.
+//! around it in the plan; inside a hole, or where nothing is around it, it becomes a panel. So
+//! depth after depth of curves drawn inside one another is in turn sheet and air. What panels there
+//! are keep everything. One that a new curve is drawn around stays, and the new panel has a hole
+//! there.
 //!
 //! A new panel runs along its curve so that it faces as its neighbours do: against the way that a
-//! panel runs which has two of its points in a row too; without such a neighbour, counter-clockwise,
-//! so that it faces whoever looks at the plan. Which way the hand drew means nothing.
+//! panel runs which has two of its points in a row too; without such a neighbour,
+//! counter-clockwise, so that it faces whoever looks at the plan. Which way the hand drew means
+//! nothing.
 
 use super::edit::{built, free_of};
 use super::loops::{Nesting, nesting};
@@ -37,8 +39,9 @@ pub struct Proposal {
     /// The changes, in the order of the curves.
     pub changes: Vec<PanelChange>,
     /// Pairs of curves that cross in the plan, lie on one another or touch with one inside the
-    /// other, at least one of them free: nothing is proposed for a free curve that crosses something.
-    /// Neighbours that touch from outside are no such pair, unless both would be holes of one panel.
+    /// other, at least one of them free: nothing is proposed for a free curve that crosses
+    /// something. Neighbours that touch from outside are no such pair, unless both would be holes
+    /// of one panel.
     pub crossing: Vec<[String; 2]>,
     /// Free curves that cross themselves in the plan: nothing is proposed for them.
     pub crossing_itself: Vec<String>,

@@ -1,8 +1,8 @@
 //! Points that are put where there are points already.
 //!
-//! A plan shows where a point lies across it, and not how far it is lifted. Who draws on from a point
-//! that there is means that point: the new one takes its whole position in space, bit by bit, so that
-//! what meets there meets in space too, and moves together from then on.
+//! A plan shows where a point lies across it, and not how far it is lifted. Who draws on from a
+//! point that there is means that point: the new one takes its whole position in space, bit by bit,
+//! so that what meets there meets in space too, and moves together from then on.
 
 use super::edit::{EditError, insert_point, nearest, with_points};
 use crate::design::DesignCurve;
@@ -12,9 +12,9 @@ use crate::math::{Point2, Point3};
 /// farther off, the curve gets a point more.
 const TAKES: f64 = 0.35;
 
-/// Which of some points of space is exactly at a place of the plan that `project` makes of space; of
-/// several the one with the greatest `lift`, which whoever looks at the plan sees on top. `None` if
-/// there is no such point.
+/// Which of some points of space is exactly at a place of the plan that `project` makes of space;
+/// of several the one with the greatest `lift`, which whoever looks at the plan sees on top. `None`
+/// if there is no such point.
 pub fn point_at(
     points: impl Iterator<Item = Point3>,
     place: Point2,

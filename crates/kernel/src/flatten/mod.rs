@@ -23,13 +23,13 @@ use std::fmt;
 /// A surface laid flat.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flattened {
-    /// Where the samples of the sheet lie in the plane, mm, seen from the side that the surface faces. The
-    /// pattern lies in the rectangle of least area around it, its longer side along x, with its
-    /// lower left corner at the origin.
+    /// Where the samples of the sheet lie in the plane, mm, seen from the side that the surface
+    /// faces. The pattern lies in the rectangle of least area around it, its longer side along x,
+    /// with its lower left corner at the origin.
     pub points: Vec<Point2>,
-    /// Two edges of the loops between which the pattern overlaps itself, by the samples that they begin
-    /// at: they cross in the plane, or lie where it is covered twice without a crossing. It can't be
-    /// cut from one sheet then. Exact.
+    /// Two edges of the loops between which the pattern overlaps itself, by the samples that they
+    /// begin at: they cross in the plane, or lie where it is covered twice without a crossing. It
+    /// can't be cut from one sheet then. Exact.
     pub overlap: Option<(usize, usize)>,
 }
 

@@ -1,8 +1,9 @@
 //! How a pattern lies: in the rectangle of least area around it.
 //!
 //! One side of that rectangle lies along a side of the convex hull \[FreemanShapira1975\]; all are
-//! tried, and as the sides turn, the corners that the rectangle touches only move on. The longer side is laid along x and the lower left corner at the origin, so that a
-//! pattern needs as little sheet as can be and its size can be read off.
+//! tried, and as the sides turn, the corners that the rectangle touches only move on. The longer
+//! side is laid along x and the lower left corner at the origin, so that a pattern needs as little
+//! sheet as can be and its size can be read off.
 
 use crate::math::{Point2, Vec2, unit2};
 use crate::predicate::{Box2, orientation};
@@ -40,8 +41,8 @@ pub(super) fn posed(points: &[Point2], of_loop: &Range<usize>) -> Vec<Point2> {
     laid.into_iter().map(|p| p + -origin).collect()
 }
 
-/// From corner to corner of a hull, as far as they lie farther and farther along; corners are counted
-/// on round it.
+/// From corner to corner of a hull, as far as they lie farther and farther along; corners are
+/// counted on round it.
 fn climb(hull: &[Point2], from: usize, along: Vec2) -> usize {
     let height = |n: usize| hull[n % hull.len()].to_vec().dot(along);
     let goes_on = |n: &usize| height(n + 1) < height(*n);

@@ -1,9 +1,9 @@
 //! Sparse systems of linear equations: the only file that names the sparse-algebra crate.
 //!
-//! A symmetric positive definite matrix of B × B blocks, one row of blocks a node, is taken apart into
-//! L·Lᵀ (Cholesky) and solved with, in three steps of their own: [`elimination_order`] by approximate
-//! minimum degree \[Amestoy1996\], once a graph; [`Plan`], where the entries of L lie, once a graph and
-//! block size; [`Matrix::factor`], the numbers.
+//! A symmetric positive definite matrix of B × B blocks, one row of blocks a node, is taken apart
+//! into L·Lᵀ (Cholesky) and solved with, in three steps of their own: [`elimination_order`] by
+//! approximate minimum degree \[Amestoy1996\], once a graph; [`Plan`], where the entries of L lie,
+//! once a graph and block size; [`Matrix::factor`], the numbers.
 //!
 //! Of the crate `faer` only what works on one number at a time is used, its simplicial
 //! factorisation and triangular solutions: plain products, differences, quotients and square roots,
@@ -46,15 +46,16 @@ pub fn elimination_order(nodes: usize, pairs: &[[usize; 2]]) -> Result<Vec<usize
     Ok(order.into_iter().map(|node| node as usize).collect())
 }
 
-/// The upper triangle of a matrix of B × B blocks, column after column, in the order of elimination.
+/// The upper triangle of a matrix of B × B blocks, column after column, in the order of
+/// elimination.
 struct Columns {
     size: usize,
     starts: Vec<u32>,
     rows: Vec<u32>,
     /// How many blocks lie above the diagonal in each column of blocks.
     above: Vec<u32>,
-    /// The column of blocks of each pair, which block of it is the pair's, and whether that column is
-    /// of the pair's first node.
+    /// The column of blocks of each pair, which block of it is the pair's, and whether that column
+    /// is of the pair's first node.
     pairs: Vec<(u32, u32, bool)>,
 }
 

@@ -4,19 +4,21 @@
 //! ruling meets its neighbours, so it is least at an end of the ruling, and rulings end at the
 //! border. So the border is walked along, and over each stretch of it two vectors are summed:
 //!
-//! - τ, the rotation of the tangent plane: every rung that ends there adds its crease, along itself;
+//! - τ, the rotation of the tangent plane: every rung that ends there adds its crease, along
+//!   itself;
 //! - E, the width: every edge adds its length, across itself within its triangle, inwards.
 //!
-//! The tangent plane turns about the rulings, so with d along them the turn is τ·d, the width across
-//! them E·d, and the radius the width over the turn. Both sums depend on where the stretch begins and
-//! ends only: triangles at the two ends touch the surface along an edge each, however the rungs
-//! between them run, while creases of neighbouring rungs by themselves are uneven. (A rung ends at a
-//! sample and not where its ruling would.) Where a strip is twisted, creases to and fro cancel.
+//! The tangent plane turns about the rulings, so with d along them the turn is τ·d, the width
+//! across them E·d, and the radius the width over the turn. Both sums depend on where the stretch
+//! begins and ends only: triangles at the two ends touch the surface along an edge each, however
+//! the rungs between them run, while creases of neighbouring rungs by themselves are uneven. (A
+//! rung ends at a sample and not where its ruling would.) Where a strip is twisted, creases to and
+//! fro cancel.
 //!
-//! Points are typed or measured with some digits, and the finer the samples, the more that turns the
-//! edges to and fro. Two things keep it from being taken for bends: a roll counts from a depth on,
-//! and its width and turn are averaged with those of the rolls that begin on its first half. Then
-//! what is compared is not one edge with another, but the mean slopes of two halves.
+//! Points are typed or measured with some digits, and the finer the samples, the more that turns
+//! the edges to and fro. Two things keep it from being taken for bends: a roll counts from a depth
+//! on, and its width and turn are averaged with those of the rolls that begin on its first half.
+//! Then what is compared is not one edge with another, but the mean slopes of two halves.
 
 use super::SHARP_CREASE_DEG;
 use crate::boundary::size_of;
@@ -26,20 +28,21 @@ use crate::surface::Surface;
 
 /// How deep a roll is at the least, as a share of the size of the surface: how far its middle lies
 /// from the line between its ends. A sheet is stiff and rounds off what is shallower, half a
-/// millimetre on a metre; and coordinates are rounded, which turns the edges of finely sampled borders
-/// to and fro.
+/// millimetre on a metre; and coordinates are rounded, which turns the edges of finely sampled
+/// borders to and fro.
 const ROLL_DEPTH: f64 = 5e-4;
 /// How wide a roll is at the most, as a share of the size: one as wide that is not deep enough is
 /// bent to two and a half times the size, and nobody asks how much flatter it is.
 const ROLL_WIDTH: f64 = 0.1;
 /// How many edges of the border wide a roll is at the least.
 const ROLL_EDGES: f64 = 2.0;
-/// From how many stations on a roll is averaged with others: fewer are all that coarse samples tell.
+/// From how many stations on a roll is averaged with others: fewer are all that coarse samples
+/// tell.
 const MANY: usize = 6;
 /// How many times as wide as the doubt about where it begins and ends a roll is at the least.
 const CERTAIN: f64 = 8.0;
-/// How long a stretch of border is followed, in the widths of the widest roll: border that runs along
-/// rulings gains no width.
+/// How long a stretch of border is followed, in the widths of the widest roll: border that runs
+/// along rulings gains no width.
 const REACH: f64 = 3.0;
 /// How far coordinates are off at the most, as a share of the size: a metre is given to 0.1 mm.
 const ROUNDING: f64 = 5e-5;
@@ -112,8 +115,8 @@ struct Edge {
     normal: Vec3,
 }
 
-/// How the triangle of an edge lies to the rulings there: what its slope depends on beside the spacing
-/// of the samples.
+/// How the triangle of an edge lies to the rulings there: what its slope depends on beside the
+/// spacing of the samples.
 #[derive(Clone, Copy)]
 struct Lie {
     /// Along the rulings.
@@ -128,14 +131,14 @@ struct Lie {
 
 impl Lie {
     /// Where a triangle has the slope of the surface, across rulings along `ruling`. Against the
-    /// middle of the edge a sheet lies at z = −u²/2 radii, u across the rulings. The plane through the
-    /// three corners, the ends of the edge at ∓(w/2, h/2) and the far corner at (u, v), is as steep as
-    /// that is at (u² − w²/4)/2 · h/(u h − v w): near 0 for a triangle that is long along the rulings,
-    /// but anywhere up to u/2 if the edge runs along them too. And u is known no better than the
-    /// spacing of the samples, since that is how well the ruling is known.
+    /// middle of the edge a sheet lies at z = −u²/2 radii, u across the rulings. The plane through
+    /// the three corners, the ends of the edge at ∓(w/2, h/2) and the far corner at (u, v), is as
+    /// steep as that is at (u² − w²/4)/2 · h/(u h − v w): near 0 for a triangle that is long along
+    /// the rulings, but anywhere up to u/2 if the edge runs along them too. And u is known no
+    /// better than the spacing of the samples, since that is how well the ruling is known.
     ///
-    /// If the ends of the edge are off by δ each, the plane turns by up to 2 δ (|v| + |h|)/|u h − v w|:
-    /// 2 δ/w if the edge runs across the rulings, and many times that if it runs along them.
+    /// If the ends of the edge are off by δ each, the plane turns by up to 2 δ (|v| + |h|)/|u h − v
+    /// w|: 2 δ/w if the edge runs across the rulings, and many times that if it runs along them.
     fn of(edge: &Edge, ruling: Vec3, size: f64) -> Option<Self> {
         let across = ruling.cross(edge.normal);
         let (w, h) = (edge.way.dot(across), edge.way.dot(ruling));
@@ -262,8 +265,8 @@ fn apex_numbers(stations: &[Station]) -> Vec<usize> {
     (0..m).filter(is_apex).collect()
 }
 
-/// How wide a roll is that turns by so much, radians, and is as shallow as rolls are, mm: the middle
-/// of a roll lies an eighth of its width times its turn from the line between its ends.
+/// How wide a roll is that turns by so much, radians, and is as shallow as rolls are, mm: the
+/// middle of a roll lies an eighth of its width times its turn from the line between its ends.
 fn shallowest(turn: f64, size: f64) -> f64 {
     (8.0 * ROLL_DEPTH * size / turn).min(ROLL_WIDTH * size)
 }
@@ -339,7 +342,8 @@ impl Stretch {
         [before(self.first, m), self.number(self.count - 1, m)].map(|n| stations[n].lie.as_ref())
     }
 
-    /// The roll that it is, with whether it is as wide as one is at the least: if not, as if it were.
+    /// The roll that it is, with whether it is as wide as one is at the least: if not, as if it
+    /// were.
     fn roll(&self, stations: &[Station], size: f64) -> Option<(Roll, bool)> {
         let (m, ruling) = (stations.len(), unit(self.axis)?);
         let slope = |lie: &Lie| lie.slope(ruling, self.longest);
@@ -365,8 +369,8 @@ impl Stretch {
         Some((roll, width.abs() >= least))
     }
 
-    /// Bounds of that, which take no quotient: the most that its width can be, mm, and its turn, radians, both
-    /// times the length of its axis, which is the third.
+    /// Bounds of that, which take no quotient: the most that its width can be, mm, and its turn,
+    /// radians, both times the length of its axis, which is the third.
     fn bounds(&self, stations: &[Station]) -> [f64; 3] {
         let length = self.axis.length();
         let off = |lie: Option<&Lie>| lie.map_or(0.0, |lie| lie.offset.abs());
@@ -393,8 +397,9 @@ fn before(n: usize, m: usize) -> usize {
 /// The roll that begins at a station of a loop: the narrowest that is deep and wide enough, or if
 /// there is none, the tightest that is not, as if it were. `size` is the surface's, mm.
 ///
-/// Of most stretches it takes no more than products to show that they are too narrow. All are noted in `seen`, for
-/// where none is wide enough; then the longest come first, which turn most and leave hardly any that may be tighter.
+/// Of most stretches it takes no more than products to show that they are too narrow. All are noted
+/// in `seen`, for where none is wide enough; then the longest come first, which turn most and leave
+/// hardly any that may be tighter.
 fn roll_from(
     stations: &[Station],
     first: usize,
@@ -472,7 +477,8 @@ mod tests {
     use sheetwright_shapes::family::Family;
     use sheetwright_shapes::random::{Random, star, tangle};
 
-    /// The roll that begins at a station, from a look at each stretch in turn, and whether it is wide enough.
+    /// The roll that begins at a station, from a look at each stretch in turn, and whether it is
+    /// wide enough.
     fn one_by_one(stations: &[Station], first: usize, size: f64) -> Option<(Roll, bool)> {
         let m = stations.len();
         if !stations[first].turns() {

@@ -6,8 +6,9 @@
 //! are compared there. Samples on one spot (the two sides of a seam) count as common.
 //!
 //! Nearly all of these pairs are told apart sooner: one lies wholly on one side of the plane of the
-//! other, which plain arithmetic shows unless it is near; or, as in a flat panel, a side of one has the
-//! other wholly beyond it as both are seen along an axis, where predicates of the plane suffice.
+//! other, which plain arithmetic shows unless it is near; or, as in a flat panel, a side of one has
+//! the other wholly beyond it as both are seen along an axis, where predicates of the plane
+//! suffice.
 //!
 //! A triangle without area crosses none: its longest side is one of a neighbour, which is compared.
 //!
@@ -242,8 +243,8 @@ fn pierces(a: Point3, b: Point3, triangle: &Triangle) -> bool {
     none(Ordering::Less) || none(Ordering::Greater)
 }
 
-/// Whether, seen along the axis nearest to the normal of the first, a side of one triangle has all of
-/// the other beyond it but for common samples, so that they have nothing else in common.
+/// Whether, seen along the axis nearest to the normal of the first, a side of one triangle has all
+/// of the other beyond it but for common samples, so that they have nothing else in common.
 fn are_apart_as_seen(t: &Triangle, u: &Triangle) -> bool {
     let flat = seen_along(t.plane.normal);
     let [seen_t, seen_u] = [t, u].map(|triangle| triangle.corners.map(&flat));
@@ -251,8 +252,8 @@ fn are_apart_as_seen(t: &Triangle, u: &Triangle) -> bool {
         || has_beyond_a_side((u.corners, seen_u), (t.corners, seen_t))
 }
 
-/// Whether a side of one triangle has all corners of another beyond it but for common samples, given
-/// the corners of each and how they are seen.
+/// Whether a side of one triangle has all corners of another beyond it but for common samples,
+/// given the corners of each and how they are seen.
 fn has_beyond_a_side(
     (corners, seen): ([Point3; 3], [Point2; 3]),
     (others, seen_others): ([Point3; 3], [Point2; 3]),
@@ -339,8 +340,8 @@ mod tests {
         let mut random = random();
         let (mut found, mut without_area) = ([0; 3], 0);
         for n in 0..60_000 {
-            // Few places, so that corners are shared, lie on sides and in planes: in space, in a plane
-            // along two axes, and in a slanted one where rounding is felt.
+            // Few places, so that corners are shared, lie on sides and in planes: in space, in a
+            // plane along two axes, and in a slanted one where rounding is felt.
             let mut at = || {
                 let [x, y, z] = [0, 1, 2].map(|_| (4.0 * random()).round());
                 match n % 3 {
@@ -374,7 +375,8 @@ mod tests {
         let turned = Frame::with_normal(p(50., -20., 30.), Vec3::new(0.5, 0.6, 0.7)).unwrap();
         let (mut found, mut found_along) = ([[0; 2]; 2], [0; 2]);
         for _ in 0..6000 {
-            // Around the first corner, mostly in order as seen along z; few places, so that some touch.
+            // Around the first corner, mostly in order as seen along z; few places, so that some
+            // touch.
             let mut corners = vec![p(0., 0., 0.)];
             let mut angle = 0.0;
             for _ in 0..9 {
@@ -416,8 +418,8 @@ mod tests {
         let mut random = random();
         let mut found = [0; 3];
         for n in 0..3000 {
-            // Far from the origin rounding is large; points between the corners are in the plane, or
-            // a last digit off it.
+            // Far from the origin rounding is large; points between the corners are in the plane,
+            // or a last digit off it.
             let far = [0.0, 1.0, 1e6][n % 3];
             let mut at = || p(far + random(), random(), far + random());
             let [a, b, c, aside] = [at(), at(), at(), at()];

@@ -1,16 +1,18 @@
-//! The area of the Gauss image: how much of the unit sphere the normals sweep, counted without sign.
+//! The area of the Gauss image: how much of the unit sphere the normals sweep, counted without
+//! sign.
 //!
 //! Along a rung from sample i to sample j the normal turns from n_i^j to n_j^i, on a great circle.
 //! From one rung of a triangle to the next it turns about the tangents of the boundary, so that the
-//! image of a triangle with two rungs is a spherical quadrilateral, and that of an ear a mere arc. By
-//! Gauss the area of the image of a patch is the integral of |K| over it, K being the Gaussian
+//! image of a triangle with two rungs is a spherical quadrilateral, and that of an ear a mere arc.
+//! By Gauss the area of the image of a patch is the integral of |K| over it, K being the Gaussian
 //! curvature, which is 0 for a developable surface. Since rungs end at samples and not where their
-//! rulings would, a developable surface has a rest here, which falls with the square of the spacing.
+//! rulings would, a developable surface has a rest here, which falls with the square of the
+//! spacing.
 //!
 //! Where the warp changes its sign between two rungs, the quadrilateral crosses itself and both of
 //! its parts count. The image of a triangle with three rungs has six corners; of it the signed sum
-//! counts. Of a mesh, whose triangles are flat, the image is a polygon round each vertex inside, whose
-//! area is the angle defect there.
+//! counts. Of a mesh, whose triangles are flat, the image is a polygon round each vertex inside,
+//! whose area is the angle defect there.
 
 use super::RungMeasures;
 use crate::math::{Vec3, atan2, unit};
@@ -41,8 +43,8 @@ pub fn gauss_area(connectivity: &Connectivity, rungs: &[RungMeasures]) -> f64 {
     areas.sum()
 }
 
-/// The area of the Gauss image of a mesh, steradians: 0 for one that lies flat without stretching, but
-/// for cones and handles.
+/// The area of the Gauss image of a mesh, steradians: 0 for one that lies flat without stretching,
+/// but for cones and handles.
 pub fn gauss_area_of_mesh(mesh: &Mesh) -> f64 {
     let on_border = mesh.topology().on_border();
     let defects = angle_defects(mesh).into_iter().zip(on_border);

@@ -110,8 +110,8 @@ pub struct CutSuggestion {
 
 /// The cut that is suggested where triangles are strained by more than `limit` (a share, as
 /// [`crate::material::stretch_limit`] tells): from a hole that cannot lie flat to the nearest other
-/// loop; or else, of the strained triangles that hang together with the worst, from the vertex that lies
-/// deepest inside to the border, along the shortest way. `None` where the sheet takes all.
+/// loop; or else, of the strained triangles that hang together with the worst, from the vertex that
+/// lies deepest inside to the border, along the shortest way. `None` where the sheet takes all.
 pub fn cut_suggestion(mesh: &Mesh, measures: &MeshMeasures, limit: f64) -> Option<CutSuggestion> {
     let strain = |n: usize| measures.strain(TriangleIndex::new(n));
     let count = mesh.triangles().len();

@@ -9,7 +9,7 @@
 //! | fold | whether a crease stands alone: a sharp fold, no part of a smooth bend | none |
 //! | bend radius at a rung | how tightly the sheet is rolled across it, at its tighter end | mm |
 //! | length error of a side | \|flat − space\| / space; of a mesh's, signed | none |
-//! | stretch of a triangle | how much longer a direction is flat than in space; largest and smallest | none |
+//! | stretch of a triangle | how much longer a direction is flat; largest, smallest | none |
 //! | strain of a triangle | by how much its stretches differ from 1 at most | none |
 //! | area | of the triangles, in space and flat | mm² |
 //! | Gauss image | normals along the rungs, as points on the unit sphere | none |

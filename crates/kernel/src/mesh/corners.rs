@@ -1,8 +1,8 @@
 //! Vertices taken apart where no side holds their triangles together.
 //!
 //! Every corner of every triangle starts as a vertex of its own; across each side that stays joined
-//! the corners at both its ends become one. What is left apart are the two sides of a cut, and parts
-//! that met in a point.
+//! the corners at both its ends become one. What is left apart are the two sides of a cut, and
+//! parts that met in a point.
 
 use crate::index::VertexIndex;
 use std::collections::BTreeSet;

@@ -1,14 +1,14 @@
 //! Cuts that let a mesh lie flat: along its sides, along the shortest ways there are.
 //!
-//! 1. A ring, a tube or a torus is opened into a disk. A forest of shortest ways starts at the border
-//!    (at the worst point where there is none). Every other side closes a loop, or a way from border
-//!    to border, with the ways from its two ends. Between the triangles a tree is grown across those
-//!    sides whose loops are longest; the sides that are neither in the forest nor crossed by the tree
-//!    are left, as many as the surface has handles (twice) and holes, and they and their ways are the
-//!    cut: the shortest for a surface with one source \[EW05\].
+//! 1. A ring, a tube or a torus is opened into a disk. A forest of shortest ways starts at the
+//!    border (at the worst point where there is none). Every other side closes a loop, or a way
+//!    from border to border, with the ways from its two ends. Between the triangles a tree is grown
+//!    across those sides whose loops are longest; the sides that are neither in the forest nor
+//!    crossed by the tree are left, as many as the surface has handles (twice) and holes, and they
+//!    and their ways are the cut: the shortest for a surface with one source \[EW05\].
 //! 2. A closed surface, and one whose worst points are to be freed, is cut on to these points, each
-//!    from wherever the cut is nearest to it (the tree of shortest ways of \[TM80\], at most twice as
-//!    long as the shortest tree).
+//!    from wherever the cut is nearest to it (the tree of shortest ways of \[TM80\], at most twice
+//!    as long as the shortest tree).
 //!
 //! The worst points are those whose angles lack most of a full turn, or have most beyond it (their
 //! angle defect, the Gauss curvature that sits in the vertex).
@@ -49,8 +49,8 @@ pub struct MeshSeam {
 /// Sides along which a mesh is to be cut, by their numbers among [`Mesh::edges`].
 pub type Cut = BTreeSet<usize>;
 
-/// The angle defect of every vertex, radians: what its angles lack of a full turn, or of half a turn
-/// on the border.
+/// The angle defect of every vertex, radians: what its angles lack of a full turn, or of half a
+/// turn on the border.
 pub fn angle_defects(mesh: &Mesh) -> Vec<f64> {
     let on_border = mesh.topology().on_border();
     let mut defects: Vec<f64> =
@@ -76,8 +76,8 @@ pub fn worst_points(mesh: &Mesh, least: f64) -> Vec<VertexIndex> {
     worst.into_iter().map(VertexIndex::new).collect()
 }
 
-/// The cut that makes a disk of a mesh of one piece: none for a disk. A closed mesh is cut through its
-/// worst points, or from end to end where it has none.
+/// The cut that makes a disk of a mesh of one piece: none for a disk. A closed mesh is cut through
+/// its worst points, or from end to end where it has none.
 pub fn cut_to_disk(mesh: &Mesh) -> Cut {
     let mut cut = cut_handles_and_holes(mesh);
     if mesh.loops().is_empty() {

@@ -48,8 +48,8 @@ pub enum MeshError {
         /// The vertex.
         vertex: VertexIndex,
     },
-    /// A surface with one side only, as a Möbius strip or a Klein bottle: no choice of a front makes
-    /// neighbours agree.
+    /// A surface with one side only, as a Möbius strip or a Klein bottle: no choice of a front
+    /// makes neighbours agree.
     NotOrientable {
         /// One end of a side whose triangles disagree.
         from: VertexIndex,

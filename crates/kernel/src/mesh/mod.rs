@@ -1,9 +1,10 @@
 //! A mesh from elsewhere: triangles over vertices in space, with interior vertices or without.
 //!
 //! [`Topology`] knows which vertices are joined and nothing of where they lie; [`Mesh`] adds
-//! positions. Both are validated once, in [`Mesh::new`], and trusted afterwards: every side belongs to
-//! one triangle or two, every vertex has one fan of triangles, neighbours run the same way round, no
-//! triangle is without area, and the whole is not smaller than [`MIN_SIZE_MM`]. A mesh may be of several [`Piece`]s.
+//! positions. Both are validated once, in [`Mesh::new`], and trusted afterwards: every side belongs
+//! to one triangle or two, every vertex has one fan of triangles, neighbours run the same way
+//! round, no triangle is without area, and the whole is not smaller than [`MIN_SIZE_MM`]. A mesh
+//! may be of several [`Piece`]s.
 
 mod corners;
 mod cut;
@@ -45,7 +46,8 @@ pub struct Mesh {
 
 impl Mesh {
     /// The mesh of `triangles` over vertices at `positions`, mm. Triangles that run the other way
-    /// round than most of their piece are turned round; where as many run each way, the first stays.
+    /// round than most of their piece are turned round; where as many run each way, the first
+    /// stays.
     ///
     /// # Errors
     /// See [`MeshError`]. Vertices that no triangle uses are for the caller to leave out.
@@ -149,7 +151,8 @@ impl Mesh {
     /// that its own stand for, in increasing order.
     ///
     /// # Errors
-    /// See [`MeshError`]: triangles that are no whole piece may meet in a point, and none are no mesh.
+    /// See [`MeshError`]: triangles that are no whole piece may meet in a point, and none are no
+    /// mesh.
     pub fn part(&self, triangles: &[TriangleIndex]) -> Result<(Self, Vec<VertexIndex>), MeshError> {
         let corners = || triangles.iter().map(|t| self.triangles()[t.get()]);
         let mut vertices: Vec<VertexIndex> = corners().flatten().collect();

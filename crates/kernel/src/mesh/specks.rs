@@ -1,8 +1,8 @@
 //! Parts of a mesh that are too small to be sheet.
 //!
 //! Files of meshes hold crumbs: triangles of 1e-14 mm that some operation left, or slivers without
-//! width. Each would become a panel of its own, whose pattern has no digits left. What hangs together
-//! with anything larger is no crumb: leaving it out would tear the surface.
+//! width. Each would become a panel of its own, whose pattern has no digits left. What hangs
+//! together with anything larger is no crumb: leaving it out would tear the surface.
 
 use super::corners::{root, separated, unite};
 use crate::index::VertexIndex;
@@ -67,16 +67,16 @@ impl Part {
         size < MIN_SIZE_MM || self.area < limits.width * size
     }
 
-    /// Whether a triangle may belong to a part that is too small: no triangle of such a part has more
-    /// area or size than the part.
+    /// Whether a triangle may belong to a part that is too small: no triangle of such a part has
+    /// more area or size than the part.
     fn may_be_of_speck(&self, limits: &Limits) -> bool {
         (self.high - self.low).length() < MIN_SIZE_MM || self.area < limits.width * limits.of
     }
 }
 
-/// Triangles without the parts that are smaller than [`MIN_SIZE_MM`], or narrower (area by size) than
-/// [`Tolerance::SAME_POINT`] of the size of the file that they are from, mm. `None` if there are none,
-/// and where a corner is no vertex.
+/// Triangles without the parts that are smaller than [`MIN_SIZE_MM`], or narrower (area by size)
+/// than [`Tolerance::SAME_POINT`] of the size of the file that they are from, mm. `None` if there
+/// are none, and where a corner is no vertex.
 pub fn without_specks(
     positions: &[Point3],
     triangles: &[[VertexIndex; 3]],

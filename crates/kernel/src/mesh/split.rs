@@ -27,8 +27,8 @@ pub fn split_along_creases(mesh: &Mesh, crease: f64) -> Result<CutMesh, MeshErro
     cut_along(mesh, &cut)
 }
 
-/// The angle between the two triangles at every side, radians, in the order of [`Mesh::edges`]; 0 on
-/// the border.
+/// The angle between the two triangles at every side, radians, in the order of [`Mesh::edges`]; 0
+/// on the border.
 pub fn crease_angles(mesh: &Mesh) -> Vec<f64> {
     let turn = |triangles: [Option<crate::index::TriangleIndex>; 2]| match triangles {
         [Some(a), Some(b)] => angle_between(mesh.area_vector(a), mesh.area_vector(b)),

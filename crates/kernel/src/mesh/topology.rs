@@ -111,8 +111,8 @@ impl Topology {
         &self.edges
     }
 
-    /// The numbers of a triangle's sides among [`Topology::edges`]: each from the corner of the same
-    /// place to the next.
+    /// The numbers of a triangle's sides among [`Topology::edges`]: each from the corner of the
+    /// same place to the next.
     pub fn edges_of(&self, triangle: TriangleIndex) -> [usize; 3] {
         self.edges_of_triangles[triangle.get()].map(|n| n as usize)
     }
@@ -320,8 +320,8 @@ fn facing(
     Ok((piece_of, turned))
 }
 
-/// The sides of the mesh, and the three of every triangle. Those triangles whose flag in `turned` is
-/// set have had their last two corners swapped.
+/// The sides of the mesh, and the three of every triangle. Those triangles whose flag in `turned`
+/// is set have had their last two corners swapped.
 fn edges(
     sides: &[Side],
     triangles: &[[VertexIndex; 3]],

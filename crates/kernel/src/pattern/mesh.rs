@@ -9,8 +9,8 @@ use crate::mesh::{Mesh, MeshSeam, crease_angles};
 use crate::predicate::{Box2, signed_area_doubled};
 use std::collections::BTreeMap;
 
-/// Creases above this angle, degrees, are scored: below it they may be the facets that a smooth bend
-/// was divided into; a circle has as much of a turn at each of fourteen sides.
+/// Creases above this angle, degrees, are scored: below it they may be the facets that a smooth
+/// bend was divided into; a circle has as much of a turn at each of fourteen sides.
 pub const SCORED_CREASE_DEG: f64 = 25.0;
 
 /// A side of a seam that is to be marked.
@@ -18,7 +18,8 @@ pub const SCORED_CREASE_DEG: f64 = 25.0;
 pub struct EdgeMark {
     /// The mark: the same on both sides.
     pub mark: String,
-    /// The sides of triangles that it runs along, by vertices of the sheet, which lies to their left.
+    /// The sides of triangles that it runs along, by vertices of the sheet, which lies to their
+    /// left.
     pub steps: Vec<[VertexIndex; 2]>,
     /// Whether it says how long the seam is.
     pub first: bool,

@@ -224,8 +224,8 @@ fn ruling_ticks(bending: &[[Point2; 2]], most: usize, tick_mm: f64) -> Vec<Patte
 /// Places that are tried for the name, at the most.
 const LABEL_PLACES: usize = 60;
 
-/// The name of the panel, where the piece is widest: of the middles of some rungs and triangles, the
-/// one that lies farthest from the outline.
+/// The name of the panel, where the piece is widest: of the middles of some rungs and triangles,
+/// the one that lies farthest from the outline.
 fn name_label(name: &str, sheet: &Sheet, flat: &Flattened, height_mm: f64) -> PatternLabel {
     let connectivity = sheet.surface().connectivity();
     let at = |s: SampleIndex| flat.points[s.get()];

@@ -1,5 +1,5 @@
-//! The marks of a seam: the same letters and a tick in the middle of both its sides, and how long it
-//! is.
+//! The marks of a seam: the same letters and a tick in the middle of both its sides, and how long
+//! it is.
 
 use super::dimension::millimetres;
 use super::{PathKind, PatternLabel, PatternPath, Role};

@@ -2,13 +2,13 @@
 //!
 //! A sheet laid flat lies to the left of its border. So a point is covered as often as the lines of
 //! the border wind round it, counter-clockwise less clockwise. Where no two edges cross or touch,
-//! that number changes at lines alone: along a line it is one more on the left than on the right, and
-//! the same all the way. A sheet that covers no point twice has 1 on the left of each of its lines
-//! and 0 on the right.
+//! that number changes at lines alone: along a line it is one more on the left than on the right,
+//! and the same all the way. A sheet that covers no point twice has 1 on the left of each of its
+//! lines and 0 on the right.
 //!
 //! Lines that cross nowhere can still have more. A flap on one side of a slit is an example: round
-//! the ends of the slit the sheet goes by more than a full turn, the hole between slit and flap runs
-//! counter-clockwise as the outline does, and inside of it the sheet lies twice.
+//! the ends of the slit the sheet goes by more than a full turn, the hole between slit and flap
+//! runs counter-clockwise as the outline does, and inside of it the sheet lies twice.
 //!
 //! The number beside a line is counted along a ray from its leftmost corner, as are the edges that
 //! pass the ray: a sweep over y with the edges that are open there.
@@ -55,10 +55,10 @@ impl Edge {
     }
 }
 
-/// Two edges, by the corners that they begin at, where the sheet to the left of closed lines does not
-/// lie once on the left of one of them: an edge of that line, and the one that is nearest beside it.
-/// `None` if it does everywhere. The lines neither cross nor touch. Exact; time O(m log m) for lines
-/// as people draw them, O(m²) at worst.
+/// Two edges, by the corners that they begin at, where the sheet to the left of closed lines does
+/// not lie once on the left of one of them: an edge of that line, and the one that is nearest
+/// beside it. `None` if it does everywhere. The lines neither cross nor touch. Exact; time O(m log
+/// m) for lines as people draw them, O(m²) at worst.
 pub(super) fn first_not_covered_once(
     points: &[Point2],
     lines: &[Range<usize>],
@@ -162,7 +162,8 @@ mod tests {
         assert!(overlap(&[outer, backwards(square(20.0, 0.0, 2.0))]).is_some(), "a hole outside");
     }
 
-    /// How often lines wind round a point that lies on none of them: by the plain rule, edge by edge.
+    /// How often lines wind round a point that lies on none of them: by the plain rule, edge by
+    /// edge.
     fn winding(lines: &[Vec<Point2>], at: Point2) -> i64 {
         let edges = lines.iter().flat_map(|line| (0..line.len()).map(move |i| (line, i)));
         let passes = edges.map(|(line, i)| {
@@ -201,7 +202,8 @@ mod tests {
                 assert!(overlap.is_some());
                 continue;
             }
-            // All edges run along sides and diagonals of unit squares: each has four places off them.
+            // All edges run along sides and diagonals of unit squares: each has four places off
+            // them.
             let places = [(0.5, 0.2), (0.8, 0.5), (0.5, 0.8), (0.2, 0.5)];
             let squares =
                 (-13..13).flat_map(|i| (-13..13).map(move |j| (f64::from(i), f64::from(j))));

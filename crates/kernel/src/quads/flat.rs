@@ -9,8 +9,8 @@ use crate::watch::Watch;
 
 impl QuadMesh {
     /// The mesh in triangles, with its vertices as samples. Each quad is divided along its shorter
-    /// diagonal (of equals that from its first corner); where it has a corner that turns inwards, along
-    /// that from there.
+    /// diagonal (of equals that from its first corner); where it has a corner that turns inwards,
+    /// along that from there.
     ///
     /// # Errors
     /// If the faces are no manifold with the loops as its border, which those of
@@ -31,8 +31,8 @@ impl QuadMesh {
         Ok(Surface::new(Connectivity::new(&self.loops, triangles)?, self.positions()))
     }
 
-    /// How many quads cross themselves: neither diagonal divides them in two triangles that face the
-    /// same way. They fold over where they are laid flat.
+    /// How many quads cross themselves: neither diagonal divides them in two triangles that face
+    /// the same way. They fold over where they are laid flat.
     pub fn crossed_quads(&self) -> usize {
         let is_crossed = |face: &&[usize]| {
             face.len() == 4 && self.leaning(face, 0) <= 0.0 && self.leaning(face, 1) <= 0.0

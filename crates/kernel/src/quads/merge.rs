@@ -1,18 +1,19 @@
 //! Steps 1 to 4: rungs are removed, the flattest first, until every other vertex has one left.
 //!
-//! \[L11\] section 6: a vertex of more than three sides is a candidate, and so is a rung between two
-//! of them; the heap holds the candidate rungs by their bending angle, and the one with the least is
-//! removed. Two things change with each removal, and both are put right in the heap at once:
+//! \[L11\] section 6: a vertex of more than three sides is a candidate, and so is a rung between
+//! two of them; the heap holds the candidate rungs by their bending angle, and the one with the
+//! least is removed. Two things change with each removal, and both are put right in the heap at
+//! once:
 //!
 //! - Degrees: an end that is left with three sides is no candidate any more, nor are its rungs.
-//! - Angles: the two faces at the rung are one, no triangle any more. The bending angle at a rung is
-//!   the angle between the area vectors of its two faces. The area vector of a polygon in space is
-//!   the sum of those of its triangles (Newell), so for triangles this is the crease, and for what
-//!   was merged the mean of its triangles by area, however they lie.
+//! - Angles: the two faces at the rung are one, no triangle any more. The bending angle at a rung
+//!   is the angle between the area vectors of its two faces. The area vector of a polygon in space
+//!   is the sum of those of its triangles (Newell), so for triangles this is the crease, and for
+//!   what was merged the mean of its triangles by area, however they lie.
 //!
 //! Angles that agree to [`SAME_ANGLE`] tie, and the rung that is listed first is removed. We depart
-//! from the paper where a strip ends in a straight side (the end of a panel between two rails): such
-//! a side is a ruling already, and the rung from its corner into the strip is a diagonal. That
+//! from the paper where a strip ends in a straight side (the end of a panel between two rails):
+//! such a side is a ruling already, and the rung from its corner into the strip is a diagonal. That
 //! corner counts as a candidate, or the strip would begin with a triangle and a doubled vertex.
 
 use crate::index::{SampleIndex, TriangleIndex};

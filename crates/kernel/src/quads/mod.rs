@@ -1,9 +1,9 @@
 //! From the triangles of a surface without interior vertices to planar quads.
 //!
 //! The rungs of an optimal triangulation lie along the rulings of the surface, but for those that
-//! cross a strip slantwise because its two sides have samples at other places. Planar quads want one
-//! rung a ruling, with a vertex of its own at both ends. \[L11\] section 6 and \[G14\] get there in five
-//! steps:
+//! cross a strip slantwise because its two sides have samples at other places. Planar quads want
+//! one rung a ruling, with a vertex of its own at both ends. \[L11\] section 6 and \[G14\] get
+//! there in five steps:
 //!
 //! 1. A vertex with more than three sides is a candidate.
 //! 2. A rung between two candidates is a candidate; a heap holds them by their bending angle.
@@ -44,8 +44,8 @@ use std::ops::Range;
 pub struct Vertex {
     /// The loop that it lies on.
     pub of_loop: usize,
-    /// How far along the outline of the loop, mm. Those of a loop increase, from a little before its
-    /// first sample.
+    /// How far along the outline of the loop, mm. Those of a loop increase, from a little before
+    /// its first sample.
     pub along_mm: f64,
     /// Whether it is a corner of the boundary, where it stays.
     pub is_corner: bool,

@@ -2,8 +2,8 @@
 //!
 //! Every rung has two ends that may slide along the boundary, and every quad asks for one thing,
 //! that its diagonals meet; so there are about twice as many unknowns as equations, and where a
-//! developable surface passes through the boundary, there are planar quads near it \[LPW06\]. What is
-//! asked of a quad with the corners a, b, c, d is that the distance of its diagonals ac and bd,
+//! developable surface passes through the boundary, there are planar quads near it \[LPW06\]. What
+//! is asked of a quad with the corners a, b, c, d is that the distance of its diagonals ac and bd,
 //! h = n · (b − a) with n the direction of (c − a) × (d − b), is 0; its derivative is n times how
 //! far the points move where the diagonals come nearest. That is the volume of its tetrahedron,
 //! divided by what makes it a length.
@@ -50,7 +50,8 @@ const RIDGE: f64 = 1e-13;
 pub struct PlanarOptions {
     /// How far the diagonals of a quad may be apart, as a share of the size of the boundary.
     pub even: Tolerance,
-    /// How far a vertex may leave the outline where sliding along it does not do, mm; 0: not at all.
+    /// How far a vertex may leave the outline where sliding along it does not do, mm; 0: not at
+    /// all.
     pub leave_mm: f64,
 }
 
@@ -61,11 +62,11 @@ pub enum PlanarEnd {
     OnOutline,
     /// All are, and some vertices are off the outline.
     OffOutline,
-    /// They would be with vertices farther off the outline than is allowed: the mesh has them on it,
-    /// with the quads as near to planar as they came, or as they were.
+    /// They would be with vertices farther off the outline than is allowed: the mesh has them on
+    /// it, with the quads as near to planar as they came, or as they were.
     TooFarOff,
-    /// Not even off the outline were they found planar without crossing themselves: the mesh is as it
-    /// was.
+    /// Not even off the outline were they found planar without crossing themselves: the mesh is as
+    /// it was.
     NotFound,
     /// The watcher asked to stop: the mesh is as it was.
     Stopped,
@@ -91,8 +92,8 @@ pub struct Planar {
     pub steps: usize,
 }
 
-/// The distance of the diagonals of a quad with a sign, mm, and its derivatives by its four corners;
-/// `None` where they are parallel, or one has no length.
+/// The distance of the diagonals of a quad with a sign, mm, and its derivatives by its four
+/// corners; `None` where they are parallel, or one has no length.
 pub(super) fn distance_of_diagonals(at: [Point3; 4]) -> Option<(f64, [Vec3; 4])> {
     let [a, b, c, d] = at;
     let (ac, bd, ab) = (c - a, d - b, b - a);
@@ -269,8 +270,8 @@ impl<'a> Search<'a> {
         found
     }
 
-    /// From a start to planar quads with short moves; the best that was found. Vertices may leave the
-    /// outline if that has a weight.
+    /// From a start to planar quads with short moves; the best that was found. Vertices may leave
+    /// the outline if that has a weight.
     fn run(&mut self, start: &Moved, leave: Option<f64>, watch: &mut dyn Watch) -> Moved {
         let mut best = self.made_even(start.clone(), leave, watch);
         if self.uneven(&best) > self.enough {
@@ -350,8 +351,8 @@ impl<'a> Search<'a> {
         (step, share)
     }
 
-    /// The step of Newton's method, without those that are held sliding; with `shorten` also towards
-    /// shorter moves.
+    /// The step of Newton's method, without those that are held sliding; with `shorten` also
+    /// towards shorter moves.
     fn step(&self, at: &Moved, leave: Option<f64>, shorten: bool, held: &[bool]) -> Moved {
         let count = self.mesh.vertices.len();
         let (slopes, stiffness) = self.slopes_along(at);
@@ -440,8 +441,8 @@ impl<'a> Search<'a> {
         (slopes, stiffness)
     }
 
-    /// How much of a step can be taken for the gap behind a vertex: it shrinks by no more than half,
-    /// and not below the least.
+    /// How much of a step can be taken for the gap behind a vertex: it shrinks by no more than
+    /// half, and not below the least.
     fn share_of_gap(&self, at: &Moved, step: &Moved, i: usize) -> f64 {
         let gap = self.gap(at, i);
         let shrinks = step.along[i] - step.along[self.mesh.next(i)];

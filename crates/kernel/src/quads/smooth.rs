@@ -9,10 +9,11 @@
 //! double knots, λ the ratio of the knot intervals.
 //!
 //! Rails pass through the places of the vertices on the outline (a smooth surface need not have the
-//! planar quads that made some leave it) with the tangents of the outline there; how fast they do is the
-//! slope of arc length by u, from the vertices beside. So they miss the outline between the vertices
-//! by the fourth power of their distance, which is measured. A ruled surface is not developable as
-//! such: its warp, the angle between the tangent planes at both ends of a ruling, is measured too.
+//! planar quads that made some leave it) with the tangents of the outline there; how fast they do
+//! is the slope of arc length by u, from the vertices beside. So they miss the outline between the
+//! vertices by the fourth power of their distance, which is measured. A ruled surface is not
+//! developable as such: its warp, the angle between the tangent planes at both ends of a ruling, is
+//! measured too.
 //!
 //! Where a rail has a corner the strip ends and another begins. Cells that are no part of a strip
 //! (ends in a triangle, larger polygons where strips meet) stay plane faces. Their sides on the
@@ -27,8 +28,8 @@ use std::collections::BTreeMap;
 
 /// Places a span at which the distance to the outline and the warp are measured.
 const PLACES: usize = 8;
-/// Quads of larger polygons with more than this, as a share of the size, between their diagonals are
-/// two triangles, since they lie in no plane.
+/// Quads of larger polygons with more than this, as a share of the size, between their diagonals
+/// are two triangles, since they lie in no plane.
 const PLANE: Tolerance = Tolerance::ROUNDING;
 /// Faces whose area is less than this share of the square of their longest side have no plane.
 const LEAST_AREA: f64 = 1e-9;
@@ -156,14 +157,15 @@ pub fn smooth(mesh: &QuadMesh, outline: &Outline) -> SmoothSurface {
     building.done
 }
 
-/// The vertices of the rulings of a strip, one after the other: that on the right, that on the left.
+/// The vertices of the rulings of a strip, one after the other: that on the right, that on the
+/// left.
 type Strip = Vec<[usize; 2]>;
 
 /// The strips of a mesh, and the numbers of the cells that are no part of one.
 fn strips(mesh: &QuadMesh, outline: &Outline) -> (Vec<Strip>, Vec<usize>) {
     let is_rung = |a: usize, b: usize| mesh.rungs.binary_search(&[a.min(b), a.max(b)]).is_ok();
-    // The sides across a strip of each cell, in its own direction: two rungs, or a rung and a straight
-    // end.
+    // The sides across a strip of each cell, in its own direction: two rungs, or a rung and a
+    // straight end.
     let across: Vec<Option<[[usize; 2]; 2]>> = mesh
         .cells
         .iter()
@@ -277,8 +279,8 @@ struct Building<'a> {
 
 impl<'a> Building<'a> {
     fn new(mesh: &'a QuadMesh, outline: &'a Outline) -> Self {
-        // Where they had to leave the outline, they are back on it: between neighbours that have come
-        // near to one another, steps off it would bend the rails.
+        // Where they had to leave the outline, they are back on it: between neighbours that have
+        // come near to one another, steps off it would bend the rails.
         let on = |v: &Vertex| outline.at(v.of_loop, v.along_mm, Side::Leaving).position;
         let vertices: Vec<Point3> = mesh.vertices.iter().map(on).collect();
         let done = SmoothSurface {
@@ -425,8 +427,8 @@ impl<'a> Building<'a> {
 }
 
 /// The slope at each knot of the curve with these slopes between them: inside that of the parabola
-/// through three, as far as the curve does not run back; at the ends what makes the outer span as even as
-/// can be.
+/// through three, as far as the curve does not run back; at the ends what makes the outer span as
+/// even as can be.
 fn speeds(knots: &[f64], slopes: &[f64]) -> Vec<f64> {
     let last = slopes.len();
     let step = |i: usize| knots[i + 1] - knots[i];

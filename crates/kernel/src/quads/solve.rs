@@ -31,7 +31,8 @@ impl Symmetric {
     }
 
     /// Solves for the right side, with `share` of the largest entry of the diagonal added to all of
-    /// it, so that rows without entries do no harm: those unknowns come out as nearly 0 as they can.
+    /// it, so that rows without entries do no harm: those unknowns come out as nearly 0 as they
+    /// can.
     pub(super) fn solved(mut self, right: &[f64], share: f64) -> Vec<f64> {
         let size = self.diagonal.len();
         let most = self.diagonal.iter().copied().fold(0.0, f64::max);

@@ -1,10 +1,10 @@
 //! Larger polygons in quads.
 //!
 //! A polygon of 2k corners is k − 1 quads; one with an odd number has a triangle besides. Which
-//! diagonals are drawn is decided like a triangulation, by the table of all part polygons: the quads
-//! are taken whose corners, all four, turn least from the plane of the quad, so that flat and convex
-//! ones win. (\[L11\] hands the polygons to a general method for plane ones; ours have six or eight
-//! corners, so that the best can be had.)
+//! diagonals are drawn is decided like a triangulation, by the table of all part polygons: the
+//! quads are taken whose corners, all four, turn least from the plane of the quad, so that flat and
+//! convex ones win. (\[L11\] hands the polygons to a general method for plane ones; ours have six
+//! or eight corners, so that the best can be had.)
 
 use super::{QuadMesh, Vertex};
 use crate::math::{Vec3, unit};
@@ -45,8 +45,8 @@ fn faces_of(vertices: &[Vertex], corners: &[usize]) -> Vec<Vec<usize>> {
     faces
 }
 
-/// The cheapest division of every part polygon i, i + 1 … j, with the corners between i and j of the
-/// face at that side; none for two neighbours.
+/// The cheapest division of every part polygon i, i + 1 … j, with the corners between i and j of
+/// the face at that side; none for two neighbours.
 struct Table<'a> {
     vertices: &'a [Vertex],
     corners: &'a [usize],

@@ -93,8 +93,8 @@ fn bag(values: &Values) -> Drawn {
 }
 
 /// Control points of the seam in the plane of x and height, from the left end of the mouth to the
-/// right. Where four in a row lie on a line, a cubic B-spline runs straight; round a corner with its
-/// neighbours `reach` away on both sides, it leaves the line there.
+/// right. Where four in a row lie on a line, a cubic B-spline runs straight; round a corner with
+/// its neighbours `reach` away on both sides, it leaves the line there.
 fn outline(mouth: [f64; 2], bottom: f64, reach: f64) -> Vec<[f64; 2]> {
     let [half_mouth, height] = mouth;
     let (run, rise) = (half_mouth - bottom, height);

@@ -188,8 +188,8 @@ fn airship(values: &Values) -> Drawn {
         let hint = format!("Make the length 1 to {MOST_SLENDER} times the diameter.");
         return Err(TemplateError::together("diameter", message, hint));
     }
-    // r² = c · x (1 − x) e^(−kx) is largest where it is asked to be, round at both ends, and slimmer
-    // towards the tail; k = 0 is an ellipsoid.
+    // r² = c · x (1 − x) e^(−kx) is largest where it is asked to be, round at both ends, and
+    // slimmer towards the tail; k = 0 is an ellipsoid.
     let k = (1.0 - 2.0 * fullest) / (fullest * (1.0 - fullest));
     let shape = |x: f64, left: f64| (x * left * pow(E, -k * x)).sqrt();
     let top = shape(fullest, 1.0 - fullest);

@@ -55,8 +55,8 @@ fn square_to_round(values: &Values) -> Drawn {
     let (radius, height) = (values.number("diameter") / 2.0, values.number("height"));
     let tilt = values.radians("tilt");
     let middle = Point3::new(values.number("offset-x"), values.number("offset-y"), height);
-    // How far the plane of the round end lies above the far edge of the rectangle, and the round end
-    // itself above the plane of the rectangle.
+    // How far the plane of the round end lies above the far edge of the rectangle, and the round
+    // end itself above the plane of the rectangle.
     let slope = sin(tilt).abs() / cos(tilt);
     let towards = middle.x * tilt.signum();
     let over = height + slope * (towards - (1.0 + CLEAR_SHARE) * x);

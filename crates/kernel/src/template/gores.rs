@@ -26,10 +26,11 @@ pub(super) struct Station {
 const FEWEST_SAMPLES: usize = 101;
 /// … and at the most so many, where the files would grow and hands can't follow.
 const MOST_SAMPLES: usize = 401;
-/// Between samples the meridian turns by at most this, radians (4°), where so many are enough for it.
+/// Between samples the meridian turns by at most this, radians (4°), where so many are enough for
+/// it.
 const TURN: f64 = 0.07;
-/// Tangent planes along a rung that is not level turn by at most this, radians (3.8°), where so many
-/// samples are enough for it.
+/// Tangent planes along a rung that is not level turn by at most this, radians (3.8°), where so
+/// many samples are enough for it.
 const SLANT_TURN: f64 = 1.0 / 15.0;
 /// Where even the most samples leave that turn this many times too large, the gores are too slim.
 const TOO_SLIM: f64 = 1.4;
@@ -48,8 +49,8 @@ pub(super) struct Names {
     pub(super) opening: &'static str,
 }
 
-/// The panels `gore-1` to `gore-n` of the surface that the spline through a profile sweeps. Profiles
-/// run upwards.
+/// The panels `gore-1` to `gore-n` of the surface that the spline through a profile sweeps.
+/// Profiles run upwards.
 ///
 /// # Errors
 /// Ends that are neither closed nor open, and gores that run to points too slim to be drawn.

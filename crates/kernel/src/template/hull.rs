@@ -167,7 +167,8 @@ fn middle(line: &NamedCurve) -> Point3 {
     Point3::from_vec(sum / line.points.len() as f64)
 }
 
-/// Whether a plank whose boundary runs along `first` and back along `second` faces away from a point.
+/// Whether a plank whose boundary runs along `first` and back along `second` faces away from a
+/// point.
 fn faces_away(first: &NamedCurve, second: &NamedCurve, from: Point3) -> bool {
     let along = first.points[first.points.len() - 1].at - first.points[0].at;
     let across = middle(second) - middle(first);
@@ -200,7 +201,8 @@ mod tests {
         assert_eq!([&first.name[..], &second.name[..]], ["chine", "keel"]);
         let downwards = drawn(skiff().into_iter().rev().collect()).unwrap();
         assert_eq!(downwards.panels, upwards.panels);
-        // Run aft, the same lines are rails the other way round, and the planks still face outwards.
+        // Run aft, the same lines are rails the other way round, and the planks still face
+        // outwards.
         let mut aft = skiff();
         aft.iter_mut().for_each(|line| line.points.reverse());
         let PanelShape::Rails([first, _]) = &drawn(aft).unwrap().panels[0].shape else { panic!() };

@@ -1,18 +1,19 @@
 //! A hull with one chine, drawn so that its panels bend without twist whatever its dimensions are.
 //!
-//! Coordinates: x forward from the top of the stern, y to port from the middle, z up from the lowest
-//! point of the keel; mm. Only the port half is drawn. Both of its surfaces are cylinders (curves
-//! carried along a straight line), and so developable:
+//! Coordinates: x forward from the top of the stern, y to port from the middle, z up from the
+//! lowest point of the keel; mm. Only the port half is drawn. Both of its surfaces are cylinders
+//! (curves carried along a straight line), and so developable:
 //!
 //! - the side: a plan curve, carried along a line that leans outwards by the flare,
 //!   y = plan(x) − (`bow_height` − z) · flare;
-//! - the bottom: the keel's profile, carried outwards and aft along a line that rises by the deadrise,
-//!   z = keel(x + sweep · y) + deadrise · y. The sweep brings the rise of the forefoot to the chine
-//!   before it comes to the keel, which makes the bow sharper than amidships.
+//! - the bottom: the keel's profile, carried outwards and aft along a line that rises by the
+//!   deadrise, z = keel(x + sweep · y) + deadrise · y. The sweep brings the rise of the forefoot to
+//!   the chine before it comes to the keel, which makes the bow sharper than amidships.
 //!
 //! The chine is where the two meet, the keel and the stems where they meet the middle plane, and a
 //! transom is a plane that cuts both. Every curve is a spline through a few points of these, closer
-//! together at the ends, where a natural spline is least true; neighbours share the very same curve.
+//! together at the ends, where a natural spline is least true; neighbours share the very same
+//! curve.
 
 use super::TemplateError;
 use super::sketch::{Sketch, mirrored};
@@ -69,7 +70,8 @@ pub(super) struct Style {
     pub widest: f64,
     /// Where the keel is lowest, likewise.
     pub lowest: f64,
-    /// The power of the distance from there with which the keel rises towards the bow and the stern.
+    /// The power of the distance from there with which the keel rises towards the bow and the
+    /// stern.
     pub keel_powers: [u32; 2],
     /// How far the bottom's straight lines run aft, as a share of how far they run outwards.
     pub sweep: f64,

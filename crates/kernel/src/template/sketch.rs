@@ -106,7 +106,8 @@ impl Sketch {
     }
 
     /// Adds the starboard halves of these panels, which were drawn to port of the plane y = 0:
-    /// `NAME` becomes `NAME-port` and `NAME-starboard`. They share the curves that lie in the plane.
+    /// `NAME` becomes `NAME-port` and `NAME-starboard`. They share the curves that lie in the
+    /// plane.
     pub(super) fn mirror(&mut self, panels: &[&str]) {
         for mut panel in std::mem::take(&mut self.panels) {
             if !panels.contains(&&panel.name[..]) {

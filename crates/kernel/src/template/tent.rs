@@ -37,8 +37,8 @@ const PARAMETERS: [Parameter; 8] = [
     length("rear-length", "length from the middle hoop to the rear one", 200.0, 10_000.0, 1300.0),
 ];
 
-/// A hoop is at most so many times as high as half of its width, or as little of it: more is nothing
-/// that a pole bends to.
+/// A hoop is at most so many times as high as half of its width, or as little of it: more is
+/// nothing that a pole bends to.
 const MOST_STRETCHED: f64 = 4.0;
 /// Samples along a hoop that is half a circle; a stretched one bends more tightly somewhere.
 const SAMPLES: f64 = 150.0;

@@ -3,11 +3,16 @@
 //!
 //! Let D⟨i,j⟩⁺ be the least price of the part of the loop from i on to j, with the rung ⟨i,j⟩ not
 //! counted. Its triangle at ⟨i,j⟩ has an edge of the boundary at i or at j:
-//! D⟨i,j⟩⁺ = min{ D⟨i+,j⟩⁺ + w⟨i+,j⟩ , D⟨i,j−⟩⁺ + w⟨i,j−⟩ }, plus the price of that triangle.
-//! The part on the other side, ⟨i,j⟩⁻, is the part from j on to i, so one table over (start,
-//! length) serves both; it is filled by length, and of the prices only those of two lengths are kept, and
-//! those of the parts that begin or end at sample 0. Every triangulation has a rung at sample 0 or the rung ⟨0−,0+⟩, and
-//! equation (2) puts the two sides of it together.
+//!
+//! ```text
+//! D⟨i,j⟩⁺ = min{ D⟨i+,j⟩⁺ + w⟨i+,j⟩ , D⟨i,j−⟩⁺ + w⟨i,j−⟩ },
+//! ```
+//!
+//! plus the price of that triangle. The part on the other side, ⟨i,j⟩⁻, is the part from j on to i,
+//! so one table over (start, length) serves both; it is filled by length, and of the prices only
+//! those of two lengths are kept, and those of the parts that begin or end at sample 0. Every
+//! triangulation has a rung at sample 0 or the rung ⟨0−,0+⟩, and equation (2) puts the two sides of
+//! it together.
 
 use super::{Side, Terms, TriangulateError};
 use crate::watch::Watch;
@@ -81,8 +86,8 @@ impl<'a> Parts<'a> {
         (0..m).map(side).collect()
     }
 
-    /// The price of a triangle whose corners follow one another round the loop; the first rung joins
-    /// the first two corners, and so on.
+    /// The price of a triangle whose corners follow one another round the loop; the first rung
+    /// joins the first two corners, and so on.
     fn triangle(&self, corners: [usize; 3], rungs: [&Side; 3]) -> f64 {
         // The corners in order, and the rungs with them.
         let turn = match corners {

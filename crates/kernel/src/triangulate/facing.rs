@@ -4,7 +4,8 @@
 //! faces; people draw it either way. On a supporting plane its area says which. Without one, as at
 //! the two ends of a tube, each way bounds a surface of its own, and the cheaper one is meant: a
 //! tube rather than one that passes through itself. That is decided on a few of the samples, with a
-//! part of the work that the search may do: what is not looked at any more stays as it was found by then.
+//! part of the work that the search may do: what is not looked at any more stays as it was found by
+//! then.
 
 use super::holes::{Tally, Work};
 use super::{Terms, TriangulateError, TriangulateOptions, holes};

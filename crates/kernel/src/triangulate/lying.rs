@@ -1,4 +1,5 @@
-//! Triangulations over a supporting plane, found without knowing which rungs lie inside the projection.
+//! Triangulations over a supporting plane, found without knowing which rungs lie inside the
+//! projection.
 //!
 //! To know that of all pairs of samples takes longer than to fill the table. So the table is filled
 //! with more rungs than those, and the answer is looked at: mostly it lies over the plane as it
@@ -22,8 +23,8 @@ pub struct Cheapest {
     pub triangulation: Triangulation,
     /// Whether it is that without the plane too, if the search has shown that.
     pub also_without_plane: Option<bool>,
-    /// A triangulation whose rungs begin and end inside the projection, but do not all lie there, that
-    /// was cheaper, if the search has come upon one or knows of one from before.
+    /// A triangulation whose rungs begin and end inside the projection, but do not all lie there,
+    /// that was cheaper, if the search has come upon one or knows of one from before.
     pub astray: Option<Triangulation>,
 }
 
@@ -57,8 +58,9 @@ pub(super) fn sparsely(
     })
 }
 
-/// The cheapest triangulation of one loop among those with these rungs, which are all that lie inside
-/// the projection and more, from the table of all rungs; `known` is a triangulation that is known.
+/// The cheapest triangulation of one loop among those with these rungs, which are all that lie
+/// inside the projection and more, from the table of all rungs; `known` is a triangulation that is
+/// known.
 pub(super) fn densely(
     prices: &Prices,
     visibility: &Visibility,
@@ -78,8 +80,8 @@ pub(super) fn densely(
     })
 }
 
-/// A triangulation that is `known`, mended where rungs only have to begin and end inside the projection;
-/// `None` if it can't be mended, or if nothing is known.
+/// A triangulation that is `known`, mended where rungs only have to begin and end inside the
+/// projection; `None` if it can't be mended, or if nothing is known.
 pub(super) fn mended_at_ends(
     prices: &Prices,
     at_ends: &Visibility,
@@ -95,10 +97,10 @@ pub(super) fn may_ask_less(prices: &Prices, options: &TriangulateOptions) -> boo
     may_be_among_few(options) && prices.one_loop()
 }
 
-/// Whether the cheapest triangulation of those with more rungs than lie inside the projection is that
-/// with the plane too: where its triangles all lie on the plane as they should, they do not overlap,
-/// and their rungs lie inside. Then it is the cheapest of those too, and ties were decided among the
-/// same.
+/// Whether the cheapest triangulation of those with more rungs than lie inside the projection is
+/// that with the plane too: where its triangles all lie on the plane as they should, they do not
+/// overlap, and their rungs lie inside. Then it is the cheapest of those too, and ties were decided
+/// among the same.
 fn looked(
     plane: Option<&SupportingPlane>,
     terms: &Terms<'_>,
@@ -114,10 +116,11 @@ fn looked(
     if lies { Looked::Lies(found) } else { Looked::Astray(found) }
 }
 
-/// The cheapest triangulation of one loop, or the best that is found of a ring, any two samples joined,
-/// if it costs less than `limit`; only those count whose rungs all have tangent planes. `None` as well where the table that would
-/// tell does not fit the memory. What a triangulation costs that is `known` from before is a bound, on
-/// which the answer does not depend, unless it makes the table small enough for the memory.
+/// The cheapest triangulation of one loop, or the best that is found of a ring, any two samples
+/// joined, if it costs less than `limit`; only those count whose rungs all have tangent planes.
+/// `None` as well where the table that would tell does not fit the memory. What a triangulation
+/// costs that is `known` from before is a bound, on which the answer does not depend, unless it
+/// makes the table small enough for the memory.
 ///
 /// # Errors
 /// See [`TriangulateError`].

@@ -1,7 +1,7 @@
 //! How much memory tables may take: what the caller allows, and what the system gives.
 //!
-//! Tables grow piece by piece, and a piece that can't be had would end the program. So it is found out
-//! before a large table is begun, by asking for memory and giving it back.
+//! Tables grow piece by piece, and a piece that can't be had would end the program. So it is found
+//! out before a large table is begun, by asking for memory and giving it back.
 
 /// Tables that take no more are begun without a question, bytes.
 const UNASKED: u64 = 64 << 20;
@@ -10,7 +10,8 @@ const SHARE: f64 = 0.75;
 /// How finely it is found out what can be had, bytes.
 const STEP: u64 = 16 << 20;
 
-/// The most memory that tables may take which need no more than this, bytes: `limit`, if it can be had.
+/// The most memory that tables may take which need no more than this, bytes: `limit`, if it can be
+/// had.
 pub(super) fn obtainable(limit: u64, needed: u64) -> u64 {
     let most = limit.min(needed);
     // In a browser, memory that was asked for is never given back.

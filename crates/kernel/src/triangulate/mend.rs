@@ -1,16 +1,19 @@
 //! What a triangulation that is known from before is worth now.
 //!
 //! Samples that move by a hundredth of the size may turn cheap rungs into dear ones, and a bound of
-//! twice the price keeps many more entries of the table. So the known triangulation is mended first:
-//! a rung between two triangles is exchanged for the other diagonal of theirs as long as that makes
-//! it cheaper. That takes a small part of what the table takes, and ends at or near the optimum.
+//! twice the price keeps many more entries of the table. So the known triangulation is mended
+//! first: a rung between two triangles is exchanged for the other diagonal of theirs as long as
+//! that makes it cheaper. That takes a small part of what the table takes, and ends at or near the
+//! optimum.
 //!
-//! Where a bay of the boundary has turned the other way, all rungs across it may be barred now, and no
-//! exchange of one leads on. So before that, each patch of triangles that barred rungs hold together is
-//! triangulated anew, with some of the triangles around it: without those there may be no way to.
+//! Where a bay of the boundary has turned the other way, all rungs across it may be barred now, and
+//! no exchange of one leads on. So before that, each patch of triangles that barred rungs hold
+//! together is triangulated anew, with some of the triangles around it: without those there may be
+//! no way to.
 //!
-//! Exchanges of single rungs may end far from the cheapest. Where they do, a band of the table about the rungs that
-//! are known is filled for a better bound: it finds what takes many exchanges at once.
+//! Exchanges of single rungs may end far from the cheapest. Where they do, a band of the table
+//! about the rungs that are known is filled for a better bound: it finds what takes many exchanges
+//! at once.
 
 use super::{EDGE, Side, Terms, TriangulateError, Triangulation, optimal};
 use crate::index::SampleIndex;
@@ -20,8 +23,8 @@ use std::collections::BTreeSet;
 
 /// Rungs that are looked at, at the most, for each sample.
 const MOST_LOOKS: usize = 32;
-/// Corners of a patch that is triangulated anew, at the most: with more, the loop is another one than
-/// before.
+/// Corners of a patch that is triangulated anew, at the most: with more, the loop is another one
+/// than before.
 const MOST_CORNERS: usize = 128;
 /// What costs more than so many times what it did before is taken to be far from the cheapest.
 const MUCH_DEARER: f64 = 4.0;
@@ -48,16 +51,17 @@ pub(super) fn triangles(
     Some(Mended::of(terms, known?)?.triangles().collect())
 }
 
-/// A bound on the cheapest price: what a triangulation costs now that is mended from one that is known. Where that is
-/// much more than it cost, exchanges have led astray from it, and there may be a cheap one near to the rungs that are
-/// known.
+/// A bound on the cheapest price: what a triangulation costs now that is mended from one that is
+/// known. Where that is much more than it cost, exchanges have led astray from it, and there may be
+/// a cheap one near to the rungs that are known.
 pub(super) fn bound(
     terms: &Terms<'_>,
     known: Option<&Triangulation>,
     watch: &mut dyn Watch,
 ) -> Result<Option<f64>, TriangulateError> {
     let Some((price, known)) = price(terms, known).zip(known) else { return Ok(None) };
-    // Beside what cost nothing all is much dearer, and tables as cheap as that take less than a band.
+    // Beside what cost nothing all is much dearer, and tables as cheap as that take less than a
+    // band.
     if price <= MUCH_DEARER * known.price || known.price == 0.0 {
         return Ok(Some(price));
     }
@@ -176,8 +180,8 @@ impl<'a> Mended<'a> {
         self.terms.fold(corners, [mean(i, k), mean(k, j), mean(i, j)])
     }
 
-    /// Triangulates anew what barred rungs hold together, with about as much around it, and with more
-    /// where that can't be triangulated. Returns whether no rung is barred any more.
+    /// Triangulates anew what barred rungs hold together, with about as much around it, and with
+    /// more where that can't be triangulated. Returns whether no rung is barred any more.
     fn free(&mut self) -> bool {
         let is_barred = |line: &Line| line.side.price == f64::INFINITY;
         let barred = self.lines.iter().filter(|(_, line)| is_barred(line));
@@ -214,8 +218,8 @@ impl<'a> Mended<'a> {
         true
     }
 
-    /// The cheapest triangulation of a polygon of samples, in increasing order; `None` if there is none
-    /// or if they are too many.
+    /// The cheapest triangulation of a polygon of samples, in increasing order; `None` if there is
+    /// none or if they are too many.
     fn cheapest_within(&self, corners: &[usize]) -> Option<Vec<[usize; 3]>> {
         if corners.len() > MOST_CORNERS {
             return None;
@@ -236,7 +240,8 @@ impl<'a> Mended<'a> {
             for (a, b, far) in [(i, k, j), (k, j, i), (i, j, k)] {
                 let side = ends(a, b);
                 match self.lines.get_mut(side) {
-                    // The far corner within is one of the polygon; beyond its sides there are others.
+                    // The far corner within is one of the polygon; beyond its sides there are
+                    // others.
                     Some(line) if sides.contains(&side) => {
                         for old in
                             line.far.iter_mut().filter(|old| corners.binary_search(old).is_ok())

@@ -91,13 +91,13 @@ pub struct TriangulateOptions {
     /// How they are priced.
     pub price: PriceOptions,
     /// The most memory that tables may take, bytes. Default 4 GiB: `Optimal` up to 15,000 samples
-    /// without holes, and many more where the boundary comes near to a developable surface. Less where the system does
-    /// not give as much.
+    /// without holes, and many more where the boundary comes near to a developable surface. Less
+    /// where the system does not give as much.
     pub memory_limit: u64,
     /// The most work that the search with holes may do, steps of about a nanosecond: about what it
-    /// takes to compare two sums of prices. Work is counted, not timed, so that the answer is the same
-    /// everywhere. A search that has done it answers with the best that it has found and what is
-    /// proven of it; it goes beyond only to find a first answer. Default [`DEFAULT_WORK`].
+    /// takes to compare two sums of prices. Work is counted, not timed, so that the answer is the
+    /// same everywhere. A search that has done it answers with the best that it has found and what
+    /// is proven of it; it goes beyond only to find a first answer. Default [`DEFAULT_WORK`].
     pub work_limit: u64,
 }
 
@@ -532,9 +532,9 @@ impl<'a> Terms<'a> {
         }
     }
 
-    /// Writes to `strip` all sides from sample `i` to the far ends, at once: what [`Self::side`] says
-    /// of each; those that do not lead to a higher sample are barred, and those dearer than `limit`
-    /// may be. Without N unless `MEANS`.
+    /// Writes to `strip` all sides from sample `i` to the far ends, at once: what [`Self::side`]
+    /// says of each; those that do not lead to a higher sample are barred, and those dearer than
+    /// `limit` may be. Without N unless `MEANS`.
     #[inline(always)]
     fn strip<const MEANS: bool>(&self, i: usize, to: &FarEnds, limit: f64, strip: &mut Strip) {
         let in_order = self.prices.in_order();

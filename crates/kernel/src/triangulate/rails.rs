@@ -8,8 +8,8 @@
 use super::{Side, Terms, TriangulateError};
 use crate::watch::Watch;
 
-/// What the tables of m samples take, `first` of them on the first rail, bytes: a price and a choice
-/// for every pair across.
+/// What the tables of m samples take, `first` of them on the first rail, bytes: a price and a
+/// choice for every pair across.
 pub(super) fn memory_needed(first: usize, m: usize) -> u64 {
     let pairs = (first as u64) * (m.saturating_sub(first) as u64);
     pairs * (size_of::<f64>() + size_of::<bool>()) as u64

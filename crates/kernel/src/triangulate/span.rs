@@ -1,4 +1,5 @@
-//! A run of neighbouring samples: where they lie, and what no rung between two of them costs less than.
+//! A run of neighbouring samples: where they lie, and what no rung between two of them costs less
+//! than.
 
 use super::Terms;
 use crate::cost::{QUANTUM, Segment};

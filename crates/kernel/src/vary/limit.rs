@@ -10,8 +10,8 @@ pub enum Limit {
     Budget {
         /// The budget, mm; finite and not negative.
         total_mm: f64,
-        /// What a displacement of each unknown counts, positive: 1 for a sample, for a control point
-        /// the sum of the shares that samples have in it.
+        /// What a displacement of each unknown counts, positive: 1 for a sample, for a control
+        /// point the sum of the shares that samples have in it.
         weights: Vec<f64>,
         /// The limits, mm, not negative; infinite where the budget alone holds an unknown back.
         radii_mm: Vec<f64>,
@@ -123,8 +123,8 @@ fn shortened(way: Vec3, longest: f64) -> Vec3 {
     if length > longest { way * (longest / length) } else { way }
 }
 
-/// The projection on Σ wₖ |uₖ| ≤ ε and |uₖ| ≤ rₖ shortens every uₖ by λ wₖ, to nothing where it is no
-/// longer than that, and then to rₖ. The sum that is left falls with λ and is linear between the
+/// The projection on Σ wₖ |uₖ| ≤ ε and |uₖ| ≤ rₖ shortens every uₖ by λ wₖ, to nothing where it is
+/// no longer than that, and then to rₖ. The sum that is left falls with λ and is linear between the
 /// ratios |uₖ| / wₖ and (|uₖ| − rₖ) / wₖ, so λ follows from where among them it is ε.
 fn project_on_budget(displacements: &mut [Vec3], weights: &[f64], radii_mm: &[f64], total_mm: f64) {
     let count = displacements.len();

@@ -188,8 +188,8 @@ pub fn vary(
 /// See [`VaryError`]; whatever is wrong with the panels before anything has moved.
 ///
 /// # Panics
-/// If a motion follows an unknown that the limit does not have, or some but not all displacements are
-/// known.
+/// If a motion follows an unknown that the limit does not have, or some but not all displacements
+/// are known.
 pub fn vary_moving(
     moving: &dyn Moving,
     known: &[Vec3],

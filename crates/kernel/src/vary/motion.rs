@@ -120,9 +120,9 @@ pub fn control_shares(along: f64, first: usize, controls: usize) -> Vec<Share> {
     shares.filter(|share| share.factor != 0.0).collect()
 }
 
-/// What a budget for samples counts of each unknown: the sum of the shares that the samples of these
-/// motions have in it, so that the displacements of the samples add up to no more. Give the copies of
-/// a shared sample once. 1 for an unknown without samples, which nothing moves.
+/// What a budget for samples counts of each unknown: the sum of the shares that the samples of
+/// these motions have in it, so that the displacements of the samples add up to no more. Give the
+/// copies of a shared sample once. 1 for an unknown without samples, which nothing moves.
 ///
 /// # Panics
 /// If a motion follows an unknown that is not below `unknowns`.
@@ -215,7 +215,8 @@ pub(super) fn moved_on(
     Some((now, from_there.collect()))
 }
 
-/// Carries slopes with the samples, which started at `start` and are at `now`, back to the unknowns.
+/// Carries slopes with the samples, which started at `start` and are at `now`, back to the
+/// unknowns.
 pub(super) fn carry(
     start: &[Sample],
     now: &[Sample],

@@ -9,8 +9,8 @@ use crate::watch::Watch;
 /// Descents aim this share below the angle, so that squares of excess, which press less the less is
 /// left, come below it.
 const AIM: f64 = 0.98;
-/// What excess counts beside the price at first, about as much as twist, and how much more when that
-/// helps no further, up to where a rung a hundredth of a degree too far outweighs most panels.
+/// What excess counts beside the price at first, about as much as twist, and how much more when
+/// that helps no further, up to where a rung a hundredth of a degree too far outweighs most panels.
 const FIRST_WEIGHT: f64 = 1.0;
 const HEAVIER: f64 = 10.0;
 const HEAVIEST: f64 = 1e6;
@@ -24,8 +24,8 @@ const BISECTIONS: usize = 8;
 const ROUNDS_DRAWN_IN: usize = 4;
 /// There, this part of the steps is enough: one begins near the goal.
 const STEPS_DRAWN_IN: usize = 4;
-/// What excess counts at first where the limit is drawn in: what is near the angle would be led away
-/// from it by less.
+/// What excess counts at first where the limit is drawn in: what is near the angle would be led
+/// away from it by less.
 const WEIGHT_DRAWN_IN: f64 = 10.0;
 
 /// How an attempt to come below the angle ended.
@@ -35,8 +35,8 @@ enum Attempt {
     Stopped,
 }
 
-/// Brings every warp angle to `largest` or below, then draws the limit in while that can be kept. The
-/// angles are that and the largest one before anything moved.
+/// Brings every warp angle to `largest` or below, then draws the limit in while that can be kept.
+/// The angles are that and the largest one before anything moved.
 pub(super) fn reach(
     way: &mut Way<'_>,
     start: State,
@@ -107,9 +107,9 @@ struct Effort {
     patient: bool,
 }
 
-/// Descends with a weight of the excess that grows from the given one until no warp angle is above the goal's; takes a step
-/// only if the true price and excess, so weighed, fall. Where the goal is not reached, what came
-/// nearest is kept, which may be the start.
+/// Descends with a weight of the excess that grows from the given one until no warp angle is above
+/// the goal's; takes a step only if the true price and excess, so weighed, fall. Where the goal is
+/// not reached, what came nearest is kept, which may be the start.
 fn come_below(
     way: &Way<'_>,
     start: State,

@@ -1,10 +1,10 @@
 //! Whether a boundary is developable already, as far as its samples tell.
 //!
 //! Rungs end at samples and not where rulings would, so on a perfect cylinder they have warp angles
-//! too: up to what the sheet bends by from one sample to the next, which takes two rungs. Bending is
-//! told from twist by its sign: creases of one bend turn the same way, while those of a twisted
-//! strip turn to and fro, each triangle lying in the tangent plane at its own edge. So the sum of the
-//! creases of one triangle is bending, and what cancels in it is twist.
+//! too: up to what the sheet bends by from one sample to the next, which takes two rungs. Bending
+//! is told from twist by its sign: creases of one bend turn the same way, while those of a twisted
+//! strip turn to and fro, each triangle lying in the tangent plane at its own edge. So the sum of
+//! the creases of one triangle is bending, and what cancels in it is twist.
 
 use super::state::PanelState;
 use crate::cost::{PriceOptions, Prices};

@@ -119,8 +119,9 @@ impl<'a> PanelValue<'a> {
         total
     }
 
-    /// The squares of the angles by which the edges of the boundary turn against one another where the
-    /// unknowns have moved them, at samples that are no corners. Slipping along a curve is no zig-zag.
+    /// The squares of the angles by which the edges of the boundary turn against one another where
+    /// the unknowns have moved them, at samples that are no corners. Slipping along a curve is no
+    /// zig-zag.
     fn zig_zag(&self, weight: f64, unknowns: &[Vec3], with: &mut [Vec3]) -> f64 {
         let boundary = self.boundary;
         let samples = boundary.samples();

@@ -1,10 +1,11 @@
 //! Which parts there are, and where each lies on the paper.
 //!
 //! Panels whose pieces are the same part, maybe turned over, are one part that stands once (`gore
-//! ×12`). Parts lie in shelves, the highest first, each in the first shelf with room for it; all lie
-//! along the pane or all stand across it, whichever shows them larger. Texts have the same size
-//! however large parts are shown, so the scale is searched for: the largest at which parts and texts
-//! fit into the pane. Where many parts would be small for their names, the names are left out.
+//! ×12`). Parts lie in shelves, the highest first, each in the first shelf with room for it; all
+//! lie along the pane or all stand across it, whichever shows them larger. Texts have the same size
+//! however large parts are shown, so the scale is searched for: the largest at which parts and
+//! texts fit into the pane. Where many parts would be small for their names, the names are left
+//! out.
 //!
 //! What is arranged stays, with each part about the middle of its place, while a hand changes its
 //! shape.
@@ -74,8 +75,8 @@ pub(super) fn parts(scene: &Scene<'_>) -> Vec<Part> {
     parts
 }
 
-/// What a part is called: the name of its only panel, or what the names of its panels begin with, and
-/// how many there are.
+/// What a part is called: the name of its only panel, or what the names of its panels begin with,
+/// and how many there are.
 pub(super) fn name(scene: &Scene<'_>, members: &[usize]) -> String {
     let names: Vec<&str> = members.iter().map(|&n| scene.panels[n].name.as_str()).collect();
     match names[..] {
@@ -191,8 +192,8 @@ impl Arrangement {
         is_same
     }
 
-    /// Every part with the panel that stands for it: one that has changed since it was arranged, else
-    /// the one that is selected or that twists most of all, else the first.
+    /// Every part with the panel that stands for it: one that has changed since it was arranged,
+    /// else the one that is selected or that twists most of all, else the first.
     pub(super) fn shown(&self, scene: &Scene<'_>, worst: Option<usize>) -> Vec<ShownPart> {
         let place = |slot: &Slot| {
             let changed = slot.members.iter().zip(&slot.areas).map(|(&n, &was)| {
@@ -233,8 +234,8 @@ struct Cells<'a> {
 }
 
 impl Cells<'_> {
-    /// A part with its texts at a scale, points for a millimetre: how large it is, and where the middle
-    /// of the part lies in it.
+    /// A part with its texts at a scale, points for a millimetre: how large it is, and where the
+    /// middle of the part lies in it.
     fn cell(&self, n: usize, scale: f64) -> (Vec2, Vec2) {
         let of = self.parts[n].size * scale;
         let of = if self.turned {
@@ -264,7 +265,8 @@ fn largest(cells: &Cells<'_>, room: Vec2) -> (f64, Shelves) {
         let size = size(part).max(Way::splat(1e-9));
         (f64::from(room.x) / size.x).min(f64::from(room.y) / size.y)
     };
-    // Between these, as powers: no part alone is larger, and with none smaller are there only texts.
+    // Between these, as powers: no part alone is larger, and with none smaller are there only
+    // texts.
     let most = cells.parts.iter().map(fits).fold(f64::INFINITY, f64::min);
     let (mut low, mut high) = (1e-4 * most, most);
     for _ in 0..STEPS {

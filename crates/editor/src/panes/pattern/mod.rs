@@ -1,7 +1,7 @@
 //! The flat pattern: all parts beside one another, as they will be cut, with their dimensions.
 //!
-//! Where parts lie depends on their shapes and on the pane alone, not on what is looked at, and stays
-//! while a button is down. Files have each piece as the kernel laid it.
+//! Where parts lie depends on their shapes and on the pane alone, not on what is looked at, and
+//! stays while a button is down. Files have each piece as the kernel laid it.
 
 mod arrange;
 mod paint;

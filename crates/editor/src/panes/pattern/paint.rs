@@ -20,8 +20,8 @@ use std::sync::Arc;
 
 /// Rungs that are drawn of a piece, at the most.
 const RUNGS: usize = 90;
-/// The shorter side of a piece that is shown with its rungs, points; of one whose rungs are asked for,
-/// the longer side.
+/// The shorter side of a piece that is shown with its rungs, points; of one whose rungs are asked
+/// for, the longer side.
 const LEAST_WITH_RUNGS: f32 = 40.0;
 /// A piece whose rungs all together bend by less is flat, degrees: they say nothing.
 const FLAT_DEG: f64 = 0.1;

@@ -18,8 +18,8 @@ pub(super) struct Drag {
 }
 
 impl Drag {
-    /// The hand takes hold of a handle, at a place of the plan, and with it of these points, which are
-    /// in order.
+    /// The hand takes hold of a handle, at a place of the plan, and with it of these points, which
+    /// are in order.
     pub(super) fn new(
         held: PointRef,
         points: &[PointRef],

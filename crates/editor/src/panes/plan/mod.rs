@@ -2,7 +2,8 @@
 //!
 //! One tool at a time: [`Tool::Select`] takes hold of handles, [`Tool::Draw`] records strokes (and
 //! single clicks, which put corners), [`Tool::Calibrate`] takes two places of the picture under the
-//! drawing. All of them pan with the middle or right button, or two fingers, and zoom with the wheel.
+//! drawing. All of them pan with the middle or right button, or two fingers, and zoom with the
+//! wheel.
 
 mod drag;
 mod handles;

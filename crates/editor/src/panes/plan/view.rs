@@ -84,7 +84,8 @@ pub(super) fn places(document: &Document) -> impl Iterator<Item = Point2> + '_ {
     points.map(move |point| plan.flat(point.at))
 }
 
-/// The distance of grid lines that are easy to tell apart: that of the document, times 1, 2, 5, 10 …
+/// The distance of grid lines that are easy to tell apart: that of the document, times 1, 2, 5, 10
+/// …
 pub(super) fn grid_step(scale: f64, grid_mm: f64) -> f64 {
     const APART: f64 = 14.0;
     let mut step = grid_mm.max(1e-9);

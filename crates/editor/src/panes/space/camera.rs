@@ -103,8 +103,8 @@ impl Camera {
         Vec3::new(cos(pitch) * cos(yaw), cos(pitch) * sin(yaw), sin(pitch))
     }
 
-    /// From where the front of a surface with this normal is seen: from where it is looked at now, unless
-    /// that shows its back. What turns its back is mostly hidden by what turns its front.
+    /// From where the front of a surface with this normal is seen: from where it is looked at now,
+    /// unless that shows its back. What turns its back is mostly hidden by what turns its front.
     pub fn facing(&self, normal: Vec3) -> Direction {
         if self.toward().dot(normal) < 0.0 { Direction::towards(normal) } else { self.direction }
     }

@@ -64,8 +64,8 @@ pub struct SpacePane {
     to_fit: Fit,
     /// A panel and its rung that are to be brought into sight.
     to_bring: Option<(usize, usize)>,
-    /// How large the pane was when everything was brought into sight, unless the hand has shifted or
-    /// zoomed since then.
+    /// How large the pane was when everything was brought into sight, unless the hand has shifted
+    /// or zoomed since then.
     fitted: Option<Vec2>,
     has_card: bool,
 }
@@ -262,8 +262,8 @@ impl SpacePane {
         }
     }
 
-    /// Looks at the rung that is to be seen, unless it is in sight: from where it looks now, or from the
-    /// other side if that shows the back of the sheet there.
+    /// Looks at the rung that is to be seen, unless it is in sight: from where it looks now, or
+    /// from the other side if that shows the back of the sheet there.
     fn bring(&mut self, ui: &Ui, scene: &Scene<'_>, rect: Rect) {
         let Some((panel, rung)) = self.to_bring.take() else { return };
         let Some(Ok(shown)) = scene.panels.get(panel).map(|panel| &panel.made) else { return };
@@ -306,8 +306,8 @@ impl SpacePane {
         self.notice_hand(before);
     }
 
-    /// A view that the hand has shifted or zoomed stays as it is when the pane changes its size; one
-    /// that was only turned does not.
+    /// A view that the hand has shifted or zoomed stays as it is when the pane changes its size;
+    /// one that was only turned does not.
     fn notice_hand(&mut self, before: (Point3, f64)) {
         if before != (self.camera.target, self.camera.height_mm) {
             self.fitted = None;

@@ -1,10 +1,10 @@
 //! How samples slip along a curve as it changes its length, which keeps them evenly spread.
 //!
-//! A sample lies at a share f of the length L of its smooth stretch. Where the points P_k move by dP_k
-//! while its parameter u is held, the length up to it, s(u), grows by Σ G_k(u) · dP_k, with
+//! A sample lies at a share f of the length L of its smooth stretch. Where the points P_k move by
+//! dP_k while its parameter u is held, the length up to it, s(u), grows by Σ G_k(u) · dP_k, with
 //! G_k(u) = ∫ T B'_k over the stretch up to u, T the unit tangent and B_k the share of the point in
-//! the position. To stay at f L the sample slips along the curve by
-//! Σ (f G_k(end) − G_k(u)) · dP_k; and as it slips by ds, the derivative C' turns by C'' / |C'| ds.
+//! the position. To stay at f L the sample slips along the curve by Σ (f G_k(end) − G_k(u)) · dP_k;
+//! and as it slips by ds, the derivative C' turns by C'' / |C'| ds.
 
 use super::unknowns::derivative_shares;
 use crate::curve::{Curve, NODES, SpanShares};
@@ -22,8 +22,8 @@ pub(super) struct SlippingSample {
     pub(super) bend: Vec3,
 }
 
-/// How the samples at these places of a curve slip: number, span and its parameter. Those at the ends
-/// of smooth stretches do not.
+/// How the samples at these places of a curve slip: number, span and its parameter. Those at the
+/// ends of smooth stretches do not.
 pub(super) fn slips(
     curve: &Curve,
     spans: &[SpanShares],

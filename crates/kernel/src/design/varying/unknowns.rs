@@ -36,8 +36,8 @@ pub(super) struct Unknowns {
 }
 
 impl Unknowns {
-    /// Those of the points of these curves. Points on one spot are one; those on the spot of a curve
-    /// that stays, stay.
+    /// Those of the points of these curves. Points on one spot are one; those on the spot of a
+    /// curve that stays, stay.
     pub(super) fn new(design: &Design, moving: &BTreeSet<usize>, panels: &[Prepared]) -> Self {
         let sources = || panels.iter().flat_map(|panel| &panel.sources);
         let all: BTreeSet<usize> = sources().filter_map(|s| Some(s.at?.curve)).collect();
@@ -108,7 +108,8 @@ impl Unknowns {
         Self { curves: self.curves.iter().map(anew).collect(), count: self.count }
     }
 
-    /// The largest sum of shares, each without its sign, that a sample has in the points of a curve.
+    /// The largest sum of shares, each without its sign, that a sample has in the points of a
+    /// curve.
     pub(super) fn most_shares(&self) -> f64 {
         self.curves.values().map(|curve| curve.most_shares).fold(1.0, f64::max)
     }
@@ -382,7 +383,8 @@ mod tests {
                 if exact {
                     assert!(near < 0.02 * far + 1e-12, "{kind:?}: {far:e} {near:e}");
                 }
-                // A spline of nine points, all of which move their own way: chords matter most here.
+                // A spline of nine points, all of which move their own way: chords matter most
+                // here.
                 assert!(near < 5e-4, "{kind:?}: {near:e}");
             }
         }

@@ -18,8 +18,8 @@ const CUT_COST: f64 = 0.25;
 /// are turned by a few degrees only.
 const DRAWN_TOGETHER: f64 = 0.15;
 
-/// The points of the closed path that a stroke makes, the last joined to the first; `None` where its
-/// ends don't meet within `close_share` of its length.
+/// The points of the closed path that a stroke makes, the last joined to the first; `None` where
+/// its ends don't meet within `close_share` of its length.
 pub(super) fn closing(points: &[Point2], close_share: f64) -> Option<Vec<Point2>> {
     let path = Path::new(points.to_vec(), false);
     let length = path.length();

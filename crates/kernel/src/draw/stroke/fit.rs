@@ -1,11 +1,11 @@
 //! As few handles as bring a curve within the tolerance of a stroke.
 //!
 //! Between corners, or all round without any, handles are laid along the stroke, more of them where
-//! it bends, as what Douglas and Peucker leave of it tells. Then all of them, corners too, are moved
-//! to where the squares of the distances between places of the stroke and the curve add up to the
-//! least (`squares`). Stretches that are still off the stroke by more than the tolerance get one
-//! handle more and all is laid anew: spread once more, and also as it was with one more where it is
-//! worst; the better of both counts.
+//! it bends, as what Douglas and Peucker leave of it tells. Then all of them, corners too, are
+//! moved to where the squares of the distances between places of the stroke and the curve add up to
+//! the least (`squares`). Stretches that are still off the stroke by more than the tolerance get
+//! one handle more and all is laid anew: spread once more, and also as it was with one more where
+//! it is worst; the better of both counts.
 
 use super::path::{Path, douglas_peucker};
 use super::squares::{Handle, curve, solved};
@@ -196,8 +196,8 @@ fn spread(stretches: &[Stretch], even: &[Point2], closed: bool, round: bool) -> 
     handles
 }
 
-/// The handles of a curve with one more in every stretch that is off, where it is worst; of one that
-/// is nowhere off, in all.
+/// The handles of a curve with one more in every stretch that is off, where it is worst; of one
+/// that is nowhere off, in all.
 fn with_added(tried: &Tried, even: &[Point2], closed: bool, tolerance_mm: f64) -> Vec<Handle> {
     let m = even.len();
     let mut handles = tried.handles.clone();

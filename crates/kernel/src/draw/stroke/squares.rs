@@ -150,8 +150,8 @@ fn placed(
     placed
 }
 
-/// The parameter nearest to `p` of a curve given by places on it, near `u`, and within bounds; round
-/// and round a closed curve without any.
+/// The parameter nearest to `p` of a curve given by places on it, near `u`, and within bounds;
+/// round and round a closed curve without any.
 fn nearest(looked: &[Point2], p: Point2, u: f64, bounds: Option<(f64, f64)>) -> f64 {
     let last = (looked.len() - 1) as i64;
     let scale = PLACES as f64;

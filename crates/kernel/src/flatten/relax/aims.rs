@@ -27,8 +27,8 @@ const MAX_PACE: f64 = 4.0;
 /// The most steps of a round; two mostly do.
 const MAX_ROUND: usize = 6;
 /// How much stiffer edges of the border are than other sides, at first and at last: what a step
-/// leaves of their errors is about one part in so many, but steps along a bent border are short while
-/// they are stiff.
+/// leaves of their errors is about one part in so many, but steps along a bent border are short
+/// while they are stiff.
 const STIFF: [f64; 2] = [10.0, 1e5];
 /// By how much they get stiffer from step to step, once what was to be reached nearly is.
 const STIFFENING: f64 = 10.0;
@@ -109,8 +109,8 @@ impl Run<'_> {
         }
     }
 
-    /// Least Σ |r|: squares with weights 1/|r| again and again \[Daubechies2010\], the weights rounded
-    /// off near 0, less and less.
+    /// Least Σ |r|: squares with weights 1/|r| again and again \[Daubechies2010\], the weights
+    /// rounded off near 0, less and less.
     fn least_mean(
         &mut self,
         mut form: Form,
@@ -147,8 +147,8 @@ impl Run<'_> {
     }
 
     /// Least t with |r| ≤ t for all sides: Newton's method on τ·t − Σ log(t² − r²) with τ growing
-    /// \[BoydVandenberghe2004, chapter 11\]. Where that is least, t is within 2m/τ of its least for m
-    /// sides (of the problem made linear there).
+    /// \[BoydVandenberghe2004, chapter 11\]. Where that is least, t is within 2m/τ of its least for
+    /// m sides (of the problem made linear there).
     fn least_largest(
         &mut self,
         mut form: Form,
@@ -223,9 +223,9 @@ impl Run<'_> {
         }
     }
 
-    /// Least squares of the inner sides with true edges of the border: these are stiff springs, whose
-    /// errors are added to what is asked of them (the method of multipliers \[Bertsekas1982\]) until
-    /// none are left.
+    /// Least squares of the inner sides with true edges of the border: these are stiff springs,
+    /// whose errors are added to what is asked of them (the method of multipliers
+    /// \[Bertsekas1982\]) until none are left.
     fn true_border(
         &mut self,
         mut form: Form,

@@ -1,8 +1,9 @@
 //! What keeps triangles from being squeezed flat where lengths alone would have it.
 //!
 //! Sides as springs do not mind a triangle whose corners lie on one line. So a triangle whose area
-//! has come below a share a₀ of what it is in space costs ½·κ·log²(a/a₀), a being its share: nothing
-//! at a₀, without bound as it is flattened. Where no triangle is squeezed so much, it is not there.
+//! has come below a share a₀ of what it is in space costs ½·κ·log²(a/a₀), a being its share:
+//! nothing at a₀, without bound as it is flattened. Where no triangle is squeezed so much, it is
+//! not there.
 
 use super::Inner;
 use crate::math::sparse::Matrix;

@@ -1,11 +1,11 @@
-//! Laying a mesh flat that need not be developable, with a free border: every length is kept as well
-//! as can be, and no triangle is turned over.
+//! Laying a mesh flat that need not be developable, with a free border: every length is kept as
+//! well as can be, and no triangle is turned over.
 //!
 //! 1. A first flat form by linear equations ([`start`]).
 //! 2. Where that squeezes triangles much, steps that never flatten one bring it near ([`spread`]).
 //! 3. Weighted least squares of the sides' relative length errors, by Gauss and Newton's method
-//!    ([`springs`]), with the weights that the aim asks for ([`aims`]); triangles that they would squeeze flat are
-//!    guarded ([`guard`]).
+//!    ([`springs`]), with the weights that the aim asks for ([`aims`]); triangles that they would
+//!    squeeze flat are guarded ([`guard`]).
 //!
 //! Lengths are all that is read. A surface that can be laid flat exactly is, but for rounding.
 
@@ -39,8 +39,8 @@ pub enum Aim {
     Mean,
     /// The largest error: it is spread evenly, and most sides give a little.
     Max,
-    /// The border is true (1e-9), so that both sides of every seam are equal, and the squares of the
-    /// other sides' errors are least.
+    /// The border is true (1e-9), so that both sides of every seam are equal, and the squares of
+    /// the other sides' errors are least.
     Seams,
 }
 
@@ -86,11 +86,12 @@ pub enum Ended {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Relaxed {
     /// Where the vertices lie in the plane, mm, seen from the side that the mesh faces: in the
-    /// rectangle of least area around them, its longer side along x, its lower left corner at the origin.
+    /// rectangle of least area around them, its longer side along x, its lower left corner at the
+    /// origin.
     pub points: Vec<Point2>,
     /// Two edges of the border between which the pattern overlaps itself, by the vertices that they
-    /// begin at: they cross in the plane, or lie where it is covered twice without a crossing. It can't
-    /// be cut from one sheet then. Exact. Without one, no two triangles overlap.
+    /// begin at: they cross in the plane, or lie where it is covered twice without a crossing. It
+    /// can't be cut from one sheet then. Exact. Without one, no two triangles overlap.
     pub overlap: Option<(usize, usize)>,
     /// How many triangles do not run counter-clockwise. Exact; 0, unless the last turn into the
     /// rectangle rounds a needle over.

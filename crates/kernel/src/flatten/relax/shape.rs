@@ -68,7 +68,8 @@ pub(super) fn goes_round_once(topology: &Topology, points: &[Point2]) -> bool {
     for corners in topology.triangles() {
         for at in 0..3 {
             let [v, next, last] = [0, 1, 2].map(|k| corners[(at + k) % 3].get());
-            // Angles of triangles are below half a turn: a full turn comes up through the x axis once.
+            // Angles of triangles are below half a turn: a full turn comes up through the x axis
+            // once.
             if !upper(points[v], points[next]) && upper(points[v], points[last]) {
                 turns[v] += 1;
             }

@@ -1,10 +1,10 @@
 //! From an embedding that squeezes to one that hardly does, without turning a triangle over.
 //!
 //! A form in a circle squeezes triangles by any factor, and a conformal one of a strongly curved
-//! surface by many. The symmetric Dirichlet energy, Σ A·(σ₁² + σ₂² + σ₁⁻² + σ₂⁻²) with the stretches σ of
-//! each triangle, grows without bound as one is flattened. It is brought down as in
-//! \[Rabinovich2017\]: the rotations R nearest to the maps J of the triangles are kept fixed, and
-//! Σ A·‖W(J − R)‖² is least at a linear system; W is chosen so that both energies fall alike. A step
+//! surface by many. The symmetric Dirichlet energy, Σ A·(σ₁² + σ₂² + σ₁⁻² + σ₂⁻²) with the
+//! stretches σ of each triangle, grows without bound as one is flattened. It is brought down as in
+//! \[Rabinovich2017\]: the rotations R nearest to the maps J of the triangles are kept fixed, and Σ
+//! A·‖W(J − R)‖² is least at a linear system; W is chosen so that both energies fall alike. A step
 //! goes only as far as no triangle is flattened and the energy falls.
 
 use super::shape::{Shape, laid_down, longest_step};
@@ -62,7 +62,8 @@ pub(super) fn stretches([c0, c1]: [Vec2; 2]) -> ([f64; 2], Vec2) {
     ([q + r, q - r], turning / q)
 }
 
-/// Σ A·(σ₁² + σ₂² + σ₁⁻² + σ₂⁻² − 4), twice; infinite where a triangle is not kept the right way up.
+/// Σ A·(σ₁² + σ₂² + σ₁⁻² + σ₂⁻² − 4), twice; infinite where a triangle is not kept the right way
+/// up.
 fn energy(inner: &Inner<'_>, references: &[Reference], points: &[Point2]) -> f64 {
     let mut sum = 0.0;
     for (n, reference) in references.iter().enumerate() {
@@ -137,8 +138,8 @@ fn step(
     for (n, reference) in references.iter().enumerate() {
         let map = reference.map(inner.corners(n, points));
         let ([most, least], turn) = stretches(map);
-        // WᵀW has the stretches' directions and these values; one plus the first three powers of 1/σ
-        // is (σ − σ⁻³)/(σ − 1).
+        // WᵀW has the stretches' directions and these values; one plus the first three powers of
+        // 1/σ is (σ − σ⁻³)/(σ − 1).
         let value = |s: f64| 1.0 + (1.0 + (1.0 + 1.0 / s) / s) / s;
         let rotation = [turn, turn.perp()];
         // J·Rᵀ, symmetric with the stretches as its values.

@@ -1,10 +1,10 @@
 //! The sides as springs: weighted least squares of relative length errors, a step at a time.
 //!
 //! With the error r = (l_flat − l_space)/l_space of a side and its weight w, ½·Σ w·(r + s)² is made
-//! smaller by Gauss and Newton's step: the matrix is Σ (w/l_space²)·d·dᵀ over the sides, d being the
-//! side's direction in the plane. All aims are this step with weights w and shifts s of their own.
-//! What moves without changing a length (the whole in the plane) is held at two vertices. A step
-//! is shortened until it makes the goal smaller, and never flattens a triangle on its way.
+//! smaller by Gauss and Newton's step: the matrix is Σ (w/l_space²)·d·dᵀ over the sides, d being
+//! the side's direction in the plane. All aims are this step with weights w and shifts s of their
+//! own. What moves without changing a length (the whole in the plane) is held at two vertices. A
+//! step is shortened until it makes the goal smaller, and never flattens a triangle on its way.
 
 use super::guard::Guard;
 use super::shape::longest_step;
@@ -97,8 +97,8 @@ impl Form {
     }
 
     /// The form after a share of a step, the longest of those tried that flattens no triangle and
-    /// whose goal, from `goal`, falls with the guard's cost as `slope` (the goal's derivative along the
-    /// step) and the guard promise; `None` if none does.
+    /// whose goal, from `goal`, falls with the guard's cost as `slope` (the goal's derivative along
+    /// the step) and the guard promise; `None` if none does.
     pub(super) fn stepped(
         &self,
         inner: &Inner<'_>,

@@ -1,17 +1,17 @@
 //! A first flat form, by linear equations: conformal with the border's lengths kept, and where that
 //! turns a triangle over, an embedding within a circle.
 //!
-//! **Conformal** \[SawhneyCrane2017\]. A flat form that keeps angles is told by how much it scales, e^u.
-//! With u = 0 on the border, the border keeps its lengths, and inside u solves A·u = −Ω, where A is
-//! the Laplacian of cotangents and Ω the angle that is missing from 2π at a vertex (in their letters;
-//! the sign of u is theirs too). What flows out through the border turns it: its exterior angles
-//! become k̃ = k + (A·u) at the border. They draw the outline; as a polygon of these angles and lengths
-//! need not close, the lengths are changed by as little as closes it. The inner vertices follow
-//! harmonically, with the same matrix. So one factorisation of the size of the inner vertices gives
-//! all, where least-squares conformal maps need one of twice that size.
+//! **Conformal** \[SawhneyCrane2017\]. A flat form that keeps angles is told by how much it scales,
+//! e^u. With u = 0 on the border, the border keeps its lengths, and inside u solves A·u = −Ω, where
+//! A is the Laplacian of cotangents and Ω the angle that is missing from 2π at a vertex (in their
+//! letters; the sign of u is theirs too). What flows out through the border turns it: its exterior
+//! angles become k̃ = k + (A·u) at the border. They draw the outline; as a polygon of these angles
+//! and lengths need not close, the lengths are changed by as little as closes it. The inner
+//! vertices follow harmonically, with the same matrix. So one factorisation of the size of the
+//! inner vertices gives all, where least-squares conformal maps need one of twice that size.
 //!
-//! **In a circle** \[Tutte1963\]. With the border on a circle and every other vertex at the mean of its
-//! neighbours, no triangle is turned over.
+//! **In a circle** \[Tutte1963\]. With the border on a circle and every other vertex at the mean of
+//! its neighbours, no triangle is turned over.
 //!
 //! A hole is closed for the time being by a cone: an apex that is as far from all its border as a
 //! third of the way round it.
@@ -127,8 +127,8 @@ impl<'a> Disk<'a> {
         Ok(Self { topology, vertices, triangles, border, inner, pairs, pairs_of })
     }
 
-    /// The factor of a Laplacian over the inner vertices, and its entries between inner vertices and
-    /// the border as (inner, border, weight). `weights` are of the sides of a triangle.
+    /// The factor of a Laplacian over the inner vertices, and its entries between inner vertices
+    /// and the border as (inner, border, weight). `weights` are of the sides of a triangle.
     #[allow(clippy::type_complexity)] // a pair that both callers take apart at once
     fn laplacian<'p>(
         &self,

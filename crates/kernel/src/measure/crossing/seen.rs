@@ -1,14 +1,15 @@
 //! A look at a surface as a whole, from afar.
 //!
-//! Seen along some direction, a point lies in as many triangles that turn one way, less those that turn
-//! the other, as the boundary winds around it, since the two triangles at a rung run along it in
-//! opposite directions. So if all triangles turn the same way and the boundary is a simple polygon,
-//! each point lies in one triangle at the most, and none crosses another.
+//! Seen along some direction, a point lies in as many triangles that turn one way, less those that
+//! turn the other, as the boundary winds around it, since the two triangles at a rung run along it
+//! in opposite directions. So if all triangles turn the same way and the boundary is a simple
+//! polygon, each point lies in one triangle at the most, and none crosses another.
 //!
-//! A panel that lies over the plane of its area vector, which is its supporting plane unless another is
-//! asked for, is like that as seen along it. The coordinate axis nearest to it is tried first: seen along an axis, coordinates
-//! are only left out, so exact predicates of the plane decide. Seen along any other direction they are
-//! rounded, so there only what holds by more than rounding counts.
+//! A panel that lies over the plane of its area vector, which is its supporting plane unless
+//! another is asked for, is like that as seen along it. The coordinate axis nearest to it is tried
+//! first: seen along an axis, coordinates are only left out, so exact predicates of the plane
+//! decide. Seen along any other direction they are rounded, so there only what holds by more than
+//! rounding counts.
 
 use super::{Plane, seen_along};
 use crate::index::{SampleIndex, TriangleIndex};
@@ -21,8 +22,8 @@ use std::cmp::Ordering;
 /// from its origin: more than a hundred times what the dozen sums and products in each can come to.
 const ROUNDING: f64 = 1e-12;
 
-/// Whether, seen along its area vector or the axis nearest to that, all triangles of a surface with one
-/// loop certainly turn the same way and its boundary is certainly a simple polygon.
+/// Whether, seen along its area vector or the axis nearest to that, all triangles of a surface with
+/// one loop certainly turn the same way and its boundary is certainly a simple polygon.
 pub(super) fn is_simple_as_seen(surface: &Surface) -> bool {
     // All samples are looked at as one polygon.
     let of_all = 0..surface.positions().len();
@@ -98,8 +99,8 @@ fn may_fold_back(
     back.dot(on) >= -4.0 * margin * (back.length() + on.length())
 }
 
-/// Which way three points turn as seen against a direction: `Greater` counter-clockwise. `None` where
-/// rounding leaves it open.
+/// Which way three points turn as seen against a direction: `Greater` counter-clockwise. `None`
+/// where rounding leaves it open.
 fn turn(direction: Vec3, [a, b, c]: [Point3; 3]) -> Option<Ordering> {
     Plane::new(b - a, c - a).certain_side(direction)
 }

@@ -1,9 +1,9 @@
 //! Which rungs leave into the inside of a projected loop at both ends, as far as rounding can tell.
 //!
 //! A rung that leaves into the outside at one of its ends is not inside. That takes a few products
-//! for each pair, where finding out who sees whom takes a walk through triangles; corners are looked
-//! at 64 side by side, for the widest registers that the processor has (crate `pulp`). Of a loop that
-//! does not wind, few rungs are left that are outside all the same.
+//! for each pair, where finding out who sees whom takes a walk through triangles; corners are
+//! looked at 64 side by side, for the widest registers that the processor has (crate `pulp`). Of a
+//! loop that does not wind, few rungs are left that are outside all the same.
 
 use super::pairs::{BITS, PairSet};
 use crate::math::{Point2, Vec2};

@@ -9,9 +9,10 @@
 //! 4. A boundary edge ends the view.
 //!
 //! Without holes the triangles form a tree, so a sample meets each at most once: O(m) for each
-//! sample, O(m²) for all. Beyond a side lies the part of the loop between its ends, so that the looks at
-//! parts with lower samples alone, which look back, are spared. Round h holes a sample may meet a
-//! triangle from h + 1 sides. A rung that touches the boundary between its ends is not inside.
+//! sample, O(m²) for all. Beyond a side lies the part of the loop between its ends, so that the
+//! looks at parts with lower samples alone, which look back, are spared. Round h holes a sample may
+//! meet a triangle from h + 1 sides. A rung that touches the boundary between its ends is not
+//! inside.
 
 use super::pairs::PairSet;
 use crate::math::Point2;
@@ -111,8 +112,8 @@ impl Triangles {
         Self { corners, beyond, around }
     }
 
-    /// Calls `see` for what one sample sees, but for what lies beyond sides, given by their right and
-    /// their left end, that are not worth a look.
+    /// Calls `see` for what one sample sees, but for what lies beyond sides, given by their right
+    /// and their left end, that are not worth a look.
     fn look_from(
         &self,
         source: usize,

@@ -2,8 +2,8 @@
 //!
 //! Exactly, by triangular expansion (`expansion`); or, for most searches, by the ends of the rungs
 //! alone (`at_ends`), which tells most of those apart that are outside and takes a fraction of the
-//! time. If the triangles of the answer do not overlap in the projection, all of its rungs are inside,
-//! and no more need be asked (`triangulate::lying`).
+//! time. If the triangles of the answer do not overlap in the projection, all of its rungs are
+//! inside, and no more need be asked (`triangulate::lying`).
 
 mod at_ends;
 mod expansion;
@@ -42,9 +42,10 @@ impl Visibility {
         Self { seen: Seen::Everything }
     }
 
-    /// The pairs of samples of one loop whose rung leaves into the inside at both ends, but for those
-    /// that rounding leaves open, which are among them: all that see one another, and few others
-    /// unless the projection winds. Found in a fraction of the time, and only when it is asked for.
+    /// The pairs of samples of one loop whose rung leaves into the inside at both ends, but for
+    /// those that rounding leaves open, which are among them: all that see one another, and few
+    /// others unless the projection winds. Found in a fraction of the time, and only when it is
+    /// asked for.
     pub(crate) fn at_ends(plane: &SupportingPlane) -> Self {
         Self { seen: Seen::AtEnds(plane.projected.clone(), OnceLock::new()) }
     }

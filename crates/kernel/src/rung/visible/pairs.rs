@@ -3,8 +3,9 @@
 /// Bits of a word.
 pub(super) const BITS: usize = u64::BITS as usize;
 
-/// The row of the lower sample, which begins with the word of its own bit, has a bit for each higher
-/// one. Bits of that word for lower samples mean nothing, nor do those beyond the last sample.
+/// The row of the lower sample, which begins with the word of its own bit, has a bit for each
+/// higher one. Bits of that word for lower samples mean nothing, nor do those beyond the last
+/// sample.
 #[derive(Clone, Debug)]
 pub(super) struct PairSet {
     words: Vec<u64>,

@@ -8,8 +8,9 @@
 //!    of its triangle and the twist of the rung that it reaches.
 //! 2. The band is laid out on its universal cover, outer places I = 0, 1, 2, … and inner places A.
 //!    The same pair of samples stands there once for each way to wind round the hole. On a
-//!    supporting plane a rung is straight and has one way: whether it crosses a reference cut ⟨o,e⟩,
-//!    and on which side of that cut it leaves where it begins at o or e, says which, exactly.
+//!    supporting plane a rung is straight and has one way: whether it crosses a reference cut
+//!    ⟨o,e⟩, and on which side of that cut it leaves where it begins at o or e, says which,
+//!    exactly.
 //! 3. Every walk jumps over the outer edge before o once, from a place P before it to a place Q at
 //!    or behind it, along some inner place A. For given (Q, A) the walk is a shortest path from
 //!    (Q, A) to (Q + m, A + k) through an acyclic grid: O(m k (m + k)).
@@ -17,9 +18,9 @@
 //!    bound on all of their walks, and the answer if it happens to close. Sets are halved between
 //!    start and end until the cheapest path of all closes (branch and bound, as for circular
 //!    shortest paths \[Appleton2003\]); a set that is no cheaper than a walk that is known is
-//!    dropped. A few dozen sets are usual; at worst there is one for each pair. Where the work that may
-//!    be done ends before, the best closed walk is the answer, and the cheapest path of the sets that
-//!    are left is the lower bound.
+//!    dropped. A few dozen sets are usual; at worst there is one for each pair. Where the work that
+//!    may be done ends before, the best closed walk is the answer, and the cheapest path of the
+//!    sets that are left is the lower bound.
 //! 5. A walk with fewer than three steps along one chain, or one that takes all steps along one
 //!    chain before all along the other, uses a rung twice and is no surface. It is possible only
 //!    without a plane. Where the cheapest walk is one of those, the search is run again over paths
@@ -51,8 +52,8 @@ pub(super) fn memory_needed(m: usize, k: usize) -> u64 {
 const MOST_COUNTING_CELLS: u64 = 60_000_000;
 
 /// The cheapest triangulation of a ring; `None` if there is none up to `bound`. `first` is one that
-/// is known. Where there is no work left to be done, the best that is known by then, and what none is
-/// cheaper than.
+/// is known. Where there is no work left to be done, the best that is known by then, and what none
+/// is cheaper than.
 pub(super) fn solve_exactly(
     chains: &Chains<'_>,
     first: Option<Solved>,
@@ -90,8 +91,8 @@ pub(super) fn solve_exactly(
 }
 
 /// The cheapest triangulation of the ring between two chains up to `bound`, without the price of
-/// its cuts, or the best that was found before there was no work left; `None` if there is none, or it
-/// is no surface.
+/// its cuts, or the best that was found before there was no work left; `None` if there is none, or
+/// it is no surface.
 pub(super) fn solve(
     chains: &Chains<'_>,
     bound: f64,
@@ -123,7 +124,8 @@ struct Band<'c, 'a> {
     inner_pockets: Pockets,
 }
 
-/// The share of the work that sets of starts get; the rest is for closed walks where that was not enough.
+/// The share of the work that sets of starts get; the rest is for closed walks where that was not
+/// enough.
 const SHARE_OF_SETS: f64 = 0.8;
 
 /// What a search for the cheapest closed walk has found.
@@ -308,9 +310,9 @@ impl<'c, 'a> Band<'c, 'a> {
         Sought { walk, lower_bound: (!is_least).then_some(least) }
     }
 
-    /// The best closed walk that is known when not all starts could be sought: `open` has the cheapest
-    /// paths from those that were, the cheapest last. From where they begin, a few closed walks more
-    /// are sought with what work is left.
+    /// The best closed walk that is known when not all starts could be sought: `open` has the
+    /// cheapest paths from those that were, the cheapest last. From where they begin, a few closed
+    /// walks more are sought with what work is left.
     fn given_up(
         &self,
         open: Vec<Open>,
@@ -338,8 +340,8 @@ impl<'c, 'a> Band<'c, 'a> {
         Ok(self.sought(best.map(|best| best.walk), least))
     }
 
-    /// The cheapest path from one of the starts to the image of one of them, if there is work left to
-    /// find it.
+    /// The cheapest path from one of the starts to the image of one of them, if there is work left
+    /// to find it.
     fn swept(
         &self,
         starts: &Starts,

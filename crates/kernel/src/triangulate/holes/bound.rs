@@ -4,8 +4,8 @@
 //! rung as many on one side as on the other. Let each rung move some of the price of the triangles
 //! on one of its sides to those on the other, as much for each, and let each edge of the boundary
 //! take some off its triangles. As long as no triangle is left with less than nothing, what the
-//! edges have taken, together, is a lower bound on the price of every triangulation (the dual of the
-//! linear relaxation; the ascent is that of message passing, \[Kolmogorov2006\]).
+//! edges have taken, together, is a lower bound on the price of every triangulation (the dual of
+//! the linear relaxation; the ascent is that of message passing, \[Kolmogorov2006\]).
 //!
 //! 1. Only triangles count that can belong to a triangulation cheaper than the one that is known.
 //! 2. The loops are cut into one chain along rungs of that triangulation. In the order of the table
@@ -98,8 +98,8 @@ pub(super) struct Left {
 
 impl Relaxation {
     /// The relaxation of a domain of which `best` is a triangulation; `None` if it has too many
-    /// triangles, or more than there is work left for. `chain` is what is left when `best` is cut into
-    /// one chain.
+    /// triangles, or more than there is work left for. `chain` is what is left when `best` is cut
+    /// into one chain.
     pub(super) fn new(
         chains: &Chains<'_>,
         chain: &[usize],

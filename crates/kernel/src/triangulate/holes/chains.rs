@@ -2,9 +2,9 @@
 //!
 //! A rung between two loops, walked on both sides (an artificial cut), joins them into one closed
 //! chain, which passes the ends of the cut twice: c1 up to its end, the other loop once round from
-//! the other end to itself, and on along c1. A rung belongs to one of the two banks of a sample that
-//! is passed twice. With a supporting plane, the side on which it leaves decides, exactly; without
-//! one, each bank may have it, but only one of them: pairs are then barred one by one.
+//! the other end to itself, and on along c1. A rung belongs to one of the two banks of a sample
+//! that is passed twice. With a supporting plane, the side on which it leaves decides, exactly;
+//! without one, each bank may have it, but only one of them: pairs are then barred one by one.
 
 use super::super::BARRED;
 use super::super::EDGE;

@@ -1,9 +1,9 @@
 //! A lower bound on the price of all triangulations that takes no search.
 //!
-//! Each edge of the boundary is a side of one triangle, and each rung a side of two. So the price is at
-//! least the sum, over the edges, of the cheapest triangle at each: its fold with half the price of its
-//! rungs, divided by its edges where it has several. That needs O(m²) triangles. It is low, as a
-//! triangle that cuts off a corner costs little, but it is never without a number.
+//! Each edge of the boundary is a side of one triangle, and each rung a side of two. So the price
+//! is at least the sum, over the edges, of the cheapest triangle at each: its fold with half the
+//! price of its rungs, divided by its edges where it has several. That needs O(m²) triangles. It is
+//! low, as a triangle that cuts off a corner costs little, but it is never without a number.
 
 use super::bound::{price_of, units};
 use super::chains::Chains;

@@ -39,13 +39,13 @@ pub(super) fn memory_needed(lengths: &[usize]) -> u64 {
     chain.max(band).max(bound)
 }
 
-/// The share of the work that is left which improving the first triangulation may take: a good answer
-/// comes before the proof that it is.
+/// The share of the work that is left which improving the first triangulation may take: a good
+/// answer comes before the proof that it is.
 const SHARE_OF_IMPROVING: f64 = 0.4;
 
-/// The cheapest triangles between the loops; `None` if there are none up to the price `bound`. Where the
-/// work that may be done ends before that is known, the best that were found, and what none is cheaper
-/// than.
+/// The cheapest triangles between the loops; `None` if there are none up to the price `bound`.
+/// Where the work that may be done ends before that is known, the best that were found, and what
+/// none is cheaper than.
 pub(super) fn solve(
     terms: &Terms<'_>,
     plane: Option<&SupportingPlane>,
@@ -62,8 +62,8 @@ pub(super) fn solve(
     Ok(found)
 }
 
-/// The best triangles that are found up to `bound`, and what none is cheaper than as far as the search
-/// has come.
+/// The best triangles that are found up to `bound`, and what none is cheaper than as far as the
+/// search has come.
 fn searched(
     chains: &Chains<'_>,
     bound: f64,
@@ -87,8 +87,8 @@ fn searched(
     Ok(Some(Found { triangles: best.triangles, lower_bound }))
 }
 
-/// The price of a good triangulation without a plane up to `bound`: the best on a ring, and with more
-/// holes the best that is found without proof; infinite if none is.
+/// The price of a good triangulation without a plane up to `bound`: the best on a ring, and with
+/// more holes the best that is found without proof; infinite if none is.
 pub(super) fn good_price(
     terms: &Terms<'_>,
     loops: &[Range<usize>],

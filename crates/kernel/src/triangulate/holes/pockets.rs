@@ -73,8 +73,8 @@ impl Pockets {
     }
 
     /// The pockets of a walk up to the price `bound`, as far as there is work left to be done.
-    /// `closes(s, q)` says whether the rung between two places may close off the run from the first on
-    /// to the second.
+    /// `closes(s, q)` says whether the rung between two places may close off the run from the first
+    /// on to the second.
     pub(super) fn new(
         chains: &Chains<'_>,
         walk: &Walk,

@@ -144,13 +144,13 @@ fn solve(
     }))
 }
 
-/// The triangles of the cheapest triangulation of a chain of these samples, numbered in order, and its
-/// price; `None` if there is none up to `bound`.
+/// The triangles of the cheapest triangulation of a chain of these samples, numbered in order, and
+/// its price; `None` if there is none up to `bound`.
 ///
-/// Members of a chain have no numbers in order, for which the table with folds takes about ten times
-/// as long. Where that is a large part of the work, the chain is taken for a loop in order first, which
-/// leaves out the folds at its cuts. What comes out is a bound for the table, or, where no bound leaves
-/// little to look at, the answer: good, and not the cheapest.
+/// Members of a chain have no numbers in order, for which the table with folds takes about ten
+/// times as long. Where that is a large part of the work, the chain is taken for a loop in order
+/// first, which leaves out the folds at its cuts. What comes out is a bound for the table, or,
+/// where no bound leaves little to look at, the answer: good, and not the cheapest.
 fn solve_on_chain(
     chains: &Chains<'_>,
     terms: &Terms<'_>,

@@ -2,12 +2,13 @@
 //! be.
 //!
 //! The bound of [`super::bound`] drops all triangles that no cheaper triangulation has; mostly none
-//! are left, and the best known triangulation is proven optimal. What is left otherwise is searched:
-//! beginning at an edge of the boundary, the side that waits for a triangle and has the fewest to
-//! choose from gets one after the other, and the bound is raised anew. A surface that grows to the
-//! end this way is cheaper than the best, and is checked to be one: without a plane, the relaxation
-//! also admits holes that are closed by a lid of their own, and the like. The search ends when there is
-//! no work left to be done; then the lowest bound of what was not searched is the lower bound.
+//! are left, and the best known triangulation is proven optimal. What is left otherwise is
+//! searched: beginning at an edge of the boundary, the side that waits for a triangle and has the
+//! fewest to choose from gets one after the other, and the bound is raised anew. A surface that
+//! grows to the end this way is cheaper than the best, and is checked to be one: without a plane,
+//! the relaxation also admits holes that are closed by a lid of their own, and the like. The search
+//! ends when there is no work left to be done; then the lowest bound of what was not searched is
+//! the lower bound.
 
 use super::super::{Solved, TriangulateError};
 use super::Part;
@@ -27,9 +28,9 @@ const OF_STEP: u64 = 1000;
 const FIRST_SWEEPS: usize = 400;
 const SWEEPS: usize = 12;
 /// What of the difference a rung moves, in sixteenths: 8 leaves both sides as much, 16 leaves the
-/// side it comes from nothing. Of 8, 10, 12, 14 and 16, 12 closed the gap of panels with two to eight
-/// holes on a plane in the fewest sweeps. Without a plane, where triangles begin with less than
-/// nothing, 8 for the first sweeps and then 10 came farthest of the few that were tried.
+/// side it comes from nothing. Of 8, 10, 12, 14 and 16, 12 closed the gap of panels with two to
+/// eight holes on a plane in the fewest sweeps. Without a plane, where triangles begin with less
+/// than nothing, 8 for the first sweeps and then 10 came farthest of the few that were tried.
 const SHARE: i64 = 12;
 const SHARE_FIRST: i64 = 8;
 const SHARE_OPEN: i64 = 10;
@@ -37,12 +38,12 @@ const HALVING: usize = 40;
 /// Without a plane, this part of the price to beat is taken off every triangle at the beginning: a
 /// lid over a hole saves four of them.
 const FOR_COUNT: i64 = 4;
-/// Without a plane, with so many times as many triangles as are needed and more of them than this, a
-/// search would come to nothing.
+/// Without a plane, with so many times as many triangles as are needed and more of them than this,
+/// a search would come to nothing.
 const HOPELESS: usize = 40;
 const SEARCHED: usize = 20_000;
-/// Sweeps that close less than a hundredth of the gap have stalled, or a thousandth without a plane;
-/// so many in a row are enough.
+/// Sweeps that close less than a hundredth of the gap have stalled, or a thousandth without a
+/// plane; so many in a row are enough.
 const STALLED: i64 = 100;
 const STALLED_OPEN: i64 = 1000;
 const ENOUGH_STALLED: usize = 4;

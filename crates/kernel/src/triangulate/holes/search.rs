@@ -3,8 +3,8 @@
 //! Any h joining rungs that tie h + 1 loops together cut the domain open into one chain, whose
 //! cheapest triangulation the table finds. From then on the triangulation is improved one cut at a
 //! time: h − 1 of its own rungs are kept as cuts, so that a ring is left, and the ring's cheapest
-//! triangulation ([`super::band`]) can only be as cheap or cheaper. Which rungs are kept changes from
-//! round to round; it ends when a round of each kind has brought nothing.
+//! triangulation ([`super::band`]) can only be as cheap or cheaper. Which rungs are kept changes
+//! from round to round; it ends when a round of each kind has brought nothing.
 
 use super::super::{Solved, TriangulateError};
 use super::chains::{Chains, Spot};
@@ -54,7 +54,8 @@ impl Sides {
             })
     }
 
-    /// The closed chains that bound the surface when it is cut along `cuts`, that of sample 0 first.
+    /// The closed chains that bound the surface when it is cut along `cuts`, that of sample 0
+    /// first.
     fn bounds(&self, chains: &Chains<'_>, cuts: &[[usize; 2]]) -> Vec<Vec<usize>> {
         let is_border = |a: usize, b: usize| {
             chains.terms.prices.neighbours(a, b) || cuts.contains(&[a.min(b), a.max(b)])
@@ -84,8 +85,8 @@ impl Sides {
     }
 }
 
-/// The best triangulation that the replacement of cuts finds, beginning with `best`, as far as there is
-/// work left to be done.
+/// The best triangulation that the replacement of cuts finds, beginning with `best`, as far as
+/// there is work left to be done.
 pub(super) fn improved(
     chains: &Chains<'_>,
     mut best: Solved,
@@ -123,9 +124,9 @@ enum Prefer {
 }
 
 /// A first triangulation: the loops are tied together by the shortest rungs. `None` if there is
-/// none up to `bound`, or none was found up to it. Without a bound one is found wherever there is one:
-/// on a plane a domain that is cut open is a polygon, whose rungs lie apart, and without a plane see
-/// [`zigzag`].
+/// none up to `bound`, or none was found up to it. Without a bound one is found wherever there is
+/// one: on a plane a domain that is cut open is a polygon, whose rungs lie apart, and without a
+/// plane see [`zigzag`].
 pub(super) fn first(
     chains: &Chains<'_>,
     bound: f64,

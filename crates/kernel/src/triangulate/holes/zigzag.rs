@@ -1,20 +1,20 @@
 //! A triangulation without a plane that always exists: rings from edge to edge, without pockets.
 //!
-//! Without a plane any two samples may be joined. A *zigzag* is a band between two loops whose steps
-//! each run along one edge; the cheapest is a shortest path through the lattice of all pairs, in one
-//! pass. It answers where no other triangulation was found before the work ended.
+//! Without a plane any two samples may be joined. A *zigzag* is a band between two loops whose
+//! steps each run along one edge; the cheapest is a shortest path through the lattice of all pairs,
+//! in one pass. It answers where no other triangulation was found before the work ended.
 //!
 //! It is a surface for any number of loops of three or more samples each:
 //!
 //! 1. A zigzag uses no rung twice. The path begins along either chain in turn, (0,0), (1,0), (1,1),
-//!    (2,1), (2,2), so that from there on both places are 2 or more, and at most once round. Two pairs
-//!    of it that stand for the same samples would differ by a round along one chain, so that one of
-//!    them had a place 0; only (0,0) and (1,0) have one, and only the end, (m,k), comes back to
-//!    either. A rung joins two loops, so it is no edge.
-//! 2. Another loop goes into one triangle of what is there: a zigzag between that triangle and the loop
-//!    takes its place. Its rungs all end at samples that had no triangle before, so none is used twice;
-//!    each side of the triangle keeps one triangle on its inner side, and the fans at its corners stay
-//!    whole.
+//!    (2,1), (2,2), so that from there on both places are 2 or more, and at most once round. Two
+//!    pairs of it that stand for the same samples would differ by a round along one chain, so that
+//!    one of them had a place 0; only (0,0) and (1,0) have one, and only the end, (m,k), comes back
+//!    to either. A rung joins two loops, so it is no edge.
+//! 2. Another loop goes into one triangle of what is there: a zigzag between that triangle and the
+//!    loop takes its place. Its rungs all end at samples that had no triangle before, so none is
+//!    used twice; each side of the triangle keeps one triangle on its inner side, and the fans at
+//!    its corners stay whole.
 //! 3. Where rungs without tangent planes are admitted, every rung has a price.
 
 use super::super::{Found, Method, Side, Solved, outcome};
@@ -49,8 +49,8 @@ fn ring<'a>(chains: &Chains<'a>, outer: &[usize], hole: &[usize]) -> Chains<'a> 
     Chains { chains: vec![outer.to_vec(), hole.to_vec()], cuts, ..chains.clone() }
 }
 
-/// The triangle whose corners are nearest to a loop: the one with the least sum of the three distances
-/// from its samples.
+/// The triangle whose corners are nearest to a loop: the one with the least sum of the three
+/// distances from its samples.
 fn nearest(chains: &Chains<'_>, triangles: &[[usize; 3]], hole: &[usize]) -> Option<usize> {
     let corners: BTreeSet<usize> = triangles.iter().flatten().copied().collect();
     chains.work.count((corners.len() * hole.len()) as u64);

@@ -1,15 +1,16 @@
 //! The table of all rungs, below a price that is found first among few samples.
 //!
-//! 1. Near to the rungs of a triangulation of the thinned loop, all that are near are priced and put together: a
-//!    band of the table. Next to a developable surface, its optimum costs a quarter of what that of the thinned loop
-//!    does, and is the cheapest triangulation of all or nearly so. Where one step from few samples to more has shown
-//!    that, the triangulation of the band is good enough for the next step, and the table of the thinned loop, which
-//!    takes several times as long, is not filled. Where it does not come true one step later, it is.
-//! 2. Far from a developable surface, where the band is dearer than the thinned loop, its optimum may have another
-//!    shape than that of all samples; then the thinned loop is triangulated with cheaper folds as well, and the
-//!    cheaper of two bands is the bound.
-//! 3. If neither has a triangulation, the bound is guessed from the optimum of the thinned loop, and raised until
-//!    there is an answer below it.
+//! 1. Near to the rungs of a triangulation of the thinned loop, all that are near are priced and
+//!    put together: a band of the table. Next to a developable surface, its optimum costs a quarter
+//!    of what that of the thinned loop does, and is the cheapest triangulation of all or nearly so.
+//!    Where one step from few samples to more has shown that, the triangulation of the band is good
+//!    enough for the next step, and the table of the thinned loop, which takes several times as
+//!    long, is not filled. Where it does not come true one step later, it is.
+//! 2. Far from a developable surface, where the band is dearer than the thinned loop, its optimum
+//!    may have another shape than that of all samples; then the thinned loop is triangulated with
+//!    cheaper folds as well, and the cheaper of two bands is the bound.
+//! 3. If neither has a triangulation, the bound is guessed from the optimum of the thinned loop,
+//!    and raised until there is an answer below it.
 
 use super::near::Band;
 use super::table::Table;
@@ -22,33 +23,36 @@ use crate::watch::Watch;
 
 /// Loops with fewer samples are solved without a bound: it would cost more than it saves.
 const LEAST_THINNED: usize = 64;
-/// Of thinned loops with fewer samples, the cheapest triangulation is looked for in any case: that takes little.
+/// Of thinned loops with fewer samples, the cheapest triangulation is looked for in any case: that
+/// takes little.
 const LEAST_ROUGH: usize = 128;
-/// What costs up to so many times as much as the triangulation of the thinned loop near which it was found is taken
-/// to be nearly the cheapest. Next to a developable surface it is a quarter. Of random curves, some cost 0.31 to 0.46
-/// times as much where another shape was far cheaper.
+/// What costs up to so many times as much as the triangulation of the thinned loop near which it
+/// was found is taken to be nearly the cheapest. Next to a developable surface it is a quarter. Of
+/// random curves, some cost 0.31 to 0.46 times as much where another shape was far cheaper.
 const NEAR: f64 = 0.3;
 /// The same for what is found with cheaper folds, which is one guess of two.
 const NEAR_WITH_CHEAPER_FOLDS: f64 = 1.0;
-/// Where the next band costs more than so many times as much, what was taken to be nearly the cheapest was not.
+/// Where the next band costs more than so many times as much, what was taken to be nearly the
+/// cheapest was not.
 const NOT_NEAR: f64 = 0.5;
-/// A cheapest triangulation that costs as many times as much as the rough one, or more, leads to no other bound.
+/// A cheapest triangulation that costs as many times as much as the rough one, or more, leads to no
+/// other bound.
 const CHEAPER: f64 = 0.95;
 /// How much more than that of the thinned loop the answer may cost, where its rungs lead to none.
 const GUESSES: [f64; 2] = [1.3, 5.2];
-/// A table has so many times the tiles of the thinned loop's, each counted with entries up to its own
-/// price: the first next to a developable surface, the second where all are there.
+/// A table has so many times the tiles of the thinned loop's, each counted with entries up to its
+/// own price: the first next to a developable surface, the second where all are there.
 const GROWTH: [f64; 2] = [6.0, 16.0];
-/// The least growth, and the least as a share of the growth one step before. On the families and the planks of
-/// 2,600 to 16,000 samples, with folds, they were 3.74 (*wavy* of 2,600, whose thinned loop has hardly enough
-/// samples for `outside`; 4.02 on all others) and 0.80.
-/// Flat tiles, stored once, may make it less: 1.86 where all lies in one plane (1,200 to 4,000 samples): such
-/// a loop may be refused though it would just fit.
+/// The least growth, and the least as a share of the growth one step before. On the families and
+/// the planks of 2,600 to 16,000 samples, with folds, they were 3.74 (*wavy* of 2,600, whose
+/// thinned loop has hardly enough samples for `outside`; 4.02 on all others) and 0.80. Flat tiles,
+/// stored once, may make it less: 1.86 where all lies in one plane (1,200 to 4,000 samples): such a
+/// loop may be refused though it would just fit.
 const LEAST_GROWTH: f64 = 3.5;
 const LEAST_SHARE: f64 = 0.65;
-/// Where the table may not fit, that of the thinned loop may take one part in so many of the memory.
-/// With bounds as good as one another the table takes [`LEAST_GROWTH`] times as much or more, and would
-/// not fit either.
+/// Where the table may not fit, that of the thinned loop may take one part in so many of the
+/// memory. With bounds as good as one another the table takes [`LEAST_GROWTH`] times as much or
+/// more, and would not fit either.
 const SHARE_OF_THINNED: u64 = 3;
 
 /// The cheapest triangulation; `None` if there is none.
@@ -59,8 +63,8 @@ pub(in crate::triangulate) fn solve_priced(
     Ok(solve_in_table(terms, false, watch)?.map(|filled| filled.solved))
 }
 
-/// What the cheapest triangulation near to the rungs of these triangles costs, if that is less than `bound`; else
-/// `bound`.
+/// What the cheapest triangulation near to the rungs of these triangles costs, if that is less than
+/// `bound`; else `bound`.
 pub(in crate::triangulate) fn price_near(
     terms: &Terms<'_>,
     triangles: impl Iterator<Item = [usize; 3]>,
@@ -82,8 +86,8 @@ struct Filled<'a> {
     table: Table<'a>,
     /// How many tiles it has with entries up to the price.
     tiles: usize,
-    /// How many times the tiles of that of the thinned loop these are, if those were counted and are of one that
-    /// was filled in the same way.
+    /// How many times the tiles of that of the thinned loop these are, if those were counted and
+    /// are of one that was filled in the same way.
     growth: Option<f64>,
 }
 
@@ -127,8 +131,8 @@ struct Rough {
     is_cheapest: bool,
 }
 
-/// One that costs up to `near` times as much as the one of still fewer samples near which it was found, or the
-/// cheapest; `None` if there is none.
+/// One that costs up to `near` times as much as the one of still fewer samples near which it was
+/// found, or the cheapest; `None` if there is none.
 fn roughly(
     terms: &Terms<'_>,
     near: f64,
@@ -149,10 +153,11 @@ fn roughly(
 struct Bounds {
     /// To be tried one after the other; the last one holds, or is none.
     prices: Vec<f64>,
-    /// What the triangulation costs that the table holds, if it holds one, and that of the thinned loop near which
-    /// it was found.
+    /// What the triangulation costs that the table holds, if it holds one, and that of the thinned
+    /// loop near which it was found.
     held: Option<[f64; 2]>,
-    /// How many tiles with entries up to its price the table of the thinned loop has, if they were counted.
+    /// How many tiles with entries up to its price the table of the thinned loop has, if they were
+    /// counted.
     tiles_of_thinned: Option<usize>,
 }
 
@@ -239,8 +244,8 @@ impl<'t, 'a> Thinning<'t, 'a> {
         Ok(Some(Bounds { prices, held, tiles_of_thinned }))
     }
 
-    /// The cheapest triangulation of the thinned loop, with the number of its tiles where they tell something of
-    /// this table.
+    /// The cheapest triangulation of the thinned loop, with the number of its tiles where they tell
+    /// something of this table.
     fn solved(
         &self,
         watch: &mut dyn Watch,
@@ -252,7 +257,8 @@ impl<'t, 'a> Thinning<'t, 'a> {
         let places = table.bytes() + GROWTH[1] as u64 * few.bytes_of_places();
         let grown = |growth: f64| places + (growth * few.bytes_of(tiles) as f64) as u64;
         let growth = growth.unwrap_or(GROWTH[0]);
-        // Of a table that alone has what the rest of the loop costs in view, the other tells nothing.
+        // Of a table that alone has what the rest of the loop costs in view, the other tells
+        // nothing.
         let is_alike = few.has_outside() == table.has_outside();
         let least = grown(LEAST_GROWTH.max(LEAST_SHARE * growth));
         if self.may_fail && is_alike && least > memory {
@@ -261,8 +267,8 @@ impl<'t, 'a> Thinning<'t, 'a> {
         Ok(Some((solved, is_alike.then_some(tiles))))
     }
 
-    /// What a triangulation costs near that of the thinned loop with cheaper folds, if it costs up to `bound`;
-    /// infinite if not, or where all that is near is near to the band that is known.
+    /// What a triangulation costs near that of the thinned loop with cheaper folds, if it costs up
+    /// to `bound`; infinite if not, or where all that is near is near to the band that is known.
     fn with_cheaper_folds(
         self,
         known: &Band,

@@ -1,27 +1,29 @@
-//! Stretches of the boundary that lie in a plane along the axes and bend one way: what their rungs cost is known
-//! before any is looked at. Keels lie in such planes, and so do transoms, arcs of templates and walls.
+//! Stretches of the boundary that lie in a plane along the axes and bend one way: what their rungs
+//! cost is known before any is looked at. Keels lie in such planes, and so do transoms, arcs of
+//! templates and walls.
 //!
-//! Let the tangent turn by less than half a turn from sample i to sample j, all the way to the same side. Then
-//! so do the edges between, and the rung ⟨i,j⟩, the sum of them, leads to that side of the tangent at i,
-//! and to the other side of that at j. Its normals are both n, the unit vector along the axis, whether it is special
-//! or not: they have no other part, and one that is divided by its own length is 1 to the last bit. So w is 0,
-//! N is n, and F of triangles between such rungs is 0, as their normals are n, too. Whatever triangulates the
-//! stretch from i to j costs nothing, and E(i,j) is 0. Next to the tangent rungs have no planes; edges as
-//! close to it end a stretch.
+//! Let the tangent turn by less than half a turn from sample i to sample j, all the way to the same
+//! side. Then so do the edges between, and the rung ⟨i,j⟩, the sum of them, leads to that side of
+//! the tangent at i, and to the other side of that at j. Its normals are both n, the unit vector
+//! along the axis, whether it is special or not: they have no other part, and one that is divided
+//! by its own length is 1 to the last bit. So w is 0, N is n, and F of triangles between such rungs
+//! is 0, as their normals are n, too. Whatever triangulates the stretch from i to j costs nothing,
+//! and E(i,j) is 0. Next to the tangent rungs have no planes; edges as close to it end a stretch.
 
 use crate::cost::{LANES, TwistForm};
 use crate::triangulate::Terms;
 
-/// The least sine of the angle between an edge and the tangents at its ends: ten times what counts as
-/// parallel.
+/// The least sine of the angle between an edge and the tangents at its ends: ten times what counts
+/// as parallel.
 const LEAST_SINE: f64 = 1e-8;
-/// The cosine of the most that tangents turn along a stretch, some eight degrees less than half a turn.
+/// The cosine of the most that tangents turn along a stretch, some eight degrees less than half a
+/// turn.
 const LEAST_COSINE: f64 = -0.99;
 
 /// The flat stretches of a loop, in tiles.
 pub(super) struct Flat {
-    /// For each tile of samples the end of the tiles that lie with it in one stretch, itself and later ones; 0
-    /// if it does not lie in any.
+    /// For each tile of samples the end of the tiles that lie with it in one stretch, itself and
+    /// later ones; 0 if it does not lie in any.
     ends: Vec<u32>,
     /// N of the rungs within that stretch.
     means: Vec<[f64; 3]>,
@@ -70,8 +72,8 @@ impl Flat {
         }
     }
 
-    /// N of the rungs between the samples of these two tiles, without edges of the boundary among them, if they are
-    /// known to cost nothing, and so does whatever lies below them.
+    /// N of the rungs between the samples of these two tiles, without edges of the boundary among
+    /// them, if they are known to cost nothing, and so does whatever lies below them.
     #[inline(always)]
     pub(super) fn mean(&self, row: usize, column: usize) -> Option<[f64; 3]> {
         let end = *self.ends.get(row)?;
@@ -79,8 +81,8 @@ impl Flat {
     }
 }
 
-/// To which side of the tangent at sample i the edge to the next sample leads, and so on to the tangent there, in a
-/// plane across the axis: 1 or −1; 0 if they do not lie so.
+/// To which side of the tangent at sample i the edge to the next sample leads, and so on to the
+/// tangent there, in a plane across the axis: 1 or −1; 0 if they do not lie so.
 fn side(terms: &Terms<'_>, axis: usize, i: usize) -> f64 {
     let [(from, out, of_from), (to, into, of_to)] = [i, i + 1].map(|i| terms.prices.smooth_end(i));
     let is_flat = from[axis] == to[axis] && out[axis] == 0.0 && into[axis] == 0.0;
@@ -137,7 +139,8 @@ mod tests {
     use sheetwright_shapes::random::Random;
     use std::f64::consts::TAU;
 
-    /// A loop with an arc, perhaps a wavy or a straight one, in a plane across an axis, closed by a curve in space.
+    /// A loop with an arc, perhaps a wavy or a straight one, in a plane across an axis, closed by a
+    /// curve in space.
     fn with_arc(m: usize, axis: usize, random: &mut Random) -> Option<Boundary> {
         let (turn, wave) = (random.between(0.4, 1.4), random.between(-0.1, 0.1));
         let bend = [1.0, 1.0, -1.0, 0.0][random.below(4)];

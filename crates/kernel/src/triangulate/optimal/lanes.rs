@@ -34,7 +34,8 @@ fn reduced(prices: &Lanes, of_two: impl Fn(f64, f64) -> f64) -> f64 {
     lanes[0]
 }
 
-/// Whether products are added in one step: wide registers come with that, but for those of browsers.
+/// Whether products are added in one step: wide registers come with that, but for those of
+/// browsers.
 #[inline(always)]
 pub(super) fn are_fused<S: pulp::Simd>() -> bool {
     !S::IS_SCALAR && !cfg!(target_family = "wasm")

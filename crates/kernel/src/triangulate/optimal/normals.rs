@@ -1,14 +1,15 @@
-//! Between which bounds the N of many rungs lie, and what triangles with such sides cost at the least.
+//! Between which bounds the N of many rungs lie, and what triangles with such sides cost at the
+//! least.
 //!
-//! With n the normal of a triangle whose three sides are rungs and s the sum of their N, its F is
-//! ν (3 − n · s) ≥ ν (3 − |s|) ≥ ν (9 − |s|²) / 6. As each N is a unit vector or zero, 9 − |s|² is at least
-//! the sum of the squares of what the three differ by, two at a time. Where one side is an edge of the
-//! boundary, 2 − |s| ≥ (4 − |s|²) / 4 is more than a sixth of the square of what the other two differ by.
-//! Of a triangle with two edges nothing is said; one without area costs 2 ν a rung, which is more than any
-//! of this.
+//! With n the normal of a triangle whose three sides are rungs and s the sum of their N, its F is ν
+//! (3 − n · s) ≥ ν (3 − |s|) ≥ ν (9 − |s|²) / 6. As each N is a unit vector or zero, 9 − |s|² is at
+//! least the sum of the squares of what the three differ by, two at a time. Where one side is an
+//! edge of the boundary, 2 − |s| ≥ (4 − |s|²) / 4 is more than a sixth of the square of what the
+//! other two differ by. Of a triangle with two edges nothing is said; one without area costs 2 ν a
+//! rung, which is more than any of this.
 //!
-//! Where it is known about which way n points, the share of each side, ν (1 − n · N) = ½ ν |n − N|², tells
-//! more.
+//! Where it is known about which way n points, the share of each side, ν (1 − n · N) = ½ ν |n −
+//! N|², tells more.
 
 use super::lanes::{highest, lowest};
 use crate::cost::{LANES, Lanes, QUANTUM};
@@ -90,7 +91,8 @@ impl NormalBox {
     }
 }
 
-/// The least F of triangles whose sides have their N in these boxes, one each, with the weight ν = `fold`.
+/// The least F of triangles whose sides have their N in these boxes, one each, with the weight ν =
+/// `fold`.
 #[inline(always)]
 pub(super) fn least_fold(fold: f64, [a, b, c]: [&NormalBox; 3]) -> f64 {
     let squares = a.apart_squared(b) + a.apart_squared(c) + b.apart_squared(c);
@@ -99,9 +101,9 @@ pub(super) fn least_fold(fold: f64, [a, b, c]: [&NormalBox; 3]) -> f64 {
     if least > 0.0 { least } else { 0.0 }
 }
 
-/// The least F of triangles whose normals are no farther than `off` from `middle`, and whose sides have
-/// their N in these boxes, one each; an edge of the boundary has any. The share of a side is
-/// ν (1 − n · N) ≥ ½ ν |n − N|².
+/// The least F of triangles whose normals are no farther than `off` from `middle`, and whose sides
+/// have their N in these boxes, one each; an edge of the boundary has any. The share of a side is ν
+/// (1 − n · N) ≥ ½ ν |n − N|².
 #[inline(always)]
 pub(super) fn least_fold_about(
     fold: f64,

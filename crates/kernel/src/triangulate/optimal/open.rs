@@ -1,4 +1,5 @@
-//! Which tiles of the table may have finite entries, as far as the samples of their rows and columns tell.
+//! Which tiles of the table may have finite entries, as far as the samples of their rows and
+//! columns tell.
 
 use super::flat::Flat;
 use super::near::Band;
@@ -6,8 +7,9 @@ use crate::cost::{LANES, Segment, TwistForm};
 use crate::triangulate::Terms;
 use crate::triangulate::span::Span;
 
-/// So many tiles beside one another are first looked at as one. With 8 or 16 of them the table of *wavy*
-/// with 50,000 samples takes 0.91 times as long where folds cost nothing, and 0.97 times else.
+/// So many tiles beside one another are first looked at as one. With 8 or 16 of them the table of
+/// *wavy* with 50,000 samples takes 0.91 times as long where folds cost nothing, and 0.97 times
+/// else.
 const LONG: usize = 16;
 
 /// Which tiles may have finite entries.
@@ -16,8 +18,8 @@ pub(super) struct Open<'a> {
     pub(super) band: Option<&'a Band>,
     /// What the samples of the tiles have in common; empty where that tells nothing.
     spans: Vec<Span>,
-    /// The least that rungs between [`LONG`] rows of tiles and as many columns can cost, on and above the
-    /// diagonal; empty where spans tell nothing.
+    /// The least that rungs between [`LONG`] rows of tiles and as many columns can cost, on and
+    /// above the diagonal; empty where spans tell nothing.
     of_long: Vec<Vec<f64>>,
     flat: Flat,
     /// Entries above it are infinite; a multiple of the quantum.
@@ -54,7 +56,8 @@ impl<'a> Open<'a> {
         row + 1 >= column || (row, column) == (0, (self.samples - 1) / LANES)
     }
 
-    /// N of the rungs of the tile of these rows and columns, if all of its entries are known to be 0.
+    /// N of the rungs of the tile of these rows and columns, if all of its entries are known to be
+    /// 0.
     #[inline(always)]
     pub(super) fn flat_mean(&self, row: usize, column: usize) -> Option<[f64; 3]> {
         if self.has_edges(row, column) { None } else { self.flat.mean(row, column) }

@@ -1,9 +1,10 @@
 //! The tiles of a table, and their memory, kept for the next one.
 //!
-//! Where a stretch of the boundary lies in a plane, all of its rungs are free, and so is whatever is put
-//! together of them: entries of zero that say nothing, as many as the pairs of its samples. Tiles that
-//! have no other entries and, where folds cost something, the same bits of N throughout are kept once for
-//! each N. In planes along the axes N has the same bits, in others it may differ in the last ones.
+//! Where a stretch of the boundary lies in a plane, all of its rungs are free, and so is whatever
+//! is put together of them: entries of zero that say nothing, as many as the pairs of its samples.
+//! Tiles that have no other entries and, where folds cost something, the same bits of N throughout
+//! are kept once for each N. In planes along the axes N has the same bits, in others it may differ
+//! in the last ones.
 //!
 //! While a handle is dragged, and over many holes or panels, one table follows another of about the
 //! same size. Fresh memory comes page by page from the system, which took a seventh of the time. So
@@ -141,8 +142,8 @@ pub(super) struct Store {
 }
 
 impl Store {
-    /// Where the tile of these rows and columns stands: the tiles of as many columns follow one another,
-    /// from the first row down to the diagonal.
+    /// Where the tile of these rows and columns stands: the tiles of as many columns follow one
+    /// another, from the first row down to the diagonal.
     #[inline(always)]
     pub(super) fn slot(row: usize, column: usize) -> usize {
         column * (column + 1) / 2 + row

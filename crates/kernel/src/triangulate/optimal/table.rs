@@ -23,13 +23,14 @@ use crate::watch::Watch;
 use filling::{Column, Filling};
 use std::ops::Range;
 
-/// So many columns of tiles are filled together: the tiles to the left in the same rows, which all of
-/// them need, then come from the processor's cache for all but the first. Alone, with folds, the cone
-/// takes 1.7 times as long at 10,000 samples, where 7 % of all tiles are kept; random curves and the
-/// twisted strip 1.2 to 2.1 times at 3,200, where 38 to 67 % are.
+/// So many columns of tiles are filled together: the tiles to the left in the same rows, which all
+/// of them need, then come from the processor's cache for all but the first. Alone, with folds, the
+/// cone takes 1.7 times as long at 10,000 samples, where 7 % of all tiles are kept; random curves
+/// and the twisted strip 1.2 to 2.1 times at 3,200, where 38 to 67 % are.
 const GROUP: usize = 8;
-/// With fewer samples it takes longer, on the whole, to look first at what the rest of the loop costs than that
-/// saves: at 400 a strip takes 0.65 times as long with it, but random curves 1.1 to 1.3 times.
+/// With fewer samples it takes longer, on the whole, to look first at what the rest of the loop
+/// costs than that saves: at 400 a strip takes 0.65 times as long with it, but random curves 1.1 to
+/// 1.3 times.
 const LEAST_OUTSIDE: usize = 640;
 /// The share of the time that it takes, about.
 const SHARE_OF_OUTSIDE: f64 = 0.3;
@@ -76,9 +77,9 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// Fills the table with all entries that may be part of a triangulation up to `bound`, those of rungs
-    /// outside the band excepted, and returns the price of the answer. `share` is the part of the progress
-    /// that this is.
+    /// Fills the table with all entries that may be part of a triangulation up to `bound`, those of
+    /// rungs outside the band excepted, and returns the price of the answer. `share` is the part of
+    /// the progress that this is.
     pub(super) fn fill(
         &mut self,
         bound: f64,
@@ -283,7 +284,8 @@ impl<'a> Table<'a> {
         let price = self.price_below(i, j);
         let is_known = price < f64::INFINITY;
         let mut chosen = (price, f64::INFINITY, usize::MAX);
-        // On flat stretches all are equal, and most are a long way round: the shortest ways come first.
+        // On flat stretches all are equal, and most are a long way round: the shortest ways come
+        // first.
         for Ways { least, at, own, beyond } in self.ways(i, j, price, reaches) {
             if is_known && least > chosen.1 {
                 break;
@@ -309,8 +311,8 @@ impl<'a> Table<'a> {
         chosen.2
     }
 
-    /// The tiles with the sums that E(i,j) may be the least of, the shortest ways first; not those whose sums are
-    /// more than `price`.
+    /// The tiles with the sums that E(i,j) may be the least of, the shortest ways first; not those
+    /// whose sums are more than `price`.
     fn ways(&self, i: usize, j: usize, price: f64, reaches: &[f64]) -> Vec<Ways<'_>> {
         let columns = self.store.beside(i / LANES).iter().map(|at| *at as usize);
         let mut ways: Vec<Ways<'_>> = columns
@@ -331,8 +333,8 @@ impl<'a> Table<'a> {
         ways
     }
 
-    /// What the triangle below the rung ⟨i,j⟩ and all below that cost in E(i,j): without the rung's own price,
-    /// as far as sums are exact, and infinite where nothing is known.
+    /// What the triangle below the rung ⟨i,j⟩ and all below that cost in E(i,j): without the rung's
+    /// own price, as far as sums are exact, and infinite where nothing is known.
     fn price_below(&self, i: usize, j: usize) -> f64 {
         let entry = self.entry(i, j);
         let is_exact = self.terms.rule == Rule::Sum && entry < EXACT_BELOW;

@@ -1,8 +1,8 @@
 //! Threads that help the one that works out a table.
 //!
-//! Helpers are called once for all that is to be shared, and look for something to do until nothing is left.
-//! Whoever called them, the *leader*, begins at once, so that one who comes late costs no time until the end;
-//! only there is each waited for. Without the feature `rayon` there are none.
+//! Helpers are called once for all that is to be shared, and look for something to do until nothing
+//! is left. Whoever called them, the *leader*, begins at once, so that one who comes late costs no
+//! time until the end; only there is each waited for. Without the feature `rayon` there are none.
 
 #[cfg(feature = "rayon")]
 use std::{
@@ -11,16 +11,17 @@ use std::{
     sync::atomic::{AtomicUsize, Ordering},
 };
 
-/// Threads at the most, with the leader: of the table twice as many tiles are filled at a time, at the most.
+/// Threads at the most, with the leader: of the table twice as many tiles are filled at a time, at
+/// the most.
 pub(super) const MOST_THREADS: usize = if cfg!(feature = "rayon") { 16 } else { 1 };
-/// Columns of tiles for each thread, at the least: with fewer it would mostly wait, for the tiles of a
-/// diagonal of the table are no more than the columns, and half as many in the mean.
+/// Columns of tiles for each thread, at the least: with fewer it would mostly wait, for the tiles
+/// of a diagonal of the table are no more than the columns, and half as many in the mean.
 #[cfg(feature = "rayon")]
 const LEAST_COLUMNS: usize = 4;
 
-/// Helpers that leaders outside of the pool have called. A leader waits in the end for each that it called,
-/// so that one that helps another for long must not be called; leaders in the pool don't wait for those that
-/// have not begun.
+/// Helpers that leaders outside of the pool have called. A leader waits in the end for each that it
+/// called, so that one that helps another for long must not be called; leaders in the pool don't
+/// wait for those that have not begun.
 #[cfg(feature = "rayon")]
 static CALLED: AtomicUsize = AtomicUsize::new(0);
 
@@ -80,8 +81,8 @@ impl Drop for Helpers {
     }
 }
 
-/// Starts the pool, unless it is; returns whether it runs. Where the system starts no threads, to ask
-/// `rayon` how many there are would panic.
+/// Starts the pool, unless it is; returns whether it runs. Where the system starts no threads, to
+/// ask `rayon` how many there are would panic.
 #[cfg(feature = "rayon")]
 fn has_started() -> bool {
     static STARTED: OnceLock<bool> = OnceLock::new();

@@ -7,11 +7,11 @@ use std::collections::BTreeMap;
 /// What asks and debts are multiples of.
 pub(super) const HALF: f64 = 0.5 * QUANTUM;
 
-/// What each edge asks for: the price of its triangle in a triangulation that is known, with half of
-/// its rungs', shared with the other edges of the triangle. What a triangle without edges costs is
-/// asked for by an edge on each of its inner sides. The last edge runs from the last sample to the
-/// first; it asks for nothing, as nothing lies outside of it. All of them together ask for what the
-/// triangulation costs.
+/// What each edge asks for: the price of its triangle in a triangulation that is known, with half
+/// of its rungs', shared with the other edges of the triangle. What a triangle without edges costs
+/// is asked for by an edge on each of its inner sides. The last edge runs from the last sample to
+/// the first; it asks for nothing, as nothing lies outside of it. All of them together ask for what
+/// the triangulation costs.
 pub(super) fn asks(terms: &Terms<'_>, known: &Solved) -> Vec<f64> {
     let mut asks = vec![0.0; terms.prices.len()];
     let mut triangles = known.triangles.clone();

@@ -1,7 +1,7 @@
 //! Runs of neighbouring samples, and what is known of all rungs between two of them.
 //!
-//! A corner is a block of its own at every level while there are few of them: its rungs have normals
-//! to choose from, which would blur whatever block it shared.
+//! A corner is a block of its own at every level while there are few of them: its rungs have
+//! normals to choose from, which would blur whatever block it shared.
 
 use super::super::Terms;
 use super::super::span::Span;

@@ -64,8 +64,8 @@ pub(super) fn listed(
     Ok(Some(rows))
 }
 
-/// Lists the rungs from the samples of one leaf to higher ones of another; how many there are. A type
-/// rather than a closure, so that it is compiled for the widest registers.
+/// Lists the rungs from the samples of one leaf to higher ones of another; how many there are. A
+/// type rather than a closure, so that it is compiled for the widest registers.
 struct Comparing<'a> {
     terms: &'a Terms<'a>,
     from: Range<usize>,

@@ -1,41 +1,42 @@
 //! The cheapest triangulation of all, found and proved among few rungs.
 //!
-//! The dense table (`optimal`) works out E(i,j) for every pair of samples whose rung costs no more than a
-//! whole triangulation. Next to a developable surface most of them are in vain. Here even fewer rungs
-//! are looked at, and the answer is the same, bit by bit, ties included.
+//! The dense table (`optimal`) works out E(i,j) for every pair of samples whose rung costs no more
+//! than a whole triangulation. Next to a developable surface most of them are in vain. Here even
+//! fewer rungs are looked at, and the answer is the same, bit by bit, ties included.
 //!
-//! 1. **A good triangulation** (`corridor`). About every fourth sample is solved, by the same means;
-//!    its rungs, widened by a few samples at both ends, are a corridor in which the table finds a
-//!    triangulation of all samples. Its price U is nearly always the optimum already; what follows
-//!    proves that, or finds what is better.
-//! 2. **Asks** (`asks`). Each edge of the boundary asks for what it is paid in that triangulation, so
-//!    that all of them together ask for U. A triangle pays its folds and half the price of each of
-//!    its rungs; a triangulation's triangles pay its price. The *surplus* s(a,b) of the inner side of
-//!    a rung is what its triangles pay at the least, beyond what its edges ask for; where that is
-//!    negative, the rung owes −s. The surplus of the whole loop is 0 if U is the optimum, and else
-//!    what the optimum is cheaper by. These are the reduced costs of the linear program of
+//! 1. **A good triangulation** (`corridor`). About every fourth sample is solved, by the same
+//!    means; its rungs, widened by a few samples at both ends, are a corridor in which the table
+//!    finds a triangulation of all samples. Its price U is nearly always the optimum already; what
+//!    follows proves that, or finds what is better.
+//! 2. **Asks** (`asks`). Each edge of the boundary asks for what it is paid in that triangulation,
+//!    so that all of them together ask for U. A triangle pays its folds and half the price of each
+//!    of its rungs; a triangulation's triangles pay its price. The *surplus* s(a,b) of the inner
+//!    side of a rung is what its triangles pay at the least, beyond what its edges ask for; where
+//!    that is negative, the rung owes −s. The surplus of the whole loop is 0 if U is the optimum,
+//!    and else what the optimum is cheaper by. These are the reduced costs of the linear program of
 //!    triangulations, as in `holes::bound`.
-//! 3. **Few rungs** (`listed`). Suppose that no rung at sample x owes more than D(x). Let those rungs
-//!    be listed that cost no more than 2 (D(a) + D(b)). Then, by induction from short rungs to long
-//!    ones, the surplus of a rung that is not listed is positive: half of its price alone exceeds
-//!    what the two other sides of any triangle below it can owe. For the same reason a triangle with
-//!    a side that is not listed leaves any rung a surplus above min(D(a), D(b)). So it is enough to
-//!    work out the surpluses of the listed rungs, from listed rungs, up to that limit.
-//! 4. **The table** (`table`) does that, and shows what is owed. If it is more than D somewhere, D is
-//!    raised there and the table filled again. If surpluses above the limit were lost that the loop
-//!    needs (in another surface through the same boundary, cheaper here and dearer there), D and the
-//!    limit are raised everywhere. The loop of fewer samples tells what to begin with, as what is
-//!    owed falls as the price does.
+//! 3. **Few rungs** (`listed`). Suppose that no rung at sample x owes more than D(x). Let those
+//!    rungs be listed that cost no more than 2 (D(a) + D(b)). Then, by induction from short rungs
+//!    to long ones, the surplus of a rung that is not listed is positive: half of its price alone
+//!    exceeds what the two other sides of any triangle below it can owe. For the same reason a
+//!    triangle with a side that is not listed leaves any rung a surplus above min(D(a), D(b)). So
+//!    it is enough to work out the surpluses of the listed rungs, from listed rungs, up to that
+//!    limit.
+//! 4. **The table** (`table`) does that, and shows what is owed. If it is more than D somewhere, D
+//!    is raised there and the table filled again. If surpluses above the limit were lost that the
+//!    loop needs (in another surface through the same boundary, cheaper here and dearer there), D
+//!    and the limit are raised everywhere. The loop of fewer samples tells what to begin with, as
+//!    what is owed falls as the price does.
 //! 5. **Finding the cheap rungs** (`blocks`) takes about as many steps as there are: neighbouring
-//!    samples are put together to blocks of 2, 4, 8 …, and cones of their tangents and positions say
-//!    what no rung between two blocks costs less than.
+//!    samples are put together to blocks of 2, 4, 8 …, and cones of their tangents and positions
+//!    say what no rung between two blocks costs less than.
 //!
 //! All prices are whole quanta, asks and surpluses half quanta, so that the proof is exact.
 //!
 //! How much is owed decides how much work it is. Along a ruling's neighbours, d samples off, a rung
 //! costs about c d² U / m, so that about √(D m / c U) rungs a sample are listed. Where the dense
-//! table would take less, as the loops of fewer samples show, it takes over; by then a small part of
-//! its time is spent.
+//! table would take less, as the loops of fewer samples show, it takes over; by then a small part
+//! of its time is spent.
 
 mod asks;
 mod blocks;
@@ -244,8 +245,8 @@ fn halves(price: f64) -> f64 {
     (price / HALF).floor() * HALF
 }
 
-/// What may be owed at each of m samples, from what was among those that were kept: prices fall with
-/// the square of the spacing, and there are more of them.
+/// What may be owed at each of m samples, from what was among those that were kept: prices fall
+/// with the square of the spacing, and there are more of them.
 fn spread(few: &[f64], kept: &[usize], m: usize) -> Vec<f64> {
     let share = MORE * few.len() as f64 / m as f64;
     let mut owed = vec![0.0; m];

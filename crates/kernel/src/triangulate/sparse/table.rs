@@ -1,8 +1,8 @@
 //! The table of equation (5) over a list of rungs.
 //!
 //! What is kept of a rung is q = s + ½ w, with s the surplus of its inner side (what its triangles
-//! pay beyond what its edges ask for) and w its own price. A triangle pays half of the prices of its
-//! sides and its folds, so that s(a,b) = ½ w(a,b) + min over c of q(a,c) + q(c,b) + F(a,c,b).
+//! pay beyond what its edges ask for) and w its own price. A triangle pays half of the prices of
+//! its sides and its folds, so that s(a,b) = ½ w(a,b) + min over c of q(a,c) + q(c,b) + F(a,c,b).
 //!
 //! Rows are filled from the last to the first. Row a is worked out from left to right: once q(a,c)
 //! is known, row c is run through for all b beyond c at once, several side by side. Surpluses count
@@ -23,8 +23,8 @@ const LANES: usize = 8;
 const SLACK: f64 = 1e-12;
 /// What a fold price counts as work.
 const A_FOLD: u64 = 8;
-/// What an entry takes at least, bytes: in its row, in the list that it comes from, among those that
-/// are low; and N.
+/// What an entry takes at least, bytes: in its row, in the list that it comes from, among those
+/// that are low; and N.
 const BYTES_AN_ENTRY: usize = 12 + 8 + 4;
 const BYTES_A_MEAN: usize = 24;
 
@@ -95,8 +95,8 @@ pub(super) struct Table<'a> {
     lows: Vec<u32>,
     /// Of every two sides of a triangle that matters, one has a q below this.
     low: f64,
-    /// A sixth of the weight of folds: a fold price is at least that times the square of how far the
-    /// N are from adding up to 3, since no unit n makes Σ (1 − n·N) less than 3 − |Σ N|.
+    /// A sixth of the weight of folds: a fold price is at least that times the square of how far
+    /// the N are from adding up to 3, since no unit n makes Σ (1 − n·N) less than 3 − |Σ N|.
     sixth: f64,
     /// The most that sides of each sample owe.
     pub(super) owed: Vec<f64>,
@@ -122,7 +122,8 @@ struct Listed {
     limit: f64,
 }
 
-/// A row to be filled. A type rather than a closure, so that it is compiled for the widest registers.
+/// A row to be filled. A type rather than a closure, so that it is compiled for the widest
+/// registers.
 struct Filling<'f, 'a> {
     table: &'f mut Table<'a>,
     a: usize,

@@ -1,8 +1,9 @@
-//! The loop as it is seen from afar: equation (5) for runs, from short bundles to long ones, and what that
-//! leaves for the rest of the loop, from long ones to short ones.
+//! The loop as it is seen from afar: equation (5) for runs, from short bundles to long ones, and
+//! what that leaves for the rest of the loop, from long ones to short ones.
 //!
-//! Both go through all triples of runs A < K < B for one A and K after the other, with sixteen B side by
-//! side, as the table does. What wide triangles pay at the least is worked out on the way outwards, and kept.
+//! Both go through all triples of runs A < K < B for one A and K after the other, with sixteen B
+//! side by side, as the table does. What wide triangles pay at the least is worked out on the way
+//! outwards, and kept.
 
 use super::cells::Cells;
 use super::runs::{Direction, directions};
@@ -13,12 +14,12 @@ use crate::triangulate::optimal::normals::{NormalBox, least_fold, least_fold_abo
 use crate::triangulate::{Terms, TriangulateError};
 use crate::watch::Watch;
 
-/// What sums over all runs may gain on the prices of triangulations: by rounding, and by half a quantum for
-/// each triangle whose folds are rounded down; 4e-11 for 1,500 runs.
+/// What sums over all runs may gain on the prices of triangulations: by rounding, and by half a
+/// quantum for each triangle whose folds are rounded down; 4e-11 for 1,500 runs.
 const SLACK: f64 = 1e-10;
 
-/// Prices of a bundle with neither of its runs charged, the first, the second, and both: bit 0 says whether
-/// the first is, bit 1 whether the second is.
+/// Prices of a bundle with neither of its runs charged, the first, the second, and both: bit 0 says
+/// whether the first is, bit 1 whether the second is.
 type Charged = [f64; 4];
 const NEITHER: usize = 0;
 const FIRST: usize = 1;
@@ -114,8 +115,8 @@ impl<'a> Afar<'a> {
         afar
     }
 
-    /// What is outside of all bundles with both runs charged inside, by first run, and of rungs within a run;
-    /// infinite where none is part of the answer.
+    /// What is outside of all bundles with both runs charged inside, by first run, and of rungs
+    /// within a run; infinite where none is part of the answer.
     pub(super) fn rests(&self, watch: &mut dyn Watch) -> Result<Vec<f64>, TriangulateError> {
         let n = self.cells.runs.len();
         let mut wide = Wide::new(n);
@@ -164,7 +165,8 @@ impl<'a> Afar<'a> {
         if edges == 1 { of_edges } else { of_edges.min(self.nibble(a, x)) }
     }
 
-    /// No triangle pays less whose corners are two samples of run a, which are no neighbours, and one of x.
+    /// No triangle pays less whose corners are two samples of run a, which are no neighbours, and
+    /// one of x.
     fn nibble(&self, a: usize, x: usize) -> f64 {
         let of_rungs = self.nibble_of_rungs(a, x);
         // One of its sides may be the edge to the next run.
@@ -195,8 +197,8 @@ impl<'a> Afar<'a> {
         0.5 * (own.least + across.least) + fold
     }
 
-    /// What is outside of a rung between two samples of one run: the triangle beyond it, what lies below the
-    /// other side of that, and what is outside of its bundle.
+    /// What is outside of a rung between two samples of one run: the triangle beyond it, what lies
+    /// below the other side of that, and what is outside of its bundle.
     fn beyond_nibbles(&self, a: usize, inside: &[Bundles], outside: &[Bundles]) -> f64 {
         let n = self.cells.runs.len();
         let mut least = f64::INFINITY;
@@ -216,8 +218,8 @@ impl<'a> Afar<'a> {
         if least <= self.bound { least - SLACK } else { f64::INFINITY }
     }
 
-    /// What is inside of the edge between two runs: nothing is charged there, but that runs without inner
-    /// edges are at no cost.
+    /// What is inside of the edge between two runs: nothing is charged there, but that runs without
+    /// inner edges are at no cost.
     #[inline(always)]
     fn edge(&self, a: usize, b: usize) -> Charged {
         let is_free = |run: usize| self.cells.runs.inner_edges(run) == 0;
@@ -239,8 +241,8 @@ fn lower_of(a: f64, b: f64) -> f64 {
     if b < a { b } else { a }
 }
 
-/// What is inside of a bundle, from what is inside of the two other sides of a triangle: their common run
-/// is charged in one of them.
+/// What is inside of a bundle, from what is inside of the two other sides of a triangle: their
+/// common run is charged in one of them.
 #[inline(always)]
 fn joined(first: &Charged, second: &Charged, at: usize) -> f64 {
     let (of_first, of_second) = (at & FIRST, at & SECOND);
@@ -250,9 +252,9 @@ fn joined(first: &Charged, second: &Charged, at: usize) -> f64 {
     )
 }
 
-/// What is outside of the first side of a triangle, from what is inside of the second and outside of
-/// the one that spans both: the common run of the sides is charged in one of them, the far end of the second
-/// in that or farther out.
+/// What is outside of the first side of a triangle, from what is inside of the second and outside
+/// of the one that spans both: the common run of the sides is charged in one of them, the far end
+/// of the second in that or farther out.
 #[inline(always)]
 fn beside_first(second: &Charged, across: &Charged, at: usize) -> f64 {
     let of_first = at & FIRST;
@@ -274,8 +276,8 @@ fn beside_second(first: &Charged, across: &Charged, at: usize) -> f64 {
     )
 }
 
-/// Works out Q of all bundles that begin at run a, when that of later ones is known. A type rather than a
-/// closure, as that of the table.
+/// Works out Q of all bundles that begin at run a, when that of later ones is known. A type rather
+/// than a closure, as that of the table.
 struct Outwards<'o, 'a> {
     afar: &'o Afar<'a>,
     a: usize,
@@ -313,8 +315,8 @@ impl pulp::WithSimd for Outwards<'_, '_> {
                     lower_lane(sums, b % LANES, |at| price + joined(&edge, &second, at));
                 }
             }
-            // Those on the edge from k to the run after it, with the third corner in a. Two edges of the
-            // boundary may meet in the one sample of k.
+            // Those on the edge from k to the run after it, with the third corner in a. Two edges
+            // of the boundary may meet in the one sample of k.
             if k + 1 < n {
                 let (b, edge) = (k + 1, afar.edge(k, k + 1));
                 let is_between = k == a + 1 && afar.cells.runs.inner_edges(k) == 0;
@@ -359,8 +361,8 @@ impl pulp::WithSimd for Outwards<'_, '_> {
     }
 }
 
-/// Works out R of all bundles that begin at run a, when that of earlier ones is known, and what these say
-/// of later ones.
+/// Works out R of all bundles that begin at run a, when that of earlier ones is known, and what
+/// these say of later ones.
 struct Inwards<'i, 'a> {
     afar: &'i Afar<'a>,
     a: usize,

@@ -1,9 +1,9 @@
-//! What is known of all rungs between two runs, and of the triangles on edges of the one whose third corner
-//! lies in the other.
+//! What is known of all rungs between two runs, and of the triangles on edges of the one whose
+//! third corner lies in the other.
 //!
-//! Each thread takes one *block* of neighbouring runs after the other, and prices the rungs from their samples
-//! to all later ones (`pricing`), row by row of tiles. The triangles on the edge from a block to the next are
-//! found by the former, so that no block needs another.
+//! Each thread takes one *block* of neighbouring runs after the other, and prices the rungs from
+//! their samples to all later ones (`pricing`), row by row of tiles. The triangles on the edge from
+//! a block to the next are found by the former, so that no block needs another.
 
 use super::pricing::{Gathered, LastRow, LastRung, Linking, Pricing, Row};
 use super::runs::Runs;
@@ -17,8 +17,8 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-/// Rows of tiles in a block where threads share them, at the least: rungs from the first sample of the next are
-/// priced twice.
+/// Rows of tiles in a block where threads share them, at the least: rungs from the first sample of
+/// the next are priced twice.
 const LEAST_ROWS: usize = 4;
 /// Blocks for each thread, so that none waits long for the others.
 const BLOCKS_A_THREAD: usize = 8;
@@ -30,8 +30,9 @@ pub(super) struct Cell {
     pub(super) least: f64,
     /// Where N of the rungs up to the bound lies.
     pub(super) normals: NormalBox,
-    /// No triangle on an edge between samples of a whose third corner is of b costs less, with half of the
-    /// prices of its rungs, nor the other way round; hardly less than the least where folds are slight.
+    /// No triangle on an edge between samples of a whose third corner is of b costs less, with half
+    /// of the prices of its rungs, nor the other way round; hardly less than the least where folds
+    /// are slight.
     pub(super) on_edges: [f64; 2],
     /// The same on the edge from a to the run after it, and on that from b to the run after it.
     pub(super) on_links: [f64; 2],
@@ -53,8 +54,8 @@ pub(super) struct Cells {
 }
 
 impl Cells {
-    /// What they take while they are priced, for so many runs of so many samples, with as many threads as there
-    /// may be, bytes.
+    /// What they take while they are priced, for so many runs of so many samples, with as many
+    /// threads as there may be, bytes.
     pub(super) fn bytes(runs: usize, samples: usize) -> u64 {
         let of_tiles = size_of::<FarEnds>() + MOST_THREADS * size_of::<LastRow>();
         let of_pairs = (runs as u64).pow(2) * size_of::<Cell>() as u64;
@@ -188,8 +189,8 @@ impl Block<'_> {
         }
     }
 
-    /// Takes a tile whose rungs cost nothing and have this N. What triangles between it and others cost is not
-    /// looked at: they cost nothing at the least.
+    /// Takes a tile whose rungs cost nothing and have this N. What triangles between it and others
+    /// cost is not looked at: they cost nothing at the least.
     fn take_flat(&mut self, rows: Range<usize>, to: &FarEnds, mean: [f64; 3]) {
         let gathered = Gathered::flat(mean);
         for i in rows.clone() {
@@ -204,8 +205,8 @@ impl Block<'_> {
         }
     }
 
-    /// Takes the least prices of triangles on the edge before sample i, the first of a run, and of one column of
-    /// tiles.
+    /// Takes the least prices of triangles on the edge before sample i, the first of a run, and of
+    /// one column of tiles.
     pub(super) fn take_link(&mut self, i: usize, to: &FarEnds, least: &Lanes) {
         let (before, run) = (self.runs.of(i - 1), self.runs.of(i));
         for lane in 0..to.count {

@@ -1,5 +1,5 @@
-//! How the rungs between the samples of two tiles are priced, and the triangles on edges of the boundary
-//! that they are sides of: sixteen at a time.
+//! How the rungs between the samples of two tiles are priced, and the triangles on edges of the
+//! boundary that they are sides of: sixteen at a time.
 
 use super::cells::Block;
 use crate::cost::{Aligned, FarEnds, LANES, Lanes, OnEdges, Strip};
@@ -7,9 +7,9 @@ use crate::triangulate::Terms;
 use crate::triangulate::optimal::lanes::{lowest, of_lane};
 use std::ops::Range;
 
-/// Numbers of the rungs from one sample to those of a tile, with that of the rung before them in front: on edges
-/// before samples of the tile each rung meets the one before. To move them by one lane takes longer than to
-/// read them at another place.
+/// Numbers of the rungs from one sample to those of a tile, with that of the rung before them in
+/// front: on edges before samples of the tile each rung meets the one before. To move them by one
+/// lane takes longer than to read them at another place.
 #[derive(Clone, Copy)]
 struct Numbers(Aligned<[f64; 2 * LANES]>);
 
@@ -84,8 +84,8 @@ impl Row {
         }
     }
 
-    /// The same as [`lower_on_edges`] for those before the samples of the tile: the triangles i, j − 1, j. The
-    /// last sample of the loop comes after `i`.
+    /// The same as [`lower_on_edges`] for those before the samples of the tile: the triangles i, j
+    /// − 1, j. The last sample of the loop comes after `i`.
     #[inline(always)]
     fn lower_on_column_edges(
         &self,
@@ -112,8 +112,8 @@ impl Row {
         lower_on_edges(least, fold, prices, &triangles);
     }
 
-    /// The same as [`lower_on_edges`] for the edge between the sample that they lead from and sample i, the next
-    /// one, with its rungs: the triangles i − 1, i, j.
+    /// The same as [`lower_on_edges`] for the edge between the sample that they lead from and
+    /// sample i, the next one, with its rungs: the triangles i − 1, i, j.
     #[inline(always)]
     fn lower_on_row_edge(
         &self,
@@ -172,7 +172,8 @@ impl LastRow {
     }
 }
 
-/// Prices the rungs from sample i to those of a tile, infinite if above the bound; returns whether any is not.
+/// Prices the rungs from sample i to those of a tile, infinite if above the bound; returns whether
+/// any is not.
 #[inline(always)]
 fn price_up_to(terms: &Terms<'_>, bound: f64, i: usize, to: &FarEnds, strip: &mut Strip) -> bool {
     terms.strip::<true>(i, to, bound, strip);
@@ -182,8 +183,8 @@ fn price_up_to(terms: &Terms<'_>, bound: f64, i: usize, to: &FarEnds, strip: &mu
     lowest(&strip.prices) < f64::INFINITY
 }
 
-/// Takes the prices of triangles on edges of the boundary, with half of those of their rungs, `prices`, where
-/// they are lower than the least so far.
+/// Takes the prices of triangles on edges of the boundary, with half of those of their rungs,
+/// `prices`, where they are lower than the least so far.
 #[inline(always)]
 fn lower_on_edges(least: &mut Lanes, fold: f64, prices: [&Lanes; 2], triangles: &OnEdges<'_>) {
     let mut rungs = [0.0; LANES];
@@ -224,7 +225,8 @@ fn rungs(first: usize, edges: [usize; 2]) -> Lanes {
     rungs
 }
 
-/// What the rungs from some samples of one run to those of a tile have in common, for each of the latter.
+/// What the rungs from some samples of one run to those of a tile have in common, for each of the
+/// latter.
 pub(super) struct Gathered {
     pub(super) prices: Aligned<Lanes>,
     pub(super) least: Aligned<[Lanes; 3]>,
@@ -344,8 +346,8 @@ impl pulp::WithSimd for Pricing<'_, '_> {
     }
 }
 
-/// The triangles on the edge before sample i, the first that is not of a block, with the third corner in the
-/// samples of a tile.
+/// The triangles on the edge before sample i, the first that is not of a block, with the third
+/// corner in the samples of a tile.
 pub(super) struct Linking<'p, 'c> {
     pub(super) terms: &'p Terms<'p>,
     pub(super) bound: f64,

@@ -4,8 +4,8 @@ use crate::math::{Vec3, unit};
 use crate::triangulate::Terms;
 use std::ops::Range;
 
-/// Corners are runs of their own while they are at most one in so many runs: their rungs have normals to
-/// choose from, which would blur whatever run they shared.
+/// Corners are runs of their own while they are at most one in so many runs: their rungs have
+/// normals to choose from, which would blur whatever run they shared.
 const RUNS_A_CORNER: usize = 4;
 /// Runs of neighbouring samples. The first sample, the last, and each corner are runs of their own.
 pub(in crate::triangulate::optimal) struct Runs {
@@ -71,13 +71,13 @@ impl Direction {
     const ANY: Self = Self { middle: Vec3::ZERO, off: f64::INFINITY };
     /// What is farther off, as a share of a length, says too little of its direction.
     pub(super) const FARTHEST: f64 = 0.7;
-    /// For δ of up to [`Self::FARTHEST`] |x|, the unit vectors of x and of x + δ differ by no more than so
-    /// many times |δ| / |x|: 2 sin(½ asin(0.7)) / 0.7 is 1.081.
+    /// For δ of up to [`Self::FARTHEST`] |x|, the unit vectors of x and of x + δ differ by no more
+    /// than so many times |δ| / |x|: 2 sin(½ asin(0.7)) / 0.7 is 1.081.
     pub(super) const OFF_OF_SHARE: f64 = 1.1;
     /// What rounding may turn a direction by, far more than it does.
     pub(super) const LEAST_OFF: f64 = 1e-7;
-    /// A triangle with two corners this close to one another, as a share of the size of the loop, may
-    /// have a normal that rounding turns by as much as a radian.
+    /// A triangle with two corners this close to one another, as a share of the size of the loop,
+    /// may have a normal that rounding turns by as much as a radian.
     const CLOSE: f64 = 4e-15;
 
     /// Of all vectors that differ from `middle` by no more than `off`.
@@ -136,9 +136,9 @@ impl Extent {
 
 /// Which way rungs lead from each run to itself and to each later one, by first run.
 ///
-/// Two bounds are known, and the closer one is taken. From a ball around each run, where they are far
-/// apart; and, since a rung is the sum of the edges of the boundary between its ends, from all of those
-/// together, where the boundary hardly turns.
+/// Two bounds are known, and the closer one is taken. From a ball around each run, where they are
+/// far apart; and, since a rung is the sum of the edges of the boundary between its ends, from all
+/// of those together, where the boundary hardly turns.
 pub(super) fn directions(terms: &Terms<'_>, runs: &Runs) -> Vec<Direction> {
     let n = runs.len();
     let at = |i: usize| Vec3::from_array(terms.prices.smooth_end(i).0);

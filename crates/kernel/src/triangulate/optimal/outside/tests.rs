@@ -45,9 +45,9 @@ fn rests_in_truth(terms: &Terms<'_>, full: &Table<'_>) -> Vec<f64> {
     rests
 }
 
-/// No rung has a rest of the loop that costs less than is said, if both are part of a triangulation up to a
-/// bound, and what is said changes nothing of the answer. Returns how many entries are left of how many, with
-/// the price as the bound.
+/// No rung has a rest of the loop that costs less than is said, if both are part of a triangulation
+/// up to a bound, and what is said changes nothing of the answer. Returns how many entries are left
+/// of how many, with the price as the bound.
 fn check(terms: &Terms<'_>, length: usize, registers: pulp::Arch, what: &str) -> [usize; 2] {
     let mut full = Table::new(terms);
     let price = full.fill(f64::INFINITY, None, &mut Unwatched, 0.0..1.0).unwrap();
@@ -126,7 +126,8 @@ fn no_rest_costs_less_where_rungs_are_barred_or_forced() {
     assert!(compared > 150, "{compared}");
 }
 
-/// Smooth curves on a cone, waving and wild, a patch of a cylinder and a twisted strip with four corners.
+/// Smooth curves on a cone, waving and wild, a patch of a cylinder and a twisted strip with four
+/// corners.
 fn curves(m: usize) -> Vec<(&'static str, Boundary)> {
     let round = |t: f64| {
         let r = 1.0 + 0.1 * cos(3.0 * t);

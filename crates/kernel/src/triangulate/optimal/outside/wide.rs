@@ -3,7 +3,8 @@
 use super::runs::Direction;
 use crate::cost::{LANES, Lanes};
 
-/// The share that is taken off a price before it is rounded to single precision, which may add 2⁻²⁴.
+/// The share that is taken off a price before it is rounded to single precision, which may add
+/// 2⁻²⁴.
 const ROUNDED: f64 = 1e-6;
 
 /// The rungs of bundles that begin at one run and end at [`LANES`] runs in a row.
@@ -44,8 +45,8 @@ impl Rungs {
     }
 }
 
-/// What wide triangles pay at the least, rounded down: for each first run and each second one, side by side,
-/// as many groups of third ones as from that of the first on.
+/// What wide triangles pay at the least, rounded down: for each first run and each second one, side
+/// by side, as many groups of third ones as from that of the first on.
 pub(super) struct Wide {
     prices: Vec<f32>,
     /// Where those of each first run begin, and how many there are.
@@ -107,10 +108,10 @@ fn gap_of(above: f64, below: f64) -> f64 {
     if gap > 0.0 { gap } else { 0.0 }
 }
 
-/// What wide triangles cost at the least for ν = `fold`, of which these are the sides, `across` the one that
-/// spans the others: for their folds what the N of their sides leave, taken two at a time, as in
-/// `normals::least_fold`, or what their normals do, as in `normals::least_fold_about`, from the two sides that
-/// tell these best.
+/// What wide triangles cost at the least for ν = `fold`, of which these are the sides, `across` the
+/// one that spans the others: for their folds what the N of their sides leave, taken two at a time,
+/// as in `normals::least_fold`, or what their normals do, as in `normals::least_fold_about`, from
+/// the two sides that tell these best.
 #[inline(always)]
 pub(super) fn least_wide(fold: f64, first: &Rungs, second: &Rungs, across: &Rungs) -> Lanes {
     let mut apart = [0.0; LANES];

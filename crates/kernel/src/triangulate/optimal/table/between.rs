@@ -59,9 +59,9 @@ impl Table<'_> {
         false
     }
 
-    /// Whether no sums below the rungs of the tile can be less than `limit`, for a tile without edges
-    /// ⟨i,i+1⟩: with k in its own rows or column, another of its entries would have to be finite first, and
-    /// the first of all has its k between.
+    /// Whether no sums below the rungs of the tile can be less than `limit`, for a tile without
+    /// edges ⟨i,i+1⟩: with k in its own rows or column, another of its entries would have to be
+    /// finite first, and the first of all has its k between.
     #[inline(always)]
     pub(super) fn leaves_nothing<'a, const FOLDS: bool>(
         &'a self,

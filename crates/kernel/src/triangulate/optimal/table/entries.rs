@@ -1,9 +1,10 @@
-//! The entries of a row of a tile, one after the other: E(i,j) with k among the samples of the tile's own column
-//! has E(i,k) of the same row.
+//! The entries of a row of a tile, one after the other: E(i,j) with k among the samples of the
+//! tile's own column has E(i,k) of the same row.
 //!
-//! Nearly all of these k are good for the triangle on the edge of the boundary from k to the sample after it,
-//! and for no other. So where folds cost something, F of those triangles is worked out for all j at once. What
-//! they lead to from left to right is known before any other k is looked at, and leaves little to be lower.
+//! Nearly all of these k are good for the triangle on the edge of the boundary from k to the sample
+//! after it, and for no other. So where folds cost something, F of those triangles is worked out
+//! for all j at once. What they lead to from left to right is known before any other k is looked
+//! at, and leaves little to be lower.
 
 use super::Table;
 use super::least::Least;
@@ -33,9 +34,9 @@ impl RungsOfRow<'_> {
     }
 }
 
-/// What is known of the triangles i, j − 1, j on edges of the boundary, for all j of a row. Most of a
-/// triangulation are such, or have their edge at i, so F is worked out for all of them at once; and no other look
-/// is taken at them.
+/// What is known of the triangles i, j − 1, j on edges of the boundary, for all j of a row. Most of
+/// a triangulation are such, or have their edge at i, so F is worked out for all of them at once;
+/// and no other look is taken at them.
 pub(super) struct OnEdgesOfRow {
     folds: Aligned<Lanes>,
     /// E of the rung before the first of the row.
@@ -60,8 +61,8 @@ impl OnEdgesOfRow {
 }
 
 impl Table<'_> {
-    /// The entries of a row, from left to right, as those to the left are their E(i,k) with k in the column
-    /// itself. `least` has looked at all other k.
+    /// The entries of a row, from left to right, as those to the left are their E(i,k) with k in
+    /// the column itself. `least` has looked at all other k.
     #[inline(always)]
     pub(super) fn entries_of_row<const FOLDS: bool, const FUSED: bool>(
         &self,

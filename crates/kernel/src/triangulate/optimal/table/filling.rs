@@ -1,4 +1,5 @@
-//! How a tile of the table is filled: what is looked at for each of its entries, and in which order.
+//! How a tile of the table is filled: what is looked at for each of its entries, and in which
+//! order.
 
 use super::Table;
 use super::between::{Between, Sides};
@@ -221,7 +222,8 @@ impl Table<'_> {
         rungs
     }
 
-    /// What a rung of the tile of these rows and columns and the rest of the loop cost together at the least.
+    /// What a rung of the tile of these rows and columns and the rest of the loop cost together at
+    /// the least.
     #[inline(always)]
     fn least_beside_sums(&self, open: &Open<'_>, row: usize, column: usize) -> f64 {
         let least = open.least(row, column).max(0.0);
@@ -255,7 +257,8 @@ impl Table<'_> {
         together: impl Fn(f64, f64) -> f64 + Copy,
     ) {
         let row = least.i / LANES;
-        // The sample before those of the column is best for the triangle on the edge between, which is known.
+        // The sample before those of the column is best for the triangle on the edge between, which
+        // is known.
         let end = least.to.first.saturating_sub(usize::from(FOLDS && self.in_order));
         let mut last = 0;
         for n in 0..LANES {
@@ -306,8 +309,9 @@ impl Table<'_> {
         }
     }
 
-    /// Looks at the k of one column of tiles. Of the 16, only those are looked at whose E(i,k) and the
-    /// least E(k,j) together lie below `reach`, the highest of the least prices, which is returned.
+    /// Looks at the k of one column of tiles. Of the 16, only those are looked at whose E(i,k) and
+    /// the least E(k,j) together lie below `reach`, the highest of the least prices, which is
+    /// returned.
     #[inline(always)]
     fn look_through<const FOLDS: bool, const FUSED: bool>(
         &self,
@@ -354,8 +358,8 @@ impl Table<'_> {
         if wanted == row { Some(tile) } else { self.store.tile(wanted, column) }
     }
 
-    /// Looks at the triangles i, k, j of all j of the tile `beyond`, with E(i,k) = `entry` and N of the
-    /// rungs from i to the samples around k.
+    /// Looks at the triangles i, k, j of all j of the tile `beyond`, with E(i,k) = `entry` and N of
+    /// the rungs from i to the samples around k.
     #[inline(always)]
     pub(super) fn look<const FOLDS: bool, const FUSED: bool>(
         &self,
@@ -400,8 +404,8 @@ impl Table<'_> {
         self.look_at_fan::<FUSED>(least, (k, entry), (&fan, rungs), (entries, &left));
     }
 
-    /// Looks at the triangles of those sides ⟨i,k⟩ that have a bit in `left`, with k in the column of
-    /// tiles `at`, which `offsets` lead to, on loops whose members are numbered in order. Sides
+    /// Looks at the triangles of those sides ⟨i,k⟩ that have a bit in `left`, with k in the column
+    /// of tiles `at`, which `offsets` lead to, on loops whose members are numbered in order. Sides
     /// whose own share in F is too much for all j go without a look at each.
     #[inline(always)]
     fn look_at_sides<const FUSED: bool>(
@@ -439,8 +443,8 @@ impl Table<'_> {
         }
     }
 
-    /// Looks at the triangles i, k, j of one k and all j, with E(i,k) = `entry`, E(k,j) = `entries`, and
-    /// at least so many `rungs` each, whose F is below what is `left`.
+    /// Looks at the triangles i, k, j of one k and all j, with E(i,k) = `entry`, E(k,j) =
+    /// `entries`, and at least so many `rungs` each, whose F is below what is `left`.
     #[inline(always)]
     pub(super) fn look_at_fan<const FUSED: bool>(
         &self,

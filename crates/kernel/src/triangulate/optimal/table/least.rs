@@ -1,4 +1,5 @@
-//! What is known of the rungs from one sample to those of a tile, while their entries are looked for.
+//! What is known of the rungs from one sample to those of a tile, while their entries are looked
+//! for.
 
 use crate::cost::{Aligned, Fans, FarEnds, LANES, Lanes, Segment};
 

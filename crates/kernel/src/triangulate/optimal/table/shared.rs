@@ -1,12 +1,12 @@
 //! Threads that fill a table together.
 //!
-//! 1. Of [`WIDTH`] columns of tiles, one diagonal after the other is filled. The tiles of a diagonal need
-//!    nothing of one another, so whoever fills them, the bits are the same. What tiles beside one another
-//!    share comes from the processors' caches then; with diagonals of all columns, two threads take 1.4 times
-//!    as long at 100,000 samples (*wavy*).
-//! 2. A table of 400 samples has 25 diagonals and takes a few milliseconds: to wake threads for each of
-//!    them would take longer than its work. So helpers are called once for a table, and look out for the
-//!    next diagonal until the last is filled (`threads`).
+//! 1. Of [`WIDTH`] columns of tiles, one diagonal after the other is filled. The tiles of a
+//!    diagonal need nothing of one another, so whoever fills them, the bits are the same. What
+//!    tiles beside one another share comes from the processors' caches then; with diagonals of all
+//!    columns, two threads take 1.4 times as long at 100,000 samples (*wavy*).
+//! 2. A table of 400 samples has 25 diagonals and takes a few milliseconds: to wake threads for
+//!    each of them would take longer than its work. So helpers are called once for a table, and
+//!    look out for the next diagonal until the last is filled (`threads`).
 
 use super::filling::{Column, Filling};
 use super::{Open, Table};
@@ -17,8 +17,9 @@ use crate::watch::Watch;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError, RwLock, RwLockWriteGuard, TryLockError};
 
-/// So many columns of tiles are filled together, 32; with 8 of them *wavy* takes 4 % longer at 100,000 samples.
-/// The tiles of a diagonal are half as many in the mean, and no thread is to wait for others.
+/// So many columns of tiles are filled together, 32; with 8 of them *wavy* takes 4 % longer at
+/// 100,000 samples. The tiles of a diagonal are half as many in the mean, and no thread is to wait
+/// for others.
 const WIDTH: usize = 2 * MOST_THREADS;
 /// The numbers that no diagonal has, before the first and after the last.
 const NONE_YET: usize = usize::MAX - 1;
@@ -52,8 +53,8 @@ impl Drop for End<'_> {
     }
 }
 
-// A thread that panics leaves a lock that says so. The others go on, and `rayon` passes the panic on in
-// the end.
+// A thread that panics leaves a lock that says so. The others go on, and `rayon` passes the panic
+// on in the end.
 impl<'s, 'a> Shared<'s, 'a> {
     fn new(table: &'s mut Table<'a>, columns: Vec<Column>, open: &'s Open<'s>) -> Self {
         let diagonal = Diagonal { table, tiles: vec![], given: AtomicUsize::new(0) };

@@ -2,10 +2,9 @@
 //!
 //! Read off the Cargo files and the `use` lines; a wrong arrow fails here, with its line.
 
-#![allow(clippy::unwrap_used)] // tests panic
-
+use super::sources::{root, rust_files};
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// What each crate may depend on inside the workspace.
 const CRATES: [(&str, &[&str]); 6] = [
@@ -63,10 +62,6 @@ const FILE_OWNERS: [(&str, &[&str]); 6] = [
     ("rayon::", &["triangulate/optimal/threads.rs", "triangulate/optimal/table/tests.rs"]),
 ];
 
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()
-}
-
 /// The dependencies under a `[section]` of a Cargo file.
 fn dependencies(manifest: &Path, section: &str) -> Vec<String> {
     let text = std::fs::read_to_string(manifest).unwrap();
@@ -84,20 +79,6 @@ fn dependencies(manifest: &Path, section: &str) -> Vec<String> {
             found.push(name.to_owned());
         }
     }
-    found
-}
-
-fn rust_files(folder: &Path) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    for entry in std::fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        if path.is_dir() {
-            found.extend(rust_files(&path));
-        } else if path.extension().is_some_and(|e| e == "rs") {
-            found.push(path);
-        }
-    }
-    found.sort();
     found
 }
 

@@ -1,17 +1,16 @@
 //! No circles of files: what a file uses does not lead back to it.
 //!
-//! The files of a folder are compared as they stand side by side: a file and the folder of its name count
-//! as one, and so does all inside of them; what a file shares with the folder that it lies in is no
-//! circle. Each `use` and each path through `crate::` or `super::` is an arrow, also where the folder
-//! passes a name on from another file. Test modules are left out.
+//! The files of a folder are compared as they stand side by side: a file and the folder of its name
+//! count as one, and so does all inside of them; what a file shares with the folder that it lies in
+//! is no circle. Each `use` and each path through `crate::` or `super::` is an arrow, also where
+//! the folder passes a name on from another file. Test modules are left out.
 //!
-//! The circles that are known stand below. A new one fails here, and so does one that is gone: it is
-//! taken off the list, so that the list only gets shorter.
+//! The circles that are known stand below. A new one fails here, and so does one that is gone: it
+//! is taken off the list, so that the list only gets shorter.
 
-#![allow(clippy::unwrap_used)] // tests panic
-
+use super::sources::{root, rust_files};
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 const CRATES: [&str; 6] =
     ["crates/kernel", "crates/shapes", "crates/files", "crates/cli", "crates/editor", "xtask"];
@@ -159,19 +158,6 @@ fn reachable<'a>(from: &'a String, arrows: &'a BTreeSet<[String; 2]>) -> BTreeSe
     found
 }
 
-fn rust_files(folder: &Path) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    for entry in std::fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        if path.is_dir() {
-            found.extend(rust_files(&path));
-        } else if path.extension().is_some_and(|e| e == "rs") {
-            found.push(path);
-        }
-    }
-    found
-}
-
 /// A text without its comments and its tests.
 fn code(text: &str) -> String {
     let text = text.split("#[cfg(test)]\nmod tests").next().unwrap();
@@ -222,7 +208,7 @@ fn named(text: &str) -> Vec<Vec<String>> {
 
 #[test]
 fn files_run_in_no_circle_but_those_that_are_known() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+    let root = root();
     let mut found: Vec<Circle> = CRATES
         .iter()
         .flat_map(|of| Modules::of_crate(&root.join(of).join("src")).circles(of))
