@@ -1,9 +1,12 @@
 //! Why a command can't do what was asked: what, where, and what to do.
 
+use crate::remedies::with_options;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use sheetwright::design::{Design, MakeError, MeshMakeError};
 use sheetwright_files::whole::WriteError;
-use sheetwright_files::{InputError, Units, hint_in_design, length_in, mesh_hint_for};
+use sheetwright_files::{
+    InputError, Units, hint_in_design, length_in, mesh_hint_for, mesh_remedy_for,
+};
 
 const HELP: &str = "`sheetwright --help` shows the commands with examples.";
 
@@ -35,7 +38,8 @@ impl Failure {
 
     /// A mesh that can't be made. `input` is what it was read from.
     pub(crate) fn of_meshes(error: &MeshMakeError, input: &str) -> Self {
-        Self::new(error.to_string(), mesh_hint_for(error)).at(input)
+        let hint = with_options(&mesh_hint_for(error), mesh_remedy_for(error));
+        Self::new(error.to_string(), hint).at(input)
     }
 
     /// A call that the command line does not take.

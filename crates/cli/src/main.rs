@@ -7,6 +7,7 @@ mod failure;
 mod make;
 mod new;
 mod pages;
+mod remedies;
 mod signals;
 mod source;
 mod voice;

@@ -2,6 +2,7 @@
 
 use crate::args::{MakeArgs, MeshArgs, SourceArgs};
 use crate::failure::Failure;
+use crate::remedies::LONG_REPORT;
 use crate::source;
 use crate::voice::{Voice, found_errors, in_words, print};
 use crate::watcher::Watcher;
@@ -9,8 +10,8 @@ use sheetwright::check::Checked;
 use sheetwright::design::{MadeMeshes, MeshOptions, make, make_meshes};
 use sheetwright_files::whole::Folder;
 use sheetwright_files::{
-    Format, Input, OutputOptions, Outputs, findings_json, mesh_output_files, output_files,
-    timing_json,
+    Format, Input, OutputOptions, Outputs, ReportForm, findings_json, mesh_output_files,
+    output_files, timing_json,
 };
 use std::path::Path;
 use std::time::Instant;
@@ -116,6 +117,11 @@ impl Job<'_> {
         // The answer first: where it can't be given, nothing is written.
         print(&answer)?;
         batch.keep()?;
+        let is_short = self.options.report == ReportForm::Auto
+            && ReportForm::Auto.is_short(outputs.panels.len());
+        if is_short && formats.contains(&Format::Report) {
+            voice.note(LONG_REPORT);
+        }
         let files = if names.len() == 1 { "file" } else { "files" };
         voice.note(&format!("{} {files} written to {}", names.len(), self.out.display()));
         Ok(found_errors(&outputs.panels))

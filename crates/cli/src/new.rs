@@ -3,13 +3,14 @@
 use crate::args::NewArgs;
 use crate::failure::Failure;
 use crate::make::Job;
+use crate::remedies::{CATALOGUE, TEMPLATE_CALL};
 use crate::voice::{Voice, print, print_as_it_is};
 use sheetwright::design::MeshOptions;
 use sheetwright::template::template;
 use sheetwright_files::whole::write_one;
 use sheetwright_files::{
-    Format, Input, OutputOptions, catalogue_json, catalogue_text, design_from_template, new_design,
-    template_text, write_design,
+    Format, Input, InputError, OutputOptions, Units, catalogue_json, catalogue_text,
+    design_from_template, new_design, shown, template_text, write_design,
 };
 use std::path::Path;
 use std::time::Instant;
@@ -27,7 +28,8 @@ pub(crate) fn run(args: &NewArgs, voice: Voice) -> Result<bool, Failure> {
         Some(folder) if folder != Path::new("") => folder,
         _ => Path::new("."),
     };
-    let new = new_design(name, &args.set, folder)?;
+    refuse_slips(name, &args.set)?;
+    let new = new_design(name, &args.set, folder).map_err(|error| refused(name, error))?;
     if let Some(out) = &args.make {
         // Tables need not lie in the folder of the patterns: the design there has their points.
         let beside = Some((format!("{}.sheet.json", new.design.name), write_design(&new.design)));
@@ -44,13 +46,56 @@ pub(crate) fn run(args: &NewArgs, voice: Voice) -> Result<bool, Failure> {
     Ok(false)
 }
 
+/// Why a template can't be made; with the way to all of them where it is none.
+fn refused(name: &str, error: InputError) -> Failure {
+    let mut failure = Failure::from(error);
+    if template(name).is_none() {
+        failure.hint = format!("{} {CATALOGUE}", failure.hint);
+    }
+    failure
+}
+
+/// Refuses settings that the shell took apart at a blank, so that a unit stands where a template
+/// should, or that were written as one: a comma stands between lengths.
+fn refuse_slips(name: &str, settings: &[String]) -> Result<(), Failure> {
+    let Some(template) = template(name) else {
+        return match Units::from_name(name) {
+            Some(_) => Err(Failure::new(
+                format!("there is no template {}", shown(name)),
+                "A value with a blank stands in quotation marks: --set 'height=500 mm'.",
+            )),
+            None => Ok(()),
+        };
+    };
+    let is_name = |text: &str| {
+        text.starts_with(char::is_alphabetic)
+            && text.chars().all(|c| c.is_alphanumeric() || c == '-')
+    };
+    let is_setting =
+        |part: &&str| part.split_once('=').is_some_and(|(name, _)| is_name(name.trim()));
+    for setting in settings {
+        let parts: Vec<&str> = setting.split([',', ';']).map(str::trim).collect();
+        if parts.len() < 2 || !parts.iter().all(is_setting) {
+            continue;
+        }
+        let each: Vec<String> = parts.iter().take(3).map(|part| format!("--set {part}")).collect();
+        let rest = if parts.len() > 3 { " …" } else { "" };
+        let message = format!("{} is several settings", shown(setting));
+        let hint = format!("Give each its own: {}{rest}.", each.join(" "));
+        return Err(Failure::new(message, hint).at(template.name));
+    }
+    Ok(())
+}
+
 fn list(name: Option<&str>, voice: Voice) -> Result<(), Failure> {
     let one = name.and_then(template);
     match (one, name) {
         // A name that is none is answered as it is where a design is wanted.
-        (None, Some(name)) => design_from_template(name, &[]).map(|_| ()).map_err(Failure::from),
+        (None, Some(name)) => {
+            design_from_template(name, &[]).map(|_| ()).map_err(|error| refused(name, error))
+        }
         _ if voice.json => print(&catalogue_json(one)),
         (Some(template), _) => print(&template_text(template)),
-        (None, None) => print(&catalogue_text()),
+        (None, None) => print(&catalogue_text(TEMPLATE_CALL)),
     }
 }

@@ -3,6 +3,7 @@
 //! they are.
 
 use crate::failure::Failure;
+use crate::remedies::with_options;
 use sheetwright::check::{Checked, Severity, Verdict};
 use sheetwright_files::{error_json, visible};
 use std::io::{self, Write};
@@ -65,7 +66,8 @@ pub(crate) fn print_as_it_is(bytes: &[u8]) -> Result<(), Failure> {
     }
 }
 
-/// The verdict on every panel in words, each followed by its findings, one a line.
+/// The verdict on every panel in words, each followed by its findings, one a line, with the options
+/// that help.
 pub(crate) fn in_words(names: &[&str], panels: &[Checked]) -> String {
     let mut text = String::new();
     for (name, checked) in names.iter().zip(panels) {
@@ -82,7 +84,8 @@ pub(crate) fn in_words(names: &[&str], panels: &[Checked]) -> String {
                 "" => String::new(),
                 place => format!(" ({place})"),
             };
-            text.push_str(&format!("  {}: {}{place}\n", finding.severity.name(), finding.text));
+            let said = with_options(&finding.text, finding.remedies.iter().copied());
+            text.push_str(&format!("  {}: {said}{place}\n", finding.severity.name()));
         }
     }
     text

@@ -397,11 +397,32 @@ fn the_page_of_a_report_is_long_or_short_as_it_is_asked_for() {
 }
 
 #[test]
+fn a_page_that_is_short_for_its_many_panels_says_how_it_is_had_whole() {
+    let curves = r#""a": { "kind": "polyline", "points": [[0,0,0], [100,0,0]] },
+        "b": { "kind": "polyline", "points": [[0,50,0], [100,50,0]] }"#;
+    let panel =
+        |n: usize| format!("{{ \"name\": \"p{n}\", \"rails\": [\"a\", \"b\"], \"samples\": 3 }}");
+    let panels: Vec<String> = (0..101).map(panel).collect();
+    let panels = panels.join(",");
+    let design =
+        format!("{{ \"sheetwright\": 1, \"curves\": {{ {curves} }}, \"panels\": [{panels}] }}");
+    let desk = Desk::new(&[("many.sheet.json", &design)]);
+    let call = "make many.sheet.json --out out --formats report";
+    assert!(desk.says(call, 0).1.contains("--report long"));
+    let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
+    assert!(page.contains("short form") && !page.contains("--report"));
+    for form in ["short", "long"] {
+        let (_, said) = desk.says(&format!("{call} --report {form}"), 0);
+        assert!(!said.contains("--report"), "{said}");
+    }
+}
+
+#[test]
 fn a_large_panel_is_tiled_if_so_many_sheets_are_allowed() {
     let desk = Desk::new(&[("large.csv", LARGE)]);
     let (words, _) = desk.says("make large.csv --out few --formats pdf --max-sheets 200", 0);
     let asked = words.split("--max-sheets ").nth(1).unwrap_or_else(|| panic!("{words}"));
-    let enough = asked.split('.').next().unwrap();
+    let enough = asked.split(' ').next().unwrap();
     let pages = |name: &str| {
         let bytes = fs::read(desk.path(name)).unwrap();
         String::from_utf8_lossy(&bytes).matches("/Type /Page\n").count()
@@ -468,17 +489,20 @@ fn loops_far_from_developable_end_with_their_work() {
     let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
     let vessel = examples.join("ubc-fishing-vessel.csv");
     let desk = Desk::new(&[]);
-    let run = |threads: &str, effort: &str| {
+    let said = |threads: &str, options: &[&str]| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_sheetwright"));
         command.current_dir(desk.0.path()).stdin(Stdio::null()).env("RAYON_NUM_THREADS", threads);
-        command.arg("check").arg(&vessel).args(["--json", "--samples", "60", "--effort", effort]);
+        command.arg("check").arg(&vessel).args(["--samples", "60"]).args(options);
         command.output().unwrap()
     };
+    let run = |threads: &str, effort: &str| said(threads, &["--json", "--effort", effort]);
     let [one, two] = ["1", "2"].map(|threads| run(threads, "0.05"));
     assert_eq!(one.status.code(), Some(1), "{}", text(&one.stderr));
     assert_eq!(text(&one.stdout), text(&two.stdout));
     let note = text(&one.stdout);
-    assert!(note.contains("not-proven") && note.contains("`--effort 10`"), "{note}");
+    assert!(note.contains("not-proven") && note.contains(r#"\"effort\""#), "{note}");
+    let words = said("2", &["--effort", "0.05"]);
+    assert!(text(&words.stdout).contains("--effort sets it"), "{}", text(&words.stdout));
     for wrong in ["0", "-1", "1001", "NaN"] {
         let refused = run("1", wrong);
         assert_eq!(refused.status.code(), Some(2), "{wrong}");

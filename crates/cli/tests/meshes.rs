@@ -103,7 +103,26 @@ fn units_aims_and_materials_are_taken_from_the_call() {
         assert!((area / (60000.0 * 25.4 * 25.4) - 1.0).abs() < 1e-12);
     }
     let (said, _) = says(&desk, "check box.obj --material plywood-4mm", 1);
-    assert!(said.contains("does not fold"), "{said}");
+    assert!(said.contains("does not fold: divide it there. --split-creases 30 divides"), "{said}");
+}
+
+/// A pyramid, which only a cut to its tip or its edges lays flat.
+#[test]
+fn options_that_help_are_named_by_the_command_and_not_on_the_page() {
+    let (_kept, desk) = desk();
+    let pyramid = "v -50 -50 0\nv 50 -50 0\nv 50 50 0\nv -50 50 0\nv 0 0 80\n\
+        f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";
+    fs::write(desk.join("tip.obj"), pyramid).unwrap();
+    let (said, _) = says(&desk, "make tip.obj --out out --formats report", 1);
+    let options = "sheet that stretches more. --darts cuts it there. --split-creases 30 divides";
+    assert!(said.contains(options), "{said}");
+    for name in ["report.html", "report.json"] {
+        let page = fs::read_to_string(desk.join("out").join(name)).unwrap();
+        assert!(page.contains("Cut it from the border"), "{name}");
+        assert!(!page.contains("--darts") && !page.contains("--split-creases"), "{name}");
+    }
+    let (said, _) = says(&desk, "check tip.obj --darts", 0);
+    assert!(!said.contains("--"), "{said}");
 }
 
 #[test]

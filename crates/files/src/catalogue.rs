@@ -11,22 +11,17 @@ const LINE: usize = 96;
 const COLUMN: usize = 28;
 
 /// The catalogue in words: one line for each template to choose from, then each with what it takes.
-pub fn catalogue_text() -> String {
+/// `call` stands between them: how the program at hand is told which template, and what to set.
+pub fn catalogue_text(call: &str) -> String {
     let mut text = String::from("Templates:\n");
     let widest = catalogue().iter().map(|t| t.name.len()).max().unwrap_or(0);
     for Template { name, title, .. } in catalogue() {
         line(&mut text, &format!("  {name:widest$}  {title}"));
     }
-    text.push_str(
-        "\nWrite one with its defaults, then see whether it bends and make its patterns:\n  \
-         sheetwright new NAME -o part.sheet.json\n  \
-         sheetwright make part.sheet.json --out build\n\
-         or both at once:\n  \
-         sheetwright new NAME --make build\n\
-         Each has its parameters below, with what they are unless they are set: --set diameter=40cm,\n\
-         as often as need be. Lengths are in mm or have a unit (400mm, 40cm, 0.4m, 15 3/4in, 1' 4\"),\n\
-         angles are in degrees.\n",
-    );
+    text.push_str(&format!(
+        "\n{call} Lengths are in mm or have a unit (400mm, 40cm, 0.4m, 15 3/4in, 1' 4\"),\n\
+         angles are in degrees.\n"
+    ));
     line(
         &mut text,
         &format!("Every template also takes {MATERIAL}=NAME, such as steel-1mm or paper."),
@@ -233,7 +228,7 @@ mod tests {
 
     #[test]
     fn the_list_names_everything_within_its_lines() {
-        let text = catalogue_text();
+        let text = catalogue_text("Set what it takes.");
         for template in catalogue() {
             assert!(text.contains(&format!("\n{}: {}\n", template.name, template.title)));
             for parameter in template.parameters {

@@ -1,6 +1,7 @@
 //! What to do about a design that can't be made: one sentence for each cause.
 
 use sheetwright::boundary::{BoundaryError, JoinCause, PlaneError};
+use sheetwright::check::Remedy;
 use sheetwright::curve::{CurveError, SampleError};
 use sheetwright::design::{
     Design, MakeCause, MakeError, MeshCause, MeshMakeError, PanelShape, VaryCause,
@@ -97,9 +98,7 @@ pub fn mesh_hint_for(error: &MeshMakeError) -> String {
             MeshError::NotOrientable { .. } => {
                 "Cut it through once, so that it has a front and a back, and export it again."
             }
-            MeshError::TooSmall => {
-                "Check the units: --units says what a coordinate of the file is in."
-            }
+            MeshError::TooSmall => "Check the units that the coordinates of the file are in.",
             MeshError::Degenerate { .. } => {
                 "Take the triangle out, or merge its points by distance, in the program that it is from."
             }
@@ -112,11 +111,19 @@ pub fn mesh_hint_for(error: &MeshMakeError) -> String {
         MeshCause::Flatten(RelaxError::TooLarge) => {
             "Export it more coarsely: some ten thousand triangles show most shapes well."
         }
-        MeshCause::Flatten(_) => {
-            "Divide it into simpler panels in the program that it is from, or with --split-creases."
-        }
+        MeshCause::Flatten(_) => "Divide it into simpler panels in the program that it is from.",
     };
     hint.to_owned()
+}
+
+/// What may be set about the error, beside what [`mesh_hint_for`] says.
+pub fn mesh_remedy_for(error: &MeshMakeError) -> Option<Remedy> {
+    match &error.cause {
+        MeshCause::Mesh { error: MeshError::TooSmall, .. } => Some(Remedy::Units),
+        MeshCause::Flatten(RelaxError::Stopped | RelaxError::TooLarge) => None,
+        MeshCause::Flatten(_) => Some(Remedy::SplitCreases),
+        _ => None,
+    }
 }
 
 fn varying(cause: &VaryCause) -> &'static str {

@@ -39,12 +39,12 @@ pub use catalogue::{catalogue_json, catalogue_text, parameter_table, template_te
 pub use design_json::{read_drawn, write_design, write_drawn};
 pub use drawn::{Drawing, Mirror, Plan, Reference};
 pub use dxf::{read_dxf, write_dxf};
-pub use hint::{hint_for, hint_in_design, mesh_hint_for};
+pub use hint::{hint_for, hint_in_design, mesh_hint_for, mesh_remedy_for};
 pub use input::{Input, InputFormat, read_any, read_any_bytes, read_bytes, read_input};
 pub use meant::material_hint;
 pub use mesh::MeshFormat;
 pub use messages::{PanelTimes, error_json, findings_json, timing_json};
-pub use names::visible;
+pub use names::{shown, visible};
 pub use obj::{write_meshes_obj, write_obj};
 pub use output::{
     Format, OutputError, OutputFile, OutputOptions, Outputs, mesh_output_files, output_files,

@@ -5,7 +5,6 @@
 //! words.
 
 use crate::names::{did_you_mean, folded, nearest, shown};
-use crate::units::Units;
 use sheetwright::material::MATERIALS;
 use sheetwright::template::{Parameter, Template, catalogue};
 
@@ -100,10 +99,6 @@ pub fn material_hint(wanted: &str) -> String {
 
 /// The templates that may be meant by a name that none has, as a question; empty if none may.
 pub(crate) fn template_question(wanted: &str) -> String {
-    if Units::from_name(wanted).is_some() {
-        return "A value with a blank stands in quotation marks: --set 'height=500 mm'. "
-            .to_owned();
-    }
     let found = templates_meant(wanted);
     match found.is_empty() {
         true => String::new(),
@@ -219,7 +214,6 @@ mod tests {
             assert_eq!(said, format!("Did you mean {meant}? "), "{wanted}");
         }
         assert_eq!(template_question("xyzzy"), "");
-        assert!(template_question("mm").contains("quotation marks"));
     }
 
     #[test]

@@ -103,7 +103,7 @@ pub fn visible(text: &str) -> String {
 }
 
 /// What stands in a file, fit for a message: quoted, short, in one line.
-pub(crate) fn shown(text: &str) -> String {
+pub fn shown(text: &str) -> String {
     const SHOWN: usize = 60;
     let clean = |c: char| if is_invisible(c) { '\u{fffd}' } else { c };
     let mut short: String = text.chars().take(SHOWN).map(clean).collect();

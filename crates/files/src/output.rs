@@ -12,7 +12,7 @@ use crate::step::write_step;
 use crate::svg::write_svg;
 use crate::table::write_table;
 use crate::units::Units;
-use sheetwright::check::{Checked, Finding, Severity, refolding};
+use sheetwright::check::{Checked, Finding, Remedy, Severity, refolding};
 use sheetwright::design::{Made, MadeMeshes};
 use sheetwright::pattern::Piece;
 use sheetwright::tolerance::Tolerance;
@@ -319,6 +319,7 @@ fn not_refolded(error: &RefoldFileError) -> Finding {
             capitalised(&error.to_string())
         ),
         place: String::new(),
+        remedies: Vec::new(),
     }
 }
 
@@ -362,6 +363,7 @@ fn not_tiled(reduced: &Reduced) -> Finding {
              SVG and DXF are true to scale."
         ),
         place: String::new(),
+        remedies: reduced.enough_sheets().map(Remedy::Sheets).into_iter().collect(),
     }
 }
 

@@ -68,7 +68,7 @@ impl PanelQuads {
                 ),
             ),
         };
-        Some(Finding { severity, code, text, place: String::new() })
+        Some(Finding { severity, code, text, place: String::new(), remedies: Vec::new() })
     }
 }
 

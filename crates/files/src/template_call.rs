@@ -70,7 +70,7 @@ fn called(name: &str, settings: &[String], folder: Option<&Path>) -> Result<NewD
     let template = template(name).ok_or_else(|| InputError {
         message: format!("there is no template {}", shown(name)),
         place: None,
-        hint: template_question(name) + "`sheetwright new --list` describes all there are.",
+        hint: template_question(name) + "The catalogue describes all there are.",
     })?;
     let mut values = template.defaults();
     let mut seen: Vec<&str> = Vec::new();
@@ -83,7 +83,6 @@ fn called(name: &str, settings: &[String], folder: Option<&Path>) -> Result<NewD
             return Err(InputError::at(template.name, message, hint));
         };
         let (name, text) = (name.trim(), text.trim());
-        refuse_several(setting, template)?;
         if seen.contains(&name) {
             let message = format!("{} is set twice", shown(name));
             return Err(InputError::at(template.name, message, "Keep one of them."));
@@ -125,25 +124,6 @@ fn set_table(
         .map(|curve| NamedCurve { points: curve.curve_points(false), name: curve.name })
         .collect();
     values.set(name, Value::Table(curves)).map_err(|error| in_words(&error, template, path))
-}
-
-/// A list of settings is no setting: a comma stands between lengths.
-fn refuse_several(setting: &str, template: &Template) -> Result<(), InputError> {
-    let is_name = |text: &str| {
-        text.starts_with(char::is_alphabetic)
-            && text.chars().all(|c| c.is_alphanumeric() || c == '-')
-    };
-    let parts: Vec<&str> = setting.split([',', ';']).map(str::trim).collect();
-    let is_setting =
-        |part: &&str| part.split_once('=').is_some_and(|(name, _)| is_name(name.trim()));
-    if parts.len() < 2 || !parts.iter().all(is_setting) {
-        return Ok(());
-    }
-    let message = format!("{} is several settings", shown(setting));
-    let each: Vec<String> = parts.iter().take(3).map(|part| format!("--set {part}")).collect();
-    let rest = if parts.len() > 3 { " …" } else { "" };
-    let hint = format!("Give each its own: {}{rest}.", each.join(" "));
-    Err(InputError::at(template.name, message, hint))
 }
 
 fn set(values: &mut Values, name: &str, text: &str) -> Result<(), InputError> {
@@ -375,10 +355,10 @@ mod tests {
         }
         let error = design_from_template("kone", &[]).unwrap_err();
         assert_eq!(error.message, "there is no template 'kone'");
-        assert!(error.hint.starts_with("Did you mean 'cone'? `"), "{}", error.hint);
+        assert!(error.hint.starts_with("Did you mean 'cone'? The"), "{}", error.hint);
         // What people search for leads there too.
         let hint = design_from_template("Zepelin", &[]).unwrap_err().hint;
-        assert!(hint.starts_with("Did you mean 'airship'? `"), "{hint}");
+        assert!(hint.starts_with("Did you mean 'airship'? The"), "{hint}");
     }
 
     /// Whoever reads a table knows the units that its template lets people choose.

@@ -422,7 +422,7 @@ fn as_many_sheets_as_the_finding_names_are_enough() {
     for Reduced { panel, sheets: enough, file_full, .. } in reduced.reduced {
         assert!(!file_full);
         let texts = reductions(&made, sheets(10));
-        assert!(texts[panel].contains(&format!(" add --max-sheets {enough}. ")), "{texts:?}");
+        assert!(texts[panel].contains(&format!(" allow {enough} sheets. ")), "{texts:?}");
         let options = PdfOptions { max_sheets: sheets(enough), ..Default::default() };
         let left = write_pdf(&made, &options).reduced;
         assert!(left.iter().all(|reduced| reduced.panel != panel && reduced.sheets > enough));
@@ -452,7 +452,7 @@ fn one_pdf_takes_so_many_sheets_and_no_more() {
         texts.iter().all(|text| text.contains("20000 are the most that a PDF takes")),
         "{texts:?}"
     );
-    assert!(texts.iter().all(|text| !text.contains("--max-sheets")));
+    assert!(texts.iter().all(|text| !text.contains("allow")));
 }
 
 fn sheets(most: usize) -> MaxSheets {

@@ -2,11 +2,13 @@
 
 mod mesh;
 mod origin;
+mod remedy;
 
 pub use mesh::{MeshPanel, check_mesh, seam_length};
 pub use origin::{
     BoundaryMoved, moved, ran_on, rounded_corner, smoothed_joints, stayed_straight, turned_round,
 };
+pub use remedy::Remedy;
 
 use crate::boundary::Boundary;
 use crate::flatten::{Flattened, Seam, Sheet};
@@ -51,6 +53,8 @@ pub struct Finding {
     pub text: String,
     /// Where: `rungs 41–47`, `samples 3 and 12`; empty where it is the whole panel.
     pub place: String,
+    /// What may be set against it, beside what its text says.
+    pub remedies: Vec<Remedy>,
 }
 
 /// Will it bend?
@@ -183,6 +187,7 @@ pub fn refolding(error_mm: f64, size_mm: f64, known_mm: f64) -> Option<Finding> 
              ({limit:.2e} mm is allowed). Do not cut it; this is a fault of the program."
         ),
         place: String::new(),
+        remedies: Vec::new(),
     })
 }
 
@@ -207,6 +212,7 @@ fn warp(panel: &Panel<'_>) -> Option<Finding> {
                 to_deg(limit)
             ),
             place: where_rungs(rungs, beyond(limit)),
+            remedies: Vec::new(),
         });
     }
     if let Some(most) = largest(EASY_SHARE * limit) {
@@ -219,6 +225,7 @@ fn warp(panel: &Panel<'_>) -> Option<Finding> {
                 to_deg(limit)
             ),
             place: where_rungs(rungs, beyond(EASY_SHARE * limit)),
+            remedies: Vec::new(),
         });
     }
     None
@@ -239,6 +246,7 @@ fn coarse_samples(panel: &Panel<'_>) -> Option<Finding> {
             to_deg(panel.measures.warp_max)
         ),
         place: where_rungs(rungs, |r| !told(r)),
+        remedies: Vec::new(),
     })
 }
 
@@ -254,6 +262,7 @@ fn bend_radius(panel: &Panel<'_>) -> Option<Finding> {
             material.title, material.bend_radius_mm
         ),
         place: where_rungs(&panel.measures.rungs, |r| r.bend_radius_mm < material.bend_radius_mm),
+        remedies: Vec::new(),
     })
 }
 
@@ -306,6 +315,7 @@ fn points(panel: &Panel<'_>) -> Option<Finding> {
             to_deg(sharpest.turn)
         ),
         place: format!("sample{} {}{rest}", if one { "" } else { "s" }, samples.join(", ")),
+        remedies: Vec::new(),
     })
 }
 
@@ -321,6 +331,7 @@ fn crossing(panel: &Panel<'_>) -> Option<Finding> {
                the boundary."
             .to_owned(),
         place: format!("triangles at samples {} and {}", corners(t), corners(u)),
+        remedies: Vec::new(),
     })
 }
 
@@ -341,6 +352,7 @@ fn overlap(panel: &Panel<'_>) -> Option<Finding> {
                the panel."
             .to_owned(),
         place: format!("edges from sample {} and from {}", edge(a), edge(b)),
+        remedies: Vec::new(),
     })
 }
 
@@ -356,6 +368,7 @@ fn forced_rungs(panel: &Panel<'_>) -> Option<Finding> {
             if count == 1 { "it" } else { "them" }
         ),
         place: where_rungs(&panel.measures.rungs, |r| r.normals[0] == crate::math::Vec3::ZERO),
+        remedies: Vec::new(),
     })
 }
 
@@ -371,6 +384,7 @@ pub fn better_without_plane(with: f64, without: f64) -> Finding {
             100.0 * without / with
         ),
         place: String::new(),
+        remedies: Vec::new(),
     }
 }
 
@@ -385,11 +399,12 @@ fn not_proven(panel: &Panel<'_>) -> Option<Finding> {
         }
         _ => return None,
     };
-    let how = if panel.triangulation.cut_short {
-        " The search ended with the work that it may do; more effort, such as `--effort 10`, gives it \
-         ten times as much."
+    let (how, remedies) = if panel.triangulation.cut_short {
+        let how = " The search ended with the work that it may do; a greater \"effort\" of the panel \
+                   allows more.";
+        (how, vec![Remedy::Effort])
     } else {
-        ""
+        ("", Vec::new())
     };
     Some(Finding {
         severity: Severity::Note,
@@ -398,6 +413,7 @@ fn not_proven(panel: &Panel<'_>) -> Option<Finding> {
             "This is the best surface that was found. {better}; the pattern is exact for this one.{how}"
         ),
         place: String::new(),
+        remedies,
     })
 }
 
@@ -421,6 +437,7 @@ fn folds(panel: &Panel<'_>) -> Option<Finding> {
             to_deg(sharpest)
         ),
         place: where_rungs(rungs, |r| r.is_fold),
+        remedies: Vec::new(),
     })
 }
 
@@ -445,6 +462,7 @@ fn bend_lines(panel: &Panel<'_>) -> Option<Finding> {
         code: "bend-lines",
         text: format!("{lines} More samples divide the bend more finely."),
         place: where_rungs(&panel.measures.rungs, is_line),
+        remedies: Vec::new(),
     })
 }
 
@@ -470,6 +488,7 @@ fn length_error(panel: &Panel<'_>) -> Option<Finding> {
             format!("Lengths of the pattern differ from the surface by up to {per_cent:.3} %.")
         },
         place: String::new(),
+        remedies: Vec::new(),
     })
 }
 
@@ -493,6 +512,7 @@ fn open_windows(panel: &Panel<'_>) -> Option<Finding> {
             Tolerance::STRETCH.share() * 100.0
         ),
         place: where_seams(panel.sheet, nearly),
+        remedies: Vec::new(),
     })
 }
 
@@ -518,6 +538,7 @@ fn seams(panel: &Panel<'_>) -> Option<Finding> {
              sides that have the same mark."
         ),
         place: where_seams(panel.sheet, |_| true),
+        remedies: Vec::new(),
     })
 }
 

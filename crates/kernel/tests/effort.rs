@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)] // tests panic
 
 use sheetwright::boundary::{Boundary, PlaneChoice, samples_from_points, supporting_plane};
+use sheetwright::check::Remedy;
 use sheetwright::cost::PriceOptions;
 use sheetwright::curve::CurvePoint;
 use sheetwright::design::{Design, DesignCurve, DesignPanel, PanelShape, make};
@@ -155,7 +156,8 @@ fn a_panel_has_the_effort_that_it_asks_for() {
     let (few, note) = (&made.panels[0].triangulation, &made.panels[0].checked.findings);
     assert!(few.cut_short && few.work < DEFAULT_WORK / 500, "{}", few.work);
     let note = note.iter().find(|finding| finding.code == "not-proven").unwrap();
-    assert!(note.text.contains("--effort"), "{}", note.text);
+    assert!(note.text.contains("\"effort\""), "{}", note.text);
+    assert_eq!(note.remedies, [Remedy::Effort]);
     design.panels[0].effort = 0.1;
     let mut told = Told(0);
     let more = make(&design, &mut told).unwrap().panels[0].triangulation.clone();

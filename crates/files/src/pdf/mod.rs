@@ -133,17 +133,21 @@ pub struct Reduced {
 }
 
 impl Reduced {
+    /// The number of sheets that prints it true to scale if so many are allowed; `None` where it
+    /// takes another way, or no PDF takes so many.
+    pub(crate) fn enough_sheets(&self) -> Option<usize> {
+        let Self { sheets, file_full, .. } = *self;
+        (sheets <= MaxSheets::MOST.get() && !file_full).then_some(sheets)
+    }
+
     /// How to print it true to scale all the same, in a sentence; `None` where no PDF takes so
     /// many.
     pub(crate) fn way_to_sheets(&self) -> Option<String> {
-        let Self { sheets, file_full, .. } = *self;
-        if sheets > MaxSheets::MOST.get() {
-            None
-        } else if file_full {
-            Some("Make it in a design of its own to print it true to scale.".to_owned())
-        } else {
-            Some(format!("To print it true to scale all the same, add --max-sheets {sheets}."))
+        if let Some(sheets) = self.enough_sheets() {
+            return Some(format!("To print it true to scale all the same, allow {sheets} sheets."));
         }
+        let way = "Make it in a design of its own to print it true to scale.";
+        (self.sheets <= MaxSheets::MOST.get()).then(|| way.to_owned())
     }
 }
 

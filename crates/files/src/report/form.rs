@@ -34,7 +34,7 @@ impl ReportForm {
     }
 
     /// Whether the report of so many panels is short.
-    pub(super) const fn is_short(self, panels: usize) -> bool {
+    pub const fn is_short(self, panels: usize) -> bool {
         match self {
             Self::Auto => panels > Self::MOST_LONG,
             Self::Short => true,
@@ -59,10 +59,8 @@ pub(super) fn short(labels: &[&str], rows: Vec<Row<'_>>) -> Markup {
     html! {
         (counts(&rows))
         p.sub {
-            "This is the short form of the report, those panels first that need a look. The long \
-             form has a page with pictures of every panel: " code { "sheetwright make" }
-            " writes it with "
-            code { "--report long" } "."
+            "This is the short form of the report, those panels first that need a look. For \
+             pictures of every panel, choose the long form when you make the report."
         }
         table.summary.short {
             caption { "All panels" }

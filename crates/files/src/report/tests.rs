@@ -278,7 +278,7 @@ fn the_short_form_shows_every_panel_in_a_few_kilobytes() {
         told.starts_with("Of 101 panels 100 bend, 1 will not bend.</strong> Do not cut 1 of"),
         "{told}"
     );
-    assert!(page.contains("--report long") && !page.contains("class=\"numbers\""));
+    assert!(page.contains("choose the long form") && !page.contains("class=\"numbers\""));
     let first = page.find("<th scope=\"row\">").unwrap();
     assert!(page[first..].starts_with("<th scope=\"row\">ramp<"), "what needs a look is first");
     assert!(page.len() < 101 * 4000, "{} bytes", page.len());

@@ -1,6 +1,6 @@
 //! Findings on a mesh that was laid flat, and its verdict: how much it must stretch.
 
-use super::{Checked, EASY_SHARE, Finding, Severity, Verdict};
+use super::{Checked, EASY_SHARE, Finding, Remedy, Severity, Verdict};
 use crate::material::{Material, stretch_limit};
 use crate::math::{Point3, to_deg};
 use crate::mesh::{CutMesh, Mesh, Specks, crease_angles};
@@ -92,16 +92,18 @@ fn stretch(panel: &MeshPanel<'_>) -> Option<Finding> {
         "Laid flat, lengths differ from the surface by up to {}: by so much the sheet must stretch.",
         percent(error)
     );
+    let mut remedies = Vec::new();
     // Also for what is no number.
     let (severity, code, text) = if error.is_nan() || error > limit {
         let mut advice = Vec::new();
         if let Some([inside, border]) = panel.cut {
             let (to, from) = (place(inside), place(border));
-            let does = if panel.darts == 0 { " (--darts does)" } else { "" };
-            advice.push(format!("cut it from the border at {from} to {to}{does}"));
+            advice.push(format!("cut it from the border at {from} to {to}"));
+            remedies.extend((panel.darts == 0).then_some(Remedy::Darts));
         }
         if sharp_creases(panel).next().is_some() {
-            advice.push("divide it along its sharp creases (--split-creases 30)".to_owned());
+            advice.push("divide it along its sharp creases".to_owned());
+            remedies.push(Remedy::SplitCreases);
         }
         advice.push("divide it into more panels in the program that it is from".to_owned());
         let text = format!(
@@ -116,7 +118,7 @@ fn stretch(panel: &MeshPanel<'_>) -> Option<Finding> {
     } else {
         return None;
     };
-    Some(Finding { severity, code, text, place: worst.unwrap_or_default() })
+    Some(Finding { severity, code, text, place: worst.unwrap_or_default(), remedies })
 }
 
 fn border(panel: &MeshPanel<'_>) -> Option<Finding> {
@@ -130,6 +132,7 @@ fn border(panel: &MeshPanel<'_>) -> Option<Finding> {
             percent(error)
         ),
         place: String::new(),
+        remedies: Vec::new(),
     })
 }
 
@@ -148,6 +151,7 @@ fn overlap(panel: &MeshPanel<'_>) -> Option<Finding> {
                panel."
                 .to_owned(),
         place: format!("the border at {} and at {}", place(a), place(b)),
+        remedies: Vec::new(),
     })
 }
 
@@ -165,6 +169,7 @@ fn flipped(panel: &MeshPanel<'_>) -> Option<Finding> {
             }
         ),
         place: String::new(),
+        remedies: Vec::new(),
     })
 }
 
@@ -177,12 +182,13 @@ fn sharp_creases(panel: &MeshPanel<'_>) -> impl Iterator<Item = f64> {
 fn folds(panel: &MeshPanel<'_>) -> Option<Finding> {
     let sharp: Vec<f64> = sharp_creases(panel).collect();
     let sharpest = sharp.iter().copied().reduce(f64::max)?;
-    let (severity, advice) = match panel.material {
+    let (severity, advice, remedies) = match panel.material {
         Some(m) if !m.folds() => (
             Severity::Error,
-            format!("{} does not fold: divide it there (--split-creases).", first_up(m.title)),
+            format!("{} does not fold: divide it there.", first_up(m.title)),
+            vec![Remedy::SplitCreases],
         ),
-        _ => (Severity::Warning, "The pattern marks them to be scored.".to_owned()),
+        _ => (Severity::Warning, "The pattern marks them to be scored.".to_owned(), Vec::new()),
     };
     Some(Finding {
         severity,
@@ -192,6 +198,7 @@ fn folds(panel: &MeshPanel<'_>) -> Option<Finding> {
             sharp.len()
         ),
         place: String::new(),
+        remedies,
     })
 }
 
@@ -219,6 +226,7 @@ fn seams(panel: &MeshPanel<'_>) -> Option<Finding> {
             if lengths.len() == 1 { "" } else { " together" }
         ),
         place: marks,
+        remedies: Vec::new(),
     })
 }
 
@@ -239,6 +247,7 @@ fn left_out(panel: &MeshPanel<'_>) -> Option<Finding> {
             if count == 1 { "was" } else { "were" }
         ),
         place: String::new(),
+        remedies: Vec::new(),
     })
 }
 
@@ -255,6 +264,7 @@ fn specks(panel: &MeshPanel<'_>) -> Option<Finding> {
             }
         ),
         place: format!("{}at {}", if parts == 1 { "" } else { "the first " }, place(first)),
+        remedies: Vec::new(),
     })
 }
 
@@ -269,5 +279,6 @@ fn contacts(panel: &MeshPanel<'_>) -> Option<Finding> {
             if count == 1 { "a point".to_owned() } else { format!("{count} points") }
         ),
         place: String::new(),
+        remedies: Vec::new(),
     })
 }

@@ -37,6 +37,7 @@ pub fn rounded_corner(name: &str, points: &[CurvePoint], closed: bool) -> Option
              round there. If that is a corner, mark it as one."
         ),
         place: format!("point {first}{others} of '{name}'"),
+        remedies: Vec::new(),
     })
 }
 
@@ -59,6 +60,7 @@ pub fn smoothed_joints(joined: &Joined) -> Option<Finding> {
             joined.deviation_mm()
         ),
         place: format!("around samples {}", places.join(", ")),
+        remedies: Vec::new(),
     })
 }
 
@@ -103,7 +105,7 @@ pub fn ran_on(
             text.push_str(" The panel bends better with straight ends.");
         }
     }
-    Finding { severity, code: "ran-on", text, place: String::new() }
+    Finding { severity, code: "ran-on", text, place: String::new(), remedies: Vec::new() }
 }
 
 /// The finding that the ends that the rails of a panel would run on to make no panel, and why, so
@@ -117,6 +119,7 @@ pub fn stayed_straight(cause: &str) -> Finding {
              panel stay straight."
         ),
         place: String::new(),
+        remedies: Vec::new(),
     }
 }
 
@@ -134,6 +137,7 @@ pub fn turned_round(joined: &Joined, names: &[String]) -> Option<Finding> {
             turned.join(", ")
         ),
         place: String::new(),
+        remedies: Vec::new(),
     })
 }
 
@@ -212,7 +216,7 @@ pub fn moved(moving: &BoundaryMoved<'_>) -> Finding {
             text.push_str(other_reason(moving.checked));
         }
     }
-    Finding { severity, code, text, place }
+    Finding { severity, code, text, place, remedies: Vec::new() }
 }
 
 /// Why nothing was moved, as the end of a sentence, and what is to be done instead where the panel

@@ -2,7 +2,7 @@
 
 use super::{Wire, fields, kinds};
 use crate::engine::shown::{Shown, ShownPanel, ShownRung};
-use sheetwright::check::{Finding, Severity, Verdict};
+use sheetwright::check::{Finding, Remedy, Severity, Verdict};
 use sheetwright::pattern::{PathKind, PatternLabel, PatternPath, Piece, Role};
 use sheetwright::rung::Rung;
 
@@ -70,12 +70,13 @@ kinds!(Role { Cut, Score, Engrave, Note });
 
 impl Wire for Finding {
     fn put(&self, out: &mut Vec<u8>) {
-        let Self { severity, code, text, place } = self;
+        let Self { severity, code, text, place, remedies } = self;
         severity.put(out);
         // What is not in the list arrives without its code, and with all its words.
         CODES.iter().position(|known| known == code).put(out);
         text.put(out);
         place.put(out);
+        remedies.put(out);
     }
 
     fn take(from: &mut &[u8]) -> Option<Self> {
@@ -85,7 +86,34 @@ impl Wire for Finding {
             Some(number) => CODES.get(number)?,
             None => "",
         };
-        Some(Self { severity, code, text: String::take(from)?, place: String::take(from)? })
+        let (text, place) = (String::take(from)?, String::take(from)?);
+        Some(Self { severity, code, text, place, remedies: Wire::take(from)? })
+    }
+}
+
+impl Wire for Remedy {
+    fn put(&self, out: &mut Vec<u8>) {
+        let (kind, count) = match self {
+            Self::Effort => (0_u8, 0),
+            Self::Darts => (1, 0),
+            Self::SplitCreases => (2, 0),
+            Self::Units => (3, 0),
+            Self::Sheets(count) => (4, *count),
+        };
+        kind.put(out);
+        count.put(out);
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        let (kind, count) = (u8::take(from)?, usize::take(from)?);
+        Some(match kind {
+            0 => Self::Effort,
+            1 => Self::Darts,
+            2 => Self::SplitCreases,
+            3 => Self::Units,
+            4 => Self::Sheets(count),
+            _ => return None,
+        })
     }
 }
 

@@ -2,7 +2,7 @@ use super::made::CODES;
 use super::*;
 use crate::engine::shown::{Shown, ShownPanel};
 use sheetwright::boundary::{Continuity, PlaneChoice, Within};
-use sheetwright::check::Finding;
+use sheetwright::check::{Finding, Remedy};
 use sheetwright::design::{CurveUse, Design, DesignPanel, Join, MovedBy, PanelShape, Vary, make};
 use sheetwright::template::{catalogue, template};
 use sheetwright::vary;
@@ -217,6 +217,13 @@ fn a_code_that_is_not_known_keeps_its_words() {
         code: "from-the-future",
         text: "something".to_owned(),
         place: "rung 7".to_owned(),
+        remedies: vec![
+            Remedy::Effort,
+            Remedy::Darts,
+            Remedy::SplitCreases,
+            Remedy::Units,
+            Remedy::Sheets(2345),
+        ],
     };
     let back: Finding = of_bytes(&bytes_of(&finding)).unwrap();
     assert_eq!(back, Finding { code: "", ..finding });
