@@ -47,14 +47,21 @@ fn folder(path: &Path) -> Failure {
     let is_there = |ending: &&&str| names.iter().any(|name| name.ends_with(**ending));
     let hint = match INPUT_ENDINGS.iter().find(is_there) {
         Some(ending) => {
-            let all = path.join(format!("*{ending}")).display().to_string();
-            format!("Name one file in it. {}", for_all(&all, ending))
+            let all = Path::new(&in_shell(path)).join(format!("*{ending}"));
+            format!("Name one file in it. {}", for_all(&all.display().to_string(), ending))
         }
         None => "Name a file: a design (.sheet.json), a curve table (.csv) or a mesh (.obj, .stl, \
                  .ply or .glb)."
             .to_owned(),
     };
     Failure::new("this is a folder", hint).at(path.display().to_string())
+}
+
+/// A path as a shell takes it: in quotation marks where a blank or the like would end it.
+fn in_shell(path: &Path) -> String {
+    let path = path.display().to_string();
+    let is_plain = |c: char| c.is_alphanumeric() || "/._-".contains(c);
+    if path.chars().all(is_plain) { path } else { format!("'{}'", path.replace('\'', r"'\''")) }
 }
 
 /// How messages name the input.

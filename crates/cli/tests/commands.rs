@@ -729,7 +729,10 @@ fn a_folder_is_answered_with_what_makes_all_in_it() {
     let wanted = "error: parts: this is a folder\nhint: Name one file in it. For all, in a shell: for f in \
                   parts/*.csv; do sheetwright make \"$f\" --out \"${f%.csv}\"; done\n";
     assert_eq!(error, wanted);
-    let (_, error) = desk.says("check parts/square.csv parts/other.csv", 2);
+    fs::rename(desk.path("parts"), desk.path("a&b's")).unwrap();
+    let (_, error) = desk.says("make a&b's --out out", 2);
+    assert!(error.contains(r"for f in 'a&b'\''s'/*.csv; do"), "{error}");
+    let (_, error) = desk.says("check a&b's/square.csv a&b's/other.csv", 2);
     assert!(
         error.contains("hint: Give one input at a time. For all, in a shell: for f in *.csv"),
         "{error}"
