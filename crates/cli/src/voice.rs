@@ -43,7 +43,7 @@ fn in_one_line(text: &str) -> String {
     text.replace('\n', "\u{fffd}") + "\n"
 }
 
-/// Writes to standard error. If nobody can hear it, there is nobody to tell.
+/// Writes to standard error. Where that fails, no stream is left to report it.
 pub(crate) fn say(text: &str) {
     let _ = io::stderr().lock().write_all(visible(text).as_bytes());
 }

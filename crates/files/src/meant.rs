@@ -155,8 +155,8 @@ pub(crate) fn parameter_hint(wanted: &str, template: &Template, others: &[&str])
     }
 }
 
-/// Parameters that the word begins or is a part of; else those that say it of themselves; else the
-/// same of the usual word for it, and of others.
+/// Parameters that the word begins or is a part of; else those whose meaning has it. Where there
+/// are none, the usual word for the thing is looked for so, then other words for it.
 fn parameters_meant(wanted: &str, template: &Template) -> Vec<&'static Parameter> {
     let usual = PARAMETER_WORDS.iter().filter(|(_, others)| others.contains(&wanted));
     let alike = usual.flat_map(|(word, others)| [*word].into_iter().chain(others.iter().copied()));

@@ -212,7 +212,7 @@ fn not_replaced(path: &Path, error: &io::Error) -> WriteError {
     if error.kind() != io::ErrorKind::PermissionDenied {
         return WriteError::of(path, error);
     }
-    let hint = "It belongs to somebody else, or another program has it open. Remove it, or choose \
+    let hint = "It belongs to another user, or another program has it open. Remove it, or choose \
                 another name or folder.";
     WriteError::new(path, "the file there may not be replaced", hint)
 }

@@ -109,7 +109,7 @@ impl PanelMethod {
 
 /// The least effort of a panel, as a multiple of the default.
 pub const LEAST_EFFORT: f64 = 0.001;
-/// The most: about an hour.
+/// The greatest effort of a panel, as a multiple of the default: up to an hour and a half.
 pub const MOST_EFFORT: f64 = 1000.0;
 
 /// A panel of a design.

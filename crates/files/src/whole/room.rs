@@ -25,7 +25,7 @@ const OLD: &str = "old-";
 const TRIES: usize = 10_000;
 
 /// What a program that is stopped has to remove: the rooms in use, and the folders made for them.
-/// Whoever creates, writes or renames files holds it.
+/// A thread holds it while it creates, writes or renames files.
 static OPEN: Mutex<Vec<Open>> = Mutex::new(Vec::new());
 
 struct Open {
@@ -49,7 +49,7 @@ pub fn give_up() {
         remove(room);
         remove_empty(created);
     }
-    // Whoever wants to write waits until the program ends.
+    // Threads that are about to write wait until the program ends.
     mem::forget(open);
 }
 
@@ -61,7 +61,7 @@ pub(super) struct Room {
 }
 
 impl Room {
-    /// A room in a folder that is there, which no one sweeps as long as it lives.
+    /// A room in a folder that is there; no sweep removes it as long as it lives.
     pub(super) fn new(hold: &mut Hold, folder: &Path) -> io::Result<Self> {
         for n in 0..TRIES {
             let path = folder.join(format!("{TEMPORARY}{}-{n}", process::id()));
@@ -152,7 +152,7 @@ fn holds_our_files_only(room: &Path) -> bool {
     fs::read_dir(room).is_ok_and(|entries| entries.flatten().all(is_ours))
 }
 
-/// A new folder that is nobody else's business.
+/// A new folder that its owner alone may enter.
 fn create(path: &Path) -> io::Result<()> {
     let mut builder = fs::DirBuilder::new();
     #[cfg(unix)]
@@ -166,7 +166,7 @@ fn locked(room: &Path) -> io::Result<File> {
     let file = File::create_new(&path)?;
     match file.try_lock() {
         Err(TryLockError::WouldBlock) => Err(io::ErrorKind::NotFound.into()),
-        // On disks without locks no one sweeps.
+        // Where a disk has no locks, no sweep removes a room.
         Ok(()) | Err(TryLockError::Error(_)) if path.exists() => Ok(file),
         _ => Err(io::ErrorKind::NotFound.into()),
     }

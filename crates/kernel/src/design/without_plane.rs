@@ -1,11 +1,11 @@
 //! Whether the plane of a panel, rather than its boundary, keeps it from bending.
 //!
 //! A surface that need not lie over the plane may pass through itself, so a panel without a plane
-//! is for whoever asks for it. Where one that costs much less does not pass through itself, that is
-//! worth a word. To know takes a search of its own, without the plane, and nothing else depends on
-//! it. So it is a question that stays open while a panel is made, and may wait until the hand rests
-//! that drags a handle. What was found when it was asked last bounds the search, as it bounds that
-//! with the plane.
+//! is for those who ask for it. Where one that costs much less does not pass through itself, that
+//! is worth a word. To know takes a search of its own, without the plane, and nothing else depends
+//! on it. So it is a question that stays open while a panel is made, and may wait until the hand
+//! rests that drags a handle. What was found when it was asked last bounds the search, as it bounds
+//! that with the plane.
 
 use super::{DesignPanel, MadePanel, MakeCause};
 use crate::boundary::{Boundary, PlaneChoice};

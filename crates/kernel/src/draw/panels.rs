@@ -8,7 +8,7 @@
 //!
 //! A new panel runs along its curve so that it faces as its neighbours do: against the way that a
 //! panel runs which has two of its points in a row too; without such a neighbour,
-//! counter-clockwise, so that it faces whoever looks at the plan. Which way the hand drew means
+//! counter-clockwise, so that it faces the eye above the plan. Which way the hand drew means
 //! nothing.
 
 use super::edit::{built, free_of};

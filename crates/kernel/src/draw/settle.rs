@@ -1,6 +1,6 @@
 //! Points that are put where there are points already.
 //!
-//! A plan shows where a point lies across it, and not how far it is lifted. Who draws on from a
+//! A plan shows where a point lies across it, and not how far it is lifted. A curve drawn on from a
 //! point that there is means that point: the new one takes its whole position in space, bit by bit,
 //! so that what meets there meets in space too, and moves together from then on.
 
@@ -13,7 +13,7 @@ use crate::math::{Point2, Point3};
 const TAKES: f64 = 0.35;
 
 /// Which of some points of space is exactly at a place of the plan that `project` makes of space;
-/// of several the one with the greatest `lift`, which whoever looks at the plan sees on top. `None`
+/// of several the one with the greatest `lift`, which lies on top as the plan is seen. `None`
 /// if there is no such point.
 pub fn point_at(
     points: impl Iterator<Item = Point3>,
