@@ -213,8 +213,9 @@ pub fn output_files(
     Ok(Outputs { files, panels, refold_error_mm: errors_mm })
 }
 
-/// The same of meshes: `refold_error_mm` is how far the outline and the holes of each pattern, read
-/// back, come from where they were laid. What was stretched does not fold up again.
+/// Makes the files of the formats that are asked for, of meshes, in memory. `refold_error_mm` is
+/// how far the outline and the holes of each pattern, read back, come from where they were laid.
+/// What was stretched does not fold up again.
 ///
 /// # Errors
 /// Panels whose names make no files.

@@ -29,8 +29,8 @@ pub fn design_from_template(name: &str, settings: &[String]) -> Result<Design, I
     called(name, settings, None).map(|new| new.design)
 }
 
-/// The same for a file that is to lie in `folder`: a setting that is a table names one in that
-/// folder or below.
+/// The design that a template draws with these settings, and its tables, for a file that is to lie
+/// in `folder`: a setting that is a table names one in that folder or below.
 ///
 /// # Errors
 /// Those of [`design_from_template`]; a table that is not there or can't be read.
@@ -361,7 +361,7 @@ mod tests {
         assert!(hint.starts_with("Did you mean 'airship'? The"), "{hint}");
     }
 
-    /// Whoever reads a table knows the units that its template lets people choose.
+    /// The reader of tables knows the units that a template lets people choose.
     #[test]
     fn units_of_tables_are_those_of_files() {
         for template in catalogue() {

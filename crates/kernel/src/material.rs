@@ -34,7 +34,8 @@ pub const DEFAULT_WARP_LIMIT_DEG: f64 = 6.0;
 /// as [`crate::tolerance::Tolerance::MOST_STRETCH`].
 pub const DEFAULT_STRETCH_LIMIT: f64 = 1e-3;
 
-/// The same for leather, cloth and soft plastic, which stretch a few per cent. Assumed.
+/// By which share leather, cloth and soft plastic are stretched within their plane at most, a few
+/// per cent. Assumed.
 const SOFT_STRETCH_LIMIT: f64 = 0.02;
 
 /// A sheet that is bent to no less than this many thicknesses is taken to break when it is folded:

@@ -67,8 +67,9 @@ pub fn first_crossing(polygon: &[Point2]) -> Option<(usize, usize)> {
     first_crossing_of_loops(polygon, std::slice::from_ref(&(0..polygon.len())))
 }
 
-/// The same for the edges of several closed polygons together, whose corners follow one another in
-/// `points`; those of each are the numbers in one of `loops`.
+/// The first pair of edges of several closed polygons together, in order, that touch without being
+/// neighbours, or that are neighbours folded back on one another; `None` if there is none. The
+/// corners follow one another in `points`; those of each polygon are the numbers in one of `loops`.
 pub fn first_crossing_of_loops(
     points: &[Point2],
     loops: &[Range<usize>],

@@ -31,8 +31,9 @@ impl Tolerance {
     /// Lengths are changed by no more than this share to close a cut: a tenth of a millimetre in a
     /// metre is less than any shop cuts to. (Those windows need 2e-6 and 5e-9.)
     pub const STRETCH: Self = Self(1e-4);
-    /// The same where the pattern would else overlap itself, so that it can't be cut at all: a
-    /// millimetre in a metre is what sheet stretches without being bent out of shape.
+    /// Lengths are changed by up to this share to close a cut where the pattern would else overlap
+    /// itself, so that it can't be cut at all: a millimetre in a metre is what sheet stretches
+    /// without being bent out of shape.
     pub const MOST_STRETCH: Self = Self(1e-3);
 
     /// A tolerance of `share` of the size; `None` unless it is positive and finite.

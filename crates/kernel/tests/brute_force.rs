@@ -106,7 +106,8 @@ impl Loop {
         self.least_and_forced(admits).map(|(price, _)| price)
     }
 
-    /// The same, and whether rungs without tangent planes had to be admitted.
+    /// The least price of all triangulations for which `admits` holds, and whether rungs without
+    /// tangent planes had to be admitted.
     fn least_and_forced(&self, admits: impl Fn(&Triangles) -> bool) -> Option<(f64, bool)> {
         let all = &all_triangulations()[self.prices.len()];
         let priced: Vec<(f64, usize)> =
@@ -162,7 +163,7 @@ impl Loop {
         least[0][m - 1]
     }
 
-    /// The same loop without its rungs above a twist.
+    /// This loop without its rungs above a twist.
     fn barred(mut self, bar: f64) -> Self {
         for side in self.sides.iter_mut().flatten() {
             if matches!(side, Side::Rung(twist, _) if *twist > bar) {

@@ -267,7 +267,7 @@ fn what_is_no_sheet_is_refused() {
     assert_eq!(plain(&here, &polygon(&square(5.0, 0.0))).unwrap_err(), JoinCause::Apart);
     assert_eq!(plain(&here, &here).unwrap_err(), JoinCause::Closed);
     assert_eq!(together(std::slice::from_ref(&here)).unwrap_err(), JoinCause::TooFew);
-    // The same side with and without a sample on it.
+    // Two parts share a side; only the finer has a sample on it.
     let finer = polygon(&[[1., 0., 0.], [2., 0., 0.], [2., 1., 0.], [1., 1., 0.], [1., 0.5, 0.]]);
     assert_eq!(plain(&here, &finer).unwrap_err(), JoinCause::LooseSamples { count: 2 });
     let bad = JoinOptions { within: Within::Mm(-1.0), ..JoinOptions::default() };

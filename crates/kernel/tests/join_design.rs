@@ -88,8 +88,8 @@ fn two_parts_of_a_cylinder_cost_what_the_whole_costs() {
     let [joined, whole] = &panels[..] else { panic!() };
     assert_eq!(joined.boundary.len(), 132);
     assert_eq!(joined.checked.verdict, Verdict::Bends);
-    // The same samples, from another one on. (An odd number would fall to one of two sides that
-    // are as long, and to which depends on where the loop begins.)
+    // Both have the samples of one loop, from another one on. (An odd number would fall to one of
+    // two sides that are as long, and to which depends on where the loop begins.)
     let mut samples = joined.boundary.samples().to_vec();
     let start = whole.boundary.samples()[0].position;
     let first = samples.iter().position(|s| s.position == start).unwrap();

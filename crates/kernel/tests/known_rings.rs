@@ -135,8 +135,9 @@ fn flat_error(shape: &Pierced, solved: &Solved) -> f64 {
     largest_distance_after_fitting(&flat, &development) / solved.sampled.boundary.size()
 }
 
-/// The same of the pattern as it is made, cut open where it must be. Which turn a sample is
-/// developed in is found by walking from triangle to triangle, not across cuts.
+/// The largest distance between the pattern as it is made, cut open where it must be, and the
+/// development, as a share of the size of the surface. Which turn a sample is developed in is found
+/// by walking from triangle to triangle, not across cuts.
 fn pattern_error(shape: &Pierced, solved: &Solved) -> f64 {
     let (sheet, flat) = lay_flat(&solved.surface, &[], &mut Unwatched).unwrap();
     assert_eq!(flat.overlap, None, "{}", shape.name);

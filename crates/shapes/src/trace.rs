@@ -26,7 +26,8 @@ impl Trace<'_> {
         unit((at(1.0) - at(-1.0)) * 8.0 - (at(2.0) - at(-2.0))).unwrap_or(Vec3::ZERO)
     }
 
-    /// The same at an end of the stretch, where `inwards` is 1 at its beginning and −1 at its end.
+    /// Unit tangent at the end `t` of a stretch, a one-sided difference quotient of fourth order:
+    /// `inwards` is 1 at its beginning and −1 at its end.
     fn tangent_at_end(&self, t: f64, from: f64, to: f64, inwards: f64) -> Vec3 {
         let h = 1e-4 * (to - from) * inwards;
         let at = |n: f64| (self.point)(t + n * h).to_vec();

@@ -117,7 +117,7 @@ fn file_beside(
                     with / between folders.";
         error(message, hint)
     };
-    // The same paths are refused on every system, so that a design means the same on each.
+    // Every system refuses these paths, so that a design means the same on each.
     let parts = || table.split('/');
     let odd = |c: char| c.is_control() || c == '\\' || c == ':';
     if table.contains(odd) || parts().any(|part| part.is_empty() || part == "..") {

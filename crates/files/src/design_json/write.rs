@@ -16,13 +16,14 @@ pub fn write_design(design: &Design) -> Vec<u8> {
     write_with(design, None)
 }
 
-/// The same with how it is drawn, where that is not as usual.
+/// A design as the bytes of its file, in millimetres, with how it is drawn where that is not as
+/// usual.
 pub(super) fn write_with(design: &Design, drawing: Option<&DrawingFile>) -> Vec<u8> {
     write(design, drawing, Units::Millimetres, curve)
 }
 
-/// The same with the points of all curves left where they are: in a table beside the design, in
-/// these units.
+/// A design as the bytes of its file, the points of all curves left in a table beside it, in these
+/// units.
 pub(crate) fn write_design_of_table(design: &Design, table: &str, units: Units) -> Vec<u8> {
     write(design, None, units, |curve| {
         format!(

@@ -203,8 +203,8 @@ impl Boundary {
         Ok(boundary)
     }
 
-    /// The same boundary with one hole, counted from 1, run the other way round. Its first sample
-    /// stays the first.
+    /// This boundary with one hole, counted from 1, run the other way round. The hole's first
+    /// sample stays its first.
     ///
     /// # Panics
     /// If there is no such hole.
@@ -235,7 +235,7 @@ impl Boundary {
         }))
     }
 
-    /// The same loops with other samples, as many; not validated.
+    /// A boundary with these loops and as many other samples; not validated.
     pub(crate) fn with_samples(&self, samples: Vec<Sample>) -> Self {
         debug_assert_eq!(samples.len(), self.samples.len());
         let size = size_of(samples.iter().map(|s| s.position));

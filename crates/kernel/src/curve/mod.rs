@@ -203,7 +203,7 @@ impl Curve {
         (span, (u - span as f64).clamp(0.0, 1.0))
     }
 
-    /// The same curve, run from its end to its beginning.
+    /// This curve, run from its end to its beginning.
     pub fn reversed(&self) -> Self {
         let spans: Vec<Cubic> = self.spans.iter().rev().map(Cubic::reversed).collect();
         // The corner before a reversed span is the one after the span as it was.

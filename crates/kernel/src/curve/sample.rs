@@ -188,8 +188,9 @@ pub fn sample_open(curve: &Curve, count: usize) -> Result<Vec<Sample>, SampleErr
     open_placed(curve, count, None).map(Placed::samples)
 }
 
-/// The same with the places of the samples; the number of the curve is 0. Where `divisions` are
-/// given, one entry for each stretch between corners, there are as many samples as that makes.
+/// `count` samples of an open curve with their places on it, both ends among them; the number of
+/// the curve is 0. Where `divisions` are given, one entry for each stretch between corners, there
+/// are as many samples as that makes.
 ///
 /// # Errors
 /// As those of [`sample_open`].
@@ -226,9 +227,9 @@ pub fn sample_chain(curves: &[Curve], count: usize) -> Result<Vec<Sample>, Sampl
     chain_placed(curves, count, &[]).map(Placed::samples)
 }
 
-/// The same with the places of the samples. Curves that `divisions` has a list for get that many
-/// divisions, one entry for each of their stretches between corners; they count among the samples,
-/// of which there are more where it takes them.
+/// `count` samples, with their places, of the closed loop that [`sample_chain`] describes. Curves
+/// that `divisions` has a list for get that many divisions, one entry for each of their stretches
+/// between corners; they count among the samples, of which there are more where it takes them.
 ///
 /// # Errors
 /// As those of [`sample_chain`].

@@ -230,8 +230,8 @@ impl Live {
         changed
     }
 
-    /// The same as [`Self::follow`], and then [`Self::settle`]. Returns the numbers of the panels
-    /// that either changed, in increasing order.
+    /// Calls [`Self::follow`], then [`Self::settle`]. Returns the numbers of the panels that either
+    /// changed, in increasing order.
     pub fn update(&mut self, design: Design, watch: &mut dyn Watch) -> Vec<usize> {
         let mut changed = self.follow(design, watch);
         changed.extend(self.settle(watch));

@@ -465,7 +465,7 @@ pub(super) fn apart(first: &[Sample], second: &[Sample]) -> f64 {
     (0..count).map(|n| at(first, n).distance(at(second, n))).sum()
 }
 
-/// The same rail, from its end to its beginning.
+/// A rail run from its end to its beginning.
 pub(super) fn run_back(rail: &[Sample]) -> Vec<Sample> {
     rail.iter().rev().map(|s| Sourced::from_nowhere(*s).back().sample).collect()
 }

@@ -172,7 +172,7 @@ impl Shift {
 pub(super) struct VariedDesign {
     /// As it was given, but with matched seams and nothing to move.
     pub(super) before: Design,
-    /// The same with its points moved.
+    /// `before` with its points moved.
     pub(super) after: Design,
     /// How the panels were moved that were to be, by name.
     pub(super) shifts: BTreeMap<String, Shift>,

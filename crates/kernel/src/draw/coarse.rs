@@ -1,4 +1,4 @@
-//! The same design with fewer samples, for a picture that keeps up with the hand.
+//! A design with fewer samples, for a picture that keeps up with the hand.
 
 use super::edit::built;
 use crate::curve::Curve;

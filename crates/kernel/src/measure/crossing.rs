@@ -154,7 +154,7 @@ impl Triangle {
         self.certain_side(p).unwrap_or_else(|| orientation3(a, b, c, p))
     }
 
-    /// The same; `None` where rounding leaves it open.
+    /// On which side of its plane a point lies; `None` where rounding leaves it open.
     fn certain_side(&self, p: Point3) -> Option<Ordering> {
         self.plane.certain_side(p - self.corners[0])
     }
@@ -189,8 +189,8 @@ fn cross(t: &Triangle, u: &Triangle) -> bool {
     !are_apart && cross_by_sides(t, u)
 }
 
-/// The same by the sides of planes alone, on which the corners lie, and the sides that lead through
-/// them.
+/// Whether two triangles cross, by the sides of planes alone, on which the corners lie, and the
+/// sides that lead through them.
 fn cross_by_sides(t: &Triangle, u: &Triangle) -> bool {
     if !(t.has_area && u.has_area) {
         return false;
@@ -371,7 +371,7 @@ mod tests {
     #[test]
     fn what_is_simple_as_seen_crosses_nowhere() {
         let mut random = random();
-        // The same turned about, so that no axis is near to where it is seen from.
+        // Turns the surfaces about, so that no axis is near to where they are seen from.
         let turned = Frame::with_normal(p(50., -20., 30.), Vec3::new(0.5, 0.6, 0.7)).unwrap();
         let (mut found, mut found_along) = ([[0; 2]; 2], [0; 2]);
         for _ in 0..6000 {

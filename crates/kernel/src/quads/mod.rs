@@ -58,8 +58,8 @@ pub struct Vertex {
 pub struct Cell {
     /// Its vertices, counter-clockwise as seen from the side that the surface faces.
     pub corners: Vec<usize>,
-    /// The same area in quads, and triangles where there must be; itself where it has no more than
-    /// four corners.
+    /// The quads that divide the cell, and triangles where there must be; the cell itself where it
+    /// has no more than four corners.
     pub faces: Vec<Vec<usize>>,
 }
 
@@ -103,7 +103,8 @@ impl QuadMesh {
         self.gap_of_moved_mm(outline, i, |_| 0.0)
     }
 
-    /// The same where the vertices have moved along the outline.
+    /// How far it is along the outline from vertex `i` to the one behind it, mm, where each vertex
+    /// has moved along it by `moved`, mm.
     fn gap_of_moved_mm(&self, outline: &Outline, i: usize, moved: impl Fn(usize) -> f64) -> f64 {
         let next = self.next(i);
         let round = if next <= i { outline.length(self.vertices[i].of_loop) } else { 0.0 };

@@ -81,7 +81,7 @@ pub struct Planar {
     pub end: PlanarEnd,
     /// The largest distance between the diagonals of a quad before, mm.
     pub uneven_before_mm: f64,
-    /// The same after, mm.
+    /// The largest distance between the diagonals of a quad after, mm.
     pub uneven_after_mm: f64,
     /// The largest distance between where a vertex was and where it is, mm.
     pub moved_max_mm: f64,

@@ -67,7 +67,7 @@ impl Limit {
         }
     }
 
-    /// The same limit, `factor` times as wide.
+    /// This limit, `factor` times as wide.
     pub(super) fn scaled(&self, factor: f64) -> Self {
         let scaled = |radii: &[f64]| radii.iter().map(|r| r * factor).collect();
         match self {

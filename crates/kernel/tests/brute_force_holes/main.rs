@@ -144,8 +144,8 @@ impl<'a> Domain<'a> {
         }
     }
 
-    /// The same by searching, for domains with too many triangulations to list; only for those not
-    /// dearer than `bound`.
+    /// The least price of all triangulations not dearer than `bound`, and whether rungs without
+    /// tangent planes have to be admitted, by searching: for domains with too many to list.
     fn least_by_search(&self, bound: f64) -> Option<(f64, bool)> {
         [false, true].into_iter().find_map(|forced| {
             let costs = self.costs(forced);

@@ -98,7 +98,7 @@ impl Unknowns {
         Self { curves, count }
     }
 
-    /// The same unknowns where they have moved the design.
+    /// These unknowns for `design`, whose points they have moved: its curves are drawn anew.
     pub(super) fn drawn_anew(&self, design: &Design, panels: &[Prepared]) -> Self {
         let sources = || panels.iter().flat_map(|panel| &panel.sources);
         let anew = |(&number, curve): (&usize, &MovingCurve)| {
@@ -245,7 +245,7 @@ impl MovingCurve {
         Self { curve: drawn, spans, points, unknown, move_mm, most_shares }
     }
 
-    /// The same shares in the unknowns; points that stay have none.
+    /// Shares of the unknowns, from those of the points; points that stay have none.
     fn shares(&self, of_points: &[PointShare]) -> Vec<Share> {
         let mut by_unknown: BTreeMap<usize, f64> = BTreeMap::new();
         for share in of_points {

@@ -273,7 +273,7 @@ impl Run<'_> {
             if stiff < stiffest {
                 if stuck || change <= SETTLED * rest_before {
                     stiff *= STIFFENING;
-                    // The same pulls from stiffer springs.
+                    // Shifts shrink as springs stiffen, so that the pulls stay what they were.
                     shifts.iter_mut().for_each(|shift| *shift /= STIFFENING);
                 }
                 continue;

@@ -73,8 +73,8 @@ pub enum Ended {
     True,
     /// What was to be small is as small as steps make it.
     Least,
-    /// The same, but a triangle is squeezed to a hundredth of its area, which no step goes beyond:
-    /// the surface wants to be cut open.
+    /// What was to be small is as small as steps make it, but a triangle is squeezed to a hundredth
+    /// of its area, which no step goes beyond: the surface wants to be cut open.
     Squeezed,
     /// No steps were left.
     OutOfSteps,
@@ -173,7 +173,8 @@ pub fn relax(
     relax_lengths(mesh.topology(), &mesh.lengths(), options, watch)
 }
 
-/// The same, given the lengths of the sides, mm, in the order of [`Topology::edges`].
+/// Lays a mesh of one piece flat from the lengths of its sides, mm, in the order of
+/// [`Topology::edges`]. Holes stay open.
 ///
 /// # Errors
 /// See [`RelaxError`].

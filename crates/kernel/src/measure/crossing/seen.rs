@@ -35,7 +35,8 @@ pub(super) fn is_simple_as_seen(surface: &Surface) -> bool {
     is_simple_along_axis(surface, area_vector) || is_simple_along(surface, area_vector)
 }
 
-/// The same as seen along the axis nearest to a direction. Exact.
+/// Whether, seen along the axis nearest to a direction, all triangles turn the same way and the
+/// boundary is a simple polygon. Exact.
 pub(super) fn is_simple_along_axis(surface: &Surface, direction: Vec3) -> bool {
     let flat = seen_along(direction);
     let seen: Vec<Point2> = surface.positions().iter().map(|&p| flat(p)).collect();
@@ -43,7 +44,8 @@ pub(super) fn is_simple_along_axis(surface: &Surface, direction: Vec3) -> bool {
     all_turn_alike(surface, exact) && first_crossing(&seen).is_none()
 }
 
-/// The same as seen along a direction; `false` as well where rounding leaves it open.
+/// Whether, seen along a direction, all triangles turn the same way and the boundary is a simple
+/// polygon; `false` as well where rounding leaves it open.
 pub(super) fn is_simple_along(surface: &Surface, direction: Vec3) -> bool {
     let positions = surface.positions();
     let certain =
