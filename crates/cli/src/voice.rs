@@ -84,8 +84,9 @@ pub(crate) fn in_words(names: &[&str], panels: &[Checked]) -> String {
                 "" => String::new(),
                 place => format!(" ({place})"),
             };
-            let said = with_options(&finding.text, finding.remedies.iter().copied());
-            text.push_str(&format!("  {}: {said}{place}\n", finding.severity.name()));
+            let said = format!("  {}: {}{place}", finding.severity.name(), finding.text);
+            text.push_str(&with_options(&said, finding.remedies.iter().copied()));
+            text.push('\n');
         }
     }
     text

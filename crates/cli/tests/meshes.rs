@@ -114,7 +114,7 @@ fn options_that_help_are_named_by_the_command_and_not_on_the_page() {
         f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";
     fs::write(desk.join("tip.obj"), pyramid).unwrap();
     let (said, _) = says(&desk, "make tip.obj --out out --formats report", 1);
-    let options = "sheet that stretches more. --darts cuts it there. --split-creases 30 divides";
+    let options = "(at (-25.0, -25.0, 40.0) mm) --darts cuts it there. --split-creases 30 divides";
     assert!(said.contains(options), "{said}");
     for name in ["report.html", "report.json"] {
         let page = fs::read_to_string(desk.join("out").join(name)).unwrap();
