@@ -102,44 +102,68 @@ fn the_view_keeps_everything_in_sight_until_it_is_moved() {
     assert!((width(&harness) - before).abs() < 0.5);
 }
 
+/// Dimensions cover no piece and no other dimension; how many there are.
+fn measured(harness: &Harness<'_, Window>, size: Vec2) -> usize {
+    let unit = format!(" {}", harness.state().document.drawing.units.name());
+    let text = |clipped: &eframe::egui::epaint::ClippedShape| match &clipped.shape {
+        Shape::Text(text) if text.galley.text().ends_with(&unit) => {
+            Some(text.visual_bounding_rect())
+        }
+        _ => None,
+    };
+    let texts: Vec<Rect> = harness.output().shapes.iter().filter_map(text).collect();
+    let pieces = boxes(harness);
+    for (n, text) in texts.iter().enumerate() {
+        assert!(!pieces.iter().any(|piece| piece.intersects(*text)), "{text} {pieces:?} {size}");
+        assert!(!texts[..n].iter().any(|other| other.intersects(*text)), "{text} {size}");
+    }
+    texts.len()
+}
+
 #[test]
 fn dimensions_cover_no_piece_and_no_other_dimension() {
-    let mut measured = 0;
-    for design in [template("dinghy"), example("ubc-fishing-vessel.sheet.json"), template("cone")] {
-        for size in [SIZE, vec2(497.0, 258.0), vec2(900.0, 200.0), vec2(320.0, 500.0)] {
-            let design = design.clone();
-            let mut harness = Harness::builder()
-                .with_size(size)
-                .with_max_steps(60)
-                .build_eframe(|_| Window::new(Pane::Pattern(PatternPane::new()), design));
+    let mut count = 0;
+    for design in [
+        template("dinghy"),
+        example("ubc-fishing-vessel.sheet.json"),
+        template("cone"),
+        template("lampshade"),
+        example("hat.sheet.json"),
+    ] {
+        let mut harness = window_of(SIZE, design);
+        let sizes = (0..24).map(|n| vec2(260.0 + 20.0 * n as f32, 258.0));
+        let others = [vec2(497.0, 258.0), vec2(900.0, 200.0), vec2(320.0, 500.0)];
+        for size in sizes.chain(others) {
+            harness.set_size(size);
             harness.run();
-            let state = harness.state();
-            let unit = format!(" {}", state.document.drawing.units.name());
-            let texts: Vec<Rect> = harness
-                .output()
-                .shapes
-                .iter()
-                .filter_map(|clipped| match &clipped.shape {
-                    Shape::Text(text) if text.galley.text().ends_with(&unit) => {
-                        Some(text.visual_bounding_rect())
-                    }
-                    _ => None,
-                })
-                .collect();
-            let pieces: Vec<Rect> = state
-                .panels
-                .iter()
-                .map(|panel| harness.get_by_label_contains(&format!("{}, ", panel.name)).rect())
-                .collect();
-            for (n, text) in texts.iter().enumerate() {
-                assert!(Rect::from_min_size(Pos2::ZERO, size).contains_rect(*text), "{text}");
-                assert!(!pieces.iter().any(|piece| piece.intersects(*text)), "{text} {pieces:?}");
-                assert!(!texts[..n].iter().any(|other| other.intersects(*text)), "{text}");
-            }
-            measured += texts.len();
+            count += measured(&harness, size);
+        }
+        // Nor when the hand looks more closely, or from farther away.
+        harness.get_by_label("Flat pattern").focus();
+        harness.run();
+        for key in [Key::Plus; 6].into_iter().chain([Key::Minus; 12]) {
+            harness.key_press(key);
+            harness.run();
+            measured(&harness, Vec2::ZERO);
         }
     }
-    assert!(measured > 20, "{measured}");
+    assert!(count > 100, "{count}");
+}
+
+#[test]
+fn parts_are_as_large_as_they_fit() {
+    // How much of its width the pane shows of the longest plank of a hull, and of a part of a dome.
+    for (design, size, least) in [
+        (example("ubc-fishing-vessel.sheet.json"), vec2(497.0, 258.0), 300.0),
+        (template("dinghy"), vec2(497.0, 258.0), 220.0),
+    ] {
+        let harness = window_of(size, design);
+        let all = boxes(&harness);
+        let longest = all.iter().map(|b| b.size().max_elem()).fold(0.0, f32::max);
+        let pane = Rect::from_min_size(Pos2::ZERO, size);
+        assert!(all.iter().all(|b| pane.contains_rect(*b)), "{all:?}");
+        assert!(longest > least, "{longest}");
+    }
 }
 
 #[test]

@@ -1,20 +1,19 @@
 //! Which parts there are, and where each lies on the paper.
 //!
 //! Panels whose pieces are the same part, maybe turned over, are one part that stands once (`gore
-//! ×12`). Parts lie in shelves, the highest first, each in the first shelf with room for it; all
-//! lie along the pane or all stand across it, whichever shows them larger. Texts have the same size
-//! however large parts are shown, so the scale is searched for: the largest at which parts and
-//! texts fit into the pane. Where many parts would be small for their names, the names are left
-//! out.
+//! ×12`). All parts lie along the pane or all stand across it, with their dimensions or without,
+//! with their names or without: whichever shows them largest, by a margin for each thing that is
+//! left out. [`pack`](super::pack) finds the scale.
 //!
 //! What is arranged stays, with each part about the middle of its place, while a hand changes its
 //! shape.
 
+use super::pack::{CLEAR, Cell, Packed, largest};
 use super::view::{Placed, View};
 use crate::scene::Scene;
-use eframe::egui::{Pos2, Vec2, pos2, vec2};
+use eframe::egui::{Pos2, Vec2, vec2};
 use sheetwright::draw::alike::alike;
-use sheetwright::math::{Point2, Vec2 as Way};
+use sheetwright::math::{Point2, Vec2 as Size};
 
 /// Pieces this near to one another in every corner are the same part, mm; less for small ones, as a
 /// share of their size.
@@ -22,16 +21,21 @@ const ALIKE_MM: f64 = 0.05;
 const ALIKE_SHARE: f64 = 1e-4;
 /// The room around parts and their texts, points.
 const ROOM: f32 = 14.0;
-/// The room between parts, points.
-const CLEAR: f32 = 12.0;
 /// The height of a name above its part.
 pub(super) const NAME: f32 = 20.0;
+/// The longer side of a part that is shown with its dimensions, points.
+const LEAST_MEASURED: f32 = 72.0;
 /// Parts stand where that shows them larger by this factor: else they lie as in files.
 const STANDS: f64 = 1.25;
-/// Names are left out where parts are larger by this factor without them.
+/// Dimensions are left out where parts are larger by this factor without them.
+const BARE: f64 = 1.5;
+/// Names, too, where parts are larger by this factor without either.
 const NAMELESS: f64 = 2.0;
-/// Steps of the search for the scale: to a thousandth.
-const STEPS: usize = 22;
+/// A scale this much smaller than the largest possible is not tried: only texts are left there.
+const LEAST: f64 = 1e-4;
+/// Where parts without texts don't fit, the paper is looked at from twice as far, at the most so
+/// often.
+const FARTHER: i32 = 12;
 
 /// Panels whose pieces are one part.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,7 +43,7 @@ pub(super) struct Part {
     /// The panels, by their numbers.
     pub(super) members: Vec<usize>,
     /// Width and height of the piece as files have it, mm.
-    size: Way,
+    size: Size,
 }
 
 /// How much room the texts of a part take, points.
@@ -50,11 +54,33 @@ pub(super) struct Texts {
     pub(super) dimension: Vec2,
 }
 
-/// What is left free about a part for its dimensions, points.
+/// Room about a part for its dimensions, points.
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Takes {
     pub(super) left: f32,
     pub(super) right: f32,
     pub(super) below: f32,
+}
+
+impl Takes {
+    /// Whether there is so much room.
+    pub(super) fn fits_into(self, free: Self) -> bool {
+        self.left <= free.left && self.right <= free.right && self.below <= free.below
+    }
+
+    /// With half of what is between parts, which belongs to either.
+    fn with_clear(self) -> Self {
+        self.each(|taken| taken + 0.5 * CLEAR)
+    }
+
+    /// As it is seen from nearer or farther.
+    fn scaled(self, by: f64) -> Self {
+        self.each(|taken| taken * by as f32)
+    }
+
+    fn each(self, of: impl Fn(f32) -> f32) -> Self {
+        Self { left: of(self.left), right: of(self.right), below: of(self.below) }
+    }
 }
 
 /// The parts of all panels that were made, in the order of their first.
@@ -126,6 +152,8 @@ pub(super) struct ShownPart {
     pub(super) members: Vec<usize>,
     /// What it is called.
     pub(super) name: String,
+    /// What is free about it as it is looked at now, for its dimensions.
+    pub(super) free: Takes,
 }
 
 /// The place of a part.
@@ -138,6 +166,9 @@ struct Slot {
     middle: Point2,
     /// Whether it stands: turned by a right angle.
     turned: bool,
+    /// What is free about it for its dimensions: more than they take, where it was arranged to be
+    /// shown with them. Points, as it was arranged.
+    free: Takes,
 }
 
 impl Arrangement {
@@ -154,25 +185,19 @@ impl Arrangement {
         }
         let texts: Vec<Texts> = parts.iter().map(|part| texts(&part.members)).collect();
         let room = (room - Vec2::splat(2.0 * ROOM)).max(Vec2::splat(40.0));
-        let best = |is_named: bool| {
-            let cells =
-                |turned: bool| Cells { parts: &parts, texts: &texts, takes, turned, is_named };
-            let [lying, standing] = [false, true].map(|turned| largest(&cells(turned), room));
-            if standing.0 > STANDS * lying.0 { (standing, true) } else { (lying, false) }
-        };
-        let (named, nameless) = (best(true), best(false));
-        let is_named = nameless.0.0 < NAMELESS * named.0.0;
-        let ((scale, shelves), turned) = if is_named { named } else { nameless };
+        let Some(best) = best(&parts, &texts, takes, room) else { return Self::default() };
+        let Best { cells, scale, packed, zoom } = best;
         let mm = |at: Pos2| Point2::new(f64::from(at.x) / scale, -f64::from(at.y) / scale);
-        let slots = parts.iter().zip(&shelves.middles).map(|(part, &middle)| Slot {
+        let slots = parts.iter().enumerate().map(|(n, part)| Slot {
             members: part.members.clone(),
             areas: part.members.iter().map(|&n| area(scene, n)).collect(),
-            middle: mm(middle),
-            turned,
+            middle: mm(packed.middles[n]),
+            turned: cells.way.turned,
+            free: cells.takes(n, scale).with_clear().scaled(zoom),
         });
-        let middle = mm((0.5 * shelves.size).to_pos2());
-        let view = View { middle, mm_per_point: 1.0 / scale };
-        Self { slots: slots.collect(), view, is_named }
+        let middle = mm((0.5 * packed.size).to_pos2());
+        let view = View { middle, mm_per_point: 1.0 / (zoom * scale) };
+        Self { slots: slots.collect(), view, is_named: cells.way.is_named }
     }
 
     /// Whether it is one of the panels that were made now.
@@ -194,7 +219,13 @@ impl Arrangement {
 
     /// Every part with the panel that stands for it: one that has changed since it was arranged,
     /// else the one that is selected or that twists most of all, else the first.
-    pub(super) fn shown(&self, scene: &Scene<'_>, worst: Option<usize>) -> Vec<ShownPart> {
+    pub(super) fn shown(
+        &self,
+        scene: &Scene<'_>,
+        worst: Option<usize>,
+        view: &View,
+    ) -> Vec<ShownPart> {
+        let zoom = self.view.mm_per_point / view.mm_per_point;
         let place = |slot: &Slot| {
             let changed = slot.members.iter().zip(&slot.areas).map(|(&n, &was)| {
                 let now = area(scene, n);
@@ -211,7 +242,8 @@ impl Arrangement {
                 None => name(scene, &slot.members),
             };
             let placed = Placed::about(slot.middle, panel, size, slot.turned);
-            Some(ShownPart { placed, members: slot.members.clone(), name })
+            let free = slot.free.scaled(zoom);
+            Some(ShownPart { placed, members: slot.members.clone(), name, free })
         };
         self.slots.iter().filter_map(place).collect()
     }
@@ -224,96 +256,119 @@ fn area(scene: &Scene<'_>, panel: usize) -> f64 {
     scene.panels[panel].made.as_ref().map_or(0.0, |shown| shown.area_flat_mm2)
 }
 
-/// What is to be packed, for any scale.
+/// What parts are shown with, and how they lie.
+#[derive(Clone, Copy, Debug)]
+struct Way {
+    turned: bool,
+    is_measured: bool,
+    is_named: bool,
+    /// Parts have to be larger by this factor than with everything, lying.
+    by: f64,
+}
+
+/// All ways, the plainest last: a later one has to show parts larger.
+fn ways() -> impl Iterator<Item = Way> {
+    let kinds = [(true, true, 1.0), (false, true, BARE), (false, false, NAMELESS)];
+    kinds.into_iter().flat_map(|(is_measured, is_named, by)| {
+        let way = |turned, by| Way { turned, is_measured, is_named, by };
+        [way(false, by), way(true, STANDS * by)]
+    })
+}
+
+/// Parts and what there is to know of their texts, to be packed in a way at any scale, points for a
+/// millimetre.
 struct Cells<'a> {
     parts: &'a [Part],
     texts: &'a [Texts],
     takes: fn(Vec2, &Texts) -> Takes,
-    turned: bool,
-    is_named: bool,
+    way: Way,
 }
 
 impl Cells<'_> {
-    /// A part with its texts at a scale, points for a millimetre: how large it is, and where the
-    /// middle of the part lies in it.
-    fn cell(&self, n: usize, scale: f64) -> (Vec2, Vec2) {
-        let of = self.parts[n].size * scale;
-        let of = if self.turned {
-            vec2(of.y as f32, of.x as f32)
-        } else {
-            vec2(of.x as f32, of.y as f32)
-        };
-        let takes = (self.takes)(of, &self.texts[n]);
-        let (above, least) = if self.is_named { (NAME, self.texts[n].name) } else { (0.0, 0.0) };
+    /// The size of a part, mm.
+    fn size_mm(&self, n: usize) -> Size {
+        let Size { x, y } = self.parts[n].size;
+        if self.way.turned { Size::new(y, x) } else { Size::new(x, y) }
+    }
+
+    fn size(&self, n: usize, scale: f64) -> Vec2 {
+        let size = self.size_mm(n) * scale;
+        vec2(size.x as f32, size.y as f32)
+    }
+
+    /// The room for the dimensions of a part.
+    fn takes(&self, n: usize, scale: f64) -> Takes {
+        let of = self.size(n, scale);
+        let is_measured = self.way.is_measured && of.max_elem() >= LEAST_MEASURED;
+        if is_measured { (self.takes)(of, &self.texts[n]) } else { Takes::default() }
+    }
+
+    fn cell(&self, n: usize, scale: f64) -> Cell {
+        let of = self.size(n, scale);
+        let takes = self.takes(n, scale);
+        let (above, least) =
+            if self.way.is_named { (NAME, self.texts[n].name) } else { (0.0, 0.0) };
         let wide = takes.left + of.x + takes.right;
         let size = vec2(wide.max(takes.left + least), above + of.y + takes.below);
-        (size, vec2(takes.left + 0.5 * of.x, above + 0.5 * of.y))
+        Cell { size, middle: vec2(takes.left + 0.5 * of.x, above + 0.5 * of.y) }
+    }
+
+    /// The scale at which the largest part alone fills the room.
+    fn most(&self, room: Vec2) -> f64 {
+        let fits = |n: usize| {
+            let size = self.size_mm(n).max(Size::splat(1e-9));
+            (f64::from(room.x) / size.x).min(f64::from(room.y) / size.y)
+        };
+        (0..self.parts.len()).map(fits).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The largest scale above `least` times the largest possible at which all fit.
+    fn largest(&self, room: Vec2, least: f64) -> Option<(f64, Packed)> {
+        let most = self.most(room);
+        let cells = |scale| (0..self.parts.len()).map(|n| self.cell(n, scale)).collect();
+        largest(cells, room, least.max(LEAST * most), most)
     }
 }
 
-/// Where the middles of parts lie, and the box around all, points.
-struct Shelves {
-    middles: Vec<Pos2>,
-    size: Vec2,
+/// How parts are shown best, points.
+struct Best<'a> {
+    cells: Cells<'a>,
+    scale: f64,
+    packed: Packed,
+    /// How much smaller that is shown: 1, or less where the room is too small for so many.
+    zoom: f64,
 }
 
-/// The largest scale at which all fit into the room, nearly, and how they lie there.
-fn largest(cells: &Cells<'_>, room: Vec2) -> (f64, Shelves) {
-    let size =
-        |part: &Part| if cells.turned { Way::new(part.size.y, part.size.x) } else { part.size };
-    let fits = |part: &Part| {
-        let size = size(part).max(Way::splat(1e-9));
-        (f64::from(room.x) / size.x).min(f64::from(room.y) / size.y)
-    };
-    // Between these, as powers: no part alone is larger, and with none smaller are there only
-    // texts.
-    let most = cells.parts.iter().map(fits).fold(f64::INFINITY, f64::min);
-    let (mut low, mut high) = (1e-4 * most, most);
-    for _ in 0..STEPS {
-        let scale = (low * high).sqrt();
-        let shelves = shelved(cells, scale, room.x);
-        if shelves.size.x <= room.x && shelves.size.y <= room.y {
-            low = scale;
-        } else {
-            high = scale;
+/// The way that shows parts largest, each by its own margin.
+fn best<'a>(
+    parts: &'a [Part],
+    texts: &'a [Texts],
+    takes: fn(Vec2, &Texts) -> Takes,
+    room: Vec2,
+) -> Option<Best<'a>> {
+    let cells = |way| Cells { parts, texts, takes, way };
+    let mut best: Option<Best<'_>> = None;
+    for way in ways() {
+        let least = best.as_ref().map_or(0.0, |best| best.scale / best.cells.way.by);
+        let cells = cells(way);
+        if let Some((scale, packed)) = cells.largest(room, least * way.by) {
+            best = Some(Best { cells, scale, packed, zoom: 1.0 });
         }
     }
-    (low, shelved(cells, low, room.x))
-}
-
-/// Parts on shelves of a width, the highest first, each on the first with room for it.
-fn shelved(cells: &Cells<'_>, scale: f64, width: f32) -> Shelves {
-    struct Shelf {
-        top: f32,
-        height: f32,
-        taken: f32,
-    }
-    let all: Vec<(Vec2, Vec2)> = (0..cells.parts.len()).map(|n| cells.cell(n, scale)).collect();
-    let mut order: Vec<usize> = (0..all.len()).collect();
-    order.sort_by(|&a, &b| all[b].0.y.total_cmp(&all[a].0.y));
-    let mut shelves: Vec<Shelf> = Vec::new();
-    let mut middles = vec![Pos2::ZERO; all.len()];
-    for n in order {
-        let (size, middle) = all[n];
-        let found = shelves.iter().position(|s| s.taken + CLEAR + size.x <= width);
-        let at = found.unwrap_or_else(|| {
-            let top = shelves.last().map_or(0.0, |last| last.top + last.height + CLEAR);
-            shelves.push(Shelf { top, height: size.y, taken: -CLEAR });
-            shelves.len() - 1
-        });
-        let shelf = &mut shelves[at];
-        middles[n] = pos2(shelf.taken + CLEAR, shelf.top) + middle;
-        shelf.taken += CLEAR + size.x;
-    }
-    let across = shelves.iter().map(|s| s.taken).fold(0.0, f32::max);
-    let down = shelves.last().map_or(0.0, |last| last.top + last.height);
-    Shelves { middles, size: vec2(across, down) }
+    best.or_else(|| {
+        let plain = ways().last()?;
+        (1..FARTHER).find_map(|n| {
+            let zoom = 0.5_f32.powi(n);
+            let cells = cells(plain);
+            let (scale, packed) = cells.largest(room / zoom, 0.0)?;
+            Some(Best { cells, scale, packed, zoom: f64::from(zoom) })
+        })
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use eframe::egui::Rect;
 
     #[test]
     fn names_share_whole_words_and_numbers() {
@@ -331,43 +386,40 @@ mod tests {
         }
     }
 
-    fn cells(sizes: &[[f64; 2]]) -> (Vec<Part>, Vec<Texts>) {
-        let part = |&[x, y]: &[f64; 2]| Part { members: vec![0], size: Way::new(x, y) };
-        let texts = || Texts { name: 30.0, dimension: vec2(40.0, 14.0) };
+    const TAKES: fn(Vec2, &Texts) -> Takes =
+        |_, texts| Takes { left: texts.dimension.x, right: 0.0, below: texts.dimension.y };
+
+    fn of(sizes: &[[f64; 2]]) -> (Vec<Part>, Vec<Texts>) {
+        let part = |&[x, y]: &[f64; 2]| Part { members: vec![0], size: Size::new(x, y) };
+        let texts = || Texts { name: 30.0, dimension: vec2(40.0, 27.0) };
         (sizes.iter().map(part).collect(), sizes.iter().map(|_| texts()).collect())
     }
 
     #[test]
-    fn parts_fit_without_covering_one_another_and_fill_the_room() {
-        let takes: fn(Vec2, &Texts) -> Takes = |of, texts| {
-            let room = if of.max_elem() > 72.0 { texts.dimension.x } else { 0.0 };
-            Takes { left: room, right: 0.0, below: 0.5 * room }
-        };
-        let alike: Vec<[f64; 2]> = vec![[900.0, 80.0]; 12];
-        let mixed: Vec<[f64; 2]> =
-            (1..30).map(|n| [20.0 * f64::from(n), 300.0 / f64::from(n)]).collect();
-        for sizes in [&[[300.0, 200.0]][..], &alike, &mixed] {
-            for room in [vec2(640.0, 260.0), vec2(300.0, 500.0)] {
-                let (parts, texts) = cells(sizes);
-                let cells =
-                    |turned| Cells { parts: &parts, texts: &texts, takes, turned, is_named: true };
-                for turned in [false, true] {
-                    let cells = cells(turned);
-                    let (scale, shelves) = largest(&cells, room);
-                    assert!(shelves.size.x <= room.x && shelves.size.y <= room.y);
-                    let boxes: Vec<Rect> = (0..parts.len())
-                        .map(|n| {
-                            let (size, middle) = cells.cell(n, scale);
-                            Rect::from_min_size(shelves.middles[n] - middle, size)
-                        })
-                        .collect();
-                    for (n, a) in boxes.iter().enumerate() {
-                        assert!(boxes[..n].iter().all(|b| !a.shrink(0.01).intersects(*b)));
-                    }
-                    let larger = shelved(&cells, 1.02 * scale, room.x).size;
-                    assert!(larger.x > room.x || larger.y > room.y, "{scale}");
-                }
+    fn what_is_left_out_makes_parts_larger() {
+        // A few have room for everything.
+        let (parts, texts) = of(&[[300.0, 200.0], [250.0, 180.0]]);
+        let found = best(&parts, &texts, TAKES, vec2(900.0, 400.0)).unwrap();
+        assert!(found.cells.way.is_measured && found.cells.way.is_named);
+        for sizes in [vec![[900.0, 80.0]; 4], vec![[900.0, 80.0]; 12], vec![[60.0, 50.0]; 60]] {
+            let (parts, texts) = of(&sizes);
+            let room = vec2(480.0, 230.0);
+            let found = best(&parts, &texts, TAKES, room).unwrap();
+            for way in ways() {
+                let other = Cells { parts: &parts, texts: &texts, takes: TAKES, way };
+                let Some((scale, _)) = other.largest(room, 0.0) else { continue };
+                let gains = (scale / way.by) / (found.scale / found.cells.way.by);
+                assert!(gains < 1.002, "{gains} by {way:?}");
             }
         }
+    }
+
+    #[test]
+    fn ever_so_many_parts_are_in_sight() {
+        let (parts, texts) = of(&vec![[60.0, 50.0]; 3000]);
+        let room = vec2(480.0, 230.0);
+        let Best { packed, zoom, .. } = best(&parts, &texts, TAKES, room).unwrap();
+        let size = packed.size * zoom as f32;
+        assert!(zoom < 1.0 && size.x <= room.x && size.y <= room.y, "{size} at {zoom}");
     }
 }

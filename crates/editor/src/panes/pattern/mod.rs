@@ -4,6 +4,7 @@
 //! stays while a button is down. Files have each piece as the kernel laid it.
 
 mod arrange;
+mod pack;
 mod paint;
 mod view;
 
@@ -119,7 +120,7 @@ impl PatternPane {
         let by = Quantity::of(view, scene.made().map(|(_, shown)| shown));
         let worst = worst_of_all(scene).map(|(panel, _)| panel);
         self.arrange(ui, scene, rect);
-        let parts = self.arrangement.shown(scene, worst);
+        let parts = self.arrangement.shown(scene, worst, &self.view);
         self.bring(scene, &parts, rect);
         let mut clicked = ground.clicked().then(|| ground.interact_pointer_pos()).flatten();
         for part in &parts {
@@ -129,8 +130,16 @@ impl PatternPane {
             clicked = clicked.or(Self::part(ui, scene, part, around, acts));
             let is_worst = worst == Some(piece.panel);
             let name = self.arrangement.is_named.then_some(&part.name[..]);
-            let view_of = &self.view;
-            let look = paint::Look { view: view_of, rect, piece, by, detail: view, is_worst, name };
+            let look = paint::Look {
+                view: &self.view,
+                rect,
+                piece,
+                by,
+                detail: view,
+                is_worst,
+                name,
+                free: part.free,
+            };
             paint::piece(ui.painter(), scene, shown, &look);
         }
         if let Some(at) = clicked {

@@ -25,8 +25,6 @@ const RUNGS: usize = 90;
 const LEAST_WITH_RUNGS: f32 = 40.0;
 /// A piece whose rungs all together bend by less is flat, degrees: they say nothing.
 const FLAT_DEG: f64 = 0.1;
-/// The longer side of a piece that is shown with its dimensions, points.
-const LEAST_MEASURED: f32 = 72.0;
 /// How far a dimension stands from its piece, points.
 const AWAY: f32 = 20.0;
 /// How far a height that lies stands from its line, points.
@@ -56,6 +54,8 @@ pub(super) struct Look<'a> {
     pub(super) is_worst: bool,
     /// What stands above it: its name, where there is room, and how many there are.
     pub(super) name: Option<&'a str>,
+    /// What is free about it for its dimensions.
+    pub(super) free: Takes,
 }
 
 impl Look<'_> {
@@ -241,12 +241,6 @@ fn turned(painter: &Painter, at: Pos2, galley: &Arc<Galley>, angle: f32, up: f32
     painter.add(TextShape::new(at - off, galley.clone(), ink).with_angle(angle));
 }
 
-/// Whether a piece is shown with its dimensions: next to smaller ones they would cover one another,
-/// and the answer has them.
-fn is_measured(around: &Rect) -> bool {
-    around.width().max(around.height()) >= LEAST_MEASURED
-}
-
 /// A length in the units of the drawing.
 fn dimension(painter: &Painter, scene: &Scene<'_>, mm: f64) -> Arc<Galley> {
     let text = length(mm, scene.document.drawing.units);
@@ -268,9 +262,6 @@ pub(super) fn texts(painter: &Painter, scene: &Scene<'_>, name: &str, size: Way)
 
 /// The room that the dimensions of a piece take about it, which is so large on the screen.
 pub(super) fn takes(of: Vec2, texts: &Texts) -> Takes {
-    if of.max_elem() < LEAST_MEASURED {
-        return Takes { left: 0.0, right: 0.0, below: 0.0 };
-    }
     let text = texts.dimension;
     let stands = of.y > text.x + STANDS;
     let left = if stands { AWAY + 0.5 * text.y } else { AWAY + BESIDE + text.x };
@@ -279,11 +270,15 @@ pub(super) fn takes(of: Vec2, texts: &Texts) -> Takes {
     Takes { left: left.max(over), right: over, below: AWAY + 0.5 * text.y }
 }
 
-/// Width below and height to the left, in the units of the drawing.
+/// Width below and height to the left, in the units of the drawing, where there is room for them:
+/// else the answer to a hand that rests there has them.
 fn dimensions(painter: &Painter, scene: &Scene<'_>, look: &Look<'_>) {
     let theme = scene.theme;
     let around = box_of(look.piece, look.view, look.rect);
-    if !is_measured(&around) {
+    let size = look.piece.box_size();
+    let [wide, high] = [size.x, size.y].map(|mm| dimension(painter, scene, mm));
+    let texts = Texts { name: 0.0, dimension: wide.size().max(high.size()) };
+    if !takes(around.size(), &texts).fits_into(look.free) {
         return;
     }
     let stroke = Stroke::new(1.0, theme.faint);
@@ -301,8 +296,6 @@ fn dimensions(painter: &Painter, scene: &Scene<'_>, look: &Look<'_>) {
             painter.line_segment([end - across, end + across], stroke);
         }
     };
-    let size = look.piece.box_size();
-    let [wide, high] = [size.x, size.y].map(|mm| dimension(painter, scene, mm));
     let below = around.bottom() + AWAY;
     line(pos2(around.left(), below), pos2(around.right(), below), wide.size().x + 12.0);
     let at = pos2(around.center().x, below);
