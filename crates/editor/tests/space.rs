@@ -321,6 +321,30 @@ fn legends_say_their_units_and_the_limit() {
 }
 
 #[test]
+fn twist_that_the_sampling_may_explain_is_said_and_shown() {
+    let mut harness = window(template("dinghy"));
+    harness.state_mut().view = SurfaceView::Warp;
+    for panel in &mut harness.state_mut().panels {
+        for rung in &mut panel.made.as_mut().unwrap().rungs {
+            (rung.warp_deg, rung.is_unsure) = (7.6, true);
+        }
+    }
+    harness.state_mut().version += 1;
+    harness.run();
+    let legend = harness.get_by_label_contains("Legend: ° of twist: none that is sure");
+    let said = legend.accesskit_node().value().unwrap_or_default();
+    assert!(said.contains("Pale: up to 7.6°, maybe from coarse samples"), "{said}");
+    let pane = harness.get_by_label("Space");
+    let said = pane.accesskit_node().description().unwrap_or_default();
+    assert!(said.contains("up to 7.6° from coarse samples"), "{said}");
+    let text = |clipped: &eframe::egui::epaint::ClippedShape| match &clipped.shape {
+        eframe::egui::Shape::Text(text) => text.galley.text().starts_with("Pale: "),
+        _ => false,
+    };
+    assert!(harness.output().shapes.iter().any(text), "the note is not drawn");
+}
+
+#[test]
 fn an_empty_pane_says_what_to_do() {
     let mut harness = window(Design::default());
     harness.run();

@@ -35,7 +35,7 @@ const LISTED: usize = 12;
 /// A rung is hit within this, points.
 const NEAR: f32 = 6.0;
 /// How high a legend is with the room around it, points.
-const LEGEND: f32 = 84.0;
+const LEGEND: f32 = 102.0;
 /// How far an arrow key shifts, points.
 const ARROW: f32 = 40.0;
 

@@ -6,7 +6,7 @@ use crate::engine::shown::Shown;
 use crate::panes::SurfaceView;
 use crate::panes::space::handles::tag;
 use crate::panes::space::picture::worst_colour;
-use crate::panes::space::sheets::{Quantity, twist, values, worst};
+use crate::panes::space::sheets::{PALE, Quantity, UNSURE, twist, values, worst};
 use crate::panes::space::words::{degrees, length};
 use crate::scene::Scene;
 use crate::theme::{Theme, mapped};
@@ -101,12 +101,17 @@ pub(super) fn piece(painter: &Painter, scene: &Scene<'_>, shown: &Shown, look: &
 fn sheet(painter: &Painter, shown: &Shown, look: &Look<'_>, theme: &Theme, chosen: bool) {
     let at = |n: u32| look.seen(shown.flat.get(n as usize).copied().unwrap_or_default());
     let mut mesh = Mesh::default();
+    let plain = theme.paper.lerp_to_gamma(theme.sheet[0], 0.45);
     if let Some(by) = look.by {
+        let colour = |value: f32| match value {
+            value if value < 0.0 => None,
+            value if value < UNSURE => Some(mapped(f64::from(value))),
+            value => Some(plain.lerp_to_gamma(mapped(f64::from(value - UNSURE)), PALE)),
+        };
         for (triangle, values) in shown.flat_triangles.iter().zip(values(shown, Some(by))) {
-            measured(&mut mesh, triangle.map(at), values);
+            measured(&mut mesh, triangle.map(at), values.map(colour));
         }
     } else {
-        let plain = theme.paper.lerp_to_gamma(theme.sheet[0], 0.45);
         let fill = if chosen { plain.lerp_to_gamma(theme.accent, 0.16) } else { plain };
         for &p in &shown.flat {
             mesh.colored_vertex(look.seen(p), fill);
@@ -121,29 +126,24 @@ fn sheet(painter: &Painter, shown: &Shown, look: &Look<'_>, theme: &Theme, chose
     painter.add(Shape::mesh(mesh));
 }
 
-/// A triangle with a value along each of its sides: four smaller ones, whose corners in the middle
-/// of sides have those values.
-fn measured(mesh: &mut Mesh, corners: [Pos2; 3], values: [f32; 3]) {
-    let known = |a: f32, b: f32| match (a >= 0.0, b >= 0.0) {
-        (true, true) => 0.5 * (a + b),
-        (true, false) => a,
-        (false, true) => b,
-        (false, false) => 0.0,
+/// A triangle with a colour along each of its sides that has one: four smaller ones, whose corners
+/// in the middle of sides have those colours.
+fn measured(mesh: &mut Mesh, corners: [Pos2; 3], sides: [Option<Color32>; 3]) {
+    let between = |a: Option<Color32>, b: Option<Color32>| match (a, b) {
+        (Some(a), Some(b)) => Some(a.lerp_to_gamma(b, 0.5)),
+        (a, b) => a.or(b),
     };
-    let [ab, bc, ca] = values;
-    let at_corners = [known(ca, ab), known(ab, bc), known(bc, ca)];
-    let at_middles = [
-        known(ab, if ab < 0.0 { known(bc, ca) } else { -1.0 }),
-        known(bc, if bc < 0.0 { known(ca, ab) } else { -1.0 }),
-        known(ca, if ca < 0.0 { known(ab, bc) } else { -1.0 }),
-    ];
+    let none = mapped(0.0);
     let from = mesh.vertices.len() as u32;
     for n in 0..3 {
-        mesh.colored_vertex(corners[n], mapped(f64::from(at_corners[n])));
+        let (before, after, opposite) = (sides[(n + 2) % 3], sides[n], sides[(n + 1) % 3]);
+        let colour = between(before, after).or(opposite).unwrap_or(none);
+        mesh.colored_vertex(corners[n], colour);
     }
     for n in 0..3 {
+        let colour = sides[n].or(between(sides[(n + 1) % 3], sides[(n + 2) % 3])).unwrap_or(none);
         let middle = corners[n].lerp(corners[(n + 1) % 3], 0.5);
-        mesh.colored_vertex(middle, mapped(f64::from(at_middles[n])));
+        mesh.colored_vertex(middle, colour);
     }
     for [a, b, c] in [[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]] {
         mesh.add_triangle(from + a, from + b, from + c);

@@ -1,27 +1,29 @@
 //! What the colours of a sheet mean: a scale with its unit, and the limit of the material on it.
 
-use super::sheets::{EXACT, NO_TWIST, Quantity, twist_max};
+use super::sheets::{EXACT, NO_TWIST, PALE, Quantity, twist_max, unsure_max};
 use super::words::{degrees, error};
 use crate::engine::shown::Shown;
 use crate::scene::Scene;
 use crate::theme::{Theme, mapped};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align2, FontId, Mesh, Pos2, Rect, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
+    Align2, Color32, FontId, Mesh, Pos2, Rect, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo,
+    pos2, vec2,
 };
 
 const WIDTH: f32 = 200.0;
 const BAR: f32 = 10.0;
 const EDGE: f32 = 12.0;
 const HEIGHT: f32 = 68.0;
-const UNSURE: &str = "What may come from coarse sampling counts as 0°.";
+/// Height of the note below the scale, points.
+const LINE: f32 = 18.0;
 
 /// What stands on a scale.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Legend {
     title: String,
-    /// What there is to know besides.
-    note: &'static str,
+    /// What there is to know besides: what pale colours mean, if there are any.
+    note: String,
     /// The words at its ends.
     ends: [String; 2],
     /// Where on it something is marked, and what.
@@ -39,14 +41,16 @@ impl Legend {
             Quantity::Warp(top) => {
                 let limit = most(|shown| shown.warp_limit_deg);
                 let largest = most(twist_max);
-                let said = match largest > NO_TWIST {
-                    true => format!(", at most {}", degrees(largest)),
-                    false => ": none".to_owned(),
+                let unsure = most(unsure_max);
+                let said = match (largest > NO_TWIST, unsure > 0.0) {
+                    (true, _) => format!(", at most {}", degrees(largest)),
+                    (false, true) => ": none that is sure".to_owned(),
+                    (false, false) => ": none".to_owned(),
                 };
-                let unsure = panels().flat_map(|s| &s.rungs).any(|r| r.is_unsure);
+                let note = format!("Pale: up to {}, maybe from coarse samples", degrees(unsure));
                 Self {
                     title: format!("° of twist{said}"),
-                    note: if unsure { UNSURE } else { "" },
+                    note: if unsure > 0.0 { note } else { String::new() },
                     ends: ["0°".to_owned(), degrees(top)],
                     mark: (top > 0.0).then(|| (limit / top, format!("limit {}", degrees(limit)))),
                     coloured: true,
@@ -54,14 +58,14 @@ impl Legend {
             }
             Quantity::LengthError(top) if top < EXACT => Self {
                 title: "Lengths: exact".to_owned(),
-                note: "",
+                note: String::new(),
                 ends: ["no side is longer or shorter".to_owned(), String::new()],
                 mark: None,
                 coloured: false,
             },
             Quantity::LengthError(top) => Self {
                 title: "Longer or shorter than the sheet".to_owned(),
-                note: "",
+                note: String::new(),
                 ends: ["0".to_owned(), error(top)],
                 mark: None,
                 coloured: true,
@@ -80,21 +84,22 @@ impl Legend {
 
     /// In the lower left corner of a pane.
     pub(crate) fn ui(&self, ui: &Ui, pane: Rect, theme: &Theme) {
-        let height = if self.coloured { HEIGHT } else { HEIGHT - 20.0 };
+        let painter = ui.painter();
+        let small = FontId::proportional(12.0);
+        let note = painter.layout_no_wrap(self.note.clone(), small.clone(), theme.faint);
+        let noted = if self.note.is_empty() { 0.0 } else { LINE };
+        let height = noted + if self.coloured { HEIGHT } else { HEIGHT - 20.0 };
         let low = pane.left_bottom() + vec2(EDGE, -EDGE - height);
-        let rect = Rect::from_min_size(low, vec2(WIDTH + 2.0 * EDGE, height));
+        let width = WIDTH.max(note.size().x) + 2.0 * EDGE;
+        let rect = Rect::from_min_size(low, vec2(width, height));
         if !pane.contains_rect(rect) {
             return;
         }
         let response = ui.interact(rect, ui.scope_id().with("legend"), Sense::hover());
         response.widget_info(|| WidgetInfo::labeled(Role::Label, true, self.spoken()));
-        if !self.note.is_empty() {
-            response.on_hover_text(self.note);
-        }
-        let painter = ui.painter();
         let edge = Stroke::new(1.0, theme.line);
         painter.rect(rect, 6.0, theme.paper.gamma_multiply(0.92), edge, StrokeKind::Inside);
-        let small = FontId::proportional(12.0);
+        painter.galley(rect.left_bottom() + vec2(EDGE, -6.0 - LINE), note, theme.faint);
         let text = |at: Pos2, anchor: Align2, text: &str, colour| {
             painter.text(at, anchor, text, small.clone(), colour);
         };
@@ -105,7 +110,11 @@ impl Legend {
             return;
         }
         let bar = Rect::from_min_size(rect.min + vec2(EDGE, 28.0), vec2(WIDTH, BAR));
-        painter.add(scale(bar));
+        painter.add(scale(bar, mapped));
+        if noted > 0.0 {
+            let pale = |share| theme.sheet[0].lerp_to_gamma(mapped(share), PALE);
+            painter.add(scale(bar.split_top_bottom_at_fraction(0.5).1, pale));
+        }
         painter.rect_stroke(bar, 0.0, edge, StrokeKind::Outside);
         let below = bar.bottom() + 6.0;
         let x_of = |share: f64| bar.left() + bar.width() * share as f32;
@@ -144,13 +153,13 @@ impl Legend {
 }
 
 /// The colours from 0 to 1, left to right.
-fn scale(bar: Rect) -> Shape {
+fn scale(bar: Rect, of: impl Fn(f64) -> Color32) -> Shape {
     const STEPS: u32 = 48;
     let mut mesh = Mesh::default();
     for n in 0..=STEPS {
         let share = n as f32 / STEPS as f32;
         let x = bar.left() + share * bar.width();
-        let colour = mapped(f64::from(share));
+        let colour = of(f64::from(share));
         mesh.colored_vertex(pos2(x, bar.top()), colour);
         mesh.colored_vertex(pos2(x, bar.bottom()), colour);
         if n > 0 {

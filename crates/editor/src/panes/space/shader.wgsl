@@ -85,7 +85,11 @@ fn sheet_fragment(in: SheetVertex, @builtin(front_facing) faces: bool) -> @locat
     let counts = near * vec3<f32>(in.values >= vec3(0.0));
     let count = counts.x + counts.y + counts.z;
     if count > 0.0 {
-        base = mix(base, mapped(dot(counts, in.values) / count), globals.range.w);
+        // What the sampling may explain is pale: see UNSURE and PALE in sheets.rs.
+        let unsure = vec3<f32>(in.values >= vec3(2.0));
+        let value = dot(counts, in.values - 2.0 * unsure) / count;
+        let pale = 1.0 - 0.65 * dot(counts, unsure) / count;
+        base = mix(base, mapped(value), globals.range.w * pale);
     }
     base = mix(base, globals.selected.rgb, 0.16 * in.mark);
 

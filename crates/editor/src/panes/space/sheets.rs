@@ -56,6 +56,13 @@ impl Quantity {
     }
 }
 
+/// How much of a colour shows where the sampling may explain it: the sheet's own shines through.
+/// The shader has it too.
+pub(crate) const PALE: f32 = 0.35;
+
+/// Added to a value that the sampling may explain.
+pub(crate) const UNSURE: f32 = 2.0;
+
 /// The warp angle of a rung, degrees; 0 if the sampling may explain it.
 pub(crate) fn twist(rung: &ShownRung) -> f64 {
     if rung.is_unsure { 0.0 } else { rung.warp_deg }
@@ -66,7 +73,20 @@ pub(crate) fn twist_max(shown: &Shown) -> f64 {
     shown.rungs.iter().map(twist).fold(0.0, f64::max)
 }
 
-/// The rung that twists most, by its number; `None` if none does.
+/// The largest warp angle of a panel that the sampling may explain, degrees; 0 if there is none
+/// worth saying.
+pub(crate) fn unsure_max(shown: &Shown) -> f64 {
+    let unsure = shown.rungs.iter().filter(|rung| is_pale(rung));
+    unsure.map(|rung| rung.warp_deg).fold(0.0, f64::max)
+}
+
+/// Whether a rung seems to twist, and the sampling may explain it.
+fn is_pale(rung: &ShownRung) -> bool {
+    rung.is_unsure && rung.warp_deg > NO_TWIST
+}
+
+/// The rung that twists most, by its number; `None` if none does that the sampling does not
+/// explain.
 pub(crate) fn worst(shown: &Shown) -> Option<usize> {
     let all = 0..shown.rungs.len();
     let worst = all.max_by(|&a, &b| twist(&shown.rungs[a]).total_cmp(&twist(&shown.rungs[b])));
@@ -98,17 +118,19 @@ pub(crate) fn rungs_by_ends(shown: &Shown) -> BTreeMap<[u32; 2], usize> {
     shown.rungs.iter().enumerate().map(|(n, rung)| (sorted(rung.ends), n)).collect()
 }
 
-/// The value of a quantity along each side of each triangle, 0 ..= 1; negative where there is none.
+/// The value of a quantity along each side of each triangle, 0 ..= 1; more by [`UNSURE`] where the
+/// sampling may explain it, and negative where there is none.
 pub(crate) fn values(shown: &Shown, by: Option<Quantity>) -> Vec<[f32; 3]> {
     let none = [-1.0; 3];
     match by {
         None => vec![none; shown.triangles.len()],
         Some(quantity @ Quantity::Warp(_)) => {
             let rungs = rungs_by_ends(shown);
-            let of = |side| match rungs.get(&sorted(side)) {
-                Some(&n) => quantity.share(twist(&shown.rungs[n])) as f32,
-                None => -1.0,
+            let of_rung = |rung: &ShownRung| match is_pale(rung) {
+                true => UNSURE + quantity.share(rung.warp_deg) as f32,
+                false => quantity.share(twist(rung)) as f32,
             };
+            let of = |side| rungs.get(&sorted(side)).map_or(-1.0, |&n| of_rung(&shown.rungs[n]));
             shown.triangles.iter().map(|&t| sides(t).map(of)).collect()
         }
         Some(quantity @ Quantity::LengthError(_)) => {
@@ -193,4 +215,35 @@ pub(super) fn vertices(
 
 fn pack(normal: Vec3, counts: f64) -> [i16; 4] {
     [normal.x, normal.y, normal.z, counts].map(|share| (share * 32767.0).round() as i16)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::engine::tests::saddles;
+    use sheetwright::design::make;
+    use sheetwright::watch::Unwatched;
+
+    #[test]
+    fn what_the_sampling_may_explain_has_values_of_its_own() {
+        let made = make(&saddles(1, 24, 40.0), &mut Unwatched).unwrap();
+        let mut shown = Shown::new(&made.panels[0], None);
+        for (n, rung) in shown.rungs.iter_mut().enumerate() {
+            (rung.warp_deg, rung.is_unsure) = (2.0, n % 2 == 0);
+        }
+        let by = Quantity::Warp(4.0);
+        let values = values(&shown, Some(by));
+        let rungs = rungs_by_ends(&shown);
+        for (triangle, values) in shown.triangles.iter().zip(values) {
+            for (side, value) in sides(*triangle).into_iter().zip(values) {
+                let wanted = match rungs.get(&sorted(side)) {
+                    None => -1.0,
+                    Some(n) if n % 2 == 0 => UNSURE + 0.5,
+                    Some(_) => 0.5,
+                };
+                assert_eq!(value, wanted);
+            }
+        }
+        assert_eq!((twist_max(&shown), unsure_max(&shown)), (2.0, 2.0));
+    }
 }

@@ -5,7 +5,7 @@ use crate::scene::Scene;
 use sheetwright::check::Verdict;
 use sheetwright_files::Units;
 
-use super::sheets::{twist, worst};
+use super::sheets::{twist, unsure_max, worst};
 
 /// A length with its unit: `40 mm`, `−1.25 in`.
 pub fn length(mm: f64, units: Units) -> String {
@@ -87,6 +87,10 @@ fn of_panel(panel: &ShownPanel) -> String {
             "{said}, worst at rung {} with {} of twist",
             n + 1,
             degrees(twist(&shown.rungs[n]))
+        ),
+        None if unsure_max(shown) > 0.0 => format!(
+            "{said}, without twist that is sure, up to {} from coarse samples",
+            degrees(unsure_max(shown))
         ),
         None => format!("{said}, without twist"),
     }
