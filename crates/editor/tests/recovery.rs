@@ -157,7 +157,7 @@ fn document(version: u64) -> Vec<u8> {
     std::iter::once(version).chain(words).flat_map(u64::to_le_bytes).collect()
 }
 
-/// The same on all machines (splitmix64).
+/// A pseudo-random number of 64 bits from a seed, alike on all machines (splitmix64).
 fn random(seed: u64) -> u64 {
     let mut x = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(0x9e37_79b9_7f4a_7c15);
     x = (x ^ x >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
