@@ -7,12 +7,11 @@ mod hands;
 
 use eframe::egui::{Modifiers, Pos2, Rect, Shape, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
-use hands::Hands;
+use hands::{Hands, picture};
 use sheetwright::design::DesignCurve;
 use sheetwright::math::{Point2, Point3};
 use sheetwright_editor::command::Command;
 use sheetwright_editor::document::{Document, Plan};
-use sheetwright_editor::editor::Opened;
 use sheetwright_editor::scene::{Act, Edit, PointRef, Selection};
 use sheetwright_editor::theme::HANDLE;
 
@@ -315,13 +314,10 @@ fn keys_move_and_lift_what_is_selected_on_the_plan() {
 #[test]
 fn a_picture_comes_in_as_wide_as_what_is_drawn() {
     let mut hands = lifted();
-    let mut bytes = std::io::Cursor::new(Vec::new());
-    image::RgbImage::new(200, 100).write_to(&mut bytes, image::ImageFormat::Png).unwrap();
-    let picture = Opened { path: "photo.png".to_owned(), bytes: bytes.into_inner() };
     let points = &curves(&hands)[0].points;
     let [least, most] =
         [f64::min, f64::max].map(|of| points.iter().map(|p| p.at.x).reduce(of).unwrap());
-    hands.harness.state_mut().editor_mut().trace(picture);
+    hands.harness.state_mut().editor_mut().trace(picture("photo.png"));
     let reference = hands.app().editor().document().drawing.reference.clone().unwrap();
     assert!((200.0 * reference.mm_per_pixel - (most - least)).abs() < 1e-9);
     assert!((reference.centre.x - 0.5 * (least + most)).abs() < 1e-9);

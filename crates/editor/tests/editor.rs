@@ -8,7 +8,7 @@ use eframe::egui::{
     Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, TouchPhase, pos2, vec2,
 };
 use egui_kittest::kittest::Queryable;
-use hands::{Hands, round};
+use hands::{Hands, picture, round};
 use sheetwright::design::make;
 use sheetwright::math::{Point2, Point3};
 use sheetwright::watch::Unwatched;
@@ -412,10 +412,7 @@ fn why_a_panel_is_not_made_stands_in_sentences() {
 fn a_picture_is_scaled_by_two_places_and_their_distance() {
     let mut hands = Hands::new(SIZE, false);
     hands.run(Command::New);
-    let mut bytes = std::io::Cursor::new(Vec::new());
-    image::RgbImage::new(200, 100).write_to(&mut bytes, image::ImageFormat::Png).unwrap();
-    let picture = Opened { path: "photo.png".to_owned(), bytes: bytes.into_inner() };
-    hands.disk.lock().unwrap().to_open = Some(picture);
+    hands.disk.lock().unwrap().to_open = Some(picture("photo.png"));
     hands.key(Modifiers::NONE, Key::P);
     hands.step();
     let reference = |hands: &Hands| {

@@ -6,7 +6,7 @@ mod hands;
 
 use eframe::egui::{DroppedFile, Event, HoveredFile, Key, Modifiers, vec2};
 use egui_kittest::kittest::Queryable;
-use hands::{Hands, round};
+use hands::{Hands, picture, round};
 use sheetwright_editor::command::Command;
 use sheetwright_editor::document::Document;
 use sheetwright_editor::editor::{FileWish, Opened, Page};
@@ -113,9 +113,8 @@ fn what_can_not_be_opened_is_refused_as_open_refuses_it() {
 fn a_dropped_picture_lies_under_the_plan() {
     let mut hands = Hands::new(SIZE, false);
     hands.run(Command::New);
-    let mut bytes = std::io::Cursor::new(Vec::new());
-    image::RgbImage::new(200, 100).write_to(&mut bytes, image::ImageFormat::Png).unwrap();
-    dropped(&mut hands, vec![("/a/Photo.PNG", Ok(bytes.into_inner()))]);
+    let Opened { path, bytes } = picture("/a/Photo.PNG");
+    dropped(&mut hands, vec![(&path, Ok(bytes))]);
     assert!(hands.app().editor().document().drawing.reference.is_some());
 }
 

@@ -10,12 +10,12 @@ use eframe::egui::{
     Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, Pos2, Rect, TouchPhase, vec2,
 };
 use egui_kittest::kittest::{NodeT, Queryable};
-use hands::Hands;
+use hands::{Hands, picture};
 use sheetwright::check::Verdict;
 use sheetwright::math::Point3;
 use sheetwright_editor::command::Command;
 use sheetwright_editor::document::Document;
-use sheetwright_editor::editor::{Opened, Page};
+use sheetwright_editor::editor::Page;
 use sheetwright_editor::panes::plan::Tool;
 use sheetwright_editor::scene::{Act, PointRef, Selection};
 use sheetwright_files::{Drawing, Units, design_from_template};
@@ -389,10 +389,7 @@ fn the_start_page_hides_a_drawing_from_keys() {
 fn the_scale_of_a_picture_is_typed_at_once() {
     let mut hands = Hands::new(SIZE, false);
     hands.run(Command::New);
-    let mut bytes = std::io::Cursor::new(Vec::new());
-    image::RgbImage::new(200, 100).write_to(&mut bytes, image::ImageFormat::Png).unwrap();
-    let picture = Opened { path: "photo.png".to_owned(), bytes: bytes.into_inner() };
-    hands.disk.lock().unwrap().to_open = Some(picture);
+    hands.disk.lock().unwrap().to_open = Some(picture("photo.png"));
     hands.run(Command::AddReference);
     hands.step();
     hands.run(Command::CalibrateReference);

@@ -240,6 +240,13 @@ impl Hands {
     }
 }
 
+/// A picture of 200 × 100 pixels, as a PNG of this path.
+pub(crate) fn picture(path: &str) -> Opened {
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    image::RgbImage::new(200, 100).write_to(&mut bytes, image::ImageFormat::Png).unwrap();
+    Opened { path: path.to_owned(), bytes: bytes.into_inner() }
+}
+
 /// A round way of the hand about a place of the screen, with a little tremor.
 pub(crate) fn round(centre: Pos2, radii: Vec2, steps: usize) -> Vec<Pos2> {
     let at = |n: usize| {
