@@ -10,6 +10,9 @@ use sheetwright::math::{Point2, Point3};
 /// samples, which nobody moves one by one.
 const MANY: usize = 200;
 
+/// A handle that is farther from the hand than another by no more than this, points, is as near.
+const AS_NEAR: f32 = 3.0;
+
 /// All handles that can be taken hold of.
 pub(super) struct Handles {
     shown: Vec<Handle>,
@@ -21,6 +24,8 @@ struct Handle {
     place: Point2,
     at: Pos2,
     radius: f32,
+    /// Whether an open curve ends here.
+    is_end: bool,
 }
 
 impl Handles {
@@ -35,11 +40,13 @@ impl Handles {
             let on_screen = |&place: &Point2| view.to_screen(pane, place);
             let at: Vec<Pos2> = places.iter().map(on_screen).collect();
             let radius = radius(&at);
+            let is_end = |point| !of.closed && (point == 0 || point + 1 == of.points.len());
             shown.extend(places.iter().zip(at).enumerate().map(|(point, (&place, at))| Handle {
                 point: PointRef { curve, point },
                 place,
                 at,
                 radius,
+                is_end: is_end(point),
             }));
         }
         Self { shown }
@@ -55,12 +62,24 @@ impl Handles {
         self.shown.iter().map(|handle| (handle.point, handle.at, handle.radius))
     }
 
-    /// The handle under the hand: of several on one spot the last drawn, which lies on top.
+    /// The handle under the hand. Of those that are about as near, an end or a joint comes before
+    /// an inner handle; of several on one spot it is the last drawn, which lies on top.
     pub(super) fn at(&self, at: Pos2) -> Option<PointRef> {
         const REACH: f32 = TOUCH / 3.0;
-        let distance = |handle: &&Handle| handle.at.distance(at);
+        let distance = |handle: &Handle| handle.at.distance(at);
         let near = self.shown.iter().rev().filter(|handle| distance(handle) <= REACH);
-        near.min_by(|a, b| distance(a).total_cmp(&distance(b))).map(|handle| handle.point)
+        let near: Vec<&Handle> = near.collect();
+        let least = near.iter().map(|handle| distance(handle)).fold(REACH, f32::min);
+        let is_inner = |handle: &Handle| {
+            let meets = |other: &&Handle| {
+                other.place == handle.place && other.point.curve != handle.point.curve
+            };
+            !handle.is_end && !near.iter().any(meets)
+        };
+        let as_near = near.iter().filter(|handle| distance(handle) <= least + AS_NEAR);
+        let rank = |handle: &Handle| (is_inner(handle), distance(handle));
+        let order = |a: (bool, f32), b: (bool, f32)| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1));
+        as_near.min_by(|a, b| order(rank(a), rank(b))).map(|handle| handle.point)
     }
 
     /// The handles in a box on the screen.
@@ -119,4 +138,42 @@ pub(super) fn moved_by(scene: &Scene<'_>, by: Point2) -> Vec<(PointRef, Point3)>
         Some((r, plan.space(Point2::new(flat.x + by.x, flat.y + by.y), plan.lift(now))))
     };
     scene.selection.points.iter().filter_map(moved).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use eframe::egui::pos2;
+
+    fn handle(curve: usize, point: usize, x: f32, is_end: bool) -> Handle {
+        let point = PointRef { curve, point };
+        let place = Point2::new(f64::from(x), 0.0);
+        Handle { point, place, at: pos2(x, 0.0), radius: HANDLE, is_end }
+    }
+
+    fn found(handles: &[Handle], x: f32) -> Option<(usize, usize)> {
+        let handles = Handles { shown: handles.to_vec() };
+        handles.at(pos2(x, 0.0)).map(|of| (of.curve, of.point))
+    }
+
+    #[test]
+    fn an_end_comes_before_an_inner_handle_that_is_about_as_near() {
+        let seam = [handle(0, 0, 0.0, true), handle(0, 1, 4.0, false), handle(0, 2, 8.0, false)];
+        assert_eq!(found(&seam, 3.0), Some((0, 0)));
+        assert_eq!(found(&seam, 4.0), Some((0, 1)));
+        assert_eq!(found(&seam, 6.5), Some((0, 2)));
+        assert_eq!(found(&seam, 30.0), None);
+    }
+
+    #[test]
+    fn so_does_a_joint_of_closed_curves_and_of_its_handles_the_last_drawn_is_on_top() {
+        let outlines = [
+            handle(0, 5, 0.0, false),
+            handle(0, 6, 4.0, false),
+            handle(1, 2, 0.0, false),
+            handle(1, 3, -9.0, false),
+        ];
+        assert_eq!(found(&outlines, 3.0), Some((1, 2)));
+        assert_eq!(found(&outlines, 4.0), Some((0, 6)));
+    }
 }
