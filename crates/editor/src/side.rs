@@ -9,6 +9,7 @@ use crate::document::edit::why_unbound;
 use crate::document::{Document, Drawing, FARTHEST_MM, Mirror, Plan};
 use crate::editor::Editor;
 use crate::field::Field;
+use crate::panes::space::words::decimal;
 use crate::scene::{Act, Edit, PointRef, curves_of};
 use crate::theme::Theme;
 use eframe::egui::{self, ComboBox, Id, RichText, Ui};
@@ -59,12 +60,13 @@ fn selected_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>)
     {
         section(ui, "Rung", |ui| {
             ui.label(format!("Rung {} of {}", rung + 1, shown.rungs.len()));
-            ui.label(format!("Twist {:.2}° of {}°", at.warp_deg, shown.warp_limit_deg));
+            let twist = decimal(at.warp_deg, 2);
+            ui.label(format!("Twist {twist}° of {}°", shown.warp_limit_deg));
             if at.is_unsure && shown.verdict == Verdict::Undecided {
                 let text = "With so few samples this may be bending alone.";
                 ui.label(RichText::new(text).color(theme.faint));
             }
-            ui.label(format!("Bend {:.2}°", at.crease_deg));
+            ui.label(format!("Bend {}°", decimal(at.crease_deg, 2)));
         });
     }
 }

@@ -4,11 +4,12 @@
 use crate::document::edit::why_no_panel;
 use crate::editor::Editor;
 use crate::engine::shown::{Shown, ShownPanel, ShownRung};
+use crate::panes::space::words::{length, radius};
 use crate::scene::{Act, Selection};
 use crate::theme::Theme;
 use eframe::egui::{self, Align, Button, Color32, Frame, Layout, Margin, RichText, Ui, vec2};
 use sheetwright::check::{Finding, Severity, Verdict};
-use sheetwright_files::{length_text, verdict_sentence, verdict_word};
+use sheetwright_files::{verdict_sentence, verdict_word};
 
 /// Findings that are shown at once.
 const FINDINGS: usize = 3;
@@ -166,9 +167,8 @@ fn made_ui(
     ui.label(verdict_text(theme, shown.verdict).size(18.0));
     ui.label(verdict_sentence(shown.verdict));
     let size = shown.piece.size;
-    let size =
-        format!("{} × {}", length_text(round(size.x), units), length_text(round(size.y), units));
-    ui.label(RichText::new(format!("Pattern: {size}")).color(theme.faint));
+    let size = format!("Pattern: {} × {}", length(size.x, units), length(size.y, units));
+    ui.label(RichText::new(size).color(theme.faint));
     if let Some(worst) = shown.worst_rung() {
         let twist = format!(
             "Largest twist {:.1}°, the sheet takes {}°",
@@ -181,8 +181,8 @@ fn made_ui(
         }
     }
     if shown.bend_radius_min_mm.is_finite() {
-        let radius = length_text(round(shown.bend_radius_min_mm), units);
-        ui.label(RichText::new(format!("Tightest bend {radius} radius")).color(theme.faint));
+        let text = format!("Tightest bend {} radius", radius(shown.bend_radius_min_mm, units));
+        ui.label(RichText::new(text).color(theme.faint));
     }
     let (first, rest) = shown.findings.split_at(shown.findings.len().min(FINDINGS));
     first.iter().for_each(|finding| finding_ui(ui, theme, finding));
@@ -245,11 +245,6 @@ fn sign(verdict: Verdict) -> &'static str {
         Verdict::Undecided => "?",
         Verdict::WillNotBend => "■",
     }
-}
-
-/// Tenths of a millimetre are enough for a look.
-fn round(mm: f64) -> f64 {
-    (mm * 10.0).round() / 10.0
 }
 
 #[cfg(test)]

@@ -16,6 +16,7 @@ use sheetwright::math::Point3;
 use sheetwright_editor::command::Command;
 use sheetwright_editor::document::Document;
 use sheetwright_editor::editor::Page;
+use sheetwright_editor::engine::shown::ShownPanel;
 use sheetwright_editor::panes::plan::Tool;
 use sheetwright_editor::scene::{Act, PointRef, Selection};
 use sheetwright_files::{Drawing, Units, design_from_template};
@@ -476,4 +477,40 @@ fn a_grid_is_round_in_the_units_of_the_design() {
     choose(&mut hands, "in");
     let grid_mm = hands.app().editor().document().drawing.grid_mm;
     assert_eq!(grid_mm, 37.0);
+}
+
+#[test]
+fn numbers_on_cards_are_short_in_every_unit() {
+    let hands = with_template("cone", Units::Feet);
+    let said = |words: &str| {
+        let node = hands.harness.get_by_label_contains(words);
+        node.accesskit_node().value().unwrap_or_default()
+    };
+    let decimals = |text: &str| {
+        let numbers = text.split(' ').filter_map(|word| word.split_once('.'));
+        numbers.map(|(_, decimals)| decimals.len()).max().unwrap_or(0)
+    };
+    let size = said("Pattern: ");
+    assert!(size.ends_with(" ft") && decimals(&size) <= 3, "{size}");
+    let radius = said("Tightest bend");
+    assert!(radius.ends_with(" in radius") && decimals(&radius) <= 2, "{radius}");
+}
+
+#[test]
+fn no_angle_is_less_than_nothing_by_nothing() {
+    let mut hands = with_template("bag", Units::Millimetres);
+    let all: Vec<usize> = hands.app().editor().shown().iter().map(rungs).collect();
+    for (panel, count) in all.into_iter().enumerate() {
+        for rung in (0..count).step_by(7) {
+            let act = Act::Select(Selection::of_rung(panel, rung));
+            hands.harness.state_mut().editor_mut().carry_out(act);
+            hands.step();
+            hands.step();
+            assert!(says(&hands, "Bend ") && !says(&hands, "Bend -"), "{panel} {rung}");
+        }
+    }
+}
+
+fn rungs(panel: &ShownPanel) -> usize {
+    panel.made.as_ref().map_or(0, |shown| shown.rungs.len())
 }

@@ -8,6 +8,7 @@ use crate::editor::Editor;
 use crate::engine::Varied;
 use crate::engine::shown::{Shown, ShownPanel};
 use crate::field::Field;
+use crate::panes::space::words::length;
 use crate::scene::Act;
 use crate::theme::Theme;
 use crate::verdicts::{not_bending, said_of};
@@ -16,7 +17,7 @@ use sheetwright::design::Vary;
 use sheetwright::material::warp_limit_deg;
 use sheetwright::math::from_deg;
 use sheetwright::vary::Goal;
-use sheetwright_files::{Units, length_text, verdict_word};
+use sheetwright_files::{Units, verdict_word};
 use std::ops::RangeInclusive;
 
 /// Angles that may be reached, degrees.
@@ -204,7 +205,7 @@ fn said(varied: &Varied, units: Units) -> String {
         "The largest twist goes from {:.1}° to {:.1}°; no sample moves farther than {}. {end}",
         twist(&varied.before),
         twist(&varied.after),
-        length_text(varied.moved_max_mm, units),
+        length(varied.moved_max_mm, units),
     )
 }
 

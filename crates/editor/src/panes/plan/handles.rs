@@ -1,6 +1,7 @@
 //! The handles of curves, as the plan shows them.
 
 use super::view::View;
+use crate::panes::space::words::length;
 use crate::scene::{Act, PointRef, Scene, Selection};
 use crate::theme::{HANDLE, TOUCH};
 use eframe::egui::{self, Pos2, Rect, Sense, Ui, Vec2};
@@ -123,7 +124,7 @@ fn radius(at: &[Pos2]) -> f32 {
 fn name(scene: &Scene<'_>, handle: &Handle) -> String {
     let PointRef { curve, point } = handle.point;
     let units = scene.document.drawing.units;
-    let length = |mm| sheetwright_files::length_text(mm, units);
+    let length = |mm| length(mm, units);
     let of = scene.document.design.curves.get(curve).map_or("", |curve| &curve.name);
     format!("{of}, point {}, at {}, {}", point + 1, length(handle.place.x), length(handle.place.y))
 }

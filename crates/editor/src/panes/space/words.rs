@@ -12,6 +12,17 @@ pub fn length(mm: f64, units: Units) -> String {
     format!("{} {}", length_bare(mm, units), units.name())
 }
 
+/// A bend radius with its unit: where lengths are in feet or metres, one below 1 ft or 1 m is said
+/// in inches or millimetres.
+pub fn radius(mm: f64, units: Units) -> String {
+    let smaller = match units {
+        Units::Feet => Units::Inches,
+        Units::Metres => Units::Millimetres,
+        units => units,
+    };
+    length(mm, if mm < units.in_mm() { smaller } else { units })
+}
+
 /// A length without its unit.
 pub fn length_bare(mm: f64, units: Units) -> String {
     // About a tenth of a millimetre, whatever the unit.
@@ -106,7 +117,13 @@ mod tests {
         assert_eq!(length(-12.34, Units::Millimetres), "−12.3 mm");
         assert_eq!(length(-0.01, Units::Millimetres), "0 mm");
         assert_eq!(length(31.75, Units::Inches), "1.25 in");
+        assert_eq!(length(22_137.29, Units::Feet), "72.629 ft");
+        assert_eq!(radius(31.75, Units::Feet), "1.25 in");
+        assert_eq!(radius(609.6, Units::Feet), "2 ft");
+        assert_eq!(radius(31.75, Units::Metres), "31.8 mm");
+        assert_eq!(radius(31.7, Units::Centimetres), "3.17 cm");
         assert_eq!(decimal(100.0, 0), "100");
+        assert_eq!(decimal(-0.001, 2), "0");
         assert_eq!(degrees(9.26), "9.3°");
         assert_eq!(degrees(12.4), "12°");
         assert_eq!(error(1e-12), "exact");
