@@ -221,6 +221,20 @@ impl Theme {
         style.spacing.button_padding = egui::vec2(10.0, 5.0);
         style.spacing.interact_size = egui::vec2(40.0, 26.0);
         style.spacing.window_margin = egui::Margin::same(14);
+        // Seen wherever there is more than fits, and beside what scrolls instead of over it.
+        style.spacing.scroll = egui::style::ScrollStyle {
+            bar_width: SCROLL_BAR,
+            floating_width: SCROLL_BAR,
+            floating_allocated_width: SCROLL_BAR + 4.0,
+            foreground_color: true,
+            dormant_background_opacity: 0.0,
+            active_background_opacity: 0.0,
+            interact_background_opacity: 0.0,
+            dormant_handle_opacity: 0.3,
+            active_handle_opacity: 0.45,
+            interact_handle_opacity: 0.7,
+            ..egui::style::ScrollStyle::floating()
+        };
         use egui::{FontFamily::Proportional, FontId, TextStyle};
         style.text_styles.insert(TextStyle::Body, FontId::new(14.0, Proportional));
         style.text_styles.insert(TextStyle::Button, FontId::new(14.0, Proportional));
@@ -234,6 +248,8 @@ impl Theme {
 pub const TOUCH: f32 = 40.0;
 /// The radius of a handle as it is drawn, points.
 pub const HANDLE: f32 = 5.0;
+/// The width of a scroll bar, points.
+pub const SCROLL_BAR: f32 = 7.0;
 /// The width of a boundary curve, points.
 pub const CURVE_WIDTH: f32 = 2.0;
 

@@ -7,7 +7,7 @@ mod hands;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, Pos2, Rect, TouchPhase, vec2,
+    Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, Pos2, Rect, Shape, TouchPhase, vec2,
 };
 use egui_kittest::kittest::{NodeT, Queryable};
 use hands::{Hands, picture};
@@ -477,6 +477,49 @@ fn a_grid_is_round_in_the_units_of_the_design() {
     choose(&mut hands, "in");
     let grid_mm = hands.app().editor().document().drawing.grid_mm;
     assert_eq!(grid_mm, 37.0);
+}
+
+/// The bars of what scrolls, none of which lies over anything that can be pressed or typed into.
+fn scroll_bars(hands: &Hands) -> Vec<Rect> {
+    let all = |role| {
+        let nodes = hands.harness.query_all_by_role(role);
+        // Handles on the plan may lie behind a menu.
+        let is_handle = |label: Option<String>| label.is_some_and(|it| it.contains(", point "));
+        nodes.filter(move |node| !is_handle(node.accesskit_node().label())).map(|node| node.rect())
+    };
+    let bars: Vec<Rect> = all(Role::ScrollBar).collect();
+    for of in [Role::TextInput, Role::Button, Role::CheckBox].into_iter().flat_map(all) {
+        let covered = bars.iter().find(|bar| bar.shrink(0.5).intersects(of));
+        assert_eq!(covered, None, "{of} is under a scroll bar");
+    }
+    bars
+}
+
+/// Whether something opaque enough is drawn in this part of the window alone.
+fn is_drawn(hands: &Hands, part: Rect) -> bool {
+    hands.harness.output().shapes.iter().any(|clipped| match &clipped.shape {
+        Shape::Rect(shape) => part.contains_rect(shape.rect) && shape.fill.a() > 60,
+        _ => false,
+    })
+}
+
+#[test]
+fn what_scrolls_has_a_bar_that_covers_nothing() {
+    let mut hands = with_handle();
+    assert!(scroll_bars(&hands).is_empty());
+    hands.harness.set_size(vec2(1280.0, 560.0));
+    hands.harness.run_steps(10);
+    let bars = scroll_bars(&hands);
+    assert!(!bars.is_empty() && bars.iter().all(|bar| is_drawn(&hands, *bar)), "{bars:?}");
+    for menu in ["Edit", "View"] {
+        hands.click(menu);
+        hands.harness.run_steps(10);
+        let with_menu = scroll_bars(&hands);
+        assert!(with_menu.len() > bars.len(), "{menu} is longer than the window");
+        assert!(with_menu.iter().all(|bar| is_drawn(&hands, *bar)), "{menu} {with_menu:?}");
+        hands.key(Modifiers::NONE, Key::Escape);
+        hands.harness.run_steps(10);
+    }
 }
 
 #[test]
