@@ -144,7 +144,7 @@ fn card_ui(
             }
             Ok(shown) => made_ui(ui, editor, theme, n, panel, shown, acts),
             Err(refusal) => {
-                ui.label(RichText::new(&panel.name).strong());
+                ui.horizontal(|ui| name_ui(ui, editor, n, panel, acts));
                 ui.label(RichText::new("Can't be made yet").color(theme.verdicts[1]).strong());
                 ui.label(&refusal.message);
                 ui.label(RichText::new(&refusal.hint).color(theme.faint));

@@ -406,6 +406,10 @@ fn why_a_panel_is_not_made_stands_in_sentences() {
     assert!(refusal.message.starts_with(char::is_uppercase), "{refusal:?}");
     assert!(refusal.hint.starts_with("Remove one") && refusal.hint.ends_with('.'), "{refusal:?}");
     assert!(hands.sees("as the one before. Remove one of the two"));
+    // Its name selects it, as that of any panel does.
+    let name = hands.app().editor().shown()[0].name.clone();
+    hands.click(&name);
+    assert_eq!(hands.app().editor().selection().panel, Some(0));
 }
 
 #[test]
