@@ -103,6 +103,18 @@ fn what_can_not_be_opened_is_refused_as_open_refuses_it() {
         assert_eq!(notice(&hands), said);
         assert_eq!(hands.app().editor().page, Page::Start);
     }
+    // A file whose name does not tell what it is may still be of use, and what it holds may tell.
+    let texts = [
+        ("/a/milk.txt", "milk", "Pictures to trace (.png, .jpg)"),
+        ("/a/rows.txt", "curve,x,y,z\na,0,0,0\n", "give it the ending .csv."),
+        ("/a/rows", "curve,x,y,z\na,0,0,0\n", "give it the ending .csv."),
+        ("/a/hood.txt", "{\"format\": \"sheetwright-design\"}", "give it the ending .json."),
+    ];
+    for (path, holds, way_out) in texts {
+        dropped(&mut hands, vec![(path, Ok(holds.as_bytes().to_vec()))]);
+        let said = notice(&hands);
+        assert!(said.contains("The editor opens designs") && said.contains(way_out), "{said}");
+    }
     let gone = vec![("/a/gone.csv", Err("No such file".to_owned())), ("/a/b.stl", Ok(Vec::new()))];
     dropped(&mut hands, gone);
     let said = notice(&hands);

@@ -60,6 +60,17 @@ enum Taken {
 /// What the editor opens.
 const TAKEN: &str = "The editor opens designs (.json) and tables of curves (.csv).";
 
+/// What to do with a file whose name does not tell what it is.
+fn way_out(bytes: &[u8]) -> &'static str {
+    match InputFormat::of_bytes(bytes) {
+        Some(InputFormat::Table) => "It holds a table of curves: give it the ending .csv.",
+        Some(InputFormat::Design) => "It may hold a design: give it the ending .json.",
+        _ => {
+            "Pictures to trace (.png, .jpg) are dropped on the window or come in by Picture to trace."
+        }
+    }
+}
+
 /// The ends of the names of pictures to draw after.
 pub(crate) const PICTURES: [&str; 3] = ["png", "jpg", "jpeg"];
 
@@ -236,7 +247,8 @@ impl Document {
         let words = |error: sheetwright_files::InputError| format!("{error}. {}", error.hint);
         let of = Path::new(path);
         // What the command takes besides, the editor does not.
-        let format = InputFormat::of(of).map_err(|error| format!("{error}. {TAKEN}"))?;
+        let format =
+            InputFormat::of(of).map_err(|error| format!("{error}. {TAKEN} {}", way_out(bytes)))?;
         match format {
             InputFormat::Design => crate::document::file::read(path, bytes).map_err(words),
             InputFormat::Table => {
