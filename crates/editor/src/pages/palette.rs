@@ -1,19 +1,18 @@
 //! Every command by a few letters of its name.
 
-use super::shield;
+use super::Page;
 use crate::command::Command;
 use crate::editor::Editor;
 use crate::room::fitting;
 use crate::scene::Act;
 use crate::theme::Theme;
-use eframe::egui::{self, Align2, Id, Key, Order, RichText, TextEdit, Ui};
+use eframe::egui::{self, Align2, Id, Key, RichText, TextEdit, Ui};
 
 /// What is typed so far, and the line that is chosen.
 #[derive(Clone, Debug, Default)]
 pub struct Palette {
     text: String,
     chosen: usize,
-    was_open: bool,
 }
 
 impl Palette {
@@ -43,49 +42,42 @@ impl Palette {
         self.chosen = (self.chosen + usize::from(down)).saturating_sub(usize::from(up)).min(last);
         let mut stays = true;
         let room = ctx.content_rect().size();
-        let id = Id::unique("palette page");
-        stays &= !shield(ctx, id);
-        egui::Window::new("Find a command")
-            .id(id)
-            .order(Order::Foreground)
-            .title_bar(false)
-            .resizable(false)
-            .anchor(Align2::CENTER_TOP, egui::vec2(0.0, (0.11 * room.y).min(90.0)))
-            .show(ctx, |ui| {
-                ui.set_width(fitting(480.0, room.x - 40.0));
-                let edit = TextEdit::singleline(&mut self.text)
-                    .id(Id::unique("palette"))
-                    .hint_text("What do you want to do?")
-                    .desired_width(f32::INFINITY);
-                let response = ui.add(edit);
-                response.widget_info(|| {
-                    egui::WidgetInfo::labeled(egui::Role::TextInput, true, "Find a command")
-                });
-                if !std::mem::replace(&mut self.was_open, true) {
-                    response.request_focus();
-                }
-                if response.changed() {
-                    self.chosen = 0;
-                }
-                let height = fitting(360.0, 0.8 * room.y - 90.0);
-                let area = egui::ScrollArea::vertical().max_height(height);
-                area.min_scrolled_height(height).show(ui, |ui| {
-                    for (n, &command) in found.iter().enumerate() {
-                        let response = line_ui(ui, editor, theme, command, n == self.chosen);
-                        if n == self.chosen && (up || down) {
-                            response.scroll_to_me(None);
-                        }
-                        if response.clicked() || enter && n == self.chosen {
-                            acts.push(Act::Run(command));
-                            stays = false;
-                        }
-                    }
-                    if found.is_empty() {
-                        ui.label(RichText::new("No command has these letters.").color(theme.faint));
-                    }
-                });
+        let place = (Align2::CENTER_TOP, egui::vec2(0.0, (0.11 * room.y).min(90.0)));
+        let page = Page { place, ..Page::new("Find a command", 480.0) };
+        let touched = page.show(ctx, |ui, is_new| {
+            let edit = TextEdit::singleline(&mut self.text)
+                .id(Id::unique("palette"))
+                .hint_text("What do you want to do?")
+                .desired_width(f32::INFINITY);
+            let response = ui.add(edit);
+            response.widget_info(|| {
+                egui::WidgetInfo::labeled(egui::Role::TextInput, true, "Find a command")
             });
-        stays
+            if is_new {
+                response.request_focus();
+            }
+            if response.changed() {
+                self.chosen = 0;
+            }
+            let height = fitting(360.0, 0.8 * room.y - 90.0);
+            let area = egui::ScrollArea::vertical().max_height(height);
+            area.min_scrolled_height(height).show(ui, |ui| {
+                for (n, &command) in found.iter().enumerate() {
+                    let response = line_ui(ui, editor, theme, command, n == self.chosen);
+                    if n == self.chosen && (up || down) {
+                        response.scroll_to_me(None);
+                    }
+                    if response.clicked() || enter && n == self.chosen {
+                        acts.push(Act::Run(command));
+                        stays = false;
+                    }
+                }
+                if found.is_empty() {
+                    ui.label(RichText::new("No command has these letters.").color(theme.faint));
+                }
+            });
+        });
+        stays && !touched.beside
     }
 }
 
