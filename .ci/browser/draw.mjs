@@ -64,7 +64,12 @@ try {
 
   // Without the server everything is there all the same.
   await page.evaluate(() => navigator.serviceWorker.ready.then(() => true));
-  await page.reload();
+  const asked = page.waitForEvent("dialog");
+  const reloaded = page.reload();
+  const question = await asked;
+  check(question.type() === "beforeunload", "the browser asks before it leaves work that no file has");
+  await question.accept();
+  await reloaded;
   await ready(page);
   server.closeAllConnections();
   await new Promise((closed) => server.close(closed));

@@ -106,7 +106,7 @@ impl Editor {
     }
 
     /// Whether another document in its place would lose work.
-    fn would_lose(&self) -> bool {
+    pub(crate) fn would_lose(&self) -> bool {
         self.is_unsaved() && (self.file.is_some() || !self.document().is_blank())
     }
 

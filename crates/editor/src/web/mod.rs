@@ -10,7 +10,7 @@ use crate::app::App;
 use crate::store::{Prepared, prepare};
 use js_sys::{Function, Uint8Array};
 use wasm_bindgen::prelude::*;
-use web_sys::{Document, HtmlCanvasElement};
+use web_sys::{Document, Event, HtmlCanvasElement};
 
 /// Starts the editor on the canvas of this id. `slot` is where this tab keeps its work, `left` are
 /// slots of tabs that run no more, with their `bytes`; `keep` takes a slot and bytes to keep in it,
@@ -42,7 +42,19 @@ pub async fn start(
         cc.egui_ctx.add_plugin(mirror::Mirror::default());
         Ok(Box::new(App::new(cc)))
     });
-    runner.start(canvas, options, app).await
+    runner.start(canvas, options, app).await?;
+    ask_before_leaving(&runner)
+}
+
+/// The browser asks before it closes or leaves the page while there is work that no file has. Its
+/// words are its own.
+fn ask_before_leaving(runner: &eframe::WebRunner) -> Result<(), JsValue> {
+    let Some(window) = web_sys::window() else { return Ok(()) };
+    runner.add_event_listener(&window, "beforeunload", |event: Event, runner| {
+        if runner.app_mut::<App>().editor().would_lose() {
+            event.prevent_default();
+        }
+    })
 }
 
 fn document() -> Option<Document> {
