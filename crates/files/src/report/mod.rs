@@ -51,6 +51,4 @@ fn worst_rung(measures: &Measures) -> Option<usize> {
 }
 
 #[cfg(test)]
-mod samples;
-#[cfg(test)]
 mod tests;

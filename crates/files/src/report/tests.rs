@@ -1,3 +1,5 @@
+mod samples;
+
 use super::*;
 use crate::quads::PanelQuads;
 use samples::*;

@@ -48,7 +48,7 @@ fn made(name: &str, material: &str, curves: Vec<DesignCurve>, panels: Vec<Design
 
 /// The three planks of the fishing vessel, `samples` on a rail.
 pub(super) fn hull(samples: usize, material: &str) -> Made {
-    let table = include_str!("../../../../examples/ubc-fishing-vessel.csv");
+    let table = include_str!("../../../../../examples/ubc-fishing-vessel.csv");
     let mut curves: Vec<DesignCurve> = Vec::new();
     for row in table.lines().skip(1) {
         let cells: Vec<&str> = row.split(',').collect();
@@ -184,7 +184,8 @@ pub(super) fn facade(count: usize) -> Made {
     made("facade", "steel-1mm", curves, panels)
 }
 
-/// The same in so few samples that nobody can tell bending from twist.
+/// A quarter of a tube, 200 mm in radius and 500 mm long, in 8 samples a rail: too few to tell
+/// bending from twist.
 pub(super) fn coarse_quarter() -> Made {
     let arc = |y: f64| {
         move |t: f64| {
@@ -217,7 +218,7 @@ pub(super) fn helicoid() -> Made {
     between("ramp", [&helix(60.0, 1.6), &helix(150.0, 1.6)], 120, "steel-1mm")
 }
 
-/// The same stairs, less steep, with rails that may move by 5 mm.
+/// A helicoid of 120° that climbs 40 mm round a post, with rails that may move by 5 mm.
 pub(super) fn moved() -> Made {
     let helix = |r: f64| {
         move |t: f64| {
