@@ -122,7 +122,7 @@ fn measured(boundary: &Boundary, fold: f64) -> Result<Measures, Box<dyn Error>> 
     ))
 }
 
-/// The loop with central differences for tangents at every sample, at its corners too.
+/// A boundary through the samples of another, with central differences for tangents everywhere.
 fn without_corners(boundary: &Boundary) -> Result<Boundary, Box<dyn Error>> {
     let points: Vec<CurvePoint> =
         boundary.positions().into_iter().map(CurvePoint::smooth).collect();

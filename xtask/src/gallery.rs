@@ -84,7 +84,7 @@ fn obj(name: &str, mesh: &Triangles) -> Vec<u8> {
 /// The shapes, made from the designs as they are written.
 struct Shapes {
     multiply_connected: Made,
-    /// The multiply connected one with its windows left closed, laid flat as a mesh.
+    /// The multiply connected panel with its windows left closed, laid flat as a mesh.
     closed: MadeMeshes,
     /// For the least mean length error, and for the least largest.
     half_spheres: [MadeMeshes; 2],

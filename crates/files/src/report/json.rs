@@ -4,6 +4,7 @@ use crate::quads::PanelQuads;
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::Serialize;
+use serde_json::Result;
 use sheetwright::check::{Checked, Verdict, seam_length};
 use sheetwright::design::{Change, Made, MadeMesh, MadeMeshes, MadePanel};
 use sheetwright::flatten::Aim;
@@ -256,6 +257,9 @@ struct FindingReport<'a> {
 /// error that is not finite says that the written pattern could not be read back. So has `quads`,
 /// where they were made.
 ///
+/// # Errors
+/// What JSON can't say; a report is numbers, texts and lists, which it can.
+///
 /// # Panics
 /// Unless there is one entry a panel.
 pub fn report_json(
@@ -263,7 +267,7 @@ pub fn report_json(
     refold_error_mm: &[f64],
     checked: &[Checked],
     quads: &[Option<PanelQuads>],
-) -> Vec<u8> {
+) -> Result<Vec<u8>> {
     assert_eq!(made.panels.len(), refold_error_mm.len(), "one refold error a panel");
     assert_eq!(made.panels.len(), checked.len(), "one verdict a panel");
     let limit = warp_limit_deg(made.material);
@@ -277,13 +281,16 @@ pub fn report_json(
 
 /// `report.json` of meshes, with one entry of `written_error_mm` and `checked` a panel.
 ///
+/// # Errors
+/// What JSON can't say; a report is numbers, texts and lists, which it can.
+///
 /// # Panics
 /// Unless there is one entry a panel.
 pub fn mesh_report_json(
     made: &MadeMeshes,
     written_error_mm: &[f64],
     checked: &[Checked],
-) -> Vec<u8> {
+) -> Result<Vec<u8>> {
     assert_eq!(made.panels.len(), written_error_mm.len(), "one error a panel");
     assert_eq!(made.panels.len(), checked.len(), "one verdict a panel");
     let each = made.panels.iter().zip(written_error_mm).zip(checked);
@@ -291,22 +298,28 @@ pub fn mesh_report_json(
     report(&made.name, made.material, panels.collect())
 }
 
-fn report(name: &str, material: Option<&Material>, panels: Vec<PanelReport<'_>>) -> Vec<u8> {
+fn report(
+    name: &str,
+    material: Option<&Material>,
+    panels: Vec<PanelReport<'_>>,
+) -> Result<Vec<u8>> {
     let material = material.map(|m| m.name);
     to_bytes(&Report { sheetwright: VERSION, name, units: "mm", material, panels })
 }
 
 /// The JSON Schema of `report.json`.
-pub fn report_schema() -> Vec<u8> {
+///
+/// # Errors
+/// What JSON can't say; a schema is texts, numbers and lists, which it can.
+pub fn report_schema() -> Result<Vec<u8>> {
     let settings = SchemaSettings::draft2020_12().for_serialize();
     to_bytes(&settings.into_generator().into_root_schema_for::<Report<'_>>())
 }
 
-#[allow(clippy::expect_used)] // plain numbers and strings: writing them to memory can't fail
-fn to_bytes(value: &impl Serialize) -> Vec<u8> {
-    let mut bytes = serde_json::to_vec_pretty(value).expect("numbers and strings are JSON");
+fn to_bytes(value: &impl Serialize) -> Result<Vec<u8>> {
+    let mut bytes = serde_json::to_vec_pretty(value)?;
     bytes.push(b'\n');
-    bytes
+    Ok(bytes)
 }
 
 fn of_findings(checked: &Checked) -> Vec<FindingReport<'_>> {
