@@ -25,7 +25,8 @@ pub fn write_obj(made: &Made) -> Vec<u8> {
     obj.text.into_bytes()
 }
 
-/// The same of meshes.
+/// The OBJ file of all mesh panels: an object and a group a panel, places in space as vertices and
+/// places on the flat pattern as texture coordinates, both in mm and with all their digits.
 pub fn write_meshes_obj(made: &MadeMeshes) -> Vec<u8> {
     let mut obj = Obj::new();
     for panel in &made.panels {

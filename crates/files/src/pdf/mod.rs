@@ -17,7 +17,6 @@ mod tiling;
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use page::Page;
 use pdf_writer::{Filter, Finish, Name, Pdf, Rect, Ref, TextStr};
-
 use sheetwright::design::Made;
 use sheetwright::math::Vec2;
 use sheetwright::pattern::Piece;
@@ -87,8 +86,8 @@ impl MaxSheets {
     }
 }
 
-/// 2,000: a PDF is true to scale for everything that fits a workshop, the planks of a vessel of 20
-/// m among it, in a file of a few MB.
+/// 2,000: a PDF is true to scale for everything that fits a workshop, such as the planks of a
+/// vessel 20 m long, in a file of a few MB.
 impl Default for MaxSheets {
     fn default() -> Self {
         Self(2_000)

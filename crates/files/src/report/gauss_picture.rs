@@ -68,8 +68,7 @@ fn pictured(image: &Image, name: &str) -> Picture {
     Picture::new(WIDTH, HEIGHT, title, body)
 }
 
-/// How far the normals of a panel turn and spread, for the sentence under the picture: the largest
-/// angle between a normal and the middle of all, radians.
+/// The directions that a panel faces, and how they are seen: from the middle of all.
 struct Image {
     view: View,
     /// Runs of rungs, each with the normals on both sides of the strip.

@@ -186,7 +186,7 @@ struct QuadsReport {
     planar: bool,
     /// The largest distance between the diagonals of a quad before they were made planar, mm.
     planarity_before_mm: f64,
-    /// The same afterwards.
+    /// The largest distance between the diagonals of a quad afterwards, mm.
     planarity_after_mm: f64,
     /// The largest distance by which a vertex was moved, mm.
     moved_max_mm: f64,

@@ -16,7 +16,7 @@ const LIGHT: [Ramp; 2] = [
     [[104.0, 146.0, 186.0], [226.0, 238.0, 248.0]],
     [[176.0, 146.0, 106.0], [242.0, 230.0, 210.0]],
 ];
-/// The same on a dark page.
+/// The side that the surface faces, and the other, on a dark page.
 const DARK: [Ramp; 2] =
     [[[36.0, 62.0, 88.0], [122.0, 165.0, 204.0]], [[82.0, 64.0, 40.0], [178.0, 150.0, 110.0]]];
 
@@ -27,7 +27,8 @@ pub(super) const HEATS: usize = 12;
 /// all the way, so that any kind of colour vision reads it, and a grey print too.
 const LIGHT_HEAT: [[f64; 3]; 4] =
     [[240.0, 244.0, 248.0], [252.0, 214.0, 112.0], [226.0, 110.0, 30.0], [122.0, 18.0, 22.0]];
-/// The same on a dark page, where brightness rises.
+/// From no error to the largest, on a dark page: dark blue, dark red, orange, light yellow.
+/// Brightness rises all the way.
 const DARK_HEAT: [[f64; 3]; 4] =
     [[30.0, 42.0, 54.0], [130.0, 52.0, 36.0], [226.0, 122.0, 40.0], [255.0, 232.0, 150.0]];
 
