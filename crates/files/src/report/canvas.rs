@@ -6,6 +6,8 @@ use std::fmt::Write as _;
 
 /// The width of every picture of a panel, in its own units. A page shows it at 350 to 560 pixels.
 pub(super) const WIDTH: f64 = 480.0;
+/// Room round what a picture shows.
+pub(super) const MARGIN: f64 = 16.0;
 
 /// A drawing with a size of its own; its look comes from the classes of the style sheet.
 #[derive(Clone, Debug, PartialEq)]

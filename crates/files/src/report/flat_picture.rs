@@ -1,7 +1,7 @@
 //! The flat pattern: outline, rulings, folds, overall dimensions and the lengths of its edges.
 
 use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, distance, line, number, text};
-use super::space_picture::{legend, rung_classes};
+use super::rulings::{APART, APART_CLASSES, MOST_RUNGS, Middles, legend, rung_classes};
 use super::wording::{millimetres, thinned};
 use sheetwright::design::MadePanel;
 use sheetwright::index::SampleIndex;
@@ -17,8 +17,6 @@ pub(super) const LEFT: f64 = 66.0;
 pub(super) const RIGHT: f64 = 34.0;
 pub(super) const TOP: f64 = 32.0;
 pub(super) const FOOT: f64 = 66.0;
-/// Rulings drawn, at the most.
-const RULINGS: usize = 60;
 /// Edges with a letter, at the most: the longest.
 const LETTERED: usize = 8;
 /// Two edges meet where the outline turns by more than this, degrees.
@@ -55,7 +53,7 @@ pub fn flat_picture(panel: &MadePanel, material: Option<&Material>) -> Picture {
         outline.ring(line.iter().map(|&p| place(p)));
     }
     let mut body = outline.element("sheet");
-    let classes = rung_classes(panel, material, RULINGS);
+    let classes = rung_classes(panel, material, MOST_RUNGS);
     body += &rungs(panel, &classes, place);
     body += &marks(panel, place);
     body += &outline.element("cut");
@@ -66,7 +64,7 @@ pub fn flat_picture(panel: &MadePanel, material: Option<&Material>) -> Picture {
         let below = Point2::new(edge.at.x, edge.at.y + 4.5);
         body += &text("letter", Anchor::Middle, below, &edge.letter);
     }
-    let shown = legend(classes.iter(), bottom + FOOT);
+    let shown = legend(classes.iter().copied().flatten(), bottom + FOOT);
     let height = bottom + FOOT + shown.height;
     Picture::new(WIDTH, height, format!("{} laid flat", panel.name), body + &shown.body)
 }
@@ -93,18 +91,33 @@ fn rungs(
         (0..measured.len()).filter(|&n| classes[n] == Some(class)).collect::<Vec<usize>>()
     };
     let folds: Vec<usize> = (0..measured.len()).filter(is_fold).collect();
-    let rulings = of_class("r").into_iter().filter(|n| !is_fold(n)).collect();
+    let place = |n: usize| on_sheet(n).map(|s| place(panel.flat.points[s.get()]));
+    let mut drawn = Middles::apart(APART);
+    let mut is_clear = |n: &usize| {
+        let [a, b] = place(*n);
+        let middle = a.lerp(b, 0.5);
+        let is_free = drawn.is_free(middle);
+        if is_free {
+            drawn.take(middle);
+        }
+        is_free
+    };
+    let [turns, rulings] = APART_CLASSES.map(|class| {
+        let all = of_class(class).into_iter().filter(|n| !is_fold(n));
+        all.filter(&mut is_clear).collect()
+    });
     let mut body = String::new();
     for (class, list) in [
+        ("turn", turns),
         ("r", rulings),
-        ("score", thinned(&folds, RULINGS)),
+        ("score", thinned(&folds, MOST_RUNGS)),
         ("t", of_class("t")),
         ("x", of_class("x")),
         ("w", of_class("w")),
     ] {
         let mut path = PathData::default();
         for n in list {
-            path.line(on_sheet(n).map(|s| place(panel.flat.points[s.get()])));
+            path.line(place(n));
         }
         body += &path.element(class);
     }

@@ -5,7 +5,7 @@
 //! the warp angle.
 
 use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, line, round_below, scale_bar, text};
-use super::space_picture::{RUNG_CLASSES, rung_classes};
+use super::rulings::{RUNG_CLASSES, rung_classes};
 use super::strips::strips;
 use super::view::View;
 use super::wording::decimal;

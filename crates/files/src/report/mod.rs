@@ -19,6 +19,7 @@ mod paint;
 mod part;
 mod quads_picture;
 mod raster;
+mod rulings;
 mod space_picture;
 mod strips;
 mod style;

@@ -1,34 +1,29 @@
 //! The surface in space: shaded triangles, rulings and the boundary.
 
-use super::canvas::{Anchor, PathData, Picture, WIDTH, line, round_below, scale_bar, text};
+use super::canvas::{Anchor, MARGIN, PathData, Picture, WIDTH, line, round_below, scale_bar, text};
 use super::paint::{MOST_PATHS, Scene, coarse_shade, joined, shades_of};
 use super::part::Part;
 use super::raster::Facet;
+use super::rulings::{
+    APART, APART_CLASSES, MOST_RUNGS, Middles, RUNG_CLASSES, legend, rung_classes,
+};
 use super::view::{View, view_of};
-use super::wording::{length_short, thinned};
-use super::worst_rung;
+use super::wording::length_short;
 use sheetwright::design::{Made, MadePanel};
-use sheetwright::material::{Material, warp_limit_deg};
-use sheetwright::math::{Point2, Vec2, Vec3, from_deg};
-use std::collections::{BTreeMap, BTreeSet};
+use sheetwright::material::Material;
+use sheetwright::math::{Point2, Vec2, Vec3};
 
-/// Room round the surface, and below it for the axes and the scale.
-const MARGIN: f64 = 16.0;
+/// Room below the surface for the axes and the scale.
 const FOOT: f64 = 96.0;
 /// The surface is drawn no higher than this.
 const MOST_HEIGHT: f64 = 330.0;
-/// Rulings drawn on a panel, at the most.
-const RULINGS: usize = 60;
-/// The middles of rulings stand at least this far apart, or those of several panels, where
-/// narrow ones would become dark with them.
-const APART: f64 = 5.0;
+/// Of several panels, the middles of rulings stand at least this far apart: narrow panels would
+/// become dark with them.
 const APART_OF_SEVERAL: f64 = 9.0;
 /// With more panels, outlines are thin.
 const MOST_THICK: usize = 12;
 /// What lies behind a surface by less than this, in units of the picture, lies on it.
 const LIES_ON: f64 = 1.0;
-/// The classes of rungs, in the order in which they are drawn.
-pub(super) const RUNG_CLASSES: [&str; 4] = ["r", "t", "x", "w"];
 
 /// The surface of a panel in space, shaded, with rulings; those that warp more than the sheet takes
 /// stand out.
@@ -54,7 +49,7 @@ fn pictured(panels: &[MadePanel], material: Option<&Material>, title: String) ->
         .zip(&projected)
         .map(|(panel, points)| {
             let points: Vec<Point2> = points.iter().map(|p| fit.place(*p)).collect();
-            Part::new(panel, &view, points, rung_classes(panel, material, RULINGS))
+            Part::new(panel, &view, points, rung_classes(panel, material, MOST_RUNGS))
         })
         .collect();
     let mut shades = shades_of(&view, &parts.iter().map(Part::areas).collect::<Vec<_>>());
@@ -68,7 +63,8 @@ fn pictured(panels: &[MadePanel], material: Option<&Material>, title: String) ->
     body += &rungs(&parts, &shades, &scene);
     body += &outlines(&parts, &shades, &scene);
     body += &fit.foot(&view);
-    let shown = legend(parts.iter().flat_map(|part| &part.rungs), fit.total);
+    let rungs = parts.iter().flat_map(|part| part.rungs.iter().copied().flatten());
+    let shown = legend(rungs, fit.total);
     Picture::new(WIDTH, fit.total + shown.height, title, body + &shown.body)
 }
 
@@ -98,7 +94,7 @@ fn outlines(parts: &[Part<'_>], shades: &[Vec<u16>], scene: &Scene<'_>) -> Strin
 /// are left out.
 fn rungs(parts: &[Part<'_>], shades: &[Vec<u16>], scene: &Scene<'_>) -> String {
     let apart = if parts.len() > 1 { APART_OF_SEVERAL } else { APART };
-    let mut drawn = Middles { apart, squares: BTreeMap::new() };
+    let mut drawn = Middles::apart(apart);
     let mut body = String::new();
     for class in RUNG_CLASSES {
         let mut path = PathData::default();
@@ -106,7 +102,7 @@ fn rungs(parts: &[Part<'_>], shades: &[Vec<u16>], scene: &Scene<'_>) -> String {
             for (ends, sides) in part.rungs_of(class, shades) {
                 let (ends, near) = part.line(ends);
                 let middle = ends[0].lerp(ends[1], 0.5);
-                let is_ruling = class == "r";
+                let is_ruling = APART_CLASSES.contains(&class);
                 if is_ruling && !drawn.is_free(middle) {
                     continue;
                 }
@@ -120,62 +116,6 @@ fn rungs(parts: &[Part<'_>], shades: &[Vec<u16>], scene: &Scene<'_>) -> String {
         body += &path.element(class);
     }
     body
-}
-
-/// The middles of rulings that are drawn, by squares as large as they stand apart.
-struct Middles {
-    apart: f64,
-    squares: BTreeMap<(i64, i64), Vec<Point2>>,
-}
-
-impl Middles {
-    fn square(&self, middle: Point2) -> (i64, i64) {
-        ((middle.x / self.apart).floor() as i64, (middle.y / self.apart).floor() as i64)
-    }
-
-    /// Whether no other is near.
-    fn is_free(&self, middle: Point2) -> bool {
-        let (x, y) = self.square(middle);
-        let around = (-1..=1).flat_map(|i| (-1..=1).map(move |k| (x + i, y + k)));
-        let mut near = around.filter_map(|square| self.squares.get(&square)).flatten();
-        near.all(|other| other.distance(middle) >= self.apart)
-    }
-
-    fn take(&mut self, middle: Point2) {
-        self.squares.entry(self.square(middle)).or_default().push(middle);
-    }
-}
-
-/// What the lines of a picture mean that stand out.
-pub(super) struct Legend {
-    pub(super) body: String,
-    /// How much higher it makes the picture.
-    pub(super) height: f64,
-}
-
-/// The legend of the classes of some rungs, from a height of the picture on; empty if none stands
-/// out.
-pub(super) fn legend<'a>(
-    classes: impl Iterator<Item = &'a Option<&'static str>>,
-    top: f64,
-) -> Legend {
-    const ROW: f64 = 22.0;
-    let shown: BTreeSet<&str> = classes.flatten().copied().collect();
-    let mut legend = Legend { body: String::new(), height: 0.0 };
-    for (class, words) in [
-        ("w", "warps most"),
-        ("x", "warps more than the sheet takes"),
-        ("t", "bent more tightly than the sheet takes"),
-    ] {
-        if shown.contains(class) {
-            let y = top + legend.height + 0.5 * ROW;
-            legend.body += &line(class, &[Point2::new(MARGIN, y), Point2::new(MARGIN + 34.0, y)]);
-            let at = Point2::new(MARGIN + 44.0, y + 5.0);
-            legend.body += &text("", Anchor::Start, at, words);
-            legend.height += ROW;
-        }
-    }
-    legend
 }
 
 /// Where projected points lie in a picture that shows all of them, with the axes and the scale
@@ -222,34 +162,6 @@ impl Fit {
         triad(view, Point2::new(46.0, self.total - 42.0))
             + &scale_bar(right, self.scale * bar, &length_short(bar))
     }
-}
-
-/// The class of every rung that is drawn: `w` the one that warps most, if it is beyond the limit,
-/// `x` beyond it, `t` bent more tightly than the sheet takes, `r` any other. At the most about
-/// `most` of each.
-pub(super) fn rung_classes(
-    panel: &MadePanel,
-    material: Option<&Material>,
-    most: usize,
-) -> Vec<Option<&'static str>> {
-    let limit = from_deg(warp_limit_deg(material));
-    let least_mm = material.map_or(0.0, |m| m.bend_radius_mm);
-    let rungs = &panel.measures.rungs;
-    let worst = worst_rung(&panel.measures).filter(|&n| rungs[n].warp_beyond_sampling() > limit);
-    let mut classes = vec![None; rungs.len()];
-    let (beyond, within): (Vec<usize>, Vec<usize>) =
-        (0..rungs.len()).partition(|&n| rungs[n].warp_beyond_sampling() > limit);
-    let (tight, wide): (Vec<usize>, Vec<usize>) =
-        within.into_iter().partition(|&n| rungs[n].bend_radius_mm < least_mm);
-    for (list, class) in [(wide, "r"), (tight, "t"), (beyond, "x")] {
-        for n in thinned(&list, most) {
-            classes[n] = Some(class);
-        }
-    }
-    if let Some(worst) = worst {
-        classes[worst] = Some("w");
-    }
-    classes
 }
 
 /// Where x, y and z point.

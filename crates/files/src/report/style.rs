@@ -101,6 +101,7 @@ font-family:system-ui,-apple-system,'Segoe UI',Roboto,'Helvetica Neue',Arial,san
 .pic .band{fill:var(--warm)}\
 .pic .letter{font-weight:600}\
 .pic .r{stroke:var(--line);stroke-width:.7;stroke-opacity:.5}\
+.pic .turn{stroke:var(--line);stroke-width:.9;stroke-opacity:.7}\
 .pic .net{stroke:var(--line);stroke-width:.6;stroke-opacity:.55}\
 .pic .x{stroke:var(--bad);stroke-width:1}\
 .pic .w{stroke:var(--bad);stroke-width:3}\

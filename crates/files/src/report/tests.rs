@@ -309,6 +309,33 @@ fn bends_that_are_too_tight_stand_out() {
     assert_eq!(html(&helicoid()).matches("warps most").count(), 2);
 }
 
+/// How many lines a picture has of a class.
+fn lines(picture: &str, class: &str) -> usize {
+    let of_class = format!(r#"<path class="{class}" d=""#);
+    picture.split(&of_class).skip(1).map(|d| d[..d.find('"').unwrap()].matches('M').count()).sum()
+}
+
+/// The pictures of the first panel in space and laid flat.
+fn space_and_flat(made: &Made) -> [String; 2] {
+    let panel = &made.panels[0];
+    [surface_picture(panel, made.material), flat_picture(panel, made.material)].map(|p| p.inline())
+}
+
+#[test]
+fn rulings_are_drawn_where_the_sheet_bends() {
+    for picture in space_and_flat(&concave()) {
+        assert_eq!(["r", "turn", "score"].map(|class| lines(&picture, class)), [0; 3], "a plate");
+    }
+    let wide = Made { material: None, ..quarter() };
+    for picture in space_and_flat(&wide) {
+        assert!(lines(&picture, "r") > 10 && lines(&picture, "turn") == 0, "{picture}");
+    }
+    for picture in space_and_flat(&coarse_quarter()) {
+        let few = lines(&picture, "turn");
+        assert!((6..=7).contains(&few), "each of 90° / 7: {few}");
+    }
+}
+
 #[test]
 fn no_number_fails_to_be_one() {
     let mut pages: Vec<String> = all().iter().map(html).collect();

@@ -38,6 +38,10 @@ use bend::{Rolls, rolls};
 /// bend: what a bend of 90° has when it is divided into 18, the coarsest that workshops bend by.
 pub const SHARP_CREASE_DEG: f64 = 5.0;
 
+/// Creases up to this angle, radians, do not bend the sheet: numbers of 16 digits make such ones on
+/// a plate.
+const FLAT_CREASE: f64 = 1e-9;
+
 /// What is measured at one rung.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RungMeasures {
@@ -73,6 +77,11 @@ impl RungMeasures {
     /// The warp angle, unless the sampling explains it: then 0. Radians.
     pub fn warp_beyond_sampling(&self) -> f64 {
         if self.warp > self.resolution { self.warp } else { 0.0 }
+    }
+
+    /// Whether the sheet bends along it; smaller creases come from rounding.
+    pub fn bends(&self) -> bool {
+        self.crease.abs() > FLAT_CREASE
     }
 }
 

@@ -138,8 +138,6 @@ impl Default for PatternOptions {
     }
 }
 
-/// Creases below it, radians, do not bend the sheet.
-const FLAT: f64 = 1e-9;
 /// Ticks are as long as this share of the shorter side of the piece, within 2 to 10 mm.
 const TICK_SHARE: f64 = 0.05;
 /// Labels are as high as this share of the shorter side of the piece, within 2 to 25 mm.
@@ -185,7 +183,7 @@ pub fn piece(
     let tick = (TICK_SHARE * shorter).clamp(2.0, 10.0);
     let bending: Vec<[Point2; 2]> = left
         .iter()
-        .filter(|(_, rung)| rung.crease.abs() > FLAT)
+        .filter(|(_, rung)| rung.bends())
         .map(|&(n, _)| sheet.rung_ends(n).map(|s| flat.points[s.get()]))
         .collect();
     paths.extend(ruling_ticks(&bending, options.ruling_ticks, tick));

@@ -1,0 +1,154 @@
+//! Which rungs a picture draws, how they look, and what the legend says of them.
+
+use super::canvas::{Anchor, MARGIN, line, text};
+use super::wording::thinned;
+use super::worst_rung;
+use sheetwright::design::MadePanel;
+use sheetwright::material::{Material, warp_limit_deg};
+use sheetwright::math::{Point2, from_deg, to_deg};
+use sheetwright::measure::{RungMeasures, SHARP_CREASE_DEG};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Rungs of a class drawn on a panel, at the most.
+pub(super) const MOST_RUNGS: usize = 60;
+/// The middles of rulings on a panel stand at least this far apart, in units of the picture: closer
+/// ones would run into one another.
+pub(super) const APART: f64 = 5.0;
+/// The classes of rungs, in the order in which they are drawn.
+pub(super) const RUNG_CLASSES: [&str; 6] = ["turn", "r", "score", "t", "x", "w"];
+/// Those that stand apart, of which the first take their room before the others.
+pub(super) const APART_CLASSES: [&str; 2] = ["turn", "r"];
+
+/// The class of every rung that is drawn: `w` the one that warps most, if it is beyond the limit,
+/// `x` beyond it, `t` bent more tightly than the sheet takes, `score` a fold, `turn` one that
+/// turns as sharply as the pattern engraves, `r` any other along which the sheet bends: on a flat
+/// part a line would look like a bend. At the most about `most` of each.
+pub(super) fn rung_classes(
+    panel: &MadePanel,
+    material: Option<&Material>,
+    most: usize,
+) -> Vec<Option<&'static str>> {
+    let limit = from_deg(warp_limit_deg(material));
+    let least_mm = material.map_or(0.0, |m| m.bend_radius_mm);
+    let rungs = &panel.measures.rungs;
+    let is_beyond = |n: &usize| rungs[*n].warp_beyond_sampling() > limit;
+    let worst = worst_rung(&panel.measures).filter(is_beyond);
+    let mut classes = vec![None; rungs.len()];
+    let (beyond, within): (Vec<usize>, Vec<usize>) = (0..rungs.len()).partition(is_beyond);
+    let (tight, wide): (Vec<usize>, Vec<usize>) =
+        within.into_iter().partition(|&n| rungs[n].bend_radius_mm < least_mm);
+    let of_class = |class: &str| -> Vec<usize> {
+        wide.iter().copied().filter(|&n| class_within(&rungs[n]) == Some(class)).collect()
+    };
+    for (list, class) in [
+        (alike(&of_class("r"), most), "r"),
+        (alike(&of_class("turn"), most), "turn"),
+        (thinned(&of_class("score"), most), "score"),
+        (thinned(&tight, most), "t"),
+        (thinned(&beyond, most), "x"),
+    ] {
+        for n in list {
+            classes[n] = Some(class);
+        }
+    }
+    if let Some(worst) = worst {
+        classes[worst] = Some("w");
+    }
+    classes
+}
+
+/// The class of a rung that the sheet takes; `None` where it is flat.
+fn class_within(rung: &RungMeasures) -> Option<&'static str> {
+    if rung.is_fold {
+        Some("score")
+    } else if to_deg(rung.crease.abs()) > SHARP_CREASE_DEG {
+        Some("turn")
+    } else {
+        rung.bends().then_some("r")
+    }
+}
+
+/// At the most `most` of some rungs, each so many after the last, an even number: along a strip
+/// rungs lean one way and the other in turn, and only every other one is drawn.
+fn alike(rungs: &[usize], most: usize) -> Vec<usize> {
+    if rungs.len() <= most {
+        return rungs.to_vec();
+    }
+    let every = rungs.len().div_ceil(most).next_multiple_of(2);
+    rungs[(rungs.len() - 1) % every / 2..].iter().step_by(every).copied().collect()
+}
+
+/// The middles of rulings that are drawn, by squares as large as they stand apart.
+pub(super) struct Middles {
+    apart: f64,
+    squares: BTreeMap<(i64, i64), Vec<Point2>>,
+}
+
+impl Middles {
+    /// None yet, to stand at least this far apart in units of the picture.
+    pub(super) fn apart(apart: f64) -> Self {
+        Self { apart, squares: BTreeMap::new() }
+    }
+
+    fn square(&self, middle: Point2) -> (i64, i64) {
+        ((middle.x / self.apart).floor() as i64, (middle.y / self.apart).floor() as i64)
+    }
+
+    /// Whether no other is near.
+    pub(super) fn is_free(&self, middle: Point2) -> bool {
+        let (x, y) = self.square(middle);
+        let around = (-1..=1).flat_map(|i| (-1..=1).map(move |k| (x + i, y + k)));
+        let mut near = around.filter_map(|square| self.squares.get(&square)).flatten();
+        near.all(|other| other.distance(middle) >= self.apart)
+    }
+
+    pub(super) fn take(&mut self, middle: Point2) {
+        self.squares.entry(self.square(middle)).or_default().push(middle);
+    }
+}
+
+/// What the lines of a picture mean that stand out.
+pub(super) struct Legend {
+    pub(super) body: String,
+    /// How much higher it makes the picture.
+    pub(super) height: f64,
+}
+
+/// The legend of the classes of some lines, from a height of the picture on; empty if none stands
+/// out.
+pub(super) fn legend(classes: impl Iterator<Item = &'static str>, top: f64) -> Legend {
+    const ROW: f64 = 22.0;
+    let shown: BTreeSet<&str> = classes.collect();
+    let mut legend = Legend { body: String::new(), height: 0.0 };
+    for (class, words) in [
+        ("w", "warps most"),
+        ("x", "warps more than the sheet takes"),
+        ("t", "bent more tightly than the sheet takes"),
+        ("score", "fold: score it"),
+    ] {
+        if shown.contains(class) {
+            let y = top + legend.height + 0.5 * ROW;
+            legend.body += &line(class, &[Point2::new(MARGIN, y), Point2::new(MARGIN + 34.0, y)]);
+            let at = Point2::new(MARGIN + 44.0, y + 5.0);
+            legend.body += &text("", Anchor::Start, at, words);
+            legend.height += ROW;
+        }
+    }
+    legend
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rungs_that_are_drawn_lean_one_way() {
+        let all: Vec<usize> = (0..397).collect();
+        let few = alike(&all, 60);
+        assert!((45..=60).contains(&few.len()), "{}", few.len());
+        assert!(few.iter().all(|n| n % 2 == few[0] % 2), "{few:?}");
+        assert!(few[0] < 8 && few[few.len() - 1] > 388, "{few:?}");
+        assert_eq!(alike(&all[..60], 60), &all[..60]);
+        assert!(alike(&[], 60).is_empty());
+    }
+}
