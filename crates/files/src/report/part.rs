@@ -72,6 +72,11 @@ impl<'a> Part<'a> {
         turning.map(|(_, hinge)| hinge.rung.ends())
     }
 
+    /// The rungs along which the sheet is cut open, by their ends.
+    pub(super) fn cuts(&self) -> impl Iterator<Item = [SampleIndex; 2]> + '_ {
+        self.panel.sheet.seams().iter().map(|seam| seam.rung.ends())
+    }
+
     fn sides(&self, rung: usize, shades: &[u16]) -> [bool; 2] {
         let of = self.panel.surface.connectivity().hinges()[rung].triangles;
         let front = of.map(|t| is_front(shades[t.get()]));

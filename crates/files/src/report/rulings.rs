@@ -18,6 +18,8 @@ pub(super) const APART: f64 = 5.0;
 pub(super) const RUNG_CLASSES: [&str; 6] = ["turn", "r", "score", "t", "x", "w"];
 /// Those that stand apart, of which the first take their room before the others.
 pub(super) const APART_CLASSES: [&str; 2] = ["turn", "r"];
+/// The class of cuts in space: rungs along which the pattern is cut open.
+pub(super) const CUT: &str = "seam";
 
 /// The class of every rung that is drawn: `w` the one that warps most, if it is beyond the limit,
 /// `x` beyond it, `t` bent more tightly than the sheet takes, `score` a fold, `turn` one that
@@ -125,6 +127,7 @@ pub(super) fn legend(classes: impl Iterator<Item = &'static str>, top: f64) -> L
         ("x", "warps more than the sheet takes"),
         ("t", "bent more tightly than the sheet takes"),
         ("score", "fold: score it"),
+        (CUT, "cut open on the pattern"),
     ] {
         if shown.contains(class) {
             let y = top + legend.height + 0.5 * ROW;

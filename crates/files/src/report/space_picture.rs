@@ -1,11 +1,11 @@
-//! The surface in space: shaded triangles, rulings and the boundary.
+//! The surface in space: shaded triangles, rulings, the boundary and the cuts.
 
 use super::canvas::{Anchor, MARGIN, PathData, Picture, WIDTH, line, round_below, scale_bar, text};
 use super::paint::{MOST_PATHS, Scene, coarse_shade, joined, shades_of};
 use super::part::Part;
 use super::raster::Facet;
 use super::rulings::{
-    APART, APART_CLASSES, MOST_RUNGS, Middles, RUNG_CLASSES, legend, rung_classes,
+    APART, APART_CLASSES, CUT, MOST_RUNGS, Middles, RUNG_CLASSES, legend, rung_classes,
 };
 use super::view::{View, view_of};
 use super::wording::length_short;
@@ -64,13 +64,16 @@ fn pictured(panels: &[MadePanel], material: Option<&Material>, title: String) ->
     body += &outlines(&parts, &shades, &scene);
     body += &fit.foot(&view);
     let rungs = parts.iter().flat_map(|part| part.rungs.iter().copied().flatten());
-    let shown = legend(rungs, fit.total);
+    let cuts = parts.iter().flat_map(|part| part.cuts().map(|_| CUT));
+    let shown = legend(rungs.chain(cuts), fit.total);
     Picture::new(WIDTH, fit.total + shown.height, title, body + &shown.body)
 }
 
-/// The boundaries of all parts, and where their surfaces turn away from the eye.
+/// The boundaries of all parts, where their surfaces turn away from the eye, and the cuts along
+/// which their sheets are open.
 fn outlines(parts: &[Part<'_>], shades: &[Vec<u16>], scene: &Scene<'_>) -> String {
     let (mut border, mut turns) = (PathData::default(), PathData::default());
+    let mut cuts = PathData::default();
     for (part, shades) in parts.iter().zip(shades) {
         let connectivity = part.panel.surface.connectivity();
         let lines = connectivity.edges().map(|edge| part.line(edge));
@@ -85,9 +88,11 @@ fn outlines(parts: &[Part<'_>], shades: &[Vec<u16>], scene: &Scene<'_>) -> Strin
             let pieces = lines.flat_map(|(ends, near)| scene.visible_turn(ends, near));
             joined(pieces).into_iter().for_each(|run| turns.line(run));
         }
+        let lines = part.cuts().map(|ends| part.line(ends));
+        lines.flat_map(|(ends, near)| scene.visible(ends, near)).for_each(|run| cuts.line(run));
     }
-    let border = border.element(if parts.len() > MOST_THICK { "e thin" } else { "e" });
-    turns.element("e thin") + &border
+    let class = |name: &str| name.to_owned() + if parts.len() > MOST_THICK { " thin" } else { "" };
+    turns.element("e thin") + &border.element(&class("e")) + &cuts.element(&class(CUT))
 }
 
 /// The rungs of all parts, as far as they are seen. Where rulings would run into one another, some

@@ -4,7 +4,7 @@ use super::*;
 use crate::quads::PanelQuads;
 use samples::*;
 use sheetwright::check::Checked;
-use sheetwright::design::{Made, MadeMeshes, MeshOptions, make_meshes};
+use sheetwright::design::{Made, MadeMeshes, MeshOptions, make, make_meshes};
 use sheetwright::watch::Unwatched;
 use std::path::Path;
 
@@ -334,6 +334,21 @@ fn rulings_are_drawn_where_the_sheet_bends() {
         let few = lines(&picture, "turn");
         assert!((6..=7).contains(&few), "each of 90° / 7: {few}");
     }
+}
+
+#[test]
+fn a_picture_in_space_shows_where_the_sheet_is_cut_open() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/reducer.sheet.json");
+    let read = crate::read_any(&path, &crate::ReadOptions::default()).unwrap();
+    let crate::Input::Design(mut design) = read else { panic!("it is a design") };
+    design.panels[0].samples = 60;
+    let made = make(&design, &mut Unwatched).unwrap();
+    assert_eq!(made.panels[0].sheet.seams().len(), 1);
+    let [space, flat] = space_and_flat(&made);
+    let both = (lines(&space, "seam"), lines(&flat, "seam"));
+    assert_eq!(both, (2, 0), "with the legend; flat, the outline shows it");
+    assert!(space.contains("cut open on the pattern") && !flat.contains("cut open"));
+    assert!(!space_and_flat(&quarter())[0].contains("cut open"));
 }
 
 #[test]
