@@ -171,9 +171,10 @@ impl Prices {
         Self { numbers, after, ..Self::of_ends(ends, self.options, self.facing) }
     }
 
-    /// The same as [`Self::chain`] with the chain taken for a loop in order, whose banks are edges:
-    /// the folds at the cuts are left out, and triangles may differ in their last bit. Tables of it
-    /// are filled many times as fast.
+    /// The prices of the closed polygon that walks the samples of `order`, taken for a loop in
+    /// order. Unlike those of [`Self::chain`], they take banks for edges, which leaves out the
+    /// folds at the cuts, and triangles may differ in their last bit. Tables of it are filled many
+    /// times as fast.
     pub(crate) fn chain_in_order(&self, order: &[usize]) -> Self {
         let ends = order.iter().map(|&i| self.ends[i]).collect();
         Self::of_ends(ends, self.options, self.facing)
@@ -237,7 +238,7 @@ impl Prices {
         self.ends.is_empty()
     }
 
-    /// The same with another weight of the fold price.
+    /// These prices with the weight `fold` of the fold price.
     pub(crate) fn with_fold(self, fold: f64) -> Self {
         Self { options: PriceOptions { fold, ..self.options }, ..self }
     }
@@ -276,7 +277,7 @@ impl Prices {
         if smooth.is_special { self.special_planes(i, j) } else { Some(smooth.into()) }
     }
 
-    /// The same for a rung that is special.
+    /// The tangent planes along a special rung; `None` where it has none.
     fn special_planes(&self, i: usize, j: usize) -> Option<RungPlanes> {
         // In the order of the boundary, so that rounding does not depend on the chain.
         let (i, j) = if self.number(i) < self.number(j) { (i, j) } else { (j, i) };

@@ -314,7 +314,8 @@ pub(super) fn special_smooth(from: &Leaving, to: &Leaving, facing: [f64; 3]) -> 
     }
 }
 
-/// The same as [`unit`], and whether there is any; for vectors that are finite.
+/// The unit vector along a finite vector with the bits of [`unit`], and whether there is one: none
+/// along zero.
 #[inline(always)]
 fn unit_of(v: [f64; 3]) -> ([f64; 3], bool) {
     let larger = |a: f64, b: f64| if b > a { b } else { a };

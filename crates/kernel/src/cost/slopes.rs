@@ -15,8 +15,9 @@ use crate::math::{Vec3, unit};
 /// squared. Normals that are turned by an angle differ from t × d by rounding only.
 const SAME_NORMAL: f64 = 1e-12;
 
-/// The same for those that differ by rounding alone. Where two tangents lie in one plane with the
-/// rung, as those along the edges of a triangle do, both give the normal, and the first is taken.
+/// Squared distance of two unit normals up to which they differ by rounding alone. Where two
+/// tangents lie in one plane with the rung, as those along the edges of a triangle do, both give
+/// the normal, and the first is taken.
 const ROUNDING: f64 = 1e-24;
 
 /// How fast something grows with the position and the unit tangents of a sample; per mm, and per

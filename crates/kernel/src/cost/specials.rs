@@ -53,7 +53,8 @@ impl Prices {
         }
     }
 
-    /// The same for these, between smooth samples.
+    /// Writes to `strip` the special rungs from sample `i` that `which` says, all between smooth
+    /// samples.
     fn special_smooth_lanes(
         &self,
         i: usize,

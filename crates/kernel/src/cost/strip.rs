@@ -282,8 +282,8 @@ impl OnEdges<'_> {
     /// slight.
     ///
     /// With c = n · s for the normal n and the sum s of the N, and r rungs, x = r² − c² says it
-    /// without a root: r − c = x / (r + c), and c ≤ r − x / 2r, so that r − c ≥ x / 2r (1 + x /
-    /// 4r²). Prices are rounded to the quantum.
+    /// without a root: r − c = x / (r + c), and c ≤ r − x / 2r, so that
+    /// r − c ≥ x / 2r (1 + x / 4r²). Prices are rounded to the quantum.
     #[inline(always)]
     pub(crate) fn least_prices(&self, fold: f64) -> Lanes {
         let mut prices = [0.0; LANES];

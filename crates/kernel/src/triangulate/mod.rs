@@ -244,9 +244,9 @@ pub fn triangulate(
     Ok(triangulate_near(boundary, plane, options, None, watch)?.triangulation)
 }
 
-/// The same as [`triangulate`], faster where what is `known` of a boundary that was nearly the same
-/// is nearly the answer, as while a handle is dragged: what it costs now is a bound. The
-/// answer does not depend on it.
+/// The cheapest triangulation of a boundary, as [`triangulate`] finds it, sooner where one is
+/// `known` of a boundary that was nearly the same, as while a handle is dragged: its price now is a
+/// bound. The answer does not depend on it.
 ///
 /// # Errors
 /// See [`TriangulateError`].
@@ -475,7 +475,7 @@ impl<'a> Terms<'a> {
         Self { prices, visibility, forced, rule: Rule::Sum, bar: f64::INFINITY, memory: u64::MAX }
     }
 
-    /// The same with no more memory than this, bytes.
+    /// Limits the memory that tables may take, bytes.
     fn within(self, memory: u64) -> Self {
         Self { memory, ..self }
     }

@@ -61,15 +61,16 @@ pub(super) use bounds::{price_near, solve_priced};
 /// Above it no bound is tried: a boundary like that needs all entries.
 const HIGHEST_BOUND: f64 = 100.0;
 
-/// What the tables of m samples take at the most, bytes: this one, with folds, who sees whom, and
-/// the same of the thinned loops, a sixteenth each of the one before.
+/// Upper bound on the memory of the tables of m samples, bytes: the table of all rungs with folds,
+/// the pairs that see one another, and both again for each thinned loop, a sixteenth of the one
+/// before.
 pub fn memory_needed(m: usize) -> u64 {
     let seen = Visibility::memory_needed(m);
     (store::most_bytes(m.div_ceil(LANES)) + seen).div_ceil(15) * 16
 }
 
-/// The same at the least, where hardly any entry can belong to the answer and nobody asks who sees
-/// whom.
+/// Lower bound on the memory of the tables of m samples, bytes: no tile has a finite entry, and no
+/// pairs that see one another are stored.
 pub(super) fn least_memory_needed(m: usize) -> u64 {
     store::least_bytes(m.div_ceil(LANES)).div_ceil(15) * 16
 }

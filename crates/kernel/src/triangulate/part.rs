@@ -15,7 +15,7 @@ impl<'w> Part<'w> {
         Self { watch, share, told: f64::NEG_INFINITY }
     }
 
-    /// A part whose progress nobody can tell.
+    /// A part of the work whose progress is not passed on.
     pub(super) fn silent(watch: &'w mut dyn Watch) -> Self {
         Self { watch, share: 0.0..0.0, told: f64::INFINITY }
     }

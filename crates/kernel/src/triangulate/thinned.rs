@@ -37,9 +37,8 @@ pub(super) struct Thinned {
 }
 
 impl Thinned {
-    /// The same with folds that cost less beside twist, as in the loop of all samples: there a rung
-    /// of a twisted part becomes [`THINNING`] of them, while a fold between two flat parts stays
-    /// one.
+    /// Divides the weight of folds by [`THINNING`]: in the loop of all samples a rung of a twisted
+    /// part becomes that many rungs, while a fold between two flat parts stays one.
     pub(super) fn with_cheaper_folds(self) -> Self {
         let fold = self.prices.options().fold / THINNING as f64;
         Self { prices: self.prices.with_fold(fold), ..self }

@@ -55,7 +55,7 @@ impl Visibility {
         matches!(self.seen, Seen::Everything)
     }
 
-    /// Who sees whom; nothing if everybody sees everybody.
+    /// The pairs of samples that see one another; `None` where any two do.
     #[inline(always)]
     fn pairs(&self) -> Option<&PairSet> {
         match &self.seen {

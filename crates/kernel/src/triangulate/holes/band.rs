@@ -275,7 +275,7 @@ impl<'c, 'a> Band<'c, 'a> {
         let mut unsought = f64::INFINITY;
         loop {
             for (starts, least) in sets.drain(..) {
-                // Nobody knows how often sets are halved: each sweep gets half of what is left.
+                // How often sets are halved is not known: each sweep gets half of what is left.
                 let mut part = Part::new(watch, 1.0 - left..1.0 - 0.5 * left);
                 left *= 0.5;
                 if let Some(walk) = self.swept(&starts, counting, bound, work, &mut part)? {

@@ -57,7 +57,7 @@ impl<'a> Chains<'a> {
         }
     }
 
-    /// The same with other work.
+    /// These chains, for which `work` counts what is done.
     pub(super) fn within(&self, work: Work<'a>) -> Self {
         Self { work, ..self.clone() }
     }
@@ -145,7 +145,7 @@ impl<'a> Chains<'a> {
         !shared && segments_touch(points[a], points[b], points[c], points[d])
     }
 
-    /// The same domain with a cut between spots of two chains.
+    /// The domain with one cut more, between spots of two chains, which become one.
     pub(super) fn with_cut(&self, p: Spot, q: Spot) -> Self {
         let (p, q) = if p.chain < q.chain { (p, q) } else { (q, p) };
         let (first, second) = (&self.chains[p.chain], &self.chains[q.chain]);

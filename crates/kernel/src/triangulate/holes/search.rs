@@ -96,7 +96,7 @@ pub(super) fn improved(
     for _ in 0..MOST_ROUNDS {
         let mut better = false;
         for kind in [Prefer::Short, Prefer::Long, Prefer::Straight] {
-            // Nobody knows how many rounds it takes: each gets a part of what is left.
+            // How many rounds it takes is not known: each gets a part of what is left.
             let mut part = Part::new(watch, 1.0 - left..1.0 - 0.8 * left);
             better |= improve(chains, &mut best, kind, &mut part)?;
             left *= 0.8;

@@ -64,7 +64,7 @@ impl<'a> Work<'a> {
         self.end.saturating_sub(self.tally.done())
     }
 
-    /// Whether all that may be done is done: then whoever asks ends.
+    /// Whether all that may be done is done: then the caller ends, and the search is cut short.
     #[inline]
     pub(super) fn is_out(self) -> bool {
         let is_out = self.tally.done() >= self.end;

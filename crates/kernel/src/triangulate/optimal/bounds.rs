@@ -30,7 +30,8 @@ const LEAST_ROUGH: usize = 128;
 /// was found is taken to be nearly the cheapest. Next to a developable surface it is a quarter. Of
 /// random curves, some cost 0.31 to 0.46 times as much where another shape was far cheaper.
 const NEAR: f64 = 0.3;
-/// The same for what is found with cheaper folds, which is one guess of two.
+/// [`NEAR`] for a triangulation that is found with cheaper folds: it is one guess of two, so it may
+/// cost as much as that of the thinned loop.
 const NEAR_WITH_CHEAPER_FOLDS: f64 = 1.0;
 /// Where the next band costs more than so many times as much, what was taken to be nearly the
 /// cheapest was not.
@@ -91,7 +92,8 @@ struct Filled<'a> {
     growth: Option<f64>,
 }
 
-/// The same, with the table. `counts`: whether the tiles of thinned loops are to be counted.
+/// The cheapest triangulation, with the table that holds it; `None` if there is none. `counts` says
+/// whether the tiles of thinned loops are counted.
 fn solve_in_table<'a>(
     terms: &'a Terms<'a>,
     counts: bool,
@@ -102,7 +104,8 @@ fn solve_in_table<'a>(
     fill_below(table, &bounds, watch)
 }
 
-/// The same, below these bounds.
+/// Fills the table below one bound after the other, until it holds a triangulation; `None` if none
+/// of the bounds leads to one.
 fn fill_below<'a>(
     mut table: Table<'a>,
     bounds: &Bounds,
@@ -110,7 +113,7 @@ fn fill_below<'a>(
 ) -> Result<Option<Filled<'a>>, TriangulateError> {
     let mut left = 1.0;
     for &bound in &bounds.prices {
-        // Nobody knows how many bounds it takes: each gets half of what is left of the progress.
+        // How many bounds it takes is not known: each gets half of what is left of the progress.
         let share = 1.0 - left..1.0 - 0.5 * left;
         let price = table.fill(bound, None, watch, share)?;
         if price < f64::INFINITY {

@@ -195,7 +195,7 @@ mod tests {
                 opposite += usize::from(mean.iter().sum::<f64>() < 0.0);
             }
             loops += usize::from(tiles > before);
-            // The same answer as without.
+            // Flat stretches change no triangle of the answer.
             let solved = solve_priced(&terms, &mut Unwatched).unwrap().unwrap();
             if solved.price <= 1.0 {
                 assert_eq!(plain.entry(0, prices.len() - 1), solved.price, "{case}");

@@ -45,7 +45,8 @@ impl<'a> Open<'a> {
         Self { band, spans: spans_of(LANES), of_long, flat, bound, samples: m }
     }
 
-    /// The same without what samples tell, of flat stretches, too.
+    /// Tells every tile open that the band does not close: neither spans nor flat stretches are
+    /// known.
     #[cfg(test)]
     pub(super) fn without_spans(self) -> Self {
         Self { spans: vec![], of_long: vec![], flat: Flat::NONE, ..self }

@@ -110,12 +110,14 @@ impl Tile {
     }
 }
 
-/// What so many rows of tiles and as many columns take at the most, with N, bytes.
+/// Upper bound on the memory of a store of so many rows of tiles and as many columns, bytes: each
+/// tile has finite entries and N.
 pub(super) fn most_bytes(count: usize) -> u64 {
     least_bytes(count) + Store::slots(count) as u64 * (PLACE_BYTES + Tile::bytes(true))
 }
 
-/// The same without any tile that has finite entries.
+/// Lower bound on the memory of a store of so many rows of tiles and as many columns, bytes: the
+/// places of tiles, none of which has finite entries.
 pub(super) fn least_bytes(count: usize) -> u64 {
     Store::slots(count) as u64 * size_of::<u32>() as u64
 }

@@ -104,7 +104,8 @@ impl<'a> Table<'a> {
         self.fill_open(&open, watch, start..share.end)
     }
 
-    /// The same for the tiles that are open.
+    /// Fills the tiles that are open, and returns the price of the answer. `share` is the part of
+    /// the progress that this is.
     pub(super) fn fill_open(
         &mut self,
         open: &Open<'_>,
@@ -166,7 +167,8 @@ impl<'a> Table<'a> {
         self.folds && self.in_order && self.m >= LEAST_OUTSIDE
     }
 
-    /// The same with what the rest of the loop costs as it was found, or without.
+    /// Fills the tiles that are open, beside `outside`: lower bounds on what the rest of the loop
+    /// costs, or none. Returns the price of the answer.
     #[cfg(test)]
     pub(super) fn fill_beside(
         &mut self,

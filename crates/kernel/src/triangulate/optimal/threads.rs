@@ -1,8 +1,9 @@
 //! Threads that help the one that works out a table.
 //!
 //! Helpers are called once for all that is to be shared, and look for something to do until nothing
-//! is left. Whoever called them, the *leader*, begins at once, so that one who comes late costs no
-//! time until the end; only there is each waited for. Without the feature `rayon` there are none.
+//! is left. The thread that called them, the *leader*, begins at once, so that a late helper costs
+//! no time until the end; only there does it wait for each. Without the feature `rayon` there are
+//! none.
 
 #[cfg(feature = "rayon")]
 use std::{

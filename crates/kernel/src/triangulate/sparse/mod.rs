@@ -208,7 +208,7 @@ fn prove(
     }
     let (mut left, mut work) = (1.0, budget.work);
     for _ in 0..MOST_TRIALS {
-        // Nobody knows how many trials it takes: each gets half of what is left of the progress.
+        // How many trials it takes is not known: each gets half of what is left of the progress.
         let watch = &mut Part::new(watch, 1.0 - left..1.0 - 0.5 * left);
         left *= 0.5;
         let counted = halves(share * known.price);

@@ -26,7 +26,8 @@ const FIRST: usize = 1;
 const SECOND: usize = 2;
 const BOTH: usize = 3;
 
-/// The same of bundles that begin at one run and end at [`LANES`] runs in a row.
+/// Prices of the bundles that begin at one run and end at [`LANES`] runs in a row, as [`Charged`]
+/// has them of one.
 type Bundles = [Lanes; 4];
 const NEVER: Bundles = [[f64::INFINITY; LANES]; 4];
 
@@ -165,15 +166,16 @@ impl<'a> Afar<'a> {
         if edges == 1 { of_edges } else { of_edges.min(self.nibble(a, x)) }
     }
 
-    /// No triangle pays less whose corners are two samples of run a, which are no neighbours, and
-    /// one of x.
+    /// Lower bound on what a triangle pays beyond a nibble: its corners are two samples of run a,
+    /// which are no neighbours, and one of x.
     fn nibble(&self, a: usize, x: usize) -> f64 {
         let of_rungs = self.nibble_of_rungs(a, x);
         // One of its sides may be the edge to the next run.
         if a.abs_diff(x) == 1 { of_rungs.min(self.nibble_of_edge(a, x)) } else { of_rungs }
     }
 
-    /// The same if all of its sides are rungs.
+    /// Lower bound on what a triangle pays beyond a nibble of run a, with its third corner in x, if
+    /// all of its sides are rungs.
     fn nibble_of_rungs(&self, a: usize, x: usize) -> f64 {
         let n = self.cells.runs.len();
         let (from, to) = (a.min(x), a.max(x));
@@ -190,7 +192,8 @@ impl<'a> Afar<'a> {
         0.5 * own.least + across.least + fold
     }
 
-    /// The same if one of them is the edge between the runs.
+    /// Lower bound on what a triangle pays beyond a nibble of run a, with its third corner in x, if
+    /// one of its sides is the edge between the runs.
     fn nibble_of_edge(&self, a: usize, x: usize) -> f64 {
         let (own, across) = (self.cells.of(a, a), self.cells.of(a.min(x), a.max(x)));
         let fold = least_fold(self.fold, [&own.normals, &across.normals, &NormalBox::ANY]);
@@ -265,7 +268,9 @@ fn beside_first(second: &Charged, across: &Charged, at: usize) -> f64 {
     )
 }
 
-/// The same of the second side.
+/// What is outside of the second side of a triangle, from what is inside of the first and outside
+/// of the one that spans both: the common run of the sides is charged in one of them, the far end
+/// of the first in that or farther out.
 #[inline(always)]
 fn beside_second(first: &Charged, across: &Charged, at: usize) -> f64 {
     let of_middle = if at & FIRST == 0 { SECOND } else { NEITHER };

@@ -30,11 +30,13 @@ pub(super) struct Cell {
     pub(super) least: f64,
     /// Where N of the rungs up to the bound lies.
     pub(super) normals: NormalBox,
-    /// No triangle on an edge between samples of a whose third corner is of b costs less, with half
-    /// of the prices of its rungs, nor the other way round; hardly less than the least where folds
-    /// are slight.
+    /// Lower bounds on the price, with half of the prices of its rungs, of a triangle on an edge
+    /// between samples of a with its third corner in b, and of one on an edge in b with its third
+    /// corner in a. Close to the least price where folds are slight.
     pub(super) on_edges: [f64; 2],
-    /// The same on the edge from a to the run after it, and on that from b to the run after it.
+    /// Lower bounds on the price, with half of the prices of its rungs, of a triangle on the edge
+    /// from a to the run after it with its third corner in b, and of one on the edge from b to the
+    /// run after it with its third corner in a.
     pub(super) on_links: [f64; 2],
 }
 
@@ -78,7 +80,8 @@ impl Cells {
         Self::in_blocks(terms, registers, open, runs, rows, helpers.as_ref(), watch)
     }
 
-    /// The same with so many rows of tiles in a block, or some more, and these helpers.
+    /// Prices all rungs that spans leave open, with this many rows of tiles in a block or some
+    /// more, and these helpers.
     pub(super) fn in_blocks(
         terms: &Terms<'_>,
         registers: pulp::Arch,

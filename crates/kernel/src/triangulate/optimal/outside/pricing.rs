@@ -84,8 +84,8 @@ impl Row {
         }
     }
 
-    /// The same as [`lower_on_edges`] for those before the samples of the tile: the triangles i, j
-    /// − 1, j. The last sample of the loop comes after `i`.
+    /// Lowers the least prices by the triangles on the edges before the samples j of the tile:
+    /// those with the corners i, j − 1 and j. The last sample of the loop comes after `i`.
     #[inline(always)]
     fn lower_on_column_edges(
         &self,
@@ -112,8 +112,9 @@ impl Row {
         lower_on_edges(least, fold, prices, &triangles);
     }
 
-    /// The same as [`lower_on_edges`] for the edge between the sample that they lead from and
-    /// sample i, the next one, with its rungs: the triangles i − 1, i, j.
+    /// Lowers the least prices by the triangles on the edge between the sample that these rungs
+    /// lead from and the next one, i, whose rungs are `strip`: those with the corners i − 1, i and
+    /// j.
     #[inline(always)]
     fn lower_on_row_edge(
         &self,

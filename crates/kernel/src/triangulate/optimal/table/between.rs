@@ -24,7 +24,8 @@ pub(super) struct Sides<'a> {
     pub(super) beyond: &'a Tile,
     /// The least that two entries, one of each, are together.
     sums: f64,
-    /// The same with the least F of a triangle.
+    /// Lower bound on the price of a triangle on two such sides: the least sum of two entries, with
+    /// the least F.
     pub(super) least: f64,
 }
 

@@ -385,7 +385,9 @@ impl Table<'_> {
         least.lower(k, |n| together(entry, entries[n]));
     }
 
-    /// The same where some of the sums lie below the least prices, so that F decides.
+    /// Looks at the triangles i, k, j of one k and all j, where F decides: some of the sums
+    /// E(i,k) + E(k,j) lie below the least prices. `shared` is the N of ⟨i,k⟩, `means` are those of
+    /// the ⟨k,j⟩.
     #[inline(always)]
     fn look_closer<const FUSED: bool>(
         &self,
@@ -476,8 +478,9 @@ impl Table<'_> {
         }
     }
 
-    /// The same as [`Self::look_closer`] for one triangle after the other, where samples are not
-    /// numbered in order. First comes a bound of F from the N alone.
+    /// Looks at the triangles i, k, j of one k, one j after the other, where samples are not
+    /// numbered in order. A lower bound on F from the N alone comes first, and spares most of them
+    /// the F itself.
     #[inline(never)]
     fn look_singly(
         &self,

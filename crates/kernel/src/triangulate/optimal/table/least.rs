@@ -37,7 +37,8 @@ impl Least<'_> {
         left
     }
 
-    /// The same, and nothing for one lane.
+    /// What F must be below, as [`Self::left`] has it, but 0 for the lane `one`, whose triangle is
+    /// known: no F is below that.
     #[inline(always)]
     pub(super) fn left_but(&self, one: usize, entry: f64, entries: &Lanes) -> Lanes {
         let mut left = [0.0; LANES];

@@ -1,9 +1,9 @@
 //! Threads that fill a table together.
 //!
 //! 1. Of [`WIDTH`] columns of tiles, one diagonal after the other is filled. The tiles of a
-//!    diagonal need nothing of one another, so whoever fills them, the bits are the same. What
-//!    tiles beside one another share comes from the processors' caches then; with diagonals of all
-//!    columns, two threads take 1.4 times as long at 100,000 samples (*wavy*).
+//!    diagonal need nothing of one another, so the bits are the same whichever thread fills them.
+//!    What tiles beside one another share comes from the processors' caches then; with diagonals of
+//!    all columns, two threads take 1.4 times as long at 100,000 samples (*wavy*).
 //! 2. A table of 400 samples has 25 diagonals and takes a few milliseconds: to wake threads for
 //!    each of them would take longer than its work. So helpers are called once for a table, and
 //!    look out for the next diagonal until the last is filled (`threads`).
@@ -29,7 +29,7 @@ const NONE_LEFT: usize = usize::MAX;
 struct Shared<'s, 'a> {
     columns: Vec<Mutex<Column>>,
     open: &'s Open<'s>,
-    /// Whoever fills a tile reads it.
+    /// A thread that fills a tile reads it.
     diagonal: RwLock<Diagonal<'s, 'a>>,
     /// The number of the diagonal that is filled, [`NONE_YET`] or [`NONE_LEFT`].
     at: AtomicUsize,
@@ -106,7 +106,7 @@ impl<'s, 'a> Shared<'s, 'a> {
         }
     }
 
-    /// Fills all diagonals, with whoever helps.
+    /// Fills all diagonals, with the helpers.
     fn lead(
         &self,
         watch: &mut dyn Watch,
