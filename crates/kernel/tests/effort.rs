@@ -89,6 +89,21 @@ fn a_search_ends_with_the_work_that_it_may_do() {
     assert!(cut_short > 10, "{cut_short}");
 }
 
+/// A table on the chain of all samples takes half of the work that may be done: there is one, and
+/// what comes after the end of the work is the lower bound of the edges alone.
+#[test]
+fn a_large_first_table_is_filled_once() {
+    let m = 680_u64;
+    let (table, limit) = (m.pow(3) / 6, m.pow(3) / 3);
+    for seed in 1..4 {
+        let sizes = [m as usize / 2; 2];
+        let boundary = tangled_loops(&mut Random::new(seed), &sizes, 0.1).unwrap();
+        let found = solved(&boundary, PlaneChoice::None, limit);
+        assert!(found.cut_short && found.work > table, "{seed}: {}", found.work);
+        assert!(found.work < limit + table / 2 + 60 * m.pow(2), "{seed}: {}", found.work);
+    }
+}
+
 #[test]
 fn the_gap_is_true() {
     for (name, boundary, choice) in far_from_developable() {

@@ -5,6 +5,7 @@
 //! price of its rungs, divided by its edges where it has several. That needs O(m²) triangles. It is
 //! low, as a triangle that cuts off a corner costs little, but it is never without a number.
 
+use super::super::{BARRED, Side};
 use super::bound::{price_of, units};
 use super::chains::Chains;
 use super::work::SIDE;
@@ -12,26 +13,41 @@ use crate::math::Vec3;
 
 /// What no triangulation is cheaper than.
 pub(super) fn floor(chains: &Chains<'_>) -> f64 {
-    let prices = &chains.terms.prices;
-    let m = prices.len();
-    chains.work.count(2 * SIDE * (m as u64).pow(2));
-    let at_edge = |a: usize, b: usize| {
-        let of_apex = |c: usize| {
-            let [bc, ca] = [chains.terms.side(b, c), chains.terms.side(c, a)];
-            let rungs = bc.price + ca.price;
-            if rungs == f64::INFINITY {
-                return None;
-            }
-            let fold = chains.fold([a, b, c], [Vec3::ZERO, bc.mean, ca.mean]);
-            let edges =
-                1 + [(b, c), (c, a)].into_iter().filter(|&(p, q)| prices.neighbours(p, q)).count();
-            Some((units(fold) + units(rungs) / 2) / edges as i64)
-        };
-        (0..m).filter(|&c| c != a && c != b).filter_map(of_apex).min().unwrap_or(0)
-    };
+    let m = chains.terms.prices.len();
+    chains.work.count(SIDE * (m as u64).pow(2));
     let of_loop = |list: &Vec<usize>| -> i64 {
+        let side = |a: usize, c: usize| if a == c { BARRED } else { chains.terms.side(a, c) };
+        let from = |a: usize| (0..m).map(|c| side(a, c)).collect::<Vec<Side>>();
+        let mut sides = from(list[0]);
         let next = list.iter().cycle().skip(1);
-        list.iter().zip(next).map(|(&a, &b)| at_edge(a, b)).sum()
+        let edges = list.iter().zip(next).map(|(&a, &b)| {
+            let from_a = std::mem::replace(&mut sides, from(b));
+            at_edge(chains, [a, b], [&from_a, &sides])
+        });
+        edges.sum()
     };
     price_of(chains.chains.iter().map(of_loop).sum())
+}
+
+/// The least share in the price, in half quanta, of a triangle on an edge. `sides` lead from each
+/// of its ends to all samples.
+fn at_edge(chains: &Chains<'_>, [a, b]: [usize; 2], sides: [&[Side]; 2]) -> i64 {
+    let mut least: Option<i64> = None;
+    for c in (0..chains.terms.prices.len()).filter(|&c| c != a && c != b) {
+        let [ca, bc] = [sides[0][c], sides[1][c]];
+        let rungs = bc.price + ca.price;
+        if rungs == f64::INFINITY {
+            continue;
+        }
+        let is_edge = |p| chains.terms.prices.neighbours(p, c);
+        let edges = 1 + i64::from(is_edge(a)) + i64::from(is_edge(b));
+        let of_rungs = units(rungs) / 2;
+        // Folds are never negative.
+        if least.is_none_or(|least| of_rungs / edges < least) {
+            let fold = chains.fold([a, b, c], [Vec3::ZERO, bc.mean, ca.mean]);
+            let share = (units(fold) + of_rungs) / edges;
+            least = Some(least.map_or(share, |least| least.min(share)));
+        }
+    }
+    least.unwrap_or(0)
 }

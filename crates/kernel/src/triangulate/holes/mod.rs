@@ -71,7 +71,9 @@ fn searched(
 ) -> Result<Option<Found>, TriangulateError> {
     let watch = &mut Part::new(watch, 0.0..1.0);
     if chains.chains.len() == 2 {
-        let worth = bound.min(WORTH_A_BOUND);
+        // A large table is filled once: what comes out is the answer if nothing better is found.
+        let is_large = polygon::is_large(chains, chains.len(0) + chains.len(1) + 2);
+        let worth = if is_large { bound } else { bound.min(WORTH_A_BOUND) };
         let first = search::first(chains, worth, &mut Part::new(watch, 0.0..0.1))?;
         return band::solve_exactly(chains, first, bound, &mut Part::new(watch, 0.1..1.0));
     }

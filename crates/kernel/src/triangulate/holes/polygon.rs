@@ -13,36 +13,42 @@ const FOLDED_SUM: u64 = 10;
 /// A table that takes more than one part in so many of the work that is left is large.
 const LARGE: u64 = 4;
 
+/// Cases of rungs used from both banks that are tried at the most.
+const MOST_CASES: usize = 200;
 /// Tables at the most for a surface that is to be found soon.
 const MOST_QUICK: usize = 4;
+/// Such a table that takes no more steps than this, a twentieth of a second, is filled even where
+/// no work is left.
+const SMALL: u64 = 50_000_000;
 
-/// The cheapest triangulation of the only chain that is a surface; `None` if there is none up to
-/// `bound`, or none after `most` tries.
+/// The cheapest triangulation of the only chain that is a surface, or one that is found soon;
+/// `None` if there is none up to `bound`, or none was found.
 ///
 /// Without a plane, the cheapest of all may use a rung from both banks of a cut, which is no
 /// surface. Then there are two cases, with one of the two barred, and the cheapest case is tried
-/// first. Once there is no work left to be done, one of the two is barred wherever a rung is used
-/// from both banks, all at once: that finds a surface after a few tables, mostly.
+/// first. Where tables are large, or not enough work is left for two of them, one of the two is
+/// barred wherever a rung is used from both banks, all at once: that finds a surface after a few
+/// tables, mostly.
 pub(super) fn solve_simple(
     chains: &Chains<'_>,
     bound: f64,
-    most: usize,
     watch: &mut dyn Watch,
 ) -> Result<Option<Solved>, TriangulateError> {
-    let mut cases: Vec<(Solved, Chains<'_>)> = Vec::new();
-    if let Some(solved) = solve(chains, bound, watch)? {
-        cases.push((solved, chains.clone()));
-    }
-    for _ in 0..most {
-        if chains.work.is_out() {
-            break;
-        }
+    let places = chains.len(0);
+    let (steps, is_large) = (least_steps(places), is_large(chains, places));
+    let Some(solved) = solve(chains, bound, watch)? else { return Ok(None) };
+    let mut cases = vec![(solved, chains.clone())];
+    for _ in 0..MOST_CASES {
         let cheapest =
             (0..cases.len()).min_by(|&a, &b| cases[a].0.price.total_cmp(&cases[b].0.price));
         let Some((solved, case)) = cheapest.map(|n| cases.swap_remove(n)) else { break };
         let Some(&twice) = used_twice(&case, &solved.triangles).first() else {
             return Ok(Some(by_samples(&case, solved)));
         };
+        if is_large || chains.work.left() < 2 * steps {
+            chains.work.cut_short();
+            return quickly(case, solved, bound, watch);
+        }
         for barred in twice {
             let mut case = case.clone();
             case.barred.insert(barred);
@@ -51,24 +57,26 @@ pub(super) fn solve_simple(
             }
         }
     }
-    let cheapest = cases.into_iter().min_by(|a, b| a.0.price.total_cmp(&b.0.price));
-    match cheapest {
-        Some((solved, case)) if chains.work.is_out() => quickly(case, solved, bound, watch),
-        _ => Ok(None),
-    }
+    Ok(None)
 }
 
-/// A surface that is found soon, from a triangulation that uses rungs from both banks of a cut.
+/// A surface that is found soon, from a triangulation that uses rungs from both banks of a cut;
+/// `None` if none is found with a few tables, as many as there is work left for.
 fn quickly(
     mut case: Chains<'_>,
     mut solved: Solved,
     bound: f64,
     watch: &mut dyn Watch,
 ) -> Result<Option<Solved>, TriangulateError> {
-    for _ in 0..MOST_QUICK {
+    let steps = least_steps(case.len(0));
+    let mut tables = 0;
+    loop {
         let twice = used_twice(&case, &solved.triangles);
         if twice.is_empty() {
             return Ok(Some(by_samples(&case, solved)));
+        }
+        if tables == MOST_QUICK || steps > SMALL.max(case.work.left()) {
+            return Ok(None);
         }
         // The shorter run along the chain keeps its rung.
         let apart = |places: &[usize; 2]| {
@@ -81,8 +89,8 @@ fn quickly(
         case.barred.extend(barred);
         let Some(next) = solve(&case, bound, watch)? else { return Ok(None) };
         solved = next;
+        tables += 1;
     }
-    Ok(None)
 }
 
 /// Triangles between samples, from triangles between places on the chain.
@@ -144,6 +152,21 @@ fn solve(
     }))
 }
 
+/// What a table on a chain of so many places takes at the least, steps: each of its sums.
+fn least_steps(places: usize) -> u64 {
+    (places as u64).pow(3) / 6
+}
+
+/// What a table on a chain of so many places takes at the most, steps.
+fn most_steps(terms: &Terms<'_>, places: usize) -> u64 {
+    least_steps(places) * if terms.folds() { FOLDED_SUM } else { 1 }
+}
+
+/// Whether the table on a chain of so many places may take a large part of the work that is left.
+pub(super) fn is_large(chains: &Chains<'_>, places: usize) -> bool {
+    most_steps(chains.terms, places) > chains.work.left() / LARGE
+}
+
 /// The triangles of the cheapest triangulation of a chain of these samples, numbered in order, and
 /// its price; `None` if there is none up to `bound`.
 ///
@@ -158,9 +181,9 @@ fn solve_on_chain(
     mut bound: f64,
     watch: &mut dyn Watch,
 ) -> Result<Option<Solved>, TriangulateError> {
-    let sums = (order.len() as u64).pow(3) / 6;
-    let all = if terms.folds() { FOLDED_SUM * sums } else { sums };
-    if terms.folds() && all > chains.work.left() / LARGE {
+    let places = order.len();
+    let (sums, all) = (least_steps(places), most_steps(terms, places));
+    if terms.folds() && is_large(chains, places) {
         chains.work.count(sums);
         let in_order = chains.terms.prices.chain_in_order(order);
         let in_order = Terms::new(&in_order, terms.visibility, terms.forced);

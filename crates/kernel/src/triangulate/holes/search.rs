@@ -111,9 +111,6 @@ pub(super) fn improved(
 /// Rounds of improvement at the most; two or three are usual.
 const MOST_ROUNDS: usize = 6;
 
-/// Cases of rungs used from both banks that are tried at the most for a first triangulation.
-const MOST_CASES: usize = 200;
-
 /// Which rungs are kept as cuts.
 #[derive(Clone, Copy)]
 enum Prefer {
@@ -151,7 +148,7 @@ pub(super) fn first(
         let Some((_, p, q)) = shortest else { return Ok(None) };
         cut = cut.with_cut(p, q);
     }
-    let found = polygon::solve_simple(&cut, bound, MOST_CASES, watch)?;
+    let found = polygon::solve_simple(&cut, bound, watch)?;
     if found.is_some() || chains.has_plane() || bound < f64::INFINITY {
         return Ok(found);
     }

@@ -69,9 +69,14 @@ impl<'a> Work<'a> {
     pub(super) fn is_out(self) -> bool {
         let is_out = self.tally.done() >= self.end;
         if is_out {
-            self.tally.cut_short.set(true);
+            self.cut_short();
         }
         is_out
+    }
+
+    /// Notes that more would have been done with more work.
+    pub(super) fn cut_short(self) {
+        self.tally.cut_short.set(true);
     }
 
     /// How much of it is done, 0 ..= 1.
