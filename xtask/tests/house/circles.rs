@@ -16,13 +16,12 @@ const CRATES: [&str; 6] =
     ["crates/kernel", "crates/shapes", "crates/files", "crates/cli", "crates/editor", "xtask"];
 
 /// The circles that are known: the folder, and the files in it that lead to one another.
-const KNOWN: [(&str, &[&str]); 7] = [
+const KNOWN: [(&str, &[&str]); 6] = [
     ("crates/editor", &["command", "document", "panes", "scene"]),
     ("crates/files", &["design_json", "input"]),
     ("crates/files/design_json", &["convert", "drawing", "grammar", "join", "vary", "write"]),
     ("crates/kernel/design", &["joining", "links", "run_on", "sampling"]),
     ("crates/kernel/design/varying", &["slips", "unknowns"]),
-    ("crates/kernel/triangulate/holes", &["band", "search"]),
     ("crates/kernel/triangulate/optimal/outside", &["cells", "pricing"]),
 ];
 

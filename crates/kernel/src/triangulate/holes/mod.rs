@@ -22,6 +22,7 @@ use super::outcome;
 use super::part::Part;
 use crate::boundary::SupportingPlane;
 use crate::watch::Watch;
+use band::RingFound;
 use chains::Chains;
 use std::ops::Range;
 pub(super) use work::{Tally, Work};
@@ -71,11 +72,7 @@ fn searched(
 ) -> Result<Option<Found>, TriangulateError> {
     let watch = &mut Part::new(watch, 0.0..1.0);
     if chains.chains.len() == 2 {
-        // A large table is filled once: what comes out is the answer if nothing better is found.
-        let is_large = polygon::is_large(chains, chains.len(0) + chains.len(1) + 2);
-        let worth = if is_large { bound } else { bound.min(WORTH_A_BOUND) };
-        let first = search::first(chains, worth, &mut Part::new(watch, 0.0..0.1))?;
-        return band::solve_exactly(chains, first, bound, &mut Part::new(watch, 0.1..1.0));
+        return of_ring(chains, bound, watch);
     }
     let first = search::first(chains, bound, &mut Part::new(watch, 0.0..0.1))?;
     let Some(first) = first else { return Ok(None) };
@@ -87,6 +84,33 @@ fn searched(
     let best = search::improved(&improving, first, &mut Part::new(watch, 0.1..0.5))?;
     let (best, lower_bound) = prove::prove(chains, best, &mut Part::new(watch, 0.5..1.0))?;
     Ok(Some(Found { triangles: best.triangles, lower_bound }))
+}
+
+/// As [`searched`], for one hole.
+fn of_ring(
+    chains: &Chains<'_>,
+    bound: f64,
+    watch: &mut dyn Watch,
+) -> Result<Option<Found>, TriangulateError> {
+    // A large table is filled once: what comes out is the answer if nothing better is found.
+    let is_large = polygon::is_large(chains, chains.len(0) + chains.len(1) + 2);
+    let worth = if is_large { bound } else { bound.min(WORTH_A_BOUND) };
+    let first = search::first(chains, worth, &mut Part::new(watch, 0.0..0.1))?;
+    let limit = first.as_ref().map_or(bound, |first| first.price.min(bound));
+    let part = &mut Part::new(watch, 0.1..1.0);
+    let RingFound { triangles, lower_bound } = band::solve_exactly(chains, limit, part)?;
+    if let Some(triangles) = triangles {
+        return Ok(Some(Found { triangles, lower_bound }));
+    }
+    // Where nothing is left open, there is none.
+    if lower_bound.is_none() {
+        return Ok(None);
+    }
+    let first = match first {
+        None if worth < bound => search::first(chains, bound, &mut Part::silent(watch))?,
+        first => first,
+    };
+    Ok(first.map(|first| Found { triangles: first.triangles, lower_bound }))
 }
 
 /// The price of a good triangulation without a plane up to `bound`: the best on a ring, and with
