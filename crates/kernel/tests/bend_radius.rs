@@ -72,7 +72,7 @@ fn the_verdict_goes_by_the_tightest_end() {
             half: [0.5 * (high[0] - low[0]), 0.5 * (high[1] - low[1])],
         }],
     };
-    // With 100 samples its narrow end has two edges, and nobody can tell.
+    // With 100 samples its narrow end has two edges: too few to tell the radius there.
     let told = [Verdict::Undecided, Verdict::WillNotBend, Verdict::WillNotBend];
     for (m, told) in [100, 200, 400].into_iter().zip(told) {
         let (found, verdict) = checked(&cone.sampled(m).boundary, plywood);
