@@ -29,3 +29,10 @@ fn comments_are_no_longer_than_code() {
     let long = comments(|line, _| line.chars().count() > MOST_CHARACTERS);
     assert!(long.is_empty(), "longer than {MOST_CHARACTERS} characters:\n{}", long.join("\n"));
 }
+
+#[test]
+fn comments_name_what_they_are_about() {
+    // What it is the same as may stand on another page.
+    let nameless = comments(|_, comment| comment.starts_with("The same"));
+    assert!(nameless.is_empty(), "say what it is:\n{}", nameless.join("\n"));
+}
