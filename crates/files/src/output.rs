@@ -123,6 +123,11 @@ pub enum OutputError {
         /// The other.
         other: String,
     },
+    /// `report.json` can't be written.
+    Report {
+        /// Why, in the words of the writer of JSON.
+        why: String,
+    },
 }
 
 impl fmt::Display for OutputError {
@@ -132,11 +137,18 @@ impl fmt::Display for OutputError {
             Self::SameName { panel, other } => {
                 write!(f, "panels '{panel}' and '{other}' would write the same file")
             }
+            Self::Report { why } => write!(f, "report.json can't be written: {why}"),
         }
     }
 }
 
 impl std::error::Error for OutputError {}
+
+impl From<serde_json::Error> for OutputError {
+    fn from(error: serde_json::Error) -> Self {
+        Self::Report { why: error.to_string() }
+    }
+}
 
 /// Makes the files of the formats that are asked for, in memory. Whatever is asked for, the
 /// pattern of every panel is written, read back and folded up again; and where curves were moved,
@@ -202,7 +214,7 @@ pub fn output_files(
         files.push(file("surface.step", write_step(&smooth)));
     }
     if asked(Format::Report) {
-        files.push(file("report.json", report_json(made, &errors_mm, &panels, &in_quads)));
+        files.push(file("report.json", report_json(made, &errors_mm, &panels, &in_quads)?));
         files.push(file("report.html", report_html(made, &errors_mm, &panels, report)));
     }
     if let Some(moved) = &made.moved {
@@ -252,7 +264,7 @@ pub fn mesh_output_files(
     let surface = asked(Format::Obj).then(|| write_meshes_obj(made));
     let mut files = patterns.files(surface);
     if asked(Format::Report) {
-        files.push(file("report.json", mesh_report_json(made, &errors_mm, &panels)));
+        files.push(file("report.json", mesh_report_json(made, &errors_mm, &panels)?));
         files.push(file("report.html", mesh_report_html(made, &errors_mm, &panels, report)));
     }
     Ok(Outputs { files, panels, refold_error_mm: errors_mm })
