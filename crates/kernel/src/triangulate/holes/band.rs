@@ -7,7 +7,7 @@
 //!    that winds once round each chain; a step costs the pocket that it jumps over, the fold price
 //!    of its triangle and the twist of the rung that it reaches.
 //! 2. The band is laid out on its universal cover, outer places I = 0, 1, 2, … and inner places A.
-//!    The same pair of samples stands there once for each way to wind round the hole. On a
+//!    A pair of samples stands there once for each way to wind round the hole. On a
 //!    supporting plane a rung is straight and has one way: whether it crosses a reference cut
 //!    ⟨o,e⟩, and on which side of that cut it leaves where it begins at o or e, says which,
 //!    exactly.
