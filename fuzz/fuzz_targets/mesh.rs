@@ -3,7 +3,8 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use sheetwright::design::{MeshDesign, MeshOptions, make_meshes};
+use sheetwright::design::MeshDesign;
+use sheetwright::make::{MeshOptions, make_meshes};
 use sheetwright::math::from_deg;
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{

@@ -3,7 +3,8 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use sheetwright::design::{Design, make};
+use sheetwright::design::Design;
+use sheetwright::make::make;
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{InputFormat, ReadOptions, hint_for, read_bytes, write_table};
 

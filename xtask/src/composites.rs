@@ -1,6 +1,7 @@
 //! The page about composites and its example: three cones joined to one sheet.
 
-use sheetwright::design::{Made, MadePanel, PanelMethod, make};
+use sheetwright::design::PanelMethod;
+use sheetwright::make::{Made, MadePanel, make};
 use sheetwright::math::to_deg;
 use sheetwright::watch::Unwatched;
 use sheetwright_files::write_design;

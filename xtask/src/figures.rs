@@ -1,6 +1,6 @@
 //! The pictures of the README and the docs, made from the examples.
 
-use sheetwright::design::{Made, MeshOptions, make, make_meshes};
+use sheetwright::make::{Made, MeshOptions, make, make_meshes};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
     Input, Picture, ReadOptions, VarySettings, design_picture, flat_picture, gauss_picture,

@@ -40,7 +40,7 @@ The topside of the hull in `examples/` has a knuckle of 5.8° at ν = 0.01 and 0
 default because a knuckle in a plank or a fold in a sheet is worse to its maker than a fraction of a
 degree of twist; who wants the least twist asks for less with `fold`.
 
-ν = 1 also costs time: `cargo bench -p sheetwright` has both.
+ν = 1 also costs time: `cargo bench -p sheetwright-optimum` has both.
 ";
 
 /// Writes `docs/fold-price.md`.

@@ -1,10 +1,9 @@
 //! The gallery: the figures of the paper that the project grew from, each from a design of its own.
 
-use sheetwright::design::{
-    Made, MadeMeshes, MadePanel, MeshDesign, MeshGroup, MeshOptions, make, make_meshes,
-};
+use sheetwright::design::{MeshDesign, MeshGroup};
 use sheetwright::flatten::Aim;
 use sheetwright::index::{SampleIndex, VertexIndex};
+use sheetwright::make::{Made, MadeMeshes, MadePanel, MeshOptions, make, make_meshes};
 use sheetwright::material::Material;
 use sheetwright::math::to_deg;
 use sheetwright::measure::gauss_area_of_mesh;

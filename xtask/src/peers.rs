@@ -9,7 +9,8 @@
 use sheetwright::boundary::Boundary;
 use sheetwright::cost::{DEFAULT_FOLD, PriceOptions};
 use sheetwright::curve::Sample;
-use sheetwright::design::{PanelMethod, make};
+use sheetwright::design::PanelMethod;
+use sheetwright::make::make;
 use sheetwright::math::{Point3, Vec3};
 use sheetwright::triangulate::{TriangulateOptions, triangulate};
 use sheetwright::watch::Unwatched;

@@ -1,6 +1,7 @@
 //! The page about planar quads and smooth strips, with what was measured on the examples.
 
-use sheetwright::design::{Design, MadePanel, make};
+use sheetwright::design::Design;
+use sheetwright::make::{MadePanel, make};
 use sheetwright::math::to_deg;
 use sheetwright::quads::PlanarEnd;
 use sheetwright::watch::Unwatched;

@@ -1,6 +1,7 @@
 //! The page of the templates, each with its picture, made from the catalogue.
 
-use sheetwright::design::{Design, Made, MadePanel, make};
+use sheetwright::design::Design;
+use sheetwright::make::{Made, MadePanel, make};
 use sheetwright::template::{Template, catalogue};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{

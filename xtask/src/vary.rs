@@ -1,7 +1,8 @@
 //! The page that compares moved curves with \[G14\], and what its picture shows.
 
 use sheetwright::boundary::size_of;
-use sheetwright::design::{Design, Made, MadePanel, MovedBy, PanelShape, make};
+use sheetwright::design::{Design, MovedBy, PanelShape};
+use sheetwright::make::{Made, MadePanel, make};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{ReadOptions, read_input};
 use std::collections::BTreeMap;

@@ -2,7 +2,8 @@
 
 use crate::remedies::with_options;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use sheetwright::design::{Design, MakeError, MeshMakeError};
+use sheetwright::design::Design;
+use sheetwright::make::{MakeError, MeshMakeError};
 use sheetwright_files::whole::WriteError;
 use sheetwright_files::{
     InputError, Units, hint_in_design, length_in, mesh_hint_for, mesh_remedy_for,

@@ -7,7 +7,7 @@ use crate::source;
 use crate::voice::{Voice, found_errors, in_words, print};
 use crate::watcher::Watcher;
 use sheetwright::check::Checked;
-use sheetwright::design::{MadeMeshes, MeshOptions, make, make_meshes};
+use sheetwright::make::{MadeMeshes, MeshOptions, make, make_meshes};
 use sheetwright_files::whole::Folder;
 use sheetwright_files::{
     Format, Input, OutputOptions, Outputs, ReportForm, findings_json, mesh_output_files,
@@ -130,7 +130,7 @@ impl Job<'_> {
 
 /// What was made of an input.
 pub(crate) enum Made {
-    Design(sheetwright::design::Made),
+    Design(sheetwright::make::Made),
     Meshes(MadeMeshes),
 }
 

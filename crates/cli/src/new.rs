@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::make::Job;
 use crate::remedies::{CATALOGUE, TEMPLATE_CALL};
 use crate::voice::{Voice, print, print_as_it_is};
-use sheetwright::design::MeshOptions;
+use sheetwright::make::MeshOptions;
 use sheetwright::template::template;
 use sheetwright_files::whole::write_one;
 use sheetwright_files::{

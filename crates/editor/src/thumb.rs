@@ -7,8 +7,9 @@ use eframe::egui::{
     self, Align, Align2, Color32, CornerRadius, FontId, Mesh, Pos2, Rect, Sense, Stroke,
     StrokeKind, Ui, Vec2,
 };
-use sheetwright::design::{Design, make};
+use sheetwright::design::Design;
 use sheetwright::draw::coarse::coarse;
+use sheetwright::make::make;
 use sheetwright::math::{Vec3, unit};
 use sheetwright::watch::Unwatched;
 use std::collections::BTreeMap;

@@ -9,7 +9,7 @@ use eframe::egui::{
 };
 use egui_kittest::kittest::Queryable;
 use hands::{Hands, picture, round};
-use sheetwright::design::make;
+use sheetwright::make::make;
 use sheetwright::math::{Point2, Point3};
 use sheetwright::watch::Unwatched;
 use sheetwright_editor::command::Command;

@@ -3,11 +3,12 @@
 use sheetwright::boundary::{BoundaryError, JoinCause, PlaneError};
 use sheetwright::check::Remedy;
 use sheetwright::curve::{CurveError, SampleError};
-use sheetwright::design::{
-    Design, MakeCause, MakeError, MeshCause, MeshMakeError, PanelShape, VaryCause,
-};
+use sheetwright::design::{Design, PanelShape};
+use sheetwright::fair::VaryCause;
 use sheetwright::flatten::{FlattenError, RelaxError};
+use sheetwright::make::{MakeCause, MakeError, MeshCause, MeshMakeError};
 use sheetwright::mesh::MeshError;
+use sheetwright::sample::PanelCause;
 use sheetwright::surface::ConnectivityError;
 use sheetwright::triangulate::TriangulateError;
 
@@ -19,40 +20,47 @@ pub fn hint_for(error: &MakeError) -> String {
         MakeCause::NoPanels => {
             "Add a panel, such as { \"name\": \"side\", \"boundary\": [\"rim\"] }.".to_owned()
         }
-        MakeCause::UnknownCurve => "Check the names of the curves.".to_owned(),
-        MakeCause::Curve(error) => curve(error).to_owned(),
-        MakeCause::ClosedCurve => {
+        MakeCause::Panel(cause) => panel(cause, error.curve.as_deref()),
+        MakeCause::Surface(error) => surface(error).to_owned(),
+        MakeCause::Flatten(error) => flat(error).to_owned(),
+        MakeCause::Vary(cause) => varying(cause).to_owned(),
+    }
+}
+
+/// About a panel that can't be triangulated; `of` is the curve, where it is one.
+fn panel(cause: &PanelCause, of: Option<&str>) -> String {
+    match cause {
+        PanelCause::UnknownCurve => "Check the names of the curves.".to_owned(),
+        PanelCause::Curve(error) => curve(error).to_owned(),
+        PanelCause::ClosedCurve => {
             "A rail, or a curve chained with others, has two ends: leave `closed` out, or make the \
              closed curve the only one of its loop."
                 .to_owned()
         }
-        MakeCause::NotChained { next, .. } if error.curve.as_ref() == Some(next) => {
+        PanelCause::NotChained { next, .. } if of == Some(next) => {
             "Close the curve (\"closed\": true), or add the curves that lead back to its beginning."
                 .to_owned()
         }
-        MakeCause::NotChained { next, .. } => format!(
+        PanelCause::NotChained { next, .. } => format!(
             "Give both curves the same end point, or put '-' before '{next}' or this one to run it \
              the other way."
         ),
-        MakeCause::SameRails => "Name two different curves.".to_owned(),
-        MakeCause::RunOn => {
+        PanelCause::SameRails => "Name two different curves.".to_owned(),
+        PanelCause::RunOn => {
             "Leave `run_on` out, or name two open curves as the rails of the panel.".to_owned()
         }
-        MakeCause::NoRails => {
+        PanelCause::NoRails => {
             "Give the panel two rails, or take the method optimal or bridge.".to_owned()
         }
-        MakeCause::UnknownPanel { .. } => "Check the names of the panels.".to_owned(),
-        MakeCause::JoinOfJoins { .. } => "Name the panels that it is made of.".to_owned(),
-        MakeCause::Join { cause, .. } => join(cause).to_owned(),
-        MakeCause::Sampling(SampleError::TooFew { needed, .. }) => {
+        PanelCause::UnknownPanel { .. } => "Check the names of the panels.".to_owned(),
+        PanelCause::JoinOfJoins { .. } => "Name the panels that it is made of.".to_owned(),
+        PanelCause::Join { cause, .. } => join(cause).to_owned(),
+        PanelCause::Sampling(SampleError::TooFew { needed, .. }) => {
             format!("Ask for {needed} samples or more; a few hundred show most panels well.")
         }
-        MakeCause::Boundary(error) => boundary(error).to_owned(),
-        MakeCause::Plane(error) => plane(error).to_owned(),
-        MakeCause::Triangulate(error) => triangulation(error).to_owned(),
-        MakeCause::Surface(error) => surface(error).to_owned(),
-        MakeCause::Flatten(error) => flat(error).to_owned(),
-        MakeCause::Vary(cause) => varying(cause).to_owned(),
+        PanelCause::Boundary(error) => boundary(error).to_owned(),
+        PanelCause::Plane(error) => plane(error).to_owned(),
+        PanelCause::Triangulate(error) => triangulation(error).to_owned(),
     }
 }
 
@@ -66,8 +74,10 @@ pub fn hint_in_design(error: &MakeError, design: &Design) -> String {
     });
     let is_of_holes = matches!(
         error.cause,
-        MakeCause::Plane(PlaneError::HoleOutside { .. })
-            | MakeCause::Triangulate(TriangulateError::TooLarge { .. })
+        MakeCause::Panel(
+            PanelCause::Plane(PlaneError::HoleOutside { .. })
+                | PanelCause::Triangulate(TriangulateError::TooLarge { .. })
+        )
     );
     match holes {
         Some(count) if count > 0 && is_of_holes => format!(
@@ -280,10 +290,10 @@ mod tests {
     fn a_hint_is_a_sentence_of_its_own() {
         let causes = [
             MakeCause::NoPanels,
-            MakeCause::NotChained { next: "keel".into(), gap_mm: 1.0 },
-            MakeCause::Sampling(SampleError::TooFew { asked: 1, needed: 3 }),
-            MakeCause::Triangulate(TriangulateError::Holes { count: 1 }),
-            MakeCause::Triangulate(TriangulateError::GoalWithHoles { count: 1 }),
+            MakeCause::Panel(PanelCause::NotChained { next: "keel".into(), gap_mm: 1.0 }),
+            MakeCause::Panel(PanelCause::Sampling(SampleError::TooFew { asked: 1, needed: 3 })),
+            TriangulateError::Holes { count: 1 }.into(),
+            TriangulateError::GoalWithHoles { count: 1 }.into(),
         ];
         for cause in causes {
             let error = MakeError { panel: "p".into(), curve: None, cause };

@@ -1,8 +1,8 @@
 //! Surfaces as OBJ.
 
 use crate::drawing::digits;
-use sheetwright::design::{Made, MadeMeshes};
 use sheetwright::index::{SampleIndex, VertexIndex};
+use sheetwright::make::{Made, MadeMeshes};
 use sheetwright::math::{Point2, Point3};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;

@@ -13,7 +13,7 @@ use crate::svg::write_svg;
 use crate::table::write_table;
 use crate::units::Units;
 use sheetwright::check::{Checked, Finding, Remedy, Severity, refolding};
-use sheetwright::design::{Made, MadeMeshes};
+use sheetwright::make::{Made, MadeMeshes};
 use sheetwright::pattern::Piece;
 use sheetwright::tolerance::Tolerance;
 use std::collections::BTreeMap;

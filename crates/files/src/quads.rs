@@ -3,7 +3,7 @@
 use crate::drawing::digits;
 use crate::obj::one_word;
 use sheetwright::check::{Finding, Severity};
-use sheetwright::design::MadePanel;
+use sheetwright::make::MadePanel;
 use sheetwright::quads::{Planar, PlanarEnd, PlanarOptions, SmoothSurface, planar, quads, smooth};
 use sheetwright::tolerance::Tolerance;
 use sheetwright::watch::Unwatched;

@@ -3,10 +3,10 @@
 
 use crate::units::Units;
 use sheetwright::boundary::PlaneChoice;
+use sheetwright::design::VaryGoal;
 use sheetwright::design::{PanelMethod, Vary};
 use sheetwright::material::Material;
 use sheetwright::math::from_deg;
-use sheetwright::vary::Goal;
 use std::fmt;
 use std::fs::File;
 use std::io::{self, Read};
@@ -77,7 +77,7 @@ impl VarySettings {
             one.limit_mm = self.limit_mm.or(one.limit_mm);
             one.budget_mm = self.budget_mm.or(one.budget_mm);
             if let Some(deg) = self.warp_deg {
-                one.goal = Goal::Warp { largest: from_deg(deg) };
+                one.goal = VaryGoal::Warp { largest: from_deg(deg) };
             }
         }
         vary

@@ -3,8 +3,8 @@
 use crate::dxf::dxf_lines;
 use crate::read_back::{PatternReadError, ReadPattern, overlapping_pattern, pattern};
 use crate::svg::{svg_lines, write_svg};
-use sheetwright::design::MadePanel;
 use sheetwright::flatten::{RefoldError, refold};
+use sheetwright::make::MadePanel;
 use sheetwright::math::Point2;
 use sheetwright::pattern::Piece;
 use sheetwright::rung::Rung;

@@ -3,7 +3,7 @@
 
 use serde_json::{Map, Value};
 use sheetwright::boundary::PlaneChoice;
-use sheetwright::design::{Made, MadePanel, MeshOptions, make, make_meshes};
+use sheetwright::make::{Made, MadePanel, MeshOptions, make, make_meshes};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
     Format, Input, Outputs, PatternReadError, PdfOptions, ReadOptions, ReadPattern,

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used)] // Whatever fails here is a failed test.
 
 use serde_json::{Value, json};
-use sheetwright::design::{Made, MadePanel, make};
+use sheetwright::make::{Made, MadePanel, make};
 use sheetwright::math::{Point2, Vec2, cos, sin};
 use sheetwright::triangulate::DEFAULT_WORK;
 use sheetwright::watch::Unwatched;

@@ -4,9 +4,8 @@
 use miniz_oxide::inflate::decompress_to_vec_zlib;
 use sheetwright::boundary::PlaneChoice;
 use sheetwright::curve::{CurveKind, CurvePoint};
-use sheetwright::design::{
-    CurveUse, Design, DesignCurve, DesignPanel, Made, MadePanel, PanelMethod, PanelShape, make,
-};
+use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape};
+use sheetwright::make::{Made, MadePanel, make};
 use sheetwright::math::{Point2, Point3, Vec2};
 use sheetwright::pattern::{PathKind, PatternLabel, PatternPath, Piece, Role};
 use sheetwright::rung::Rung;

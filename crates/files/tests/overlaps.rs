@@ -1,7 +1,7 @@
 //! A pattern that overlaps itself is that, and no fault of the program beside it.
 #![allow(clippy::unwrap_used)] // tests panic
 
-use sheetwright::design::make;
+use sheetwright::make::make;
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
     Format, Input, InputFormat, PdfOptions, ReadOptions, output_files, read_any_bytes,

@@ -2,7 +2,7 @@
 //! read the examples in `.ci/step.py`.
 #![allow(clippy::unwrap_used)] // Whatever fails here is a failed test.
 
-use sheetwright::design::{Made, make};
+use sheetwright::make::{Made, make};
 use sheetwright::quads::{PlanarEnd, lay_quads_flat};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{

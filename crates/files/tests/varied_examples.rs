@@ -3,8 +3,9 @@
 #![allow(clippy::unwrap_used, clippy::print_stdout)] // tests panic and print what they measured
 
 use sheetwright::curve::Curve;
-use sheetwright::design::{Design, Made, MadePanel, MovedBy, PanelShape, make};
+use sheetwright::design::{Design, MovedBy, PanelShape};
 use sheetwright::index::SampleIndex;
+use sheetwright::make::{Made, MadePanel, make};
 use sheetwright::math::Point3;
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{ReadOptions, read_input};

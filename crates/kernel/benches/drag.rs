@@ -16,7 +16,8 @@
 
 use sheetwright::boundary::size_of;
 use sheetwright::cost::DEFAULT_FOLD;
-use sheetwright::design::{Design, Live, make};
+use sheetwright::design::Design;
+use sheetwright::make::{Live, make};
 use sheetwright::watch::{Stage, Unwatched, Watch};
 use sheetwright_shapes::drag::{Drag, one_panel, outline};
 use sheetwright_shapes::family::Family;

@@ -10,15 +10,15 @@ pub use origin::{
     BoundaryMoved, moved, ran_on, rounded_corner, smoothed_joints, stayed_straight, turned_round,
 };
 
-use crate::boundary::Boundary;
 use crate::flatten::{Flattened, Seam, Sheet};
-use crate::index::SampleIndex;
 use crate::material::{Material, warp_limit_deg};
-use crate::math::{from_deg, to_deg};
 use crate::measure::{Measures, RungMeasures, SHARP_CREASE_DEG};
 use crate::pattern::seam_mark;
-use crate::tolerance::Tolerance;
-use crate::triangulate::Triangulation;
+use sheetwright_geometry::boundary::Boundary;
+use sheetwright_geometry::index::SampleIndex;
+use sheetwright_geometry::math::{from_deg, to_deg};
+use sheetwright_geometry::tolerance::Tolerance;
+use sheetwright_optimum::triangulate::Triangulation;
 
 /// How much of a long list is shown: the first few stand for all.
 const SHOWN: usize = 6;
@@ -230,7 +230,7 @@ fn points(panel: &Panel<'_>) -> Option<Finding> {
 
 fn crossing(panel: &Panel<'_>) -> Option<Finding> {
     let [t, u] = panel.measures.self_crossing?;
-    let corners = |t: crate::index::TriangleIndex| {
+    let corners = |t: sheetwright_geometry::index::TriangleIndex| {
         panel.triangulation.triangles[t.get()].map(|s| (s.get() + 1).to_string()).join(", ")
     };
     Some(Finding {
@@ -276,7 +276,9 @@ fn forced_rungs(panel: &Panel<'_>) -> Option<Finding> {
             if count == 1 { "One rung runs".to_owned() } else { format!("{count} rungs run") },
             if count == 1 { "it" } else { "them" }
         ),
-        place: where_rungs(&panel.measures.rungs, |r| r.normals[0] == crate::math::Vec3::ZERO),
+        place: where_rungs(&panel.measures.rungs, |r| {
+            r.normals[0] == sheetwright_geometry::math::Vec3::ZERO
+        }),
         remedies: Vec::new(),
     })
 }

@@ -14,8 +14,9 @@
 //! use sheetwright::check::Verdict;
 //! use sheetwright::curve::{CurveKind, CurvePoint};
 //! use sheetwright::design::{
-//!     CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape, make,
+//!     CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape,
 //! };
+//! use sheetwright::make::make;
 //! use sheetwright::math::Point3;
 //! use sheetwright::triangulate::Goal;
 //! use sheetwright::watch::Unwatched;
@@ -53,29 +54,12 @@
 //! assert!(side.triangulation.proven_optimal);
 //! assert_eq!(side.checked.verdict, Verdict::Bends);
 //! assert!(side.measures.length_error_max < 1e-12);
-//! # Ok::<(), sheetwright::design::MakeError>(())
+//! # Ok::<(), sheetwright::make::MakeError>(())
 //! ```
 #![forbid(unsafe_code)]
 
-pub mod math;
-
-pub mod predicate;
-
-pub mod tolerance;
-
-pub mod index;
-
-pub mod watch;
-
-pub mod curve;
-
-pub mod boundary;
-
-pub mod rung;
-
-pub mod cost;
-
-pub mod triangulate;
+pub use sheetwright_geometry::{boundary, curve, index, math, predicate, tolerance, watch};
+pub use sheetwright_optimum::{cost, rung, triangulate};
 
 pub mod surface;
 
@@ -87,15 +71,19 @@ pub mod quads;
 
 pub mod measure;
 
-pub mod vary;
-
 pub mod material;
+
+pub mod design;
+
+pub mod sample;
+
+pub mod fair;
 
 pub mod pattern;
 
 pub mod check;
 
-pub mod design;
+pub mod make;
 
 pub mod draw;
 

@@ -31,7 +31,7 @@ pub const DEFAULT_WARP_LIMIT_DEG: f64 = 6.0;
 
 /// By which share a sheet that nothing is known of is stretched within its plane at most: a
 /// millimetre in a metre, about where metal stops springing back. Assumed, not looked up; the same
-/// as [`crate::tolerance::Tolerance::MOST_STRETCH`].
+/// as [`sheetwright_geometry::tolerance::Tolerance::MOST_STRETCH`].
 pub const DEFAULT_STRETCH_LIMIT: f64 = 1e-3;
 
 /// By which share leather, cloth and soft plastic are stretched within their plane at most, a few

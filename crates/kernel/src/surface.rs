@@ -3,9 +3,9 @@
 //! [`Connectivity`] knows which samples are joined and nothing of where they lie; [`Surface`] adds
 //! positions. Flattening takes a connectivity and lengths, so it can't depend on positions.
 
-use crate::index::{SampleIndex, TriangleIndex};
-use crate::math::{Point3, Vec3, angle_between, unit};
-use crate::rung::Rung;
+use sheetwright_geometry::index::{SampleIndex, TriangleIndex};
+use sheetwright_geometry::math::{Point3, Vec3, angle_between, unit};
+use sheetwright_optimum::rung::Rung;
 use std::fmt;
 use std::ops::Range;
 

@@ -4,7 +4,7 @@
 
 use sheetwright::boundary::samples_from_points;
 use sheetwright::curve::{Curve, CurveKind, CurvePoint};
-use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelShape, Vary, make};
+use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelShape, Vary};
 use sheetwright::draw::coarse::coarse;
 use sheetwright::draw::edit::{self, EditError, Nearest};
 use sheetwright::draw::loops::nesting;
@@ -12,6 +12,7 @@ use sheetwright::draw::panels::{
     PanelChange, in_plan, panels_of_drawing, without_curve, without_panel,
 };
 use sheetwright::draw::{join, mirror};
+use sheetwright::make::make;
 use sheetwright::math::{Point2, Point3, cos, sin};
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::random::{Random, star};

@@ -4,12 +4,13 @@
 #![allow(clippy::unwrap_used)] // tests panic
 
 use sheetwright::curve::{Curve, CurveKind, CurvePoint};
-use sheetwright::design::{Design, DesignCurve, PanelShape, make};
+use sheetwright::design::{Design, DesignCurve, PanelShape};
 use sheetwright::draw::alike::alike;
 use sheetwright::draw::loops::nesting;
 use sheetwright::draw::panels::panels_of_drawing;
 use sheetwright::draw::round::circle;
 use sheetwright::draw::settle::{point_at, settled};
+use sheetwright::make::make;
 use sheetwright::math::{Point2, Point3, cos, sin};
 use sheetwright::pattern::Piece;
 use sheetwright::template::template;

@@ -3,7 +3,8 @@
 
 use sheetwright::check::Verdict;
 use sheetwright::curve::Curve;
-use sheetwright::design::{Design, PanelMethod, make};
+use sheetwright::design::{Design, PanelMethod};
+use sheetwright::make::make;
 use sheetwright::math::{Point3, cos, sin};
 use sheetwright::template::{Value, template};
 use sheetwright::watch::Unwatched;

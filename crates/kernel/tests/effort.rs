@@ -6,8 +6,9 @@ use sheetwright::boundary::{Boundary, PlaneChoice, samples_from_points, supporti
 use sheetwright::check::Remedy;
 use sheetwright::cost::PriceOptions;
 use sheetwright::curve::CurvePoint;
-use sheetwright::design::{Design, DesignCurve, DesignPanel, PanelShape, make};
+use sheetwright::design::{Design, DesignCurve, DesignPanel, PanelShape};
 use sheetwright::index::SampleIndex;
+use sheetwright::make::make;
 use sheetwright::math::{Point3, cos, sin};
 use sheetwright::triangulate::{
     DEFAULT_WORK, TriangulateOptions, Triangulation, triangulate, with_holes_facing,

@@ -4,7 +4,7 @@
 
 use sheetwright::check::Verdict;
 use sheetwright::curve::Curve;
-use sheetwright::design::make;
+use sheetwright::make::make;
 use sheetwright::template::template;
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::gored::{expected, loss};

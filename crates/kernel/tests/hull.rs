@@ -4,7 +4,8 @@
 use sheetwright::boundary::Boundary;
 use sheetwright::cost::{DEFAULT_FOLD, PriceOptions, Prices};
 use sheetwright::curve::{Curve, CurveKind, Sample, sample_open};
-use sheetwright::design::{Made, PanelMethod, make};
+use sheetwright::design::PanelMethod;
+use sheetwright::make::{Made, make};
 use sheetwright::math::{Point3, to_deg};
 use sheetwright::rung::Rung;
 use sheetwright::triangulate::{Goal, Method, TriangulateOptions, triangulate};

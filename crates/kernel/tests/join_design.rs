@@ -6,10 +6,11 @@ use sheetwright::boundary::{Continuity, JoinCause, Within};
 use sheetwright::check::Verdict;
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
-    CurveUse, Design, DesignCurve, DesignPanel, Join, MadePanel, MakeCause, MakeError, PanelMethod,
-    PanelShape, make,
+    CurveUse, Design, DesignCurve, DesignPanel, Join, PanelMethod, PanelShape,
 };
+use sheetwright::make::{MadePanel, MakeCause, MakeError, make};
 use sheetwright::math::{Point2, Point3, cos, from_deg, sin};
+use sheetwright::sample::PanelCause;
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::developable::largest_distance_after_fitting;
 use sheetwright_shapes::three_cones;
@@ -119,7 +120,7 @@ fn the_outer_loop_has_as_many_samples_as_were_asked_for() {
     }
     assert_eq!(made(&design).len(), 3);
     design.panels[2].samples = 5;
-    assert!(matches!(refused(&design).cause, MakeCause::Sampling(_)));
+    assert!(matches!(refused(&design).cause, MakeCause::Panel(PanelCause::Sampling(_))));
 }
 
 #[test]
@@ -163,7 +164,7 @@ fn panels_between_rails_join_along_a_rail() {
         assert_eq!(turned, turns, "{rail} {other}");
     }
     design.panels[2].method = PanelMethod::Rails;
-    assert_eq!(refused(&design).cause, MakeCause::NoRails);
+    assert_eq!(refused(&design).cause, PanelCause::NoRails.into());
 }
 
 /// A closed polyline round a rectangle, as a panel.
@@ -268,10 +269,12 @@ fn what_cannot_be_joined_names_the_part() {
         error.cause
     };
     let unknown = with(&mut design, &["west", "north"]);
-    assert_eq!(unknown, MakeCause::UnknownPanel { name: "north".into() });
+    assert_eq!(unknown, PanelCause::UnknownPanel { name: "north".into() }.into());
     let itself = with(&mut design, &["west", "joined"]);
-    assert_eq!(itself, MakeCause::JoinOfJoins { name: "joined".into() });
-    let of = |part: &str, cause: JoinCause| MakeCause::Join { part: Some(part.into()), cause };
+    assert_eq!(itself, PanelCause::JoinOfJoins { name: "joined".into() }.into());
+    let of = |part: &str, cause: JoinCause| {
+        MakeCause::Panel(PanelCause::Join { part: Some(part.into()), cause })
+    };
     let twice = with(&mut design, &["west", "west"]);
     assert_eq!(twice, of("west", JoinCause::Closed));
     // A seam of its own beside the other's: only its ends are shared.

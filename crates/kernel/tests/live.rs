@@ -5,9 +5,9 @@
 use sheetwright::boundary::size_of;
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
-    CurveUse, Design, DesignCurve, DesignPanel, Join, Live, LivePanel, Made, MakeCause, MakeError,
-    PanelMethod, PanelShape, make,
+    CurveUse, Design, DesignCurve, DesignPanel, Join, PanelMethod, PanelShape,
 };
+use sheetwright::make::{Live, LivePanel, Made, MakeError, make};
 use sheetwright::math::{Point3, Vec3, cos, sin};
 use sheetwright::triangulate::{
     Cheapest, Goal, TriangulateError, TriangulateOptions, triangulate_near,
@@ -382,5 +382,5 @@ fn work_that_is_stopped_is_taken_up_again() {
     }
     let stopped = Live::new(live.design().clone(), &mut StopAt::new(1));
     let error = stopped.made().unwrap_err();
-    assert_eq!(error.cause, MakeCause::Triangulate(TriangulateError::Stopped));
+    assert_eq!(error.cause, TriangulateError::Stopped.into());
 }

@@ -2,9 +2,10 @@
 
 #![allow(clippy::unwrap_used)] // tests panic
 
-use sheetwright::design::{MeshDesign, MeshGroup, MeshOptions, make_meshes};
+use sheetwright::design::{MeshDesign, MeshGroup};
 use sheetwright::flatten::{Aim, Ended, RelaxError, RelaxOptions, Relaxed, relax, relax_lengths};
 use sheetwright::index::VertexIndex;
+use sheetwright::make::{MeshOptions, make_meshes};
 use sheetwright::math::{Point2, Point3, cos, sin};
 use sheetwright::measure::{MeshMeasures, cut_suggestion, mesh_measures};
 use sheetwright::mesh::{Mesh, MeshError};

@@ -4,10 +4,11 @@
 use sheetwright::check::Finding;
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
-    CurveUse, Design, DesignCurve, DesignPanel, Join, MadePanel, MakeCause, PanelMethod,
-    PanelShape, make,
+    CurveUse, Design, DesignCurve, DesignPanel, Join, PanelMethod, PanelShape,
 };
+use sheetwright::make::{MadePanel, make};
 use sheetwright::math::{Point3, cos, from_deg, sin, to_deg};
+use sheetwright::sample::PanelCause;
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::random::Random;
 
@@ -112,7 +113,7 @@ fn only_rails_of_their_own_run_on() {
     let mut whole = design(rails.clone(), PanelMethod::Optimal, true);
     let outer = vec![CurveUse { name: "low".into(), reversed: false }];
     whole.panels[0].shape = PanelShape::Loops { outer, holes: Vec::new() };
-    assert_eq!(make(&whole, &mut Unwatched).unwrap_err().cause, MakeCause::RunOn);
+    assert_eq!(make(&whole, &mut Unwatched).unwrap_err().cause, PanelCause::RunOn.into());
 
     let mut joined = design(rails, PanelMethod::Optimal, true);
     joined.curves.push(rail("top", [0.0, 180.0], [80.0, 180.0]));
@@ -131,7 +132,7 @@ fn only_rails_of_their_own_run_on() {
     let both =
         DesignPanel { name: "both".into(), shape, run_on: false, ..joined.panels[0].clone() };
     joined.panels.push(both);
-    assert_eq!(make(&joined, &mut Unwatched).unwrap_err().cause, MakeCause::RunOn);
+    assert_eq!(make(&joined, &mut Unwatched).unwrap_err().cause, PanelCause::RunOn.into());
     joined.panels[0].run_on = false;
     assert!(make(&joined, &mut Unwatched).is_ok());
 }

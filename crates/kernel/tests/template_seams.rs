@@ -4,7 +4,8 @@
 
 use sheetwright::check::Verdict;
 use sheetwright::curve::Curve;
-use sheetwright::design::{Design, DesignPanel, Made, MadePanel, PanelShape, make};
+use sheetwright::design::{Design, DesignPanel, PanelShape};
+use sheetwright::make::{Made, MadePanel, make};
 use sheetwright::math::{Point3, Vec3};
 use sheetwright::template::{Value, template};
 use sheetwright::watch::Unwatched;

@@ -3,7 +3,8 @@
 
 use sheetwright::check::Severity;
 use sheetwright::curve::CurvePoint;
-use sheetwright::design::{Design, make};
+use sheetwright::design::Design;
+use sheetwright::make::make;
 use sheetwright::math::{Point3, pow};
 use sheetwright::template::{
     Kind, NamedCurve, Parameter, Template, TemplateError, Value, catalogue,

@@ -4,12 +4,13 @@
 use sheetwright::boundary::{Boundary, PlaneChoice, samples_from_points};
 use sheetwright::cost::PriceOptions;
 use sheetwright::curve::CurvePoint;
-use sheetwright::math::{Point3, cos, from_deg, sin, to_deg};
-use sheetwright::triangulate::{TriangulateOptions, triangulate};
-use sheetwright::vary::{
-    Ended, Goal, Limit, Motion, Varied, VaryError, VaryOptions, VaryPanel, control_shares,
+use sheetwright::design::VaryGoal;
+use sheetwright::fair::{
+    Ended, Limit, Motion, Varied, VaryError, VaryOptions, VaryPanel, control_shares,
     counted_shares, motions, motions_of_samples, vary,
 };
+use sheetwright::math::{Point3, cos, from_deg, sin, to_deg};
+use sheetwright::triangulate::{TriangulateOptions, triangulate};
 use sheetwright::watch::{Unwatched, Watch};
 use sheetwright_shapes::developable::blobs;
 use sheetwright_shapes::random::{Random, star, tangle};
@@ -91,7 +92,7 @@ fn developable_boundaries_do_not_move() {
     for blob in blobs() {
         for m in [60, 160] {
             let (boundary, _) = blob.boundary(m);
-            for goal in [Goal::Price, Goal::Warp { largest: from_deg(0.5) }] {
+            for goal in [VaryGoal::Price, VaryGoal::Warp { largest: from_deg(0.5) }] {
                 let options = VaryOptions { goal, ..Default::default() };
                 let found = varied(&boundary, 0.01 * boundary.size(), &options);
                 assert_eq!(found.ended, Ended::NothingToDo, "{} {m}", blob.name);
@@ -122,7 +123,7 @@ fn twisted(turn: f64, samples: usize, corners: bool) -> Boundary {
 fn a_strip_twisted_by_a_right_angle_says_how_close_it_came() {
     let boundary = twisted(from_deg(90.0), 40, false);
     for share in [0.002, 0.02] {
-        let goal = Goal::Warp { largest: from_deg(6.0) };
+        let goal = VaryGoal::Warp { largest: from_deg(6.0) };
         let options = VaryOptions { goal, ..Default::default() };
         let found = varied(&boundary, share * boundary.size(), &options);
         println!("{share}: {}", found.ended);
@@ -157,7 +158,7 @@ fn a_warp_angle_is_reached_by_small_displacements() {
     let before = varied(&boundary, 0.0, &still);
     assert_eq!((before.moved_max_mm, &before.ended), (0.0, &Ended::Converged));
     let largest = 0.6 * before.warp_max;
-    let goal = Goal::Warp { largest };
+    let goal = VaryGoal::Warp { largest };
     let found = varied(&boundary, radius_mm, &VaryOptions { goal, ..still });
     println!(
         "{:.2}° -> {:.2}°, moved {:.2} of {radius_mm:.2} mm: {}",
@@ -263,7 +264,7 @@ fn whoever_watches_may_stop() {
     let panels = [panel(&boundary, &triangulate, &motions)];
     let mut stopped = 0;
     for patience in (0..400).step_by(7) {
-        for goal in [Goal::Price, Goal::Warp { largest: from_deg(3.0) }] {
+        for goal in [VaryGoal::Price, VaryGoal::Warp { largest: from_deg(3.0) }] {
             let options = VaryOptions { goal, leave_developable: false, ..Default::default() };
             let mut watch = Impatient(std::cell::Cell::new(patience));
             match vary(&panels, &limit, &options, &mut watch) {
@@ -281,15 +282,15 @@ fn what_cannot_be_varied_is_refused() {
     let m = boundary.len();
     let motions = motions_of_samples(&boundary, &vec![Some(3); m]);
     let triangulate = TriangulateOptions::default();
-    let run = |motions: &[Motion], radii_mm: Vec<f64>, goal: Goal| {
+    let run = |motions: &[Motion], radii_mm: Vec<f64>, goal: VaryGoal| {
         let options = VaryOptions { goal, ..Default::default() };
         let panels = [panel(&boundary, &triangulate, motions)];
         vary(&panels, &Limit::Each { radii_mm }, &options, &mut Unwatched).unwrap_err()
     };
     let unknown = VaryError::Unknown { panel: 0, sample: 0 };
-    assert_eq!(run(&motions, vec![1.0; 3], Goal::Price), unknown);
-    assert_eq!(run(&motions[1..], vec![1.0; 4], Goal::Price), VaryError::Motions { panel: 0 });
-    assert_eq!(run(&motions, vec![-1.0; 4], Goal::Price), VaryError::Limit);
-    assert_eq!(run(&motions, vec![f64::NAN; 4], Goal::Price), VaryError::Limit);
-    assert_eq!(run(&motions, vec![1.0; 4], Goal::Warp { largest: 0.0 }), VaryError::Limit);
+    assert_eq!(run(&motions, vec![1.0; 3], VaryGoal::Price), unknown);
+    assert_eq!(run(&motions[1..], vec![1.0; 4], VaryGoal::Price), VaryError::Motions { panel: 0 });
+    assert_eq!(run(&motions, vec![-1.0; 4], VaryGoal::Price), VaryError::Limit);
+    assert_eq!(run(&motions, vec![f64::NAN; 4], VaryGoal::Price), VaryError::Limit);
+    assert_eq!(run(&motions, vec![1.0; 4], VaryGoal::Warp { largest: 0.0 }), VaryError::Limit);
 }

@@ -5,13 +5,15 @@ use sheetwright::boundary::size_of;
 use sheetwright::check::Severity;
 use sheetwright::cost::DEFAULT_FOLD;
 use sheetwright::curve::{CurveKind, CurvePoint, Sample};
+use sheetwright::design::VaryGoal;
 use sheetwright::design::{
-    CurveUse, Design, DesignCurve, DesignPanel, Join, Made, MadePanel, MakeCause, MovedBy,
-    PanelShape, Vary, VaryCause, make,
+    CurveUse, Design, DesignCurve, DesignPanel, Join, MovedBy, PanelShape, Vary,
 };
+use sheetwright::fair::Ended;
+use sheetwright::fair::VaryCause;
 use sheetwright::index::SampleIndex;
+use sheetwright::make::{Made, MadePanel, MakeCause, make};
 use sheetwright::math::{Point3, cos, from_deg, sin, to_deg};
-use sheetwright::vary::{Ended, Goal};
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::hull::planks;
 use sheetwright_shapes::random::Random;
@@ -73,7 +75,7 @@ fn the_hull_bends_as_a_design_with_less_moved_than_published() {
     let still = made(&hull(200, Vary { limit_mm: Some(0.0), ..Vary::default() }));
     let size = size(&still);
     for (by, most) in [(MovedBy::Points, 0.000_65), (MovedBy::Samples, 0.000_2)] {
-        let goal = Goal::Warp { largest: from_deg(5.6) };
+        let goal = VaryGoal::Warp { largest: from_deg(5.6) };
         let limit_mm = Some(0.000_65 * size);
         let design = hull(200, Vary { goal, limit_mm, by, ..Vary::default() });
         let made = made(&design);
@@ -273,7 +275,7 @@ fn quarter() -> Design {
 
 #[test]
 fn what_is_developable_does_not_move() {
-    for goal in [Goal::Price, Goal::Warp { largest: from_deg(3.0) }] {
+    for goal in [VaryGoal::Price, VaryGoal::Warp { largest: from_deg(3.0) }] {
         for by in [MovedBy::Points, MovedBy::Samples] {
             let vary = vec![Vary { goal, by, ..Vary::default() }];
             let found = made(&Design { vary, ..quarter() });
@@ -305,7 +307,7 @@ fn twisted() -> Design {
 
 #[test]
 fn a_hopeless_strip_says_how_close_it_came() {
-    let goal = Goal::Warp { largest: from_deg(6.0) };
+    let goal = VaryGoal::Warp { largest: from_deg(6.0) };
     let vary = vec![Vary { goal, ..Vary::default() }];
     let found = made(&Design { vary, ..twisted() });
     let strip = &found.panels[0];
@@ -339,7 +341,7 @@ fn only_the_panels_that_are_named_must_reach_the_angle() {
     let largest = 0.9 * asked.measures.warp_max;
     design.vary = vec![Vary {
         panels: vec![asked.name.clone()],
-        goal: Goal::Warp { largest },
+        goal: VaryGoal::Warp { largest },
         limit_mm: Some(6.0),
         leave_developable: false,
         ..Vary::default()

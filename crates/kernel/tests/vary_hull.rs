@@ -3,12 +3,13 @@
 
 use sheetwright::boundary::{Boundary, PlaneChoice, size_of};
 use sheetwright::cost::DEFAULT_FOLD;
-use sheetwright::design::{Made, make};
+use sheetwright::design::VaryGoal;
+use sheetwright::fair::{
+    Ended, Limit, Share, Varied, VaryOptions, VaryPanel, control_shares, motions, vary,
+};
+use sheetwright::make::{Made, make};
 use sheetwright::math::{from_deg, to_deg};
 use sheetwright::triangulate::TriangulateOptions;
-use sheetwright::vary::{
-    Ended, Goal, Limit, Share, Varied, VaryOptions, VaryPanel, control_shares, motions, vary,
-};
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::hull::planks;
 
@@ -33,7 +34,7 @@ fn shares(boundary: &Boundary, plank: usize, samples: usize, controls: usize) ->
         .collect()
 }
 
-fn varied(made: &Made, samples: usize, goal: Goal) -> Varied {
+fn varied(made: &Made, samples: usize, goal: VaryGoal) -> Varied {
     let options = TriangulateOptions::default();
     let moving: Vec<_> = made
         .panels
@@ -68,7 +69,7 @@ fn size(made: &Made) -> f64 {
 fn the_hull_bends_with_rails_moved_by_less_than_published() {
     let samples = 200;
     let made = hull(samples);
-    for goal in [Goal::Warp { largest: from_deg(5.6) }, Goal::Price] {
+    for goal in [VaryGoal::Warp { largest: from_deg(5.6) }, VaryGoal::Price] {
         let found = varied(&made, samples, goal);
         let share = found.moved_max_mm / size(&made);
         let rungs: Vec<f64> =
@@ -89,7 +90,7 @@ fn the_hull_bends_with_rails_moved_by_less_than_published() {
         assert!(found.warp_max <= from_deg(5.6));
         assert!(mean <= from_deg(0.52));
         assert!(share <= 0.000_65 * (1.0 + 1e-9), "{share}");
-        if goal != Goal::Price {
+        if goal != VaryGoal::Price {
             assert_eq!(found.ended, Ended::Reached);
             assert!(share < 0.000_5, "{share}");
         }

@@ -4,11 +4,12 @@
 
 use sheetwright::boundary::{Boundary, PlaneChoice, supporting_plane};
 use sheetwright::cost::{PriceOptions, QUANTUM};
+use sheetwright::design::VaryGoal;
+use sheetwright::fair::{
+    Share, Sloped, VaryPanel, Weights, control_shares, motions, motions_of_samples, sloped,
+};
 use sheetwright::math::{Vec3, from_deg};
 use sheetwright::triangulate::{TriangulateOptions, triangulate};
-use sheetwright::vary::{
-    Goal, Share, Sloped, VaryPanel, Weights, control_shares, motions, motions_of_samples, sloped,
-};
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::pierced::{plate, tube};
 use sheetwright_shapes::random::{Random, grid, star, tangle};
@@ -65,9 +66,9 @@ fn slopes_are_those_of_central_differences() {
             motions: &motions,
             follows: false,
         };
-        let pure = Weights { goal: Goal::Price, excess: 0.0, twist: 1.0, fairness: 0.0 };
+        let pure = Weights { goal: VaryGoal::Price, excess: 0.0, twist: 1.0, fairness: 0.0 };
         let all = Weights {
-            goal: Goal::Warp { largest: from_deg(6.0) },
+            goal: VaryGoal::Warp { largest: from_deg(6.0) },
             excess: 3.0,
             twist: 2.5,
             fairness: 0.2,

@@ -1,6 +1,6 @@
 //! What gores lose of a sphere: they bend one way only, and a sphere bends two.
 
-use sheetwright::design::{MadePanel, make};
+use sheetwright::make::{MadePanel, make};
 use sheetwright::math::Point3;
 use sheetwright::measure::area_flat;
 use sheetwright::template::{Value, template};

@@ -4,7 +4,8 @@
 //! rectangle, and finds the true length of every line from a corner to the points of its quarter by
 //! Pythagoras. The pattern is laid out triangle by triangle, with straight chords for the arcs.
 
-use sheetwright::design::{Design, MadePanel, make};
+use sheetwright::design::Design;
+use sheetwright::make::{MadePanel, make};
 use sheetwright::math::{Point2, Point3, Vec3, angle_between, cos, sin};
 use sheetwright::template::{Value, template};
 use sheetwright::watch::Unwatched;

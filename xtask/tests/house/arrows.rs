@@ -1,4 +1,5 @@
-//! The arrows of the house: which crate and which kernel module may use which.
+//! The arrows of the house: which crate may use which, and which
+//! module of those that compute.
 //!
 //! Read off the Cargo files and the `use` lines; a wrong arrow fails here, with its line.
 
@@ -7,8 +8,10 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 /// What each crate may depend on inside the workspace.
-const CRATES: [(&str, &[&str]); 6] = [
-    ("crates/kernel", &[]),
+const CRATES: [(&str, &[&str]); 8] = [
+    ("crates/geometry", &[]),
+    ("crates/optimum", &["sheetwright-geometry"]),
+    ("crates/kernel", &["sheetwright-geometry", "sheetwright-optimum"]),
     ("crates/shapes", &["sheetwright"]),
     ("crates/files", &["sheetwright"]),
     ("crates/cli", &["sheetwright", "sheetwright-files"]),
@@ -17,10 +20,14 @@ const CRATES: [(&str, &[&str]); 6] = [
 ];
 
 /// Crates that only one crate of ours may name: file formats, the command line, windows.
-const OWNERS: [(&str, &str); 15] = [
-    ("faer", "crates/kernel"),
-    ("glam", "crates/kernel"),
-    ("robust", "crates/kernel"),
+const OWNERS: [(&str, &str); 19] = [
+    ("faer", "crates/geometry"),
+    ("glam", "crates/geometry"),
+    ("libm", "crates/geometry"),
+    ("robust", "crates/geometry"),
+    ("pulp", "crates/optimum"),
+    ("rayon", "crates/optimum"),
+    ("spade", "crates/optimum"),
     ("serde", "crates/files"),
     ("serde_json", "crates/files"),
     ("csv", "crates/files"),
@@ -35,8 +42,11 @@ const OWNERS: [(&str, &str); 15] = [
     ("wasm-bindgen", "crates/editor"),
 ];
 
-/// Files of the kernel that alone may name these crates.
-const FILE_OWNERS: [(&str, &[&str]); 6] = [
+/// The crates that compute and nothing else, each above those that it uses.
+const PURE: [&str; 3] = ["crates/geometry", "crates/optimum", "crates/kernel"];
+
+/// Files of the pure crates that alone may name these crates.
+const FILE_OWNERS: [(&str, &[&str]); 7] = [
     ("faer::", &["math/sparse.rs"]),
     ("glam::", &["math.rs"]),
     ("libm::", &["math.rs"]),
@@ -60,6 +70,7 @@ const FILE_OWNERS: [(&str, &[&str]); 6] = [
         ],
     ),
     ("rayon::", &["triangulate/optimal/threads.rs", "triangulate/optimal/table/tests.rs"]),
+    ("spade::", &["rung/visible/expansion.rs"]),
 ];
 
 /// The dependencies under a `[section]` of a Cargo file.
@@ -105,59 +116,61 @@ fn crates_use_only_what_lies_below_them() {
     assert!(workspace.contains("default-members = [\"crates/cli\"]"));
 }
 
-/// The order of the kernel's modules is that of the `pub mod` lines of its front door.
-#[test]
-fn kernel_modules_use_only_those_above_them() {
-    let source = root().join("crates/kernel/src");
+/// The order of a crate's modules is that of the `pub mod` lines of its front door.
+fn order_of_modules(source: &Path) -> BTreeMap<String, usize> {
     let door = std::fs::read_to_string(source.join("lib.rs")).unwrap();
-    let order: BTreeMap<&str, usize> = door
-        .lines()
-        .filter_map(|line| line.strip_prefix("pub mod ")?.strip_suffix(';'))
-        .enumerate()
-        .map(|(n, name)| (name, n))
-        .collect();
-    assert!(order.len() > 15, "{order:?}");
+    let names = door.lines().filter_map(|line| line.strip_prefix("pub mod ")?.strip_suffix(';'));
+    names.enumerate().map(|(n, name)| (name.to_owned(), n)).collect()
+}
+
+#[test]
+fn modules_of_pure_crates_use_only_those_above_them() {
     let mut arrows = 0;
-    for path in rust_files(&source) {
-        let inside = path.strip_prefix(&source).unwrap();
-        let first = inside.components().next().unwrap().as_os_str().to_str().unwrap();
-        let module = first.trim_end_matches(".rs");
-        if module == "lib" {
-            continue;
-        }
-        let here = order[module];
-        let text = std::fs::read_to_string(&path).unwrap();
-        for (n, line) in text.lines().enumerate() {
-            if line.trim_start().starts_with("//") {
-                continue;
-            }
-            let whole = format!("{}:{}: one path a `use` of the crate", inside.display(), n + 1);
-            assert!(!line.contains("crate::{"), "{whole}, so that arrows can be read");
-            for part in line.split("crate::").skip(1) {
-                let end = part.find(|c: char| !c.is_alphanumeric() && c != '_');
-                let used = &part[..end.unwrap_or(part.len())];
-                let Some(&there) = order.get(used) else { continue };
-                assert!(
-                    there <= here,
-                    "{}:{}: {module} may not use {used}, which comes after it",
-                    inside.display(),
-                    n + 1
-                );
-                arrows += 1;
-            }
-            for (name, owners) in FILE_OWNERS {
-                let owned = !line.contains(name) || owners.iter().any(|o| inside == Path::new(o));
-                assert!(owned, "{}:{}: only {owners:?} may name {name}", inside.display(), n + 1);
+    for source in PURE.map(|folder| root().join(folder).join("src")) {
+        let order = order_of_modules(&source);
+        assert!(order.len() >= 3, "{order:?}");
+        for path in rust_files(&source) {
+            let inside = path.strip_prefix(&source).unwrap();
+            let first = inside.components().next().unwrap().as_os_str().to_str().unwrap();
+            let module = first.trim_end_matches(".rs");
+            if module != "lib" {
+                let text = std::fs::read_to_string(&path).unwrap();
+                arrows += check_arrows(inside, &text, module, &order);
             }
         }
     }
     assert!(arrows > 50, "{arrows}");
 }
 
-/// What must stay absent from the kernel.
+/// Checks the paths of a file of a module, and returns how many lead to modules of its crate.
+fn check_arrows(inside: &Path, text: &str, module: &str, order: &BTreeMap<String, usize>) -> usize {
+    let mut arrows = 0;
+    for (n, line) in text.lines().enumerate() {
+        if line.trim_start().starts_with("//") {
+            continue;
+        }
+        let place = format!("{}:{}", inside.display(), n + 1);
+        let whole = format!("{place}: one path a `use` of the crate, so that arrows can be read");
+        assert!(!line.contains("crate::{"), "{whole}");
+        for part in line.split("crate::").skip(1) {
+            let end = part.find(|c: char| !c.is_alphanumeric() && c != '_');
+            let used = &part[..end.unwrap_or(part.len())];
+            let Some(there) = order.get(used) else { continue };
+            let comes_before = *there <= order[module];
+            assert!(comes_before, "{place}: {module} may not use {used}, which comes after it");
+            arrows += 1;
+        }
+        for (name, owners) in FILE_OWNERS {
+            let owned = !line.contains(name) || owners.iter().any(|o| inside == Path::new(o));
+            assert!(owned, "{place}: only {owners:?} may name {name}");
+        }
+    }
+    arrows
+}
+
+/// What must stay absent from the crates that compute.
 #[test]
-fn the_kernel_keeps_to_itself() {
-    let source = root().join("crates/kernel/src");
+fn pure_crates_keep_to_themselves() {
     let absent = [
         ("std::fs", "opens no file"),
         ("std::time", "reads no clock"),
@@ -170,12 +183,13 @@ fn the_kernel_keeps_to_itself() {
         ("serde", "has no type of a file"),
         ("unsafe {", "has no unsafe code"),
     ];
-    for path in rust_files(&source) {
+    let sources = PURE.map(|folder| root().join(folder).join("src"));
+    for path in sources.iter().flat_map(|source| rust_files(source)) {
         let text = std::fs::read_to_string(&path).unwrap();
         let code = text.split("#[cfg(test)]").next().unwrap();
         for line in code.lines().filter(|line| !line.trim_start().starts_with("//")) {
             for (word, reason) in absent {
-                assert!(!line.contains(word), "{}: the kernel {reason}: {line}", path.display());
+                assert!(!line.contains(word), "{}: a pure crate {reason}: {line}", path.display());
             }
         }
     }

@@ -12,17 +12,23 @@ use super::sources::{root, rust_files};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-const CRATES: [&str; 6] =
-    ["crates/kernel", "crates/shapes", "crates/files", "crates/cli", "crates/editor", "xtask"];
+const CRATES: [&str; 8] = [
+    "crates/geometry",
+    "crates/optimum",
+    "crates/kernel",
+    "crates/shapes",
+    "crates/files",
+    "crates/cli",
+    "crates/editor",
+    "xtask",
+];
 
 /// The circles that are known: the folder, and the files in it that lead to one another.
-const KNOWN: [(&str, &[&str]); 6] = [
+const KNOWN: [(&str, &[&str]); 4] = [
     ("crates/editor", &["command", "document", "panes", "scene"]),
     ("crates/files", &["design_json", "input"]),
     ("crates/files/design_json", &["convert", "drawing", "grammar", "join", "vary", "write"]),
-    ("crates/kernel/design", &["joining", "links", "run_on", "sampling"]),
-    ("crates/kernel/design/varying", &["slips", "unknowns"]),
-    ("crates/kernel/triangulate/optimal/outside", &["cells", "pricing"]),
+    ("crates/optimum/triangulate/optimal/outside", &["cells", "pricing"]),
 ];
 
 /// The way to a module: `["design", "varying"]`; that of the crate itself is empty.

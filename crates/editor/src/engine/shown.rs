@@ -2,7 +2,7 @@
 
 use super::Refusal;
 use sheetwright::check::{Finding, Verdict};
-use sheetwright::design::MadePanel;
+use sheetwright::make::MadePanel;
 use sheetwright::material::{Material, warp_limit_deg};
 use sheetwright::math::{Point2, Point3, Vec3, to_deg};
 use sheetwright::measure::length_errors;

@@ -1,12 +1,13 @@
 //! The work itself, wherever it is done: a job in, an answer out.
 //!
 //! What is made of a design is kept, so that the next one, which differs in little, is made from it
-//! ([`sheetwright::design::Live`]).
+//! ([`sheetwright::make::Live`]).
 
 use super::fineness::Fineness;
 use super::shown::{Shown, ShownPanel};
 use super::{Answer, Detail, Job, Refusal, Varied};
-use sheetwright::design::{Design, Live, Made, MadePanel, MakeError, make};
+use sheetwright::design::Design;
+use sheetwright::make::{Live, Made, MadePanel, MakeError, make};
 use sheetwright::material::Material;
 use sheetwright::watch::Watch;
 use sheetwright_files::{Format, OutputFile, PdfOptions, hint_for, output_files};

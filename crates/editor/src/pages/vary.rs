@@ -14,9 +14,9 @@ use crate::theme::Theme;
 use crate::verdicts::{not_bending, said_of};
 use eframe::egui::{self, Id, Label, ProgressBar, RichText, Ui};
 use sheetwright::design::Vary;
+use sheetwright::design::VaryGoal;
 use sheetwright::material::warp_limit_deg;
 use sheetwright::math::from_deg;
-use sheetwright::vary::Goal;
 use sheetwright_files::{Units, verdict_word};
 use std::ops::RangeInclusive;
 
@@ -137,9 +137,9 @@ impl VaryPage {
         ui.add_enabled_ui(can, |ui| {
             if main_button(ui, theme, "Try it").clicked() {
                 let goal = if self.reach_angle {
-                    Goal::Warp { largest: from_deg(angle_deg) }
+                    VaryGoal::Warp { largest: from_deg(angle_deg) }
                 } else {
-                    Goal::Price
+                    VaryGoal::Price
                 };
                 let limit_mm = self.was_limited.then_some(limit_mm);
                 *out = Some(VaryAct::Move(Box::new(Vary {

@@ -4,7 +4,8 @@
 #![allow(dead_code)] // each test file shows one pane
 
 use eframe::egui;
-use sheetwright::design::{Design, make};
+use sheetwright::design::Design;
+use sheetwright::make::make;
 use sheetwright::watch::Unwatched;
 use sheetwright_editor::document::{Document, Drawing};
 use sheetwright_editor::engine::Refusal;

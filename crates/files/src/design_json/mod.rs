@@ -315,7 +315,7 @@ mod tests {
         let of_bottom = Vary {
             panels: vec!["bottom".into()],
             curves: vec!["keel".into()],
-            goal: sheetwright::vary::Goal::Warp { largest: from_deg(5.6) },
+            goal: sheetwright::design::VaryGoal::Warp { largest: from_deg(5.6) },
             limit_mm: Some(20.0),
             by: MovedBy::Samples,
             ..Vary::default()
@@ -353,7 +353,7 @@ mod tests {
         }
         for vary in &design.vary {
             assert_eq!(vary.limit_mm, Some(7.0));
-            assert_eq!(vary.goal, sheetwright::vary::Goal::Warp { largest: from_deg(3.0) });
+            assert_eq!(vary.goal, sheetwright::design::VaryGoal::Warp { largest: from_deg(3.0) });
         }
         assert_eq!(design.vary[1].budget_mm, Some(500.0));
         let still = DINGHY.lines().filter(|line| !line.contains("vary")).collect::<String>();

@@ -6,9 +6,9 @@ use crate::names::{did_you_mean, shown};
 use crate::reading::InputError;
 use crate::table::in_range_mm;
 use crate::units::Units;
+use sheetwright::design::VaryGoal;
 use sheetwright::design::{DesignCurve, DesignPanel, MovedBy, Vary};
 use sheetwright::math::{from_deg, to_deg};
-use sheetwright::vary::Goal;
 
 /// Angles that may be asked for, degrees.
 pub(crate) const MOST_WARP_DEG: f64 = 90.0;
@@ -75,8 +75,10 @@ impl VaryReader<'_> {
             }
         };
         let goal = match file.warp_deg {
-            None => Goal::Price,
-            Some(deg) if deg > 0.0 && deg <= MOST_WARP_DEG => Goal::Warp { largest: from_deg(deg) },
+            None => VaryGoal::Price,
+            Some(deg) if deg > 0.0 && deg <= MOST_WARP_DEG => {
+                VaryGoal::Warp { largest: from_deg(deg) }
+            }
             Some(deg) => {
                 let message = format!("a warp angle of {deg}° is asked for");
                 return Err(error(".warp_deg", message, WARP_HINT.to_owned()));
@@ -104,8 +106,8 @@ pub(super) fn written(vary: &Vary, in_panel: bool) -> VaryFile {
         budget: vary.budget_mm,
         limit: vary.limit_mm,
         warp_deg: match vary.goal {
-            Goal::Price => None,
-            Goal::Warp { largest } => Some(plain_deg(largest)),
+            VaryGoal::Price => None,
+            VaryGoal::Warp { largest } => Some(plain_deg(largest)),
         },
         curves: some(&vary.curves),
         panels: if in_panel { None } else { some(&vary.panels) },

@@ -17,7 +17,7 @@ mod tiling;
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use page::Page;
 use pdf_writer::{Filter, Finish, Name, Pdf, Rect, Ref, TextStr};
-use sheetwright::design::Made;
+use sheetwright::make::Made;
 use sheetwright::math::Vec2;
 use sheetwright::pattern::Piece;
 use tiling::Tiling;

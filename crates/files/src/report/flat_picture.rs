@@ -3,8 +3,8 @@
 use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, distance, line, number, text};
 use super::rulings::{APART, APART_CLASSES, MOST_RUNGS, Middles, legend, rung_classes};
 use super::wording::{millimetres, thinned};
-use sheetwright::design::MadePanel;
 use sheetwright::index::SampleIndex;
+use sheetwright::make::MadePanel;
 use sheetwright::material::Material;
 use sheetwright::math::{Point2, Vec2, angle_between, from_deg, unit2};
 use sheetwright::pattern::{PathKind, Piece, Role, seam_mark};

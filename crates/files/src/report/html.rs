@@ -16,7 +16,7 @@ use super::wording::{
 use super::worst_rung;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use sheetwright::check::Checked;
-use sheetwright::design::{Made, MadePanel};
+use sheetwright::make::{Made, MadePanel};
 use sheetwright::material::{Material, warp_limit_deg};
 use sheetwright::math::{from_deg, to_deg};
 use sheetwright::measure::RungMeasures;

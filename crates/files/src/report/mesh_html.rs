@@ -12,9 +12,9 @@ use super::wording::{
 };
 use maud::{Markup, PreEscaped, html};
 use sheetwright::check::{Checked, Verdict, seam_length};
-use sheetwright::design::{MadeMesh, MadeMeshes};
 use sheetwright::flatten::Aim;
 use sheetwright::index::VertexIndex;
+use sheetwright::make::{MadeMesh, MadeMeshes};
 use sheetwright::material::{Material, stretch_limit};
 use sheetwright::math::{Point3, Vec3, to_deg};
 use sheetwright::measure::gauss_area_of_mesh;

@@ -4,7 +4,7 @@ use super::canvas::{PathData, Picture, WIDTH, line, round_below};
 use super::space_picture::Fit;
 use super::view::view_of;
 use sheetwright::boundary::size_of;
-use sheetwright::design::{Change, MadePanel};
+use sheetwright::make::{Change, MadePanel};
 use sheetwright::math::{Point2, Point3};
 
 /// The largest displacement is drawn at most this long, as a share of the size of the panel.

@@ -3,8 +3,8 @@
 use super::paint::is_front;
 use super::raster::Facet;
 use super::view::View;
-use sheetwright::design::MadePanel;
 use sheetwright::index::{SampleIndex, TriangleIndex};
+use sheetwright::make::MadePanel;
 use sheetwright::math::{Point2, Vec3};
 
 /// A panel as it lies in the picture.

@@ -5,7 +5,7 @@ use super::paint::{Scene, joined, shades_of};
 use super::raster::Facet;
 use super::space_picture::Fit;
 use super::view::view_of;
-use sheetwright::design::MadePanel;
+use sheetwright::make::MadePanel;
 use sheetwright::math::{Point2, Vec2, Vec3};
 use sheetwright::quads::QuadMesh;
 use std::collections::BTreeMap;

@@ -3,7 +3,7 @@
 use super::canvas::{Anchor, MARGIN, line, text};
 use super::wording::thinned;
 use super::worst_rung;
-use sheetwright::design::MadePanel;
+use sheetwright::make::MadePanel;
 use sheetwright::material::{Material, warp_limit_deg};
 use sheetwright::math::{Point2, from_deg, to_deg};
 use sheetwright::measure::{RungMeasures, SHARP_CREASE_DEG};

@@ -9,7 +9,7 @@ use super::rulings::{
 };
 use super::view::{View, view_of};
 use super::wording::length_short;
-use sheetwright::design::{Made, MadePanel};
+use sheetwright::make::{Made, MadePanel};
 use sheetwright::material::Material;
 use sheetwright::math::{Point2, Vec2, Vec3};
 

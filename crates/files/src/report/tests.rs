@@ -4,7 +4,7 @@ use super::*;
 use crate::quads::PanelQuads;
 use samples::*;
 use sheetwright::check::Checked;
-use sheetwright::design::{Made, MadeMeshes, MeshOptions, make, make_meshes};
+use sheetwright::make::{Made, MadeMeshes, MeshOptions, make, make_meshes};
 use sheetwright::watch::Unwatched;
 use std::path::Path;
 

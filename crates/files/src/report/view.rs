@@ -1,8 +1,8 @@
 //! From where a surface is seen, so that its shape reads.
 
 use sheetwright::boundary::size_of;
-use sheetwright::design::MadePanel;
 use sheetwright::index::TriangleIndex;
+use sheetwright::make::MadePanel;
 use sheetwright::math::{Point2, Point3, Vec3, cos, from_deg, sin, unit};
 
 /// A parallel projection, world z up where that has a meaning.

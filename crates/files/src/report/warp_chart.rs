@@ -4,7 +4,7 @@ use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, line, rectangle, r
 use super::flat_picture::{LEFT, RIGHT, scale_of};
 use super::wording::decimal;
 use sheetwright::check::EASY_SHARE;
-use sheetwright::design::MadePanel;
+use sheetwright::make::MadePanel;
 use sheetwright::material::{Material, warp_limit_deg};
 use sheetwright::math::{Point2, Vec2, from_deg, to_deg};
 

@@ -2,9 +2,9 @@
 
 use super::{Checked, EASY_SHARE, Finding, Remedy, Severity, Verdict};
 use crate::material::{Material, stretch_limit};
-use crate::math::{Point3, to_deg};
 use crate::mesh::{CutMesh, Mesh, Specks, crease_angles};
 use crate::pattern::{SCORED_CREASE_DEG, seam_mark};
+use sheetwright_geometry::math::{Point3, to_deg};
 
 /// The border is true up to this share of a length.
 const TRUE_BORDER: f64 = 1e-9;

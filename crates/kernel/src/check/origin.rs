@@ -1,11 +1,11 @@
 //! Findings of how a boundary came to be: what its curves look like, and what was done to them.
 
 use super::{Checked, Finding, Severity, Verdict, where_rungs};
-use crate::boundary::Joined;
-use crate::curve::CurvePoint;
-use crate::math::{angle_between, to_deg};
+use crate::fair::Ended;
 use crate::measure::Measures;
-use crate::vary::Ended;
+use sheetwright_geometry::boundary::Joined;
+use sheetwright_geometry::curve::CurvePoint;
+use sheetwright_geometry::math::{angle_between, to_deg};
 
 /// Points where a spline turns by more than this without being a corner, degrees, are named: what
 /// was typed as a corner comes out round. A smooth curve of eight points turns by 45° at each.

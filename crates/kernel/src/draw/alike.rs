@@ -6,8 +6,8 @@
 //! such start the turn is found by least squares, and every corner must then come to lie on its
 //! partner. What else is cut or scored has to follow.
 
-use crate::math::{Point2, Vec2};
 use crate::pattern::{PathKind, Piece, Role};
+use sheetwright_geometry::math::{Point2, Vec2};
 
 /// A motion of the plane: points about `from` are mirrored where it is asked for, turned, and put
 /// about `to`.

@@ -1,8 +1,9 @@
 //! A design with fewer samples, for a picture that keeps up with the hand.
 
 use super::edit::built;
-use crate::curve::Curve;
-use crate::design::{CurveUse, Design, DesignPanel, LEAST_OF_HOLE, PanelShape};
+use crate::design::{CurveUse, Design, DesignPanel, PanelShape};
+use crate::sample::LEAST_OF_HOLE;
+use sheetwright_geometry::curve::Curve;
 
 /// A design of which no panel has more than `most` samples in all its loops, or as few as its
 /// curves let it have: one at every corner, three on an outline, as many on a hole as a panel gives

@@ -4,9 +4,9 @@
 //! the last leg of a closed curve ends at point 0. For polylines and splines legs are the spans of
 //! the curve; of a B-spline, which runs beside its points, they are those of its control polygon.
 
-use crate::curve::{Curve, CurveError, CurveKind, CurvePoint, point_shares};
 use crate::design::{Design, DesignCurve};
-use crate::math::{Point2, Point3};
+use sheetwright_geometry::curve::{Curve, CurveError, CurveKind, CurvePoint, point_shares};
+use sheetwright_geometry::math::{Point2, Point3};
 use std::fmt;
 
 /// Why a curve can't be changed as asked.

@@ -1,8 +1,8 @@
 //! Open curves made one, or closed; closed curves opened.
 
 use super::edit::{EditError, reversed, with_points};
-use crate::curve::{CurveKind, CurvePoint};
 use crate::design::DesignCurve;
+use sheetwright_geometry::curve::{CurveKind, CurvePoint};
 
 fn ends(curve: &DesignCurve) -> Result<[CurvePoint; 2], EditError> {
     if curve.closed {

@@ -10,8 +10,8 @@
 //! at once. Where loops only touch, each place is a corner of one of them; around it, the edges of
 //! either run into the other, out of it, or along it, which the turns about that corner tell.
 
-use crate::math::Point2;
-use crate::predicate::{
+use sheetwright_geometry::math::Point2;
+use sheetwright_geometry::predicate::{
     Box2, first_crossing, for_touching_boxes, inside, orientation, segments_touch,
 };
 use std::cmp::Ordering;

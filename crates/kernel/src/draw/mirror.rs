@@ -1,9 +1,9 @@
 //! Curves and their images in a mirror, which is whatever `reflect` says: a plane as a rule.
 
 use super::edit::{EditError, built, with_points};
-use crate::curve::CurvePoint;
 use crate::design::DesignCurve;
-use crate::math::{Point3, Vec3, angle_between, from_deg};
+use sheetwright_geometry::curve::CurvePoint;
+use sheetwright_geometry::math::{Point3, Vec3, angle_between, from_deg};
 
 /// A curve that meets its image at less than this turn, degrees, is meant to run on smoothly: a
 /// hand does not meet a mirror more exactly.

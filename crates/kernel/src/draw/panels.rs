@@ -13,10 +13,10 @@
 
 use super::edit::{built, free_of};
 use super::loops::{Nesting, nesting};
-use crate::curve::Curve;
 use crate::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelShape};
-use crate::math::{Point2, Point3};
-use crate::predicate::signed_area_doubled;
+use sheetwright_geometry::curve::Curve;
+use sheetwright_geometry::math::{Point2, Point3};
+use sheetwright_geometry::predicate::signed_area_doubled;
 use std::collections::BTreeSet;
 
 /// Something that is proposed for the panels of a design.

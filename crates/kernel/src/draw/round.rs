@@ -5,7 +5,7 @@
 //! askew shows as 199.8 mm for 200 mm; for 32 points by 4 millionths. So the circle of 200 mm
 //! measures 200 mm within 0.001 mm in every direction.
 
-use crate::math::{Point2, Vec2, cos, from_deg, sin};
+use sheetwright_geometry::math::{Point2, Vec2, cos, from_deg, sin};
 
 /// Points of a circle.
 pub const POINTS: usize = 32;

@@ -6,7 +6,7 @@
 
 use super::edit::{EditError, insert_point, nearest, with_points};
 use crate::design::DesignCurve;
-use crate::math::{Point2, Point3};
+use sheetwright_geometry::math::{Point2, Point3};
 
 /// A fitted point takes the place of a shared one within this share of the way to its neighbours;
 /// farther off, the curve gets a point more.

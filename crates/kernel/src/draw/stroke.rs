@@ -3,7 +3,7 @@
 //! The paper that this program grew from records the paths of a brush or a mouse, simplifies them
 //! by the method of Douglas and Peucker \[DouglasPeucker1973\] and approximates them by a cubic
 //! B-spline within L/100, L being the length of the stroke. Here the curve is the interpolating
-//! spline of [`CurveKind::Spline`](crate::curve::CurveKind::Spline): piecewise cubic and twice
+//! spline of `CurveKind::Spline`: piecewise cubic and twice
 //! differentiable, it *is* a cubic B-spline, the one with its knots at its handles, and written by
 //! the points it runs through instead of its control points; so handles lie on the curve, where a
 //! hand looks for them. In steps:
@@ -25,8 +25,8 @@ mod fit;
 mod path;
 mod squares;
 
-use crate::math::Point2;
 use path::Path;
+use sheetwright_geometry::math::Point2;
 use std::fmt;
 
 /// How a stroke becomes a curve. Shares are of the length L of the stroke.
@@ -87,7 +87,7 @@ pub const MOST_POINTS: usize = 64;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StrokeError {
     /// A coordinate that is no finite number, or beyond
-    /// [`MAX_COORDINATE_MM`](crate::curve::MAX_COORDINATE_MM).
+    /// [`MAX_COORDINATE_MM`](sheetwright_geometry::curve::MAX_COORDINATE_MM).
     OutOfRange {
         /// The position, counted from 0.
         position: usize,

@@ -15,11 +15,11 @@
 
 use super::sheet::root;
 use super::unroll::beside;
-use crate::boundary::size_of;
-use crate::index::{SampleIndex, TriangleIndex};
-use crate::math::{Point2, Point3, Vec2, unit2};
 use crate::surface::{Connectivity, Surface};
-use crate::tolerance::Tolerance;
+use sheetwright_geometry::boundary::size_of;
+use sheetwright_geometry::index::{SampleIndex, TriangleIndex};
+use sheetwright_geometry::math::{Point2, Point3, Vec2, unit2};
+use sheetwright_geometry::tolerance::Tolerance;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 

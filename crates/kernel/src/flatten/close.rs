@@ -14,12 +14,12 @@
 
 use super::sheet::{Seam, Sheet};
 use super::{FlattenError, Flattened, unroll::unroll};
-use crate::boundary::size_of;
-use crate::index::{SampleIndex, TriangleIndex};
-use crate::math::{Point2, Vec2, atan2};
-use crate::rung::Rung;
 use crate::surface::Connectivity;
-use crate::watch::Watch;
+use sheetwright_geometry::boundary::size_of;
+use sheetwright_geometry::index::{SampleIndex, TriangleIndex};
+use sheetwright_geometry::math::{Point2, Vec2, atan2};
+use sheetwright_geometry::watch::Watch;
+use sheetwright_optimum::rung::Rung;
 use std::collections::BTreeMap;
 
 /// Steps at the most; each squares what is left, so that three or four do.

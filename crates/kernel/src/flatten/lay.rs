@@ -6,13 +6,13 @@ use super::pose::posed;
 use super::sheet::Sheet;
 use super::unroll::unroll;
 use super::{FlattenError, Flattened};
-use crate::boundary::size_of;
-use crate::index::SampleIndex;
-use crate::math::{Point2, Point3, Vec2};
-use crate::predicate::{first_overlap_of_loops, signed_area_doubled};
 use crate::surface::Surface;
-use crate::tolerance::Tolerance;
-use crate::watch::Watch;
+use sheetwright_geometry::boundary::size_of;
+use sheetwright_geometry::index::SampleIndex;
+use sheetwright_geometry::math::{Point2, Point3, Vec2};
+use sheetwright_geometry::predicate::{first_overlap_of_loops, signed_area_doubled};
+use sheetwright_geometry::tolerance::Tolerance;
+use sheetwright_geometry::watch::Watch;
 use std::ops::Range;
 
 /// Lays a surface flat, cut open where it must be: as few cuts are left as can be, and round

@@ -17,7 +17,7 @@ pub use relax::{
 pub use sheet::{Seam, Sheet};
 pub use unroll::unroll;
 
-use crate::math::Point2;
+use sheetwright_geometry::math::Point2;
 use std::fmt;
 
 /// A surface laid flat.
@@ -44,7 +44,7 @@ pub enum FlattenError {
     /// Three lengths that make no triangle.
     NoTriangle {
         /// The triangle.
-        triangle: crate::index::TriangleIndex,
+        triangle: sheetwright_geometry::index::TriangleIndex,
     },
     /// The watcher asked to stop.
     Stopped,

@@ -5,8 +5,8 @@
 //! side is laid along x and the lower left corner at the origin, so that a pattern needs as little
 //! sheet as can be and its size can be read off.
 
-use crate::math::{Point2, Vec2, unit2};
-use crate::predicate::{Box2, orientation};
+use sheetwright_geometry::math::{Point2, Vec2, unit2};
+use sheetwright_geometry::predicate::{Box2, orientation};
 use std::ops::Range;
 
 /// The points turned and moved, not mirrored, so that those of the loop lie as told above.

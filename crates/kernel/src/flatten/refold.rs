@@ -6,10 +6,10 @@
 //! its root, and the largest distance of a sample from where it belongs is the refold error: it
 //! sees a wrong length, a swapped sample, a missing rung, a wrong unit and too few digits alike.
 
-use crate::index::SampleIndex;
-use crate::math::{Frame, Point2, Point3, Vec3, turned, unit};
-use crate::rung::Rung;
 use crate::surface::{Connectivity, Surface};
+use sheetwright_geometry::index::SampleIndex;
+use sheetwright_geometry::math::{Frame, Point2, Point3, Vec3, turned, unit};
+use sheetwright_optimum::rung::Rung;
 use std::collections::VecDeque;
 use std::fmt;
 
@@ -139,7 +139,7 @@ fn flat_coordinates(
     far: SampleIndex,
 ) -> Result<(f64, f64), RefoldError> {
     let [at_low, at_high, at_far] = [low, high, far].map(|s| outline[s.get()]);
-    let along = crate::math::unit2(at_high - at_low).ok_or(RefoldError::NoArea)?;
+    let along = sheetwright_geometry::math::unit2(at_high - at_low).ok_or(RefoldError::NoArea)?;
     let way = at_far - at_low;
     Ok((way.dot(along), along.perp_dot(way)))
 }

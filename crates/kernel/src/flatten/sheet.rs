@@ -4,9 +4,9 @@
 //! their numbers. A surface with one loop needs no cut, and its sheet is the surface itself.
 
 use super::FlattenError;
-use crate::index::{SampleIndex, TriangleIndex};
-use crate::rung::Rung;
 use crate::surface::{Connectivity, Surface};
+use sheetwright_geometry::index::{SampleIndex, TriangleIndex};
+use sheetwright_optimum::rung::Rung;
 use std::collections::BTreeMap;
 use std::ops::Range;
 

@@ -6,11 +6,11 @@
 //! rounding travels half as far.
 
 use super::{FlattenError, Flattened, pose::posed};
-use crate::index::{SampleIndex, TriangleIndex};
-use crate::math::{Point2, Vec2};
-use crate::predicate::first_crossing;
 use crate::surface::Connectivity;
-use crate::watch::Watch;
+use sheetwright_geometry::index::{SampleIndex, TriangleIndex};
+use sheetwright_geometry::math::{Point2, Vec2};
+use sheetwright_geometry::predicate::first_crossing;
+use sheetwright_geometry::watch::Watch;
 
 /// Lays a surface flat, given the lengths between samples that are joined, mm.
 ///
@@ -140,7 +140,7 @@ impl<'a> Tree<'a> {
 
     /// The triangle on the other side of a side.
     fn across(&self, triangle: TriangleIndex, side: [SampleIndex; 2]) -> TriangleIndex {
-        let rung = crate::rung::Rung::new(side[0].get(), side[1].get());
+        let rung = sheetwright_optimum::rung::Rung::new(side[0].get(), side[1].get());
         self.hinges[triangle.get()]
             .iter()
             .map(|&n| self.connectivity.hinges()[n])

@@ -21,10 +21,10 @@
 //! Then what is compared is not one edge with another, but the mean slopes of two halves.
 
 use super::SHARP_CREASE_DEG;
-use crate::boundary::size_of;
-use crate::index::{SampleIndex, TriangleIndex};
-use crate::math::{Vec3, to_deg, unit};
 use crate::surface::Surface;
+use sheetwright_geometry::boundary::size_of;
+use sheetwright_geometry::index::{SampleIndex, TriangleIndex};
+use sheetwright_geometry::math::{Vec3, to_deg, unit};
 
 /// How deep a roll is at the least, as a share of the size of the surface: how far its middle lies
 /// from the line between its ends. A sheet is stiff and rounds off what is shallower, half a
@@ -468,12 +468,12 @@ fn note_radii(rolls: &[Option<Roll>], radii_mm: &mut [f64]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::boundary::{Boundary, samples_from_points};
-    use crate::curve::CurvePoint;
-    use crate::math::Point3;
     use crate::surface::Connectivity;
-    use crate::triangulate::{TriangulateOptions, triangulate};
-    use crate::watch::Unwatched;
+    use sheetwright_geometry::boundary::{Boundary, samples_from_points};
+    use sheetwright_geometry::curve::CurvePoint;
+    use sheetwright_geometry::math::Point3;
+    use sheetwright_geometry::watch::Unwatched;
+    use sheetwright_optimum::triangulate::{TriangulateOptions, triangulate};
     use sheetwright_shapes::family::Family;
     use sheetwright_shapes::random::{Random, star, tangle};
 

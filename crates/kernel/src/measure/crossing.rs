@@ -16,13 +16,15 @@
 
 mod seen;
 
-use crate::boundary::size_of;
-use crate::index::{SampleIndex, TriangleIndex};
-use crate::math::{Point2, Point3, Vec3};
-use crate::predicate::{any_touching_boxes, for_touching_boxes, orientation, orientation3};
 use crate::surface::Surface;
-use crate::tolerance::Tolerance;
 use seen::is_simple_as_seen;
+use sheetwright_geometry::boundary::size_of;
+use sheetwright_geometry::index::{SampleIndex, TriangleIndex};
+use sheetwright_geometry::math::{Point2, Point3, Vec3};
+use sheetwright_geometry::predicate::{
+    any_touching_boxes, for_touching_boxes, orientation, orientation3,
+};
+use sheetwright_geometry::tolerance::Tolerance;
 use std::cmp::Ordering;
 
 /// The first two triangles, by their numbers, that pass through one another.
@@ -303,8 +305,8 @@ fn counter_clockwise([a, b, c]: [Point2; 3]) -> [Point2; 3] {
 mod tests {
     use super::seen::{is_simple_along, is_simple_along_axis};
     use super::*;
-    use crate::math::Frame;
     use crate::surface::Connectivity;
+    use sheetwright_geometry::math::Frame;
 
     fn p(x: f64, y: f64, z: f64) -> Point3 {
         Point3::new(x, y, z)
@@ -381,7 +383,10 @@ mod tests {
             let mut angle = 0.0;
             for _ in 0..9 {
                 angle += 0.6 + random();
-                let (x, y) = (crate::math::cos(angle), crate::math::sin(angle));
+                let (x, y) = (
+                    sheetwright_geometry::math::cos(angle),
+                    sheetwright_geometry::math::sin(angle),
+                );
                 let far = 2.5 + 2.0 * random();
                 corners.push(p((far * x).round(), (far * y).round(), 4.0 * random()));
             }

@@ -15,10 +15,10 @@
 //! whose area is the angle defect there.
 
 use super::RungMeasures;
-use crate::math::{Vec3, atan2, unit};
 use crate::mesh::{Mesh, angle_defects};
-use crate::rung::Rung;
 use crate::surface::Connectivity;
+use sheetwright_geometry::math::{Vec3, atan2, unit};
+use sheetwright_optimum::rung::Rung;
 
 /// The area of the Gauss image, steradians: 4 π for the whole sphere once, 0 for a developable
 /// surface. `rungs` are all rungs of the surface in increasing order. Triangles with a rung without

@@ -1,9 +1,9 @@
 //! How true a mesh is once it lies flat, and where a cut would help.
 
 use crate::flatten::triangle_stretches;
-use crate::index::{TriangleIndex, VertexIndex};
-use crate::math::Point2;
 use crate::mesh::{Mesh, Ways, angle_defects};
+use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
+use sheetwright_geometry::math::Point2;
 use std::f64::consts::TAU;
 
 /// A hole whose border turns by this share of a full turn more or less than that of a hole in a

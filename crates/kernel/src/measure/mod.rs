@@ -26,13 +26,13 @@ pub use crossing::first_self_crossing;
 pub use gauss::{gauss_area, gauss_area_of_mesh};
 pub use mesh::{CutSuggestion, MeshMeasures, cut_suggestion, mesh_measures};
 
-use crate::cost::Prices;
 use crate::flatten::{Flattened, Sheet};
-use crate::index::TriangleIndex;
-use crate::math::{Point3, Vec3, to_deg};
-use crate::rung::Rung;
 use crate::surface::Surface;
 use bend::{Rolls, rolls};
+use sheetwright_geometry::index::TriangleIndex;
+use sheetwright_geometry::math::{Point3, Vec3, to_deg};
+use sheetwright_optimum::cost::Prices;
+use sheetwright_optimum::rung::Rung;
 
 /// Creases above this angle, degrees, are lines to bend or score along, not parts of a smooth
 /// bend: what a bend of 90° has when it is divided into 18, the coarsest that workshops bend by.

@@ -4,7 +4,7 @@
 //! the corners at both its ends become one. What is left apart are the two sides of a cut, and
 //! parts that met in a point.
 
-use crate::index::VertexIndex;
+use sheetwright_geometry::index::VertexIndex;
 use std::collections::BTreeSet;
 
 /// Triangles whose vertices were taken apart.

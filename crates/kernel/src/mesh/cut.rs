@@ -16,8 +16,8 @@
 use super::corners::{root, separated, unite};
 use super::ways::Ways;
 use super::{Mesh, MeshError};
-use crate::index::VertexIndex;
-use crate::math::{angle_between, from_deg};
+use sheetwright_geometry::index::VertexIndex;
+use sheetwright_geometry::math::{angle_between, from_deg};
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
 

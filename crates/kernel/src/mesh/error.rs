@@ -1,7 +1,7 @@
 //! Why triangles are no mesh, in words.
 
 use super::MAX_TRIANGLES;
-use crate::index::{TriangleIndex, VertexIndex};
+use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
 use std::fmt;
 
 /// Why triangles are no mesh. Vertices and triangles are numbered from 0, as they were given.
@@ -24,7 +24,7 @@ pub enum MeshError {
         /// The vertex.
         vertex: VertexIndex,
     },
-    /// All vertices within [`crate::tolerance::MIN_SIZE_MM`].
+    /// All vertices within [`sheetwright_geometry::tolerance::MIN_SIZE_MM`].
     TooSmall,
     /// A triangle without area: two corners in one place, or three on one line.
     Degenerate {

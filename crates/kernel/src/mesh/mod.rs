@@ -24,10 +24,10 @@ pub use split::{crease_angles, split_along_creases};
 pub use topology::{MeshEdge, Piece, Topology};
 pub(crate) use ways::Ways;
 
-use crate::boundary::size_of;
-use crate::index::{TriangleIndex, VertexIndex};
-use crate::math::{Point3, Vec3};
-use crate::tolerance::MIN_SIZE_MM;
+use sheetwright_geometry::boundary::size_of;
+use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
+use sheetwright_geometry::math::{Point3, Vec3};
+use sheetwright_geometry::tolerance::MIN_SIZE_MM;
 
 /// The most triangles that a mesh may have: two million take about a gigabyte on their way to a
 /// pattern.

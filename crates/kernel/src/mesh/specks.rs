@@ -5,9 +5,9 @@
 //! together with anything larger is no crumb: leaving it out would tear the surface.
 
 use super::corners::{root, separated, unite};
-use crate::index::VertexIndex;
-use crate::math::{Point3, Vec3};
-use crate::tolerance::{MIN_SIZE_MM, Tolerance};
+use sheetwright_geometry::index::VertexIndex;
+use sheetwright_geometry::math::{Point3, Vec3};
+use sheetwright_geometry::tolerance::{MIN_SIZE_MM, Tolerance};
 use std::collections::BTreeMap;
 
 /// Parts that were left out.

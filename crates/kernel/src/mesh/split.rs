@@ -3,7 +3,7 @@
 use super::corners::{root, unite};
 use super::cut::{Cut, CutMesh, cut_along};
 use super::{Mesh, MeshError};
-use crate::math::angle_between;
+use sheetwright_geometry::math::angle_between;
 
 /// The mesh taken apart along the sides at which it turns by more than `crease`, radians, so that
 /// every part is a piece of its own. A crease that ends within a part is not cut: it separates
@@ -19,10 +19,11 @@ pub fn split_along_creases(mesh: &Mesh, crease: f64) -> Result<CutMesh, MeshErro
             unite(&mut parts, a.get(), b.get());
         }
     }
-    let mut apart = |triangles: [Option<crate::index::TriangleIndex>; 2]| match triangles {
-        [Some(a), Some(b)] => root(&mut parts, a.get()) != root(&mut parts, b.get()),
-        _ => false,
-    };
+    let mut apart =
+        |triangles: [Option<sheetwright_geometry::index::TriangleIndex>; 2]| match triangles {
+            [Some(a), Some(b)] => root(&mut parts, a.get()) != root(&mut parts, b.get()),
+            _ => false,
+        };
     let cut: Cut = (0..turns.len()).filter(|&n| apart(mesh.edges()[n].triangles)).collect();
     cut_along(mesh, &cut)
 }
@@ -30,7 +31,8 @@ pub fn split_along_creases(mesh: &Mesh, crease: f64) -> Result<CutMesh, MeshErro
 /// The angle between the two triangles at every side, radians, in the order of [`Mesh::edges`]; 0
 /// on the border.
 pub fn crease_angles(mesh: &Mesh) -> Vec<f64> {
-    let turn = |triangles: [Option<crate::index::TriangleIndex>; 2]| match triangles {
+    let turn = |triangles: [Option<sheetwright_geometry::index::TriangleIndex>; 2]| match triangles
+    {
         [Some(a), Some(b)] => angle_between(mesh.area_vector(a), mesh.area_vector(b)),
         _ => 0.0,
     };

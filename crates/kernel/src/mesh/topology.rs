@@ -1,7 +1,7 @@
 //! Which vertices of a mesh are joined: sides, loops and pieces, without positions.
 
 use super::MeshError;
-use crate::index::{TriangleIndex, VertexIndex};
+use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
 
 /// A side of one triangle or two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! Shortest ways along the sides of a mesh (Dijkstra).
 
 use super::{Mesh, MeshEdge};
-use crate::index::VertexIndex;
+use sheetwright_geometry::index::VertexIndex;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 

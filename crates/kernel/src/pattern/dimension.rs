@@ -1,7 +1,7 @@
 //! The overall dimensions of a piece: a line with ticks below it and one to its left.
 
 use super::{PathKind, PatternLabel, PatternPath, Role};
-use crate::math::{Point2, Vec2};
+use sheetwright_geometry::math::{Point2, Vec2};
 
 /// Lines and texts that give the width and height of a piece of this size, mm, whose lower left
 /// corner is the origin. `height_mm` is that of the letters.

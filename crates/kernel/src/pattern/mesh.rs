@@ -3,10 +3,10 @@
 
 use super::seam::{Side, seam_mark};
 use super::{LABEL_SHARE, PathKind, PatternPath, Piece, Role, TICK_SHARE, dimension, label_at};
-use crate::index::VertexIndex;
-use crate::math::{Point2, Vec2, from_deg};
 use crate::mesh::{Mesh, MeshSeam, crease_angles};
-use crate::predicate::{Box2, signed_area_doubled};
+use sheetwright_geometry::index::VertexIndex;
+use sheetwright_geometry::math::{Point2, Vec2, from_deg};
+use sheetwright_geometry::predicate::{Box2, signed_area_doubled};
 use std::collections::BTreeMap;
 
 /// Creases above this angle, degrees, are scored: below it they may be the facets that a smooth

@@ -8,11 +8,11 @@ pub use mesh::{EdgeMark, SCORED_CREASE_DEG, mesh_piece, seam_marks};
 pub use seam::{joint_mark, seam_mark};
 
 use crate::flatten::{Flattened, Sheet};
-use crate::index::SampleIndex;
-use crate::math::{Point2, Vec2, to_deg};
 use crate::measure::{Measures, RungMeasures, SHARP_CREASE_DEG};
-use crate::predicate::Box2;
-use crate::rung::Rung;
+use sheetwright_geometry::index::SampleIndex;
+use sheetwright_geometry::math::{Point2, Vec2, to_deg};
+use sheetwright_geometry::predicate::Box2;
+use sheetwright_optimum::rung::Rung;
 
 /// What a machine or a person does along a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -4,7 +4,7 @@
 use super::dimension::millimetres;
 use super::{PathKind, PatternLabel, PatternPath, Role};
 use crate::flatten::{Flattened, Sheet};
-use crate::math::{Point2, Vec2, unit2};
+use sheetwright_geometry::math::{Point2, Vec2, unit2};
 
 /// Letters of a mark are as high as this share of the seam at the most, and as the letters of the
 /// piece times [`BESIDE_NAME`], but no lower than [`LEAST_MM`].

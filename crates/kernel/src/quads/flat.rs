@@ -2,10 +2,10 @@
 
 use super::QuadMesh;
 use crate::flatten::{FlattenError, Flattened, Sheet, lay_flat};
-use crate::index::SampleIndex;
-use crate::math::Point3;
 use crate::surface::{Connectivity, ConnectivityError, Surface};
-use crate::watch::Watch;
+use sheetwright_geometry::index::SampleIndex;
+use sheetwright_geometry::math::Point3;
+use sheetwright_geometry::watch::Watch;
 
 impl QuadMesh {
     /// The mesh in triangles, with its vertices as samples. Each quad is divided along its shorter

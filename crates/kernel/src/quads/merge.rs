@@ -16,9 +16,9 @@
 //! such a side is a ruling already, and the rung from its corner into the strip is a diagonal. That
 //! corner counts as a candidate, or the strip would begin with a triangle and a doubled vertex.
 
-use crate::index::{SampleIndex, TriangleIndex};
-use crate::math::{Vec3, angle_between};
 use crate::surface::{Connectivity, Surface};
+use sheetwright_geometry::index::{SampleIndex, TriangleIndex};
+use sheetwright_geometry::math::{Vec3, angle_between};
 use std::collections::BTreeSet;
 
 /// Angles within the same multiple of this, radians, tie: on a flat surface they are rounding.
@@ -201,11 +201,11 @@ fn joined(first: &Face, second: &Face, low: usize, high: usize) -> Face {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::boundary::{Boundary, samples_from_points};
-    use crate::curve::CurvePoint;
-    use crate::math::{Point3, cos, sin};
-    use crate::triangulate::{TriangulateOptions, triangulate};
-    use crate::watch::Unwatched;
+    use sheetwright_geometry::boundary::{Boundary, samples_from_points};
+    use sheetwright_geometry::curve::CurvePoint;
+    use sheetwright_geometry::math::{Point3, cos, sin};
+    use sheetwright_geometry::watch::Unwatched;
+    use sheetwright_optimum::triangulate::{TriangulateOptions, triangulate};
 
     /// A wavy ring of samples, every seventh a corner if there are any.
     fn surface(m: usize, waves: f64, corners: bool) -> (Boundary, Surface) {

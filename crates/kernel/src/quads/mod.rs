@@ -34,9 +34,9 @@ pub use flat::lay_quads_flat;
 pub use planar::{Planar, PlanarEnd, PlanarOptions, planar};
 pub use smooth::{EdgeCurve, FaceShape, Rail, SmoothEdge, SmoothFace, SmoothSurface, smooth};
 
-use crate::boundary::{Boundary, Outline};
-use crate::math::Point3;
 use crate::surface::Surface;
+use sheetwright_geometry::boundary::{Boundary, Outline};
+use sheetwright_geometry::math::Point3;
 use std::ops::Range;
 
 /// A vertex of a quad mesh: a place on the boundary.

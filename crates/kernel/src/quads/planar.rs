@@ -19,10 +19,10 @@
 
 use super::solve::Symmetric;
 use super::{QuadMesh, Vertex};
-use crate::boundary::{Outline, Side};
-use crate::math::{Point3, Vec3, ln, unit};
-use crate::tolerance::Tolerance;
-use crate::watch::Watch;
+use sheetwright_geometry::boundary::{Outline, Side};
+use sheetwright_geometry::math::{Point3, Vec3, ln, unit};
+use sheetwright_geometry::tolerance::Tolerance;
+use sheetwright_geometry::watch::Watch;
 
 /// Squares of moves off the outline weigh so many times as much as those along it. Where no planar
 /// mesh is found so, it is looked for with the next, and from there with the first again.
@@ -117,7 +117,7 @@ pub fn planar(
     options: &PlanarOptions,
     watch: &mut dyn Watch,
 ) -> Planar {
-    let size = crate::boundary::size_of(mesh.vertices.iter().map(|v| v.position));
+    let size = sheetwright_geometry::boundary::size_of(mesh.vertices.iter().map(|v| v.position));
     let allowed = options.even.length_mm(size);
     // Newton's steps go on to a tenth of it, as far as rounding lets them.
     let enough = 0.1 * allowed;

@@ -20,10 +20,10 @@
 //! boundary are the cubics of the outline's tangents, laid into the plane.
 
 use super::{QuadMesh, Vertex, planar::distance_of_diagonals};
-use crate::boundary::{Outline, Side, size_of};
-use crate::curve::Cubic;
-use crate::math::{Point3, Vec3, angle_between, unit};
-use crate::tolerance::Tolerance;
+use sheetwright_geometry::boundary::{Outline, Side, size_of};
+use sheetwright_geometry::curve::Cubic;
+use sheetwright_geometry::math::{Point3, Vec3, angle_between, unit};
+use sheetwright_geometry::tolerance::Tolerance;
 use std::collections::BTreeMap;
 
 /// Places a span at which the distance to the outline and the warp are measured.

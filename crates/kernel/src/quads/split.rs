@@ -7,7 +7,7 @@
 //! or eight corners, so that the best can be had.)
 
 use super::{QuadMesh, Vertex};
-use crate::math::{Vec3, unit};
+use sheetwright_geometry::math::{Vec3, unit};
 use std::ops::Range;
 
 /// Polygons with more corners are halved first: the table takes time with the fourth power.

@@ -8,7 +8,7 @@
 
 use super::merge::{Face, Merged};
 use super::{Cell, QuadMesh, Vertex};
-use crate::boundary::{Boundary, Outline, Side};
+use sheetwright_geometry::boundary::{Boundary, Outline, Side};
 use std::collections::BTreeMap;
 
 /// The mesh of what the rungs divide the surface into; its cells are not split yet.

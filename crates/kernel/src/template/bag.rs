@@ -2,7 +2,7 @@
 
 use super::sketch::{Drawn, Sketch};
 use super::{Parameter, Template, TemplateError, Values, angle, length, number};
-use crate::math::{Point3, cos, sin};
+use sheetwright_geometry::math::{Point3, cos, sin};
 
 /// A tote: two walls and one gusset that runs round them.
 pub(super) const BAG: Template = Template {

@@ -3,7 +3,7 @@
 use super::hull_form::{Dimensions, End, LONG_SAMPLES, Style, hull};
 use super::sketch::{Drawn, Sketch};
 use super::{Choice, Kind, Parameter, Template, Values, angle, length, number};
-use crate::math::{Point3, cos, sin};
+use sheetwright_geometry::math::{Point3, cos, sin};
 
 /// Which halves of a boat are drawn.
 const HALVES: Parameter = Parameter {

@@ -2,7 +2,7 @@
 
 use super::sketch::{Drawn, Sketch, numbered};
 use super::{Template, TemplateError, Values, count, length};
-use crate::math::{Point3, cos, sin};
+use sheetwright_geometry::math::{Point3, cos, sin};
 use std::f64::consts::TAU;
 
 /// A cone or a frustum in one or more pieces.

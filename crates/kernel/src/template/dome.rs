@@ -3,7 +3,7 @@
 use super::gores::{Names, Station, gores, profile};
 use super::sketch::Drawn;
 use super::{Template, TemplateError, Values, count, length, number};
-use crate::math::{atan2, cos, pow, sin};
+use sheetwright_geometry::math::{atan2, cos, pow, sin};
 use std::f64::consts::{E, PI};
 
 /// A cap of a sphere.

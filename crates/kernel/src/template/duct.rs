@@ -5,7 +5,7 @@
 
 use super::sketch::{Drawn, Sketch, numbered};
 use super::{Template, TemplateError, Values, angle, count, length};
-use crate::math::{Point3, cos, sin};
+use sheetwright_geometry::math::{Point3, cos, sin};
 use std::f64::consts::{PI, TAU};
 
 /// A rectangle below and a circle above.

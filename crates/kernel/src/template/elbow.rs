@@ -5,7 +5,7 @@
 
 use super::sketch::{Drawn, Part, Sketch};
 use super::{Choice, Kind, Parameter, Template, TemplateError, Values, angle, count, length};
-use crate::math::{Point3, Vec3, atan2, cos, sin};
+use sheetwright_geometry::math::{Point3, Vec3, atan2, cos, sin};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// A pipe bend of straight segments.

@@ -2,7 +2,7 @@
 
 use super::sketch::{Drawn, Sketch};
 use super::{Parameter, Template, Values, angle, count, length};
-use crate::math::{Point3, cos, from_deg, sin};
+use sheetwright_geometry::math::{Point3, cos, from_deg, sin};
 
 /// A strip between two arcs.
 pub(super) const FACADE: Template = Template {

@@ -9,8 +9,8 @@
 
 use super::TemplateError;
 use super::sketch::{Drawn, Sketch, stations};
-use crate::curve::{Curve, CurveKind, CurvePoint};
-use crate::math::{Point3, cos, sin};
+use sheetwright_geometry::curve::{Curve, CurveKind, CurvePoint};
+use sheetwright_geometry::math::{Point3, cos, sin};
 use std::f64::consts::TAU;
 
 /// A point of a profile.

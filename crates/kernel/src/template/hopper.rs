@@ -2,7 +2,7 @@
 
 use super::sketch::{Drawn, Sketch};
 use super::{Choice, Kind, Parameter, Template, Values, length};
-use crate::math::Point3;
+use sheetwright_geometry::math::Point3;
 
 /// A funnel with four flat sides.
 pub(super) const HOPPER: Template = Template {

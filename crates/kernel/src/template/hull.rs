@@ -2,8 +2,8 @@
 
 use super::sketch::{Drawn, Sketch};
 use super::{Choice, Kind, NamedCurve, Parameter, Template, TemplateError, Values};
-use crate::curve::CurvePoint;
-use crate::math::{Point3, Vec3};
+use sheetwright_geometry::curve::CurvePoint;
+use sheetwright_geometry::math::{Point3, Vec3};
 
 /// A hull from a table of offsets.
 pub(super) const HULL: Template = Template {

@@ -17,7 +17,7 @@
 
 use super::TemplateError;
 use super::sketch::{Sketch, mirrored};
-use crate::math::{Point3, cos};
+use sheetwright_geometry::math::{Point3, cos};
 use std::f64::consts::PI;
 
 /// What a hull is drawn from; lengths in mm.

@@ -24,10 +24,10 @@ mod revolution;
 mod sketch;
 mod tent;
 
-use crate::curve::CurvePoint;
 use crate::design::Design;
 use crate::material::Material;
-use crate::math::from_deg;
+use sheetwright_geometry::curve::CurvePoint;
+use sheetwright_geometry::math::from_deg;
 use sketch::Drawn;
 use std::fmt;
 

@@ -2,7 +2,7 @@
 
 use super::sketch::{Drawn, Sketch};
 use super::{Parameter, Template, TemplateError, Values, length};
-use crate::math::{Point3, atan2, cos, sin};
+use sheetwright_geometry::math::{Point3, atan2, cos, sin};
 
 /// A quarter pipe.
 pub(super) const RAMP: Template = Template {

@@ -3,8 +3,8 @@
 use super::gores::{Names, Station, gores};
 use super::sketch::{Drawn, Sketch};
 use super::{Choice, Kind, Parameter, Template, TemplateError, Value, Values, count, length};
-use crate::curve::{Curve, CurveKind, CurvePoint};
-use crate::math::{Point3, cos, sin};
+use sheetwright_geometry::curve::{Curve, CurveKind, CurvePoint};
+use sheetwright_geometry::math::{Point3, cos, sin};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// A vase, a bowl or what was measured.

@@ -2,12 +2,12 @@
 //! lie on it to far below what a hand can cut.
 
 use super::TemplateError;
-use crate::boundary::PlaneChoice;
-use crate::cost::DEFAULT_FOLD;
-use crate::curve::{CurveKind, CurvePoint};
 use crate::design::{CurveUse, Design, DesignCurve, DesignPanel, Join, PanelMethod, PanelShape};
 use crate::material::Material;
-use crate::math::Point3;
+use sheetwright_geometry::boundary::PlaneChoice;
+use sheetwright_geometry::curve::{CurveKind, CurvePoint};
+use sheetwright_geometry::math::Point3;
+use sheetwright_optimum::cost::DEFAULT_FOLD;
 
 /// Curves and panels as they are drawn.
 #[derive(Debug, Default)]
@@ -234,8 +234,8 @@ pub(super) fn stations(turn: f64) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::curve::Curve;
-    use crate::math::{angle_between, atan2, cos, sin};
+    use sheetwright_geometry::curve::Curve;
+    use sheetwright_geometry::math::{angle_between, atan2, cos, sin};
 
     #[test]
     fn a_spline_through_the_stations_is_the_circle() {
@@ -251,7 +251,7 @@ mod tests {
                 let (p, d) = (curve.position(u), curve.derivative(u));
                 off = off.max((p.to_vec().length() - 1.0).abs());
                 let at = atan2(p.y, p.x);
-                let along = crate::math::Vec3::new(-sin(at), cos(at), 0.0);
+                let along = sheetwright_geometry::math::Vec3::new(-sin(at), cos(at), 0.0);
                 aslant = aslant.max(angle_between(d, along).to_degrees());
             }
             assert!(off < 1e-6 && aslant < 0.03, "{turn}: {off:e} {aslant}");

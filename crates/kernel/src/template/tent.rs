@@ -2,7 +2,7 @@
 
 use super::sketch::{Drawn, Sketch};
 use super::{Parameter, Template, TemplateError, Values, length};
-use crate::math::{Point3, cos, sin};
+use sheetwright_geometry::math::{Point3, cos, sin};
 use std::f64::consts::PI;
 
 /// A tunnel tent on three hoops.

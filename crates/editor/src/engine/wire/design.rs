@@ -5,10 +5,10 @@ use sheetwright::boundary::{Continuity, PlaneChoice, Within};
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
     CurveUse, Design, DesignCurve, DesignPanel, Join, MovedBy, PanelMethod, PanelShape, Vary,
+    VaryGoal,
 };
 use sheetwright::material::Material;
 use sheetwright::triangulate::Goal;
-use sheetwright::vary;
 
 fields!(Design { name, material, curves, panels, vary, match_seams });
 fields!(DesignCurve { name, kind, closed, points });
@@ -85,7 +85,7 @@ impl Wire for PlaneChoice {
     }
 }
 
-impl Wire for vary::Goal {
+impl Wire for VaryGoal {
     fn put(&self, out: &mut Vec<u8>) {
         match self {
             Self::Price => out.push(0),

@@ -3,9 +3,11 @@ use super::*;
 use crate::engine::shown::{Shown, ShownPanel};
 use sheetwright::boundary::{Continuity, PlaneChoice, Within};
 use sheetwright::check::{Finding, Remedy};
-use sheetwright::design::{CurveUse, Design, DesignPanel, Join, MovedBy, PanelShape, Vary, make};
+use sheetwright::design::{
+    CurveUse, Design, DesignPanel, Join, MovedBy, PanelShape, Vary, VaryGoal,
+};
+use sheetwright::make::make;
 use sheetwright::template::{catalogue, template};
-use sheetwright::vary;
 use sheetwright::watch::Unwatched;
 use std::path::Path;
 
@@ -53,7 +55,7 @@ fn odd_design() -> Design {
     design.panels[0].plane = PlaneChoice::Normal(Vec3::new(1.0, 2.0, 3.0));
     design.vary = vec![Vary {
         panels: vec!["p".to_owned()],
-        goal: vary::Goal::Warp { largest: 0.1 },
+        goal: VaryGoal::Warp { largest: 0.1 },
         limit_mm: Some(2.0),
         by: MovedBy::Samples,
         ..Vary::default()

@@ -221,7 +221,7 @@ fn pack(normal: Vec3, counts: f64) -> [i16; 4] {
 mod tests {
     use super::*;
     use crate::engine::tests::saddles;
-    use sheetwright::design::make;
+    use sheetwright::make::make;
     use sheetwright::watch::Unwatched;
 
     #[test]

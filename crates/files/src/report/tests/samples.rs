@@ -3,8 +3,9 @@
 use sheetwright::boundary::PlaneChoice;
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
-    CurveUse, Design, DesignCurve, DesignPanel, Made, PanelMethod, PanelShape, Vary, make,
+    CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape, Vary,
 };
+use sheetwright::make::{Made, make};
 use sheetwright::material::Material;
 use sheetwright::math::{Point3, cos, from_deg, sin};
 use sheetwright::triangulate::Goal;

@@ -6,7 +6,7 @@
 //! between them is drawn together over a short way along both ends.
 
 use super::path::Path;
-use crate::math::Point2;
+use sheetwright_geometry::math::Point2;
 
 /// How far from its ends a stroke is looked at, as a share of its length.
 const NEAR_END: f64 = 0.12;

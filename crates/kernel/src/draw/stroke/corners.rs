@@ -8,7 +8,7 @@
 
 use super::StrokeOptions;
 use super::path::Path;
-use crate::math::{Point2, Vec2, atan2, from_deg};
+use sheetwright_geometry::math::{Point2, Vec2, atan2, from_deg};
 
 /// Places at equal steps that a stroke is looked at.
 pub(super) const EVEN: usize = 480;

@@ -10,8 +10,8 @@
 use super::path::{Path, douglas_peucker};
 use super::squares::{Handle, curve, solved};
 use super::{MOST_POINTS, StrokePoint};
-use crate::math::{Point2, atan2};
-use crate::predicate::{for_touching_boxes, segments_touch};
+use sheetwright_geometry::math::{Point2, atan2};
+use sheetwright_geometry::predicate::{for_touching_boxes, segments_touch};
 
 /// Handles of a closed curve without corners at the least: three make no fair oval.
 const LEAST_ROUND: usize = 4;

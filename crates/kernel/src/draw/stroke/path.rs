@@ -1,8 +1,8 @@
 //! A stroke as a path from point to point: its length, places on it, distances from it.
 
 use super::StrokeError;
-use crate::curve::MAX_COORDINATE_MM;
-use crate::math::{Point2, Vec2};
+use sheetwright_geometry::curve::MAX_COORDINATE_MM;
+use sheetwright_geometry::math::{Point2, Vec2};
 
 /// Steps shorter than this share of the extent are none: they have no direction to speak of.
 const SAME_SPOT: f64 = 1e-9;

@@ -6,8 +6,8 @@
 //! of linear equations. Then every place gets the parameter of the nearest place of the new curve,
 //! near the one it had, and again. Both ends of an open stroke stay where they are.
 
-use crate::curve::{Curve, CurveKind, CurvePoint, point_shares};
-use crate::math::{Point2, Point3, Vec2};
+use sheetwright_geometry::curve::{Curve, CurveKind, CurvePoint, point_shares};
+use sheetwright_geometry::math::{Point2, Point3, Vec2};
 
 /// Rounds of solving and finding the nearest places: after these, handles move by less than the
 /// stroke is known.

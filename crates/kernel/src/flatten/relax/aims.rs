@@ -4,9 +4,9 @@
 use super::guard::Guard;
 use super::springs::{Form, factored, guarded_by};
 use super::{Aim, Ended, Inner, RelaxError};
-use crate::math::ln;
-use crate::math::sparse::Plan;
-use crate::watch::Watch;
+use sheetwright_geometry::math::ln;
+use sheetwright_geometry::math::sparse::Plan;
+use sheetwright_geometry::watch::Watch;
 
 /// Errors below this are those of rounding: lengths of 16 digits, sides a ten-thousandth of the
 /// size.

@@ -6,8 +6,8 @@
 //! not there.
 
 use super::Inner;
-use crate::math::sparse::Matrix;
-use crate::math::{Point2, Vec2, ln};
+use sheetwright_geometry::math::sparse::Matrix;
+use sheetwright_geometry::math::{Point2, Vec2, ln};
 
 /// Triangles are guarded below this share of their area. A sheet never comes here: it would be
 /// stretched or squeezed by half.

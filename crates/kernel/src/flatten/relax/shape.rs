@@ -1,9 +1,9 @@
 //! The shapes of triangles by their lengths, and how the plane has them.
 
-use crate::index::TriangleIndex;
-use crate::math::{Point2, Vec2, atan2};
 use crate::mesh::Topology;
-use crate::predicate::orientation;
+use sheetwright_geometry::index::TriangleIndex;
+use sheetwright_geometry::math::{Point2, Vec2, atan2};
+use sheetwright_geometry::predicate::orientation;
 
 /// A triangle by its lengths.
 #[derive(Clone, Copy, Debug)]

@@ -9,10 +9,10 @@
 
 use super::shape::{Shape, laid_down, longest_step};
 use super::{Inner, RelaxError};
-use crate::math::sparse::Plan;
-use crate::math::{Point2, Vec2};
 use crate::mesh::Topology;
-use crate::watch::Watch;
+use sheetwright_geometry::math::sparse::Plan;
+use sheetwright_geometry::math::{Point2, Vec2};
+use sheetwright_geometry::watch::Watch;
 
 /// Triangles stretched by less than this, or squeezed by less, are left to what comes after. The
 /// conformal form of a hemisphere squeezes by 2, and has a true border, which is worth keeping.

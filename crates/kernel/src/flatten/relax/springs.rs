@@ -9,8 +9,8 @@
 use super::guard::Guard;
 use super::shape::longest_step;
 use super::{Inner, RelaxError};
-use crate::math::sparse::{Factor, Matrix, Plan};
-use crate::math::{Point2, Vec2, unit2};
+use sheetwright_geometry::math::sparse::{Factor, Matrix, Plan};
+use sheetwright_geometry::math::{Point2, Vec2, unit2};
 
 /// How often a step is halved before it is given up.
 const MOST_HALVINGS: usize = 30;

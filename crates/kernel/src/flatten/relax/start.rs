@@ -18,10 +18,10 @@
 
 use super::RelaxError;
 use super::shape::{Shape, flipped, goes_round_once};
-use crate::index::{TriangleIndex, VertexIndex};
-use crate::math::sparse::{Factor, Plan, TooLarge};
-use crate::math::{Point2, Vec2, cos, sin};
 use crate::mesh::Topology;
+use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
+use sheetwright_geometry::math::sparse::{Factor, Plan, TooLarge};
+use sheetwright_geometry::math::{Point2, Vec2, cos, sin};
 use std::f64::consts::{FRAC_1_PI, PI, TAU};
 
 /// The apex of a closed hole lies this share of the way round it from every vertex of it. Any share

@@ -12,10 +12,10 @@
 //! rounding counts.
 
 use super::{Plane, seen_along};
-use crate::index::{SampleIndex, TriangleIndex};
-use crate::math::{Frame, Point2, Point3, Vec3};
-use crate::predicate::{any_touching_boxes, first_crossing, orientation};
 use crate::surface::Surface;
+use sheetwright_geometry::index::{SampleIndex, TriangleIndex};
+use sheetwright_geometry::math::{Frame, Point2, Point3, Vec3};
+use sheetwright_geometry::predicate::{any_touching_boxes, first_crossing, orientation};
 use std::cmp::Ordering;
 
 /// What rounding may make of the coordinates of a projection, as a share of how far its points lie

@@ -1,0 +1,23 @@
+//! From points and curves to validated boundaries: what everything else of Sheetwright stands on.
+//!
+//! Read in this order, which is that of the arrows: [`math`] has points and vectors, [`predicate`]
+//! what is decided exactly, [`curve`] curves through points and their samples, [`boundary`] the
+//! closed loops that bound a panel, validated once. Lengths are mm, angles radians. Nothing here
+//! opens a file, reads a clock or starts a thread, and the same input gives the same bits on every
+//! platform.
+
+#![forbid(unsafe_code)]
+
+pub mod math;
+
+pub mod predicate;
+
+pub mod tolerance;
+
+pub mod index;
+
+pub mod watch;
+
+pub mod curve;
+
+pub mod boundary;

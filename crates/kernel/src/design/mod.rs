@@ -1,0 +1,200 @@
+//! A design: all inputs as one plain value. Nothing is computed here; `sample` takes boundaries
+//! from it, `fair` moves its points, `make` derives every stage.
+
+mod failure;
+mod join;
+mod mesh;
+mod vary;
+
+pub use failure::Failure;
+pub use join::Join;
+pub use mesh::{MeshDesign, MeshGroup};
+pub use vary::{MovedBy, Vary, VaryGoal};
+
+use crate::material::Material;
+use sheetwright_geometry::boundary::PlaneChoice;
+use sheetwright_geometry::curve::{CurveKind, CurvePoint};
+use sheetwright_geometry::math::Point3;
+use sheetwright_optimum::cost::DEFAULT_FOLD;
+use sheetwright_optimum::triangulate::Goal;
+use std::collections::BTreeSet;
+
+/// A curve of a design, under its name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DesignCurve {
+    /// Its name; no two curves share one.
+    pub name: String,
+    /// How its points make the curve; `None` if the points are the samples themselves, with
+    /// tangents from central differences.
+    pub kind: Option<CurveKind>,
+    /// Whether it ends where it begins.
+    pub closed: bool,
+    /// Its points.
+    pub points: Vec<CurvePoint>,
+}
+
+/// A curve as a part of a loop.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CurveUse {
+    /// Its name.
+    pub name: String,
+    /// Whether it is run from its end to its beginning.
+    pub reversed: bool,
+}
+
+/// What bounds a panel.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PanelShape {
+    /// Two open curves, which may run either way; straight edges join their ends.
+    Rails([CurveUse; 2]),
+    /// Curves chained end to end to closed loops.
+    Loops {
+        /// The outer loop.
+        outer: Vec<CurveUse>,
+        /// The holes.
+        holes: Vec<Vec<CurveUse>>,
+    },
+    /// Other panels, joined.
+    Join(Join),
+}
+
+/// Which triangulations of a panel are looked at.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum PanelMethod {
+    /// All of them.
+    #[default]
+    Optimal,
+    /// Those whose every triangle has an edge of the boundary.
+    Bridge,
+    /// Those whose every rung joins the two rails; only for rails.
+    Rails,
+}
+
+impl PanelMethod {
+    /// How designs and reports name it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Optimal => "optimal",
+            Self::Bridge => "bridge",
+            Self::Rails => "rails",
+        }
+    }
+}
+
+/// The least effort of a panel, as a multiple of the default.
+pub const LEAST_EFFORT: f64 = 0.001;
+/// The greatest effort of a panel, as a multiple of the default: up to an hour and a half.
+pub const MOST_EFFORT: f64 = 1000.0;
+
+/// A panel of a design.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DesignPanel {
+    /// Its name, which its files get; no two panels share one.
+    pub name: String,
+    /// What bounds it.
+    pub shape: PanelShape,
+    /// Samples of the outer loop, or of each rail.
+    pub samples: usize,
+    /// Which triangulations are looked at.
+    pub method: PanelMethod,
+    /// What is made as small as can be.
+    pub goal: Goal,
+    /// Which supporting plane it asks for.
+    pub plane: PlaneChoice,
+    /// Whether the rails run on beyond their ends, so that rulings may leave the strip there; its
+    /// ends are then no longer straight. Only for rails.
+    pub run_on: bool,
+    /// The weight ν of the fold price.
+    pub fold: f64,
+    /// How much work the search may do where there are holes, as a multiple of
+    /// `triangulate::DEFAULT_WORK`, within [`LEAST_EFFORT`] ..= [`MOST_EFFORT`].
+    pub effort: f64,
+    /// Where the pattern is to be cut open if it must be, mm: along the rungs from loop to loop
+    /// whose middles lie nearest. Empty: where the cuts are shortest.
+    pub cut: Vec<Point3>,
+}
+
+impl DesignPanel {
+    /// A panel with the defaults: the best of all triangulations by its price with the default
+    /// fold, on the best-fit plane where there is one, and straight ends.
+    pub fn new(name: impl Into<String>, shape: PanelShape, samples: usize) -> Self {
+        Self {
+            name: name.into(),
+            shape,
+            samples,
+            method: PanelMethod::Optimal,
+            goal: Goal::Price,
+            plane: PlaneChoice::Auto,
+            run_on: false,
+            fold: DEFAULT_FOLD,
+            effort: 1.0,
+            cut: Vec::new(),
+        }
+    }
+}
+
+/// All inputs of the main job.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Design {
+    /// Its name.
+    pub name: String,
+    /// The sheet it is made from, if one is named.
+    pub material: Option<&'static Material>,
+    /// Its curves.
+    pub curves: Vec<DesignCurve>,
+    /// Its panels.
+    pub panels: Vec<DesignPanel>,
+    /// What may move so that the sheet bends better, one after the other. Where there is none and
+    /// some points have a distance by which they may move, those may.
+    pub vary: Vec<Vary>,
+    /// Whether curves that several panels share get as many samples on each, the most that any of
+    /// them gives it, so that both sides of a seam have the same samples. They do in any case where
+    /// something moves.
+    pub match_seams: bool,
+}
+
+impl Design {
+    /// The panels that are made, in order: all but those that a join takes the place of.
+    pub fn panels_to_make(&self) -> Vec<&DesignPanel> {
+        let mut replaced: BTreeSet<&str> = BTreeSet::new();
+        let mut kept: BTreeSet<&str> = BTreeSet::new();
+        for panel in &self.panels {
+            if let PanelShape::Join(join) = &panel.shape {
+                let names = if join.keep_parts { &mut kept } else { &mut replaced };
+                names.extend(join.parts.iter().map(String::as_str));
+            }
+        }
+        // A join is no part of another, whatever is written there; making it says so.
+        let is_made = |panel: &&DesignPanel| {
+            let name = panel.name.as_str();
+            let is_join = matches!(panel.shape, PanelShape::Join(_));
+            is_join || !replaced.contains(name) || kept.contains(name)
+        };
+        self.panels.iter().filter(is_made).collect()
+    }
+}
+
+/// The curves that bound a panel, or the panels that it joins.
+pub(crate) fn used<'a>(
+    design: &'a Design,
+    shape: &'a PanelShape,
+) -> impl Iterator<Item = &'a DesignCurve> {
+    fn names(shape: &PanelShape) -> Vec<&str> {
+        match shape {
+            PanelShape::Rails(rails) => rails.iter().map(|rail| rail.name.as_str()).collect(),
+            PanelShape::Loops { outer, holes } => {
+                let uses = std::iter::once(outer).chain(holes).flatten();
+                uses.map(|part| part.name.as_str()).collect()
+            }
+            PanelShape::Join(_) => Vec::new(),
+        }
+    }
+    let names = match shape {
+        PanelShape::Join(join) => {
+            let parts = design.panels.iter().filter(|panel| join.parts.contains(&panel.name));
+            parts.flat_map(|part| names(&part.shape)).collect()
+        }
+        _ => names(shape),
+    };
+    design.curves.iter().filter(move |curve| names.contains(&curve.name.as_str()))
+}

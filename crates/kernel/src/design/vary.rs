@@ -1,0 +1,58 @@
+//! What may move so that a sheet bends better.
+
+/// What displacements are for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum VaryGoal {
+    /// The least price that the limit allows.
+    Price,
+    /// No warp angle above a given one, and of that the smallest displacements.
+    Warp {
+        /// The angle, radians; positive.
+        largest: f64,
+    },
+}
+
+/// What moves.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum MovedBy {
+    /// The points that curves are made from, so that curves stay as fair as they are drawn.
+    #[default]
+    Points,
+    /// Each sample, so that curves may become any curves.
+    Samples,
+}
+
+/// What may move, how far, and what for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Vary {
+    /// The panels that are to bend better; empty: all that are made. Other panels that share a
+    /// curve that moves follow: their prices count, too.
+    pub panels: Vec<String>,
+    /// The curves that may move; empty: all those of the panels, or those of them that have points
+    /// with a distance by which they may move.
+    pub curves: Vec<String>,
+    /// What for.
+    pub goal: VaryGoal,
+    /// How far each sample may move, mm.
+    pub limit_mm: Option<f64>,
+    /// How far all samples together may move, mm.
+    pub budget_mm: Option<f64>,
+    /// What moves.
+    pub by: MovedBy,
+    /// Whether panels stay as they are that are developable already, as far as their samples tell.
+    pub leave_developable: bool,
+}
+
+impl Default for Vary {
+    fn default() -> Self {
+        Self {
+            panels: Vec::new(),
+            curves: Vec::new(),
+            goal: VaryGoal::Price,
+            limit_mm: None,
+            budget_mm: None,
+            by: MovedBy::Points,
+            leave_developable: true,
+        }
+    }
+}

@@ -1,0 +1,81 @@
+//! Why curves can't be moved so that panels bend better, in words.
+
+use crate::design::Failure;
+use crate::fair::VaryError;
+use crate::sample::{PanelCause, PanelError};
+use std::fmt;
+
+/// Why curves of a design can't be moved: the panel or curve, and what is wrong.
+pub type FairError = Failure<FairCause>;
+
+/// What is in the way of moving curves.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FairCause {
+    /// A panel that can't be sampled or triangulated.
+    Panel(PanelCause),
+    /// What should move can't.
+    Vary(VaryCause),
+}
+
+impl From<PanelCause> for FairCause {
+    fn from(cause: PanelCause) -> Self {
+        Self::Panel(cause)
+    }
+}
+
+impl From<VaryCause> for FairCause {
+    fn from(cause: VaryCause) -> Self {
+        Self::Vary(cause)
+    }
+}
+
+impl From<PanelError> for FairError {
+    fn from(error: PanelError) -> Self {
+        error.caused(FairCause::Panel)
+    }
+}
+
+/// Why curves can't be moved so that panels bend better.
+#[derive(Clone, Debug, PartialEq)]
+pub enum VaryCause {
+    /// A panel is joined from others, and its boundary is not that of the curves alone.
+    Joined,
+    /// The rails of a panel run on, and its ends follow them in their own way.
+    RunsOn,
+    /// A panel that the design does not have, or does not make.
+    UnknownPanel {
+        /// Its name.
+        name: String,
+    },
+    /// A curve that bounds none of the panels that are to bend better.
+    BoundsNothing,
+    /// A curve that would be moved for two reasons that know nothing of one another.
+    MovedTwice,
+    /// More points than can be moved together.
+    TooManyPoints {
+        /// How many there are.
+        found: usize,
+        /// How many are taken.
+        most: usize,
+    },
+    /// Whatever else is in the way.
+    Failed(VaryError),
+}
+
+impl fmt::Display for VaryCause {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Joined => write!(f, "a panel that joins others can't be varied"),
+            Self::RunsOn => write!(f, "a panel whose rails run on can't be varied"),
+            Self::UnknownPanel { name } => write!(f, "there is no panel '{name}' to vary"),
+            Self::BoundsNothing => {
+                write!(f, "the curve may move, and bounds none of the panels to vary")
+            }
+            Self::MovedTwice => write!(f, "two panels would move the curve, each in its own way"),
+            Self::TooManyPoints { found, most } => {
+                write!(f, "{found} points may move, and {most} are the most")
+            }
+            Self::Failed(error) => write!(f, "{error}"),
+        }
+    }
+}

@@ -1,0 +1,373 @@
+//! Designs whose curves move, \[G14\], so that the sheet bends better: what [`crate::fair`] does
+//! with samples, done with the points that people draw.
+//!
+//! The unknowns are the displacements of the points of curves, so that a spline of a dozen points
+//! stays one, and what comes out is a design like any other: [`varied_design`] makes designs of
+//! designs. Points on one spot, such as the ends of curves that meet, are one unknown, and so is a
+//! curve that several panels share. With [`MovedBy::Samples`] a curve first gets as many points as
+//! it has samples.
+//!
+//! Between two triangulations the places of the samples on their curves are held, and so are the
+//! chords that a spline is made over; then samples and tangents are linear in the points
+//! ([`point_shares`](sheetwright_geometry::curve::point_shares)). With every triangulation the
+//! moved curves are sampled anew, as those of any design are, and what is accepted is accepted for
+//! that; so samples slip along their curves as these change their lengths, and that is a part of
+//! how they follow ([`respacing`]).
+
+mod error;
+mod refine;
+mod respacing;
+mod unknowns;
+
+use super::{
+    Ended, Limit, Moving, MovingPanel, Varied, VaryError, VaryOptions, counted_shares, vary_moving,
+};
+use crate::design::{Design, DesignCurve, DesignPanel, MovedBy, PanelShape, Vary, VaryGoal, used};
+use crate::sample::{PanelCause, PanelError, Prepared, Sampler, matched, prepare};
+pub use error::{FairCause, FairError, VaryCause};
+use refine::with_a_point_a_sample;
+use sheetwright_geometry::boundary::size_of;
+use sheetwright_geometry::math::{Point3, Vec3};
+use sheetwright_geometry::watch::{Stage, Watch};
+use sheetwright_optimum::triangulate::TriangulateError;
+use std::collections::{BTreeMap, BTreeSet};
+use unknowns::Unknowns;
+
+/// Points that may move together at the most: every step looks at all of them.
+const MOST_POINTS: usize = 20_000;
+/// Where nothing says how far points may move, this share of the size of the panels.
+const DEFAULT_SHARE: f64 = 0.01;
+/// What a search with holes may do while points move, as a share of the panel's effort: there are
+/// dozens of searches on the way, and the panel that comes out is triangulated with all of it.
+const SHARE_OF_EFFORT: f64 = 0.1;
+/// How often points are held back by what samples between them moved too far.
+const ATTEMPTS: usize = 3;
+/// By how much more, since other displacements come out each time.
+const HELD_BACK: f64 = 0.98;
+/// What a sample may move beyond its limit, as a share of it: rounding.
+const WITHIN: f64 = 1e-9;
+
+/// How the samples of a panel were moved.
+#[derive(Clone, Debug)]
+pub(crate) struct Shift {
+    /// How moving ended.
+    pub(crate) ended: Ended,
+    /// What moving was for.
+    pub(crate) goal: VaryGoal,
+    /// The curves of the panel that moved, by name.
+    pub(crate) curves: Vec<String>,
+    /// Where samples lay before and where they lie now, mm.
+    pub(crate) moved: Vec<[Point3; 2]>,
+}
+
+impl Shift {
+    pub(crate) fn is_moved(&self) -> bool {
+        self.moved.iter().any(|[from, to]| from != to)
+    }
+}
+
+/// A design before and after its points were moved.
+pub(crate) struct VariedDesign {
+    /// As it was given, but with matched seams and nothing to move.
+    pub(crate) before: Design,
+    /// `before` with its points moved.
+    pub(crate) after: Design,
+    /// How the panels were moved that were to be, by name.
+    pub(crate) shifts: BTreeMap<String, Shift>,
+}
+
+/// Moves what may be moved; `None` where nothing may.
+pub(crate) fn varied_design(
+    design: &Design,
+    watch: &mut dyn Watch,
+) -> Result<Option<VariedDesign>, FairError> {
+    let asked = asked(design);
+    if asked.is_empty() {
+        return Ok(None);
+    }
+    let before = Design { vary: Vec::new(), match_seams: true, ..design.clone() };
+    let scopes =
+        asked.iter().map(|vary| Scope::new(&before, vary)).collect::<Result<Vec<_>, _>>()?;
+    refuse_moved_twice(&before, &scopes)?;
+    let mut after = before.clone();
+    let mut shifts = BTreeMap::new();
+    for (vary, scope) in asked.iter().zip(&scopes) {
+        let moved = Problem { design: &after, vary, scope }.solved(watch)?;
+        after = moved.0;
+        // A panel that follows what others move is told of once for each; the last tells all.
+        shifts.extend(moved.1);
+    }
+    after.curves.iter_mut().flat_map(|c| &mut c.points).for_each(|point| point.move_mm = 0.0);
+    Ok(Some(VariedDesign { before, after, shifts }))
+}
+
+/// What is to move: as the design says, or the points that have a distance by which they may.
+fn asked(design: &Design) -> Vec<Vary> {
+    if !design.vary.is_empty() {
+        return design.vary.clone();
+    }
+    let panels = design.panels_to_make();
+    let mut curves = panels.iter().flat_map(|panel| used(design, &panel.shape));
+    let may_move = curves.any(|curve| curve.points.iter().any(|point| point.move_mm > 0.0));
+    if may_move { vec![Vary::default()] } else { Vec::new() }
+}
+
+/// The panels and curves of a problem.
+struct Scope {
+    /// The panels, by their numbers in the design, and whether each only follows.
+    panels: Vec<(usize, bool)>,
+    /// The curves that move, by their numbers.
+    curves: BTreeSet<usize>,
+    /// Whether points move only as far as they say themselves.
+    by_point: bool,
+}
+
+impl Scope {
+    fn new(design: &Design, vary: &Vary) -> Result<Self, FairError> {
+        let failed = |panel: &str, curve: Option<&str>, cause: VaryCause| FairError {
+            panel: panel.to_owned(),
+            curve: curve.map(str::to_owned),
+            cause: FairCause::Vary(cause),
+        };
+        let made = design.panels_to_make();
+        for name in &vary.panels {
+            if !made.iter().any(|panel| panel.name == *name) {
+                return Err(failed("", None, VaryCause::UnknownPanel { name: name.clone() }));
+            }
+        }
+        let number = |curve: &DesignCurve| design.curves.iter().position(|c| c.name == curve.name);
+        let curves_of = |panel: &DesignPanel| -> BTreeSet<usize> {
+            used(design, &panel.shape).filter_map(number).collect()
+        };
+        let is_asked =
+            |panel: &DesignPanel| vary.panels.is_empty() || vary.panels.contains(&panel.name);
+        let asked: BTreeSet<usize> = made
+            .iter()
+            .filter(|panel| is_asked(panel))
+            .flat_map(|panel| curves_of(panel))
+            .collect();
+        let mut curves = BTreeSet::new();
+        for name in &vary.curves {
+            let number = design.curves.iter().position(|curve| curve.name == *name);
+            let Some(number) = number else {
+                return Err(FairError::of_curve(name, PanelCause::UnknownCurve));
+            };
+            if !asked.contains(&number) {
+                return Err(failed("", Some(name), VaryCause::BoundsNothing));
+            }
+            curves.insert(number);
+        }
+        if curves.is_empty() {
+            curves = asked;
+        }
+        let may_move = |curve: &usize| design.curves[*curve].points.iter().any(|p| p.move_mm > 0.0);
+        let by_point = curves.iter().any(may_move);
+        if by_point && vary.curves.is_empty() {
+            curves.retain(may_move);
+        }
+        let mut panels = Vec::new();
+        for (n, panel) in design.panels.iter().enumerate() {
+            let is_made = made.iter().any(|one| one.name == panel.name);
+            if !is_made || curves_of(panel).is_disjoint(&curves) {
+                continue;
+            }
+            if matches!(panel.shape, PanelShape::Join(_)) {
+                return Err(failed(&panel.name, None, VaryCause::Joined));
+            }
+            if panel.run_on {
+                return Err(failed(&panel.name, None, VaryCause::RunsOn));
+            }
+            panels.push((n, !is_asked(panel)));
+        }
+        let found = curves.iter().map(|&curve| design.curves[curve].points.len()).sum();
+        if found > MOST_POINTS {
+            return Err(failed("", None, VaryCause::TooManyPoints { found, most: MOST_POINTS }));
+        }
+        Ok(Self { panels, curves, by_point })
+    }
+}
+
+fn refuse_moved_twice(design: &Design, scopes: &[Scope]) -> Result<(), FairError> {
+    let mut moving = BTreeSet::new();
+    for curve in scopes.iter().flat_map(|scope| &scope.curves) {
+        if !moving.insert(*curve) {
+            return Err(FairError::of_curve(&design.curves[*curve].name, VaryCause::MovedTwice));
+        }
+    }
+    Ok(())
+}
+
+/// What is moved together.
+struct Problem<'a> {
+    design: &'a Design,
+    vary: &'a Vary,
+    scope: &'a Scope,
+}
+
+impl Problem<'_> {
+    fn panels(&self) -> Vec<&DesignPanel> {
+        self.scope.panels.iter().map(|&(n, _)| &self.design.panels[n]).collect()
+    }
+
+    /// The design with its points moved, and how.
+    fn solved(
+        &self,
+        watch: &mut dyn Watch,
+    ) -> Result<(Design, BTreeMap<String, Shift>), FairError> {
+        let names: Vec<&str> = self.panels().iter().map(|panel| panel.name.as_str()).collect();
+        watch.begin(&names, Stage::Vary);
+        let design = match self.vary.by {
+            MovedBy::Points => self.design.clone(),
+            MovedBy::Samples => {
+                with_a_point_a_sample(self.design, &self.panels(), &self.scope.curves)?
+            }
+        };
+        let before = self.prepared(&design, watch)?;
+        let unknowns = Unknowns::new(&design, &self.scope.curves, &before);
+        let drawn = Drawn { problem: self, unknowns, design };
+        let found = self.within_the_limit(&drawn, &before, watch).map_err(|e| self.failed(e))?;
+        let is_moved = found.displacements.iter().any(|way| *way != Vec3::ZERO);
+        let after = if is_moved {
+            drawn.unknowns.moved(&drawn.design, &found.displacements)
+        } else {
+            self.design.clone()
+        };
+        let curves = |panel: &DesignPanel| -> Vec<String> {
+            let moving = used(self.design, &panel.shape).filter(|curve| {
+                let number = self.design.curves.iter().position(|c| c.name == curve.name);
+                let number = number.filter(|n| is_moved && self.scope.curves.contains(n));
+                number.is_some_and(|n| after.curves[n] != drawn.design.curves[n])
+            });
+            moving.map(|curve| curve.name.clone()).collect()
+        };
+        let shifts = self.panels().into_iter().zip(&before).map(|(panel, before)| {
+            let from = before.boundary.positions();
+            let to = drawn.unknowns.places(before, &found.displacements);
+            let shift = Shift {
+                ended: found.ended.clone(),
+                goal: self.vary.goal,
+                curves: curves(panel),
+                moved: from.into_iter().zip(to).map(|(from, to)| [from, to]).collect(),
+            };
+            (panel.name.clone(), shift)
+        });
+        let shifts = shifts.collect();
+        Ok((after, shifts))
+    }
+
+    /// Moves the points so that no sample moves farther than it may. Between its points a spline
+    /// may move farther than they do; where it would, they are held back by as much.
+    fn within_the_limit(
+        &self,
+        drawn: &Drawn<'_>,
+        before: &[Prepared],
+        watch: &mut dyn Watch,
+    ) -> Result<Varied, VaryError> {
+        let options = VaryOptions {
+            goal: self.vary.goal,
+            leave_developable: self.vary.leave_developable,
+            ..VaryOptions::default()
+        };
+        let size_mm = size_of(before.iter().flat_map(|panel| panel.boundary.positions()));
+        let limit_mm = self.limit_mm(size_mm);
+        let farthest = |found: &Varied| -> f64 {
+            let ways = before.iter().flat_map(|panel| {
+                let to = drawn.unknowns.places(panel, &found.displacements);
+                panel.boundary.positions().into_iter().zip(to)
+            });
+            ways.map(|(from, to)| from.distance(to)).fold(0.0, f64::max)
+        };
+        let mut share = 1.0;
+        let mut known = Vec::new();
+        for _ in 0..ATTEMPTS {
+            let limit = self.limit(&drawn.unknowns, before, limit_mm.map(|mm| share * mm));
+            let found = vary_moving(drawn, &known, &limit, &options, watch)?;
+            let Some(limit_mm) = limit_mm else { return Ok(found) };
+            let beyond = farthest(&found) / limit_mm;
+            if beyond.is_nan() || beyond <= 1.0 + WITHIN {
+                return Ok(found);
+            }
+            share *= HELD_BACK / beyond;
+            known = found.displacements;
+        }
+        let share = 1.0 / drawn.unknowns.most_shares();
+        let limit = self.limit(&drawn.unknowns, before, limit_mm.map(|mm| share * mm));
+        vary_moving(drawn, &known, &limit, &options, watch)
+    }
+
+    /// How far each sample may move, mm, if anything says so.
+    fn limit_mm(&self, size_mm: f64) -> Option<f64> {
+        let nothing_said =
+            self.vary.limit_mm.is_none() && self.vary.budget_mm.is_none() && !self.scope.by_point;
+        self.vary.limit_mm.or(nothing_said.then_some(DEFAULT_SHARE * size_mm))
+    }
+
+    fn limit(&self, unknowns: &Unknowns, panels: &[Prepared], limit_mm: Option<f64>) -> Limit {
+        let radii_mm = unknowns.radii_mm(limit_mm, self.scope.by_point);
+        let Some(total_mm) = self.vary.budget_mm else { return Limit::Each { radii_mm } };
+        // The copies of a shared sample count once.
+        let mut seen = BTreeSet::new();
+        let mut counted = Vec::new();
+        for panel in panels {
+            for (sample, motion) in panel.boundary.samples().iter().zip(unknowns.motions(panel)) {
+                let at = sample.position;
+                if seen.insert([at.x, at.y, at.z].map(f64::to_bits)) {
+                    counted.push(motion);
+                }
+            }
+        }
+        let weights = counted_shares(&counted, radii_mm.len());
+        Limit::Budget { total_mm, weights, radii_mm }
+    }
+
+    fn failed(&self, error: VaryError) -> FairError {
+        FairError::of_design(match error {
+            VaryError::Stopped => PanelCause::Triangulate(TriangulateError::Stopped).into(),
+            error => FairCause::Vary(VaryCause::Failed(error)),
+        })
+    }
+
+    fn prepared(
+        &self,
+        design: &Design,
+        watch: &mut dyn Watch,
+    ) -> Result<Vec<Prepared>, PanelError> {
+        let matched = matched(design);
+        let sampler = Sampler { design, matched: &matched };
+        let panels = self.scope.panels.iter().map(|&(n, _)| &design.panels[n]);
+        panels.map(|panel| prepare(&sampler, panel, watch)).collect()
+    }
+}
+
+/// The design that is drawn anew wherever its points move.
+struct Drawn<'a> {
+    problem: &'a Problem<'a>,
+    design: Design,
+    unknowns: Unknowns,
+}
+
+impl Moving for Drawn<'_> {
+    fn panels(
+        &self,
+        unknowns: &[Vec3],
+        watch: &mut dyn Watch,
+    ) -> Result<Vec<MovingPanel>, VaryError> {
+        let mut moved = self.unknowns.moved(&self.design, unknowns);
+        moved.panels.iter_mut().for_each(|panel| panel.effort *= SHARE_OF_EFFORT);
+        let prepared = self.problem.prepared(&moved, watch).map_err(|error| match error.cause {
+            PanelCause::Triangulate(TriangulateError::Stopped) => VaryError::Stopped,
+            _ => VaryError::NoPanels,
+        })?;
+        let here = self.unknowns.drawn_anew(&moved, &prepared);
+        let panels = prepared.into_iter().zip(&self.problem.scope.panels);
+        Ok(panels
+            .map(|(panel, &(_, follows))| MovingPanel {
+                motions: here.motions(&panel),
+                boundary: panel.boundary,
+                plane: panel.plane,
+                triangulate: panel.options,
+                follows,
+            })
+            .collect())
+    }
+}

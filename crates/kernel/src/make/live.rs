@@ -1,0 +1,301 @@
+//! A design while it is edited: of what is made from it, only what depends on a change is made
+//! anew.
+//!
+//! 1. A panel depends on the curves that bound it, on its own settings, on the material, and on how
+//!    many samples its curves get where seams are matched; one that joins others, on those too. A
+//!    panel for which all that is as it was, to the last bit, stays as it is.
+//! 2. A panel that does change has nearly the triangulation that it had. What that costs now,
+//!    mended where it has to be, bounds the price of the new one, so that the table is filled below
+//!    it at once, where making a panel afresh looks for such a bound first. (The table itself is
+//!    not kept: samples are spread evenly over a smooth stretch of an outline, so when its length
+//!    changes, all of them move.)
+//! 3. Whether a panel that does not bend would bend better without its plane takes a search of its
+//!    own (`unrestricted`), and neither its surface nor its pattern depends on that. While a
+//!    handle is dragged, the question waits until the hand rests.
+//!
+//! What comes out once it rests is what [`super::make`] makes of the same design, bit by bit; only
+//! where memory is short, a bound from before may make a table fit that does not fit afresh.
+
+use super::unrestricted::Known;
+use super::{Made, MadePanel, MakeCause, MakeError, make_panel};
+use crate::design::{Design, DesignCurve, DesignPanel, PanelShape, used};
+use crate::material::Material;
+use crate::sample::{Matched, Sampler, matched};
+use sheetwright_geometry::curve::CurvePoint;
+use sheetwright_geometry::math::Point3;
+use sheetwright_geometry::watch::{Stage, Watch};
+use sheetwright_optimum::triangulate::TriangulateError;
+
+/// A design that is being edited, with its panels as they are now; by default, one without any.
+///
+/// ```
+/// use sheetwright::curve::{CurveKind, CurvePoint};
+/// use sheetwright::design::{
+///     CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape,
+/// };
+/// use sheetwright::make::{Live, make};
+/// use sheetwright::math::Point3;
+/// use sheetwright::watch::Unwatched;
+///
+/// // Two planks that share the chine, in mm.
+/// let rail = |name: &str, z: f64| DesignCurve {
+///     name: name.into(),
+///     kind: Some(CurveKind::Spline),
+///     closed: false,
+///     points: [0.0, 900.0, 1800.0]
+///         .map(|x| CurvePoint::smooth(Point3::new(x, 0.4 * z + x * (1800.0 - x) * 3e-4, z)))
+///         .to_vec(),
+/// };
+/// let plank = |name: &str, rails: [&str; 2]| DesignPanel {
+///     name: name.into(),
+///     shape: PanelShape::Rails(
+///         rails.map(|rail| CurveUse { name: rail.into(), reversed: false }),
+///     ),
+///     samples: 40,
+///     method: PanelMethod::Optimal,
+///     goal: Default::default(),
+///     run_on: false,
+///     plane: Default::default(),
+///     fold: sheetwright::cost::DEFAULT_FOLD,
+///     effort: 1.0,
+///     cut: Vec::new(),
+/// };
+/// let design = Design {
+///     name: "dinghy".into(),
+///     curves: vec![rail("keel", 0.0), rail("chine", 300.0), rail("sheer", 600.0)],
+///     panels: vec![plank("bottom", ["keel", "chine"]), plank("side", ["chine", "sheer"])],
+///     ..Design::default()
+/// };
+/// let mut live = Live::new(design, &mut Unwatched);
+///
+/// // The hand drags the middle of the sheer: of the two planks, only the side is made anew.
+/// for step in 1..=3 {
+///     let to = Point3::new(900.0, 483.0 + f64::from(step), 600.0);
+///     let changed = live.move_point(2, 1, to, &mut Unwatched);
+///     assert_eq!(changed, [1]);
+///     let side = live.panels()[1].made.as_ref().unwrap();
+///     println!("{:?}: {} triangles", side.checked.verdict, side.triangulation.triangles.len());
+///     // … draw side.surface, side.flat and side.piece.
+/// }
+///
+/// // The hand rests.
+/// live.settle(&mut Unwatched);
+/// assert_eq!(live.made(), make(live.design(), &mut Unwatched));
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct Live {
+    design: Design,
+    panels: Vec<LivePanel>,
+}
+
+/// A panel of a design that is being edited.
+#[derive(Clone, Debug)]
+pub struct LivePanel {
+    /// Its name.
+    pub name: String,
+    /// The panel as it was made last, or why it could not be.
+    pub made: Result<MadePanel, MakeError>,
+    /// What it was made from; `None` where making it was stopped.
+    made_from: Option<Inputs>,
+    /// What is known of its triangulation from when it had one last.
+    known: Option<Known>,
+}
+
+impl LivePanel {
+    /// Whether this is the panel of the design as it is now: not where making it was stopped.
+    pub fn is_current(&self) -> bool {
+        self.made_from.is_some()
+    }
+
+    /// Whether nothing is left that [`Live::settle`] would look for.
+    pub fn is_settled(&self) -> bool {
+        self.is_current() && !self.is_open()
+    }
+
+    fn is_open(&self) -> bool {
+        self.made.is_ok() && self.known.as_ref().is_some_and(Known::is_open)
+    }
+}
+
+/// All that a panel depends on.
+#[derive(Clone, Debug)]
+struct Inputs {
+    /// The panel, and those that it joins.
+    panels: Vec<DesignPanel>,
+    curves: Vec<DesignCurve>,
+    /// How many divisions each curve gets, where that is given.
+    divisions: Vec<Option<Vec<usize>>>,
+    material: Option<&'static Material>,
+}
+
+impl Inputs {
+    fn new(design: &Design, panel: &DesignPanel, matched: &Matched) -> Self {
+        let mut panels = vec![panel.clone()];
+        if let PanelShape::Join(join) = &panel.shape {
+            let parts = design.panels.iter().filter(|part| join.parts.contains(&part.name));
+            panels.extend(parts.cloned());
+        }
+        let curves: Vec<DesignCurve> = used(design, &panel.shape).cloned().collect();
+        let number = |curve: &DesignCurve| design.curves.iter().position(|c| c.name == curve.name);
+        let given = |curve| number(curve).and_then(|number| matched.get(&number).cloned());
+        let divisions = curves.iter().map(given).collect();
+        Self { panels, curves, divisions, material: design.material }
+    }
+
+    /// Whether they are the same to the last bit: 0 and −0 are equal and not the same.
+    fn same(&self, other: &Self) -> bool {
+        let bits = |p: Point3| [p.x, p.y, p.z].map(f64::to_bits);
+        let same_point = |(a, b): (&CurvePoint, &CurvePoint)| bits(a.at) == bits(b.at);
+        let same_points =
+            |a: &DesignCurve, b: &DesignCurve| a.points.iter().zip(&b.points).all(same_point);
+        self.panels == other.panels
+            && self.curves == other.curves
+            && self.curves.iter().zip(&other.curves).all(|(a, b)| same_points(a, b))
+            && self.divisions == other.divisions
+            && self.material == other.material
+    }
+}
+
+impl Live {
+    /// Makes all panels of a design, as it is drawn: what it says of moving points is left alone.
+    pub fn new(design: Design, watch: &mut dyn Watch) -> Self {
+        let mut live = Self::default();
+        live.update(design, watch);
+        live
+    }
+
+    /// The design as it is now.
+    pub fn design(&self) -> &Design {
+        &self.design
+    }
+
+    /// Its panels, in the order of [`Design::panels_to_make`].
+    pub fn panels(&self) -> &[LivePanel] {
+        &self.panels
+    }
+
+    /// Moves one point of a curve, both by their numbers, to another place, mm, and makes what
+    /// depends on it, as far as [`Self::follow`] does. Returns the numbers of the panels that were
+    /// made anew, among [`Self::panels`], whether or not they could be made.
+    ///
+    /// # Panics
+    /// If there is no such curve or point.
+    pub fn move_point(
+        &mut self,
+        curve: usize,
+        point: usize,
+        to: Point3,
+        watch: &mut dyn Watch,
+    ) -> Vec<usize> {
+        self.design.curves[curve].points[point].at = to;
+        self.make_changed(watch)
+    }
+
+    /// Takes another design in the place of this one, changed in whatever way, and makes what
+    /// depends on the change: surface, pattern, measures, verdict and findings. Of the findings of
+    /// a panel that does not bend, one is left to [`Self::settle`]: whether it would bend better
+    /// without its plane. So a hand is followed in as little as half of the time. Returns the
+    /// numbers of the panels that were made anew, among [`Self::panels`], whether or not they could
+    /// be made.
+    ///
+    /// Where the watcher asks to stop, the panels that were not made yet keep what they were made
+    /// before, and are made by the next call; [`LivePanel::is_current`] says of which that holds.
+    pub fn follow(&mut self, design: Design, watch: &mut dyn Watch) -> Vec<usize> {
+        self.design = design;
+        self.make_changed(watch)
+    }
+
+    /// Looks for what [`Self::follow`] and [`Self::move_point`] have left, as when the hand rests.
+    /// Returns the numbers of the panels that changed. Where the watcher asks to stop, the next
+    /// call looks for the rest; [`LivePanel::is_settled`] says of which panels nothing is left.
+    pub fn settle(&mut self, watch: &mut dyn Watch) -> Vec<usize> {
+        let mut changed = Vec::new();
+        for (n, panel) in self.panels.iter_mut().enumerate() {
+            if !panel.is_current() || !panel.is_open() || watch.stop() {
+                continue;
+            }
+            let (Ok(made), Some(known)) = (&mut panel.made, &mut panel.known) else { continue };
+            watch.begin(&[&panel.name], Stage::Check);
+            match known.answer(made, watch) {
+                Ok(false) => continue,
+                Ok(true) => {}
+                Err(_) if known.is_open() => continue,
+                Err(cause) => {
+                    panel.made = Err(MakeError::of_panel(&panel.name, cause));
+                }
+            }
+            changed.push(n);
+        }
+        changed
+    }
+
+    /// Calls [`Self::follow`], then [`Self::settle`]. Returns the numbers of the panels that either
+    /// changed, in increasing order.
+    pub fn update(&mut self, design: Design, watch: &mut dyn Watch) -> Vec<usize> {
+        let mut changed = self.follow(design, watch);
+        changed.extend(self.settle(watch));
+        changed.sort_unstable();
+        changed.dedup();
+        changed
+    }
+
+    /// What [`super::make`] makes of the design as it is now, if nothing in it is to be moved, but
+    /// for what is left to [`Self::settle`].
+    ///
+    /// # Errors
+    /// The first panel that can't be made, and why.
+    pub fn made(&self) -> Result<Made, MakeError> {
+        if self.design.panels.is_empty() {
+            return Err(MakeError::of_design(MakeCause::NoPanels));
+        }
+        let panels = self.panels.iter().map(|panel| panel.made.clone());
+        Ok(Made {
+            name: self.design.name.clone(),
+            material: self.design.material,
+            panels: panels.collect::<Result<_, _>>()?,
+            moved: None,
+        })
+    }
+
+    fn make_changed(&mut self, watch: &mut dyn Watch) -> Vec<usize> {
+        let design = &self.design;
+        let matched = matched(design);
+        let sampler = Sampler { design, matched: &matched };
+        let mut before: Vec<Option<LivePanel>> = self.panels.drain(..).map(Some).collect();
+        let (mut panels, mut changed) = (Vec::new(), Vec::new());
+        for (n, panel) in design.panels_to_make().into_iter().enumerate() {
+            let is_it = |old: &&mut Option<LivePanel>| {
+                old.as_ref().is_some_and(|old| old.name == panel.name)
+            };
+            let old = before.iter_mut().find(is_it).and_then(Option::take);
+            let inputs = Inputs::new(design, panel, &matched);
+            let same = |old: &LivePanel| old.made_from.as_ref().is_some_and(|i| i.same(&inputs));
+            let old = match old {
+                Some(old) if same(&old) => {
+                    panels.push(old);
+                    continue;
+                }
+                old => old,
+            };
+            let (was_made, mut known) = match old {
+                Some(old) => (Some(old.made), old.known),
+                None => (None, None),
+            };
+            let made = if watch.stop() {
+                Err(MakeError::of_panel(&panel.name, TriangulateError::Stopped))
+            } else {
+                make_panel(&sampler, panel, &mut known, watch)
+            };
+            let name = panel.name.clone();
+            panels.push(if watch.stop() {
+                // What came out may be of a part of the work.
+                LivePanel { name, made: was_made.unwrap_or(made), made_from: None, known }
+            } else {
+                changed.push(n);
+                LivePanel { name, made, made_from: Some(inputs), known }
+            });
+        }
+        self.panels = panels;
+        changed
+    }
+}

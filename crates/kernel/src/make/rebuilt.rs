@@ -1,0 +1,141 @@
+//! A mesh panel found again from its border alone: the optimal triangulation of the border, and how
+//! far the mesh lies from it. Where it lies near, the panel is developable but for noise, and a
+//! design of its border is the better input: it unrolls exactly.
+
+use crate::mesh::Mesh;
+use crate::surface::{Connectivity, Surface};
+use sheetwright_geometry::boundary::{
+    Boundary, PlaneChoice, samples_from_points, supporting_plane,
+};
+use sheetwright_geometry::curve::CurvePoint;
+use sheetwright_geometry::index::TriangleIndex;
+use sheetwright_geometry::math::{Point3, angle_between, from_deg};
+use sheetwright_geometry::watch::Watch;
+use sheetwright_optimum::triangulate::{TriangulateOptions, triangulate};
+
+/// A border of more points is not triangulated: nobody asked for minutes of work.
+const MOST_SAMPLES: usize = 1200;
+/// The border has a corner where it turns by more than this, degrees.
+const CORNER_DEG: f64 = 30.0;
+/// Points of the mesh that are looked at, at the most.
+const MOST_POINTS: usize = 5000;
+
+/// The surface of a border beside the mesh that it is from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rebuilt {
+    /// The optimal triangulation of the border.
+    pub surface: Surface,
+    /// The largest distance of a vertex of the mesh from it, mm.
+    pub distance_max_mm: f64,
+    /// The mean distance of the vertices of the mesh from it, each weighed by the area round it,
+    /// mm.
+    pub distance_mean_mm: f64,
+}
+
+/// The surface that the border of a mesh of one piece asks for. `None` where it has holes or none
+/// at all, too many points, or a border that no surface without interior vertices takes.
+pub(super) fn rebuilt(mesh: &Mesh, watch: &mut dyn Watch) -> Option<Rebuilt> {
+    let [border] = mesh.loops() else { return None };
+    if border.len() > MOST_SAMPLES || !mesh.pieces().first().is_some_and(|piece| piece.is_disk()) {
+        return None;
+    }
+    let at: Vec<Point3> = border.iter().map(|&v| mesh.position(v)).collect();
+    let m = at.len();
+    let points: Vec<CurvePoint> = (0..m)
+        .map(|i| {
+            let turn = angle_between(at[i] - at[(i + m - 1) % m], at[(i + 1) % m] - at[i]);
+            if turn > from_deg(CORNER_DEG) {
+                CurvePoint::corner(at[i])
+            } else {
+                CurvePoint::smooth(at[i])
+            }
+        })
+        .collect();
+    let boundary = Boundary::new(vec![samples_from_points(&points)]).ok()?;
+    let plane = supporting_plane(&boundary, PlaneChoice::Auto).ok()?;
+    let options = TriangulateOptions::default();
+    let found = triangulate(&boundary, plane.as_ref(), &options, watch).ok()?;
+    let connectivity = Connectivity::new(boundary.loops(), found.triangles).ok()?;
+    let surface = Surface::new(connectivity, boundary.positions());
+    let (distance_max_mm, distance_mean_mm) = distances(mesh, &surface);
+    Some(Rebuilt { surface, distance_max_mm, distance_mean_mm })
+}
+
+/// The largest and the mean distance of the vertices from the surface, mm.
+fn distances(mesh: &Mesh, surface: &Surface) -> (f64, f64) {
+    let mut weights = vec![0.0; mesh.positions().len()];
+    for (t, corners) in mesh.triangles().iter().enumerate() {
+        let share = mesh.area_vector(TriangleIndex::new(t)).length() / 3.0;
+        corners.iter().for_each(|v| weights[v.get()] += share);
+    }
+    let triangles: Vec<[Point3; 3]> = (0..surface.connectivity().triangles().len())
+        .map(|t| surface.corners(TriangleIndex::new(t)))
+        .collect();
+    let step = weights.len().div_ceil(MOST_POINTS).max(1);
+    let (mut most, mut sum, mut whole) = (0.0f64, 0.0, 0.0);
+    for n in (0..weights.len()).step_by(step) {
+        let p = mesh.positions()[n];
+        let nearest =
+            triangles.iter().map(|&t| p.distance(nearest_in(t, p))).fold(f64::INFINITY, f64::min);
+        most = most.max(nearest);
+        sum += weights[n] * nearest;
+        whole += weights[n];
+    }
+    (most, if whole > 0.0 { sum / whole } else { 0.0 })
+}
+
+/// The point of a triangle that lies nearest to a point: by the region of the triangle's corners,
+/// sides and inside that it lies over.
+fn nearest_in([a, b, c]: [Point3; 3], p: Point3) -> Point3 {
+    let (ab, ac, ap) = (b - a, c - a, p - a);
+    let (d1, d2) = (ab.dot(ap), ac.dot(ap));
+    if d1 <= 0.0 && d2 <= 0.0 {
+        return a;
+    }
+    let bp = p - b;
+    let (d3, d4) = (ab.dot(bp), ac.dot(bp));
+    if d3 >= 0.0 && d4 <= d3 {
+        return b;
+    }
+    let vc = d1 * d4 - d3 * d2;
+    if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
+        return a + ab * (d1 / (d1 - d3));
+    }
+    let cp = p - c;
+    let (d5, d6) = (ab.dot(cp), ac.dot(cp));
+    if d6 >= 0.0 && d5 <= d6 {
+        return c;
+    }
+    let vb = d5 * d2 - d1 * d6;
+    if vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
+        return a + ac * (d2 / (d2 - d6));
+    }
+    let va = d3 * d6 - d5 * d4;
+    if va <= 0.0 && d4 >= d3 && d5 >= d6 {
+        return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
+    }
+    let whole = va + vb + vc;
+    a + ab * (vb / whole) + ac * (vc / whole)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_point_lies_on_the_corner_the_side_or_inside() {
+        let p = |x: f64, y: f64, z: f64| Point3::new(x, y, z);
+        let triangle = [p(0., 0., 0.), p(4., 0., 0.), p(0., 4., 0.)];
+        for (from, nearest) in [
+            (p(-1., -1., 2.), p(0., 0., 0.)),
+            (p(6., -1., 0.), p(4., 0., 0.)),
+            (p(-1., 9., 0.), p(0., 4., 0.)),
+            (p(1., -3., 1.), p(1., 0., 0.)),
+            (p(-3., 1., 1.), p(0., 1., 0.)),
+            (p(3., 3., 0.), p(2., 2., 0.)),
+            (p(1., 1., 7.), p(1., 1., 0.)),
+        ] {
+            assert!(nearest_in(triangle, from).distance(nearest) < 1e-12, "{from:?}");
+        }
+    }
+}

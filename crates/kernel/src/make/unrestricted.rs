@@ -1,0 +1,143 @@
+//! Whether the plane of a panel, rather than its boundary, keeps it from bending.
+//!
+//! A surface that need not lie over the plane may pass through itself, so a panel without a plane
+//! is for those who ask for it. Where one that costs much less does not pass through itself, that
+//! is worth a word. To know takes a search of its own, without the plane, and nothing else depends
+//! on it. So it is a question that stays open while a panel is made, and may wait until the hand
+//! rests that drags a handle. What was found when it was asked last bounds the search, as it bounds
+//! that with the plane.
+
+use super::MadePanel;
+use super::error::MakeCause;
+use crate::check::{Verdict, better_without_plane};
+use crate::design::DesignPanel;
+use crate::measure::crosses_itself;
+use crate::surface::{Connectivity, Surface};
+use sheetwright_geometry::boundary::{Boundary, PlaneChoice};
+use sheetwright_geometry::watch::Watch;
+use sheetwright_optimum::triangulate::{
+    Cheapest, Goal, Method, TriangulateError, TriangulateOptions, Triangulation, cheaper_than,
+    if_it_fits, triangulate,
+};
+
+/// A surface that need not lie over the plane is worth a word if its price is below this share.
+const MUCH_CHEAPER: f64 = 0.5;
+
+/// The question takes no more than one part in so many of the work that the answer may.
+const SHARE_OF_WORK: u64 = 4;
+
+/// What is known of the triangulations of a panel.
+#[derive(Clone, Debug)]
+pub(super) struct Known {
+    cheapest: Cheapest,
+    /// The cheapest one without the plane, if it was much cheaper when it was last looked for.
+    free: Option<Triangulation>,
+    /// Whether the question was answered before the panel was made anew.
+    was_answered: bool,
+    /// How it was triangulated, if whether it would bend better without its plane is to be asked
+    /// yet.
+    open: Option<TriangulateOptions>,
+}
+
+impl Known {
+    /// After the panel is triangulated anew.
+    pub(super) fn next(before: Option<Self>, mut cheapest: Cheapest) -> Self {
+        let was_answered = before.as_ref().is_some_and(|known| !known.is_open());
+        let differed = |known: &Self| known.cheapest.also_without_plane == Some(false);
+        // What differed one move ago is not worth a search of its own.
+        if cheapest.also_without_plane.is_none() && before.as_ref().is_some_and(differed) {
+            cheapest.also_without_plane = Some(false);
+        }
+        let free = before.and_then(|known| known.free);
+        Self { cheapest, free, was_answered, open: None }
+    }
+
+    pub(super) fn cheapest(&self) -> &Cheapest {
+        &self.cheapest
+    }
+
+    /// Whether [`Self::answer`] has something to look for.
+    pub(super) fn is_open(&self) -> bool {
+        self.open.is_some()
+    }
+
+    /// Opens the question for a panel that was made with these options, if it is one: who asks for
+    /// a plane gets it, and what bends needs no other surface.
+    pub(super) fn ask(
+        &mut self,
+        panel: &DesignPanel,
+        made: &MadePanel,
+        options: TriangulateOptions,
+    ) {
+        let is_asked = panel.plane == PlaneChoice::Auto
+            && made.plane.is_some()
+            && made.boundary.holes() < 2
+            && made.checked.verdict != Verdict::Bends;
+        self.open = is_asked.then_some(options);
+    }
+
+    /// Answers the question, if it is open, and adds what was found to the findings of the panel.
+    /// Returns whether there was something. Where it is stopped, the question stays open.
+    pub(super) fn answer(
+        &mut self,
+        made: &mut MadePanel,
+        watch: &mut dyn Watch,
+    ) -> Result<bool, MakeCause> {
+        let Some(options) = self.open.take() else { return Ok(false) };
+        let price = self.better_without_plane(&made.boundary, &options, watch);
+        if price == Err(TriangulateError::Stopped.into()) {
+            self.open = Some(options);
+        }
+        let Some(price) = price? else { return Ok(false) };
+        made.checked.add(better_without_plane(made.triangulation.price, price));
+        Ok(true)
+    }
+
+    /// The price of the cheapest surface without the plane, if it costs much less than that with it
+    /// and does not pass through itself.
+    fn better_without_plane(
+        &mut self,
+        boundary: &Boundary,
+        options: &TriangulateOptions,
+        watch: &mut dyn Watch,
+    ) -> Result<Option<f64>, MakeCause> {
+        self.free = self.much_cheaper(boundary, options, watch)?;
+        let Some(free) = &self.free else { return Ok(None) };
+        let connectivity = Connectivity::new(boundary.loops(), free.triangles.clone())
+            .map_err(MakeCause::Surface)?;
+        let surface = Surface::new(connectivity, boundary.positions());
+        Ok(if crosses_itself(&surface) { None } else { Some(free.price) })
+    }
+
+    /// The cheapest triangulation without the plane, if it costs much less than that with it.
+    fn much_cheaper(
+        &mut self,
+        boundary: &Boundary,
+        options: &TriangulateOptions,
+        watch: &mut dyn Watch,
+    ) -> Result<Option<Triangulation>, TriangulateError> {
+        let found = &self.cheapest.triangulation;
+        let limit = MUCH_CHEAPER * found.price;
+        match self.cheapest.also_without_plane {
+            Some(true) => return Ok(None),
+            // Who is asked each time had better know.
+            None if self.was_answered && boundary.holes() == 0 => {
+                let free = if_it_fits(triangulate(boundary, None, options, watch).map(Some))?;
+                if let Some(free) = &free {
+                    self.cheapest.also_without_plane = Some(free == found);
+                }
+                return Ok(free.filter(|free| free.price < limit));
+            }
+            _ => {}
+        }
+        let few_work = options.work_limit / SHARE_OF_WORK;
+        let options = &TriangulateOptions { work_limit: few_work, ..options.clone() };
+        let is_plain = options.method == Method::Optimal;
+        // Where one without forced rungs is known, those with them do not count.
+        if is_plain && options.goal == Goal::Price && found.forced_rungs == 0 {
+            return cheaper_than(boundary, options, limit, self.free.as_ref(), watch);
+        }
+        let free = if_it_fits(triangulate(boundary, None, options, watch).map(Some))?;
+        Ok(free.filter(|free| free.price < limit))
+    }
+}

@@ -1,0 +1,22 @@
+//! From the curves of a design to the boundaries of its panels; samples know which place of which
+//! curve they are from.
+
+mod curves;
+mod error;
+mod joined;
+mod loops;
+mod matched;
+mod outline;
+mod prepare;
+mod run_on;
+mod shared_runs;
+mod source;
+
+pub use error::{PanelCause, PanelError};
+
+pub(crate) use curves::{built, kind_of_part};
+pub(crate) use loops::{LEAST_OF_HOLE, Matched, Sampler};
+pub(crate) use matched::matched;
+pub(crate) use outline::outline;
+pub(crate) use prepare::{Prepared, prepare, sampled};
+pub(crate) use source::{OnCurve, Sampled, Sourced};

@@ -1,0 +1,455 @@
+//! What a triangulation that is known from before is worth now.
+//!
+//! Samples that move by a hundredth of the size may turn cheap rungs into dear ones, and a bound of
+//! twice the price keeps many more entries of the table. So the known triangulation is mended
+//! first: a rung between two triangles is exchanged for the other diagonal of theirs as long as
+//! that makes it cheaper. That takes a small part of what the table takes, and ends at or near the
+//! optimum.
+//!
+//! Where a bay of the boundary has turned the other way, all rungs across it may be barred now, and
+//! no exchange of one leads on. So before that, each patch of triangles that barred rungs hold
+//! together is triangulated anew, with some of the triangles around it: without those there may be
+//! no way to.
+//!
+//! Exchanges of single rungs may end far from the cheapest. Where they do, a band of the table
+//! about the rungs that are known is filled for a better bound: it finds what takes many exchanges
+//! at once.
+
+use super::{EDGE, Side, Terms, TriangulateError, Triangulation, optimal};
+use crate::rung::Visibility;
+use sheetwright_geometry::index::SampleIndex;
+use sheetwright_geometry::watch::{Unwatched, Watch};
+use std::collections::BTreeSet;
+
+/// Rungs that are looked at, at the most, for each sample.
+const MOST_LOOKS: usize = 32;
+/// Corners of a patch that is triangulated anew, at the most: with more, the loop is another one
+/// than before.
+const MOST_CORNERS: usize = 128;
+/// What costs more than so many times what it did before is taken to be far from the cheapest.
+const MUCH_DEARER: f64 = 4.0;
+
+/// Whether it is one of a loop with as many samples.
+pub(super) fn is_of(known: &Triangulation, lengths: &[usize]) -> bool {
+    // With holes there are more triangles, and more rungs than that.
+    lengths.len() == 1
+        && known.triangles.len() + 2 == lengths[0]
+        && known.rungs.len() + 3 == lengths[0]
+}
+
+/// What a triangulation costs now that is mended from one that is known: no less than the cheapest.
+/// `None` if it has rungs that may not be used now and can't be mended, or if nothing is known.
+pub(super) fn price(terms: &Terms<'_>, known: Option<&Triangulation>) -> Option<f64> {
+    Some(Mended::of(terms, known?)?.price())
+}
+
+/// The triangles of the same.
+pub(super) fn triangles(
+    terms: &Terms<'_>,
+    known: Option<&Triangulation>,
+) -> Option<Vec<[usize; 3]>> {
+    Some(Mended::of(terms, known?)?.triangles().collect())
+}
+
+/// A bound on the cheapest price: what a triangulation costs now that is mended from one that is
+/// known. Where that is much more than it cost, exchanges have led astray from it, and there may be
+/// a cheap one near to the rungs that are known.
+pub(super) fn bound(
+    terms: &Terms<'_>,
+    known: Option<&Triangulation>,
+    watch: &mut dyn Watch,
+) -> Result<Option<f64>, TriangulateError> {
+    let Some((price, known)) = price(terms, known).zip(known) else { return Ok(None) };
+    // Beside what cost nothing all is much dearer, and tables as cheap as that take less than a
+    // band.
+    if price <= MUCH_DEARER * known.price || known.price == 0.0 {
+        return Ok(Some(price));
+    }
+    let triangles = known.triangles.iter().map(|corners| corners.map(SampleIndex::get));
+    Ok(Some(optimal::price_near(terms, triangles, price, watch)?))
+}
+
+/// A rung or an edge of the boundary.
+#[derive(Clone, Copy)]
+struct Line {
+    side: Side,
+    /// The far corners of its triangles; an edge has one, twice.
+    far: [usize; 2],
+}
+
+impl Line {
+    fn is_rung(&self) -> bool {
+        self.far[0] != self.far[1]
+    }
+}
+
+/// The lines of a triangulation, by their ends.
+struct Lines {
+    /// For each sample those to higher ones, in increasing order: two in the mean.
+    rows: Vec<Vec<(usize, Line)>>,
+}
+
+impl Lines {
+    /// Where a line stands, or would stand, in the row of its lower end.
+    fn find(&self, [low, high]: [usize; 2]) -> Result<usize, usize> {
+        self.rows[low].binary_search_by_key(&high, |(high, _)| *high)
+    }
+
+    fn get(&self, ends: [usize; 2]) -> Option<&Line> {
+        self.find(ends).ok().map(|at| &self.rows[ends[0]][at].1)
+    }
+
+    fn get_mut(&mut self, ends: [usize; 2]) -> Option<&mut Line> {
+        self.find(ends).ok().map(|at| &mut self.rows[ends[0]][at].1)
+    }
+
+    fn insert(&mut self, ends: [usize; 2], line: Line) {
+        match self.find(ends) {
+            Ok(at) => self.rows[ends[0]][at].1 = line,
+            Err(at) => self.rows[ends[0]].insert(at, (ends[1], line)),
+        }
+    }
+
+    fn remove(&mut self, ends: [usize; 2]) {
+        if let Ok(at) = self.find(ends) {
+            self.rows[ends[0]].remove(at);
+        }
+    }
+
+    /// All lines with their ends, in order.
+    fn iter(&self) -> impl Iterator<Item = ([usize; 2], &Line)> {
+        let rows = self.rows.iter().enumerate();
+        rows.flat_map(|(low, row)| row.iter().map(move |(high, line)| ([low, *high], line)))
+    }
+}
+
+/// A triangulation on the way.
+struct Mended<'a> {
+    terms: &'a Terms<'a>,
+    lines: Lines,
+}
+
+fn ends(a: usize, b: usize) -> [usize; 2] {
+    [a.min(b), a.max(b)]
+}
+
+/// The sides of a polygon of samples, which are in increasing order.
+fn sides_of(corners: &[usize]) -> impl Iterator<Item = [usize; 2]> {
+    let last = corners.first().zip(corners.last()).map(|(&first, &last)| [first, last]);
+    corners.windows(2).map(|side| [side[0], side[1]]).chain(last)
+}
+
+impl<'a> Mended<'a> {
+    /// Mended from one that is known; `None` where a rung is barred for good.
+    fn of(terms: &'a Terms<'a>, known: &Triangulation) -> Option<Self> {
+        let mut mended = Self::new(terms, known);
+        mended.free().then(|| {
+            mended.mend();
+            mended
+        })
+    }
+
+    fn new(terms: &'a Terms<'a>, known: &Triangulation) -> Self {
+        let mut lines = Lines { rows: vec![Vec::new(); terms.prices.len()] };
+        for corners in &known.triangles {
+            let [i, k, j] = corners.map(SampleIndex::get);
+            for (a, b, far) in [(i, k, j), (k, j, i), (i, j, k)] {
+                match lines.get_mut(ends(a, b)) {
+                    Some(line) => line.far[1] = far,
+                    None => {
+                        lines.insert(ends(a, b), Line { side: terms.side(a, b), far: [far; 2] });
+                    }
+                }
+            }
+        }
+        Self { terms, lines }
+    }
+
+    fn side(&self, a: usize, b: usize) -> Side {
+        self.lines.get(ends(a, b)).map_or(EDGE, |line| line.side)
+    }
+
+    /// F of the triangle with these corners, of which one side may not be there yet.
+    fn fold(&self, a: usize, b: usize, far: usize, between: Side) -> f64 {
+        let mut corners = [a, b, far];
+        corners.sort_unstable();
+        let [i, k, j] = corners;
+        let mean = |p: usize, q: usize| {
+            if ends(p, q) == ends(a, b) { between.mean } else { self.side(p, q).mean }
+        };
+        self.terms.fold(corners, [mean(i, k), mean(k, j), mean(i, j)])
+    }
+
+    /// Triangulates anew what barred rungs hold together, with about as much around it, and with
+    /// more where that can't be triangulated. Returns whether no rung is barred any more.
+    fn free(&mut self) -> bool {
+        let is_barred = |line: &Line| line.side.price == f64::INFINITY;
+        let barred = self.lines.iter().filter(|(_, line)| is_barred(line));
+        let mut barred: BTreeSet<[usize; 2]> = barred.map(|(ends, _)| ends).collect();
+        while let Some(first) = barred.pop_first() {
+            let (mut inner, mut corners) = (vec![first], BTreeSet::new());
+            let (mut next, mut enough) = (0, None);
+            let (corners, triangles) = loop {
+                while let Some(&[a, b]) = inner.get(next) {
+                    next += 1;
+                    let far = self.lines.get([a, b]).map_or([a; 2], |line| line.far);
+                    corners.extend([a, b].into_iter().chain(far));
+                    let sides = far.into_iter().flat_map(|c| [ends(a, c), ends(b, c)]);
+                    inner.extend(sides.filter(|side| barred.remove(side)));
+                }
+                let polygon = Vec::from_iter(corners.iter().copied());
+                let twice = (2 * polygon.len()).min(MOST_CORNERS);
+                let is_rung = |side: &[usize; 2]| self.lines.get(*side).is_some_and(Line::is_rung);
+                let around: Vec<[usize; 2]> = sides_of(&polygon).filter(is_rung).collect();
+                if around.is_empty() || polygon.len() >= *enough.get_or_insert(twice) {
+                    if let Some(triangles) = self.cheapest_within(&polygon) {
+                        break (polygon, triangles);
+                    }
+                    enough = Some(twice);
+                }
+                if around.is_empty() || polygon.len() > MOST_CORNERS {
+                    return false;
+                }
+                inner.extend(around);
+            };
+            inner.into_iter().for_each(|rung| self.lines.remove(rung));
+            self.fill(&corners, &triangles);
+        }
+        true
+    }
+
+    /// The cheapest triangulation of a polygon of samples, in increasing order; `None` if there is
+    /// none or if they are too many.
+    fn cheapest_within(&self, corners: &[usize]) -> Option<Vec<[usize; 3]>> {
+        if corners.len() > MOST_CORNERS {
+            return None;
+        }
+        let prices = self.terms.prices.thinned(corners);
+        let allows = |i: usize, j: usize| self.terms.visibility.allows(corners[i], corners[j]);
+        let visibility = Visibility::of_pairs(corners.len(), allows);
+        let terms = Terms::new(&prices, &visibility, self.terms.forced);
+        let found = optimal::solve_within(&terms, f64::INFINITY, &mut Unwatched);
+        let triangles = found.ok()??.triangles;
+        Some(triangles.into_iter().map(|triangle| triangle.map(|n| corners[n])).collect())
+    }
+
+    /// Puts triangles into a polygon without rungs.
+    fn fill(&mut self, corners: &[usize], triangles: &[[usize; 3]]) {
+        let sides: BTreeSet<[usize; 2]> = sides_of(corners).collect();
+        for &[i, k, j] in triangles {
+            for (a, b, far) in [(i, k, j), (k, j, i), (i, j, k)] {
+                let side = ends(a, b);
+                match self.lines.get_mut(side) {
+                    // The far corner within is one of the polygon; beyond its sides there are
+                    // others.
+                    Some(line) if sides.contains(&side) => {
+                        for old in
+                            line.far.iter_mut().filter(|old| corners.binary_search(old).is_ok())
+                        {
+                            *old = far;
+                        }
+                    }
+                    Some(line) => line.far[1] = far,
+                    None => {
+                        let line = Line { side: self.terms.side(a, b), far: [far; 2] };
+                        self.lines.insert(side, line);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Exchanges rungs as long as that makes it cheaper, those around an exchanged one again.
+    fn mend(&mut self) {
+        let rungs = self.lines.iter().filter(|(_, line)| line.is_rung());
+        let mut queue: Vec<[usize; 2]> = rungs.map(|(ends, _)| ends).collect();
+        let mut left = MOST_LOOKS * queue.len();
+        while let Some([a, b]) = queue.pop() {
+            if left == 0 {
+                break;
+            }
+            left -= 1;
+            let Some(&line) = self.lines.get([a, b]).filter(|line| line.is_rung()) else {
+                continue;
+            };
+            let [c, d] = line.far;
+            let other = self.terms.side(c, d);
+            let of = |a, b, far: [usize; 2], side: Side| {
+                side.price + self.fold(a, b, far[0], side) + self.fold(a, b, far[1], side)
+            };
+            if other.price < f64::INFINITY && of(c, d, [a, b], other) < of(a, b, [c, d], line.side)
+            {
+                self.lines.remove([a, b]);
+                self.lines.insert(ends(c, d), Line { side: other, far: [a, b] });
+                // Each side of the two triangles: the corner beyond it was one end and is another.
+                for (p, q, before, now) in [(a, c, b, d), (b, c, a, d), (a, d, b, c), (b, d, a, c)]
+                {
+                    if let Some(line) = self.lines.get_mut(ends(p, q)) {
+                        for far in &mut line.far {
+                            *far = if *far == before { now } else { *far };
+                        }
+                        queue.push(ends(p, q));
+                    }
+                }
+            }
+        }
+    }
+
+    /// Its triangles, each from its lowest side.
+    fn triangles(&self) -> impl Iterator<Item = [usize; 3]> {
+        self.lines.iter().flat_map(|([a, b], line)| {
+            let count = if line.is_rung() { 2 } else { 1 };
+            let far = line.far.into_iter().take(count);
+            far.filter(move |far| *far > b).map(move |far| [a, b, far])
+        })
+    }
+
+    fn price(&self) -> f64 {
+        let of_rungs: f64 = self.lines.iter().map(|(_, line)| line.side.price).sum();
+        let of_fold = |[a, b, far]: [usize; 3]| self.fold(a, b, far, self.side(a, b));
+        let of_folds: f64 = self.triangles().map(of_fold).sum();
+        of_rungs + of_folds
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Found, Method, TriangulateOptions, outcome, triangulate};
+    use super::*;
+    use crate::cost::{PriceOptions, Prices};
+    use sheetwright_geometry::boundary::{
+        Boundary, PlaneChoice, samples_from_points, supporting_plane,
+    };
+    use sheetwright_geometry::curve::CurvePoint;
+    use sheetwright_geometry::math::{Point3, Vec3, cos, sin};
+
+    /// A closed curve that waves this much.
+    fn wavy(wave: f64, m: usize) -> Boundary {
+        let at = |i: usize| {
+            let t = std::f64::consts::TAU * i as f64 / m as f64;
+            Point3::new(cos(t), sin(t), 0.3 * sin(3.0 * t) + wave * cos(2.0 * t))
+        };
+        let points: Vec<CurvePoint> = (0..m).map(|i| CurvePoint::smooth(at(i))).collect();
+        Boundary::new(vec![samples_from_points(&points)]).unwrap()
+    }
+
+    #[test]
+    fn what_is_mended_is_a_triangulation_and_near_the_cheapest() {
+        for fold in [0.0, 1.0] {
+            let price = PriceOptions { fold, ..PriceOptions::default() };
+            let options = TriangulateOptions { price, ..TriangulateOptions::default() };
+            let solve = |b: &Boundary| triangulate(b, None, &options, &mut Unwatched).unwrap();
+            let known = solve(&wavy(0.0, 60));
+            for wave in [0.0, 0.01, 0.1] {
+                let now = wavy(wave, 60);
+                let (cheapest, prices) = (solve(&now).price, Prices::new(&now, None, price));
+                let everything = Visibility::everything();
+                let terms = Terms::new(&prices, &everything, false);
+                let mut mended = Mended::new(&terms, &known);
+                let before = mended.price();
+                mended.mend();
+                let after = mended.price();
+                assert!(
+                    cheapest <= after && after <= before,
+                    "{wave}: {cheapest} {after} {before}"
+                );
+                assert!(
+                    after < 1.1 * cheapest || wave > 0.05,
+                    "{wave}: {cheapest} {after} {before}"
+                );
+                let rungs = mended.lines.iter().filter(|(_, line)| line.is_rung());
+                assert_eq!((rungs.count(), mended.lines.iter().count()), (57, 117));
+            }
+        }
+    }
+
+    /// A round curve with a bay of this depth, or a bulge, where it turns by `at`.
+    fn round(depth: f64, at: f64, m: usize) -> Boundary {
+        let at = |i: usize| {
+            let t = std::f64::consts::TAU * i as f64 / m as f64;
+            let near = 0.5 + 0.5 * cos(t - at);
+            let bay = (0..4).fold(near, |bay, _| bay * bay);
+            let r = 1.0 - depth * bay;
+            // Turned up, so that rungs run across.
+            Point3::new(r * cos(t), r * sin(t), 0.1 * sin(2.0 * t) + 0.1 * cos(3.0 * t) + 0.3 * bay)
+        };
+        let points: Vec<CurvePoint> = (0..m).map(|i| CurvePoint::smooth(at(i))).collect();
+        Boundary::new(vec![samples_from_points(&points)]).unwrap()
+    }
+
+    #[test]
+    fn what_lies_across_a_bay_is_triangulated_anew() {
+        let m = 80;
+        let (mut freed, mut few, mut lower) = (0, 0, 0);
+        for (n, fold) in [0.0, 1.0].into_iter().cycle().take(24).enumerate() {
+            let price = PriceOptions { fold, ..PriceOptions::default() };
+            let options = TriangulateOptions { price, ..TriangulateOptions::default() };
+            let at = 0.3 * n as f64;
+            let choice = PlaneChoice::Normal(Vec3::Z);
+            let (before, now) = (round(0.0, at, m), round(0.15, at, m));
+            let plane = |b: &Boundary| supporting_plane(b, choice).unwrap().unwrap();
+            let solve =
+                |b: &Boundary| triangulate(b, Some(&plane(b)), &options, &mut Unwatched).unwrap();
+            let (known, cheapest) = (solve(&before), solve(&now));
+            let (prices, plane) = (Prices::new(&now, Some(&plane(&now)), price), plane(&now));
+            let visibility = Visibility::new(&now, Some(&plane));
+            let terms = Terms::new(&prices, &visibility, false);
+            let mut mended = Mended::new(&terms, &known);
+            if mended.price() < f64::INFINITY {
+                continue;
+            }
+            mended.mend();
+            few += usize::from(mended.price() < f64::INFINITY);
+            let mended = Mended::of(&terms, &known).unwrap();
+            freed += 1;
+            assert!(cheapest.price <= mended.price() && mended.price() < f64::INFINITY, "{n}");
+            let triangles: Vec<[usize; 3]> = mended.triangles().collect();
+            assert_eq!(triangles.len(), m - 2, "{n}");
+            let found = Found { triangles, lower_bound: None };
+            let outcome = outcome(&terms, found, Method::Optimal);
+            assert!((outcome.price - mended.price()).abs() < 1e-12, "{n}");
+            assert_eq!(outcome.rungs.len(), m - 3, "{n}");
+            for rung in &outcome.rungs {
+                let [i, j] = rung.ends().map(SampleIndex::get);
+                assert!(visibility.allows(i, j), "{n}: {i} {j}");
+            }
+            // What it costs is a bound; near to what is known may be a lower one.
+            let bound = bound(&terms, Some(&known), &mut Unwatched).unwrap().unwrap();
+            assert!(cheapest.price <= bound && bound <= mended.price(), "{n}");
+            lower += usize::from(bound < mended.price());
+            let solve = |bound| optimal::solve(&terms, bound, &mut Unwatched).unwrap();
+            assert_eq!(solve(Some(bound)), solve(None), "{n}");
+        }
+        // Most of them no exchange of single rungs had freed.
+        assert!(freed > 10 && 2 * few < freed, "{freed} {few}");
+        assert!(lower > 2, "{lower}");
+    }
+
+    #[test]
+    fn a_patch_without_a_triangulation_grows_until_it_has_one() {
+        let (m, price) = (60, PriceOptions::default());
+        let options = TriangulateOptions { price, ..TriangulateOptions::default() };
+        let boundary = wavy(0.0, m);
+        let known = triangulate(&boundary, None, &options, &mut Unwatched).unwrap();
+        let prices = Prices::new(&boundary, None, price);
+        let everything = Visibility::everything();
+        let all = Mended::new(&Terms::new(&prices, &everything, false), &known).lines;
+        let mut rungs = 0;
+        for (ends, line) in all.iter().filter(|(_, line)| line.is_rung()) {
+            // Neither of the two rungs across the four corners is allowed.
+            let barred = [ends, super::ends(line.far[0], line.far[1])];
+            let allows = |i: usize, j: usize| !barred.contains(&super::ends(i, j));
+            let visibility = Visibility::of_pairs(m, allows);
+            let terms = Terms::new(&prices, &visibility, false);
+            let mut tight = vec![ends[0], ends[1], line.far[0], line.far[1]];
+            tight.sort_unstable();
+            let mended = Mended::new(&terms, &known);
+            assert!(mended.cheapest_within(&tight).is_none());
+            let mended = Mended::of(&terms, &known).unwrap();
+            assert!(known.price <= mended.price() && mended.price() < f64::INFINITY, "{ends:?}");
+            assert_eq!(mended.triangles().count(), m - 2, "{ends:?}");
+            rungs += 1;
+        }
+        assert_eq!(rungs, m - 3);
+    }
+}

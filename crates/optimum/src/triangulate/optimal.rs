@@ -1,0 +1,104 @@
+//! The cheapest triangulation of all: equations (2) and (5) as one triangular table.
+//!
+//! 1. The edge ⟨0, m−1⟩ belongs to every triangulation, so one table answers the whole loop. Let
+//!    E(i,j) be the least price of the part of the loop from i to j *with* the rung ⟨i,j⟩; it is 0
+//!    for an edge of the boundary. Then equation (5) reads
+//!    E(i,j) = w(i,j) + min over i<k<j of E(i,k) + E(k,j) + F(i,k,j),
+//!    with F the fold price of the triangle. Θ(m³) sums, Θ(m²) memory.
+//! 2. The table is kept in tiles of 16 × 16. A few columns of them are filled together, from the
+//!    diagonal upwards, so that what they share comes from the processor's cache. The innermost
+//!    loop runs over 16 j side by side, for one i and one k, which the compiler vectorises for the
+//!    widest registers that the processor has (crate `pulp`; the bits are the same with any). With
+//!    the feature `rayon`, threads share the tiles of diagonals, which need nothing of one another
+//!    (`table/shared`).
+//! 3. Prices are never negative, so no entry above the price of a known triangulation is a part of
+//!    the answer. One is found by way of the loop of the corners and every fourth sample
+//!    (`bounds`): only rungs near to the rungs of its optimum are priced and put together (a band
+//!    of the table), which is cheap, and near to the optimum or the optimum itself. In the table of
+//!    all rungs, entries above that price are then dropped. Where the samples of a tile's rows and
+//!    columns show that none of its rungs can cost so little (`span`), the tile is not looked at,
+//!    and where the least entries of the tiles between show that none of its own can, its rungs are
+//!    not priced (`table/between`); where none of its entries is left, it is not kept, and those of
+//!    flat stretches are kept once for all of them (`store`), in planes along the axes without a
+//!    look at their rungs (`flat`). Next to a developable surface so few are left that their number
+//!    grows like m^1.5. While a handle is dragged, the triangulation from before gives a bound
+//!    instead (`mend`). From some hundred samples on and with folds, even fewer are left, since it
+//!    is worked out first what the rest of the loop costs beside each rung (`outside`).
+//! 4. Those k come first that were best one row below, and then all triangles i, j − 1, j on edges
+//!    of the boundary at once (`table/entries`), so that few others are left to be looked at. These
+//!    are taken tile by tile, where both tiles are kept. Their least entries, together with the
+//!    least F where N lie as theirs (`normals`), may rule out two tiles at once. Else E(i,k) and
+//!    the least E(k,j) of the 16 j together say for 16 k at once which may lie below the prices so
+//!    far. F is never negative, and dear to work out. So for the same 16 k, the share that the side
+//!    ⟨i,k⟩ has in it is bounded for all 16 j together, which leaves out a tenth to a third of
+//!    them. For the others, the sums E(i,k) + E(k,j) are compared, 16 j at a time. Where one lies
+//!    below, a test without root and quotient says whether F may leave it there, and only then F is
+//!    worked out.
+//! 5. Which k was best is not stored but found again on the way back, for the m − 2 entries that
+//!    belong to the answer, among those that make its price. Of equal prices (prices are exact, see
+//!    [`crate::cost`], so flat regions do tie) the k with the least |P_i P_k| + |P_k P_j| wins,
+//!    then the smallest: strips of compact triangles rather than fans.
+
+mod bounds;
+mod flat;
+mod lanes;
+mod near;
+mod normals;
+mod open;
+mod outside;
+mod store;
+mod table;
+mod threads;
+
+use super::{Solved, Terms, TriangulateError, if_it_fits};
+use crate::cost::LANES;
+use crate::rung::Visibility;
+use sheetwright_geometry::watch::Watch;
+use table::Table;
+
+pub(super) use bounds::{price_near, solve_priced};
+
+/// Above it no bound is tried: a boundary like that needs all entries.
+const HIGHEST_BOUND: f64 = 100.0;
+
+/// Upper bound on the memory of the tables of m samples, bytes: the table of all rungs with folds,
+/// the pairs that see one another, and both again for each thinned loop, a sixteenth of the one
+/// before.
+pub fn memory_needed(m: usize) -> u64 {
+    let seen = Visibility::memory_needed(m);
+    (store::most_bytes(m.div_ceil(LANES)) + seen).div_ceil(15) * 16
+}
+
+/// Lower bound on the memory of the tables of m samples, bytes: no tile has a finite entry, and no
+/// pairs that see one another are stored.
+pub(super) fn least_memory_needed(m: usize) -> u64 {
+    store::least_bytes(m.div_ceil(LANES)).div_ceil(15) * 16
+}
+
+/// The triangles of the cheapest triangulation; `None` if there is none. Where a `bound` on its
+/// price is known, none is looked for.
+pub(super) fn solve(
+    terms: &Terms<'_>,
+    bound: Option<f64>,
+    watch: &mut dyn Watch,
+) -> Result<Option<Vec<[usize; 3]>>, TriangulateError> {
+    if let Some(bound) = bound.filter(|bound| *bound <= HIGHEST_BOUND)
+        && let Some(solved) = if_it_fits(solve_within(terms, bound, watch))?
+    {
+        return Ok(Some(solved.triangles));
+    }
+    Ok(solve_priced(terms, watch)?.map(|solved| solved.triangles))
+}
+
+/// The triangles of the cheapest triangulation up to the price `bound`, and that price; `None` if
+/// there is none.
+pub(super) fn solve_within(
+    terms: &Terms<'_>,
+    bound: f64,
+    watch: &mut dyn Watch,
+) -> Result<Option<Solved>, TriangulateError> {
+    let mut table = Table::new(terms);
+    let bound = if bound > HIGHEST_BOUND { f64::INFINITY } else { bound };
+    let price = table.fill(bound, None, watch, 0.0..1.0)?;
+    Ok((price < f64::INFINITY).then(|| Solved { price, triangles: table.trace() }))
+}

@@ -1,0 +1,384 @@
+//! The table of all rungs, below a price that is found first among few samples.
+//!
+//! 1. Near to the rungs of a triangulation of the thinned loop, all that are near are priced and
+//!    put together: a band of the table. Next to a developable surface, its optimum costs a quarter
+//!    of what that of the thinned loop does, and is the cheapest triangulation of all or nearly so.
+//!    Where one step from few samples to more has shown that, the triangulation of the band is good
+//!    enough for the next step, and the table of the thinned loop, which takes several times as
+//!    long, is not filled. Where it does not come true one step later, it is.
+//! 2. Far from a developable surface, where the band is dearer than the thinned loop, its optimum
+//!    may have another shape than that of all samples; then the thinned loop is triangulated with
+//!    cheaper folds as well, and the cheaper of two bands is the bound.
+//! 3. If neither has a triangulation, the bound is guessed from the optimum of the thinned loop,
+//!    and raised until there is an answer below it.
+
+use super::near::Band;
+use super::table::Table;
+use super::{HIGHEST_BOUND, memory_needed, solve_within};
+use crate::cost::quantised;
+use crate::triangulate::part::Part;
+use crate::triangulate::thinned::{Thinned, kept};
+use crate::triangulate::{Solved, Terms, TriangulateError, if_it_fits};
+use sheetwright_geometry::watch::Watch;
+
+/// Loops with fewer samples are solved without a bound: it would cost more than it saves.
+const LEAST_THINNED: usize = 64;
+/// Of thinned loops with fewer samples, the cheapest triangulation is looked for in any case: that
+/// takes little.
+const LEAST_ROUGH: usize = 128;
+/// What costs up to so many times as much as the triangulation of the thinned loop near which it
+/// was found is taken to be nearly the cheapest. Next to a developable surface it is a quarter. Of
+/// random curves, some cost 0.31 to 0.46 times as much where another shape was far cheaper.
+const NEAR: f64 = 0.3;
+/// [`NEAR`] for a triangulation that is found with cheaper folds: it is one guess of two, so it may
+/// cost as much as that of the thinned loop.
+const NEAR_WITH_CHEAPER_FOLDS: f64 = 1.0;
+/// Where the next band costs more than so many times as much, what was taken to be nearly the
+/// cheapest was not.
+const NOT_NEAR: f64 = 0.5;
+/// A cheapest triangulation that costs as many times as much as the rough one, or more, leads to no
+/// other bound.
+const CHEAPER: f64 = 0.95;
+/// How much more than that of the thinned loop the answer may cost, where its rungs lead to none.
+const GUESSES: [f64; 2] = [1.3, 5.2];
+/// A table has so many times the tiles of the thinned loop's, each counted with entries up to its
+/// own price: the first next to a developable surface, the second where all are there.
+const GROWTH: [f64; 2] = [6.0, 16.0];
+/// The least growth, and the least as a share of the growth one step before. On the families and
+/// the planks of 2,600 to 16,000 samples, with folds, they were 3.74 (*wavy* of 2,600, whose
+/// thinned loop has hardly enough samples for `outside`; 4.02 on all others) and 0.80. Flat tiles,
+/// stored once, may make it less: 1.86 where all lies in one plane (1,200 to 4,000 samples): such a
+/// loop may be refused though it would just fit.
+const LEAST_GROWTH: f64 = 3.5;
+const LEAST_SHARE: f64 = 0.65;
+/// Where the table may not fit, that of the thinned loop may take one part in so many of the
+/// memory. With bounds as good as one another the table takes [`LEAST_GROWTH`] times as much or
+/// more, and would not fit either.
+const SHARE_OF_THINNED: u64 = 3;
+
+/// The cheapest triangulation; `None` if there is none.
+pub(in crate::triangulate) fn solve_priced(
+    terms: &Terms<'_>,
+    watch: &mut dyn Watch,
+) -> Result<Option<Solved>, TriangulateError> {
+    Ok(solve_in_table(terms, false, watch)?.map(|filled| filled.solved))
+}
+
+/// What the cheapest triangulation near to the rungs of these triangles costs, if that is less than
+/// `bound`; else `bound`.
+pub(in crate::triangulate) fn price_near(
+    terms: &Terms<'_>,
+    triangles: impl Iterator<Item = [usize; 3]>,
+    bound: f64,
+    watch: &mut dyn Watch,
+) -> Result<f64, TriangulateError> {
+    let mut table = Table::new(terms);
+    if table.m < LEAST_THINNED {
+        return Ok(bound);
+    }
+    let band = Band::about(triangles, &kept(terms), table.m);
+    let found = table.fill(bound, Some(&band), &mut Part::silent(watch), 0.0..0.0);
+    Ok(if_it_fits(found.map(Some))?.map_or(bound, |price| price.min(bound)))
+}
+
+/// A table with what was found in it.
+struct Filled<'a> {
+    solved: Solved,
+    table: Table<'a>,
+    /// How many tiles it has with entries up to the price.
+    tiles: usize,
+    /// How many times the tiles of that of the thinned loop these are, if those were counted and
+    /// are of one that was filled in the same way.
+    growth: Option<f64>,
+}
+
+/// The cheapest triangulation, with the table that holds it; `None` if there is none. `counts` says
+/// whether the tiles of thinned loops are counted.
+fn solve_in_table<'a>(
+    terms: &'a Terms<'a>,
+    counts: bool,
+    watch: &mut dyn Watch,
+) -> Result<Option<Filled<'a>>, TriangulateError> {
+    let mut table = Table::new(terms);
+    let bounds = Bounds::find(&mut table, counts, watch)?;
+    fill_below(table, &bounds, watch)
+}
+
+/// Fills the table below one bound after the other, until it holds a triangulation; `None` if none
+/// of the bounds leads to one.
+fn fill_below<'a>(
+    mut table: Table<'a>,
+    bounds: &Bounds,
+    watch: &mut dyn Watch,
+) -> Result<Option<Filled<'a>>, TriangulateError> {
+    let mut left = 1.0;
+    for &bound in &bounds.prices {
+        // How many bounds it takes is not known: each gets half of what is left of the progress.
+        let share = 1.0 - left..1.0 - 0.5 * left;
+        let price = table.fill(bound, None, watch, share)?;
+        if price < f64::INFINITY {
+            let solved = Solved { price, triangles: table.trace() };
+            let tiles = table.tiles_up_to(price);
+            let growth = bounds.tiles_of_thinned.map(|few| tiles as f64 / few as f64);
+            return Ok(Some(Filled { solved, table, tiles, growth }));
+        }
+        left *= 0.5;
+    }
+    Ok(None)
+}
+
+/// A triangulation that costs little.
+struct Rough {
+    solved: Solved,
+    /// Whether none costs less.
+    is_cheapest: bool,
+}
+
+/// One that costs up to `near` times as much as the one of still fewer samples near which it was
+/// found, or the cheapest; `None` if there is none.
+fn roughly(
+    terms: &Terms<'_>,
+    near: f64,
+    watch: &mut dyn Watch,
+) -> Result<Option<Rough>, TriangulateError> {
+    let mut table = Table::new(terms);
+    let bounds = Bounds::find(&mut table, false, watch)?;
+    let is_near = |&[price, thinned]: &[f64; 2]| table.m >= LEAST_ROUGH && price <= near * thinned;
+    if let Some([price, _]) = bounds.held.filter(is_near) {
+        let solved = Solved { price, triangles: table.trace() };
+        return Ok(Some(Rough { solved, is_cheapest: false }));
+    }
+    let filled = fill_below(table, &bounds, watch)?;
+    Ok(filled.map(|filled| Rough { solved: filled.solved, is_cheapest: true }))
+}
+
+/// Bounds on the price of the answer.
+struct Bounds {
+    /// To be tried one after the other; the last one holds, or is none.
+    prices: Vec<f64>,
+    /// What the triangulation costs that the table holds, if it holds one, and that of the thinned
+    /// loop near which it was found.
+    held: Option<[f64; 2]>,
+    /// How many tiles with entries up to its price the table of the thinned loop has, if they were
+    /// counted.
+    tiles_of_thinned: Option<usize>,
+}
+
+impl Bounds {
+    fn find(
+        table: &mut Table<'_>,
+        counts: bool,
+        watch: &mut dyn Watch,
+    ) -> Result<Self, TriangulateError> {
+        let found = if table.m < LEAST_THINNED {
+            None
+        } else {
+            Thinning::of(table).bounds(counts, &mut Part::silent(watch))?
+        };
+        let none = Self { prices: vec![f64::INFINITY], held: None, tiles_of_thinned: None };
+        Ok(found.unwrap_or(none))
+    }
+}
+
+/// A table, and the loop of some of its samples.
+struct Thinning<'t, 'a> {
+    table: &'t mut Table<'a>,
+    kept: Vec<usize>,
+    thinned: Thinned,
+    /// Whether the table may not fit the memory.
+    may_fail: bool,
+    /// What the table of the thinned loop may take at the most, bytes.
+    share: u64,
+}
+
+impl<'t, 'a> Thinning<'t, 'a> {
+    fn of(table: &'t mut Table<'a>) -> Self {
+        let terms = table.terms;
+        let kept = kept(terms);
+        let thinned = terms.thinned(&kept);
+        let may_fail = memory_needed(table.m) > terms.memory;
+        let share = if may_fail { terms.memory / SHARE_OF_THINNED } else { terms.memory };
+        Self { table, kept, thinned, may_fail, share }
+    }
+
+    /// Bounds by way of the thinned loop; `None` if that has no triangulation.
+    fn bounds(
+        self,
+        counts: bool,
+        watch: &mut dyn Watch,
+    ) -> Result<Option<Bounds>, TriangulateError> {
+        let mut tiles_of_thinned = None;
+        let rough = if counts || self.may_fail {
+            self.solved(watch)?.map(|(solved, tiles)| {
+                tiles_of_thinned = tiles;
+                Rough { solved, is_cheapest: true }
+            })
+        } else {
+            let few = self.thinned.terms().within(self.left());
+            roughly(&few, NEAR, watch).map_err(|error| self.refused(error))?
+        };
+        let Some(Rough { solved: mut coarse, is_cheapest }) = rough else { return Ok(None) };
+        let mut band = self.band_of(&coarse);
+        let mut price = self.table.fill(f64::INFINITY, Some(&band), watch, 0.0..0.0)?;
+        let mut held = price;
+        if price > NOT_NEAR * coarse.price && !is_cheapest {
+            let few = self.thinned.terms().within(self.left());
+            let before = coarse.price;
+            coarse = if_it_fits(solve_within(&few, before, watch))?.unwrap_or(coarse);
+            let other = self.band_of(&coarse);
+            if coarse.price < CHEAPER * before && !band.covers(&other) {
+                held = self.table.fill(price, Some(&other), watch, 0.0..0.0)?;
+                price = price.min(held);
+                band = other;
+            }
+        }
+        let mut held = Some([held, coarse.price]).filter(|[held, _]| *held < f64::INFINITY);
+        if self.table.terms.folds() && coarse.price <= HIGHEST_BOUND && price > coarse.price {
+            // The table is needed for others.
+            held = None;
+            price = price.min(self.with_cheaper_folds(&band, price, watch)?);
+        }
+        let guessed = |guess: f64| quantised((guess * coarse.price).min(HIGHEST_BOUND));
+        let prices = match price {
+            _ if coarse.price.min(price) > HIGHEST_BOUND => vec![f64::INFINITY],
+            f64::INFINITY => GUESSES.map(guessed).into_iter().chain([f64::INFINITY]).collect(),
+            _ => vec![price],
+        };
+        Ok(Some(Bounds { prices, held, tiles_of_thinned }))
+    }
+
+    /// The cheapest triangulation of the thinned loop, with the number of its tiles where they tell
+    /// something of this table.
+    fn solved(
+        &self,
+        watch: &mut dyn Watch,
+    ) -> Result<Option<(Solved, Option<usize>)>, TriangulateError> {
+        let (table, memory) = (&*self.table, self.table.terms.memory);
+        let few = self.thinned.terms().within(self.left());
+        let filled = solve_in_table(&few, true, watch).map_err(|error| self.refused(error))?;
+        let Some(Filled { solved, table: few, tiles, growth }) = filled else { return Ok(None) };
+        let places = table.bytes() + GROWTH[1] as u64 * few.bytes_of_places();
+        let grown = |growth: f64| places + (growth * few.bytes_of(tiles) as f64) as u64;
+        let growth = growth.unwrap_or(GROWTH[0]);
+        // Of a table that alone has what the rest of the loop costs in view, the other tells
+        // nothing.
+        let is_alike = few.has_outside() == table.has_outside();
+        let least = grown(LEAST_GROWTH.max(LEAST_SHARE * growth));
+        if self.may_fail && is_alike && least > memory {
+            return Err(self.too_large(grown(growth.clamp(GROWTH[0], GROWTH[1]))));
+        }
+        Ok(Some((solved, is_alike.then_some(tiles))))
+    }
+
+    /// What a triangulation costs near that of the thinned loop with cheaper folds, if it costs up
+    /// to `bound`; infinite if not, or where all that is near is near to the band that is known.
+    fn with_cheaper_folds(
+        self,
+        known: &Band,
+        bound: f64,
+        watch: &mut dyn Watch,
+    ) -> Result<f64, TriangulateError> {
+        let Self { table, kept, thinned, share, .. } = self;
+        let needed = memory_needed(kept.len()).min(share);
+        table.clear_for(needed);
+        let left = table.terms.memory.saturating_sub(table.bytes()).min(needed);
+        let thinned = thinned.with_cheaper_folds();
+        let few = thinned.terms().within(left);
+        let rough = if_it_fits(roughly(&few, NEAR_WITH_CHEAPER_FOLDS, watch))?;
+        let band = rough.map(|rough| Band::along(&rough.solved.triangles, &kept, table.m));
+        match band.filter(|band| !known.covers(band)) {
+            Some(band) => table.fill(bound, Some(&band), watch, 0.0..0.0),
+            None => Ok(f64::INFINITY),
+        }
+    }
+
+    /// What is near to a triangulation of the thinned loop.
+    fn band_of(&self, coarse: &Solved) -> Band {
+        Band::along(&coarse.triangles, &self.kept, self.table.m)
+    }
+
+    /// What is left for the table of the thinned loop, bytes.
+    fn left(&self) -> u64 {
+        self.table.terms.memory.saturating_sub(self.table.bytes()).min(self.share)
+    }
+
+    /// What it means that the thinned loop was refused.
+    fn refused(&self, error: TriangulateError) -> TriangulateError {
+        match error {
+            TriangulateError::TooLarge { needed, .. } => {
+                self.too_large(self.table.bytes() + (GROWTH[0] * needed as f64) as u64)
+            }
+            error => error,
+        }
+    }
+
+    fn too_large(&self, expected: u64) -> TriangulateError {
+        let needed = expected.min(memory_needed(self.table.m));
+        TriangulateError::TooLarge { needed, limit: self.table.terms.memory }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cost::{PriceOptions, Prices};
+    use crate::rung::Visibility;
+    use sheetwright_geometry::boundary::{Boundary, samples_from_points};
+    use sheetwright_geometry::curve::CurvePoint;
+    use sheetwright_geometry::math::{Point3, cos, sin};
+    use sheetwright_geometry::watch::Unwatched;
+    use sheetwright_shapes::random::Random;
+    use std::f64::consts::TAU;
+
+    /// About a circle that waves three times, by a Fourier series of order 5.
+    fn curve(m: usize, seed: u64) -> Boundary {
+        let mut random = Random::new(seed);
+        let wild = 0.1 * seed as f64;
+        let terms: Vec<[f64; 3]> = (1..=5)
+            .map(|k| [f64::from(k), random.unit() * wild / f64::from(k * k), random.unit() * TAU])
+            .collect();
+        let at = |i: usize| {
+            let t = TAU * i as f64 / m as f64;
+            let wave: f64 = terms.iter().map(|[k, high, from]| high * sin(k * t + from)).sum();
+            CurvePoint::smooth(Point3::new(cos(t), sin(t), 0.3 * sin(3.0 * t) + wave))
+        };
+        let points: Vec<CurvePoint> = (0..m).map(at).collect();
+        Boundary::new(vec![samples_from_points(&points)]).unwrap()
+    }
+
+    #[test]
+    fn what_was_found_roughly_leads_to_the_answer_of_the_table_alone() {
+        let mut found = [0; 2];
+        for (seed, fold) in (0..8).flat_map(|seed| [(seed, 0.0), (seed, 1.0)]) {
+            let boundary = curve(544, seed);
+            let options = PriceOptions { fold, ..Default::default() };
+            let prices = Prices::new(&boundary, None, options);
+            let everything = Visibility::everything();
+            let terms = Terms::new(&prices, &everything, false);
+            let thinned = terms.thinned(&kept(&terms));
+            let few = thinned.terms();
+            let rough = roughly(&few, NEAR, &mut Unwatched).unwrap().unwrap();
+            found[usize::from(rough.is_cheapest)] += 1;
+            let cheapest = solve_within(&few, rough.solved.price, &mut Unwatched).unwrap().unwrap();
+            assert!(cheapest.price <= rough.solved.price, "{seed} {fold}");
+            if rough.is_cheapest {
+                assert_eq!(cheapest.triangles, rough.solved.triangles, "{seed} {fold}");
+            }
+            let solved = solve_priced(&terms, &mut Unwatched).unwrap().unwrap();
+            let alone = solve_within(&terms, f64::INFINITY, &mut Unwatched).unwrap().unwrap();
+            assert_eq!(solved.price.to_bits(), alone.price.to_bits(), "{seed} {fold}");
+            assert_eq!(solved.triangles, alone.triangles, "{seed} {fold}");
+            // About the cheapest is none cheaper; below it there is nothing.
+            for bound in [f64::INFINITY, 10.0, solved.price, quantised(0.5 * solved.price)] {
+                let triangles = solved.triangles.iter().copied();
+                let price = price_near(&terms, triangles, bound, &mut Unwatched).unwrap();
+                assert_eq!(
+                    price.to_bits(),
+                    bound.min(solved.price).to_bits(),
+                    "{seed} {fold} {bound}"
+                );
+            }
+        }
+        assert!(found[0] > 2 && found[1] > 2, "{found:?}");
+    }
+}

@@ -1,0 +1,232 @@
+//! Between which bounds the N of many rungs lie, and what triangles with such sides cost at the
+//! least.
+//!
+//! With n the normal of a triangle whose three sides are rungs and s the sum of their N, its F is ν
+//! (3 − n · s) ≥ ν (3 − |s|) ≥ ν (9 − |s|²) / 6. As each N is a unit vector or zero, 9 − |s|² is at
+//! least the sum of the squares of what the three differ by, two at a time. Where one side is an
+//! edge of the boundary, 2 − |s| ≥ (4 − |s|²) / 4 is more than a sixth of the square of what the
+//! other two differ by. Of a triangle with two edges nothing is said; one without area costs 2 ν a
+//! rung, which is more than any of this.
+//!
+//! Where it is known about which way n points, the share of each side, ν (1 − n · N) = ½ ν |n −
+//! N|², tells more.
+
+use super::lanes::{highest, lowest};
+use crate::cost::{LANES, Lanes, QUANTUM};
+
+/// What N and F may lose to rounding, for ν = 1: some twenty operations on numbers up to 12.
+const SLACK: f64 = 1e-13;
+
+/// A box that the N of some rungs lie in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct NormalBox {
+    /// By axis.
+    least: [f64; 3],
+    greatest: [f64; 3],
+}
+
+impl NormalBox {
+    /// Of rungs of which nothing is known, or among which are edges of the boundary.
+    pub(super) const ANY: Self =
+        Self { least: [f64::NEG_INFINITY; 3], greatest: [f64::INFINITY; 3] };
+
+    /// Of no rung.
+    pub(super) const NONE: Self =
+        Self { least: [f64::INFINITY; 3], greatest: [f64::NEG_INFINITY; 3] };
+
+    /// Of what lies between these, by axis.
+    #[inline(always)]
+    pub(super) fn between(least: [f64; 3], greatest: [f64; 3]) -> Self {
+        Self { least, greatest }
+    }
+
+    /// Its corners, by axis.
+    pub(super) fn extremes(&self) -> ([f64; 3], [f64; 3]) {
+        (self.least, self.greatest)
+    }
+
+    /// Takes in another box.
+    #[inline(always)]
+    pub(super) fn include(&mut self, other: &Self) {
+        for axis in 0..3 {
+            self.least[axis] = self.least[axis].min(other.least[axis]);
+            self.greatest[axis] = self.greatest[axis].max(other.greatest[axis]);
+        }
+    }
+
+    /// Of the rungs whose `prices` are finite; `means` are their N.
+    #[inline(always)]
+    pub(super) fn of(prices: &[Lanes; LANES], means: &[[Lanes; 3]; LANES]) -> Self {
+        let mut least = [[f64::INFINITY; LANES]; 3];
+        let mut greatest = [[f64::NEG_INFINITY; LANES]; 3];
+        for (prices, means) in prices.iter().zip(means) {
+            for axis in 0..3 {
+                for n in 0..LANES {
+                    let (x, is_one) = (means[axis][n], prices[n] < f64::INFINITY);
+                    let is_lower = is_one & (x < least[axis][n]);
+                    let is_higher = is_one & (x > greatest[axis][n]);
+                    least[axis][n] = if is_lower { x } else { least[axis][n] };
+                    greatest[axis][n] = if is_higher { x } else { greatest[axis][n] };
+                }
+            }
+        }
+        Self {
+            least: [lowest(&least[0]), lowest(&least[1]), lowest(&least[2])],
+            greatest: [highest(&greatest[0]), highest(&greatest[1]), highest(&greatest[2])],
+        }
+    }
+
+    /// The square of what the N of one and of the other differ by at the least.
+    #[inline(always)]
+    fn apart_squared(&self, other: &Self) -> f64 {
+        let mut sum = 0.0;
+        for axis in 0..3 {
+            let above = self.least[axis] - other.greatest[axis];
+            let below = other.least[axis] - self.greatest[axis];
+            let gap = if above > below { above } else { below };
+            // No number where one box is any and the other has no rung: that adds nothing.
+            sum += if gap > 0.0 { gap * gap } else { 0.0 };
+        }
+        sum
+    }
+}
+
+/// The least F of triangles whose sides have their N in these boxes, one each, with the weight ν =
+/// `fold`.
+#[inline(always)]
+pub(super) fn least_fold(fold: f64, [a, b, c]: [&NormalBox; 3]) -> f64 {
+    let squares = a.apart_squared(b) + a.apart_squared(c) + b.apart_squared(c);
+    // Prices are rounded to the quantum.
+    let least = fold * (squares / 6.0 - SLACK) - QUANTUM;
+    if least > 0.0 { least } else { 0.0 }
+}
+
+/// The least F of triangles whose normals are no farther than `off` from `middle`, and whose sides
+/// have their N in these boxes, one each; an edge of the boundary has any. The share of a side is ν
+/// (1 − n · N) ≥ ½ ν |n − N|².
+#[inline(always)]
+pub(super) fn least_fold_about(
+    fold: f64,
+    (middle, off): ([f64; 3], f64),
+    sides: [&NormalBox; 3],
+) -> f64 {
+    let normal = NormalBox::between(middle, middle);
+    let mut squares = 0.0;
+    for side in sides {
+        let apart = side.apart_squared(&normal).sqrt() - off;
+        squares += if apart > 0.0 { apart * apart } else { 0.0 };
+    }
+    let least = fold * (0.5 * squares - SLACK) - QUANTUM;
+    if least > 0.0 { least } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cost::{PriceOptions, Prices};
+    use sheetwright_geometry::boundary::{Boundary, samples_from_points};
+    use sheetwright_geometry::curve::CurvePoint;
+    use sheetwright_geometry::math::{Point3, Vec3, cos, sin, unit};
+    use sheetwright_shapes::random::Random;
+    use std::f64::consts::TAU;
+
+    /// The box of a tile, some rungs of which have a price and an N around this one, and those N.
+    fn around(random: &mut Random, middle: Vec3, reach: f64) -> (NormalBox, Vec<Vec3>) {
+        let (mut prices, mut means) = ([[f64::INFINITY; LANES]; LANES], [[[0.0; LANES]; 3]; LANES]);
+        let mut list = Vec::new();
+        for row in 0..LANES {
+            for n in 0..LANES {
+                let off = [(); 3].map(|()| random.between(-reach, reach));
+                let mean = unit(middle + Vec3::from_array(off)).unwrap();
+                if random.between(0.0, 1.0) < 0.05 {
+                    prices[row][n] = random.between(0.0, 1.0);
+                    list.push(mean);
+                }
+                (0..3).for_each(|axis| means[row][axis][n] = mean[axis]);
+            }
+        }
+        (NormalBox::of(&prices, &means), list)
+    }
+
+    #[test]
+    fn no_triangle_costs_less_than_the_boxes_of_its_sides() {
+        let mut random = Random::new(61);
+        let mut shares = Vec::new();
+        for turn in 0..300 {
+            let apart = [0.01, 0.1, 0.6][turn % 3];
+            let middle = |random: &mut Random| {
+                let off = [(); 3].map(|()| random.between(-apart, apart));
+                unit(Vec3::Z + Vec3::from_array(off)).unwrap()
+            };
+            let tiles = [(); 3].map(|()| {
+                let middle = middle(&mut random);
+                around(&mut random, middle, 0.1 * apart)
+            });
+            let [a, b, c] = &tiles;
+            let least = least_fold(1.0, [&a.0, &b.0, &c.0]);
+            let of_two = least_fold(1.0, [&a.0, &b.0, &NormalBox::ANY]);
+            assert_eq!(least_fold(1.0, [&a.0, &NormalBox::ANY, &NormalBox::ANY]), 0.0);
+            // The cheapest normal lies along the sum.
+            let mut cheapest = f64::INFINITY;
+            for &x in &a.1 {
+                for &y in &b.1 {
+                    assert!(2.0 - (x + y).length() >= of_two);
+                    for &z in &c.1 {
+                        cheapest = cheapest.min(3.0 - (x + y + z).length());
+                    }
+                }
+            }
+            assert!(cheapest >= least, "{cheapest} {least}");
+            assert!(least_fold(0.5, [&a.0, &b.0, &c.0]) <= 0.5 * least);
+            shares.push(least / cheapest);
+        }
+        // They tell something.
+        shares.sort_by(f64::total_cmp);
+        assert!(shares[150] > 0.5, "{}", shares[150]);
+    }
+
+    #[test]
+    fn no_triangle_of_a_boundary_costs_less_than_its_own_sides_tell() {
+        let at = |i: u32| {
+            let t = TAU * f64::from(i) / 60.0;
+            CurvePoint::smooth(Point3::new(cos(t), sin(t), if i < 30 { 0.0 } else { 0.2 * sin(t) }))
+        };
+        let samples = samples_from_points(&(0..60).map(at).collect::<Vec<_>>());
+        let boundary = Boundary::new(vec![samples]).unwrap();
+        let prices = Prices::new(&boundary, None, PriceOptions::default());
+        let mean = |i: usize, j: usize| {
+            let planes = if prices.neighbours(i, j) { None } else { prices.planes(i, j) };
+            planes.map_or(Vec3::ZERO, |planes| planes.mean)
+        };
+        let of_one = |i: usize, j: usize, mean: Vec3| {
+            if prices.neighbours(i, j) {
+                return NormalBox::ANY;
+            }
+            NormalBox { least: mean.to_array(), greatest: mean.to_array() }
+        };
+        let mut told = 0;
+        for (i, k) in (0..60).flat_map(|i| (i + 1..60).map(move |k| (i, k))) {
+            for j in k + 1..60 {
+                let means = [mean(i, k), mean(k, j), mean(i, j)];
+                // As they are, and with a rung whose planes are opposite, which has no N.
+                for means in [means, [Vec3::ZERO, means[1], means[2]]] {
+                    let boxes =
+                        [of_one(i, k, means[0]), of_one(k, j, means[1]), of_one(i, j, means[2])];
+                    let least = least_fold(1.0, [&boxes[0], &boxes[1], &boxes[2]]);
+                    assert!(prices.triangle([i, k, j], means) >= least, "{i} {k} {j}");
+                    told += usize::from(least > 0.0);
+                }
+            }
+        }
+        assert!(told > 10_000, "{told}");
+    }
+
+    #[test]
+    fn without_rungs_there_is_no_triangle() {
+        let means = [[[0.0; LANES]; 3]; LANES];
+        let none = NormalBox::of(&[[f64::INFINITY; LANES]; LANES], &means);
+        let some = NormalBox::of(&[[0.0; LANES]; LANES], &means);
+        assert_eq!(least_fold(1.0, [&none, &some, &some]), f64::INFINITY);
+        assert_eq!(least_fold(1.0, [&some; 3]), 0.0);
+    }
+}

@@ -1,0 +1,300 @@
+//! What is known of all rungs between two runs, and of the triangles on edges of the one whose
+//! third corner lies in the other.
+//!
+//! Each thread takes one *block* of neighbouring runs after the other, and prices the rungs from
+//! their samples to all later ones (`pricing`), row by row of tiles. The triangles on the edge from
+//! a block to the next are found by the former, so that no block needs another.
+
+use super::pricing::{Gathered, LastRow, LastRung, Linking, Pricing, Row};
+use super::runs::Runs;
+use crate::cost::{FarEnds, LANES, Lanes};
+use crate::triangulate::optimal::normals::NormalBox;
+use crate::triangulate::optimal::open::Open;
+use crate::triangulate::optimal::threads::{Helpers, MOST_THREADS};
+use crate::triangulate::{Terms, TriangulateError};
+use sheetwright_geometry::watch::Watch;
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+/// Rows of tiles in a block where threads share them, at the least: rungs from the first sample of
+/// the next are priced twice.
+const LEAST_ROWS: usize = 4;
+/// Blocks for each thread, so that none waits long for the others.
+const BLOCKS_A_THREAD: usize = 8;
+
+/// What is known of two runs, a and b, which may be one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Cell {
+    /// No rung between them costs less; infinite if there is none up to the bound.
+    pub(super) least: f64,
+    /// Where N of the rungs up to the bound lies.
+    pub(super) normals: NormalBox,
+    /// Lower bounds on the price, with half of the prices of its rungs, of a triangle on an edge
+    /// between samples of a with its third corner in b, and of one on an edge in b with its third
+    /// corner in a. Close to the least price where folds are slight.
+    pub(super) on_edges: [f64; 2],
+    /// Lower bounds on the price, with half of the prices of its rungs, of a triangle on the edge
+    /// from a to the run after it with its third corner in b, and of one on the edge from b to the
+    /// run after it with its third corner in a.
+    pub(super) on_links: [f64; 2],
+}
+
+impl Cell {
+    const UNKNOWN: Self = Self {
+        least: f64::INFINITY,
+        normals: NormalBox::NONE,
+        on_edges: [f64::INFINITY; 2],
+        on_links: [f64::INFINITY; 2],
+    };
+}
+
+/// The cells of all pairs of runs, by the first.
+pub(super) struct Cells {
+    pub(super) runs: Runs,
+    cells: Vec<Cell>,
+}
+
+impl Cells {
+    /// What they take while they are priced, for so many runs of so many samples, with as many
+    /// threads as there may be, bytes.
+    pub(super) fn bytes(runs: usize, samples: usize) -> u64 {
+        let of_tiles = size_of::<FarEnds>() + MOST_THREADS * size_of::<LastRow>();
+        let of_pairs = (runs as u64).pow(2) * size_of::<Cell>() as u64;
+        of_pairs + (samples.div_ceil(LANES) * of_tiles) as u64
+    }
+
+    /// Prices all rungs that spans leave open.
+    pub(super) fn new(
+        terms: &Terms<'_>,
+        registers: pulp::Arch,
+        open: &Open<'_>,
+        runs: Runs,
+        watch: &mut dyn Watch,
+    ) -> Result<Self, TriangulateError> {
+        let count = terms.prices.len().div_ceil(LANES);
+        let helpers = Helpers::call(count);
+        let rows = helpers.as_ref().map_or(count, |helpers| {
+            count.div_ceil(BLOCKS_A_THREAD * (1 + helpers.count())).max(LEAST_ROWS)
+        });
+        Self::in_blocks(terms, registers, open, runs, rows, helpers.as_ref(), watch)
+    }
+
+    /// Prices all rungs that spans leave open, with this many rows of tiles in a block or some
+    /// more, and these helpers.
+    pub(super) fn in_blocks(
+        terms: &Terms<'_>,
+        registers: pulp::Arch,
+        open: &Open<'_>,
+        runs: Runs,
+        rows: usize,
+        helpers: Option<&Helpers>,
+        watch: &mut dyn Watch,
+    ) -> Result<Self, TriangulateError> {
+        let count = terms.prices.len().div_ceil(LANES);
+        let ends: Vec<FarEnds> = (0..count).map(|at| terms.prices.far_ends(at * LANES)).collect();
+        let mut cells = vec![Cell::UNKNOWN; runs.len() * runs.len()];
+        let all = All {
+            terms,
+            registers,
+            open,
+            ends: &ends,
+            blocks: Mutex::new(blocks(&runs, rows, count, &mut cells).into_iter()),
+            is_stopped: AtomicBool::new(false),
+        };
+        let mut lead = || {
+            all.price(&mut |row| {
+                // Rows have as many tiles as there are rows below.
+                let below = (count - row) as f64 / count as f64;
+                watch.progress(1.0 - below * below);
+                !watch.stop()
+            });
+        };
+        match helpers {
+            Some(helpers) => helpers.join(|| all.price(&mut |_| true), lead),
+            None => lead(),
+        }
+        if all.is_stopped.into_inner() {
+            return Err(TriangulateError::Stopped);
+        }
+        // The edge from the last sample to the first is no rung, and costs nothing.
+        let root = &mut cells[runs.len() - 1];
+        (root.least, root.normals) = (0.0, NormalBox::ANY);
+        Ok(Self { runs, cells })
+    }
+
+    #[inline(always)]
+    pub(super) fn of(&self, a: usize, b: usize) -> &Cell {
+        &self.cells[a * self.runs.len() + b]
+    }
+}
+
+/// Parts `count` rows of tiles to blocks of `rows` or some more, which begin with a run.
+fn blocks<'c>(
+    runs: &'c Runs,
+    rows: usize,
+    count: usize,
+    mut cells: &'c mut [Cell],
+) -> Vec<Block<'c>> {
+    let begins_run =
+        |row: usize| row == count || runs.samples(runs.of(row * LANES)).start == row * LANES;
+    let mut blocks = vec![];
+    let (mut row, mut run) = (0, 0);
+    while row < count {
+        let end = (row + rows..count).find(|row| begins_run(*row)).unwrap_or(count);
+        let next = if end == count { runs.len() } else { runs.of(end * LANES) };
+        let (own, others) = cells.split_at_mut((next - run) * runs.len());
+        cells = others;
+        blocks.push(Block { runs, rows: row..end, first: run, cells: own });
+        (row, run) = (end, next);
+    }
+    blocks
+}
+
+/// The cells of neighbouring runs with all others.
+pub(super) struct Block<'c> {
+    pub(super) runs: &'c Runs,
+    /// The rows of tiles with the samples of its runs.
+    rows: Range<usize>,
+    first: usize,
+    cells: &'c mut [Cell],
+}
+
+impl Block<'_> {
+    #[inline(always)]
+    fn of_mut(&mut self, a: usize, b: usize) -> &mut Cell {
+        &mut self.cells[(a - self.first) * self.runs.len() + b]
+    }
+
+    /// Takes what was gathered of run a and one column of tiles.
+    pub(super) fn take(&mut self, a: usize, to: &FarEnds, gathered: &Gathered) {
+        for lane in 0..to.count {
+            let j = to.first + lane;
+            let b = self.runs.of(j);
+            if b < a {
+                continue;
+            }
+            let cell = self.of_mut(a, b);
+            cell.least = cell.least.min(gathered.prices[lane]);
+            let at = |of: &[Lanes; 3]| [of[0][lane], of[1][lane], of[2][lane]];
+            cell.normals.include(&NormalBox::between(at(&gathered.least), at(&gathered.greatest)));
+            cell.on_edges[0] = cell.on_edges[0].min(gathered.on_row_edges[lane]);
+            // That of a column is the edge before it.
+            let price = gathered.on_column_edges[lane];
+            let before = if j == 0 { b } else { self.runs.of(j - 1) };
+            if before == b {
+                let cell = self.of_mut(a, b);
+                cell.on_edges[1] = cell.on_edges[1].min(price);
+            } else if before > a {
+                let cell = self.of_mut(a, before);
+                cell.on_links[1] = cell.on_links[1].min(price);
+            }
+        }
+    }
+
+    /// Takes a tile whose rungs cost nothing and have this N. What triangles between it and others
+    /// cost is not looked at: they cost nothing at the least.
+    fn take_flat(&mut self, rows: Range<usize>, to: &FarEnds, mean: [f64; 3]) {
+        let gathered = Gathered::flat(mean);
+        for i in rows.clone() {
+            let begins_run = i == 0 || self.runs.of(i - 1) != self.runs.of(i);
+            if i == rows.start || begins_run {
+                self.take(self.runs.of(i), to, &gathered);
+            }
+            // The block before has the edge before the first row.
+            if begins_run && i > self.rows.start * LANES {
+                self.take_link(i, to, &[0.0; LANES]);
+            }
+        }
+    }
+
+    /// Takes the least prices of triangles on the edge before sample i, the first of a run, and of
+    /// one column of tiles.
+    pub(super) fn take_link(&mut self, i: usize, to: &FarEnds, least: &Lanes) {
+        let (before, run) = (self.runs.of(i - 1), self.runs.of(i));
+        for lane in 0..to.count {
+            let b = self.runs.of(to.first + lane);
+            if b > run {
+                let cell = self.of_mut(before, b);
+                cell.on_links[0] = cell.on_links[0].min(least[lane]);
+            }
+        }
+    }
+}
+
+/// What threads share that price all blocks.
+struct All<'s, 'c> {
+    terms: &'s Terms<'s>,
+    registers: pulp::Arch,
+    open: &'s Open<'s>,
+    ends: &'s [FarEnds],
+    /// Those that no thread has taken.
+    blocks: Mutex<std::vec::IntoIter<Block<'c>>>,
+    is_stopped: AtomicBool,
+}
+
+impl All<'_, '_> {
+    /// Prices blocks until none is left, or `goes_on` says no before some row of tiles.
+    fn price(&self, goes_on: &mut dyn FnMut(usize) -> bool) {
+        // The last row that was priced in each column of tiles.
+        let mut above = vec![];
+        let next = || self.blocks.lock().unwrap_or_else(PoisonError::into_inner).next();
+        while let Some(mut block) = next() {
+            above.clear();
+            above.resize(self.ends.len(), LastRow::NONE);
+            for row in block.rows.clone() {
+                if self.is_stopped.load(Ordering::Relaxed) || !goes_on(row) {
+                    self.is_stopped.store(true, Ordering::Relaxed);
+                    return;
+                }
+                self.price_row(&mut block, row, &mut above);
+            }
+            self.link(&mut block, &above);
+        }
+    }
+
+    /// Prices a row of tiles.
+    fn price_row(&self, block: &mut Block<'_>, row: usize, above: &mut [LastRow]) {
+        let (terms, bound) = (self.terms, self.open.bound);
+        let rows = row * LANES..terms.prices.len().min((row + 1) * LANES);
+        let mut before = [LastRung::NONE; LANES];
+        let mut turns = [Row::NONE; 2];
+        for column in row..self.ends.len() {
+            let above = &mut above[column];
+            if !self.open.is_open(row, column) {
+                *above = LastRow::NONE;
+                before = [LastRung::NONE; LANES];
+                continue;
+            }
+            if let Some(mean) = self.open.flat_mean(row, column) {
+                block.take_flat(rows.clone(), &self.ends[column], mean);
+                *above = LastRow::flat(mean);
+                before = [LastRung::flat(mean); LANES];
+                continue;
+            }
+            let (rows, to) = (rows.clone(), &self.ends[column]);
+            let (before, turns) = (&mut before, &mut turns);
+            self.registers.dispatch(Pricing {
+                terms,
+                bound,
+                rows,
+                to,
+                above,
+                before,
+                turns,
+                block,
+            });
+        }
+    }
+
+    /// Finds what triangles on the edge after the last sample of a block cost.
+    fn link(&self, block: &mut Block<'_>, above: &[LastRow]) {
+        let (terms, bound, row) = (self.terms, self.open.bound, block.rows.end);
+        for column in row..self.ends.len() {
+            if self.open.is_open(row, column) {
+                let (i, to, above) = (row * LANES, &self.ends[column], &above[column]);
+                self.registers.dispatch(Linking { terms, bound, i, to, above, block });
+            }
+        }
+    }
+}

@@ -1,0 +1,379 @@
+use super::between::Between;
+use super::*;
+use crate::cost::{PriceOptions, Prices, QUANTUM, Strip, quantised};
+use crate::rung::Visibility;
+use crate::triangulate::span::Span;
+use crate::triangulate::{Rule, Side};
+use sheetwright_geometry::boundary::{Boundary, samples_from_points};
+use sheetwright_geometry::curve::CurvePoint;
+use sheetwright_geometry::math::{Point3, cos, sin};
+use sheetwright_geometry::watch::Unwatched;
+
+/// A bent plate of `m` samples with four corners and two straight sides; a wavy loop.
+fn boundaries(m: usize) -> [Boundary; 2] {
+    let plate = |i: usize| {
+        let (side, t) = (4 * i / m, (4 * i % m) as f64 / m as f64);
+        let [s, z] = [[t, 0.0], [1.0, t], [1.0 - t, 1.0], [0.0, 1.0 - t]][side];
+        let at = Point3::new(sin(2.0 * s), 0.3 * s * z - cos(2.0 * s), z);
+        CurvePoint { corner: (4 * i).is_multiple_of(m), ..CurvePoint::smooth(at) }
+    };
+    let wavy = |i: usize| {
+        let t = std::f64::consts::TAU * i as f64 / m as f64;
+        CurvePoint::smooth(Point3::new(cos(t), sin(t), 0.3 * sin(3.0 * t)))
+    };
+    let points: [Vec<CurvePoint>; 2] = [(0..m).map(plate).collect(), (0..m).map(wavy).collect()];
+    points.map(|points| Boundary::new(vec![samples_from_points(&points)]).unwrap())
+}
+
+#[test]
+fn strips_are_what_single_sides_are() {
+    let m = 320;
+    let (mut admitted, mut dear) = (0, 0);
+    for boundary in boundaries(m) {
+        let prices = Prices::new(&boundary, None, PriceOptions::default());
+        let some = Visibility::of_pairs(m, |i, j| (i * 7 + j * 3) % 5 != 0);
+        for visibility in [Visibility::everything(), some] {
+            for (forced, bar, limit) in [
+                (false, f64::INFINITY, f64::INFINITY),
+                (false, f64::INFINITY, 0.02),
+                (true, f64::INFINITY, 0.02),
+                (false, 0.1, 0.02),
+            ] {
+                let terms = Terms { bar, ..Terms::new(&prices, &visibility, forced) };
+                let mut strip = Strip::BLANK;
+                for (i, first) in (0..m).flat_map(|i| [(i, i / 16 * 16), (i, 256), (i, 304)]) {
+                    terms.strip::<true>(i, &prices.far_ends(first), limit, &mut strip);
+                    for (n, j) in (first..first + LANES).enumerate().filter(|(_, j)| *j > i) {
+                        let side = terms.side(i, j);
+                        if side.price <= limit.min(f64::MAX) {
+                            let mean = Vec3::from_array(strip.means.map(|mean| mean[n]));
+                            assert_eq!((strip.prices[n], mean), (side.price, side.mean));
+                            admitted += 1;
+                        } else {
+                            assert!(strip.prices[n] > limit.min(f64::MAX), "{i} {j}");
+                            dear += 1;
+                        }
+                    }
+                }
+            }
+        }
+    }
+    assert!(admitted > 10_000 && dear > 10_000, "{admitted} {dear}");
+}
+
+#[test]
+fn tiles_that_are_not_looked_at_have_no_entries() {
+    let mut closed = 0;
+    for (boundary, fold) in boundaries(320).iter().flat_map(|b| [(b, 0.0), (b, 1.0)]) {
+        let prices = Prices::new(boundary, None, PriceOptions { fold, ..Default::default() });
+        let everything = Visibility::everything();
+        for (forced, rule) in [(false, Rule::Sum), (true, Rule::Sum), (false, Rule::Worst)] {
+            let terms = Terms { rule, ..Terms::new(&prices, &everything, forced) };
+            let known = crate::triangulate::optimal::solve_priced(&terms, &mut Unwatched);
+            let bound = known.unwrap().unwrap().price;
+            let terms = Terms { bar: if forced { 0.5 * bound } else { f64::INFINITY }, ..terms };
+            let (mut table, mut full) = (Table::new(&terms), Table::new(&terms));
+            let few = table.fill(bound, None, &mut Unwatched, 0.0..1.0).unwrap();
+            // Without spans, no side is left out for its own share in the folds either.
+            let all = Open::new(&terms, bound, None).without_spans();
+            assert_eq!(few, full.fill_open(&all, &mut Unwatched, 0.0..1.0).unwrap());
+            for (i, j) in (0..table.m).flat_map(|i| (i + 1..320).map(move |j| (i, j))) {
+                assert_eq!(table.entry(i, j), full.entry(i, j), "{i} {j}");
+            }
+            let open = Open::new(&terms, bound, None);
+            let tiles = (0..20).flat_map(|row| (row..20).map(move |column| (row, column)));
+            closed += tiles.filter(|&(row, column)| !open.is_open(row, column)).count();
+            if bound < f64::INFINITY && !forced {
+                assert_eq!(table.trace(), full.trace());
+            }
+        }
+    }
+    assert!(closed > 100, "{closed}");
+}
+
+#[test]
+fn entries_are_all_those_of_equation_5_up_to_the_bound() {
+    // The last tiles are not full.
+    let m = 315;
+    let (mut empty, mut apart) = (0, 0);
+    for (boundary, fold) in boundaries(m).iter().flat_map(|b| [(b, 0.0), (b, 1.0)]) {
+        let prices = Prices::new(boundary, None, PriceOptions { fold, ..Default::default() });
+        let everything = Visibility::everything();
+        let terms = Terms::new(&prices, &everything, false);
+        let sides: Vec<Vec<Side>> =
+            (0..m).map(|j| (0..j).map(|i| terms.side(i, j)).collect()).collect();
+        let mut plain = vec![vec![0.0; m]; m];
+        for (length, i) in (2..m).flat_map(|length| (0..m - length).map(move |i| (length, i))) {
+            let j = i + length;
+            let price = |k: usize| {
+                let means = [sides[k][i].mean, sides[j][k].mean, sides[j][i].mean];
+                plain[i][k] + plain[k][j] + prices.triangle([i, k, j], means)
+            };
+            plain[i][j] = sides[j][i].price + (i + 1..j).map(price).fold(f64::INFINITY, f64::min);
+        }
+        let answer = plain[0][m - 1];
+        for bound in [answer, quantised(1.5 * answer)] {
+            let mut table = Table::new(&terms);
+            assert_eq!(table.fill(bound, None, &mut Unwatched, 0.0..1.0), Ok(answer));
+            for (i, j) in (0..m).flat_map(|i| (i + 1..m).map(move |j| (i, j))) {
+                let expected = if plain[i][j] <= bound { plain[i][j] } else { f64::INFINITY };
+                assert_eq!(table.entry(i, j), expected, "{i} {j}");
+            }
+            // What is left out, and by what.
+            let open = Open::new(&terms, bound, None);
+            for (row, column) in (0..20).flat_map(|row| (row + 2..20).map(move |c| (row, c))) {
+                let mut between = Between::new(row, column);
+                let is_empty =
+                    table.leaves_nothing::<true>(&mut between, bound + QUANTUM, |a, b| a + b);
+                empty += usize::from(is_empty && open.is_open(row, column));
+                while table.find_next::<true>(&mut between, |a, b| a + b) {}
+                if let Some(tile) = table.store.tile(row, column) {
+                    table.know_normals(&mut between, *tile.normals());
+                    apart += between.found.iter().filter(|sides| sides.least > bound).count();
+                }
+            }
+        }
+    }
+    assert!(empty > 50 && apart > 200, "{empty} {apart}");
+}
+
+#[test]
+fn tiles_that_stand_in_many_places_have_the_n_of_all() {
+    // A patch of a cylinder, whose arcs lie in planes.
+    let m = 640;
+    let patch = |i: usize| {
+        let (side, t) = (4 * i / m, (4 * i % m) as f64 / m as f64);
+        let [s, z] = [[t, -0.8], [1.0, 1.6 * t - 0.8], [1.0 - t, 0.8], [0.0, 0.8 - 1.6 * t]][side];
+        let at = Point3::new(cos(2.0 * s - 1.0), sin(2.0 * s - 1.0), z);
+        CurvePoint { corner: (4 * i).is_multiple_of(m), ..CurvePoint::smooth(at) }
+    };
+    let samples = samples_from_points(&(0..m).map(patch).collect::<Vec<_>>());
+    let boundary = Boundary::new(vec![samples]).unwrap();
+    let prices = Prices::new(&boundary, None, PriceOptions::default());
+    let everything = Visibility::everything();
+    let terms = Terms::new(&prices, &everything, false);
+    let mut table = Table::new(&terms);
+    // What the rest of the loop costs would leave out most of them.
+    table.fill_beside(None, &Open::new(&terms, 0.5, None), &mut Unwatched).unwrap();
+    let mut places = std::collections::BTreeMap::new();
+    for (row, column) in (0..m / LANES).flat_map(|row| (row..m / LANES).map(move |c| (row, c))) {
+        let Some(tile) = table.store.tile(row, column) else { continue };
+        *places.entry(std::ptr::from_ref(tile)).or_insert(0) += 1;
+        let ends =
+            (0..LANES * LANES).map(|at| (row * LANES + at / LANES, column * LANES + at % LANES));
+        for (i, j) in ends.filter(|&(i, j)| i < j && table.entry(i, j) < f64::INFINITY) {
+            assert_eq!(table.mean(i, j), terms.side(i, j).mean.to_array(), "{i} {j}");
+        }
+    }
+    // One for each arc.
+    let shared: Vec<i32> = places.into_values().filter(|&count| count > 1).collect();
+    assert!(shared.len() == 2 && shared.iter().all(|&count| count > 20), "{shared:?}");
+}
+
+#[test]
+fn rungs_of_long_runs_cost_what_their_spans_say_or_more() {
+    let m = 2_100;
+    let mut closed = 0;
+    for boundary in boundaries(m) {
+        let prices = Prices::new(&boundary, None, PriceOptions::default());
+        let everything = Visibility::everything();
+        let terms = Terms::new(&prices, &everything, false);
+        // With a bound as low as that, only the spans of long runs are asked.
+        let open = Open::new(&terms, QUANTUM, None);
+        let mut strip = Strip::BLANK;
+        for column in 0..m.div_ceil(LANES) {
+            let to = prices.far_ends(column * LANES);
+            for row in 0..column {
+                let least = open.least(row, column);
+                if least <= QUANTUM {
+                    continue;
+                }
+                closed += 1;
+                for i in row * LANES..(row + 1) * LANES {
+                    terms.strip::<false>(i, &to, f64::INFINITY, &mut strip);
+                    assert!(strip.prices[..to.count].iter().all(|&price| price >= least), "{i}");
+                }
+            }
+        }
+    }
+    assert!(closed > 1_000, "{closed}");
+}
+
+#[test]
+fn samples_lie_where_their_spans_say() {
+    for boundary in boundaries(320) {
+        // Far from the origin, where coordinates are coarse.
+        for away in [0.0, 5e8] {
+            let points = boundary.samples().iter().map(|sample| {
+                let [x, y, z] = sample.position.to_vec().to_array();
+                CurvePoint::smooth(Point3::new(x + away, y - away, z))
+            });
+            let samples = samples_from_points(&points.collect::<Vec<_>>());
+            let boundary = Boundary::new(vec![samples]).unwrap();
+            let prices = Prices::new(&boundary, None, PriceOptions::default());
+            let everything = Visibility::everything();
+            let terms = Terms::new(&prices, &everything, false);
+            for start in (0..320).step_by(LANES) {
+                let segment = Span::of(&terms, start..start + LANES).segment();
+                let ends = segment.ends.map(Vec3::from_array);
+                let (from, along) = (ends[0], ends[1] - ends[0]);
+                for i in start..start + LANES {
+                    let to = Vec3::from_array(prices.smooth_end(i).0) - from;
+                    let share = (to.dot(along) / along.length_squared()).clamp(0.0, 1.0);
+                    let off = (to - along * share).length();
+                    assert!(off <= segment.bow * (1.0 + 1e-12), "{i}: {off} {}", segment.bow);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn registers_change_no_bit() {
+    #[cfg(target_arch = "x86_64")]
+    let narrow = [Some(pulp::Arch::Scalar), pulp::x86::V3::try_new().map(pulp::Arch::V3)];
+    #[cfg(not(target_arch = "x86_64"))]
+    let narrow = [Some(pulp::Arch::Scalar)];
+    for (boundary, fold) in boundaries(320).iter().flat_map(|b| [(b, 0.0), (b, 1.0)]) {
+        let prices = Prices::new(boundary, None, PriceOptions { fold, ..Default::default() });
+        let everything = Visibility::everything();
+        for rule in [Rule::Sum, Rule::Worst] {
+            let terms = Terms { rule, ..Terms::new(&prices, &everything, false) };
+            let mut widest = Table::new(&terms);
+            let price = widest.fill(1.0, None, &mut Unwatched, 0.0..1.0).unwrap();
+            assert!(price < 1.0, "{price}");
+            for registers in narrow.into_iter().flatten() {
+                let mut table = Table { registers, ..Table::new(&terms) };
+                assert_eq!(table.fill(1.0, None, &mut Unwatched, 0.0..1.0).unwrap(), price);
+                for (i, j) in (0..table.m).flat_map(|i| (i + 1..320).map(move |j| (i, j))) {
+                    assert_eq!(table.entry(i, j), widest.entry(i, j), "{registers:?} {i} {j}");
+                    if table.entry(i, j) < f64::INFINITY {
+                        assert_eq!(table.mean(i, j), widest.mean(i, j), "{registers:?} {i} {j}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[cfg(feature = "rayon")]
+mod threads {
+    use super::*;
+    use std::cell::Cell;
+    use std::panic::{AssertUnwindSafe, catch_unwind};
+
+    fn pool(threads: usize) -> rayon::ThreadPool {
+        rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap()
+    }
+
+    /// Stops, or panics, once it was told of so much progress.
+    struct Ending {
+        told: Cell<f64>,
+        at: f64,
+        panics: bool,
+    }
+
+    impl Watch for Ending {
+        fn progress(&mut self, done: f64) {
+            assert!(done >= self.told.get() && done <= 1.0, "{done} after {}", self.told.get());
+            self.told.set(done);
+        }
+
+        fn stop(&self) -> bool {
+            let ends = self.told.get() >= self.at;
+            assert!(!(ends && self.panics), "as wanted");
+            ends
+        }
+    }
+
+    #[test]
+    fn any_number_of_threads_fills_the_same_table() {
+        // More columns of tiles than are filled together, and fewer.
+        for m in [315, 640] {
+            for (boundary, fold) in boundaries(m).iter().flat_map(|b| [(b, 0.0), (b, 1.0)]) {
+                let prices =
+                    Prices::new(boundary, None, PriceOptions { fold, ..Default::default() });
+                let everything = Visibility::everything();
+                for (rule, bound) in
+                    [(Rule::Sum, 1.0), (Rule::Sum, f64::INFINITY), (Rule::Worst, f64::INFINITY)]
+                {
+                    let terms = Terms { rule, ..Terms::new(&prices, &everything, false) };
+                    let filled = |threads: usize| {
+                        let mut table = Table::new(&terms);
+                        assert_eq!(
+                            pool(threads)
+                                .install(|| Helpers::call(table.m.div_ceil(LANES)))
+                                .is_some(),
+                            threads > 1
+                        );
+                        let fill = || table.fill(bound, None, &mut Unwatched, 0.0..1.0);
+                        pool(threads).install(fill).unwrap();
+                        table
+                    };
+                    let alone = filled(1);
+                    assert!(alone.entry(0, m - 1) < f64::INFINITY);
+                    for threads in [2, 3, 8] {
+                        let table = filled(threads);
+                        for (i, j) in (0..m).flat_map(|i| (i + 1..m).map(move |j| (i, j))) {
+                            let what = format!("{threads} threads, {i} {j}");
+                            let entries = [&table, &alone].map(|table| table.entry(i, j).to_bits());
+                            assert_eq!(entries[0], entries[1], "{what}");
+                            // N means nothing elsewhere.
+                            if alone.entry(i, j) < f64::INFINITY {
+                                assert_eq!(table.mean(i, j), alone.mean(i, j), "{what}");
+                            }
+                        }
+                        assert_eq!(table.trace(), alone.trace(), "{threads} threads");
+                        assert_eq!(table.bytes(), alone.bytes(), "{threads} threads");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn threads_stop_when_asked_and_when_one_panics() {
+        let [_, wavy] = boundaries(640);
+        let prices = Prices::new(&wavy, None, PriceOptions::default());
+        let everything = Visibility::everything();
+        let terms = Terms::new(&prices, &everything, false);
+        let mut table = Table::new(&terms);
+        let pool = pool(4);
+        let mut fill = |at: f64, panics: bool| {
+            let filled = pool.install(|| {
+                let mut watch = Ending { told: Cell::new(0.0), at, panics };
+                let filled = table.fill(1.0, None, &mut watch, 0.0..1.0);
+                (filled, watch.told.get())
+            });
+            (filled, table.entry(0, 639))
+        };
+        // The first two while it is priced what the rest of the loop costs.
+        for at in [0.0, 0.1, 0.3, 0.9] {
+            let ((stopped, told), entry) = fill(at, false);
+            assert!(matches!(stopped, Err(TriangulateError::Stopped)), "{at}: {stopped:?}");
+            assert!(told >= at && entry == f64::INFINITY, "{at}: {told} {entry}");
+            let panicked = catch_unwind(AssertUnwindSafe(|| fill(at, true))).unwrap_err();
+            assert_eq!(panicked.downcast_ref(), Some(&"as wanted"), "{at}");
+        }
+        let ((filled, told), entry) = fill(2.0, false);
+        assert!(filled.unwrap() == entry && entry < 1.0 && told > 0.9, "{entry} {told}");
+    }
+
+    #[test]
+    fn threads_end_where_the_memory_does() {
+        let [plate, _] = boundaries(640);
+        let prices = Prices::new(&plate, None, PriceOptions::default());
+        let everything = Visibility::everything();
+        let terms = Terms::new(&prices, &everything, false);
+        let mut table = Table::new(&terms);
+        pool(4).install(|| table.fill(f64::INFINITY, None, &mut Unwatched, 0.0..1.0)).unwrap();
+        let memory = table.bytes() / 2;
+        let terms = Terms { memory, ..Terms::new(&prices, &everything, false) };
+        let mut table = Table::new(&terms);
+        let refused = pool(4).install(|| table.fill(f64::INFINITY, None, &mut Unwatched, 0.0..1.0));
+        let limit = memory;
+        assert!(
+            matches!(refused, Err(TriangulateError::TooLarge { limit: at, .. }) if at == limit)
+        );
+    }
+}
