@@ -3,7 +3,7 @@
 
 use crate::stroke_font::strokes;
 use sheetwright::math::{Point2, Vec2};
-use sheetwright::pattern::{PathKind, PatternLabel, Piece, Role};
+use sheetwright::pattern::{LabelKind, PathKind, PatternLabel, Piece, Role};
 use sheetwright::predicate::Box2;
 use sheetwright::rung::Rung;
 
@@ -85,6 +85,7 @@ fn reference(corner: Point2) -> [Shape; 2] {
     let square = [(0.0, 0.0), (side, 0.0), (side, side), (0.0, side)];
     let square = square.map(|(x, y)| corner + Vec2::new(x, y)).to_vec();
     let caption = PatternLabel {
+        kind: LabelKind::Length,
         role: Role::Note,
         at: corner + Vec2::new(0.5 * side, 0.5 * (side - CAPTION_MM)),
         along: Vec2::X,

@@ -7,7 +7,7 @@ use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape};
 use sheetwright::make::{Made, MadePanel, make};
 use sheetwright::math::{Point2, Point3, Vec2};
-use sheetwright::pattern::{PathKind, PatternLabel, PatternPath, Piece, Role};
+use sheetwright::pattern::{LabelKind, PathKind, PatternLabel, PatternPath, Piece, Role};
 use sheetwright::rung::Rung;
 use sheetwright::triangulate::Goal;
 use sheetwright::watch::Unwatched;
@@ -187,6 +187,7 @@ fn random_piece(dice: &mut Dice) -> Piece {
         });
     }
     let label = PatternLabel {
+        kind: LabelKind::Name,
         role: Role::Engrave,
         at: Point2::new(size, size),
         along: Vec2::new(0.6, 0.8),

@@ -79,6 +79,8 @@ pub mod sample;
 
 pub mod fair;
 
+pub mod edge;
+
 pub mod pattern;
 
 pub mod check;

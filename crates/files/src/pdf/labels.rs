@@ -103,7 +103,7 @@ mod tests {
     use super::super::{Paper, tiling};
     use super::*;
     use sheetwright::math::from_deg;
-    use sheetwright::pattern::{PathKind, PatternPath};
+    use sheetwright::pattern::{LabelKind, PathKind, PatternPath};
 
     fn piece(size: Vec2, labels: Vec<PatternLabel>) -> Piece {
         let corners = [(0.0, 0.0), (size.x, 0.0), (size.x, size.y), (0.0, size.y)];
@@ -117,7 +117,8 @@ mod tests {
     }
 
     fn label(text: &str, at: Point2, along: Vec2, height_mm: f64) -> PatternLabel {
-        PatternLabel { role: Role::Engrave, at, along, height_mm, text: text.to_owned() }
+        let (kind, role) = (LabelKind::Name, Role::Engrave);
+        PatternLabel { kind, role, at, along, height_mm, text: text.to_owned() }
     }
 
     /// Names all over a piece of several sheets, along and aslant, short and long.

@@ -9,7 +9,7 @@ use super::sheets::header;
 use super::tiling::{HEADER_MM, MARGIN_MM};
 use super::{Paper, Reduced};
 use sheetwright::math::{Point2, Vec2, angle_between, from_deg};
-use sheetwright::pattern::Piece;
+use sheetwright::pattern::{LabelKind, Piece};
 use sheetwright::predicate::Box2;
 
 /// The drawing is no higher than this, mm; the rest of the page is for the table.
@@ -79,6 +79,9 @@ pub(super) fn page(piece: &Piece, reduced: &Reduced, paper: Paper) -> Page {
         }
     }
     draw(&mut page, piece, &[], &view, Detail::Lines);
+    for edge in piece.labels.iter().filter(|label| label.kind == LabelKind::Edge) {
+        page.text(view.place(edge.at), &edge.text, Type::new(6.5).at(Anchor::Middle));
+    }
     page.rectangle(view.frame(), Pen::FRAME);
     table(&mut page, piece, &stations, corner.y - 11.0, reduced);
     page

@@ -3,6 +3,7 @@
 use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, distance, line, number, text};
 use super::rulings::{APART, APART_CLASSES, MOST_RUNGS, Middles, legend, rung_classes};
 use super::wording::{millimetres, thinned};
+use sheetwright::edge::{Edge, EdgeSource};
 use sheetwright::index::SampleIndex;
 use sheetwright::make::MadePanel;
 use sheetwright::material::Material;
@@ -19,7 +20,8 @@ pub(super) const TOP: f64 = 32.0;
 pub(super) const FOOT: f64 = 66.0;
 /// Edges with a letter, at the most: the longest.
 const LETTERED: usize = 8;
-/// Two edges meet where the outline turns by more than this, degrees.
+/// An edge of several sides is measured from corner to corner: where the outline turns by more than
+/// this, degrees.
 const CORNER_DEG: f64 = 10.0;
 /// How far a letter stands from its edge, and how far letters stay apart.
 const LETTER_AWAY: f64 = 15.0;
@@ -27,10 +29,12 @@ const LETTER_APART: f64 = 22.0;
 /// How far the middle of a letter stays from lines to cut: its circle is 9.5 in radius.
 const LETTER_CLEAR: f64 = 11.0;
 
-/// An edge of the outline from corner to corner.
-pub(super) struct Edge {
-    /// Its letter in the picture; of a side of a seam, the mark of the seam.
+/// A stretch of an edge with a letter in the picture, or a side of a seam.
+pub(super) struct Tagged<'a> {
+    /// Its letter; of a side of a seam, the mark of the seam.
     pub(super) letter: String,
+    /// The edge; `None` of a side of a seam.
+    pub(super) edge: Option<&'a Edge>,
     /// Its length, mm.
     pub(super) length_mm: f64,
     /// Where its letter stands in the picture.
@@ -195,40 +199,32 @@ fn step(panel: &MadePanel, i: usize) -> f64 {
     panel.flat.points[i].distance(panel.flat.points[next_on_sheet(panel, i)])
 }
 
-/// The longest edges of the outline, from corner to corner, in the order of the boundary, and the
-/// sides of seams; none where it has fewer than two corners.
-pub(super) fn edges(panel: &MadePanel) -> Vec<Edge> {
-    let corners = corners(panel);
-    if corners.len() < 2 {
+/// The longest stretches of the outline's edges, from corner to corner, in the order of the outline,
+/// and the sides of seams. None where the outline is one edge without corners.
+pub(super) fn edges(panel: &MadePanel) -> Vec<Tagged<'_>> {
+    let outer = outer_loop(panel);
+    let of_outline = panel.edges.iter().filter(|edge| outer.contains(&edge.run[0]));
+    let is_cut = |edge: &&Edge| matches!(edge.source, EdgeSource::Cut { .. });
+    let runs = of_outline.filter(|edge| !is_cut(edge));
+    let runs: Vec<(&Edge, Vec<usize>)> =
+        runs.flat_map(|edge| between_corners(panel, edge)).collect();
+    if let [(edge, run)] = &runs[..]
+        && run.len() == edge.run.len()
+        && edge.is_loop()
+    {
         return Vec::new();
     }
     let mut tags = Tags::of(&panel.piece);
-    let mut sides: Vec<Edge> = Vec::new();
+    let mut sides: Vec<Tagged<'_>> = Vec::new();
     for (n, seam) in panel.sheet.seams().iter().enumerate() {
         for side in seam.sides {
             let side = Stretch::new(panel, &side.map(|s| s.get()));
             let at = tags.place(&side.places);
-            sides.push(Edge { letter: seam_mark(n), length_mm: side.length_mm, at });
+            sides.push(Tagged { letter: seam_mark(n), edge: None, length_mm: side.length_mm, at });
         }
     }
-    let is_seam = |samples: &[usize]| {
-        let sides = panel.sheet.seams().iter().flat_map(|seam| seam.sides);
-        sides.map(|side| side.map(|s| s.get())).any(|side| side == samples)
-    };
-    let mut stretches: Vec<(usize, Stretch)> = (0..corners.len())
-        .filter_map(|n| {
-            let to = corners[(n + 1) % corners.len()];
-            let mut samples = vec![corners[n]];
-            loop {
-                let next = next_on_sheet(panel, samples[samples.len() - 1]);
-                samples.push(next);
-                if next == to {
-                    break;
-                }
-            }
-            (!is_seam(&samples)).then(|| (n, Stretch::new(panel, &samples)))
-        })
-        .collect();
+    let mut stretches: Vec<(usize, Stretch)> =
+        runs.iter().map(|(_, run)| Stretch::new(panel, run)).enumerate().collect();
     stretches.sort_by(|a, b| b.1.length_mm.total_cmp(&a.1.length_mm).then(a.0.cmp(&b.0)));
     let mut chosen: Vec<(usize, f64, Point2)> = Vec::new();
     for (n, found) in stretches {
@@ -241,24 +237,39 @@ pub(super) fn edges(panel: &MadePanel) -> Vec<Edge> {
     }
     chosen.sort_by_key(|c| c.0);
     let named = chosen.into_iter().zip('A'..='Z');
-    let mut edges: Vec<Edge> = named
-        .map(|((_, length_mm, at), letter)| Edge { letter: letter.to_string(), length_mm, at })
+    let mut tagged: Vec<Tagged<'_>> = named
+        .map(|((n, length_mm, at), letter)| Tagged {
+            letter: letter.to_string(),
+            edge: Some(runs[n].0),
+            length_mm,
+            at,
+        })
         .collect();
-    edges.extend(sides);
-    edges
+    tagged.extend(sides);
+    tagged
 }
 
-fn corners(panel: &MadePanel) -> Vec<usize> {
-    // The ends of a seam are corners of the pattern wherever they lie.
-    let of_seams: BTreeSet<usize> =
-        panel.sheet.seams().iter().flat_map(|seam| seam.sides).flatten().map(|s| s.get()).collect();
-    outer_loop(panel)
-        .filter(|&i| {
-            let sample = panel.boundary.samples()[panel.sheet.origin(SampleIndex::new(i)).get()];
-            of_seams.contains(&i)
-                || angle_between(sample.tangent_in, sample.tangent_out) > from_deg(CORNER_DEG)
-        })
-        .collect()
+/// The stretches of an edge between sharp corners of the boundary: of a closed one, from its first
+/// corner on.
+fn between_corners<'a>(panel: &MadePanel, edge: &'a Edge) -> Vec<(&'a Edge, Vec<usize>)> {
+    let is_corner = |n: usize| {
+        let sample = panel.sheet.origin(SampleIndex::new(edge.run[n]));
+        let sample = panel.boundary.samples()[sample.get()];
+        angle_between(sample.tangent_in, sample.tangent_out) > from_deg(CORNER_DEG)
+    };
+    let last = edge.run.len() - 1;
+    let mut run = edge.run.clone();
+    let mut corners: Vec<usize> = (1..last).filter(|&n| is_corner(n)).collect();
+    if edge.is_loop() {
+        let Some(first) = (0..last).find(|&n| is_corner(n)) else { return vec![(edge, run)] };
+        run.pop();
+        run.rotate_left(first);
+        run.push(run[0]);
+        corners = corners.into_iter().filter(|&n| n > first).map(|n| n - first).collect();
+    }
+    let ends = corners.iter().copied().chain([last]);
+    let starts = std::iter::once(0).chain(corners.iter().copied());
+    starts.zip(ends).map(|(from, to)| (edge, run[from..=to].to_vec())).collect()
 }
 
 /// Some steps of the outline.

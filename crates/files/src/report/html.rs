@@ -1,6 +1,6 @@
 //! `report.html`: the report for people, one file that works offline.
 
-use super::flat_picture::{edges, flat_picture, outline_length};
+use super::flat_picture::{Tagged, edges, flat_picture, outline_length};
 use super::form::{ReportForm, Row, short};
 use super::gauss_picture::gauss_picture;
 use super::moved_picture::{enlarged, moved_picture};
@@ -40,6 +40,7 @@ pub fn report_html(
     let each = made.panels.iter().zip(refold_error_mm).zip(checked).enumerate();
     let pages: Vec<Page<'_>> = each
         .map(|(n, ((panel, &refold_error_mm), checked))| Page {
+            made,
             number: n + 1,
             panel,
             refold_error_mm,
@@ -160,6 +161,7 @@ const NO_WARP_DEG: f64 = 0.005;
 
 /// A panel with all that its part of the page shows.
 struct Page<'a> {
+    made: &'a Made,
     /// From 1.
     number: usize,
     panel: &'a MadePanel,
@@ -319,11 +321,24 @@ impl Page<'_> {
                 @if !edges.is_empty() {
                     ul.edges {
                         @for edge in edges.iter().filter(|edge| seen.insert(&edge.letter)) {
-                            li { b { (edge.letter) } " " (millimetres(edge.length_mm)) }
+                            li { b { (edge.letter) } " " (self.edge_text(edge)) }
                         }
                     }
                 }
             }
+        }
+    }
+
+    /// The name of an edge, how long it is, and what it is joined to.
+    fn edge_text(&self, tagged: &Tagged<'_>) -> String {
+        let length = millimetres(tagged.length_mm);
+        let Some(edge) = tagged.edge else { return length };
+        let mates = edge.mates.iter().map(|mate| &self.made.panels[mate.panel].name[..]);
+        let mates: Vec<&str> = mates.collect();
+        if mates.is_empty() {
+            format!("{}, {length}", edge.name)
+        } else {
+            format!("{}, {length}, joined to {}", edge.name, mates.join(", "))
         }
     }
 

@@ -6,6 +6,7 @@ use schemars::generate::SchemaSettings;
 use serde::Serialize;
 use serde_json::Result;
 use sheetwright::check::{Checked, Verdict, seam_length};
+use sheetwright::edge::{Edge, EdgePlace};
 use sheetwright::flatten::Aim;
 use sheetwright::index::{SampleIndex, VertexIndex};
 use sheetwright::make::{Change, Made, MadeMesh, MadeMeshes, MadePanel};
@@ -122,6 +123,9 @@ struct PanelReport<'a> {
     /// Where a mesh was divided along its creases: the lines along which it is joined to other
     /// panels.
     joints: Vec<JointReport<'a>>,
+    /// The edges of the pattern, loop after loop: runs of one curve, the ends of rails, the sides
+    /// of cuts; of a mesh, where it meets other panels, and its border.
+    edges: Vec<EdgeReport<'a>>,
     /// How far the pattern as it was written comes from the surface when it is folded up again,
     /// mm; null if it could not be read back. Of a mesh, how far its outline and holes as they were
     /// written lie from where they were laid.
@@ -237,6 +241,27 @@ struct JointReport<'a> {
     flat_mm: f64,
 }
 
+/// A named run of the border of a pattern.
+#[derive(Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "Edge")]
+struct EdgeReport<'a> {
+    /// Its name on the panel: that of its curve; `start` or `end` between two rails; `cut-1a` and
+    /// `cut-1b` along a cut; of a mesh, the panel that it meets, or `border`. A second one of a name
+    /// has `-2` after it, and so on.
+    name: &'a str,
+    /// How long it is in space, mm.
+    length_space_mm: f64,
+    /// How long it is on the pattern, mm.
+    length_flat_mm: f64,
+    /// The edges that it is joined to, as `PANEL/EDGE`: those on the same stretch of a curve, and
+    /// the other side of a cut. Empty for a free edge.
+    mates: Vec<String>,
+    /// The largest difference between its length on the pattern and that of a mate, along the
+    /// stretch that both have in common, mm; null for a free edge.
+    difference_mm: Option<f64>,
+}
+
 /// One thing found.
 #[derive(Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -271,10 +296,14 @@ pub fn report_json(
     assert_eq!(made.panels.len(), refold_error_mm.len(), "one refold error a panel");
     assert_eq!(made.panels.len(), checked.len(), "one verdict a panel");
     let limit = warp_limit_deg(made.material);
+    let named = made.panels.iter().map(|panel| (&panel.name[..], &panel.edges[..]));
+    let named: Vec<Named<'_>> = named.collect();
     assert_eq!(made.panels.len(), quads.len(), "quads or none a panel");
     let each = made.panels.iter().zip(refold_error_mm).zip(checked.iter().zip(quads));
     let panels = each.map(|((panel, &error), (checked, quads))| {
-        of_panel(panel, error, checked, quads.as_ref(), limit)
+        let mut report = of_panel(panel, error, checked, quads.as_ref(), limit);
+        report.edges = of_edges(&panel.edges, &named);
+        report
     });
     report(&made.name, made.material, panels.collect())
 }
@@ -294,7 +323,13 @@ pub fn mesh_report_json(
     assert_eq!(made.panels.len(), written_error_mm.len(), "one error a panel");
     assert_eq!(made.panels.len(), checked.len(), "one verdict a panel");
     let each = made.panels.iter().zip(written_error_mm).zip(checked);
-    let panels = each.map(|((panel, &error), checked)| of_mesh(made, panel, error, checked));
+    let named = made.panels.iter().map(|panel| (&panel.name[..], &panel.edges[..]));
+    let named: Vec<Named<'_>> = named.collect();
+    let panels = each.map(|((panel, &error), checked)| {
+        let mut report = of_mesh(made, panel, error, checked);
+        report.edges = of_edges(&panel.edges, &named);
+        report
+    });
     report(&made.name, made.material, panels.collect())
 }
 
@@ -330,6 +365,24 @@ fn of_findings(checked: &Checked) -> Vec<FindingReport<'_>> {
         r#where: &finding.place,
     });
     findings.collect()
+}
+
+/// A panel with its edges.
+type Named<'a> = (&'a str, &'a [Edge]);
+
+fn of_edges<'a>(edges: &'a [Edge], panels: &[Named<'_>]) -> Vec<EdgeReport<'a>> {
+    let mate = |at: &EdgePlace| {
+        let (panel, edges) = panels[at.panel];
+        format!("{panel}/{}", edges[at.edge].name)
+    };
+    let of_edge = |edge: &'a Edge| EdgeReport {
+        name: &edge.name,
+        length_space_mm: edge.length_space_mm,
+        length_flat_mm: edge.length_flat_mm,
+        mates: edge.mates.iter().map(mate).collect(),
+        difference_mm: edge.difference_mm,
+    };
+    edges.iter().map(of_edge).collect()
 }
 
 fn of_mesh<'a>(
@@ -395,6 +448,7 @@ fn of_mesh<'a>(
         holes_flat: sheet.loops().len() - 1,
         seams: seams.collect(),
         joints: joints.collect(),
+        edges: Vec::new(),
         refold_error_mm: Some(written_error_mm).filter(|error| error.is_finite()),
         rebuilt_distance_max_mm: panel.rebuilt.as_ref().map(|r| r.distance_max_mm),
         rebuilt_distance_mean_mm: panel.rebuilt.as_ref().map(|r| r.distance_mean_mm),
@@ -477,6 +531,7 @@ fn of_panel<'a>(
         holes_flat: panel.sheet.surface().connectivity().loops().len() - 1,
         seams: seams.collect(),
         joints: Vec::new(),
+        edges: Vec::new(),
         refold_error_mm: finite(refold_error_mm),
         rebuilt_distance_max_mm: None,
         rebuilt_distance_mean_mm: None,

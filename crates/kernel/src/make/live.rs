@@ -17,7 +17,7 @@
 //! where memory is short, a bound from before may make a table fit that does not fit afresh.
 
 use super::unrestricted::Known;
-use super::{Made, MadePanel, MakeCause, MakeError, make_panel};
+use super::{Made, MadePanel, MakeCause, MakeError, find_mates, make_panel};
 use crate::design::{Design, DesignCurve, DesignPanel, PanelShape, used};
 use crate::material::Material;
 use crate::sample::{Matched, Sampler, matched};
@@ -249,12 +249,10 @@ impl Live {
             return Err(MakeError::of_design(MakeCause::NoPanels));
         }
         let panels = self.panels.iter().map(|panel| panel.made.clone());
-        Ok(Made {
-            name: self.design.name.clone(),
-            material: self.design.material,
-            panels: panels.collect::<Result<_, _>>()?,
-            moved: None,
-        })
+        let mut panels = panels.collect::<Result<Vec<_>, _>>()?;
+        find_mates(&mut panels);
+        let (name, material) = (self.design.name.clone(), self.design.material);
+        Ok(Made { name, material, panels, moved: None })
     }
 
     fn make_changed(&mut self, watch: &mut dyn Watch) -> Vec<usize> {

@@ -9,6 +9,7 @@ use super::rebuilt::{Rebuilt, rebuilt};
 use super::specks::cleaned;
 use crate::check::{Checked, MeshPanel, check_mesh};
 use crate::design::{MeshDesign, MeshGroup};
+use crate::edge::{Edge, MeshBorder, MeshJoint, PartEdges, edges_of_meshes, join_mates};
 use crate::flatten::{Aim, RelaxError, RelaxOptions, Relaxed, relax};
 use crate::material::{Material, stretch_limit};
 use crate::measure::{MeshMeasures, cut_suggestion, mesh_measures};
@@ -76,6 +77,8 @@ pub struct MadeMesh {
     pub checked: Checked,
     /// The pattern to cut.
     pub piece: Piece,
+    /// The edges of its sheet, in the order of the loops; mates are panels of one [`MadeMeshes`].
+    pub edges: Vec<Edge>,
     /// Where it is joined to the panels that it was divided from.
     pub joints: Vec<Joint>,
     /// The surface that its border alone asks for, where meshes are divided along creases and there
@@ -229,12 +232,53 @@ pub fn make_meshes(
         }
     }
     let made = parts.into_iter().map(|part| make_mesh(part, design.material, options, watch));
-    Ok(MadeMeshes {
-        name: design.name.clone(),
-        material: design.material,
-        aim: options.aim,
-        panels: made.collect::<Result<_, _>>()?,
-    })
+    let panels = with_edges(made.collect::<Result<_, _>>()?);
+    let name = design.name.clone();
+    Ok(MadeMeshes { name, material: design.material, aim: options.aim, panels })
+}
+
+/// A panel without what depends on the panels that it meets: its edges and their names.
+struct Judged {
+    name: String,
+    mesh: Mesh,
+    laid: Laid,
+    checked: Checked,
+    joints: Vec<Joint>,
+    rebuilt: Option<Rebuilt>,
+}
+
+/// The panels with their edges, the mates of these, and the patterns that name them.
+fn with_edges(panels: Vec<Judged>) -> Vec<MadeMesh> {
+    let joined = |panel: &Judged| -> Vec<MeshJoint> {
+        panel.joints.iter().map(|joint| (joint.with, joint.steps.clone())).collect()
+    };
+    let joints: Vec<Vec<MeshJoint>> = panels.iter().map(joined).collect();
+    let borders = panels.iter().zip(&joints).map(|(panel, joints)| MeshBorder {
+        name: &panel.name,
+        sheet: &panel.laid.sheet,
+        flat: &panel.laid.flat.points,
+        joints,
+    });
+    let mut edges = edges_of_meshes(&borders.collect::<Vec<_>>());
+    let parts = panels.iter().zip(&mut edges).map(|(panel, edges)| PartEdges {
+        edges,
+        space: panel.laid.sheet.mesh.positions(),
+        flat: &panel.laid.flat.points,
+    });
+    join_mates(&mut parts.collect::<Vec<_>>());
+    let whole = |(panel, edges): (Judged, Vec<Edge>)| {
+        let Judged { name, mesh, laid, checked, joints, rebuilt } = panel;
+        let Laid { sheet, flat, measures } = laid;
+        let mut marks = seam_marks(&sheet.seams);
+        marks.extend(joints.iter().map(|joint| EdgeMark {
+            mark: joint.mark.clone(),
+            steps: joint.steps.clone(),
+            first: true,
+        }));
+        let piece = mesh_piece(&name, &sheet.mesh, &flat.points, &edges, &marks);
+        MadeMesh { name, mesh, sheet, flat, measures, checked, piece, edges, joints, rebuilt }
+    };
+    panels.into_iter().zip(edges).map(whole).collect()
 }
 
 /// A part of a group that hangs together.
@@ -373,7 +417,7 @@ fn make_mesh(
     material: Option<&'static Material>,
     options: &MeshOptions,
     watch: &mut dyn Watch,
-) -> Result<MadeMesh, MeshMakeError> {
+) -> Result<Judged, MeshMakeError> {
     let Part { name, mesh, left_out, specks, contacts, joints } = part;
     let failed = |cause| MeshMakeError { panel: name.clone(), cause };
     watch.begin(&[&name], Stage::Flatten);
@@ -398,17 +442,17 @@ fn make_mesh(
         darts += 1;
     }
     watch.begin(&[&name], Stage::Check);
-    let Laid { sheet, flat, measures } = laid;
-    let suggested = cut_suggestion(&sheet.mesh, &measures, limit).and_then(|cut| {
+    let Laid { sheet, flat, measures } = &laid;
+    let suggested = cut_suggestion(&sheet.mesh, measures, limit).and_then(|cut| {
         let ends = [*cut.path.first()?, *cut.path.last()?];
         Some(ends.map(|v| sheet.mesh.position(v)))
     });
     let first_of = |n: usize| sheet.mesh.position(VertexIndex::new(n));
     let checked = check_mesh(&MeshPanel {
         mesh: &mesh,
-        sheet: &sheet,
+        sheet,
         length_error_max: measures.length_error_max,
-        worst_edge: worst_edge(&measures),
+        worst_edge: worst_edge(measures),
         border_error: (options.aim == Aim::Seams).then_some(measures.border_error_max),
         cut: suggested,
         overlap: flat.overlap.map(|(a, b)| [first_of(a), first_of(b)]),
@@ -419,17 +463,9 @@ fn make_mesh(
         darts,
         material,
     });
-    let joints: Vec<Joint> = joints.into_iter().map(|joint| on_sheet(joint, &sheet)).collect();
-    let mut marks = seam_marks(&sheet.seams);
-    marks.extend(joints.iter().map(|joint| EdgeMark {
-        mark: joint.mark.clone(),
-        steps: joint.steps.clone(),
-        first: true,
-    }));
-    let piece = mesh_piece(&name, &sheet.mesh, &flat.points, &marks);
+    let joints: Vec<Joint> = joints.into_iter().map(|joint| on_sheet(joint, sheet)).collect();
     let rebuilt = options.split_creases.and_then(|_| rebuilt(&mesh, watch));
-    let (name, mesh) = (name.clone(), mesh.clone());
-    Ok(MadeMesh { name, mesh, sheet, flat, measures, checked, piece, joints, rebuilt })
+    Ok(Judged { name: name.clone(), mesh: mesh.clone(), laid, checked, joints, rebuilt })
 }
 
 /// A joint by the vertices of the sheet as it is cut.

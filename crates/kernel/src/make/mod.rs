@@ -22,6 +22,7 @@ use crate::check::{
     Checked, Panel, check, ran_on, rounded_corner, smoothed_joints, stayed_straight, turned_round,
 };
 use crate::design::{Design, DesignPanel, PanelMethod, PanelShape, used};
+use crate::edge::{Edge, PartEdges, edges_of_sheet, join_mates};
 use crate::fair::varied_design;
 use crate::flatten::{Flattened, Sheet, lay_flat};
 use crate::material::Material;
@@ -67,6 +68,8 @@ pub struct MadePanel {
     pub checked: Checked,
     /// The pattern to cut.
     pub piece: Piece,
+    /// The edges of its sheet, in the order of the loops; mates are panels of one [`Made`].
+    pub edges: Vec<Edge>,
     /// How its boundary was moved, if it was to be.
     pub change: Option<Change>,
 }
@@ -111,7 +114,18 @@ pub fn make(design: &Design, watch: &mut dyn Watch) -> Result<Made, MakeError> {
         let is_moved = shifts.values().any(|shift| shift.is_moved());
         moved = is_moved.then_some(varied.after);
     }
+    find_mates(&mut panels);
     Ok(Made { name: design.name.clone(), material: design.material, panels, moved })
+}
+
+/// Looks for the mates of the edges of all panels of a design.
+fn find_mates(panels: &mut [MadePanel]) {
+    let parts = panels.iter_mut().map(|panel| PartEdges {
+        edges: &mut panel.edges,
+        space: panel.sheet.surface().positions(),
+        flat: &panel.flat.points,
+    });
+    join_mates(&mut parts.collect::<Vec<_>>());
 }
 
 fn make_panels(
@@ -162,7 +176,7 @@ fn make_as_asked(
 ) -> Result<MadePanel, MakeError> {
     let design = sampler.design;
     watch.begin(&[&panel.name], Stage::Sample);
-    let Prepared { boundary, plane, options, sources, new_ends, joined } =
+    let Prepared { boundary, plane, options, sources, steps, new_ends, joined } =
         prepare(sampler, panel, watch)?;
     let outline = outline(design, &boundary, &sources);
 
@@ -206,7 +220,9 @@ fn make_as_asked(
         let said = smoothed_joints(joined).into_iter().chain(turned_round(joined, &join.parts));
         said.for_each(|finding| checked.add(finding));
     }
-    let piece = piece(&panel.name, &sheet, &flat, &measures, &PatternOptions::default());
+    let curve = |number: usize| design.curves[number].name.clone();
+    let edges = edges_of_sheet(&sheet, &flat.points, &steps, curve);
+    let piece = piece(&panel.name, &sheet, &flat, &edges, &measures, &PatternOptions::default());
     let made = MadePanel {
         name: panel.name.clone(),
         method: panel.method,
@@ -222,6 +238,7 @@ fn make_as_asked(
         measures,
         checked,
         piece,
+        edges,
         change: None,
     };
     known.ask(panel, &made, options);

@@ -1,6 +1,6 @@
 //! The overall dimensions of a piece: a line with ticks below it and one to its left.
 
-use super::{PathKind, PatternLabel, PatternPath, Role};
+use super::{LabelKind, PathKind, PatternLabel, PatternPath, Role};
 use sheetwright_geometry::math::{Point2, Vec2};
 
 /// Lines and texts that give the width and height of a piece of this size, mm, whose lower left
@@ -25,6 +25,7 @@ pub(super) fn overall(size: Vec2, height_mm: f64) -> (Vec<PatternPath>, Vec<Patt
         line(at(left - tick, size.y), at(left + tick, size.y)),
     ];
     let label = |at: Point2, along: Vec2, length: f64| PatternLabel {
+        kind: LabelKind::Length,
         role: Role::Note,
         at,
         along,

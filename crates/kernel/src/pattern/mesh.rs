@@ -1,8 +1,10 @@
 //! The pattern of a mesh that was laid flat: its outline and holes, its sharp creases to score, the
 //! marks of its seams. Sides of triangles are nothing to a workshop and are not drawn.
 
+use super::edge_names;
 use super::seam::{Side, seam_mark};
 use super::{LABEL_SHARE, PathKind, PatternPath, Piece, Role, TICK_SHARE, dimension, label_at};
+use crate::edge::Edge;
 use crate::mesh::{Mesh, MeshSeam, crease_angles};
 use sheetwright_geometry::index::VertexIndex;
 use sheetwright_geometry::math::{Point2, Vec2, from_deg};
@@ -38,8 +40,14 @@ pub fn seam_marks(seams: &[MeshSeam]) -> Vec<EdgeMark> {
     seams.iter().enumerate().flat_map(of_seam).collect()
 }
 
-/// The pattern of a mesh of one piece. `points` are where its vertices lie when it is flat, mm.
-pub fn mesh_piece(name: &str, sheet: &Mesh, points: &[Point2], marks: &[EdgeMark]) -> Piece {
+/// The pattern of a mesh of one piece with these edges. `points` are where its vertices lie when it is flat, mm.
+pub fn mesh_piece(
+    name: &str,
+    sheet: &Mesh,
+    points: &[Point2],
+    edges: &[Edge],
+    marks: &[EdgeMark],
+) -> Piece {
     let at = |v: VertexIndex| points[v.get()];
     let mut loops: Vec<Vec<Point2>> =
         sheet.loops().iter().map(|list| list.iter().map(|&v| at(v)).collect()).collect();
@@ -82,6 +90,7 @@ pub fn mesh_piece(name: &str, sheet: &Mesh, points: &[Point2], marks: &[EdgeMark
         paths.push(tick);
         labels.extend(texts);
     }
+    labels.extend(edge_names::labels(edges, points, tick_mm, height_mm));
     let (dimension_paths, dimension_labels) = dimension::overall(size, height_mm);
     paths.extend(dimension_paths);
     labels.extend(dimension_labels);

@@ -1,12 +1,14 @@
 //! The flat pattern as a workshop needs it: paths with roles, marks and labels.
 
 mod dimension;
+mod edge_names;
 mod mesh;
 mod seam;
 
 pub use mesh::{EdgeMark, SCORED_CREASE_DEG, mesh_piece, seam_marks};
 pub use seam::{joint_mark, seam_mark};
 
+use crate::edge::Edge;
 use crate::flatten::{Flattened, Sheet};
 use crate::measure::{Measures, RungMeasures, SHARP_CREASE_DEG};
 use sheetwright_geometry::index::SampleIndex;
@@ -74,9 +76,24 @@ pub struct PatternPath {
     pub closed: bool,
 }
 
+/// What a text says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LabelKind {
+    /// The name of the piece.
+    Name,
+    /// The name of an edge, beside its middle.
+    Edge,
+    /// The mark of a seam or joint, beside the middle of a side of it.
+    Mark,
+    /// A length, with the unit, or what is that long.
+    Length,
+}
+
 /// A line of text of a pattern.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PatternLabel {
+    /// What it says.
+    pub kind: LabelKind,
     /// What is done along its strokes.
     pub role: Role,
     /// The middle of its base line, mm.
@@ -143,11 +160,12 @@ const TICK_SHARE: f64 = 0.05;
 /// Labels are as high as this share of the shorter side of the piece, within 2 to 25 mm.
 const LABEL_SHARE: f64 = 0.08;
 
-/// The pattern of one panel. `measures` are those of its surface in space.
+/// The pattern of one panel with these edges. `measures` are those of its surface in space.
 pub fn piece(
     name: &str,
     sheet: &Sheet,
     flat: &Flattened,
+    edges: &[Edge],
     measures: &Measures,
     options: &PatternOptions,
 ) -> Piece {
@@ -194,6 +212,7 @@ pub fn piece(
     paths.extend(dimension_paths);
     let mut labels = vec![name_label(name, sheet, flat, height_mm)];
     labels.extend(seam_labels);
+    labels.extend(edge_names::labels(edges, &flat.points, tick, height_mm));
     labels.extend(dimension_labels);
     Piece { name: name.to_owned(), paths, labels, size }
 }
@@ -254,6 +273,7 @@ fn label_at(name: &str, places: &[Point2], edges: &[[Point2; 2]], height_mm: f64
         .reduce(|best, tried| if tried.0 > best.0 { tried } else { best })
         .map_or(Point2::default(), |(_, place)| place);
     PatternLabel {
+        kind: LabelKind::Name,
         role: Role::Engrave,
         at: middle,
         along: Vec2::X,

@@ -2,7 +2,7 @@
 //! it is.
 
 use super::dimension::millimetres;
-use super::{PathKind, PatternLabel, PatternPath, Role};
+use super::{LabelKind, PathKind, PatternLabel, PatternPath, Role};
 use crate::flatten::{Flattened, Sheet};
 use sheetwright_geometry::math::{Point2, Vec2, unit2};
 
@@ -85,18 +85,19 @@ impl Side {
         // Beside the tick, with its feet on the seam, so that the marks of both sides stand
         // foot to foot when it is joined.
         let beside = middle + along * (1.2 * height_mm) + inside * (0.4 * height_mm);
-        let label = |role: Role, at: Point2, text: String| PatternLabel {
+        let label = |kind: LabelKind, role: Role, at: Point2, text: String| PatternLabel {
+            kind,
             role,
             at,
             along,
             height_mm,
             text,
         };
-        let mut labels = vec![label(Role::Engrave, beside, mark.clone())];
+        let mut labels = vec![label(LabelKind::Mark, Role::Engrave, beside, mark.clone())];
         if self.first {
             let outside = middle + inside * (-1.5 * height_mm);
             let text = format!("seam {mark}, {}", millimetres(length));
-            labels.push(label(Role::Note, outside, text));
+            labels.push(label(LabelKind::Length, Role::Note, outside, text));
         }
         (tick, labels)
     }

@@ -8,6 +8,7 @@
 use super::error::{PanelCause, PanelError};
 use super::shared_runs::{Link, LoopSource, MAX_PIECES, loop_samples, near_mm, sources};
 use super::source::Sampled;
+use super::steps::{StepSource, StepsByPlace};
 use crate::design::{Design, DesignPanel, Join, PanelShape};
 use sheetwright_geometry::boundary::{
     Boundary, JoinCause, JoinError, JoinOptions, Joined, join_all,
@@ -45,7 +46,7 @@ pub(super) fn sampled(
         let divisions = links.shared_out(asked).map_err(|e| failed(PanelCause::Sampling(e)))?;
         joined_with(&parts, &sources, &divisions, &options, &failed)
     };
-    let on_outer = |joined: &Joined| joined.boundary.loops()[0].len();
+    let on_outer = |(joined, _): &WithSteps| joined.boundary.loops()[0].len();
     let mut asked = links.first_guess(panel.samples);
     let mut joined = with(asked)?;
     let mut found = on_outer(&joined);
@@ -66,7 +67,7 @@ pub(super) fn sampled(
             joined = tried;
         }
     }
-    Ok(Sampled::joined(joined))
+    Ok(Sampled::joined(joined.0, joined.1))
 }
 
 fn parts_of<'a>(design: &'a Design, join: &Join) -> Result<Vec<&'a DesignPanel>, PanelCause> {
@@ -198,33 +199,44 @@ fn middle(link: &Link) -> Point3 {
     samples.map_or(curve.start(), |sample| sample.position)
 }
 
+/// A joined boundary, and what the step from each of its samples lies on.
+type WithSteps = (Joined, Vec<Vec<StepSource>>);
+
 fn joined_with(
     parts: &[&DesignPanel],
     sources: &[Vec<LoopSource>],
     divisions: &[usize],
     options: &JoinOptions,
     failed: &dyn Fn(PanelCause) -> PanelError,
-) -> Result<Joined, PanelError> {
+) -> Result<WithSteps, PanelError> {
     let mut divisions = divisions.iter();
     let mut boundaries = Vec::new();
+    let mut steps = StepsByPlace::default();
     for (part, loops) in parts.iter().zip(sources) {
         let mut sampled = Vec::new();
         for source in loops {
-            sampled.push(match source {
-                LoopSource::Samples(samples) => samples.clone(),
+            let (samples, sources) = match source {
+                LoopSource::Samples(samples, on) => (samples.clone(), vec![*on; samples.len()]),
                 LoopSource::Links(links) => loop_samples(links, &mut divisions)
                     .map_err(|error| failed(PanelCause::Sampling(error)))?,
-            });
+            };
+            let next = samples.iter().cycle().skip(1);
+            for ((from, to), step) in samples.iter().zip(next).zip(sources) {
+                steps.insert([from.position, to.position], step);
+            }
+            sampled.push(samples);
         }
         let boundary = Boundary::new(sampled)
             .map_err(|error| PanelError::of_panel(&part.name, PanelCause::Boundary(error)))?;
         boundaries.push(boundary);
     }
     let boundaries: Vec<&Boundary> = boundaries.iter().collect();
-    join_all(&boundaries, options).map_err(|JoinError { part, cause }| {
+    let joined = join_all(&boundaries, options).map_err(|JoinError { part, cause }| {
         let part = part.map(|n| parts[n].name.clone());
         failed(PanelCause::Join { part, cause })
-    })
+    })?;
+    let steps = steps.of(&joined.boundary);
+    Ok((joined, steps))
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@ use super::curves::{built, found};
 use super::error::{PanelCause, PanelError};
 use super::run_on;
 use super::source::{OnCurve, Sampled, Sourced, apart, back, run_back};
+use super::steps::{Own, StepSource, along_curves};
 use crate::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelShape};
 use sheetwright_geometry::boundary::{BoundaryError, MAX_SAMPLES, samples_from_points, size_of};
 use sheetwright_geometry::curve::{
@@ -49,10 +50,11 @@ impl Sampler<'_> {
         }
         match &panel.shape {
             PanelShape::Rails(rails) => self.rails(panel, rails),
-            PanelShape::Join(_) => Ok(Sampled::of_loops(Vec::new())),
+            PanelShape::Join(_) => Ok(Sampled::of_loops(Vec::new(), Vec::new())),
             PanelShape::Loops { outer, holes } => {
                 let loops = self.loops(panel, outer, holes)?;
-                Ok(Sampled::of_loops(loops))
+                let steps = loops.iter().map(|samples| along_curves(samples)).collect();
+                Ok(Sampled::of_loops(loops, steps))
             }
         }
     }
@@ -177,6 +179,7 @@ impl Sampler<'_> {
             let uses = [Use::new(*number, curve, rail.reversed)];
             Ok(samples.into_iter().map(|placed| sourced(placed, &uses)).collect::<Vec<_>>())
         };
+        let curves = [first.0, second.0].map(StepSource::Curve);
         let (mut first, mut second) = (sample(&first, &rails[0])?, sample(&second, &rails[1])?);
         // The second runs back: the way that leaves the rails nearer to one another all along.
         // Their ends alone would not tell where each rail ends where it begins, as those of a duct
@@ -187,14 +190,18 @@ impl Sampler<'_> {
         let size = size_of(first.iter().chain(&second).map(|s| s.sample.position));
         let same = Tolerance::CHAIN.length_mm(size);
         let mut new_ends = None;
+        let mut own = [Own::all(first.len()), Own::all(second.len())];
         if panel.run_on {
             let price = PriceOptions { fold: panel.fold, ..PriceOptions::default() };
             let samples = |rail: &[Sourced]| rail.iter().map(|s| s.sample).collect::<Vec<_>>();
             let ran = run_on::run_on(&samples(&first), &samples(&second), same, price);
-            new_ends = Some(ran.bulges_mm);
+            (new_ends, own) = (Some(ran.bulges_mm), ran.own);
             [first, second] =
                 ran.rails.map(|rail| rail.into_iter().map(Sourced::from_nowhere).collect());
         }
+        let [start, end] = [StepSource::Start, StepSource::End];
+        let mut steps = own[0].steps(first.len(), [start, curves[0], end]);
+        let steps_back = own[1].steps(second.len(), [end, curves[1], start]);
         // Rails that meet at an end share that sample; it keeps the tangents of both.
         let meet = |a: &[Sourced], b: &[Sourced]| {
             let (end, start) = (&a[a.len() - 1], &b[0]);
@@ -202,12 +209,15 @@ impl Sampler<'_> {
         };
         let (at_end, at_start) = (meet(&first, &second), meet(&second, &first));
         if at_end {
+            steps.pop();
             let start = second.remove(0);
             let last = first.len() - 1;
             first[last].sample.tangent_out = start.sample.tangent_out;
             first[last].leaving = start.leaving;
         }
+        steps.extend(steps_back);
         if at_start && let Some(end) = second.pop() {
+            steps.pop();
             first[0].sample.tangent_in = end.sample.tangent_in;
             first[0].arriving = end.arriving;
         }
@@ -215,7 +225,7 @@ impl Sampler<'_> {
         first.extend(second);
         close_ends(&mut first, on_first_rail, [at_start, at_end]);
         let on_first_rail = Some(on_first_rail);
-        Ok(Sampled { on_first_rail, new_ends, ..Sampled::of_loops(vec![first]) })
+        Ok(Sampled { on_first_rail, new_ends, ..Sampled::of_loops(vec![first], vec![steps]) })
     }
 }
 

@@ -11,8 +11,10 @@ mod prepare;
 mod run_on;
 mod shared_runs;
 mod source;
+mod steps;
 
 pub use error::{PanelCause, PanelError};
+pub use steps::StepSource;
 
 pub(crate) use curves::{built, kind_of_part};
 pub(crate) use loops::{LEAST_OF_HOLE, Matched, Sampler};

@@ -4,6 +4,7 @@ use super::error::{PanelCause, PanelError};
 use super::joined;
 use super::loops::Sampler;
 use super::source::{Sampled, Sourced};
+use super::steps::StepSource;
 use crate::design::{DesignPanel, PanelMethod, PanelShape};
 use sheetwright_geometry::boundary::{Boundary, Joined, SupportingPlane, supporting_plane};
 use sheetwright_geometry::watch::Watch;
@@ -30,6 +31,8 @@ pub(crate) struct Prepared {
     pub(crate) options: TriangulateOptions,
     /// Where the samples of the boundary are from.
     pub(crate) sources: Vec<Sourced>,
+    /// What the step from each sample of the boundary to the next lies on.
+    pub(crate) steps: Vec<StepSource>,
     /// Where rails ran on: how far each end bulges from the straight line, mm, if it does.
     pub(crate) new_ends: Option<[Option<f64>; 2]>,
     /// Where panels were joined: how.
@@ -63,20 +66,22 @@ pub(crate) fn prepare(
         supporting_plane(boundary, panel.plane).map_err(|e| failed(PanelCause::Plane(e)))
     };
     let mut plane = plane_of(&boundary)?;
-    let Sampled { mut loops, new_ends, joined, .. } = sampled;
+    let Sampled { mut loops, mut steps, new_ends, joined, .. } = sampled;
     let mut faced = boundary;
     if faced.holes() > 0 {
         faced = with_holes_facing(&faced, plane.as_ref(), &options, watch)
             .map_err(|e| failed(PanelCause::Triangulate(e)))?;
         plane = plane_of(&faced)?;
-        for (sources, range) in loops.iter_mut().zip(faced.loops()) {
+        for ((sources, steps), range) in loops.iter_mut().zip(&mut steps).zip(faced.loops()) {
             // A hole that was turned keeps its first sample.
             if sources[1].sample.position != faced.samples()[range.start + 1].position {
+                steps.reverse();
                 sources[1..].reverse();
                 sources.iter_mut().for_each(|source| *source = source.back());
             }
         }
     }
     let sources = loops.into_iter().flatten().collect();
-    Ok(Prepared { boundary: faced, plane, options, sources, new_ends, joined })
+    let steps = steps.into_iter().flatten().collect();
+    Ok(Prepared { boundary: faced, plane, options, sources, steps, new_ends, joined })
 }

@@ -24,6 +24,7 @@ use sheetwright_geometry::math::{Point3, Vec3, angle_between, cos, sin, unit};
 use sheetwright_optimum::cost::{PriceOptions, Prices};
 
 use super::source::run_back;
+use super::steps::Own;
 
 /// How far a rail runs on at the most, as a share of its length.
 const REACH: f64 = 0.5;
@@ -44,6 +45,8 @@ const LATTICE: usize = 200;
 pub(super) struct RanOn {
     /// The rails, each with the new ends that it runs on to; run as they were given.
     pub(super) rails: [Vec<Sample>; 2],
+    /// Where the rails' own samples lie among them.
+    pub(super) own: [Own; 2],
     /// How far the new end at the beginning and that at the end bulge from the straight line, mm;
     /// `None` where the strip is best as it is.
     pub(super) bulges_mm: [Option<f64>; 2],
@@ -58,6 +61,7 @@ pub(super) fn run_on(
     price: PriceOptions,
 ) -> RanOn {
     let mut rails = [first.to_vec(), run_back(second)];
+    let mut own = rails.each_ref().map(|rail| Own::all(rail.len()));
     let few = rails.each_ref().map(|rail| thinned(rail));
     let apart = |a: &Sample, b: &Sample| a.position.distance(b.position) > same_mm;
     let open = [
@@ -69,17 +73,24 @@ pub(super) fn run_on(
     let back: Vec<[usize; 2]> = path.iter().rev().copied().collect();
     let bulges_mm = [(0, &path), (1, &back)].map(|(n, path)| {
         let end = lattice.new_end(n, path)?;
-        let rail = &mut rails[usize::from(!end.by_first)];
+        let longer = usize::from(!end.by_first);
+        let (rail, own) = (&mut rails[longer], &mut own[longer]);
+        let before = rail.len();
         let spacing_mm = length(rail) / (rail.len() - 1) as f64;
         *rail = if n == 0 {
             begun_with(rail, &end.points, spacing_mm)
         } else {
             run_back(&begun_with(&run_back(rail), &end.points, spacing_mm))
         };
+        if n == 0 {
+            let added = rail.len() - before;
+            (own.first, own.last) = (own.first + added, own.last + added);
+        }
         Some(end.bulge_mm())
     });
     let [first, second] = rails;
-    RanOn { rails: [first, run_back(&second)], bulges_mm }
+    let own = [own[0], own[1].back(second.len())];
+    RanOn { rails: [first, run_back(&second)], own, bulges_mm }
 }
 
 /// Evenly chosen samples of a rail, both ends among them.

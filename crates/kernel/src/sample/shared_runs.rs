@@ -4,6 +4,7 @@ use super::curves::{built, found};
 use super::error::{PanelCause, PanelError};
 use super::loops::{Matched, Sampler};
 use super::source::{apart, run_back};
+use super::steps::StepSource;
 use crate::design::{CurveUse, Design, DesignPanel, PanelShape};
 use sheetwright_geometry::boundary::{JoinCause, samples_from_points, size_of};
 use sheetwright_geometry::curve::{
@@ -23,13 +24,15 @@ pub(super) struct Link {
     pub(super) curve: Curve,
     /// Whether it is run from its end to its beginning.
     reversed: bool,
+    /// What it lies on.
+    pub(super) source: StepSource,
 }
 
 /// What a loop of a part is made from.
 pub(super) enum LoopSource {
     Links(Vec<Link>),
     /// Points that are samples themselves.
-    Samples(Vec<Sample>),
+    Samples(Vec<Sample>, StepSource),
 }
 
 /// The loops of each part, the outer one first. A run on which another part has an end is cut
@@ -45,7 +48,7 @@ pub(super) fn sources(
     }
     let pieces = |source: &LoopSource| match source {
         LoopSource::Links(links) => links.iter().map(|link| link.curve.spans().len()).sum(),
-        LoopSource::Samples(samples) => samples.len(),
+        LoopSource::Samples(samples, _) => samples.len(),
     };
     let found = sources.iter().flatten().map(pieces).sum();
     if found > MAX_PIECES {
@@ -98,23 +101,30 @@ fn loop_of(
         if source.kind.is_none() && source.closed {
             let samples = samples_from_points(&source.points);
             let samples = if only.reversed { run_back(&samples) } else { samples };
-            return Ok(LoopSource::Samples(samples));
+            return Ok(LoopSource::Samples(samples, on_curve(design, only)));
         }
     }
     let mut links = Vec::new();
     for wanted in uses {
         let drawn = CurveUse { name: wanted.name.clone(), reversed: false };
-        links.extend(links_of(&built(design, part, &drawn)?, wanted.reversed));
+        let curve = built(design, part, &drawn)?;
+        links.extend(links_of(&curve, wanted.reversed, on_curve(design, wanted)));
     }
     Ok(LoopSource::Links(links))
 }
 
-fn links_of(curve: &Curve, reversed: bool) -> Vec<Link> {
+/// What steps along a curve that is used lie on.
+fn on_curve(design: &Design, wanted: &CurveUse) -> StepSource {
+    let number = design.curves.iter().position(|curve| curve.name == wanted.name);
+    StepSource::Curve(number.unwrap_or_default())
+}
+
+fn links_of(curve: &Curve, reversed: bool, source: StepSource) -> Vec<Link> {
     let mut runs = curve.smooth_runs();
     if reversed {
         runs.reverse();
     }
-    runs.into_iter().map(|curve| Link { curve, reversed }).collect()
+    runs.into_iter().map(|curve| Link { curve, reversed, source }).collect()
 }
 
 /// The loop of two rails and the straight edges between their ends.
@@ -134,22 +144,23 @@ fn rail_links(
     let [first, second] = curves;
     let second = if turned { second.reversed() } else { second };
     let size = size_of(near.iter().chain(&far).map(|s| s.position));
-    let edge = |from: Point3, to: Point3| {
+    let edge = |from: Point3, to: Point3, source: StepSource| {
         let straight = [from, to].map(CurvePoint::corner);
         let apart = from.distance(to) > Tolerance::CHAIN.length_mm(size);
         let curve = apart.then(|| Curve::new(CurveKind::Polyline, &straight, false));
         let curve = curve.transpose().map_err(|error| failed(PanelCause::Curve(error)))?;
-        Ok(curve.map(|curve| Link { curve, reversed: false }))
+        Ok(curve.map(|curve| Link { curve, reversed: false, source }))
     };
-    let at_end = edge(first.end(), second.start())?;
-    let at_start = edge(second.end(), first.start())?;
+    let at_end = edge(first.end(), second.start(), StepSource::End)?;
+    let at_start = edge(second.end(), first.start(), StepSource::Start)?;
     // As they were drawn, and run as they are used.
-    let rail = |curve: Curve, reversed: bool| {
-        links_of(&if reversed { curve.reversed() } else { curve }, reversed)
+    let rail = |curve: Curve, n: usize, reversed: bool| {
+        let drawn = if reversed { curve.reversed() } else { curve };
+        links_of(&drawn, reversed, on_curve(design, &rails[n]))
     };
-    let mut links = rail(first, rails[0].reversed);
+    let mut links = rail(first, 0, rails[0].reversed);
     links.extend(at_end);
-    links.extend(rail(second, rails[1].reversed != turned));
+    links.extend(rail(second, 1, rails[1].reversed != turned));
     links.extend(at_start);
     Ok(links)
 }
@@ -160,7 +171,7 @@ fn cut_where_others_end(sources: &mut [Vec<LoopSource>]) {
         parts.flat_map(|(part, loops)| {
             let links = loops.iter().filter_map(|source| match source {
                 LoopSource::Links(links) => Some(links),
-                LoopSource::Samples(_) => None,
+                LoopSource::Samples(..) => None,
             });
             links.flatten().map(move |link| (part, link))
         })
@@ -211,10 +222,10 @@ fn cut_where_others_end(sources: &mut [Vec<LoopSource>]) {
 
 /// A link cut at places (span and its parameter) that are not its ends; closed links stay whole.
 fn cut(link: Link, places: Option<Vec<(usize, f64)>>, near: f64) -> Vec<Link> {
-    let Link { curve, reversed } = link;
+    let Link { curve, reversed, source } = link;
     let mut places = places.unwrap_or_default();
     if curve.closed() {
-        return vec![Link { curve, reversed }];
+        return vec![Link { curve, reversed, source }];
     }
     // From the end, so that the numbers of the spans before stay.
     places.sort_by(|a, b| b.0.cmp(&a.0).then(b.1.total_cmp(&a.1)));
@@ -229,34 +240,36 @@ fn cut(link: Link, places: Option<Vec<(usize, f64)>>, near: f64) -> Vec<Link> {
         let at = left.position(span as f64 + t);
         if inside && [left.start(), left.end()].iter().all(|end| at.distance(*end) > near) {
             let [before, after] = left.cut(span, t);
-            pieces.push(Link { curve: after, reversed });
+            pieces.push(Link { curve: after, reversed, source });
             left = before;
             if t > 0.0 {
                 cut_at = (span, if span == cut_at.0 { t * cut_at.1 } else { t });
             }
         }
     }
-    pieces.push(Link { curve: left, reversed });
+    pieces.push(Link { curve: left, reversed, source });
     if !reversed {
         pieces.reverse();
     }
     pieces
 }
 
-/// The samples of a loop of links with these divisions.
+/// The samples of a loop of links with these divisions, and what the step from each lies on.
 pub(super) fn loop_samples<'a>(
     links: &[Link],
     divisions: &mut impl Iterator<Item = &'a usize>,
-) -> Result<Vec<Sample>, SampleError> {
-    let mut pieces = Vec::new();
+) -> Result<(Vec<Sample>, Vec<StepSource>), SampleError> {
+    let (mut pieces, mut steps) = (Vec::new(), Vec::new());
     for link in links {
         let divisions = divisions.next().copied().unwrap_or(1);
         if link.curve.closed() {
             let samples = sample_chain(std::slice::from_ref(&link.curve), divisions)?;
-            return Ok(if link.reversed { run_back(&samples) } else { samples });
+            let steps = vec![link.source; samples.len()];
+            return Ok((if link.reversed { run_back(&samples) } else { samples }, steps));
         }
         let samples = sample_open(&link.curve, divisions + 1)?;
+        steps.extend(vec![link.source; samples.len() - 1]);
         pieces.push(if link.reversed { run_back(&samples) } else { samples });
     }
-    Ok(chained_samples(&pieces))
+    Ok((chained_samples(&pieces), steps))
 }

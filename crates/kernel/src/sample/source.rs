@@ -1,5 +1,6 @@
 //! Samples that know which place of which curve they are from.
 
+use super::steps::StepSource;
 use sheetwright_geometry::boundary::Joined;
 use sheetwright_geometry::curve::Sample;
 use std::ops::Range;
@@ -56,6 +57,8 @@ impl Sourced {
 /// The samples of a panel.
 pub(crate) struct Sampled {
     pub(crate) loops: Vec<Vec<Sourced>>,
+    /// What the step from each sample to the next lies on.
+    pub(crate) steps: Vec<Vec<StepSource>>,
     /// How many of the samples lie on the first rail.
     pub(crate) on_first_rail: Option<usize>,
     /// Where rails ran on: how far each end bulges from the straight line, mm, if it does.
@@ -66,17 +69,17 @@ pub(crate) struct Sampled {
 
 impl Sampled {
     /// Those of a panel that joins no others.
-    pub(super) fn of_loops(loops: Vec<Vec<Sourced>>) -> Self {
-        Self { loops, on_first_rail: None, new_ends: None, joined: None }
+    pub(super) fn of_loops(loops: Vec<Vec<Sourced>>, steps: Vec<Vec<StepSource>>) -> Self {
+        Self { loops, steps, on_first_rail: None, new_ends: None, joined: None }
     }
 
     /// Those of joined panels, which come from no single curve.
-    pub(super) fn joined(joined: Joined) -> Self {
+    pub(super) fn joined(joined: Joined, steps: Vec<Vec<StepSource>>) -> Self {
         let boundary = &joined.boundary;
         let of_loop = |range: &Range<usize>| boundary.samples()[range.clone()].iter();
         let sourced = |range| of_loop(range).copied().map(Sourced::from_nowhere).collect();
         let loops = boundary.loops().iter().map(sourced).collect();
-        Self { joined: Some(joined), ..Self::of_loops(loops) }
+        Self { joined: Some(joined), ..Self::of_loops(loops, steps) }
     }
 
     /// The samples alone.

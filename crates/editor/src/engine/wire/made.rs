@@ -3,7 +3,7 @@
 use super::{Wire, fields, kinds};
 use crate::engine::shown::{Shown, ShownPanel, ShownRung};
 use sheetwright::check::{Finding, Remedy, Severity, Verdict};
-use sheetwright::pattern::{PathKind, PatternLabel, PatternPath, Piece, Role};
+use sheetwright::pattern::{LabelKind, PathKind, PatternLabel, PatternPath, Piece, Role};
 use sheetwright::rung::Rung;
 
 /// The codes that findings have, in order. They are names in the kernel, which no bytes can be.
@@ -63,10 +63,11 @@ fields!(Shown {
 fields!(ShownRung { ends, flat_ends, warp_deg, is_unsure, crease_deg, normals });
 fields!(Piece { name, paths, labels, size });
 fields!(PatternPath { role, kind, points, closed });
-fields!(PatternLabel { role, at, along, height_mm, text });
+fields!(PatternLabel { kind, role, at, along, height_mm, text });
 kinds!(Verdict { Bends, BendsAndFolds, BendsWithForce, Undecided, WillNotBend });
 kinds!(Severity { Note, Warning, Error });
 kinds!(Role { Cut, Score, Engrave, Note });
+kinds!(LabelKind { Name, Edge, Mark, Length });
 
 impl Wire for Finding {
     fn put(&self, out: &mut Vec<u8>) {

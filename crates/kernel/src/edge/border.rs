@@ -1,0 +1,90 @@
+//! The runs of one source that a border is divided into, and their names.
+
+use super::{Edge, EdgeSource};
+use sheetwright_geometry::math::{Point2, Point3};
+use std::collections::BTreeMap;
+
+/// A step of a border: the vertex that it begins at, and what it lies on.
+pub(super) type Step = (usize, EdgeSource);
+
+/// The edges of a sheet whose border has these loops. `name` is what an edge of a source is called;
+/// a second one of the same name gets `-2`, and so on.
+pub(super) fn edges(
+    loops: &[Vec<Step>],
+    name: impl Fn(EdgeSource) -> String,
+    space: &[Point3],
+    flat: &[Point2],
+) -> Vec<Edge> {
+    let mut count: BTreeMap<String, usize> = BTreeMap::new();
+    let mut edges: Vec<Edge> = Vec::new();
+    for (source, run) in loops.iter().flat_map(|steps| runs(steps)) {
+        let name = name(source);
+        // A curve may be called as the second edge of another would be.
+        let mut numbered = || {
+            let n = count.entry(name.clone()).and_modify(|n| *n += 1).or_insert(1);
+            if *n == 1 { name.clone() } else { format!("{name}-{n}") }
+        };
+        let mut free = numbered();
+        while edges.iter().any(|edge| edge.name == free) {
+            free = numbered();
+        }
+        edges.push(Edge::new(free, source, run, space, flat));
+    }
+    edges
+}
+
+/// The longest runs of one source along a loop, in the order of the loop; the first holds its first
+/// step.
+fn runs(steps: &[Step]) -> Vec<(EdgeSource, Vec<usize>)> {
+    let m = steps.len();
+    let begins = |n: usize| steps[n].1 != steps[(n + m - 1) % m].1;
+    let starts: Vec<usize> = (0..m).filter(|&n| begins(n)).collect();
+    let run = |from: usize, count: usize| {
+        let vertices = (0..=count).map(|k| steps[(from + k) % m].0).collect();
+        (steps[from].1, vertices)
+    };
+    let [first, ..] = starts[..] else {
+        return if m == 0 { Vec::new() } else { vec![run(0, m)] };
+    };
+    let ends = starts.iter().skip(1).copied().chain([first + m]);
+    let mut runs: Vec<_> =
+        starts.iter().zip(ends).map(|(&from, to)| run(from, to - from)).collect();
+    if first > 0 {
+        runs.rotate_right(1);
+    }
+    runs
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn runs_end_where_the_source_changes() {
+        let (a, b) = (EdgeSource::Curve(0), EdgeSource::Curve(1));
+        let loop_of = |sources: &[EdgeSource]| -> Vec<Step> {
+            sources.iter().enumerate().map(|(n, source)| (10 + n, *source)).collect()
+        };
+        assert_eq!(runs(&loop_of(&[a, a, a])), [(a, vec![10, 11, 12, 10])]);
+        assert_eq!(runs(&loop_of(&[a, a, b])), [(a, vec![10, 11, 12]), (b, vec![12, 10])]);
+        // The first run holds the first step, wherever it begins.
+        assert_eq!(runs(&loop_of(&[a, b, a])), [(a, vec![12, 10, 11]), (b, vec![11, 12])]);
+        assert_eq!(runs(&[]), []);
+    }
+
+    #[test]
+    fn no_two_edges_have_one_name() {
+        let sources = [0, 1, 0, 2].map(EdgeSource::Curve);
+        let steps: Vec<Step> = sources.iter().enumerate().map(|(n, s)| (n, *s)).collect();
+        let names = ["rim", "keel", "rim-2"];
+        let name = |source| match source {
+            EdgeSource::Curve(n) => names[n].to_owned(),
+            _ => String::new(),
+        };
+        let at = [Point3::new(0.0, 0.0, 0.0); 4];
+        let flat = [Point2::new(0.0, 0.0); 4];
+        let found: Vec<String> =
+            edges(&[steps], name, &at, &flat).into_iter().map(|edge| edge.name).collect();
+        assert_eq!(found, ["rim", "keel", "rim-2", "rim-2-2"]);
+    }
+}

@@ -1,0 +1,105 @@
+//! The edges of parts: named runs of the border of a sheet, each with what it lies on and with the
+//! edges that it is joined to.
+//!
+//! An edge ends where the border passes from one curve to another, to the straight end of a strip
+//! or to a side of a cut. Edges that lie on one stretch of a curve are *mates*, also across panels
+//! and of one panel with itself (a tube along its seam); so are both sides of a cut, and the edges
+//! along which two panels of one mesh meet. Letters, lengths and marks of joints read this list.
+
+mod border;
+mod mates;
+mod of_mesh;
+mod of_sheet;
+
+pub use mates::join_mates;
+pub use of_mesh::{MeshBorder, MeshJoint, edges_of_meshes};
+pub use of_sheet::edges_of_sheet;
+
+use sheetwright_geometry::math::{Point2, Point3};
+
+/// What an edge lies on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum EdgeSource {
+    /// A curve, by its number in the design.
+    Curve(usize),
+    /// What joins the beginnings of two rails.
+    Start,
+    /// What joins their ends.
+    End,
+    /// A side of a cut: the first or the second of the cut of this number.
+    Cut {
+        /// The number of the cut in its panel, from 0.
+        number: usize,
+        /// Whether it is the second side.
+        second: bool,
+    },
+    /// Where a panel of the mesh meets another, or itself along a crease.
+    Panel {
+        /// The number of the other panel.
+        with: usize,
+    },
+    /// Where nothing meets a mesh.
+    Border,
+}
+
+/// An edge, by its panel and its number there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct EdgePlace {
+    /// The number of the panel.
+    pub panel: usize,
+    /// The number of the edge in it.
+    pub edge: usize,
+}
+
+/// An edge of a part.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Edge {
+    /// Its name, as in `PANEL/EDGE`; no two of a panel share one.
+    pub name: String,
+    /// What it lies on.
+    pub source: EdgeSource,
+    /// The vertices of the sheet along it, by their numbers, the sheet to the left; of an edge that
+    /// is a whole loop, the first stands at the end once more.
+    pub run: Vec<usize>,
+    /// How long it is in space, mm.
+    pub length_space_mm: f64,
+    /// How long it is on the pattern, mm.
+    pub length_flat_mm: f64,
+    /// The edges that it is joined to; none of a free edge.
+    pub mates: Vec<EdgePlace>,
+    /// The largest difference between its length on the pattern and that of a mate, along what both
+    /// share, mm; `None` of a free edge.
+    pub difference_mm: Option<f64>,
+}
+
+impl Edge {
+    fn new(
+        name: String,
+        source: EdgeSource,
+        run: Vec<usize>,
+        space: &[Point3],
+        flat: &[Point2],
+    ) -> Self {
+        let steps = || run.windows(2);
+        let length_space_mm = steps().map(|s| space[s[0]].distance(space[s[1]])).sum();
+        let length_flat_mm = steps().map(|s| flat[s[0]].distance(flat[s[1]])).sum();
+        let (mates, difference_mm) = (Vec::new(), None);
+        Self { name, source, run, length_space_mm, length_flat_mm, mates, difference_mm }
+    }
+
+    /// Whether it is a whole loop.
+    pub fn is_loop(&self) -> bool {
+        self.run.first() == self.run.last()
+    }
+}
+
+/// A part with its edges, as far as mates are looked for.
+#[derive(Debug)]
+pub struct PartEdges<'a> {
+    /// Its edges.
+    pub edges: &'a mut Vec<Edge>,
+    /// Where the vertices of its sheet lie in space, mm.
+    pub space: &'a [Point3],
+    /// Where they lie on the pattern, mm.
+    pub flat: &'a [Point2],
+}

@@ -1,0 +1,94 @@
+//! What each step of a boundary, from one sample to the next, lies on. Edges of patterns have their
+//! names from it.
+
+use super::source::Sourced;
+use sheetwright_geometry::boundary::Boundary;
+use sheetwright_geometry::math::Point3;
+use std::collections::BTreeMap;
+
+/// What a step of a boundary lies on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum StepSource {
+    /// A curve, by its number in the design.
+    Curve(usize),
+    /// What joins the beginnings of two rails: straight, unless they run on.
+    Start,
+    /// What joins their ends.
+    End,
+}
+
+/// The steps along a loop of curves.
+pub(super) fn along_curves(samples: &[Sourced]) -> Vec<StepSource> {
+    let curve = |sourced: &Sourced| sourced.leaving.or(sourced.at).map(|place| place.curve);
+    samples.iter().map(|sourced| StepSource::Curve(curve(sourced).unwrap_or_default())).collect()
+}
+
+/// Where the samples of a rail's own lie among those that it has with the new ends that it runs on
+/// to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Own {
+    pub(super) first: usize,
+    pub(super) last: usize,
+}
+
+impl Own {
+    /// A rail of so many samples that does not run on.
+    pub(super) fn all(samples: usize) -> Self {
+        Self { first: 0, last: samples - 1 }
+    }
+
+    /// Of the rail run back, which has so many samples.
+    pub(super) fn back(self, samples: usize) -> Self {
+        Self { first: samples - 1 - self.last, last: samples - 1 - self.first }
+    }
+
+    /// The steps from each of so many samples of a rail: along its curve, and before and after it.
+    pub(super) fn steps(
+        self,
+        samples: usize,
+        [before, on, after]: [StepSource; 3],
+    ) -> Vec<StepSource> {
+        let step = |n: usize| match n {
+            _ if n < self.first => before,
+            _ if n < self.last => on,
+            _ => after,
+        };
+        (0..samples).map(step).collect()
+    }
+}
+
+/// The steps of boundaries by the places of their two ends, in either direction.
+#[derive(Debug, Default)]
+pub(super) struct StepsByPlace(BTreeMap<[[u64; 3]; 2], StepSource>);
+
+impl StepsByPlace {
+    fn key(ends: [Point3; 2]) -> [[u64; 3]; 2] {
+        // 0 and −0 are one place.
+        let bits = |p: Point3| [p.x + 0.0, p.y + 0.0, p.z + 0.0].map(f64::to_bits);
+        let [a, b] = ends.map(bits);
+        [a.min(b), a.max(b)]
+    }
+
+    pub(super) fn insert(&mut self, ends: [Point3; 2], step: StepSource) {
+        self.0.insert(Self::key(ends), step);
+    }
+
+    /// The steps of a boundary that is joined from these. Where joining moved samples, a step is of
+    /// what the nearest one beside it is of that was not moved, the earlier of two.
+    pub(super) fn of(&self, boundary: &Boundary) -> Vec<Vec<StepSource>> {
+        let at = |i: usize| boundary.samples()[i].position;
+        let of_loop = |range: &std::ops::Range<usize>| {
+            let known: Vec<Option<StepSource>> = range
+                .clone()
+                .map(|i| self.0.get(&Self::key([at(i), at(boundary.next(i))])).copied())
+                .collect();
+            let m = known.len();
+            let nearest = |n: usize| {
+                let beside = (0..m).flat_map(|far| [(n + m - far) % m, (n + far) % m]);
+                beside.filter_map(|k| known[k]).next().unwrap_or(StepSource::Start)
+            };
+            (0..m).map(nearest).collect()
+        };
+        boundary.loops().iter().map(of_loop).collect()
+    }
+}
