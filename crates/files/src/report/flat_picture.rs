@@ -199,8 +199,8 @@ fn step(panel: &MadePanel, i: usize) -> f64 {
     panel.flat.points[i].distance(panel.flat.points[next_on_sheet(panel, i)])
 }
 
-/// The longest stretches of the outline's edges, from corner to corner, in the order of the outline,
-/// and the sides of seams. None where the outline is one edge without corners.
+/// The longest stretches of the outline's edges, from corner to corner, in the order of the
+/// outline, and the sides of seams. None where the outline is one edge without corners.
 pub(super) fn edges(panel: &MadePanel) -> Vec<Tagged<'_>> {
     let outer = outer_loop(panel);
     let of_outline = panel.edges.iter().filter(|edge| outer.contains(&edge.run[0]));

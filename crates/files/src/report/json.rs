@@ -247,8 +247,8 @@ struct JointReport<'a> {
 #[schemars(title = "Edge")]
 struct EdgeReport<'a> {
     /// Its name on the panel: that of its curve; `start` or `end` between two rails; `cut-1a` and
-    /// `cut-1b` along a cut; of a mesh, the panel that it meets, or `border`. A second one of a name
-    /// has `-2` after it, and so on.
+    /// `cut-1b` along a cut; of a mesh, the panel that it meets, or `border`. A second one of a
+    /// name has `-2` after it, and so on.
     name: &'a str,
     /// How long it is in space, mm.
     length_space_mm: f64,

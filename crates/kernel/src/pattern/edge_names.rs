@@ -14,9 +14,9 @@ const WIDTH: f64 = 0.75;
 /// A name takes this share of its edge at the most; longer ones are written smaller.
 const ALONG: f64 = 0.7;
 
-/// The names of the edges of a piece whose vertices lie at `flat`. Sides of cuts have marks of their
-/// own, and where there is one edge its name says nothing. `tick_mm` is the length of ticks on the
-/// border, which names stay clear of, `height_mm` the height of the piece's letters.
+/// The names of the edges of a piece whose vertices lie at `flat`. Sides of cuts have marks of
+/// their own, and where there is one edge its name says nothing. `tick_mm` is the length of ticks
+/// on the border, which names stay clear of, `height_mm` the height of the piece's letters.
 pub(super) fn labels(
     edges: &[Edge],
     flat: &[Point2],

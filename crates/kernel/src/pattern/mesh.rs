@@ -40,7 +40,8 @@ pub fn seam_marks(seams: &[MeshSeam]) -> Vec<EdgeMark> {
     seams.iter().enumerate().flat_map(of_seam).collect()
 }
 
-/// The pattern of a mesh of one piece with these edges. `points` are where its vertices lie when it is flat, mm.
+/// The pattern of a mesh of one piece with these edges. `points` are where its vertices lie when it
+/// is flat, mm.
 pub fn mesh_piece(
     name: &str,
     sheet: &Mesh,

@@ -5,7 +5,7 @@ use super::curves::{built, found};
 use super::error::{PanelCause, PanelError};
 use super::run_on;
 use super::source::{OnCurve, Sampled, Sourced, apart, back, run_back};
-use super::steps::{Own, StepSource, along_curves};
+use super::steps::{Own, StepSource};
 use crate::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelShape};
 use sheetwright_geometry::boundary::{BoundaryError, MAX_SAMPLES, samples_from_points, size_of};
 use sheetwright_geometry::curve::{
@@ -227,6 +227,12 @@ impl Sampler<'_> {
         let on_first_rail = Some(on_first_rail);
         Ok(Sampled { on_first_rail, new_ends, ..Sampled::of_loops(vec![first], vec![steps]) })
     }
+}
+
+/// The steps along a loop of curves.
+fn along_curves(samples: &[Sourced]) -> Vec<StepSource> {
+    let curve = |sourced: &Sourced| sourced.leaving.or(sourced.at).map(|place| place.curve);
+    samples.iter().map(|sourced| StepSource::Curve(curve(sourced).unwrap_or_default())).collect()
 }
 
 /// A curve as it is used: its number in the design, and how to find a place on it as it was drawn.

@@ -1,7 +1,6 @@
 //! What each step of a boundary, from one sample to the next, lies on. Edges of patterns have their
 //! names from it.
 
-use super::source::Sourced;
 use sheetwright_geometry::boundary::Boundary;
 use sheetwright_geometry::math::Point3;
 use std::collections::BTreeMap;
@@ -15,12 +14,6 @@ pub enum StepSource {
     Start,
     /// What joins their ends.
     End,
-}
-
-/// The steps along a loop of curves.
-pub(super) fn along_curves(samples: &[Sourced]) -> Vec<StepSource> {
-    let curve = |sourced: &Sourced| sourced.leaving.or(sourced.at).map(|place| place.curve);
-    samples.iter().map(|sourced| StepSource::Curve(curve(sourced).unwrap_or_default())).collect()
 }
 
 /// Where the samples of a rail's own lie among those that it has with the new ends that it runs on
