@@ -3,12 +3,12 @@
 use crate::command::Command;
 use crate::document::Plan;
 use crate::editor::{Editor, Notice, Page};
-use crate::panes::SurfaceView;
 use crate::panes::plan::Tool;
-use crate::panes::space::navigation::Navigation;
 use crate::room::{Room, fitting};
 use crate::scene::Act;
 use crate::theme::{Look, Theme};
+use crate::views::Navigation;
+use crate::views::SurfaceView;
 use eframe::egui::{self, Button, Color32, Id, Layout, ProgressBar, RichText, Ui, UiBuilder};
 
 /// What is above and below an open menu, points.

@@ -1,10 +1,10 @@
 //! Everything that a person can ask for by name: menus, keys, buttons and the palette share it.
 
 use crate::document::Plan;
-use crate::panes::SurfaceView;
-use crate::panes::space::navigation::Navigation;
 use crate::room::Part;
 use crate::theme::Look;
+use crate::views::Navigation;
+use crate::views::SurfaceView;
 use eframe::egui::{Key, KeyboardShortcut, Modifiers};
 
 /// A command.

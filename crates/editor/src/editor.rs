@@ -14,14 +14,15 @@ pub use leave::{Coming, Decision, Next, Source};
 pub use notice::Notice;
 
 use crate::document::{Document, Draft, FARTHEST_MM, History, edit};
+use crate::document::{Edit, Selection};
 use crate::engine::shown::ShownPanel;
 use crate::engine::{Engine, Refusal, Varied, Wake};
-use crate::panes::SurfaceView;
 use crate::panes::plan::Tool;
-use crate::panes::space::navigation::Navigation;
 use crate::room::{Part, Room};
-use crate::scene::{Act, Edit, Scene, Selection};
+use crate::scene::{Act, Scene};
 use crate::theme::{Look, Theme};
+use crate::views::Navigation;
+use crate::views::SurfaceView;
 use jobs::Jobs;
 use sheetwright::math::Point2;
 use web_time::Instant;

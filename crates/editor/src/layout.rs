@@ -5,7 +5,6 @@ use crate::bars::command_button;
 use crate::command::Command;
 use crate::document::Plan;
 use crate::editor::Editor;
-use crate::panes::SurfaceView;
 use crate::panes::pattern::PatternPane;
 use crate::panes::plan::PlanPane;
 use crate::panes::space::SpacePane;
@@ -14,6 +13,7 @@ use crate::scene::{Act, Scene};
 use crate::side::fields_ui;
 use crate::theme::Theme;
 use crate::verdicts::{banner_ui, verdicts_ui};
+use crate::views::SurfaceView;
 use eframe::CreationContext;
 use eframe::egui::{self, Frame, Margin, Panel, RichText, Ui, vec2};
 

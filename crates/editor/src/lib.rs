@@ -31,6 +31,7 @@ pub mod store;
 pub mod theme;
 mod thumb;
 mod verdicts;
+pub mod views;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
 mod words;

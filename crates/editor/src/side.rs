@@ -7,10 +7,11 @@
 use crate::command::Command;
 use crate::document::edit::why_unbound;
 use crate::document::{Document, Drawing, FARTHEST_MM, Mirror, Plan};
+use crate::document::{Edit, PointRef, curves_of};
 use crate::editor::Editor;
 use crate::field::Field;
-use crate::panes::space::words::decimal;
-use crate::scene::{Act, Edit, PointRef, curves_of};
+use crate::panes::words::decimal;
+use crate::scene::Act;
 use crate::theme::Theme;
 use eframe::egui::{self, ComboBox, Id, RichText, Ui};
 use sheetwright::boundary::PlaneChoice;

@@ -1,11 +1,12 @@
 //! Will it bend? A line that counts, always at the top of the bar, and a card a panel, the worst
 //! first.
 
+use crate::document::Selection;
 use crate::document::edit::why_no_panel;
 use crate::editor::Editor;
 use crate::engine::shown::{Shown, ShownPanel, ShownRung};
-use crate::panes::space::words::{length, radius};
-use crate::scene::{Act, Selection};
+use crate::panes::words::{length, radius};
+use crate::scene::Act;
 use crate::theme::Theme;
 use eframe::egui::{self, Align, Button, Color32, Frame, Layout, Margin, RichText, Ui, vec2};
 use sheetwright::check::{Finding, Severity, Verdict};

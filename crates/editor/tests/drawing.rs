@@ -12,7 +12,8 @@ use sheetwright::design::DesignCurve;
 use sheetwright::math::{Point2, Point3};
 use sheetwright_editor::command::Command;
 use sheetwright_editor::document::{Document, Plan};
-use sheetwright_editor::scene::{Act, Edit, PointRef, Selection};
+use sheetwright_editor::document::{Edit, PointRef, Selection};
+use sheetwright_editor::scene::Act;
 use sheetwright_editor::theme::HANDLE;
 
 const SIZE: [f32; 2] = [1280.0, 800.0];

@@ -14,8 +14,9 @@ use sheetwright::math::{Point2, Point3};
 use sheetwright::watch::Unwatched;
 use sheetwright_editor::command::Command;
 use sheetwright_editor::document::{Document, Mirror};
+use sheetwright_editor::document::{Edit, PointRef};
 use sheetwright_editor::editor::{Opened, Page};
-use sheetwright_editor::scene::{Act, Edit, PointRef};
+use sheetwright_editor::scene::Act;
 use sheetwright_files::{Format, PdfOptions, output_files};
 
 const SIZE: [f32; 2] = [1280.0, 800.0];
@@ -33,7 +34,7 @@ fn drawn() -> Hands {
 /// Lifts a point by its field at the side.
 fn lift(hands: &mut Hands, point: usize, text: &str) {
     let at = PointRef { curve: 0, point };
-    let selection = sheetwright_editor::scene::Selection::of_point(at);
+    let selection = sheetwright_editor::document::Selection::of_point(at);
     hands.harness.state_mut().editor_mut().carry_out(Act::Select(selection));
     hands.step();
     hands.type_into("Lift (z)", text);

@@ -32,7 +32,7 @@ fn a_drag_of_a_handle_of_a_panel_of_400_samples() {
     hands.settle();
     for (point, z) in [(0, 50.0), (2, 70.0)] {
         let editor = hands.harness.state_mut().editor_mut();
-        let at = sheetwright_editor::scene::PointRef { curve: 0, point };
+        let at = sheetwright_editor::document::PointRef { curve: 0, point };
         let mut to = editor.document().design.curves[0].points[point].at;
         to.z = z;
         editor.carry_out(sheetwright_editor::scene::Act::Move(vec![(at, to)]));

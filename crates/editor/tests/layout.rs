@@ -11,8 +11,8 @@ use hands::{Hands, round};
 use sheetwright_editor::command::Command;
 use sheetwright_editor::document::{Document, Plan};
 use sheetwright_editor::pages::start::CARD;
-use sheetwright_editor::panes::SurfaceView;
 use sheetwright_editor::room::Part;
+use sheetwright_editor::views::SurfaceView;
 
 /// Where a pane lies, if it is seen.
 fn pane(hands: &Hands, begins: &str) -> Option<Rect> {

@@ -9,10 +9,11 @@ use eframe::egui::vec2;
 use hands::{Hands, round};
 use sheetwright_editor::command::Command;
 use sheetwright_editor::document::Document;
-use sheetwright_editor::panes::SurfaceView;
+use sheetwright_editor::document::PointRef;
 use sheetwright_editor::room::Part;
-use sheetwright_editor::scene::{Act, PointRef};
+use sheetwright_editor::scene::Act;
 use sheetwright_editor::theme::Look;
+use sheetwright_editor::views::SurfaceView;
 use std::path::{Path, PathBuf};
 
 fn keep(hands: &mut Hands, folder: &Path, name: &str) {
@@ -55,7 +56,7 @@ fn pictures_are_taken_where_somebody_asks() {
             to.z = lift;
             editor.carry_out(Act::Move(vec![(at, to)]));
             editor.carry_out(Act::Rest);
-            editor.carry_out(Act::Select(sheetwright_editor::scene::Selection::of_point(at)));
+            editor.carry_out(Act::Select(sheetwright_editor::document::Selection::of_point(at)));
         }
         hands.settle();
         keep(&mut hands, &folder, &format!("{name}-panes"));

@@ -130,7 +130,7 @@ fn act(hands: &mut Hands, dice: &mut Dice) {
         11 => {
             let curves = &hands.app().editor().document().design.curves;
             let Some(count) = curves.first().map(|curve| curve.points.len()) else { return };
-            let at = sheetwright_editor::scene::PointRef { curve: 0, point: dice.below(count) };
+            let at = sheetwright_editor::document::PointRef { curve: 0, point: dice.below(count) };
             let to = curves[0].points[at.point].at;
             let to =
                 sheetwright::math::Point3::new(to.x, to.y, to.z + dice.below(90) as f64 - 40.0);

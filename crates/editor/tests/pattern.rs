@@ -7,9 +7,9 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use panes::{Pane, Window, example, template};
 use sheetwright::design::Design;
-use sheetwright_editor::panes::SurfaceView;
+use sheetwright_editor::document::Selection;
 use sheetwright_editor::panes::pattern::PatternPane;
-use sheetwright_editor::scene::Selection;
+use sheetwright_editor::views::SurfaceView;
 use sheetwright_files::Units;
 
 const SIZE: Vec2 = vec2(640.0, 360.0);

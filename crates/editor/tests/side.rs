@@ -15,10 +15,11 @@ use sheetwright::check::Verdict;
 use sheetwright::math::Point3;
 use sheetwright_editor::command::Command;
 use sheetwright_editor::document::Document;
+use sheetwright_editor::document::{PointRef, Selection};
 use sheetwright_editor::editor::Page;
 use sheetwright_editor::engine::shown::ShownPanel;
 use sheetwright_editor::panes::plan::Tool;
-use sheetwright_editor::scene::{Act, PointRef, Selection};
+use sheetwright_editor::scene::Act;
 use sheetwright_files::{Drawing, Units, design_from_template};
 
 const SIZE: [f32; 2] = [1280.0, 800.0];
@@ -406,7 +407,7 @@ fn the_scale_of_a_picture_is_typed_at_once() {
         hands.key(Modifiers::NONE, key);
     }
     assert_eq!(field(&hands, "Distance").unwrap().1, "2ft");
-    assert_eq!(hands.app().editor().view, sheetwright_editor::panes::SurfaceView::default());
+    assert_eq!(hands.app().editor().view, sheetwright_editor::views::SurfaceView::default());
     hands.key(Modifiers::NONE, Key::Enter);
     let drawing = &hands.app().editor().document().drawing;
     let picture = drawing.reference.as_ref().unwrap();

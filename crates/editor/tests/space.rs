@@ -10,9 +10,10 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use panes::{Pane, Window, example, template};
 use sheetwright::design::Design;
-use sheetwright_editor::panes::SurfaceView;
+use sheetwright_editor::document::{PointRef, Selection};
 use sheetwright_editor::panes::space::SpacePane;
-use sheetwright_editor::scene::{Act, PointRef, Selection};
+use sheetwright_editor::scene::Act;
+use sheetwright_editor::views::SurfaceView;
 
 const SIZE: eframe::egui::Vec2 = vec2(640.0, 700.0);
 

@@ -24,8 +24,7 @@ const CRATES: [&str; 8] = [
 ];
 
 /// The circles that are known: the folder, and the files in it that lead to one another.
-const KNOWN: [(&str, &[&str]); 4] = [
-    ("crates/editor", &["command", "document", "panes", "scene"]),
+const KNOWN: [(&str, &[&str]); 3] = [
     ("crates/files", &["design_json", "input"]),
     ("crates/files/design_json", &["convert", "drawing", "grammar", "join", "vary", "write"]),
     ("crates/optimum/triangulate/optimal/outside", &["cells", "pricing"]),

@@ -3,9 +3,9 @@
 
 use crate::document::Draft;
 use crate::editor::{Coming, Editor, Next, Source};
-use crate::panes::space::navigation::Navigation;
 use crate::store::{Autosave, Job, Recovered, Store};
 use crate::theme::Look;
+use crate::views::Navigation;
 use eframe::egui;
 use web_time::{Duration, Instant, SystemTime};
 

@@ -1,8 +1,7 @@
 //! Edits: from a document to the next one, or why not, in words. The geometry is the kernel's
 //! (`sheetwright::draw`); here it is applied to all that a document holds.
 
-use super::{Document, Mirror, Plan};
-use crate::scene::{Edit, PointRef, Selection, curves_of};
+use super::{Document, Edit, Mirror, Plan, PointRef, Selection, curves_of};
 use crate::words::sentence;
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{CurveUse, Design, DesignCurve, PanelShape};

@@ -2,14 +2,18 @@
 
 mod draft;
 pub mod edit;
+mod edits;
 pub(crate) mod file;
 mod history;
+mod selection;
 
 pub use draft::Draft;
+pub use edits::Edit;
 pub use history::History;
+pub use selection::{PointRef, Selection};
 
 use sheetwright::curve::MAX_COORDINATE_MM;
-use sheetwright::design::Design;
+use sheetwright::design::{CurveUse, Design, DesignPanel, PanelShape};
 pub use sheetwright_files::{Drawing, Mirror, Plan, Reference};
 
 /// Everything that undo brings back and that a file keeps. One plain value, cheap to clone as long
@@ -52,5 +56,14 @@ impl Document {
             !(is_seen && fits(picture.centre.x) && fits(picture.centre.y))
         });
         curve.map(|curve| curve.name.as_str()).or(picture.map(|_| "The picture"))
+    }
+}
+
+/// The curves that bound a panel, by their names.
+pub fn curves_of(panel: &DesignPanel) -> Vec<&CurveUse> {
+    match &panel.shape {
+        PanelShape::Rails(rails) => rails.iter().collect(),
+        PanelShape::Loops { outer, holes } => outer.iter().chain(holes.iter().flatten()).collect(),
+        PanelShape::Join(_) => Vec::new(),
     }
 }

@@ -2,11 +2,11 @@
 
 use super::{Editor, FileWish, Next, Page, Zoom};
 use crate::command::Command;
+use crate::document::Selection;
 use crate::document::{Mirror, edit};
 use crate::engine::shown::Shown;
 use crate::panes::plan::Tool;
 use crate::room::{Part, Room};
-use crate::scene::Selection;
 
 const NOTHING_DRAWN: &str = "Nothing is drawn yet.";
 const SELECT_A_HANDLE: &str = "Select a handle first.";

@@ -2,8 +2,8 @@
 
 use super::{Editor, Page};
 use crate::document::Document;
+use crate::document::Selection;
 use crate::engine::{Answer, Detail, Engine, Job};
-use crate::scene::Selection;
 use sheetwright::design::{Design, Vary};
 use sheetwright_files::Format;
 use std::sync::Arc;
@@ -250,8 +250,9 @@ impl Editor {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::PointRef;
     use crate::engine::tests::saddles;
-    use crate::scene::{Act, PointRef};
+    use crate::scene::Act;
 
     fn editor_with(design: Design) -> Editor {
         let mut editor = Editor::new(Arc::new(|| {}));

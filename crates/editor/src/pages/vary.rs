@@ -8,7 +8,7 @@ use crate::editor::Editor;
 use crate::engine::Varied;
 use crate::engine::shown::{Shown, ShownPanel};
 use crate::field::Field;
-use crate::panes::space::words::length;
+use crate::panes::words::length;
 use crate::scene::Act;
 use crate::theme::Theme;
 use crate::verdicts::{not_bending, said_of};

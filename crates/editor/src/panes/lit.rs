@@ -2,7 +2,8 @@
 //! hand. The others are dots, and there all the same, for the hand, for keys and for screen
 //! readers: a hand that comes to one is on its curve, and so sees it.
 
-use crate::scene::{PointRef, Scene, curves_of};
+use crate::document::{PointRef, curves_of};
+use crate::scene::Scene;
 use crate::theme::Theme;
 use eframe::egui::{Painter, Pos2};
 

@@ -7,14 +7,15 @@ use eframe::egui;
 use sheetwright::design::Design;
 use sheetwright::make::make;
 use sheetwright::watch::Unwatched;
+use sheetwright_editor::document::Selection;
 use sheetwright_editor::document::{Document, Drawing};
 use sheetwright_editor::engine::Refusal;
 use sheetwright_editor::engine::shown::{Shown, ShownPanel};
-use sheetwright_editor::panes::SurfaceView;
 use sheetwright_editor::panes::pattern::PatternPane;
 use sheetwright_editor::panes::space::SpacePane;
-use sheetwright_editor::scene::{Act, Scene, Selection};
+use sheetwright_editor::scene::{Act, Scene};
 use sheetwright_editor::theme::{Look, Theme};
+use sheetwright_editor::views::SurfaceView;
 use std::path::Path;
 
 /// Which pane.

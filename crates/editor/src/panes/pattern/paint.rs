@@ -3,13 +3,13 @@
 use super::arrange::{Takes, Texts};
 use super::view::{Placed, View, box_of};
 use crate::engine::shown::Shown;
-use crate::panes::SurfaceView;
-use crate::panes::space::handles::tag;
-use crate::panes::space::picture::worst_colour;
-use crate::panes::space::sheets::{PALE, Quantity, UNSURE, twist, values, worst};
-use crate::panes::space::words::{degrees, length};
+use crate::panes::measured::worst_colour;
+use crate::panes::measured::{PALE, Quantity, UNSURE, twist, values, worst};
+use crate::panes::tag::tag;
+use crate::panes::words::{degrees, length};
 use crate::scene::Scene;
 use crate::theme::{Theme, mapped};
+use crate::views::SurfaceView;
 use eframe::egui::epaint::TextShape;
 use eframe::egui::{
     Align2, Color32, FontId, Galley, Mesh, Painter, Pos2, Rect, Shape, Stroke, Vec2, pos2, vec2,

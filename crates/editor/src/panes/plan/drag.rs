@@ -1,7 +1,8 @@
 //! Handles on their way over the plan.
 
 use super::snap::Snap;
-use crate::scene::{PointRef, Scene};
+use crate::document::PointRef;
+use crate::scene::Scene;
 use sheetwright::draw::settle::point_at;
 use sheetwright::math::{Point2, Point3};
 

@@ -1,8 +1,9 @@
 //! The handles of curves, as the plan shows them.
 
 use super::view::View;
-use crate::panes::space::words::length;
-use crate::scene::{Act, PointRef, Scene, Selection};
+use crate::document::{PointRef, Selection};
+use crate::panes::words::length;
+use crate::scene::{Act, Scene};
 use crate::theme::{HANDLE, TOUCH};
 use eframe::egui::{self, Pos2, Rect, Sense, Ui, Vec2};
 use sheetwright::math::{Point2, Point3};

@@ -14,10 +14,11 @@ mod view;
 use view::View;
 
 use crate::command::Command;
+use crate::document::{Edit, PointRef, Selection};
 use crate::panes::is_resized;
 use crate::panes::lit::Lit;
 use crate::panes::space::handles::lift;
-use crate::scene::{Act, Edit, PointRef, Scene, Selection};
+use crate::scene::{Act, Scene};
 use drag::Drag;
 use eframe::egui::{self, Key, PointerButton, Pos2, Rect, Response, Sense, Ui, Vec2};
 use handles::Handles;

@@ -4,10 +4,11 @@ use super::Tool;
 use super::handles::Handles;
 use super::snap::Snap;
 use super::view::{View, grid_step};
+use crate::document::PointRef;
 use crate::document::{Plan, Reference};
 use crate::panes::dashes::dashed;
 use crate::panes::lit::{Lit, paint_dim};
-use crate::scene::{PointRef, Scene};
+use crate::scene::Scene;
 use crate::theme::{CURVE_WIDTH, HANDLE};
 use eframe::egui::{
     self, Align2, Color32, CornerRadius, FontId, Painter, Pos2, Rect, Shape, Stroke, TextureHandle,
@@ -325,7 +326,7 @@ impl Outlines {
 
 fn is_used(scene: &Scene<'_>, curve: &str) -> bool {
     let panels = &scene.document.design.panels;
-    panels.iter().any(|panel| crate::scene::curves_of(panel).iter().any(|u| u.name == curve))
+    panels.iter().any(|panel| crate::document::curves_of(panel).iter().any(|u| u.name == curve))
 }
 
 fn distance_to(a: Pos2, b: Pos2, p: Pos2) -> f32 {

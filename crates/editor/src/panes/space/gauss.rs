@@ -6,8 +6,8 @@
 
 use super::gpu::SheetVertex;
 use super::lines::{Lines, Pen};
-use super::sheets::{rungs_by_ends, sides, sorted};
 use crate::engine::shown::Shown;
+use crate::panes::measured::{rungs_by_ends, sides, sorted};
 use crate::scene::Scene;
 use crate::theme::Theme;
 use sheetwright::math::{Point3, Vec3, angle_between, cos, from_deg, sin, to_deg, turned, unit};

@@ -2,15 +2,17 @@
 //! across the plan only, so the plan stays as it was drawn.
 
 use super::camera::{Camera, Ray};
-use super::words::length;
+use crate::document::{PointRef, Selection};
 use crate::panes::dashes::dashed;
 use crate::panes::lit::{Lit, paint_dim};
-use crate::scene::{Act, PointRef, Scene, Selection};
+use crate::panes::tag::tag;
+use crate::panes::words::length;
+use crate::scene::{Act, Scene};
 use crate::theme::{HANDLE, TOUCH, Theme};
 use eframe::egui::accesskit::{Action, Role};
 use eframe::egui::{
-    Align2, Color32, CursorIcon, FontId, Id, Key, Modifiers, Painter, PointerButton, Pos2, Rect,
-    Response, Sense, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
+    CursorIcon, Id, Key, Modifiers, Painter, PointerButton, Pos2, Rect, Response, Sense, Stroke,
+    StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 use sheetwright::math::{Point3, Vec3};
 
@@ -452,28 +454,6 @@ fn paint_handle(
     } else {
         painter.circle(at, size, fill, stroke);
     }
-}
-
-/// A short text in a box, kept within a rectangle.
-pub(crate) fn tag(
-    painter: &Painter,
-    theme: &Theme,
-    at: Pos2,
-    text: &str,
-    colour: Color32,
-    within: Rect,
-) -> Rect {
-    let galley = painter.layout_no_wrap(text.to_owned(), FontId::proportional(13.0), theme.ink);
-    let size = galley.size() + vec2(14.0, 8.0);
-    let mut rect = Align2::LEFT_CENTER.anchor_size(at, size);
-    let room = within.shrink(4.0);
-    rect = rect.translate(vec2(
-        (room.right() - rect.right()).min(0.0) + (room.left() - rect.left()).max(0.0),
-        (room.bottom() - rect.bottom()).min(0.0) + (room.top() - rect.top()).max(0.0),
-    ));
-    painter.rect(rect, 5.0, theme.ground, Stroke::new(1.0, colour), StrokeKind::Middle);
-    painter.galley(rect.min + vec2(7.0, 4.0), galley, theme.ink);
-    rect
 }
 
 #[cfg(test)]

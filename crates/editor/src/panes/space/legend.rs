@@ -1,8 +1,8 @@
 //! What the colours of a sheet mean: a scale with its unit, and the limit of the material on it.
 
-use super::sheets::{EXACT, NO_TWIST, PALE, Quantity, twist_max, unsure_max};
-use super::words::{degrees, error};
 use crate::engine::shown::Shown;
+use crate::panes::measured::{EXACT, NO_TWIST, PALE, Quantity, twist_max, unsure_max};
+use crate::panes::words::{degrees, error};
 use crate::scene::Scene;
 use crate::theme::{Theme, mapped};
 use eframe::egui::accesskit::Role;

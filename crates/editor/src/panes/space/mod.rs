@@ -20,11 +20,14 @@ pub(crate) mod pick;
 pub(crate) mod picture;
 pub(crate) mod sheets;
 mod view_cube;
-pub mod words;
 
+use crate::panes::is_resized;
 use crate::panes::lit::are_many;
-use crate::panes::{SurfaceView, is_resized};
+use crate::panes::measured::{Quantity, twist, worst_colour, worst_of_all};
+use crate::panes::tag::tag;
+use crate::panes::words::{self, degrees};
 use crate::scene::{Act, Scene};
+use crate::views::{Navigation, SurfaceView};
 use camera::{Camera, Direction};
 use eframe::CreationContext;
 use eframe::egui::accesskit::Role;
@@ -34,13 +37,10 @@ use eframe::egui::{
     Ui, UiBuilder, Vec2, WidgetInfo, vec2,
 };
 use eframe::egui_wgpu::Callback;
-use handles::{Handles, Look, tag};
+use handles::{Handles, Look};
 use legend::Legend;
-use navigation::Navigation;
-use picture::{Built, colour, worst_colour};
-use sheets::{Quantity, twist, worst_of_all};
+use picture::{Built, colour};
 use sheetwright::math::{Point3, Vec3};
-use words::degrees;
 
 /// How much is seen of the Gauss image, whose sphere has the radius 1.
 const GAUSS_HEIGHT: f64 = 2.7;

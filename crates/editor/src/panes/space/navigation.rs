@@ -2,22 +2,9 @@
 //! table, so that people find their way with the habits that they bring.
 
 use super::camera::{ARROW_TURN, Camera};
+use crate::views::Navigation;
 use eframe::egui::{InputState, Key, Modifiers, PointerButton, Rect, Response, Ui, Vec2};
 use sheetwright::math::pow;
-
-/// Whose habits.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Navigation {
-    /// Ours.
-    #[default]
-    Sheetwright,
-    /// Those of Blender.
-    Blender,
-    /// Those of SketchUp.
-    SketchUp,
-    /// Those of Rhino.
-    Rhino,
-}
 
 /// What moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,36 +27,6 @@ const SHIFT: Modifiers = Modifiers::SHIFT;
 const CTRL: Modifiers = Modifiers::CTRL;
 
 impl Navigation {
-    /// All of them.
-    pub const ALL: [Self; 4] = [Self::Sheetwright, Self::Blender, Self::SketchUp, Self::Rhino];
-
-    /// What people call it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Sheetwright => "Mouse: ours",
-            Self::Blender => "Mouse: like Blender",
-            Self::SketchUp => "Mouse: like SketchUp",
-            Self::Rhino => "Mouse: like Rhino",
-        }
-    }
-
-    /// How to move, in a sentence.
-    pub fn tooltip(self) -> &'static str {
-        match self {
-            Self::Sheetwright => {
-                "Drag beside the handles, or with the right button, to turn. Shift or the middle \
-                 button shifts, the wheel zooms."
-            }
-            Self::Blender => {
-                "The middle button turns, with Shift it shifts, with Ctrl or the wheel it zooms."
-            }
-            Self::SketchUp => "The middle button turns, with Shift it shifts, the wheel zooms.",
-            Self::Rhino => {
-                "The right button turns, with Shift it shifts, with Ctrl or the wheel it zooms."
-            }
-        }
-    }
-
     /// The table.
     fn bindings(self) -> &'static [Binding] {
         match self {

@@ -1,8 +1,9 @@
 //! What is under the hand on a sheet.
 
 use super::camera::{Camera, Ray};
+use crate::document::Selection;
 use crate::engine::shown::Shown;
-use crate::scene::{Scene, Selection};
+use crate::scene::Scene;
 use eframe::egui::{Pos2, Rect, Vec2};
 use sheetwright::math::{Point3, unit};
 

@@ -5,12 +5,14 @@ use super::gauss;
 use super::gpu::{Globals, Picture};
 use super::lines::{Lines, Pen, curve_points};
 use super::pick::share_along;
-use super::sheets::{Quantity, twist, vertices, worst, worst_of_all};
+use super::sheets::vertices;
 use crate::document::Plan;
+use crate::document::Selection;
 use crate::engine::shown::Shown;
-use crate::panes::SurfaceView;
-use crate::scene::{Scene, Selection};
+use crate::panes::measured::{Quantity, twist, worst, worst_colour, worst_of_all};
+use crate::scene::Scene;
 use crate::theme::{CURVE_WIDTH, Theme, mapped};
+use crate::views::SurfaceView;
 use eframe::egui::{Color32, Pos2, Rect};
 use sheetwright::design::DesignCurve;
 use sheetwright::math::{Point3, Vec3};
@@ -306,10 +308,4 @@ fn on_sheet(
     if let Some(rung) = rung.and_then(|n| shown.rungs.get(n)) {
         lines.segment(rung.ends.map(at), Pen::new(theme.accent, 3.0, 2.5));
     }
-}
-
-/// The colour of the worst rung: that of a no beyond what the sheet takes.
-pub(crate) fn worst_colour(shown: &Shown, rung: usize, theme: &Theme) -> Color32 {
-    let beyond = shown.rungs.get(rung).is_some_and(|r| r.warp_deg > shown.warp_limit_deg);
-    if beyond { theme.verdicts[2] } else { theme.ink }
 }

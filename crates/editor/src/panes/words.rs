@@ -5,7 +5,7 @@ use crate::scene::Scene;
 use sheetwright::check::Verdict;
 use sheetwright_files::Units;
 
-use super::sheets::{twist, unsure_max, worst};
+use super::measured::{twist, unsure_max, worst};
 
 /// A length with its unit: `40 mm`, `−1.25 in`.
 pub fn length(mm: f64, units: Units) -> String {
@@ -52,7 +52,7 @@ pub fn degrees(deg: f64) -> String {
 
 /// A share as people read it: in per cent, in parts of a thousand, or as exact.
 pub fn error(share: f64) -> String {
-    if share < super::sheets::EXACT {
+    if share < super::measured::EXACT {
         "exact".to_owned()
     } else if share < 1e-5 {
         format!("{share:.0e}")

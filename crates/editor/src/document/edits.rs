@@ -1,0 +1,63 @@
+//! The edits of a document that there are; [`super::edit`] carries them out.
+
+use super::Drawing;
+use sheetwright::design::DesignPanel;
+use sheetwright::math::Point2;
+
+/// A change of the document.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Edit {
+    /// A stroke of the hand becomes a curve.
+    Stroke {
+        /// The places that the hand came through, in the plan, mm.
+        places: Vec<Point2>,
+        /// What the hand could not tell apart, mm: the size of a point of the screen.
+        grain_mm: f64,
+    },
+    /// Corners put one by one, in the plan, mm: becomes a curve of straight sides.
+    Corners {
+        /// The corners.
+        corners: Vec<Point2>,
+        /// Whether the last is joined to the first.
+        closed: bool,
+    },
+    /// A point is put on a curve, where this place of the plan is nearest to it.
+    InsertPoint {
+        /// The curve.
+        curve: usize,
+        /// The place, mm.
+        at: Point2,
+    },
+    /// A span of a curve becomes straight, or one that is straight can be bent again.
+    ToggleStraight {
+        /// The curve.
+        curve: usize,
+        /// The span, by the number of the point that it begins at.
+        span: usize,
+    },
+    /// A curve gets another name.
+    RenameCurve {
+        /// The curve.
+        curve: usize,
+        /// Its name.
+        name: String,
+    },
+    /// A panel is changed in whatever way, but for its name.
+    SetPanel {
+        /// The panel, by its number in the design.
+        panel: usize,
+        /// What it is to be.
+        to: Box<DesignPanel>,
+    },
+    /// A panel gets another name.
+    RenamePanel {
+        /// The panel, by its number in the design.
+        panel: usize,
+        /// Its name.
+        name: String,
+    },
+    /// The sheet is another, by its name; or none is named.
+    SetMaterial(Option<String>),
+    /// How the design is drawn.
+    SetDrawing(Box<Drawing>),
+}
