@@ -4,9 +4,9 @@
 //! `--features rayon` all cores share the tables, and times are those of the clock on the wall.
 //!
 //! Method: for every curve family and every number of samples, the least of five runs (three at
-//! 1,600) of the whole of `triangulate`, visibility and bound included. The table of a plain
-//! programmer (equation (5) as three nested loops over a square array, without folds) is timed in
-//! the same run, so that machines can be compared. Exponents are fitted by least squares through
+//! 1,600) of the whole of `triangulate`, visibility and bound included. The
+//! specification (equation (5) as three nested loops over a square array), without folds, is timed
+//! in the same run, so that machines can be compared. Exponents are fitted by least squares through
 //! the logarithms of all sizes from 200 on.
 #![allow(clippy::print_stdout, clippy::unwrap_used)] // it prints; what fails should stop it
 
@@ -16,7 +16,8 @@ use sheetwright_geometry::boundary::{
 use sheetwright_geometry::curve::CurvePoint;
 use sheetwright_geometry::math::{Point3, cos, sin};
 use sheetwright_geometry::watch::Unwatched;
-use sheetwright_optimum::cost::{DEFAULT_FOLD, PriceOptions, Prices};
+use sheetwright_optimum::cost::{DEFAULT_FOLD, PriceOptions};
+use sheetwright_optimum::specification;
 use sheetwright_optimum::triangulate::{Goal, Method, TriangulateOptions, triangulate};
 use sheetwright_shapes::family::Family;
 use std::f64::consts::TAU;
@@ -46,7 +47,7 @@ fn main() {
             times.iter().for_each(|t| print!(" {:>9.2}", t * 1e3));
             println!(" {:>9.2}", exponent(&SIZES[1..], &times[1..]));
         };
-        row("plain, ν = 0", &|b| least_time(b, || plain_table(b)));
+        row("plain, ν = 0", &|b| least_time(b, || plain(b)));
         let folds =
             [("optimal, ν = 0", 0.0), ("optimal, ν = 0.1", 0.1), ("optimal, ν = 1", DEFAULT_FOLD)];
         for (name, fold) in folds {
@@ -220,27 +221,10 @@ fn solve(boundary: &Boundary, method: Method, plane: PlaneChoice, fold: f64) -> 
     triangulate(boundary, plane.as_ref(), &options, &mut Unwatched).unwrap().price
 }
 
-/// Equation (5) as it is written.
-fn plain_table(boundary: &Boundary) -> f64 {
-    let prices = Prices::new(boundary, None, PriceOptions { fold: 0.0, ..Default::default() });
-    let m = boundary.len();
-    let mut least = vec![0.0; m * m];
-    for length in 2..m {
-        for i in 0..m - length {
-            let j = i + length;
-            let mut best = f64::INFINITY;
-            for k in i + 1..j {
-                best = f64::min(best, least[i * m + k] + least[k * m + j]);
-            }
-            let rung = match prices.planes(i, j) {
-                _ if prices.neighbours(i, j) => 0.0,
-                Some(planes) => prices.rung(i, j, &planes),
-                None => f64::INFINITY,
-            };
-            least[i * m + j] = best + rung;
-        }
-    }
-    least[m - 1]
+/// The specification, without folds.
+fn plain(boundary: &Boundary) -> f64 {
+    let price = PriceOptions { fold: 0.0, ..Default::default() };
+    specification::cheapest(boundary, None, price).unwrap().price
 }
 
 fn least_time(boundary: &Boundary, run: impl Fn() -> f64) -> f64 {

@@ -1,68 +1,26 @@
-//! The optimal triangulation against equation (5) as three nested loops, beyond the sizes that can
-//! be enumerated: the same triangles, ties included, and the same bits of the price.
+//! The optimal triangulation against its specification, equation (5) as it is written, beyond the
+//! sizes that can be enumerated: the same triangles, ties included, and the same bits of the price.
 
 #![allow(clippy::unwrap_used)] // tests panic
 
 use sheetwright_geometry::boundary::{Boundary, samples_from_points};
 use sheetwright_geometry::curve::CurvePoint;
-use sheetwright_geometry::math::{Point3, Vec3, cos, sin};
+use sheetwright_geometry::math::{Point3, cos, sin};
 use sheetwright_geometry::watch::Unwatched;
-use sheetwright_optimum::cost::{PriceOptions, Prices, TwistForm};
+use sheetwright_optimum::cost::{PriceOptions, TwistForm};
+use sheetwright_optimum::specification;
 use sheetwright_optimum::triangulate::{Goal, TriangulateOptions, triangulate};
 use sheetwright_shapes::family::Family;
 use std::f64::consts::TAU;
 
-/// The least price and its triangles: of equal prices the k with the shortest way from i over k to
-/// j, then the smallest.
-fn plain(boundary: &Boundary, options: PriceOptions) -> (f64, Vec<[usize; 3]>) {
-    let prices = Prices::new(boundary, None, options);
-    let m = boundary.len();
-    let at = |i: usize| boundary.samples()[i].position.to_vec();
-    let (mut least, mut means) = (vec![0.0; m * m], vec![Vec3::ZERO; m * m]);
-    let mut chosen = vec![0; m * m];
-    for length in 2..m {
-        for i in 0..m - length {
-            let j = i + length;
-            let mut rung = 0.0;
-            if !prices.neighbours(i, j) {
-                let planes = prices.planes(i, j);
-                rung = planes.map_or(f64::INFINITY, |planes| prices.rung(i, j, &planes));
-                means[i * m + j] = planes.map_or(Vec3::ZERO, |planes| planes.mean);
-            }
-            let mut best = (f64::INFINITY, f64::INFINITY);
-            for k in i + 1..j {
-                let sides = [means[i * m + k], means[k * m + j], means[i * m + j]];
-                let sum = least[i * m + k] + least[k * m + j];
-                let price = sum + prices.triangle([i, k, j], sides);
-                let way = (at(k) - at(i)).length() + (at(j) - at(k)).length();
-                if (price, way) < best {
-                    best = (price, way);
-                    chosen[i * m + j] = k;
-                }
-            }
-            least[i * m + j] = best.0 + rung;
-        }
-    }
-    let (mut triangles, mut parts) = (Vec::new(), vec![(0, m - 1)]);
-    while let Some((i, j)) = parts.pop() {
-        if j - i > 1 {
-            let k = chosen[i * m + j];
-            triangles.push([i, k, j]);
-            parts.extend([(i, k), (k, j)]);
-        }
-    }
-    triangles.sort_unstable();
-    (least[m - 1], triangles)
-}
-
 fn check(boundary: &Boundary, price: PriceOptions, what: &str) {
-    let (least, triangles) = plain(boundary, price);
+    let plain = specification::cheapest(boundary, None, price).unwrap();
     let options = TriangulateOptions { price, ..TriangulateOptions::default() };
     let found = triangulate(boundary, None, &options, &mut Unwatched).unwrap();
     let same: Vec<[usize; 3]> =
         found.triangles.iter().map(|corners| corners.map(|corner| corner.get())).collect();
-    assert!(same == triangles, "{what}: {} {least}", found.price);
-    assert_eq!(found.price.to_bits(), least.to_bits(), "{what}");
+    assert!(same == plain.triangles, "{what}: {} {}", found.price, plain.price);
+    assert_eq!(found.price.to_bits(), plain.price.to_bits(), "{what}");
 }
 
 /// An outline of so many samples in a plane, x and y along the given directions: a square with four
@@ -154,23 +112,10 @@ fn the_worst_rung_is_that_of_the_plain_table() {
     for m in [17, 33, 64, 97, 150] {
         for family in Family::ALL {
             let boundary = family.boundary(m);
-            let prices = Prices::new(&boundary, None, PriceOptions::default());
-            let mut least = vec![0.0; m * m];
-            for length in 2..m {
-                for i in 0..m - length {
-                    let j = i + length;
-                    let parts = (i + 1..j).map(|k| f64::max(least[i * m + k], least[k * m + j]));
-                    let rung = match prices.planes(i, j) {
-                        _ if prices.neighbours(i, j) => 0.0,
-                        Some(planes) => prices.rung(i, j, &planes),
-                        None => f64::INFINITY,
-                    };
-                    least[i * m + j] = rung.max(parts.fold(f64::INFINITY, f64::min));
-                }
-            }
+            let least = specification::least_worst_twist(&boundary, None).unwrap();
             let options = TriangulateOptions { goal: Goal::WorstWarp, ..Default::default() };
             let found = triangulate(&boundary, None, &options, &mut Unwatched).unwrap();
-            assert_eq!(found.largest_twist, least[m - 1], "{} {m}", family.name());
+            assert_eq!(found.largest_twist, least, "{} {m}", family.name());
         }
     }
 }
