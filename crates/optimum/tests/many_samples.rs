@@ -1,4 +1,4 @@
-//! Boundaries of many samples, which are triangulated among few rungs.
+//! Boundaries of many samples, of whose table few tiles are kept.
 #![allow(clippy::unwrap_used)] // tests panic
 
 use sheetwright_geometry::boundary::{
@@ -81,7 +81,7 @@ fn what_a_plane_bars_is_left_out() {
 }
 
 #[test]
-fn many_samples_need_no_dense_table() {
+fn many_samples_need_no_full_table() {
     let boundary = Family::CylinderBlob.boundary(6000);
     let memory_limit = memory_needed(6000) / 12;
     let narrow = TriangulateOptions { memory_limit, ..options(1.0) };

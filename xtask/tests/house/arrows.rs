@@ -65,8 +65,6 @@ const FILE_OWNERS: [(&str, &[&str]); 7] = [
             "triangulate/optimal/table.rs",
             "triangulate/optimal/table/filling.rs",
             "triangulate/optimal/table/tests.rs",
-            "triangulate/sparse/listed.rs",
-            "triangulate/sparse/table.rs",
         ],
     ),
     ("rayon::", &["triangulate/optimal/threads.rs", "triangulate/optimal/table/tests.rs"]),

@@ -8,7 +8,7 @@
 use super::memory::obtainable;
 use super::{
     Found, Method, Terms, TriangulateError, TriangulateOptions, Triangulation, holes, if_it_fits,
-    may_be_among_few, memory_needed, mend, optimal, outcome, sparse,
+    is_bounded, memory_needed, mend, optimal, outcome,
 };
 use crate::cost::{Prices, quantised};
 use crate::rung::Visibility;
@@ -39,28 +39,7 @@ pub(super) enum Looked {
 }
 
 /// The cheapest triangulation of one loop among those with these rungs, which are all that lie
-/// inside the projection and more, if it is that with the plane too, and if few rungs lead to it.
-pub(super) fn sparsely(
-    prices: &Prices,
-    visibility: &Visibility,
-    plane: Option<&SupportingPlane>,
-    options: &TriangulateOptions,
-    watch: &mut dyn Watch,
-) -> Result<Option<Triangulation>, TriangulateError> {
-    if !may_be_among_few(options) || !prices.one_loop() {
-        return Ok(None);
-    }
-    let terms = Terms::new(prices, visibility, false).within(options.memory_limit);
-    let Some(found) = sparse::solve(&terms, watch)? else { return Ok(None) };
-    Ok(match looked(plane, &terms, found.triangles, options.method) {
-        Looked::Lies(found) => Some(found),
-        _ => None,
-    })
-}
-
-/// The cheapest triangulation of one loop among those with these rungs, which are all that lie
-/// inside the projection and more, from the table of all rungs; `known` is a triangulation that is
-/// known.
+/// inside the projection and more; `known` is a triangulation that is known.
 pub(super) fn densely(
     prices: &Prices,
     visibility: &Visibility,
@@ -94,7 +73,7 @@ pub(super) fn mended_at_ends(
 
 /// Whether the table of all rungs may be filled without asking which lie inside the projection.
 pub(super) fn may_ask_less(prices: &Prices, options: &TriangulateOptions) -> bool {
-    may_be_among_few(options) && prices.one_loop()
+    is_bounded(options) && prices.one_loop()
 }
 
 /// Whether the cheapest triangulation of those with more rungs than lie inside the projection is

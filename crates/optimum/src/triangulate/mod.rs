@@ -22,7 +22,6 @@ mod optimal;
 mod part;
 mod rails;
 mod span;
-mod sparse;
 mod thinned;
 
 pub use facing::with_holes_facing;
@@ -34,7 +33,7 @@ use crate::cost::{
     EXACT_BELOW, FarEnds, LANES, MAX_FOLD, PriceOptions, Prices, Strip, TwistForm, Wanted,
 };
 use crate::rung::{Rung, Visibility};
-use lying::{Looked, densely, may_ask_less, mended_at_ends, sparsely};
+use lying::{Looked, densely, may_ask_less, mended_at_ends};
 use part::Part;
 use sheetwright_geometry::boundary::{Boundary, SupportingPlane};
 use sheetwright_geometry::index::SampleIndex;
@@ -45,8 +44,8 @@ use std::fmt;
 /// Which triangulations are looked at.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Method {
-    /// All of them: equation (5). O(m³) time and O(m²) memory at the most; next to a developable
-    /// surface far less, see `sparse`. With holes, see `docs/holes.md`.
+    /// All of them: equation (5), see [`crate::specification`]. O(m³) time and O(m²) memory at the
+    /// most; next to a developable surface far less. With holes, see `docs/holes.md`.
     #[default]
     Optimal,
     /// Those whose every triangle has an edge of the boundary: equations (3) and (4). O(m²) both.
@@ -268,10 +267,6 @@ pub fn triangulate_near(
     let known = known.filter(|known| mend::is_of(&known.triangulation, &lengths));
     // Which rungs lie inside the projection takes its time to find out, so less is asked at first.
     let nothing_asked = Visibility::everything();
-    if let Some(triangulation) = sparsely(&prices, &nothing_asked, plane, options, watch)? {
-        let also_without_plane = Some(true);
-        return Ok(Cheapest { triangulation, also_without_plane, astray: None });
-    }
     let mut also_without_plane = None;
     let as_before = known.is_some_and(|known| known.also_without_plane == Some(true));
     let known_astray = known.and_then(|known| known.astray.as_ref());
@@ -353,8 +348,8 @@ pub fn if_it_fits<T>(
     }
 }
 
-/// Whether a way to look at few rungs only is known.
-fn may_be_among_few(options: &TriangulateOptions) -> bool {
+/// Whether a bound on the price leaves out most of the table, next to a developable surface.
+fn is_bounded(options: &TriangulateOptions) -> bool {
     options.method == Method::Optimal
         && options.goal == Goal::Price
         && options.price.form == TwistForm::Normalised
@@ -398,7 +393,7 @@ pub fn refuse(lengths: &[usize], options: &TriangulateOptions) -> Result<(), Tri
     }
     let limit = options.memory_limit;
     let mut needed = needed(lengths, options);
-    if needed > limit && holes == 0 && may_be_among_few(options) {
+    if needed > limit && holes == 0 && is_bounded(options) {
         needed = needed.min(optimal::least_memory_needed(m));
     }
     if needed > limit { Err(TriangulateError::TooLarge { needed, limit }) } else { Ok(()) }

@@ -152,4 +152,6 @@ impl Outside {
 }
 
 #[cfg(test)]
+mod random_boundary;
+#[cfg(test)]
 mod tests;

@@ -6,7 +6,7 @@ use crate::cost::{PriceOptions, Prices, QUANTUM, TwistForm, quantised};
 use crate::rung::Visibility;
 use crate::triangulate::optimal::normals::{NormalBox, least_fold, least_fold_about};
 use crate::triangulate::optimal::table::Table;
-use crate::triangulate::sparse::tests::{random_boundary, with_terms};
+use random_boundary::{random_boundary, with_terms};
 use runs::Direction;
 use sheetwright_geometry::boundary::{Boundary, samples_from_points};
 use sheetwright_geometry::curve::CurvePoint;
