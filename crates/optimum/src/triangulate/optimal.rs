@@ -19,9 +19,8 @@
 //!    columns show that none of its rungs can cost so little (`span`), the tile is not looked at,
 //!    and where the least entries of the tiles between show that none of its own can, its rungs are
 //!    not priced (`table/between`); where none of its entries is left, it is not kept, and those of
-//!    flat stretches are kept once for all of them (`store`), in planes along the axes without a
-//!    look at their rungs (`flat`). Next to a developable surface so few are left that their number
-//!    grows like m^1.5. While a handle is dragged, the triangulation from before gives a bound
+//!    flat stretches are kept once for all of them (`store`). Next to a developable surface so few
+//!    are left that their number grows like m^1.5. While a handle is dragged, the triangulation from before gives a bound
 //!    instead (`mend`). From some hundred samples on and with folds, even fewer are left, since it
 //!    is worked out first what the rest of the loop costs beside each rung (`outside`).
 //! 4. Those k come first that were best one row below, and then all triangles i, j − 1, j on edges
@@ -40,7 +39,6 @@
 //!    then the smallest: strips of compact triangles rather than fans.
 
 mod bounds;
-mod flat;
 mod lanes;
 mod near;
 mod normals;

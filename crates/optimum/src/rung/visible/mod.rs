@@ -50,11 +50,6 @@ impl Visibility {
         Self { seen: Seen::AtEnds(plane.projected.clone(), OnceLock::new()) }
     }
 
-    /// Whether any two samples may be joined.
-    pub(crate) fn is_everything(&self) -> bool {
-        matches!(self.seen, Seen::Everything)
-    }
-
     /// The pairs of samples that see one another; `None` where any two do.
     #[inline(always)]
     fn pairs(&self) -> Option<&PairSet> {

@@ -1,7 +1,6 @@
 //! Which tiles of the table may have finite entries, as far as the samples of their rows and
 //! columns tell.
 
-use super::flat::Flat;
 use super::near::Band;
 use crate::cost::{LANES, Segment, TwistForm};
 use crate::triangulate::Terms;
@@ -21,7 +20,6 @@ pub(super) struct Open<'a> {
     /// The least that rungs between [`LONG`] rows of tiles and as many columns can cost, on and
     /// above the diagonal; empty where spans tell nothing.
     of_long: Vec<Vec<f64>>,
-    flat: Flat,
     /// Entries above it are infinite; a multiple of the quantum.
     pub(super) bound: f64,
     samples: usize,
@@ -40,28 +38,18 @@ impl<'a> Open<'a> {
         let long = spans_of(LONG * LANES);
         let of_row = |row: usize| long[row..].iter().map(|to| long[row].least(to)).collect();
         let of_long = (0..long.len()).map(of_row).collect();
-        let flat =
-            if terms.prices.in_order() && band.is_none() { Flat::of(terms) } else { Flat::NONE };
-        Self { band, spans: spans_of(LANES), of_long, flat, bound, samples: m }
+        Self { band, spans: spans_of(LANES), of_long, bound, samples: m }
     }
 
-    /// Tells every tile open that the band does not close: neither spans nor flat stretches are
-    /// known.
+    /// Tells every tile open that the band does not close: no spans are known.
     #[cfg(test)]
     pub(super) fn without_spans(self) -> Self {
-        Self { spans: vec![], of_long: vec![], flat: Flat::NONE, ..self }
+        Self { spans: vec![], of_long: vec![], ..self }
     }
 
     /// Whether the tile of these rows and columns has edges of the boundary.
     pub(super) fn has_edges(&self, row: usize, column: usize) -> bool {
         row + 1 >= column || (row, column) == (0, (self.samples - 1) / LANES)
-    }
-
-    /// N of the rungs of the tile of these rows and columns, if all of its entries are known to be
-    /// 0.
-    #[inline(always)]
-    pub(super) fn flat_mean(&self, row: usize, column: usize) -> Option<[f64; 3]> {
-        if self.has_edges(row, column) { None } else { self.flat.mean(row, column) }
     }
 
     /// No rung of the tile of these rows and columns costs less, as far as spans tell.

@@ -60,16 +60,6 @@ impl Tile {
         }
     }
 
-    /// Makes all entries 0, with this N.
-    pub(super) fn flatten(&mut self, mean: [f64; 3]) {
-        *self.sums.entries = [[0.0; LANES]; LANES];
-        *self.sums.least = [0.0; LANES];
-        if let Some(means) = &mut self.means {
-            *means.rows = [mean.map(|x| [x; LANES]); LANES];
-            means.within = NormalBox::between(mean, mean);
-        }
-    }
-
     /// N of the rungs from sample `i`; `None` when folds cost nothing.
     #[inline(always)]
     pub(super) fn means_from(&self, i: usize) -> Option<&[Lanes; 3]> {

@@ -192,22 +192,6 @@ impl Block<'_> {
         }
     }
 
-    /// Takes a tile whose rungs cost nothing and have this N. What triangles between it and others
-    /// cost is not looked at: they cost nothing at the least.
-    fn take_flat(&mut self, rows: Range<usize>, to: &FarEnds, mean: [f64; 3]) {
-        let gathered = Gathered::flat(mean);
-        for i in rows.clone() {
-            let begins_run = i == 0 || self.runs.of(i - 1) != self.runs.of(i);
-            if i == rows.start || begins_run {
-                self.take(self.runs.of(i), to, &gathered);
-            }
-            // The block before has the edge before the first row.
-            if begins_run && i > self.rows.start * LANES {
-                self.take_link(i, to, &[0.0; LANES]);
-            }
-        }
-    }
-
     /// Takes the least prices of triangles on the edge before sample i, the first of a run, and of
     /// one column of tiles.
     pub(super) fn take_link(&mut self, i: usize, to: &FarEnds, least: &Lanes) {
@@ -264,12 +248,6 @@ impl All<'_, '_> {
             if !self.open.is_open(row, column) {
                 *above = LastRow::NONE;
                 before = [LastRung::NONE; LANES];
-                continue;
-            }
-            if let Some(mean) = self.open.flat_mean(row, column) {
-                block.take_flat(rows.clone(), &self.ends[column], mean);
-                *above = LastRow::flat(mean);
-                before = [LastRung::flat(mean); LANES];
                 continue;
             }
             let (rows, to) = (rows.clone(), &self.ends[column]);

@@ -148,11 +148,6 @@ pub(super) struct LastRung {
 
 impl LastRung {
     pub(super) const NONE: Self = Self { price: f64::INFINITY, mean: [0.0; 3] };
-
-    /// That of a flat tile.
-    pub(super) fn flat(mean: [f64; 3]) -> Self {
-        Self { price: 0.0, mean }
-    }
 }
 
 /// The rungs from the last sample of a tile's rows.
@@ -165,12 +160,6 @@ pub(super) struct LastRow {
 
 impl LastRow {
     pub(super) const NONE: Self = Self { strip: Strip::BLANK, any: false };
-
-    /// That of a flat tile.
-    pub(super) fn flat(mean: [f64; 3]) -> Self {
-        let means = Aligned(mean.map(|x| [x; LANES]));
-        Self { strip: Strip { prices: Aligned([0.0; LANES]), means }, any: true }
-    }
 }
 
 /// Prices the rungs from sample i to those of a tile, infinite if above the bound; returns whether
@@ -237,14 +226,6 @@ pub(super) struct Gathered {
 }
 
 impl Gathered {
-    /// Of rungs that cost nothing and have this N, and triangles that cost nothing.
-    pub(super) fn flat(mean: [f64; 3]) -> Self {
-        let means = Aligned(mean.map(|x| [x; LANES]));
-        let nothing = Aligned([0.0; LANES]);
-        let [prices, on_row_edges, on_column_edges] = [nothing; 3];
-        Self { prices, least: means, greatest: means, on_row_edges, on_column_edges }
-    }
-
     const NOTHING: Self = Self {
         prices: Aligned([f64::INFINITY; LANES]),
         least: Aligned([[f64::INFINITY; LANES]; 3]),

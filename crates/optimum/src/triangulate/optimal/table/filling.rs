@@ -102,9 +102,6 @@ impl Table<'_> {
     ) {
         let rows = row * LANES..self.m.min((row + 1) * LANES);
         let (to, column) = (&*to, to.first / LANES);
-        if let Some(mean) = open.flat_mean(row, column) {
-            return tile.flatten(mean);
-        }
         let segment = if FOLDS && self.in_order { open.segment(column) } else { None };
         let mut between = Between::new(row, column);
         // On the diagonal and next to it are the edges ⟨i,i+1⟩, which need nothing below them.
