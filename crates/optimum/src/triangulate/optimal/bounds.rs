@@ -41,27 +41,24 @@ const NOT_NEAR: f64 = 0.5;
 const CHEAPER: f64 = 0.95;
 /// How much more than that of the thinned loop the answer may cost, where its rungs lead to none.
 const GUESSES: [f64; 2] = [1.3, 5.2];
-/// A table has so many times the tiles of the thinned loop's, each counted with entries up to its
-/// own price: the first next to a developable surface, the second where all are there.
-const GROWTH: [f64; 2] = [6.0, 16.0];
-/// The least growth, and the least as a share of the growth one step before. On the families and
-/// the planks of 2,600 to 16,000 samples, with folds, they were 3.74 (*wavy* of 2,600, whose
-/// thinned loop has hardly enough samples for `outside`; 4.02 on all others) and 0.80. Flat tiles,
-/// stored once, may make it less: 1.86 where all lies in one plane (1,200 to 4,000 samples): such a
-/// loop may be refused though it would just fit.
-const LEAST_GROWTH: f64 = 3.5;
-const LEAST_SHARE: f64 = 0.65;
-/// Where the table may not fit, that of the thinned loop may take one part in so many of the
-/// memory. With bounds as good as one another the table takes [`LEAST_GROWTH`] times as much or
-/// more, and would not fit either.
+/// Where the table may not fit the memory, that of the thinned loop may take one part in so many of
+/// it: next to a developable surface the table has about six times as many tiles, elsewhere up to
+/// sixteen times, and at the least 3.7 times on the families and the planks of 2,600 to 16,000
+/// samples. Where all lies in one plane, flat tiles are stored once and it has 1.9 times as many:
+/// such a loop may be refused though it would just fit.
 const SHARE_OF_THINNED: u64 = 3;
+/// How many times what the table of the thinned loop takes the table is said to need where that is
+/// refused.
+const GROWTH: u64 = 6;
 
 /// The cheapest triangulation; `None` if there is none.
 pub(in crate::triangulate) fn solve_priced(
     terms: &Terms<'_>,
     watch: &mut dyn Watch,
 ) -> Result<Option<Solved>, TriangulateError> {
-    Ok(solve_in_table(terms, false, watch)?.map(|filled| filled.solved))
+    let mut table = Table::new(terms);
+    let bounds = Bounds::find(&mut table, watch)?;
+    fill_below(&mut table, &bounds, watch)
 }
 
 /// What the cheapest triangulation near to the rungs of these triangles costs, if that is less than
@@ -81,46 +78,19 @@ pub(in crate::triangulate) fn price_near(
     Ok(if_it_fits(found.map(Some))?.map_or(bound, |price| price.min(bound)))
 }
 
-/// A table with what was found in it.
-struct Filled<'a> {
-    solved: Solved,
-    table: Table<'a>,
-    /// How many tiles it has with entries up to the price.
-    tiles: usize,
-    /// How many times the tiles of that of the thinned loop these are, if those were counted and
-    /// are of one that was filled in the same way.
-    growth: Option<f64>,
-}
-
-/// The cheapest triangulation, with the table that holds it; `None` if there is none. `counts` says
-/// whether the tiles of thinned loops are counted.
-fn solve_in_table<'a>(
-    terms: &'a Terms<'a>,
-    counts: bool,
-    watch: &mut dyn Watch,
-) -> Result<Option<Filled<'a>>, TriangulateError> {
-    let mut table = Table::new(terms);
-    let bounds = Bounds::find(&mut table, counts, watch)?;
-    fill_below(table, &bounds, watch)
-}
-
-/// Fills the table below one bound after the other, until it holds a triangulation; `None` if none
-/// of the bounds leads to one.
-fn fill_below<'a>(
-    mut table: Table<'a>,
+/// The cheapest triangulation below these bounds; `None` if there is none.
+fn fill_below(
+    table: &mut Table<'_>,
     bounds: &Bounds,
     watch: &mut dyn Watch,
-) -> Result<Option<Filled<'a>>, TriangulateError> {
+) -> Result<Option<Solved>, TriangulateError> {
     let mut left = 1.0;
     for &bound in &bounds.prices {
         // How many bounds it takes is not known: each gets half of what is left of the progress.
         let share = 1.0 - left..1.0 - 0.5 * left;
         let price = table.fill(bound, None, watch, share)?;
         if price < f64::INFINITY {
-            let solved = Solved { price, triangles: table.trace() };
-            let tiles = table.tiles_up_to(price);
-            let growth = bounds.tiles_of_thinned.map(|few| tiles as f64 / few as f64);
-            return Ok(Some(Filled { solved, table, tiles, growth }));
+            return Ok(Some(Solved { price, triangles: table.trace() }));
         }
         left *= 0.5;
     }
@@ -142,14 +112,14 @@ fn roughly(
     watch: &mut dyn Watch,
 ) -> Result<Option<Rough>, TriangulateError> {
     let mut table = Table::new(terms);
-    let bounds = Bounds::find(&mut table, false, watch)?;
+    let bounds = Bounds::find(&mut table, watch)?;
     let is_near = |&[price, thinned]: &[f64; 2]| table.m >= LEAST_ROUGH && price <= near * thinned;
     if let Some([price, _]) = bounds.held.filter(is_near) {
         let solved = Solved { price, triangles: table.trace() };
         return Ok(Some(Rough { solved, is_cheapest: false }));
     }
-    let filled = fill_below(table, &bounds, watch)?;
-    Ok(filled.map(|filled| Rough { solved: filled.solved, is_cheapest: true }))
+    let solved = fill_below(&mut table, &bounds, watch)?;
+    Ok(solved.map(|solved| Rough { solved, is_cheapest: true }))
 }
 
 /// Bounds on the price of the answer.
@@ -159,23 +129,16 @@ struct Bounds {
     /// What the triangulation costs that the table holds, if it holds one, and that of the thinned
     /// loop near which it was found.
     held: Option<[f64; 2]>,
-    /// How many tiles with entries up to its price the table of the thinned loop has, if they were
-    /// counted.
-    tiles_of_thinned: Option<usize>,
 }
 
 impl Bounds {
-    fn find(
-        table: &mut Table<'_>,
-        counts: bool,
-        watch: &mut dyn Watch,
-    ) -> Result<Self, TriangulateError> {
+    fn find(table: &mut Table<'_>, watch: &mut dyn Watch) -> Result<Self, TriangulateError> {
         let found = if table.m < LEAST_THINNED {
             None
         } else {
-            Thinning::of(table).bounds(counts, &mut Part::silent(watch))?
+            Thinning::of(table).bounds(&mut Part::silent(watch))?
         };
-        let none = Self { prices: vec![f64::INFINITY], held: None, tiles_of_thinned: None };
+        let none = Self { prices: vec![f64::INFINITY], held: None };
         Ok(found.unwrap_or(none))
     }
 }
@@ -202,21 +165,11 @@ impl<'t, 'a> Thinning<'t, 'a> {
     }
 
     /// Bounds by way of the thinned loop; `None` if that has no triangulation.
-    fn bounds(
-        self,
-        counts: bool,
-        watch: &mut dyn Watch,
-    ) -> Result<Option<Bounds>, TriangulateError> {
-        let mut tiles_of_thinned = None;
-        let rough = if counts || self.may_fail {
-            self.solved(watch)?.map(|(solved, tiles)| {
-                tiles_of_thinned = tiles;
-                Rough { solved, is_cheapest: true }
-            })
-        } else {
-            let few = self.thinned.terms().within(self.left());
-            roughly(&few, NEAR, watch).map_err(|error| self.refused(error))?
-        };
+    fn bounds(self, watch: &mut dyn Watch) -> Result<Option<Bounds>, TriangulateError> {
+        // The whole table of the thinned loop tells whether this one has a chance to fit.
+        let near = if self.may_fail { 0.0 } else { NEAR };
+        let few = self.thinned.terms().within(self.left());
+        let rough = roughly(&few, near, watch).map_err(|error| self.refused(error))?;
         let Some(Rough { solved: mut coarse, is_cheapest }) = rough else { return Ok(None) };
         let mut band = self.band_of(&coarse);
         let mut price = self.table.fill(f64::INFINITY, Some(&band), watch, 0.0..0.0)?;
@@ -244,30 +197,7 @@ impl<'t, 'a> Thinning<'t, 'a> {
             f64::INFINITY => GUESSES.map(guessed).into_iter().chain([f64::INFINITY]).collect(),
             _ => vec![price],
         };
-        Ok(Some(Bounds { prices, held, tiles_of_thinned }))
-    }
-
-    /// The cheapest triangulation of the thinned loop, with the number of its tiles where they tell
-    /// something of this table.
-    fn solved(
-        &self,
-        watch: &mut dyn Watch,
-    ) -> Result<Option<(Solved, Option<usize>)>, TriangulateError> {
-        let (table, memory) = (&*self.table, self.table.terms.memory);
-        let few = self.thinned.terms().within(self.left());
-        let filled = solve_in_table(&few, true, watch).map_err(|error| self.refused(error))?;
-        let Some(Filled { solved, table: few, tiles, growth }) = filled else { return Ok(None) };
-        let places = table.bytes() + GROWTH[1] as u64 * few.bytes_of_places();
-        let grown = |growth: f64| places + (growth * few.bytes_of(tiles) as f64) as u64;
-        let growth = growth.unwrap_or(GROWTH[0]);
-        // Of a table that alone has what the rest of the loop costs in view, the other tells
-        // nothing.
-        let is_alike = few.has_outside() == table.has_outside();
-        let least = grown(LEAST_GROWTH.max(LEAST_SHARE * growth));
-        if self.may_fail && is_alike && least > memory {
-            return Err(self.too_large(grown(growth.clamp(GROWTH[0], GROWTH[1]))));
-        }
-        Ok(Some((solved, is_alike.then_some(tiles))))
+        Ok(Some(Bounds { prices, held }))
     }
 
     /// What a triangulation costs near that of the thinned loop with cheaper folds, if it costs up
@@ -305,16 +235,12 @@ impl<'t, 'a> Thinning<'t, 'a> {
     /// What it means that the thinned loop was refused.
     fn refused(&self, error: TriangulateError) -> TriangulateError {
         match error {
-            TriangulateError::TooLarge { needed, .. } => {
-                self.too_large(self.table.bytes() + (GROWTH[0] * needed as f64) as u64)
-            }
+            TriangulateError::TooLarge { needed, .. } => TriangulateError::TooLarge {
+                needed: (self.table.bytes() + GROWTH * needed).min(memory_needed(self.table.m)),
+                limit: self.table.terms.memory,
+            },
             error => error,
         }
-    }
-
-    fn too_large(&self, expected: u64) -> TriangulateError {
-        let needed = expected.min(memory_needed(self.table.m));
-        TriangulateError::TooLarge { needed, limit: self.table.terms.memory }
     }
 }
 

@@ -174,7 +174,7 @@ impl Store {
 
     /// What it takes without the tiles to be used again, bytes.
     pub(super) fn bytes(&self) -> u64 {
-        let places = least_bytes(self.beside.len()) + self.bytes_of_places();
+        let places = least_bytes(self.beside.len()) + self.taken as u64 * PLACE_BYTES;
         places + self.bytes_of(self.tiles.len())
     }
 
@@ -185,19 +185,8 @@ impl Store {
         }
     }
 
-    /// How many tiles have entries up to `bound`; those that stand in many places count once.
-    pub(super) fn tiles_up_to(&self, bound: f64) -> usize {
-        let has_some = |tile: &&Tile| tile.sums.least.iter().any(|&least| least <= bound);
-        self.tiles.iter().filter(has_some).count()
-    }
-
-    /// What the places of all tiles take beside others, bytes.
-    pub(super) fn bytes_of_places(&self) -> u64 {
-        self.taken as u64 * PLACE_BYTES
-    }
-
     /// What so many tiles take, without places for them, bytes.
-    pub(super) fn bytes_of(&self, tiles: usize) -> u64 {
+    fn bytes_of(&self, tiles: usize) -> u64 {
         tiles as u64 * Tile::bytes(self.folds)
     }
 
@@ -280,7 +269,6 @@ mod tests {
         store.put(0, 0, empty);
         store.put(0, 1, tile);
         assert!(store.tile(0, 0).is_none() && store.tile(0, 1).is_some());
-        assert_eq!([0.5, 1.0].map(|bound| store.tiles_up_to(bound)), [0, 1]);
         assert_eq!(store.beside(0), [1]);
         store.clear();
         assert!(store.tile(0, 1).is_none() && store.beside(0).is_empty());
@@ -324,15 +312,15 @@ mod tests {
             assert_eq!([at(0, 3), at(1, 3)].map(|tile| tile == at(0, 1)), [!folds; 2]);
             assert_ne!(at(1, 2), at(0, 1));
             let tiles = if folds { 4 } else { 2 };
-            assert_eq!(store.tiles_up_to(0.0), tiles);
+            assert_eq!(store.tiles.len(), tiles);
             let places = least_bytes(4) + 5 * PLACE_BYTES;
             assert_eq!(store.bytes(), places + tiles as u64 * Tile::bytes(folds));
             store.clear();
-            assert_eq!((store.bytes(), store.tiles_up_to(0.0)), (least_bytes(4), 0));
+            assert_eq!((store.bytes(), store.tiles.len()), (least_bytes(4), 0));
             // The number of the tile that was flat is that of another now.
             store.put(0, 1, uneven(folds));
             store.put(0, 2, flat(folds, [0.0, 0.0, 1.0]));
-            assert_eq!((store.beside(0), store.tiles_up_to(0.0)), (&[1, 2][..], 2));
+            assert_eq!((store.beside(0), store.tiles.len()), (&[1, 2][..], 2));
             let zeros = |column| store.tile(0, column).map(|tile| tile.flat_mean().is_some());
             assert_eq!([zeros(1), zeros(2)], [Some(false), Some(true)]);
         }

@@ -163,7 +163,7 @@ impl<'a> Table<'a> {
     }
 
     /// Whether it is looked at what the rest of the loop costs, where memory allows.
-    pub(super) fn has_outside(&self) -> bool {
+    fn has_outside(&self) -> bool {
         self.folds && self.in_order && self.m >= LEAST_OUTSIDE
     }
 
@@ -178,21 +178,6 @@ impl<'a> Table<'a> {
     ) -> Result<f64, TriangulateError> {
         self.outside = outside;
         self.fill_open(open, watch, 0.0..1.0)
-    }
-
-    /// How many tiles have entries up to `bound`.
-    pub(super) fn tiles_up_to(&self, bound: f64) -> usize {
-        self.store.tiles_up_to(bound)
-    }
-
-    /// What the places of all tiles take beside others, bytes.
-    pub(super) fn bytes_of_places(&self) -> u64 {
-        self.store.bytes_of_places()
-    }
-
-    /// What so many tiles take, bytes.
-    pub(super) fn bytes_of(&self, tiles: usize) -> u64 {
-        self.store.bytes_of(tiles)
     }
 
     /// [`GROUP`] columns of tiles at a time, row by row from the diagonal upwards.
