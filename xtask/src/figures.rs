@@ -44,7 +44,8 @@ fn hull_moved() -> Result<Picture, Box<dyn Error>> {
     let bottom = made.panels.last().ok_or("the hull has no planks")?;
     let before = bottom.change.as_ref().map(|change| &change.before);
     let charts = before.map(|b| &**b).into_iter().chain([bottom]);
-    let charts: Vec<Picture> = charts.filter_map(|p| warp_chart(p, made.material)).collect();
+    let charts: Vec<Picture> =
+        charts.filter_map(|p| warp_chart(p, made.material.as_ref())).collect();
     let mut pictures: Vec<Picture> = moved_picture(bottom).into_iter().collect();
     pictures.push(side_by_side("Warp before, and after", &charts));
     Ok(stacked("The boundary of a plank, moved until it bends", &pictures))
@@ -53,7 +54,7 @@ fn hull_moved() -> Result<Picture, Box<dyn Error>> {
 fn hull() -> Result<Picture, Box<dyn Error>> {
     let made = hull_with(SAMPLES, VarySettings::default())?;
     let flat: Vec<Picture> =
-        made.panels.iter().map(|panel| flat_picture(panel, made.material)).collect();
+        made.panels.iter().map(|panel| flat_picture(panel, made.material.as_ref())).collect();
     let title = "The planks of a hull in space, and laid flat";
     Ok(side_by_side(title, &[design_picture(&made), stacked("The flat planks", &flat)]))
 }
@@ -63,8 +64,8 @@ fn three_cones() -> Result<Picture, Box<dyn Error>> {
     let [best, bridge] = crate::composites::drawn()?;
     let column = |made: &Made, title: &str| {
         let panel = &made.panels[0];
-        let mut pictures = vec![surface_picture(panel, made.material)];
-        pictures.extend(gauss_picture(panel, made.material));
+        let mut pictures = vec![surface_picture(panel, made.material.as_ref())];
+        pictures.extend(gauss_picture(panel, made.material.as_ref()));
         stacked(title, &pictures)
     };
     let columns = [
@@ -91,7 +92,7 @@ fn meshes() -> Result<Picture, Box<dyn Error>> {
         };
         let made = make_meshes(&design, &MeshOptions::default(), &mut Unwatched)?;
         let panel = &made.panels[0];
-        let pictures = [mesh_picture(panel), heat_picture(panel, made.material)];
+        let pictures = [mesh_picture(panel), heat_picture(panel, made.material.as_ref())];
         rows.push(side_by_side(title, &pictures));
     }
     Ok(stacked("Meshes in space, and laid flat, coloured by how much lengths differ", &rows))

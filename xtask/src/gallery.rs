@@ -4,15 +4,15 @@ use sheetwright::design::{MeshDesign, MeshGroup};
 use sheetwright::flatten::Aim;
 use sheetwright::index::{SampleIndex, VertexIndex};
 use sheetwright::make::{Made, MadeMeshes, MadePanel, MeshOptions, make, make_meshes};
-use sheetwright::material::Material;
 use sheetwright::math::to_deg;
 use sheetwright::measure::gauss_area_of_mesh;
 use sheetwright::surface::Surface;
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
     Input, InputFormat, MeshFormat, PanelQuads, Picture, ReadOptions, design_from_template,
-    design_picture, flat_picture, gauss_picture, heat_picture, mesh_gauss_picture, mesh_picture,
-    quads_picture, read_any_bytes, side_by_side, stacked, surface_picture, write_design,
+    design_picture, flat_picture, gauss_picture, heat_picture, material_named, mesh_gauss_picture,
+    mesh_picture, quads_picture, read_any_bytes, side_by_side, stacked, surface_picture,
+    write_design,
 };
 use sheetwright_shapes::gallery::{Triangles, half_sphere, multiply_connected, raised};
 use sheetwright_shapes::three_cones;
@@ -129,7 +129,7 @@ impl Shapes {
         let [mean, largest] = &self.half_spheres;
         let laid_flat = |title: &str, made: &MadeMeshes| {
             let panel = &made.panels[0];
-            stacked(title, &[mesh_picture(panel), heat_picture(panel, made.material)])
+            stacked(title, &[mesh_picture(panel), heat_picture(panel, made.material.as_ref())])
         };
         let gauss = mesh_gauss_picture(&mean.panels[0]).ok_or("no Gauss image")?;
         let quads_of = |made: &Made| {
@@ -241,7 +241,7 @@ fn aimed(aim: Aim) -> MeshOptions {
 /// A surface with windows, of cloth, which gives way so far that nothing need be cut open.
 fn left_closed(surface: &Surface) -> Result<MadeMeshes> {
     let mut design = as_mesh_design("windows left closed", surface);
-    design.material = Material::named("canvas");
+    design.material = material_named("canvas", &[]);
     let made = make_meshes(&design, &aimed(Aim::Max), &mut Unwatched)?;
     if made.panels.iter().any(|panel| !panel.sheet.seams.is_empty()) {
         return Err("the windows were to stay closed".into());
@@ -268,19 +268,19 @@ fn as_mesh_design(name: &str, surface: &Surface) -> MeshDesign {
 }
 
 fn space(made: &Made) -> Picture {
-    surface_picture(&made.panels[0], made.material)
+    surface_picture(&made.panels[0], made.material.as_ref())
 }
 
 fn flat(made: &Made) -> Picture {
-    flat_picture(&made.panels[0], made.material)
+    flat_picture(&made.panels[0], made.material.as_ref())
 }
 
 /// What the paper shows of a shape: in space, flat, and its length errors.
 fn three(title: &str, made: &Made) -> Result<Picture> {
     let errors = as_mesh(title, made.panels[0].sheet.surface())?;
-    let errors = heat_picture(&errors.panels[0], made.material);
+    let errors = heat_picture(&errors.panels[0], made.material.as_ref());
     let mut in_space = vec![space(made)];
-    in_space.extend(gauss_picture(&made.panels[0], made.material));
+    in_space.extend(gauss_picture(&made.panels[0], made.material.as_ref()));
     Ok(side_by_side(title, &[stacked("In space", &in_space), flat(made), errors]))
 }
 

@@ -5,7 +5,8 @@ use sheetwright::make::{Made, MadePanel, make};
 use sheetwright::template::{Template, catalogue};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
-    Picture, design_picture, flat_picture, parameter_table, side_by_side, stacked,
+    Picture, design_from_template, design_picture, flat_picture, parameter_table, side_by_side,
+    stacked,
 };
 use std::error::Error;
 use std::fmt::Write;
@@ -46,7 +47,7 @@ Shapes that are rolled into a ring are cut open at a seam; add for the joint wha
 /// Writes `docs/templates.md` and its pictures.
 pub(crate) fn write() -> Result<(), Box<dyn Error>> {
     for template in catalogue() {
-        let design = template.defaults().design()?;
+        let design = design_from_template(template.name, &[])?;
         let path = crate::root().join("docs").join(picture_path(template));
         std::fs::write(&path, picture(template, design)?.standalone())?;
         println!("wrote {}", path.display());
@@ -83,8 +84,10 @@ fn picture(template: &Template, mut design: Design) -> Result<Picture, Box<dyn E
         panel.samples = panel.samples.min(SAMPLES.max(panel.samples / 4 + 1));
     }
     let made = make(&design, &mut Unwatched)?;
-    let flat: Vec<Picture> =
-        unlike(&made).into_iter().map(|panel| flat_picture(panel, made.material)).collect();
+    let flat: Vec<Picture> = unlike(&made)
+        .into_iter()
+        .map(|panel| flat_picture(panel, made.material.as_ref()))
+        .collect();
     let title = format!("{} in space, and laid flat", template.title);
     Ok(side_by_side(&title, &[design_picture(&made), stacked("Laid flat", &flat)]))
 }

@@ -1,19 +1,17 @@
 //! The command line.
 
 use clap::builder::{PossibleValue, PossibleValuesParser, StringValueParser, TypedValueParser};
-use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use sheetwright::boundary::PlaneChoice;
 use sheetwright::design::PanelMethod;
 use sheetwright::flatten::Aim;
 use sheetwright::make::MeshOptions;
-use sheetwright::material::{MATERIALS, Material};
 use sheetwright::math::from_deg;
 use sheetwright::template::catalogue;
 use sheetwright_files::{
     Format, InputFormat, MaxSheets, MeshFormat, OutputOptions, Paper, PdfOptions, ReadOptions,
-    ReportForm, Units, VarySettings, material_hint, visible,
+    ReportForm, Units, VarySettings, known_materials,
 };
 use std::ffi::OsStr;
 use std::path::PathBuf;
@@ -213,7 +211,8 @@ fn crease_deg(given: &str) -> Result<f64, String> {
 #[derive(Debug, Args)]
 pub(crate) struct NewArgs {
     /// The template
-    #[arg(value_name = "TEMPLATE", required_unless_present = "list", value_parser = TemplateName)]
+    #[arg(value_name = "TEMPLATE", required_unless_present = "list",
+        value_parser = Name { known: template_values })]
     pub(crate) template: Option<String>,
     /// Say which templates there are and what they take, or what this one takes
     #[arg(long, conflicts_with_all = ["set", "out", "make"])]
@@ -299,9 +298,10 @@ pub(crate) struct SourceArgs {
     /// The unit of a curve table or a mesh [default: mm]; a design says its own
     #[arg(long, value_name = "UNITS", ignore_case = true, value_parser = units_parser())]
     units: Option<Units>,
-    /// The sheet that it is made from, instead of what the design says; docs/files.md lists them
-    #[arg(long, value_name = "NAME", value_parser = MaterialName)]
-    material: Option<&'static Material>,
+    /// The material that it is made from, instead of what the design says: one of the design's own,
+    /// or of the catalogue, which docs/files.md lists
+    #[arg(long, value_name = "NAME", value_parser = Name { known: material_values })]
+    material: Option<String>,
     #[command(flatten)]
     vary: VaryArgs,
 }
@@ -356,7 +356,7 @@ impl SourceArgs {
                 PlaneArg::None => PlaneChoice::None,
             }),
             units: self.units,
-            material: self.material,
+            material: self.material.clone(),
             vary: VarySettings {
                 limit_mm: self.vary.vary_limit,
                 budget_mm: self.vary.vary_budget,
@@ -434,41 +434,24 @@ impl AimArg {
     }
 }
 
-/// The name of a material; the refusal of an unknown one names those that may be meant.
-#[derive(Clone, Debug)]
-struct MaterialName;
-
-impl TypedValueParser for MaterialName {
-    type Value = &'static Material;
-
-    fn parse_ref(
-        &self,
-        command: &clap::Command,
-        arg: Option<&clap::Arg>,
-        value: &OsStr,
-    ) -> Result<&'static Material, clap::Error> {
-        let name = StringValueParser::new().parse_ref(command, arg, value)?;
-        Material::named(&name.to_lowercase()).ok_or_else(|| {
-            // A refusal in two parts, as `Failure::of_call` reads it.
-            let shown = visible(&name).replace('\n', " ");
-            let said =
-                format!("the material '{shown}' is not known\n\n  tip: {}\n", material_hint(&name));
-            clap::Error::raw(ErrorKind::ValueValidation, said).with_cmd(command)
-        })
-    }
-
-    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
-        let known = MATERIALS.iter();
-        Some(Box::new(known.map(|one| PossibleValue::new(one.name).help(one.title))))
-    }
-}
-
 /// Any name, while completions and help show the known ones: the refusal of an unknown one comes
 /// with the nearest known one, as everywhere.
-#[derive(Clone, Debug)]
-struct TemplateName;
+#[derive(Clone)]
+struct Name {
+    /// The known ones.
+    known: fn() -> Vec<PossibleValue>,
+}
 
-impl TypedValueParser for TemplateName {
+fn template_values() -> Vec<PossibleValue> {
+    catalogue().iter().map(|one| PossibleValue::new(one.name).help(one.title)).collect()
+}
+
+fn material_values() -> Vec<PossibleValue> {
+    let known = known_materials(&[]).into_iter();
+    known.map(|one| PossibleValue::new(one.name.as_str()).help(one.title.as_str())).collect()
+}
+
+impl TypedValueParser for Name {
     type Value = String;
 
     fn parse_ref(
@@ -481,8 +464,7 @@ impl TypedValueParser for TemplateName {
     }
 
     fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
-        let known = catalogue().iter();
-        Some(Box::new(known.map(|one| PossibleValue::new(one.name).help(one.title))))
+        Some(Box::new((self.known)().into_iter()))
     }
 }
 

@@ -130,8 +130,8 @@ impl Job<'_> {
 
 /// What was made of an input.
 pub(crate) enum Made {
-    Design(sheetwright::make::Made),
-    Meshes(MadeMeshes),
+    Design(Box<sheetwright::make::Made>),
+    Meshes(Box<MadeMeshes>),
 }
 
 impl Made {
@@ -143,10 +143,10 @@ impl Made {
     ) -> Result<Self, Failure> {
         let made = match input {
             Input::Design(design) => make(design, watcher)
-                .map(Self::Design)
+                .map(|made| Self::Design(Box::new(made)))
                 .map_err(|error| Failure::of_make(&error, design, place)),
             Input::Mesh(design) => make_meshes(design, mesh, watcher)
-                .map(Self::Meshes)
+                .map(|made| Self::Meshes(Box::new(made)))
                 .map_err(|error| Failure::of_meshes(&error, place)),
         };
         watcher.end();

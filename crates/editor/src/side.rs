@@ -17,9 +17,8 @@ use eframe::egui::{self, ComboBox, Id, RichText, Ui};
 use sheetwright::boundary::PlaneChoice;
 use sheetwright::check::Verdict;
 use sheetwright::design::{DesignPanel, PanelShape};
-use sheetwright::material::MATERIALS;
 use sheetwright::math::Point2;
-use sheetwright_files::Units;
+use sheetwright_files::{Units, known_materials};
 use std::ops::RangeInclusive;
 
 /// Where things may lie, mm.
@@ -155,7 +154,7 @@ fn curve_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, n: usize, acts: &mut Ve
 fn panel_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
     let design = &editor.document().design;
     section(ui, "Sheet", |ui| {
-        let named = design.material.map_or("Not named", |material| material.title);
+        let named = design.material.as_ref().map_or("Not named", |material| &material.title);
         ComboBox::from_label("Material").selected_text(named).width(150.0).show_ui(ui, |ui| {
             let mut choose = |ui: &mut Ui, is_it: bool, title: &str, name: Option<&str>| {
                 if ui.selectable_label(is_it, title).clicked() && !is_it {
@@ -163,9 +162,9 @@ fn panel_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
                 }
             };
             choose(ui, design.material.is_none(), "Not named", None);
-            for material in &MATERIALS {
-                let is_it = design.material.is_some_and(|m| m.name == material.name);
-                choose(ui, is_it, material.title, Some(material.name));
+            for material in known_materials(&design.materials) {
+                let is_it = design.material.as_ref() == Some(material);
+                choose(ui, is_it, &material.title, Some(&material.name));
             }
         });
     });

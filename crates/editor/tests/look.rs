@@ -14,6 +14,7 @@ use sheetwright_editor::room::Part;
 use sheetwright_editor::scene::Act;
 use sheetwright_editor::theme::Look;
 use sheetwright_editor::views::SurfaceView;
+use sheetwright_files::design_from_template;
 use std::path::{Path, PathBuf};
 
 fn keep(hands: &mut Hands, folder: &Path, name: &str) {
@@ -87,7 +88,7 @@ fn pictures_are_taken_where_somebody_asks() {
         }
         hands.run(Command::View(SurfaceView::Shaded));
         for template in ["dome", "hemisphere", "dinghy"] {
-            let design = sheetwright::template::template(template).unwrap().defaults().design();
+            let design = design_from_template(template, &[]);
             let document = Document { design: design.unwrap(), ..Document::default() };
             hands.harness.state_mut().editor_mut().replace(document, None);
             hands.settle();

@@ -12,15 +12,16 @@ use eframe::egui::{
 use egui_kittest::kittest::{NodeT, Queryable};
 use hands::{Hands, picture};
 use sheetwright::check::Verdict;
+use sheetwright::material::Material;
 use sheetwright::math::Point3;
 use sheetwright_editor::command::Command;
-use sheetwright_editor::document::Document;
+use sheetwright_editor::document::{Document, Draft};
 use sheetwright_editor::document::{PointRef, Selection};
 use sheetwright_editor::editor::Page;
 use sheetwright_editor::engine::shown::ShownPanel;
 use sheetwright_editor::panes::plan::Tool;
 use sheetwright_editor::scene::Act;
-use sheetwright_files::{Drawing, Units, design_from_template};
+use sheetwright_files::{Drawing, Units, design_from_template, material_named};
 
 const SIZE: [f32; 2] = [1280.0, 800.0];
 /// So high that all fields are in sight.
@@ -330,6 +331,34 @@ fn esc_closes_menus_and_lists_first() {
     assert_eq!(*hands.app().editor().selection(), kept);
     hands.key(Modifiers::NONE, Key::Escape);
     assert!(hands.app().editor().selection().is_empty());
+}
+
+#[test]
+fn materials_of_the_design_are_listed_before_those_of_the_catalogue_and_kept() {
+    let mut hands = with_template("cone", Units::Millimetres);
+    let mut document = hands.app().editor().document().clone();
+    let paper = material_named("paper", &[]).unwrap();
+    let mine = Material { name: "mine".to_owned(), title: "paper of mine".to_owned(), ..paper };
+    document.design.materials = vec![mine.clone()];
+    hands.harness.state_mut().editor_mut().replace(document, None);
+    hands.settle();
+    open_list(&mut hands, "Not named");
+    let top = |label| hands.harness.query_all_by_label(label).last().unwrap().rect().top();
+    assert!(top("paper of mine") < top("aluminium 5754, 1 mm"));
+    hands.click("paper of mine");
+    hands.settle();
+    let chosen = |hands: &Hands| hands.app().editor().document().design.material.clone();
+    assert_eq!(chosen(&hands), Some(mine.clone()));
+    open_list(&mut hands, "paper of mine");
+    hands.click("aluminium 5754, 1 mm");
+    hands.settle();
+    assert_eq!(chosen(&hands), material_named("aluminium-1mm", &[]));
+    hands.run(Command::Undo);
+    assert_eq!(chosen(&hands), Some(mine));
+    // What is kept of work that is not saved.
+    let document = hands.app().editor().document().clone();
+    let draft = Draft { document, file: None };
+    assert_eq!(Draft::read(&draft.bytes()).as_ref(), Ok(&draft));
 }
 
 #[test]

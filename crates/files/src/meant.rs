@@ -4,8 +4,9 @@
 //! catalogue says of templates and parameters, and for materials in a list of trade and American
 //! words.
 
+use crate::materials::{known_materials, material_named};
 use crate::names::{did_you_mean, folded, nearest, shown};
-use sheetwright::material::MATERIALS;
+use sheetwright::material::Material;
 use sheetwright::template::{Parameter, Template, catalogue};
 
 /// Templates that are named in a hint, at the most.
@@ -75,9 +76,17 @@ const PARAMETER_WORDS: [(&str, &[&str]); 9] = [
     ("units", &["unit"]),
 ];
 
-/// What to do about a material that is not known.
-pub fn material_hint(wanted: &str) -> String {
-    let known: Vec<&str> = MATERIALS.iter().map(|m| m.name).collect();
+/// The material that a design with these of its own means by a name; or what is wrong with the name
+/// and what to do about it.
+pub(crate) fn material_meant(wanted: &str, own: &[Material]) -> Result<Material, (String, String)> {
+    material_named(wanted, own).ok_or_else(|| {
+        (format!("the material {} is not known", shown(wanted)), material_hint(wanted, own))
+    })
+}
+
+/// What to do about a material that a design with these of its own does not know.
+fn material_hint(wanted: &str, own: &[Material]) -> String {
+    let known: Vec<&str> = known_materials(own).iter().map(|m| &m.name[..]).collect();
     let words = words_of(wanted);
     let is_called = |stem: &str, others: &[&str]| {
         words.iter().any(|word| word == stem || others.contains(&word.as_str()))
@@ -243,18 +252,21 @@ mod tests {
             ("sailcloth", "'canvas'"),
             ("stainless 2mm", "'steel-1mm' or 'steel-5mm'"),
         ] {
-            let said = material_hint(wanted);
+            let said = material_hint(wanted, &[]);
             assert!(said.starts_with(&format!("Did you mean {meant}? Known here: ")), "{said}");
         }
-        assert!(material_hint("papper").starts_with("Did you mean 'paper'? "));
-        assert!(material_hint("xyzzy").starts_with("Known here: "));
+        assert!(material_hint("papper", &[]).starts_with("Did you mean 'paper'? "));
+        assert!(material_hint("xyzzy", &[]).starts_with("Known here: "));
     }
 
     /// A name that no material has would lead nowhere.
     #[test]
     fn the_words_are_of_materials_that_are_there() {
         for (stem, _) in MATERIAL_WORDS {
-            assert!(MATERIALS.iter().any(|m| m.name.split('-').next() == Some(stem)), "{stem}");
+            assert!(
+                known_materials(&[]).iter().any(|m| m.name.split('-').next() == Some(stem)),
+                "{stem}"
+            );
         }
     }
 }

@@ -5,7 +5,6 @@ use crate::units::Units;
 use sheetwright::boundary::PlaneChoice;
 use sheetwright::design::VaryGoal;
 use sheetwright::design::{PanelMethod, Vary};
-use sheetwright::material::Material;
 use sheetwright::math::from_deg;
 use std::fmt;
 use std::fs::File;
@@ -89,7 +88,7 @@ pub(crate) const EFFORTS: &str =
     "Ask for 0.001 to 1000 times the default; 1 is up to 5 seconds a panel.";
 
 /// What the caller sets instead of the file.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct ReadOptions {
     /// Samples of each outer loop or rail. A curve table becomes splines with it. Default: as the
     /// design says; the rows of a table as they are.
@@ -104,8 +103,9 @@ pub struct ReadOptions {
     pub plane: Option<PlaneChoice>,
     /// The unit of a curve table or a mesh. Default: millimetres. A design says its own.
     pub units: Option<Units>,
-    /// The sheet that it is made from. Default: as the design says; none for tables and meshes.
-    pub material: Option<&'static Material>,
+    /// The name of the material that it is made from, one of the design's own or of the catalogue.
+    /// Default: as the design says; none for tables and meshes.
+    pub material: Option<String>,
     /// What may move. Default: as the design says.
     pub vary: VarySettings,
 }

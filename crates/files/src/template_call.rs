@@ -1,7 +1,8 @@
 //! A template as it is called: its name and `NAME=VALUE` texts, to a design.
 
 use crate::design_json::{table_beside, write_design, write_design_of_table};
-use crate::meant::{material_hint, parameter_hint, template_question};
+use crate::materials::material_named;
+use crate::meant::{material_meant, parameter_hint, template_question};
 use crate::names::{did_you_mean, shown};
 use crate::quantity::{LENGTH_EXAMPLES, Slip, angle, length, lengths, plain};
 use crate::reading::InputError;
@@ -76,6 +77,7 @@ fn called(name: &str, settings: &[String], folder: Option<&Path>) -> Result<NewD
     let mut seen: Vec<&str> = Vec::new();
     let mut tables: Vec<(&str, &str)> = Vec::new();
     let mut units = Units::Millimetres;
+    let mut material = None;
     for setting in settings {
         let Some((name, text)) = setting.split_once('=') else {
             let message = format!("the setting {} has no value", shown(setting));
@@ -91,6 +93,7 @@ fn called(name: &str, settings: &[String], folder: Option<&Path>) -> Result<NewD
         match template.parameter(name).map(|parameter| parameter.kind) {
             // Read when its units are known.
             Some(Kind::Table) => tables.push((name, text)),
+            None if name == MATERIAL => material = Some(material_set(template, text)?),
             _ => set(&mut values, name, text)?,
         }
         if let (UNITS, Some(unit)) = (name, Units::from_name(text)) {
@@ -102,7 +105,9 @@ fn called(name: &str, settings: &[String], folder: Option<&Path>) -> Result<NewD
         set_table(&mut values, name, path, units, folder)?;
         table = Some(Table { path: path.to_owned(), units });
     }
-    let design = values.design().map_err(|error| in_words(&error, template, ""))?;
+    let mut design = values.design().map_err(|error| in_words(&error, template, ""))?;
+    let usual = || material_named(values.usual_sheet()?, &[]);
+    design.material = material.or_else(usual);
     Ok(NewDesign { design, table })
 }
 
@@ -126,15 +131,13 @@ fn set_table(
     values.set(name, Value::Table(curves)).map_err(|error| in_words(&error, template, path))
 }
 
+fn material_set(template: &Template, name: &str) -> Result<Material, InputError> {
+    material_meant(name, &[])
+        .map_err(|(message, hint)| InputError::at(place(template, MATERIAL), message, hint))
+}
+
 fn set(values: &mut Values, name: &str, text: &str) -> Result<(), InputError> {
     let template = values.template();
-    if name == MATERIAL {
-        values.material = Some(Material::named(text).ok_or_else(|| {
-            let message = format!("the material {} is not known", shown(text));
-            InputError::at(place(template, MATERIAL), message, material_hint(text))
-        })?);
-        return Ok(());
-    }
     let Some(parameter) = template.parameter(name) else {
         let message = format!("there is no parameter {}", shown(name));
         let hint = parameter_hint(name, template, &[MATERIAL]);
@@ -331,7 +334,7 @@ mod tests {
             design_from_template("cone", &bare).unwrap()
         });
         let paper = design_from_template("cone", &settings(&["material=paper"])).unwrap();
-        assert_eq!(paper.material.map(|m| m.name), Some("paper"));
+        assert_eq!(paper.material.map(|m| m.name).as_deref(), Some("paper"));
     }
 
     #[test]

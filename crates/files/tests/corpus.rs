@@ -24,15 +24,22 @@ fn entries(endings: &[&str]) -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../corpus/good");
     let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     let has = |path: &PathBuf| {
-        path.extension().is_some_and(|ending| endings.iter().any(|wanted| ending == *wanted))
+        let name = path.file_name().unwrap().to_string_lossy();
+        endings.iter().any(|ending| name.ends_with(&format!(".{ending}")))
     };
     let mut found: Vec<PathBuf> = entries.filter(has).collect();
     found.sort();
     found
 }
 
+/// The name of an entry, without its endings.
+fn name_of(entry: &Path) -> String {
+    let file = entry.file_name().unwrap().to_string_lossy();
+    file.split('.').next().unwrap().to_owned()
+}
+
 fn facts_of(entry: &Path) -> Map<String, Value> {
-    let facts = fs::read(entry.with_extension("facts.json")).unwrap();
+    let facts = fs::read(entry.with_file_name(format!("{}.facts.json", name_of(entry)))).unwrap();
     serde_json::from_slice(&facts).unwrap()
 }
 
@@ -42,7 +49,7 @@ fn the_facts_of_every_mesh_hold() {
     assert!(meshes.len() >= 4, "{meshes:?}");
     let mut wrong = Vec::new();
     for mesh in meshes {
-        let name = mesh.file_stem().unwrap().to_string_lossy();
+        let name = name_of(&mesh);
         let facts = facts_of(&mesh);
         let Input::Mesh(design) = read_any(&mesh, &ReadOptions::default()).unwrap() else {
             panic!("{name}")
@@ -73,18 +80,18 @@ fn the_facts_of_every_mesh_hold() {
 
 #[test]
 fn the_facts_of_every_boundary_hold() {
-    let tables = entries(&["csv"]);
-    assert!(tables.len() >= 17, "{tables:?}");
+    let boundaries = entries(&["csv", "sheet.json"]);
+    assert!(boundaries.len() >= 19, "{boundaries:?}");
     let mut wrong = Vec::new();
-    for table in tables {
-        let name = table.file_stem().unwrap().to_string_lossy();
-        let facts = facts_of(&table);
+    for entry in boundaries {
+        let name = name_of(&entry);
+        let facts = facts_of(&entry);
         let plane = facts.get("plane").map(|plane| match plane.as_str() {
             Some("none") => PlaneChoice::None,
             _ => panic!("{name}: {plane}"),
         });
         let options = ReadOptions { plane, ..ReadOptions::default() };
-        let made = make(&read_input(&table, &options).unwrap(), &mut Unwatched).unwrap();
+        let made = make(&read_input(&entry, &options).unwrap(), &mut Unwatched).unwrap();
         let outputs = output_files(&made, &Format::DEFAULT, &PdfOptions::default()).unwrap();
         // Whatever the boundary, quads and a smooth surface come out, or a finding says why not.
         let smooth = [Format::Quads, Format::Step];

@@ -103,7 +103,7 @@ pub fn refolding(error_mm: f64, size_mm: f64, known_mm: f64) -> Option<Finding> 
 fn warp(panel: &Panel<'_>) -> Option<Finding> {
     let limit = from_deg(warp_limit_deg(panel.material));
     let rungs = &panel.measures.rungs;
-    let sheet = panel.material.map_or("a sheet", |m| m.title);
+    let sheet = panel.material.map_or("a sheet", |m| &m.title);
     let beyond = |bound: f64| move |r: &RungMeasures| r.warp_beyond_sampling() > bound;
     let largest = |bound: f64| {
         rungs.iter().filter(|r| beyond(bound)(r)).map(|r| r.warp).reduce(f64::max).map(to_deg)
@@ -162,15 +162,16 @@ fn coarse_samples(panel: &Panel<'_>) -> Option<Finding> {
 fn bend_radius(panel: &Panel<'_>) -> Option<Finding> {
     let material = panel.material?;
     let least = panel.measures.bend_radius_min_mm;
-    (least < material.bend_radius_mm).then(|| Finding {
+    let takes = material.bend_radius_mm.value;
+    (least < takes).then(|| Finding {
         severity: Severity::Error,
         code: "radius-too-small",
         text: format!(
-            "The panel is bent to a radius of {least:.1} mm, and {} takes {:.1} mm. Take a \
+            "The panel is bent to a radius of {least:.1} mm, and {} takes {takes:.1} mm. Take a \
              thinner sheet, or a rounder boundary.",
-            material.title, material.bend_radius_mm
+            material.title
         ),
-        place: where_rungs(&panel.measures.rungs, |r| r.bend_radius_mm < material.bend_radius_mm),
+        place: where_rungs(&panel.measures.rungs, |r| r.bend_radius_mm < takes),
         remedies: Vec::new(),
     })
 }
@@ -184,7 +185,8 @@ const SEEN_POINT_DEG: f64 = 15.0;
 fn points(panel: &Panel<'_>) -> Option<Finding> {
     let apexes = &panel.measures.apexes;
     let sharpest = apexes.iter().max_by(|a, b| a.turn.total_cmp(&b.turn))?;
-    let stiff = panel.material.filter(|m| !m.folds() && sharpest.radius_mm < m.bend_radius_mm);
+    let stiff =
+        panel.material.filter(|m| !m.folds() && sharpest.radius_mm < m.bend_radius_mm.value);
     if stiff.is_none() && to_deg(sharpest.turn) < SEEN_POINT_DEG {
         return None;
     }
@@ -195,7 +197,7 @@ fn points(panel: &Panel<'_>) -> Option<Finding> {
             format!(
                 "{} takes a radius of {:.1} mm, and there it would have to take {:.1} mm. Cut the \
                  point off, or move the boundary there.",
-                m.title, m.bend_radius_mm, sharpest.radius_mm
+                m.title, m.bend_radius_mm.value, sharpest.radius_mm
             ),
         ),
         None => (

@@ -1,32 +1,47 @@
-//! What sheets can do: the limits that a verdict is given against.
+//! What a sheet can do: the limits that a verdict is given against.
 //!
-//! The numbers are working rules to begin with, and only one of them has a source that was read:
-//! metal shipbuilding accepts a warp angle of 6° \[ZB18\]. A warp angle along a ruling means that a
-//! sheet must stretch there, so this list takes 6° for every sheet that hardly stretches, and
-//! assumes twice as much for those that do. The radii are rules of thumb that were not looked up:
-//! for plywood of 6 and 9 mm, bent dry across the face grain, as commonly quoted from \[APA-E30\],
-//! thinner plywood by the same ratio to its thickness; for metal a multiple of the thickness. Check
-//! them against the sheet that is to be cut.
+//! A material is data that comes with a design. The kernel knows none by name: the catalogue is a
+//! file (`materials.json` in the crate `sheetwright-files`), and designs bring their own. Every
+//! number says where it comes from, so that a reader of a verdict can judge its limit.
 
-/// A sheet material of a thickness.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// The source of a number that has none.
+pub const ASSUMED: &str = "assumed";
+
+/// A number and where it comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sourced {
+    /// The number, in the unit of its field.
+    pub value: f64,
+    /// A publication, a data sheet or a measurement; begins with [`ASSUMED`] where there is none.
+    pub source: String,
+}
+
+impl Sourced {
+    /// A number without a source.
+    pub fn assumed(value: f64) -> Self {
+        Self { value, source: ASSUMED.to_owned() }
+    }
+}
+
+/// A sheet of one material and one thickness.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Material {
     /// How designs name it.
-    pub name: &'static str,
+    pub name: String,
     /// How people call it.
-    pub title: &'static str,
+    pub title: String,
     /// Thickness, mm.
-    pub thickness_mm: f64,
+    pub thickness_mm: Sourced,
     /// The smallest radius that it is bent to, mm.
-    pub bend_radius_mm: f64,
+    pub bend_radius_mm: Sourced,
     /// The largest warp angle that it takes, degrees.
-    pub warp_limit_deg: f64,
+    pub warp_limit_deg: Sourced,
     /// By which share it is stretched or squeezed within its plane at most, without unit.
-    pub stretch_limit: f64,
+    pub stretch_limit: Sourced,
 }
 
 /// The largest warp angle of a sheet that nothing is known of, degrees: metal shipbuilding
-/// \[ZB18\].
+/// \[ZB18\]. A warp angle along a ruling means that the sheet must stretch there.
 pub const DEFAULT_WARP_LIMIT_DEG: f64 = 6.0;
 
 /// By which share a sheet that nothing is known of is stretched within its plane at most: a
@@ -34,83 +49,55 @@ pub const DEFAULT_WARP_LIMIT_DEG: f64 = 6.0;
 /// as [`sheetwright_geometry::tolerance::Tolerance::MOST_STRETCH`].
 pub const DEFAULT_STRETCH_LIMIT: f64 = 1e-3;
 
-/// By which share leather, cloth and soft plastic are stretched within their plane at most, a few
-/// per cent. Assumed.
-const SOFT_STRETCH_LIMIT: f64 = 0.02;
-
 /// A sheet that is bent to no less than this many thicknesses is taken to break when it is folded:
 /// between solid board (10) and plywood (96), nearer to the board.
 const MOST_THICKNESSES: f64 = 10.0;
-
-const fn material(
-    name: &'static str,
-    title: &'static str,
-    thickness_mm: f64,
-    bend_radius_mm: f64,
-    warp_limit_deg: f64,
-) -> Material {
-    let stretches = warp_limit_deg > DEFAULT_WARP_LIMIT_DEG;
-    let stretch_limit = if stretches { SOFT_STRETCH_LIMIT } else { DEFAULT_STRETCH_LIMIT };
-    Material { name, title, thickness_mm, bend_radius_mm, warp_limit_deg, stretch_limit }
-}
-
-/// Every material, by name.
-pub const MATERIALS: [Material; 15] = [
-    material("aluminium-1mm", "aluminium 5754, 1 mm", 1.0, 1.0, 6.0),
-    material("aluminium-2mm", "aluminium 5754, 2 mm", 2.0, 2.0, 6.0),
-    material("aluminium-4mm", "aluminium 5083, 4 mm", 4.0, 6.0, 6.0),
-    material("card-0.3mm", "card, 0.3 mm", 0.3, 1.0, 6.0),
-    material("cardboard-1.5mm", "solid board, 1.5 mm", 1.5, 15.0, 6.0),
-    // Leather, cloth and soft plastic stretch a few per cent: assumed to forgive twice the warp.
-    material("canvas", "canvas or sailcloth", 0.5, 0.5, 12.0),
-    material("leather-2mm", "leather, 2 mm", 2.0, 2.0, 12.0),
-    material("paper", "paper, 80 to 160 g/m²", 0.15, 0.5, 6.0),
-    material("plywood-3mm", "plywood, 3 mm", 3.0, 290.0, 6.0),
-    material("plywood-4mm", "plywood, 4 mm", 4.0, 385.0, 6.0),
-    material("plywood-6mm", "plywood, 6 mm", 6.35, 610.0, 6.0),
-    material("plywood-9mm", "plywood, 9 mm", 9.5, 914.0, 6.0),
-    material("polypropylene-0.8mm", "polypropylene sheet, 0.8 mm", 0.8, 2.0, 12.0),
-    material("steel-1mm", "mild steel, 1 mm", 1.0, 1.0, 6.0),
-    material("steel-5mm", "mild steel plate, 5 mm", 5.0, 7.5, 6.0),
-];
 
 impl Material {
     /// Whether it takes a sharp fold along a scored line: not plywood, whose bend radius is a
     /// hundred times its thickness.
     pub fn folds(&self) -> bool {
-        self.bend_radius_mm <= MOST_THICKNESSES * self.thickness_mm
-    }
-
-    /// The material of a name.
-    pub fn named(name: &str) -> Option<&'static Self> {
-        MATERIALS.iter().find(|m| m.name == name)
+        self.bend_radius_mm.value <= MOST_THICKNESSES * self.thickness_mm.value
     }
 }
 
 /// The largest warp angle that is accepted, degrees: the material's, or the default without one.
 pub fn warp_limit_deg(material: Option<&Material>) -> f64 {
-    material.map_or(DEFAULT_WARP_LIMIT_DEG, |m| m.warp_limit_deg)
+    material.map_or(DEFAULT_WARP_LIMIT_DEG, |m| m.warp_limit_deg.value)
 }
 
 /// By which share a sheet is stretched within its plane at most: the material's, or the default
 /// without one.
 pub fn stretch_limit(material: Option<&Material>) -> f64 {
-    material.map_or(DEFAULT_STRETCH_LIMIT, |m| m.stretch_limit)
+    material.map_or(DEFAULT_STRETCH_LIMIT, |m| m.stretch_limit.value)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    #[test]
-    fn materials_stand_by_name_once() {
-        for pair in MATERIALS.windows(2) {
-            let (a, b) = (pair[0].name, pair[1].name);
-            assert_ne!(a, b);
+    fn sheet(thickness_mm: f64, bend_radius_mm: f64) -> Material {
+        Material {
+            name: "sheet".to_owned(),
+            title: "a sheet".to_owned(),
+            thickness_mm: Sourced::assumed(thickness_mm),
+            bend_radius_mm: Sourced::assumed(bend_radius_mm),
+            warp_limit_deg: Sourced::assumed(12.0),
+            stretch_limit: Sourced::assumed(0.02),
         }
-        assert_eq!(Material::named("paper").map(|m| m.bend_radius_mm), Some(0.5));
-        assert!(Material::named("cheese").is_none());
-        assert_eq!(stretch_limit(Material::named("canvas")), 0.02);
-        assert_eq!(stretch_limit(None), stretch_limit(Material::named("steel-1mm")));
+    }
+
+    #[test]
+    fn what_is_bent_tightly_folds() {
+        assert!(sheet(1.5, 15.0).folds());
+        assert!(!sheet(3.0, 290.0).folds());
+    }
+
+    #[test]
+    fn limits_are_those_of_the_material_or_the_default() {
+        let cloth = sheet(0.5, 0.5);
+        assert_eq!((warp_limit_deg(Some(&cloth)), stretch_limit(Some(&cloth))), (12.0, 0.02));
+        assert_eq!(warp_limit_deg(None), DEFAULT_WARP_LIMIT_DEG);
+        assert_eq!(stretch_limit(None), DEFAULT_STRETCH_LIMIT);
     }
 }

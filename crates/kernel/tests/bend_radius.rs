@@ -6,7 +6,7 @@ use sheetwright::check::{Panel, Verdict, check};
 use sheetwright::cost::Prices;
 use sheetwright::curve::CurvePoint;
 use sheetwright::flatten::lay_flat;
-use sheetwright::material::Material;
+use sheetwright::material::{Material, Sourced};
 use sheetwright::math::{Point3, cos, sin};
 use sheetwright::measure::{Measures, measures};
 use sheetwright::surface::{Connectivity, Surface};
@@ -54,8 +54,14 @@ const STEPS: u32 = 2_000;
 /// in its middle and 150 mm at its narrow end does not.
 #[test]
 fn the_verdict_goes_by_the_tightest_end() {
-    let plywood = Material::named("plywood-3mm");
-    assert_eq!(plywood.map(|m| m.bend_radius_mm), Some(290.0));
+    let plywood = Some(&Material {
+        name: "plywood-3mm".to_owned(),
+        title: "plywood, 3 mm".to_owned(),
+        thickness_mm: Sourced::assumed(3.0),
+        bend_radius_mm: Sourced::assumed(290.0),
+        warp_limit_deg: Sourced::assumed(6.0),
+        stretch_limit: Sourced::assumed(1e-3),
+    });
     for shape in pierced().iter().filter(|shape| shape.name.starts_with("patch")) {
         for m in [200, 400] {
             let (found, verdict) = checked(&shape.sampled(m).boundary, plywood);

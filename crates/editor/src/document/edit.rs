@@ -14,8 +14,8 @@ use sheetwright::draw::panels::{PanelChange, Proposal, panels_of_drawing, withou
 use sheetwright::draw::round::circle;
 use sheetwright::draw::settle::{point_at, settled};
 use sheetwright::draw::stroke::{StrokeOptions, stroke};
-use sheetwright::material::Material;
 use sheetwright::math::{Point2, Point3};
+use sheetwright_files::material_named;
 
 /// What came of an edit.
 pub struct Edited {
@@ -75,7 +75,13 @@ pub fn edited(document: &Document, edit: &Edit) -> Outcome {
         }
         Edit::SetMaterial(name) => {
             let mut next = document.clone();
-            next.design.material = name.as_deref().and_then(Material::named);
+            next.design.material = match name {
+                None => None,
+                Some(name) => {
+                    let found = material_named(name, &next.design.materials);
+                    Some(found.ok_or_else(|| format!("There is no material {name}."))?)
+                }
+            };
             Ok(Edited::of(next))
         }
         Edit::SetDrawing(drawing) => {

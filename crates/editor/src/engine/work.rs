@@ -72,7 +72,7 @@ impl Work {
 
 /// Points that may move stay where they are drawn until somebody asks.
 fn shown_panels(live: &Live) -> Vec<ShownPanel> {
-    let material = live.design().material;
+    let material = live.design().material.as_ref();
     let shown = live.panels().iter().map(|panel| ShownPanel {
         name: panel.name.clone(),
         made: match &panel.made {
@@ -104,9 +104,10 @@ fn shown(panel: &MadePanel, material: Option<&Material>) -> ShownPanel {
 }
 
 fn varied(made: Made) -> Varied {
+    let material = made.material.as_ref();
     let before_of = |panel: &MadePanel| match &panel.change {
-        Some(change) => shown(&change.before, made.material),
-        None => shown(panel, made.material),
+        Some(change) => shown(&change.before, material),
+        None => shown(panel, material),
     };
     let moved_max_mm = made
         .panels
@@ -116,7 +117,7 @@ fn varied(made: Made) -> Varied {
     Varied {
         moved_max_mm,
         before: made.panels.iter().map(before_of).collect(),
-        after: made.panels.iter().map(|panel| shown(panel, made.material)).collect(),
+        after: made.panels.iter().map(|panel| shown(panel, material)).collect(),
         moved: made.moved,
     }
 }

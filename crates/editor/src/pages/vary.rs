@@ -102,7 +102,7 @@ impl VaryPage {
             "Reach an angle, and move no more than that takes",
         );
         let field = |label| Field { theme, of: Id::unique("vary"), label };
-        let angle_deg = self.angle_deg.unwrap_or(warp_limit_deg(document.design.material));
+        let angle_deg = self.angle_deg.unwrap_or(warp_limit_deg(document.design.material.as_ref()));
         if self.reach_angle {
             let typed = field("Largest twist").angle(ui, angle_deg, ANGLES);
             self.angle_deg = typed.or(self.angle_deg);

@@ -108,7 +108,7 @@ pub(crate) fn shown(design: &Design) -> Vec<ShownPanel> {
     }
     match make(design, &mut Unwatched) {
         Ok(made) => {
-            let of = |panel| Shown::new(panel, design.material);
+            let of = |panel| Shown::new(panel, design.material.as_ref());
             let panels = made.panels.iter();
             panels.map(|p| ShownPanel { name: p.name.clone(), made: Ok(of(p)) }).collect()
         }
@@ -121,7 +121,7 @@ pub(crate) fn shown(design: &Design) -> Vec<ShownPanel> {
 
 /// The design of a template.
 pub(crate) fn template(name: &str) -> Design {
-    sheetwright::template::template(name).unwrap().defaults().design().unwrap()
+    sheetwright_files::design_from_template(name, &[]).unwrap()
 }
 
 /// The design of an example.

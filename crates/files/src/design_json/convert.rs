@@ -1,15 +1,16 @@
 //! A design from its file's types to the kernel's.
 
 use super::grammar::{
-    CurveFile, DesignFile, GoalName, KindName, MethodName, Object, PanelFile, PlaneFile, PlaneName,
+    CurveFile, DesignFile, GoalName, KindName, MethodName, PanelFile, PlaneFile, PlaneName,
     PointFile, Triple, VaryFile,
 };
 use super::join::check_joins;
+use super::material;
 use super::source::Source;
 use super::table_path::Tables;
 use super::vary::VaryReader;
 use super::wrong_version;
-use crate::meant::material_hint;
+use crate::json::Object;
 use crate::names::{
     did_you_mean, folded, refused_anywhere, refused_for_curve, refused_for_file, shown,
 };
@@ -23,7 +24,6 @@ use sheetwright::design::{
     CurveUse, Design, DesignCurve, DesignPanel, LEAST_EFFORT, MOST_EFFORT, PanelMethod, PanelShape,
     Vary,
 };
-use sheetwright::material::Material;
 use sheetwright::math::{Point3, Vec3};
 use sheetwright::triangulate::Goal;
 use std::collections::BTreeMap;
@@ -50,13 +50,7 @@ pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, In
             }
         },
     };
-    let material = match file.material {
-        None => None,
-        Some(wanted) => Some(Material::named(&wanted).ok_or_else(|| {
-            let message = format!("the material {} is not known", shown(&wanted));
-            source.error("material", message, material_hint(&wanted))
-        })?),
-    };
+    let (material, materials) = material::read(file.material, file.materials, source)?;
     let curves = curves(file.curves.0, file.units, source)?;
     let mut list = file.panels;
     let of_panels: Vec<Option<Object<VaryFile>>> =
@@ -85,7 +79,8 @@ pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, In
     };
     vary.sort_by_key(place);
     let vary = source.options.vary.applied(vary);
-    Ok(Design { name, material, curves, panels, vary, match_seams: file.match_seams })
+    let match_seams = file.match_seams;
+    Ok(Design { name, material, materials, curves, panels, vary, match_seams })
 }
 
 fn curves(

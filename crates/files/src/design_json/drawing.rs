@@ -1,10 +1,10 @@
 //! How a design is drawn: the field `drawing` of its file, which making it passes over.
 
-use super::grammar::Object;
 use super::source::Source;
 use super::{convert, parse};
 use crate::drawn::{Drawing, Mirror, Plan, Reference};
 use crate::input::refuse_large;
+use crate::json::Object;
 use crate::reading::{InputError, ReadOptions, display_name, text_of};
 use crate::table::in_range_mm;
 use crate::units::Units;
@@ -80,12 +80,6 @@ struct ReferenceFile {
     opacity: f64,
     /// The bytes of that file, PNG or JPEG, in base64.
     data: String,
-}
-
-impl<T: Serialize> Serialize for Object<T> {
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        self.0.serialize(serializer)
-    }
 }
 
 /// The design in some bytes, and how it is drawn. Tables that it refers to lie in `folder` or

@@ -3,14 +3,15 @@
 //! The doc comments of these types are the descriptions in docs/schema/design.schema.json.
 
 use super::drawing::DrawingFile;
+use crate::json::{Called, Named, Object};
+use crate::materials::{MaterialChoice, MaterialFile};
 use crate::table::MAX_ROWS;
 use crate::units::Units;
 use schemars::JsonSchema;
 use serde::de::{self, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Serialize};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::fmt;
-use std::marker::PhantomData;
 
 /// A design of Sheetwright: curves, and the panels between them.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -30,12 +31,17 @@ pub(super) struct DesignFile {
     /// The unit of all points, and of the tables that they are taken from. Default: mm.
     #[serde(default)]
     pub(super) units: Units,
-    /// The sheet it is made from, such as `plywood-4mm`. Default: a sheet that takes 6° of warp.
+    /// The sheet it is made from: the name of a material, such as `plywood-4mm`, or what it takes.
+    /// Default: a sheet that takes 6° of warp.
     #[serde(default)]
-    pub(super) material: Option<String>,
+    pub(super) material: Option<MaterialChoice>,
+    /// Materials of its own, by name. One with a name of the catalogue takes its place.
+    #[serde(default)]
+    #[schemars(with = "BTreeMap<String, MaterialFile>")]
+    pub(super) materials: Named<MaterialFile>,
     /// The curves, by name.
     #[schemars(with = "BTreeMap<String, CurveFile>")]
-    pub(super) curves: NamedCurves,
+    pub(super) curves: Named<CurveFile>,
     /// The panels; each becomes a piece of sheet.
     #[schemars(with = "Vec<PanelFile>")]
     pub(super) panels: Vec<Object<PanelFile>>,
@@ -117,6 +123,10 @@ pub(super) struct CurveFile {
     /// Which curve of the table. Default: the only one.
     #[serde(default)]
     pub(super) curve: Option<String>,
+}
+
+impl Called for CurveFile {
+    const CALLED: &str = "curve";
 }
 
 /// How points make a curve.
@@ -303,26 +313,6 @@ pub(super) enum PlaneName {
     None,
 }
 
-/// A value that is written as an object. What serde derives would take a list of the fields, too.
-#[derive(Debug)]
-pub(super) struct Object<T>(pub(super) T);
-
-impl<'de, T: Deserialize<'de>> Deserialize<'de> for Object<T> {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Map<T>(PhantomData<T>);
-        impl<'de, T: Deserialize<'de>> Visitor<'de> for Map<T> {
-            type Value = T;
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                write!(f, "an object")
-            }
-            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<T, A::Error> {
-                T::deserialize(de::value::MapAccessDeserializer::new(map))
-            }
-        }
-        deserializer.deserialize_map(Map(PhantomData)).map(Self)
-    }
-}
-
 /// Three numbers; said in one sentence where it is anything else.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Triple(pub(super) [f64; 3]);
@@ -448,36 +438,5 @@ impl<'de> Deserialize<'de> for Points {
             }
         }
         deserializer.deserialize_seq(List)
-    }
-}
-
-/// The curves with their names, in the order of the file; no name stands there twice.
-#[derive(Debug)]
-pub(super) struct NamedCurves(pub(super) Vec<(String, CurveFile)>);
-
-impl<'de> Deserialize<'de> for NamedCurves {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Named;
-        impl<'de> Visitor<'de> for Named {
-            type Value = NamedCurves;
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                write!(f, "an object with a curve a name")
-            }
-            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<NamedCurves, A::Error> {
-                let mut curves = Vec::new();
-                let mut names = BTreeSet::new();
-                while let Some(name) = map.next_key::<String>()? {
-                    if !names.insert(name.clone()) {
-                        let shown = crate::names::shown(&name);
-                        let text = format!("the curve {shown} stands there twice");
-                        return Err(de::Error::custom(text));
-                    }
-                    let Object(curve) = map.next_value()?;
-                    curves.push((name, curve));
-                }
-                Ok(NamedCurves(curves))
-            }
-        }
-        deserializer.deserialize_map(Named)
     }
 }

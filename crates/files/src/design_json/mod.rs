@@ -7,6 +7,7 @@ mod convert;
 mod drawing;
 mod grammar;
 mod join;
+mod material;
 mod source;
 mod table_path;
 mod vary;
@@ -18,10 +19,11 @@ pub(crate) use vary::MOST_WARP_DEG;
 pub use write::write_design;
 pub(crate) use write::write_design_of_table;
 
+use crate::json::Object;
 use crate::names::{nearest, shown};
 use crate::reading::{InputError, ReadOptions, display_name};
 use crate::table::RANGE_HINT;
-use grammar::{DesignFile, Object};
+use grammar::DesignFile;
 use serde::Deserialize;
 use sheetwright::design::Design;
 use std::path::Path;
@@ -190,7 +192,6 @@ mod tests {
     use sheetwright::boundary::{Continuity, Within};
     use sheetwright::curve::CurveKind;
     use sheetwright::design::{CurveUse, MovedBy, PanelMethod, PanelShape, Vary};
-    use sheetwright::material::Material;
     use sheetwright::math::{Point3, from_deg};
     use sheetwright::triangulate::Goal;
 
@@ -287,7 +288,7 @@ mod tests {
     #[test]
     fn a_design_is_read() {
         let design = read(DINGHY).unwrap();
-        assert_eq!(design.material.map(|m| m.name), Some("plywood-4mm"));
+        assert_eq!(design.material.as_ref().map(|m| &m.name[..]), Some("plywood-4mm"));
         let names: Vec<&str> = design.curves.iter().map(|c| c.name.as_str()).collect();
         assert_eq!(names, ["keel", "chine", "rim"]);
         let keel = &design.curves[0];
@@ -341,12 +342,12 @@ mod tests {
             effort: Some(20.0),
             method: Some(PanelMethod::Bridge),
             units: None,
-            material: Material::named("leather-2mm"),
+            material: Some("Leather-2mm".to_owned()),
             vary: VarySettings { warp_deg: Some(3.0), limit_mm: Some(7.0), budget_mm: None },
         };
         let design =
             read_bytes(InputFormat::Design, DINGHY.as_bytes(), "d.json", None, &options).unwrap();
-        assert_eq!(design.material.map(|m| m.name), Some("leather-2mm"));
+        assert_eq!(design.material.as_ref().map(|m| &m.name[..]), Some("leather-2mm"));
         for panel in &design.panels {
             assert_eq!((panel.samples, panel.fold, panel.effort), (77, 2.0, 20.0));
             assert_eq!(panel.method, PanelMethod::Bridge);

@@ -2,7 +2,8 @@
 
 use super::drawing::DrawingFile;
 use super::grammar::{GoalName, KindName, MethodName, SmoothName};
-use super::{VERSION, vary};
+use super::{VERSION, material, vary};
+use crate::materials::file_of;
 use crate::units::Units;
 use serde::Serialize;
 use sheetwright::boundary::{Continuity, PlaneChoice, Within};
@@ -48,8 +49,12 @@ fn write(
         format!("  \"name\": {}", json(&design.name)),
         format!("  \"units\": {}", json(&units)),
     ];
-    if let Some(material) = design.material {
-        fields.push(format!("  \"material\": {}", json(&material.name)));
+    let (material, own) = material::written(design);
+    fields.extend(material.map(|name| format!("  \"material\": {}", json(&name))));
+    if !own.is_empty() {
+        let own: Vec<String> =
+            own.iter().map(|m| format!("    {}: {}", json(&m.name), json(&file_of(m)))).collect();
+        fields.push(format!("  \"materials\": {{\n{}\n  }}", own.join(",\n")));
     }
     let curves: Vec<String> = design.curves.iter().map(curve).collect();
     fields.push(format!("  \"curves\": {{\n{}\n  }}", curves.join(",\n")));

@@ -63,7 +63,8 @@ impl MeshFormat {
 const NO_SURFACE: &str =
     "Export the surface as a mesh of triangles or polygons; curves and points can't be laid flat.";
 
-/// The mesh in some bytes, a panel a group. `name` is the name of the file they are from, or `-`.
+/// The mesh in some bytes, a panel a group and no material. `name` is the name of the file they are
+/// from, or `-`.
 ///
 /// # Errors
 /// Bytes that are no mesh of this format, or too large a one.
@@ -90,7 +91,7 @@ pub(crate) fn read(
         triangles: group.triangles.into_iter().map(|t| t.map(VertexIndex::new)).collect(),
         left_out: group.left_out,
     });
-    Ok(MeshDesign { name: stem, material: options.material, groups: groups.collect() })
+    Ok(MeshDesign { name: stem, material: None, groups: groups.collect() })
 }
 
 /// The name, with a number where another group has it.

@@ -45,7 +45,7 @@ pub fn report_html(
             panel,
             refold_error_mm,
             checked,
-            material: made.material,
+            material: made.material.as_ref(),
         })
         .collect();
     let is_short = form.is_short(pages.len());
@@ -105,12 +105,12 @@ fn subtitle(made: &Made) -> String {
         1 => "1 panel".to_owned(),
         n => format!("{n} panels"),
     };
-    match made.material {
+    match &made.material {
         Some(m) => format!(
             "{panels} of {}: takes a warp of {}° and a bend radius of {}",
             m.title,
-            decimal(m.warp_limit_deg, 1),
-            millimetres(m.bend_radius_mm)
+            decimal(m.warp_limit_deg.value, 1),
+            millimetres(m.bend_radius_mm.value)
         ),
         None => format!(
             "{panels}, no material named: a warp of {}° is accepted, and any bend radius",
@@ -355,7 +355,7 @@ impl Page<'_> {
             strong { "Warp. " }
             "How far the sheet twists from one end of each ruling to the other: the less, the \
              easier it bends. The dashed line is the limit of "
-            (self.material.map_or("any sheet", |m| m.title)) "."
+            (self.material.map_or("any sheet", |m| &m.title)) "."
             @if self.is_unsure() {
                 " Dashed bars may be the bend from one sample to the next instead of twist: more \
                  samples would tell."

@@ -34,7 +34,7 @@ struct Report<'a> {
     /// The unit of all lengths: always `mm`.
     units: &'static str,
     /// The material by its name, null if the design names none.
-    material: Option<&'static str>,
+    material: Option<&'a str>,
     /// The panels, in the order of the design.
     panels: Vec<PanelReport<'a>>,
 }
@@ -295,7 +295,7 @@ pub fn report_json(
 ) -> Result<Vec<u8>> {
     assert_eq!(made.panels.len(), refold_error_mm.len(), "one refold error a panel");
     assert_eq!(made.panels.len(), checked.len(), "one verdict a panel");
-    let limit = warp_limit_deg(made.material);
+    let limit = warp_limit_deg(made.material.as_ref());
     let named = made.panels.iter().map(|panel| (&panel.name[..], &panel.edges[..]));
     let named: Vec<Named<'_>> = named.collect();
     assert_eq!(made.panels.len(), quads.len(), "quads or none a panel");
@@ -305,7 +305,7 @@ pub fn report_json(
         report.edges = of_edges(&panel.edges, &named);
         report
     });
-    report(&made.name, made.material, panels.collect())
+    report(&made.name, made.material.as_ref(), panels.collect())
 }
 
 /// `report.json` of meshes, with one entry of `written_error_mm` and `checked` a panel.
@@ -330,7 +330,7 @@ pub fn mesh_report_json(
         report.edges = of_edges(&panel.edges, &named);
         report
     });
-    report(&made.name, made.material, panels.collect())
+    report(&made.name, made.material.as_ref(), panels.collect())
 }
 
 fn report(
@@ -338,7 +338,7 @@ fn report(
     material: Option<&Material>,
     panels: Vec<PanelReport<'_>>,
 ) -> Result<Vec<u8>> {
-    let material = material.map(|m| m.name);
+    let material = material.map(|m| &m.name[..]);
     to_bytes(&Report { sheetwright: VERSION, name, units: "mm", material, panels })
 }
 
@@ -432,7 +432,7 @@ fn of_mesh<'a>(
         crease_max_deg: to_deg(creases.into_iter().fold(0.0, f64::max)),
         warp_max_deg: None,
         warp_mean_deg: None,
-        warp_limit_deg: warp_limit_deg(made.material),
+        warp_limit_deg: warp_limit_deg(made.material.as_ref()),
         bend_radius_min_mm: None,
         gauss_area_sr: gauss_area_of_mesh(&panel.mesh),
         length_error_max: measures.length_error_max,
@@ -440,7 +440,7 @@ fn of_mesh<'a>(
         length_error_area_mean: Some(measures.length_error_mean_by_area),
         stretch_max: Some(measures.stretch_max),
         stretch_min: Some(measures.stretch_min),
-        stretch_limit: Some(stretch_limit(made.material)),
+        stretch_limit: Some(stretch_limit(made.material.as_ref())),
         area_space_mm2: measures.area_space_mm2,
         area_flat_mm2: measures.area_flat_mm2,
         flat_width_mm: panel.piece.size.x,

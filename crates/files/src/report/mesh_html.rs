@@ -77,8 +77,8 @@ fn subtitle(made: &MadeMeshes) -> String {
         1 => "1 mesh panel".to_owned(),
         n => format!("{n} mesh panels"),
     };
-    let limit = plain_per_cent(stretch_limit(made.material));
-    match made.material {
+    let limit = plain_per_cent(stretch_limit(made.material.as_ref()));
+    match &made.material {
         Some(m) => format!("{panels} of {}: takes {limit} of stretch", m.title),
         None => format!("{panels}, no material named: {limit} of stretch is accepted"),
     }
@@ -141,8 +141,8 @@ fn section(
                 }
                 div.column {
                     figure.second {
-                        (PreEscaped(heat_picture(panel, made.material).inline()))
-                        figcaption { (flat_caption(panel, made.material)) }
+                        (PreEscaped(heat_picture(panel, made.material.as_ref()).inline()))
+                        figcaption { (flat_caption(panel, made.material.as_ref())) }
                     }
                 }
             }
@@ -196,7 +196,7 @@ fn flat_caption(panel: &MadeMesh, material: Option<&Material>) -> Markup {
         }
         @if measures.length_error_max > stretch_limit(material) {
             " The dashed line in the scale is what "
-            (material.map_or("a sheet of no named material", |m| m.title)) " takes."
+            (material.map_or("a sheet of no named material", |m| &m.title)) " takes."
         }
         @if panel.sheet.seams.len() == 1 {
             " Join the two sides that are marked " b { (seam_mark(0)) } "."

@@ -31,7 +31,7 @@ pub(super) fn rung_classes(
     most: usize,
 ) -> Vec<Option<&'static str>> {
     let limit = from_deg(warp_limit_deg(material));
-    let least_mm = material.map_or(0.0, |m| m.bend_radius_mm);
+    let least_mm = material.map_or(0.0, |m| m.bend_radius_mm.value);
     let rungs = &panel.measures.rungs;
     let is_beyond = |n: &usize| rungs[*n].warp_beyond_sampling() > limit;
     let worst = worst_rung(&panel.measures).filter(is_beyond);

@@ -34,7 +34,7 @@ pub fn surface_picture(panel: &MadePanel, material: Option<&Material>) -> Pictur
 
 /// The surfaces of all panels of a design, as they lie in space.
 pub fn design_picture(made: &Made) -> Picture {
-    pictured(&made.panels, made.material, format!("{} in space", made.name))
+    pictured(&made.panels, made.material.as_ref(), format!("{} in space", made.name))
 }
 
 fn pictured(panels: &[MadePanel], material: Option<&Material>, title: String) -> Picture {

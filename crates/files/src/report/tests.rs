@@ -297,7 +297,7 @@ fn the_short_form_shows_every_panel_in_a_few_kilobytes() {
 #[test]
 fn bends_that_are_too_tight_stand_out() {
     let made = tight();
-    let least = made.material.unwrap().bend_radius_mm;
+    let least = made.material.as_ref().unwrap().bend_radius_mm.value;
     assert!(made.panels[0].measures.bend_radius_min_mm < least);
     let page = html(&made);
     let shown = pictures(&page).iter().filter(|p| p.contains(r#"class="t""#)).count();
@@ -318,7 +318,8 @@ fn lines(picture: &str, class: &str) -> usize {
 /// The pictures of the first panel in space and laid flat.
 fn space_and_flat(made: &Made) -> [String; 2] {
     let panel = &made.panels[0];
-    [surface_picture(panel, made.material), flat_picture(panel, made.material)].map(|p| p.inline())
+    [surface_picture(panel, made.material.as_ref()), flat_picture(panel, made.material.as_ref())]
+        .map(|p| p.inline())
 }
 
 #[test]
@@ -501,7 +502,10 @@ fn planar_quads_have_their_border_beside_their_sides() {
 fn pictures_in_a_row_are_one_file() {
     let made = hull(40, "steel-5mm");
     let panel = &made.panels[0];
-    let row = [surface_picture(panel, made.material), flat_picture(panel, made.material)];
+    let row = [
+        surface_picture(panel, made.material.as_ref()),
+        flat_picture(panel, made.material.as_ref()),
+    ];
     let text = side_by_side("A plank & its pattern", &row).standalone();
     let document = roxmltree::Document::parse(&text).unwrap();
     assert_eq!(document.root_element().attribute("width"), Some("976"));

@@ -85,7 +85,7 @@ fn stretch(panel: &MeshPanel<'_>) -> Option<Finding> {
         format!("at {}", place(a.lerp(b, 0.5)))
     });
     let takes = match panel.material {
-        Some(m) => format!("{} takes {}", first_up(m.title), percent(limit)),
+        Some(m) => format!("{} takes {}", first_up(&m.title), percent(limit)),
         None => format!("Without a material that is named, {} is accepted", percent(limit)),
     };
     let what = format!(
@@ -185,7 +185,7 @@ fn folds(panel: &MeshPanel<'_>) -> Option<Finding> {
     let (severity, advice, remedies) = match panel.material {
         Some(m) if !m.folds() => (
             Severity::Error,
-            format!("{} does not fold: divide it there.", first_up(m.title)),
+            format!("{} does not fold: divide it there.", first_up(&m.title)),
             vec![Remedy::SplitCreases],
         ),
         _ => (Severity::Warning, "The pattern marks them to be scored.".to_owned(), Vec::new()),

@@ -24,7 +24,7 @@ pub struct MeshDesign {
     /// Its name.
     pub name: String,
     /// The sheet it is made from, if one is named.
-    pub material: Option<&'static Material>,
+    pub material: Option<Material>,
     /// Its groups.
     pub groups: Vec<MeshGroup>,
 }

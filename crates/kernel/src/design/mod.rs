@@ -139,7 +139,9 @@ pub struct Design {
     /// Its name.
     pub name: String,
     /// The sheet it is made from, if one is named.
-    pub material: Option<&'static Material>,
+    pub material: Option<Material>,
+    /// The materials that it brings along, in order, each with a name of its own.
+    pub materials: Vec<Material>,
     /// Its curves.
     pub curves: Vec<DesignCurve>,
     /// Its panels.

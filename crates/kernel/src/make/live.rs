@@ -125,7 +125,7 @@ struct Inputs {
     curves: Vec<DesignCurve>,
     /// How many divisions each curve gets, where that is given.
     divisions: Vec<Option<Vec<usize>>>,
-    material: Option<&'static Material>,
+    material: Option<Material>,
 }
 
 impl Inputs {
@@ -139,7 +139,7 @@ impl Inputs {
         let number = |curve: &DesignCurve| design.curves.iter().position(|c| c.name == curve.name);
         let given = |curve| number(curve).and_then(|number| matched.get(&number).cloned());
         let divisions = curves.iter().map(given).collect();
-        Self { panels, curves, divisions, material: design.material }
+        Self { panels, curves, divisions, material: design.material.clone() }
     }
 
     /// Whether they are the same to the last bit: 0 and −0 are equal and not the same.
@@ -251,7 +251,7 @@ impl Live {
         let panels = self.panels.iter().map(|panel| panel.made.clone());
         let mut panels = panels.collect::<Result<Vec<_>, _>>()?;
         find_mates(&mut panels);
-        let (name, material) = (self.design.name.clone(), self.design.material);
+        let (name, material) = (self.design.name.clone(), self.design.material.clone());
         Ok(Made { name, material, panels, moved: None })
     }
 

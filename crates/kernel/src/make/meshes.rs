@@ -105,7 +105,7 @@ pub struct MadeMeshes {
     /// Its name.
     pub name: String,
     /// The sheet it is made from, if one is named.
-    pub material: Option<&'static Material>,
+    pub material: Option<Material>,
     /// What flattening made small.
     pub aim: Aim,
     /// Its panels, group after group.
@@ -231,10 +231,11 @@ pub fn make_meshes(
             parts.push(Part { name, ..part });
         }
     }
-    let made = parts.into_iter().map(|part| make_mesh(part, design.material, options, watch));
+    let material = design.material.as_ref();
+    let made = parts.into_iter().map(|part| make_mesh(part, material, options, watch));
     let panels = with_edges(made.collect::<Result<_, _>>()?);
-    let name = design.name.clone();
-    Ok(MadeMeshes { name, material: design.material, aim: options.aim, panels })
+    let (name, material) = (design.name.clone(), design.material.clone());
+    Ok(MadeMeshes { name, material, aim: options.aim, panels })
 }
 
 /// A panel without what depends on the panels that it meets: its edges and their names.
@@ -414,7 +415,7 @@ fn lay(
 
 fn make_mesh(
     part: Part,
-    material: Option<&'static Material>,
+    material: Option<&Material>,
     options: &MeshOptions,
     watch: &mut dyn Watch,
 ) -> Result<Judged, MeshMakeError> {

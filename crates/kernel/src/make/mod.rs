@@ -80,7 +80,7 @@ pub struct Made {
     /// Its name.
     pub name: String,
     /// The sheet it is made from, if one is named.
-    pub material: Option<&'static Material>,
+    pub material: Option<Material>,
     /// Its panels, in the order of the design, without those that a join takes the place of.
     pub panels: Vec<MadePanel>,
     /// The design with its points moved, if any were: making it comes to the same.
@@ -115,7 +115,8 @@ pub fn make(design: &Design, watch: &mut dyn Watch) -> Result<Made, MakeError> {
         moved = is_moved.then_some(varied.after);
     }
     find_mates(&mut panels);
-    Ok(Made { name: design.name.clone(), material: design.material, panels, moved })
+    let (name, material) = (design.name.clone(), design.material.clone());
+    Ok(Made { name, material, panels, moved })
 }
 
 /// Looks for the mates of the edges of all panels of a design.
@@ -204,7 +205,7 @@ fn make_as_asked(
         sheet: &sheet,
         flat: &flat,
         measures: &measures,
-        material: design.material,
+        material: design.material.as_ref(),
     });
     for curve in used(design, &panel.shape).filter(|c| c.kind == Some(CurveKind::Spline)) {
         if let Some(finding) = rounded_corner(&curve.name, &curve.points, curve.closed) {

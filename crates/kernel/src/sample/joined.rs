@@ -277,6 +277,7 @@ mod tests {
         Design {
             name: "tube".into(),
             material: None,
+            materials: Vec::new(),
             curves: vec![
                 curve("low-front", CurveKind::Spline, arc(180.0, 0.0)),
                 curve("low-back", CurveKind::Spline, arc(0.0, 0.0)),

@@ -21,6 +21,7 @@ pub(super) const BAG: Template = Template {
         "leathercraft",
     ],
     parameters: &PARAMETERS,
+    sheet: Some("leather-2mm"),
     build: bag,
 };
 
@@ -88,7 +89,6 @@ fn bag(values: &Values) -> Drawn {
     let [least, most] = SAMPLES;
     let samples = ((bottom + 2.0 * height) / (reach * SAMPLE)).clamp(least, most) as usize;
     sketch.strip("gusset", ["back-seam", "front-seam"], samples);
-    sketch.sheet("leather-2mm");
     Ok(sketch)
 }
 

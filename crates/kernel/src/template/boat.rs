@@ -35,6 +35,7 @@ pub(super) const DINGHY: Template = Template {
         "hull",
     ],
     parameters: &DINGHY_PARAMETERS,
+    sheet: Some("plywood-6mm"),
     build: dinghy,
 };
 
@@ -82,7 +83,7 @@ fn dinghy(values: &Values) -> Drawn {
         Style { widest: 0.42, lowest: 0.45, keel_powers: [3, 2], sweep: 0.6, fullness: 0.0 };
     let transom = transom(values, "transom-width", "transom-rake");
     let drawn = hull(dimensions(values, End::Stem, transom, style))?.sketch;
-    Ok(finished(drawn, values, &["bottom", "side"], "plywood-6mm"))
+    Ok(finished(drawn, values, &["bottom", "side"]))
 }
 
 /// A boat with two transoms.
@@ -105,6 +106,7 @@ pub(super) const PRAM: Template = Template {
         "two transoms",
     ],
     parameters: &PRAM_PARAMETERS,
+    sheet: Some("plywood-6mm"),
     build: pram,
 };
 
@@ -155,7 +157,7 @@ fn pram(values: &Values) -> Drawn {
     let bow = transom(values, "bow-width", "bow-rake");
     let stern = transom(values, "transom-width", "transom-rake");
     let drawn = hull(dimensions(values, bow, stern, style))?.sketch;
-    Ok(finished(drawn, values, &["bottom", "side"], "plywood-6mm"))
+    Ok(finished(drawn, values, &["bottom", "side"]))
 }
 
 /// A boat that is pointed at both ends, with a deck.
@@ -177,6 +179,7 @@ pub(super) const KAYAK: Template = Template {
         "chine and sheer",
     ],
     parameters: &KAYAK_PARAMETERS,
+    sheet: Some("plywood-4mm"),
     build: kayak,
 };
 
@@ -216,7 +219,7 @@ fn kayak(values: &Values) -> Drawn {
     let mut sketch = drawn.sketch;
     sketch.spline("ridge", &ridge);
     sketch.patch("deck", &["ridge", "-sheer"], LONG_SAMPLES);
-    Ok(finished(sketch, values, &["bottom", "side", "deck"], "plywood-4mm"))
+    Ok(finished(sketch, values, &["bottom", "side", "deck"]))
 }
 
 /// The dimensions that all of them take.
@@ -245,12 +248,11 @@ fn transom(values: &Values, width: &str, rake: &str) -> End {
     }
 }
 
-/// The boat with the halves that are wanted, of its usual sheet.
-fn finished(mut sketch: Sketch, values: &Values, halves: &[&str], sheet: &str) -> Sketch {
+/// The boat with the halves that are wanted.
+fn finished(mut sketch: Sketch, values: &Values, halves: &[&str]) -> Sketch {
     if values.choice(HALVES.name) == BOTH.name {
         sketch.mirror(halves);
     }
-    sketch.sheet(sheet);
     sketch
 }
 

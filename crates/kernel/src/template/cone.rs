@@ -17,6 +17,7 @@ pub(super) const CONE: Template = Template {
         length("height", "height from the bottom to the top, upright", 10.0, 20_000.0, 250.0),
         count("pieces", "pieces that it is divided into, each with a seam", 1, 12, 1),
     ],
+    sheet: None,
     build: |values| {
         let size = |name: &str| values.number(name);
         let (bottom, top) = (size("bottom") / 2.0, size("top") / 2.0);
@@ -36,6 +37,7 @@ pub(super) const LAMPSHADE: Template = Template {
         length("slant", "height along the side, as the shade is sold", 20.0, 3_000.0, 260.0),
         count("pieces", "pieces that it is divided into, each with a seam", 1, 4, 1),
     ],
+    sheet: None,
     build: lampshade,
 };
 

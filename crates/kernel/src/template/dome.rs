@@ -19,6 +19,7 @@ pub(super) const DOME: Template = Template {
         length("opening", "diameter of an opening at the top, 0 for none", 0.0, 20_000.0, 0.0),
         count("gores", "gores", 3, 48, 12),
     ],
+    sheet: None,
     build: dome,
 };
 
@@ -73,6 +74,7 @@ pub(super) const BALL: Template = Template {
         length("opening", "diameter of an opening at each pole, 0 for none", 0.0, 10_000.0, 0.0),
         count("gores", "gores", 3, 48, 12),
     ],
+    sheet: None,
     build: ball,
 };
 
@@ -111,6 +113,7 @@ pub(super) const BALLOON: Template = Template {
         length("mouth", "diameter of the mouth", 10.0, 20_000.0, 300.0),
         count("gores", "gores", 3, 48, 12),
     ],
+    sheet: None,
     build: balloon,
 };
 
@@ -177,6 +180,7 @@ pub(super) const AIRSHIP: Template = Template {
         ),
         count("gores", "gores", 3, 48, 8),
     ],
+    sheet: None,
     build: airship,
 };
 

@@ -39,6 +39,7 @@ pub(super) const SQUARE_TO_ROUND: Template = Template {
         angle("tilt", "tilt of the round end towards x", -60.0, 60.0, 0.0),
         count("pieces", "1: one seam, in the middle of a side; 2: two halves", 1, 2, 1),
     ],
+    sheet: None,
     build: square_to_round,
 };
 
@@ -123,6 +124,7 @@ pub(super) const REDUCER: Template = Template {
         ),
         count("pieces", "1: one seam, on the shortest side; 2: two halves", 1, 2, 1),
     ],
+    sheet: None,
     build: reducer,
 };
 

@@ -37,6 +37,7 @@ pub(super) const ELBOW: Template = Template {
         ),
         Parameter { name: "seam", meaning: "where the seams run", kind: Kind::Choice(&SEAMS) },
     ],
+    sheet: None,
     build: elbow,
 };
 
@@ -150,6 +151,7 @@ pub(super) const Y_BRANCH: Template = Template {
             300.0,
         ),
     ],
+    sheet: None,
     build: y_branch,
 };
 

@@ -23,6 +23,7 @@ pub(super) const FACADE: Template = Template {
         "rainscreen",
     ],
     parameters: &PARAMETERS,
+    sheet: Some("aluminium-2mm"),
     build: facade,
 };
 
@@ -66,6 +67,5 @@ fn facade(values: &Values) -> Drawn {
         let samples = (width / from_deg(0.9)).ceil().max(40.0) as usize;
         sketch.strip(format!("panel-{n}"), [&rails[0], &rails[1]], samples);
     }
-    sketch.sheet("aluminium-2mm");
     Ok(sketch)
 }

@@ -20,6 +20,7 @@ pub(super) const HOPPER: Template = Template {
         length("offset-y", "offset of the outlet along y", -10_000.0, 10_000.0, 0.0),
         Parameter { name: "pieces", meaning: "how it is made", kind: Kind::Choice(&PIECES) },
     ],
+    sheet: None,
     build: hopper,
 };
 

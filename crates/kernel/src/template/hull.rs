@@ -27,6 +27,7 @@ pub(super) const HULL: Template = Template {
         "boat",
     ],
     parameters: &PARAMETERS,
+    sheet: Some("plywood-6mm"),
     build: hull,
 };
 
@@ -149,9 +150,6 @@ fn hull(values: &Values) -> Drawn {
             (first, second) = (second, first);
         }
         sketch.plank(name, [&first.name, &second.name], SAMPLES);
-    }
-    if table.is_empty() {
-        sketch.sheet("plywood-6mm");
     }
     Ok(sketch)
 }

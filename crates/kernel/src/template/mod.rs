@@ -25,7 +25,6 @@ mod sketch;
 mod tent;
 
 use crate::design::Design;
-use crate::material::Material;
 use sheetwright_geometry::curve::CurvePoint;
 use sheetwright_geometry::math::from_deg;
 use sketch::Drawn;
@@ -44,6 +43,9 @@ pub struct Template {
     pub words: &'static [&'static str],
     /// What can be set, in the order in which it is shown.
     pub parameters: &'static [Parameter],
+    /// The material that it is usually made of, by its name in the catalogue; `None` where that
+    /// differs from maker to maker.
+    pub sheet: Option<&'static str>,
     /// Draws it.
     build: fn(&Values) -> Drawn,
 }
@@ -138,8 +140,6 @@ pub struct Values {
     template: &'static Template,
     /// In the order of the parameters.
     list: Vec<Value>,
-    /// The sheet that the design names, if it is to name one.
-    pub material: Option<&'static Material>,
 }
 
 /// Why a template can't be drawn.
@@ -274,10 +274,10 @@ impl Template {
         self.parameters.iter().find(|parameter| parameter.name == name)
     }
 
-    /// Every parameter at its default, and no material.
+    /// Every parameter at its default.
     pub fn defaults(&'static self) -> Values {
         let list = self.parameters.iter().map(|parameter| parameter.kind.default()).collect();
-        Values { template: self, list, material: None }
+        Values { template: self, list }
     }
 }
 
@@ -343,13 +343,20 @@ impl Values {
         Ok(())
     }
 
-    /// The design that the template draws with these values.
+    /// The material that the design is usually made of, by its name in the catalogue; `None` where
+    /// that differs from maker to maker, and where the lines come from a table.
+    pub fn usual_sheet(&self) -> Option<&'static str> {
+        let is_own = |value: &Value| matches!(value, Value::Table(curves) if !curves.is_empty());
+        self.template.sheet.filter(|_| !self.list.iter().any(is_own))
+    }
+
+    /// The design that the template draws with these values; it names no material.
     ///
     /// # Errors
     /// Values that do not go together.
     pub fn design(&self) -> Result<Design, TemplateError> {
         let sketch = (self.template.build)(self)?;
-        Ok(sketch.design(self.template.name, self.material))
+        Ok(sketch.design(self.template.name))
     }
 
     /// The value of a parameter.

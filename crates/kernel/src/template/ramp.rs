@@ -22,6 +22,7 @@ pub(super) const RAMP: Template = Template {
         "launch ramp",
     ],
     parameters: &PARAMETERS,
+    sheet: Some("plywood-9mm"),
     build: ramp,
 };
 
@@ -70,6 +71,5 @@ fn ramp(values: &Values) -> Drawn {
     sketch.strip("surface", ["right-curve", "left-curve"], 200);
     sketch.patch("side", &["-right-back", "-right-deck", "-right-curve"], 200);
     sketch.strip("deck", ["right-deck", "left-deck"], 20);
-    sketch.sheet("plywood-9mm");
     Ok(sketch)
 }

@@ -34,6 +34,7 @@ pub(super) const REVOLUTION: Template = Template {
         },
         count("pieces", "pieces", 3, 48, 12),
     ],
+    sheet: None,
     build: revolution,
 };
 
@@ -117,6 +118,7 @@ pub(super) const HEMISPHERE: Template = Template {
         count("gores", "pieces in each band", 4, 32, 12),
         count("bands", "bands from the foot to the pole", 2, 12, 3),
     ],
+    sheet: None,
     build: hemisphere,
 };
 

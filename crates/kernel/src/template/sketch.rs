@@ -3,7 +3,6 @@
 
 use super::TemplateError;
 use crate::design::{CurveUse, Design, DesignCurve, DesignPanel, Join, PanelMethod, PanelShape};
-use crate::material::Material;
 use sheetwright_geometry::boundary::PlaneChoice;
 use sheetwright_geometry::curve::{CurveKind, CurvePoint};
 use sheetwright_geometry::math::Point3;
@@ -14,8 +13,6 @@ use sheetwright_optimum::cost::DEFAULT_FOLD;
 pub(super) struct Sketch {
     curves: Vec<DesignCurve>,
     panels: Vec<DesignPanel>,
-    /// What it is usually made of.
-    material: Option<&'static Material>,
 }
 
 /// What a template's function gives back.
@@ -28,11 +25,6 @@ pub(super) struct Part<'a> {
 }
 
 impl Sketch {
-    /// Names the sheet that it is made of unless another one is asked for.
-    pub(super) fn sheet(&mut self, name: &str) {
-        self.material = Material::named(name);
-    }
-
     /// A curve that runs straight from point to point.
     pub(super) fn polyline(&mut self, name: impl Into<String>, points: &[Point3]) {
         let points = points.iter().map(|&at| CurvePoint::smooth(at)).collect();
@@ -180,16 +172,10 @@ impl Sketch {
         });
     }
 
-    /// The design, of this material or else of the usual one.
-    pub(super) fn design(self, name: &str, material: Option<&'static Material>) -> Design {
-        let material = material.or(self.material);
-        Design {
-            name: name.to_owned(),
-            material,
-            curves: self.curves,
-            panels: self.panels,
-            ..Design::default()
-        }
+    /// The design.
+    pub(super) fn design(self, name: &str) -> Design {
+        let Self { curves, panels } = self;
+        Design { name: name.to_owned(), curves, panels, ..Design::default() }
     }
 }
 

@@ -23,6 +23,7 @@ pub(super) const TENT: Template = Template {
         "tarp",
     ],
     parameters: &PARAMETERS,
+    sheet: Some("canvas"),
     build: tent,
 };
 
@@ -83,6 +84,5 @@ fn tent(values: &Values) -> Drawn {
     sketch.strip("rear-bay", ["rear-hoop", "middle-hoop"], samples);
     sketch.patch("front-wall", &["front-hoop", "front-sill"], 200);
     sketch.patch("rear-wall", &["-rear-hoop", "-rear-sill"], 200);
-    sketch.sheet("canvas");
     Ok(sketch)
 }

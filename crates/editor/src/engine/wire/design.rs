@@ -7,10 +7,12 @@ use sheetwright::design::{
     CurveUse, Design, DesignCurve, DesignPanel, Join, MovedBy, PanelMethod, PanelShape, Vary,
     VaryGoal,
 };
-use sheetwright::material::Material;
+use sheetwright::material::{Material, Sourced};
 use sheetwright::triangulate::Goal;
 
-fields!(Design { name, material, curves, panels, vary, match_seams });
+fields!(Design { name, material, materials, curves, panels, vary, match_seams });
+fields!(Material { name, title, thickness_mm, bend_radius_mm, warp_limit_deg, stretch_limit });
+fields!(Sourced { value, source });
 fields!(DesignCurve { name, kind, closed, points });
 fields!(CurvePoint { at, corner, move_mm });
 fields!(DesignPanel { name, shape, samples, method, goal, plane, run_on, fold, effort, cut });
@@ -22,17 +24,6 @@ kinds!(PanelMethod { Optimal, Bridge, Rails });
 kinds!(Goal { Price, WorstWarp });
 kinds!(MovedBy { Points, Samples });
 kinds!(Continuity { G0, G1, G2 });
-
-/// By its name.
-impl Wire for &'static Material {
-    fn put(&self, out: &mut Vec<u8>) {
-        self.name.to_owned().put(out);
-    }
-
-    fn take(from: &mut &[u8]) -> Option<Self> {
-        Material::named(&String::take(from)?)
-    }
-}
 
 impl Wire for PanelShape {
     fn put(&self, out: &mut Vec<u8>) {

@@ -7,6 +7,7 @@ use sheetwright::design::{
     CurveUse, Design, DesignPanel, Join, MovedBy, PanelShape, Vary, VaryGoal,
 };
 use sheetwright::make::make;
+use sheetwright::material::{Material, Sourced};
 use sheetwright::template::{catalogue, template};
 use sheetwright::watch::Unwatched;
 use std::path::Path;
@@ -24,7 +25,7 @@ impl Dice {
 fn shown(design: &Design) -> Vec<ShownPanel> {
     let panel = |panel| ShownPanel { name: String::from("a"), made: Ok(panel) };
     let made = make(design, &mut Unwatched).unwrap();
-    made.panels.iter().map(|made| panel(Shown::new(made, design.material))).collect()
+    made.panels.iter().map(|made| panel(Shown::new(made, design.material.as_ref()))).collect()
 }
 
 /// The designs of all templates as they come.
@@ -35,7 +36,16 @@ fn designs() -> impl Iterator<Item = Design> {
 /// A design with one of everything.
 fn odd_design() -> Design {
     let mut design = template("cone").unwrap().defaults().design().unwrap();
-    design.material = sheetwright::material::Material::named("card-0.3mm");
+    design.material = sheetwright_files::material_named("card-0.3mm", &[]);
+    let source = "measured".to_owned();
+    design.materials = vec![Material {
+        name: "my-ply".to_owned(),
+        title: "ply from the shed, 4 mm".to_owned(),
+        thickness_mm: Sourced { value: 3.8, source },
+        bend_radius_mm: Sourced::assumed(300.0),
+        warp_limit_deg: Sourced::assumed(5.0),
+        stretch_limit: Sourced::assumed(1e-3),
+    }];
     design.match_seams = true;
     design.curves[0].points[0].at.x = -0.0;
     design.curves[0].points[0].move_mm = f64::INFINITY;

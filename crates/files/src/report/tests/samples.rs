@@ -6,7 +6,6 @@ use sheetwright::design::{
     CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape, Vary,
 };
 use sheetwright::make::{Made, make};
-use sheetwright::material::Material;
 use sheetwright::math::{Point3, cos, from_deg, sin};
 use sheetwright::triangulate::Goal;
 use sheetwright::watch::Unwatched;
@@ -39,7 +38,7 @@ fn design(
     curves: Vec<DesignCurve>,
     panels: Vec<DesignPanel>,
 ) -> Design {
-    let material = Material::named(material);
+    let material = crate::material_named(material, &[]);
     Design { name: name.to_owned(), material, curves, panels, ..Design::default() }
 }
 

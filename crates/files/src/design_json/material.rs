@@ -1,0 +1,215 @@
+//! The materials of a design: those that it brings along, and the one that it is made from.
+
+use super::source::Source;
+use crate::json::Named;
+use crate::materials::{MaterialChoice, MaterialFile, material, material_named, materials_in};
+use crate::meant::material_meant;
+use crate::names::shown;
+use crate::reading::InputError;
+use sheetwright::design::Design;
+use sheetwright::material::Material;
+
+/// The name of a material without a title that stands in the place of a name.
+const OWN: &str = "own";
+/// A design brings this many materials along at the most.
+const MAX_MATERIALS: usize = 1000;
+
+/// The material that a design is made from, and all that it brings along. One that stands in the
+/// place of a name is the last of them.
+pub(super) fn read(
+    choice: Option<MaterialChoice>,
+    list: Named<MaterialFile>,
+    source: &Source<'_>,
+) -> Result<(Option<Material>, Vec<Material>), InputError> {
+    let count = list.0.len() + usize::from(matches!(choice, Some(MaterialChoice::Own(_))));
+    if count > MAX_MATERIALS {
+        let message = format!("the design has {count} materials");
+        return Err(source.error("materials", message, format!("{MAX_MATERIALS} are the most.")));
+    }
+    let refuse = |path: &str, message: String, hint: &str| source.error(path, message, hint);
+    let mut own = materials_in(list, &refuse)?;
+    let chosen = match choice {
+        None => None,
+        Some(MaterialChoice::Name(wanted)) => {
+            let found = material_meant(&wanted, &own);
+            Some(found.map_err(|(message, hint)| source.error("material", message, hint))?)
+        }
+        Some(MaterialChoice::Own(file)) => {
+            let name = file.title.clone().unwrap_or_else(|| OWN.to_owned());
+            let chosen = material(name, file, "material", &refuse)?;
+            if own.iter().any(|other| other.name == chosen.name) {
+                let message =
+                    format!("`materials` has one that is called {} too", shown(&chosen.name));
+                let hint = "Write its name here, or give this one another `title`.";
+                return Err(source.error("material", message, hint));
+            }
+            own.push(chosen.clone());
+            Some(chosen)
+        }
+    };
+    Ok((chosen, own))
+}
+
+/// The name of the material that a design is made from, and the materials that its file brings
+/// along. A material that the design names, and that stands neither among its own nor in the
+/// catalogue, is the last of them, under a name that none of them has.
+pub(super) fn written(design: &Design) -> (Option<String>, Vec<Material>) {
+    let mut own = design.materials.clone();
+    let Some(chosen) = &design.material else { return (None, own) };
+    if material_named(&chosen.name, &own).as_ref() == Some(chosen) {
+        return (Some(chosen.name.clone()), own);
+    }
+    let is_free = |name: &String| !own.iter().any(|other| other.name == *name);
+    let numbered = (2..).map(|n| format!("{}-{n}", chosen.name));
+    let mut names = std::iter::once(chosen.name.clone()).chain(numbered);
+    let name = names.find(is_free).unwrap_or_default();
+    own.push(Material { name: name.clone(), ..chosen.clone() });
+    (Some(name), own)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::input::{InputFormat, read_bytes};
+    use crate::reading::ReadOptions;
+    use crate::write_design;
+    use sheetwright::material::Sourced;
+
+    const PLY: &str =
+        r#"{"thickness_mm": {"value": 3.8, "source": "calliper"}, "bend_radius_mm": 350}"#;
+
+    fn read(fields: &str) -> Result<Design, InputError> {
+        read_with(fields, None)
+    }
+
+    fn read_with(fields: &str, material: Option<&str>) -> Result<Design, InputError> {
+        let text = format!(r#"{{"sheetwright":1,{fields},"curves":{{}},"panels":[]}}"#);
+        let material = material.map(str::to_owned);
+        let options = ReadOptions { material, ..ReadOptions::default() };
+        read_bytes(InputFormat::Design, text.as_bytes(), "d.sheet.json", None, &options)
+    }
+
+    fn again(design: &Design) -> Design {
+        let options = ReadOptions::default();
+        read_bytes(InputFormat::Design, &write_design(design), "d.sheet.json", None, &options)
+            .unwrap()
+    }
+
+    #[test]
+    fn a_design_keeps_its_own_materials() {
+        let own = format!(r#""materials": {{"b-ply": {PLY}, "a-ply": {PLY}, "paper": {PLY}}}"#);
+        for (chosen, found) in [
+            ("\"a-ply\"", Some("a-ply")),
+            ("\"steel-1mm\"", Some("steel-1mm")),
+            ("\"paper\"", Some("paper")),
+            ("null", None),
+            (PLY, Some("own")),
+        ] {
+            let design = read(&format!(r#""material": {chosen}, {own}"#)).unwrap();
+            let material = design.material.as_ref();
+            assert_eq!(material.map(|m| &m.name[..]), found);
+            let names: Vec<&str> = design.materials.iter().map(|m| &m.name[..]).collect();
+            assert_eq!(names[..3], ["b-ply", "a-ply", "paper"]);
+            assert_eq!(names.get(3), found.filter(|name| *name == "own").as_ref());
+            if found.is_some_and(|name| name != "steel-1mm") {
+                let calliper = Sourced { value: 3.8, source: "calliper".to_owned() };
+                let found = material.unwrap();
+                assert_eq!((&found.thickness_mm, &found.title), (&calliper, &found.name));
+                assert_eq!(found.warp_limit_deg, Sourced::assumed(6.0));
+            }
+            assert_eq!(again(&design), design);
+        }
+        // What the caller asks for is one of them, or of the catalogue.
+        for (asked, found) in [("B-PLY", "b-ply"), ("steel-1MM", "steel-1mm")] {
+            let design = read_with(&format!(r#""material": "paper", {own}"#), Some(asked)).unwrap();
+            assert_eq!(design.material.as_ref().unwrap().name, found);
+            assert_eq!(again(&design), design);
+        }
+        let error = read_with(&own, Some("c-play")).unwrap_err();
+        assert_eq!(error.to_string(), "the material 'c-play' is not known");
+        assert!(error.hint.contains("Known here: 'b-ply', 'a-ply', 'paper', "), "{}", error.hint);
+    }
+
+    #[test]
+    fn a_material_from_elsewhere_is_written_under_a_name_that_is_free() {
+        let design = read(&format!(r#""materials": {{"paper": {PLY}}}"#)).unwrap();
+        let material = material_named("paper", &[]);
+        let back = again(&Design { material: material.clone(), ..design.clone() });
+        assert_eq!(back.materials.len(), 2);
+        let renamed = Material { name: "paper-2".to_owned(), ..material.unwrap() };
+        assert_eq!(back.material, Some(renamed));
+        assert_eq!(again(&back), back);
+    }
+
+    #[test]
+    fn what_is_read_is_written_so_that_it_reads() {
+        let list = |count: usize| {
+            let own: Vec<String> = (0..count).map(|n| format!(r#""m{n}": {PLY}"#)).collect();
+            format!(r#""material": {PLY}, "materials": {{{}}}"#, own.join(","))
+        };
+        let design = read(&list(MAX_MATERIALS - 1)).unwrap();
+        assert_eq!(again(&design), design);
+        let error = read(&list(MAX_MATERIALS)).unwrap_err();
+        assert_eq!(error.message, "the design has 1001 materials");
+    }
+
+    #[test]
+    fn errors_know_their_path() {
+        let of = |field: &str| format!(r#""materials": {{"a": {{{field}}}}}"#);
+        for (fields, path, message) in [
+            (
+                of(r#""thickness_mm": 0, "bend_radius_mm": 3"#),
+                "materials.a.thickness_mm",
+                "the number 0 mm is out",
+            ),
+            (
+                of(r#""thickness_mm": 1, "bend_radius_mm": 1e9"#),
+                "materials.a.bend_radius_mm",
+                "the number 10000",
+            ),
+            (
+                of(r#""thickness_mm": 1, "bend_radius_mm": 3, "warp_limit_deg": 91"#),
+                "materials.a.warp_limit_deg",
+                "the number 91° is",
+            ),
+            (
+                of(r#""thickness_mm": 1, "bend_radius_mm": 3, "stretch_limit": 2"#),
+                "materials.a.stretch_limit",
+                "the number 2 is out",
+            ),
+            (
+                of(r#""thickness_mm": {"value": 1, "source": " "}, "bend_radius_mm": 3"#),
+                "materials.a.thickness_mm.source",
+                "the source is empty",
+            ),
+            (
+                of(r#""thickness_mm": 1, "bend_radius_mm": 3, "title": "a\nb""#),
+                "materials.a.title",
+                "the title 'a",
+            ),
+            (
+                format!(r#""materials": {{"": {PLY}}}"#),
+                "materials",
+                "the material's name '' is empty",
+            ),
+            (
+                r#""material": {"thickness_mm": 1, "bend_radius_mm": -3}"#.to_owned(),
+                "material.bend_radius_mm",
+                "the number -3 mm",
+            ),
+            (r#""material": "steel""#.to_owned(), "material", "the material 'steel' is not known"),
+            (
+                format!(r#""material": {PLY}, "materials": {{"own": {PLY}}}"#),
+                "material",
+                "`materials` has one",
+            ),
+        ] {
+            let error = read(&fields).unwrap_err();
+            assert_eq!(error.place, Some(format!("d.sheet.json: {path}")), "{fields}");
+            assert!(error.message.starts_with(message), "{fields}: {}", error.message);
+        }
+        let error = read(&of(r#""thickness": 1"#)).unwrap_err();
+        assert!(error.to_string().contains("materials.a.thickness: the field 'thickness' is not"));
+        assert!(error.hint.starts_with("Did you mean `thickness_mm`? "), "{}", error.hint);
+    }
+}
