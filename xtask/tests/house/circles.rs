@@ -27,7 +27,7 @@ const CRATES: [&str; 8] = [
 const KNOWN: [(&str, &[&str]); 3] = [
     ("crates/files", &["design_json", "input"]),
     ("crates/files/design_json", &["convert", "drawing", "grammar", "join", "vary", "write"]),
-    ("crates/optimum/triangulate/optimal/outside", &["cells", "pricing"]),
+    ("crates/optimum/triangulate/optimal/completion_bound", &["cells", "pricing"]),
 ];
 
 /// The way to a module: `["design", "varying"]`; that of the crate itself is empty.

@@ -13,28 +13,27 @@
 //! barred, and the least Π decides.
 
 mod bridge;
-mod facing;
+mod coarse;
+mod hole_orientation;
 mod holes;
-mod lying;
 mod memory;
-mod mend;
 mod optimal;
 mod part;
+mod plane_check;
 mod rails;
-mod span;
-mod thinned;
+mod warm_start;
 
-pub use facing::with_holes_facing;
-pub use lying::Cheapest;
-pub use lying::cheaper_than;
+pub use hole_orientation::with_holes_facing;
 pub use optimal::memory_needed;
+pub use plane_check::Cheapest;
+pub use plane_check::cheaper_than;
 
 use crate::cost::{
     EXACT_BELOW, FarEnds, LANES, MAX_FOLD, PriceOptions, Prices, Strip, TwistForm, Wanted,
 };
 use crate::rung::{Rung, Visibility};
-use lying::{Looked, densely, may_ask_less, mended_at_ends};
 use part::Part;
+use plane_check::{Looked, may_ask_less, mended_at_ends, solve_then_check};
 use sheetwright_geometry::boundary::{Boundary, SupportingPlane};
 use sheetwright_geometry::index::SampleIndex;
 use sheetwright_geometry::math::Vec3;
@@ -264,16 +263,16 @@ pub fn triangulate_near(
     // Some methods begin anew; progress does not.
     let watch = &mut Part::new(watch, 0.0..1.0);
     let prices = Prices::new(boundary, plane, options.price);
-    let known = known.filter(|known| mend::is_of(&known.triangulation, &lengths));
+    let known = known.filter(|known| warm_start::is_of(&known.triangulation, &lengths));
     // Which rungs lie inside the projection takes its time to find out, so less is asked at first.
     let nothing_asked = Visibility::everything();
     let mut also_without_plane = None;
     let as_before = known.is_some_and(|known| known.also_without_plane == Some(true));
     let known_astray = known.and_then(|known| known.astray.as_ref());
-    let known_astray = known_astray.filter(|astray| mend::is_of(astray, &lengths));
+    let known_astray = known_astray.filter(|astray| warm_start::is_of(astray, &lengths));
     let known = known.map(|known| &known.triangulation);
     if as_before || plane.is_none() {
-        match densely(&prices, &nothing_asked, plane, options, known, watch) {
+        match solve_then_check(&prices, &nothing_asked, plane, options, known, watch) {
             Ok(Looked::Lies(triangulation)) => {
                 let also_without_plane = Some(true);
                 return Ok(Cheapest { triangulation, also_without_plane, astray: None });
@@ -296,7 +295,7 @@ pub fn triangulate_near(
         // What led astray one move ago is most likely to do so again.
         astray = mended_at_ends(&prices, &at_ends, known_astray);
         if astray.is_none() {
-            match densely(&prices, &at_ends, Some(plane), options, known, watch)? {
+            match solve_then_check(&prices, &at_ends, Some(plane), options, known, watch)? {
                 Looked::Lies(triangulation) => {
                     return Ok(Cheapest { triangulation, also_without_plane, astray: None });
                 }
@@ -364,7 +363,7 @@ fn one_loop(
 ) -> Result<Option<Vec<[usize; 3]>>, TriangulateError> {
     match method {
         Method::Optimal => {
-            let bound = mend::bound(terms, known, watch)?;
+            let bound = warm_start::bound(terms, known, watch)?;
             optimal::solve(terms, bound, watch)
         }
         Method::Bridge => bridge::solve(terms, watch),

@@ -13,16 +13,17 @@
 //!    (`table/shared`).
 //! 3. Prices are never negative, so no entry above the price of a known triangulation is a part of
 //!    the answer. One is found by way of the loop of the corners and every fourth sample
-//!    (`bounds`): only rungs near to the rungs of its optimum are priced and put together (a band
-//!    of the table), which is cheap, and near to the optimum or the optimum itself. In the table of
-//!    all rungs, entries above that price are then dropped. Where the samples of a tile's rows and
-//!    columns show that none of its rungs can cost so little (`span`), the tile is not looked at,
-//!    and where the least entries of the tiles between show that none of its own can, its rungs are
-//!    not priced (`table/between`); where none of its entries is left, it is not kept, and those of
-//!    flat stretches are kept once for all of them (`store`). Next to a developable surface so few
-//!    are left that their number grows like m^1.5. While a handle is dragged, the triangulation from before gives a bound
-//!    instead (`mend`). From some hundred samples on and with folds, even fewer are left, since it
-//!    is worked out first what the rest of the loop costs beside each rung (`outside`).
+//!    (`upper_bound`): only rungs near to the rungs of its optimum are priced and put together (a
+//!    band of the table), which is cheap, and near to the optimum or the optimum itself. In the
+//!    table of all rungs, entries above that price are then dropped. Where the samples of a tile's
+//!    rows and columns show that none of its rungs can cost so little (`prune`), the tile is not
+//!    looked at, and where the least entries of the tiles between show that none of its own can,
+//!    its rungs are not priced (`table/between`); where none of its entries is left, it is not
+//!    kept, and those of flat stretches are kept once for all of them (`tile_pool`). Next to a
+//!    developable surface so few are left that their number grows like m^1.5. While a handle is
+//!    dragged, the triangulation from before gives a bound instead (`warm_start`). From some
+//!    hundred samples on and with folds, even fewer are left, since it is worked out first what the
+//!    rest of the loop costs beside each rung (`completion_bound`).
 //! 4. Those k come first that were best one row below, and then all triangles i, j − 1, j on edges
 //!    of the boundary at once (`table/entries`), so that few others are left to be looked at. These
 //!    are taken tile by tile, where both tiles are kept. Their least entries, together with the
@@ -38,15 +39,15 @@
 //!    [`crate::cost`], so flat regions do tie) the k with the least |P_i P_k| + |P_k P_j| wins,
 //!    then the smallest: strips of compact triangles rather than fans.
 
-mod bounds;
+mod band;
+mod completion_bound;
 mod lanes;
-mod near;
 mod normals;
-mod open;
-mod outside;
-mod store;
+mod prune;
 mod table;
 mod threads;
+mod tile_pool;
+mod upper_bound;
 
 use super::{Solved, Terms, TriangulateError, if_it_fits};
 use crate::cost::LANES;
@@ -54,7 +55,7 @@ use crate::rung::Visibility;
 use sheetwright_geometry::watch::Watch;
 use table::Table;
 
-pub(super) use bounds::{price_near, solve_priced};
+pub(super) use upper_bound::{price_near, solve_priced};
 
 /// Above it no bound is tried: a boundary like that needs all entries.
 const HIGHEST_BOUND: f64 = 100.0;
@@ -64,13 +65,13 @@ const HIGHEST_BOUND: f64 = 100.0;
 /// before.
 pub fn memory_needed(m: usize) -> u64 {
     let seen = Visibility::memory_needed(m);
-    (store::most_bytes(m.div_ceil(LANES)) + seen).div_ceil(15) * 16
+    (tile_pool::most_bytes(m.div_ceil(LANES)) + seen).div_ceil(15) * 16
 }
 
 /// Lower bound on the memory of the tables of m samples, bytes: no tile has a finite entry, and no
 /// pairs that see one another are stored.
 pub(super) fn least_memory_needed(m: usize) -> u64 {
-    store::least_bytes(m.div_ceil(LANES)).div_ceil(15) * 16
+    tile_pool::least_bytes(m.div_ceil(LANES)).div_ceil(15) * 16
 }
 
 /// The triangles of the cheapest triangulation; `None` if there is none. Where a `bound` on its

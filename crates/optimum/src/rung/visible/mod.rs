@@ -3,7 +3,7 @@
 //! Exactly, by triangular expansion (`expansion`); or, for most searches, by the ends of the rungs
 //! alone (`at_ends`), which tells most of those apart that are outside and takes a fraction of the
 //! time. If the triangles of the answer do not overlap in the projection, all of its rungs are
-//! inside, and no more need be asked (`triangulate::lying`).
+//! inside, and no more need be asked (`triangulate::plane_check`).
 
 mod at_ends;
 mod expansion;

@@ -7,13 +7,13 @@ mod least;
 #[cfg(feature = "rayon")]
 mod shared;
 
+use super::band::Band;
+use super::completion_bound::CompletionBound;
 use super::lanes::{lowest, of_lane};
-use super::near::Band;
-use super::open::Open;
-use super::outside::Outside;
-use super::store::{Store, Tile};
+use super::prune::Open;
 #[cfg(feature = "rayon")]
 use super::threads::Helpers;
+use super::tile_pool::{Tile, TilePool};
 use super::{HIGHEST_BOUND, memory_needed};
 use crate::cost::{EXACT_BELOW, LANES};
 use crate::triangulate::part::Part;
@@ -41,14 +41,14 @@ const SLACK: f64 = 1e-12;
 pub(super) struct Table<'a> {
     pub(super) terms: &'a Terms<'a>,
     pub(super) m: usize,
-    store: Store,
+    store: TilePool,
     folds: bool,
     /// Whether samples are numbered in order, so that many triangles can be priced at once.
     in_order: bool,
     /// The widest that the processor has.
     pub(super) registers: pulp::Arch,
     /// What is known of the rest of the loop beside each rung.
-    outside: Option<Outside>,
+    outside: Option<CompletionBound>,
 }
 
 /// The ways from one sample to another over those of a column of tiles.
@@ -69,7 +69,7 @@ impl<'a> Table<'a> {
         Self {
             terms,
             m,
-            store: Store::new(m.div_ceil(LANES), folds),
+            store: TilePool::new(m.div_ceil(LANES), folds),
             folds,
             in_order: terms.prices.in_order(),
             registers: pulp::Arch::new(),
@@ -91,14 +91,14 @@ impl<'a> Table<'a> {
         self.outside = None;
         let mut start = share.start;
         if self.has_outside() && bound <= HIGHEST_BOUND && band.is_none() {
-            let runs = Outside::runs(self.terms);
-            let needed = Outside::most_bytes(&runs);
+            let runs = CompletionBound::runs(self.terms);
+            let needed = CompletionBound::most_bytes(&runs);
             self.clear_for(needed);
             if self.bytes().saturating_add(needed) <= self.terms.memory {
                 start += SHARE_OF_OUTSIDE * (share.end - share.start);
                 let mut part = Part::new(watch, share.start..start);
                 self.outside =
-                    Some(Outside::new(runs, self.terms, self.registers, &open, &mut part)?);
+                    Some(CompletionBound::new(runs, self.terms, self.registers, &open, &mut part)?);
             }
         }
         self.fill_open(&open, watch, start..share.end)
@@ -151,12 +151,12 @@ impl<'a> Table<'a> {
     }
 
     fn outside_bytes(&self) -> u64 {
-        self.outside.as_ref().map_or(0, Outside::bytes)
+        self.outside.as_ref().map_or(0, CompletionBound::bytes)
     }
 
     /// Whether the tile of these rows and columns may have finite entries.
     fn is_open(&self, open: &Open<'_>, row: usize, column: usize) -> bool {
-        let has_some = |outside: &Outside| {
+        let has_some = |outside: &CompletionBound| {
             open.has_edges(row, column) || outside.least(row, column) < f64::INFINITY
         };
         self.outside.as_ref().is_none_or(has_some) && open.is_open(row, column)
@@ -172,7 +172,7 @@ impl<'a> Table<'a> {
     #[cfg(test)]
     pub(super) fn fill_beside(
         &mut self,
-        outside: Option<Outside>,
+        outside: Option<CompletionBound>,
         open: &Open<'_>,
         watch: &mut dyn Watch,
     ) -> Result<f64, TriangulateError> {

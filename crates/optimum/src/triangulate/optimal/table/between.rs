@@ -3,7 +3,7 @@
 use super::Table;
 use crate::triangulate::optimal::lanes::lowest;
 use crate::triangulate::optimal::normals::{NormalBox, least_fold};
-use crate::triangulate::optimal::store::Tile;
+use crate::triangulate::optimal::tile_pool::Tile;
 
 /// The tiles between the rows and the column of a tile that is filled, as far as they were needed.
 pub(super) struct Between<'a> {

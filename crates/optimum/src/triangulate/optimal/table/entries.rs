@@ -10,7 +10,7 @@ use super::Table;
 use super::least::Least;
 use crate::cost::{Aligned, Fan, FanRungs, LANES, Lanes};
 use crate::triangulate::optimal::lanes::of_lane;
-use crate::triangulate::optimal::store::Tile;
+use crate::triangulate::optimal::tile_pool::Tile;
 
 /// The rungs of a row of a tile.
 pub(super) struct RungsOfRow<'a> {

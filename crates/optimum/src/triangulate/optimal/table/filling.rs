@@ -8,8 +8,8 @@ use super::least::Least;
 use crate::cost::{Aligned, Fan, FanRungs, FarEnds, LANES, Lanes, QUANTUM, Strip};
 use crate::triangulate::optimal::lanes::{are_fused, highest, lowest, of_lane};
 use crate::triangulate::optimal::normals::NormalBox;
-use crate::triangulate::optimal::open::Open;
-use crate::triangulate::optimal::store::Tile;
+use crate::triangulate::optimal::prune::Open;
+use crate::triangulate::optimal::tile_pool::Tile;
 use crate::triangulate::{Rule, Terms};
 use sheetwright_geometry::math::Vec3;
 

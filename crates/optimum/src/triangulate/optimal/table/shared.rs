@@ -11,8 +11,8 @@
 use super::filling::{Column, Filling};
 use super::{Open, Table};
 use crate::triangulate::TriangulateError;
-use crate::triangulate::optimal::store::Tile;
 use crate::triangulate::optimal::threads::{Helpers, MOST_THREADS};
+use crate::triangulate::optimal::tile_pool::Tile;
 use sheetwright_geometry::watch::Watch;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError, RwLock, RwLockWriteGuard, TryLockError};

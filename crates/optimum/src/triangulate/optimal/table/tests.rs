@@ -2,7 +2,7 @@ use super::between::Between;
 use super::*;
 use crate::cost::{PriceOptions, Prices, QUANTUM, Strip, quantised};
 use crate::rung::Visibility;
-use crate::triangulate::span::Span;
+use crate::triangulate::optimal::prune::Span;
 use crate::triangulate::{Rule, Side};
 use sheetwright_geometry::boundary::{Boundary, samples_from_points};
 use sheetwright_geometry::curve::CurvePoint;

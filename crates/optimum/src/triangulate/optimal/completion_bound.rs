@@ -20,8 +20,8 @@
 //!    many (`runs`).
 //! 2. A wide triangle pays g or more: half of the least that rungs of its three bundles cost, and
 //!    the least that its folds can cost, from where N of these rungs and the normal of the triangle
-//!    lie (`cells`, `wide`). The edge from one run to the next is no rung; what triangles on it pay
-//!    is known well, as the least over third corners in each run.
+//!    lie (`cells`, `three_run_bound`). The edge from one run to the next is no rung; what
+//!    triangles on it pay is known well, as the least over third corners in each run.
 //! 3. The |A| − 1 edges within a run are sides of thin triangles, or lie below a *nibble*: a rung
 //!    between two samples of A. The triangle beyond the outermost nibble is thin, too, with its
 //!    third corner in another run. If each thin triangle with the third corner in X pays c or more
@@ -46,16 +46,16 @@
 //! R is no more than what the rest of the loop costs, so that the table keeps all triangulations
 //! that cost U or less, ties included.
 
-mod afar;
+mod abstraction;
 mod cells;
 mod pricing;
 mod runs;
-mod wide;
+mod three_run_bound;
 
-use super::open::Open;
+use super::prune::Open;
 use crate::cost::{LANES, Lanes};
 use crate::triangulate::{Terms, TriangulateError};
-use afar::Afar;
+use abstraction::Abstraction;
 use cells::Cells;
 use runs::Runs;
 use sheetwright_geometry::watch::Watch;
@@ -67,13 +67,13 @@ const RUNS_A_ROOT: f64 = 3.6;
 const MOST_RUNS: usize = 400;
 
 /// What the rest of the loop costs at the least beside the rungs between two runs.
-pub(super) struct Outside {
+pub(super) struct CompletionBound {
     runs: Runs,
     /// R(A,B) by A, with A and B charged inside; infinite where no rung is part of the answer.
     rests: Vec<f64>,
 }
 
-impl Outside {
+impl CompletionBound {
     /// The runs that a loop is put together to.
     pub(super) fn runs(terms: &Terms<'_>) -> Runs {
         let m = terms.prices.len();
@@ -84,7 +84,7 @@ impl Outside {
     /// What it takes while it is worked out, bytes.
     pub(super) fn most_bytes(runs: &Runs) -> u64 {
         Cells::bytes(runs.len(), runs.samples(runs.len() - 1).end)
-            + Afar::bytes(runs.len())
+            + Abstraction::bytes(runs.len())
             + runs.bytes()
     }
 
@@ -98,7 +98,7 @@ impl Outside {
         watch: &mut dyn Watch,
     ) -> Result<Self, TriangulateError> {
         let cells = Cells::new(terms, registers, open, runs, watch)?;
-        let rests = Afar::new(terms, registers, open.bound, &cells).rests(watch)?;
+        let rests = Abstraction::new(terms, registers, open.bound, &cells).rests(watch)?;
         Ok(Self { runs: cells.runs, rests })
     }
 

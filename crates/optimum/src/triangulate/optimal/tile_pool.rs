@@ -103,13 +103,13 @@ impl Tile {
 /// Upper bound on the memory of a store of so many rows of tiles and as many columns, bytes: each
 /// tile has finite entries and N.
 pub(super) fn most_bytes(count: usize) -> u64 {
-    least_bytes(count) + Store::slots(count) as u64 * (PLACE_BYTES + Tile::bytes(true))
+    least_bytes(count) + TilePool::slots(count) as u64 * (PLACE_BYTES + Tile::bytes(true))
 }
 
 /// Lower bound on the memory of a store of so many rows of tiles and as many columns, bytes: the
 /// places of tiles, none of which has finite entries.
 pub(super) fn least_bytes(count: usize) -> u64 {
-    Store::slots(count) as u64 * size_of::<u32>() as u64
+    TilePool::slots(count) as u64 * size_of::<u32>() as u64
 }
 
 /// What a tile's column beside others takes, in a list that may have grown by doubling, bytes.
@@ -118,7 +118,7 @@ const PLACE_BYTES: u64 = 2 * size_of::<u32>() as u64;
 const NONE: u32 = u32::MAX;
 
 /// The tiles with finite entries, on and above the diagonal.
-pub(super) struct Store {
+pub(super) struct TilePool {
     folds: bool,
     tiles: Vec<Tile>,
     /// Which of them stands where, or [`NONE`].
@@ -133,7 +133,7 @@ pub(super) struct Store {
     spare: Vec<Tile>,
 }
 
-impl Store {
+impl TilePool {
     /// Where the tile of these rows and columns stands: the tiles of as many columns follow one
     /// another, from the first row down to the diagonal.
     #[inline(always)]
@@ -153,7 +153,7 @@ impl Store {
         Self {
             folds,
             tiles: Vec::new(),
-            places: vec![NONE; Store::slots(count)],
+            places: vec![NONE; TilePool::slots(count)],
             taken: 0,
             flat: BTreeMap::new(),
             beside: vec![Vec::new(); count],
@@ -243,7 +243,7 @@ impl Store {
     }
 }
 
-impl Drop for Store {
+impl Drop for TilePool {
     fn drop(&mut self) {
         self.keep();
     }
@@ -256,13 +256,14 @@ mod tests {
 
     #[test]
     fn tiles_are_packed() {
-        let slots = (0..3).flat_map(|column| (0..=column).map(move |row| Store::slot(row, column)));
-        assert!(slots.eq(0..Store::slots(3)));
+        let slots =
+            (0..3).flat_map(|column| (0..=column).map(move |row| TilePool::slot(row, column)));
+        assert!(slots.eq(0..TilePool::slots(3)));
     }
 
     #[test]
     fn tiles_without_finite_entries_are_not_kept() {
-        let mut store = Store::new(2, true);
+        let mut store = TilePool::new(2, true);
         let (empty, mut tile) = (store.fresh(), store.fresh());
         tile.sums.entries[3][4] = 1.0;
         tile.sums.least[3] = 1.0;
@@ -276,8 +277,8 @@ mod tests {
         assert!(again.is_empty() && *again.sums.entries == [[f64::INFINITY; LANES]; LANES]);
         // Tiles without N are of no use where folds cost something, and the other way round.
         drop(store);
-        assert!(Store::new(2, false).fresh().means.is_none());
-        assert!(Store::new(2, true).fresh().means.is_some());
+        assert!(TilePool::new(2, false).fresh().means.is_none());
+        assert!(TilePool::new(2, true).fresh().means.is_some());
     }
 
     #[test]
@@ -297,7 +298,7 @@ mod tests {
             tile
         };
         for folds in [false, true] {
-            let mut store = Store::new(4, folds);
+            let mut store = TilePool::new(4, folds);
             let mut turned = flat(folds, [0.0, 0.0, 1.0]);
             if let Some(means) = &mut turned.means {
                 means.rows[LANES - 1][0][LANES - 1] = 1e-16;
@@ -328,12 +329,12 @@ mod tests {
 
     #[test]
     fn tiles_to_be_used_again_do_not_count() {
-        let fill = |store: &mut Store| {
+        let fill = |store: &mut TilePool| {
             let mut tile = store.fresh();
             (tile.sums.entries[0][1], tile.sums.least[0]) = (1.0, 1.0);
             store.put(0, 0, tile);
         };
-        let mut store = Store::new(1, true);
+        let mut store = TilePool::new(1, true);
         let empty = store.bytes();
         fill(&mut store);
         let full = store.bytes();

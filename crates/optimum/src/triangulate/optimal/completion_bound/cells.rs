@@ -9,7 +9,7 @@ use super::pricing::{Gathered, LastRow, LastRung, Linking, Pricing, Row};
 use super::runs::Runs;
 use crate::cost::{FarEnds, LANES, Lanes};
 use crate::triangulate::optimal::normals::NormalBox;
-use crate::triangulate::optimal::open::Open;
+use crate::triangulate::optimal::prune::Open;
 use crate::triangulate::optimal::threads::{Helpers, MOST_THREADS};
 use crate::triangulate::{Terms, TriangulateError};
 use sheetwright_geometry::watch::Watch;

@@ -12,12 +12,12 @@
 //! 3. If neither has a triangulation, the bound is guessed from the optimum of the thinned loop,
 //!    and raised until there is an answer below it.
 
-use super::near::Band;
+use super::band::Band;
 use super::table::Table;
 use super::{HIGHEST_BOUND, memory_needed, solve_within};
 use crate::cost::quantised;
+use crate::triangulate::coarse::{Thinned, kept};
 use crate::triangulate::part::Part;
-use crate::triangulate::thinned::{Thinned, kept};
 use crate::triangulate::{Solved, Terms, TriangulateError, if_it_fits};
 use sheetwright_geometry::watch::Watch;
 

@@ -14,7 +14,7 @@ use sheetwright_geometry::math::{Point3, Vec3, cos, sin, unit};
 use sheetwright_geometry::watch::Unwatched;
 use sheetwright_shapes::random::Random;
 use std::f64::consts::TAU;
-use wide::{Rungs, least_wide};
+use three_run_bound::{Rungs, least_wide};
 
 /// What the rest of the loop costs in truth beside each rung ⟨i,j⟩, from E of all.
 fn rests_in_truth(terms: &Terms<'_>, full: &Table<'_>) -> Vec<f64> {
@@ -62,7 +62,7 @@ fn check(terms: &Terms<'_>, length: usize, registers: pulp::Arch, what: &str) ->
         table.registers = registers;
         let open = Open::new(terms, bound, None);
         let runs = Runs::new(terms, length);
-        let found = Outside::new(runs, terms, registers, &open, &mut Unwatched).unwrap();
+        let found = CompletionBound::new(runs, terms, registers, &open, &mut Unwatched).unwrap();
         for (i, j) in (0..table.m).flat_map(|i| (i + 1..table.m).map(move |j| (i, j))) {
             let (entry, truth) = (full.entry(i, j), in_truth[i * table.m + j]);
             let half = 0.5 * terms.side(i, j).price;
@@ -306,7 +306,8 @@ fn it_is_left_out_where_memory_is_short_and_stops_when_asked() {
         };
         let all = taken(u64::MAX).unwrap();
         assert!(all < plain.bytes(), "{all} {}", plain.bytes());
-        let needed = Table::new(terms).bytes() + Outside::most_bytes(&Outside::runs(terms));
+        let needed =
+            Table::new(terms).bytes() + CompletionBound::most_bytes(&CompletionBound::runs(terms));
         assert_eq!(taken(needed.max(all)), Some(all));
         let mut refused = 0;
         for memory in [plain.bytes(), needed - 1, needed / 2, all - 1, all / 4] {
@@ -316,8 +317,13 @@ fn it_is_left_out_where_memory_is_short_and_stops_when_asked() {
             }
         }
         assert!(refused > 0 && refused < 5, "{refused}");
-        let stopped =
-            Outside::new(Outside::runs(terms), terms, plain.registers, &open, &mut Impatient);
+        let stopped = CompletionBound::new(
+            CompletionBound::runs(terms),
+            terms,
+            plain.registers,
+            &open,
+            &mut Impatient,
+        );
         assert_eq!(stopped.err(), Some(TriangulateError::Stopped));
     });
 }

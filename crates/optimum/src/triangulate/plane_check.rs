@@ -8,7 +8,7 @@
 use super::memory::obtainable;
 use super::{
     Found, Method, Terms, TriangulateError, TriangulateOptions, Triangulation, holes, if_it_fits,
-    is_bounded, memory_needed, mend, optimal, outcome,
+    is_bounded, memory_needed, optimal, outcome, warm_start,
 };
 use crate::cost::{Prices, quantised};
 use crate::rung::Visibility;
@@ -40,7 +40,7 @@ pub(super) enum Looked {
 
 /// The cheapest triangulation of one loop among those with these rungs, which are all that lie
 /// inside the projection and more; `known` is a triangulation that is known.
-pub(super) fn densely(
+pub(super) fn solve_then_check(
     prices: &Prices,
     visibility: &Visibility,
     plane: Option<&SupportingPlane>,
@@ -52,7 +52,7 @@ pub(super) fn densely(
         return Ok(Looked::None);
     }
     let terms = Terms::new(prices, visibility, false).within(options.memory_limit);
-    let found = optimal::solve(&terms, mend::bound(&terms, known, watch)?, watch)?;
+    let found = optimal::solve(&terms, warm_start::bound(&terms, known, watch)?, watch)?;
     Ok(match found {
         Some(triangles) => looked(plane, &terms, triangles, options.method),
         None => Looked::None,
@@ -67,7 +67,7 @@ pub(super) fn mended_at_ends(
     known: Option<&Triangulation>,
 ) -> Option<Triangulation> {
     let terms = Terms::new(prices, at_ends, false);
-    let triangles = mend::triangles(&terms, known)?;
+    let triangles = warm_start::triangles(&terms, known)?;
     Some(outcome(&terms, Found { triangles, lower_bound: Some(0.0) }, Method::Optimal))
 }
 
@@ -121,8 +121,8 @@ pub fn cheaper_than(
         let found = found.map(|found| outcome(&terms, found, options.method));
         return Ok(found.filter(|found| found.price < limit));
     }
-    let known = known.filter(|known| mend::is_of(known, &[boundary.len()]));
-    let bound = mend::price(&terms, known).map_or(limit, |price| price.min(limit));
+    let known = known.filter(|known| warm_start::is_of(known, &[boundary.len()]));
+    let bound = warm_start::price(&terms, known).map_or(limit, |price| price.min(limit));
     let found = if_it_fits(optimal::solve_within(&terms, quantised(bound), watch))?;
     let found = found.filter(|found| found.price < limit);
     Ok(found.map(|found| {

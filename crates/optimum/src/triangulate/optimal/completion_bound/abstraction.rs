@@ -7,7 +7,7 @@
 
 use super::cells::Cells;
 use super::runs::{Direction, directions};
-use super::wide::{Rungs, Wide, least_wide};
+use super::three_run_bound::{Rungs, Wide, least_wide};
 use crate::cost::{LANES, Lanes};
 use crate::triangulate::optimal::lanes::lowest;
 use crate::triangulate::optimal::normals::{NormalBox, least_fold, least_fold_about};
@@ -52,7 +52,7 @@ fn lower_lane(bundles: &mut Bundles, lane: usize, price: impl Fn(usize) -> f64) 
 }
 
 /// What is known of a loop of runs.
-pub(super) struct Afar<'a> {
+pub(super) struct Abstraction<'a> {
     /// ν.
     fold: f64,
     /// With [`SLACK`].
@@ -68,7 +68,7 @@ pub(super) struct Afar<'a> {
     charges: Vec<f64>,
 }
 
-impl<'a> Afar<'a> {
+impl<'a> Abstraction<'a> {
     /// What it takes for so many runs, bytes.
     pub(super) fn bytes(runs: usize) -> u64 {
         let width = runs.div_ceil(LANES);
@@ -284,7 +284,7 @@ fn beside_second(first: &Charged, across: &Charged, at: usize) -> f64 {
 /// Works out Q of all bundles that begin at run a, when that of later ones is known. A type rather
 /// than a closure, as that of the table.
 struct Outwards<'o, 'a> {
-    afar: &'o Afar<'a>,
+    afar: &'o Abstraction<'a>,
     a: usize,
     wide: &'o mut Wide,
     inside: &'o mut [Bundles],
@@ -369,7 +369,7 @@ impl pulp::WithSimd for Outwards<'_, '_> {
 /// Works out R of all bundles that begin at run a, when that of earlier ones is known, and what
 /// these say of later ones.
 struct Inwards<'i, 'a> {
-    afar: &'i Afar<'a>,
+    afar: &'i Abstraction<'a>,
     a: usize,
     wide: &'i Wide,
     inside: &'i [Bundles],
