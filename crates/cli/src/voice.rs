@@ -4,8 +4,8 @@
 
 use crate::failure::Failure;
 use crate::remedies::with_options;
-use sheetwright::check::{Checked, Severity, Verdict};
-use sheetwright_files::{error_json, visible};
+use sheetwright::check::{Checked, Place, Severity, Verdict};
+use sheetwright_files::{error_json, finding_place, finding_text, visible};
 use std::io::{self, Write};
 
 /// How the command speaks.
@@ -80,12 +80,13 @@ pub(crate) fn in_words(names: &[&str], panels: &[Checked]) -> String {
         };
         text.push_str(&format!("{name}: {verdict}\n"));
         for finding in &checked.findings {
-            let place = match finding.place.as_str() {
-                "" => String::new(),
-                place => format!(" ({place})"),
+            let place = match finding.place {
+                Place::Whole => String::new(),
+                _ => format!(" ({})", finding_place(finding)),
             };
-            let said = format!("  {}: {}{place}", finding.severity.name(), finding.text);
-            text.push_str(&with_options(&said, finding.remedies.iter().copied()));
+            let (severity, said) = (finding.severity().name(), finding_text(finding));
+            let said = format!("  {severity}: {said}{place}");
+            text.push_str(&with_options(&said, finding.remedies()));
             text.push('\n');
         }
     }
@@ -94,5 +95,5 @@ pub(crate) fn in_words(names: &[&str], panels: &[Checked]) -> String {
 
 /// Whether some finding is an error.
 pub(crate) fn found_errors(panels: &[Checked]) -> bool {
-    panels.iter().flat_map(|p| &p.findings).any(|finding| finding.severity == Severity::Error)
+    panels.iter().flat_map(|p| &p.findings).any(|finding| finding.severity() == Severity::Error)
 }

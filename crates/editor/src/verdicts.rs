@@ -9,8 +9,8 @@ use crate::panes::words::{length, radius};
 use crate::scene::Act;
 use crate::theme::Theme;
 use eframe::egui::{self, Align, Button, Color32, Frame, Layout, Margin, RichText, Ui, vec2};
-use sheetwright::check::{Finding, Severity, Verdict};
-use sheetwright_files::{verdict_sentence, verdict_word};
+use sheetwright::check::{Finding, Place, Severity, Verdict};
+use sheetwright_files::{finding_place, finding_text, verdict_sentence, verdict_word};
 
 /// Findings that are shown at once.
 const FINDINGS: usize = 3;
@@ -226,16 +226,18 @@ fn twist_hint(worst: &ShownRung, largest_deg: f64) -> String {
 }
 
 fn finding_ui(ui: &mut Ui, theme: &Theme, finding: &Finding) {
-    let (sign, ink) = match finding.severity {
+    let (sign, ink) = match finding.severity() {
         Severity::Error => ("■", theme.verdicts[2]),
         Severity::Warning => ("▲", theme.verdicts[1]),
         Severity::Note => ("•", theme.faint),
     };
     ui.horizontal_top(|ui| {
         ui.label(RichText::new(sign).color(ink));
-        let place =
-            if finding.place.is_empty() { String::new() } else { format!(" ({})", finding.place) };
-        ui.add(egui::Label::new(format!("{}{place}", finding.text)).wrap());
+        let place = match finding.place {
+            Place::Whole => String::new(),
+            _ => format!(" ({})", finding_place(finding)),
+        };
+        ui.add(egui::Label::new(format!("{}{place}", finding_text(finding))).wrap());
     });
 }
 

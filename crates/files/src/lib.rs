@@ -35,6 +35,7 @@ mod template_call;
 mod units;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod whole;
+mod words;
 
 pub use archive::zipped;
 pub use catalogue::{catalogue_json, catalogue_text, parameter_table, template_text};
@@ -71,3 +72,4 @@ pub use svg::{read_svg, write_svg};
 pub use table::{MAX_CURVES, MAX_ROWS, TableCurve, read_table, write_table};
 pub use template_call::{NewDesign, design_from_template, new_design};
 pub use units::Units;
+pub use words::{finding_place, finding_text};

@@ -2,6 +2,7 @@
 //! the fields.
 
 use crate::names::is_invisible;
+use crate::words::{finding_place, finding_text};
 use serde::Serialize;
 use sheetwright::check::Checked;
 
@@ -33,9 +34,9 @@ struct PanelFile<'a> {
 struct FindingFile<'a> {
     severity: &'a str,
     code: &'a str,
-    text: &'a str,
+    text: String,
     #[serde(rename = "where")]
-    place: &'a str,
+    place: String,
 }
 
 /// How long each stage of a panel took, in seconds.
@@ -80,10 +81,10 @@ pub fn findings_json(
             .findings
             .iter()
             .map(|f| FindingFile {
-                severity: f.severity.name(),
-                code: f.code,
-                text: &f.text,
-                place: &f.place,
+                severity: f.severity().name(),
+                code: f.code(),
+                text: finding_text(f),
+                place: finding_place(f),
             })
             .collect(),
     });

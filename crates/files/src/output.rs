@@ -4,7 +4,7 @@ use crate::design_json::write_design_of_table;
 use crate::dxf::write_dxf;
 use crate::names::{folded, refused_for_file};
 use crate::obj::{write_meshes_obj, write_obj};
-use crate::pdf::{MaxSheets, PdfOptions, Reduced, WrittenPdf, write_pieces};
+use crate::pdf::{PdfOptions, Reduced, WrittenPdf, write_pieces};
 use crate::quads::{PanelQuads, write_quads};
 use crate::refold::{RefoldFileError, known_miss_mm, read_back_error_mm, refold_error_mm};
 use crate::report::{ReportForm, mesh_report_html, mesh_report_json, report_html, report_json};
@@ -12,7 +12,7 @@ use crate::step::write_step;
 use crate::svg::write_svg;
 use crate::table::write_table;
 use crate::units::Units;
-use sheetwright::check::{Checked, Finding, Remedy, Severity, refolding};
+use sheetwright::check::{Checked, Finding, FindingKind, refolding};
 use sheetwright::make::{Made, MadeMeshes};
 use sheetwright::pattern::Piece;
 use sheetwright::tolerance::Tolerance;
@@ -306,8 +306,8 @@ impl Patterns {
     /// The findings on a panel, those on its sheets of paper added, the worst first.
     fn noted(&self, n: usize, mut checked: Checked) -> Checked {
         let reduced = self.pdf.iter().flat_map(|pdf| &pdf.reduced).find(|r| r.panel == n);
-        checked.findings.extend(reduced.map(not_tiled));
-        checked.findings.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
+        checked.findings.extend(reduced.map(Reduced::finding));
+        checked.sort();
         checked
     }
 
@@ -324,16 +324,7 @@ impl Patterns {
 
 /// The finding that a written pattern is not the one that was laid flat.
 fn not_refolded(error: &RefoldFileError) -> Finding {
-    Finding {
-        severity: Severity::Error,
-        code: "refold",
-        text: format!(
-            "{}. Do not cut it; this is a fault of the program.",
-            capitalised(&error.to_string())
-        ),
-        place: String::new(),
-        remedies: Vec::new(),
-    }
+    Finding::of_whole(FindingKind::NotReadBack { cause: error.to_string() })
 }
 
 /// The curves as they were moved, beside the design that takes its points from there.
@@ -351,36 +342,4 @@ fn check_names<'a>(names: impl Iterator<Item = &'a str>) -> Result<(), OutputErr
         }
     }
     Ok(())
-}
-
-/// The finding that the PDF shows a panel smaller than it is.
-fn not_tiled(reduced: &Reduced) -> Finding {
-    let Reduced { sheets, scale, file_full, .. } = *reduced;
-    let most = MaxSheets::MOST.get();
-    let too_many = if file_full {
-        format!(", for which the panels before it leave no room among the {most} of one PDF")
-    } else if sheets > most {
-        format!("; {most} are the most that a PDF takes")
-    } else {
-        String::new()
-    };
-    let way = reduced.way_to_sheets().unwrap_or_else(|| {
-        "For a pattern at true size, divide the panel, or print the SVG on a roll.".to_owned()
-    });
-    Finding {
-        severity: Severity::Note,
-        code: "pdf-reduced",
-        text: format!(
-            "True to scale, this panel would take about {sheets} sheets of paper{too_many}. So \
-             pattern.pdf shows it at 1:{scale} with a table of offsets to mark it out by. {way} \
-             SVG and DXF are true to scale."
-        ),
-        place: String::new(),
-        remedies: reduced.enough_sheets().map(Remedy::Sheets).into_iter().collect(),
-    }
-}
-
-fn capitalised(text: &str) -> String {
-    let mut chars = text.chars();
-    chars.next().map_or_else(String::new, |c| c.to_uppercase().chain(chars).collect())
 }

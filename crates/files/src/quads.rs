@@ -2,7 +2,7 @@
 
 use crate::drawing::digits;
 use crate::obj::one_word;
-use sheetwright::check::{Finding, Severity};
+use sheetwright::check::{Finding, FindingKind};
 use sheetwright::make::MadePanel;
 use sheetwright::quads::{Planar, PlanarEnd, PlanarOptions, SmoothSurface, planar, quads, smooth};
 use sheetwright::tolerance::Tolerance;
@@ -38,47 +38,16 @@ impl PanelQuads {
     /// What a person should know of them.
     pub(crate) fn finding(&self) -> Option<Finding> {
         let Planar { end, off_max_mm, uneven_after_mm, .. } = self.planar;
-        let (severity, code, text) = match end {
+        let (uneven_mm, off_mm) = (uneven_after_mm, off_max_mm);
+        Some(Finding::of_whole(match end {
             PlanarEnd::OnOutline => return None,
-            PlanarEnd::OffOutline => (
-                Severity::Note,
-                "quads-off-boundary",
-                format!(
-                    "So that all quads are planar, their vertices leave the boundary by up to \
-                     {} mm. Sliding along it alone did not do: the panel is not quite developable.",
-                    short(off_max_mm)
-                ),
-            ),
-            PlanarEnd::TooFarOff => (
-                Severity::Warning,
-                "quads-not-planar",
-                format!(
-                    "The quads are not planar: diagonals are up to {} mm apart. They would be with \
-                     vertices {} mm off the boundary, which is more than a thousandth of the size.",
-                    short(uneven_after_mm),
-                    short(off_max_mm)
-                ),
-            ),
-            PlanarEnd::NotFound | PlanarEnd::Stopped => (
-                Severity::Warning,
-                "quads-not-planar",
-                format!(
-                    "The quads could not be made planar: diagonals are up to {} mm apart.",
-                    short(uneven_after_mm)
-                ),
-            ),
-        };
-        Some(Finding { severity, code, text, place: String::new(), remedies: Vec::new() })
+            PlanarEnd::OffOutline => FindingKind::QuadsOffBoundary { off_mm },
+            PlanarEnd::TooFarOff => FindingKind::QuadsNotPlanar { uneven_mm, off_mm: Some(off_mm) },
+            PlanarEnd::NotFound | PlanarEnd::Stopped => {
+                FindingKind::QuadsNotPlanar { uneven_mm, off_mm: None }
+            }
+        }))
     }
-}
-
-/// A length with two digits that count, down to a picometre.
-fn short(mm: f64) -> String {
-    let (mut places, mut scaled) = (0, mm);
-    while scaled < 10.0 && places < 9 {
-        (places, scaled) = (places + 1, scaled * 10.0);
-    }
-    format!("{mm:.places$}")
 }
 
 /// The OBJ file of the quads of all panels, under their names: an object and a group a panel.

@@ -6,7 +6,7 @@ use sheetwright::boundary::PlaneChoice;
 use sheetwright::make::{Made, MadePanel, MeshOptions, make, make_meshes};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
-    Format, Input, Outputs, PatternReadError, PdfOptions, ReadOptions, ReadPattern,
+    Format, Input, Outputs, PatternReadError, PdfOptions, ReadOptions, ReadPattern, finding_text,
     mesh_output_files, output_files, read_any, read_dxf, read_input, read_svg,
 };
 use std::fs;
@@ -116,8 +116,8 @@ fn readable(read: Result<ReadPattern, PatternReadError>, overlaps: bool) -> Opti
 
 /// What the finding says that written files are not what was laid, which is a fault of the program.
 fn fault_of_files(outputs: &Outputs) -> Option<String> {
-    let fault = outputs.panels[0].findings.iter().find(|finding| finding.code == "refold");
-    fault.map(|finding| finding.text.clone())
+    let fault = outputs.panels[0].findings.iter().find(|finding| finding.code() == "refold");
+    fault.map(finding_text)
 }
 
 fn file<'a>(outputs: &'a Outputs, name: &str) -> &'a [u8] {

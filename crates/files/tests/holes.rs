@@ -118,7 +118,7 @@ fn assert_reads_back(panel: &MadePanel, outputs: &Outputs, within_mm: f64) {
         assert!(read.rungs.iter().eq(hinges.iter().map(|hinge| &hinge.rung)));
     }
     assert!(outputs.refold_error_mm[0] <= within_mm, "{}", outputs.refold_error_mm[0]);
-    assert!(outputs.panels[0].findings.iter().all(|finding| finding.code != "refold"));
+    assert!(outputs.panels[0].findings.iter().all(|finding| finding.code() != "refold"));
 }
 
 #[test]

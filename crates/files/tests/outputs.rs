@@ -3,6 +3,7 @@
 
 use miniz_oxide::inflate::decompress_to_vec_zlib;
 use sheetwright::boundary::PlaneChoice;
+use sheetwright::check::{Finding, Severity};
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape};
 use sheetwright::make::{Made, MadePanel, make};
@@ -13,7 +14,8 @@ use sheetwright::triangulate::Goal;
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
     Format, MaxSheets, OutputError, Paper, PatternReadError, PdfOptions, ReadPattern, Reduced,
-    output_files, read_dxf, read_svg, refold_error_mm, write_dxf, write_obj, write_pdf, write_svg,
+    finding_text, output_files, read_dxf, read_svg, refold_error_mm, write_dxf, write_obj,
+    write_pdf, write_svg,
 };
 
 /// The planks of the hull of `examples/ubc-fishing-vessel.csv`, a metre of it `scale` mm long.
@@ -350,7 +352,7 @@ fn a_pattern_that_does_not_fold_back_is_an_error_found() {
     made.panels[1].piece.paths.remove(7);
     let outputs = output_files(&made, &[], &PdfOptions::default()).unwrap();
     let first = &outputs.panels[1].findings[0];
-    assert_eq!((first.code, first.severity), ("refold", sheetwright::check::Severity::Error));
+    assert_eq!((first.code(), first.severity()), ("refold", Severity::Error));
     assert_eq!(outputs.panels[1].verdict, made.panels[1].checked.verdict);
     assert!(outputs.refold_error_mm[1].is_nan() && outputs.refold_error_mm[0] < 1e-8);
 }
@@ -401,7 +403,8 @@ fn a_pdf_is_tiled_or_says_that_it_is_reduced() {
         assert_eq!(shown(&reduced.bytes, "Measure it both ways"), 1);
         assert_eq!(shown(&reduced.bytes, "at 1:400. Print"), 3);
         let noted = output_files(&made, &[Format::Pdf], &options).unwrap();
-        let codes = |n: usize| noted.panels[n].findings.iter().map(|f| f.code).collect::<Vec<_>>();
+        let codes =
+            |n: usize| noted.panels[n].findings.iter().map(Finding::code).collect::<Vec<_>>();
         assert!((0..3).all(|n| codes(n).contains(&"pdf-reduced")));
     }
 }
@@ -411,7 +414,8 @@ fn reductions(made: &Made, max_sheets: MaxSheets) -> Vec<String> {
     let options = PdfOptions { max_sheets, ..PdfOptions::default() };
     let outputs = output_files(made, &[Format::Pdf], &options).unwrap();
     let findings = outputs.panels.into_iter().flat_map(|panel| panel.findings);
-    findings.filter(|finding| finding.code == "pdf-reduced").map(|finding| finding.text).collect()
+    let reductions = findings.filter(|finding| finding.code() == "pdf-reduced");
+    reductions.map(|finding| finding_text(&finding)).collect()
 }
 
 #[test]

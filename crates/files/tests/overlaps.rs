@@ -45,7 +45,7 @@ fn a_flap_over_its_plate_overlaps_and_is_no_fault() {
             let Input::Design(design) = read.unwrap() else { panic!("a table is a design") };
             let made = make(&design, &mut Unwatched).unwrap();
             let outputs = output_files(&made, &Format::DEFAULT, &PdfOptions::default()).unwrap();
-            let has = |code: &str| outputs.panels[0].findings.iter().any(|f| f.code == code);
+            let has = |code: &str| outputs.panels[0].findings.iter().any(|f| f.code() == code);
             assert!(!has("refold"), "{ends:?} {long}: {:?}", outputs.panels[0].findings);
             assert!(outputs.refold_error_mm[0] < 1e-6, "{ends:?} {long}");
             // Where the surface is the plate and its flap.

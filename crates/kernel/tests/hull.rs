@@ -128,7 +128,7 @@ fn the_last_plank_runs_on() {
         let free = to_deg(panel.measures.warp_max);
         println!("{first}–{second}: {largest:.2}° / {average:.3}°, with free corners {free:.2}°");
         assert!(panel.measures.length_error_max < 1e-12 && panel.flat.overlap.is_none());
-        assert!(panel.checked.findings.iter().any(|finding| finding.code == "ran-on"));
+        assert!(panel.checked.findings.iter().any(|finding| finding.code() == "ran-on"));
         warps_of_planks.push((largest, average));
     }
     let (largest, average) = warps_of_planks[2];

@@ -160,7 +160,7 @@ fn panels_between_rails_join_along_a_rail() {
         design.panels[1].shape = rails(rail, other);
         let side = &made(&design)[0];
         assert_eq!(side.boundary.len(), 160);
-        let turned = side.checked.findings.iter().any(|f| f.code == "turned-round");
+        let turned = side.checked.findings.iter().any(|f| f.code() == "turned-round");
         assert_eq!(turned, turns, "{rail} {other}");
     }
     design.panels[2].method = PanelMethod::Rails;

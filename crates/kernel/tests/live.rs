@@ -32,7 +32,7 @@ fn check(live: &Live, what: &str) {
     compare(&settled.made(), &afresh, what);
     for (made, panel) in afresh.iter_mut().flat_map(|made| &mut made.panels).zip(live.panels()) {
         if !panel.is_settled() {
-            made.checked.findings.retain(|finding| finding.code != LEFT_TO_SETTLE);
+            made.checked.findings.retain(|finding| finding.code() != LEFT_TO_SETTLE);
         }
     }
     compare(&live.made(), &afresh, what);
@@ -163,7 +163,7 @@ fn what_bends_without_its_plane_is_as_made_afresh() {
                 }
                 let panels = live.made().unwrap().panels;
                 let findings = panels.iter().flat_map(|panel| &panel.checked.findings);
-                found += findings.filter(|finding| finding.code == LEFT_TO_SETTLE).count();
+                found += findings.filter(|finding| finding.code() == LEFT_TO_SETTLE).count();
             }
         }
     }

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used)] // tests panic
 
+use sheetwright::check::FindingKind;
 use sheetwright::design::{MeshDesign, MeshGroup};
 use sheetwright::flatten::{Aim, Ended, RelaxError, RelaxOptions, Relaxed, relax, relax_lengths};
 use sheetwright::index::VertexIndex;
@@ -186,7 +187,11 @@ fn a_border_that_could_not_be_true_is_said_to_be() {
             let options = MeshOptions { aim, ..MeshOptions::default() };
             let made = make_meshes(&design, &options, &mut Unwatched).unwrap();
             let panel = &made.panels[0];
-            let said = panel.checked.findings.iter().any(|f| f.code == "border-not-true");
+            let said = panel
+                .checked
+                .findings
+                .iter()
+                .any(|f| matches!(f.kind, FindingKind::BorderNotTrue { .. }));
             let error = panel.measures.border_error_max;
             assert_eq!(said, aim == Aim::Seams && error > 1e-9, "{angle} π, {aim:?}: {error}");
             assert!(aim != Aim::Seams || angle > 0.9 || !said, "{angle} π: {error}");

@@ -19,8 +19,8 @@ fn error_in(design: &Design) -> Option<String> {
         Err(error) => return Some(format!("can't be made: {error}")),
     };
     made.panels.iter().find_map(|panel| {
-        let error = panel.checked.findings.iter().find(|f| f.severity == Severity::Error)?;
-        Some(format!("{}: {} ({})", panel.name, error.text, error.place))
+        let error = panel.checked.findings.iter().find(|f| f.severity() == Severity::Error)?;
+        Some(format!("{}: {error:?}", panel.name))
     })
 }
 

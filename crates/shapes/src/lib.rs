@@ -6,13 +6,15 @@
 //! classical square-to-round duct, [`three_cones`] a sheet that branches, [`random`] a generator of
 //! numbers and boundaries, [`hull`] the planks of a published one, [`drag`] handles and the way
 //! that a hand drags them, [`gallery`] the shapes of the gallery, [`pierced`] random boundaries
-//! with holes, and [`domain`] the definition of what a triangulation of such a boundary is.
+//! with holes, [`domain`] the definition of what a triangulation of such a boundary is, and
+//! [`findings`] a finding of each kind.
 #![allow(clippy::expect_used)] // nothing comes from outside: a shape that fails is a fault of ours
 
 pub mod developable;
 pub mod domain;
 pub mod drag;
 pub mod family;
+pub mod findings;
 pub mod gallery;
 pub mod gored;
 pub mod hemisphere;

@@ -1,7 +1,7 @@
 //! What panes show of a made panel: plain numbers, which cross from a worker to the page.
 
 use super::Refusal;
-use sheetwright::check::{Finding, Verdict};
+use sheetwright::check::{Finding, FindingKind, Verdict};
 use sheetwright::make::MadePanel;
 use sheetwright::material::{Material, warp_limit_deg};
 use sheetwright::math::{Point2, Point3, Vec3, to_deg};
@@ -108,7 +108,7 @@ pub struct ShownRung {
 /// Whether a finding says something that the panes don't show: a curve that runs round a handle is
 /// seen to do so, and a corner has a handle of another shape.
 fn is_news(finding: &Finding) -> bool {
-    finding.code != "rounded-corner"
+    !matches!(finding.kind, FindingKind::RoundedCorner { .. })
 }
 
 impl Shown {

@@ -126,6 +126,7 @@ fn varied(made: Made) -> Varied {
 mod tests {
     use super::*;
     use crate::engine::tests::saddles;
+    use sheetwright::check::{Finding, FindingKind};
     use sheetwright::watch::Unwatched;
     use sheetwright_shapes::drag::Drag;
     use sheetwright_shapes::hull::planks;
@@ -155,7 +156,7 @@ mod tests {
             for (rested, moving) in rested.into_iter().zip(moving) {
                 let (mut rested, moving) = (rested.made.unwrap(), moving.made.unwrap());
                 let is_late =
-                    |finding: &sheetwright::check::Finding| finding.code == "better-without-plane";
+                    |f: &Finding| matches!(f.kind, FindingKind::BetterWithoutPlane { .. });
                 assert!(!moving.findings.iter().any(is_late));
                 waited += rested.findings.iter().filter(|finding| is_late(finding)).count();
                 rested.findings.retain(|finding| !is_late(finding));

@@ -17,6 +17,7 @@ mod tiling;
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use page::Page;
 use pdf_writer::{Filter, Finish, Name, Pdf, Rect, Ref, TextStr};
+use sheetwright::check::{Finding, FindingKind};
 use sheetwright::make::Made;
 use sheetwright::math::Vec2;
 use sheetwright::pattern::Piece;
@@ -132,22 +133,23 @@ pub struct Reduced {
 }
 
 impl Reduced {
-    /// The number of sheets that prints it true to scale if so many are allowed; `None` where it
-    /// takes another way, or no PDF takes so many.
-    pub(crate) fn enough_sheets(&self) -> Option<usize> {
-        let Self { sheets, file_full, .. } = *self;
-        (sheets <= MaxSheets::MOST.get() && !file_full).then_some(sheets)
+    /// The finding that the PDF shows the panel smaller than it is.
+    pub(crate) fn finding(&self) -> Finding {
+        let Self { sheets, scale, file_full: is_full, .. } = *self;
+        let most = MaxSheets::MOST.get();
+        Finding::of_whole(FindingKind::PdfReduced { sheets, scale, most, is_full })
     }
+}
 
-    /// How to print it true to scale all the same, in a sentence; `None` where no PDF takes so
-    /// many.
-    pub(crate) fn way_to_sheets(&self) -> Option<String> {
-        if let Some(sheets) = self.enough_sheets() {
-            return Some(format!("To print it true to scale all the same, allow {sheets} sheets."));
-        }
-        let way = "Make it in a design of its own to print it true to scale.";
-        (self.sheets <= MaxSheets::MOST.get()).then(|| way.to_owned())
-    }
+/// How to print a panel of so many sheets true to scale all the same, in a sentence: `is_full`
+/// where those before it leave no room for it. `None` where no PDF takes so many.
+pub(crate) fn way_to_sheets(sheets: usize, is_full: bool) -> Option<String> {
+    let way = if is_full {
+        "Make it in a design of its own to print it true to scale.".to_owned()
+    } else {
+        format!("To print it true to scale all the same, allow {sheets} sheets.")
+    };
+    (sheets <= MaxSheets::MOST.get()).then_some(way)
 }
 
 /// How a piece comes to paper.

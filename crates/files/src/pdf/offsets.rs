@@ -7,7 +7,7 @@ use super::page::{Anchor, Page, Pen, Type};
 use super::piece::{Detail, View, draw};
 use super::sheets::header;
 use super::tiling::{HEADER_MM, MARGIN_MM};
-use super::{Paper, Reduced};
+use super::{Paper, Reduced, way_to_sheets};
 use sheetwright::math::{Point2, Vec2, angle_between, from_deg};
 use sheetwright::pattern::{LabelKind, Piece};
 use sheetwright::predicate::Box2;
@@ -136,7 +136,8 @@ fn table(page: &mut Page, piece: &Piece, stations: &[f64], top: f64, reduced: &R
     let most_mm = page.size().x - 2.0 * left;
     page.fitted_text(Point2::new(left, top), &told, Type::new(9.0), most_mm);
     let top = top - 4.6;
-    let way = reduced.way_to_sheets().unwrap_or("SVG and DXF are true to scale.".to_owned());
+    let way = way_to_sheets(reduced.sheets, reduced.file_full)
+        .unwrap_or("SVG and DXF are true to scale.".to_owned());
     page.fitted_text(Point2::new(left, top), &way, Type::new(9.0), most_mm);
     let head = Type::new(9.0).bold();
     let first_row = top - 7.0;

@@ -4,7 +4,7 @@ use super::page::{Anchor, Page, Pen, Type};
 use super::piece::{Detail, View, draw};
 use super::text::{encoded, width};
 use super::tiling::{MARGIN_MM, Sheet, Tiling};
-use super::{Paper, Plan};
+use super::{Paper, Plan, way_to_sheets};
 use sheetwright::math::{Point2, Vec2};
 use sheetwright::pattern::{Piece, Role};
 use sheetwright::predicate::Box2;
@@ -171,7 +171,8 @@ fn piece_block(
              {pages}.{}",
             reduced.sheets,
             reduced.scale,
-            reduced.way_to_sheets().map_or(String::new(), |way| format!(" {way}"))
+            way_to_sheets(reduced.sheets, reduced.file_full)
+                .map_or(String::new(), |way| format!(" {way}"))
         ),
     };
     page.fitted_text(Point2::new(MARGIN_MM, top - 9.5), &told, Type::new(9.0), width_mm);

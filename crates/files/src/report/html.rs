@@ -14,6 +14,7 @@ use super::wording::{
     steradians, verdict_sentence, verdict_word,
 };
 use super::worst_rung;
+use crate::words::finding_text;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use sheetwright::check::Checked;
 use sheetwright::make::{Made, MadePanel};
@@ -419,7 +420,7 @@ pub(super) fn card(number: usize, name: &str, checked: &Checked) -> Markup {
             (verdict(checked))
             p {
                 @match checked.findings.first() {
-                    Some(finding) => (finding.text),
+                    Some(finding) => (finding_text(finding)),
                     None => "Nothing was found against it.",
                 }
             }

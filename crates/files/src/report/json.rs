@@ -1,6 +1,7 @@
 //! `report.json`: what was measured and found, for scripts.
 
 use crate::quads::PanelQuads;
+use crate::words::{finding_place, finding_text};
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::Serialize;
@@ -153,7 +154,7 @@ struct PanelReport<'a> {
     #[schemars(extend("enum" = Verdict::ALL.map(Verdict::name)))]
     verdict: &'static str,
     /// What was found, the worst first.
-    findings: Vec<FindingReport<'a>>,
+    findings: Vec<FindingReport>,
 }
 
 /// A panel before its boundary was moved.
@@ -266,16 +267,16 @@ struct EdgeReport<'a> {
 #[derive(Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "Finding")]
-struct FindingReport<'a> {
+struct FindingReport {
     /// How bad it is: `error` do not cut, `warning` look at it before cutting, `note` good to know.
     #[schemars(extend("enum" = ["error", "warning", "note"]))]
     severity: &'static str,
     /// A name that scripts may rely on.
-    code: &'a str,
+    code: &'static str,
     /// What is so, in words, and what to do.
-    text: &'a str,
+    text: String,
     /// Where; empty where it is the whole panel.
-    r#where: &'a str,
+    r#where: String,
 }
 
 /// `report.json` of a made design. `refold_error_mm` and `checked` have one entry a panel; a refold
@@ -357,12 +358,12 @@ fn to_bytes(value: &impl Serialize) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-fn of_findings(checked: &Checked) -> Vec<FindingReport<'_>> {
+fn of_findings(checked: &Checked) -> Vec<FindingReport> {
     let findings = checked.findings.iter().map(|finding| FindingReport {
-        severity: finding.severity.name(),
-        code: finding.code,
-        text: &finding.text,
-        r#where: &finding.place,
+        severity: finding.severity().name(),
+        code: finding.code(),
+        text: finding_text(finding),
+        r#where: finding_place(finding),
     });
     findings.collect()
 }

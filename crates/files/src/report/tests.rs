@@ -419,7 +419,7 @@ fn an_error_is_not_hidden_behind_a_good_verdict() {
     let made = helicoid();
     let mut checked = made.panels[0].checked.clone();
     checked.verdict = sheetwright::check::Verdict::Bends;
-    checked.findings.retain(|f| f.code == "overlap");
+    checked.findings.retain(|f| f.code() == "overlap");
     assert_eq!(checked.findings.len(), 1);
     let page = String::from_utf8(report_html(&made, &[0.0], &[checked], ReportForm::Auto)).unwrap();
     assert!(page.contains("Bends, but do not cut it"));

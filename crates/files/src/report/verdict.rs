@@ -1,8 +1,9 @@
 //! The verdict of a part and what was found, as the page shows them.
 
 use super::wording::verdict_word;
+use crate::words::{finding_place, finding_text};
 use maud::{Markup, html};
-use sheetwright::check::{Checked, Severity, Verdict};
+use sheetwright::check::{Checked, Finding, Place, Severity, Verdict};
 
 /// How bad things are: the worst finding and the verdict together.
 pub(super) fn severity(checked: &Checked) -> Severity {
@@ -11,7 +12,7 @@ pub(super) fn severity(checked: &Checked) -> Severity {
         Verdict::BendsAndFolds | Verdict::BendsWithForce | Verdict::Undecided => Severity::Warning,
         Verdict::WillNotBend => Severity::Error,
     };
-    checked.findings.iter().map(|f| f.severity).fold(of_verdict, Severity::max)
+    checked.findings.iter().map(Finding::severity).fold(of_verdict, Severity::max)
 }
 
 /// The verdict with its mark.
@@ -46,12 +47,14 @@ pub(super) fn findings(checked: &Checked) -> Markup {
         } @else {
             ul.findings {
                 @for finding in &checked.findings {
-                    li class=(finding.severity.name()) {
-                        span.kind { (severity_word(finding.severity)) } " "
-                        (finding.text)
+                    li class=(finding.severity().name()) {
+                        span.kind { (severity_word(finding.severity())) } " "
+                        (finding_text(finding))
                         span.where {
-                            @if !finding.place.is_empty() { "Where: " (finding.place) ". " }
-                            code { (finding.code) }
+                            @if finding.place != Place::Whole {
+                                "Where: " (finding_place(finding)) ". "
+                            }
+                            code { (finding.code()) }
                         }
                     }
                 }

@@ -1,56 +1,46 @@
-//! What is found on a panel, and the verdict that it comes to. A finding names what may be set
-//! against it as a value: the command shows that as an option, another program as it sets it.
+//! What is found on a panel, and the verdict that it comes to. A finding is a value: its sentences
+//! are written where it is shown, and what may be set against it the command shows as an option,
+//! another program as it sets it.
 
-/// How bad a finding is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Severity {
-    /// Good to know.
-    Note,
-    /// Look at it before cutting.
-    Warning,
-    /// Do not cut.
-    Error,
-}
-
-impl Severity {
-    /// How reports name it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Note => "note",
-            Self::Warning => "warning",
-            Self::Error => "error",
-        }
-    }
-}
+use super::kind::FindingKind;
+use super::place::Place;
+use super::remedy::Remedy;
+use super::severity::Severity;
 
 /// One thing found.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
-    /// How bad it is.
-    pub severity: Severity,
-    /// A name that scripts may rely on.
-    pub code: &'static str,
-    /// What is so, in words with units, and what to do.
-    pub text: String,
-    /// Where: `rungs 41–47`, `samples 3 and 12`; empty where it is the whole panel.
-    pub place: String,
-    /// What may be set against it, beside what its text says.
-    pub remedies: Vec<Remedy>,
+    /// What, with its numbers.
+    pub kind: FindingKind,
+    /// Where.
+    pub place: Place,
 }
 
-/// Something to set that helps against a finding.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Remedy {
-    /// More work for the search of a panel with holes: its effort.
-    Effort,
-    /// Cuts of a mesh from its border to the points where it would have to stretch the most.
-    Darts,
-    /// Dividing a mesh along its sharp creases.
-    SplitCreases,
-    /// Another unit of the coordinates of a file that does not say its own.
-    Units,
-    /// So many sheets of paper for a pattern.
-    Sheets(usize),
+impl Finding {
+    /// A finding at a place.
+    pub fn new(kind: FindingKind, place: Place) -> Self {
+        Self { kind, place }
+    }
+
+    /// A finding about the whole part.
+    pub fn of_whole(kind: FindingKind) -> Self {
+        Self::new(kind, Place::Whole)
+    }
+
+    /// How bad it is.
+    pub fn severity(&self) -> Severity {
+        self.kind.severity()
+    }
+
+    /// A name that scripts may rely on.
+    pub fn code(&self) -> &'static str {
+        self.kind.code()
+    }
+
+    /// What may be set against it, beside what its sentence says.
+    pub fn remedies(&self) -> Vec<Remedy> {
+        self.kind.remedies()
+    }
 }
 
 /// Will it bend?
@@ -69,6 +59,26 @@ pub enum Verdict {
 }
 
 impl Verdict {
+    /// What findings come to.
+    fn of(findings: &[Finding]) -> Self {
+        let has = |is_it: fn(&FindingKind) -> bool| findings.iter().any(|f| is_it(&f.kind));
+        if has(|kind| kind.is_of_bending() && kind.severity() == Severity::Error) {
+            Self::WillNotBend
+        } else if has(|kind| matches!(kind, FindingKind::CoarseSamples { .. })) {
+            Self::Undecided
+        } else if has(|kind| {
+            matches!(kind, FindingKind::WarpHigh { .. } | FindingKind::StretchHigh { .. })
+        }) {
+            Self::BendsWithForce
+        } else if has(|kind| {
+            matches!(kind, FindingKind::Folds { .. } | FindingKind::Creases { .. })
+        }) {
+            Self::BendsAndFolds
+        } else {
+            Self::Bends
+        }
+    }
+
     /// Every verdict, the best first.
     pub const ALL: [Self; 5] = [
         Self::Bends,
@@ -91,7 +101,7 @@ impl Verdict {
 }
 
 /// The verdict on a panel and what it rests on, the worst first.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Checked {
     /// Will it bend?
     pub verdict: Verdict,
@@ -100,9 +110,22 @@ pub struct Checked {
 }
 
 impl Checked {
-    /// Adds a finding in its place: the worst first.
+    /// The verdict that findings come to, and these, the worst first.
+    pub fn of(findings: Vec<Finding>) -> Self {
+        let mut checked = Self { verdict: Verdict::of(&findings), findings };
+        checked.sort();
+        checked
+    }
+
+    /// Adds a finding in its place: the worst first. The verdict stays.
     pub fn add(&mut self, finding: Finding) {
-        let place = self.findings.partition_point(|other| other.severity >= finding.severity);
+        let severity = finding.severity();
+        let place = self.findings.partition_point(|other| other.severity() >= severity);
         self.findings.insert(place, finding);
+    }
+
+    /// Puts the worst first; those that are as bad stay in their order.
+    pub fn sort(&mut self) {
+        self.findings.sort_by_key(|finding| std::cmp::Reverse(finding.severity()));
     }
 }

@@ -1,9 +1,9 @@
 //! Findings on a mesh that was laid flat, and its verdict: how much it must stretch.
 
-use super::{Checked, EASY_SHARE, Finding, Remedy, Severity, Verdict};
+use super::{Checked, EASY_SHARE, Finding, FindingKind, Place, SeamCause};
 use crate::material::{Material, stretch_limit};
 use crate::mesh::{CutMesh, Mesh, Specks, crease_angles};
-use crate::pattern::{SCORED_CREASE_DEG, seam_mark};
+use crate::pattern::SCORED_CREASE_DEG;
 use sheetwright_geometry::math::{Point3, to_deg};
 
 /// The border is true up to this share of a length.
@@ -46,188 +46,78 @@ pub struct MeshPanel<'a> {
 /// Checks a mesh panel.
 pub fn check_mesh(panel: &MeshPanel<'_>) -> Checked {
     let checks = [stretch, border, overlap, flipped, folds, seams, left_out, specks, contacts];
-    let mut findings: Vec<Finding> = checks.iter().filter_map(|check| check(panel)).collect();
-    findings.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
-    let has = |code: &str, severity: Severity| {
-        findings.iter().any(|f| f.code == code && f.severity == severity)
-    };
-    let verdict = if has("stretch-too-large", Severity::Error) || has("folds", Severity::Error) {
-        Verdict::WillNotBend
-    } else if has("stretch", Severity::Warning) {
-        Verdict::BendsWithForce
-    } else if has("folds", Severity::Warning) {
-        Verdict::BendsAndFolds
-    } else {
-        Verdict::Bends
-    };
-    Checked { verdict, findings }
-}
-
-/// A share in per cent, with two digits that count.
-fn percent(share: f64) -> String {
-    let percent = 100.0 * share;
-    let shifted = std::iter::successors(Some(percent), |x| Some(x * 10.0));
-    let digits = shifted.take(9).take_while(|x| *x < 10.0).count();
-    format!("{percent:.digits$} %")
-}
-
-fn place(p: Point3) -> String {
-    // Rounded first, so that no zero has a sign.
-    let [x, y, z] = [p.x, p.y, p.z].map(|c| (c * 10.0).round() / 10.0 + 0.0);
-    format!("({x:.1}, {y:.1}, {z:.1}) mm")
+    Checked::of(checks.iter().filter_map(|check| check(panel)).collect())
 }
 
 fn stretch(panel: &MeshPanel<'_>) -> Option<Finding> {
-    let error = panel.length_error_max;
+    let largest = panel.length_error_max;
     let limit = stretch_limit(panel.material);
-    let worst = panel.worst_edge.map(|n| {
-        let [a, b] = panel.sheet.mesh.edges()[n].ends.map(|v| panel.sheet.mesh.position(v));
-        format!("at {}", place(a.lerp(b, 0.5)))
-    });
-    let takes = match panel.material {
-        Some(m) => format!("{} takes {}", first_up(&m.title), percent(limit)),
-        None => format!("Without a material that is named, {} is accepted", percent(limit)),
-    };
-    let what = format!(
-        "Laid flat, lengths differ from the surface by up to {}: by so much the sheet must stretch.",
-        percent(error)
-    );
-    let mut remedies = Vec::new();
+    let sheet = panel.material.map(|m| m.title.clone());
     // Also for what is no number.
-    let (severity, code, text) = if error.is_nan() || error > limit {
-        let mut advice = Vec::new();
-        if let Some([inside, border]) = panel.cut {
-            let (to, from) = (place(inside), place(border));
-            advice.push(format!("cut it from the border at {from} to {to}"));
-            remedies.extend((panel.darts == 0).then_some(Remedy::Darts));
+    let kind = if largest.is_nan() || largest > limit {
+        FindingKind::StretchTooLarge {
+            largest,
+            limit,
+            sheet,
+            cut: panel.cut,
+            has_darts: panel.darts > 0,
+            has_creases: sharp_creases(panel).next().is_some(),
         }
-        if sharp_creases(panel).next().is_some() {
-            advice.push("divide it along its sharp creases".to_owned());
-            remedies.push(Remedy::SplitCreases);
-        }
-        advice.push("divide it into more panels in the program that it is from".to_owned());
-        let text = format!(
-            "{what} {takes}. {}, or take a sheet that stretches more.",
-            first_up(&advice.join(", "))
-        );
-        (Severity::Error, "stretch-too-large", text)
-    } else if error > EASY_SHARE * limit {
-        (Severity::Warning, "stretch", format!("{what} {takes}."))
-    } else if error > UNSEEN {
-        (Severity::Note, "length-error", what)
+    } else if largest > EASY_SHARE * limit {
+        FindingKind::StretchHigh { largest, limit, sheet }
+    } else if largest > UNSEEN {
+        FindingKind::Stretch { largest }
     } else {
         return None;
     };
-    Some(Finding { severity, code, text, place: worst.unwrap_or_default(), remedies })
+    let worst = panel.worst_edge.map(|n| {
+        let [a, b] = panel.sheet.mesh.edges()[n].ends.map(|v| panel.sheet.mesh.position(v));
+        Place::at(a.lerp(b, 0.5))
+    });
+    Some(Finding::new(kind, worst.unwrap_or_default()))
 }
 
 fn border(panel: &MeshPanel<'_>) -> Option<Finding> {
-    let error = panel.border_error.filter(|error| *error > TRUE_BORDER)?;
-    Some(Finding {
-        severity: Severity::Warning,
-        code: "border-not-true",
-        text: format!(
-            "The border was to keep its lengths, and could not: they differ by up to {}. Cut the panel \
-             open, or divide it.",
-            percent(error)
-        ),
-        place: String::new(),
-        remedies: Vec::new(),
-    })
-}
-
-fn first_up(text: &str) -> String {
-    let mut chars = text.chars();
-    chars.next().map_or_else(String::new, |c| c.to_uppercase().chain(chars).collect())
+    let largest = panel.border_error.filter(|error| *error > TRUE_BORDER)?;
+    Some(Finding::of_whole(FindingKind::BorderNotTrue { largest }))
 }
 
 fn overlap(panel: &MeshPanel<'_>) -> Option<Finding> {
-    let [a, b] = panel.overlap?;
-    Some(Finding {
-        severity: Severity::Error,
-        code: "overlap",
-        text:
-            "Laid flat, the pattern overlaps itself, so it can't be cut from one sheet. Divide the \
-               panel."
-                .to_owned(),
-        place: format!("the border at {} and at {}", place(a), place(b)),
-        remedies: Vec::new(),
-    })
+    let at = panel.overlap?.to_vec();
+    Some(Finding::new(FindingKind::Overlap, Place::Points { at }))
 }
 
 fn flipped(panel: &MeshPanel<'_>) -> Option<Finding> {
     let count = panel.flipped;
-    (count > 0).then(|| Finding {
-        severity: Severity::Error,
-        code: "flipped",
-        text: format!(
-            "Laid flat, {} upside down: the pattern is folded over itself there. Divide the panel.",
-            if count == 1 {
-                "a triangle lies".to_owned()
-            } else {
-                format!("{count} triangles lie")
-            }
-        ),
-        place: String::new(),
-        remedies: Vec::new(),
-    })
+    (count > 0).then(|| Finding::of_whole(FindingKind::Flipped { count }))
 }
 
-/// The angles of all creases to be scored, degrees.
+/// The angles of all creases to be scored, radians.
 fn sharp_creases(panel: &MeshPanel<'_>) -> impl Iterator<Item = f64> {
     let angles = crease_angles(&panel.sheet.mesh);
-    angles.into_iter().map(to_deg).filter(|&deg| deg > SCORED_CREASE_DEG)
+    angles.into_iter().filter(|&angle| to_deg(angle) > SCORED_CREASE_DEG)
 }
 
 fn folds(panel: &MeshPanel<'_>) -> Option<Finding> {
     let sharp: Vec<f64> = sharp_creases(panel).collect();
     let sharpest = sharp.iter().copied().reduce(f64::max)?;
-    let (severity, advice, remedies) = match panel.material {
-        Some(m) if !m.folds() => (
-            Severity::Error,
-            format!("{} does not fold: divide it there.", first_up(&m.title)),
-            vec![Remedy::SplitCreases],
-        ),
-        _ => (Severity::Warning, "The pattern marks them to be scored.".to_owned(), Vec::new()),
-    };
-    Some(Finding {
-        severity,
-        code: "folds",
-        text: format!(
-            "The mesh has sharp creases, of up to {sharpest:.1}°, along {} of its sides. {advice}",
-            sharp.len()
-        ),
-        place: String::new(),
-        remedies,
-    })
+    let stiff = panel.material.filter(|m| !m.folds()).map(|m| m.title.clone());
+    Some(Finding::of_whole(FindingKind::Creases { count: sharp.len(), sharpest, stiff }))
 }
 
 fn seams(panel: &MeshPanel<'_>) -> Option<Finding> {
     let sheet = panel.sheet;
-    let lengths: Vec<f64> = sheet.seams.iter().map(|seam| seam_length(&sheet.mesh, seam)).collect();
-    let whole: f64 = lengths.iter().sum();
-    let last = seam_mark(lengths.len().checked_sub(1)?);
-    let (along, marks) = match lengths.len() {
-        1 => ("a seam".to_owned(), last),
-        n => (format!("{n} seams"), format!("{} to {last}", seam_mark(0))),
-    };
+    let lengths = sheet.seams.iter().map(|seam| seam_length(&sheet.mesh, seam));
+    let (count, length_mm) = (lengths.len(), lengths.sum());
     let why = if panel.mesh.loops().is_empty() {
-        "It is closed, so it is cut open"
+        SeamCause::Closed
     } else if panel.darts > 0 {
-        "To stretch less, it is cut"
+        SeamCause::Darts
     } else {
-        "In one piece it does not lie flat, so it is cut open"
+        SeamCause::NotFlat
     };
-    Some(Finding {
-        severity: Severity::Note,
-        code: "seam",
-        text: format!(
-            "{why} along {along}, {whole:.1} mm long{}. Join the sides that have the same mark.",
-            if lengths.len() == 1 { "" } else { " together" }
-        ),
-        place: marks,
-        remedies: Vec::new(),
-    })
+    let kind = FindingKind::Seams { count, length_mm, why };
+    (count > 0).then(|| Finding::new(kind, Place::MeshSeams { count }))
 }
 
 /// How long a seam is in space, mm.
@@ -238,47 +128,15 @@ pub fn seam_length(sheet: &Mesh, seam: &crate::mesh::MeshSeam) -> f64 {
 
 fn left_out(panel: &MeshPanel<'_>) -> Option<Finding> {
     let count = panel.left_out;
-    (count > 0).then(|| Finding {
-        severity: Severity::Note,
-        code: "left-out",
-        text: format!(
-            "{} of the file with two corners in one place, without area, {} left out.",
-            if count == 1 { "A triangle".to_owned() } else { format!("{count} triangles") },
-            if count == 1 { "was" } else { "were" }
-        ),
-        place: String::new(),
-        remedies: Vec::new(),
-    })
+    (count > 0).then(|| Finding::of_whole(FindingKind::TrianglesLeftOut { count }))
 }
 
 fn specks(panel: &MeshPanel<'_>) -> Option<Finding> {
-    let Specks { parts, first } = panel.specks?;
-    Some(Finding {
-        severity: Severity::Note,
-        code: "left-out",
-        text: format!(
-            "{} left out: smaller than 1e-6 mm, or narrower than 1e-12 of the size of the file.",
-            match parts {
-                1 => "A part of the mesh was".to_owned(),
-                _ => format!("{parts} parts of the mesh were"),
-            }
-        ),
-        place: format!("{}at {}", if parts == 1 { "" } else { "the first " }, place(first)),
-        remedies: Vec::new(),
-    })
+    let Specks { parts: count, first } = panel.specks?;
+    Some(Finding::new(FindingKind::PartsLeftOut { count }, Place::at(first)))
 }
 
 fn contacts(panel: &MeshPanel<'_>) -> Option<Finding> {
     let count = panel.contacts;
-    (count > 0).then(|| Finding {
-        severity: Severity::Note,
-        code: "point-contact",
-        text: format!(
-            "Parts of the mesh meet in {} alone, where nothing would hold them: they are taken apart \
-             there.",
-            if count == 1 { "a point".to_owned() } else { format!("{count} points") }
-        ),
-        place: String::new(),
-        remedies: Vec::new(),
-    })
+    (count > 0).then(|| Finding::of_whole(FindingKind::PointContacts { count }))
 }

@@ -5,6 +5,7 @@
 //! whatever they are: nothing here panics, and nothing is allocated that the bytes could not fill.
 
 mod design;
+mod findings;
 mod made;
 
 use super::{Answer, Detail, Job, Refusal, Varied};
@@ -88,7 +89,39 @@ macro_rules! kinds {
         }
     };
 }
-use {fields, kinds};
+
+/// An enum of kinds with fields: the number of the kind, in this order, then its fields.
+macro_rules! variants {
+    ($name:ty { $($kind:ident { $($field:ident),* }),* }) => {
+        const _: () = {
+            #[derive(Clone, Copy)]
+            enum Number { $($kind),* }
+
+            impl Wire for $name {
+                fn put(&self, out: &mut Vec<u8>) {
+                    // The compiler sees here that none is forgotten.
+                    match self {
+                        $(Self::$kind { $($field),* } => {
+                            out.push(Number::$kind as u8);
+                            $($field.put(out);)*
+                        })*
+                    }
+                }
+
+                fn take(from: &mut &[u8]) -> Option<Self> {
+                    let number = u8::take(from)?;
+                    $(
+                        if number == Number::$kind as u8 {
+                            return Some(Self::$kind { $($field: Wire::take(from)?),* });
+                        }
+                    )*
+                    None
+                }
+            }
+        };
+    };
+}
+use {fields, kinds, variants};
 
 macro_rules! numbers {
     ($($name:ty),*) => {$(

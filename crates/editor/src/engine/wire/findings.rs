@@ -1,0 +1,76 @@
+//! What was found of a panel: values, which the page makes into sentences.
+
+use super::{Wire, fields, kinds, variants};
+use sheetwright::check::{
+    Bend, BorderSide, Finding, FindingKind, Hindrance, Movement, Place, SeamCause, SeamPlace,
+    TooTight,
+};
+use sheetwright::fair::Ended;
+
+fields!(Finding { kind, place });
+variants!(FindingKind {
+    WarpTooLarge { largest, count, of, limit, sheet },
+    WarpHigh { largest, limit, sheet },
+    CoarseSamples { largest },
+    RadiusTooSmall { least_mm, limit_mm, sheet },
+    Points { count, turn, too_tight },
+    SelfCrossing {},
+    Overlap {},
+    RungWithoutPlane { count },
+    BetterWithoutPlane { with, without },
+    NotProven { gap, cut_short },
+    Folds { count, sharpest, stiff },
+    Creases { count, sharpest, stiff },
+    BendLines { count, sharpest },
+    LengthError { largest, closes_holes },
+    WindowGap { widest_mm },
+    Seams { count, length_mm, why },
+    StretchTooLarge { largest, limit, sheet, cut, has_darts, has_creases },
+    StretchHigh { largest, limit, sheet },
+    Stretch { largest },
+    BorderNotTrue { largest },
+    Flipped { count },
+    TrianglesLeftOut { count },
+    PartsLeftOut { count },
+    PointContacts { count },
+    RoundedCorner { curve, turn },
+    JointsSmoothed { count, deviation_mm },
+    RanOn { bulges_mm, bends },
+    StayedStraight { cause },
+    TurnedRound { panels, first },
+    Moved { movement, ended, hindrance },
+    NotMoved { movement, wanted, is_above, hindrance },
+    WarpNotReached { movement, wanted, ended },
+    Refold { error_mm, limit_mm },
+    NotReadBack { cause },
+    QuadsOffBoundary { off_mm },
+    QuadsNotPlanar { uneven_mm, off_mm },
+    PdfReduced { sheets, scale, most, is_full }
+});
+variants!(Place {
+    Whole {},
+    Rungs { numbers },
+    Samples { numbers },
+    Triangles { corners },
+    Sides { sides },
+    Seams { seams },
+    MeshSeams { count },
+    Points { at },
+    CurvePoints { curve, numbers }
+});
+variants!(Ended {
+    NothingToDo {},
+    Converged {},
+    NoGain {},
+    Rounds {},
+    Stopped {},
+    Reached {},
+    Closest { wanted, before, reached, resisting }
+});
+fields!(TooTight { sheet, limit_mm, needed_mm });
+fields!(Bend { warp, radius_mm });
+fields!(Movement { curves, moved_max_mm, moved_total_mm, size_mm, warp, twist });
+fields!(BorderSide { corners, samples });
+fields!(SeamPlace { number, ends });
+kinds!(SeamCause { NotFlat, Closed, Darts });
+kinds!(Hindrance { Warp, Radius, Other });

@@ -1,0 +1,13 @@
+//! Findings in words: what was found, where, and what to do, written once for reports, the command
+//! and the editor.
+//!
+//! The kernel gives kinds with their numbers and places; numbers come to units and digits here.
+
+mod finding;
+mod moved;
+mod place;
+#[cfg(test)]
+mod tests;
+
+pub use finding::finding_text;
+pub use place::finding_place;

@@ -1,0 +1,98 @@
+use super::*;
+use sheetwright::check::{Finding, Place};
+use sheetwright_shapes::findings::one_of_each;
+use std::collections::BTreeSet;
+
+/// The lines of a table of findings in a page of the docs: the code and the severities.
+fn tabled(page: &str) -> Vec<(&str, &str)> {
+    let rows = page.lines().filter_map(|line| line.strip_prefix("| `"));
+    let cells = rows.filter_map(|row| {
+        let (code, rest) = row.split_once("` | ")?;
+        Some((code, rest.split(" | ").next()?))
+    });
+    cells.collect()
+}
+
+#[test]
+fn every_code_and_severity_is_in_the_docs() {
+    let report = include_str!("../../../../docs/report.md");
+    let report = report.split("## The findings").nth(1).unwrap();
+    let meshes = include_str!("../../../../docs/meshes.md");
+    let rows: Vec<(&str, &str)> =
+        [report, meshes].into_iter().flat_map(tabled).filter(|(code, _)| *code != "code").collect();
+    let all = one_of_each();
+    for finding in &all {
+        let (code, severity) = (finding.code(), finding.severity().name());
+        let mut of_code = rows.iter().filter(|row| row.0 == code);
+        assert!(of_code.any(|row| row.1.contains(severity)), "{code}: {severity}");
+    }
+    let codes: BTreeSet<&str> = all.iter().map(Finding::code).collect();
+    for (code, severity) in rows {
+        let is_severity = ["error", "warning", "note"].iter().any(|s| severity.starts_with(s));
+        assert!(!is_severity || codes.contains(code), "{code}");
+    }
+}
+
+#[test]
+fn sentences_are_whole_and_places_are_named() {
+    for finding in one_of_each() {
+        let (text, place) = (finding_text(&finding), finding_place(&finding));
+        assert!(text.ends_with('.') && !text.contains("  ") && !text.contains(".."), "{text}");
+        assert!(
+            text.starts_with(|c: char| c.is_uppercase() || c.is_numeric() || c == '\''),
+            "{text}"
+        );
+        assert_eq!(place.is_empty(), finding.place == Place::Whole, "{text}");
+    }
+}
+
+#[test]
+fn a_finding_reads_well() {
+    let all = one_of_each();
+    let said = |code: &str| {
+        let of_code = all.iter().filter(|finding| finding.code() == code);
+        let said = of_code.map(|f| format!("{} ({})", finding_text(f), finding_place(f)));
+        said.collect::<Vec<_>>()
+    };
+    assert_eq!(
+        said("warp-too-large"),
+        [
+            "The surface twists by up to 9.0° along its rulings, at 5 of 40 of them by more than the \
+          6.0° that a sheet takes. Move the boundary there, or divide the panel. (rungs 1–3, 5, \
+          7–8, 10, 12, 14 and 1 more ranges)"
+        ]
+    );
+    assert_eq!(
+        said("stretch-too-large")[0],
+        "Laid flat, lengths differ from the surface by up to 1.2 %: by so much the sheet must \
+         stretch. Mild steel, 1 mm takes 0.10 %. Cut it from the border at (7.0, 8.0, 9.0) mm to \
+         (0.0, 2.0, 3.3) mm, divide it along its sharp creases, divide it into more panels in the \
+         program that it is from, or take a sheet that stretches more. (at (0.0, 2.0, 3.3) mm)"
+    );
+    let places = |code: &str| {
+        let of_code = all.iter().filter(|finding| finding.code() == code);
+        of_code.map(finding_place).collect::<Vec<_>>()
+    };
+    assert_eq!(
+        places("overlap"),
+        [
+            "edges from sample 3 to 4 and from 10 to 1",
+            "the border at (0.0, 2.0, 3.3) mm and at (7.0, 8.0, 9.0) mm"
+        ]
+    );
+    assert_eq!(places("self-crossing"), ["triangles at samples 1, 2, 10 and 5, 6, 7"]);
+    assert_eq!(places("point"), ["sample 3", "samples 3, 5, 9"]);
+    assert_eq!(
+        places("seam"),
+        [
+            "S1 from sample 1 to 8, S2 from sample 2 to 9, S3 from sample 3 to 10, S4 from sample 4 \
+             to 11, S5 from sample 5 to 12, S6 from sample 6 to 13 and 2 more",
+            "S1",
+            "S1 to S3"
+        ]
+    );
+    assert_eq!(places("rounded-corner"), ["point 3 and 1 more of 'rim'"]);
+    assert_eq!(places("joint-smoothed"), ["around samples 4, 10"]);
+    let left_out = ["at (0.0, 2.0, 3.3) mm", "the first at (0.0, 2.0, 3.3) mm", ""];
+    assert_eq!(places("left-out"), left_out);
+}

@@ -1,0 +1,474 @@
+//! The kinds of findings, each with its numbers. Code and severity follow from the kind; `files`
+//! writes the sentences.
+
+use super::remedy::Remedy;
+use super::severity::Severity;
+use crate::fair::Ended;
+use sheetwright_geometry::math::Point3;
+use sheetwright_geometry::tolerance::Tolerance;
+
+/// What was found. Angles are in radians; errors and limits of lengths are shares without unit.
+/// `sheet` is the title of the material.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FindingKind {
+    /// Rulings twist by more than the sheet takes.
+    WarpTooLarge {
+        /// The largest warp angle that the sampling does not explain.
+        largest: f64,
+        /// How many rungs are above the limit.
+        count: usize,
+        /// How many rungs there are.
+        of: usize,
+        /// The warp angle that the sheet takes.
+        limit: f64,
+        /// The sheet, if one is named.
+        sheet: Option<String>,
+    },
+    /// Rulings twist so much that the sheet needs force.
+    WarpHigh {
+        /// The largest warp angle that the sampling does not explain.
+        largest: f64,
+        /// The warp angle that the sheet takes.
+        limit: f64,
+        /// The sheet, if one is named.
+        sheet: Option<String>,
+    },
+    /// The sampling is too coarse to tell bending from twist.
+    CoarseSamples {
+        /// The largest warp angle.
+        largest: f64,
+    },
+    /// The sheet is bent more tightly than it takes.
+    RadiusTooSmall {
+        /// The smallest bend radius, mm.
+        least_mm: f64,
+        /// The bend radius that the sheet takes, mm.
+        limit_mm: f64,
+        /// The sheet.
+        sheet: String,
+    },
+    /// Bend lines run together in points.
+    Points {
+        /// How many points.
+        count: usize,
+        /// The largest angle by which the sheet turns at one.
+        turn: f64,
+        /// The sheet that can't be rolled so tightly; `None` where it takes the points.
+        too_tight: Option<TooTight>,
+    },
+    /// The surface passes through itself in space.
+    SelfCrossing,
+    /// The pattern overlaps itself.
+    Overlap,
+    /// Rungs run along the boundary's own direction, where no tangent plane is given.
+    RungWithoutPlane {
+        /// How many.
+        count: usize,
+    },
+    /// A surface that need not lie over the supporting plane has a much lower price.
+    BetterWithoutPlane {
+        /// The price over the plane.
+        with: f64,
+        /// The price without it.
+        without: f64,
+    },
+    /// A better surface may exist.
+    NotProven {
+        /// By which share its price may be lower, if that is known.
+        gap: Option<f64>,
+        /// Whether the search ended with the work that it may do.
+        cut_short: bool,
+    },
+    /// The surface has sharp folds.
+    Folds {
+        /// How many.
+        count: usize,
+        /// The largest crease.
+        sharpest: f64,
+        /// The sheet that does not fold; `None` where it folds.
+        stiff: Option<String>,
+    },
+    /// The mesh has sharp creases.
+    Creases {
+        /// Along how many of its sides.
+        count: usize,
+        /// The largest crease.
+        sharpest: f64,
+        /// The sheet that does not fold; `None` where it folds.
+        stiff: Option<String>,
+    },
+    /// Rulings turn so much that the sheet is bent along them as along lines.
+    BendLines {
+        /// How many.
+        count: usize,
+        /// The largest crease.
+        sharpest: f64,
+    },
+    /// Lengths of the pattern differ from those of the surface.
+    LengthError {
+        /// The largest relative length error.
+        largest: f64,
+        /// Whether they differ so that holes close when the panel is laid flat.
+        closes_holes: bool,
+    },
+    /// Round a hole the panel nearly lies flat, and is cut there.
+    WindowGap {
+        /// The widest gap, mm.
+        widest_mm: f64,
+    },
+    /// The pattern is cut open along seams.
+    Seams {
+        /// How many.
+        count: usize,
+        /// How long they are together, mm.
+        length_mm: f64,
+        /// Why there are any.
+        why: SeamCause,
+    },
+    /// A mesh must stretch by more than the sheet takes.
+    StretchTooLarge {
+        /// The largest relative length error.
+        largest: f64,
+        /// The share by which the sheet stretches.
+        limit: f64,
+        /// The sheet, if one is named.
+        sheet: Option<String>,
+        /// A cut that would help: its end inside, and that on the border.
+        cut: Option<[Point3; 2]>,
+        /// Whether cuts to the worst points were made.
+        has_darts: bool,
+        /// Whether the mesh has sharp creases along which it may be divided.
+        has_creases: bool,
+    },
+    /// A mesh must stretch so much that the sheet needs force.
+    StretchHigh {
+        /// The largest relative length error.
+        largest: f64,
+        /// The share by which the sheet stretches.
+        limit: f64,
+        /// The sheet, if one is named.
+        sheet: Option<String>,
+    },
+    /// A mesh must stretch a little.
+    Stretch {
+        /// The largest relative length error.
+        largest: f64,
+    },
+    /// The border of a mesh was to keep its lengths, and could not.
+    BorderNotTrue {
+        /// The largest relative length error of the border.
+        largest: f64,
+    },
+    /// Triangles of a mesh lie upside down on the pattern.
+    Flipped {
+        /// How many.
+        count: usize,
+    },
+    /// Triangles of a file without area were left out.
+    TrianglesLeftOut {
+        /// How many.
+        count: usize,
+    },
+    /// Parts of a mesh that are too small to be sheet were left out.
+    PartsLeftOut {
+        /// How many.
+        count: usize,
+    },
+    /// Parts of a mesh met in points alone.
+    PointContacts {
+        /// In how many.
+        count: usize,
+    },
+    /// The points of a spline turn sharply where no corner is marked.
+    RoundedCorner {
+        /// The curve.
+        curve: String,
+        /// The largest angle by which they turn.
+        turn: f64,
+    },
+    /// A boundary was made smooth where joined panels meet.
+    JointsSmoothed {
+        /// At how many places.
+        count: usize,
+        /// How far it lies from the boundaries of the panels at most, mm.
+        deviation_mm: f64,
+    },
+    /// The rails of a panel were let run on.
+    RanOn {
+        /// How far the end where the first rail begins, and that where it ends, bulge from the
+        /// straight line, mm; `None` of an end that stays straight.
+        bulges_mm: [Option<f64>; 2],
+        /// How the panel bends as it is and with straight ends, if that can be made.
+        bends: Option<[Bend; 2]>,
+    },
+    /// The rails of a panel can't run on.
+    StayedStraight {
+        /// Why not: the error of the panel with the ends that it would get, in words.
+        cause: String,
+    },
+    /// Joined panels were turned round to face as the first does.
+    TurnedRound {
+        /// Which.
+        panels: Vec<String>,
+        /// The first.
+        first: String,
+    },
+    /// The boundary was moved.
+    Moved {
+        /// How far, and what it changed.
+        movement: Movement,
+        /// How it ended.
+        ended: Ended,
+        /// What keeps the panel from bending all the same.
+        hindrance: Option<Hindrance>,
+    },
+    /// Nothing needed to move.
+    NotMoved {
+        /// What there was.
+        movement: Movement,
+        /// The warp angle that was asked for.
+        wanted: Option<f64>,
+        /// Whether a warp angle is above that, which the samples explain by bending.
+        is_above: bool,
+        /// What keeps the panel from bending all the same.
+        hindrance: Option<Hindrance>,
+    },
+    /// The warp angle that was asked for is not reached.
+    WarpNotReached {
+        /// How far the boundary was moved, and what it changed.
+        movement: Movement,
+        /// The warp angle that was asked for.
+        wanted: f64,
+        /// How it ended.
+        ended: Ended,
+    },
+    /// The written pattern does not fold back onto the surface.
+    Refold {
+        /// How far it misses the surface, mm.
+        error_mm: f64,
+        /// How far it may, mm.
+        limit_mm: f64,
+    },
+    /// The written pattern is not the one that was laid flat.
+    NotReadBack {
+        /// Why not: the error of reading it, in words.
+        cause: String,
+    },
+    /// Vertices of the quads leave the boundary so that all are planar.
+    QuadsOffBoundary {
+        /// How far at most, mm.
+        off_mm: f64,
+    },
+    /// The quads are not planar.
+    QuadsNotPlanar {
+        /// How far the diagonals of one are apart at most, mm.
+        uneven_mm: f64,
+        /// How far vertices would leave the boundary if all were planar, if that was found, mm.
+        off_mm: Option<f64>,
+    },
+    /// The PDF shows the panel smaller than it is.
+    PdfReduced {
+        /// About how many sheets of paper it would take.
+        sheets: usize,
+        /// The scale, as 400 of 1:400.
+        scale: f64,
+        /// The most sheets that a PDF takes.
+        most: usize,
+        /// Whether the panels before it leave no room for them.
+        is_full: bool,
+    },
+}
+
+/// A sheet that can't be rolled so tightly.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TooTight {
+    /// The sheet.
+    pub sheet: String,
+    /// The bend radius that it takes, mm.
+    pub limit_mm: f64,
+    /// The bend radius that it would have to take, mm.
+    pub needed_mm: f64,
+}
+
+/// Why a pattern has seams.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SeamCause {
+    /// In one piece it does not lie flat.
+    NotFlat,
+    /// It is closed.
+    Closed,
+    /// Cuts let it stretch less.
+    Darts,
+}
+
+/// How a panel bends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bend {
+    /// The largest warp angle, radians.
+    pub warp: f64,
+    /// The smallest bend radius, mm; infinite where flat.
+    pub radius_mm: f64,
+}
+
+/// How a boundary was moved, and what that changed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Movement {
+    /// The curves of the panel that moved, by name.
+    pub curves: Vec<String>,
+    /// The largest distance that a sample was moved, mm.
+    pub moved_max_mm: f64,
+    /// All those distances, summed, mm.
+    pub moved_total_mm: f64,
+    /// The size of the boundary, mm.
+    pub size_mm: f64,
+    /// The largest warp angle before and after, radians.
+    pub warp: [f64; 2],
+    /// The total twist before and after, without unit.
+    pub twist: [f64; 2],
+}
+
+/// What keeps a panel from bending whose boundary was moved as far as was asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hindrance {
+    /// The sheet takes less warp than was asked for.
+    Warp,
+    /// Its bend radius.
+    Radius,
+    /// Something else that was found.
+    Other,
+}
+
+impl FindingKind {
+    /// How bad it is.
+    pub fn severity(&self) -> Severity {
+        let unless =
+            |is_fine: bool, bad: Severity, fine: Severity| if is_fine { fine } else { bad };
+        match self {
+            Self::WarpTooLarge { .. }
+            | Self::RadiusTooSmall { .. }
+            | Self::SelfCrossing
+            | Self::Overlap
+            | Self::StretchTooLarge { .. }
+            | Self::Flipped { .. }
+            | Self::Refold { .. }
+            | Self::NotReadBack { .. } => Severity::Error,
+            Self::WarpHigh { .. }
+            | Self::CoarseSamples { .. }
+            | Self::RungWithoutPlane { .. }
+            | Self::WindowGap { .. }
+            | Self::StretchHigh { .. }
+            | Self::BorderNotTrue { .. }
+            | Self::RoundedCorner { .. }
+            | Self::StayedStraight { .. }
+            | Self::WarpNotReached { .. }
+            | Self::QuadsNotPlanar { .. } => Severity::Warning,
+            Self::BetterWithoutPlane { .. }
+            | Self::NotProven { .. }
+            | Self::BendLines { .. }
+            | Self::Seams { .. }
+            | Self::Stretch { .. }
+            | Self::TrianglesLeftOut { .. }
+            | Self::PartsLeftOut { .. }
+            | Self::PointContacts { .. }
+            | Self::JointsSmoothed { .. }
+            | Self::TurnedRound { .. }
+            | Self::Moved { .. }
+            | Self::NotMoved { .. }
+            | Self::QuadsOffBoundary { .. }
+            | Self::PdfReduced { .. } => Severity::Note,
+            Self::Points { too_tight, .. } => {
+                unless(too_tight.is_none(), Severity::Error, Severity::Note)
+            }
+            Self::Folds { stiff, .. } | Self::Creases { stiff, .. } => {
+                unless(stiff.is_none(), Severity::Error, Severity::Warning)
+            }
+            // What closing holes changes is mostly less than anyone cuts to.
+            Self::LengthError { largest, closes_holes } => {
+                let is_unseen = *closes_holes && *largest <= Tolerance::STRETCH.share();
+                unless(is_unseen, Severity::Warning, Severity::Note)
+            }
+            Self::RanOn { .. } => {
+                unless(!self.is_worse_than_straight(), Severity::Warning, Severity::Note)
+            }
+        }
+    }
+
+    /// A name that scripts may rely on.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::WarpTooLarge { .. } => "warp-too-large",
+            Self::WarpHigh { .. } => "warp-high",
+            Self::CoarseSamples { .. } => "coarse-samples",
+            Self::RadiusTooSmall { .. } => "radius-too-small",
+            Self::Points { .. } => "point",
+            Self::SelfCrossing => "self-crossing",
+            Self::Overlap => "overlap",
+            Self::RungWithoutPlane { .. } => "rung-without-plane",
+            Self::BetterWithoutPlane { .. } => "better-without-plane",
+            Self::NotProven { .. } => "not-proven",
+            Self::Folds { .. } | Self::Creases { .. } => "folds",
+            Self::BendLines { .. } => "bend-lines",
+            Self::LengthError { .. } | Self::Stretch { .. } => "length-error",
+            Self::WindowGap { .. } => "window-gap",
+            Self::Seams { .. } => "seam",
+            Self::StretchTooLarge { .. } => "stretch-too-large",
+            Self::StretchHigh { .. } => "stretch",
+            Self::BorderNotTrue { .. } => "border-not-true",
+            Self::Flipped { .. } => "flipped",
+            Self::TrianglesLeftOut { .. } | Self::PartsLeftOut { .. } => "left-out",
+            Self::PointContacts { .. } => "point-contact",
+            Self::RoundedCorner { .. } => "rounded-corner",
+            Self::JointsSmoothed { .. } => "joint-smoothed",
+            Self::RanOn { .. } | Self::StayedStraight { .. } => "ran-on",
+            Self::TurnedRound { .. } => "turned-round",
+            Self::Moved { .. } => "moved",
+            Self::NotMoved { .. } => "not-moved",
+            Self::WarpNotReached { .. } => "warp-not-reached",
+            Self::Refold { .. } | Self::NotReadBack { .. } => "refold",
+            Self::QuadsOffBoundary { .. } => "quads-off-boundary",
+            Self::QuadsNotPlanar { .. } => "quads-not-planar",
+            Self::PdfReduced { .. } => "pdf-reduced",
+        }
+    }
+
+    /// What may be set against it.
+    pub fn remedies(&self) -> Vec<Remedy> {
+        let listed = |list: &[(bool, Remedy)]| {
+            let helps = list.iter().filter(|(helps, _)| *helps);
+            helps.map(|(_, remedy)| *remedy).collect()
+        };
+        match self {
+            Self::NotProven { cut_short, .. } => listed(&[(*cut_short, Remedy::Effort)]),
+            Self::StretchTooLarge { cut, has_darts, has_creases, .. } => listed(&[
+                (cut.is_some() && !has_darts, Remedy::Darts),
+                (*has_creases, Remedy::SplitCreases),
+            ]),
+            Self::Creases { stiff, .. } => listed(&[(stiff.is_some(), Remedy::SplitCreases)]),
+            Self::PdfReduced { sheets, most, is_full, .. } => {
+                listed(&[(sheets <= most && !is_full, Remedy::Sheets(*sheets))])
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// Whether rails that were let run on bend the panel worse than straight ends do: both the
+    /// largest warp and the smallest bend radius are worse.
+    pub fn is_worse_than_straight(&self) -> bool {
+        let Self::RanOn { bends: Some([now, straight]), .. } = self else { return false };
+        now.warp > straight.warp && now.radius_mm < straight.radius_mm
+    }
+
+    /// Whether it is about how the part bends, so that as an error it keeps it from bending.
+    pub(super) fn is_of_bending(&self) -> bool {
+        matches!(
+            self,
+            Self::WarpTooLarge { .. }
+                | Self::RadiusTooSmall { .. }
+                | Self::Points { .. }
+                | Self::SelfCrossing
+                | Self::Folds { .. }
+                | Self::Creases { .. }
+                | Self::StretchTooLarge { .. }
+        )
+    }
+}

@@ -1,0 +1,93 @@
+//! Where something was found: what a pane can select, and a pattern can mark.
+
+use crate::flatten::{Seam, Sheet};
+use crate::measure::RungMeasures;
+use sheetwright_geometry::index::SampleIndex;
+use sheetwright_geometry::math::Point3;
+
+/// Where something was found. All numbers count from 0.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Place {
+    /// The whole part.
+    #[default]
+    Whole,
+    /// Rungs of the surface, by their numbers in increasing order.
+    Rungs {
+        /// Their numbers.
+        numbers: Vec<usize>,
+    },
+    /// Samples of the boundary.
+    Samples {
+        /// Their numbers.
+        numbers: Vec<SampleIndex>,
+    },
+    /// Triangles of the surface.
+    Triangles {
+        /// The corners of each.
+        corners: Vec<[SampleIndex; 3]>,
+    },
+    /// Sides of the border of the pattern.
+    Sides {
+        /// Each by its ends.
+        sides: Vec<BorderSide>,
+    },
+    /// Seams of a surface, some of them.
+    Seams {
+        /// Each by its number and its ends.
+        seams: Vec<SeamPlace>,
+    },
+    /// All seams of a mesh.
+    MeshSeams {
+        /// How many there are.
+        count: usize,
+    },
+    /// Points in space.
+    Points {
+        /// Where they are, mm.
+        at: Vec<Point3>,
+    },
+    /// Points of a curve.
+    CurvePoints {
+        /// The curve, by name.
+        curve: String,
+        /// The numbers of the points.
+        numbers: Vec<usize>,
+    },
+}
+
+/// A side of the border of a pattern.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BorderSide {
+    /// Its ends, by corners of the sheet laid flat.
+    pub corners: [usize; 2],
+    /// The samples that these are. Both sides of a cut may begin at one sample.
+    pub samples: [SampleIndex; 2],
+}
+
+/// A seam of a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SeamPlace {
+    /// Its number, which its mark shows.
+    pub number: usize,
+    /// The samples that it runs between.
+    pub ends: [SampleIndex; 2],
+}
+
+impl Place {
+    /// The rungs for which `is_so`.
+    pub(super) fn rungs(rungs: &[RungMeasures], is_so: impl Fn(&RungMeasures) -> bool) -> Self {
+        Self::Rungs { numbers: (0..rungs.len()).filter(|&n| is_so(&rungs[n])).collect() }
+    }
+
+    /// The seams for which `is_so`.
+    pub(super) fn seams(sheet: &Sheet, is_so: impl Fn(&Seam) -> bool) -> Self {
+        let seams = sheet.seams().iter().enumerate().filter(|(_, seam)| is_so(seam));
+        let place = |(number, seam): (usize, &Seam)| SeamPlace { number, ends: seam.rung.ends() };
+        Self::Seams { seams: seams.map(place).collect() }
+    }
+
+    /// One point in space.
+    pub(super) fn at(point: Point3) -> Self {
+        Self::Points { at: vec![point] }
+    }
+}

@@ -1,0 +1,23 @@
+//! How bad findings are.
+
+/// How bad a finding is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// Good to know.
+    Note,
+    /// Look at it before cutting.
+    Warning,
+    /// Do not cut.
+    Error,
+}
+
+impl Severity {
+    /// How reports name it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Note => "note",
+            Self::Warning => "warning",
+            Self::Error => "error",
+        }
+    }
+}

@@ -1,0 +1,196 @@
+//! A finding of each kind, with numbers and places as they come.
+
+use sheetwright::check::{
+    Bend, BorderSide, Finding, FindingKind as Kind, Hindrance, Movement, Place, SeamCause,
+    SeamPlace, TooTight,
+};
+use sheetwright::fair::Ended;
+use sheetwright::index::SampleIndex;
+use sheetwright::math::{Point3, from_deg};
+use sheetwright::rung::Rung;
+
+/// A finding of each kind, and of some two where their sentences differ.
+pub fn one_of_each() -> Vec<Finding> {
+    let mut all = of_surfaces();
+    all.extend(of_meshes());
+    all.extend(of_boundaries());
+    all.extend(of_files());
+    all
+}
+
+fn whole(kinds: impl IntoIterator<Item = Kind>) -> impl Iterator<Item = Finding> {
+    kinds.into_iter().map(Finding::of_whole)
+}
+
+fn sheet() -> Option<String> {
+    Some("mild steel, 1 mm".to_owned())
+}
+
+fn samples<const N: usize>(numbers: [usize; N]) -> [SampleIndex; N] {
+    numbers.map(SampleIndex::new)
+}
+
+fn rungs(numbers: &[usize]) -> Place {
+    Place::Rungs { numbers: numbers.to_vec() }
+}
+
+fn of_surfaces() -> Vec<Finding> {
+    let (largest, limit, sharpest) = (from_deg(9.04), from_deg(6.0), from_deg(31.0));
+    let (stiff, too_tight) = (
+        Some("plywood, 3 mm".to_owned()),
+        TooTight { sheet: "plywood, 3 mm".to_owned(), limit_mm: 290.0, needed_mm: 12.5 },
+    );
+    let corners = |sides: [usize; 2]| BorderSide { corners: sides, samples: samples(sides) };
+    let seam = |number: usize| SeamPlace { number, ends: samples([number, number + 7]) };
+    let apexes = |count: usize| Place::Samples { numbers: samples([2, 4, 8])[..count].to_vec() };
+    let mut all = vec![
+        Finding::new(
+            Kind::WarpTooLarge { largest, count: 5, of: 40, limit, sheet: None },
+            rungs(&[0, 1, 2, 4, 6, 7, 9, 11, 13, 15, 16]),
+        ),
+        Finding::new(Kind::WarpHigh { largest, limit, sheet: sheet() }, rungs(&[3])),
+        Finding::new(Kind::CoarseSamples { largest }, rungs(&[3, 4])),
+        Finding::new(
+            Kind::RadiusTooSmall { least_mm: 0.4, limit_mm: 1.0, sheet: "card".to_owned() },
+            rungs(&[3, 5]),
+        ),
+        Finding::new(Kind::Points { count: 1, turn: sharpest, too_tight: None }, apexes(1)),
+        Finding::new(
+            Kind::Points { count: 3, turn: sharpest, too_tight: Some(too_tight) },
+            apexes(3),
+        ),
+        Finding::new(
+            Kind::SelfCrossing,
+            Place::Triangles { corners: vec![samples([0, 1, 9]), samples([4, 5, 6])] },
+        ),
+        Finding::new(Kind::Overlap, Place::Sides { sides: vec![corners([2, 3]), corners([9, 0])] }),
+        Finding::new(Kind::RungWithoutPlane { count: 1 }, rungs(&[17])),
+        Finding::new(Kind::Folds { count: 1, sharpest, stiff: stiff.clone() }, rungs(&[8])),
+        Finding::new(Kind::Folds { count: 2, sharpest, stiff: None }, rungs(&[8, 10])),
+        Finding::new(Kind::BendLines { count: 1, sharpest }, rungs(&[8])),
+        Finding::new(Kind::BendLines { count: 2, sharpest }, rungs(&[8, 10])),
+        Finding::new(Kind::WindowGap { widest_mm: 0.25 }, Place::Seams { seams: vec![seam(1)] }),
+        Finding::new(
+            Kind::Seams { count: 8, length_mm: 120.0, why: SeamCause::NotFlat },
+            Place::Seams { seams: (0..8).map(seam).collect() },
+        ),
+    ];
+    all.extend(whole([
+        Kind::BetterWithoutPlane { with: 4.0, without: 1.0 },
+        Kind::NotProven { gap: Some(0.0125), cut_short: true },
+        Kind::NotProven { gap: None, cut_short: false },
+        Kind::LengthError { largest: 0.00004, closes_holes: true },
+        Kind::LengthError { largest: 0.002, closes_holes: false },
+        Kind::Creases { count: 4, sharpest, stiff },
+    ]));
+    all
+}
+
+fn of_meshes() -> Vec<Finding> {
+    let (a, b) = (Point3::new(-0.01, 2.0, 3.25), Point3::new(7.0, 8.0, 9.0));
+    let (largest, limit, at) = (0.0123, 0.001, Place::Points { at: vec![a] });
+    let stretch = |cut, has_darts, has_creases| Kind::StretchTooLarge {
+        largest,
+        limit,
+        sheet: sheet(),
+        cut,
+        has_darts,
+        has_creases,
+    };
+    let mut all = vec![
+        Finding::new(stretch(Some([a, b]), false, true), at.clone()),
+        Finding::new(stretch(None, true, false), Place::Whole),
+        Finding::new(Kind::StretchHigh { largest: 0.0007, limit, sheet: None }, at.clone()),
+        Finding::new(Kind::Stretch { largest: 0.0001 }, at.clone()),
+        Finding::new(Kind::Overlap, Place::Points { at: vec![a, b] }),
+        Finding::new(
+            Kind::Seams { count: 1, length_mm: 55.0, why: SeamCause::Closed },
+            Place::MeshSeams { count: 1 },
+        ),
+        Finding::new(
+            Kind::Seams { count: 3, length_mm: 55.0, why: SeamCause::Darts },
+            Place::MeshSeams { count: 3 },
+        ),
+        Finding::new(Kind::PartsLeftOut { count: 1 }, at.clone()),
+        Finding::new(Kind::PartsLeftOut { count: 2 }, at),
+    ];
+    all.extend(whole([
+        Kind::Creases { count: 4, sharpest: from_deg(31.0), stiff: None },
+        Kind::BorderNotTrue { largest: 0.0001 },
+        Kind::Flipped { count: 1 },
+        Kind::TrianglesLeftOut { count: 1 },
+        Kind::PointContacts { count: 2 },
+    ]));
+    all
+}
+
+fn of_boundaries() -> Vec<Finding> {
+    let (curve, turn) = ("rim".to_owned(), from_deg(88.0));
+    let movement = Movement {
+        curves: vec!["rim".to_owned(), "chine".to_owned()],
+        moved_max_mm: 1.5,
+        moved_total_mm: 40.0,
+        size_mm: 500.0,
+        warp: [from_deg(9.0), from_deg(5.0)],
+        twist: [0.3, 0.1],
+    };
+    let still = Movement { curves: Vec::new(), ..movement.clone() };
+    let bends =
+        [(3.0, 40.0), (2.0, 50.0)].map(|(deg, radius_mm)| Bend { warp: from_deg(deg), radius_mm });
+    let flat = Bend { warp: 0.0, radius_mm: f64::INFINITY };
+    let wanted = from_deg(4.0);
+    let ended = Ended::Closest {
+        wanted,
+        before: from_deg(9.0),
+        reached: from_deg(5.0),
+        resisting: vec![(0, Rung::new(3, 9))],
+    };
+    let not_moved = |is_above, hindrance| Kind::NotMoved {
+        movement: still.clone(),
+        wanted: Some(wanted),
+        is_above,
+        hindrance,
+    };
+    let mut all = vec![
+        Finding::new(
+            Kind::RoundedCorner { curve: curve.clone(), turn },
+            Place::CurvePoints { curve, numbers: vec![2, 5] },
+        ),
+        Finding::new(
+            Kind::JointsSmoothed { count: 2, deviation_mm: 0.2 },
+            Place::Samples { numbers: samples([3, 9]).to_vec() },
+        ),
+        Finding::new(
+            Kind::WarpNotReached { movement: movement.clone(), wanted, ended },
+            rungs(&[3]),
+        ),
+    ];
+    all.extend(whole([
+        Kind::RanOn { bulges_mm: [Some(1.25), None], bends: Some(bends) },
+        Kind::RanOn { bulges_mm: [Some(1.25), None], bends: Some([flat, bends[0]]) },
+        Kind::RanOn { bulges_mm: [None; 2], bends: None },
+        Kind::StayedStraight { cause: "the rails cross".to_owned() },
+        Kind::TurnedRound { panels: vec!["b".to_owned(), "c".to_owned()], first: "a".to_owned() },
+        Kind::Moved { movement, ended: Ended::Converged, hindrance: Some(Hindrance::Warp) },
+        not_moved(false, None),
+        not_moved(true, Some(Hindrance::Radius)),
+        not_moved(false, Some(Hindrance::Other)),
+    ]));
+    all
+}
+
+fn of_files() -> Vec<Finding> {
+    let reduced =
+        |sheets, is_full| Kind::PdfReduced { sheets, scale: 400.0, most: 20_000, is_full };
+    whole([
+        Kind::Refold { error_mm: 0.5, limit_mm: 1e-4 },
+        Kind::NotReadBack { cause: "the written pattern can't be read: no outline".to_owned() },
+        Kind::QuadsOffBoundary { off_mm: 0.0123 },
+        Kind::QuadsNotPlanar { uneven_mm: 0.5, off_mm: Some(12.0) },
+        Kind::QuadsNotPlanar { uneven_mm: 0.5, off_mm: None },
+        reduced(2500, false),
+        reduced(2500, true),
+        reduced(30_000, false),
+    ])
+    .collect()
+}
