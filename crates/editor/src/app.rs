@@ -263,8 +263,8 @@ impl App {
         if std::mem::take(&mut self.editor.wants_fit) {
             self.panes.fit();
         }
-        if let Some((panel, rung)) = self.editor.wants_sight.take() {
-            self.panes.bring_into_sight(panel, rung);
+        if let Some((panel, place)) = self.editor.wants_sight.take() {
+            self.panes.bring_into_sight(panel, &place);
         }
         if let Some(zoom) = self.editor.wants_zoom.take() {
             let now = ctx.zoom_factor();

@@ -24,6 +24,7 @@ use crate::theme::{Look, Theme};
 use crate::views::Navigation;
 use crate::views::SurfaceView;
 use jobs::Jobs;
+use sheetwright::check::Place;
 use sheetwright::math::Point2;
 use web_time::Instant;
 
@@ -50,8 +51,8 @@ pub struct Editor {
     pub page: Page,
     /// Whether everything is to be brought into sight.
     pub wants_fit: bool,
-    /// A panel and one of its rungs that are to be brought into sight.
-    pub wants_sight: Option<(usize, usize)>,
+    /// A panel and a place on it that are to be brought into sight.
+    pub wants_sight: Option<(usize, Place)>,
     /// How much larger or smaller than they were made things are to be, where somebody asked.
     pub wants_zoom: Option<Zoom>,
     /// What was last said to the person.

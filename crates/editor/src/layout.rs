@@ -16,6 +16,7 @@ use crate::verdicts::{banner_ui, verdicts_ui};
 use crate::views::SurfaceView;
 use eframe::CreationContext;
 use eframe::egui::{self, Frame, Margin, Panel, RichText, Ui, vec2};
+use sheetwright::check::Place;
 
 /// What the plan takes of the width beside the answer, and the pattern of the height, at first: the
 /// plan is what people draw on, and space what they look at.
@@ -62,10 +63,10 @@ impl Panes {
         self.pattern.fit();
     }
 
-    /// Brings a rung of a panel into sight, where it is not.
-    pub(crate) fn bring_into_sight(&mut self, panel: usize, rung: usize) {
-        self.space.bring_into_sight(panel, rung);
-        self.pattern.bring_into_sight(panel, rung);
+    /// Brings a place on a panel into sight, where it is not.
+    pub(crate) fn bring_into_sight(&mut self, panel: usize, place: &Place) {
+        self.space.bring_into_sight(panel, place.clone());
+        self.pattern.bring_into_sight(panel, place.clone());
     }
 
     /// What the hand holds in panes that are not shown is let go, except for these.

@@ -33,6 +33,7 @@ mod thumb;
 mod verdicts;
 pub mod views;
 pub mod views;
+pub mod views;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
 mod words;

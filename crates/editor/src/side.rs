@@ -54,7 +54,7 @@ fn selected_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>)
     if let Some(n) = selection.curve.filter(|&n| n < document.design.curves.len()) {
         section(ui, "Curve", |ui| curve_ui(ui, editor, theme, n, acts));
     }
-    if let (Some(panel), Some(rung)) = (selection.panel, selection.rung)
+    if let Some((panel, rung)) = selection.rung()
         && let Some(Ok(shown)) = editor.shown().get(panel).map(|panel| &panel.made)
         && let Some(at) = shown.rungs.get(rung)
     {

@@ -186,11 +186,11 @@ fn made_ui(
         ui.label(RichText::new(text).color(theme.faint));
     }
     let (first, rest) = shown.findings.split_at(shown.findings.len().min(FINDINGS));
-    first.iter().for_each(|finding| finding_ui(ui, theme, finding));
+    first.iter().for_each(|finding| finding_ui(ui, theme, n, finding, acts));
     if !rest.is_empty() {
         let title = format!("{} more", rest.len());
         egui::CollapsingHeader::new(title).id_salt(("more", n)).show(ui, |ui| {
-            rest.iter().for_each(|finding| finding_ui(ui, theme, finding));
+            rest.iter().for_each(|finding| finding_ui(ui, theme, n, finding, acts));
         });
     }
 }
@@ -225,7 +225,8 @@ fn twist_hint(worst: &ShownRung, largest_deg: f64) -> String {
     }
 }
 
-fn finding_ui(ui: &mut Ui, theme: &Theme, finding: &Finding) {
+/// A finding on the panel of this number. Where it has a place, a click brings that into sight.
+fn finding_ui(ui: &mut Ui, theme: &Theme, n: usize, finding: &Finding, acts: &mut Vec<Act>) {
     let (sign, ink) = match finding.severity() {
         Severity::Error => ("■", theme.verdicts[2]),
         Severity::Warning => ("▲", theme.verdicts[1]),
@@ -233,11 +234,17 @@ fn finding_ui(ui: &mut Ui, theme: &Theme, finding: &Finding) {
     };
     ui.horizontal_top(|ui| {
         ui.label(RichText::new(sign).color(ink));
-        let place = match finding.place {
-            Place::Whole => String::new(),
-            _ => format!(" ({})", finding_place(finding)),
-        };
-        ui.add(egui::Label::new(format!("{}{place}", finding_text(finding))).wrap());
+        let text = finding_text(finding);
+        if finding.place == Place::Whole {
+            ui.add(egui::Label::new(text).wrap());
+            return;
+        }
+        ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Wrap);
+        let text = format!("{text} ({})", finding_place(finding));
+        let link = egui::Link::new(RichText::new(text).color(ui.visuals().text_color()));
+        if ui.add(link).on_hover_text("Show where it is.").clicked() {
+            acts.push(Act::Show(Selection::of_place(n, finding.place.clone())));
+        }
     });
 }
 

@@ -74,7 +74,7 @@ fn a_click_selects_a_rung_or_the_piece_or_nothing() {
     click(&mut harness, at);
     let selected = harness.state().selection.clone();
     assert_eq!(selected.panel, Some(0));
-    assert!(selected.rung.unwrap().abs_diff(rung) <= 1, "{selected:?} for rung {rung}");
+    assert!(selected.rung().unwrap().1.abs_diff(rung) <= 1, "{selected:?} for rung {rung}");
     click(&mut harness, Pos2::new(5.0, 5.0));
     assert_eq!(harness.state().selection, Selection::default());
     harness.get_by_label_contains(&name).click_accesskit();

@@ -11,7 +11,7 @@ use eframe::egui::{
 };
 use egui_kittest::kittest::{NodeT, Queryable};
 use hands::{Hands, picture};
-use sheetwright::check::Verdict;
+use sheetwright::check::{Finding, Place, Verdict};
 use sheetwright::material::Material;
 use sheetwright::math::Point3;
 use sheetwright_editor::command::Command;
@@ -21,7 +21,9 @@ use sheetwright_editor::editor::Page;
 use sheetwright_editor::engine::shown::ShownPanel;
 use sheetwright_editor::panes::plan::Tool;
 use sheetwright_editor::scene::Act;
-use sheetwright_files::{Drawing, Units, design_from_template, material_named};
+use sheetwright_files::{
+    Drawing, Units, design_from_template, finding_place, finding_text, material_named,
+};
 
 const SIZE: [f32; 2] = [1280.0, 800.0];
 /// So high that all fields are in sight.
@@ -145,7 +147,7 @@ fn what_will_not_bend_is_counted_stands_first_and_comes_into_sight() {
     assert!(order[..bad].iter().all(is_bad));
     let shown = editor.shown()[order[0]].made.as_ref().unwrap();
     let worst = Selection::of_rung(order[0], shown.worst_rung().unwrap());
-    let ends = shown.rungs[worst.rung.unwrap()].ends.map(|end| shown.positions[end as usize]);
+    let ends = shown.rungs[worst.rung().unwrap().1].ends.map(|end| shown.positions[end as usize]);
     let name = editor.shown()[order[0]].name.clone();
     // Its card is in sight, and at the top.
     let card = hands.harness.get_by_label(&name).rect();
@@ -172,6 +174,32 @@ fn what_will_not_bend_is_counted_stands_first_and_comes_into_sight() {
     hands.harness.run_steps(40);
     assert_eq!(*hands.app().editor().selection(), worst);
     assert!(is_seen(&hands) && is_cut_seen(&hands));
+}
+
+#[test]
+fn a_click_on_a_finding_selects_its_place_and_brings_it_into_sight() {
+    let mut hands = dragged_hemisphere();
+    let panel = hands.app().editor().worst_first()[0];
+    let shown = hands.app().editor().shown()[panel].made.clone().unwrap();
+    let is_placed = |finding: &&Finding| matches!(finding.place, Place::Rungs { .. });
+    let finding = shown.findings.iter().find(is_placed).unwrap();
+    for name in ["Space", "Flat pattern"] {
+        let rect = pane(&hands, name);
+        wheel(&mut hands, rect.left_bottom() + vec2(6.0, -6.0), 12);
+    }
+    let label = format!("{} ({})", finding_text(finding), finding_place(finding));
+    hands.harness.get_by_label(&label).scroll_to_me();
+    hands.harness.run_steps(40);
+    hands.click(&label);
+    hands.harness.run_steps(40);
+    let selected = hands.app().editor().selection().clone();
+    assert_eq!(selected, Selection::of_place(panel, finding.place.clone()));
+    let Place::Rungs { numbers } = &finding.place else { panic!("{finding:?}") };
+    let ends = numbers.iter().flat_map(|&n| shown.rungs[n].ends);
+    let (rect, camera) = (pane(&hands, "Space"), &hands.app().space().camera);
+    for p in ends.map(|end| shown.positions[end as usize]) {
+        assert!(camera.seen(p, rect).is_some_and(|seen| rect.contains(seen.at)));
+    }
 }
 
 #[test]

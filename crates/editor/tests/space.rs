@@ -284,7 +284,7 @@ fn a_click_selects_a_rung() {
     harness.run();
     let selected = harness.state().selection.clone();
     assert_eq!(selected.panel, Some(panel), "{selected:?}");
-    let near = selected.rung.unwrap().abs_diff(rung);
+    let near = selected.rung().unwrap().1.abs_diff(rung);
     assert!(near <= 1, "rung {selected:?} for {rung}");
 }
 

@@ -7,6 +7,7 @@ use crate::document::{Mirror, edit};
 use crate::engine::shown::Shown;
 use crate::panes::plan::Tool;
 use crate::room::{Part, Room};
+use sheetwright::check::Place;
 
 const NOTHING_DRAWN: &str = "Nothing is drawn yet.";
 const SELECT_A_HANDLE: &str = "Select a handle first.";
@@ -175,9 +176,10 @@ impl Editor {
         }
     }
 
-    /// Selects something, and brings its rung into sight.
+    /// Selects something, and brings what is marked of a panel into sight.
     pub(super) fn bring_into_sight(&mut self, selection: Selection) {
-        self.wants_sight = selection.panel.zip(selection.rung);
+        let place = Some(&selection.place).filter(|&place| *place != Place::Whole);
+        self.wants_sight = selection.panel.zip(place.cloned());
         self.selection = self.cleaned(selection);
         self.show_sheet();
     }
@@ -222,6 +224,9 @@ impl Editor {
     pub fn worst_place(&self) -> Option<Selection> {
         let panel = *self.worst_first().first()?;
         let rung = self.shown[panel].made.as_ref().ok().and_then(Shown::worst_rung);
-        Some(Selection { panel: Some(panel), rung, ..Selection::default() })
+        Some(match rung {
+            Some(rung) => Selection::of_rung(panel, rung),
+            None => Selection::of_place(panel, Place::Whole),
+        })
     }
 }

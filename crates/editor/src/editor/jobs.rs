@@ -4,6 +4,7 @@ use super::{Editor, Page};
 use crate::document::Document;
 use crate::document::Selection;
 use crate::engine::{Answer, Detail, Engine, Job};
+use sheetwright::check::Place;
 use sheetwright::design::{Design, Vary};
 use sheetwright_files::Format;
 use std::sync::Arc;
@@ -202,11 +203,10 @@ impl Editor {
     fn show(&mut self, panels: Vec<crate::engine::shown::ShownPanel>) {
         self.shown = panels;
         self.shown_version += 1;
-        let Selection { panel, rung, .. } = &mut self.selection;
-        let rungs = panel.and_then(|n| Some(self.shown.get(n)?.made.as_ref().ok()?.rungs.len()));
-        // With other samples a number is another rung.
-        if rung.is_some_and(|rung| rungs.is_none_or(|rungs| rung >= rungs)) {
-            *rung = None;
+        let Selection { panel, place, .. } = &mut self.selection;
+        let shown = panel.and_then(|n| self.shown.get(n)?.made.as_ref().ok());
+        if !shown.is_some_and(|shown| shown.has(place)) {
+            *place = Place::Whole;
         }
         if panel.is_some_and(|panel| panel >= self.shown.len()) {
             *panel = None;

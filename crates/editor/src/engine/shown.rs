@@ -1,7 +1,7 @@
 //! What panes show of a made panel: plain numbers, which cross from a worker to the page.
 
 use super::Refusal;
-use sheetwright::check::{Finding, FindingKind, Verdict};
+use sheetwright::check::{Finding, FindingKind, Place, Verdict};
 use sheetwright::make::MadePanel;
 use sheetwright::material::{Material, warp_limit_deg};
 use sheetwright::math::{Point2, Point3, Vec3, to_deg};
@@ -143,6 +143,16 @@ impl Shown {
             gauss_area_sr: panel.measures.gauss_area_sr,
             area_flat_mm2: panel.measures.area_flat_mm2,
             length_error_max: panel.measures.length_error_max,
+        }
+    }
+
+    /// Whether a place can be marked: one rung that is there, or where something is found. With
+    /// other samples a number means something else.
+    pub fn has(&self, place: &Place) -> bool {
+        match place {
+            Place::Whole => true,
+            Place::Rungs { numbers } if numbers.len() == 1 => numbers[0] < self.rungs.len(),
+            _ => self.findings.iter().any(|finding| finding.place == *place),
         }
     }
 

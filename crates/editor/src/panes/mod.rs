@@ -2,6 +2,7 @@
 
 mod dashes;
 mod lit;
+mod marks;
 pub mod measured;
 pub mod pattern;
 pub mod plan;

@@ -15,6 +15,7 @@ use super::words::{length, length_bare};
 use crate::document::Selection;
 use crate::document::edit::why_no_panel;
 use crate::engine::shown::Shown;
+use crate::panes::marks::Marks;
 use crate::scene::{Act, Scene};
 use crate::views::SurfaceView;
 use arrange::{Arrangement, ShownPart};
@@ -24,6 +25,7 @@ use eframe::egui::{
     Align2, EventFilter, FontId, InputState, Key, Modifiers, Pos2, Rect, Response, Sense, Stroke,
     StrokeKind, Ui, UiBuilder, Vec2, WidgetInfo, vec2,
 };
+use sheetwright::check::Place;
 use sheetwright::math::{Point2, Vec2 as Way, pow};
 use sheetwright_files::Units;
 use view::{View, box_of};
@@ -49,8 +51,8 @@ pub struct PatternPane {
     arranged: Option<Arranged>,
     /// Whether everything is kept in sight, until the hand moves the view.
     follows: bool,
-    /// A panel and its rung that are to be brought into sight.
-    to_bring: Option<(usize, usize)>,
+    /// A panel and a place on it that are to be brought into sight.
+    to_bring: Option<(usize, Place)>,
 }
 
 /// What parts are arranged for.
@@ -80,22 +82,21 @@ impl PatternPane {
         self.follows = true;
     }
 
-    /// Brings a rung of a panel into sight, where it is not.
-    pub(crate) fn bring_into_sight(&mut self, panel: usize, rung: usize) {
-        self.to_bring = Some((panel, rung));
+    /// Brings a place on a panel into sight, where it is not.
+    pub(crate) fn bring_into_sight(&mut self, panel: usize, place: Place) {
+        self.to_bring = Some((panel, place));
     }
 
-    /// Moves the rung that is to be seen into the middle, unless it is in sight.
+    /// Moves what is to be seen into the middle, unless it is in sight.
     fn bring(&mut self, scene: &Scene<'_>, parts: &[ShownPart], rect: Rect) {
-        let Some((panel, rung)) = self.to_bring.take() else { return };
+        let Some((panel, place)) = self.to_bring.take() else { return };
         let piece = parts.iter().map(|part| &part.placed).find(|piece| piece.panel == panel);
         let Some((piece, shown)) = piece.zip(made(scene, panel)) else { return };
-        let Some(rung) = shown.rungs.get(rung) else { return };
-        let ends = rung.flat_ends.map(|end| shown.flat.get(end as usize).copied());
-        let [Some(a), Some(b)] = ends else { return };
-        let seen = [a, b].map(|p| self.view.seen(piece.on_paper(p), rect));
+        let points = Marks::of(&place, shown).flat_points();
+        let seen = points.iter().map(|&p| self.view.seen(piece.on_paper(p), rect));
+        let seen: Vec<Pos2> = seen.collect();
         if !seen.iter().all(|&at| rect.contains(at)) {
-            self.view.pan(rect.center() - seen[0].lerp(seen[1], 0.5));
+            self.view.pan(rect.center() - Rect::from_points(&seen).center());
             self.follows = false;
         }
     }

@@ -3,6 +3,7 @@
 use super::arrange::{Takes, Texts};
 use super::view::{Placed, View, box_of};
 use crate::engine::shown::Shown;
+use crate::panes::marks::{Marks, SPOT};
 use crate::panes::measured::worst_colour;
 use crate::panes::measured::{PALE, Quantity, UNSURE, twist, values, worst};
 use crate::panes::tag::tag;
@@ -202,10 +203,17 @@ fn rungs(painter: &Painter, scene: &Scene<'_>, shown: &Shown, look: &Look<'_>) {
         }
     }
     let chosen = scene.selection.panel == Some(look.piece.panel);
-    if let Some(rung) = scene.selection.rung.filter(|_| chosen).and_then(|n| shown.rungs.get(n)) {
-        let ends = rung.flat_ends.map(at);
-        painter.line_segment(ends, Stroke::new(5.0, theme.paper));
-        painter.line_segment(ends, Stroke::new(3.0, theme.accent));
+    if !chosen {
+        return;
+    }
+    let marks = Marks::of(&scene.selection.place, shown);
+    for (width, colour) in [(5.0, theme.paper), (3.0, theme.accent)] {
+        for ends in &marks.flat_lines {
+            painter.line_segment(ends.map(|p| look.seen(p)), Stroke::new(width, colour));
+        }
+    }
+    for &spot in &marks.flat_spots {
+        painter.circle(look.seen(spot), SPOT, theme.accent, Stroke::new(1.0, theme.paper));
     }
 }
 

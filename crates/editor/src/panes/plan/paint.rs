@@ -8,6 +8,7 @@ use crate::document::PointRef;
 use crate::document::{Plan, Reference};
 use crate::panes::dashes::dashed;
 use crate::panes::lit::{Lit, paint_dim};
+use crate::panes::marks::{Marks, SPOT};
 use crate::scene::Scene;
 use crate::theme::{CURVE_WIDTH, HANDLE};
 use eframe::egui::{
@@ -78,7 +79,7 @@ impl Sheet<'_> {
         }
     }
 
-    /// What panels cover, faintly, and the selected rung.
+    /// What panels cover, faintly, and what is marked of them.
     pub(super) fn panels(&self) {
         let theme = self.scene.theme;
         let plan = self.scene.document.drawing.plan;
@@ -93,14 +94,14 @@ impl Sheet<'_> {
             }
             self.painter.add(mesh);
             let selection = self.scene.selection;
-            if let (Some(panel), Some(rung)) = (selection.panel, selection.rung)
-                && panel == n
-                && let Some(rung) = shown.rungs.get(rung)
-            {
-                let ends = rung.ends.map(|end| shown.positions.get(end as usize).copied());
-                if let [Some(a), Some(b)] = ends {
-                    let ends = [self.at(plan.flat(a)), self.at(plan.flat(b))];
+            if selection.panel == Some(n) {
+                let marks = Marks::of(&selection.place, shown);
+                for ends in marks.lines {
+                    let ends = ends.map(|p| self.at(plan.flat(p)));
                     self.painter.line_segment(ends, Stroke::new(2.5, theme.accent));
+                }
+                for spot in marks.spots {
+                    self.painter.circle_filled(self.at(plan.flat(spot)), SPOT, theme.accent);
                 }
             }
         }

@@ -10,6 +10,7 @@ use crate::engine::shown::Shown;
 use crate::panes::measured::{rungs_by_ends, sides, sorted};
 use crate::scene::Scene;
 use crate::theme::Theme;
+use sheetwright::check::Place;
 use sheetwright::math::{Point3, Vec3, angle_between, cos, from_deg, sin, to_deg, turned, unit};
 
 /// The sphere has this many faces round, and half as many from pole to pole.
@@ -32,7 +33,9 @@ pub(super) fn image(scene: &Scene<'_>) -> (Vec<SheetVertex>, Lines) {
             if rung.normals[0] == Vec3::ZERO {
                 continue;
             }
-            let at_rung = picked && chosen.rung == Some(k);
+            let is_marked = |numbers: &[usize]| numbers.binary_search(&k).is_ok();
+            let at_rung =
+                picked && matches!(&chosen.place, Place::Rungs { numbers } if is_marked(numbers));
             let pen = if at_rung {
                 Pen::new(theme.accent, 4.0, 3.0)
             } else {

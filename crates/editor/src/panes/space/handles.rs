@@ -7,6 +7,7 @@ use crate::panes::dashes::dashed;
 use crate::panes::lit::{Lit, paint_dim};
 use crate::panes::tag::tag;
 use crate::panes::tag::tag;
+use crate::panes::tag::tag;
 use crate::panes::words::length;
 use crate::scene::{Act, Scene};
 use crate::theme::{HANDLE, TOUCH, Theme};

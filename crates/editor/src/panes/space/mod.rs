@@ -23,6 +23,7 @@ mod view_cube;
 
 use crate::panes::is_resized;
 use crate::panes::lit::are_many;
+use crate::panes::marks::{Marks, SPOT};
 use crate::panes::measured::{Quantity, twist, worst_colour, worst_of_all};
 use crate::panes::tag::tag;
 use crate::panes::words::{self, degrees};
@@ -39,7 +40,8 @@ use eframe::egui::{
 use eframe::egui_wgpu::Callback;
 use handles::{Handles, Look};
 use legend::Legend;
-use picture::{Built, colour};
+use picture::{Built, around, colour};
+use sheetwright::check::Place;
 use sheetwright::math::{Point3, Vec3};
 
 /// How much is seen of the Gauss image, whose sphere has the radius 1.
@@ -62,8 +64,8 @@ pub struct SpacePane {
     turn: Option<Turn>,
     /// What is to be brought into sight once the size of the pane is known.
     to_fit: Fit,
-    /// A panel and its rung that are to be brought into sight.
-    to_bring: Option<(usize, usize)>,
+    /// A panel and a place on it that are to be brought into sight.
+    to_bring: Option<(usize, Place)>,
     /// How large the pane was when everything was brought into sight, unless the hand has shifted
     /// or zoomed since then.
     fitted: Option<Vec2>,
@@ -120,9 +122,9 @@ impl SpacePane {
         self.to_fit = Fit::Asked;
     }
 
-    /// Brings a rung of a panel into sight, where it is not.
-    pub(crate) fn bring_into_sight(&mut self, panel: usize, rung: usize) {
-        self.to_bring = Some((panel, rung));
+    /// Brings a place on a panel into sight, where it is not.
+    pub(crate) fn bring_into_sight(&mut self, panel: usize, place: Place) {
+        self.to_bring = Some((panel, place));
     }
 
     /// What the hand holds is let go where it is: the pane is not shown any more.
@@ -262,22 +264,25 @@ impl SpacePane {
         }
     }
 
-    /// Looks at the rung that is to be seen, unless it is in sight: from where it looks now, or
+    /// Looks at what is to be seen, unless it is in sight: from where it looks now, or
     /// from the other side if that shows the back of the sheet there.
     fn bring(&mut self, ui: &Ui, scene: &Scene<'_>, rect: Rect) {
-        let Some((panel, rung)) = self.to_bring.take() else { return };
+        let Some((panel, place)) = self.to_bring.take() else { return };
         let Some(Ok(shown)) = scene.panels.get(panel).map(|panel| &panel.made) else { return };
-        let Some(rung) = shown.rungs.get(rung) else { return };
-        let ends = rung.ends.map(|end| shown.positions.get(end as usize).copied());
-        let [Some(a), Some(b)] = ends else { return };
+        let marks = Marks::of(&place, shown);
+        let points = marks.points();
+        if points.is_empty() {
+            return;
+        }
         let mut to = self.turn.map_or(self.camera, |turn| turn.to);
-        let is_seen = |p| to.seen(p, rect).is_some_and(|seen| rect.contains(seen.at));
-        let direction = to.facing(rung.normals[0] + rung.normals[1]);
-        if direction != to.direction || !(is_seen(a) && is_seen(b)) {
+        let is_seen = |p: &Point3| to.seen(*p, rect).is_some_and(|seen| rect.contains(seen.at));
+        let direction = to.facing(marks.facing);
+        if direction != to.direction || !points.iter().all(is_seen) {
+            let (middle, radius) = around(&points);
             to.direction = direction;
-            to.target = a.lerp(b, 0.5);
-            // A rung is seen with what is round it.
-            to.height_mm = to.height_mm.max(3.0 * a.distance(b));
+            to.target = middle;
+            // It is seen with what is round it.
+            to.height_mm = to.height_mm.max(6.0 * radius);
             self.go(to, ui);
         }
     }
@@ -390,7 +395,7 @@ fn name(ui: &Ui, ground: &Response, scene: &Scene<'_>) {
     });
 }
 
-/// The worst rung and the selected one say how far they twist.
+/// The worst rung and the selected one say how far they twist; spots that are marked stand out.
 fn labels(ui: &Ui, scene: &Scene<'_>, view: SurfaceView, camera: &Camera, rect: Rect) {
     let theme = scene.theme;
     let at_rung = |panel: usize, rung: usize| {
@@ -400,7 +405,7 @@ fn labels(ui: &Ui, scene: &Scene<'_>, view: SurfaceView, camera: &Camera, rect: 
         let [Some(a), Some(b)] = ends else { return None };
         Some((shown, found, camera.seen(a.lerp(b, 0.5), rect)?.at))
     };
-    let selected = scene.selection.panel.zip(scene.selection.rung);
+    let selected = scene.selection.rung();
     let paint = |at: Pos2, text: &str, colour| {
         if !rect.contains(at) {
             return;
@@ -427,6 +432,11 @@ fn labels(ui: &Ui, scene: &Scene<'_>, view: SurfaceView, camera: &Camera, rect: 
         let unsure = if found.is_unsure && found.warp_deg > 0.05 { " or less" } else { "" };
         let text = format!("rung {}: {}{unsure} of twist", rung + 1, degrees(found.warp_deg));
         paint(at, &text, theme.accent);
+    }
+    let chosen = scene.selection.panel.and_then(|n| scene.panels.get(n)?.made.as_ref().ok());
+    let marks = chosen.map(|shown| Marks::of(&scene.selection.place, shown)).unwrap_or_default();
+    for seen in marks.spots.iter().filter_map(|&spot| camera.seen(spot, rect)) {
+        ui.painter().circle(seen.at, SPOT, theme.accent, Stroke::new(1.0, theme.paper));
     }
 }
 

@@ -9,6 +9,7 @@ use super::sheets::vertices;
 use crate::document::Plan;
 use crate::document::Selection;
 use crate::engine::shown::Shown;
+use crate::panes::marks::Marks;
 use crate::panes::measured::{Quantity, twist, worst, worst_colour, worst_of_all};
 use crate::scene::Scene;
 use crate::theme::{CURVE_WIDTH, Theme, mapped};
@@ -99,8 +100,12 @@ impl Built {
         for (n, shown) in scene.made() {
             let marked = scene.selection.panel == Some(n);
             sheets.extend(vertices(shown, by, middle, marked && view != SurfaceView::Wireframe));
-            let rung = scene.selection.rung.filter(|_| marked);
-            on_sheet(&mut lines, shown, rung, worst == Some(n), view, scene.theme);
+            on_sheet(&mut lines, shown, worst == Some(n), view, scene.theme);
+            if marked {
+                let pen = Pen::new(scene.theme.accent, 3.0, 2.5);
+                let marks = Marks::of(&scene.selection.place, shown);
+                marks.lines.into_iter().for_each(|ends| lines.segment(ends, pen));
+            }
         }
         let before = lines.segments.len();
         for (n, (_, points)) in self.curves.iter().enumerate() {
@@ -248,7 +253,7 @@ fn row(way: Vec3, about: Vec3) -> (Vec3, f64) {
 }
 
 /// The middle of some points, and how far any is from it; a little room where there are none.
-fn around(points: &[Point3]) -> (Point3, f64) {
+pub(super) fn around(points: &[Point3]) -> (Point3, f64) {
     let Some(&first) = points.first() else { return (Point3::default(), 300.0) };
     let (mut low, mut high) = (first.to_vec(), first.to_vec());
     for p in points {
@@ -260,16 +265,9 @@ fn around(points: &[Point3]) -> (Point3, f64) {
     (middle, radius.max(1.0))
 }
 
-/// Edges and rungs of a panel; the selected one, and the worst if it is that of all panels or
-/// beyond what the sheet takes.
-fn on_sheet(
-    lines: &mut Lines,
-    shown: &Shown,
-    rung: Option<usize>,
-    is_worst: bool,
-    view: SurfaceView,
-    theme: &Theme,
-) {
+/// Edges and rungs of a panel; and the worst rung if it is that of all panels or beyond what the
+/// sheet takes.
+fn on_sheet(lines: &mut Lines, shown: &Shown, is_worst: bool, view: SurfaceView, theme: &Theme) {
     let at = |n: u32| shown.positions.get(n as usize).copied().unwrap_or_default();
     let pen = match view {
         SurfaceView::Wireframe => Some(Pen::new(theme.rung, 1.0, 1.0)),
@@ -304,8 +302,5 @@ fn on_sheet(
     if let Some(worst) = worst(shown).filter(|n| coloured && (is_worst || beyond(n))) {
         let pen = Pen::new(worst_colour(shown, worst, theme), 2.5, 2.0);
         lines.segment(shown.rungs[worst].ends.map(at), pen);
-    }
-    if let Some(rung) = rung.and_then(|n| shown.rungs.get(n)) {
-        lines.segment(rung.ends.map(at), Pen::new(theme.accent, 3.0, 2.5));
     }
 }
