@@ -32,8 +32,6 @@ pub mod theme;
 mod thumb;
 mod verdicts;
 pub mod views;
-pub mod views;
-pub mod views;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
 mod words;

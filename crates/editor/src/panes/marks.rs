@@ -132,7 +132,7 @@ mod tests {
 
     fn shown(design: &Design) -> Vec<Shown> {
         let made = make(design, &mut Unwatched).unwrap();
-        made.panels.iter().map(|panel| Shown::new(panel, design.material)).collect()
+        made.panels.iter().map(|panel| Shown::new(panel, design.material.as_ref())).collect()
     }
 
     fn length<P: Copy>(ends: &[P; 2], distance: impl Fn(P, P) -> f64) -> f64 {

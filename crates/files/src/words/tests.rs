@@ -69,6 +69,17 @@ fn a_finding_reads_well() {
          (0.0, 2.0, 3.3) mm, divide it along its sharp creases, divide it into more panels in the \
          program that it is from, or take a sheet that stretches more. (at (0.0, 2.0, 3.3) mm)"
     );
+    assert_eq!(
+        said("warp-not-reached"),
+        [
+            "'rim' and 'chine' moved by up to 1.50 mm (0.300 % of the size), 40.0 mm over all samples: \
+          the largest warp angle goes from 9.00° to 5.00°, the total twist from 3.000e-1 to \
+          1.000e-1. The 4.0° that were asked for are not reached within the limits: 1 rung stays \
+          above 4.0°: within the limits, the largest warp angle comes down from 9.0° to 5.0°. Let \
+          the boundary move farther, or draw it with less twist. (rung 4)"
+        ]
+    );
+    assert!(said("not-proven")[0].contains("a greater \"effort\" of the panel allows more"));
     let places = |code: &str| {
         let of_code = all.iter().filter(|finding| finding.code() == code);
         of_code.map(finding_place).collect::<Vec<_>>()

@@ -111,7 +111,7 @@ pub struct Checked {
 
 impl Checked {
     /// The verdict that findings come to, and these, the worst first.
-    pub fn of(findings: Vec<Finding>) -> Self {
+    pub(super) fn of(findings: Vec<Finding>) -> Self {
         let mut checked = Self { verdict: Verdict::of(&findings), findings };
         checked.sort();
         checked

@@ -6,8 +6,6 @@ use crate::document::{PointRef, Selection};
 use crate::panes::dashes::dashed;
 use crate::panes::lit::{Lit, paint_dim};
 use crate::panes::tag::tag;
-use crate::panes::tag::tag;
-use crate::panes::tag::tag;
 use crate::panes::words::length;
 use crate::scene::{Act, Scene};
 use crate::theme::{HANDLE, TOUCH, Theme};
