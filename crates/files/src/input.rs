@@ -4,8 +4,8 @@ use crate::meant::material_meant;
 use crate::mesh::MeshFormat;
 use crate::names::shown;
 use crate::reading::{
-    EFFORTS, InputError, MAX_INPUT_BYTES, ReadOptions, TAKEN, VarySettings, display_name,
-    read_whole, refuse_folder, text_of, too_large,
+    EFFORTS, InputError, ReadOptions, TAKEN, VarySettings, display_name, read_whole, refuse_folder,
+    refuse_large, text_of,
 };
 use crate::{design_json, mesh, table};
 use sheetwright::boundary::MAX_SAMPLES;
@@ -180,11 +180,6 @@ fn material_asked_for(
     let wanted = options.material.as_deref();
     let found = wanted.map(|wanted| material_meant(wanted, own)).transpose();
     found.map_err(|(message, hint)| InputError { message, place: None, hint })
-}
-
-/// Refuses more bytes than an input may have.
-pub(crate) fn refuse_large(bytes: &[u8], place: &str) -> Result<(), InputError> {
-    if bytes.len() as u64 > MAX_INPUT_BYTES { Err(too_large(place)) } else { Ok(()) }
 }
 
 fn design_of(input: Input, place: &str) -> Result<Design, InputError> {

@@ -164,8 +164,13 @@ pub fn read_limited(reader: impl Read, place: &str) -> Result<Vec<u8>, InputErro
     if bytes.len() as u64 > MAX_INPUT_BYTES { Err(too_large(place)) } else { Ok(bytes) }
 }
 
+/// Refuses more bytes than an input may have.
+pub(crate) fn refuse_large(bytes: &[u8], place: &str) -> Result<(), InputError> {
+    if bytes.len() as u64 > MAX_INPUT_BYTES { Err(too_large(place)) } else { Ok(()) }
+}
+
 /// The error for more bytes than are taken.
-pub(crate) fn too_large(place: &str) -> InputError {
+fn too_large(place: &str) -> InputError {
     InputError::at(
         place,
         "the input is larger than 256 MiB",

@@ -4,7 +4,7 @@ use super::grammar::{
     CurveFile, DesignFile, GoalName, KindName, MethodName, PanelFile, PlaneFile, PlaneName,
     PointFile, Triple, VaryFile,
 };
-use super::join::check_joins;
+use super::join::{check_joins, join, points_of};
 use super::material;
 use super::source::Source;
 use super::table_path::Tables;
@@ -209,18 +209,7 @@ fn panels(
     Ok(panels)
 }
 
-/// How many points the curves of a panel have, each counted as often as it is used: the kernel
-/// builds it anew each time.
-pub(super) fn points_of(shape: &PanelShape, known: &BTreeMap<&str, &DesignCurve>) -> usize {
-    let uses: Vec<&CurveUse> = match shape {
-        PanelShape::Rails(rails) => rails.iter().collect(),
-        PanelShape::Loops { outer, holes } => outer.iter().chain(holes.iter().flatten()).collect(),
-        PanelShape::Join(_) => Vec::new(),
-    };
-    uses.iter().filter_map(|u| known.get(u.name.as_str())).map(|c| c.points.len()).sum()
-}
-
-pub(super) struct PanelReader<'a> {
+struct PanelReader<'a> {
     path: &'a str,
     known: &'a BTreeMap<&'a str, &'a DesignCurve>,
     units: Units,
@@ -228,7 +217,7 @@ pub(super) struct PanelReader<'a> {
 }
 
 impl PanelReader<'_> {
-    pub(super) fn error(
+    fn error(
         &self,
         field: &str,
         message: impl Into<String>,
@@ -238,7 +227,7 @@ impl PanelReader<'_> {
     }
 
     fn panel(&self, file: PanelFile) -> Result<DesignPanel, InputError> {
-        let shape = match self.join(&file, self.units)? {
+        let shape = match join(&file, self.units, self.path, self.source)? {
             Some(join) => join,
             None => self.shape(file.rails, file.boundary, file.holes)?,
         };

@@ -1,20 +1,16 @@
 //! How a design is drawn: the field `drawing` of its file, which making it passes over.
 
 use super::source::Source;
-use super::{convert, parse};
 use crate::drawn::{Drawing, Mirror, Plan, Reference};
-use crate::input::refuse_large;
 use crate::json::Object;
-use crate::reading::{InputError, ReadOptions, display_name, text_of};
+use crate::reading::InputError;
 use crate::table::in_range_mm;
 use crate::units::Units;
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use sheetwright::design::Design;
 use sheetwright::math::Point2;
-use std::path::Path;
 
 /// How a design is drawn in the editor. Nothing in it changes what is made.
 #[derive(Debug, Default, Deserialize, Serialize, JsonSchema)]
@@ -82,29 +78,6 @@ struct ReferenceFile {
     data: String,
 }
 
-/// The design in some bytes, and how it is drawn. Tables that it refers to lie in `folder` or
-/// below.
-///
-/// # Errors
-/// Bytes that are no design that this version takes.
-pub fn read_drawn(
-    bytes: &[u8],
-    name: &str,
-    folder: Option<&Path>,
-) -> Result<(Design, Drawing), InputError> {
-    let place = display_name(name);
-    refuse_large(bytes, place)?;
-    let mut file = parse(text_of(bytes, name)?, place)?;
-    let source = Source { name, place, folder, options: &ReadOptions::default() };
-    let drawing = read(file.drawing.take(), file.units, &source)?;
-    Ok((convert::design(file, &source)?, drawing))
-}
-
-/// A design and how it is drawn as the bytes of its file. It reads back equal.
-pub fn write_drawn(design: &Design, drawing: &Drawing) -> Vec<u8> {
-    super::write::write_with(design, file_of(drawing).as_ref())
-}
-
 /// How a design is drawn, of what its file says of it.
 pub(super) fn read(
     file: Option<Object<DrawingFile>>,
@@ -167,7 +140,7 @@ pub(super) fn read(
 }
 
 /// What stands in a file, if it differs from what is usual.
-fn file_of(drawing: &Drawing) -> Option<DrawingFile> {
+pub(super) fn file_of(drawing: &Drawing) -> Option<DrawingFile> {
     let usual = Drawing::in_units(drawing.units);
     if *drawing == Drawing::default() {
         return None;
@@ -199,6 +172,9 @@ fn file_of(drawing: &Drawing) -> Option<DrawingFile> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::design_json::{read_drawn, write_drawn};
+    use crate::reading::ReadOptions;
+    use sheetwright::design::Design;
 
     fn drawn() -> (Design, Drawing) {
         let design = crate::template_call::design_from_template("cone", &[]).unwrap();

@@ -1,87 +1,98 @@
 //! Panels that join others: the fields that say so, and what the names of the others must be.
 
-use super::convert::{PanelReader, points_of};
 use super::grammar::{PanelFile, SmoothName, WithinFile};
+use super::source::Source;
 use crate::names::{did_you_mean, shown};
 use crate::reading::InputError;
 use crate::table::{RANGE_HINT, in_range_mm};
 use crate::units::Units;
 use sheetwright::boundary::{Continuity, MAX_SAMPLES, Within};
-use sheetwright::design::{DesignCurve, DesignPanel, Join, PanelShape};
+use sheetwright::design::{CurveUse, DesignCurve, DesignPanel, Join, PanelShape};
 use std::collections::BTreeMap;
 
 /// A panel joins this many at the most: they are tried in turn until all hang together.
 const MAX_PARTS: usize = 100;
 
-impl PanelReader<'_> {
-    /// The join that a panel is; `None` if it is none.
-    pub(super) fn join(
-        &self,
-        file: &PanelFile,
-        units: Units,
-    ) -> Result<Option<PanelShape>, InputError> {
-        let Some(parts) = &file.join else {
-            for (field, given) in [
-                (".smooth", file.smooth.is_some()),
-                (".within", file.within.is_some()),
-                (".keep_parts", file.keep_parts.is_some()),
-            ] {
-                if given {
-                    let hint = "Add \"join\": [\"left\", \"right\"], or leave it out.";
-                    return Err(self.error(field, "the panel joins no others", hint));
-                }
+/// The join that the panel at `path` of a file is; `None` if it is none.
+pub(super) fn join(
+    file: &PanelFile,
+    units: Units,
+    path: &str,
+    source: &Source<'_>,
+) -> Result<Option<PanelShape>, InputError> {
+    let at = |field: &str| format!("{path}{field}");
+    let Some(parts) = &file.join else {
+        for (field, given) in [
+            (".smooth", file.smooth.is_some()),
+            (".within", file.within.is_some()),
+            (".keep_parts", file.keep_parts.is_some()),
+        ] {
+            if given {
+                let hint = "Add \"join\": [\"left\", \"right\"], or leave it out.";
+                return Err(source.error(&at(field), "the panel joins no others", hint));
             }
-            return Ok(None);
-        };
-        let others = [
-            ("rails", file.rails.is_some()),
-            ("boundary", file.boundary.is_some()),
-            ("holes", file.holes.is_some()),
-        ];
-        if let Some((field, _)) = others.into_iter().find(|(_, given)| *given) {
-            let message = format!("the panel joins others and has `{field}` of its own");
-            let hint = "Keep one of the two: a join has the boundary, and the holes, of its parts.";
-            return Err(self.error("", message, hint));
         }
-        if !(2..=MAX_PARTS).contains(&parts.len()) {
-            let message = match parts.len() {
-                0 => "the panel joins none".to_owned(),
-                1 => "the panel joins one alone".to_owned(),
-                many => format!("the panel joins {many} panels"),
-            };
-            let hint = format!("Name 2 to {MAX_PARTS} panels that share an edge or a sample.");
-            return Err(self.error(".join", message, hint));
-        }
-        let smooth = match file.smooth {
-            None | Some(SmoothName::None) => Continuity::G0,
-            Some(SmoothName::G1) => Continuity::G1,
-            Some(SmoothName::G2) => Continuity::G2,
-        };
-        if smooth == Continuity::G0 && file.within.is_some() {
-            let message = "`within` is for joints that are made smooth";
-            let hint = "Add \"smooth\": \"G1\" or \"G2\", or leave it out.";
-            return Err(self.error(".within", message, hint));
-        }
-        let within = match &file.within {
-            None => Within::default(),
-            Some(WithinFile::Way(way)) => {
-                let mm = in_range_mm(*way, units).ok_or_else(|| {
-                    let message = format!("the distance {way:e} {} is out of range", units.name());
-                    self.error(".within", message, RANGE_HINT)
-                })?;
-                Within::Mm(mm)
-            }
-            Some(WithinFile::Share(of)) => Within::Share(of.share),
-        };
-        if !within.is_valid() {
-            let message = "`within` is no distance above 0, and no share above 0 and up to 0.5";
-            let hint = "Write a distance, such as 40, or a share of the boundary, such as \
-                        {\"share\": 0.05}.";
-            return Err(self.error(".within", message, hint));
-        }
-        let keep_parts = file.keep_parts.unwrap_or(false);
-        Ok(Some(PanelShape::Join(Join { parts: parts.clone(), smooth, within, keep_parts })))
+        return Ok(None);
+    };
+    let others = [
+        ("rails", file.rails.is_some()),
+        ("boundary", file.boundary.is_some()),
+        ("holes", file.holes.is_some()),
+    ];
+    if let Some((field, _)) = others.into_iter().find(|(_, given)| *given) {
+        let message = format!("the panel joins others and has `{field}` of its own");
+        let hint = "Keep one of the two: a join has the boundary, and the holes, of its parts.";
+        return Err(source.error(&at(""), message, hint));
     }
+    if !(2..=MAX_PARTS).contains(&parts.len()) {
+        let message = match parts.len() {
+            0 => "the panel joins none".to_owned(),
+            1 => "the panel joins one alone".to_owned(),
+            many => format!("the panel joins {many} panels"),
+        };
+        let hint = format!("Name 2 to {MAX_PARTS} panels that share an edge or a sample.");
+        return Err(source.error(&at(".join"), message, hint));
+    }
+    let smooth = match file.smooth {
+        None | Some(SmoothName::None) => Continuity::G0,
+        Some(SmoothName::G1) => Continuity::G1,
+        Some(SmoothName::G2) => Continuity::G2,
+    };
+    if smooth == Continuity::G0 && file.within.is_some() {
+        let message = "`within` is for joints that are made smooth";
+        let hint = "Add \"smooth\": \"G1\" or \"G2\", or leave it out.";
+        return Err(source.error(&at(".within"), message, hint));
+    }
+    let within = match &file.within {
+        None => Within::default(),
+        Some(WithinFile::Way(way)) => {
+            let mm = in_range_mm(*way, units).ok_or_else(|| {
+                let message = format!("the distance {way:e} {} is out of range", units.name());
+                source.error(&at(".within"), message, RANGE_HINT)
+            })?;
+            Within::Mm(mm)
+        }
+        Some(WithinFile::Share(of)) => Within::Share(of.share),
+    };
+    if !within.is_valid() {
+        let message = "`within` is no distance above 0, and no share above 0 and up to 0.5";
+        let hint = "Write a distance, such as 40, or a share of the boundary, such as \
+                    {\"share\": 0.05}.";
+        return Err(source.error(&at(".within"), message, hint));
+    }
+    let keep_parts = file.keep_parts.unwrap_or(false);
+    Ok(Some(PanelShape::Join(Join { parts: parts.clone(), smooth, within, keep_parts })))
+}
+
+/// How many points the curves of a panel have, each counted as often as it is used: the kernel
+/// builds it anew each time.
+pub(super) fn points_of(shape: &PanelShape, known: &BTreeMap<&str, &DesignCurve>) -> usize {
+    let uses: Vec<&CurveUse> = match shape {
+        PanelShape::Rails(rails) => rails.iter().collect(),
+        PanelShape::Loops { outer, holes } => outer.iter().chain(holes.iter().flatten()).collect(),
+        PanelShape::Join(_) => Vec::new(),
+    };
+    uses.iter().filter_map(|u| known.get(u.name.as_str())).map(|c| c.points.len()).sum()
 }
 
 /// Refuses joins of panels that are not there, twice there, or joins themselves.

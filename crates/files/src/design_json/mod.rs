@@ -13,19 +13,20 @@ mod table_path;
 mod vary;
 mod write;
 
-pub use drawing::{read_drawn, write_drawn};
 pub(crate) use table_path::table_beside;
 pub(crate) use vary::MOST_WARP_DEG;
 pub use write::write_design;
 pub(crate) use write::write_design_of_table;
 
+use crate::drawn::Drawing;
 use crate::json::Object;
 use crate::names::{nearest, shown};
-use crate::reading::{InputError, ReadOptions, display_name};
+use crate::reading::{InputError, ReadOptions, display_name, refuse_large, text_of};
 use crate::table::RANGE_HINT;
 use grammar::DesignFile;
 use serde::Deserialize;
 use sheetwright::design::Design;
+use source::Source;
 use std::path::Path;
 
 /// The version of the format that this program reads and writes.
@@ -43,10 +44,33 @@ pub(crate) fn read(
 ) -> Result<Design, InputError> {
     let place = display_name(name);
     let mut file = parse(text, place)?;
-    let source = source::Source { name, place, folder, options };
+    let source = Source { name, place, folder, options };
     // Making passes over how it is drawn, but not over what is wrong there.
     drawing::read(file.drawing.take(), file.units, &source)?;
     convert::design(file, &source)
+}
+
+/// The design in some bytes, and how it is drawn. Tables that it refers to lie in `folder` or
+/// below.
+///
+/// # Errors
+/// Bytes that are no design that this version takes.
+pub fn read_drawn(
+    bytes: &[u8],
+    name: &str,
+    folder: Option<&Path>,
+) -> Result<(Design, Drawing), InputError> {
+    let place = display_name(name);
+    refuse_large(bytes, place)?;
+    let mut file = parse(text_of(bytes, name)?, place)?;
+    let source = Source { name, place, folder, options: &ReadOptions::default() };
+    let drawing = drawing::read(file.drawing.take(), file.units, &source)?;
+    Ok((convert::design(file, &source)?, drawing))
+}
+
+/// A design and how it is drawn as the bytes of its file. It reads back equal.
+pub fn write_drawn(design: &Design, drawing: &Drawing) -> Vec<u8> {
+    write::write_with(design, drawing::file_of(drawing).as_ref())
 }
 
 fn parse(text: &str, place: &str) -> Result<DesignFile, InputError> {

@@ -47,6 +47,7 @@
 //! that cost U or less, ties included.
 
 mod abstraction;
+mod blocks;
 mod cells;
 mod pricing;
 mod runs;

@@ -5,15 +5,15 @@
 //! their samples to all later ones (`pricing`), row by row of tiles. The triangles on the edge from
 //! a block to the next are found by the former, so that no block needs another.
 
-use super::pricing::{Gathered, LastRow, LastRung, Linking, Pricing, Row};
+use super::blocks::{Block, Cell, blocks};
+use super::pricing::{LastRow, LastRung, Linking, Pricing, Row};
 use super::runs::Runs;
-use crate::cost::{FarEnds, LANES, Lanes};
+use crate::cost::{FarEnds, LANES};
 use crate::triangulate::optimal::normals::NormalBox;
 use crate::triangulate::optimal::prune::Open;
 use crate::triangulate::optimal::threads::{Helpers, MOST_THREADS};
 use crate::triangulate::{Terms, TriangulateError};
 use sheetwright_geometry::watch::Watch;
-use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
@@ -22,32 +22,6 @@ use std::sync::{Mutex, PoisonError};
 const LEAST_ROWS: usize = 4;
 /// Blocks for each thread, so that none waits long for the others.
 const BLOCKS_A_THREAD: usize = 8;
-
-/// What is known of two runs, a and b, which may be one.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Cell {
-    /// No rung between them costs less; infinite if there is none up to the bound.
-    pub(super) least: f64,
-    /// Where N of the rungs up to the bound lies.
-    pub(super) normals: NormalBox,
-    /// Lower bounds on the price, with half of the prices of its rungs, of a triangle on an edge
-    /// between samples of a with its third corner in b, and of one on an edge in b with its third
-    /// corner in a. Close to the least price where folds are slight.
-    pub(super) on_edges: [f64; 2],
-    /// Lower bounds on the price, with half of the prices of its rungs, of a triangle on the edge
-    /// from a to the run after it with its third corner in b, and of one on the edge from b to the
-    /// run after it with its third corner in a.
-    pub(super) on_links: [f64; 2],
-}
-
-impl Cell {
-    const UNKNOWN: Self = Self {
-        least: f64::INFINITY,
-        normals: NormalBox::NONE,
-        on_edges: [f64::INFINITY; 2],
-        on_links: [f64::INFINITY; 2],
-    };
-}
 
 /// The cells of all pairs of runs, by the first.
 pub(super) struct Cells {
@@ -126,83 +100,6 @@ impl Cells {
     #[inline(always)]
     pub(super) fn of(&self, a: usize, b: usize) -> &Cell {
         &self.cells[a * self.runs.len() + b]
-    }
-}
-
-/// Parts `count` rows of tiles to blocks of `rows` or some more, which begin with a run.
-fn blocks<'c>(
-    runs: &'c Runs,
-    rows: usize,
-    count: usize,
-    mut cells: &'c mut [Cell],
-) -> Vec<Block<'c>> {
-    let begins_run =
-        |row: usize| row == count || runs.samples(runs.of(row * LANES)).start == row * LANES;
-    let mut blocks = vec![];
-    let (mut row, mut run) = (0, 0);
-    while row < count {
-        let end = (row + rows..count).find(|row| begins_run(*row)).unwrap_or(count);
-        let next = if end == count { runs.len() } else { runs.of(end * LANES) };
-        let (own, others) = cells.split_at_mut((next - run) * runs.len());
-        cells = others;
-        blocks.push(Block { runs, rows: row..end, first: run, cells: own });
-        (row, run) = (end, next);
-    }
-    blocks
-}
-
-/// The cells of neighbouring runs with all others.
-pub(super) struct Block<'c> {
-    pub(super) runs: &'c Runs,
-    /// The rows of tiles with the samples of its runs.
-    rows: Range<usize>,
-    first: usize,
-    cells: &'c mut [Cell],
-}
-
-impl Block<'_> {
-    #[inline(always)]
-    fn of_mut(&mut self, a: usize, b: usize) -> &mut Cell {
-        &mut self.cells[(a - self.first) * self.runs.len() + b]
-    }
-
-    /// Takes what was gathered of run a and one column of tiles.
-    pub(super) fn take(&mut self, a: usize, to: &FarEnds, gathered: &Gathered) {
-        for lane in 0..to.count {
-            let j = to.first + lane;
-            let b = self.runs.of(j);
-            if b < a {
-                continue;
-            }
-            let cell = self.of_mut(a, b);
-            cell.least = cell.least.min(gathered.prices[lane]);
-            let at = |of: &[Lanes; 3]| [of[0][lane], of[1][lane], of[2][lane]];
-            cell.normals.include(&NormalBox::between(at(&gathered.least), at(&gathered.greatest)));
-            cell.on_edges[0] = cell.on_edges[0].min(gathered.on_row_edges[lane]);
-            // That of a column is the edge before it.
-            let price = gathered.on_column_edges[lane];
-            let before = if j == 0 { b } else { self.runs.of(j - 1) };
-            if before == b {
-                let cell = self.of_mut(a, b);
-                cell.on_edges[1] = cell.on_edges[1].min(price);
-            } else if before > a {
-                let cell = self.of_mut(a, before);
-                cell.on_links[1] = cell.on_links[1].min(price);
-            }
-        }
-    }
-
-    /// Takes the least prices of triangles on the edge before sample i, the first of a run, and of
-    /// one column of tiles.
-    pub(super) fn take_link(&mut self, i: usize, to: &FarEnds, least: &Lanes) {
-        let (before, run) = (self.runs.of(i - 1), self.runs.of(i));
-        for lane in 0..to.count {
-            let b = self.runs.of(to.first + lane);
-            if b > run {
-                let cell = self.of_mut(before, b);
-                cell.on_links[0] = cell.on_links[0].min(least[lane]);
-            }
-        }
     }
 }
 

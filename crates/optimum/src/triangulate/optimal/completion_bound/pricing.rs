@@ -1,7 +1,7 @@
 //! How the rungs between the samples of two tiles are priced, and the triangles on edges of the
 //! boundary that they are sides of: sixteen at a time.
 
-use super::cells::Block;
+use super::blocks::{Block, Gathered};
 use crate::cost::{Aligned, FarEnds, LANES, Lanes, OnEdges, Strip};
 use crate::triangulate::Terms;
 use crate::triangulate::optimal::lanes::{lowest, of_lane};
@@ -213,50 +213,6 @@ fn rungs(first: usize, edges: [usize; 2]) -> Lanes {
         }
     }
     rungs
-}
-
-/// What the rungs from some samples of one run to those of a tile have in common, for each of the
-/// latter.
-pub(super) struct Gathered {
-    pub(super) prices: Aligned<Lanes>,
-    pub(super) least: Aligned<[Lanes; 3]>,
-    pub(super) greatest: Aligned<[Lanes; 3]>,
-    pub(super) on_row_edges: Aligned<Lanes>,
-    pub(super) on_column_edges: Aligned<Lanes>,
-}
-
-impl Gathered {
-    const NOTHING: Self = Self {
-        prices: Aligned([f64::INFINITY; LANES]),
-        least: Aligned([[f64::INFINITY; LANES]; 3]),
-        greatest: Aligned([[f64::NEG_INFINITY; LANES]; 3]),
-        on_row_edges: Aligned([f64::INFINITY; LANES]),
-        on_column_edges: Aligned([f64::INFINITY; LANES]),
-    };
-
-    #[inline(always)]
-    fn take_rungs(&mut self, i: usize, first: usize, last: usize, strip: &Strip) {
-        let mut prices = *strip.prices;
-        // Edges of the boundary are none.
-        for lane in 0..LANES {
-            let j = first + lane;
-            if j <= i + 1 || (i == 0 && j == last) {
-                prices[lane] = f64::INFINITY;
-            }
-        }
-        for lane in 0..LANES {
-            let is_lower = prices[lane] < self.prices[lane];
-            self.prices[lane] = if is_lower { prices[lane] } else { self.prices[lane] };
-        }
-        for axis in 0..3 {
-            let (least, greatest) = (&mut self.least[axis], &mut self.greatest[axis]);
-            for lane in 0..LANES {
-                let (x, is_one) = (strip.means[axis][lane], prices[lane] < f64::INFINITY);
-                least[lane] = if is_one & (x < least[lane]) { x } else { least[lane] };
-                greatest[lane] = if is_one & (x > greatest[lane]) { x } else { greatest[lane] };
-            }
-        }
-    }
 }
 
 /// A tile to be priced. A type rather than a closure, as that of the table.
