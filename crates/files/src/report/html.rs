@@ -291,12 +291,19 @@ impl Page<'_> {
         }
     }
 
+    /// Whether the panel is no flat plate.
+    fn bends(&self) -> bool {
+        self.panel.measures.rungs.iter().any(RungMeasures::bends)
+    }
+
     fn space_caption(&self) -> Markup {
         let size = box_of(self.panel);
         html! {
             strong { "In space. " }
-            "The thin lines are rulings, along which the sheet stays straight. Blue is the side \
-             that the pattern shows, brown the other. It fills a box of "
+            @if self.bends() {
+                "The thin lines are rulings, along which the sheet stays straight. "
+            }
+            "Blue is the side that the pattern shows, brown the other. It fills a box of "
             (millimetres(size.x)) " × " (millimetres(size.y)) " × " (millimetres(size.z))
             " (x, y, z)."
         }
@@ -309,8 +316,11 @@ impl Page<'_> {
         html! {
             figcaption {
                 strong { "Laid flat. " }
-                "The outline to cut. Short strokes mark where to lay the straightedge; dashed lines \
-                 are folds. The whole outline is " (millimetres(outline_length(self.panel)))
+                "The outline to cut. "
+                @if self.bends() {
+                    "Short strokes mark where to lay the straightedge; dashed lines are folds. "
+                }
+                "The whole outline is " (millimetres(outline_length(self.panel)))
                 " long."
                 @if !panel.sheet.seams().is_empty() {
                     " It is cut open along " b { (seam_mark(0)) }

@@ -338,6 +338,18 @@ fn rulings_are_drawn_where_the_sheet_bends() {
 }
 
 #[test]
+fn a_page_speaks_of_rulings_where_there_are_any() {
+    for (made, bends) in [(concave(), false), (quarter(), true)] {
+        let checked = [made.panels[0].checked.clone()];
+        let page = report_html(&made, &[0.0], &checked, ReportForm::Long);
+        let page = String::from_utf8(page).unwrap();
+        for words in ["The thin lines are rulings", "Short strokes mark"] {
+            assert_eq!(page.contains(words), bends, "{words}");
+        }
+    }
+}
+
+#[test]
 fn a_picture_in_space_shows_where_the_sheet_is_cut_open() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/reducer.sheet.json");
     let read = crate::read_any(&path, &crate::ReadOptions::default()).unwrap();
