@@ -23,31 +23,19 @@ impl Band<'_, '_> {
     ) -> Result<Option<BandWalk>, TriangulateError> {
         let grid = Grid::new(starts, self.m(), self.k());
         let mut least = Least::new(&grid);
-        for c in 0..grid.columns {
-            if watch.stop() {
-                return Err(TriangulateError::Stopped);
+        let is_whole = self.each_join(&grid, bound, work, watch, |at, price| {
+            let reached = if starts.contain(grid.pair(at.0, at.1)) {
+                Some(0.0)
+            } else {
+                let below = bound - price + QUANTUM;
+                self.arrive(&grid, &least, at, below).map(|(least, _)| price + least)
+            };
+            if let Some(reached) = reached {
+                least.set(&grid, at, reached);
             }
-            if work.is_out() {
-                return Ok(None);
-            }
-            watch.progress(c as f64 / grid.columns as f64);
-            work.count(grid.rows as u64);
-            for r in 0..grid.rows {
-                let (p, a) = grid.pair(c, r);
-                let price = self.join_price(p, a);
-                if price > bound {
-                    continue;
-                }
-                let reached = if starts.contain((p, a)) {
-                    Some(0.0)
-                } else {
-                    let below = bound - price + QUANTUM;
-                    self.arrive(&grid, &least, (c, r), below).map(|(least, _)| price + least)
-                };
-                if let Some(reached) = reached {
-                    least.set(&grid, (c, r), reached);
-                }
-            }
+        })?;
+        if !is_whole {
+            return Ok(None);
         }
         Ok(self.last_step(&grid, &least, starts, bound).map(|(price, (c, r), end)| {
             let mut at = (c, r);
@@ -62,6 +50,38 @@ impl Band<'_, '_> {
             pairs.reverse();
             BandWalk { price, pairs, end, m: self.m(), k: self.k() }
         }))
+    }
+
+    /// Goes through the pairs of a grid, column by column, and visits those whose rungs cost no
+    /// more than `bound`: the column and the row, and the price. Returns whether it came to the
+    /// end: not where the work that may be done ends before.
+    #[inline(always)]
+    fn each_join(
+        &self,
+        grid: &Grid,
+        bound: f64,
+        work: Work<'_>,
+        watch: &mut dyn Watch,
+        mut visit: impl FnMut((usize, usize), f64),
+    ) -> Result<bool, TriangulateError> {
+        for c in 0..grid.columns {
+            if watch.stop() {
+                return Err(TriangulateError::Stopped);
+            }
+            if work.is_out() {
+                return Ok(false);
+            }
+            watch.progress(c as f64 / grid.columns as f64);
+            work.count(grid.rows as u64);
+            for r in 0..grid.rows {
+                let (p, a) = grid.pair(c, r);
+                let price = self.join_price(p, a);
+                if price <= bound {
+                    visit((c, r), price);
+                }
+            }
+        }
+        Ok(true)
     }
 
     /// The cheapest way to arrive at a pair, without its own rung, if it is below `below`.
@@ -133,41 +153,29 @@ impl Band<'_, '_> {
         let mut from: Vec<Option<(u32, u32, u8)>> = vec![None; Count::ALL * grid.cells()];
         let steps: Vec<Vec<(usize, Along)>> =
             (0..Count::ALL).map(|number| before(Count::of_number(number)).collect()).collect();
-        for c in 0..grid.columns {
-            if watch.stop() {
-                return Err(TriangulateError::Stopped);
+        let is_whole = self.each_join(&grid, bound, work, watch, |at, price| {
+            if starts.contain(grid.pair(at.0, at.1)) {
+                layers[Count::START.number()].set(&grid, at, 0.0);
             }
-            if work.is_out() {
-                return Ok(None);
-            }
-            watch.progress(c as f64 / grid.columns as f64);
-            work.count(grid.rows as u64);
-            for r in 0..grid.rows {
-                let (p, a) = grid.pair(c, r);
-                let price = self.join_price(p, a);
-                if price > bound {
-                    continue;
+            for number in 0..Count::ALL {
+                let here = layers[number].at(&grid, at);
+                let mut arrived: Vec<(f64, usize, (usize, usize))> = Vec::new();
+                for &(before, along) in &steps[number] {
+                    let layer = &layers[before];
+                    let below = (bound - price + QUANTUM).min(here);
+                    let found = self.arrive_along(&grid, layer, at, below, along);
+                    arrived.extend(found.map(|(sum, at)| (price + sum, before, at)));
                 }
-                if starts.contain((p, a)) {
-                    layers[Count::START.number()].set(&grid, (c, r), 0.0);
-                }
-                for number in 0..Count::ALL {
-                    let here = layers[number].at(&grid, (c, r));
-                    let mut arrived: Vec<(f64, usize, (usize, usize))> = Vec::new();
-                    for &(before, along) in &steps[number] {
-                        let layer = &layers[before];
-                        let below = (bound - price + QUANTUM).min(here);
-                        let found = self.arrive_along(&grid, layer, (c, r), below, along);
-                        arrived.extend(found.map(|(sum, at)| (price + sum, before, at)));
-                    }
-                    let best = arrived.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
-                    if let Some((sum, before, at)) = best.filter(|best| best.0 < here) {
-                        layers[number].set(&grid, (c, r), sum);
-                        from[number * grid.cells() + grid.cell((c, r))] =
-                            Some((at.0 as u32, at.1 as u32, before as u8));
-                    }
+                let best = arrived.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
+                if let Some((sum, before, (c, r))) = best.filter(|best| best.0 < here) {
+                    layers[number].set(&grid, at, sum);
+                    from[number * grid.cells() + grid.cell(at)] =
+                        Some((c as u32, r as u32, before as u8));
                 }
             }
+        })?;
+        if !is_whole {
+            return Ok(None);
         }
         let mut best: Option<(f64, (usize, usize), Pair, usize)> = None;
         for (number, layer) in layers.iter().enumerate() {
