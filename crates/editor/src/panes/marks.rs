@@ -1,6 +1,7 @@
 //! Where what is marked of a panel lies: in space, and on the pattern.
 
 use crate::engine::shown::Shown;
+use crate::panes::measured::sides;
 use sheetwright::check::Place;
 use sheetwright::index::SampleIndex;
 use sheetwright::math::{Point2, Point3, Vec3};
@@ -101,10 +102,6 @@ impl Marks {
 
 fn number(sample: SampleIndex) -> u32 {
     sample.get() as u32
-}
-
-fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
-    [[a, b], [b, c], [c, a]]
 }
 
 /// The corners of the sheet that are a sample, more than one where it is cut open.

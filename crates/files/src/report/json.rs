@@ -302,9 +302,8 @@ pub fn report_json(
     assert_eq!(made.panels.len(), quads.len(), "quads or none a panel");
     let each = made.panels.iter().zip(refold_error_mm).zip(checked.iter().zip(quads));
     let panels = each.map(|((panel, &error), (checked, quads))| {
-        let mut report = of_panel(panel, error, checked, quads.as_ref(), limit);
-        report.edges = of_edges(&panel.edges, &named);
-        report
+        let edges = of_edges(&panel.edges, &named);
+        of_panel(panel, edges, error, checked, quads.as_ref(), limit)
     });
     report(&made.name, made.material.as_ref(), panels.collect())
 }
@@ -327,9 +326,7 @@ pub fn mesh_report_json(
     let named = made.panels.iter().map(|panel| (&panel.name[..], &panel.edges[..]));
     let named: Vec<Named<'_>> = named.collect();
     let panels = each.map(|((panel, &error), checked)| {
-        let mut report = of_mesh(made, panel, error, checked);
-        report.edges = of_edges(&panel.edges, &named);
-        report
+        of_mesh(made, panel, of_edges(&panel.edges, &named), error, checked)
     });
     report(&made.name, made.material.as_ref(), panels.collect())
 }
@@ -389,6 +386,7 @@ fn of_edges<'a>(edges: &'a [Edge], panels: &[Named<'_>]) -> Vec<EdgeReport<'a>> 
 fn of_mesh<'a>(
     made: &'a MadeMeshes,
     panel: &'a MadeMesh,
+    edges: Vec<EdgeReport<'a>>,
     written_error_mm: f64,
     checked: &'a Checked,
 ) -> PanelReport<'a> {
@@ -449,7 +447,7 @@ fn of_mesh<'a>(
         holes_flat: sheet.loops().len() - 1,
         seams: seams.collect(),
         joints: joints.collect(),
-        edges: Vec::new(),
+        edges,
         refold_error_mm: Some(written_error_mm).filter(|error| error.is_finite()),
         rebuilt_distance_max_mm: panel.rebuilt.as_ref().map(|r| r.distance_max_mm),
         rebuilt_distance_mean_mm: panel.rebuilt.as_ref().map(|r| r.distance_mean_mm),
@@ -481,6 +479,7 @@ pub(super) fn aim_name(aim: Aim) -> &'static str {
 
 fn of_panel<'a>(
     panel: &'a MadePanel,
+    edges: Vec<EdgeReport<'a>>,
     refold_error_mm: f64,
     checked: &'a Checked,
     quads: Option<&PanelQuads>,
@@ -532,7 +531,7 @@ fn of_panel<'a>(
         holes_flat: panel.sheet.surface().connectivity().loops().len() - 1,
         seams: seams.collect(),
         joints: Vec::new(),
-        edges: Vec::new(),
+        edges,
         refold_error_mm: finite(refold_error_mm),
         rebuilt_distance_max_mm: None,
         rebuilt_distance_mean_mm: None,

@@ -5,27 +5,18 @@
 //! ends of each are looked for on the other, at the point that lies nearest.
 
 use super::{Edge, EdgePlace, EdgeSource, PartEdges};
+use crate::sample::StepPlace;
 use sheetwright_geometry::boundary::size_of;
 use sheetwright_geometry::math::{Point2, Point3};
 use sheetwright_geometry::tolerance::Tolerance;
 use std::collections::{BTreeMap, BTreeSet};
-
-/// A step of an edge by the places of its ends in space, whichever way it is run.
-type StepPlace = [[u64; 3]; 2];
-
-fn step_place(ends: [Point3; 2]) -> StepPlace {
-    // 0 and −0 are one place.
-    let bits = |p: Point3| [p.x + 0.0, p.y + 0.0, p.z + 0.0].map(f64::to_bits);
-    let [a, b] = ends.map(bits);
-    [a.min(b), a.max(b)]
-}
 
 /// An edge with the places of its points.
 struct Placed {
     at: EdgePlace,
     space: Vec<Point3>,
     flat: Vec<Point2>,
-    /// The flat length of each of its steps, mm, by the places of its ends.
+    /// The flat length of each of its steps, mm, by where it lies in space.
     steps: BTreeMap<StepPlace, f64>,
 }
 
@@ -34,7 +25,8 @@ impl Placed {
         let space: Vec<Point3> = edge.run.iter().map(|&v| part.space[v]).collect();
         let flat: Vec<Point2> = edge.run.iter().map(|&v| part.flat[v]).collect();
         let steps = space.windows(2).zip(flat.windows(2));
-        let steps = steps.map(|(s, f)| (step_place([s[0], s[1]]), f[0].distance(f[1]))).collect();
+        let steps =
+            steps.map(|(s, f)| (StepPlace::between([s[0], s[1]]), f[0].distance(f[1]))).collect();
         Self { at, space, flat, steps }
     }
 

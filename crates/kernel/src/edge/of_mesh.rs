@@ -5,8 +5,9 @@ use super::border::{Step, edges};
 use super::of_sheet::cut_name;
 use super::{Edge, EdgeSource};
 use crate::mesh::CutMesh;
+use crate::sample::StepPlace;
 use sheetwright_geometry::index::VertexIndex;
-use sheetwright_geometry::math::{Point2, Point3};
+use sheetwright_geometry::math::Point2;
 use std::collections::BTreeMap;
 
 /// What a panel is joined to, by the number of the panel, and the sides of triangles along which it
@@ -29,7 +30,7 @@ pub struct MeshBorder<'a> {
 /// The edges of all panels of a design. They have no mates yet.
 pub fn edges_of_meshes(panels: &[MeshBorder<'_>]) -> Vec<Vec<Edge>> {
     // Panels that were not divided from one another meet where their sides lie on one another.
-    let mut at_side: BTreeMap<[[u64; 3]; 2], Vec<usize>> = BTreeMap::new();
+    let mut at_side: BTreeMap<StepPlace, Vec<usize>> = BTreeMap::new();
     for (number, panel) in panels.iter().enumerate() {
         for side in panel.sides() {
             at_side.entry(panel.place(side)).or_default().push(number);
@@ -74,11 +75,8 @@ impl MeshBorder<'_> {
         self.sheet.mesh.loops().iter().flat_map(|line| sides_of(line))
     }
 
-    /// A side by the places of its ends in space, whichever way it is run.
-    fn place(&self, side: [VertexIndex; 2]) -> [[u64; 3]; 2] {
-        let bits = |p: Point3| [p.x + 0.0, p.y + 0.0, p.z + 0.0].map(f64::to_bits);
-        let [a, b] = side.map(|v| bits(self.sheet.mesh.position(v)));
-        [a.min(b), a.max(b)]
+    fn place(&self, side: [VertexIndex; 2]) -> StepPlace {
+        StepPlace::between(side.map(|v| self.sheet.mesh.position(v)))
     }
 
     /// The sides of cuts and joints, in the direction of the loops.

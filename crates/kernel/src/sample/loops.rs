@@ -50,7 +50,10 @@ impl Sampler<'_> {
         }
         match &panel.shape {
             PanelShape::Rails(rails) => self.rails(panel, rails),
-            PanelShape::Join(_) => Ok(Sampled::of_loops(Vec::new(), Vec::new())),
+            PanelShape::Join(_) => {
+                let cause = PanelCause::JoinOfJoins { name: panel.name.clone() };
+                Err(PanelError::of_panel(&panel.name, cause))
+            }
             PanelShape::Loops { outer, holes } => {
                 let loops = self.loops(panel, outer, holes)?;
                 let steps = loops.iter().map(|samples| along_curves(samples)).collect();

@@ -16,6 +16,8 @@ mod steps;
 pub use error::{PanelCause, PanelError};
 pub use steps::StepSource;
 
+pub(crate) use steps::StepPlace;
+
 pub(crate) use curves::{built, kind_of_part};
 pub(crate) use loops::{LEAST_OF_HOLE, Matched, Sampler};
 pub(crate) use matched::matched;

@@ -50,20 +50,27 @@ impl Own {
     }
 }
 
-/// The steps of boundaries by the places of their two ends, in either direction.
-#[derive(Debug, Default)]
-pub(super) struct StepsByPlace(BTreeMap<[[u64; 3]; 2], StepSource>);
+/// Where a step lies: the places of its ends in space, bit by bit, whichever way it is run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct StepPlace([[u64; 3]; 2]);
 
-impl StepsByPlace {
-    fn key(ends: [Point3; 2]) -> [[u64; 3]; 2] {
+impl StepPlace {
+    /// That of the step between two places.
+    pub(crate) fn between(ends: [Point3; 2]) -> Self {
         // 0 and −0 are one place.
         let bits = |p: Point3| [p.x + 0.0, p.y + 0.0, p.z + 0.0].map(f64::to_bits);
         let [a, b] = ends.map(bits);
-        [a.min(b), a.max(b)]
+        Self([a.min(b), a.max(b)])
     }
+}
 
+/// The steps of boundaries by where they lie.
+#[derive(Debug, Default)]
+pub(super) struct StepsByPlace(BTreeMap<StepPlace, StepSource>);
+
+impl StepsByPlace {
     pub(super) fn insert(&mut self, ends: [Point3; 2], step: StepSource) {
-        self.0.insert(Self::key(ends), step);
+        self.0.insert(StepPlace::between(ends), step);
     }
 
     /// The steps of a boundary that is joined from these. Where joining moved samples, a step is of
@@ -73,7 +80,7 @@ impl StepsByPlace {
         let of_loop = |range: &std::ops::Range<usize>| {
             let known: Vec<Option<StepSource>> = range
                 .clone()
-                .map(|i| self.0.get(&Self::key([at(i), at(boundary.next(i))])).copied())
+                .map(|i| self.0.get(&StepPlace::between([at(i), at(boundary.next(i))])).copied())
                 .collect();
             let m = known.len();
             let nearest = |n: usize| {
