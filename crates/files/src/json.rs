@@ -75,3 +75,19 @@ impl<'de, T: Deserialize<'de> + Called> Deserialize<'de> for Named<T> {
         deserializer.deserialize_map(Things(PhantomData))
     }
 }
+
+/// Compares a schema with the one in `docs/schema`, which is written anew with
+/// `SHEETWRIGHT_REWRITE=1 cargo test -p sheetwright-files schema`.
+#[cfg(test)]
+pub(crate) fn assert_schema_in_docs(name: &str, schema: &str) {
+    let path = format!("{}/../../docs/schema/{name}", env!("CARGO_MANIFEST_DIR"));
+    if std::env::var_os("SHEETWRIGHT_REWRITE").is_some() {
+        std::fs::write(&path, schema).unwrap();
+    }
+    let kept = std::fs::read_to_string(&path).unwrap_or_default().replace('\r', "");
+    assert!(
+        kept == schema,
+        "docs/schema/{name} differs from the code; write it anew with SHEETWRIGHT_REWRITE=1 cargo \
+         test -p sheetwright-files schema"
+    );
+}

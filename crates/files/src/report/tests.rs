@@ -129,12 +129,8 @@ fn what_has_no_number_is_null() {
 /// The file is written anew by `SHEETWRIGHT_REWRITE=1 cargo test -p sheetwright-files`.
 #[test]
 fn the_schema_in_the_docs_is_that_of_the_code() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/schema/report.schema.json");
-    if std::env::var_os("SHEETWRIGHT_REWRITE").is_some() {
-        std::fs::write(path, report_schema().unwrap()).unwrap();
-    }
-    let in_docs = std::fs::read(path).unwrap().into_iter().filter(|&b| b != b'\r');
-    assert!(in_docs.eq(report_schema().unwrap()), "run the tests with SHEETWRIGHT_REWRITE=1");
+    let schema = String::from_utf8(report_schema().unwrap()).unwrap();
+    crate::json::assert_schema_in_docs("report.schema.json", &schema);
 }
 
 /// Walks a value along its schema: the very fields, and the kind of each.

@@ -1,6 +1,6 @@
 //! What was found, in sentences, with what to do.
 
-use super::moved::{keeps_from_bending, movement, not_needed, ran_on};
+use super::moved::{keeps_from_bending, listed, movement, not_needed, ran_on};
 use super::place::point;
 use crate::pdf::way_to_sheets;
 use sheetwright::check::{Finding, FindingKind, SeamCause, TooTight};
@@ -59,8 +59,10 @@ pub fn finding_text(finding: &Finding) -> String {
             if *count == 1 { "fold" } else { "folds" },
             degrees(*sharpest),
             match stiff {
-                Some(sheet) => format!("{sheet} does not fold; move the boundary there."),
-                None => "The pattern marks it to be scored.".to_owned(),
+                Some(sheet) =>
+                    format!("{} does not fold; move the boundary there.", first_up(sheet)),
+                None if *count == 1 => "The pattern marks it to be scored.".to_owned(),
+                None => "The pattern marks them to be scored.".to_owned(),
             }
         ),
         Kind::Creases { count, sharpest, stiff } => format!(
@@ -141,8 +143,9 @@ pub fn finding_text(finding: &Finding) -> String {
              panel stay straight."
         ),
         Kind::TurnedRound { panels, first } => format!(
-            "{} faced the other way, and was turned round to face as '{first}' does.",
-            panels.iter().map(|name| format!("'{name}'")).collect::<Vec<_>>().join(", ")
+            "{} faced the other way, and {} turned round to face as '{first}' does.",
+            listed(panels),
+            if panels.len() == 1 { "was" } else { "were" }
         ),
         Kind::Moved { movement: moved, ended, hindrance } => {
             format!("{}; {ended}.{}", movement(moved), keeps_from_bending(*hindrance))
@@ -229,8 +232,9 @@ fn points(is_one: bool, turn: f64, too_tight: Option<&TooTight>) -> String {
     };
     let advice = match too_tight {
         Some(TooTight { sheet, limit_mm, needed_mm }) => format!(
-            "{sheet} takes a radius of {limit_mm:.1} mm, and there it would have to take \
-             {needed_mm:.1} mm. Cut the point off, or move the boundary there."
+            "{} takes a radius of {limit_mm:.1} mm, and there it would have to take \
+             {needed_mm:.1} mm. Cut the point off, or move the boundary there.",
+            first_up(sheet)
         ),
         None => format!(
             "The bend radius in this report leaves {} out.",

@@ -9,13 +9,12 @@ pub(super) fn movement(movement: &Movement) -> String {
     if curves.is_empty() {
         return "Nothing was moved".to_owned();
     }
-    let names: Vec<String> = curves.iter().map(|name| format!("'{name}'")).collect();
     let ([warp_before, warp_after], [twist_before, twist_after]) = (warp.map(to_deg), twist);
     format!(
         "{} moved by up to {moved_max_mm:.2} mm ({:.3} % of the size), {moved_total_mm:.1} mm over \
          all samples: the largest warp angle goes from {warp_before:.2}° to {warp_after:.2}°, the \
          total twist from {twist_before:.3e} to {twist_after:.3e}",
-        listed(&names),
+        listed(curves),
         100.0 * moved_max_mm / size_mm,
     )
 }
@@ -95,11 +94,11 @@ pub(super) fn ran_on(
     text
 }
 
-/// Names in a sentence.
-fn listed(names: &[String]) -> String {
-    match names {
-        [] => String::new(),
-        [one] => one.clone(),
-        [others @ .., last] => format!("{} and {last}", others.join(", ")),
+/// Names in a sentence: `'a', 'b' and 'c'`.
+pub(super) fn listed(names: &[String]) -> String {
+    let names: Vec<String> = names.iter().map(|name| format!("'{name}'")).collect();
+    match &names[..] {
+        [others @ .., last] if !others.is_empty() => format!("{} and {last}", others.join(", ")),
+        one_or_none => one_or_none.concat(),
     }
 }

@@ -1,5 +1,5 @@
 use super::*;
-use sheetwright::check::{Finding, Place};
+use sheetwright::check::{Finding, FindingKind, Place, TooTight};
 use sheetwright_shapes::findings::one_of_each;
 use std::collections::BTreeSet;
 
@@ -106,4 +106,26 @@ fn a_finding_reads_well() {
     assert_eq!(places("joint-smoothed"), ["around samples 4, 10"]);
     let left_out = ["at (0.0, 2.0, 3.3) mm", "the first at (0.0, 2.0, 3.3) mm", ""];
     assert_eq!(places("left-out"), left_out);
+}
+
+#[test]
+fn one_and_several_read_well() {
+    let said = |kind| finding_text(&Finding::of_whole(kind));
+    let folds = |count, stiff: Option<&str>| {
+        let stiff = stiff.map(str::to_owned);
+        said(FindingKind::Folds { count, sharpest: 0.5, stiff })
+    };
+    assert!(folds(1, None).ends_with("smoothly. The pattern marks it to be scored."));
+    assert!(folds(2, None).ends_with("smoothly. The pattern marks them to be scored."));
+    let ply = "plywood, 4 mm";
+    assert!(folds(2, Some(ply)).ends_with("Plywood, 4 mm does not fold; move the boundary there."));
+    let too_tight = TooTight { sheet: ply.to_owned(), limit_mm: 380.0, needed_mm: 12.0 };
+    let points = FindingKind::Points { count: 1, turn: 0.5, too_tight: Some(too_tight) };
+    assert!(said(points).contains("there. Plywood, 4 mm takes a radius of 380.0 mm"));
+    let turned = |names: &[&str]| {
+        let panels = names.iter().map(|&name| name.to_owned()).collect();
+        said(FindingKind::TurnedRound { panels, first: "a".to_owned() })
+    };
+    assert!(turned(&["b"]).starts_with("'b' faced the other way, and was turned round"));
+    assert!(turned(&["b", "c"]).starts_with("'b' and 'c' faced the other way, and were turned"));
 }
