@@ -3,51 +3,59 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use sheetwright::design::MeshDesign;
-use sheetwright::make::{MeshOptions, make_meshes};
+use sheetwright::design::{Design, PanelMesh, PanelShape};
+use sheetwright::make::make;
 use sheetwright::math::from_deg;
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
-    Format, Input, InputFormat, MeshFormat, PdfOptions, ReadOptions, mesh_hint_for,
-    mesh_output_files, read_any_bytes,
+    Format, InputFormat, MeshFormat, MeshSettings, PdfOptions, ReadOptions, hint_for, output_files,
+    read_bytes,
 };
 
 /// Triangles up to which making takes no time worth speaking of.
 const SMALL: usize = 60;
 
 fuzz_target!(|bytes: &[u8]| {
+    let split = MeshSettings { split_creases: Some(from_deg(30.0)), ..MeshSettings::default() };
     for format in MeshFormat::ALL {
         let name = format!("fuzz.{}", format.ending());
-        let format = InputFormat::Mesh(format);
-        match read_any_bytes(format, bytes, &name, None, &ReadOptions::default()) {
-            Err(error) => assert!(!error.message.is_empty() && !error.hint.is_empty()),
-            Ok(Input::Design(_)) => unreachable!("a mesh is no design"),
-            Ok(Input::Mesh(design)) => {
-                assert!(!design.groups.is_empty());
-                for group in &design.groups {
-                    let corners = group.triangles.iter().flatten();
-                    assert!(corners.clone().count() > 0);
-                    assert!(corners.into_iter().all(|v| v.get() < group.positions.len()));
-                    assert!(group.positions.iter().all(|p| p.is_finite()));
+        for mesh in [MeshSettings::default(), split] {
+            let options = ReadOptions { mesh, ..ReadOptions::default() };
+            match read_bytes(InputFormat::Mesh(format), bytes, &name, None, &options) {
+                Err(error) => assert!(!error.message.is_empty() && !error.hint.is_empty()),
+                Ok(design) => {
+                    assert!(!design.panels.is_empty());
+                    meshes(&design).for_each(fits);
+                    try_to_make(&design);
                 }
-                try_to_make(&design);
             }
         }
     }
 });
 
-fn try_to_make(design: &MeshDesign) {
-    if design.groups.iter().map(|group| group.triangles.len()).sum::<usize>() > SMALL {
+fn meshes(design: &Design) -> impl Iterator<Item = &PanelMesh> {
+    design.panels.iter().map(|panel| match &panel.shape {
+        PanelShape::Mesh(mesh) => mesh,
+        _ => unreachable!("a mesh has no curves"),
+    })
+}
+
+fn fits(mesh: &PanelMesh) {
+    let (positions, triangles) = (&mesh.triangles.positions, &mesh.triangles.triangles);
+    assert!(!triangles.is_empty());
+    assert!(triangles.iter().flatten().all(|v| v.get() < positions.len()));
+    assert!(positions.iter().all(|p| p.is_finite()));
+}
+
+fn try_to_make(design: &Design) {
+    if meshes(design).map(|mesh| mesh.triangles.triangles.len()).sum::<usize>() > SMALL {
         return;
     }
-    let split = MeshOptions { split_creases: Some(from_deg(30.0)), ..MeshOptions::default() };
-    for options in [MeshOptions::default(), split] {
-        match make_meshes(design, &options, &mut Unwatched) {
-            Err(error) => assert!(!mesh_hint_for(&error).is_empty()),
-            Ok(made) => {
-                let files = mesh_output_files(&made, &[Format::Report], &PdfOptions::default());
-                assert!(files.is_ok_and(|outputs| outputs.files.len() == 2));
-            }
+    match make(design, &mut Unwatched) {
+        Err(error) => assert!(!hint_for(&error).is_empty()),
+        Ok(made) => {
+            let files = output_files(&made, &[Format::Report], &PdfOptions::default());
+            assert!(files.is_ok_and(|outputs| outputs.files.len() == 2));
         }
     }
 }

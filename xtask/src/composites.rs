@@ -1,7 +1,7 @@
 //! The page about composites and its example: three cones joined to one sheet.
 
 use sheetwright::design::PanelMethod;
-use sheetwright::make::{Made, MadePanel, make};
+use sheetwright::make::{Made, Part, make};
 use sheetwright::math::to_deg;
 use sheetwright::watch::Unwatched;
 use sheetwright_files::write_design;
@@ -56,9 +56,9 @@ fn page() -> Result<String, Box<dyn Error>> {
         for samples in [100, 200, SAMPLES] {
             let best = joined(samples, PanelMethod::Optimal, fold)?;
             let bridge = joined(samples, PanelMethod::Bridge, fold)?;
-            let [best, bridge] = [&best.panels[0], &bridge.panels[0]];
+            let [best, bridge] = [&best.parts[0], &bridge.parts[0]];
             let ratio = bridge.measures.twist_total / best.measures.twist_total;
-            let cell = |panel: &MadePanel| {
+            let cell = |panel: &Part| {
                 format!(
                     "{:.4} | {:.1}°",
                     panel.measures.twist_total,

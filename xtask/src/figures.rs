@@ -1,11 +1,10 @@
 //! The pictures of the README and the docs, made from the examples.
 
-use sheetwright::make::{Made, MeshOptions, make, make_meshes};
+use sheetwright::make::{Made, make};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
-    Input, Picture, ReadOptions, VarySettings, design_picture, flat_picture, gauss_picture,
-    heat_picture, mesh_picture, moved_picture, read_any, read_input, side_by_side, stacked,
-    surface_picture, warp_chart,
+    Picture, ReadOptions, VarySettings, design_picture, flat_picture, gauss_picture, moved_picture,
+    read_input, side_by_side, space_picture, stacked, warp_chart,
 };
 use std::error::Error;
 
@@ -41,8 +40,8 @@ fn hull_moved() -> Result<Picture, Box<dyn Error>> {
     let asked =
         VarySettings { warp_deg: Some(5.6), limit_mm: Some(15.0), ..VarySettings::default() };
     let made = hull_with(SAMPLES_MOVED, asked)?;
-    let bottom = made.panels.last().ok_or("the hull has no planks")?;
-    let before = bottom.change.as_ref().map(|change| &change.before);
+    let bottom = made.parts.last().ok_or("the hull has no planks")?;
+    let before = bottom.change().map(|change| &change.before);
     let charts = before.map(|b| &**b).into_iter().chain([bottom]);
     let charts: Vec<Picture> =
         charts.filter_map(|p| warp_chart(p, made.material.as_ref())).collect();
@@ -54,7 +53,7 @@ fn hull_moved() -> Result<Picture, Box<dyn Error>> {
 fn hull() -> Result<Picture, Box<dyn Error>> {
     let made = hull_with(SAMPLES, VarySettings::default())?;
     let flat: Vec<Picture> =
-        made.panels.iter().map(|panel| flat_picture(panel, made.material.as_ref())).collect();
+        made.parts.iter().map(|panel| flat_picture(panel, made.material.as_ref())).collect();
     let title = "The planks of a hull in space, and laid flat";
     Ok(side_by_side(title, &[design_picture(&made), stacked("The flat planks", &flat)]))
 }
@@ -63,8 +62,8 @@ fn hull() -> Result<Picture, Box<dyn Error>> {
 fn three_cones() -> Result<Picture, Box<dyn Error>> {
     let [best, bridge] = crate::composites::drawn()?;
     let column = |made: &Made, title: &str| {
-        let panel = &made.panels[0];
-        let mut pictures = vec![surface_picture(panel, made.material.as_ref())];
+        let panel = &made.parts[0];
+        let mut pictures = vec![space_picture(panel, made.material.as_ref())];
         pictures.extend(gauss_picture(panel, made.material.as_ref()));
         stacked(title, &pictures)
     };
@@ -87,12 +86,9 @@ fn meshes() -> Result<Picture, Box<dyn Error>> {
     for (file, title) in [("mesh-cap.ply", "A cap of a sphere"), ("mesh-cube.obj", "A closed cube")]
     {
         let path = crate::root().join("corpus/good").join(file);
-        let Input::Mesh(design) = read_any(&path, &ReadOptions::default())? else {
-            return Err(format!("{file} is no mesh").into());
-        };
-        let made = make_meshes(&design, &MeshOptions::default(), &mut Unwatched)?;
-        let panel = &made.panels[0];
-        let pictures = [mesh_picture(panel), heat_picture(panel, made.material.as_ref())];
+        let made = make(&read_input(&path, &ReadOptions::default())?, &mut Unwatched)?;
+        let (part, material) = (&made.parts[0], made.material.as_ref());
+        let pictures = [space_picture(part, material), flat_picture(part, material)];
         rows.push(side_by_side(title, &pictures));
     }
     Ok(stacked("Meshes in space, and laid flat, coloured by how much lengths differ", &rows))

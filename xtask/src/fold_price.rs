@@ -3,9 +3,10 @@
 use sheetwright::boundary::{Boundary, PlaneChoice, samples_from_points, supporting_plane};
 use sheetwright::cost::{PriceOptions, Prices};
 use sheetwright::curve::CurvePoint;
-use sheetwright::flatten::{Sheet, unroll};
+use sheetwright::flatten::unroll;
 use sheetwright::math::to_deg;
-use sheetwright::measure::{Measures, measures};
+use sheetwright::measure::{CutFrom, Measures, measures};
+use sheetwright::sheet::Sheet;
 use sheetwright::surface::{Connectivity, Surface};
 use sheetwright::triangulate::{TriangulateOptions, triangulate};
 use sheetwright::watch::Unwatched;
@@ -114,12 +115,8 @@ fn measured(boundary: &Boundary, fold: f64) -> Result<Measures, Box<dyn Error>> 
     let connectivity = Connectivity::new(boundary.loops(), found.triangles)?;
     let surface = Surface::new(connectivity, boundary.positions());
     let flat = unroll(surface.connectivity(), |a, b| surface.length(a, b), &mut Unwatched)?;
-    Ok(measures(
-        &surface,
-        &Sheet::whole(&surface),
-        &flat,
-        &Prices::new(boundary, plane.as_ref(), price),
-    ))
+    let prices = Prices::new(boundary, plane.as_ref(), price);
+    Ok(measures(CutFrom::Surface(&surface, &prices), &Sheet::whole(&surface), &flat))
 }
 
 /// A boundary through the samples of another, with central differences for tangents everywhere.

@@ -1,20 +1,18 @@
 //! The gallery: the figures of the paper that the project grew from, each from a design of its own.
 
-use sheetwright::design::{MeshDesign, MeshGroup};
+use sheetwright::design::{Design, DesignPanel, PanelMesh, PanelShape, Triangles};
 use sheetwright::flatten::Aim;
-use sheetwright::index::{SampleIndex, VertexIndex};
-use sheetwright::make::{Made, MadeMeshes, MadePanel, MeshOptions, make, make_meshes};
+use sheetwright::index::VertexIndex;
+use sheetwright::make::{Made, Part, make};
 use sheetwright::math::to_deg;
-use sheetwright::measure::gauss_area_of_mesh;
-use sheetwright::surface::Surface;
+use sheetwright::sheet::Sheet;
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
-    Input, InputFormat, MeshFormat, PanelQuads, Picture, ReadOptions, design_from_template,
-    design_picture, flat_picture, gauss_picture, heat_picture, material_named, mesh_gauss_picture,
-    mesh_picture, quads_picture, read_any_bytes, side_by_side, stacked, surface_picture,
-    write_design,
+    InputFormat, MeshFormat, MeshSettings, PanelQuads, Picture, ReadOptions, design_from_template,
+    design_picture, flat_picture, gauss_picture, material_named, quads_picture, read_bytes,
+    side_by_side, space_picture, stacked, write_design,
 };
-use sheetwright_shapes::gallery::{Triangles, half_sphere, multiply_connected, raised};
+use sheetwright_shapes::gallery::{half_sphere, multiply_connected, raised};
 use sheetwright_shapes::three_cones;
 use std::error::Error;
 use std::fmt::Write;
@@ -74,7 +72,7 @@ fn obj(name: &str, mesh: &Triangles) -> Vec<u8> {
         // Writing to a string does not fail. Nobody measures finer than to a micrometre.
         let _ = writeln!(text, "v {:.3} {:.3} {:.3}", p.x + 0.0, p.y + 0.0, p.z + 0.0);
     }
-    for [a, b, c] in &mesh.triangles {
+    for [a, b, c] in mesh.triangles.iter().map(|t| t.map(VertexIndex::get)) {
         let _ = writeln!(text, "f {} {} {}", a + 1, b + 1, c + 1);
     }
     text.into_bytes()
@@ -84,9 +82,9 @@ fn obj(name: &str, mesh: &Triangles) -> Vec<u8> {
 struct Shapes {
     multiply_connected: Made,
     /// The multiply connected panel with its windows left closed, laid flat as a mesh.
-    closed: MadeMeshes,
+    closed: Made,
     /// For the least mean length error, and for the least largest.
-    half_spheres: [MadeMeshes; 2],
+    half_spheres: [Made; 2],
     three_cones: Made,
     raised: Made,
     revolutions: [Made; 2],
@@ -96,25 +94,22 @@ struct Shapes {
 impl Shapes {
     fn made() -> Result<Self> {
         let designs = designs()?;
-        let read = |name: &str| -> Result<Input> {
+        let made = |name: &str, aim: Option<Aim>| -> Result<Made> {
             let found = designs.iter().find(|(other, _)| *other == name);
             let bytes = &found.ok_or("no such design")?.1;
             let is_mesh = name.ends_with("obj");
             let format =
                 if is_mesh { InputFormat::Mesh(MeshFormat::Obj) } else { InputFormat::Design };
-            Ok(read_any_bytes(format, bytes, name, None, &ReadOptions::default())?)
+            let mesh = MeshSettings { aim, ..MeshSettings::default() };
+            let options = ReadOptions { mesh, ..ReadOptions::default() };
+            let design = read_bytes(format, bytes, name, None, &options)?;
+            Ok(make(&design, &mut Unwatched)?)
         };
-        let design = |name: &str| match read(name)? {
-            Input::Design(design) => Ok(make(&design, &mut Unwatched)?),
-            Input::Mesh(_) => Err(Box::<dyn Error>::from("a mesh")),
-        };
-        let mesh = |name: &str, aim: Aim| match read(name)? {
-            Input::Mesh(mesh) => Ok(make_meshes(&mesh, &aimed(aim), &mut Unwatched)?),
-            Input::Design(_) => Err(Box::<dyn Error>::from("a design")),
-        };
+        let design = |name: &str| made(name, None);
+        let mesh = |name: &str, aim: Aim| made(name, Some(aim));
         let multiply_connected = design("multiply-connected.sheet.json")?;
         Ok(Self {
-            closed: left_closed(&multiply_connected.panels[0].surface)?,
+            closed: left_closed(&surface_of(&multiply_connected.parts[0])?)?,
             multiply_connected,
             half_spheres: [mesh("half-sphere.obj", Aim::Mean)?, mesh("half-sphere.obj", Aim::Max)?],
             three_cones: design("three-cones.sheet.json")?,
@@ -127,14 +122,12 @@ impl Shapes {
     fn pictures(&self) -> Result<Vec<(&'static str, Picture)>> {
         let [four, twelve] = &self.revolutions;
         let [mean, largest] = &self.half_spheres;
-        let laid_flat = |title: &str, made: &MadeMeshes| {
-            let panel = &made.panels[0];
-            stacked(title, &[mesh_picture(panel), heat_picture(panel, made.material.as_ref())])
-        };
-        let gauss = mesh_gauss_picture(&mean.panels[0]).ok_or("no Gauss image")?;
-        let quads_of = |made: &Made| {
-            let panel = &made.panels[0];
-            quads_picture(panel, &PanelQuads::new(panel).planar.mesh)
+        let laid_flat = |title: &str, made: &Made| stacked(title, &[space(made), flat(made)]);
+        let gauss = gauss_picture(&mean.parts[0], None).ok_or("no Gauss image")?;
+        let quads_of = |made: &Made| -> Result<Picture> {
+            let part = &made.parts[0];
+            let found = part.found().ok_or("a mesh has no rulings")?;
+            Ok(quads_picture(part, &PanelQuads::new(found).planar.mesh))
         };
         Ok(vec![
             (
@@ -162,7 +155,7 @@ impl Shapes {
             ),
             ("three-cones", three("Three cones", &self.three_cones)?),
             ("raised", {
-                let pictures = [three("A raised surface", &self.raised)?, quads_of(&self.raised)];
+                let pictures = [three("A raised surface", &self.raised)?, quads_of(&self.raised)?];
                 stacked("A raised surface, and its planar quads", &pictures)
             }),
             (
@@ -176,7 +169,7 @@ impl Shapes {
                 ),
             ),
             ("hemisphere", {
-                let pieces = &self.hemisphere.panels;
+                let pieces = &self.hemisphere.parts;
                 let bands = [0, pieces.len() / 2, pieces.len() - 1];
                 let flat: Vec<Picture> =
                     bands.iter().map(|&n| flat_picture(&pieces[n], None)).collect();
@@ -185,7 +178,7 @@ impl Shapes {
             }),
             ("quads", {
                 let cones = &self.three_cones;
-                side_by_side("Triangles to quads", &[space(cones), quads_of(cones)])
+                side_by_side("Triangles to quads", &[space(cones), quads_of(cones)?])
             }),
         ])
     }
@@ -200,10 +193,9 @@ impl Shapes {
             ("revolution in 12", &self.revolutions[1]),
             ("hemisphere in 36", &self.hemisphere),
         ] {
-            let panels = &made.panels;
-            let triangles: usize =
-                panels.iter().map(|p| p.surface.connectivity().triangles().len()).sum();
-            let most = |of: fn(&MadePanel) -> f64| panels.iter().map(of).fold(0.0, f64::max);
+            let panels = &made.parts;
+            let triangles: usize = panels.iter().map(|p| p.sheet.mesh().triangles().len()).sum();
+            let most = |of: fn(&Part) -> f64| panels.iter().map(of).fold(0.0, f64::max);
             writeln!(
                 table,
                 "| {name} | {} | {} | {:.1}° | {} | {} | {} |",
@@ -220,12 +212,12 @@ impl Shapes {
             ("half sphere, least mean error", &self.half_spheres[0]),
             ("half sphere, least largest error", &self.half_spheres[1]),
         ] {
-            let panel = &made.panels[0];
+            let panel = &made.parts[0];
             writeln!(
                 table,
                 "| {name} | 1 | {} | | {} | {} | {} |",
-                thousands(panel.mesh.triangles().len()),
-                small(gauss_area_of_mesh(&panel.mesh)),
+                thousands(panel.sheet.mesh().triangles().len()),
+                small(panel.measures.gauss_area_sr),
                 small(panel.measures.length_error_mean),
                 small(panel.measures.length_error_max),
             )?;
@@ -234,53 +226,49 @@ impl Shapes {
     }
 }
 
-fn aimed(aim: Aim) -> MeshOptions {
-    MeshOptions { aim, ..MeshOptions::default() }
-}
-
 /// A surface with windows, of cloth, which gives way so far that nothing need be cut open.
-fn left_closed(surface: &Surface) -> Result<MadeMeshes> {
-    let mut design = as_mesh_design("windows left closed", surface);
+fn left_closed(surface: &Sheet) -> Result<Made> {
+    let mut design = as_mesh_design("windows left closed", surface, Aim::Max);
     design.material = material_named("canvas", &[]);
-    let made = make_meshes(&design, &aimed(Aim::Max), &mut Unwatched)?;
-    if made.panels.iter().any(|panel| !panel.sheet.seams.is_empty()) {
+    let made = make(&design, &mut Unwatched)?;
+    if made.parts.iter().any(|part| !part.sheet.seams().is_empty()) {
         return Err("the windows were to stay closed".into());
     }
     Ok(made)
 }
 
-/// The surface of a panel as a mesh from elsewhere would come, laid flat.
-fn as_mesh(name: &str, surface: &Surface) -> Result<MadeMeshes> {
-    let design = as_mesh_design(name, surface);
-    Ok(make_meshes(&design, &MeshOptions::default(), &mut Unwatched)?)
+/// The surface of a part, not cut open.
+fn surface_of(part: &Part) -> Result<Sheet> {
+    Ok(Sheet::whole(&part.found().ok_or("a mesh is given")?.surface))
 }
 
-fn as_mesh_design(name: &str, surface: &Surface) -> MeshDesign {
-    let corner = |s: &SampleIndex| VertexIndex::new(s.get());
-    let triangles = surface.connectivity().triangles().iter();
-    let group = MeshGroup {
-        name: name.to_owned(),
-        positions: surface.positions().to_vec(),
-        triangles: triangles.map(|t| t.each_ref().map(corner)).collect(),
+/// A surface as a mesh from elsewhere would come.
+fn as_mesh_design(name: &str, surface: &Sheet, aim: Aim) -> Design {
+    let triangles = Triangles {
+        positions: surface.mesh().positions().to_vec(),
+        triangles: surface.mesh().triangles().to_vec(),
         left_out: 0,
     };
-    MeshDesign { name: name.to_owned(), material: None, groups: vec![group] }
+    let mesh = PanelMesh { aim, ..PanelMesh::new(triangles) };
+    let panel = DesignPanel::new(name, PanelShape::Mesh(mesh), 0);
+    Design { name: name.to_owned(), panels: vec![panel], ..Design::default() }
 }
 
 fn space(made: &Made) -> Picture {
-    surface_picture(&made.panels[0], made.material.as_ref())
+    space_picture(&made.parts[0], made.material.as_ref())
 }
 
 fn flat(made: &Made) -> Picture {
-    flat_picture(&made.panels[0], made.material.as_ref())
+    flat_picture(&made.parts[0], made.material.as_ref())
 }
 
 /// What the paper shows of a shape: in space, flat, and its length errors.
 fn three(title: &str, made: &Made) -> Result<Picture> {
-    let errors = as_mesh(title, made.panels[0].sheet.surface())?;
-    let errors = heat_picture(&errors.panels[0], made.material.as_ref());
+    let errors = as_mesh_design(title, &made.parts[0].sheet, Aim::Mean);
+    let errors = make(&errors, &mut Unwatched)?;
+    let errors = flat_picture(&errors.parts[0], made.material.as_ref());
     let mut in_space = vec![space(made)];
-    in_space.extend(gauss_picture(&made.panels[0], made.material.as_ref()));
+    in_space.extend(gauss_picture(&made.parts[0], made.material.as_ref()));
     Ok(side_by_side(title, &[stacked("In space", &in_space), flat(made), errors]))
 }
 

@@ -110,7 +110,7 @@ fn page() -> Result<String, std::fmt::Error> {
     Ok(page)
 }
 
-fn share(made: &sheetwright::make::MadePanel) -> String {
+fn share(made: &sheetwright::make::Part) -> String {
     format!("{:.4} % of the area", 100.0 * neither_flat_nor_conical(made, FLAT))
 }
 

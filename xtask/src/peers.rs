@@ -136,7 +136,8 @@ fn boundaries(m: usize) -> Result<Vec<(String, Boundary)>, Box<dyn Error>> {
         ..ReadOptions::default()
     };
     let made = make(&read_input(&hull, &options)?, &mut Unwatched)?;
-    list.extend(made.panels.into_iter().map(|panel| (panel.name, panel.boundary)));
+    let found = made.parts.iter().filter_map(|part| Some((part, part.found()?)));
+    list.extend(found.map(|(part, found)| (part.name.clone(), found.boundary.clone())));
     Ok(list)
 }
 

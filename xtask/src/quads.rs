@@ -1,7 +1,8 @@
 //! The page about planar quads and smooth strips, with what was measured on the examples.
 
+use sheetwright::boundary::size_of;
 use sheetwright::design::Design;
-use sheetwright::make::{MadePanel, make};
+use sheetwright::make::{Part, make};
 use sheetwright::math::to_deg;
 use sheetwright::quads::PlanarEnd;
 use sheetwright::watch::Unwatched;
@@ -55,8 +56,8 @@ fn example(name: &str, samples: Option<usize>) -> Result<Design, Box<dyn Error>>
 /// A row for each panel, or one with the worst of all.
 fn rows(table: &mut String, name: &str, design: &Design, each: bool) -> Result<(), Box<dyn Error>> {
     let made = make(design, &mut Unwatched)?;
-    let measured: Vec<(&MadePanel, PanelQuads)> =
-        made.panels.iter().map(|panel| (panel, PanelQuads::new(panel))).collect();
+    let measured: Vec<(&Part, PanelQuads)> =
+        made.parts.iter().filter_map(|part| Some((part, PanelQuads::new(part.found()?)))).collect();
     if each && measured.len() > 1 {
         for one in &measured {
             row(table, &format!("{name}, {}", one.0.name), std::slice::from_ref(one))?;
@@ -73,13 +74,15 @@ fn rows(table: &mut String, name: &str, design: &Design, each: bool) -> Result<(
 fn row(
     table: &mut String,
     name: &str,
-    measured: &[(&MadePanel, PanelQuads)],
+    measured: &[(&Part, PanelQuads)],
 ) -> Result<(), Box<dyn Error>> {
-    let worst = |of: &dyn Fn(&MadePanel, &PanelQuads) -> f64| {
+    let worst = |of: &dyn Fn(&Part, &PanelQuads) -> f64| {
         measured.iter().map(|(panel, quads)| of(panel, quads)).fold(0.0, f64::max)
     };
     let share = |of: &dyn Fn(&PanelQuads) -> f64| {
-        let largest = worst(&|panel, quads| of(quads) / panel.boundary.size());
+        let largest = worst(&|panel, quads| {
+            of(quads) / size_of(panel.sheet.mesh().positions().iter().copied())
+        });
         if largest < 1e-15 { "0".to_owned() } else { format!("{largest:.0e}") }
     };
     let faces = |corners: usize| -> usize {

@@ -1,7 +1,7 @@
 //! The page of the templates, each with its picture, made from the catalogue.
 
 use sheetwright::design::Design;
-use sheetwright::make::{Made, MadePanel, make};
+use sheetwright::make::{Made, Part, make};
 use sheetwright::template::{Template, catalogue};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
@@ -93,15 +93,14 @@ fn picture(template: &Template, mut design: Design) -> Result<Picture, Box<dyn E
 }
 
 /// Panels that are not alike: to a thousandth of their size in width, height and area.
-fn unlike(made: &Made) -> Vec<&MadePanel> {
-    let mut kept: Vec<&MadePanel> = Vec::new();
-    for panel in &made.panels {
-        let sizes = |panel: &MadePanel| {
+fn unlike(made: &Made) -> Vec<&Part> {
+    let mut kept: Vec<&Part> = Vec::new();
+    for panel in &made.parts {
+        let sizes = |panel: &Part| {
             [panel.piece.size.x, panel.piece.size.y, panel.measures.area_flat_mm2.sqrt()]
         };
-        let same = |a: &MadePanel| {
-            sizes(a).iter().zip(sizes(panel)).all(|(a, b)| (a - b).abs() < 1e-3 * b)
-        };
+        let same =
+            |a: &Part| sizes(a).iter().zip(sizes(panel)).all(|(a, b)| (a - b).abs() < 1e-3 * b);
         if kept.len() < SHOWN && !kept.iter().any(|other| same(other)) {
             kept.push(panel);
         }

@@ -2,7 +2,7 @@
 
 use sheetwright::boundary::size_of;
 use sheetwright::design::{Design, MovedBy, PanelShape};
-use sheetwright::make::{Made, MadePanel, make};
+use sheetwright::make::{Made, Part, make};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{ReadOptions, read_input};
 use std::collections::BTreeMap;
@@ -86,9 +86,9 @@ fn varied(
 
 /// The total twist of all panels, before and after.
 fn twist(made: &Made) -> [f64; 2] {
-    let of = |panel: &MadePanel| panel.measures.twist_total;
-    let before = |panel: &MadePanel| panel.change.as_ref().map_or(of(panel), |c| of(&c.before));
-    [made.panels.iter().map(before).sum(), made.panels.iter().map(of).sum()]
+    let of = |panel: &Part| panel.measures.twist_total;
+    let before = |panel: &Part| panel.change().map_or(of(panel), |c| of(&c.before));
+    [made.parts.iter().map(before).sum(), made.parts.iter().map(of).sum()]
 }
 
 fn gain([before, after]: [f64; 2]) -> f64 {
@@ -104,7 +104,7 @@ fn shared(design: &Design) -> usize {
             PanelShape::Loops { outer, holes } => {
                 std::iter::once(outer).chain(holes).flatten().collect()
             }
-            PanelShape::Join(_) => Vec::new(),
+            PanelShape::Join(_) | PanelShape::Mesh(_) => Vec::new(),
         };
         parts.iter().for_each(|part| *uses.entry(part.name.as_str()).or_default() += 1);
     }
@@ -126,8 +126,10 @@ fn page() -> Result<String, Box<dyn Error>> {
             let mut fold = 0.0;
             for (share, reached) in SHARES.into_iter().zip(reached) {
                 let made = varied(&design, way, share)?;
-                size = size_of(before(&made).flat_map(|panel| panel.boundary.positions()));
-                fold = made.panels.first().map_or(0.0, |panel| panel.fold);
+                size = size_of(
+                    before(&made).flat_map(|panel| panel.sheet.mesh().positions().iter().copied()),
+                );
+                fold = made.parts.first().and_then(Part::found).map_or(0.0, |found| found.fold);
                 let found = gain(twist(&made));
                 let bold = if found >= bar { "**" } else { "" };
                 *reached += usize::from(found >= bar);
@@ -194,8 +196,8 @@ fn page() -> Result<String, Box<dyn Error>> {
 }
 
 /// The panels before their curves moved.
-fn before(made: &Made) -> impl Iterator<Item = &MadePanel> {
-    made.panels.iter().map(|panel| panel.change.as_ref().map_or(panel, |change| &change.before))
+fn before(made: &Made) -> impl Iterator<Item = &Part> {
+    made.parts.iter().map(|panel| panel.change().map_or(panel, |change| &change.before))
 }
 
 const TEXT: &str = include_str!("vary.md");

@@ -6,12 +6,11 @@ use clap_complete::Shell;
 use sheetwright::boundary::PlaneChoice;
 use sheetwright::design::PanelMethod;
 use sheetwright::flatten::Aim;
-use sheetwright::make::MeshOptions;
 use sheetwright::math::from_deg;
 use sheetwright::template::catalogue;
 use sheetwright_files::{
-    Format, InputFormat, MaxSheets, MeshFormat, OutputOptions, Paper, PdfOptions, ReadOptions,
-    ReportForm, Units, VarySettings, known_materials,
+    Format, InputFormat, MaxSheets, MeshFormat, MeshSettings, OutputOptions, Paper, PdfOptions,
+    ReadOptions, ReportForm, Units, VarySettings, known_materials,
 };
 use std::ffi::OsStr;
 use std::path::PathBuf;
@@ -180,13 +179,13 @@ pub(crate) struct MeshArgs {
 }
 
 impl MeshArgs {
-    pub(crate) fn options(&self) -> MeshOptions {
-        MeshOptions {
-            aim: match self.aim {
-                None | Some(AimArg::Mean) => Aim::Mean,
-                Some(AimArg::Max) => Aim::Max,
-                Some(AimArg::Seams) => Aim::Seams,
-            },
+    pub(crate) fn settings(&self) -> MeshSettings {
+        MeshSettings {
+            aim: self.aim.map(|aim| match aim {
+                AimArg::Mean => Aim::Mean,
+                AimArg::Max => Aim::Max,
+                AimArg::Seams => Aim::Seams,
+            }),
             split_creases: self.split_creases.map(from_deg),
             darts: self.darts,
         }
@@ -362,6 +361,7 @@ impl SourceArgs {
                 budget_mm: self.vary.vary_budget,
                 warp_deg: self.vary.vary_warp,
             },
+            mesh: MeshSettings::default(),
         }
     }
 }

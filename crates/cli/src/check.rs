@@ -2,22 +2,22 @@
 
 use crate::args::CheckArgs;
 use crate::failure::Failure;
-use crate::make::{Made, note_options};
+use crate::make::{checked_of, made, names_of, note_options};
 use crate::source;
 use crate::voice::{Voice, found_errors, in_words, print};
 use crate::watcher::Watcher;
 use sheetwright_files::findings_json;
 
 pub(crate) fn run(args: &CheckArgs, voice: Voice) -> Result<bool, Failure> {
-    let input = source::input(&args.source)?;
-    note_options(&input, &args.source, &args.mesh, voice);
+    let design = source::design(&args.source, &args.mesh)?;
+    note_options(&design, &args.source, &args.mesh, voice);
     let mut watcher = Watcher::new(voice);
-    let made = Made::of(&input, &args.mesh.options(), &mut watcher, &source::name(&args.source))?;
-    let panels = made.checked();
+    let made = made(&design, &mut watcher, &source::name(&args.source))?;
+    let panels = checked_of(&made);
     print(&if voice.json {
-        findings_json(made.name(), &made.panels(), &panels, None)
+        findings_json(&made.name, &names_of(&made), &panels, None)
     } else {
-        in_words(&made.panels(), &panels)
+        in_words(&names_of(&made), &panels)
     })?;
     Ok(found_errors(&panels))
 }

@@ -2,14 +2,14 @@
 
 use crate::args::ConvertArgs;
 use crate::failure::Failure;
-use crate::make::{Made, note_options, refuse_unmade};
+use crate::make::{files, made, names_of, note_options, refuse_unmade};
 use crate::source;
 use crate::voice::{Voice, found_errors, in_words, say};
 use crate::watcher::Watcher;
 use sheetwright::curve::CurveKind;
 use sheetwright::design::Design;
 use sheetwright_files::whole::write_one;
-use sheetwright_files::{Format, Input, findings_json, write_design, write_table};
+use sheetwright_files::{Format, findings_json, write_design, write_table};
 use std::path::Path;
 
 /// What a file is turned into.
@@ -46,38 +46,33 @@ impl Target {
 
 pub(crate) fn run(args: &ConvertArgs, voice: Voice) -> Result<bool, Failure> {
     let target = Target::of(&args.out)?;
-    let input = source::input(&args.source)?;
-    note_options(&input, &args.source, &args.mesh, voice);
-    match (target, &input) {
-        (Target::Table, Input::Design(design)) => {
-            write_one(&args.out, &table(design)?)?;
+    let design = source::design(&args.source, &args.mesh)?;
+    note_options(&design, &args.source, &args.mesh, voice);
+    match target {
+        Target::Table => {
+            write_one(&args.out, &table(&design, &args.out)?)?;
             Ok(false)
         }
-        (Target::Design, Input::Design(design)) => {
-            write_one(&args.out, &write_design(design))?;
+        Target::Design => {
+            write_one(&args.out, &write_design(&design))?;
             Ok(false)
         }
-        (Target::Table | Target::Design, Input::Mesh(_)) => {
-            let message = "a mesh has no boundary curves to write";
-            let hint =
-                "It can become .obj, .pdf, .html, .json or, of a single panel, .svg or .dxf.";
-            Err(Failure::new(message, hint).at(args.out.display().to_string()))
-        }
-        (Target::Made(format, ending), _) => {
-            refuse_unmade(&input, &[format])?;
+        Target::Made(format, ending) => {
+            refuse_unmade(&design, &[format])?;
             let mut watcher = Watcher::new(voice);
             let place = source::name(&args.source);
             let single = matches!(format, Format::Svg | Format::Dxf);
-            if single && matches!(&input, Input::Design(d) if d.panels_to_make().len() > 1) {
+            if single && design.panels_to_make().len() > 1 {
                 return Err(for_one_panel(ending, &args.out));
             }
-            let made = Made::of(&input, &args.mesh.options(), &mut watcher, &place)?;
-            // A group of a mesh may turn out to be several panels.
-            if single && made.panels().len() > 1 {
+            let made = made(&design, &mut watcher, &place)?;
+            let names = names_of(&made);
+            // A mesh may turn out to be several parts.
+            if single && names.len() > 1 {
                 return Err(for_one_panel(ending, &args.out));
             }
-            let outputs =
-                made.files(&[format], (&args.pdf.options()).into(), &mut watcher, &place)?;
+            let options = (&args.pdf.options()).into();
+            let outputs = files(&made, &[format], options, &mut watcher, &place)?;
 
             let file = outputs.files.iter().find(|file| file.name.ends_with(ending));
             let file = file.ok_or_else(|| {
@@ -86,9 +81,9 @@ pub(crate) fn run(args: &ConvertArgs, voice: Voice) -> Result<bool, Failure> {
             write_one(&args.out, &file.bytes)?;
             // The answer is the file; what was found is said beside it.
             if voice.json {
-                say(&findings_json(made.name(), &made.panels(), &outputs.panels, None));
+                say(&findings_json(&made.name, &names, &outputs.panels, None));
             } else if !voice.quiet {
-                say(&in_words(&made.panels(), &outputs.panels));
+                say(&in_words(&names, &outputs.panels));
             }
             Ok(found_errors(&outputs.panels))
         }
@@ -101,7 +96,13 @@ fn for_one_panel(ending: &str, out: &Path) -> Failure {
     Failure::new(message, hint).at(out.display().to_string())
 }
 
-fn table(design: &Design) -> Result<Vec<u8>, Failure> {
+fn table(design: &Design, out: &Path) -> Result<Vec<u8>, Failure> {
+    if design.curves.is_empty() {
+        let message = "a mesh has no boundary curves to write";
+        let hint = "It can become .sheet.json, .obj, .pdf, .html, .json or, of a single panel, \
+                    .svg or .dxf.";
+        return Err(Failure::new(message, hint).at(out.display().to_string()));
+    }
     if let Some(curve) = design.curves.iter().find(|c| c.kind == Some(CurveKind::BSpline)) {
         let message = format!("the points of the curve '{}' do not lie on it", curve.name);
         let hint = "A table has points of curves, not control points: make the curve a spline.";

@@ -3,11 +3,9 @@
 use crate::remedies::with_options;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use sheetwright::design::Design;
-use sheetwright::make::{MakeError, MeshMakeError};
+use sheetwright::make::MakeError;
 use sheetwright_files::whole::WriteError;
-use sheetwright_files::{
-    InputError, Units, hint_in_design, length_in, mesh_hint_for, mesh_remedy_for,
-};
+use sheetwright_files::{InputError, Units, hint_in_design, length_in, remedy_for};
 
 const HELP: &str = "`sheetwright --help` shows the commands with examples.";
 
@@ -34,12 +32,7 @@ impl Failure {
 
     /// A design that can't be made. `input` is what it was read from.
     pub(crate) fn of_make(error: &MakeError, design: &Design, input: &str) -> Self {
-        Self::new(error.to_string(), hint_in_design(error, design)).at(input)
-    }
-
-    /// A mesh that can't be made. `input` is what it was read from.
-    pub(crate) fn of_meshes(error: &MeshMakeError, input: &str) -> Self {
-        let hint = with_options(&mesh_hint_for(error), mesh_remedy_for(error));
+        let hint = with_options(&hint_in_design(error, design), remedy_for(error));
         Self::new(error.to_string(), hint).at(input)
     }
 

@@ -7,11 +7,11 @@ use crate::source;
 use crate::voice::{Voice, found_errors, in_words, print};
 use crate::watcher::Watcher;
 use sheetwright::check::Checked;
-use sheetwright::make::{MadeMeshes, MeshOptions, make, make_meshes};
+use sheetwright::design::{Design, DesignPanel, PanelShape};
+use sheetwright::make::{Made, make};
 use sheetwright_files::whole::Folder;
 use sheetwright_files::{
-    Format, Input, OutputOptions, Outputs, ReportForm, findings_json, mesh_output_files,
-    output_files, timing_json,
+    Format, OutputOptions, Outputs, ReportForm, findings_json, output_files, timing_json,
 };
 use std::path::Path;
 use std::time::Instant;
@@ -27,35 +27,40 @@ pub(crate) fn run(args: &MakeArgs, voice: Voice) -> Result<bool, Failure> {
         })
         .collect();
     let start = Instant::now();
-    let input = source::input(&args.source)?;
-    refuse_unmade(&input, &formats)?;
-    note_options(&input, &args.source, &args.mesh, voice);
+    let design = source::design(&args.source, &args.mesh)?;
+    refuse_unmade(&design, &formats)?;
+    note_options(&design, &args.source, &args.mesh, voice);
     let job = Job {
         input: &source::name(&args.source),
         out: &args.out,
         formats: &formats,
         options: args.options(),
-        mesh: args.mesh.options(),
         beside: None,
     };
-    job.run(&input, start, voice)
+    job.run(&design, start, voice)
 }
 
-/// Refuses formats that can't be made of an input.
-pub(crate) fn refuse_unmade(input: &Input, formats: &[Format]) -> Result<(), Failure> {
+fn is_mesh(panel: &DesignPanel) -> bool {
+    matches!(panel.shape, PanelShape::Mesh(_))
+}
+
+/// Refuses formats of which a design has no part.
+pub(crate) fn refuse_unmade(design: &Design, formats: &[Format]) -> Result<(), Failure> {
     let unmade = formats.iter().find(|format| format.needs_rulings());
-    match (input, unmade) {
-        (Input::Mesh(_), Some(format)) => Err(Failure::new(
-            format!("{} can't be made of a mesh, which has no rulings", format.name()),
-            "Leave it out, or give boundary curves instead.",
-        )),
+    match unmade {
+        Some(format) if !design.panels.is_empty() && design.panels.iter().all(is_mesh) => {
+            Err(Failure::new(
+                format!("{} can't be made of a mesh, which has no rulings", format.name()),
+                "Leave it out, or give boundary curves instead.",
+            ))
+        }
         _ => Ok(()),
     }
 }
 
 /// Says what was given that makes no difference, and what was not and may.
-pub(crate) fn note_options(input: &Input, source: &SourceArgs, mesh: &MeshArgs, voice: Voice) {
-    if let (Input::Design(_), Some(given)) = (input, mesh.given()) {
+pub(crate) fn note_options(design: &Design, source: &SourceArgs, mesh: &MeshArgs, voice: Voice) {
+    if let (false, Some(given)) = (design.panels.iter().any(is_mesh), mesh.given()) {
         voice.note(&format!(
             "note: the panels of a design unroll exactly, so {given} makes no difference"
         ));
@@ -78,21 +83,24 @@ pub(crate) struct Job<'a> {
     pub(crate) formats: &'a [Format],
     /// How its files are written.
     pub(crate) options: OutputOptions,
-    /// How meshes are flattened.
-    pub(crate) mesh: MeshOptions,
     /// A file that goes with them: its name and its bytes.
     pub(crate) beside: Option<(String, Vec<u8>)>,
 }
 
 impl Job<'_> {
     /// Makes the input, writes its files and says its verdict; whether some finding is an error.
-    pub(crate) fn run(&self, input: &Input, start: Instant, voice: Voice) -> Result<bool, Failure> {
+    pub(crate) fn run(
+        &self,
+        design: &Design,
+        start: Instant,
+        voice: Voice,
+    ) -> Result<bool, Failure> {
         let formats = self.formats;
         // What can't be written to is said before anybody waits.
         let folder = Folder::new(self.out)?;
         let mut watcher = Watcher::new(voice);
-        let made = Made::of(input, &self.mesh, &mut watcher, self.input)?;
-        let outputs = made.files(formats, self.options, &mut watcher, self.input)?;
+        let made = made(design, &mut watcher, self.input)?;
+        let outputs = files(&made, formats, self.options, &mut watcher, self.input)?;
         let mut names: Vec<String> = outputs.files.iter().map(|file| file.name.clone()).collect();
 
         let mut batch = folder.batch()?;
@@ -101,7 +109,7 @@ impl Job<'_> {
         }
         if formats.contains(&Format::Report) {
             const TIMING: &str = "timing.json";
-            let times = watcher.times(&made.panels());
+            let times = watcher.times(&names_of(&made));
             batch.add(TIMING, &timing_json(&times, start.elapsed().as_secs_f64()))?;
             names.push(TIMING.to_owned());
         }
@@ -110,9 +118,9 @@ impl Job<'_> {
             names.push(name.clone());
         }
         let answer = if voice.json {
-            findings_json(made.name(), &made.panels(), &outputs.panels, Some(&names))
+            findings_json(&made.name, &names_of(&made), &outputs.panels, Some(&names))
         } else {
-            in_words(&made.panels(), &outputs.panels)
+            in_words(&names_of(&made), &outputs.panels)
         };
         // The answer first: where it can't be given, nothing is written.
         print(&answer)?;
@@ -128,67 +136,32 @@ impl Job<'_> {
     }
 }
 
-/// What was made of an input.
-pub(crate) enum Made {
-    Design(Box<sheetwright::make::Made>),
-    Meshes(Box<MadeMeshes>),
+/// Makes a design; `place` is what it was read from.
+pub(crate) fn made(design: &Design, watcher: &mut Watcher, place: &str) -> Result<Made, Failure> {
+    let made = make(design, watcher);
+    watcher.end();
+    made.map_err(|error| Failure::of_make(&error, design, place))
 }
 
-impl Made {
-    pub(crate) fn of(
-        input: &Input,
-        mesh: &MeshOptions,
-        watcher: &mut Watcher,
-        place: &str,
-    ) -> Result<Self, Failure> {
-        let made = match input {
-            Input::Design(design) => make(design, watcher)
-                .map(|made| Self::Design(Box::new(made)))
-                .map_err(|error| Failure::of_make(&error, design, place)),
-            Input::Mesh(design) => make_meshes(design, mesh, watcher)
-                .map(|made| Self::Meshes(Box::new(made)))
-                .map_err(|error| Failure::of_meshes(&error, place)),
-        };
-        watcher.end();
-        made
-    }
+/// The names of its parts.
+pub(crate) fn names_of(made: &Made) -> Vec<&str> {
+    made.parts.iter().map(|part| part.name.as_str()).collect()
+}
 
-    pub(crate) fn name(&self) -> &str {
-        match self {
-            Self::Design(made) => &made.name,
-            Self::Meshes(made) => &made.name,
-        }
-    }
+/// The verdicts on its parts, before any file is written.
+pub(crate) fn checked_of(made: &Made) -> Vec<Checked> {
+    made.parts.iter().map(|part| part.checked.clone()).collect()
+}
 
-    /// The names of its panels.
-    pub(crate) fn panels(&self) -> Vec<&str> {
-        match self {
-            Self::Design(made) => made.panels.iter().map(|panel| panel.name.as_str()).collect(),
-            Self::Meshes(made) => made.panels.iter().map(|panel| panel.name.as_str()).collect(),
-        }
-    }
-
-    /// The verdicts on its panels, before any file is written.
-    pub(crate) fn checked(&self) -> Vec<Checked> {
-        match self {
-            Self::Design(made) => made.panels.iter().map(|panel| panel.checked.clone()).collect(),
-            Self::Meshes(made) => made.panels.iter().map(|panel| panel.checked.clone()).collect(),
-        }
-    }
-
-    /// Its files in memory.
-    pub(crate) fn files(
-        &self,
-        formats: &[Format],
-        options: OutputOptions,
-        watcher: &mut Watcher,
-        place: &str,
-    ) -> Result<Outputs, Failure> {
-        watcher.begin_writing();
-        match self {
-            Self::Design(made) => output_files(made, formats, options),
-            Self::Meshes(made) => mesh_output_files(made, formats, options),
-        }
-        .map_err(|error| Failure::new(error.to_string(), FAULT).at(place))
-    }
+/// Its files in memory.
+pub(crate) fn files(
+    made: &Made,
+    formats: &[Format],
+    options: OutputOptions,
+    watcher: &mut Watcher,
+    place: &str,
+) -> Result<Outputs, Failure> {
+    watcher.begin_writing();
+    let outputs = output_files(made, formats, options);
+    outputs.map_err(|error| Failure::new(error.to_string(), FAULT).at(place))
 }

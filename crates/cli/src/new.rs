@@ -5,12 +5,11 @@ use crate::failure::Failure;
 use crate::make::Job;
 use crate::remedies::{CATALOGUE, TEMPLATE_CALL};
 use crate::voice::{Voice, print, print_as_it_is};
-use sheetwright::make::MeshOptions;
 use sheetwright::template::template;
 use sheetwright_files::whole::write_one;
 use sheetwright_files::{
-    Format, Input, InputError, OutputOptions, Units, catalogue_json, catalogue_text,
-    design_from_template, new_design, shown, template_text, write_design,
+    Format, InputError, OutputOptions, Units, catalogue_json, catalogue_text, design_from_template,
+    new_design, shown, template_text, write_design,
 };
 use std::path::Path;
 use std::time::Instant;
@@ -34,9 +33,8 @@ pub(crate) fn run(args: &NewArgs, voice: Voice) -> Result<bool, Failure> {
         // Tables need not lie in the folder of the patterns: the design there has their points.
         let beside = Some((format!("{}.sheet.json", new.design.name), write_design(&new.design)));
         let options = OutputOptions::default();
-        let mesh = MeshOptions::default();
-        let job = Job { input: name, out, formats: &Format::DEFAULT, options, mesh, beside };
-        return job.run(&Input::Design(new.design), start, voice);
+        let job = Job { input: name, out, formats: &Format::DEFAULT, options, beside };
+        return job.run(&new.design, start, voice);
     }
     let bytes = new.bytes();
     match &args.out {

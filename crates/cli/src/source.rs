@@ -1,20 +1,21 @@
 //! The input of a command, from a file or from standard input.
 
-use crate::args::SourceArgs;
+use crate::args::{MeshArgs, SourceArgs};
 use crate::failure::{Failure, INPUT_ENDINGS, for_all};
-use sheetwright_files::{Input, InputFormat, read_any, read_any_bytes, read_limited};
+use sheetwright::design::Design;
+use sheetwright_files::{InputFormat, ReadOptions, read_bytes, read_input, read_limited};
 use std::io;
 use std::path::Path;
 
 const STDIN: &str = "standard input";
 
-/// What the input holds.
-pub(crate) fn input(args: &SourceArgs) -> Result<Input, Failure> {
-    let options = args.options();
+/// The design that the input holds, with its meshes laid flat as these arguments say.
+pub(crate) fn design(args: &SourceArgs, mesh: &MeshArgs) -> Result<Design, Failure> {
+    let options = ReadOptions { mesh: mesh.settings(), ..args.options() };
     match (args.input == Path::new("-"), args.from) {
         (true, Some(from)) => {
             let bytes = read_limited(io::stdin().lock(), STDIN)?;
-            Ok(read_any_bytes(from.format(), &bytes, "-", None, &options)?)
+            Ok(read_bytes(from.format(), &bytes, "-", None, &options)?)
         }
         (true, None) => {
             let bytes = read_limited(io::stdin().lock(), STDIN)?;
@@ -25,14 +26,14 @@ pub(crate) fn input(args: &SourceArgs) -> Result<Input, Failure> {
                 let hint = "Say so: add --from csv, json, obj, stl, ply or glb.";
                 Failure::new(message, hint).at(STDIN)
             })?;
-            Ok(read_any_bytes(format, &bytes, "-", None, &options)?)
+            Ok(read_bytes(format, &bytes, "-", None, &options)?)
         }
         (false, Some(_)) => {
             let message = "--from is for standard input";
             Err(Failure::new(message, "Leave it out: a file's name ends in its format."))
         }
         (false, None) if args.input.is_dir() => Err(folder(&args.input)),
-        (false, None) => Ok(read_any(&args.input, &options)?),
+        (false, None) => Ok(read_input(&args.input, &options)?),
     }
 }
 

@@ -139,6 +139,18 @@ fn standard_input_and_conversions_work() {
     assert!(said.contains("step can't be made of a mesh"), "{said}");
     let (_, said) = says(&desk, "convert box.obj box.csv", 2);
     assert!(said.contains("a mesh has no boundary curves"), "{said}");
+    // As a design it keeps its triangles, and comes to the same.
+    says(&desk, "convert groups.obj kept.sheet.json", 0);
+    says(&desk, "make groups.obj --out of-mesh --split-creases 30", 0);
+    says(&desk, "make kept.sheet.json --out of-design --split-creases 30", 0);
+    for entry in fs::read_dir(desk.join("of-mesh")).unwrap() {
+        let name = entry.unwrap().file_name();
+        if name.to_str().is_some_and(|n| n.ends_with(".svg") || n.ends_with(".dxf")) {
+            let [a, b] =
+                ["of-mesh", "of-design"].map(|out| fs::read(desk.join(out).join(&name)).unwrap());
+            assert!(a == b, "{name:?}");
+        }
+    }
     // What was written as a surface is a mesh again, and still flat in the same way.
     says(&desk, "make box.obj --out out --formats obj", 0);
     let (said, _) = says(&desk, "check out/surface.obj", 0);

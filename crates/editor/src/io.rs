@@ -20,6 +20,9 @@ pub use desktop::read_dropped;
 use crate::editor::{Dropped, FileWish, Opened};
 use eframe::egui::DroppedFileHandle;
 
+/// The endings of the names of files that are opened.
+const OPENED: [&str; 6] = ["json", "csv", "obj", "stl", "ply", "glb"];
+
 /// What came of a wish.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FileAnswer {

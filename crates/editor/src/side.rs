@@ -16,8 +16,9 @@ use crate::theme::Theme;
 use eframe::egui::{self, ComboBox, Id, RichText, Ui};
 use sheetwright::boundary::PlaneChoice;
 use sheetwright::check::Verdict;
-use sheetwright::design::{DesignPanel, PanelShape};
-use sheetwright::math::Point2;
+use sheetwright::design::{DesignPanel, PanelMesh, PanelShape};
+use sheetwright::flatten::Aim;
+use sheetwright::math::{Point2, from_deg, to_deg};
 use sheetwright_files::{Units, known_materials};
 use std::ops::RangeInclusive;
 
@@ -25,6 +26,8 @@ use std::ops::RangeInclusive;
 const PLACES: RangeInclusive<f64> = -FARTHEST_MM..=FARTHEST_MM;
 /// How far lines of a grid may be apart, mm.
 const GRIDS: RangeInclusive<f64> = 0.01..=1e6;
+/// Creases above this angle, degrees, divide a mesh where a person has not said which.
+const SPLIT_CREASES_DEG: f64 = 30.0;
 
 /// All fields.
 pub(crate) fn fields_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
@@ -168,10 +171,10 @@ fn panel_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
             }
         });
     });
-    let made: Vec<&str> = design.panels_to_make().iter().map(|p| p.name.as_str()).collect();
+    let made = design.panels_to_make();
     let name = match editor.selection().panel {
-        Some(n) => made.get(n),
-        None if made.len() == 1 => made.first(),
+        Some(n) => editor.shown().get(n).map(|shown| &shown.panel),
+        None if made.len() == 1 => made.first().map(|panel| &panel.name),
         None => None,
     };
     let Some(n) = name.and_then(|name| design.panels.iter().position(|p| p.name == *name)) else {
@@ -185,6 +188,13 @@ fn panel_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
             acts.push(Act::Edit(Edit::RenamePanel { panel: n, name }));
         }
         let mut to = panel.clone();
+        if let PanelShape::Mesh(mesh) = &mut to.shape {
+            mesh_ui(ui, &field, mesh);
+            if to != *panel {
+                acts.push(Act::Edit(Edit::SetPanel { panel: n, to: Box::new(to) }));
+            }
+            return;
+        }
         if let Some(samples) = field("Samples").count(ui, to.samples as f64, 3.0..=100_000.0) {
             to.samples = samples as usize;
         }
@@ -206,6 +216,33 @@ fn panel_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
             acts.push(Act::Edit(Edit::SetPanel { panel: n, to: Box::new(to) }));
         }
     });
+}
+
+/// How a mesh is laid flat.
+fn mesh_ui<'a>(ui: &mut Ui, field: &impl Fn(&'a str) -> Field<'a>, mesh: &mut PanelMesh) {
+    let titles = [
+        (Aim::Mean, "Mean length error"),
+        (Aim::Max, "Largest length error"),
+        (Aim::Seams, "Border exact"),
+    ];
+    let title = titles.iter().find(|(aim, _)| *aim == mesh.aim).map_or("", |(_, title)| title);
+    ComboBox::from_label("Made small").selected_text(title).width(150.0).show_ui(ui, |ui| {
+        for (aim, title) in titles {
+            ui.selectable_value(&mut mesh.aim, aim, title);
+        }
+    });
+    let mut divides = mesh.split_creases.is_some();
+    if ui.checkbox(&mut divides, "Divide along creases").changed() {
+        mesh.split_creases = divides.then(|| from_deg(SPLIT_CREASES_DEG));
+    }
+    if let Some(crease) = mesh.split_creases
+        && let Some(deg) = field("Creases above, °").number(ui, to_deg(crease), 1.0..=179.0)
+    {
+        mesh.split_creases = Some(from_deg(deg));
+    }
+    ui.checkbox(&mut mesh.darts, "Cut to the worst points").on_hover_text(
+        "Where it would have to stretch more than the sheet takes, it is cut from its border.",
+    );
 }
 
 /// Units, grid, mirror and the picture.

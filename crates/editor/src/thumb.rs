@@ -107,9 +107,9 @@ impl Thumb {
         let up = right.cross(away);
         let light = unit(Vec3::new(-0.3, -0.5, 0.9))?;
         let mut found: Vec<([[f64; 2]; 3], f64, f64, bool)> = Vec::new();
-        for panel in &made.panels {
-            for triangle in panel.surface.connectivity().triangles() {
-                let corners = triangle.map(|v| panel.surface.position(v).to_vec());
+        for mesh in made.parts.iter().map(|part| part.sheet.mesh()) {
+            for triangle in mesh.triangles() {
+                let corners = triangle.map(|v| mesh.position(v).to_vec());
                 let Some(normal) = unit((corners[1] - corners[0]).cross(corners[2] - corners[0]))
                 else {
                     continue;

@@ -166,7 +166,7 @@ fn made_ui(
     let units = editor.document().drawing.units;
     ui.horizontal(|ui| name_ui(ui, editor, n, panel, acts));
     ui.label(verdict_text(theme, shown.verdict).size(18.0));
-    ui.label(verdict_sentence(shown.verdict));
+    ui.label(verdict_sentence(shown.verdict, shown.is_mesh));
     let size = shown.piece.size;
     let size = format!("Pattern: {} × {}", length(size.x, units), length(size.y, units));
     ui.label(RichText::new(size).color(theme.faint));
@@ -264,7 +264,11 @@ mod tests {
     #[test]
     fn the_line_counts_the_worst() {
         let refusal = crate::engine::Refusal { message: String::new(), hint: String::new() };
-        let panel = |name: &str| ShownPanel { name: name.into(), made: Err(refusal.clone()) };
+        let panel = |name: &str| ShownPanel {
+            name: name.into(),
+            panel: name.into(),
+            made: Err(refusal.clone()),
+        };
         let panels = [panel("a"), panel("b")];
         let (text, worst) = counted(&panels[..1]).unwrap();
         assert_eq!((&text[..], &worst.name[..]), ("▲ The panel can't be made yet", "a"));

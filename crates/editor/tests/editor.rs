@@ -79,7 +79,7 @@ fn a_hole_is_found_by_where_it_lies() {
     let design = &hands.app().editor().document().design;
     assert_eq!((design.curves.len(), design.panels.len()), (2, 1));
     let shown = hands.app().editor().shown()[0].made.as_ref().unwrap();
-    assert_eq!(shown.loop_ends.len(), 2);
+    assert_eq!(shown.loops.len(), 2);
 }
 
 #[test]
@@ -203,7 +203,7 @@ fn keys_alone_make_a_panel_with_a_hole() {
     hands.key(Modifiers::NONE, Key::N);
     hands.settle();
     let shown = hands.app().editor().shown()[0].made.as_ref().unwrap();
-    assert_eq!(shown.loop_ends.len(), 2);
+    assert_eq!(shown.loops.len(), 2);
     // The round one is a circle within some millionths of its size.
     let curve = &hands.app().editor().document().design.curves[1];
     let made = sheetwright::curve::Curve::new(curve.kind.unwrap(), &curve.points, true).unwrap();

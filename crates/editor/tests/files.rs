@@ -7,10 +7,14 @@ mod hands;
 use eframe::egui::{DroppedFile, Event, HoveredFile, Key, Modifiers, vec2};
 use egui_kittest::kittest::Queryable;
 use hands::{Hands, picture, round};
+use sheetwright::check::Place;
+use sheetwright::design::PanelShape;
+use sheetwright::math::from_deg;
 use sheetwright_editor::command::Command;
-use sheetwright_editor::document::Document;
+use sheetwright_editor::document::{Document, Edit, Selection};
 use sheetwright_editor::editor::{FileWish, Opened, Page};
 use sheetwright_editor::io::{Dialogs, FileAnswer, SystemDialogs, Typed};
+use sheetwright_editor::scene::Act;
 use sheetwright_files::OutputFile;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -51,7 +55,8 @@ fn notice(hands: &Hands) -> String {
     hands.app().editor().notice.as_ref().map_or(String::new(), |notice| notice.text.clone())
 }
 
-const MESH: &[u8] = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+/// Two faces of a box, which share a side.
+const MESH: &[u8] = b"v 0 0 0\nv 90 0 0\nv 0 90 0\nv 0 0 70\nf 1 2 3\nf 1 4 2\n";
 const TABLE: &[u8] = b"x,y,z\n0,0,0\n9,0,0\n9,9,3";
 
 #[test]
@@ -75,14 +80,14 @@ fn of_several_the_first_that_can_be_opened_is_and_the_others_are_named() {
     let mut hands = Hands::new(SIZE, false);
     hands.step();
     let files = vec![
-        ("/a/hull.stl", Ok(MESH.to_vec())),
+        ("/a/hull.dwg", Ok(Vec::new())),
         ("/a/gone.json", Err("No such file".to_owned())),
         ("/a/hood.sheet.json", Ok(design("hood"))),
         ("/a/brim.sheet.json", Ok(design("brim"))),
     ];
     dropped(&mut hands, files);
     assert_eq!(hands.app().editor().document().design.name, "hood");
-    let said = "hull.stl, gone.json and brim.sheet.json were not opened: one file opens at a time.";
+    let said = "hull.dwg, gone.json and brim.sheet.json were not opened: one file opens at a time.";
     assert_eq!(notice(&hands), said);
 }
 
@@ -90,15 +95,15 @@ fn of_several_the_first_that_can_be_opened_is_and_the_others_are_named() {
 fn what_can_not_be_opened_is_refused_as_open_refuses_it() {
     let mut hands = Hands::new(SIZE, false);
     hands.step();
-    let files = [("/a/hull.obj", Ok(MESH.to_vec())), ("/a/hull.dwg", Ok(Vec::new()))];
+    let files = [("/a/hull.step", Ok(Vec::new())), ("/a/hull.dwg", Ok(Vec::new()))];
     for (path, bytes) in files {
         let opened = Opened { path: path.to_owned(), bytes: bytes.clone().unwrap() };
         hands.harness.state_mut().editor_mut().open(opened);
         let said = notice(&hands);
         assert!(said.starts_with(path) && said.ends_with(['.', 'd']), "{said}");
-        // It says what the editor opens, and never that it takes meshes.
-        assert!(said.contains("The editor opens designs (.json) and tables of curves (.csv)."));
-        assert!(!said.contains("STL"), "{said}");
+        assert!(
+            said.contains("The editor opens designs (.json), tables of curves (.csv) and meshes")
+        );
         dropped(&mut hands, vec![(path, bytes)]);
         assert_eq!(notice(&hands), said);
         assert_eq!(hands.app().editor().page, Page::Start);
@@ -108,6 +113,7 @@ fn what_can_not_be_opened_is_refused_as_open_refuses_it() {
         ("/a/milk.txt", "milk", "Pictures to trace (.png, .jpg)"),
         ("/a/rows.txt", "curve,x,y,z\na,0,0,0\n", "give it the ending .csv."),
         ("/a/rows", "curve,x,y,z\na,0,0,0\n", "give it the ending .csv."),
+        ("/a/hull.txt", "solid hull", "give it the ending of its format."),
         ("/a/hood.txt", "{\"format\": \"sheetwright-design\"}", "give it the ending .json."),
     ];
     for (path, holds, way_out) in texts {
@@ -119,6 +125,45 @@ fn what_can_not_be_opened_is_refused_as_open_refuses_it() {
     dropped(&mut hands, gone);
     let said = notice(&hands);
     assert!(said.starts_with("/a/gone.csv can't be read: No such file. b.stl was not"), "{said}");
+}
+
+#[test]
+fn a_mesh_is_a_panel_that_is_shown_set_and_saved_as_a_design() {
+    let mut hands = Hands::new(SIZE, false);
+    hands.step();
+    dropped(&mut hands, vec![("/a/box.obj", Ok(MESH.to_vec()))]);
+    hands.settle();
+    let editor = hands.app().editor();
+    // It is no design yet: saving asks where to, and does not write over the mesh.
+    assert_eq!((editor.file(), editor.document().design.name.as_str()), (None, "box"));
+    let [part] = editor.shown() else { panic!("{:?}", editor.shown().len()) };
+    let shown = part.made.as_ref().unwrap();
+    assert!(shown.is_mesh && shown.triangles.len() == 2 && shown.rungs.is_empty());
+    assert_eq!((shown.loops.len(), shown.sides.len()), (1, 5));
+    // Divided along its crease it is two parts, both of the one panel.
+    let mut to = editor.document().design.panels[0].clone();
+    let PanelShape::Mesh(mesh) = &mut to.shape else { panic!() };
+    mesh.split_creases = Some(from_deg(30.0));
+    hands
+        .harness
+        .state_mut()
+        .editor_mut()
+        .carry_out(Act::Edit(Edit::SetPanel { panel: 0, to: Box::new(to) }));
+    hands.settle();
+    let editor = hands.app().editor();
+    let names: Vec<[&str; 2]> = editor.shown().iter().map(|p| [&p.name[..], &p.panel]).collect();
+    assert_eq!(names, [["box-1", "box"], ["box-2", "box"]]);
+    // The part that is selected has the fields of its panel.
+    hands
+        .harness
+        .state_mut()
+        .editor_mut()
+        .carry_out(Act::Select(Selection::of_place(1, Place::Whole)));
+    hands.settle();
+    assert!(hands.sees("Divide along creases"));
+    let editor = hands.app().editor();
+    let back = Document::read("box.sheet.json", &editor.bytes()).unwrap();
+    assert_eq!(&back, editor.document());
 }
 
 #[test]

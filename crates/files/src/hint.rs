@@ -6,7 +6,7 @@ use sheetwright::curve::{CurveError, SampleError};
 use sheetwright::design::{Design, PanelShape};
 use sheetwright::fair::VaryCause;
 use sheetwright::flatten::{FlattenError, RelaxError};
-use sheetwright::make::{MakeCause, MakeError, MeshCause, MeshMakeError};
+use sheetwright::make::{MakeCause, MakeError};
 use sheetwright::mesh::MeshError;
 use sheetwright::sample::PanelCause;
 use sheetwright::surface::ConnectivityError;
@@ -24,6 +24,13 @@ pub fn hint_for(error: &MakeError) -> String {
         MakeCause::Surface(error) => surface(error).to_owned(),
         MakeCause::Flatten(error) => flat(error).to_owned(),
         MakeCause::Vary(cause) => varying(cause).to_owned(),
+        MakeCause::Mesh { error, .. } => mesh(*error).to_owned(),
+        MakeCause::Pieces { .. } => {
+            "Its triangles do not share corners, as after an export without welding: merge its \
+             points by distance in the program that it is from, or export STL."
+                .to_owned()
+        }
+        MakeCause::Relax(error) => relaxing(*error).to_owned(),
     }
 }
 
@@ -53,6 +60,11 @@ fn panel(cause: &PanelCause, of: Option<&str>) -> String {
             "Give the panel two rails, or take the method optimal or bridge.".to_owned()
         }
         PanelCause::UnknownPanel { .. } => "Check the names of the panels.".to_owned(),
+        PanelCause::NoCurves { .. } => {
+            "Join panels that are bounded by curves; meshes are joined in the program that they \
+             are from."
+                .to_owned()
+        }
         PanelCause::JoinOfJoins { .. } => "Name the panels that it is made of.".to_owned(),
         PanelCause::Join { cause, .. } => join(cause).to_owned(),
         PanelCause::Sampling(SampleError::TooFew { needed, .. }) => {
@@ -90,49 +102,43 @@ pub fn hint_in_design(error: &MakeError, design: &Design) -> String {
     }
 }
 
-/// What a person can do about the error.
-pub fn mesh_hint_for(error: &MeshMakeError) -> String {
-    let hint = match &error.cause {
-        MeshCause::NoGroups | MeshCause::Mesh { error: MeshError::Empty, .. } => {
-            "Export the surface as a mesh of triangles or polygons."
-        }
-        MeshCause::Pieces { .. } => {
-            "Its triangles do not share corners, as after an export without welding: merge its points by \
-             distance in the program that it is from, or export STL."
-        }
-        MeshCause::Mesh { error, .. } => match error {
-            MeshError::NotManifold { .. } => {
-                "A sheet has one side or two along every line: take out what is inside, or make what \
-                 branches a group of its own."
-            }
-            MeshError::NotOrientable { .. } => {
-                "Cut it through once, so that it has a front and a back, and export it again."
-            }
-            MeshError::TooSmall => "Check the units that the coordinates of the file are in.",
-            MeshError::Degenerate { .. } => {
-                "Take the triangle out, or merge its points by distance, in the program that it is from."
-            }
-            MeshError::TooMany { .. } => {
-                "Export it more coarsely: some ten thousand triangles show most shapes well."
-            }
-            _ => FAULT,
-        },
-        MeshCause::Flatten(RelaxError::Stopped) => "Start it again to finish it.",
-        MeshCause::Flatten(RelaxError::TooLarge) => {
-            "Export it more coarsely: some ten thousand triangles show most shapes well."
-        }
-        MeshCause::Flatten(_) => "Divide it into simpler panels in the program that it is from.",
-    };
-    hint.to_owned()
+/// What may be set about the error, beside what [`hint_for`] says.
+pub fn remedy_for(error: &MakeError) -> Option<Remedy> {
+    match &error.cause {
+        MakeCause::Mesh { error: MeshError::TooSmall, .. } => Some(Remedy::Units),
+        MakeCause::Relax(RelaxError::Stopped | RelaxError::TooLarge) => None,
+        MakeCause::Relax(_) => Some(Remedy::SplitCreases),
+        _ => None,
+    }
 }
 
-/// What may be set about the error, beside what [`mesh_hint_for`] says.
-pub fn mesh_remedy_for(error: &MeshMakeError) -> Option<Remedy> {
-    match &error.cause {
-        MeshCause::Mesh { error: MeshError::TooSmall, .. } => Some(Remedy::Units),
-        MeshCause::Flatten(RelaxError::Stopped | RelaxError::TooLarge) => None,
-        MeshCause::Flatten(_) => Some(Remedy::SplitCreases),
-        _ => None,
+fn mesh(error: MeshError) -> &'static str {
+    match error {
+        MeshError::Empty => "Export the surface as a mesh of triangles or polygons.",
+        MeshError::NotManifold { .. } => {
+            "A sheet has one side or two along every line: take out what is inside, or make what \
+             branches a group of its own."
+        }
+        MeshError::NotOrientable { .. } => {
+            "Cut it through once, so that it has a front and a back, and export it again."
+        }
+        MeshError::TooSmall => "Check the units that the coordinates of the file are in.",
+        MeshError::Degenerate { .. } => {
+            "Take the triangle out, or merge its points by distance, in the program that it is from."
+        }
+        MeshError::TooMany { .. } => MORE_COARSELY,
+        _ => FAULT,
+    }
+}
+
+const MORE_COARSELY: &str =
+    "Export it more coarsely: some ten thousand triangles show most shapes well.";
+
+fn relaxing(error: RelaxError) -> &'static str {
+    match error {
+        RelaxError::Stopped => "Start it again to finish it.",
+        RelaxError::TooLarge => MORE_COARSELY,
+        _ => "Divide it into simpler panels in the program that it is from.",
     }
 }
 
@@ -148,6 +154,7 @@ fn varying(cause: &VaryCause) -> &'static str {
         VaryCause::UnknownPanel { .. } => {
             "Name panels that are made: not those that a join takes the place of."
         }
+        VaryCause::NoCurves => "Name panels that are bounded by curves, or leave `vary` out.",
         VaryCause::BoundsNothing => {
             "Leave it out of `vary`, or name a panel that it bounds among its `panels`."
         }

@@ -10,7 +10,7 @@ use crate::reading::{
 use crate::{design_json, mesh, table};
 use sheetwright::boundary::MAX_SAMPLES;
 use sheetwright::cost::MAX_FOLD;
-use sheetwright::design::{Design, LEAST_EFFORT, MOST_EFFORT, MeshDesign};
+use sheetwright::design::{Design, LEAST_EFFORT, MOST_EFFORT};
 use sheetwright::material::Material;
 use std::path::Path;
 
@@ -23,15 +23,6 @@ pub enum InputFormat {
     Table,
     /// A mesh, `*.obj`, `*.stl`, `*.ply` or `*.glb`.
     Mesh(MeshFormat),
-}
-
-/// What an input holds.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Input {
-    /// Boundary curves.
-    Design(Design),
-    /// Surfaces as they stand.
-    Mesh(MeshDesign),
 }
 
 impl InputFormat {
@@ -101,20 +92,12 @@ fn is_binary_stl(bytes: &[u8]) -> bool {
     })
 }
 
-/// The design in a file.
-///
-/// # Errors
-/// A file that can't be read, or that is no design and no curve table that this version takes.
-pub fn read_input(path: &Path, options: &ReadOptions) -> Result<Design, InputError> {
-    read_any(path, options).and_then(|input| design_of(input, &path.display().to_string()))
-}
-
-/// What a file holds.
+/// The design in a file: curves, or a mesh, a panel a group.
 ///
 /// # Errors
 /// A file that can't be read, or that is no design, no curve table and no mesh that this version
 /// takes.
-pub fn read_any(path: &Path, options: &ReadOptions) -> Result<Input, InputError> {
+pub fn read_input(path: &Path, options: &ReadOptions) -> Result<Design, InputError> {
     // A folder is named as such whatever its name ends in.
     refuse_folder(path)?;
     let format = InputFormat::of(path)?;
@@ -124,13 +107,15 @@ pub fn read_any(path: &Path, options: &ReadOptions) -> Result<Input, InputError>
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     };
-    read_any_bytes(format, &bytes, &path.display().to_string(), Some(folder), options)
+    read_bytes(format, &bytes, &path.display().to_string(), Some(folder), options)
 }
 
-/// The design in some bytes, as [`read_any_bytes`] reads it.
+/// The design in some bytes. `name` is the name of the file they are from, or `-`; it is used in
+/// messages, and its stem for what has no name of its own. Tables and meshes that a design refers
+/// to lie in `folder`; without one it can't refer to any.
 ///
 /// # Errors
-/// Bytes that are no design or curve table that this version takes, or options out of range.
+/// Bytes that are no design, curve table or mesh that this version takes, or options out of range.
 pub fn read_bytes(
     format: InputFormat,
     bytes: &[u8],
@@ -138,38 +123,17 @@ pub fn read_bytes(
     folder: Option<&Path>,
     options: &ReadOptions,
 ) -> Result<Design, InputError> {
-    let input = read_any_bytes(format, bytes, name, folder, options)?;
-    design_of(input, display_name(name))
-}
-
-/// What some bytes hold. `name` is the name of the file they are from, or `-`; it is used in
-/// messages, and its stem for what has no name of its own. Tables that a design refers to lie in
-/// `folder`; without one it can't refer to any.
-///
-/// # Errors
-/// Bytes that are no design, curve table or mesh that this version takes, or options out of range.
-pub fn read_any_bytes(
-    format: InputFormat,
-    bytes: &[u8],
-    name: &str,
-    folder: Option<&Path>,
-    options: &ReadOptions,
-) -> Result<Input, InputError> {
     check_options(format, options)?;
     refuse_large(bytes, display_name(name))?;
     let mut design = match format {
-        InputFormat::Mesh(format) => {
-            let material = material_asked_for(options, &[])?;
-            let design = mesh::read(format, bytes, name, options)?;
-            return Ok(Input::Mesh(MeshDesign { material, ..design }));
-        }
+        InputFormat::Mesh(format) => mesh::read(format, bytes, name, options)?,
         InputFormat::Design => design_json::read(text_of(bytes, name)?, name, folder, options)?,
         InputFormat::Table => table::read_as_design(text_of(bytes, name)?, name, options)?,
     };
     if let Some(material) = material_asked_for(options, &design.materials)? {
         design.material = Some(material);
     }
-    Ok(Input::Design(design))
+    Ok(design)
 }
 
 /// The material that the caller asks for, of a design with these of its own.
@@ -180,17 +144,6 @@ fn material_asked_for(
     let wanted = options.material.as_deref();
     let found = wanted.map(|wanted| material_meant(wanted, own)).transpose();
     found.map_err(|(message, hint)| InputError { message, place: None, hint })
-}
-
-fn design_of(input: Input, place: &str) -> Result<Design, InputError> {
-    match input {
-        Input::Design(design) => Ok(design),
-        Input::Mesh(_) => Err(InputError::at(
-            place,
-            "a mesh has no boundary curves",
-            "A design (.sheet.json or .json) or a curve table (.csv) is taken here.",
-        )),
-    }
 }
 
 fn check_options(format: InputFormat, options: &ReadOptions) -> Result<(), InputError> {
@@ -219,8 +172,7 @@ fn check_options(format: InputFormat, options: &ReadOptions) -> Result<(), Input
         return refused(format!("an effort of {effort} was asked for"), EFFORTS);
     }
     if let InputFormat::Mesh(_) = format {
-        let ReadOptions { samples, fold, effort, method, plane, vary, units: _, material: _ } =
-            options;
+        let ReadOptions { samples, fold, effort, method, plane, vary, .. } = options;
         let given = [
             ("samples", samples.is_some()),
             ("a fold price", fold.is_some()),

@@ -76,6 +76,11 @@ impl<'de, T: Deserialize<'de> + Called> Deserialize<'de> for Named<T> {
     }
 }
 
+/// A value as JSON in one line. Numbers, texts and lists of them have nothing that JSON can't say.
+pub(crate) fn json(value: &impl Serialize) -> String {
+    serde_json::to_string(value).unwrap_or_default()
+}
+
 /// Compares a schema with the one in `docs/schema`, which is written anew with
 /// `SHEETWRIGHT_REWRITE=1 cargo test -p sheetwright-files schema`.
 #[cfg(test)]

@@ -42,16 +42,14 @@ pub use catalogue::{catalogue_json, catalogue_text, parameter_table, template_te
 pub use design_json::{read_drawn, write_design, write_drawn};
 pub use drawn::{Drawing, Mirror, Plan, Reference};
 pub use dxf::{read_dxf, write_dxf};
-pub use hint::{hint_for, hint_in_design, mesh_hint_for, mesh_remedy_for};
-pub use input::{Input, InputFormat, read_any, read_any_bytes, read_bytes, read_input};
+pub use hint::{hint_for, hint_in_design, remedy_for};
+pub use input::{InputFormat, read_bytes, read_input};
 pub use materials::{known_materials, material_named};
 pub use mesh::MeshFormat;
 pub use messages::{PanelTimes, error_json, findings_json, timing_json};
 pub use names::{shown, visible};
-pub use obj::{write_meshes_obj, write_obj};
-pub use output::{
-    Format, OutputError, OutputFile, OutputOptions, Outputs, mesh_output_files, output_files,
-};
+pub use obj::write_obj;
+pub use output::{Format, OutputError, OutputFile, OutputOptions, Outputs, output_files};
 pub use pdf::{MaxSheets, Paper, PdfOptions, Reduced, WrittenPdf, write_pdf};
 pub use quads::{PanelQuads, write_quads};
 pub use quantity::{
@@ -59,13 +57,14 @@ pub use quantity::{
     step_text, warp_deg,
 };
 pub use read_back::{PatternReadError, ReadPattern};
-pub use reading::{InputError, MAX_INPUT_BYTES, ReadOptions, VarySettings, read_limited};
+pub use reading::{
+    InputError, MAX_INPUT_BYTES, MeshSettings, ReadOptions, VarySettings, read_limited,
+};
 pub use refold::{RefoldFileError, refold_error_mm};
 pub use report::{
-    Picture, ReportForm, design_picture, flat_picture, gauss_picture, heat_picture,
-    mesh_gauss_picture, mesh_picture, mesh_report_html, mesh_report_json, meshes_picture,
-    moved_picture, quads_picture, report_html, report_json, report_schema, side_by_side, stacked,
-    surface_picture, verdict_sentence, verdict_word, warp_chart,
+    Picture, ReportForm, design_picture, flat_picture, gauss_picture, moved_picture, quads_picture,
+    report_html, report_json, report_schema, side_by_side, space_picture, stacked,
+    verdict_sentence, verdict_word, warp_chart,
 };
 pub use step::write_step;
 pub use svg::{read_svg, write_svg};

@@ -2,46 +2,35 @@
 
 use crate::drawing::digits;
 use sheetwright::index::{SampleIndex, VertexIndex};
-use sheetwright::make::{Made, MadeMeshes};
+use sheetwright::make::{Made, Origin};
 use sheetwright::math::{Point2, Point3};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-/// The OBJ file of all panels: an object and a group a panel, places in space as vertices and
-/// places on the flat pattern as texture coordinates, both in mm and with all their digits.
+/// The OBJ file of all parts: an object and a group a part, places in space as vertices and places
+/// on the flat pattern as texture coordinates, both in mm and with all their digits.
 pub fn write_obj(made: &Made) -> Vec<u8> {
     let mut obj = Obj::new();
-    for panel in &made.panels {
-        // Along a seam, a sample lies on the pattern twice.
-        let on_sheet = panel.sheet.surface().connectivity().triangles();
-        let triangles = panel.surface.connectivity().triangles().iter().zip(on_sheet);
-        obj.panel(
-            &panel.name,
-            panel.surface.positions(),
-            &panel.flat.points,
-            triangles.map(|(space, flat)| [space, flat].map(|t| t.map(SampleIndex::get))),
-        );
+    for part in &made.parts {
+        // Along a seam, a vertex lies on the pattern twice.
+        let (space, uncut): (&[Point3], Vec<[usize; 3]>) = match &part.origin {
+            Origin::Found(found) => {
+                let triangles = found.surface.connectivity().triangles().iter();
+                (found.surface.positions(), triangles.map(|t| t.map(SampleIndex::get)).collect())
+            }
+            Origin::Given(given) => {
+                let triangles = given.mesh.triangles().iter();
+                (given.mesh.positions(), triangles.map(|t| t.map(VertexIndex::get)).collect())
+            }
+        };
+        let on_sheet = part.sheet.mesh().triangles().iter().map(|t| t.map(VertexIndex::get));
+        let triangles = uncut.into_iter().zip(on_sheet).map(|(space, flat)| [space, flat]);
+        obj.part(&part.name, space, &part.flat.points, triangles);
     }
     obj.text.into_bytes()
 }
 
-/// The OBJ file of all mesh panels: an object and a group a panel, places in space as vertices and
-/// places on the flat pattern as texture coordinates, both in mm and with all their digits.
-pub fn write_meshes_obj(made: &MadeMeshes) -> Vec<u8> {
-    let mut obj = Obj::new();
-    for panel in &made.panels {
-        let triangles = panel.mesh.triangles().iter().zip(panel.sheet.mesh.triangles());
-        obj.panel(
-            &panel.name,
-            panel.mesh.positions(),
-            &panel.flat.points,
-            triangles.map(|(space, flat)| [space, flat].map(|t| t.map(VertexIndex::get))),
-        );
-    }
-    obj.text.into_bytes()
-}
-
-/// A file that panels are added to.
+/// A file that parts are added to.
 struct Obj {
     text: String,
     /// The numbers of the next place in space and of the next on the pattern.
@@ -59,8 +48,8 @@ impl Obj {
         Self { text, next: [1, 1], taken: BTreeSet::new() }
     }
 
-    /// Adds a panel: every triangle by its corners in space and on the pattern.
-    fn panel(
+    /// Adds a part: every triangle by its corners in space and on the pattern.
+    fn part(
         &mut self,
         name: &str,
         space: &[Point3],

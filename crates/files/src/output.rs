@@ -3,19 +3,18 @@
 use crate::design_json::write_design_of_table;
 use crate::dxf::write_dxf;
 use crate::names::{folded, refused_for_file};
-use crate::obj::{write_meshes_obj, write_obj};
+use crate::obj::write_obj;
 use crate::pdf::{PdfOptions, Reduced, WrittenPdf, write_pieces};
 use crate::quads::{PanelQuads, write_quads};
-use crate::refold::{RefoldFileError, known_miss_mm, read_back_error_mm, refold_error_mm};
-use crate::report::{ReportForm, mesh_report_html, mesh_report_json, report_html, report_json};
+use crate::refold::{RefoldFileError, refold_error_mm, refold_finding};
+use crate::report::{ReportForm, report_html, report_json};
 use crate::step::write_step;
 use crate::svg::write_svg;
 use crate::table::write_table;
 use crate::units::Units;
-use sheetwright::check::{Checked, Finding, FindingKind, refolding};
-use sheetwright::make::{Made, MadeMeshes};
+use sheetwright::check::{Checked, Finding, FindingKind};
+use sheetwright::make::Made;
 use sheetwright::pattern::Piece;
-use sheetwright::tolerance::Tolerance;
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -151,42 +150,37 @@ impl From<serde_json::Error> for OutputError {
 }
 
 /// Makes the files of the formats that are asked for, in memory. Whatever is asked for, the
-/// pattern of every panel is written, read back and folded up again; and where curves were moved,
-/// they are written as a table, with a design that makes the same from it.
+/// pattern of every part is written, read back and compared with what it is; and where curves were
+/// moved, they are written as a table, with a design that makes the same from it. Formats that
+/// need rulings have the parts that have them.
 ///
 /// # Errors
-/// Panels whose names make no files. A pattern that does not fold back is a finding.
+/// Panels whose names make no files. A pattern that is not what it was is a finding.
 pub fn output_files(
     made: &Made,
     formats: &[Format],
     options: impl Into<OutputOptions>,
 ) -> Result<Outputs, OutputError> {
     let OutputOptions { pdf, report } = options.into();
-    let pieces: Vec<&Piece> = made.panels.iter().map(|panel| &panel.piece).collect();
-    check_names(made.panels.iter().map(|panel| &panel.name[..]))?;
+    let pieces: Vec<&Piece> = made.parts.iter().map(|part| &part.piece).collect();
+    check_names(made.parts.iter().map(|part| &part.name[..]))?;
     let patterns = Patterns::written(&made.name, &pieces, formats, &pdf);
     let asked = |format: Format| formats.contains(&format);
+    let needs_quads = asked(Format::Quads) || asked(Format::Step);
     let in_quads: Vec<Option<PanelQuads>> = made
-        .panels
+        .parts
         .iter()
-        .map(|panel| {
-            let is_wanted = asked(Format::Quads) || asked(Format::Step);
-            is_wanted.then(|| PanelQuads::new(panel))
-        })
+        .map(|part| part.found().filter(|_| needs_quads).map(PanelQuads::new))
         .collect();
 
-    let mut panels = Vec::with_capacity(made.panels.len());
-    let mut errors_mm = Vec::with_capacity(made.panels.len());
-    for (n, panel) in made.panels.iter().enumerate() {
-        let mut checked = panel.checked.clone();
+    let mut panels = Vec::with_capacity(made.parts.len());
+    let mut errors_mm = Vec::with_capacity(made.parts.len());
+    for (n, part) in made.parts.iter().enumerate() {
+        let mut checked = part.checked.clone();
         let (svg, dxf) = patterns.of(n);
-        match refold_error_mm(panel, svg, dxf) {
+        match refold_error_mm(part, svg, dxf) {
             Ok(error_mm) => {
-                checked.findings.extend(refolding(
-                    error_mm,
-                    panel.boundary.size(),
-                    known_miss_mm(panel),
-                ));
+                checked.findings.extend(refold_finding(part, error_mm));
                 errors_mm.push(error_mm);
             }
             Err(error) => {
@@ -201,10 +195,10 @@ pub fn output_files(
     let surface = asked(Format::Obj).then(|| write_obj(made));
     let mut files = patterns.files(surface);
     let named: Vec<(&str, &PanelQuads)> = made
-        .panels
+        .parts
         .iter()
         .zip(&in_quads)
-        .filter_map(|(panel, quads)| Some((panel.name.as_str(), quads.as_ref()?)))
+        .filter_map(|(part, quads)| Some((part.name.as_str(), quads.as_ref()?)))
         .collect();
     if asked(Format::Quads) {
         files.push(file("quads.obj", write_quads(&named)));
@@ -221,51 +215,6 @@ pub fn output_files(
         files.push(file(MOVED_TABLE, write_table(&moved.curves)));
         let design = write_design_of_table(moved, MOVED_TABLE, Units::Millimetres);
         files.push(file("moved.sheet.json", design));
-    }
-    Ok(Outputs { files, panels, refold_error_mm: errors_mm })
-}
-
-/// Makes the files of the formats that are asked for, of some meshes. `refold_error_mm` is how far
-/// the outline and the holes of each pattern, read back, come from where they were laid, mm: what
-/// was stretched does not fold up again.
-///
-/// # Errors
-/// Panels whose names make no files.
-pub fn mesh_output_files(
-    made: &MadeMeshes,
-    formats: &[Format],
-    options: impl Into<OutputOptions>,
-) -> Result<Outputs, OutputError> {
-    let OutputOptions { pdf, report } = options.into();
-    let pieces: Vec<&Piece> = made.panels.iter().map(|panel| &panel.piece).collect();
-    check_names(made.panels.iter().map(|panel| &panel.name[..]))?;
-    let patterns = Patterns::written(&made.name, &pieces, formats, &pdf);
-    let mut panels = Vec::with_capacity(made.panels.len());
-    let mut errors_mm = Vec::with_capacity(made.panels.len());
-    for (n, panel) in made.panels.iter().enumerate() {
-        let mut checked = panel.checked.clone();
-        let (svg, dxf) = patterns.of(n);
-        let size = panel.piece.size.length();
-        let overlaps = panel.flat.overlap.is_some();
-        let read = read_back_error_mm(&panel.piece, overlaps, svg, dxf).and_then(|by_mm| {
-            let is_off = by_mm > Tolerance::REFOLD.length_mm(size);
-            if is_off { Err(RefoldFileError::Moved { by_mm }) } else { Ok(by_mm) }
-        });
-        errors_mm.push(match read {
-            Ok(by_mm) => by_mm,
-            Err(error) => {
-                checked.findings.push(not_refolded(&error));
-                f64::NAN
-            }
-        });
-        panels.push(patterns.noted(n, checked));
-    }
-    let asked = |format: Format| formats.contains(&format);
-    let surface = asked(Format::Obj).then(|| write_meshes_obj(made));
-    let mut files = patterns.files(surface);
-    if asked(Format::Report) {
-        files.push(file("report.json", mesh_report_json(made, &errors_mm, &panels)?));
-        files.push(file("report.html", mesh_report_html(made, &errors_mm, &panels, report)));
     }
     Ok(Outputs { files, panels, refold_error_mm: errors_mm })
 }

@@ -3,7 +3,7 @@
 use crate::drawing::digits;
 use crate::obj::one_word;
 use sheetwright::check::{Finding, FindingKind};
-use sheetwright::make::MadePanel;
+use sheetwright::make::Found;
 use sheetwright::quads::{Planar, PlanarEnd, PlanarOptions, SmoothSurface, planar, quads, smooth};
 use sheetwright::tolerance::Tolerance;
 use sheetwright::watch::Unwatched;
@@ -26,12 +26,12 @@ pub struct PanelQuads {
 }
 
 impl PanelQuads {
-    /// Those of a panel; vertices may leave its boundary by a thousandth of its size.
-    pub fn new(panel: &MadePanel) -> Self {
-        let mesh = quads(&panel.surface, &panel.boundary, &panel.outline);
-        let options = PlanarOptions { even: EVEN, leave_mm: LEAVE * panel.boundary.size() };
-        let planar = planar(&mesh, &panel.outline, &options, &mut Unwatched);
-        let smooth = smooth(&planar.mesh, &panel.outline);
+    /// Those of a found surface; vertices may leave its boundary by a thousandth of its size.
+    pub fn new(found: &Found) -> Self {
+        let mesh = quads(&found.surface, &found.boundary, &found.outline);
+        let options = PlanarOptions { even: EVEN, leave_mm: LEAVE * found.boundary.size() };
+        let planar = planar(&mesh, &found.outline, &options, &mut Unwatched);
+        let smooth = smooth(&planar.mesh, &found.outline);
         Self { planar, smooth }
     }
 

@@ -4,7 +4,8 @@
 use crate::units::Units;
 use sheetwright::boundary::PlaneChoice;
 use sheetwright::design::VaryGoal;
-use sheetwright::design::{PanelMethod, Vary};
+use sheetwright::design::{PanelMesh, PanelMethod, Vary};
+use sheetwright::flatten::Aim;
 use sheetwright::math::from_deg;
 use std::fmt;
 use std::fs::File;
@@ -83,6 +84,30 @@ impl VarySettings {
     }
 }
 
+/// How the caller wants meshes to be laid flat, instead of as their panels say.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MeshSettings {
+    /// What flattening makes small where it can't be exact.
+    pub aim: Option<Aim>,
+    /// Meshes are divided into parts along creases above this angle, radians.
+    pub split_creases: Option<f64>,
+    /// Whether parts that would have to stretch too much are cut to their worst points: `true`
+    /// cuts, `false` leaves it to the panel.
+    pub darts: bool,
+}
+
+impl MeshSettings {
+    /// The mesh as the caller wants it.
+    pub(crate) fn applied(&self, mesh: PanelMesh) -> PanelMesh {
+        PanelMesh {
+            aim: self.aim.unwrap_or(mesh.aim),
+            split_creases: self.split_creases.or(mesh.split_creases),
+            darts: self.darts || mesh.darts,
+            ..mesh
+        }
+    }
+}
+
 /// Which efforts may be asked for.
 pub(crate) const EFFORTS: &str =
     "Ask for 0.001 to 1000 times the default; 1 is up to 5 seconds a panel.";
@@ -108,6 +133,8 @@ pub struct ReadOptions {
     pub material: Option<String>,
     /// What may move. Default: as the design says.
     pub vary: VarySettings,
+    /// How meshes are laid flat. Default: as the design says.
+    pub mesh: MeshSettings,
 }
 
 /// How messages name the input.

@@ -3,8 +3,9 @@
 use crate::dxf::dxf_lines;
 use crate::read_back::{PatternReadError, ReadPattern, overlapping_pattern, pattern};
 use crate::svg::{svg_lines, write_svg};
+use sheetwright::check::{Finding, refolding};
 use sheetwright::flatten::{RefoldError, refold};
-use sheetwright::make::MadePanel;
+use sheetwright::make::{Found, Origin, Part};
 use sheetwright::math::Point2;
 use sheetwright::pattern::Piece;
 use sheetwright::rung::Rung;
@@ -44,39 +45,62 @@ impl fmt::Display for RefoldFileError {
 
 impl std::error::Error for RefoldFileError {}
 
-/// How far the written files of a panel come from its surface when they are read back and folded
-/// up, mm: the worse of those that are given. Without any, an SVG is written in memory, so that
-/// the answer always rests on a file.
+/// How far the written files of a part come from what it is when they are read back, mm: the worse
+/// of those that are given. Without any, an SVG is written in memory, so that the answer always
+/// rests on a file. Where the surface was found, the pattern is folded up, and vertices are
+/// compared in space; what is stretched does not fold up again, so of a mesh the outline and the
+/// holes are compared with where they were laid.
 ///
 /// # Errors
-/// A file that can't be read or folded.
+/// A file that can't be read or folded, or that has a point elsewhere.
 pub fn refold_error_mm(
-    panel: &MadePanel,
+    part: &Part,
     svg: Option<&[u8]>,
     dxf: Option<&[u8]>,
 ) -> Result<f64, RefoldFileError> {
-    let sides = panel.sheet.surface().connectivity().hinges().iter();
-    let rungs: Vec<Rung> = sides.map(|hinge| hinge.rung).collect();
-    let overlapping = panel.flat.overlap.map(|_| &rungs[..]);
-    let read = read_patterns(&panel.piece, overlapping, svg, dxf)?;
+    match &part.origin {
+        Origin::Found(found) => folded_error_mm(part, found, svg, dxf),
+        Origin::Given(_) => {
+            let overlaps = part.flat.overlap.is_some();
+            let by_mm = read_back_error_mm(&part.piece, overlaps, svg, dxf)?;
+            let is_off = by_mm > Tolerance::REFOLD.length_mm(part.piece.size.length());
+            if is_off { Err(RefoldFileError::Moved { by_mm }) } else { Ok(by_mm) }
+        }
+    }
+}
+
+fn folded_error_mm(
+    part: &Part,
+    found: &Found,
+    svg: Option<&[u8]>,
+    dxf: Option<&[u8]>,
+) -> Result<f64, RefoldFileError> {
+    let rungs = part.sheet.rungs();
+    let overlapping = part.flat.overlap.map(|_| &rungs[..]);
+    let read = read_patterns(&part.piece, overlapping, svg, dxf)?;
     read.iter().try_fold(0.0, |worst: f64, pattern| {
-        let sheet = panel.sheet.surface();
         let lines = std::iter::once(&pattern.outline).chain(&pattern.holes).map(Vec::len);
-        if !lines.eq(sheet.connectivity().loops().iter().map(ExactSizeIterator::len)) {
+        if !lines.eq(part.sheet.loops().iter().map(Vec::len)) {
             return Err(RefoldFileError::Lines);
         }
         let off = |(read, laid): (&Point2, &Point2)| read.distance(*laid);
-        let by_mm = pattern.points().iter().zip(&panel.flat.points).map(off).fold(0.0, f64::max);
-        let error_mm =
-            refold(sheet, &pattern.points(), &pattern.rungs).map_err(RefoldFileError::Fold)?;
+        let by_mm = pattern.points().iter().zip(&part.flat.points).map(off).fold(0.0, f64::max);
+        let error_mm = refold(&part.sheet, &pattern.points(), &pattern.rungs)
+            .map_err(RefoldFileError::Fold)?;
         // Where closing holes lets folding miss, that must not hide a point that has moved.
-        let allowed_mm = Tolerance::REFOLD.length_mm(panel.boundary.size());
-        if by_mm > allowed_mm && error_mm <= known_miss_mm(panel) + allowed_mm {
+        let allowed_mm = Tolerance::REFOLD.length_mm(found.boundary.size());
+        if by_mm > allowed_mm && error_mm <= known_miss_mm(part) + allowed_mm {
             return Err(RefoldFileError::Moved { by_mm });
         }
         // Unlike `max`, this keeps NaN.
         Ok(if error_mm > worst || error_mm.is_nan() { error_mm } else { worst })
     })
+}
+
+/// The finding that the written files of a part are not what was made, where they miss it by so
+/// much; `None` where they are.
+pub(crate) fn refold_finding(part: &Part, error_mm: f64) -> Option<Finding> {
+    refolding(error_mm, part.found()?.boundary.size(), known_miss_mm(part))
 }
 
 /// How far the points of the written outline and holes of a piece come from where they were laid
@@ -85,7 +109,7 @@ pub fn refold_error_mm(
 ///
 /// # Errors
 /// A file that can't be read, or has other lines than the piece.
-pub(crate) fn read_back_error_mm(
+fn read_back_error_mm(
     piece: &Piece,
     overlaps: bool,
     svg: Option<&[u8]>,
@@ -137,15 +161,13 @@ fn read_patterns(
     read.collect()
 }
 
-/// How far the pattern of a panel comes from its surface before it is written, mm, where closing
-/// its windows may have changed lengths; 0 where there are none. What the written files may miss by
+/// How far the pattern of a part comes from its surface before it is written, mm, where closing its
+/// windows may have changed lengths; 0 where there are none. What the written files may miss by
 /// without being wrong: that the lengths are right is measured by themselves.
-pub(crate) fn known_miss_mm(panel: &MadePanel) -> f64 {
-    if panel.sheet.surface().connectivity().loops().len() == 1 {
+fn known_miss_mm(part: &Part) -> f64 {
+    if part.sheet.loops().len() == 1 {
         return 0.0;
     }
-    let sheet = panel.sheet.surface();
-    let rungs: Vec<Rung> = sheet.connectivity().hinges().iter().map(|hinge| hinge.rung).collect();
     // What can't be folded before it is written can't be afterwards, and is told then.
-    refold(sheet, &panel.flat.points, &rungs).unwrap_or(0.0)
+    refold(&part.sheet, &part.flat.points, &part.sheet.rungs()).unwrap_or(0.0)
 }

@@ -3,11 +3,11 @@
 
 use serde_json::{Map, Value};
 use sheetwright::boundary::PlaneChoice;
-use sheetwright::make::{Made, MadePanel, MeshOptions, make, make_meshes};
+use sheetwright::make::{Made, Part, make};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
-    Format, Input, Outputs, PatternReadError, PdfOptions, ReadOptions, ReadPattern, finding_text,
-    mesh_output_files, output_files, read_any, read_dxf, read_input, read_svg,
+    Format, Outputs, PatternReadError, PdfOptions, ReadOptions, ReadPattern, finding_text,
+    output_files, read_dxf, read_input, read_svg,
 };
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -51,15 +51,13 @@ fn the_facts_of_every_mesh_hold() {
     for mesh in meshes {
         let name = name_of(&mesh);
         let facts = facts_of(&mesh);
-        let Input::Mesh(design) = read_any(&mesh, &ReadOptions::default()).unwrap() else {
-            panic!("{name}")
-        };
-        let made = make_meshes(&design, &MeshOptions::default(), &mut Unwatched).unwrap();
-        let outputs = mesh_output_files(&made, &Format::ALL, &PdfOptions::default()).unwrap();
+        let design = read_input(&mesh, &ReadOptions::default()).unwrap();
+        let made = make(&design, &mut Unwatched).unwrap();
+        let outputs = output_files(&made, &Format::DEFAULT, &PdfOptions::default()).unwrap();
         let report: Value = serde_json::from_slice(file(&outputs, "report.json")).unwrap();
         let mut problems = differences(&report["panels"][0], &facts);
-        assert_eq!((made.panels.len(), outputs.files.len()), (1, 6));
-        let panel = &made.panels[0];
+        assert_eq!((made.parts.len(), outputs.files.len()), (1, 6));
+        let panel = &made.parts[0];
         problems.extend(fault_of_files(&outputs));
         let svg = read_svg(file(&outputs, &format!("{}.svg", panel.name)));
         let dxf = read_dxf(file(&outputs, &format!("{}.dxf", panel.name)));
@@ -162,9 +160,9 @@ fn differs(panel: &Value, fact: &str, wanted: &Value) -> Option<String> {
 
 /// What must hold of every boundary, and does not.
 fn always(made: &Made, outputs: &Outputs) -> Vec<String> {
-    assert_eq!((made.panels.len(), outputs.refold_error_mm.len()), (1, 1));
-    let panel = &made.panels[0];
-    let (measures, size) = (&panel.measures, panel.boundary.size());
+    assert_eq!((made.parts.len(), outputs.refold_error_mm.len()), (1, 1));
+    let panel = &made.parts[0];
+    let (measures, size) = (&panel.measures, panel.found().unwrap().boundary.size());
     let refold = outputs.refold_error_mm[0] / size;
     let areas = measures.area_flat_mm2 / measures.area_space_mm2 - 1.0;
     let mut wrong = Vec::new();
@@ -191,12 +189,11 @@ fn always(made: &Made, outputs: &Outputs) -> Vec<String> {
     wrong
 }
 
-fn is_pattern_of(read: &ReadPattern, panel: &MadePanel) -> bool {
-    let hinges = panel.sheet.surface().connectivity().hinges();
-    let near = 1e-9_f64.max(1e-12 * panel.boundary.size());
+fn is_pattern_of(read: &ReadPattern, panel: &Part) -> bool {
+    let near = 1e-9_f64.max(1e-12 * panel.found().unwrap().boundary.size());
     let lines = || std::iter::once(&read.outline).chain(&read.holes);
     let mut corners = lines().flatten().zip(panel.piece.loops().flatten());
-    read.rungs.iter().eq(hinges.iter().map(|hinge| &hinge.rung))
+    read.rungs == panel.sheet.rungs()
         && lines().map(Vec::len).eq(panel.piece.loops().map(<[_]>::len))
         && corners.all(|(read, corner)| read.distance(*corner) <= near)
 }

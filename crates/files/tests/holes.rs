@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used)] // Whatever fails here is a failed test.
 
 use serde_json::{Value, json};
-use sheetwright::make::{Made, MadePanel, make};
+use sheetwright::make::{Made, Part, make};
 use sheetwright::math::{Point2, Vec2, cos, sin};
 use sheetwright::triangulate::DEFAULT_WORK;
 use sheetwright::watch::Unwatched;
@@ -19,8 +19,8 @@ fn the_vessel_is_made_with_the_work_that_a_panel_may_take() {
     let vessel = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/ubc-fishing-vessel.csv");
     let options = ReadOptions { samples: Some(60), effort: Some(0.2), ..ReadOptions::default() };
     let design = read_input(vessel.as_ref(), &options).unwrap();
-    let panel = &make(&design, &mut Unwatched).unwrap().panels[0];
-    let (found, may) = (&panel.triangulation, 0.2 * DEFAULT_WORK as f64);
+    let panel = &make(&design, &mut Unwatched).unwrap().parts[0];
+    let (found, may) = (&panel.found().unwrap().triangulation, 0.2 * DEFAULT_WORK as f64);
     assert!(found.cut_short && !found.proven_optimal);
     assert!(found.work as f64 <= 1.1 * may, "{} of {may}", found.work);
     // Five times as much work finds one for 21.9.
@@ -107,15 +107,14 @@ fn report(outputs: &Outputs) -> Value {
 
 /// What was written reads back as the pattern and folds up to the surface, up to what closing its
 /// windows takes, mm.
-fn assert_reads_back(panel: &MadePanel, outputs: &Outputs, within_mm: f64) {
+fn assert_reads_back(panel: &Part, outputs: &Outputs, within_mm: f64) {
     let name = &panel.name;
     let svg = read_svg(text(outputs, &format!("{name}.svg")).as_bytes()).unwrap();
     let dxf = read_dxf(text(outputs, &format!("{name}.dxf")).as_bytes()).unwrap();
-    let hinges = panel.sheet.surface().connectivity().hinges();
     for read in [svg, dxf] {
         assert_eq!(read.points().len(), panel.flat.points.len());
         assert!(read.points().iter().zip(&panel.flat.points).all(|(a, b)| a.distance(*b) < 1e-9));
-        assert!(read.rungs.iter().eq(hinges.iter().map(|hinge| &hinge.rung)));
+        assert_eq!(read.rungs, panel.sheet.rungs());
     }
     assert!(outputs.refold_error_mm[0] <= within_mm, "{}", outputs.refold_error_mm[0]);
     assert!(outputs.panels[0].findings.iter().all(|finding| finding.code() != "refold"));
@@ -124,7 +123,7 @@ fn assert_reads_back(panel: &MadePanel, outputs: &Outputs, within_mm: f64) {
 #[test]
 fn a_ring_is_cut_open_and_marked_on_both_sides() {
     let made = frustum(json!([]));
-    let (panel, outputs) = (&made.panels[0], outputs(&made));
+    let (panel, outputs) = (&made.parts[0], outputs(&made));
     assert_reads_back(panel, &outputs, 1e-9);
     let svg = text(&outputs, "ring.svg");
     assert_eq!(svg.matches("class=\"outline\"").count(), 1);
@@ -144,14 +143,17 @@ fn a_ring_is_cut_open_and_marked_on_both_sides() {
 #[test]
 fn an_obj_keeps_one_surface_and_lays_its_seam_open() {
     let made = frustum(json!([]));
-    let panel = &made.panels[0];
+    let panel = &made.parts[0];
     let written = outputs(&made);
     let numbers = |kind: &str| -> Vec<Vec<f64>> {
         let lines = text(&written, "surface.obj").lines().filter_map(|l| l.strip_prefix(kind));
         lines.map(|l| l.split(' ').map(|x| x.parse().unwrap()).collect()).collect()
     };
     let (space, flat) = (numbers("v "), numbers("vt "));
-    assert_eq!((space.len(), flat.len()), (panel.boundary.len(), panel.boundary.len() + 2));
+    assert_eq!(
+        (space.len(), flat.len()),
+        (panel.found().unwrap().boundary.len(), panel.found().unwrap().boundary.len() + 2)
+    );
     let distance = |a: &[f64], b: &[f64]| -> f64 {
         a.iter().zip(b).map(|(x, y)| (x - y) * (x - y)).sum::<f64>().sqrt()
     };
@@ -172,9 +174,10 @@ fn an_obj_keeps_one_surface_and_lays_its_seam_open() {
 #[test]
 fn the_user_says_where_to_cut() {
     let seam = |cut: Value| {
-        let panel = frustum(cut).panels.remove(0);
+        let panel = frustum(cut).parts.remove(0);
         let [seam] = panel.sheet.seams() else { panic!() };
-        let [a, b] = seam.rung.ends().map(|s| panel.boundary.position(s));
+        let [a, b] =
+            panel.sheet.seam_rung(seam).ends().map(|s| panel.found().unwrap().boundary.position(s));
         a.lerp(b, 0.5)
     };
     for [x, y] in [[-150.0, 0.0], [0.0, 150.0], [100.0, -110.0]] {
@@ -187,7 +190,7 @@ fn the_user_says_where_to_cut() {
 #[test]
 fn a_plane_ring_and_a_window_stay_closed() {
     for (made, within_mm) in [(washer(), 1e-9), (shade(), 0.1)] {
-        let (panel, outputs) = (&made.panels[0], outputs(&made));
+        let (panel, outputs) = (&made.parts[0], outputs(&made));
         assert_reads_back(panel, &outputs, within_mm);
         let report = report(&outputs);
         assert_eq!((&report["holes_flat"], &report["seams"]), (&json!(1), &json!([])));
@@ -201,7 +204,7 @@ fn a_plane_ring_and_a_window_stay_closed() {
 
 #[test]
 fn a_pattern_with_a_wrong_hole_is_seen() {
-    let panel = &washer().panels[0];
+    let panel = &washer().parts[0];
     let right = refold_error_mm(panel, None, None).unwrap();
     assert!(right < 1e-9);
     let before = panel.piece.paths[1].points.clone();

@@ -6,7 +6,7 @@ use sheetwright::boundary::PlaneChoice;
 use sheetwright::check::{Finding, Severity};
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape};
-use sheetwright::make::{Made, MadePanel, make};
+use sheetwright::make::{Made, Part, make};
 use sheetwright::math::{Point2, Point3, Vec2};
 use sheetwright::pattern::{LabelKind, PathKind, PatternLabel, PatternPath, Piece, Role};
 use sheetwright::rung::Rung;
@@ -69,8 +69,8 @@ fn count(bytes: &[u8], needle: &str) -> usize {
     text(bytes).matches(needle).count()
 }
 
-fn rungs(panel: &MadePanel) -> Vec<Rung> {
-    panel.surface.connectivity().hinges().iter().map(|hinge| hinge.rung).collect()
+fn rungs(panel: &Part) -> Vec<Rung> {
+    panel.found().unwrap().surface.connectivity().hinges().iter().map(|hinge| hinge.rung).collect()
 }
 
 /// The largest distance of a point read back from where it was, mm.
@@ -85,10 +85,10 @@ fn missed(read: &ReadPattern, outline: &[Point2]) -> f64 {
 fn planks_read_back_and_fold_up_at_every_size() {
     // From a model to hold in the hand to one of 70 km, near the largest there may be.
     for scale in [1.0, 1000.0, 1e6] {
-        for panel in &hull(scale).panels {
+        for panel in &hull(scale).parts {
             let (svg, dxf) = (write_svg(&panel.piece), write_dxf(&panel.piece));
             let outline = panel.piece.outline();
-            let size = panel.boundary.size();
+            let size = panel.found().unwrap().boundary.size();
             for read in [read_svg(&svg).unwrap(), read_dxf(&dxf).unwrap()] {
                 assert_eq!(read.rungs, rungs(panel));
                 assert!(missed(&read, outline) <= 1e-9_f64.max(1e-15 * size), "{scale}");
@@ -105,7 +105,7 @@ fn planks_read_back_and_fold_up_at_every_size() {
 
 #[test]
 fn dxf_keeps_every_bit() {
-    let panel = &hull(1000.0).panels[0];
+    let panel = &hull(1000.0).parts[0];
     let read = read_dxf(&write_dxf(&panel.piece)).unwrap();
     assert_eq!(read.outline, panel.piece.outline());
 }
@@ -113,7 +113,7 @@ fn dxf_keeps_every_bit() {
 /// FreeCAD 0.20 reads no name of a layer that stands before the flags.
 #[test]
 fn layers_of_dxf_have_their_flags_before_their_names() {
-    let dxf = write_dxf(&hull(1000.0).panels[0].piece);
+    let dxf = write_dxf(&hull(1000.0).parts[0].piece);
     let lines: Vec<&str> = text(&dxf).lines().collect();
     let pairs: Vec<(&str, &str)> = lines.chunks(2).map(|p| (p[0].trim(), p[1])).collect();
     let layers: Vec<usize> = (0..pairs.len()).filter(|&n| pairs[n] == ("0", "LAYER")).collect();
@@ -126,7 +126,7 @@ fn layers_of_dxf_have_their_flags_before_their_names() {
 /// Browsers and Inkscape draw lines of a pixel at any zoom; all others see 0.1 mm.
 #[test]
 fn lines_of_svg_show_on_screens_and_are_thin_for_machines() {
-    let svg = write_svg(&hull(1000.0).panels[0].piece);
+    let svg = write_svg(&hull(1000.0).parts[0].piece);
     let document = roxmltree::Document::parse(text(&svg)).unwrap();
     let groups: Vec<_> =
         document.root_element().children().filter(|n| n.has_tag_name("g")).collect();
@@ -227,7 +227,7 @@ fn random_pieces_read_back() {
 
 #[test]
 fn an_svg_says_its_unit_and_has_a_group_a_role() {
-    let svg = write_svg(&hull(10.0).panels[1].piece);
+    let svg = write_svg(&hull(10.0).parts[1].piece);
     let document = roxmltree::Document::parse(text(&svg)).unwrap();
     let root = document.root_element();
     let view: Vec<&str> = root.attribute("viewBox").unwrap().split(' ').collect();
@@ -243,7 +243,7 @@ fn an_svg_says_its_unit_and_has_a_group_a_role() {
 /// The sign of the area of an outline tells a pattern from its mirror image.
 #[test]
 fn no_pattern_is_mirrored() {
-    let panel = &hull(10.0).panels[0];
+    let panel = &hull(10.0).parts[0];
     for read in [read_svg(&write_svg(&panel.piece)), read_dxf(&write_dxf(&panel.piece))] {
         let doubled = sheetwright::predicate::signed_area_doubled(&read.unwrap().outline);
         assert!(doubled > 0.0);
@@ -253,7 +253,7 @@ fn no_pattern_is_mirrored() {
 
 #[test]
 fn a_wrong_unit_a_moved_corner_and_a_missing_rung_are_seen() {
-    let panel = &hull(10.0).panels[0];
+    let panel = &hull(10.0).parts[0];
     let svg = write_svg(&panel.piece);
     let refolded = |svg: &str| refold_error_mm(panel, Some(svg.as_bytes()), None);
     let inches = text(&svg).replacen("mm\" height=\"", "in\" height=\"", 1);
@@ -274,7 +274,7 @@ fn a_wrong_unit_a_moved_corner_and_a_missing_rung_are_seen() {
 
 #[test]
 fn another_reader_of_dxf_sees_the_same_polylines() {
-    let piece = &hull(1000.0).panels[2].piece;
+    let piece = &hull(1000.0).parts[2].piece;
     let bytes = write_dxf(piece);
     let drawing = dxf::Drawing::load(&mut std::io::Cursor::new(&bytes)).unwrap();
     assert_eq!(drawing.header.version, dxf::enums::AcadVersion::R12);
@@ -304,10 +304,10 @@ fn an_obj_has_a_group_a_panel_and_the_flat_pattern() {
     let made = hull(10.0);
     let obj = write_obj(&made);
     let lines = |tag: &str| text(&obj).lines().filter(|line| line.starts_with(tag)).count();
-    let samples: usize = made.panels.iter().map(|p| p.boundary.len()).sum();
+    let samples: usize = made.parts.iter().map(|p| p.found().unwrap().boundary.len()).sum();
     assert_eq!((lines("g "), lines("v "), lines("vt ")), (3, samples, samples));
     assert_eq!(lines("f "), samples - 2 * 3);
-    let first = made.panels[0].flat.points[3];
+    let first = made.parts[0].flat.points[3];
     assert!(text(&obj).contains(&format!("vt {} {}\n", first.x + 0.0, first.y + 0.0)));
 }
 
@@ -341,7 +341,7 @@ fn only_what_is_asked_for_is_made_but_it_is_always_folded() {
     let outputs = output_files(&made, &[Format::Obj], &PdfOptions::default()).unwrap();
     assert_eq!(outputs.files.len(), 1);
     assert!(outputs.refold_error_mm.iter().all(|error| *error < 1e-8));
-    for (panel, checked) in made.panels.iter().zip(&outputs.panels) {
+    for (panel, checked) in made.parts.iter().zip(&outputs.panels) {
         assert_eq!(&panel.checked, checked);
     }
 }
@@ -349,22 +349,22 @@ fn only_what_is_asked_for_is_made_but_it_is_always_folded() {
 #[test]
 fn a_pattern_that_does_not_fold_back_is_an_error_found() {
     let mut made = hull(20.0);
-    made.panels[1].piece.paths.remove(7);
+    made.parts[1].piece.paths.remove(7);
     let outputs = output_files(&made, &[], &PdfOptions::default()).unwrap();
     let first = &outputs.panels[1].findings[0];
     assert_eq!((first.code(), first.severity()), ("refold", Severity::Error));
-    assert_eq!(outputs.panels[1].verdict, made.panels[1].checked.verdict);
+    assert_eq!(outputs.panels[1].verdict, made.parts[1].checked.verdict);
     assert!(outputs.refold_error_mm[1].is_nan() && outputs.refold_error_mm[0] < 1e-8);
 }
 
 #[test]
 fn names_that_make_no_files_are_refused() {
     let mut made = hull(20.0);
-    made.panels[2].name = "TopSide".into();
+    made.parts[2].name = "TopSide".into();
     let refused = |made: &Made| output_files(made, &[], &PdfOptions::default()).unwrap_err();
     let same = OutputError::SameName { panel: "topside".into(), other: "TopSide".into() };
     assert_eq!(refused(&made), same);
-    made.panels[2].name = "../up".into();
+    made.parts[2].name = "../up".into();
     assert_eq!(refused(&made), OutputError::BadName { panel: "../up".into() });
 }
 
@@ -465,7 +465,7 @@ fn sheets(most: usize) -> MaxSheets {
 
 #[test]
 fn readers_refuse_whatever_is_no_pattern_and_never_panic() {
-    let piece = &hull(20.0).panels[1].piece;
+    let piece = &hull(20.0).parts[1].piece;
     let (svg, dxf) = (write_svg(piece), write_dxf(piece));
     for bytes in [&b""[..], b"\xFF\xFE", b"<svg/>", b"0\nEOF\n", b"  0\r\nSECTION\r\n"] {
         assert!(read_svg(bytes).is_err());

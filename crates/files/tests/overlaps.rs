@@ -3,9 +3,7 @@
 
 use sheetwright::make::make;
 use sheetwright::watch::Unwatched;
-use sheetwright_files::{
-    Format, Input, InputFormat, PdfOptions, ReadOptions, output_files, read_any_bytes,
-};
+use sheetwright_files::{Format, InputFormat, PdfOptions, ReadOptions, output_files, read_bytes};
 use std::fmt::Write;
 
 /// A plate of 120 mm with a window of 40 mm, and on the window's upper edge an upright flap between
@@ -41,16 +39,15 @@ fn a_flap_over_its_plate_overlaps_and_is_no_fault() {
             let table = plate_with_flap(ends, long);
             let options = ReadOptions::default();
             let format = InputFormat::Table;
-            let read = read_any_bytes(format, table.as_bytes(), "flap.csv", None, &options);
-            let Input::Design(design) = read.unwrap() else { panic!("a table is a design") };
+            let read = read_bytes(format, table.as_bytes(), "flap.csv", None, &options);
+            let design = read.unwrap();
             let made = make(&design, &mut Unwatched).unwrap();
             let outputs = output_files(&made, &Format::DEFAULT, &PdfOptions::default()).unwrap();
             let has = |code: &str| outputs.panels[0].findings.iter().any(|f| f.code() == code);
             assert!(!has("refold"), "{ends:?} {long}: {:?}", outputs.panels[0].findings);
             assert!(outputs.refold_error_mm[0] < 1e-6, "{ends:?} {long}");
             // Where the surface is the plate and its flap.
-            if made.panels[0].measures.twist_total < 1e-9 && made.panels[0].sheet.seams().is_empty()
-            {
+            if made.parts[0].measures.twist_total < 1e-9 && made.parts[0].sheet.seams().is_empty() {
                 assert_eq!(has("overlap"), long > 40, "{ends:?} {long}");
                 overlapping += usize::from(long > 40);
                 beyond += usize::from(long > 80);

@@ -80,12 +80,12 @@ fn the_report_says_how_planar_quads_are_and_how_smooth_strips() {
     let made = made();
     let report = file(&made, &[Format::Quads, Format::Report], "report.json");
     let report: serde_json::Value = serde_json::from_str(&report).unwrap();
-    for (panel, made) in report["panels"].as_array().unwrap().iter().zip(&made.panels) {
+    for (panel, made) in report["panels"].as_array().unwrap().iter().zip(&made.parts) {
         let quads = &panel["quads"];
-        let own = PanelQuads::new(made);
+        let own = PanelQuads::new(made.found().unwrap());
         assert_eq!(quads["planar"], true);
         let number = |key: &str| quads[key].as_f64().unwrap();
-        assert!(number("planarity_after_mm") < 1e-9 * made.boundary.size());
+        assert!(number("planarity_after_mm") < 1e-9 * made.found().unwrap().boundary.size());
         assert_eq!(number("moved_max_mm"), own.planar.moved_max_mm);
         assert_eq!(number("smooth_deviation_mm"), own.smooth.deviation_max_mm);
         assert!(number("strips") > 0.0 && number("quads") > 10.0);

@@ -15,7 +15,7 @@ fn panels_bend_in_their_usual_sheet() {
         let design = design_from_template(template.name, &[]).unwrap();
         let name = design.material.as_ref().map(|material| &material.name[..]);
         assert_eq!(name, template.sheet, "{}", template.name);
-        for panel in &make(&design, &mut Unwatched).unwrap().panels {
+        for panel in &make(&design, &mut Unwatched).unwrap().parts {
             let (name, findings) = (&panel.name, &panel.checked.findings);
             assert_eq!(panel.checked.verdict, Verdict::Bends, "{}: {name}", template.name);
             assert!(findings.is_empty(), "{}: {name}: {findings:?}", template.name);

@@ -4,8 +4,8 @@
 
 use sheetwright::curve::Curve;
 use sheetwright::design::{Design, MovedBy, PanelShape};
-use sheetwright::index::SampleIndex;
-use sheetwright::make::{Made, MadePanel, make};
+use sheetwright::index::VertexIndex;
+use sheetwright::make::{Made, Part, make};
 use sheetwright::math::Point3;
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{ReadOptions, read_input};
@@ -37,10 +37,10 @@ fn gain([before, after]: [f64; 2]) -> f64 {
 
 /// The total twist and the price of all panels, each before and after.
 fn totals(made: &Made) -> [[f64; 2]; 2] {
-    let before = || made.panels.iter().map(|panel| &*panel.change.as_ref().unwrap().before);
-    let after = || made.panels.iter();
-    let twist = |panel: &MadePanel| panel.measures.twist_total;
-    let price = |panel: &MadePanel| panel.triangulation.price;
+    let before = || made.parts.iter().map(|panel| &*panel.change().unwrap().before);
+    let after = || made.parts.iter();
+    let twist = |panel: &Part| panel.measures.twist_total;
+    let price = |panel: &Part| panel.found().unwrap().triangulation.price;
     [
         [before().map(twist).sum(), after().map(twist).sum()],
         [before().map(price).sum(), after().map(price).sum()],
@@ -49,7 +49,7 @@ fn totals(made: &Made) -> [[f64; 2]; 2] {
 
 /// How far all samples moved in sum, mm; the copies of a shared one count once.
 fn moved_mm(made: &Made) -> f64 {
-    let moved = made.panels.iter().flat_map(|panel| &panel.change.as_ref().unwrap().moved);
+    let moved = made.parts.iter().flat_map(|panel| &panel.change().unwrap().moved);
     let bits = |at: &Point3| [at.x, at.y, at.z].map(f64::to_bits);
     let each: BTreeMap<_, f64> = moved.map(|[from, to]| (bits(from), from.distance(*to))).collect();
     each.values().sum()
@@ -67,9 +67,12 @@ fn ten_times_the_gain_of_the_paper() {
             design.vary[0].by = by;
             design.panels.iter_mut().for_each(|panel| panel.fold = fold.unwrap_or(panel.fold));
             let made = make(&design, &mut Unwatched).unwrap();
-            assert_eq!(made.panels.len(), panels, "{name}");
-            let found: usize =
-                made.panels.iter().map(|p| p.surface.connectivity().triangles().len()).sum();
+            assert_eq!(made.parts.len(), panels, "{name}");
+            let found: usize = made
+                .parts
+                .iter()
+                .map(|p| p.found().unwrap().surface.connectivity().triangles().len())
+                .sum();
             assert_eq!(found, triangles, "{name}");
             let totals = totals(&made);
             println!("{name}: {by:?}, {fold:?}: {totals:?}, moved {} mm", moved_mm(&made));
@@ -89,35 +92,31 @@ fn curves_of(shape: &PanelShape) -> Vec<&str> {
             let uses = std::iter::once(outer).chain(holes).flatten();
             uses.map(|part| part.name.as_str()).collect()
         }
-        PanelShape::Join(join) => panic!("no example joins panels: {join:?}"),
+        other => panic!("no example has panels of this kind: {other:?}"),
     }
 }
 
 /// The samples of a panel that lie on a curve.
-fn samples_on(panel: &MadePanel, curve: &Curve) -> BTreeSet<usize> {
+fn samples_on(panel: &Part, curve: &Curve) -> BTreeSet<usize> {
     let spans = curve.spans().len() as f64;
     let drawn: Vec<Point3> =
         (0..=DRAWN).map(|n| curve.position(spans * n as f64 / DRAWN as f64)).collect();
     let near = curve.length() / DRAWN as f64;
     let is_on = |at: Point3| drawn.iter().any(|point| point.distance(at) <= near);
-    let samples = panel.boundary.samples();
+    let samples = panel.found().unwrap().boundary.samples();
     (0..samples.len()).filter(|&n| is_on(samples[n].position)).collect()
 }
 
 /// How long the edges of a flat panel are that join samples of a set.
-fn flat_length_mm(panel: &MadePanel, on_it: &BTreeSet<usize>) -> f64 {
-    let sheet = panel.sheet.surface().connectivity();
-    let mut length = 0.0;
-    for range in sheet.loops() {
-        for n in range.clone() {
-            let next = if n + 1 == range.end { range.start } else { n + 1 };
-            let ends = [n, next].map(|n| panel.sheet.origin(SampleIndex::new(n)).get());
-            if ends.iter().all(|end| on_it.contains(end)) {
-                length += panel.flat.points[n].distance(panel.flat.points[next]);
-            }
-        }
-    }
-    length
+fn flat_length_mm(panel: &Part, on_it: &BTreeSet<usize>) -> f64 {
+    let at = |v: VertexIndex| panel.flat.points[v.get()];
+    let is_on = |v: VertexIndex| on_it.contains(&panel.sheet.origin(v).get());
+    let steps = panel.sheet.loops().iter().flat_map(|line| {
+        let next = line.iter().cycle().skip(1);
+        line.iter().zip(next).map(|(&a, &b)| [a, b])
+    });
+    let on_curve = steps.filter(|step| step.iter().all(|&v| is_on(v)));
+    on_curve.map(|[a, b]| at(a).distance(at(b))).sum()
 }
 
 #[test]
@@ -131,10 +130,10 @@ fn what_panels_share_stays_shared() {
             let moved = made.moved.as_ref().unwrap();
             let mut shared = 0;
             for (drawn, before) in moved.curves.iter().zip(&design.curves) {
-                let uses: Vec<&MadePanel> = moved
+                let uses: Vec<&Part> = moved
                     .panels
                     .iter()
-                    .zip(&made.panels)
+                    .zip(&made.parts)
                     .filter(|(panel, _)| curves_of(&panel.shape).contains(&drawn.name.as_str()))
                     .map(|(_, made)| made)
                     .collect();
@@ -143,8 +142,8 @@ fn what_panels_share_stays_shared() {
                 assert_ne!(drawn.points, before.points, "{name}: {} stays", drawn.name);
                 let curve = Curve::new(drawn.kind.unwrap(), &drawn.points, drawn.closed).unwrap();
                 let on_it = [a, b].map(|panel| samples_on(panel, &curve));
-                let places = |panel: &MadePanel, on_it: &BTreeSet<usize>| -> BTreeSet<[u64; 3]> {
-                    let at = |n: &usize| panel.boundary.samples()[*n].position;
+                let places = |panel: &Part, on_it: &BTreeSet<usize>| -> BTreeSet<[u64; 3]> {
+                    let at = |n: &usize| panel.found().unwrap().boundary.samples()[*n].position;
                     on_it.iter().map(at).map(|at| [at.x, at.y, at.z].map(f64::to_bits)).collect()
                 };
                 let both = [places(a, &on_it[0]), places(b, &on_it[1])];

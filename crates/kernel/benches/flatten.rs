@@ -11,7 +11,7 @@
 use sheetwright::flatten::{Aim, RelaxOptions, relax};
 use sheetwright::index::VertexIndex;
 use sheetwright::math::Point3;
-use sheetwright::measure::mesh_measures;
+use sheetwright::measure::distortion;
 use sheetwright::mesh::Mesh;
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::meshes::bumpy;
@@ -62,7 +62,7 @@ fn main() {
             least = least.min(start.elapsed().as_secs_f64());
         }
         let flat = flat.unwrap();
-        let measures = mesh_measures(&mesh, &flat.points);
+        let measures = distortion(&mesh, &flat.flat.points);
         println!(
             "{name} {least:.4} {:.9} {:.9} {} {} {:?}{}",
             measures.length_error_mean,
@@ -70,7 +70,7 @@ fn main() {
             flat.flipped,
             flat.steps,
             flat.ended,
-            if flat.overlap.is_some() { " overlaps" } else { "" }
+            if flat.flat.overlap.is_some() { " overlaps" } else { "" }
         );
     }
 }

@@ -1,16 +1,17 @@
 //! Findings: what is wrong with a panel, where, how bad, and what to do; and the verdict.
 
+mod bending;
 mod finding;
 mod kind;
-mod mesh;
 mod origin;
 mod place;
 mod remedy;
 mod severity;
+mod stretching;
 
+pub use bending::better_without_plane;
 pub use finding::{Checked, Finding, Verdict};
 pub use kind::{Bend, FindingKind, Hindrance, Movement, SeamCause, TooTight};
-pub use mesh::{MeshPanel, check_mesh, seam_length};
 pub use origin::{
     BoundaryMoved, moved, ran_on, rounded_corner, smoothed_joints, stayed_straight, turned_round,
 };
@@ -18,29 +19,24 @@ pub use place::{BorderSide, Place, SeamPlace};
 pub use remedy::Remedy;
 pub use severity::Severity;
 
-use crate::flatten::{Flattened, Seam, Sheet};
-use crate::material::{Material, warp_limit_deg};
-use crate::measure::{Measures, RungMeasures, SHARP_CREASE_DEG};
+use crate::flatten::Flattened;
+use crate::material::Material;
+use crate::measure::Measures;
+use crate::mesh::{Mesh, Specks};
+use crate::sheet::Sheet;
 use sheetwright_geometry::boundary::Boundary;
-use sheetwright_geometry::index::SampleIndex;
-use sheetwright_geometry::math::{Vec3, from_deg, to_deg};
+use sheetwright_geometry::index::VertexIndex;
+use sheetwright_geometry::math::Point3;
 use sheetwright_geometry::tolerance::Tolerance;
 use sheetwright_optimum::triangulate::Triangulation;
 
-/// Up to this share of the warp limit a sheet goes into shape by itself; above it, with force.
-/// Half of the limit: a choice, not a measurement, so that a warning comes well before the limit.
+/// Up to this share of what it takes, a sheet goes into shape by itself; above it, with force. Half
+/// of the limit: a choice, not a measurement, so that a warning comes well before the limit.
 pub const EASY_SHARE: f64 = 0.5;
-/// Length errors below it, as a share of the size over the shortest side, are rounding: an exact
-/// pattern has a thousandth of it.
-const ROUNDING: f64 = 1e-9;
 
-/// Everything known of a panel when it is checked.
+/// Everything known of a part when it is checked.
 #[derive(Clone, Copy, Debug)]
-pub struct Panel<'a> {
-    /// Its boundary.
-    pub boundary: &'a Boundary,
-    /// Its triangulation.
-    pub triangulation: &'a Triangulation,
+pub struct Subject<'a> {
     /// Its sheet.
     pub sheet: &'a Sheet,
     /// Its flat pattern.
@@ -49,26 +45,48 @@ pub struct Panel<'a> {
     pub measures: &'a Measures,
     /// Its material, if one is named.
     pub material: Option<&'a Material>,
+    /// What it came from.
+    pub from: CheckedFrom<'a>,
 }
 
-/// Checks a panel.
-pub fn check(panel: &Panel<'_>) -> Checked {
-    let checks = [
-        warp,
-        coarse_samples,
-        bend_radius,
-        points,
-        crossing,
-        overlap,
-        forced_rungs,
-        folds,
-        bend_lines,
-        length_error,
-        open_windows,
-        seams,
-        not_proven,
-    ];
-    Checked::of(checks.iter().filter_map(|check| check(panel)).collect())
+/// What a part came from, as far as it is checked.
+#[derive(Clone, Copy, Debug)]
+pub enum CheckedFrom<'a> {
+    /// A boundary, whose surface was found.
+    Boundary(&'a Boundary, &'a Triangulation),
+    /// A mesh.
+    Mesh(MeshOrigin<'a>),
+}
+
+/// What is known of a mesh and of how it was laid flat, beside its measures.
+#[derive(Clone, Copy, Debug)]
+pub struct MeshOrigin<'a> {
+    /// The mesh before it was cut.
+    pub mesh: &'a Mesh,
+    /// Whether its border was to be true.
+    pub keeps_border: bool,
+    /// A cut that would help, from inside or from a hole to the border: its ends, mm.
+    pub suggested_cut: Option<[Point3; 2]>,
+    /// Triangles that lie upside down when it is flat.
+    pub flipped: usize,
+    /// Triangles of the file that were left out, with two corners in one place.
+    pub left_out: usize,
+    /// Parts of it that were left out because they are too small to be sheet.
+    pub specks: Option<Specks>,
+    /// Points in which parts of it met that have no side in common there.
+    pub contacts: usize,
+    /// Cuts that were asked for, from the border to points inside.
+    pub darts: usize,
+}
+
+/// Checks a part.
+pub fn check(part: &Subject<'_>) -> Checked {
+    Checked::of(match part.from {
+        CheckedFrom::Boundary(boundary, triangulation) => {
+            bending::findings(&bending::Panel { part, boundary, triangulation })
+        }
+        CheckedFrom::Mesh(origin) => stretching::findings(&stretching::Panel { part, origin }),
+    })
 }
 
 /// The finding that a written pattern does not fold back onto its surface; `None` if it does.
@@ -85,170 +103,33 @@ fn title(material: Option<&Material>) -> Option<String> {
     material.map(|m| m.title.clone())
 }
 
-fn warp(panel: &Panel<'_>) -> Option<Finding> {
-    let limit = from_deg(warp_limit_deg(panel.material));
-    let rungs = &panel.measures.rungs;
-    let sheet = title(panel.material);
-    let beyond = |bound: f64| move |r: &RungMeasures| r.warp_beyond_sampling() > bound;
-    let largest =
-        |bound: f64| rungs.iter().filter(|r| beyond(bound)(r)).map(|r| r.warp).reduce(f64::max);
-    if let Some(largest) = largest(limit) {
-        let count = rungs.iter().filter(|r| beyond(limit)(r)).count();
-        let of = rungs.len();
-        let kind = FindingKind::WarpTooLarge { largest, count, of, limit, sheet };
-        return Some(Finding::new(kind, Place::rungs(rungs, beyond(limit))));
-    }
-    let easy = EASY_SHARE * limit;
-    let kind = FindingKind::WarpHigh { largest: largest(easy)?, limit, sheet };
-    Some(Finding::new(kind, Place::rungs(rungs, beyond(easy))))
+/// A side of the border, by the vertex of the sheet that it begins at, with the samples that its
+/// ends are. Both sides of a cut may begin at one sample, so a side is named by both ends.
+fn border_side(sheet: &Sheet, from: usize) -> BorderSide {
+    let from = VertexIndex::new(from);
+    let ends = [from, sheet.next_on_border(from).unwrap_or(from)];
+    BorderSide { corners: ends.map(VertexIndex::get), samples: ends.map(|v| sheet.sample(v)) }
 }
 
-fn coarse_samples(panel: &Panel<'_>) -> Option<Finding> {
-    let limit = from_deg(warp_limit_deg(panel.material));
-    let rungs = &panel.measures.rungs;
-    let told = |r: &RungMeasures| r.warp <= limit || r.warp_beyond_sampling() > 0.0;
-    // What is known to twist too much needs no doubt beside it.
-    let known = rungs.iter().any(|r| r.warp_beyond_sampling() > limit);
-    let kind = FindingKind::CoarseSamples { largest: panel.measures.warp_max };
-    (!known && !rungs.iter().all(told))
-        .then(|| Finding::new(kind, Place::rungs(rungs, |r| !told(r))))
-}
-
-fn bend_radius(panel: &Panel<'_>) -> Option<Finding> {
-    let material = panel.material?;
-    let (least_mm, limit_mm) = (panel.measures.bend_radius_min_mm, material.bend_radius_mm.value);
-    (least_mm < limit_mm).then(|| {
-        let sheet = material.title.clone();
-        let kind = FindingKind::RadiusTooSmall { least_mm, limit_mm, sheet };
-        let tight = |r: &RungMeasures| r.bend_radius_mm < limit_mm;
-        Finding::new(kind, Place::rungs(&panel.measures.rungs, tight))
-    })
-}
-
-/// A point round which the sheet turns by less than this, degrees, is rounded off and hardly seen.
-const SEEN_POINT_DEG: f64 = 15.0;
-
-/// A point is no harder on a sheet than a fold through it would be. So what takes folds takes
-/// points; what does not can't have any, unless the shallowest roll that rounds it off is wide
-/// enough.
-fn points(panel: &Panel<'_>) -> Option<Finding> {
-    let apexes = &panel.measures.apexes;
-    let sharpest = apexes.iter().max_by(|a, b| a.turn.total_cmp(&b.turn))?;
-    let stiff =
-        panel.material.filter(|m| !m.folds() && sharpest.radius_mm < m.bend_radius_mm.value);
-    if stiff.is_none() && to_deg(sharpest.turn) < SEEN_POINT_DEG {
-        return None;
-    }
-    let too_tight = stiff.map(|m| TooTight {
-        sheet: m.title.clone(),
-        limit_mm: m.bend_radius_mm.value,
-        needed_mm: sharpest.radius_mm,
-    });
-    let numbers = apexes.iter().map(|apex| apex.sample).collect();
-    let kind = FindingKind::Points { count: apexes.len(), turn: sharpest.turn, too_tight };
-    Some(Finding::new(kind, Place::Samples { numbers }))
-}
-
-fn crossing(panel: &Panel<'_>) -> Option<Finding> {
-    let crossing = panel.measures.self_crossing?;
-    let corners = crossing.map(|t| panel.triangulation.triangles[t.get()]).to_vec();
-    Some(Finding::new(FindingKind::SelfCrossing, Place::Triangles { corners }))
-}
-
-fn overlap(panel: &Panel<'_>) -> Option<Finding> {
-    let (a, b) = panel.flat.overlap?;
-    // Both sides of a cut may begin at one sample, so a side is named by both of its ends.
-    let loops = panel.sheet.surface().connectivity().loops();
-    let next = |n: usize| {
-        let of_loop = loops.iter().find(|of_loop| of_loop.contains(&n));
-        of_loop.filter(|of_loop| n + 1 == of_loop.end).map_or(n + 1, |of_loop| of_loop.start)
+/// The finding that a pattern overlaps itself.
+fn overlap(part: &Subject<'_>) -> Option<Finding> {
+    let (a, b) = part.flat.overlap?;
+    let place = match part.from {
+        CheckedFrom::Boundary(..) => {
+            Place::Sides { sides: [a, b].map(|n| border_side(part.sheet, n)).to_vec() }
+        }
+        CheckedFrom::Mesh(_) => {
+            let at = |n: usize| part.sheet.mesh().position(VertexIndex::new(n));
+            Place::Points { at: vec![at(a), at(b)] }
+        }
     };
-    let side = |n: usize| {
-        let corners = [n, next(n)];
-        let samples = corners.map(|n| panel.sheet.origin(SampleIndex::new(n)));
-        BorderSide { corners, samples }
-    };
-    let sides = vec![side(a), side(b)];
-    Some(Finding::new(FindingKind::Overlap, Place::Sides { sides }))
+    Some(Finding::new(FindingKind::Overlap, place))
 }
 
-fn forced_rungs(panel: &Panel<'_>) -> Option<Finding> {
-    let count = panel.triangulation.forced_rungs;
-    let forced = |r: &RungMeasures| r.normals[0] == Vec3::ZERO;
-    let place = || Place::rungs(&panel.measures.rungs, forced);
-    (count > 0).then(|| Finding::new(FindingKind::RungWithoutPlane { count }, place()))
-}
-
-/// The finding that a surface which need not lie over the supporting plane has a much lower price.
-pub fn better_without_plane(with: f64, without: f64) -> Finding {
-    Finding::of_whole(FindingKind::BetterWithoutPlane { with, without })
-}
-
-fn not_proven(panel: &Panel<'_>) -> Option<Finding> {
-    let gap = panel.triangulation.gap();
-    // Of one loop no gap is known where another method was asked for, which proves nothing.
-    let is_open = gap.map_or(panel.boundary.holes() > 0, |gap| gap > 0.0);
-    let cut_short = panel.triangulation.cut_short;
-    is_open.then(|| Finding::of_whole(FindingKind::NotProven { gap, cut_short }))
-}
-
-fn folds(panel: &Panel<'_>) -> Option<Finding> {
-    let rungs = &panel.measures.rungs;
-    let sharpest = rungs.iter().filter(|r| r.is_fold).map(|r| r.crease.abs()).reduce(f64::max)?;
-    let count = rungs.iter().filter(|r| r.is_fold).count();
-    let stiff = title(panel.material.filter(|m| !m.folds()));
-    let kind = FindingKind::Folds { count, sharpest, stiff };
-    Some(Finding::new(kind, Place::rungs(rungs, |r| r.is_fold)))
-}
-
-fn bend_lines(panel: &Panel<'_>) -> Option<Finding> {
-    let is_line = |r: &RungMeasures| to_deg(r.crease.abs()) > SHARP_CREASE_DEG && !r.is_fold;
-    let lines = panel.measures.rungs.iter().filter(|r| is_line(r));
-    let sharpest = lines.clone().map(|r| r.crease.abs()).reduce(f64::max)?;
-    let kind = FindingKind::BendLines { count: lines.count(), sharpest };
-    Some(Finding::new(kind, Place::rungs(&panel.measures.rungs, is_line)))
-}
-
-fn length_error(panel: &Panel<'_>) -> Option<Finding> {
-    let largest = panel.measures.length_error_max;
-    let exact = ROUNDING * panel.boundary.size() / shortest_side(panel.boundary);
-    let closes_holes = panel.boundary.holes() > 0;
-    (largest > exact.max(ROUNDING))
-        .then(|| Finding::of_whole(FindingKind::LengthError { largest, closes_holes }))
-}
-
-/// A seam that gapes by no more than this share of the size is one round a window that nearly
-/// lies flat, not one that opens a tube. (A ring that rises by 2° gapes by as much.)
-const WINDOW_GAP: f64 = 2e-3;
-
-fn open_windows(panel: &Panel<'_>) -> Option<Finding> {
-    if panel.flat.overlap.is_some() {
-        return None;
-    }
-    let nearly = |seam: &Seam| seam.gap_mm <= WINDOW_GAP * panel.boundary.size();
-    let widest = panel.sheet.seams().iter().filter(|s| nearly(s)).map(|s| s.gap_mm);
-    let kind = FindingKind::WindowGap { widest_mm: widest.reduce(f64::max)? };
-    Some(Finding::new(kind, Place::seams(panel.sheet, nearly)))
-}
-
-fn seams(panel: &Panel<'_>) -> Option<Finding> {
-    let list = panel.sheet.seams();
-    let length = |seam: &Seam| {
-        let [a, b] = seam.rung.ends();
-        panel.boundary.position(a).distance(panel.boundary.position(b))
-    };
-    let length_mm = list.iter().map(length).sum::<f64>();
-    (!list.is_empty()).then(|| {
-        let kind = FindingKind::Seams { count: list.len(), length_mm, why: SeamCause::NotFlat };
-        Finding::new(kind, Place::seams(panel.sheet, |_| true))
-    })
-}
-
-fn shortest_side(boundary: &Boundary) -> f64 {
-    (0..boundary.len())
-        .map(|i| {
-            let at = |k: usize| boundary.samples()[k].position;
-            at(i).distance(at(boundary.next(i)))
-        })
-        .fold(f64::INFINITY, f64::min)
+/// The finding that the pattern is cut open along seams, and why.
+fn seams(part: &Subject<'_>, why: SeamCause) -> Option<Finding> {
+    let seams = part.sheet.seams();
+    let length_mm = seams.iter().map(|seam| seam.length_mm).sum();
+    let kind = FindingKind::Seams { count: seams.len(), length_mm, why };
+    (!seams.is_empty()).then(|| Finding::new(kind, Place::seams(part.sheet, |_| true)))
 }

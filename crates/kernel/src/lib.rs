@@ -50,8 +50,8 @@
 //!     ..Design::default()
 //! };
 //!
-//! let side = &make(&design, &mut Unwatched)?.panels[0];
-//! assert!(side.triangulation.proven_optimal);
+//! let side = &make(&design, &mut Unwatched)?.parts[0];
+//! assert!(side.found().is_some_and(|found| found.triangulation.proven_optimal));
 //! assert_eq!(side.checked.verdict, Verdict::Bends);
 //! assert!(side.measures.length_error_max < 1e-12);
 //! # Ok::<(), sheetwright::make::MakeError>(())
@@ -64,6 +64,8 @@ pub use sheetwright_optimum::{cost, rung, triangulate};
 pub mod surface;
 
 pub mod mesh;
+
+pub mod sheet;
 
 pub mod flatten;
 

@@ -247,19 +247,20 @@ impl Surface {
     /// positive where the surface bends away from the side that it faces (a mountain, as seen from
     /// there). 0 where a triangle has no area.
     pub fn crease(&self, hinge: &Hinge) -> f64 {
-        let (Some(first), Some(second)) =
-            (self.normal(hinge.triangles[0]), self.normal(hinge.triangles[1]))
-        else {
-            return 0.0;
-        };
-        let [low, high] = hinge.rung.ends();
-        // The first triangle lies to the left of low → high; over a ridge, going from it to the
-        // second turns the normal about that direction.
-        let along = self.position(high) - self.position(low);
-        let turn = first.cross(second).dot(along);
-        let angle = angle_between(first, second);
-        if turn < 0.0 { -angle } else { angle }
+        let [low, high] = hinge.rung.ends().map(|s| self.position(s));
+        signed_crease(hinge.triangles.map(|t| self.area_vector(t)), high - low)
     }
+}
+
+/// The angle between two triangles that share a side, by their area vectors, radians in −π ..= π:
+/// positive over a mountain, 0 where one has no area. `along` is the side in the direction in which
+/// the first triangle lies to its left.
+pub(crate) fn signed_crease(areas: [Vec3; 2], along: Vec3) -> f64 {
+    let [Some(first), Some(second)] = areas.map(unit) else { return 0.0 };
+    // Over a ridge, going from the first triangle to the second turns the normal about the side.
+    let turn = first.cross(second).dot(along);
+    let angle = angle_between(first, second);
+    if turn < 0.0 { -angle } else { angle }
 }
 
 #[cfg(test)]

@@ -2,13 +2,13 @@
 #![allow(clippy::unwrap_used, clippy::print_stdout)] // tests panic and print what they measured
 
 use sheetwright::boundary::{Boundary, PlaneChoice, samples_from_points, supporting_plane};
-use sheetwright::check::{Panel, Verdict, check};
+use sheetwright::check::{CheckedFrom, Subject, Verdict, check};
 use sheetwright::cost::Prices;
 use sheetwright::curve::CurvePoint;
 use sheetwright::flatten::lay_flat;
 use sheetwright::material::{Material, Sourced};
 use sheetwright::math::{Point3, cos, sin};
-use sheetwright::measure::{Measures, measures};
+use sheetwright::measure::{CutFrom, Measures, measures};
 use sheetwright::surface::{Connectivity, Surface};
 use sheetwright::triangulate::{TriangulateOptions, triangulate};
 use sheetwright::watch::Unwatched;
@@ -30,11 +30,10 @@ fn checked(boundary: &Boundary, material: Option<&Material>) -> (Measures, Verdi
     let surface = Surface::new(connectivity, boundary.positions());
     let prices = Prices::new(boundary, plane.as_ref(), options.price);
     let (sheet, flat) = lay_flat(&surface, &[], &mut Unwatched).unwrap();
-    let measures = measures(&surface, &sheet, &flat, &prices);
-    let (triangulation, measured) = (&found, &measures);
-    let panel =
-        Panel { boundary, triangulation, sheet: &sheet, flat: &flat, measures: measured, material };
-    let verdict = check(&panel).verdict;
+    let measures = measures(CutFrom::Surface(&surface, &prices), &sheet, &flat);
+    let from = CheckedFrom::Boundary(boundary, &found);
+    let part = Subject { sheet: &sheet, flat: &flat, measures: &measures, material, from };
+    let verdict = check(&part).verdict;
     (measures, verdict)
 }
 

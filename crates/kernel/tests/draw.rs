@@ -392,7 +392,7 @@ fn curves_drawn_inside_one_another_are_sheet_and_air_in_turn() {
     assert!(design.panels.iter().all(|p| p.samples == 90));
     // Nothing is left to propose, and what is made is right.
     assert_eq!(panels_of_drawing(&design, plan, 90).changes, []);
-    assert_eq!(make(&design, &mut Unwatched).unwrap().panels.len(), 3);
+    assert_eq!(make(&design, &mut Unwatched).unwrap().parts.len(), 3);
 
     // A hole more, in a panel with settings of its own; another around a panel that there is.
     design.panels[2].fold = 0.25;
@@ -474,7 +474,12 @@ fn coarse_designs_are_small_and_can_be_made() {
         design = panels_of_drawing(&design, plan, 300 + random.below(500)).applied(&design);
         let most = 110 + random.below(150);
         let small = coarse(&design, most);
-        let found = make(&small, &mut Unwatched).unwrap().panels[0].boundary.samples().len();
+        let found = make(&small, &mut Unwatched).unwrap().parts[0]
+            .found()
+            .unwrap()
+            .boundary
+            .samples()
+            .len();
         assert!(found <= most && found + 12 > most, "{found} of {most}");
         assert_eq!(coarse(&small, most), small);
         assert_eq!(Design { panels: design.panels.clone(), ..small }, design);

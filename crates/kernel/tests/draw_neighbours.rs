@@ -124,13 +124,13 @@ fn neighbours_face_alike_however_they_were_drawn() {
         let proposal = panels_of_drawing(&design, plan, 40);
         assert_eq!(proposal.crossing.len(), 0);
         let made = make(&proposal.applied(&design), &mut Unwatched).unwrap();
-        assert_eq!(made.panels.len(), 2);
-        for panel in &made.panels {
+        assert_eq!(made.parts.len(), 2);
+        for panel in &made.parts {
             let up = |t: &[sheetwright::index::SampleIndex; 3]| {
-                let [a, b, c] = t.map(|v| panel.surface.positions()[v.get()]);
+                let [a, b, c] = t.map(|v| panel.found().unwrap().surface.positions()[v.get()]);
                 (b - a).cross(c - a).z
             };
-            let triangles = panel.surface.connectivity().triangles();
+            let triangles = panel.found().unwrap().surface.connectivity().triangles();
             assert!(triangles.iter().all(|t| up(t) > 0.0), "{turns}: {}", panel.name);
         }
     }
@@ -221,7 +221,7 @@ fn a_circle_has_its_diameter_in_every_direction() {
 fn pieces(name: &str) -> Vec<Piece> {
     let design = template(name).unwrap().defaults().design().unwrap();
     let made = make(&design, &mut Unwatched).unwrap();
-    made.panels.iter().map(|panel| panel.piece.clone()).collect()
+    made.parts.iter().map(|panel| panel.piece.clone()).collect()
 }
 
 #[test]

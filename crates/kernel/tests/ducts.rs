@@ -45,8 +45,8 @@ fn they_are_the_optimum_over_all_triangulations_too() {
             let mut design = duct.design();
             design.panels[0].samples = samples;
             design.panels[0].method = PanelMethod::Optimal;
-            let made = make(&design, &mut Unwatched).unwrap().panels.remove(0);
-            assert!(made.triangulation.proven_optimal);
+            let made = make(&design, &mut Unwatched).unwrap().parts.remove(0);
+            assert!(made.found().unwrap().triangulation.proven_optimal);
             let share = neither_flat_nor_conical(&made, flat);
             println!("{samples}: {:.5} % of the area is neither", 100.0 * share);
             assert!(share <= 0.001, "{share}");
@@ -93,11 +93,11 @@ fn the_pieces_of_an_elbow_meet_and_unroll_to_their_formula() {
         assert!(apart < 1e-9, "cut {n}: {apart}");
     }
     let made = make(&design, &mut Unwatched).unwrap();
-    for panel in &made.panels {
+    for panel in &made.parts {
         assert_eq!(panel.checked.verdict, Verdict::Bends);
         assert!(panel.checked.findings.is_empty(), "{:?}", panel.checked.findings);
     }
-    let segment = &made.panels[2];
+    let segment = &made.parts[2];
     let tan = sin(half) / cos(half);
     // Across the throat, where the seam is, across the heel, and round the pipe.
     let (flat, m) = (&segment.flat.points, segment.flat.points.len());
@@ -145,7 +145,7 @@ fn the_pieces_of_a_y_branch_meet() {
             assert!(off < 0.05, "{p:?}: {off}");
         }
         let made = make(&design, &mut Unwatched).unwrap();
-        for panel in &made.panels {
+        for panel in &made.parts {
             println!("{} {}", panel.name, sheetwright::math::to_deg(panel.measures.warp_max));
             assert_eq!(panel.checked.verdict, Verdict::Bends, "{}", panel.name);
         }

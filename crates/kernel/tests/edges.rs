@@ -6,11 +6,11 @@
 use sheetwright::boundary::{Continuity, Within};
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
-    CurveUse, Design, DesignCurve, DesignPanel, Join, MeshDesign, MeshGroup, PanelShape,
+    CurveUse, Design, DesignCurve, DesignPanel, Join, PanelMesh, PanelShape, Triangles,
 };
 use sheetwright::edge::{Edge, EdgePlace};
 use sheetwright::index::VertexIndex;
-use sheetwright::make::{Made, MadePanel, MeshOptions, make, make_meshes};
+use sheetwright::make::{Made, Part, make};
 use sheetwright::math::{Point3, cos, from_deg, sin};
 use sheetwright::template::{catalogue, template};
 use sheetwright::watch::Unwatched;
@@ -48,8 +48,8 @@ fn agree(panels: &[&[Edge]], share: f64) -> usize {
         for (edge, found) in edges.iter().enumerate() {
             assert_eq!(found.difference_mm.is_some(), !found.mates.is_empty(), "{}", found.name);
             for mate in &found.mates {
-                let back = &panels[mate.panel][mate.edge];
-                assert!(back.mates.contains(&EdgePlace { panel, edge }), "{}", found.name);
+                let back = &panels[mate.part][mate.edge];
+                assert!(back.mates.contains(&EdgePlace { part: panel, edge }), "{}", found.name);
                 pairs += 1;
             }
             let difference = found.difference_mm.unwrap_or_default();
@@ -59,8 +59,8 @@ fn agree(panels: &[&[Edge]], share: f64) -> usize {
     pairs / 2
 }
 
-fn loops(panel: &MadePanel) -> impl Iterator<Item = Vec<usize>> {
-    panel.sheet.surface().connectivity().loops().iter().map(|range| range.clone().collect())
+fn loops(part: &Part) -> impl Iterator<Item = Vec<usize>> {
+    part.sheet.loops().iter().map(|line| line.iter().map(|v| v.get()).collect())
 }
 
 #[test]
@@ -68,7 +68,7 @@ fn edges_cover_the_borders_of_all_templates() {
     for one in catalogue() {
         let made = of_template(one.name);
         let mut panels = Vec::new();
-        for panel in &made.panels {
+        for panel in &made.parts {
             cover(&panel.edges, loops(panel));
             let mut all = names(&panel.edges);
             all.sort_unstable();
@@ -86,13 +86,13 @@ fn edges_cover_the_borders_of_all_templates() {
 fn shared_curves_with_equal_samples_have_mates_of_one_length() {
     let design = Design { match_seams: true, ..drawn("hull") };
     let made = make(&design, &mut Unwatched).unwrap();
-    let panels: Vec<&[Edge]> = made.panels.iter().map(|panel| &panel.edges[..]).collect();
-    assert!(agree(&panels, 1e-12) >= made.panels.len() - 1);
+    let panels: Vec<&[Edge]> = made.parts.iter().map(|panel| &panel.edges[..]).collect();
+    assert!(agree(&panels, 1e-12) >= made.parts.len() - 1);
     let tent = of_template("tent");
-    let bay = &tent.panels[0];
+    let bay = &tent.parts[0];
     assert_eq!(names(&bay.edges), ["middle-hoop", "end", "front-hoop", "start"]);
     let mate = bay.edges[0].mates[0];
-    assert_eq!(tent.panels[mate.panel].name, "rear-bay");
+    assert_eq!(tent.parts[mate.part].name, "rear-bay");
     let ends = bay.edges.iter().filter(|edge| edge.mates.is_empty());
     assert_eq!(names(&ends.cloned().collect::<Vec<_>>()), ["end", "start"]);
 }
@@ -103,11 +103,11 @@ fn pieces_of_a_hemisphere_meet_on_every_side() {
     let gores = 12;
     let design = Design { match_seams: true, ..drawn("hemisphere") };
     let made = make(&design, &mut Unwatched).unwrap();
-    assert_eq!(made.panels.len(), 36);
-    let panels: Vec<&[Edge]> = made.panels.iter().map(|panel| &panel.edges[..]).collect();
+    assert_eq!(made.parts.len(), 36);
+    let panels: Vec<&[Edge]> = made.parts.iter().map(|panel| &panel.edges[..]).collect();
     let pairs = agree(&panels, 1e-9);
     // Each piece has a neighbour on either side, and one above it but for the uppermost.
-    let rows = made.panels.len() / gores;
+    let rows = made.parts.len() / gores;
     assert!(pairs >= rows * gores + (rows - 1) * gores, "{pairs}");
 }
 
@@ -141,8 +141,8 @@ fn rails_that_run_on_keep_their_names() {
         ..Design::default()
     };
     let made = make(&design, &mut Unwatched).unwrap();
-    let edges = &made.panels[0].edges;
-    cover(edges, loops(&made.panels[0]));
+    let edges = &made.parts[0].edges;
+    cover(edges, loops(&made.parts[0]));
     assert_eq!(names(edges), ["low", "end", "high", "start"]);
     // The rails are as long as their arcs of 90°, and the new ends are no straight lines.
     let arc_mm = 300.0 * from_deg(90.0);
@@ -174,7 +174,7 @@ fn joined_panels_have_the_edges_of_their_parts() {
         ..Design::default()
     };
     let made = make(&design, &mut Unwatched).unwrap();
-    let [half] = &made.panels[..] else { panic!() };
+    let [half] = &made.parts[..] else { panic!() };
     cover(&half.edges, loops(half));
     let mut found = names(&half.edges);
     found.sort_unstable();
@@ -199,14 +199,14 @@ fn a_cut_has_two_sides() {
         ..Design::default()
     };
     let made = make(&design, &mut Unwatched).unwrap();
-    let edges = &made.panels[0].edges;
-    cover(edges, loops(&made.panels[0]));
+    let edges = &made.parts[0].edges;
+    cover(edges, loops(&made.parts[0]));
     let mut found = names(edges);
     found.sort_unstable();
     assert_eq!(found, ["bottom", "cut-1a", "cut-1b", "top"]);
     let side = |name: &str| edges.iter().position(|edge| edge.name == name).unwrap();
     let [a, b] = [side("cut-1a"), side("cut-1b")];
-    assert_eq!(edges[a].mates, [EdgePlace { panel: 0, edge: b }]);
+    assert_eq!(edges[a].mates, [EdgePlace { part: 0, edge: b }]);
     assert!(edges[a].difference_mm.unwrap() < 1e-9);
 }
 
@@ -222,30 +222,31 @@ fn groups_of_a_mesh_are_mates_where_they_meet() {
         [0., 100., 70.],
         [100., 100., 70.],
     ];
-    let group = |name: &str, quad: [usize; 4]| MeshGroup {
-        name: name.into(),
-        positions: at.map(|p| Point3::new(p[0], p[1], p[2])).to_vec(),
-        triangles: [[0, 1, 2], [0, 2, 3]]
-            .map(|t| t.map(|k: usize| VertexIndex::new(quad[k])))
-            .to_vec(),
-        left_out: 0,
+    let group = |name: &str, quad: [usize; 4]| {
+        let triangles = Triangles {
+            positions: at.map(|p| Point3::new(p[0], p[1], p[2])).to_vec(),
+            triangles: [[0, 1, 2], [0, 2, 3]]
+                .map(|t| t.map(|k: usize| VertexIndex::new(quad[k])))
+                .to_vec(),
+            left_out: 0,
+        };
+        DesignPanel::new(name, PanelShape::Mesh(PanelMesh::new(triangles)), 3)
     };
-    let design = MeshDesign {
+    let design = Design {
         name: "tray".into(),
-        material: None,
-        groups: vec![
+        panels: vec![
             group("floor", [0, 1, 2, 3]),
             group("front", [0, 4, 5, 1]),
             group("back", [3, 2, 7, 6]),
         ],
+        ..Design::default()
     };
-    let made = make_meshes(&design, &MeshOptions::default(), &mut Unwatched).unwrap();
-    let panels: Vec<&[Edge]> = made.panels.iter().map(|panel| &panel.edges[..]).collect();
+    let made = make(&design, &mut Unwatched).unwrap();
+    let panels: Vec<&[Edge]> = made.parts.iter().map(|panel| &panel.edges[..]).collect();
     assert_eq!(agree(&panels, 1e-12), 2);
     assert_eq!(names(panels[0]), ["front", "border", "back", "border-2"]);
     assert_eq!(names(panels[1]), ["border", "floor"]);
-    for panel in &made.panels {
-        let of_loop = |line: &Vec<VertexIndex>| line.iter().map(|v| v.get()).collect();
-        cover(&panel.edges, panel.sheet.mesh.loops().iter().map(of_loop));
+    for part in &made.parts {
+        cover(&part.edges, loops(part));
     }
 }

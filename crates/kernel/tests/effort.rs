@@ -169,14 +169,15 @@ fn a_panel_has_the_effort_that_it_asks_for() {
     let shape = PanelShape::Loops { outer: used(0), holes: (1..5).map(used).collect() };
     design.panels = vec![DesignPanel { effort: 0.001, ..DesignPanel::new("plate", shape, 80) }];
     let made = make(&design, &mut Unwatched).unwrap();
-    let (few, note) = (&made.panels[0].triangulation, &made.panels[0].checked.findings);
+    let (few, note) =
+        (&made.parts[0].found().unwrap().triangulation, &made.parts[0].checked.findings);
     assert!(few.cut_short && few.work < DEFAULT_WORK / 500, "{}", few.work);
     let note = note.iter().find(|finding| finding.code() == "not-proven").unwrap();
     assert!(matches!(note.kind, FindingKind::NotProven { cut_short: true, .. }), "{note:?}");
     assert_eq!(note.remedies(), [Remedy::Effort]);
     design.panels[0].effort = 0.1;
     let mut told = Told(0);
-    let more = make(&design, &mut told).unwrap().panels[0].triangulation.clone();
+    let more = make(&design, &mut told).unwrap().parts[0].found().unwrap().triangulation.clone();
     assert!(
         more.work > few.work && more.price <= few.price && more.gap() < few.gap().or(Some(1.0))
     );

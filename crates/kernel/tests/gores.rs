@@ -59,9 +59,12 @@ fn meridians_lie_on_the_sphere() {
 fn the_hemisphere_has_36_pieces_of_64_triangles() {
     let design = template("hemisphere").unwrap().defaults().design().unwrap();
     let made = make(&design, &mut Unwatched).unwrap();
-    let triangles: usize =
-        made.panels.iter().map(|p| p.surface.connectivity().triangles().len()).sum();
-    assert_eq!((made.panels.len(), triangles), (36, 2304));
-    assert!(made.panels.iter().all(|p| p.checked.verdict == Verdict::Bends));
-    assert!(made.panels.iter().all(|p| p.triangulation.proven_optimal));
+    let triangles: usize = made
+        .parts
+        .iter()
+        .map(|p| p.found().unwrap().surface.connectivity().triangles().len())
+        .sum();
+    assert_eq!((made.parts.len(), triangles), (36, 2304));
+    assert!(made.parts.iter().all(|p| p.checked.verdict == Verdict::Bends));
+    assert!(made.parts.iter().all(|p| p.found().unwrap().triangulation.proven_optimal));
 }

@@ -31,7 +31,7 @@ fn made(method: PanelMethod, goal: Goal, run_on: bool) -> Made {
 fn every_plank_is_at_least_as_good_as_published() {
     for method in [PanelMethod::Optimal, PanelMethod::Bridge, PanelMethod::Rails] {
         let made = made(method, Goal::Price, false);
-        for (panel, (.., most, mean)) in made.panels.iter().zip(PLANKS) {
+        for (panel, (.., most, mean)) in made.parts.iter().zip(PLANKS) {
             let measures = &panel.measures;
             let found = (to_deg(measures.warp_max), to_deg(measures.warp_mean));
             println!("{method:?} {}: {:.2}° / {:.3}°", panel.name, found.0, found.1);
@@ -91,7 +91,7 @@ fn without_corners_the_numbers_are_those_of_the_plain_path() {
 fn the_last_plank_runs_on() {
     let made = made(PanelMethod::Rails, Goal::Price, true);
     let mut warps_of_planks = Vec::new();
-    for (panel, (first, second, ..)) in made.panels.iter().zip(PLANKS) {
+    for (panel, (first, second, ..)) in made.parts.iter().zip(PLANKS) {
         let ends = |name: &str| {
             let curves = curves();
             let points = &curves.iter().find(|curve| curve.name == name).unwrap().points;
@@ -109,7 +109,8 @@ fn the_last_plank_runs_on() {
                 *s
             }
         };
-        let samples: Vec<Sample> = panel.boundary.samples().iter().map(own).collect();
+        let samples: Vec<Sample> =
+            panel.found().unwrap().boundary.samples().iter().map(own).collect();
         assert!(samples.len() > 400 && samples.iter().all(|s| !s.is_corner()));
         let second_begins = samples.iter().position(|s| s.position.distance(q[1]) < 1e-6).unwrap();
         let boundary = Boundary::new(vec![samples]).unwrap();

@@ -8,7 +8,7 @@ use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
     CurveUse, Design, DesignCurve, DesignPanel, Join, PanelMethod, PanelShape,
 };
-use sheetwright::make::{MadePanel, MakeCause, MakeError, make};
+use sheetwright::make::{MakeCause, MakeError, Part, make};
 use sheetwright::math::{Point2, Point3, cos, from_deg, sin};
 use sheetwright::sample::PanelCause;
 use sheetwright::watch::Unwatched;
@@ -69,12 +69,12 @@ fn cylinder() -> Design {
     Design { name: "patch".into(), material: None, curves, panels, ..Design::default() }
 }
 
-fn made(design: &Design) -> Vec<MadePanel> {
-    make(design, &mut Unwatched).unwrap().panels
+fn made(design: &Design) -> Vec<Part> {
+    make(design, &mut Unwatched).unwrap().parts
 }
 
 fn refused(design: &Design) -> MakeError {
-    make(design, &mut Unwatched).map(|made| made.panels.len()).unwrap_err()
+    make(design, &mut Unwatched).map(|made| made.parts.len()).unwrap_err()
 }
 
 #[test]
@@ -87,22 +87,26 @@ fn two_parts_of_a_cylinder_cost_what_the_whole_costs() {
     let names: Vec<&str> = panels.iter().map(|p| p.name.as_str()).collect();
     assert_eq!(names, ["joined", "whole"]);
     let [joined, whole] = &panels[..] else { panic!() };
-    assert_eq!(joined.boundary.len(), 132);
+    assert_eq!(joined.found().unwrap().boundary.len(), 132);
     assert_eq!(joined.checked.verdict, Verdict::Bends);
     // Both have the samples of one loop, from another one on. (An odd number would fall to one of
     // two sides that are as long, and to which depends on where the loop begins.)
-    let mut samples = joined.boundary.samples().to_vec();
-    let start = whole.boundary.samples()[0].position;
+    let mut samples = joined.found().unwrap().boundary.samples().to_vec();
+    let start = whole.found().unwrap().boundary.samples()[0].position;
     let first = samples.iter().position(|s| s.position == start).unwrap();
     samples.rotate_left(first);
-    for (a, b) in samples.iter().zip(whole.boundary.samples()) {
+    for (a, b) in samples.iter().zip(whole.found().unwrap().boundary.samples()) {
         assert!(a.position.distance(b.position) < 1e-9);
         assert!((a.tangent_in - b.tangent_in).length() < 1e-9);
         assert!((a.tangent_out - b.tangent_out).length() < 1e-9);
     }
     let [a, b] = [joined, whole].map(|p| p.measures.twist_total);
     assert!((a - b).abs() < 1e-9 * (1.0 + b), "{a} {b}");
-    assert!((joined.triangulation.price - whole.triangulation.price).abs() < 1e-9);
+    assert!(
+        (joined.found().unwrap().triangulation.price - whole.found().unwrap().triangulation.price)
+            .abs()
+            < 1e-9
+    );
 }
 
 #[test]
@@ -112,7 +116,7 @@ fn the_outer_loop_has_as_many_samples_as_were_asked_for() {
         for smooth in [Continuity::G0, Continuity::G1, Continuity::G2] {
             design.panels[2].samples = samples;
             design.panels[2].shape = joining(&["east", "west"], smooth);
-            assert_eq!(made(&design)[0].boundary.len(), samples);
+            assert_eq!(made(&design)[0].found().unwrap().boundary.len(), samples);
         }
     }
     if let PanelShape::Join(join) = &mut design.panels[2].shape {
@@ -146,9 +150,9 @@ fn panels_between_rails_join_along_a_rail() {
         ..Design::default()
     };
     let side = &made(&design)[0];
-    assert_eq!(side.boundary.len(), 160);
+    assert_eq!(side.found().unwrap().boundary.len(), 160);
     // The ends of the chine lie on the straight ends of the side: nothing to be made smooth.
-    assert!(side.boundary.samples().iter().filter(|s| s.is_corner()).count() == 4);
+    assert!(side.found().unwrap().boundary.samples().iter().filter(|s| s.is_corner()).count() == 4);
     assert_eq!(side.checked.verdict, Verdict::Bends);
     // Which side a panel faces depends on the order of its rails and the way that the first runs.
     for (rail, other, turns) in [
@@ -159,7 +163,7 @@ fn panels_between_rails_join_along_a_rail() {
     ] {
         design.panels[1].shape = rails(rail, other);
         let side = &made(&design)[0];
-        assert_eq!(side.boundary.len(), 160);
+        assert_eq!(side.found().unwrap().boundary.len(), 160);
         let turned = side.checked.findings.iter().any(|f| f.code() == "turned-round");
         assert_eq!(turned, turns, "{rail} {other}");
     }
@@ -196,7 +200,7 @@ fn closed_outlines_share_their_edges_and_parts_of_them() {
         93,
     );
     let whole = &made(&pair)[0];
-    assert_eq!(whole.boundary.len(), 93);
+    assert_eq!(whole.found().unwrap().boundary.len(), 93);
     assert!((whole.measures.area_flat_mm2 - 18_000.0).abs() < 1e-6);
     for order in [[0, 1, 2], [1, 0, 2], [1, 2, 0]] {
         let parts = [
@@ -206,7 +210,7 @@ fn closed_outlines_share_their_edges_and_parts_of_them() {
         ];
         let parts = order.map(|n| parts[n].clone()).to_vec();
         let whole = &made(&flat(parts, 120))[0];
-        assert_eq!(whole.boundary.len(), 120);
+        assert_eq!(whole.found().unwrap().boundary.len(), 120);
         let area = 50.0 * 201.5 + 33.0 * 90.1 + 44.0 * 111.4;
         assert!((whole.measures.area_flat_mm2 - area).abs() < 1e-6);
     }
@@ -215,7 +219,7 @@ fn closed_outlines_share_their_edges_and_parts_of_them() {
         vec![rectangle("a", [0., 0.], [50., 50.]), rectangle("b", [50., 50.], [80., 50.])],
         90,
     );
-    assert_eq!(made(&touching)[0].boundary.len(), 90);
+    assert_eq!(made(&touching)[0].found().unwrap().boundary.len(), 90);
 }
 
 #[test]
@@ -232,7 +236,7 @@ fn outlines_of_fixed_samples_keep_them() {
     let points = other.into_iter().map(CurvePoint::corner).collect();
     let next = DesignCurve { name: "b".into(), kind: None, closed: true, points };
     let fixed = flat(vec![(rim, part), (next, bounded("b", &["b"]))], 400);
-    assert_eq!(made(&fixed)[0].boundary.len(), 8 + 5 - 2 - 2);
+    assert_eq!(made(&fixed)[0].found().unwrap().boundary.len(), 8 + 5 - 2 - 2);
     // A seam that is a thousand times as long as what is left of both parts, nearly.
     let zigzag: Vec<Point3> = (0..=400)
         .map(|n| Point3::new(if n % 2 == 0 { 0.0 } else { 50.0 }, 0.1 * f64::from(n), 0.0))
@@ -256,7 +260,7 @@ fn outlines_of_fixed_samples_keep_them() {
         ],
         ..Design::default()
     };
-    assert_eq!(made(&design)[0].boundary.len(), 60);
+    assert_eq!(made(&design)[0].found().unwrap().boundary.len(), 60);
 }
 
 #[test]
@@ -299,7 +303,7 @@ fn three_cones_unroll_to_the_sheet_that_they_were_rolled_from() {
         join.smooth = Continuity::G0;
     }
     let whole = &made(&design)[0];
-    assert_eq!((whole.name.as_str(), whole.boundary.len()), ("whole", 300));
+    assert_eq!((whole.name.as_str(), whole.found().unwrap().boundary.len()), ("whole", 300));
     assert_eq!(whole.checked.verdict, Verdict::Bends);
     let rolled: Vec<Point2> = (0..3)
         .flat_map(|wing| {
@@ -309,6 +313,6 @@ fn three_cones_unroll_to_the_sheet_that_they_were_rolled_from() {
         })
         .collect();
     let off = largest_distance_after_fitting(&rolled, &whole.flat.points);
-    let size = whole.boundary.size();
+    let size = whole.found().unwrap().boundary.size();
     assert!(off < 5e-4 * size, "{off} mm of {size} mm");
 }

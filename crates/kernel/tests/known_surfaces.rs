@@ -2,14 +2,15 @@
 #![allow(clippy::unwrap_used, clippy::print_stdout)] // tests panic and print what they measured
 
 use sheetwright::boundary::{Boundary, PlaneChoice, samples_from_points, supporting_plane};
-use sheetwright::check::{Panel, Verdict, check};
+use sheetwright::check::{CheckedFrom, Subject, Verdict, check};
 use sheetwright::cost::{DEFAULT_FOLD, PriceOptions, Prices};
 use sheetwright::curve::CurvePoint;
-use sheetwright::flatten::{Flattened, Sheet, unroll};
+use sheetwright::flatten::{Flattened, unroll};
 use sheetwright::index::SampleIndex;
 use sheetwright::math::{Point2, Point3, angle_between, to_deg};
-use sheetwright::measure::{Measures, area_flat, measures};
+use sheetwright::measure::{CutFrom, Measures, area_flat, measures};
 use sheetwright::predicate::signed_area_doubled;
+use sheetwright::sheet::Sheet;
 use sheetwright::surface::{Connectivity, Surface};
 use sheetwright::triangulate::{TriangulateOptions, Triangulation, triangulate};
 use sheetwright::watch::Unwatched;
@@ -32,12 +33,9 @@ fn solved(boundary: &Boundary, choice: PlaneChoice, fold: f64) -> Solved {
         Connectivity::new(boundary.loops(), triangulation.triangles.clone()).unwrap();
     let surface = Surface::new(connectivity, boundary.positions());
     let flat = unroll(surface.connectivity(), |a, b| surface.length(a, b), &mut Unwatched).unwrap();
-    let measures = measures(
-        &surface,
-        &Sheet::whole(&surface),
-        &flat,
-        &Prices::new(boundary, plane.as_ref(), price),
-    );
+    let prices = Prices::new(boundary, plane.as_ref(), price);
+    let from = CutFrom::Surface(&surface, &prices);
+    let measures = measures(from, &Sheet::whole(&surface), &flat);
     Solved { triangulation, surface, flat, measures }
 }
 
@@ -220,9 +218,8 @@ fn coarse_samples_are_not_taken_for_twist() {
         for m in [12, 24, 48, 100, 400] {
             let (boundary, _) = blob.boundary(m);
             let solved = solved(&boundary, PlaneChoice::Auto, DEFAULT_FOLD);
-            let checked = check(&Panel {
-                boundary: &boundary,
-                triangulation: &solved.triangulation,
+            let checked = check(&Subject {
+                from: CheckedFrom::Boundary(&boundary, &solved.triangulation),
                 sheet: &Sheet::whole(&solved.surface),
                 flat: &solved.flat,
                 measures: &solved.measures,

@@ -5,9 +5,10 @@
 use sheetwright::boundary::size_of;
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
-    CurveUse, Design, DesignCurve, DesignPanel, Join, PanelMethod, PanelShape,
+    CurveUse, Design, DesignCurve, DesignPanel, Join, PanelMesh, PanelMethod, PanelShape, Triangles,
 };
-use sheetwright::make::{Live, LivePanel, Made, MakeError, make};
+use sheetwright::index::VertexIndex;
+use sheetwright::make::{Live, LivePanel, Made, MakeError, Part, make};
 use sheetwright::math::{Point3, Vec3, cos, sin};
 use sheetwright::triangulate::{
     Cheapest, Goal, TriangulateError, TriangulateOptions, triangulate_near,
@@ -30,7 +31,7 @@ fn check(live: &Live, what: &str) {
     settled.settle(&mut Unwatched);
     assert!(settled.panels().iter().all(LivePanel::is_settled), "{what}");
     compare(&settled.made(), &afresh, what);
-    for (made, panel) in afresh.iter_mut().flat_map(|made| &mut made.panels).zip(live.panels()) {
+    for (made, panel) in afresh.iter_mut().flat_map(|made| &mut made.parts).zip(live.panels()) {
         if !panel.is_settled() {
             made.checked.findings.retain(|finding| finding.code() != LEFT_TO_SETTLE);
         }
@@ -127,6 +128,63 @@ fn polygons_that_tie_are_as_made_afresh() {
     assert!(refused > 0 && refused < 600, "{refused}");
 }
 
+/// Two walls that share a side, of a box as wide as said.
+fn walls(wide: f64) -> Triangles {
+    let at = [[0., 0., 0.], [wide, 0., 0.], [0., 90., 0.], [0., 0., 70.]];
+    Triangles {
+        positions: at.map(|[x, y, z]| Point3::new(x, y, z)).to_vec(),
+        triangles: [[0, 1, 2], [0, 3, 1]].map(|t| t.map(VertexIndex::new)).to_vec(),
+        left_out: 0,
+    }
+}
+
+#[test]
+fn meshes_beside_a_panel_are_as_made_afresh() {
+    let mut design = one_panel(outline(Family::TwistedStrip), 60, 1.0);
+    let split = PanelMesh { split_creases: Some(0.5), ..PanelMesh::new(walls(80.0)) };
+    let mesh = |name: &str, mesh: PanelMesh| DesignPanel::new(name, PanelShape::Mesh(mesh), 0);
+    design.panels.insert(0, mesh("box", split.clone()));
+    // It meets the second wall along a side, so that the name of that part is the name of its edge.
+    let beside = Triangles {
+        positions: [[0., 0., 0.], [0., 0., 70.], [-50., 0., 0.]]
+            .map(|[x, y, z]| Point3::new(x, y, z))
+            .to_vec(),
+        triangles: vec![[0, 1, 2].map(VertexIndex::new)],
+        left_out: 0,
+    };
+    design.panels.push(mesh("flap", PanelMesh::new(beside)));
+    let mut live = Live::new(design.clone(), &mut Unwatched);
+    check(&live, "made");
+    let names = |live: &Live| -> Vec<String> {
+        let made = live.made().unwrap();
+        let of_part = |part: &Part| part.edges.iter().map(|edge| edge.name.clone()).collect();
+        made.parts.last().map_or(Vec::new(), of_part)
+    };
+    assert_eq!(names(&live), ["box-2", "border"]);
+    // A dragged handle leaves the meshes alone; their names reach one another.
+    let home = live.design().curves[0].points[1].at;
+    let moved = live.move_point(0, 1, home + Vec3::new(1.0, 2.0, 3.0), &mut Unwatched);
+    assert_eq!(moved, [1]);
+    check(&live, "dragged");
+    design = live.design().clone();
+    design.panels[0].name = "case".into();
+    assert_eq!(live.update(design.clone(), &mut Unwatched), [0]);
+    check(&live, "renamed");
+    assert_eq!(names(&live), ["case-2", "border"]);
+    design.panels[0] = mesh("case", PanelMesh::new(walls(80.0)));
+    live.update(design.clone(), &mut Unwatched);
+    check(&live, "in one piece");
+    assert_eq!(
+        (names(&live), live.panels()[0].made.as_ref().unwrap().len()),
+        (vec!["case".into(), "border".into()], 1)
+    );
+    // A mesh that can't be made says so, and the others are made.
+    design.panels[0] = mesh("case", PanelMesh::new(Triangles::default()));
+    live.update(design, &mut Unwatched);
+    assert!(live.panels()[0].made.is_err() && live.panels()[2].made.is_ok());
+    check(&live, "empty");
+}
+
 fn curve(name: &str, closed: bool, points: Vec<Point3>) -> DesignCurve {
     let points = points.into_iter().map(CurvePoint::smooth).collect();
     DesignCurve { name: name.into(), kind: Some(CurveKind::Spline), closed, points }
@@ -161,7 +219,7 @@ fn what_bends_without_its_plane_is_as_made_afresh() {
                     assert_eq!(live.settle(&mut Unwatched), [0; 0]);
                     check(&live, &format!("ν {fold}, handle {handle}, step {step}, settled"));
                 }
-                let panels = live.made().unwrap().panels;
+                let panels = live.made().unwrap().parts;
                 let findings = panels.iter().flat_map(|panel| &panel.checked.findings);
                 found += findings.filter(|finding| finding.code() == LEFT_TO_SETTLE).count();
             }
@@ -182,14 +240,19 @@ fn what_led_astray_before_changes_nothing() {
             let mut known: Option<Cheapest> = None;
             for step in 0..40 {
                 design.curves[0].points[handle].at = drag.step();
-                let panel = make(&design, &mut Unwatched).unwrap().panels.remove(0);
+                let panel = make(&design, &mut Unwatched).unwrap().parts.remove(0);
                 let mut options = TriangulateOptions::default();
                 options.price.fold = 0.0;
-                let (boundary, plane) = (&panel.boundary, panel.plane.as_ref());
+                let (boundary, plane) =
+                    (&panel.found().unwrap().boundary, panel.found().unwrap().plane.as_ref());
                 let near = known.as_ref();
                 let next = triangulate_near(boundary, plane, &options, near, &mut Unwatched);
                 let next = next.unwrap();
-                assert_eq!(next.triangulation, panel.triangulation, "{handle}, {step}");
+                assert_eq!(
+                    next.triangulation,
+                    panel.found().unwrap().triangulation,
+                    "{handle}, {step}"
+                );
                 if let Some(astray) = &next.astray {
                     assert!(astray.forced_rungs == 0 && *astray != next.triangulation);
                 }

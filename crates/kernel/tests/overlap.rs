@@ -32,7 +32,7 @@ fn plate_with_flap(half: f64, open: f64, deep: f64, turned: f64) -> Mesh {
 
 /// Whether two triangles of a pattern, or more, lie over some of many points in it.
 fn lies_double(mesh: &Mesh, flat: &Relaxed, random: &mut Random) -> bool {
-    let corners = |t: &[VertexIndex; 3]| t.map(|v| flat.points[v.get()]);
+    let corners = |t: &[VertexIndex; 3]| t.map(|v| flat.flat.points[v.get()]);
     let covers = |[a, b, c]: [Point2; 3], at: Point2| {
         [[a, b], [b, c], [c, a]].iter().all(|&[from, to]| orientation(from, to, at).is_gt())
     };
@@ -56,10 +56,11 @@ fn a_flap_that_does_not_fit_its_window_overlaps() {
         let flat = relax(&mesh, &RelaxOptions::default(), &mut Unwatched).unwrap();
         assert_eq!(flat.ended, Ended::True, "{half} {open} {deep}");
         let loops = mesh.loops();
-        let border: Vec<Point2> = loops.iter().flatten().map(|v| flat.points[v.get()]).collect();
+        let border: Vec<Point2> =
+            loops.iter().flatten().map(|v| flat.flat.points[v.get()]).collect();
         let ranges = [0..loops[0].len(), loops[0].len()..border.len()];
         assert_eq!(first_crossing_of_loops(&border, &ranges), None);
-        assert_eq!(flat.overlap.is_some(), deep > open, "{half} {open} {deep}");
+        assert_eq!(flat.flat.overlap.is_some(), deep > open, "{half} {open} {deep}");
         assert_eq!(lies_double(&mesh, &flat, &mut random), deep > open, "{half} {open} {deep}");
         *(if deep > open { &mut overlaps } else { &mut fits }) += 1;
     }

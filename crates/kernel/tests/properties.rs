@@ -3,8 +3,9 @@
 
 use sheetwright::boundary::{Boundary, PlaneChoice, supporting_plane};
 use sheetwright::cost::{DEFAULT_FOLD, PriceOptions, Prices};
-use sheetwright::flatten::{RefoldError, Sheet, refold, unroll};
-use sheetwright::measure::{area_flat, area_space, length_errors, measures};
+use sheetwright::flatten::{RefoldError, refold, unroll};
+use sheetwright::measure::{CutFrom, area_flat, area_space, length_errors, measures};
+use sheetwright::sheet::Sheet;
 use sheetwright::surface::{Connectivity, Surface};
 use sheetwright::triangulate::{Method, TriangulateError, TriangulateOptions, triangulate};
 use sheetwright::watch::{Unwatched, Watch};
@@ -49,16 +50,17 @@ fn every_result_is_a_surface_that_unrolls_and_folds_back() {
                     unroll(surface.connectivity(), |a, b| surface.length(a, b), &mut Unwatched)
                         .unwrap();
                 let sheet = Sheet::whole(&surface);
-                let worst = length_errors(&sheet, &flat).into_iter().fold(0.0, f64::max);
+                let worst =
+                    length_errors(&sheet, &flat).into_iter().map(f64::abs).fold(0.0, f64::max);
                 assert!(worst < 1e-9, "{worst}");
-                let (space, laid) = (area_space(&surface), area_flat(&sheet, &flat));
+                let (space, laid) = (area_space(&sheet), area_flat(&sheet, &flat));
                 assert!((space - laid).abs() < 1e-9 * boundary.size() * boundary.size());
                 let prices = Prices::new(&boundary, plane.as_ref(), PriceOptions::default());
-                let measured = measures(&surface, &sheet, &flat, &prices);
+                let measured = measures(CutFrom::Surface(&surface, &prices), &sheet, &flat);
                 if plane.is_some() && found.forced_rungs == 0 {
                     assert_eq!(measured.self_crossing, None, "a roof does not cross itself");
                 }
-                let folded = refold(&surface, &flat.points, &found.rungs);
+                let folded = refold(&sheet, &flat.points, &found.rungs);
                 if let Ok(error) = folded {
                     assert!(error < 1e-6 * boundary.size(), "{error}");
                 }
@@ -77,21 +79,21 @@ fn a_wrong_pattern_does_not_fold_back() {
     let connectivity = Connectivity::new(boundary.loops(), found.triangles.clone()).unwrap();
     let surface = Surface::new(connectivity, boundary.positions());
     let flat = unroll(surface.connectivity(), |a, b| surface.length(a, b), &mut Unwatched).unwrap();
-    let size = boundary.size();
-    let right = refold(&surface, &flat.points, &found.rungs).unwrap();
+    let (sheet, size) = (Sheet::whole(&surface), boundary.size());
+    let right = refold(&sheet, &flat.points, &found.rungs).unwrap();
     assert!(right < 1e-9 * size);
     // A millimetre off, mirrored, turned round by one sample, a rung missing, a rung too many.
     let mut moved = flat.points.clone();
     moved[7].x += 1.0;
-    assert!(refold(&surface, &moved, &found.rungs).unwrap() > 0.3);
+    assert!(refold(&sheet, &moved, &found.rungs).unwrap() > 0.3);
     let mirrored: Vec<_> =
         flat.points.iter().map(|p| sheetwright::math::Point2::new(-p.x, p.y)).collect();
-    assert_eq!(refold(&surface, &mirrored, &found.rungs), Err(RefoldError::Mirrored));
+    assert_eq!(refold(&sheet, &mirrored, &found.rungs), Err(RefoldError::Mirrored));
     let mut shifted = flat.points.clone();
     shifted.rotate_left(1);
-    assert!(!refold(&surface, &shifted, &found.rungs).is_ok_and(|error| error < 1.0));
-    assert!(refold(&surface, &flat.points, &found.rungs[1..]).is_err());
-    assert!(refold(&surface, &flat.points[1..], &found.rungs).is_err());
+    assert!(!refold(&sheet, &shifted, &found.rungs).is_ok_and(|error| error < 1.0));
+    assert!(refold(&sheet, &flat.points, &found.rungs[1..]).is_err());
+    assert!(refold(&sheet, &flat.points[1..], &found.rungs).is_err());
 }
 
 #[test]

@@ -136,7 +136,7 @@ fn flat_error(mesh: &QuadMesh, size: f64) -> f64 {
     // Along a seam a vertex lies on the pattern twice; the triangles know which place is theirs.
     let surface = mesh.triangulated().unwrap();
     let mut places: BTreeMap<(usize, usize), usize> = BTreeMap::new();
-    let of_sheet = sheet.surface().connectivity().triangles();
+    let of_sheet = sheet.mesh().triangles();
     for (n, (t, u)) in surface.connectivity().triangles().iter().zip(of_sheet).enumerate() {
         places.extend(t.iter().zip(u).map(|(a, b)| ((n, a.get()), b.get())));
     }

@@ -3,12 +3,12 @@
 #![allow(clippy::unwrap_used)] // tests panic
 
 use sheetwright::check::FindingKind;
-use sheetwright::design::{MeshDesign, MeshGroup};
+use sheetwright::design::{Design, DesignPanel, PanelMesh, PanelShape, Triangles};
 use sheetwright::flatten::{Aim, Ended, RelaxError, RelaxOptions, Relaxed, relax, relax_lengths};
 use sheetwright::index::VertexIndex;
-use sheetwright::make::{MeshOptions, make_meshes};
+use sheetwright::make::make;
 use sheetwright::math::{Point2, Point3, cos, sin};
-use sheetwright::measure::{MeshMeasures, cut_suggestion, mesh_measures};
+use sheetwright::measure::{Distortion, cut_suggestion, distortion};
 use sheetwright::mesh::{Mesh, MeshError};
 use sheetwright::watch::{Unwatched, Watch};
 use sheetwright_shapes::meshes::{bumpy, cap, cone, cylinder, grid, grid_mesh};
@@ -16,10 +16,10 @@ use std::f64::consts::{PI, TAU};
 
 const AIMS: [Aim; 3] = [Aim::Mean, Aim::Max, Aim::Seams];
 
-fn laid(mesh: &Mesh, aim: Aim) -> (Relaxed, MeshMeasures) {
+fn laid(mesh: &Mesh, aim: Aim) -> (Relaxed, Distortion) {
     let options = RelaxOptions { aim, ..RelaxOptions::default() };
     let flat = relax(mesh, &options, &mut Unwatched).unwrap();
-    let measures = mesh_measures(mesh, &flat.points);
+    let measures = distortion(mesh, &flat.flat.points);
     assert_eq!(flat.flipped, 0);
     (flat, measures)
 }
@@ -38,9 +38,8 @@ fn developable_meshes_are_exact() {
             let (flat, measures) = laid(mesh, aim);
             assert_eq!(flat.ended, Ended::True, "{name} {aim:?} {}", measures.length_error_max);
             assert!(measures.length_error_max < 1e-10, "{name} {}", measures.length_error_max);
-            assert!(flat.overlap.is_none());
+            assert!(flat.flat.overlap.is_none());
             assert!(cut_suggestion(mesh, &measures, 1e-6).is_none());
-            assert!((measures.area_flat_mm2 / measures.area_space_mm2 - 1.0).abs() < 1e-10);
         }
     }
     // The cylinder's own development, up to motion: distances between far vertices agree.
@@ -49,7 +48,8 @@ fn developable_meshes_are_exact() {
     let chord = 2.0 * 40.0 * sin(0.5 * 2.5 / 30.0);
     let developed = |v: usize| Point2::new(chord * (v / 31) as f64, mesh.positions()[v].z);
     for (a, b) in [(0, 960), (30, 930), (5, 500)] {
-        let error = flat.points[a].distance(flat.points[b]) - developed(a).distance(developed(b));
+        let error =
+            flat.flat.points[a].distance(flat.flat.points[b]) - developed(a).distance(developed(b));
         assert!(error.abs() < 1e-8, "{error}");
     }
 }
@@ -57,8 +57,8 @@ fn developable_meshes_are_exact() {
 #[test]
 fn a_pattern_lies_as_patterns_do() {
     let (flat, _) = laid(&cylinder(40.0, 1.0, 90.0, 8, 3), Aim::Mean);
-    let most = |of: fn(&Point2) -> f64| flat.points.iter().map(of).fold(f64::MIN, f64::max);
-    assert!(flat.points.iter().all(|p| p.x >= -1e-9 && p.y >= -1e-9));
+    let most = |of: fn(&Point2) -> f64| flat.flat.points.iter().map(of).fold(f64::MIN, f64::max);
+    assert!(flat.flat.points.iter().all(|p| p.x >= -1e-9 && p.y >= -1e-9));
     assert!(most(|p| p.x) >= most(|p| p.y));
 }
 
@@ -81,7 +81,7 @@ fn holes_stay_open_and_exact() {
         for aim in AIMS {
             let (flat, measures) = laid(mesh, aim);
             assert!(measures.length_error_max < 1e-10, "{}", measures.length_error_max);
-            assert!(flat.overlap.is_none());
+            assert!(flat.flat.overlap.is_none());
         }
     }
 }
@@ -131,9 +131,9 @@ fn an_overlapping_spiral_is_found_and_named() {
     let spiral = cone(20.0, 30.0, 2.6 * TAU, 160, 4);
     let (flat, measures) = laid(&spiral, Aim::Mean);
     assert!(measures.length_error_max < 1e-10, "{}", measures.length_error_max);
-    let (a, b) = flat.overlap.unwrap();
+    let (a, b) = flat.flat.overlap.unwrap();
     assert!(a != b && spiral.topology().on_border()[a] && spiral.topology().on_border()[b]);
-    assert!(laid(&cone(20.0, 30.0, TAU, 60, 4), Aim::Mean).0.overlap.is_none());
+    assert!(laid(&cone(20.0, 30.0, TAU, 60, 4), Aim::Mean).0.flat.overlap.is_none());
 }
 
 #[test]
@@ -166,7 +166,7 @@ fn strongly_curved_surfaces_are_not_turned_over() {
     let dome = cap(0.5 * PI, 16, 40);
     for aim in AIMS {
         let (flat, measures) = laid(&dome, aim);
-        assert!(flat.overlap.is_none());
+        assert!(flat.flat.overlap.is_none());
         assert_eq!(flat.ended, Ended::Least, "{aim:?}");
         assert!(aim != Aim::Seams || measures.border_error_max < 1e-9);
     }
@@ -176,23 +176,23 @@ fn strongly_curved_surfaces_are_not_turned_over() {
 fn a_border_that_could_not_be_true_is_said_to_be() {
     for angle in [0.3, 0.5, 0.93] {
         let ball = cap(angle * PI, 24, 30);
-        let group = MeshGroup {
-            name: "ball".to_owned(),
+        let triangles = Triangles {
             positions: ball.positions().to_vec(),
             triangles: ball.triangles().to_vec(),
             left_out: 0,
         };
-        let design = MeshDesign { name: "ball".to_owned(), material: None, groups: vec![group] };
         for aim in AIMS {
-            let options = MeshOptions { aim, ..MeshOptions::default() };
-            let made = make_meshes(&design, &options, &mut Unwatched).unwrap();
-            let panel = &made.panels[0];
+            let mesh = PanelMesh { aim, ..PanelMesh::new(triangles.clone()) };
+            let panel = DesignPanel::new("ball", PanelShape::Mesh(mesh), 3);
+            let design = Design { panels: vec![panel], ..Design::default() };
+            let made = make(&design, &mut Unwatched).unwrap();
+            let panel = &made.parts[0];
             let said = panel
                 .checked
                 .findings
                 .iter()
                 .any(|f| matches!(f.kind, FindingKind::BorderNotTrue { .. }));
-            let error = panel.measures.border_error_max;
+            let error = panel.measures.distortion.as_ref().unwrap().border_error_max;
             assert_eq!(said, aim == Aim::Seams && error > 1e-9, "{angle} π, {aim:?}: {error}");
             assert!(aim != Aim::Seams || angle > 0.9 || !said, "{angle} π: {error}");
         }
@@ -269,6 +269,6 @@ fn stopping_and_running_out_of_steps_are_outcomes() {
     assert_eq!((fast.ended, fast.steps), (Ended::OutOfSteps, 1));
     let best = relax(&mesh, &RelaxOptions::default(), &mut Unwatched).unwrap();
     assert_eq!(best.ended, Ended::Least);
-    let mean = |flat: &Relaxed| mesh_measures(&mesh, &flat.points).length_error_mean;
+    let mean = |flat: &Relaxed| distortion(&mesh, &flat.flat.points).length_error_mean;
     assert!(mean(&best) < mean(&fast));
 }

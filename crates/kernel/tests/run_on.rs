@@ -6,7 +6,7 @@ use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
     CurveUse, Design, DesignCurve, DesignPanel, Join, PanelMethod, PanelShape,
 };
-use sheetwright::make::{MadePanel, make};
+use sheetwright::make::{Part, make};
 use sheetwright::math::{Point3, cos, from_deg, sin, to_deg};
 use sheetwright::sample::PanelCause;
 use sheetwright::watch::Unwatched;
@@ -41,8 +41,8 @@ fn design(rails: [DesignCurve; 2], method: PanelMethod, run_on: bool) -> Design 
     }
 }
 
-fn made(rails: [DesignCurve; 2], method: PanelMethod, run_on: bool) -> MadePanel {
-    make(&design(rails, method, run_on), &mut Unwatched).unwrap().panels.remove(0)
+fn made(rails: [DesignCurve; 2], method: PanelMethod, run_on: bool) -> Part {
+    make(&design(rails, method, run_on), &mut Unwatched).unwrap().parts.remove(0)
 }
 
 fn off_cylinder(p: Point3) -> f64 {
@@ -60,10 +60,17 @@ fn a_strip_askew_on_a_cylinder_becomes_the_cylinders() {
             [rail("low", [0.0, 0.0], [80.0, 0.0]), rail("high", [30.0, 90.0], [110.0, 90.0])];
         let straight = made(rails.clone(), method, false);
         let run_on = made(rails, method, true);
-        let off = |panel: &MadePanel| {
-            panel.boundary.positions().into_iter().map(off_cylinder).fold(0.0, f64::max)
+        let off = |panel: &Part| {
+            panel
+                .found()
+                .unwrap()
+                .boundary
+                .positions()
+                .into_iter()
+                .map(off_cylinder)
+                .fold(0.0, f64::max)
         };
-        let middles = |panel: &MadePanel| {
+        let middles = |panel: &Part| {
             let middle = panel.measures.rungs.iter().map(|r| off_cylinder(r.middle));
             middle.fold(0.0, f64::max)
         };
@@ -77,7 +84,7 @@ fn a_strip_askew_on_a_cylinder_becomes_the_cylinders() {
             run_on.measures.bend_radius_min_mm,
             straight.measures.bend_radius_min_mm
         );
-        assert!(run_on.boundary.len() > straight.boundary.len());
+        assert!(run_on.found().unwrap().boundary.len() > straight.found().unwrap().boundary.len());
         // A natural spline is a little straighter near its ends, so the rails run on a little wide.
         assert!(off(&run_on) < 0.6 && middles(&run_on) < 0.1 * middles(&straight));
         // The radius is measured apart from points, so by itself it does not tell the two strips
@@ -103,7 +110,7 @@ fn rails_that_meet_do_not_run_on_there() {
     let rails = [rail("low", [0.0, 0.0], [80.0, 0.0]), rail("high", [0.0, 0.0], [110.0, 90.0])];
     let straight = made(rails.clone(), PanelMethod::Rails, false);
     let run_on = made(rails, PanelMethod::Rails, true);
-    let first = |panel: &MadePanel| panel.boundary.samples()[..20].to_vec();
+    let first = |panel: &Part| panel.found().unwrap().boundary.samples()[..20].to_vec();
     assert_eq!(first(&run_on), first(&straight));
 }
 
@@ -158,14 +165,17 @@ fn wild_rails_run_on_without_harm() {
         let panel = made(rails.clone(), method, true);
         assert!(panel.measures.length_error_max < 1e-9, "{seed}");
         let straight = made(rails, method, false);
-        let samples = panel.boundary.positions();
-        assert!(straight.boundary.positions().iter().all(|p| samples.contains(p)), "{seed}");
-        ran += usize::from(samples.len() > straight.boundary.len());
+        let samples = panel.found().unwrap().boundary.positions();
+        assert!(
+            straight.found().unwrap().boundary.positions().iter().all(|p| samples.contains(p)),
+            "{seed}"
+        );
+        ran += usize::from(samples.len() > straight.found().unwrap().boundary.len());
         let can_not =
             |finding: &&Finding| matches!(finding.kind, FindingKind::StayedStraight { .. });
         if let Some(finding) = panel.checked.findings.iter().find(can_not) {
             println!("{seed}: {:?}", finding.kind);
-            assert_eq!(panel.boundary, straight.boundary);
+            assert_eq!(panel.found().unwrap().boundary, straight.found().unwrap().boundary);
             refused += 1;
         }
     }

@@ -2,12 +2,13 @@
 //! their analytic development, and what lies flat by itself, which stays closed.
 #![allow(clippy::unwrap_used)] // Whatever fails here is a failed test.
 
-use sheetwright::flatten::{Flattened, Sheet, lay_flat, refold};
-use sheetwright::index::SampleIndex;
+use sheetwright::flatten::{Flattened, lay_flat, refold};
+use sheetwright::index::{SampleIndex, VertexIndex};
 use sheetwright::math::{Point2, Point3, angle_between, cos, sin};
 use sheetwright::measure::{area_flat, area_space, length_errors};
 use sheetwright::predicate::signed_area_doubled;
 use sheetwright::rung::Rung;
+use sheetwright::sheet::{Seam, Sheet};
 use sheetwright::surface::{Connectivity, Surface};
 use sheetwright::watch::Unwatched;
 use std::collections::BTreeMap;
@@ -57,33 +58,37 @@ fn circle(n: usize, centre: Point3, radius: f64) -> Vec<Point3> {
 fn laid(surface: &Surface, near: &[Point3]) -> (Sheet, Flattened) {
     let (sheet, flat) = lay_flat(surface, near, &mut Unwatched).unwrap();
     // What must hold of every sheet.
-    let loops = sheet.surface().connectivity().loops();
-    let twice = |n: usize| signed_area_doubled(&flat.points[loops[n].clone()]);
+    let loops = sheet.loops();
+    let at = |v: &VertexIndex| flat.points[v.get()];
+    let twice = |n: usize| signed_area_doubled(&loops[n].iter().map(at).collect::<Vec<Point2>>());
     assert!(twice(0) > 0.0 && (1..loops.len()).all(|n| twice(n) < 0.0));
     let inside: f64 = 0.5 * (0..loops.len()).map(twice).sum::<f64>();
     assert!((inside / area_flat(&sheet, &flat) - 1.0).abs() < 1e-9);
     let samples = surface.positions().len() + 2 * sheet.seams().len();
     assert_eq!(flat.points.len(), samples);
     for seam in sheet.seams() {
-        let [[a, b], [c, d]] = seam.sides;
+        let [[a, b], [c, d]] = steps(seam);
         assert_eq!((sheet.origin(a), sheet.origin(b)), (sheet.origin(d), sheet.origin(c)));
-        assert_eq!(Rung::new(sheet.origin(a).get(), sheet.origin(b).get()), seam.rung);
+        assert_eq!(Rung::new(sheet.origin(a).get(), sheet.origin(b).get()), sheet.seam_rung(seam));
     }
     (sheet, flat)
 }
 
+/// The one step of either side of a seam, the sheet to its left.
+fn steps(seam: &Seam) -> [[VertexIndex; 2]; 2] {
+    seam.steps().map(|side| side[0])
+}
+
 fn worst(errors: &[f64]) -> f64 {
-    errors.iter().copied().fold(0.0, f64::max)
+    errors.iter().map(|error| error.abs()).fold(0.0, f64::max)
 }
 
 /// Exact in every length, and folded up it is the surface again.
 fn assert_exact(surface: &Surface, sheet: &Sheet, flat: &Flattened) {
     let error = worst(&length_errors(sheet, flat));
     assert!(error < 1e-9, "{error}");
-    assert!((area_flat(sheet, flat) / area_space(surface) - 1.0).abs() < 1e-9);
-    let rungs: Vec<Rung> =
-        sheet.surface().connectivity().hinges().iter().map(|hinge| hinge.rung).collect();
-    let miss = refold(sheet.surface(), &flat.points, &rungs).unwrap();
+    assert!((area_flat(sheet, flat) / area_space(sheet) - 1.0).abs() < 1e-9);
+    let miss = refold(sheet, &flat.points, &sheet.rungs()).unwrap();
     assert!(miss < 1e-9 * surface.positions().len() as f64, "{miss}");
 }
 
@@ -97,15 +102,15 @@ fn a_frustum_is_a_sector_of_an_annulus() {
     assert_exact(&frustum, &sheet, &flat);
     assert_eq!(flat.overlap, None);
     let [seam] = sheet.seams() else { panic!("{:?}", sheet.seams()) };
-    assert_eq!(seam.rung, Rung::new(0, n), "the first of equals");
-    assert_eq!(sheet.surface().connectivity().loops().len(), 1);
+    assert_eq!(sheet.seam_rung(seam), Rung::new(0, n), "the first of equals");
+    assert_eq!(sheet.loops().len(), 1);
     // The apex of the flat sector, where the sides of the seam meet.
-    let ends = seam.sides.map(|side| side.map(|s| flat.points[s.get()]));
+    let ends = steps(seam).map(|side| side.map(|s| flat.points[s.get()]));
     let [outer, other_outer] = [ends[0][0], ends[1][1]];
     let slant = (1.0f64 + 1.5 * 1.5).sqrt();
     let apex = outer + (ends[0][1] - outer) * (2.0 * slant / slant);
     for (n, p) in flat.points.iter().enumerate() {
-        let on_low = sheet.origin(SampleIndex::new(n)).get() < 200;
+        let on_low = sheet.origin(VertexIndex::new(n)).get() < 200;
         let radius = if on_low { 2.0 * slant } else { slant };
         assert!((apex.distance(*p) - radius).abs() < 1e-9);
     }
@@ -143,15 +148,15 @@ fn an_oblique_cone_unrolls_about_its_apex() {
     assert_exact(&cone, &sheet, &flat);
     let [seam] = sheet.seams() else { panic!("{:?}", sheet.seams()) };
     // Cut where it is shortest: on the side that the apex leans to.
-    let [i, _] = seam.rung.ends().map(SampleIndex::get);
+    let [i, _] = sheet.seam_rung(seam).ends().map(SampleIndex::get);
     let shortest =
         (0..n).min_by(|&a, &b| low[a].distance(high[a]).total_cmp(&low[b].distance(high[b])));
     assert_eq!(Some(i), shortest);
     // Both sides of the seam lead to the flat apex, and every sample keeps its distance from it.
-    let [[a, b], _] = seam.sides.map(|side| side.map(|s| flat.points[s.get()]));
+    let [[a, b], _] = steps(seam).map(|side| side.map(|s| flat.points[s.get()]));
     let flat_apex = b + (b - a);
     for (k, p) in flat.points.iter().enumerate() {
-        let space = cone.position(sheet.origin(SampleIndex::new(k)));
+        let space = cone.position(sheet.sample(VertexIndex::new(k)));
         assert!((flat_apex.distance(*p) - apex.distance(space)).abs() < 1e-9);
     }
     // The angle at the apex, against that of the smooth cone.
@@ -161,10 +166,10 @@ fn an_oblique_cone_unrolls_about_its_apex() {
     };
     let (polyline, smooth) = (angle(&low), angle(&circle(100_000, at(0., 0., 0.), 1.0)));
     assert!((polyline / smooth - 1.0).abs() < 5e-4, "{polyline} {smooth}");
-    let ends = seam.sides.map(|side| flat.points[side[0].get()]);
+    let ends = steps(seam).map(|side| flat.points[side[0].get()]);
     let opened = angle_between(
-        (flat.points[seam.sides[0][0].get()] - flat_apex).extend(0.0),
-        (flat.points[seam.sides[1][1].get()] - flat_apex).extend(0.0),
+        (flat.points[steps(seam)[0][0].get()] - flat_apex).extend(0.0),
+        (flat.points[steps(seam)[1][1].get()] - flat_apex).extend(0.0),
     );
     assert!((opened - polyline.min(TAU - polyline)).abs() < 1e-9, "{opened} {ends:?}");
 }
@@ -176,7 +181,7 @@ fn a_cut_is_made_where_the_user_says() {
     let (sheet, flat) = laid(&tube, &[at(-5.0, 0.1, 1.5)]);
     assert_exact(&tube, &sheet, &flat);
     assert_eq!(sheet.seams().len(), 1);
-    let [low, _] = sheet.seams()[0].rung.ends();
+    let [low, _] = sheet.seam_rung(&sheet.seams()[0]).ends();
     assert!(tube.position(low).x < -0.99);
     // A tube unrolls to a rectangle, or a parallelogram where it is cut along a slanting rung.
     let around = 2.0 * n as f64 * sin(0.5 * TAU / n as f64);
@@ -190,7 +195,7 @@ fn a_planar_annulus_stays_closed() {
     let (sheet, flat) = laid(&annulus, &[]);
     assert_exact(&annulus, &sheet, &flat);
     assert_eq!((sheet.seams().len(), flat.overlap), (0, None));
-    assert_eq!(sheet.surface().connectivity(), annulus.connectivity());
+    assert_eq!(sheet, Sheet::whole(&annulus));
     // Congruent to itself: all distances are kept, also those that no rung spans.
     for i in (0..180).step_by(7) {
         for k in 0..i {
@@ -304,7 +309,7 @@ fn windows_in_a_bent_panel_stay_closed() {
         let (sheet, flat) = laid(&patch, &[]);
         assert_exact(&patch, &sheet, &flat);
         assert_eq!((sheet.seams().len(), flat.overlap), (0, None));
-        assert_eq!(sheet.surface().connectivity().loops().len(), 1 + count);
+        assert_eq!(sheet.loops().len(), 1 + count);
     }
 }
 
@@ -328,17 +333,17 @@ fn a_tube_is_cut_clear_of_its_window() {
     let tube = columns(60, 1.0, 360.0).surface(4.0, &[window(10, 21, 2.0, 1.2)]);
     let (sheet, flat) = laid(&tube, &[]);
     assert_exact(&tube, &sheet, &flat);
-    let loops = sheet.surface().connectivity().loops();
+    let loops = sheet.loops();
     assert_eq!((sheet.seams().len(), loops.len()), (1, 2));
     assert_eq!(loops[1].len(), 40);
-    let [low, high] = sheet.seams()[0].rung.ends().map(SampleIndex::get);
+    let [low, high] = sheet.seam_rung(&sheet.seams()[0]).ends().map(SampleIndex::get);
     assert!(low < 60 && (60..120).contains(&high), "from rim to rim");
     assert_eq!(flat.overlap, None);
     // Where the user wants it through the window, both halves of the cut stay.
     let through = [at(-0.05, 1.0, 0.4), at(-0.05, 1.0, 3.6)];
     let (sheet, flat) = laid(&tube, &through);
     assert_exact(&tube, &sheet, &flat);
-    let loops = sheet.surface().connectivity().loops();
+    let loops = sheet.loops();
     assert_eq!((sheet.seams().len(), loops.len()), (2, 1));
 }
 

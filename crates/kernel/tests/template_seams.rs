@@ -5,7 +5,7 @@
 use sheetwright::check::Verdict;
 use sheetwright::curve::Curve;
 use sheetwright::design::{Design, DesignPanel, PanelShape};
-use sheetwright::make::{Made, MadePanel, make};
+use sheetwright::make::{Made, Part, make};
 use sheetwright::math::{Point3, Vec3};
 use sheetwright::template::{Value, template};
 use sheetwright::watch::Unwatched;
@@ -24,14 +24,14 @@ fn curves_of(panel: &DesignPanel) -> Vec<&str> {
     match &panel.shape {
         PanelShape::Rails(rails) => rails.iter().map(|rail| rail.name.as_str()).collect(),
         PanelShape::Loops { outer, .. } => outer.iter().map(|part| part.name.as_str()).collect(),
-        PanelShape::Join(join) => panic!("no template joins panels: {join:?}"),
+        other => panic!("no template has panels of this kind: {other:?}"),
     }
 }
 
 /// How long the edge of a flat panel is between the samples at the ends of a curve: of the two ways
 /// round, the one that is nearer to the length of the curve.
-fn flat_length(panel: &MadePanel, curve: &Curve) -> f64 {
-    let samples = panel.boundary.samples();
+fn flat_length(panel: &Part, curve: &Curve) -> f64 {
+    let samples = panel.found().unwrap().boundary.samples();
     let nearest = |end: Point3| {
         let far = |i: &usize| samples[*i].position.distance(end);
         (0..samples.len()).min_by(|a, b| far(a).total_cmp(&far(b))).unwrap()
@@ -69,7 +69,7 @@ fn seams_have_one_length_on_both_sides() {
             let lengths: Vec<f64> = design
                 .panels
                 .iter()
-                .zip(&made.panels)
+                .zip(&made.parts)
                 .filter(|(panel, _)| curves_of(panel).contains(wanted))
                 .map(|(_, made)| flat_length(made, &curve))
                 .collect();
@@ -85,7 +85,7 @@ fn seams_have_one_length_on_both_sides() {
 #[test]
 fn panels_of_boats_hardly_twist() {
     for name in ["dinghy", "pram", "kayak"] {
-        for panel in made(name).1.panels {
+        for panel in made(name).1.parts {
             let warp = panel.measures.warp_max.to_degrees();
             println!("{name}: {}: {warp:.3}°", panel.name);
             assert!(warp < 0.5, "{name}: {}: {warp}°", panel.name);
@@ -94,8 +94,8 @@ fn panels_of_boats_hardly_twist() {
 }
 
 /// The area of a boundary as a vector: half the sum of the cross products of its samples.
-fn faces(panel: &MadePanel) -> Vec3 {
-    let samples = panel.boundary.samples();
+fn faces(panel: &Part) -> Vec3 {
+    let samples = panel.found().unwrap().boundary.samples();
     let at = |i: usize| samples[i % samples.len()].position.to_vec();
     (0..samples.len()).fold(Vec3::ZERO, |sum, i| sum + at(i).cross(at(i + 1)) * 0.5)
 }
@@ -107,7 +107,7 @@ fn both_halves_of_a_boat_are_drawn_and_face_outwards() {
         values.set("halves", Value::Choice("both".to_owned())).unwrap();
         let design = values.design().unwrap();
         let made = make(&design, &mut Unwatched).unwrap();
-        let panel = |name: &str| made.panels.iter().find(|panel| panel.name == name);
+        let panel = |name: &str| made.parts.iter().find(|panel| panel.name == name);
         for (half, outwards) in [("bottom", -Vec3::Z), ("side", Vec3::Y), ("deck", Vec3::Z)] {
             let (Some(port), Some(starboard)) =
                 (panel(&format!("{half}-port")), panel(&format!("{half}-starboard")))

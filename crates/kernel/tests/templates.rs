@@ -18,7 +18,7 @@ fn error_in(design: &Design) -> Option<String> {
         Ok(made) => made,
         Err(error) => return Some(format!("can't be made: {error}")),
     };
-    made.panels.iter().find_map(|panel| {
+    made.parts.iter().find_map(|panel| {
         let error = panel.checked.findings.iter().find(|f| f.severity() == Severity::Error)?;
         Some(format!("{}: {error:?}", panel.name))
     })

@@ -11,8 +11,8 @@ use sheetwright::design::{
 };
 use sheetwright::fair::Ended;
 use sheetwright::fair::VaryCause;
-use sheetwright::index::SampleIndex;
-use sheetwright::make::{Made, MadePanel, MakeCause, make};
+use sheetwright::index::VertexIndex;
+use sheetwright::make::{Made, MakeCause, Part, make};
 use sheetwright::math::{Point3, cos, from_deg, sin, to_deg};
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::hull::planks;
@@ -44,7 +44,7 @@ fn made(design: &Design) -> Made {
 }
 
 fn size(made: &Made) -> f64 {
-    size_of(made.panels.iter().flat_map(|p| p.boundary.positions()))
+    size_of(made.parts.iter().flat_map(|p| p.found().unwrap().boundary.positions()))
 }
 
 fn hull(samples: usize, vary: Vary) -> Design {
@@ -52,19 +52,19 @@ fn hull(samples: usize, vary: Vary) -> Design {
 }
 
 /// The samples of a panel that lie where those of another do.
-fn shared<'a>(a: &'a MadePanel, b: &MadePanel) -> Vec<(usize, &'a Sample)> {
-    let theirs = b.boundary.positions();
-    let of_a = a.boundary.samples().iter().enumerate();
+fn shared<'a>(a: &'a Part, b: &Part) -> Vec<(usize, &'a Sample)> {
+    let theirs = b.found().unwrap().boundary.positions();
+    let of_a = a.found().unwrap().boundary.samples().iter().enumerate();
     of_a.filter(|(_, sample)| theirs.contains(&sample.position)).collect()
 }
 
 /// How long the shared line is on the flat pattern of a panel, mm.
-fn flat_length(panel: &MadePanel, on_seam: &[(usize, &Sample)]) -> f64 {
+fn flat_length(panel: &Part, on_seam: &[(usize, &Sample)]) -> f64 {
     let is_on = |i: usize| on_seam.iter().any(|(n, _)| *n == i);
-    let m = panel.boundary.len();
+    let m = panel.found().unwrap().boundary.len();
     let edges = (0..m).filter(|&i| is_on(i) && is_on((i + 1) % m));
     let flat = |i: usize| panel.flat.points[i];
-    assert_eq!(panel.sheet.origin(SampleIndex::new(0)).get(), 0, "nothing is cut open");
+    assert_eq!(panel.sheet.origin(VertexIndex::new(0)).get(), 0, "nothing is cut open");
     edges.map(|i| flat(i).distance(flat((i + 1) % m))).sum()
 }
 
@@ -79,18 +79,18 @@ fn the_hull_bends_as_a_design_with_less_moved_than_published() {
         let limit_mm = Some(0.000_65 * size);
         let design = hull(200, Vary { goal, limit_mm, by, ..Vary::default() });
         let made = made(&design);
-        let warp = made.panels.iter().map(|p| p.measures.warp_max).fold(0.0, f64::max);
-        let rungs: Vec<f64> = made.panels.iter().map(|p| p.measures.rungs.len() as f64).collect();
-        let sum: f64 = made.panels.iter().zip(&rungs).map(|(p, n)| p.measures.warp_mean * n).sum();
+        let warp = made.parts.iter().map(|p| p.measures.warp_max).fold(0.0, f64::max);
+        let rungs: Vec<f64> = made.parts.iter().map(|p| p.measures.rungs.len() as f64).collect();
+        let sum: f64 = made.parts.iter().zip(&rungs).map(|(p, n)| p.measures.warp_mean * n).sum();
         let mean = sum / rungs.iter().sum::<f64>();
-        let changes: Vec<_> = made.panels.iter().map(|p| p.change.as_ref().unwrap()).collect();
+        let changes: Vec<_> = made.parts.iter().map(|p| p.change().unwrap()).collect();
         let share = changes.iter().map(|c| c.moved_max_mm()).fold(0.0, f64::max) / size;
         println!("{by:?}: {:.2}° / {:.3}°, {:.4} %", to_deg(warp), to_deg(mean), 100.0 * share);
         assert!(warp <= from_deg(5.6) && mean <= from_deg(0.52));
         assert!(share <= most * (1.0 + 1e-9), "{share}");
         assert!(changes.iter().all(|c| c.ended == Ended::Reached));
-        assert!(changes.iter().all(|c| c.before.change.is_none()));
-        for pair in made.panels.windows(2) {
+        assert!(changes.iter().all(|c| c.before.change().is_none()));
+        for pair in made.parts.windows(2) {
             let (ours, theirs) = (shared(&pair[0], &pair[1]), shared(&pair[1], &pair[0]));
             assert_eq!((ours.len(), theirs.len()), (200, 200));
             let lengths = [flat_length(&pair[0], &ours), flat_length(&pair[1], &theirs)];
@@ -98,9 +98,9 @@ fn the_hull_bends_as_a_design_with_less_moved_than_published() {
         }
         // The moved design is a design like any other, and what was made is what it makes.
         let again = make(made.moved.as_ref().unwrap(), &mut Unwatched).unwrap();
-        for (one, other) in made.panels.iter().zip(&again.panels) {
-            assert_eq!(one.boundary, other.boundary);
-            assert_eq!(one.triangulation, other.triangulation);
+        for (one, other) in made.parts.iter().zip(&again.parts) {
+            assert_eq!(one.found().unwrap().boundary, other.found().unwrap().boundary);
+            assert_eq!(one.found().unwrap().triangulation, other.found().unwrap().triangulation);
         }
     }
 }
@@ -164,13 +164,13 @@ fn seams_of_outlines_stay_one_line() {
             ..Vary::default()
         }];
         let found = made(&design);
-        let [left, right] = found.panels.as_slice() else { panic!() };
-        let changes = [left, right].map(|p| p.change.as_ref().unwrap());
-        let price =
-            |panels: [&MadePanel; 2]| -> f64 { panels.iter().map(|p| p.triangulation.price).sum() };
-        let twist = |panels: [&MadePanel; 2]| -> f64 {
-            panels.iter().map(|p| p.measures.twist_total).sum()
+        let [left, right] = found.parts.as_slice() else { panic!() };
+        let changes = [left, right].map(|p| p.change().unwrap());
+        let price = |panels: [&Part; 2]| -> f64 {
+            panels.iter().map(|p| p.found().unwrap().triangulation.price).sum()
         };
+        let twist =
+            |panels: [&Part; 2]| -> f64 { panels.iter().map(|p| p.measures.twist_total).sum() };
         let before = changes.map(|c| &*c.before);
         println!(
             "{seed} {kind:?}: {:.3e} -> {:.3e} {}",
@@ -221,13 +221,13 @@ fn a_budget_holds_over_all_samples_and_points_keep_their_own_limits() {
         let budget_mm = Some(9.0);
         design.vary = vec![Vary { budget_mm, leave_developable: false, ..Vary::default() }];
         let found = made(&design);
-        let changes = found.panels.iter().map(|p| p.change.as_ref().unwrap());
+        let changes = found.parts.iter().map(|p| p.change().unwrap());
         let mut ways: Vec<(Point3, f64)> =
             changes.flat_map(|c| &c.moved).map(|[from, to]| (*from, from.distance(*to))).collect();
         ways.sort_by(|a, b| a.0.x.total_cmp(&b.0.x).then(a.0.y.total_cmp(&b.0.y)));
         ways.dedup_by_key(|way| way.0);
         let total: f64 = ways.iter().map(|way| way.1).sum();
-        println!("{total:.3} mm {}", found.panels[0].change.as_ref().unwrap().ended);
+        println!("{total:.3} mm {}", found.parts[0].change().unwrap().ended);
         assert!(total > 0.1 && total <= 9.0 * (1.0 + 1e-9), "{total}");
         let moved = found.moved.as_ref().unwrap();
         if own_limits {
@@ -248,13 +248,13 @@ fn keeps_limits(is: &DesignCurve, was: &DesignCurve, free: std::ops::Range<usize
 #[test]
 fn points_with_a_distance_move_without_more_words() {
     let mut design = twisted();
-    assert!(made(&design).panels[0].change.is_none());
+    assert!(made(&design).parts[0].change().is_none());
     design.curves[0].points[5..15].iter_mut().for_each(|point| point.move_mm = 4.0);
     let found = made(&design);
-    let change = found.panels[0].change.as_ref().unwrap();
+    let change = found.parts[0].change().unwrap();
     println!("{:.3} mm: {}", change.moved_max_mm(), change.ended);
     assert!(change.moved_max_mm() > 1.0);
-    assert!(found.panels[0].measures.twist_total < change.before.measures.twist_total);
+    assert!(found.parts[0].measures.twist_total < change.before.measures.twist_total);
     let moved = found.moved.unwrap();
     keeps_limits(&moved.curves[0], &design.curves[0], 5..15, 4.0);
     // What has moved has moved: the moved design says nothing of moving on.
@@ -280,10 +280,10 @@ fn what_is_developable_does_not_move() {
             let vary = vec![Vary { goal, by, ..Vary::default() }];
             let found = made(&Design { vary, ..quarter() });
             assert!(found.moved.is_none());
-            let change = found.panels[0].change.as_ref().unwrap();
+            let change = found.parts[0].change().unwrap();
             assert_eq!(change.ended, Ended::NothingToDo);
             assert_eq!((change.moved_max_mm(), change.moved_total_mm()), (0.0, 0.0));
-            let finding = &found.panels[0].checked.findings[0];
+            let finding = &found.parts[0].checked.findings[0];
             assert_eq!((finding.code(), finding.severity()), ("not-moved", Severity::Note));
         }
     }
@@ -310,8 +310,8 @@ fn a_hopeless_strip_says_how_close_it_came() {
     let goal = VaryGoal::Warp { largest: from_deg(6.0) };
     let vary = vec![Vary { goal, ..Vary::default() }];
     let found = made(&Design { vary, ..twisted() });
-    let strip = &found.panels[0];
-    let change = strip.change.as_ref().unwrap();
+    let strip = &found.parts[0];
+    let change = strip.change().unwrap();
     let Ended::Closest { wanted, before, reached, resisting } = &change.ended else { panic!() };
     assert_eq!((*wanted, *reached), (from_deg(6.0), strip.measures.warp_max));
     assert_eq!(*before, change.before.measures.warp_max);
@@ -334,7 +334,7 @@ fn only_the_panels_that_are_named_must_reach_the_angle() {
     let mut design = quilt(&mut random, CurveKind::Spline);
     design.match_seams = true;
     let before = made(&design);
-    let [left, right] = before.panels.as_slice() else { panic!() };
+    let [left, right] = before.parts.as_slice() else { panic!() };
     let (asked, other) = if left.measures.warp_max > right.measures.warp_max {
         (left, right)
     } else {
@@ -349,7 +349,7 @@ fn only_the_panels_that_are_named_must_reach_the_angle() {
         ..Vary::default()
     }];
     let found = made(&design);
-    let after = |name: &str| found.panels.iter().find(|p| p.name == name).unwrap();
+    let after = |name: &str| found.parts.iter().find(|p| p.name == name).unwrap();
     println!(
         "{:.2}° -> {:.2}° of {:.2}°",
         to_deg(asked.measures.warp_max),
@@ -358,7 +358,7 @@ fn only_the_panels_that_are_named_must_reach_the_angle() {
     );
     assert!(after(&asked.name).measures.warp_max <= largest);
     // The other panel has followed: it shares the seam.
-    let change = after(&other.name).change.as_ref().unwrap();
+    let change = after(&other.name).change().unwrap();
     assert_eq!(change.curves, ["seam"], "{}", change.ended);
     assert!(change.moved_max_mm() > 0.0);
 }

@@ -37,17 +37,22 @@ fn shares(boundary: &Boundary, plank: usize, samples: usize, controls: usize) ->
 fn varied(made: &Made, samples: usize, goal: VaryGoal) -> Varied {
     let options = TriangulateOptions::default();
     let moving: Vec<_> = made
-        .panels
+        .parts
         .iter()
         .enumerate()
-        .map(|(n, p)| motions(&p.boundary, shares(&p.boundary, n, samples, CONTROLS)))
+        .map(|(n, p)| {
+            motions(
+                &p.found().unwrap().boundary,
+                shares(&p.found().unwrap().boundary, n, samples, CONTROLS),
+            )
+        })
         .collect();
     let panels: Vec<VaryPanel<'_>> = made
-        .panels
+        .parts
         .iter()
         .zip(&moving)
         .map(|(p, motions)| VaryPanel {
-            boundary: &p.boundary,
+            boundary: &p.found().unwrap().boundary,
             plane: PlaneChoice::Auto,
             triangulate: &options,
             motions,
@@ -60,7 +65,7 @@ fn varied(made: &Made, samples: usize, goal: VaryGoal) -> Varied {
 }
 
 fn size(made: &Made) -> f64 {
-    size_of(made.panels.iter().flat_map(|p| p.boundary.positions()))
+    size_of(made.parts.iter().flat_map(|p| p.found().unwrap().boundary.positions()))
 }
 
 /// Published \[ZB18\]: at most 5.6°, 0.52° in the mean, with data moved by at most 0.065 % of the

@@ -3,9 +3,10 @@
 
 use sheetwright::flatten::lay_flat;
 use sheetwright::measure::area_space;
+use sheetwright::sheet::Sheet;
 use sheetwright::surface::{Connectivity, Surface};
 use sheetwright_geometry::boundary::{PlaneChoice, supporting_plane};
-use sheetwright_geometry::index::{SampleIndex, TriangleIndex};
+use sheetwright_geometry::index::{SampleIndex, TriangleIndex, VertexIndex};
 use sheetwright_geometry::math::{Point2, angle_between, sin, to_deg};
 use sheetwright_geometry::watch::Unwatched;
 use sheetwright_optimum::cost::Prices;
@@ -143,30 +144,27 @@ fn pattern_error(shape: &Pierced, solved: &Solved) -> f64 {
     assert_eq!(flat.overlap, None, "{}", shape.name);
     // A ring needs one cut; windows in what unrolls exactly close again.
     assert_eq!(sheet.seams().len(), usize::from(shape.has_ends()), "{}", shape.name);
-    let connectivity = sheet.surface().connectivity();
-    let of_triangles = connectivity.hinges_of_triangles();
+    let mesh = sheet.mesh();
     let mut turns: Vec<Option<[f64; 2]>> = vec![None; flat.points.len()];
-    let parameters = |s: SampleIndex, near: f64| {
-        parameters_near(shape, solved.sampled.parameters[sheet.origin(s).get()], near)
+    let parameters = |v: VertexIndex, near: f64| {
+        parameters_near(shape, solved.sampled.parameters[sheet.origin(v).get()], near)
     };
-    let first = connectivity.triangles()[0][0];
+    let first = mesh.triangles()[0][0];
     turns[first.get()] = Some(parameters(first, 0.0));
     let mut reached = vec![0];
     let mut next = 0;
     while next < reached.len() {
         let t = reached[next];
         next += 1;
-        let corners = connectivity.triangles()[t];
+        let corners = mesh.triangles()[t];
         let [u, _] = corners.iter().find_map(|s| turns[s.get()]).unwrap();
         for s in corners {
             turns[s.get()] = turns[s.get()].or(Some(parameters(s, u)));
         }
-        for &n in &of_triangles[t] {
-            let both = connectivity.hinges()[n].triangles.map(TriangleIndex::get);
-            for other in both {
-                if !reached.contains(&other) {
-                    reached.push(other);
-                }
+        let sides = mesh.topology().edges_of(TriangleIndex::new(t));
+        for other in sides.into_iter().flat_map(|n| mesh.edges()[n].triangles).flatten() {
+            if !reached.contains(&other.get()) {
+                reached.push(other.get());
             }
         }
     }
@@ -190,7 +188,7 @@ fn measured(shape: &Pierced, m: usize) -> Measured {
     let measured = Measured {
         off: off_rulings(shape, &solved),
         twist: solved.twist,
-        area: (area_space(&solved.surface) / shape.area() - 1.0).abs(),
+        area: (area_space(&Sheet::whole(&solved.surface)) / shape.area() - 1.0).abs(),
         length: length_error(shape, &solved),
         flat: flat_error(shape, &solved),
         pattern: pattern_error(shape, &solved),

@@ -41,7 +41,7 @@ fn of_surfaces() -> Vec<Finding> {
         TooTight { sheet: "plywood, 3 mm".to_owned(), limit_mm: 290.0, needed_mm: 12.5 },
     );
     let corners = |sides: [usize; 2]| BorderSide { corners: sides, samples: samples(sides) };
-    let seam = |number: usize| SeamPlace { number, ends: samples([number, number + 7]) };
+    let seam = |number: usize| SeamPlace { number, ends: Some(samples([number, number + 7])) };
     let apexes = |count: usize| Place::Samples { numbers: samples([2, 4, 8])[..count].to_vec() };
     let mut all = vec![
         Finding::new(
@@ -97,6 +97,9 @@ fn of_meshes() -> Vec<Finding> {
         has_darts,
         has_creases,
     };
+    let mesh_seams = |count: usize| Place::Seams {
+        seams: (0..count).map(|number| SeamPlace { number, ends: None }).collect(),
+    };
     let mut all = vec![
         Finding::new(stretch(Some([a, b]), false, true), at.clone()),
         Finding::new(stretch(None, true, false), Place::Whole),
@@ -105,11 +108,11 @@ fn of_meshes() -> Vec<Finding> {
         Finding::new(Kind::Overlap, Place::Points { at: vec![a, b] }),
         Finding::new(
             Kind::Seams { count: 1, length_mm: 55.0, why: SeamCause::Closed },
-            Place::MeshSeams { count: 1 },
+            mesh_seams(1),
         ),
         Finding::new(
             Kind::Seams { count: 3, length_mm: 55.0, why: SeamCause::Darts },
-            Place::MeshSeams { count: 3 },
+            mesh_seams(3),
         ),
         Finding::new(Kind::PartsLeftOut { count: 1 }, at.clone()),
         Finding::new(Kind::PartsLeftOut { count: 2 }, at),

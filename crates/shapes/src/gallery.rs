@@ -2,7 +2,8 @@
 //! connected region on a curved surface, a raised surface, and half a sphere.
 
 use sheetwright::curve::{CurveKind, CurvePoint};
-use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelShape};
+use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelShape, Triangles};
+use sheetwright::index::VertexIndex;
 use sheetwright::math::{Point2, Point3, cos, sin};
 use std::f64::consts::TAU;
 
@@ -40,15 +41,8 @@ pub fn raised(samples: usize) -> Design {
     designed("raised", samples, rim, Vec::new())
 }
 
-/// Triangles over vertices in space, mm.
-pub struct Triangles {
-    /// Where the vertices lie, mm.
-    pub positions: Vec<Point3>,
-    /// Their numbers, counter-clockwise as seen from outside.
-    pub triangles: Vec<[usize; 3]>,
-}
-
-/// Half a sphere, of `rings` rings of triangles round the pole.
+/// Half a sphere, of `rings` rings of triangles round the pole, counter-clockwise as seen from
+/// outside.
 pub fn half_sphere(rings: usize) -> Triangles {
     disk(rings, |r, t| {
         let angle = 0.25 * TAU * r;
@@ -80,7 +74,8 @@ fn disk(rings: usize, map: impl Fn(f64, f64) -> Point3) -> Triangles {
             }
         }
     }
-    Triangles { positions, triangles }
+    let triangles = triangles.into_iter().map(|t: [usize; 3]| t.map(VertexIndex::new)).collect();
+    Triangles { positions, triangles, left_out: 0 }
 }
 
 /// A closed spline through `count` points, rounded to a hundredth of a millimetre, as people write

@@ -1,6 +1,6 @@
 //! What gores lose of a sphere: they bend one way only, and a sphere bends two.
 
-use sheetwright::make::{MadePanel, make};
+use sheetwright::make::{Found, Part, make};
 use sheetwright::math::Point3;
 use sheetwright::measure::area_flat;
 use sheetwright::template::{Value, template};
@@ -34,7 +34,7 @@ pub fn loss(gores: usize, radius: f64) -> Loss {
     // All gores are one, turned.
     design.panels.truncate(1);
     let made = make(&design, &mut Unwatched).expect("a gore is made");
-    let gore = &made.panels[0];
+    let gore = &made.parts[0];
     let area_mm2 = gores as f64 * area_flat(&gore.sheet, &gore.flat);
     let area = TAU * radius * radius;
     Loss {
@@ -48,15 +48,20 @@ pub fn loss(gores: usize, radius: f64) -> Loss {
 
 /// Pairs of samples at one height, the first on the first rail, from the foot up; both rails share
 /// the pole.
-fn level_pairs(gore: &MadePanel) -> Vec<[usize; 2]> {
-    let m = gore.boundary.len();
-    let first_is_low = gore.boundary.positions()[0].z < gore.boundary.positions()[m / 2].z;
+fn level_pairs(gore: &Part) -> Vec<[usize; 2]> {
+    let positions = found(gore).boundary.positions();
+    let m = positions.len();
+    let first_is_low = positions[0].z < positions[m / 2].z;
     assert!(first_is_low && m % 2 == 1, "rails from the foot to a shared pole");
     (0..m / 2).map(|i| [i, m - 1 - i]).collect()
 }
 
-fn length_lost(gore: &MadePanel, gores: usize, radius: f64) -> f64 {
-    let (space, flat) = (gore.boundary.positions(), &gore.flat.points);
+fn found(gore: &Part) -> &Found {
+    gore.found().expect("a gore is bounded by curves")
+}
+
+fn length_lost(gore: &Part, gores: usize, radius: f64) -> f64 {
+    let (space, flat) = (found(gore).boundary.positions(), &gore.flat.points);
     let pairs = level_pairs(gore);
     let widths = pairs.iter().map(|&[a, b]| {
         assert!((space[a].z - space[b].z).abs() < 1e-9 * radius);
@@ -71,12 +76,12 @@ fn length_lost(gore: &MadePanel, gores: usize, radius: f64) -> f64 {
     widths.fold(midway, f64::max)
 }
 
-fn off_sphere(gore: &MadePanel, radius: f64) -> f64 {
-    let space = gore.boundary.positions();
+fn off_sphere(gore: &Part, radius: f64) -> f64 {
+    let space = found(gore).boundary.positions();
     let off = |p: Point3| (p.to_vec().length() / radius - 1.0).abs();
     // A triangle of points on a sphere is farthest from it inside, and a gore at its level rungs.
     let middles = level_pairs(gore).into_iter().map(|[a, b]| off(space[a].lerp(space[b], 0.5)));
-    let inside = gore.surface.connectivity().triangles().iter().map(|corners| {
+    let inside = found(gore).surface.connectivity().triangles().iter().map(|corners| {
         let [a, b, c] = corners.map(|s| space[s.get()]);
         off(a + ((b - a) + (c - a)) * (1.0 / 3.0))
     });

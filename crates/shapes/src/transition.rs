@@ -5,7 +5,7 @@
 //! Pythagoras. The pattern is laid out triangle by triangle, with straight chords for the arcs.
 
 use sheetwright::design::Design;
-use sheetwright::make::{MadePanel, make};
+use sheetwright::make::{Found, Part, make};
 use sheetwright::math::{Point2, Point3, Vec3, angle_between, cos, sin};
 use sheetwright::template::{Value, template};
 use sheetwright::watch::Unwatched;
@@ -96,10 +96,10 @@ impl Transition {
 
     /// The duct, made with so many samples of each rail (one more than a multiple of eight times
     /// the divisions that it is compared with).
-    pub fn made(&self, samples: usize) -> MadePanel {
+    pub fn made(&self, samples: usize) -> Part {
         let mut design = self.design();
         design.panels[0].samples = samples;
-        make(&design, &mut Unwatched).expect("the duct is made").panels.remove(0)
+        make(&design, &mut Unwatched).expect("the duct is made").parts.remove(0)
     }
 }
 
@@ -123,17 +123,21 @@ fn laid_out(strip: &[(Point3, bool)]) -> Vec<Point2> {
     flat
 }
 
+fn found(duct: &Part) -> &Found {
+    duct.found().expect("a duct is bounded by curves")
+}
+
 /// The samples at the corners of the rectangle. The ends of the seam, corners of the loop, are
 /// none.
-fn corners(duct: &MadePanel) -> [usize; 4] {
-    let samples = duct.boundary.samples();
+fn corners(duct: &Part) -> [usize; 4] {
+    let samples = found(duct).boundary.samples();
     let inner = 1..samples.len() / 2 - 1;
     let corners: Vec<usize> = inner.filter(|&i| samples[i].is_corner()).collect();
     corners.try_into().expect("a rectangle has four corners")
 }
 
 /// The lengths of a made duct at the same divisions of its round end.
-pub fn lengths(duct: &MadePanel, divisions: usize) -> Lengths {
+pub fn lengths(duct: &Part, divisions: usize) -> Lengths {
     let flat = &duct.flat.points;
     let m = flat.len();
     let on_rail = m / 2;
@@ -155,8 +159,8 @@ pub fn lengths(duct: &MadePanel, divisions: usize) -> Lengths {
 /// rectangle nor to a cone from one of its corners. What is on a side is flat where it leans by no
 /// more than `flat`, radians, from what most of that side does: where a side touches the round end
 /// between two samples, it goes to both, and leans by about half the turn from one to the next.
-pub fn neither_flat_nor_conical(duct: &MadePanel, flat: f64) -> f64 {
-    let space = duct.boundary.positions();
+pub fn neither_flat_nor_conical(duct: &Part, flat: f64) -> f64 {
+    let space = found(duct).boundary.positions();
     let on_rail = space.len() / 2;
     let corners = corners(duct);
     let area = |t: [usize; 3]| {
@@ -166,7 +170,7 @@ pub fn neither_flat_nor_conical(duct: &MadePanel, flat: f64) -> f64 {
     // The areas on each side of the rectangle that are not those of a cone.
     let mut sides: Vec<Vec<Vec3>> = vec![Vec::new(); 4];
     let mut whole = 0.0;
-    for triangle in duct.surface.connectivity().triangles() {
+    for triangle in found(duct).surface.connectivity().triangles() {
         let triangle = triangle.map(|s| s.get());
         let area = area(triangle);
         whole += area.length();

@@ -547,7 +547,7 @@ fn turn_uses(shape: &mut PanelShape, name: &str) {
         PanelShape::Loops { outer, holes } => {
             outer.iter_mut().chain(holes.iter_mut().flatten()).for_each(turn);
         }
-        PanelShape::Join(_) => {}
+        PanelShape::Join(_) | PanelShape::Mesh(_) => {}
     }
 }
 
@@ -571,7 +571,7 @@ fn renamed_curve(document: &Document, curve: usize, name: &str) -> Outcome {
             PanelShape::Loops { outer, holes } => {
                 outer.iter_mut().chain(holes.iter_mut().flatten()).for_each(rename);
             }
-            PanelShape::Join(_) => {}
+            PanelShape::Join(_) | PanelShape::Mesh(_) => {}
         }
     }
     for named in vary.iter_mut().flat_map(|vary| &mut vary.curves) {

@@ -64,6 +64,6 @@ pub fn curves_of(panel: &DesignPanel) -> Vec<&CurveUse> {
     match &panel.shape {
         PanelShape::Rails(rails) => rails.iter().collect(),
         PanelShape::Loops { outer, holes } => outer.iter().chain(holes.iter().flatten()).collect(),
-        PanelShape::Join(_) => Vec::new(),
+        PanelShape::Join(_) | PanelShape::Mesh(_) => Vec::new(),
     }
 }

@@ -58,13 +58,15 @@ enum Taken {
 }
 
 /// What the editor opens.
-const TAKEN: &str = "The editor opens designs (.json) and tables of curves (.csv).";
+const TAKEN: &str = "The editor opens designs (.json), tables of curves (.csv) and meshes (.obj, \
+                     .stl, .ply and .glb).";
 
 /// What to do with a file whose name does not tell what it is.
 fn way_out(bytes: &[u8]) -> &'static str {
     match InputFormat::of_bytes(bytes) {
         Some(InputFormat::Table) => "It holds a table of curves: give it the ending .csv.",
         Some(InputFormat::Design) => "It may hold a design: give it the ending .json.",
+        Some(InputFormat::Mesh(_)) => "It may hold a mesh: give it the ending of its format.",
         _ => {
             "Pictures to trace (.png, .jpg) are dropped on the window or come in by Picture to trace."
         }
@@ -239,27 +241,21 @@ impl Document {
         crate::document::file::written(self)
     }
 
-    /// The document of a file: a design, or a curve table.
+    /// The document of a file: a design, a curve table or a mesh.
     ///
     /// # Errors
     /// What is wrong with it and what to do, in words.
     pub fn read(path: &str, bytes: &[u8]) -> Result<Self, String> {
         let words = |error: sheetwright_files::InputError| format!("{error}. {}", error.hint);
         let of = Path::new(path);
-        // What the command takes besides, the editor does not.
         let format =
             InputFormat::of(of).map_err(|error| format!("{error}. {TAKEN} {}", way_out(bytes)))?;
         match format {
             InputFormat::Design => crate::document::file::read(path, bytes).map_err(words),
-            InputFormat::Table => {
+            InputFormat::Table | InputFormat::Mesh(_) => {
                 let design = read_bytes(format, bytes, path, of.parent(), &ReadOptions::default());
                 Ok(Self { design: design.map_err(words)?, ..Self::default() })
             }
-            InputFormat::Mesh(_) => Err(format!(
-                "{path} is a mesh, which the editor does not open. {TAKEN} To make patterns of a mesh, \
-                 run the command sheetwright in a terminal: sheetwright make \"{}\" --out build",
-                name_of(path)
-            )),
         }
     }
 }

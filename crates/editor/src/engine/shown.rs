@@ -2,17 +2,20 @@
 
 use super::Refusal;
 use sheetwright::check::{Finding, FindingKind, Place, Verdict};
-use sheetwright::make::MadePanel;
+use sheetwright::index::VertexIndex;
+use sheetwright::make::{Origin, Part};
 use sheetwright::material::{Material, warp_limit_deg};
 use sheetwright::math::{Point2, Point3, Vec3, to_deg};
 use sheetwright::measure::length_errors;
 use sheetwright::pattern::Piece;
 
-/// A panel, made or not.
+/// A part of a panel that was made, or a panel that was not.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShownPanel {
-    /// Its name.
+    /// The name of the part, or of the panel.
     pub name: String,
+    /// The panel of the design, by name.
+    pub panel: String,
     /// What was made of it, or why nothing was.
     pub made: Result<Shown, Refusal>,
 }
@@ -56,13 +59,14 @@ pub struct Shown {
     pub verdict: Verdict,
     /// What was found, the worst first.
     pub findings: Vec<Finding>,
-    /// Whether nothing cheaper exists.
-    pub proven_optimal: bool,
-    /// The samples in space, mm: the outer loop, then the holes.
+    /// Whether its surface is a mesh that was given.
+    pub is_mesh: bool,
+    /// The points in space, mm; the samples, where the surface was found.
     pub positions: Vec<Point3>,
-    /// Where each loop ends among them.
-    pub loop_ends: Vec<u32>,
-    /// The triangles in space, by samples, counter-clockwise from where the surface faces.
+    /// The loops of the boundary, the outer one first, by points in space; of a mesh, both sides of
+    /// its cuts are among them.
+    pub loops: Vec<Vec<u32>>,
+    /// The triangles in space, by points, counter-clockwise from where the surface faces.
     pub triangles: Vec<[u32; 3]>,
     /// The corners of the sheet laid flat, mm.
     pub flat: Vec<Point2>,
@@ -112,14 +116,17 @@ fn is_news(finding: &Finding) -> bool {
 }
 
 impl Shown {
-    /// What is shown of a panel.
-    pub fn new(panel: &MadePanel, material: Option<&Material>) -> Self {
-        let sheet = panel.sheet.surface().connectivity();
-        let of = |t: &[sheetwright::index::SampleIndex; 3]| t.map(|v| v.get() as u32);
-        let errors = length_errors(&panel.sheet, &panel.flat);
-        let rungs = panel.measures.rungs.iter().enumerate().map(|(n, rung)| ShownRung {
+    /// What is shown of a part.
+    pub fn new(panel: &Part, material: Option<&Material>) -> Self {
+        let sheet = panel.sheet.mesh();
+        let number = |v: VertexIndex| v.get() as u32;
+        // In space, both sides of a cut lie on one another: a vertex is drawn as what it was.
+        let origin = |v: VertexIndex| number(panel.sheet.origin(v));
+        let errors = length_errors(&panel.sheet, &panel.flat).into_iter().map(f64::abs);
+        let measured = panel.measures.rungs.iter().zip(panel.sheet.rung_ends());
+        let rungs = measured.map(|(rung, on_sheet)| ShownRung {
             ends: rung.rung.ends().map(|v| v.get() as u32),
-            flat_ends: panel.sheet.rung_ends(n).map(|v| v.get() as u32),
+            flat_ends: on_sheet.map(number),
             warp_deg: to_deg(rung.warp),
             is_unsure: rung.warp <= rung.resolution,
             crease_deg: to_deg(rung.crease),
@@ -128,13 +135,13 @@ impl Shown {
         Self {
             verdict: panel.checked.verdict,
             findings: panel.checked.findings.iter().filter(|f| is_news(f)).cloned().collect(),
-            proven_optimal: panel.triangulation.proven_optimal,
-            positions: panel.surface.positions().to_vec(),
-            loop_ends: panel.boundary.loops().iter().map(|l| l.end as u32).collect(),
-            triangles: panel.surface.connectivity().triangles().iter().map(of).collect(),
+            is_mesh: panel.given().is_some(),
+            positions: positions(panel),
+            loops: loops(panel),
+            triangles: sheet.triangles().iter().map(|t| t.map(origin)).collect(),
             flat: panel.flat.points.clone(),
-            flat_triangles: sheet.triangles().iter().map(of).collect(),
-            sides: sheet.sides().map(|side| side.map(|v| v.get() as u32)).zip(errors).collect(),
+            flat_triangles: sheet.triangles().iter().map(|t| t.map(number)).collect(),
+            sides: sheet.edges().iter().map(|edge| edge.ends.map(number)).zip(errors).collect(),
             rungs: rungs.collect(),
             piece: panel.piece.clone(),
             warp_limit_deg: warp_limit_deg(material),
@@ -165,6 +172,28 @@ impl Shown {
     /// The largest twist that is said of the panel, wherever that is: that of [`Self::worst_rung`].
     pub fn twist(&self) -> Twist {
         self.worst_rung().map_or(Twist::default(), |n| self.rungs[n].twist())
+    }
+}
+
+/// The points of a part in space, by the numbers that they have where it is not cut.
+fn positions(part: &Part) -> Vec<Point3> {
+    match &part.origin {
+        Origin::Found(found) => found.surface.positions().to_vec(),
+        Origin::Given(given) => given.mesh.positions().to_vec(),
+    }
+}
+
+/// The loops of the boundary of a part, by those numbers.
+fn loops(part: &Part) -> Vec<Vec<u32>> {
+    match &part.origin {
+        Origin::Found(found) => {
+            let of_loop = |range: &std::ops::Range<usize>| range.clone().map(|n| n as u32);
+            found.boundary.loops().iter().map(|range| of_loop(range).collect()).collect()
+        }
+        Origin::Given(_) => {
+            let origin = |v: &VertexIndex| part.sheet.origin(*v).get() as u32;
+            part.sheet.loops().iter().map(|l| l.iter().map(origin).collect()).collect()
+        }
     }
 }
 

@@ -7,7 +7,7 @@ use super::fineness::Fineness;
 use super::shown::{Shown, ShownPanel};
 use super::{Answer, Detail, Job, Refusal, Varied};
 use sheetwright::design::Design;
-use sheetwright::make::{Live, Made, MadePanel, MakeError, make};
+use sheetwright::make::{Live, LivePanel, Made, MakeError, Part, make};
 use sheetwright::material::Material;
 use sheetwright::watch::Watch;
 use sheetwright_files::{Format, OutputFile, PdfOptions, hint_for, output_files};
@@ -73,14 +73,14 @@ impl Work {
 /// Points that may move stay where they are drawn until somebody asks.
 fn shown_panels(live: &Live) -> Vec<ShownPanel> {
     let material = live.design().material.as_ref();
-    let shown = live.panels().iter().map(|panel| ShownPanel {
-        name: panel.name.clone(),
-        made: match &panel.made {
-            Ok(made) => Ok(Shown::new(made, material)),
-            Err(error) => Err(refusal(error)),
-        },
-    });
-    shown.collect()
+    let of_panel = |panel: &LivePanel| match &panel.made {
+        Ok(parts) => parts.iter().map(|part| shown(part, material)).collect(),
+        Err(error) => {
+            let (name, made) = (panel.name.clone(), Err(refusal(error)));
+            vec![ShownPanel { name: name.clone(), panel: name, made }]
+        }
+    };
+    live.panels().iter().flat_map(of_panel).collect()
 }
 
 /// The files that the command line writes of a design.
@@ -99,25 +99,26 @@ fn refusal(error: &MakeError) -> Refusal {
     Refusal::new(error, hint_for(error))
 }
 
-fn shown(panel: &MadePanel, material: Option<&Material>) -> ShownPanel {
-    ShownPanel { name: panel.name.clone(), made: Ok(Shown::new(panel, material)) }
+fn shown(part: &Part, material: Option<&Material>) -> ShownPanel {
+    let (name, panel) = (part.name.clone(), part.panel.clone());
+    ShownPanel { name, panel, made: Ok(Shown::new(part, material)) }
 }
 
 fn varied(made: Made) -> Varied {
     let material = made.material.as_ref();
-    let before_of = |panel: &MadePanel| match &panel.change {
+    let before_of = |part: &Part| match part.change() {
         Some(change) => shown(&change.before, material),
-        None => shown(panel, material),
+        None => shown(part, material),
     };
     let moved_max_mm = made
-        .panels
+        .parts
         .iter()
-        .filter_map(|panel| Some(panel.change.as_ref()?.moved_max_mm()))
+        .filter_map(|part| Some(part.change()?.moved_max_mm()))
         .fold(0.0, f64::max);
     Varied {
         moved_max_mm,
-        before: made.panels.iter().map(before_of).collect(),
-        after: made.panels.iter().map(|panel| shown(panel, material)).collect(),
+        before: made.parts.iter().map(before_of).collect(),
+        after: made.parts.iter().map(|part| shown(part, material)).collect(),
         moved: made.moved,
     }
 }

@@ -279,8 +279,10 @@ fn refused(job: &Job, fault: &str) -> Answer {
     let refusal = Refusal::new(&error, "Save your work to a file and load the page again.");
     match job {
         Job::Show { number, design, detail } => {
-            let panel =
-                |name: &String| ShownPanel { name: name.clone(), made: Err(refusal.clone()) };
+            let panel = |name: &String| {
+                let (name, made) = (name.clone(), Err(refusal.clone()));
+                ShownPanel { name: name.clone(), panel: name, made }
+            };
             let panels = design.panels_to_make().iter().map(|made| panel(&made.name)).collect();
             Answer::Shown { number: *number, detail: *detail, panels }
         }

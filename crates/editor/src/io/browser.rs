@@ -62,8 +62,8 @@ impl Dialogs for SystemDialogs {
 async fn granted(wish: FileWish) -> Option<FileAnswer> {
     match wish {
         FileWish::Open => {
-            let dialog =
-                rfd::AsyncFileDialog::new().add_filter("Designs and tables", &["json", "csv"]);
+            let dialog = rfd::AsyncFileDialog::new()
+                .add_filter("Designs, tables and meshes", &super::OPENED);
             Some(FileAnswer::Opened(read(dialog.pick_file().await?).await))
         }
         FileWish::Picture => {

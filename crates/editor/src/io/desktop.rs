@@ -99,7 +99,9 @@ fn granted(wish: FileWish) -> Option<FileAnswer> {
 fn chosen(wish: &FileWish) -> Option<PathBuf> {
     let dialog = rfd::FileDialog::new();
     match wish {
-        FileWish::Open => dialog.add_filter("Designs and tables", &["json", "csv"]).pick_file(),
+        FileWish::Open => {
+            dialog.add_filter("Designs, tables and meshes", &super::OPENED).pick_file()
+        }
         FileWish::Picture => dialog.add_filter("Pictures", &crate::editor::PICTURES).pick_file(),
         FileWish::Save { name, .. } => {
             dialog.add_filter("Designs", &["json"]).set_file_name(name).save_file()

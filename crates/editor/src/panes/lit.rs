@@ -40,7 +40,7 @@ impl Lit {
                 *curve = true;
             }
         }
-        let name = selection.panel.and_then(|n| scene.panels.get(n)).map(|panel| &panel.name);
+        let name = selection.panel.and_then(|n| scene.panels.get(n)).map(|panel| &panel.panel);
         if let Some(panel) = design.panels.iter().find(|panel| Some(&panel.name) == name) {
             let uses = curves_of(panel);
             for (curve, lit) in design.curves.iter().zip(&mut curves) {

@@ -25,12 +25,12 @@ pub(super) struct Marks {
 }
 
 impl Marks {
-    /// Those of a place on a panel. The whole panel has none, nor has what no panel of a design
-    /// shows: curves stand beside it, and points and seams of meshes are not edited.
+    /// Those of a place on a panel. The whole panel has none, nor have points of a curve, which
+    /// stands beside it, and seams of a mesh, which its pattern marks.
     pub(super) fn of(place: &Place, shown: &Shown) -> Self {
         let mut marks = Self::default();
         match place {
-            Place::Whole | Place::MeshSeams { .. } | Place::CurvePoints { .. } => {}
+            Place::Whole | Place::CurvePoints { .. } => {}
             Place::Points { at } => marks.spots.clone_from(at),
             Place::Rungs { numbers } => {
                 for rung in numbers.iter().filter_map(|&n| shown.rungs.get(n)) {
@@ -65,7 +65,7 @@ impl Marks {
                 }
             }
             Place::Seams { seams } => {
-                for ends in seams.iter().map(|seam| seam.ends.map(number)) {
+                for ends in seams.iter().filter_map(|seam| Some(seam.ends?.map(number))) {
                     marks.line(shown, ends);
                     let flat = flat_sides(shown, ends);
                     flat.into_iter().for_each(|side| marks.flat_line(shown, side));
@@ -129,7 +129,7 @@ mod tests {
 
     fn shown(design: &Design) -> Vec<Shown> {
         let made = make(design, &mut Unwatched).unwrap();
-        made.panels.iter().map(|panel| Shown::new(panel, design.material.as_ref())).collect()
+        made.parts.iter().map(|panel| Shown::new(panel, design.material.as_ref())).collect()
     }
 
     fn length<P: Copy>(ends: &[P; 2], distance: impl Fn(P, P) -> f64) -> f64 {
@@ -191,7 +191,7 @@ mod tests {
                 },
                 1,
             ),
-            (Place::Seams { seams: vec![SeamPlace { number: 0, ends: side }] }, 1),
+            (Place::Seams { seams: vec![SeamPlace { number: 0, ends: Some(side) }] }, 1),
         ];
         for (place, count) in places {
             let marks = Marks::of(&place, shown);

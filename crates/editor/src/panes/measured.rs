@@ -181,7 +181,7 @@ mod tests {
     #[test]
     fn what_the_sampling_may_explain_has_values_of_its_own() {
         let made = make(&saddles(1, 24, 40.0), &mut Unwatched).unwrap();
-        let mut shown = Shown::new(&made.panels[0], None);
+        let mut shown = Shown::new(&made.parts[0], None);
         for (n, rung) in shown.rungs.iter_mut().enumerate() {
             (rung.warp_deg, rung.is_unsure) = (2.0, n % 2 == 0);
         }

@@ -108,13 +108,18 @@ pub(crate) fn shown(design: &Design) -> Vec<ShownPanel> {
     }
     match make(design, &mut Unwatched) {
         Ok(made) => {
-            let of = |panel| Shown::new(panel, design.material.as_ref());
-            let panels = made.panels.iter();
-            panels.map(|p| ShownPanel { name: p.name.clone(), made: Ok(of(p)) }).collect()
+            let of = |p: &sheetwright::make::Part| Shown::new(p, design.material.as_ref());
+            let panels = made.parts.iter();
+            let shown = |p: &sheetwright::make::Part| {
+                let (name, panel, made) = (p.name.clone(), p.panel.clone(), Ok(of(p)));
+                ShownPanel { name, panel, made }
+            };
+            panels.map(shown).collect()
         }
         Err(error) => {
             let refusal = Refusal { message: error.to_string(), hint: String::new() };
-            vec![ShownPanel { name: design.name.clone(), made: Err(refusal) }]
+            let name = design.name.clone();
+            vec![ShownPanel { name: name.clone(), panel: name, made: Err(refusal) }]
         }
     }
 }

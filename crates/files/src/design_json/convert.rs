@@ -6,11 +6,13 @@ use super::grammar::{
 };
 use super::join::{check_joins, join, points_of};
 use super::material;
+use super::mesh::Meshes;
 use super::source::Source;
 use super::table_path::Tables;
 use super::vary::VaryReader;
 use super::wrong_version;
 use crate::json::Object;
+use crate::mesh::NO_SAMPLES;
 use crate::names::{
     did_you_mean, folded, refused_anywhere, refused_for_curve, refused_for_file, shown,
 };
@@ -186,6 +188,7 @@ fn panels(
         let message = format!("the design has {} panels", list.len());
         return Err(source.error("panels", message, format!("{MAX_PANELS} are the most.")));
     }
+    let mut meshes = Meshes::new(source, units);
     let known: BTreeMap<&str, &DesignCurve> = curves.iter().map(|c| (c.name.as_str(), c)).collect();
     let mut earlier: BTreeMap<String, usize> = BTreeMap::new();
     let mut panels = Vec::with_capacity(list.len());
@@ -203,7 +206,12 @@ fn panels(
                         on many disks.";
             return Err(source.error(&format!("{path}.name"), message, hint));
         }
-        panels.push(PanelReader { path: &path, known: &known, units, source }.panel(file)?);
+        let mut file = file;
+        let mesh = meshes.shape(&mut file, &path)?;
+        panels.push(match mesh {
+            Some(mesh) => DesignPanel::new(file.name, mesh, NO_SAMPLES),
+            None => PanelReader { path: &path, known: &known, units, source }.panel(file)?,
+        });
     }
     check_joins(&panels, &known, &|path, message, hint| source.error(path, message, hint))?;
     Ok(panels)
@@ -269,7 +277,7 @@ impl PanelReader<'_> {
     fn cut(&self, places: &[Triple], shape: &PanelShape) -> Result<Vec<Point3>, InputError> {
         let holes = match shape {
             PanelShape::Loops { holes, .. } => holes.len(),
-            PanelShape::Rails(_) => 0,
+            PanelShape::Rails(_) | PanelShape::Mesh(_) => 0,
             // How many holes a join has is known when it is joined; a point too many cuts nothing.
             PanelShape::Join(_) => places.len(),
         };
@@ -325,9 +333,10 @@ impl PanelReader<'_> {
                 Err(self.error("", message, "Keep one of the two."))
             }
             (None, None, _) => {
-                let message = "the panel has neither `rails` nor a `boundary`, and joins no others";
-                let hint = "Add \"rails\": [\"keel\", \"chine\"], \"boundary\": [\"rim\"] or \
-                            \"join\": [\"left\", \"right\"].";
+                let message = "the panel has neither `rails` nor a `boundary`, joins no others and \
+                               is no `mesh`";
+                let hint = "Add \"rails\": [\"keel\", \"chine\"], \"boundary\": [\"rim\"], \
+                            \"join\": [\"left\", \"right\"] or \"mesh\": \"hood.stl\".";
                 Err(self.error("", message, hint))
             }
         }
@@ -387,7 +396,7 @@ impl PanelReader<'_> {
     fn samples(&self, written: Option<u64>, shape: &PanelShape) -> Result<usize, InputError> {
         let default = match shape {
             PanelShape::Rails(_) => RAIL_SAMPLES,
-            PanelShape::Loops { .. } | PanelShape::Join(_) => LOOP_SAMPLES,
+            _ => LOOP_SAMPLES,
         };
         let Some(written) = written else {
             return Ok(self.source.options.samples.unwrap_or(default));

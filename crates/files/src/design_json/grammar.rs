@@ -9,7 +9,7 @@ use crate::table::MAX_ROWS;
 use crate::units::Units;
 use schemars::JsonSchema;
 use serde::de::{self, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -39,7 +39,8 @@ pub(super) struct DesignFile {
     #[serde(default)]
     #[schemars(with = "BTreeMap<String, MaterialFile>")]
     pub(super) materials: Named<MaterialFile>,
-    /// The curves, by name.
+    /// The curves, by name. Default: none, of a design of meshes.
+    #[serde(default)]
     #[schemars(with = "BTreeMap<String, CurveFile>")]
     pub(super) curves: Named<CurveFile>,
     /// The panels; each becomes a piece of sheet.
@@ -170,7 +171,8 @@ pub(super) struct FullPoint {
     pub(super) movable: f64,
 }
 
-/// A panel. It has two `rails`, or a `boundary` with or without `holes`, or it is a `join`.
+/// A panel. It has two `rails`, or a `boundary` with or without `holes`, or it is a `join`; or its
+/// surface is given as a `mesh`.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct PanelFile {
@@ -201,6 +203,24 @@ pub(super) struct PanelFile {
     /// Whether the panels that are joined are made too. Default: false, the join takes their place.
     #[serde(default)]
     pub(super) keep_parts: Option<bool>,
+    /// Its surface as triangles: a mesh file (.obj, .stl, .ply or .glb), by a path relative to the
+    /// design's folder, at or below it and in the design's units; or the triangles themselves.
+    #[serde(default)]
+    pub(super) mesh: Option<MeshFile>,
+    /// Which group of the mesh file. Default: the only one.
+    #[serde(default)]
+    pub(super) group: Option<String>,
+    /// What flattening a mesh makes small where it can't be exact. Default: mean.
+    #[serde(default)]
+    pub(super) aim: Option<AimName>,
+    /// A mesh is divided into parts along creases above this angle, degrees. Default: it is not.
+    #[serde(default)]
+    #[schemars(range(min = 1, max = 180))]
+    pub(super) split_creases_deg: Option<f64>,
+    /// Whether a mesh that would have to stretch more than the material takes is cut from its
+    /// border to its worst points. Default: false.
+    #[serde(default)]
+    pub(super) darts: Option<bool>,
     /// Samples of the outer loop, or of each rail. Default: 400 of a loop, 200 of a rail.
     #[serde(default)]
     #[schemars(range(min = 2, max = 1_000_000))]
@@ -249,6 +269,49 @@ pub(super) enum MethodName {
     Bridge,
     /// Those whose every rung joins the two rails.
     Rails,
+}
+
+/// The surface of a panel as triangles.
+#[derive(Debug, JsonSchema)]
+#[schemars(untagged)]
+pub(super) enum MeshFile {
+    /// The path of a mesh file.
+    Path(String),
+    /// The triangles.
+    Triangles(TrianglesFile),
+}
+
+/// Triangles over points.
+#[derive(Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct TrianglesFile {
+    /// Its points `[x, y, z]`, in the design's units.
+    #[schemars(with = "Vec<[f64; 3]>")]
+    pub(super) points: Vec<Triple>,
+    /// Its triangles, each by the numbers of three points from 0, counter-clockwise as seen from
+    /// the side that the pattern shows.
+    pub(super) triangles: Vec<[usize; 3]>,
+    /// How many triangles of the file that it came from were left out, with two corners in one
+    /// place. Default: 0.
+    #[serde(default, skip_serializing_if = "is_none_left_out")]
+    pub(super) left_out: usize,
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference over")]
+fn is_none_left_out(count: &usize) -> bool {
+    *count == 0
+}
+
+/// What flattening makes small.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum AimName {
+    /// The mean length error.
+    Mean,
+    /// The largest length error.
+    Max,
+    /// That of the border, which is kept exact.
+    Seams,
 }
 
 /// What is made as small as can be.
@@ -365,6 +428,32 @@ impl<'de> Deserialize<'de> for PointFile {
             }
         }
         deserializer.deserialize_any(Point)
+    }
+}
+
+impl Serialize for Triple {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.0.serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for MeshFile {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Mesh;
+        impl<'de> Visitor<'de> for Mesh {
+            type Value = MeshFile;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                write!(f, "the path of a mesh file or an object with `points` and `triangles`")
+            }
+            fn visit_str<E: de::Error>(self, path: &str) -> Result<MeshFile, E> {
+                Ok(MeshFile::Path(path.to_owned()))
+            }
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<MeshFile, A::Error> {
+                TrianglesFile::deserialize(de::value::MapAccessDeserializer::new(map))
+                    .map(MeshFile::Triangles)
+            }
+        }
+        deserializer.deserialize_any(Mesh)
     }
 }
 

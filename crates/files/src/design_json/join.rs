@@ -90,7 +90,7 @@ pub(super) fn points_of(shape: &PanelShape, known: &BTreeMap<&str, &DesignCurve>
     let uses: Vec<&CurveUse> = match shape {
         PanelShape::Rails(rails) => rails.iter().collect(),
         PanelShape::Loops { outer, holes } => outer.iter().chain(holes.iter().flatten()).collect(),
-        PanelShape::Join(_) => Vec::new(),
+        PanelShape::Join(_) | PanelShape::Mesh(_) => Vec::new(),
     };
     uses.iter().filter_map(|u| known.get(u.name.as_str())).map(|c| c.points.len()).sum()
 }

@@ -3,11 +3,13 @@
 //! Reading has two steps: serde makes the file's own types ([`grammar`]) and knows lines; then
 //! [`convert`] makes the kernel's and knows JSON paths.
 
+mod beside;
 mod convert;
 mod drawing;
 mod grammar;
 mod join;
 mod material;
+mod mesh;
 mod source;
 mod table_path;
 mod vary;
@@ -368,6 +370,7 @@ mod tests {
             units: None,
             material: Some("Leather-2mm".to_owned()),
             vary: VarySettings { warp_deg: Some(3.0), limit_mm: Some(7.0), budget_mm: None },
+            mesh: crate::MeshSettings::default(),
         };
         let design =
             read_bytes(InputFormat::Design, DINGHY.as_bytes(), "d.json", None, &options).unwrap();

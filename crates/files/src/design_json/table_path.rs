@@ -1,6 +1,7 @@
 //! Points that a design takes from a table beside it. A design may come from a stranger, so its
 //! tables lie in its own folder or below, and nowhere else.
 
+use super::beside::{Kind, file_beside};
 use super::source::Source;
 use crate::names::{did_you_mean, shown};
 use crate::reading::{InputError, MAX_INPUT_BYTES, read_whole, text_of};
@@ -9,6 +10,8 @@ use crate::units::Units;
 use sheetwright::curve::CurvePoint;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+
+const TABLE: Kind = Kind { word: "table", files: "a curve table (.csv)" };
 
 /// The tables of a design, each read once.
 pub(super) struct Tables<'a> {
@@ -67,7 +70,7 @@ impl<'a> Tables<'a> {
             let hint = "Save the design as a file in the folder of its tables.";
             return Err(self.source.error(&path, message, hint));
         };
-        file_beside(folder, table, &|message, hint| self.source.error(&path, message, hint))
+        file_beside(folder, table, TABLE, &|message, hint| self.source.error(&path, message, hint))
     }
 
     fn read_anew(
@@ -99,43 +102,9 @@ pub(crate) fn table_beside(
     units: Units,
     place: &str,
 ) -> Result<Vec<TableCurve>, InputError> {
-    let file = file_beside(folder, table, &|message, hint| InputError::at(place, message, hint))?;
+    let file =
+        file_beside(folder, table, TABLE, &|message, hint| InputError::at(place, message, hint))?;
     let bytes =
         read_whole(&file).map_err(|error| InputError { place: Some(table.to_owned()), ..error })?;
     read_table(text_of(&bytes, table)?, table, units)
-}
-
-/// The file that a table's path leads to, inside a design's folder.
-fn file_beside(
-    folder: &Path,
-    table: &str,
-    error: &dyn Fn(String, &str) -> InputError,
-) -> Result<PathBuf, InputError> {
-    let leaves = || {
-        let message = format!("the table {} is not inside the design's folder", shown(table));
-        let hint = "Put the table beside the design or below it, and write its path from there, \
-                    with / between folders.";
-        error(message, hint)
-    };
-    // Every system refuses these paths, so that a design means the same on each.
-    let parts = || table.split('/');
-    let odd = |c: char| c.is_control() || c == '\\' || c == ':';
-    if table.contains(odd) || parts().any(|part| part.is_empty() || part == "..") {
-        return Err(leaves());
-    }
-    let missing = |_| {
-        let message = format!("there is no table {}", shown(table));
-        error(message, "Check the path; it begins at the design's folder.")
-    };
-    // Links are followed before the question is asked.
-    let home = folder.canonicalize().map_err(missing)?;
-    let file = home.join(Path::new(table)).canonicalize().map_err(missing)?;
-    if !file.starts_with(&home) {
-        return Err(leaves());
-    }
-    // A pipe or a device would wait, or never end.
-    if !file.is_file() {
-        return Err(error(format!("{} is no file", shown(table)), "Name a curve table (.csv)."));
-    }
-    Ok(file)
 }

@@ -2,10 +2,10 @@
 
 use super::drawing::DrawingFile;
 use super::grammar::{GoalName, KindName, MethodName, SmoothName};
-use super::{VERSION, material, vary};
+use super::{VERSION, material, mesh, vary};
+use crate::json::json;
 use crate::materials::file_of;
 use crate::units::Units;
-use serde::Serialize;
 use sheetwright::boundary::{Continuity, PlaneChoice, Within};
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape};
@@ -120,6 +120,10 @@ fn panel(panel: &DesignPanel, vary: Option<String>) -> String {
                 fields.push(format!("\"holes\": {}", json(&holes)));
             }
         }
+        PanelShape::Mesh(given) => {
+            fields.extend(mesh::fields(given));
+            return format!("    {{ {} }}", fields.join(", "));
+        }
         PanelShape::Join(join) => {
             fields.push(format!("\"join\": {}", json(&join.parts)));
             let smooth = match join.smooth {
@@ -169,9 +173,4 @@ fn panel(panel: &DesignPanel, vary: Option<String>) -> String {
     }
     fields.extend(vary.map(|vary| format!("\"vary\": {vary}")));
     format!("    {{ {} }}", fields.join(", "))
-}
-
-/// Numbers, texts and lists of them have nothing that JSON can't say.
-fn json(value: &impl Serialize) -> String {
-    serde_json::to_string(value).unwrap_or_default()
 }

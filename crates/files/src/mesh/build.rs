@@ -18,13 +18,13 @@ const MAX_GROUP_NAME: usize = 80;
 
 /// A group as it comes out.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Built {
-    pub(super) name: String,
-    pub(super) positions: Vec<Point3>,
+pub(crate) struct Built {
+    pub(crate) name: String,
+    pub(crate) positions: Vec<Point3>,
     /// By positions of the group.
-    pub(super) triangles: Vec<[usize; 3]>,
+    pub(crate) triangles: Vec<[usize; 3]>,
     /// Triangles of the file that have two corners in one place.
-    pub(super) left_out: usize,
+    pub(crate) left_out: usize,
 }
 
 /// Triangles of a group, by the points of the file.
@@ -45,7 +45,7 @@ impl Group {
 }
 
 /// Gathers points and polygons, in the order of the file.
-pub(super) struct Builder {
+pub(crate) struct Builder {
     place: String,
     stem: String,
     unit_mm: f64,
@@ -60,7 +60,7 @@ pub(super) struct Builder {
 }
 
 impl Builder {
-    pub(super) fn new(place: &str, stem: &str, unit_mm: f64) -> Self {
+    pub(crate) fn new(place: &str, stem: &str, unit_mm: f64) -> Self {
         Self {
             place: place.to_owned(),
             stem: stem.to_owned(),
@@ -76,17 +76,17 @@ impl Builder {
 
     /// Corners with the same coordinates to the last bit are one: for formats that give every
     /// triangle corners of its own, or more than one point where normals differ.
-    pub(super) fn weld(&mut self) {
+    pub(crate) fn weld(&mut self) {
         self.welded = true;
     }
 
     /// How many points there are.
-    pub(super) fn points(&self) -> usize {
+    pub(crate) fn points(&self) -> usize {
         self.points.len()
     }
 
     /// A point in the unit of the file; `where_from` says where it stands.
-    pub(super) fn point(
+    pub(crate) fn point(
         &mut self,
         [x, y, z]: [f64; 3],
         where_from: impl Fn() -> String,
@@ -110,7 +110,7 @@ impl Builder {
     }
 
     /// Whatever follows belongs to a new group of this name.
-    pub(super) fn begin(
+    pub(crate) fn begin(
         &mut self,
         name: &str,
         where_from: impl Fn() -> String,
@@ -130,7 +130,7 @@ impl Builder {
     }
 
     /// Whatever follows belongs to the group of this name, which may have been begun before.
-    pub(super) fn go_on(
+    pub(crate) fn go_on(
         &mut self,
         name: &str,
         where_from: impl Fn() -> String,
@@ -147,7 +147,7 @@ impl Builder {
     }
 
     /// A polygon by the numbers of its points, which are all there.
-    pub(super) fn polygon(
+    pub(crate) fn polygon(
         &mut self,
         corners: &[usize],
         where_from: impl Fn() -> String,
@@ -173,7 +173,7 @@ impl Builder {
 
     /// The groups that have triangles, each with the points that its own use. What was left out of
     /// groups of which nothing is left is counted with the first.
-    pub(super) fn built(mut self) -> Result<Vec<Built>, InputError> {
+    pub(crate) fn built(mut self) -> Result<Vec<Built>, InputError> {
         // A file whose every triangle has corners of its own can't mean that nothing hangs
         // together.
         let mut used = vec![false; self.points.len()];

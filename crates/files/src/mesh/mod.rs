@@ -20,8 +20,11 @@ mod stl;
 
 use crate::names::folded;
 use crate::reading::{InputError, ReadOptions, display_name, stem};
-use build::Builder;
-use sheetwright::design::{MeshDesign, MeshGroup};
+use crate::units::Units;
+pub(crate) use build::Builder;
+use build::Built;
+use sheetwright::design::{Design, DesignPanel, PanelMesh, PanelShape, Triangles};
+use sheetwright::flatten::Aim;
 use sheetwright::index::VertexIndex;
 use sheetwright::mesh::MAX_TRIANGLES;
 use std::collections::BTreeSet;
@@ -63,6 +66,18 @@ impl MeshFormat {
 const NO_SURFACE: &str =
     "Export the surface as a mesh of triangles or polygons; curves and points can't be laid flat.";
 
+/// How designs, reports and the command line name an aim.
+pub(crate) const fn aim_name(aim: Aim) -> &'static str {
+    match aim {
+        Aim::Mean => "mean",
+        Aim::Max => "max",
+        Aim::Seams => "seams",
+    }
+}
+
+/// Samples of a panel that is a mesh, for which they mean nothing.
+pub(crate) const NO_SAMPLES: usize = 0;
+
 /// The mesh in some bytes, a panel a group and no material. `name` is the name of the file they are
 /// from, or `-`.
 ///
@@ -73,25 +88,49 @@ pub(crate) fn read(
     bytes: &[u8],
     name: &str,
     options: &ReadOptions,
-) -> Result<MeshDesign, InputError> {
+) -> Result<Design, InputError> {
+    let groups = groups(format, bytes, name, options.units.unwrap_or_default())?;
+    let panel = |(name, triangles): (String, Triangles)| {
+        let mesh = options.mesh.applied(PanelMesh::new(triangles));
+        DesignPanel::new(name, PanelShape::Mesh(mesh), NO_SAMPLES)
+    };
+    let panels = groups.into_iter().map(panel).collect();
+    Ok(Design { name: stem(name), panels, ..Design::default() })
+}
+
+/// The groups of a mesh in some bytes, each with a name of its own.
+///
+/// # Errors
+/// Bytes that are no mesh of this format, or too large a one.
+pub(crate) fn groups(
+    format: MeshFormat,
+    bytes: &[u8],
+    name: &str,
+    units: Units,
+) -> Result<Vec<(String, Triangles)>, InputError> {
     let place = display_name(name);
-    let stem = stem(name);
-    let mut builder = Builder::new(place, &stem, options.units.unwrap_or_default().in_mm());
+    let mut builder = Builder::new(place, &stem(name), units.in_mm());
     match format {
         MeshFormat::Obj => obj::read(bytes, place, &mut builder)?,
         MeshFormat::Stl => stl::read(bytes, place, &mut builder)?,
         MeshFormat::Ply => ply::read(bytes, place, &mut builder)?,
         MeshFormat::Glb => glb::read(bytes, place, &mut builder)?,
     }
-    let built = builder.built()?;
     let mut taken = BTreeSet::new();
-    let groups = built.into_iter().map(|group| MeshGroup {
-        name: of_its_own(group.name, &mut taken),
-        positions: group.positions,
-        triangles: group.triangles.into_iter().map(|t| t.map(VertexIndex::new)).collect(),
-        left_out: group.left_out,
-    });
-    Ok(MeshDesign { name: stem, material: None, groups: groups.collect() })
+    let group = |group: Built| {
+        let (name, triangles) = group.triangles();
+        (of_its_own(name, &mut taken), triangles)
+    };
+    Ok(builder.built()?.into_iter().map(group).collect())
+}
+
+impl Built {
+    /// Its name and its triangles.
+    pub(crate) fn triangles(self) -> (String, Triangles) {
+        let Self { name, positions, triangles, left_out } = self;
+        let triangles = triangles.into_iter().map(|t| t.map(VertexIndex::new)).collect();
+        (name, Triangles { positions, triangles, left_out })
+    }
 }
 
 /// The name, with a number where another group has it.

@@ -1,17 +1,42 @@
 use super::*;
 use crate::Units;
 
-fn read_mesh(format: MeshFormat, bytes: &[u8]) -> Result<MeshDesign, InputError> {
-    let name = format!("some/shape.{}", format.ending());
-    read(format, bytes, &name, &ReadOptions::default())
+/// The groups of a mesh by name, and what the mesh is called.
+#[derive(Debug, PartialEq)]
+struct Groups {
+    name: String,
+    groups: Vec<Group>,
 }
 
-fn obj(text: &str) -> Result<MeshDesign, InputError> {
+#[derive(Debug, PartialEq)]
+struct Group {
+    name: String,
+    positions: Vec<sheetwright::math::Point3>,
+    triangles: Vec<[VertexIndex; 3]>,
+    left_out: usize,
+}
+
+fn groups_of(design: Design) -> Groups {
+    let group = |panel: DesignPanel| {
+        let PanelShape::Mesh(mesh) = panel.shape else { panic!("{}", panel.name) };
+        let Triangles { positions, triangles, left_out } = (*mesh.triangles).clone();
+        Group { name: panel.name, positions, triangles, left_out }
+    };
+    let groups = design.panels.into_iter().map(group).collect();
+    Groups { name: design.name, groups }
+}
+
+fn read_mesh(format: MeshFormat, bytes: &[u8]) -> Result<Groups, InputError> {
+    let name = format!("some/shape.{}", format.ending());
+    read(format, bytes, &name, &ReadOptions::default()).map(groups_of)
+}
+
+fn obj(text: &str) -> Result<Groups, InputError> {
     read_mesh(MeshFormat::Obj, text.as_bytes())
 }
 
 /// The triangles of a group by their places.
-fn places(group: &MeshGroup) -> Vec<[[f64; 3]; 3]> {
+fn places(group: &Group) -> Vec<[[f64; 3]; 3]> {
     let at = |v: VertexIndex| {
         let p = group.positions[v.get()];
         [p.x, p.y, p.z]
@@ -19,8 +44,8 @@ fn places(group: &MeshGroup) -> Vec<[[f64; 3]; 3]> {
     group.triangles.iter().map(|t| t.map(at)).collect()
 }
 
-fn sizes(design: &MeshDesign) -> Vec<(&str, usize, usize)> {
-    let size = |g: &MeshGroup| (g.positions.len(), g.triangles.len());
+fn sizes(design: &Groups) -> Vec<(&str, usize, usize)> {
+    let size = |g: &Group| (g.positions.len(), g.triangles.len());
     design.groups.iter().map(|g| (g.name.as_str(), size(g).0, size(g).1)).collect()
 }
 
@@ -43,7 +68,7 @@ fn groups_of_obj_are_panels_with_the_points_that_they_use() {
 fn a_file_without_groups_is_called_after_itself_and_units_count() {
     let options = ReadOptions { units: Some(Units::Inches), ..ReadOptions::default() };
     let text = format!("{SQUARE}f 1 2 3 4\n");
-    let design = read(MeshFormat::Obj, text.as_bytes(), "a/hood.OBJ", &options).unwrap();
+    let design = groups_of(read(MeshFormat::Obj, text.as_bytes(), "a/hood.OBJ", &options).unwrap());
     assert_eq!(sizes(&design), [("hood", 4, 2)]);
     assert_eq!(design.groups[0].positions[2], sheetwright::math::Point3::new(50.8, 25.4, 0.0));
 }

@@ -160,7 +160,7 @@ enum Plan {
 
 /// The PDF of all pieces of a design. `docs/outputs.md` says what a reader may rely on.
 pub fn write_pdf(made: &Made, options: &PdfOptions) -> WrittenPdf {
-    let pieces: Vec<&Piece> = made.panels.iter().map(|panel| &panel.piece).collect();
+    let pieces: Vec<&Piece> = made.parts.iter().map(|part| &part.piece).collect();
     write_pieces(&made.name, &pieces, options)
 }
 

@@ -4,14 +4,13 @@ use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, distance, line, nu
 use super::rulings::{APART, APART_CLASSES, MOST_RUNGS, Middles, legend, rung_classes};
 use super::wording::{millimetres, thinned};
 use sheetwright::edge::{Edge, EdgeSource};
-use sheetwright::index::SampleIndex;
-use sheetwright::make::MadePanel;
+use sheetwright::index::VertexIndex;
+use sheetwright::make::Part;
 use sheetwright::material::Material;
 use sheetwright::math::{Point2, Vec2, angle_between, from_deg, unit2};
 use sheetwright::pattern::{PathKind, Piece, Role, seam_mark};
 use sheetwright::rung::Rung;
 use std::collections::BTreeSet;
-use std::ops::Range;
 
 /// Room left and right of the pattern; the chart of warp has the same, so that the two line up.
 pub(super) const LEFT: f64 = 66.0;
@@ -46,8 +45,8 @@ pub(super) fn scale_of(piece: &Piece) -> f64 {
     (WIDTH - LEFT - RIGHT) / piece.size.x.max(1e-12)
 }
 
-/// The flat pattern of a panel, seen from the side that the surface faces.
-pub fn flat_picture(panel: &MadePanel, material: Option<&Material>) -> Picture {
+/// The flat pattern of a part whose surface was found.
+pub(super) fn ruled_picture(panel: &Part, material: Option<&Material>) -> Picture {
     let (scale, size) = (scale_of(&panel.piece), panel.piece.size);
     let bottom = TOP + scale * size.y;
     let place = |p: Point2| Point2::new(LEFT + scale * p.x, bottom - scale * p.y);
@@ -74,7 +73,7 @@ pub fn flat_picture(panel: &MadePanel, material: Option<&Material>) -> Picture {
 }
 
 fn rungs(
-    panel: &MadePanel,
+    panel: &Part,
     classes: &[Option<&'static str>],
     place: impl Fn(Point2) -> Point2,
 ) -> String {
@@ -86,7 +85,7 @@ fn rungs(
         .filter_map(|path| if let PathKind::Rung(rung) = path.kind { Some(rung) } else { None })
         .collect();
     let measured = &panel.measures.rungs;
-    let on_sheet = |n: usize| panel.sheet.rung_ends(n);
+    let on_sheet = |n: usize| panel.sheet.rung_ends()[n];
     let is_fold = |n: &usize| {
         let [a, b] = on_sheet(*n).map(|s| s.get());
         scored.contains(&Rung::new(a, b))
@@ -129,7 +128,7 @@ fn rungs(
 }
 
 /// The ticks that are engraved at the ends of rulings and on the sides of seams.
-fn marks(panel: &MadePanel, place: impl Fn(Point2) -> Point2) -> String {
+fn marks(panel: &Part, place: impl Fn(Point2) -> Point2) -> String {
     let mut path = PathData::default();
     let is_tick = |kind: PathKind| matches!(kind, PathKind::RulingTick | PathKind::SeamTick);
     for tick in panel.piece.paths.iter().filter(|p| is_tick(p.kind)) {
@@ -139,11 +138,13 @@ fn marks(panel: &MadePanel, place: impl Fn(Point2) -> Point2) -> String {
 }
 
 /// The two edges where the pattern overlaps itself.
-fn overlap(panel: &MadePanel, place: impl Fn(Point2) -> Point2) -> String {
+fn overlap(panel: &Part, place: impl Fn(Point2) -> Point2) -> String {
     let Some((a, b)) = panel.flat.overlap else { return String::new() };
     let mut body = String::new();
     for i in [a, b] {
-        let ends = [i, next_on_sheet(panel, i)].map(|k| place(panel.flat.points[k]));
+        let vertex = VertexIndex::new(i);
+        let next = panel.sheet.next_on_border(vertex).unwrap_or(vertex);
+        let ends = [vertex, next].map(|v| place(panel.flat.points[v.get()]));
         body += &line("w", &ends);
         if i == a {
             body += &circle("ring", ends[0].lerp(ends[1], 0.5), 13.0);
@@ -179,31 +180,25 @@ pub(super) fn dimensions(size: Vec2, scale: f64, bottom: f64) -> String {
 }
 
 /// The length of the whole outline, mm.
-pub(super) fn outline_length(panel: &MadePanel) -> f64 {
-    outer_loop(panel).map(|i| step(panel, i)).sum()
+pub(super) fn outline_length(panel: &Part) -> f64 {
+    let outline = &panel.sheet.loops()[0];
+    let next = outline.iter().cycle().skip(1);
+    let at = |v: &VertexIndex| panel.flat.points[v.get()];
+    outline.iter().zip(next).map(|(a, b)| at(a).distance(at(b))).sum()
 }
 
-/// The samples of the outline on the sheet.
-fn outer_loop(panel: &MadePanel) -> Range<usize> {
-    panel.sheet.surface().connectivity().loops()[0].clone()
-}
-
-/// The sample after one on its loop of the sheet.
-fn next_on_sheet(panel: &MadePanel, i: usize) -> usize {
-    let loops = panel.sheet.surface().connectivity().loops();
-    let own = &loops[loops.partition_point(|range| range.end <= i)];
-    if i + 1 == own.end { own.start } else { i + 1 }
-}
-
-fn step(panel: &MadePanel, i: usize) -> f64 {
-    panel.flat.points[i].distance(panel.flat.points[next_on_sheet(panel, i)])
+/// The vertices along some steps of the border, by their numbers.
+fn way_along(steps: &[[VertexIndex; 2]]) -> Vec<usize> {
+    let first = steps.first().map(|step| step[0].get());
+    first.into_iter().chain(steps.iter().map(|step| step[1].get())).collect()
 }
 
 /// The longest stretches of the outline's edges, from corner to corner, in the order of the
 /// outline, and the sides of seams. None where the outline is one edge without corners.
-pub(super) fn edges(panel: &MadePanel) -> Vec<Tagged<'_>> {
-    let outer = outer_loop(panel);
-    let of_outline = panel.edges.iter().filter(|edge| outer.contains(&edge.run[0]));
+pub(super) fn edges(panel: &Part) -> Vec<Tagged<'_>> {
+    let outline = &panel.sheet.loops()[0];
+    let is_outer = |edge: &&Edge| outline.contains(&VertexIndex::new(edge.run[0]));
+    let of_outline = panel.edges.iter().filter(is_outer);
     let is_cut = |edge: &&Edge| matches!(edge.source, EdgeSource::Cut { .. });
     let runs = of_outline.filter(|edge| !is_cut(edge));
     let runs: Vec<(&Edge, Vec<usize>)> =
@@ -217,8 +212,8 @@ pub(super) fn edges(panel: &MadePanel) -> Vec<Tagged<'_>> {
     let mut tags = Tags::of(&panel.piece);
     let mut sides: Vec<Tagged<'_>> = Vec::new();
     for (n, seam) in panel.sheet.seams().iter().enumerate() {
-        for side in seam.sides {
-            let side = Stretch::new(panel, &side.map(|s| s.get()));
+        for steps in seam.steps() {
+            let side = Stretch::new(panel, &way_along(&steps));
             let at = tags.place(&side.places);
             sides.push(Tagged { letter: seam_mark(n), edge: None, length_mm: side.length_mm, at });
         }
@@ -251,11 +246,11 @@ pub(super) fn edges(panel: &MadePanel) -> Vec<Tagged<'_>> {
 
 /// The stretches of an edge between sharp corners of the boundary: of a closed one, from its first
 /// corner on.
-fn between_corners<'a>(panel: &MadePanel, edge: &'a Edge) -> Vec<(&'a Edge, Vec<usize>)> {
+fn between_corners<'a>(panel: &Part, edge: &'a Edge) -> Vec<(&'a Edge, Vec<usize>)> {
     let is_corner = |n: usize| {
-        let sample = panel.sheet.origin(SampleIndex::new(edge.run[n]));
-        let sample = panel.boundary.samples()[sample.get()];
-        angle_between(sample.tangent_in, sample.tangent_out) > from_deg(CORNER_DEG)
+        let sample = panel.sheet.sample(VertexIndex::new(edge.run[n]));
+        let sample = panel.found().map(|found| found.boundary.samples()[sample.get()]);
+        sample.is_some_and(|s| angle_between(s.tangent_in, s.tangent_out) > from_deg(CORNER_DEG))
     };
     let last = edge.run.len() - 1;
     let mut run = edge.run.clone();
@@ -280,7 +275,7 @@ struct Stretch {
 }
 
 impl Stretch {
-    fn new(panel: &MadePanel, samples: &[usize]) -> Self {
+    fn new(panel: &Part, samples: &[usize]) -> Self {
         let at = |i: usize| panel.flat.points[i];
         let steps = samples.windows(2).map(|w| at(w[0]).distance(at(w[1])));
         let length_mm = steps.sum();

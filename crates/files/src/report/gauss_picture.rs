@@ -10,7 +10,7 @@ use super::strips::strips;
 use super::view::View;
 use super::wording::decimal;
 use sheetwright::index::{TriangleIndex, VertexIndex};
-use sheetwright::make::{MadeMesh, MadePanel};
+use sheetwright::make::{Found, Origin, Part};
 use sheetwright::material::Material;
 use sheetwright::math::{Point2, Vec3, angle_between, cos, from_deg, sin, to_deg, unit};
 use sheetwright::mesh::{Mesh, crease_angles};
@@ -39,15 +39,15 @@ const SEEN: f64 = 0.05;
 /// Points of a curve that lie closer than this in the picture are left out.
 const APART: f64 = 0.5;
 
-/// The Gauss image of a panel, on the sphere and enlarged. `None` where no rung has normals.
-pub fn gauss_picture(panel: &MadePanel, material: Option<&Material>) -> Option<Picture> {
-    Image::of(panel, material).map(|image| pictured(&image, &panel.name))
-}
-
-/// The Gauss image of a mesh panel: where two triangles meet, the directions that they face are
-/// joined. `None` where no triangles meet.
-pub fn mesh_gauss_picture(panel: &MadeMesh) -> Option<Picture> {
-    Image::of_mesh(&panel.mesh).map(|image| pictured(&image, &panel.name))
+/// The Gauss image of a part, on the sphere and enlarged: of its rungs, or of a mesh, where two
+/// triangles meet, the directions that they face, joined. `None` where no rung has normals, and no
+/// triangles meet.
+pub fn gauss_picture(part: &Part, material: Option<&Material>) -> Option<Picture> {
+    let image = match &part.origin {
+        Origin::Found(found) => Image::of(part, found, material),
+        Origin::Given(given) => Image::of_mesh(&given.mesh),
+    };
+    image.map(|image| pictured(&image, &part.name))
 }
 
 fn pictured(image: &Image, name: &str) -> Picture {
@@ -78,8 +78,8 @@ struct Image {
 }
 
 impl Image {
-    fn of(panel: &MadePanel, material: Option<&Material>) -> Option<Self> {
-        let measured = &panel.measures.rungs;
+    fn of(part: &Part, found: &Found, material: Option<&Material>) -> Option<Self> {
+        let measured = &part.measures.rungs;
         let known = |n: &usize| measured[*n].normals[0] != Vec3::ZERO;
         let mut middle = Vec3::ZERO;
         for n in (0..measured.len()).filter(known) {
@@ -88,26 +88,26 @@ impl Image {
         if !(0..measured.len()).any(|n| known(&n)) {
             return None;
         }
-        let facing = unit(middle).or(unit(panel.boundary.area_vector())).unwrap_or(Vec3::Z);
-        let mut found = Vec::new();
-        for strip in strips(panel.surface.connectivity()) {
+        let facing = unit(middle).or(unit(found.boundary.area_vector())).unwrap_or(Vec3::Z);
+        let mut runs = Vec::new();
+        for strip in strips(found.surface.connectivity()) {
             let mut run = Vec::new();
             for (n, sides) in strip {
                 if !known(&n) {
-                    found.push(std::mem::take(&mut run));
+                    runs.push(std::mem::take(&mut run));
                     continue;
                 }
                 let [low, high] = measured[n].normals;
                 let as_it_is = sides == measured[n].rung.ends();
                 run.push(if as_it_is { [low, high] } else { [high, low] });
             }
-            found.push(run);
+            runs.push(run);
         }
-        found.retain(|run| !run.is_empty());
-        let classes = rung_classes(panel, material, RUNGS);
+        runs.retain(|run| !run.is_empty());
+        let classes = rung_classes(part, material, RUNGS);
         let drawn = (0..measured.len()).filter(known);
         let rungs = drawn.filter_map(|n| Some((classes[n]?, measured[n].normals))).collect();
-        Some(Self { view: View::from(facing), strips: found, rungs })
+        Some(Self { view: View::from(facing), strips: runs, rungs })
     }
 
     fn of_mesh(mesh: &Mesh) -> Option<Self> {

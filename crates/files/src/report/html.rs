@@ -1,54 +1,47 @@
 //! `report.html`: the report for people, one file that works offline.
 
-use super::flat_picture::{Tagged, edges, flat_picture, outline_length};
 use super::form::{ReportForm, Row, short};
-use super::gauss_picture::gauss_picture;
-use super::moved_picture::{enlarged, moved_picture};
-use super::space_picture::{design_picture, surface_picture};
+use super::found_page::FoundPage;
+use super::mesh_page::MeshPage;
+use super::page::Page;
+use super::space_picture::design_picture;
 use super::style::page_style;
 use super::verdict::{findings, severity, verdict};
-use super::view::box_of;
-use super::warp_chart::warp_chart;
 use super::wording::{
-    area, decimal, degrees, millimetres, millimetres_fine, per_cent, radius, refold, scientific,
-    steradians, verdict_sentence, verdict_word,
+    area, decimal, degrees, millimetres, per_cent, plain_per_cent, radius, refold, verdict_sentence,
 };
-use super::worst_rung;
 use crate::words::finding_text;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use sheetwright::check::Checked;
-use sheetwright::make::{Made, MadePanel};
-use sheetwright::material::{Material, warp_limit_deg};
-use sheetwright::math::{from_deg, to_deg};
-use sheetwright::measure::RungMeasures;
-use sheetwright::pattern::seam_mark;
-use sheetwright::triangulate::Goal;
-use std::collections::BTreeSet;
+use sheetwright::make::{Made, Origin};
+use sheetwright::material::{stretch_limit, warp_limit_deg};
+use sheetwright::math::to_deg;
 
-/// `report.html` of a made design. `refold_error_mm` and `checked` have one entry a panel; a refold
+/// `report.html` of a made design. `refold_error_mm` and `checked` have one entry a part; a refold
 /// error that is not finite says that the written pattern could not be read back.
 ///
 /// # Panics
-/// Unless there is one entry a panel.
+/// Unless there is one entry a part.
 pub fn report_html(
     made: &Made,
     refold_error_mm: &[f64],
     checked: &[Checked],
     form: ReportForm,
 ) -> Vec<u8> {
-    assert_eq!(made.panels.len(), refold_error_mm.len(), "one refold error a panel");
-    assert_eq!(made.panels.len(), checked.len(), "one verdict a panel");
-    let each = made.panels.iter().zip(refold_error_mm).zip(checked).enumerate();
+    assert_eq!(made.parts.len(), refold_error_mm.len(), "one refold error a part");
+    assert_eq!(made.parts.len(), checked.len(), "one verdict a part");
+    let each = made.parts.iter().zip(refold_error_mm).zip(checked).enumerate();
     let pages: Vec<Page<'_>> = each
-        .map(|(n, ((panel, &refold_error_mm), checked))| Page {
+        .map(|(n, ((part, &refold_error_mm), checked))| Page {
             made,
             number: n + 1,
-            panel,
+            part,
             refold_error_mm,
             checked,
-            material: made.material.as_ref(),
         })
         .collect();
+    let columns = columns(&pages);
+    let labels: Vec<&str> = columns.iter().map(|column| column.label).collect();
     let is_short = form.is_short(pages.len());
     document(
         &made.name,
@@ -57,19 +50,19 @@ pub fn report_html(
             p.sub { (subtitle(made)) }
             @if !is_short {
                 ul.cards {
-                    @for page in &pages { (card(page.number, &page.panel.name, page.checked)) }
+                    @for page in &pages { (card(page.number, &page.part.name, page.checked)) }
                 }
             }
-            @if made.panels.len() > 1 {
+            @if made.parts.len() > 1 {
                 figure.whole {
                     (PreEscaped(design_picture(made).inline()))
-                    figcaption { "All panels in space, with their rulings." }
+                    figcaption { "All panels in space, with their rulings, creases and cuts." }
                 }
             }
             @if is_short {
-                (short(&SUMMARY, pages.iter().map(Page::row).collect()))
+                (short(&labels, pages.iter().map(|page| page.row(&columns)).collect()))
             } @else {
-                (summary(&SUMMARY, pages.iter().map(|p| (&p.panel.name[..], p.summary()))))
+                (summary(&labels, pages.iter().map(|p| (&p.part.name[..], p.values(&columns)))))
                 @for page in &pages { (page.section()) }
             }
         },
@@ -82,7 +75,7 @@ const POLICY: &str =
     "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'";
 
 /// The page of a design: what its body shows, with the head that every report has.
-pub(super) fn document(name: &str, body: Markup) -> Vec<u8> {
+fn document(name: &str, body: Markup) -> Vec<u8> {
     let page = html! {
         (DOCTYPE)
         html lang="en" {
@@ -101,30 +94,45 @@ pub(super) fn document(name: &str, body: Markup) -> Vec<u8> {
     bytes
 }
 
+/// How many panels there are, and what their sheet takes.
 fn subtitle(made: &Made) -> String {
-    let panels = match made.panels.len() {
-        1 => "1 panel".to_owned(),
-        n => format!("{n} panels"),
+    let meshes = made.parts.iter().filter(|part| part.given().is_some()).count();
+    let count = made.parts.len();
+    let panels = match (count, meshes == count) {
+        (1, false) => "1 panel".to_owned(),
+        (1, true) => "1 mesh panel".to_owned(),
+        (n, false) => format!("{n} panels"),
+        (n, true) => format!("{n} mesh panels"),
     };
+    let stretch = plain_per_cent(stretch_limit(made.material.as_ref()));
+    let mut takes = Vec::new();
     match &made.material {
-        Some(m) => format!(
-            "{panels} of {}: takes a warp of {}° and a bend radius of {}",
-            m.title,
-            decimal(m.warp_limit_deg.value, 1),
-            millimetres(m.bend_radius_mm.value)
-        ),
-        None => format!(
-            "{panels}, no material named: a warp of {}° is accepted, and any bend radius",
-            decimal(warp_limit_deg(None), 1)
-        ),
+        Some(m) => {
+            if meshes < count {
+                let warp = decimal(m.warp_limit_deg.value, 1);
+                let radius = millimetres(m.bend_radius_mm.value);
+                takes.push(format!("a warp of {warp}° and a bend radius of {radius}"));
+            }
+            if meshes > 0 {
+                takes.push(format!("{stretch} of stretch"));
+            }
+            format!("{panels} of {}: takes {}", m.title, takes.join(", and "))
+        }
+        None => {
+            if meshes < count {
+                let warp = decimal(warp_limit_deg(None), 1);
+                takes.push(format!("a warp of {warp}° is accepted, and any bend radius"));
+            }
+            if meshes > 0 {
+                takes.push(format!("{stretch} of stretch is accepted"));
+            }
+            format!("{panels}, no material named: {}", takes.join("; "))
+        }
     }
 }
 
 /// The table of all panels: a row for the name of each with what stands under each label.
-pub(super) fn summary<'a>(
-    labels: &[&str],
-    rows: impl Iterator<Item = (&'a str, Vec<String>)>,
-) -> Markup {
+fn summary<'a>(labels: &[&str], rows: impl Iterator<Item = (&'a str, Vec<String>)>) -> Markup {
     html! {
         table.summary {
             caption { "All panels" }
@@ -148,282 +156,109 @@ pub(super) fn summary<'a>(
     }
 }
 
-const SUMMARY: [&str; 6] = [
-    "Flat size",
-    "Area",
-    "Warp, largest / mean",
-    "Tightest bend radius",
-    "Length error",
-    "Refold error",
+/// A column of the table of all panels, with what stands there; nothing where a part has no such
+/// quantity.
+struct Column {
+    label: &'static str,
+    value: fn(&Page<'_>) -> Option<String>,
+}
+
+const COLUMNS: [Column; 9] = [
+    Column {
+        label: "Flat size",
+        value: |page| {
+            let size = page.part.piece.size;
+            Some(format!("{} × {}", millimetres(size.x), millimetres(size.y)))
+        },
+    },
+    Column { label: "Area", value: |page| Some(area(page.part.measures.area_flat_mm2)) },
+    Column {
+        label: "Warp, largest / mean",
+        value: |page| {
+            let measures = page.part.found().map(|_| &page.part.measures)?;
+            let [largest, mean] = [measures.warp_max, measures.warp_mean].map(to_deg);
+            Some(format!("{} / {}", degrees(largest), degrees(mean)))
+        },
+    },
+    Column {
+        label: "Tightest bend radius",
+        value: |page| page.part.found().map(|_| radius(page.part.measures.bend_radius_min_mm)),
+    },
+    Column {
+        label: "Length error, largest",
+        value: |page| Some(per_cent(page.part.measures.length_error_max)),
+    },
+    Column {
+        label: "Length error, mean",
+        value: |page| page.part.given().map(|_| per_cent(page.part.measures.length_error_mean)),
+    },
+    Column {
+        label: "Stretch, least / most",
+        value: |page| {
+            let stretch = page.part.measures.distortion.as_ref()?;
+            let [least, most] = [stretch.stretch_min, stretch.stretch_max].map(|s| decimal(s, 4));
+            Some(format!("{least} / {most}"))
+        },
+    },
+    Column {
+        label: "Seams",
+        value: |page| page.part.given().map(|_| page.part.sheet.seams().len().to_string()),
+    },
+    Column {
+        label: "Refold error",
+        value: |page| page.part.found().map(|_| refold(page.refold_error_mm)),
+    },
 ];
 
-/// A warp that is shown as none, degrees: half of the last digit that is printed.
-const NO_WARP_DEG: f64 = 0.005;
-
-/// A panel with all that its part of the page shows.
-struct Page<'a> {
-    made: &'a Made,
-    /// From 1.
-    number: usize,
-    panel: &'a MadePanel,
-    refold_error_mm: f64,
-    checked: &'a Checked,
-    material: Option<&'a Material>,
+/// The columns in which some part has something.
+fn columns(pages: &[Page<'_>]) -> Vec<&'static Column> {
+    let has = |column: &&Column| pages.iter().any(|page| (column.value)(page).is_some());
+    COLUMNS.iter().filter(has).collect()
 }
 
 impl Page<'_> {
-    fn row(&self) -> Row<'_> {
-        let Self { panel, checked, .. } = *self;
-        Row { name: &panel.name, piece: &panel.piece, checked, values: self.summary() }
+    fn row(&self, columns: &[&Column]) -> Row<'_> {
+        let Self { part, checked, .. } = *self;
+        Row { name: &part.name, piece: &part.piece, checked, values: self.values(columns) }
     }
 
-    fn summary(&self) -> Vec<String> {
-        let (measures, size) = (&self.panel.measures, self.panel.piece.size);
-        vec![
-            format!("{} × {}", millimetres(size.x), millimetres(size.y)),
-            area(measures.area_flat_mm2),
-            format!(
-                "{} / {}",
-                degrees(to_deg(measures.warp_max)),
-                degrees(to_deg(measures.warp_mean))
-            ),
-            radius(measures.bend_radius_min_mm),
-            per_cent(measures.length_error_max),
-            refold(self.refold_error_mm),
-        ]
+    fn values(&self, columns: &[&Column]) -> Vec<String> {
+        let value = |column: &&Column| (column.value)(self).unwrap_or_else(|| "–".to_owned());
+        columns.iter().map(value).collect()
     }
 
     fn section(&self) -> Markup {
-        let (panel, material) = (self.panel, self.material);
+        let (figures, numbers) = match &self.part.origin {
+            Origin::Found(found) => {
+                let page = FoundPage { page: self, found };
+                (html! { (page.figures()) (page.before_and_after()) }, page.numbers())
+            }
+            Origin::Given(given) => {
+                let page = MeshPage { page: self, given };
+                (html! { (page.figures()) (page.seams()) (page.joints()) }, page.numbers())
+            }
+        };
+        let is_mesh = self.part.given().is_some();
         html! {
             section.panel id={ "panel-" (self.number) } {
-                h2 { (panel.name) }
+                h2 { (self.part.name) }
                 p { (verdict(self.checked)) }
-                p { (verdict_sentence(self.checked.verdict)) }
+                p { (verdict_sentence(self.checked.verdict, is_mesh)) }
                 (findings(self.checked))
-                div.figures {
-                    div.column {
-                        figure.first {
-                            (PreEscaped(surface_picture(panel, material).inline()))
-                            figcaption { (self.space_caption()) }
-                        }
-                        @if let Some(gauss) = gauss_picture(panel, material) {
-                            figure.fourth {
-                                (PreEscaped(gauss.inline()))
-                                figcaption { (gauss_caption(self.panel.measures.gauss_area_sr)) }
-                            }
-                        }
-                    }
-                    div.column {
-                        figure.second {
-                            (PreEscaped(flat_picture(panel, material).inline()))
-                            (self.flat_caption())
-                        }
-                        @if let Some(chart) = warp_chart(panel, material) {
-                            figure.third {
-                                (PreEscaped(chart.inline()))
-                                figcaption { (self.warp_caption()) }
-                            }
-                        } @else {
-                            p.third { "One triangle is flat: there is nothing to bend." }
-                        }
-                    }
-                }
-                (self.before_and_after())
-                (self.numbers())
-            }
-        }
-    }
-
-    /// What moving the boundary has changed, if it was to be moved.
-    fn before_and_after(&self) -> Markup {
-        let (panel, material) = (self.panel, self.material);
-        let Some(change) = panel.change.as_ref() else { return html! {} };
-        let before: &MadePanel = &change.before;
-        let rows = [
-            ("Verdict", [before, panel].map(|p| verdict_word(p.checked.verdict).to_owned())),
-            ("Largest warp", [before, panel].map(|p| degrees(to_deg(p.measures.warp_max)))),
-            ("Mean warp", [before, panel].map(|p| degrees(to_deg(p.measures.warp_mean)))),
-            ("Twist, total", [before, panel].map(|p| scientific(p.measures.twist_total))),
-            ("Price, total", [before, panel].map(|p| scientific(p.triangulation.price))),
-        ];
-        html! {
-            h3 { "Before and after the boundary was moved" }
-            p {
-                "Samples moved by up to " (millimetres_fine(change.moved_max_mm())) ", by "
-                (millimetres_fine(change.moved_total_mm())) " in sum: " (change.ended.to_string())
-                "."
-            }
-            table.summary {
-                thead { tr { th scope="col" {} th scope="col" { "Before" } th scope="col" { "After" } } }
-                tbody {
-                    @for (name, [was, is]) in rows {
-                        tr {
-                            th scope="row" { (name) }
-                            td data-label="Before" { (was) }
-                            td data-label="After" { (is) }
-                        }
+                (figures)
+                h3 { "Numbers" }
+                dl.numbers {
+                    @for (name, value) in numbers {
+                        div { dt { (name) } dd { (value) } }
                     }
                 }
             }
-            @if let Some(picture) = moved_picture(panel) {
-                div.figures {
-                    div.column {
-                        figure {
-                            (PreEscaped(picture.inline()))
-                            figcaption {
-                                strong { "Where it moved. " }
-                                "The boundary before (dark) and after (blue), with the way between "
-                                (decimal(enlarged(change), 0)) " times as long as it is."
-                            }
-                        }
-                    }
-                    div.column {
-                        @if let Some(chart) = warp_chart(before, material) {
-                            figure {
-                                (PreEscaped(chart.inline()))
-                                figcaption { strong { "Warp before. " } "Above is the warp after." }
-                            }
-                        }
-                    }
-                }
-            }
-        }
-    }
-
-    /// Whether the panel is no flat plate.
-    fn bends(&self) -> bool {
-        self.panel.measures.rungs.iter().any(RungMeasures::bends)
-    }
-
-    fn space_caption(&self) -> Markup {
-        let size = box_of(self.panel);
-        html! {
-            strong { "In space. " }
-            @if self.bends() {
-                "The thin lines are rulings, along which the sheet stays straight. "
-            }
-            "Blue is the side that the pattern shows, brown the other. It fills a box of "
-            (millimetres(size.x)) " × " (millimetres(size.y)) " × " (millimetres(size.z))
-            " (x, y, z)."
-        }
-    }
-
-    fn flat_caption(&self) -> Markup {
-        let (panel, edges) = (self.panel, edges(self.panel));
-        // Both sides of a seam are one length.
-        let mut seen = BTreeSet::new();
-        html! {
-            figcaption {
-                strong { "Laid flat. " }
-                "The outline to cut. "
-                @if self.bends() {
-                    "Short strokes mark where to lay the straightedge; dashed lines are folds. "
-                }
-                "The whole outline is " (millimetres(outline_length(self.panel)))
-                " long."
-                @if !panel.sheet.seams().is_empty() {
-                    " It is cut open along " b { (seam_mark(0)) }
-                    @if panel.sheet.seams().len() > 1 {
-                        " to " b { (seam_mark(panel.sheet.seams().len() - 1)) }
-                    }
-                    ": join the sides that have the same mark."
-                }
-                @if !edges.is_empty() {
-                    ul.edges {
-                        @for edge in edges.iter().filter(|edge| seen.insert(&edge.letter)) {
-                            li { b { (edge.letter) } " " (self.edge_text(edge)) }
-                        }
-                    }
-                }
-            }
-        }
-    }
-
-    /// The name of an edge, how long it is, and what it is joined to.
-    fn edge_text(&self, tagged: &Tagged<'_>) -> String {
-        let length = millimetres(tagged.length_mm);
-        let Some(edge) = tagged.edge else { return length };
-        let mates = edge.mates.iter().map(|mate| &self.made.panels[mate.panel].name[..]);
-        let mates: Vec<&str> = mates.collect();
-        if mates.is_empty() {
-            format!("{}, {length}", edge.name)
-        } else {
-            format!("{}, {length}, joined to {}", edge.name, mates.join(", "))
-        }
-    }
-
-    /// Whether some ruling turns by more than the limit which may come from the sampling.
-    fn is_unsure(&self) -> bool {
-        let limit = from_deg(warp_limit_deg(self.material));
-        let is_so = |r: &RungMeasures| r.warp > limit && r.warp_beyond_sampling() <= limit;
-        self.panel.measures.rungs.iter().any(is_so)
-    }
-
-    fn warp_caption(&self) -> Markup {
-        let measures = &self.panel.measures;
-        html! {
-            strong { "Warp. " }
-            "How far the sheet twists from one end of each ruling to the other: the less, the \
-             easier it bends. The dashed line is the limit of "
-            (self.material.map_or("any sheet", |m| &m.title)) "."
-            @if self.is_unsure() {
-                " Dashed bars may be the bend from one sample to the next instead of twist: more \
-                 samples would tell."
-            }
-            @if to_deg(measures.warp_max) < NO_WARP_DEG {
-                " No ruling of this panel twists."
-            } @else if let Some(worst) = worst_rung(measures) {
-                " The largest, " (degrees(to_deg(measures.warp_max))) ", is at ruling "
-                (worst + 1) " of " (measures.rungs.len()) "."
-            }
-        }
-    }
-
-    fn numbers(&self) -> Markup {
-        let (panel, measures) = (self.panel, &self.panel.measures);
-        let optimal = match panel.triangulation.gap() {
-            Some(0.0) => "yes".to_owned(),
-            Some(gap) => format!("within {:.2} %", 100.0 * gap),
-            None => "not proven".to_owned(),
-        };
-        let goal = match panel.goal {
-            Goal::Price => "price",
-            Goal::WorstWarp => "worst warp, then price",
-        };
-        let rows: [(&str, String); 17] = [
-            ("Samples", panel.boundary.len().to_string()),
-            ("Triangles", panel.surface.connectivity().triangles().len().to_string()),
-            ("Rulings (rungs)", measures.rungs.len().to_string()),
-            ("Method", panel.method.name().to_owned()),
-            ("Made least", goal.to_owned()),
-            ("Best possible", optimal),
-            ("Fold price ν", format!("{}", panel.fold)),
-            ("Price, total", scientific(panel.triangulation.price)),
-            ("Twist, total", scientific(measures.twist_total)),
-            ("Largest crease", degrees(to_deg(measures.crease_max))),
-            ("Tightest bend radius", radius(measures.bend_radius_min_mm)),
-            ("Area of the Gauss image", steradians(measures.gauss_area_sr)),
-            ("Area in space", area(measures.area_space_mm2)),
-            ("Area of the pattern", area(measures.area_flat_mm2)),
-            ("Length error, largest", scientific(measures.length_error_max)),
-            ("Length error, mean", scientific(measures.length_error_mean)),
-            ("Refold error", self.refold_number()),
-        ];
-        numbers(&rows)
-    }
-
-    fn refold_number(&self) -> String {
-        if self.refold_error_mm.is_finite() {
-            format!("{}\u{a0}mm", scientific(self.refold_error_mm))
-        } else {
-            refold(self.refold_error_mm)
         }
     }
 }
 
 /// The card of a panel, by its number from 1, which leads to its part of the page.
-pub(super) fn card(number: usize, name: &str, checked: &Checked) -> Markup {
+fn card(number: usize, name: &str, checked: &Checked) -> Markup {
     html! {
         li class={ "card " (severity(checked).name()) } {
             div { a href={ "#panel-" (number) } { (name) } }
@@ -435,26 +270,5 @@ pub(super) fn card(number: usize, name: &str, checked: &Checked) -> Markup {
                 }
             }
         }
-    }
-}
-
-/// A list of numbers with their names.
-pub(super) fn numbers(rows: &[(&str, String)]) -> Markup {
-    html! {
-        h3 { "Numbers" }
-        dl.numbers {
-            @for (name, value) in rows { div { dt { (name) } dd { (value) } } }
-        }
-    }
-}
-
-fn gauss_caption(area_sr: f64) -> Markup {
-    html! {
-        strong { "Which way it faces. " }
-        "Every direction is a point on a ball; each ruling is drawn from the direction at its one \
-         end (blue) to that at its other (green). One thin curve: the sheet bends without \
-         stretching. A ribbon or an area: it must stretch, the more the wider it is. Its area here is "
-        (steradians(area_sr))
-        ", of 12.57\u{a0}sr that the whole ball has; a little always comes from the sampling."
     }
 }

@@ -1,22 +1,20 @@
 //! `report.json`: what was measured and found, for scripts.
 
+use crate::mesh::aim_name;
 use crate::quads::PanelQuads;
 use crate::words::{finding_place, finding_text};
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::Serialize;
 use serde_json::Result;
-use sheetwright::check::{Checked, Verdict, seam_length};
+use sheetwright::check::{Checked, Verdict};
 use sheetwright::edge::{Edge, EdgePlace};
-use sheetwright::flatten::Aim;
-use sheetwright::index::{SampleIndex, VertexIndex};
-use sheetwright::make::{Change, Made, MadeMesh, MadeMeshes, MadePanel};
-use sheetwright::material::{Material, stretch_limit, warp_limit_deg};
+use sheetwright::make::{Change, Found, Given, Made, Origin, Part};
+use sheetwright::material::{stretch_limit, warp_limit_deg};
 use sheetwright::math::to_deg;
-use sheetwright::measure::gauss_area_of_mesh;
-use sheetwright::mesh::crease_angles;
 use sheetwright::pattern::seam_mark;
 use sheetwright::quads::PlanarEnd;
+use sheetwright::sheet::Seam;
 use sheetwright::triangulate::Goal;
 
 /// The version of the format.
@@ -279,7 +277,7 @@ struct FindingReport {
     r#where: String,
 }
 
-/// `report.json` of a made design. `refold_error_mm` and `checked` have one entry a panel; a refold
+/// `report.json` of a made design. `refold_error_mm` and `checked` have one entry a part; a refold
 /// error that is not finite says that the written pattern could not be read back. So has `quads`,
 /// where they were made.
 ///
@@ -287,56 +285,26 @@ struct FindingReport {
 /// What JSON can't say; a report is numbers, texts and lists, which it can.
 ///
 /// # Panics
-/// Unless there is one entry a panel.
+/// Unless there is one entry a part.
 pub fn report_json(
     made: &Made,
     refold_error_mm: &[f64],
     checked: &[Checked],
     quads: &[Option<PanelQuads>],
 ) -> Result<Vec<u8>> {
-    assert_eq!(made.panels.len(), refold_error_mm.len(), "one refold error a panel");
-    assert_eq!(made.panels.len(), checked.len(), "one verdict a panel");
-    let limit = warp_limit_deg(made.material.as_ref());
-    let named = made.panels.iter().map(|panel| (&panel.name[..], &panel.edges[..]));
-    let named: Vec<Named<'_>> = named.collect();
-    assert_eq!(made.panels.len(), quads.len(), "quads or none a panel");
-    let each = made.panels.iter().zip(refold_error_mm).zip(checked.iter().zip(quads));
-    let panels = each.map(|((panel, &error), (checked, quads))| {
-        let edges = of_edges(&panel.edges, &named);
-        of_panel(panel, edges, error, checked, quads.as_ref(), limit)
+    assert_eq!(made.parts.len(), refold_error_mm.len(), "one refold error a part");
+    assert_eq!(made.parts.len(), checked.len(), "one verdict a part");
+    assert_eq!(made.parts.len(), quads.len(), "quads or none a part");
+    let each = made.parts.iter().zip(refold_error_mm).zip(checked.iter().zip(quads));
+    let panels = each.map(|((part, &error_mm), (checked, quads))| {
+        let common = of_part(made, part, error_mm, checked);
+        match &part.origin {
+            Origin::Found(found) => of_found(common, part, found, quads.as_ref()),
+            Origin::Given(given) => of_given(common, made, part, given),
+        }
     });
-    report(&made.name, made.material.as_ref(), panels.collect())
-}
-
-/// `report.json` of meshes, with one entry of `written_error_mm` and `checked` a panel.
-///
-/// # Errors
-/// What JSON can't say; a report is numbers, texts and lists, which it can.
-///
-/// # Panics
-/// Unless there is one entry a panel.
-pub fn mesh_report_json(
-    made: &MadeMeshes,
-    written_error_mm: &[f64],
-    checked: &[Checked],
-) -> Result<Vec<u8>> {
-    assert_eq!(made.panels.len(), written_error_mm.len(), "one error a panel");
-    assert_eq!(made.panels.len(), checked.len(), "one verdict a panel");
-    let each = made.panels.iter().zip(written_error_mm).zip(checked);
-    let named = made.panels.iter().map(|panel| (&panel.name[..], &panel.edges[..]));
-    let named: Vec<Named<'_>> = named.collect();
-    let panels = each.map(|((panel, &error), checked)| {
-        of_mesh(made, panel, of_edges(&panel.edges, &named), error, checked)
-    });
-    report(&made.name, made.material.as_ref(), panels.collect())
-}
-
-fn report(
-    name: &str,
-    material: Option<&Material>,
-    panels: Vec<PanelReport<'_>>,
-) -> Result<Vec<u8>> {
-    let material = material.map(|m| &m.name[..]);
+    let panels = panels.collect();
+    let (name, material) = (&made.name[..], made.material.as_ref().map(|m| &m.name[..]));
     to_bytes(&Report { sheetwright: VERSION, name, units: "mm", material, panels })
 }
 
@@ -365,13 +333,10 @@ fn of_findings(checked: &Checked) -> Vec<FindingReport> {
     findings.collect()
 }
 
-/// A panel with its edges.
-type Named<'a> = (&'a str, &'a [Edge]);
-
-fn of_edges<'a>(edges: &'a [Edge], panels: &[Named<'_>]) -> Vec<EdgeReport<'a>> {
+fn of_edges<'a>(part: &'a Part, parts: &[Part]) -> Vec<EdgeReport<'a>> {
     let mate = |at: &EdgePlace| {
-        let (panel, edges) = panels[at.panel];
-        format!("{panel}/{}", edges[at.edge].name)
+        let other = &parts[at.part];
+        format!("{}/{}", other.name, other.edges[at.edge].name)
     };
     let of_edge = |edge: &'a Edge| EdgeReport {
         name: &edge.name,
@@ -380,78 +345,69 @@ fn of_edges<'a>(edges: &'a [Edge], panels: &[Named<'_>]) -> Vec<EdgeReport<'a>> 
         mates: edge.mates.iter().map(mate).collect(),
         difference_mm: edge.difference_mm,
     };
-    edges.iter().map(of_edge).collect()
+    part.edges.iter().map(of_edge).collect()
 }
 
-fn of_mesh<'a>(
-    made: &'a MadeMeshes,
-    panel: &'a MadeMesh,
-    edges: Vec<EdgeReport<'a>>,
-    written_error_mm: f64,
-    checked: &'a Checked,
-) -> PanelReport<'a> {
-    let (sheet, measures) = (&panel.sheet.mesh, &panel.measures);
-    let seams = panel.sheet.seams.iter().enumerate().map(|(n, seam)| {
-        let at = |v: VertexIndex| panel.flat.points[v.get()];
-        let length = |side: &Vec<VertexIndex>| {
-            side.windows(2).map(|pair| at(pair[0]).distance(at(pair[1]))).sum()
-        };
-        // How far apart both sides of either end lie.
-        let [left, right] = &seam.sides;
-        let gap = |n: usize| at(left[n]).distance(at(right[n]));
+fn of_seams(part: &Part) -> Vec<SeamReport> {
+    let of_seam = |(n, seam): (usize, &Seam)| {
+        let ends = part.found().map(|_| part.sheet.seam_rung(seam).ends().map(|s| s.get() + 1));
         SeamReport {
             mark: seam_mark(n),
-            length_mm: seam_length(sheet, seam),
-            sides_mm: [length(left), length(right)],
-            from_sample: None,
-            to_sample: None,
-            gap_mm: gap(0).max(gap(left.len() - 1)),
+            length_mm: seam.length_mm,
+            sides_mm: seam.sides_flat_mm(&part.flat.points),
+            from_sample: ends.map(|[from, _]| from),
+            to_sample: ends.map(|[_, to]| to),
+            gap_mm: seam.gap_mm,
         }
-    });
-    let joints = panel.joints.iter().map(|joint| JointReport {
-        mark: &joint.mark,
-        with: &made.panels[joint.with].name,
-        length_mm: joint.length_mm,
-        flat_mm: steps_length(panel, &joint.steps),
-    });
-    let creases = crease_angles(sheet);
+    };
+    part.sheet.seams().iter().enumerate().map(of_seam).collect()
+}
+
+/// What is told of every part; what is told of a kind alone is left out.
+fn of_part<'a>(
+    made: &'a Made,
+    part: &'a Part,
+    refold_error_mm: f64,
+    checked: &'a Checked,
+) -> PanelReport<'a> {
+    let (sheet, measures) = (&part.sheet, &part.measures);
     PanelReport {
-        name: &panel.name,
+        name: &part.name,
         method: "mesh",
         goal: None,
-        aim: Some(aim_name(made.aim)),
+        aim: None,
         proven_optimal: None,
         gap: None,
-        samples: panel.piece.loops().map(<[_]>::len).sum(),
-        triangles: sheet.triangles().len(),
+        samples: part.piece.loops().map(<[_]>::len).sum(),
+        triangles: sheet.mesh().triangles().len(),
         rungs: None,
         fold: None,
         price_total: None,
         twist_total: None,
-        crease_max_deg: to_deg(creases.into_iter().fold(0.0, f64::max)),
+        crease_max_deg: to_deg(measures.crease_max),
         warp_max_deg: None,
         warp_mean_deg: None,
         warp_limit_deg: warp_limit_deg(made.material.as_ref()),
         bend_radius_min_mm: None,
-        gauss_area_sr: gauss_area_of_mesh(&panel.mesh),
+        gauss_area_sr: measures.gauss_area_sr,
         length_error_max: measures.length_error_max,
         length_error_mean: measures.length_error_mean,
-        length_error_area_mean: Some(measures.length_error_mean_by_area),
-        stretch_max: Some(measures.stretch_max),
-        stretch_min: Some(measures.stretch_min),
-        stretch_limit: Some(stretch_limit(made.material.as_ref())),
+        length_error_area_mean: None,
+        stretch_max: None,
+        stretch_min: None,
+        stretch_limit: None,
         area_space_mm2: measures.area_space_mm2,
         area_flat_mm2: measures.area_flat_mm2,
-        flat_width_mm: panel.piece.size.x,
-        flat_height_mm: panel.piece.size.y,
+        flat_width_mm: part.piece.size.x,
+        flat_height_mm: part.piece.size.y,
         holes_flat: sheet.loops().len() - 1,
-        seams: seams.collect(),
-        joints: joints.collect(),
-        edges,
-        refold_error_mm: Some(written_error_mm).filter(|error| error.is_finite()),
-        rebuilt_distance_max_mm: panel.rebuilt.as_ref().map(|r| r.distance_max_mm),
-        rebuilt_distance_mean_mm: panel.rebuilt.as_ref().map(|r| r.distance_mean_mm),
-        overlaps: panel.flat.overlap.is_some(),
+        seams: of_seams(part),
+        joints: Vec::new(),
+        edges: of_edges(part, &made.parts),
+        refold_error_mm: finite(refold_error_mm),
+        rebuilt_distance_max_mm: None,
+        rebuilt_distance_mean_mm: None,
+        overlaps: part.flat.overlap.is_some(),
         self_intersects: None,
         moved_max_mm: 0.0,
         moved_total_mm: 0.0,
@@ -462,87 +418,63 @@ fn of_mesh<'a>(
     }
 }
 
-/// How long some steps are on the pattern, mm.
-pub(super) fn steps_length(panel: &MadeMesh, steps: &[[VertexIndex; 2]]) -> f64 {
-    let at = |v: VertexIndex| panel.flat.points[v.get()];
-    steps.iter().map(|[a, b]| at(*a).distance(at(*b))).sum()
+fn finite(x: f64) -> Option<f64> {
+    x.is_finite().then_some(x)
 }
 
-/// How the command line and reports name an aim.
-pub(super) fn aim_name(aim: Aim) -> &'static str {
-    match aim {
-        Aim::Mean => "mean",
-        Aim::Max => "max",
-        Aim::Seams => "seams",
+fn of_given<'a>(
+    common: PanelReport<'a>,
+    made: &'a Made,
+    part: &'a Part,
+    given: &'a Given,
+) -> PanelReport<'a> {
+    let distortion = part.measures.distortion.as_ref();
+    let joints = given.joints.iter().map(|joint| JointReport {
+        mark: &joint.mark,
+        with: &made.parts[joint.with].name,
+        length_mm: joint.length_mm,
+        flat_mm: joint.flat_mm(&part.flat.points),
+    });
+    PanelReport {
+        aim: Some(aim_name(given.aim)),
+        length_error_area_mean: distortion.map(|d| d.length_error_mean_by_area),
+        stretch_max: distortion.map(|d| d.stretch_max),
+        stretch_min: distortion.map(|d| d.stretch_min),
+        stretch_limit: Some(stretch_limit(made.material.as_ref())),
+        joints: joints.collect(),
+        rebuilt_distance_max_mm: given.rebuilt.as_ref().map(|r| r.distance_max_mm),
+        rebuilt_distance_mean_mm: given.rebuilt.as_ref().map(|r| r.distance_mean_mm),
+        ..common
     }
 }
 
-fn of_panel<'a>(
-    panel: &'a MadePanel,
-    edges: Vec<EdgeReport<'a>>,
-    refold_error_mm: f64,
-    checked: &'a Checked,
+fn of_found<'a>(
+    common: PanelReport<'a>,
+    part: &'a Part,
+    found: &'a Found,
     quads: Option<&PanelQuads>,
-    warp_limit_deg: f64,
 ) -> PanelReport<'a> {
-    let finite = |x: f64| x.is_finite().then_some(x);
-    let (connectivity, measures) = (panel.surface.connectivity(), &panel.measures);
-    let seams = panel.sheet.seams().iter().enumerate().map(|(n, seam)| {
-        let [from, to] = seam.rung.ends();
-        let flat = |s: SampleIndex| panel.flat.points[s.get()];
-        SeamReport {
-            mark: seam_mark(n),
-            length_mm: panel.surface.length(from, to),
-            sides_mm: seam.sides.map(|[a, b]| flat(a).distance(flat(b))),
-            from_sample: Some(from.get() + 1),
-            to_sample: Some(to.get() + 1),
-            gap_mm: seam.gap_mm,
-        }
-    });
+    let measures = &part.measures;
+    let change = found.change.as_ref();
     PanelReport {
-        name: &panel.name,
-        method: panel.method.name(),
-        goal: Some(panel.goal.name()),
-        aim: None,
-        proven_optimal: Some(panel.triangulation.proven_optimal),
-        gap: panel.triangulation.gap(),
-        samples: panel.boundary.len(),
-        triangles: connectivity.triangles().len(),
-        rungs: Some(connectivity.hinges().len()),
-        fold: Some(panel.fold),
-        price_total: Some(panel.triangulation.price),
+        method: found.method.name(),
+        goal: Some(found.goal.name()),
+        proven_optimal: Some(found.triangulation.proven_optimal),
+        gap: found.triangulation.gap(),
+        samples: found.boundary.len(),
+        rungs: Some(found.surface.connectivity().hinges().len()),
+        fold: Some(found.fold),
+        price_total: Some(found.triangulation.price),
         twist_total: Some(measures.twist_total),
-        crease_max_deg: to_deg(measures.crease_max),
         warp_max_deg: Some(to_deg(measures.warp_max)),
         warp_mean_deg: Some(to_deg(measures.warp_mean)),
-        warp_limit_deg,
         bend_radius_min_mm: finite(measures.bend_radius_min_mm),
-        gauss_area_sr: measures.gauss_area_sr,
-        length_error_max: measures.length_error_max,
-        length_error_mean: measures.length_error_mean,
-        length_error_area_mean: None,
-        stretch_max: None,
-        stretch_min: None,
-        stretch_limit: None,
-        area_space_mm2: measures.area_space_mm2,
-        area_flat_mm2: measures.area_flat_mm2,
-        flat_width_mm: panel.piece.size.x,
-        flat_height_mm: panel.piece.size.y,
-        holes_flat: panel.sheet.surface().connectivity().loops().len() - 1,
-        seams: seams.collect(),
-        joints: Vec::new(),
-        edges,
-        refold_error_mm: finite(refold_error_mm),
-        rebuilt_distance_max_mm: None,
-        rebuilt_distance_mean_mm: None,
-        overlaps: panel.flat.overlap.is_some(),
         self_intersects: Some(measures.self_crossing.is_some()),
-        moved_max_mm: panel.change.as_ref().map_or(0.0, Change::moved_max_mm),
-        moved_total_mm: panel.change.as_ref().map_or(0.0, Change::moved_total_mm),
-        before: panel.change.as_ref().map(|change| of_before(&change.before)),
+        moved_max_mm: change.map_or(0.0, Change::moved_max_mm),
+        moved_total_mm: change.map_or(0.0, Change::moved_total_mm),
+        before: change.and_then(|change| of_before(&change.before)),
         quads: quads.map(of_quads),
-        verdict: checked.verdict.name(),
-        findings: of_findings(checked),
+        ..common
     }
 }
 
@@ -564,12 +496,12 @@ fn of_quads(quads: &PanelQuads) -> QuadsReport {
     }
 }
 
-fn of_before(before: &MadePanel) -> BeforeReport {
-    BeforeReport {
-        price_total: before.triangulation.price,
+fn of_before(before: &Part) -> Option<BeforeReport> {
+    Some(BeforeReport {
+        price_total: before.found()?.triangulation.price,
         twist_total: before.measures.twist_total,
         warp_max_deg: to_deg(before.measures.warp_max),
         warp_mean_deg: to_deg(before.measures.warp_mean),
         verdict: before.checked.verdict.name(),
-    }
+    })
 }

@@ -6,17 +6,19 @@
 //! every platform: all colours and sizes of letters are classes of one style sheet.
 
 mod canvas;
+mod drawn;
 mod flat_picture;
 mod form;
+mod found_page;
 mod gauss_picture;
+mod heat_picture;
 mod html;
 mod json;
-mod mesh_html;
-mod mesh_picture;
+mod mesh_page;
 mod moved_picture;
 mod order;
+mod page;
 mod paint;
-mod part;
 mod quads_picture;
 mod raster;
 mod rulings;
@@ -29,20 +31,30 @@ mod warp_chart;
 mod wording;
 
 pub use canvas::{Picture, side_by_side, stacked};
-pub use flat_picture::flat_picture;
 pub use form::ReportForm;
-pub use gauss_picture::{gauss_picture, mesh_gauss_picture};
+pub use gauss_picture::gauss_picture;
 pub use html::report_html;
-pub use json::{mesh_report_json, report_json, report_schema};
-pub use mesh_html::mesh_report_html;
-pub use mesh_picture::{heat_picture, mesh_picture, meshes_picture};
+pub use json::{report_json, report_schema};
 pub use moved_picture::moved_picture;
 pub use quads_picture::quads_picture;
-pub use space_picture::{design_picture, surface_picture};
+pub use space_picture::{design_picture, space_picture};
 pub use warp_chart::warp_chart;
 pub use wording::{verdict_sentence, verdict_word};
 
+use sheetwright::make::{Origin, Part};
+use sheetwright::material::Material;
 use sheetwright::measure::Measures;
+
+/// The flat pattern of a part, seen from the side that the surface faces; of a mesh, each triangle
+/// coloured by how much lengths differ.
+pub fn flat_picture(part: &Part, material: Option<&Material>) -> Picture {
+    match (&part.origin, &part.measures.distortion) {
+        (Origin::Given(given), Some(distortion)) => {
+            heat_picture::heat_picture(part, given, distortion, material)
+        }
+        _ => flat_picture::ruled_picture(part, material),
+    }
+}
 
 /// The rung with the largest warp angle, by its number from 0, the first of equals; `None` without
 /// rungs.

@@ -4,7 +4,7 @@ use super::canvas::{PathData, Picture, WIDTH, line, round_below};
 use super::space_picture::Fit;
 use super::view::view_of;
 use sheetwright::boundary::size_of;
-use sheetwright::make::{Change, MadePanel};
+use sheetwright::make::{Change, Part};
 use sheetwright::math::{Point2, Point3};
 
 /// The largest displacement is drawn at most this long, as a share of the size of the panel.
@@ -19,8 +19,8 @@ pub(super) fn enlarged(change: &Change) -> f64 {
 }
 
 /// The boundary before, and where it was moved to, with the way enlarged; `None` if nothing moved.
-pub fn moved_picture(panel: &MadePanel) -> Option<Picture> {
-    let change = panel.change.as_ref().filter(|change| change.moved_max_mm() > 0.0)?;
+pub fn moved_picture(part: &Part) -> Option<Picture> {
+    let change = part.change().filter(|change| change.moved_max_mm() > 0.0)?;
     let times = enlarged(change);
     let view = view_of(std::slice::from_ref(&change.before));
     let larger = |[from, to]: &[Point3; 2]| *from + (*to - *from) * times;
@@ -30,7 +30,8 @@ pub fn moved_picture(panel: &MadePanel) -> Option<Picture> {
     let placed = |list: &[Point2]| list.iter().map(|p| fit.place(*p)).collect::<Vec<_>>();
     let (before, after) = (placed(&before), placed(&after));
     let mut outlines = [PathData::default(), PathData::default()];
-    for of_loop in change.before.boundary.loops() {
+    let before_it_moved = change.before.found()?;
+    for of_loop in before_it_moved.boundary.loops() {
         for (outline, points) in outlines.iter_mut().zip([&before, &after]) {
             outline.ring(points[of_loop.clone()].iter().copied());
         }
@@ -42,6 +43,6 @@ pub fn moved_picture(panel: &MadePanel) -> Option<Picture> {
     }
     body += &outlines[1].element("curve");
     body += &fit.foot(&view);
-    let title = format!("{}: how its boundary was moved, {times} times enlarged", panel.name);
+    let title = format!("{}: how its boundary was moved, {times} times enlarged", part.name);
     Some(Picture::new(WIDTH, fit.total, title, body))
 }

@@ -5,14 +5,14 @@ use super::paint::{Scene, joined, shades_of};
 use super::raster::Facet;
 use super::space_picture::Fit;
 use super::view::view_of;
-use sheetwright::make::MadePanel;
+use sheetwright::make::Part;
 use sheetwright::math::{Point2, Vec2, Vec3};
 use sheetwright::quads::QuadMesh;
 use std::collections::BTreeMap;
 
 /// The quads of a panel in space.
-pub fn quads_picture(panel: &MadePanel, quads: &QuadMesh) -> Picture {
-    let view = view_of(std::slice::from_ref(panel));
+pub fn quads_picture(part: &Part, quads: &QuadMesh) -> Picture {
+    let view = view_of(std::slice::from_ref(part));
     let positions = quads.positions();
     let projected: Vec<Point2> = positions.iter().map(|&p| view.project(p)).collect();
     let fit = Fit::new(projected.iter());
@@ -51,5 +51,5 @@ pub fn quads_picture(panel: &MadePanel, quads: &QuadMesh) -> Picture {
         body += &path.element(class);
     }
     body += &fit.foot(&view);
-    Picture::new(WIDTH, fit.total, format!("{} in planar quads", panel.name), body)
+    Picture::new(WIDTH, fit.total, format!("{} in planar quads", part.name), body)
 }

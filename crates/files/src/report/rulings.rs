@@ -3,7 +3,7 @@
 use super::canvas::{Anchor, MARGIN, line, text};
 use super::wording::thinned;
 use super::worst_rung;
-use sheetwright::make::MadePanel;
+use sheetwright::make::Part;
 use sheetwright::material::{Material, warp_limit_deg};
 use sheetwright::math::{Point2, from_deg, to_deg};
 use sheetwright::measure::{RungMeasures, SHARP_CREASE_DEG};
@@ -20,21 +20,23 @@ pub(super) const RUNG_CLASSES: [&str; 6] = ["turn", "r", "score", "t", "x", "w"]
 pub(super) const APART_CLASSES: [&str; 2] = ["turn", "r"];
 /// The class of cuts in space: rungs along which the pattern is cut open.
 pub(super) const CUT: &str = "seam";
+/// The class of the sharp creases of a mesh, which are scored as folds are.
+pub(super) const CREASE: &str = "score";
 
 /// The class of every rung that is drawn: `w` the one that warps most, if it is beyond the limit,
 /// `x` beyond it, `t` bent more tightly than the sheet takes, `score` a fold, `turn` one that
 /// turns as sharply as the pattern engraves, `r` any other along which the sheet bends: on a flat
 /// part a line would look like a bend. At the most about `most` of each.
 pub(super) fn rung_classes(
-    panel: &MadePanel,
+    part: &Part,
     material: Option<&Material>,
     most: usize,
 ) -> Vec<Option<&'static str>> {
     let limit = from_deg(warp_limit_deg(material));
     let least_mm = material.map_or(0.0, |m| m.bend_radius_mm.value);
-    let rungs = &panel.measures.rungs;
+    let rungs = &part.measures.rungs;
     let is_beyond = |n: &usize| rungs[*n].warp_beyond_sampling() > limit;
-    let worst = worst_rung(&panel.measures).filter(is_beyond);
+    let worst = worst_rung(&part.measures).filter(is_beyond);
     let mut classes = vec![None; rungs.len()];
     let (beyond, within): (Vec<usize>, Vec<usize>) = (0..rungs.len()).partition(is_beyond);
     let (tight, wide): (Vec<usize>, Vec<usize>) =

@@ -1,15 +1,13 @@
-//! The surface in space: shaded triangles, rulings, the boundary and the cuts.
+//! Surfaces in space: shaded triangles, rulings or creases, the boundary and the cuts.
 
 use super::canvas::{Anchor, MARGIN, PathData, Picture, WIDTH, line, round_below, scale_bar, text};
+use super::drawn::{Drawn, Solid};
 use super::paint::{MOST_PATHS, Scene, coarse_shade, joined, shades_of};
-use super::part::Part;
 use super::raster::Facet;
-use super::rulings::{
-    APART, APART_CLASSES, CUT, MOST_RUNGS, Middles, RUNG_CLASSES, legend, rung_classes,
-};
+use super::rulings::{APART, APART_CLASSES, CREASE, CUT, Middles, RUNG_CLASSES, legend};
 use super::view::{View, view_of};
 use super::wording::length_short;
-use sheetwright::make::{Made, MadePanel};
+use sheetwright::make::{Made, Part};
 use sheetwright::material::Material;
 use sheetwright::math::{Point2, Vec2, Vec3};
 
@@ -25,79 +23,90 @@ const MOST_THICK: usize = 12;
 /// What lies behind a surface by less than this, in units of the picture, lies on it.
 const LIES_ON: f64 = 1.0;
 
-/// The surface of a panel in space, shaded, with rulings; those that warp more than the sheet takes
-/// stand out.
-pub fn surface_picture(panel: &MadePanel, material: Option<&Material>) -> Picture {
-    let title = format!("{} in space", panel.name);
-    pictured(std::slice::from_ref(panel), material, title)
+/// The surface of a part in space, shaded, with rulings or creases; rulings that warp more than the
+/// sheet takes stand out.
+pub fn space_picture(part: &Part, material: Option<&Material>) -> Picture {
+    let title = format!("{} in space", part.name);
+    pictured(std::slice::from_ref(part), material, title)
 }
 
-/// The surfaces of all panels of a design, as they lie in space.
+/// The surfaces of all parts of a design, as they lie in space.
 pub fn design_picture(made: &Made) -> Picture {
-    pictured(&made.panels, made.material.as_ref(), format!("{} in space", made.name))
+    pictured(&made.parts, made.material.as_ref(), format!("{} in space", made.name))
 }
 
-fn pictured(panels: &[MadePanel], material: Option<&Material>, title: String) -> Picture {
-    let view = view_of(panels);
-    let projected: Vec<Vec<Point2>> = panels
+fn pictured(parts: &[Part], material: Option<&Material>, title: String) -> Picture {
+    let view = view_of(parts);
+    let solids: Vec<Solid> = parts.iter().map(|part| Solid::of(part, material)).collect();
+    let projected: Vec<Vec<Point2>> = solids
         .iter()
-        .map(|panel| panel.surface.positions().iter().map(|&p| view.project(p)).collect())
+        .map(|solid| solid.positions.iter().map(|&p| view.project(p)).collect())
         .collect();
     let fit = Fit::new(projected.iter().flatten());
-    let parts: Vec<Part<'_>> = panels
-        .iter()
+    let placed = |points: &Vec<Point2>| points.iter().map(|p| fit.place(*p)).collect();
+    let drawn: Vec<Drawn> = solids
+        .into_iter()
         .zip(&projected)
-        .map(|(panel, points)| {
-            let points: Vec<Point2> = points.iter().map(|p| fit.place(*p)).collect();
-            Part::new(panel, &view, points, rung_classes(panel, material, MOST_RUNGS))
-        })
+        .map(|(solid, points)| Drawn::new(solid, &view, placed(points)))
         .collect();
-    let mut shades = shades_of(&view, &parts.iter().map(Part::areas).collect::<Vec<_>>());
+    let areas: Vec<Vec<Vec3>> = drawn.iter().map(|part| part.solid.areas.clone()).collect();
+    let mut shades = shades_of(&view, &areas);
     if shades.iter().map(Vec::len).sum::<usize>() > MOST_PATHS {
         shades.iter_mut().flatten().for_each(|shade| *shade = coarse_shade(*shade));
     }
     let facets: Vec<Facet> =
-        parts.iter().zip(&shades).flat_map(|(part, shades)| part.facets(shades)).collect();
+        drawn.iter().zip(&shades).flat_map(|(part, shades)| part.facets(shades)).collect();
     let scene = Scene::new(Vec2::new(WIDTH, fit.total), &facets, fit.millimetres(LIES_ON));
     let mut body = scene.fills();
-    body += &rungs(&parts, &shades, &scene);
-    body += &outlines(&parts, &shades, &scene);
+    body += &rungs(&drawn, &shades, &scene);
+    body += &outlines(&drawn, &shades, &scene);
     body += &fit.foot(&view);
-    let rungs = parts.iter().flat_map(|part| part.rungs.iter().copied().flatten());
-    let cuts = parts.iter().flat_map(|part| part.cuts().map(|_| CUT));
-    let shown = legend(rungs.chain(cuts), fit.total);
+    let rungs = drawn.iter().flat_map(|part| part.solid.rungs.iter().copied().flatten());
+    let lines = drawn.iter().flat_map(|part| {
+        let creases = part.solid.creases.iter().map(|_| CREASE);
+        creases.chain(part.solid.cuts.iter().map(|_| CUT))
+    });
+    let shown = legend(rungs.chain(lines), fit.total);
     Picture::new(WIDTH, fit.total + shown.height, title, body + &shown.body)
 }
 
-/// The boundaries of all parts, where their surfaces turn away from the eye, and the cuts along
-/// which their sheets are open.
-fn outlines(parts: &[Part<'_>], shades: &[Vec<u16>], scene: &Scene<'_>) -> String {
+/// The boundaries of all parts, their creases, where their surfaces turn away from the eye, and the
+/// cuts along which their sheets are open.
+fn outlines(parts: &[Drawn], shades: &[Vec<u16>], scene: &Scene<'_>) -> String {
     let (mut border, mut turns) = (PathData::default(), PathData::default());
-    let mut cuts = PathData::default();
+    let (mut creases, mut cuts) = (PathData::default(), PathData::default());
     for (part, shades) in parts.iter().zip(shades) {
-        let connectivity = part.panel.surface.connectivity();
-        let lines = connectivity.edges().map(|edge| part.line(edge));
-        if scene.is_plain() {
-            for range in connectivity.loops() {
-                border.ring(part.points[range.clone()].iter().copied());
+        let seen = |steps: &[[usize; 2]], path: &mut PathData| {
+            let lines = steps.iter().map(|&step| part.line(step));
+            let pieces = lines.flat_map(|(ends, near)| scene.visible(ends, near));
+            joined(pieces).into_iter().for_each(|run| path.line(run));
+        };
+        // A ring of the border is no line of a sheet that is cut open.
+        if scene.is_plain() && part.solid.cuts.is_empty() {
+            for of_loop in &part.solid.loops {
+                border.ring(of_loop.iter().map(|&n| part.points[n]));
             }
         } else {
-            let pieces = lines.flat_map(|(ends, near)| scene.visible(ends, near));
-            joined(pieces).into_iter().for_each(|run| border.line(run));
+            seen(&part.solid.border, &mut border);
+        }
+        if !scene.is_plain() {
             let lines = part.turns(shades).map(|ends| part.line(ends));
             let pieces = lines.flat_map(|(ends, near)| scene.visible_turn(ends, near));
             joined(pieces).into_iter().for_each(|run| turns.line(run));
         }
-        let lines = part.cuts().map(|ends| part.line(ends));
-        lines.flat_map(|(ends, near)| scene.visible(ends, near)).for_each(|run| cuts.line(run));
+        seen(&part.solid.creases, &mut creases);
+        seen(&part.solid.cuts, &mut cuts);
     }
     let class = |name: &str| name.to_owned() + if parts.len() > MOST_THICK { " thin" } else { "" };
-    turns.element("e thin") + &border.element(&class("e")) + &cuts.element(&class(CUT))
+    turns.element("e thin")
+        + &creases.element(CREASE)
+        + &border.element(&class("e"))
+        + &cuts.element(&class(CUT))
 }
 
 /// The rungs of all parts, as far as they are seen. Where rulings would run into one another, some
 /// are left out.
-fn rungs(parts: &[Part<'_>], shades: &[Vec<u16>], scene: &Scene<'_>) -> String {
+fn rungs(parts: &[Drawn], shades: &[Vec<u16>], scene: &Scene<'_>) -> String {
     let apart = if parts.len() > 1 { APART_OF_SEVERAL } else { APART };
     let mut drawn = Middles::apart(apart);
     let mut body = String::new();

@@ -4,7 +4,7 @@ use super::*;
 use crate::quads::PanelQuads;
 use samples::*;
 use sheetwright::check::Checked;
-use sheetwright::make::{Made, MadeMeshes, MeshOptions, make, make_meshes};
+use sheetwright::make::{Made, make};
 use sheetwright::watch::Unwatched;
 use std::path::Path;
 
@@ -14,13 +14,13 @@ fn all() -> Vec<Made> {
 }
 
 fn checks(made: &Made) -> (Vec<f64>, Vec<Checked>) {
-    let errors = made.panels.iter().map(|_| 2e-10).collect();
-    (errors, made.panels.iter().map(|p| p.checked.clone()).collect())
+    let errors = made.parts.iter().map(|_| 2e-10).collect();
+    (errors, made.parts.iter().map(|p| p.checked.clone()).collect())
 }
 
 /// No quads for any panel.
 fn none(made: &Made) -> Vec<Option<PanelQuads>> {
-    vec![None; made.panels.len()]
+    vec![None; made.parts.len()]
 }
 
 fn html(made: &Made) -> String {
@@ -87,18 +87,18 @@ fn the_json_has_the_fields_of_the_contract_in_their_order() {
     assert!(place("sheetwright") < place("name") && place("name") < place("units"));
     let panel = &json(&made)["panels"][2];
     assert!(PANEL_FIELDS.iter().all(|f| panel.get(f).is_some()));
-    assert_eq!(panel["samples"], made.panels[2].boundary.len());
-    assert_eq!(panel["rungs"], made.panels[2].measures.rungs.len());
+    assert_eq!(panel["samples"], made.parts[2].found().unwrap().boundary.len());
+    assert_eq!(panel["rungs"], made.parts[2].measures.rungs.len());
     assert_eq!(panel["moved_max_mm"], 0.0);
     assert_eq!(panel["refold_error_mm"], 2e-10);
-    let deg = sheetwright::math::to_deg(made.panels[2].measures.warp_max);
+    let deg = sheetwright::math::to_deg(made.parts[2].measures.warp_max);
     assert!(text.contains(&format!("\"warp_max_deg\": {deg},")), "in full precision");
 }
 
 #[test]
 fn what_was_moved_stands_beside_what_was_before() {
     let made = moved();
-    let change = made.panels[0].change.as_ref().unwrap();
+    let change = made.parts[0].change().unwrap();
     let panel = &json(&made)["panels"][0];
     assert_eq!(panel["moved_max_mm"], change.moved_max_mm());
     assert_eq!(panel["moved_total_mm"], change.moved_total_mm());
@@ -117,7 +117,7 @@ fn what_was_moved_stands_beside_what_was_before() {
 #[test]
 fn what_has_no_number_is_null() {
     let made = concave();
-    let checked = vec![made.panels[0].checked.clone()];
+    let checked = vec![made.parts[0].checked.clone()];
     let value: serde_json::Value =
         serde_json::from_slice(&report_json(&made, &[f64::NAN], &checked, &none(&made)).unwrap())
             .unwrap();
@@ -188,7 +188,7 @@ fn pictures_are_well_formed_and_every_class_has_a_rule() {
     for made in all() {
         let page = html(&made);
         let found = pictures(&page);
-        assert!(found.len() >= 2 * made.panels.len());
+        assert!(found.len() >= 2 * made.parts.len());
         for picture in found {
             let document = roxmltree::Document::parse(picture).unwrap();
             let root = document.root_element();
@@ -269,8 +269,8 @@ fn a_page_lets_a_browser_do_nothing_but_show_it() {
 #[test]
 fn the_short_form_shows_every_panel_in_a_few_kilobytes() {
     let mut made = facade(101);
-    let bad = helicoid().panels[0].clone();
-    made.panels[70] = bad;
+    let bad = helicoid().parts[0].clone();
+    made.parts[70] = bad;
     let page = html(&made);
     assert_eq!(pictures(&page).len(), 1 + 101, "the whole, and a thumbnail a panel");
     let told = page.find("Of 101 panels").map_or("nothing", |at| &page[at..at + 90]);
@@ -282,7 +282,7 @@ fn the_short_form_shows_every_panel_in_a_few_kilobytes() {
     let first = page.find("<th scope=\"row\">").unwrap();
     assert!(page[first..].starts_with("<th scope=\"row\">ramp<"), "what needs a look is first");
     assert!(page.len() < 101 * 4000, "{} bytes", page.len());
-    made.panels.truncate(100);
+    made.parts.truncate(100);
     assert!(html(&made).contains("class=\"numbers\""));
     let (errors, checked) = checks(&made);
     let short = report_html(&made, &errors, &checked, ReportForm::Short);
@@ -294,7 +294,7 @@ fn the_short_form_shows_every_panel_in_a_few_kilobytes() {
 fn bends_that_are_too_tight_stand_out() {
     let made = tight();
     let least = made.material.as_ref().unwrap().bend_radius_mm.value;
-    assert!(made.panels[0].measures.bend_radius_min_mm < least);
+    assert!(made.parts[0].measures.bend_radius_min_mm < least);
     let page = html(&made);
     let shown = pictures(&page).iter().filter(|p| p.contains(r#"class="t""#)).count();
     assert!(shown >= 2, "in space and flat");
@@ -313,8 +313,8 @@ fn lines(picture: &str, class: &str) -> usize {
 
 /// The pictures of the first panel in space and laid flat.
 fn space_and_flat(made: &Made) -> [String; 2] {
-    let panel = &made.panels[0];
-    [surface_picture(panel, made.material.as_ref()), flat_picture(panel, made.material.as_ref())]
+    let panel = &made.parts[0];
+    [space_picture(panel, made.material.as_ref()), flat_picture(panel, made.material.as_ref())]
         .map(|p| p.inline())
 }
 
@@ -336,7 +336,7 @@ fn rulings_are_drawn_where_the_sheet_bends() {
 #[test]
 fn a_page_speaks_of_rulings_where_there_are_any() {
     for (made, bends) in [(concave(), false), (quarter(), true)] {
-        let checked = [made.panels[0].checked.clone()];
+        let checked = [made.parts[0].checked.clone()];
         let page = report_html(&made, &[0.0], &checked, ReportForm::Long);
         let page = String::from_utf8(page).unwrap();
         for words in ["The thin lines are rulings", "Short strokes mark"] {
@@ -348,11 +348,10 @@ fn a_page_speaks_of_rulings_where_there_are_any() {
 #[test]
 fn a_picture_in_space_shows_where_the_sheet_is_cut_open() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/reducer.sheet.json");
-    let read = crate::read_any(&path, &crate::ReadOptions::default()).unwrap();
-    let crate::Input::Design(mut design) = read else { panic!("it is a design") };
+    let mut design = crate::read_input(&path, &crate::ReadOptions::default()).unwrap();
     design.panels[0].samples = 60;
     let made = make(&design, &mut Unwatched).unwrap();
-    assert_eq!(made.panels[0].sheet.seams().len(), 1);
+    assert_eq!(made.parts[0].sheet.seams().len(), 1);
     let [space, flat] = space_and_flat(&made);
     let both = (lines(&space, "seam"), lines(&flat, "seam"));
     assert_eq!(both, (2, 0), "with the legend; flat, the outline shows it");
@@ -364,7 +363,7 @@ fn a_picture_in_space_shows_where_the_sheet_is_cut_open() {
 fn no_number_fails_to_be_one() {
     let mut pages: Vec<String> = all().iter().map(html).collect();
     let made = quarter();
-    let checked = vec![made.panels[0].checked.clone()];
+    let checked = vec![made.parts[0].checked.clone()];
     let unread =
         String::from_utf8(report_html(&made, &[f64::NAN], &checked, ReportForm::Auto)).unwrap();
     assert!(unread.contains("not read back"));
@@ -404,8 +403,8 @@ fn charts_show_the_limit_and_what_is_beyond_it() {
 #[test]
 fn the_chart_is_as_unsure_as_the_verdict() {
     let made = coarse_quarter();
-    assert_eq!(made.panels[0].checked.verdict, sheetwright::check::Verdict::Undecided);
-    assert!(made.panels[0].measures.warp_max > sheetwright::math::from_deg(6.0));
+    assert_eq!(made.parts[0].checked.verdict, sheetwright::check::Verdict::Undecided);
+    assert!(made.parts[0].measures.warp_max > sheetwright::math::from_deg(6.0));
     let page = html(&made);
     assert!(page.contains("Can't tell yet") && page.contains("Dashed bars may be the bend"));
     assert!(page.contains(r#"<path class="bar unsure""#));
@@ -425,7 +424,7 @@ fn a_panel_without_rulings_has_no_chart() {
 #[test]
 fn an_error_is_not_hidden_behind_a_good_verdict() {
     let made = helicoid();
-    let mut checked = made.panels[0].checked.clone();
+    let mut checked = made.parts[0].checked.clone();
     checked.verdict = sheetwright::check::Verdict::Bends;
     checked.findings.retain(|f| f.code() == "overlap");
     assert_eq!(checked.findings.len(), 1);
@@ -447,7 +446,7 @@ fn the_time_of_a_report_grows_with_the_panels_and_no_faster() {
     let planks = hull(40, "steel-5mm");
     let time = |count: usize| {
         let mut made = planks.clone();
-        made.panels = (0..count).map(|n| planks.panels[n % 3].clone()).collect();
+        made.parts = (0..count).map(|n| planks.parts[n % 3].clone()).collect();
         let took = || {
             let start = std::time::Instant::now();
             assert!(!html(&made).is_empty());
@@ -467,16 +466,15 @@ fn the_picture_of_many_panels_stays_small() {
 }
 
 /// A mesh of the corpus, made.
-fn mesh(file: &str) -> MadeMeshes {
+fn mesh(file: &str) -> Made {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../corpus/good").join(file);
-    let read = crate::read_any(&path, &crate::ReadOptions::default()).unwrap();
-    let crate::Input::Mesh(design) = read else { panic!("{file} is no mesh") };
-    make_meshes(&design, &MeshOptions::default(), &mut Unwatched).unwrap()
+    let design = crate::read_input(&path, &crate::ReadOptions::default()).unwrap();
+    make(&design, &mut Unwatched).unwrap()
 }
 
 #[test]
 fn the_few_directions_of_a_mesh_are_dots_and_many_are_a_net() {
-    let image = |file| mesh_gauss_picture(&mesh(file).panels[0]).unwrap().inline();
+    let image = |file| gauss_picture(&mesh(file).parts[0], None).unwrap().inline();
     let dots = |body: &str| body.matches(r#"class="head""#).count();
     let plate = image("mesh-plate-with-crumbs.stl");
     assert_eq!((dots(&plate), plate.contains("few")), (1, false), "it faces one way");
@@ -493,7 +491,10 @@ fn the_few_directions_of_a_mesh_are_dots_and_many_are_a_net() {
 
 #[test]
 fn a_mesh_has_an_outline_where_it_turns_away() {
-    let outline = |file| mesh_picture(&mesh(file).panels[0]).inline().contains(r#"class="e thin""#);
+    let outline = |file| {
+        let picture = space_picture(&mesh(file).parts[0], None);
+        picture.inline().contains(r#"class="e thin""#)
+    };
     assert!(outline("mesh-tube.stl"));
     assert!(!outline("mesh-plate-with-crumbs.stl"));
 }
@@ -501,19 +502,17 @@ fn a_mesh_has_an_outline_where_it_turns_away() {
 #[test]
 fn planar_quads_have_their_border_beside_their_sides() {
     let made = quarter();
-    let panel = &made.panels[0];
-    let body = quads_picture(panel, &PanelQuads::new(panel).planar.mesh).inline();
+    let panel = &made.parts[0];
+    let body = quads_picture(panel, &PanelQuads::new(panel.found().unwrap()).planar.mesh).inline();
     assert!(body.contains(r#"class="r""#) && body.contains(r#"class="e""#), "{body}");
 }
 
 #[test]
 fn pictures_in_a_row_are_one_file() {
     let made = hull(40, "steel-5mm");
-    let panel = &made.panels[0];
-    let row = [
-        surface_picture(panel, made.material.as_ref()),
-        flat_picture(panel, made.material.as_ref()),
-    ];
+    let panel = &made.parts[0];
+    let row =
+        [space_picture(panel, made.material.as_ref()), flat_picture(panel, made.material.as_ref())];
     let text = side_by_side("A plank & its pattern", &row).standalone();
     let document = roxmltree::Document::parse(&text).unwrap();
     assert_eq!(document.root_element().attribute("width"), Some("976"));

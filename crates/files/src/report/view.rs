@@ -2,7 +2,7 @@
 
 use sheetwright::boundary::size_of;
 use sheetwright::index::TriangleIndex;
-use sheetwright::make::MadePanel;
+use sheetwright::make::{Origin, Part};
 use sheetwright::math::{Point2, Point3, Vec3, cos, from_deg, sin, unit};
 
 /// A parallel projection, world z up where that has a meaning.
@@ -54,26 +54,30 @@ const LENGTH: f64 = 0.9;
 /// The view is chosen by so many triangles, or one a panel if they are more.
 const LOOKED_AT: usize = 20_000;
 
-/// The view of some panels, from the side that they face: chosen among some dozens so that most of
+/// The view of some parts, from the side that they face: chosen among some dozens so that most of
 /// them is seen, aslant, nearly at full length and with little of their back.
-pub(super) fn view_of(panels: &[MadePanel]) -> View {
+pub(super) fn view_of(parts: &[Part]) -> View {
     let mut areas: Vec<Vec3> = Vec::new();
     let mut long = Vec3::ZERO;
-    let triangles = |panel: &MadePanel| panel.surface.connectivity().triangles().len();
-    let step = panels.iter().map(triangles).sum::<usize>().div_ceil(LOOKED_AT).max(1);
-    for panel in panels {
-        let all = (0..triangles(panel)).step_by(step);
-        areas.extend(all.map(|n| panel.surface.area_vector(TriangleIndex::new(n))));
-        let sheet = panel.sheet.surface().positions();
-        let of_panel = longest_direction(sheet, &panel.flat.points) * panel.boundary.size();
-        // The first panel says which way is right.
-        long += if of_panel.dot(long) < 0.0 { -of_panel } else { of_panel };
+    let triangles = |part: &Part| part.sheet.mesh().triangles().len();
+    let step = parts.iter().map(triangles).sum::<usize>().div_ceil(LOOKED_AT).max(1);
+    for part in parts {
+        let mesh = part.sheet.mesh();
+        let all = (0..triangles(part)).step_by(step);
+        areas.extend(all.map(|n| mesh.area_vector(TriangleIndex::new(n))));
+        let size = match &part.origin {
+            Origin::Found(found) => found.boundary.size(),
+            Origin::Given(_) => part.piece.size.length(),
+        };
+        let of_part = longest_direction(mesh.positions(), &part.flat.points) * size;
+        // The first part says which way is right.
+        long += if of_part.dot(long) < 0.0 { -of_part } else { of_part };
     }
     best_view(&areas, long)
 }
 
 /// The view of triangles with these area vectors, the whole being longest that way.
-pub(super) fn best_view(areas: &[Vec3], long: Vec3) -> View {
+fn best_view(areas: &[Vec3], long: Vec3) -> View {
     let long = unit(long).unwrap_or(Vec3::X);
     let mut best: Option<(f64, View)> = None;
     for step in 0..AZIMUTHS {
@@ -106,15 +110,15 @@ fn score(view: &View, areas: &[Vec3], long: Vec3) -> f64 {
 
 /// Where the flat pattern's x, its longer side, points in space: the sum over all samples of the
 /// way to them in space, times how far right of the mean they lie on the pattern.
-pub(super) fn longest_direction(space: &[Point3], flat: &[Point2]) -> Vec3 {
+fn longest_direction(space: &[Point3], flat: &[Point2]) -> Vec3 {
     let mean = flat.iter().map(|p| p.x).sum::<f64>() / flat.len() as f64;
     let Some(&first) = space.first() else { return Vec3::X };
     unit(space.iter().zip(flat).map(|(p, f)| (*p - first) * (f.x - mean)).sum()).unwrap_or(Vec3::X)
 }
 
-/// Length, width and height of the box around a panel along the axes, mm.
-pub(super) fn box_of(panel: &MadePanel) -> Vec3 {
-    let points = panel.surface.positions();
+/// Length, width and height of the box around a part along the axes, mm.
+pub(super) fn box_of(part: &Part) -> Vec3 {
+    let points = part.sheet.mesh().positions();
     let along =
         |axis: Vec3| size_of(points.iter().map(|p| Point3::from_vec(axis * p.to_vec().dot(axis))));
     Vec3::new(along(Vec3::X), along(Vec3::Y), along(Vec3::Z))

@@ -4,7 +4,7 @@ use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, line, rectangle, r
 use super::flat_picture::{LEFT, RIGHT, scale_of};
 use super::wording::decimal;
 use sheetwright::check::EASY_SHARE;
-use sheetwright::make::MadePanel;
+use sheetwright::make::Part;
 use sheetwright::material::{Material, warp_limit_deg};
 use sheetwright::math::{Point2, Vec2, from_deg, to_deg};
 
@@ -23,7 +23,7 @@ const BAND_FOR_TEXT: f64 = 20.0;
 /// The warp angle of every rung over its middle's place along the flat pattern, against the
 /// material's limit. What is above it but may come from the sampling looks unsure, as the verdict
 /// is. `None` without rungs.
-pub fn warp_chart(panel: &MadePanel, material: Option<&Material>) -> Option<Picture> {
+pub fn warp_chart(panel: &Part, material: Option<&Material>) -> Option<Picture> {
     if panel.measures.rungs.is_empty() {
         return None;
     }
@@ -47,7 +47,7 @@ pub fn warp_chart(panel: &MadePanel, material: Option<&Material>) -> Option<Pict
 
 /// Whether the rungs follow one another across the pattern rather than along it, as on a tube that
 /// is longer than wide.
-fn runs_across(panel: &MadePanel) -> bool {
+fn runs_across(panel: &Part) -> bool {
     let spread = |of: fn(Point2) -> f64| {
         let places = (0..panel.measures.rungs.len()).map(|rung| of(middle(panel, rung)));
         let (least, most) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| {
@@ -59,8 +59,8 @@ fn runs_across(panel: &MadePanel) -> bool {
 }
 
 /// The middle of a rung, by its number, on the pattern, mm.
-fn middle(panel: &MadePanel, rung: usize) -> Point2 {
-    let [a, b] = panel.sheet.rung_ends(rung).map(|s| panel.flat.points[s.get()]);
+fn middle(panel: &Part, rung: usize) -> Point2 {
+    let [a, b] = panel.sheet.rung_ends()[rung].map(|s| panel.flat.points[s.get()]);
     a.lerp(b, 0.5)
 }
 
@@ -74,7 +74,7 @@ struct Bar {
 }
 
 struct Chart<'a> {
-    panel: &'a MadePanel,
+    panel: &'a Part,
     /// Degrees.
     limit: f64,
     /// The top of the scale, degrees.

@@ -13,9 +13,18 @@ pub fn verdict_word(verdict: Verdict) -> &'static str {
     }
 }
 
-/// A verdict in a sentence.
-pub fn verdict_sentence(verdict: Verdict) -> &'static str {
+/// A verdict in a sentence, on a part whose surface was found or on a mesh.
+pub fn verdict_sentence(verdict: Verdict, is_mesh: bool) -> &'static str {
     match verdict {
+        Verdict::Bends if is_mesh => {
+            "Laid flat, no length changes by more than the sheet takes with ease."
+        }
+        Verdict::BendsAndFolds if is_mesh => {
+            "The sheet takes this shape with its creases folded along scored lines."
+        }
+        Verdict::BendsWithForce | Verdict::Undecided if is_mesh => {
+            "The sheet has to stretch to take this shape, by less than it bears."
+        }
         Verdict::Bends => "The sheet takes this shape by bending alone.",
         Verdict::BendsAndFolds => {
             "The sheet takes this shape by bending, and by sharp folds along scored lines."

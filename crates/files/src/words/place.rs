@@ -32,10 +32,6 @@ pub fn finding_place(finding: &Finding) -> String {
             format!("edges {}", sides.replacen("from", "from sample", 1))
         }
         (Place::Seams { seams: list }, _) => seams(list),
-        (Place::MeshSeams { count: 1 }, _) => seam_mark(0),
-        (Place::MeshSeams { count }, _) => {
-            format!("{} to {}", seam_mark(0), seam_mark(count.saturating_sub(1)))
-        }
         (Place::Points { at }, kind) => points(at, kind),
         (Place::CurvePoints { curve, numbers }, _) => {
             let first = numbers.first().map_or(0, |first| first + 1);
@@ -91,14 +87,20 @@ fn rungs(numbers: &[usize]) -> String {
     format!("{word} {}{}", shown.join(", "), and_more(ranges.len(), SHOWN, " ranges"))
 }
 
-/// Seams with their marks: `S1 from sample 3 to 17`.
+/// Seams with their marks: `S1 from sample 3 to 17`, or `S1 to S5` of a mesh, where all are meant.
 fn seams(list: &[SeamPlace]) -> String {
+    if let [SeamPlace { number: first, ends: None }, .., SeamPlace { number: last, .. }] = list {
+        return format!("{} to {}", seam_mark(*first), seam_mark(*last));
+    }
     let shown: Vec<String> = list
         .iter()
         .take(SHOWN)
         .map(|seam| {
-            let [a, b] = seam.ends.map(number);
-            format!("{} from sample {a} to {b}", seam_mark(seam.number))
+            let mark = seam_mark(seam.number);
+            match seam.ends.map(|ends| ends.map(number)) {
+                Some([a, b]) => format!("{mark} from sample {a} to {b}"),
+                None => mark,
+            }
         })
         .collect();
     format!("{}{}", shown.join(", "), and_more(list.len(), SHOWN, ""))

@@ -1,7 +1,7 @@
 //! Where something was found: what a pane can select, and a pattern can mark.
 
-use crate::flatten::{Seam, Sheet};
 use crate::measure::RungMeasures;
+use crate::sheet::{Seam, Sheet};
 use sheetwright_geometry::index::SampleIndex;
 use sheetwright_geometry::math::Point3;
 
@@ -31,15 +31,10 @@ pub enum Place {
         /// Each by its ends.
         sides: Vec<BorderSide>,
     },
-    /// Seams of a surface, some of them.
+    /// Seams of the sheet, some of them.
     Seams {
         /// Each by its number and its ends.
         seams: Vec<SeamPlace>,
-    },
-    /// All seams of a mesh.
-    MeshSeams {
-        /// How many there are.
-        count: usize,
     },
     /// Points in space.
     Points {
@@ -64,13 +59,13 @@ pub struct BorderSide {
     pub samples: [SampleIndex; 2],
 }
 
-/// A seam of a surface.
+/// A seam of a sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SeamPlace {
     /// Its number, which its mark shows.
     pub number: usize,
-    /// The samples that it runs between.
-    pub ends: [SampleIndex; 2],
+    /// The samples that it runs between; `None` of a mesh.
+    pub ends: Option<[SampleIndex; 2]>,
 }
 
 impl Place {
@@ -82,7 +77,10 @@ impl Place {
     /// The seams for which `is_so`.
     pub(super) fn seams(sheet: &Sheet, is_so: impl Fn(&Seam) -> bool) -> Self {
         let seams = sheet.seams().iter().enumerate().filter(|(_, seam)| is_so(seam));
-        let place = |(number, seam): (usize, &Seam)| SeamPlace { number, ends: seam.rung.ends() };
+        let place = |(number, seam): (usize, &Seam)| {
+            let ends = sheet.has_rungs().then(|| sheet.seam_rung(seam).ends());
+            SeamPlace { number, ends }
+        };
         Self::Seams { seams: seams.map(place).collect() }
     }
 

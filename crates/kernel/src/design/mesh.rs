@@ -1,30 +1,50 @@
-//! Meshes from elsewhere as one plain value: the other kind of design, whose surfaces are given
-//! instead of found.
+//! A panel whose surface is given, as triangles from elsewhere.
 
-use crate::material::Material;
+use crate::flatten::Aim;
 use sheetwright_geometry::index::VertexIndex;
 use sheetwright_geometry::math::Point3;
+use std::sync::Arc;
 
-/// Triangles that are one panel, or several that do not hang together.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MeshGroup {
-    /// Its name; no two groups share one.
-    pub name: String,
-    /// Its vertices, mm, each used by some triangle.
+/// Triangles that are one part, or several that do not hang together.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Triangles {
+    /// Their vertices, mm, each used by some triangle.
     pub positions: Vec<Point3>,
-    /// Its triangles.
+    /// Their corners.
     pub triangles: Vec<[VertexIndex; 3]>,
-    /// How many of its triangles were left out because two of their corners lie in one place.
+    /// How many triangles were left out because two of their corners lie in one place.
     pub left_out: usize,
 }
 
-/// All inputs of the main job, where surfaces are given as meshes.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MeshDesign {
-    /// Its name.
-    pub name: String,
-    /// The sheet it is made from, if one is named.
-    pub material: Option<Material>,
-    /// Its groups.
-    pub groups: Vec<MeshGroup>,
+/// The surface of a panel as a mesh, and how it is laid flat.
+#[derive(Clone, Debug)]
+pub struct PanelMesh {
+    /// Its triangles, which copies of a design share.
+    pub triangles: Arc<Triangles>,
+    /// What flattening makes small where it can't be exact. Default: the mean length error.
+    pub aim: Aim,
+    /// The mesh is divided into parts along creases above this angle, radians. Default: it is not.
+    pub split_creases: Option<f64>,
+    /// Whether parts that would have to stretch more than the material takes are cut from their
+    /// border to their worst points. Default: they are not.
+    pub darts: bool,
+}
+
+impl PanelMesh {
+    /// A mesh that is laid flat with the defaults.
+    pub fn new(triangles: Triangles) -> Self {
+        let triangles = Arc::new(triangles);
+        Self { triangles, aim: Aim::Mean, split_creases: None, darts: false }
+    }
+}
+
+impl PartialEq for PanelMesh {
+    fn eq(&self, other: &Self) -> bool {
+        // Copies of a design are compared at every move of a handle.
+        let same_triangles =
+            Arc::ptr_eq(&self.triangles, &other.triangles) || self.triangles == other.triangles;
+        same_triangles
+            && (self.aim, self.split_creases, self.darts)
+                == (other.aim, other.split_creases, other.darts)
+    }
 }

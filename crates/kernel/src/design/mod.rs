@@ -8,7 +8,7 @@ mod vary;
 
 pub use failure::Failure;
 pub use join::Join;
-pub use mesh::{MeshDesign, MeshGroup};
+pub use mesh::{PanelMesh, Triangles};
 pub use vary::{MovedBy, Vary, VaryGoal};
 
 use crate::material::Material;
@@ -56,6 +56,8 @@ pub enum PanelShape {
     },
     /// Other panels, joined.
     Join(Join),
+    /// Nothing: its surface is given as a mesh.
+    Mesh(PanelMesh),
 }
 
 /// Which triangulations of a panel are looked at.
@@ -93,7 +95,8 @@ pub struct DesignPanel {
     pub name: String,
     /// What bounds it.
     pub shape: PanelShape,
-    /// Samples of the outer loop, or of each rail.
+    /// Samples of the outer loop, or of each rail. What comes next, down to `cut`, is for surfaces
+    /// that are found; a mesh brings its own settings.
     pub samples: usize,
     /// Which triangulations are looked at.
     pub method: PanelMethod,
@@ -188,7 +191,7 @@ pub(crate) fn used<'a>(
                 let uses = std::iter::once(outer).chain(holes).flatten();
                 uses.map(|part| part.name.as_str()).collect()
             }
-            PanelShape::Join(_) => Vec::new(),
+            PanelShape::Join(_) | PanelShape::Mesh(_) => Vec::new(),
         }
     }
     let names = match shape {

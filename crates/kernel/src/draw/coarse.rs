@@ -11,8 +11,8 @@ use sheetwright_geometry::curve::Curve;
 /// with more get fewer in the same proportion, so that both sides of a seam still agree; a panel
 /// that shares a long curve with a finer one may then keep a few more.
 ///
-/// Points that are samples themselves stay, and joins are as fine as they ask for or their parts
-/// make them.
+/// Meshes have no samples. Points that are samples themselves stay, and joins are as fine as they
+/// ask for or their parts make them.
 pub fn coarse(design: &Design, most: usize) -> Design {
     let mut changed = design.clone();
     let finest: Vec<usize> = design
@@ -20,8 +20,8 @@ pub fn coarse(design: &Design, most: usize) -> Design {
         .iter()
         .map(|panel| within(design, panel, most).unwrap_or(panel.samples))
         .collect();
-    let shares =
-        finest.iter().zip(&design.panels).map(|(&n, p)| n as f64 / p.samples.max(1) as f64);
+    let sampled = finest.iter().zip(&design.panels).filter(|(_, p)| p.samples > 0);
+    let shares = sampled.map(|(&n, p)| n as f64 / p.samples as f64);
     let smallest = shares.fold(1.0, f64::min);
     for (panel, finest) in changed.panels.iter_mut().zip(finest) {
         let in_proportion = (panel.samples as f64 * smallest).floor() as usize;
@@ -75,7 +75,7 @@ fn least(design: &Design, panel: &DesignPanel) -> usize {
             rails.iter().map(of_rail).max().unwrap_or(2)
         }
         PanelShape::Loops { outer, .. } => corners(design, outer),
-        PanelShape::Join(_) => 3,
+        PanelShape::Join(_) | PanelShape::Mesh(_) => 3,
     }
 }
 
@@ -103,7 +103,7 @@ fn counter(design: &Design, panel: &DesignPanel) -> Option<impl Fn(usize) -> usi
             let holes = holes.iter().map(hole).collect::<Option<Vec<_>>>()?;
             (Some((length(outer)?, fixed(outer))), holes)
         }
-        PanelShape::Join(_) => return None,
+        PanelShape::Join(_) | PanelShape::Mesh(_) => return None,
     };
     Some(move |asked: usize| {
         let Some((length, fixed)) = outer else { return 2 * asked };

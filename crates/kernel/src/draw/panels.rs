@@ -153,7 +153,7 @@ fn loops_of(design: &Design, project: &impl Fn(Point3) -> Point2) -> Vec<Loop> {
                     loops.push(Loop { names, polygon, points, part });
                 }
             }
-            PanelShape::Join(_) => {}
+            PanelShape::Join(_) | PanelShape::Mesh(_) => {}
         }
     }
     for curve in design.curves.iter().filter(|c| c.closed && !bound.contains(c.name.as_str())) {
@@ -308,7 +308,7 @@ pub fn without_curve(design: &Design, name: &str) -> Design {
             holes.retain(|hole| !uses(hole));
             !uses(outer)
         }
-        PanelShape::Join(_) => true,
+        PanelShape::Join(_) | PanelShape::Mesh(_) => true,
     });
     changed.vary.retain_mut(|vary| left_of(&mut vary.curves, |curve| curve != name));
     without_lost_panels(changed)

@@ -1,15 +1,56 @@
 //! The runs of one source that a border is divided into, and their names.
 
 use super::{Edge, EdgeSource};
+use crate::sheet::Sheet;
+use sheetwright_geometry::index::VertexIndex;
 use sheetwright_geometry::math::{Point2, Point3};
 use std::collections::BTreeMap;
 
 /// A step of a border: the vertex that it begins at, and what it lies on.
-pub(super) type Step = (usize, EdgeSource);
+type Step = (usize, EdgeSource);
 
-/// The edges of a sheet whose border has these loops. `name` is what an edge of a source is called;
-/// a second one of the same name gets `-2`, and so on.
-pub(super) fn edges(
+/// The edges of a sheet. Steps along its cuts are of these; `source` is what another step, by its
+/// ends, lies on, `name` what an edge of such a source is called.
+pub(super) fn edges_of(
+    sheet: &Sheet,
+    flat: &[Point2],
+    source: impl Fn([VertexIndex; 2]) -> EdgeSource,
+    name: impl Fn(EdgeSource) -> String,
+) -> Vec<Edge> {
+    let cuts = cut_steps(sheet);
+    let source = |step: [VertexIndex; 2]| cuts.get(&step).copied().unwrap_or_else(|| source(step));
+    let step = |step: [VertexIndex; 2]| -> Step { (step[0].get(), source(step)) };
+    let loops: Vec<Vec<Step>> =
+        sheet.loops().iter().map(|line| steps_of(line).map(step).collect()).collect();
+    let name = |source: EdgeSource| match source {
+        EdgeSource::Cut { number, second } => {
+            format!("cut-{}{}", number + 1, if second { 'b' } else { 'a' })
+        }
+        other => name(other),
+    };
+    edges(&loops, name, sheet.mesh().positions(), flat)
+}
+
+/// The steps along a loop of vertices.
+pub(super) fn steps_of(line: &[VertexIndex]) -> impl Iterator<Item = [VertexIndex; 2]> + '_ {
+    let next = line.iter().cycle().skip(1);
+    line.iter().zip(next).map(|(&a, &b)| [a, b])
+}
+
+/// The steps of the border along the cuts of a sheet.
+fn cut_steps(sheet: &Sheet) -> BTreeMap<[VertexIndex; 2], EdgeSource> {
+    let mut of_cuts = BTreeMap::new();
+    for (number, seam) in sheet.seams().iter().enumerate() {
+        for (side, second) in seam.steps().into_iter().zip([false, true]) {
+            of_cuts.extend(side.into_iter().map(|s| (s, EdgeSource::Cut { number, second })));
+        }
+    }
+    of_cuts
+}
+
+/// The edges of a border of these loops. `name` is what an edge of a source is called; a second one
+/// of one name gets `-2`, and so on.
+fn edges(
     loops: &[Vec<Step>],
     name: impl Fn(EdgeSource) -> String,
     space: &[Point3],

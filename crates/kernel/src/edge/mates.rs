@@ -36,12 +36,12 @@ impl Placed {
 }
 
 /// Looks for the mates of all edges of a design, and compares their lengths: of edges on one curve,
-/// of the two sides of a cut, and of panels of a mesh that meet.
+/// of the two sides of a cut, and of parts of meshes that meet.
 pub fn join_mates(parts: &mut [PartEdges<'_>]) {
     let mut groups: BTreeMap<Group, Vec<Placed>> = BTreeMap::new();
-    for (panel, part) in parts.iter().enumerate() {
+    for (number, part) in parts.iter().enumerate() {
         for (edge, found) in part.edges.iter().enumerate() {
-            let at = EdgePlace { panel, edge };
+            let at = EdgePlace { part: number, edge };
             if let Some(group) = Group::of(at, found.source) {
                 groups.entry(group).or_default().push(Placed::new(at, found, part));
             }
@@ -54,7 +54,7 @@ pub fn join_mates(parts: &mut [PartEdges<'_>]) {
             let (a, b) = (&list[n], &list[k]);
             let Some([of_a, of_b]) = in_common(a, b, least_mm) else { continue };
             for (own, mate) in [(a.at, b.at), (b.at, a.at)] {
-                let edge = &mut parts[own.panel].edges[own.edge];
+                let edge = &mut parts[own.part].edges[own.edge];
                 edge.mates.push(mate);
                 let difference = (of_a - of_b).abs();
                 edge.difference_mm = Some(edge.difference_mm.unwrap_or(0.0).max(difference));
@@ -69,7 +69,7 @@ pub fn join_mates(parts: &mut [PartEdges<'_>]) {
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 enum Group {
     Curve(usize),
-    /// A cut of a panel, both by their numbers.
+    /// A cut of a part, both by their numbers.
     Cut(usize, usize),
     Meshes,
 }
@@ -78,8 +78,8 @@ impl Group {
     fn of(at: EdgePlace, source: EdgeSource) -> Option<Self> {
         match source {
             EdgeSource::Curve(number) => Some(Self::Curve(number)),
-            EdgeSource::Cut { number, .. } => Some(Self::Cut(at.panel, number)),
-            EdgeSource::Panel { .. } => Some(Self::Meshes),
+            EdgeSource::Cut { number, .. } => Some(Self::Cut(at.part, number)),
+            EdgeSource::Part { .. } => Some(Self::Meshes),
             EdgeSource::Start | EdgeSource::End | EdgeSource::Border => None,
         }
     }
@@ -178,7 +178,7 @@ mod tests {
             made.iter_mut().map(|(edges, space, flat)| PartEdges { edges, space, flat }).collect();
         join_mates(&mut parts);
         let of = |(edges, _, _): &(Vec<Edge>, _, _)| {
-            (edges[0].mates.iter().map(|m| m.panel).collect(), edges[0].difference_mm)
+            (edges[0].mates.iter().map(|m| m.part).collect(), edges[0].difference_mm)
         };
         made.iter().map(of).collect()
     }

@@ -2,18 +2,18 @@
 //! edges that it is joined to.
 //!
 //! An edge ends where the border passes from one curve to another, to the straight end of a strip
-//! or to a side of a cut. Edges that lie on one stretch of a curve are *mates*, also across panels
-//! and of one panel with itself (a tube along its seam); so are both sides of a cut, and the edges
-//! along which two panels of one mesh meet. Letters, lengths and marks of joints read this list.
+//! or to a side of a cut. Edges that lie on one stretch of a curve are *mates*, also across parts
+//! and of one part with itself (a tube along its seam); so are both sides of a cut, and the edges
+//! along which two parts of meshes meet. Letters, lengths and marks of joints read this list.
 
 mod border;
 mod mates;
+mod of_boundary;
 mod of_mesh;
-mod of_sheet;
 
 pub use mates::join_mates;
-pub use of_mesh::{MeshBorder, MeshJoint, edges_of_meshes};
-pub use of_sheet::edges_of_sheet;
+pub use of_boundary::edges_of_boundary;
+pub use of_mesh::{MeshBorder, edges_of_meshes};
 
 use sheetwright_geometry::math::{Point2, Point3};
 
@@ -28,25 +28,25 @@ pub enum EdgeSource {
     End,
     /// A side of a cut: the first or the second of the cut of this number.
     Cut {
-        /// The number of the cut in its panel, from 0.
+        /// The number of the cut in its part, from 0.
         number: usize,
         /// Whether it is the second side.
         second: bool,
     },
-    /// Where a panel of the mesh meets another, or itself along a crease.
-    Panel {
-        /// The number of the other panel.
+    /// Where a part of a mesh meets another.
+    Part {
+        /// The number of the other part in the design.
         with: usize,
     },
     /// Where nothing meets a mesh.
     Border,
 }
 
-/// An edge, by its panel and its number there.
+/// An edge, by its part and its number there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct EdgePlace {
-    /// The number of the panel.
-    pub panel: usize,
+    /// The number of the part in the design.
+    pub part: usize,
     /// The number of the edge in it.
     pub edge: usize,
 }
@@ -54,7 +54,7 @@ pub struct EdgePlace {
 /// An edge of a part.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edge {
-    /// Its name, as in `PANEL/EDGE`; no two of a panel share one.
+    /// Its name, as in `PANEL/EDGE`; no two of a part share one.
     pub name: String,
     /// What it lies on.
     pub source: EdgeSource,

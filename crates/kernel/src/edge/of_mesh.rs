@@ -1,99 +1,70 @@
-//! The edges of the panels of meshes: where they meet one another, the sides of their cuts, and
+//! The edges of the parts of meshes: where they meet one another, the sides of their cuts, and
 //! their border.
 
-use super::border::{Step, edges};
-use super::of_sheet::cut_name;
+use super::border::{edges_of, steps_of};
 use super::{Edge, EdgeSource};
-use crate::mesh::CutMesh;
 use crate::sample::StepPlace;
+use crate::sheet::Sheet;
 use sheetwright_geometry::index::VertexIndex;
 use sheetwright_geometry::math::Point2;
 use std::collections::BTreeMap;
 
-/// What a panel is joined to, by the number of the panel, and the sides of triangles along which it
-/// is, by vertices of its sheet, which lies to their left.
-pub type MeshJoint = (usize, Vec<[VertexIndex; 2]>);
-
-/// A panel of a mesh whose edges are looked for.
-#[derive(Clone, Copy, Debug)]
+/// A part of a mesh whose edges are looked for.
+#[derive(Clone, Debug)]
 pub struct MeshBorder<'a> {
+    /// Its number among the parts of the design.
+    pub part: usize,
     /// Its name.
     pub name: &'a str,
     /// Its sheet.
-    pub sheet: &'a CutMesh,
+    pub sheet: &'a Sheet,
     /// Where the vertices of its sheet lie on the pattern, mm.
     pub flat: &'a [Point2],
-    /// Where it is joined to panels that it was divided from, itself among them.
-    pub joints: &'a [MeshJoint],
+    /// Where it is joined to parts that it was divided from: the number of each, and the steps of
+    /// its border, the sheet to the left.
+    pub joints: Vec<(usize, &'a [[VertexIndex; 2]])>,
 }
 
-/// The edges of all panels of a design. They have no mates yet.
-pub fn edges_of_meshes(panels: &[MeshBorder<'_>]) -> Vec<Vec<Edge>> {
-    // Panels that were not divided from one another meet where their sides lie on one another.
-    let mut at_side: BTreeMap<StepPlace, Vec<usize>> = BTreeMap::new();
-    for (number, panel) in panels.iter().enumerate() {
-        for side in panel.sides() {
-            at_side.entry(panel.place(side)).or_default().push(number);
+/// The edges of all parts of meshes of a design. They have no mates yet.
+pub fn edges_of_meshes(parts: &[MeshBorder<'_>]) -> Vec<Vec<Edge>> {
+    // Parts that were not divided from one another meet where their steps lie on one another.
+    let mut at_step: BTreeMap<StepPlace, Vec<usize>> = BTreeMap::new();
+    for part in parts {
+        for step in part.steps() {
+            at_step.entry(part.place(step)).or_default().push(part.part);
         }
     }
-    let of_panel = |(number, panel): (usize, &MeshBorder<'_>)| {
-        let known = panel.known();
-        let source = |side: [VertexIndex; 2]| {
+    let name_of = |with: usize| {
+        let found = parts.iter().find(|part| part.part == with);
+        found.map_or_else(String::new, |part| part.name.to_owned())
+    };
+    let of_part = |part: &MeshBorder<'_>| {
+        let joints = part.joints.iter();
+        let of_joints: BTreeMap<[VertexIndex; 2], usize> =
+            joints.flat_map(|&(with, steps)| steps.iter().map(move |&step| (step, with))).collect();
+        let source = |step: [VertexIndex; 2]| {
             let meets = || {
-                let all = at_side.get(&panel.place(side)).into_iter().flatten();
-                let other = all.copied().find(|&other| other != number);
-                other.map(|with| EdgeSource::Panel { with })
+                let all = at_step.get(&part.place(step)).into_iter().flatten();
+                all.copied().find(|&other| other != part.part)
             };
-            known.get(&side).copied().or_else(meets).unwrap_or(EdgeSource::Border)
+            let with = of_joints.get(&step).copied().or_else(meets);
+            with.map_or(EdgeSource::Border, |with| EdgeSource::Part { with })
         };
-        let step = |side: [VertexIndex; 2]| -> Step { (side[0].get(), source(side)) };
-        let loops: Vec<Vec<Step>> = panel
-            .sheet
-            .mesh
-            .loops()
-            .iter()
-            .map(|line| sides_of(line).map(step).collect())
-            .collect();
         let name = |source: EdgeSource| match source {
-            EdgeSource::Cut { number, second } => cut_name(number, second),
-            EdgeSource::Panel { with } => panels[with].name.to_owned(),
+            EdgeSource::Part { with } => name_of(with),
             _ => "border".to_owned(),
         };
-        edges(&loops, name, panel.sheet.mesh.positions(), panel.flat)
+        edges_of(part.sheet, part.flat, source, name)
     };
-    panels.iter().enumerate().map(of_panel).collect()
-}
-
-/// The sides along a loop of vertices.
-fn sides_of(line: &[VertexIndex]) -> impl Iterator<Item = [VertexIndex; 2]> + '_ {
-    let next = line.iter().cycle().skip(1);
-    line.iter().zip(next).map(|(&a, &b)| [a, b])
+    parts.iter().map(of_part).collect()
 }
 
 impl MeshBorder<'_> {
-    fn sides(&self) -> impl Iterator<Item = [VertexIndex; 2]> + '_ {
-        self.sheet.mesh.loops().iter().flat_map(|line| sides_of(line))
+    fn steps(&self) -> impl Iterator<Item = [VertexIndex; 2]> + '_ {
+        self.sheet.loops().iter().flat_map(|line| steps_of(line))
     }
 
-    fn place(&self, side: [VertexIndex; 2]) -> StepPlace {
-        StepPlace::between(side.map(|v| self.sheet.mesh.position(v)))
-    }
-
-    /// The sides of cuts and joints, in the direction of the loops.
-    fn known(&self) -> BTreeMap<[VertexIndex; 2], EdgeSource> {
-        let mut known = BTreeMap::new();
-        for (number, seam) in self.sheet.seams.iter().enumerate() {
-            for (side, second) in seam.sides.iter().zip([false, true]) {
-                for pair in side.windows(2) {
-                    // The sheet lies to the right of the second side.
-                    let ends = if second { [pair[1], pair[0]] } else { [pair[0], pair[1]] };
-                    known.insert(ends, EdgeSource::Cut { number, second });
-                }
-            }
-        }
-        for (with, steps) in self.joints {
-            known.extend(steps.iter().map(|&step| (step, EdgeSource::Panel { with: *with })));
-        }
-        known
+    fn place(&self, step: [VertexIndex; 2]) -> StepPlace {
+        StepPlace::between(step.map(|v| self.sheet.mesh().position(v)))
     }
 }

@@ -13,7 +13,7 @@
 //!    joined to what is joined already; the fewest of all is not sought.
 //! 4. The loops that close are joined to the others by the shortest rungs.
 
-use super::sheet::root;
+use super::opened::root;
 use super::unroll::beside;
 use crate::surface::{Connectivity, Surface};
 use sheetwright_geometry::boundary::size_of;

@@ -12,7 +12,7 @@
 //! the way enters a triangle by one side and leaves it by another, what follows turns about their
 //! common corner by the change of the angle there, and moves along a side as it grows.
 
-use super::sheet::{Seam, Sheet};
+use super::opened::{CutSides, Opened};
 use super::{FlattenError, Flattened, unroll::unroll};
 use crate::surface::Connectivity;
 use sheetwright_geometry::boundary::size_of;
@@ -27,13 +27,13 @@ const MOST_STEPS: usize = 12;
 /// What is left of a gap, as a share of the size, when rounding is all there is.
 const MET: f64 = 1e-12;
 
-/// The sheet laid flat with lengths so changed that the seams numbered in `closed` meet; `None`
+/// The sheet laid flat with lengths so changed that the cuts numbered in `closed` meet; `None`
 /// where they can't be made to.
 ///
 /// # Errors
 /// [`FlattenError::Stopped`].
 pub(super) fn closed(
-    sheet: &Sheet,
+    sheet: &Opened,
     closed: &[usize],
     flat: &Flattened,
     watch: &mut dyn Watch,
@@ -42,7 +42,7 @@ pub(super) fn closed(
     let sides = Sides::new(sheet);
     let size = size_of(sheet.surface().positions().iter().copied());
     let ways: Option<Vec<WayRound>> =
-        closed.iter().map(|&n| way_round(connectivity, &sheet.seams()[n])).collect();
+        closed.iter().map(|&n| way_round(connectivity, &sheet.cuts()[n])).collect();
     let Some(ways) = ways else { return Ok(None) };
     let mut change = vec![0.0; sides.lengths.len()];
     let mut flat = flat.clone();
@@ -80,7 +80,7 @@ struct Sides {
 }
 
 impl Sides {
-    fn new(sheet: &Sheet) -> Self {
+    fn new(sheet: &Opened) -> Self {
         let mut numbers = BTreeMap::new();
         let mut lengths = Vec::new();
         for [a, b] in sheet.surface().connectivity().sides() {
@@ -92,11 +92,11 @@ impl Sides {
         Self { numbers, lengths }
     }
 
-    fn key(sheet: &Sheet, a: SampleIndex, b: SampleIndex) -> Rung {
+    fn key(sheet: &Opened, a: SampleIndex, b: SampleIndex) -> Rung {
         Rung::new(sheet.origin(a).get(), sheet.origin(b).get())
     }
 
-    fn of(&self, sheet: &Sheet, a: SampleIndex, b: SampleIndex) -> usize {
+    fn of(&self, sheet: &Opened, a: SampleIndex, b: SampleIndex) -> usize {
         self.numbers.get(&Self::key(sheet, a, b)).copied().unwrap_or(0)
     }
 }
@@ -108,12 +108,12 @@ struct WayRound {
 }
 
 /// `None` if there is no way.
-fn way_round(connectivity: &Connectivity, seam: &Seam) -> Option<WayRound> {
+fn way_round(connectivity: &Connectivity, cut: &CutSides) -> Option<WayRound> {
     let triangle_at = |side: [SampleIndex; 2]| {
         let has = |t: &[SampleIndex; 3]| side.iter().all(|s| t.contains(s));
         connectivity.triangles().iter().position(has).map(TriangleIndex::new)
     };
-    let [from, to] = [triangle_at(seam.sides[0])?, triangle_at(seam.sides[1])?];
+    let [from, to] = [triangle_at(cut[0])?, triangle_at(cut[1])?];
     let of_triangles = connectivity.hinges_of_triangles();
     let mut came_by: Vec<Option<usize>> = vec![None; of_triangles.len()];
     let mut waiting = vec![from];
@@ -127,7 +127,7 @@ fn way_round(connectivity: &Connectivity, seam: &Seam) -> Option<WayRound> {
             }
         }
     }
-    let mut sides = vec![seam.sides[1]];
+    let mut sides = vec![cut[1]];
     let mut at = to;
     while at != from {
         let hinge = connectivity.hinges()[came_by[at.get()]?];
@@ -135,7 +135,7 @@ fn way_round(connectivity: &Connectivity, seam: &Seam) -> Option<WayRound> {
         let [a, b] = hinge.triangles;
         at = if a == at { b } else { a };
     }
-    sides.push(seam.sides[0]);
+    sides.push(cut[0]);
     sides.reverse();
     Some(WayRound { sides })
 }
@@ -149,7 +149,7 @@ struct Condition {
 /// The three conditions that the two sides of a cut meet: two for where its first sample lies and,
 /// times the size, one for the direction; `None` where a triangle has no area.
 fn conditions(
-    sheet: &Sheet,
+    sheet: &Opened,
     sides: &Sides,
     way: &WayRound,
     points: &[Point2],
@@ -282,8 +282,8 @@ fn solved(mut rows: Vec<Vec<f64>>) -> Option<Vec<f64>> {
     solution.iter().all(|x| x.is_finite()).then_some(solution)
 }
 
-/// How far apart the two sides of a seam lie on the pattern, mm.
-pub(super) fn gap_mm(seam: &Seam, points: &[Point2]) -> f64 {
-    let [[a, b], [c, d]] = seam.sides.map(|side| side.map(|s| points[s.get()]));
+/// How far apart the two sides of a cut lie on the pattern, mm.
+pub(super) fn gap_mm(cut: &CutSides, points: &[Point2]) -> f64 {
+    let [[a, b], [c, d]] = cut.map(|side| side.map(|s| points[s.get()]));
     a.distance(d).max(b.distance(c))
 }

@@ -2,10 +2,11 @@
 
 use super::choose::cuts;
 use super::close::{closed, gap_mm};
+use super::opened::Opened;
 use super::pose::posed;
-use super::sheet::Sheet;
 use super::unroll::unroll;
 use super::{FlattenError, Flattened};
+use crate::sheet::Sheet;
 use crate::surface::Surface;
 use sheetwright_geometry::boundary::size_of;
 use sheetwright_geometry::index::SampleIndex;
@@ -36,13 +37,13 @@ pub fn lay_flat(
         return Ok((Sheet::whole(surface), flat));
     }
     let cuts = cuts(surface, near, Tolerance::CLOSING);
-    let opened = Sheet::cut(surface, &cuts, 0)?;
+    let opened = Opened::cut(surface, &cuts, 0)?;
     let length = |a: SampleIndex, b: SampleIndex| opened.surface().length(a, b);
     let exact = unroll(opened.surface().connectivity(), length, watch)?;
     let close = |stretch: Tolerance, watch: &mut dyn Watch| {
         closed_within(surface, &cuts, &opened, &exact, stretch, watch)
     };
-    let (mut sheet, mut flat) = match close(Tolerance::STRETCH, watch)? {
+    let (mut left, mut flat) = match close(Tolerance::STRETCH, watch)? {
         Some(found) => found,
         None => (opened.clone(), exact.clone()),
     };
@@ -50,12 +51,9 @@ pub fn lay_flat(
         && let Some(found) = close(Tolerance::MOST_STRETCH, watch)?
         && found.1.overlap.is_none()
     {
-        (sheet, flat) = found;
+        (left, flat) = found;
     }
-    for seam in sheet.seams_mut() {
-        seam.gap_mm = gap_mm(seam, &flat.points);
-    }
-    Ok((sheet, flat))
+    Ok((left.sheet(&flat.points), flat))
 }
 
 /// The sheet and pattern with those cuts closed that can be without changing a length by more than
@@ -63,13 +61,13 @@ pub fn lay_flat(
 fn closed_within(
     surface: &Surface,
     cuts: &[usize],
-    opened: &Sheet,
+    opened: &Opened,
     exact: &Flattened,
     most: Tolerance,
     watch: &mut dyn Watch,
-) -> Result<Option<(Sheet, Flattened)>, FlattenError> {
+) -> Result<Option<(Opened, Flattened)>, FlattenError> {
     let size = size_of(surface.positions().iter().copied());
-    let gaps: Vec<f64> = opened.seams().iter().map(|seam| gap_mm(seam, &exact.points)).collect();
+    let gaps: Vec<f64> = opened.cuts().iter().map(|cut| gap_mm(cut, &exact.points)).collect();
     let within = |tolerance: Tolerance, n: usize| gaps[n] <= tolerance.length_mm(size);
     let mut closing: Vec<usize> =
         (0..gaps.len()).filter(|&n| within(Tolerance::CLOSING, n)).collect();
@@ -100,7 +98,7 @@ fn closed_within(
 }
 
 /// The largest relative change of a length.
-fn stretch(sheet: &Sheet, points: &[Point2]) -> f64 {
+fn stretch(sheet: &Opened, points: &[Point2]) -> f64 {
     let surface = sheet.surface();
     let errors = surface.connectivity().sides().map(|[a, b]| {
         let space = surface.length(a, b);
@@ -113,10 +111,10 @@ fn stretch(sheet: &Sheet, points: &[Point2]) -> f64 {
 fn rejoined(
     surface: &Surface,
     cuts: &[usize],
-    before: &Sheet,
+    before: &Opened,
     flat: &Flattened,
-) -> Result<(Sheet, Flattened), FlattenError> {
-    let mut sheet = Sheet::cut(surface, cuts, 0)?;
+) -> Result<(Opened, Flattened), FlattenError> {
+    let mut sheet = Opened::cut(surface, cuts, 0)?;
     let mut points = carried(before, &flat.points, &sheet);
     // The outline runs counter-clockwise and the holes clockwise, whatever they are in space.
     let loops = sheet.surface().connectivity().loops();
@@ -125,7 +123,7 @@ fn rejoined(
     if let Some(outer) = outer.filter(|&outer| outer > 0) {
         let sample = sheet.origin(SampleIndex::new(loops[outer].start)).get();
         let first = surface.connectivity().loops().partition_point(|l| l.end <= sample);
-        sheet = Sheet::cut(surface, cuts, first)?;
+        sheet = Opened::cut(surface, cuts, first)?;
         points = carried(before, &flat.points, &sheet);
     }
     let loops = sheet.surface().connectivity().loops();
@@ -135,7 +133,7 @@ fn rejoined(
 }
 
 /// The points of one sheet on another of the same surface, which has fewer samples.
-fn carried(from: &Sheet, points: &[Point2], to: &Sheet) -> Vec<Point2> {
+fn carried(from: &Opened, points: &[Point2], to: &Opened) -> Vec<Point2> {
     let [before, after] = [from, to].map(|sheet| sheet.surface().connectivity());
     // Which samples of the one are which of the other, by the corners of the triangles.
     let mut becomes = vec![0; before.samples()];

@@ -3,10 +3,10 @@
 mod choose;
 mod close;
 mod lay;
+mod opened;
 mod pose;
 mod refold;
 mod relax;
-mod sheet;
 mod unroll;
 
 pub use lay::lay_flat;
@@ -14,7 +14,6 @@ pub use refold::{RefoldError, refold};
 pub use relax::{
     Aim, Ended, RelaxError, RelaxOptions, Relaxed, relax, relax_lengths, triangle_stretches,
 };
-pub use sheet::{Seam, Sheet};
 pub use unroll::unroll;
 
 use sheetwright_geometry::math::Point2;
@@ -23,13 +22,13 @@ use std::fmt;
 /// A surface laid flat.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flattened {
-    /// Where the samples of the sheet lie in the plane, mm, seen from the side that the surface
+    /// Where the vertices of the sheet lie in the plane, mm, seen from the side that the surface
     /// faces. The pattern lies in the rectangle of least area around it, its longer side along x,
     /// with its lower left corner at the origin.
     pub points: Vec<Point2>,
-    /// Two edges of the loops between which the pattern overlaps itself, by the samples that they
+    /// Two steps of the border between which the pattern overlaps itself, by the vertices that they
     /// begin at: they cross in the plane, or lie where it is covered twice without a crossing. It
-    /// can't be cut from one sheet then. Exact.
+    /// can't be cut from one sheet then. Exact. Without one, no two triangles overlap.
     pub overlap: Option<(usize, usize)>,
 }
 

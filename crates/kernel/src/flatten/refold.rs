@@ -6,9 +6,10 @@
 //! its root, and the largest distance of a sample from where it belongs is the refold error: it
 //! sees a wrong length, a swapped sample, a missing rung, a wrong unit and too few digits alike.
 
-use crate::surface::{Connectivity, Surface};
-use sheetwright_geometry::index::SampleIndex;
-use sheetwright_geometry::math::{Frame, Point2, Point3, Vec3, turned, unit};
+use crate::mesh::{Mesh, MeshEdge};
+use crate::sheet::Sheet;
+use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
+use sheetwright_geometry::math::{Frame, Point2, Point3, Vec3, turned, unit, unit2};
 use sheetwright_optimum::rung::Rung;
 use std::collections::VecDeque;
 use std::fmt;
@@ -46,64 +47,89 @@ impl fmt::Display for RefoldError {
 
 impl std::error::Error for RefoldError {}
 
-/// The largest distance, mm, between a sample of `surface`, which is that of a sheet, and where it
+/// The largest distance, mm, between a vertex of a sheet without interior vertices and where it
 /// comes to lie when the pattern is folded. `points` are those of the pattern in the order of the
-/// samples, loop after loop, mm; `rungs` are its rungs, as they were read.
+/// vertices, loop after loop, mm; `rungs` are its rungs, as they were read.
 ///
 /// Triangles that hang together in a cycle, round a hole, are folded along a tree of them; since
 /// every corner of every triangle is compared, the others must agree.
 ///
 /// # Errors
 /// See [`RefoldError`].
-pub fn refold(surface: &Surface, points: &[Point2], rungs: &[Rung]) -> Result<f64, RefoldError> {
-    let wanted = surface.positions().len();
+pub fn refold(sheet: &Sheet, points: &[Point2], rungs: &[Rung]) -> Result<f64, RefoldError> {
+    let mesh = sheet.mesh();
+    let wanted = mesh.positions().len();
     if points.len() != wanted {
         return Err(RefoldError::Outline { found: points.len(), wanted });
     }
     // The rungs decide the triangles: those of the surface if the rungs are.
-    let connectivity = surface.connectivity();
     let mut rungs = rungs.to_vec();
     rungs.sort_unstable();
     rungs.dedup();
-    if !rungs.iter().eq(connectivity.hinges().iter().map(|hinge| &hinge.rung)) {
+    if !rungs.iter().copied().eq(hinges(mesh).map(|hinge| hinge.rung)) {
         return Err(RefoldError::Rungs);
     }
-    let area = |t: &[SampleIndex; 3]| {
-        let [a, b, c] = t.map(|s| points[s.get()]);
+    let area = |t: &[VertexIndex; 3]| {
+        let [a, b, c] = t.map(|v| points[v.get()]);
         (b - a).perp_dot(c - a)
     };
-    if connectivity.triangles().iter().map(area).sum::<f64>() < 0.0 {
+    if mesh.triangles().iter().map(area).sum::<f64>() < 0.0 {
         return Err(RefoldError::Mirrored);
     }
-    laid_on(surface, &fold(surface, points)?)
+    laid_on(mesh, &fold(mesh, points)?)
+}
+
+/// A rung with its ends and the triangles that it joins: first the one on whose border it runs from
+/// the lower vertex to the higher.
+struct Hinge {
+    rung: Rung,
+    ends: [VertexIndex; 2],
+    triangles: [usize; 2],
+}
+
+impl Hinge {
+    fn of(edge: &MeshEdge) -> Option<Self> {
+        let [Some(first), Some(second)] = edge.triangles else { return None };
+        let [low, high] = edge.ends;
+        let rung = Rung::new(low.get(), high.get());
+        Some(Self { rung, ends: edge.ends, triangles: [first.get(), second.get()] })
+    }
+}
+
+/// The sides that join two triangles, in increasing order.
+fn hinges(mesh: &Mesh) -> impl Iterator<Item = Hinge> + '_ {
+    mesh.edges().iter().filter_map(Hinge::of)
 }
 
 /// The corners of every triangle of the pattern folded along the hinges, in a frame of its own.
-fn fold(surface: &Surface, points: &[Point2]) -> Result<Vec<[Point3; 3]>, RefoldError> {
-    let connectivity = surface.connectivity();
-    let root = largest_triangle(connectivity, points);
-    let hinges = connectivity.hinges_of_triangles();
-    let mut placed: Vec<Option<[Point3; 3]>> = vec![None; connectivity.triangles().len()];
-    placed[root] = Some(connectivity.triangles()[root].map(|sample| {
-        let p = points[sample.get()];
+fn fold(mesh: &Mesh, points: &[Point2]) -> Result<Vec<[Point3; 3]>, RefoldError> {
+    let triangles = mesh.triangles();
+    let root = largest_triangle(triangles, points);
+    let hinges: Vec<Hinge> = hinges(mesh).collect();
+    let mut of_triangles = vec![Vec::new(); triangles.len()];
+    for (n, hinge) in hinges.iter().enumerate() {
+        hinge.triangles.iter().for_each(|&t| of_triangles[t].push(n));
+    }
+    let mut placed: Vec<Option<[Point3; 3]>> = vec![None; triangles.len()];
+    placed[root] = Some(triangles[root].map(|vertex| {
+        let p = points[vertex.get()];
         Point3::new(p.x, p.y, 0.0)
     }));
     // Nearest first, so that no way round a hole is longer than need be.
     let mut waiting = VecDeque::from([(root, Vec3::Z)]);
     while let Some((triangle, normal)) = waiting.pop_front() {
-        for &n in &hinges[triangle] {
-            let hinge = connectivity.hinges()[n];
-            let first = hinge.triangles[0].get() == triangle;
+        for hinge in of_triangles[triangle].iter().map(|&n| &hinges[n]) {
+            let first = hinge.triangles[0] == triangle;
             let other = hinge.triangles[usize::from(first)];
-            if placed[other.get()].is_some() {
+            if placed[other].is_some() {
                 continue;
             }
-            let crease = surface.crease(&hinge);
-            let [low, high] = hinge.rung.ends();
-            let far = connectivity.far_corner(other, [low, high]);
-            let at = |wanted: SampleIndex| {
-                let corners = connectivity.triangles()[triangle];
-                let corner = corners.iter().position(|&s| s == wanted)?;
+            let crease = mesh.crease(hinge.ends, hinge.triangles.map(TriangleIndex::new));
+            let [low, high] = hinge.ends;
+            let is_far = |corner: &VertexIndex| !hinge.ends.contains(corner);
+            let far = triangles[other].into_iter().find(is_far).ok_or(RefoldError::NoArea)?;
+            let at = |wanted: VertexIndex| {
+                let corner = triangles[triangle].iter().position(|&v| v == wanted)?;
                 Some(placed[triangle]?[corner])
             };
             let (Some(at_low), Some(at_high)) = (at(low), at(high)) else {
@@ -116,16 +142,16 @@ fn fold(surface: &Surface, points: &[Point2]) -> Result<Vec<[Point3; 3]>, Refold
             let (flat_along, flat_across) = flat_coordinates(points, low, high, far)?;
             let across = normal.cross(along);
             let at_far = at_low + along * flat_along + across * flat_across;
-            placed[other.get()] = Some(connectivity.triangles()[other.get()].map(|sample| {
-                if sample == low {
+            placed[other] = Some(triangles[other].map(|vertex| {
+                if vertex == low {
                     at_low
-                } else if sample == high {
+                } else if vertex == high {
                     at_high
                 } else {
                     at_far
                 }
             }));
-            waiting.push_back((other.get(), normal));
+            waiting.push_back((other, normal));
         }
     }
     placed.into_iter().collect::<Option<Vec<[Point3; 3]>>>().ok_or(RefoldError::Rungs)
@@ -134,23 +160,22 @@ fn fold(surface: &Surface, points: &[Point2]) -> Result<Vec<[Point3; 3]>, Refold
 /// Where a far corner lies along low → high and to the left of it, in the plane, mm.
 fn flat_coordinates(
     outline: &[Point2],
-    low: SampleIndex,
-    high: SampleIndex,
-    far: SampleIndex,
+    low: VertexIndex,
+    high: VertexIndex,
+    far: VertexIndex,
 ) -> Result<(f64, f64), RefoldError> {
-    let [at_low, at_high, at_far] = [low, high, far].map(|s| outline[s.get()]);
-    let along = sheetwright_geometry::math::unit2(at_high - at_low).ok_or(RefoldError::NoArea)?;
+    let [at_low, at_high, at_far] = [low, high, far].map(|v| outline[v.get()]);
+    let along = unit2(at_high - at_low).ok_or(RefoldError::NoArea)?;
     let way = at_far - at_low;
     Ok((way.dot(along), along.perp_dot(way)))
 }
 
 /// The triangle to begin with: the largest, whose frame is determined best.
-fn largest_triangle(connectivity: &Connectivity, outline: &[Point2]) -> usize {
-    let area = |t: &[SampleIndex; 3]| {
-        let [a, b, c] = t.map(|s| outline[s.get()]);
+fn largest_triangle(triangles: &[[VertexIndex; 3]], outline: &[Point2]) -> usize {
+    let area = |t: &[VertexIndex; 3]| {
+        let [a, b, c] = t.map(|v| outline[v.get()]);
         (b - a).perp_dot(c - a)
     };
-    let triangles = connectivity.triangles();
     (0..triangles.len())
         .max_by(|&a, &b| area(&triangles[a]).total_cmp(&area(&triangles[b])).then(b.cmp(&a)))
         .unwrap_or(0)
@@ -158,10 +183,10 @@ fn largest_triangle(connectivity: &Connectivity, outline: &[Point2]) -> usize {
 
 /// Moves the folded triangles so that they lie on the surface as well as they can at one of them,
 /// and returns the largest distance, mm. The triangle with the largest area gives the frame.
-fn laid_on(surface: &Surface, folded: &[[Point3; 3]]) -> Result<f64, RefoldError> {
-    let triangles = surface.connectivity().triangles();
+fn laid_on(mesh: &Mesh, folded: &[[Point3; 3]]) -> Result<f64, RefoldError> {
+    let triangles = mesh.triangles();
     let area = |n: &usize| {
-        let [a, b, c] = triangles[*n].map(|s| surface.position(s));
+        let [a, b, c] = triangles[*n].map(|v| mesh.position(v));
         (b - a).cross(c - a).length()
     };
     let largest = (0..triangles.len())
@@ -173,12 +198,12 @@ fn laid_on(surface: &Surface, folded: &[[Point3; 3]]) -> Result<f64, RefoldError
         Some(Frame { origin: a, x, y: z.cross(x), z })
     };
     let from = frame(folded[largest]).ok_or(RefoldError::NoArea)?;
-    let to = frame(triangles[largest].map(|s| surface.position(s))).ok_or(RefoldError::NoArea)?;
+    let to = frame(triangles[largest].map(|v| mesh.position(v))).ok_or(RefoldError::NoArea)?;
     let moved = |p: Point3| {
         let way = p - from.origin;
         to.origin + to.x * way.dot(from.x) + to.y * way.dot(from.y) + to.z * way.dot(from.z)
     };
     let corners = triangles.iter().flatten().zip(folded.iter().flatten());
-    let distances = corners.map(|(&s, &p)| moved(p).distance(surface.position(s)));
+    let distances = corners.map(|(&v, &p)| moved(p).distance(mesh.position(v)));
     Ok(distances.fold(0.0, f64::max))
 }

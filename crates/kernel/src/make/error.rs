@@ -2,9 +2,11 @@
 
 use crate::design::Failure;
 use crate::fair::{FairCause, FairError, VaryCause};
-use crate::flatten::FlattenError;
+use crate::flatten::{FlattenError, RelaxError};
+use crate::mesh::MeshError;
 use crate::sample::{PanelCause, PanelError};
 use crate::surface::ConnectivityError;
+use sheetwright_geometry::math::Point3;
 use sheetwright_optimum::triangulate::TriangulateError;
 use std::fmt;
 
@@ -24,6 +26,22 @@ pub enum MakeCause {
     Flatten(FlattenError),
     /// Curves that can't be moved.
     Vary(VaryCause),
+    /// Triangles that are no mesh; where, mm, if that can be told.
+    Mesh {
+        /// What is wrong with them.
+        error: MeshError,
+        /// The vertices of the error.
+        places: Vec<Point3>,
+    },
+    /// So many parts that do not hang together, which is more than anyone wants as panels.
+    Pieces {
+        /// How many there are.
+        found: usize,
+        /// How many are taken.
+        most: usize,
+    },
+    /// A mesh that can't be laid flat.
+    Relax(RelaxError),
 }
 
 impl From<PanelCause> for MakeCause {
@@ -61,6 +79,34 @@ impl fmt::Display for MakeCause {
             Self::Surface(error) => write!(f, "{error}"),
             Self::Flatten(error) => write!(f, "{error}"),
             Self::Vary(cause) => write!(f, "{cause}"),
+            Self::Mesh { error, places } => write_mesh_error(f, *error, places),
+            Self::Pieces { found, most } => write!(
+                f,
+                "it falls into {found} parts that do not hang together; {most} is the most"
+            ),
+            Self::Relax(error) => write!(f, "{error}"),
         }
+    }
+}
+
+fn write_mesh_error(f: &mut fmt::Formatter<'_>, error: MeshError, at: &[Point3]) -> fmt::Result {
+    let place = |p: &Point3| format!("({:.3}, {:.3}, {:.3}) mm", p.x + 0.0, p.y + 0.0, p.z + 0.0);
+    match (error, at) {
+        (MeshError::NotManifold { .. }, [a, b]) => {
+            let (a, b) = (place(a), place(b));
+            write!(f, "the side from {a} to {b} belongs to more than two triangles")
+        }
+        (MeshError::NotOrientable { .. }, [a, b]) => write!(
+            f,
+            "it has one side only, as a Möbius strip or a Klein bottle: all round it, front turns \
+             into back, as at the side from {} to {}",
+            place(a),
+            place(b)
+        ),
+        (MeshError::Degenerate { .. }, [a, b, c]) => {
+            let [a, b, c] = [a, b, c].map(place);
+            write!(f, "a triangle has no area: its corners {a}, {b} and {c} lie on one line")
+        }
+        _ => write!(f, "{error}"),
     }
 }

@@ -16,11 +16,11 @@
 //! What comes out once it rests is what [`super::make`] makes of the same design, bit by bit; only
 //! where memory is short, a bound from before may make a table fit that does not fit afresh.
 
+use super::cleaned::Cleaned;
 use super::unrestricted::Known;
-use super::{Made, MadePanel, MakeCause, MakeError, find_mates, make_panel};
+use super::{Made, MakeCause, MakeError, Maker, Part, find_mates, join_meshes};
 use crate::design::{Design, DesignCurve, DesignPanel, PanelShape, used};
 use crate::material::Material;
-use crate::sample::{Matched, Sampler, matched};
 use sheetwright_geometry::curve::CurvePoint;
 use sheetwright_geometry::math::Point3;
 use sheetwright_geometry::watch::{Stage, Watch};
@@ -73,9 +73,9 @@ use sheetwright_optimum::triangulate::TriangulateError;
 ///     let to = Point3::new(900.0, 483.0 + f64::from(step), 600.0);
 ///     let changed = live.move_point(2, 1, to, &mut Unwatched);
 ///     assert_eq!(changed, [1]);
-///     let side = live.panels()[1].made.as_ref().unwrap();
-///     println!("{:?}: {} triangles", side.checked.verdict, side.triangulation.triangles.len());
-///     // … draw side.surface, side.flat and side.piece.
+///     let side = &live.panels()[1].made.as_ref().unwrap()[0];
+///     println!("{:?}: {} triangles", side.checked.verdict, side.sheet.mesh().triangles().len());
+///     // … draw side.sheet, side.flat and side.piece.
 /// }
 ///
 /// // The hand rests.
@@ -93,8 +93,9 @@ pub struct Live {
 pub struct LivePanel {
     /// Its name.
     pub name: String,
-    /// The panel as it was made last, or why it could not be.
-    pub made: Result<MadePanel, MakeError>,
+    /// Its parts as they were made last, or why it could not be: one part of a panel with curves.
+    /// The mates of their edges are known to [`Live::made`] alone.
+    pub made: Result<Vec<Part>, MakeError>,
     /// What it was made from; `None` where making it was stopped.
     made_from: Option<Inputs>,
     /// What is known of its triangulation from when it had one last.
@@ -125,21 +126,26 @@ struct Inputs {
     curves: Vec<DesignCurve>,
     /// How many divisions each curve gets, where that is given.
     divisions: Vec<Option<Vec<usize>>>,
+    /// Its mesh, if it is one.
+    mesh: Option<Cleaned>,
     material: Option<Material>,
 }
 
 impl Inputs {
-    fn new(design: &Design, panel: &DesignPanel, matched: &Matched) -> Self {
+    /// Those of the `number`-th panel that is to be made.
+    fn new(maker: &Maker<'_>, number: usize, panel: &DesignPanel) -> Self {
+        let design = maker.design;
         let mut panels = vec![panel.clone()];
         if let PanelShape::Join(join) = &panel.shape {
             let parts = design.panels.iter().filter(|part| join.parts.contains(&part.name));
             panels.extend(parts.cloned());
         }
         let curves: Vec<DesignCurve> = used(design, &panel.shape).cloned().collect();
-        let number = |curve: &DesignCurve| design.curves.iter().position(|c| c.name == curve.name);
-        let given = |curve| number(curve).and_then(|number| matched.get(&number).cloned());
+        let place = |curve: &DesignCurve| design.curves.iter().position(|c| c.name == curve.name);
+        let given = |curve| place(curve).and_then(|number| maker.matched.get(&number).cloned());
         let divisions = curves.iter().map(given).collect();
-        Self { panels, curves, divisions, material: design.material.clone() }
+        let mesh = maker.meshes[number].clone();
+        Self { panels, curves, divisions, mesh, material: design.material.clone() }
     }
 
     /// Whether they are the same to the last bit: 0 and −0 are equal and not the same.
@@ -152,6 +158,7 @@ impl Inputs {
             && self.curves == other.curves
             && self.curves.iter().zip(&other.curves).all(|(a, b)| same_points(a, b))
             && self.divisions == other.divisions
+            && self.mesh == other.mesh
             && self.material == other.material
     }
 }
@@ -215,8 +222,9 @@ impl Live {
                 continue;
             }
             let (Ok(made), Some(known)) = (&mut panel.made, &mut panel.known) else { continue };
+            let [part] = &mut made[..] else { continue };
             watch.begin(&[&panel.name], Stage::Check);
-            match known.answer(made, watch) {
+            match known.answer(part, watch) {
                 Ok(false) => continue,
                 Ok(true) => {}
                 Err(_) if known.is_open() => continue,
@@ -249,16 +257,15 @@ impl Live {
             return Err(MakeError::of_design(MakeCause::NoPanels));
         }
         let panels = self.panels.iter().map(|panel| panel.made.clone());
-        let mut panels = panels.collect::<Result<Vec<_>, _>>()?;
-        find_mates(&mut panels);
+        let mut parts = panels.collect::<Result<Vec<_>, _>>()?.concat();
+        find_mates(&mut parts);
         let (name, material) = (self.design.name.clone(), self.design.material.clone());
-        Ok(Made { name, material, panels, moved: None })
+        Ok(Made { name, material, parts, moved: None })
     }
 
     fn make_changed(&mut self, watch: &mut dyn Watch) -> Vec<usize> {
         let design = &self.design;
-        let matched = matched(design);
-        let sampler = Sampler { design, matched: &matched };
+        let maker = Maker::new(design);
         let mut before: Vec<Option<LivePanel>> = self.panels.drain(..).map(Some).collect();
         let (mut panels, mut changed) = (Vec::new(), Vec::new());
         for (n, panel) in design.panels_to_make().into_iter().enumerate() {
@@ -266,7 +273,7 @@ impl Live {
                 old.as_ref().is_some_and(|old| old.name == panel.name)
             };
             let old = before.iter_mut().find(is_it).and_then(Option::take);
-            let inputs = Inputs::new(design, panel, &matched);
+            let inputs = Inputs::new(&maker, n, panel);
             let same = |old: &LivePanel| old.made_from.as_ref().is_some_and(|i| i.same(&inputs));
             let old = match old {
                 Some(old) if same(&old) => {
@@ -282,7 +289,7 @@ impl Live {
             let made = if watch.stop() {
                 Err(MakeError::of_panel(&panel.name, TriangulateError::Stopped))
             } else {
-                make_panel(&sampler, panel, &mut known, watch)
+                maker.make(n, panel, &mut known, watch)
             };
             let name = panel.name.clone();
             panels.push(if watch.stop() {
@@ -294,6 +301,11 @@ impl Live {
             });
         }
         self.panels = panels;
+        // Of meshes, what one part is called may change the edges of another.
+        if !changed.is_empty() {
+            let made = self.panels.iter_mut().filter_map(|panel| panel.made.as_mut().ok());
+            join_meshes(&mut made.flatten().collect::<Vec<_>>());
+        }
         changed
     }
 }

@@ -7,8 +7,8 @@
 //! rests that drags a handle. What was found when it was asked last bounds the search, as it bounds
 //! that with the plane.
 
-use super::MadePanel;
-use super::error::MakeCause;
+use super::MakeCause;
+use super::part::{Found, Origin, Part};
 use crate::check::{Verdict, better_without_plane};
 use crate::design::DesignPanel;
 use crate::measure::crosses_itself;
@@ -66,13 +66,14 @@ impl Known {
     pub(super) fn ask(
         &mut self,
         panel: &DesignPanel,
-        made: &MadePanel,
+        found: &Found,
+        verdict: Verdict,
         options: TriangulateOptions,
     ) {
         let is_asked = panel.plane == PlaneChoice::Auto
-            && made.plane.is_some()
-            && made.boundary.holes() < 2
-            && made.checked.verdict != Verdict::Bends;
+            && found.plane.is_some()
+            && found.boundary.holes() < 2
+            && verdict != Verdict::Bends;
         self.open = is_asked.then_some(options);
     }
 
@@ -80,16 +81,17 @@ impl Known {
     /// Returns whether there was something. Where it is stopped, the question stays open.
     pub(super) fn answer(
         &mut self,
-        made: &mut MadePanel,
+        made: &mut Part,
         watch: &mut dyn Watch,
     ) -> Result<bool, MakeCause> {
+        let Origin::Found(found) = &made.origin else { return Ok(false) };
         let Some(options) = self.open.take() else { return Ok(false) };
-        let price = self.better_without_plane(&made.boundary, &options, watch);
+        let price = self.better_without_plane(&found.boundary, &options, watch);
         if price == Err(TriangulateError::Stopped.into()) {
             self.open = Some(options);
         }
         let Some(price) = price? else { return Ok(false) };
-        made.checked.add(better_without_plane(made.triangulation.price, price));
+        made.checked.add(better_without_plane(found.triangulation.price, price));
         Ok(true)
     }
 

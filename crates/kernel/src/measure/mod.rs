@@ -17,19 +17,21 @@
 
 mod bend;
 mod crossing;
+mod distortion;
 mod gauss;
-mod mesh;
 
 pub use bend::Apex;
 pub(crate) use crossing::crosses_itself;
 pub use crossing::first_self_crossing;
+pub use distortion::{CutSuggestion, Distortion, cut_suggestion, distortion};
 pub use gauss::{gauss_area, gauss_area_of_mesh};
-pub use mesh::{CutSuggestion, MeshMeasures, cut_suggestion, mesh_measures};
 
-use crate::flatten::{Flattened, Sheet};
+use crate::flatten::Flattened;
+use crate::mesh::{Mesh, crease_angles};
+use crate::sheet::Sheet;
 use crate::surface::Surface;
 use bend::{Rolls, rolls};
-use sheetwright_geometry::index::TriangleIndex;
+use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
 use sheetwright_geometry::math::{Point3, Vec3, to_deg};
 use sheetwright_optimum::cost::Prices;
 use sheetwright_optimum::rung::Rung;
@@ -85,7 +87,8 @@ impl RungMeasures {
     }
 }
 
-/// What is measured on one panel.
+/// What is measured on one part. A mesh has no rungs: what comes from these is 0 there, and what
+/// comes from [`Distortion`] is a measure of meshes alone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measures {
     /// The rungs, in increasing order: along a strip between two rails, from one end to the other.
@@ -96,9 +99,10 @@ pub struct Measures {
     pub warp_max: f64,
     /// The mean warp angle over the rungs, radians; 0 without rungs.
     pub warp_mean: f64,
-    /// The largest angle between two triangles, radians; 0 without rungs.
+    /// The largest angle between two triangles of the sheet, radians; 0 of one triangle.
     pub crease_max: f64,
-    /// The smallest bend radius, apexes and folds aside, mm; infinite for a flat surface.
+    /// The smallest bend radius, apexes and folds aside, mm; infinite for a flat surface, and for a
+    /// mesh, where it is not measured.
     pub bend_radius_min_mm: f64,
     /// Where rulings run together, in the order of the samples.
     pub apexes: Vec<Apex>,
@@ -112,17 +116,61 @@ pub struct Measures {
     pub length_error_max: f64,
     /// The mean relative length error over all sides, without unit.
     pub length_error_mean: f64,
-    /// Two triangles that pass through one another, if any do. Exact.
+    /// Two triangles that pass through one another, if any do. Exact; not looked for in a mesh.
     pub self_crossing: Option<[TriangleIndex; 2]>,
+    /// Of a mesh: how far it is from lying flat without stretching.
+    pub distortion: Option<Distortion>,
 }
 
-/// Measures a surface and the flat pattern of its sheet. `prices` are those of the boundary that it
-/// spans. A rung that is cut is measured as every other: the seam is joined in space.
-pub fn measures(surface: &Surface, sheet: &Sheet, flat: &Flattened, prices: &Prices) -> Measures {
+/// What a sheet was cut from.
+#[derive(Clone, Copy, Debug)]
+pub enum CutFrom<'a> {
+    /// A surface that was found, with the prices of the boundary that it spans.
+    Surface(&'a Surface, &'a Prices),
+    /// A mesh that was given.
+    Mesh(&'a Mesh),
+}
+
+/// Measures a sheet, its flat pattern, and the surface that it was cut from. A rung that is cut is
+/// measured as every other: the seam is joined in space.
+pub fn measures(from: CutFrom<'_>, sheet: &Sheet, flat: &Flattened) -> Measures {
+    match from {
+        CutFrom::Surface(surface, prices) => measures_of_surface(surface, prices, sheet, flat),
+        CutFrom::Mesh(mesh) => measures_of_mesh(mesh, sheet, flat),
+    }
+}
+
+fn measures_of_mesh(mesh: &Mesh, sheet: &Sheet, flat: &Flattened) -> Measures {
+    let distortion = distortion(sheet.mesh(), &flat.points);
+    Measures {
+        rungs: Vec::new(),
+        twist_total: 0.0,
+        warp_max: 0.0,
+        warp_mean: 0.0,
+        crease_max: crease_angles(sheet.mesh()).into_iter().fold(0.0, f64::max),
+        bend_radius_min_mm: f64::INFINITY,
+        apexes: Vec::new(),
+        gauss_area_sr: gauss_area_of_mesh(mesh),
+        area_space_mm2: area_space(sheet),
+        area_flat_mm2: area_flat(sheet, flat),
+        length_error_max: distortion.length_error_max,
+        length_error_mean: distortion.length_error_mean,
+        self_crossing: None,
+        distortion: Some(distortion),
+    }
+}
+
+fn measures_of_surface(
+    surface: &Surface,
+    prices: &Prices,
+    sheet: &Sheet,
+    flat: &Flattened,
+) -> Measures {
     let (rungs, apexes) = rungs_and_apexes(surface, prices);
     let most = |of: fn(&RungMeasures) -> f64| rungs.iter().map(of).fold(0.0, f64::max);
     let count = rungs.len().max(1) as f64;
-    let errors = length_errors(sheet, flat);
+    let errors: Vec<f64> =
+        border_first(sheet).map(|ends| length_error(sheet, flat, ends).abs()).collect();
     Measures {
         twist_total: rungs.iter().map(|r| r.twist).sum(),
         warp_max: most(|r| r.warp),
@@ -131,11 +179,12 @@ pub fn measures(surface: &Surface, sheet: &Sheet, flat: &Flattened, prices: &Pri
         bend_radius_min_mm: rungs.iter().map(|r| r.bend_radius_mm).fold(f64::INFINITY, f64::min),
         apexes,
         gauss_area_sr: gauss_area(surface.connectivity(), &rungs),
-        area_space_mm2: area_space(surface),
+        area_space_mm2: area_space(sheet),
         area_flat_mm2: area_flat(sheet, flat),
         length_error_max: errors.iter().copied().fold(0.0, f64::max),
         length_error_mean: errors.iter().sum::<f64>() / errors.len() as f64,
         self_crossing: first_self_crossing(surface),
+        distortion: None,
         rungs,
     }
 }
@@ -207,36 +256,38 @@ fn rungs_and_apexes(surface: &Surface, prices: &Prices) -> (Vec<RungMeasures>, V
     (rungs, apexes)
 }
 
-/// The relative length error of every side of the sheet, edges of its border first, then rungs.
+/// The relative length error of every side of a sheet, signed, in the order of
+/// [`Mesh::edges`]: positive where the pattern is longer.
 pub fn length_errors(sheet: &Sheet, flat: &Flattened) -> Vec<f64> {
-    let surface = sheet.surface();
-    surface
-        .connectivity()
-        .sides()
-        .map(|[a, b]| {
-            let space = surface.length(a, b);
-            (flat.points[a.get()].distance(flat.points[b.get()]) - space).abs() / space
-        })
-        .collect()
+    sheet.mesh().edges().iter().map(|edge| length_error(sheet, flat, edge.ends)).collect()
 }
 
-/// The area of a surface, mm².
-pub fn area_space(surface: &Surface) -> f64 {
-    (0..surface.connectivity().triangles().len())
-        .map(|n| surface.area_vector(TriangleIndex::new(n)).length())
-        .sum()
+fn length_error(sheet: &Sheet, flat: &Flattened, [a, b]: [VertexIndex; 2]) -> f64 {
+    let space = sheet.mesh().position(a).distance(sheet.mesh().position(b));
+    (flat.points[a.get()].distance(flat.points[b.get()]) - space) / space
+}
+
+/// The sides of a sheet: round its loops, and then those within. Sums are taken in this order.
+fn border_first(sheet: &Sheet) -> impl Iterator<Item = [VertexIndex; 2]> + '_ {
+    let round = sheet.loops().iter().flat_map(|of_loop| {
+        let next = of_loop.iter().cycle().skip(1);
+        of_loop.iter().zip(next).map(|(&a, &b)| [a, b])
+    });
+    let within = sheet.mesh().edges().iter().filter(|edge| !edge.is_border());
+    round.chain(within.map(|edge| edge.ends))
+}
+
+/// The area of a sheet in space, mm².
+pub fn area_space(sheet: &Sheet) -> f64 {
+    let mesh = sheet.mesh();
+    (0..mesh.triangles().len()).map(|n| mesh.area_vector(TriangleIndex::new(n)).length()).sum()
 }
 
 /// The area of a pattern, mm²: of its triangles, so that what overlaps counts twice.
 pub fn area_flat(sheet: &Sheet, flat: &Flattened) -> f64 {
-    sheet
-        .surface()
-        .connectivity()
-        .triangles()
-        .iter()
-        .map(|t| {
-            let [a, b, c] = t.map(|s| flat.points[s.get()]);
-            0.5 * (b - a).perp_dot(c - a)
-        })
-        .sum()
+    let of_triangle = |t: &[VertexIndex; 3]| {
+        let [a, b, c] = t.map(|v| flat.points[v.get()]);
+        0.5 * (b - a).perp_dot(c - a)
+    };
+    sheet.mesh().triangles().iter().map(of_triangle).sum()
 }

@@ -62,7 +62,7 @@ pub fn separated(
 }
 
 /// The lowest corner of a class, as far as it is known; shortens the way to it.
-pub(super) fn root(of: &mut [usize], mut n: usize) -> usize {
+pub(crate) fn root(of: &mut [usize], mut n: usize) -> usize {
     while of[n] != n {
         of[n] = of[of[n]];
         n = of[n];
@@ -70,7 +70,8 @@ pub(super) fn root(of: &mut [usize], mut n: usize) -> usize {
     n
 }
 
-pub(super) fn unite(of: &mut [usize], a: usize, b: usize) {
+/// Makes one class of those of two corners.
+pub(crate) fn unite(of: &mut [usize], a: usize, b: usize) {
     let (a, b) = (root(of, a), root(of, b));
     // The lower one leads, so that the outcome does not depend on the order.
     of[a.max(b)] = a.min(b);

@@ -13,9 +13,9 @@
 //! The worst points are those whose angles lack most of a full turn, or have most beyond it (their
 //! angle defect, the Gauss curvature that sits in the vertex).
 
-use super::corners::{root, separated, unite};
+use super::Mesh;
+use super::corners::{root, unite};
 use super::ways::Ways;
-use super::{Mesh, MeshError};
 use sheetwright_geometry::index::VertexIndex;
 use sheetwright_geometry::math::{angle_between, from_deg};
 use std::collections::BTreeSet;
@@ -26,25 +26,6 @@ use std::f64::consts::PI;
 const SHARP_DEFECT_DEG: f64 = 30.0;
 /// So many points are cut to, at the most: a cut through more is no pattern but a puzzle.
 const MOST_POINTS: usize = 256;
-
-/// A mesh that was cut, with what joins it again.
-#[derive(Clone, Debug, PartialEq)]
-pub struct CutMesh {
-    /// The mesh as it is cut.
-    pub mesh: Mesh,
-    /// The vertex of the mesh before that each of its vertices was.
-    pub origin: Vec<VertexIndex>,
-    /// The cuts, each between points where cuts end or meet.
-    pub seams: Vec<MeshSeam>,
-}
-
-/// The two sides of a cut, by the vertices of the mesh as it is cut: as many on both, in the same
-/// direction, of which those in the same place are joined.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct MeshSeam {
-    /// The sides; the sheet lies to the left of the first, and to the right of the second.
-    pub sides: [Vec<VertexIndex>; 2],
-}
 
 /// Sides along which a mesh is to be cut, by their numbers among [`Mesh::edges`].
 pub type Cut = BTreeSet<usize>;
@@ -189,84 +170,4 @@ fn ends(mesh: &Mesh) -> [VertexIndex; 2] {
     };
     let one = farthest(VertexIndex::new(0));
     [one, farthest(one)]
-}
-
-/// The mesh as it is along a cut.
-///
-/// # Errors
-/// See [`MeshError`]; a cut along sides of a valid mesh has none.
-pub fn cut_along(mesh: &Mesh, cut: &Cut) -> Result<CutMesh, MeshError> {
-    let edges = mesh.edges();
-    let is_cut = |ends: [VertexIndex; 2]| {
-        mesh.topology().edge_between(ends[0], ends[1]).is_some_and(|n| cut.contains(&n))
-    };
-    let apart = separated(mesh.triangles(), is_cut);
-    let positions = apart.origin.iter().map(|&v| mesh.position(v)).collect();
-    let seams = chains(mesh, cut)
-        .into_iter()
-        .map(|chain| {
-            let side = |left: bool| -> Vec<VertexIndex> {
-                let mut vertices = Vec::with_capacity(chain.len() + 1);
-                for (step, &(n, forward)) in chain.iter().enumerate() {
-                    // The first triangle of an edge lies to the left of the way up.
-                    let triangle = edges[n].triangles[usize::from(forward != left)];
-                    let Some(triangle) = triangle else { continue };
-                    let [low, high] = edges[n].ends;
-                    let (from, to) = if forward { (low, high) } else { (high, low) };
-                    let now = |v: VertexIndex| {
-                        let corners = mesh.triangles()[triangle.get()];
-                        let k = corners.iter().position(|&c| c == v).unwrap_or(0);
-                        apart.triangles[triangle.get()][k]
-                    };
-                    if step == 0 {
-                        vertices.push(now(from));
-                    }
-                    vertices.push(now(to));
-                }
-                vertices
-            };
-            MeshSeam { sides: [side(true), side(false)] }
-        })
-        .collect();
-    let mesh = Mesh::new(positions, apart.triangles)?;
-    Ok(CutMesh { mesh, origin: apart.origin, seams })
-}
-
-/// The cut as ways along sides, each with whether it is run from its lower end, between the points
-/// where cuts end, meet, touch the border or come back to where they began.
-fn chains(mesh: &Mesh, cut: &Cut) -> Vec<Vec<(usize, bool)>> {
-    let edges = mesh.edges();
-    let on_border = mesh.topology().on_border();
-    let mut at: Vec<Vec<usize>> = vec![Vec::new(); mesh.positions().len()];
-    for &n in cut {
-        edges[n].ends.iter().for_each(|end| at[end.get()].push(n));
-    }
-    let is_end = |v: VertexIndex| at[v.get()].len() != 2 || on_border[v.get()];
-    let mut used: BTreeSet<usize> = BTreeSet::new();
-    let mut chains = Vec::new();
-    // Those that have ends first; what is left runs in rings.
-    for ends_only in [true, false] {
-        for &n in cut {
-            for forward in [true, false] {
-                let [low, high] = edges[n].ends;
-                let (start, mut to) = if forward { (low, high) } else { (high, low) };
-                if used.contains(&n) || (ends_only && !is_end(start)) {
-                    continue;
-                }
-                used.insert(n);
-                let mut chain = vec![(n, forward)];
-                while !is_end(to) && to != start {
-                    let Some(&next) = at[to.get()].iter().find(|m| !used.contains(m)) else {
-                        break;
-                    };
-                    used.insert(next);
-                    let forward = edges[next].ends[0] == to;
-                    to = edges[next].ends[usize::from(forward)];
-                    chain.push((next, forward));
-                }
-                chains.push(chain);
-            }
-        }
-    }
-    chains
 }

@@ -7,23 +7,23 @@
 //! may be of several [`Piece`]s.
 
 mod corners;
+mod crease;
 mod cut;
 mod error;
 mod specks;
-mod split;
 mod topology;
 mod ways;
 
 pub use corners::{Separated, separated};
-pub use cut::{
-    Cut, CutMesh, MeshSeam, angle_defects, cut_along, cut_through, cut_to_disk, worst_points,
-};
+pub(crate) use corners::{root, unite};
+pub use crease::crease_angles;
+pub use cut::{Cut, angle_defects, cut_through, cut_to_disk, worst_points};
 pub use error::MeshError;
 pub use specks::{Specks, WithoutSpecks, without_specks};
-pub use split::{crease_angles, split_along_creases};
 pub use topology::{MeshEdge, Piece, Topology};
 pub(crate) use ways::Ways;
 
+use crate::surface::{Surface, signed_crease};
 use sheetwright_geometry::boundary::size_of;
 use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
 use sheetwright_geometry::math::{Point3, Vec3};
@@ -87,6 +87,14 @@ impl Mesh {
         Ok(Self { positions, topology })
     }
 
+    /// The mesh of the triangles of a surface without interior vertices, whose loops keep their
+    /// order and whose samples keep their numbers. It is valid as the surface is: nothing is looked
+    /// at again, so triangles may be without area.
+    pub(crate) fn of_surface(surface: &Surface) -> Self {
+        let topology = Topology::of_surface(surface.connectivity());
+        Self { positions: surface.positions().to_vec(), topology }
+    }
+
     /// Where the vertices lie, mm.
     pub fn positions(&self) -> &[Point3] {
         &self.positions
@@ -145,6 +153,14 @@ impl Mesh {
     pub fn area_vector(&self, triangle: TriangleIndex) -> Vec3 {
         let [a, b, c] = self.corners(triangle);
         (b - a).cross(c - a) * 0.5
+    }
+
+    /// The angle between two triangles that share a side, radians in −π ..= π: positive where the
+    /// mesh bends away from the side that it faces. The first triangle lies to the left of the side
+    /// as its `ends` run.
+    pub(crate) fn crease(&self, ends: [VertexIndex; 2], triangles: [TriangleIndex; 2]) -> f64 {
+        let [from, to] = ends.map(|v| self.position(v));
+        signed_crease(triangles.map(|t| self.area_vector(t)), to - from)
     }
 
     /// The mesh of some of the triangles alone, as of one piece or of one group, with the vertices

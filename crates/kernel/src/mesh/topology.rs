@@ -1,7 +1,9 @@
 //! Which vertices of a mesh are joined: sides, loops and pieces, without positions.
 
 use super::MeshError;
-use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
+use crate::surface::Connectivity;
+use sheetwright_geometry::index::{SampleIndex, TriangleIndex, VertexIndex};
+use std::ops::Range;
 
 /// A side of one triangle or two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,7 +55,7 @@ impl Piece {
     }
 }
 
-/// Triangles over vertices, without positions. Made by [`super::Mesh::new`] alone, so it is valid.
+/// Triangles over vertices, without positions. Made by [`super::Mesh`] alone, so it is valid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Topology {
     vertices: usize,
@@ -94,6 +96,22 @@ impl Topology {
         let mut topology = Self { vertices, triangles, edges, edges_of_triangles, loops, pieces };
         topology.give_loops_to_pieces();
         Ok(topology)
+    }
+
+    /// The topology of a surface of one piece without interior vertices.
+    pub(super) fn of_surface(connectivity: &Connectivity) -> Self {
+        let vertex = |sample: SampleIndex| VertexIndex::new(sample.get());
+        let triangles: Vec<[VertexIndex; 3]> =
+            connectivity.triangles().iter().map(|corners| corners.map(vertex)).collect();
+        let (vertices, count) = (connectivity.samples(), triangles.len());
+        let (edges, edges_of_triangles) =
+            edges(&sorted_sides(&triangles), &triangles, &vec![false; count]);
+        let of_loop = |range: &Range<usize>| range.clone().map(VertexIndex::new).collect();
+        let loops: Vec<Vec<VertexIndex>> = connectivity.loops().iter().map(of_loop).collect();
+        let pieces = pieces(&vec![0; count], &triangles, &edges, vertices);
+        let mut topology = Self { vertices, triangles, edges, edges_of_triangles, loops, pieces };
+        topology.give_loops_to_pieces();
+        topology
     }
 
     /// How many vertices there are.

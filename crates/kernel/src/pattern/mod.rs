@@ -1,19 +1,21 @@
 //! The flat pattern as a workshop needs it: paths with roles, marks and labels.
 
+mod crease;
 mod dimension;
 mod edge_names;
-mod mesh;
 mod seam;
 
-pub use mesh::{EdgeMark, SCORED_CREASE_DEG, mesh_piece, seam_marks};
-pub use seam::{joint_mark, seam_mark};
+pub use crease::SCORED_CREASE_DEG;
+pub use seam::{EdgeMark, joint_mark, seam_mark, seam_marks};
 
 use crate::edge::Edge;
-use crate::flatten::{Flattened, Sheet};
+use crate::flatten::Flattened;
 use crate::measure::{Measures, RungMeasures, SHARP_CREASE_DEG};
-use sheetwright_geometry::index::SampleIndex;
+use crate::mesh::MeshEdge;
+use crate::sheet::Sheet;
+use sheetwright_geometry::index::VertexIndex;
 use sheetwright_geometry::math::{Point2, Vec2, to_deg};
-use sheetwright_geometry::predicate::Box2;
+use sheetwright_geometry::predicate::{Box2, signed_area_doubled};
 use sheetwright_optimum::rung::Rung;
 
 /// What a machine or a person does along a path.
@@ -47,7 +49,7 @@ impl Role {
 /// What a path shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PathKind {
-    /// The outline of the piece; its points are the samples of its loop on the sheet, in order.
+    /// The outline of the piece; its points are the vertices of its loop on the sheet, in order.
     Outline,
     /// A hole of the piece, clockwise; likewise.
     Hole,
@@ -160,61 +162,97 @@ const TICK_SHARE: f64 = 0.05;
 /// Labels are as high as this share of the shorter side of the piece, within 2 to 25 mm.
 const LABEL_SHARE: f64 = 0.08;
 
-/// The pattern of one panel with these edges. `measures` are those of its surface in space.
+/// The pattern of one part with these edges. `measures` are those of its surface in space, `marks`
+/// those of its seams and of the lines along which it is joined to other parts.
 pub fn piece(
     name: &str,
     sheet: &Sheet,
     flat: &Flattened,
     edges: &[Edge],
     measures: &Measures,
+    marks: &[EdgeMark],
     options: &PatternOptions,
 ) -> Piece {
-    let mut paths: Vec<PatternPath> = Vec::new();
-    for of_loop in sheet.surface().connectivity().loops() {
-        let kind = if paths.is_empty() { PathKind::Outline } else { PathKind::Hole };
-        let points = flat.points[of_loop.clone()].to_vec();
-        paths.push(PatternPath { role: Role::Cut, kind, points, closed: true });
-    }
-    let size = Box2::of_points(paths[0].points.iter().copied())
+    let mut paths = loops(sheet, flat);
+    let outline = paths.first().map_or(&[][..], |path| &path.points);
+    let size = Box2::of_points(outline.iter().copied())
         .map_or(Vec2::ZERO, |around| around.max - Point2::default());
     let shorter = size.x.min(size.y);
-    let is_cut = |rung: Rung| sheet.seams().iter().any(|seam| seam.rung == rung);
-    let left: Vec<(usize, &RungMeasures)> =
-        measures.rungs.iter().enumerate().filter(|(_, r)| !is_cut(r.rung)).collect();
-    for &(n, rung) in &left {
-        let role = if rung.is_fold {
+    let tick_mm = (TICK_SHARE * shorter).clamp(2.0, 10.0);
+    let height_mm = (LABEL_SHARE * shorter).clamp(2.0, 25.0);
+    paths.extend(rungs(sheet, flat, measures, options, tick_mm));
+    if !sheet.has_rungs() {
+        paths.extend(crease::creases(sheet.mesh()).into_iter().map(|chain| PatternPath {
+            role: Role::Score,
+            kind: PathKind::Crease,
+            points: chain.into_iter().map(|v| flat.points[v.get()]).collect(),
+            closed: false,
+        }));
+    }
+    let (mark_paths, mark_labels) = seam::drawn(marks, sheet, flat, tick_mm, height_mm);
+    paths.extend(mark_paths);
+    let (dimension_paths, dimension_labels) = dimension::overall(size, height_mm);
+    paths.extend(dimension_paths);
+    let mut labels = vec![name_label(name, sheet, flat, height_mm)];
+    labels.extend(mark_labels);
+    labels.extend(edge_names::labels(edges, &flat.points, tick_mm, height_mm));
+    labels.extend(dimension_labels);
+    Piece { name: name.to_owned(), paths, labels, size }
+}
+
+/// The outline, and then the holes.
+fn loops(sheet: &Sheet, flat: &Flattened) -> Vec<PatternPath> {
+    let points = |line: &Vec<VertexIndex>| line.iter().map(|v| flat.points[v.get()]).collect();
+    let mut loops: Vec<Vec<Point2>> = sheet.loops().iter().map(points).collect();
+    // Where the surface was found, its loops stand in the order of the samples, the outline first.
+    // That of a mesh holds all others, so that it encloses most.
+    if !sheet.has_rungs() {
+        let area = |points: &[Point2]| signed_area_doubled(points).abs();
+        loops.sort_by(|a, b| area(b).total_cmp(&area(a)));
+    }
+    let path = |(n, points): (usize, Vec<Point2>)| {
+        let kind = if n == 0 { PathKind::Outline } else { PathKind::Hole };
+        PatternPath { role: Role::Cut, kind, points, closed: true }
+    };
+    loops.into_iter().enumerate().map(path).collect()
+}
+
+/// The rungs that are not cut, with ticks at the ends of some that bend.
+fn rungs(
+    sheet: &Sheet,
+    flat: &Flattened,
+    measures: &Measures,
+    options: &PatternOptions,
+    tick_mm: f64,
+) -> Vec<PatternPath> {
+    let cut: Vec<Rung> = sheet.seams().iter().map(|seam| sheet.seam_rung(seam)).collect();
+    let is_left = |(_, rung): &(&[VertexIndex; 2], &RungMeasures)| !cut.contains(&rung.rung);
+    let left: Vec<(&[VertexIndex; 2], &RungMeasures)> =
+        sheet.rung_ends().iter().zip(&measures.rungs).filter(is_left).collect();
+    let role = |rung: &RungMeasures| {
+        if rung.is_fold {
             Role::Score
         } else if to_deg(rung.crease.abs()) > SHARP_CREASE_DEG {
             Role::Engrave
         } else {
             Role::Note
-        };
-        let [a, b] = sheet.rung_ends(n).map(|s| s.get());
-        let on_sheet = Rung::new(a, b);
-        paths.push(PatternPath {
-            role,
+        }
+    };
+    let path = |(ends, rung): &(&[VertexIndex; 2], &RungMeasures)| {
+        let on_sheet = Rung::new(ends[0].get(), ends[1].get());
+        PatternPath {
+            role: role(rung),
             kind: PathKind::Rung(on_sheet),
             points: on_sheet.ends().map(|s| flat.points[s.get()]).to_vec(),
             closed: false,
-        });
-    }
-    let tick = (TICK_SHARE * shorter).clamp(2.0, 10.0);
-    let bending: Vec<[Point2; 2]> = left
-        .iter()
-        .filter(|(_, rung)| rung.bends())
-        .map(|&(n, _)| sheet.rung_ends(n).map(|s| flat.points[s.get()]))
-        .collect();
-    paths.extend(ruling_ticks(&bending, options.ruling_ticks, tick));
-    let height_mm = (LABEL_SHARE * shorter).clamp(2.0, 25.0);
-    let (seam_paths, seam_labels) = seam::marks(sheet, flat, tick, height_mm);
-    paths.extend(seam_paths);
-    let (dimension_paths, dimension_labels) = dimension::overall(size, height_mm);
-    paths.extend(dimension_paths);
-    let mut labels = vec![name_label(name, sheet, flat, height_mm)];
-    labels.extend(seam_labels);
-    labels.extend(edge_names::labels(edges, &flat.points, tick, height_mm));
-    labels.extend(dimension_labels);
-    Piece { name: name.to_owned(), paths, labels, size }
+        }
+    };
+    let mut paths: Vec<PatternPath> = left.iter().map(path).collect();
+    let bends = left.iter().filter(|(_, rung)| rung.bends());
+    let bending: Vec<[Point2; 2]> =
+        bends.map(|(ends, _)| ends.map(|v| flat.points[v.get()])).collect();
+    paths.extend(ruling_ticks(&bending, options.ruling_ticks, tick_mm));
+    paths
 }
 
 /// Ticks at both ends of some rungs, spread evenly over those that bend: those whose crease turns
@@ -244,19 +282,21 @@ const LABEL_PLACES: usize = 60;
 /// The name of the panel, where the piece is widest: of the middles of some rungs and triangles,
 /// the one that lies farthest from the outline.
 fn name_label(name: &str, sheet: &Sheet, flat: &Flattened, height_mm: f64) -> PatternLabel {
-    let connectivity = sheet.surface().connectivity();
-    let at = |s: SampleIndex| flat.points[s.get()];
-    let rungs = connectivity.hinges().iter().map(|hinge| {
-        let [a, b] = hinge.rung.ends().map(at);
+    let at = |v: VertexIndex| flat.points[v.get()];
+    let mesh = sheet.mesh();
+    let is_rung = |edge: &&MeshEdge| sheet.has_rungs() && !edge.is_border();
+    let rungs = mesh.edges().iter().filter(is_rung).map(|edge| {
+        let [a, b] = edge.ends.map(at);
         a.lerp(b, 0.5)
     });
-    let triangles = connectivity.triangles().iter().map(|triangle| {
+    let triangles = mesh.triangles().iter().map(|triangle| {
         let [a, b, c] = triangle.map(at);
         a + ((b - a) + (c - a)) / 3.0
     });
     let places: Vec<Point2> = rungs.chain(triangles).collect();
-    let edges: Vec<[Point2; 2]> = connectivity.edges().map(|edge| edge.map(at)).collect();
-    label_at(name, &places, &edges, height_mm)
+    let border = mesh.edges().iter().filter(|edge| edge.is_border());
+    let border: Vec<[Point2; 2]> = border.map(|edge| edge.ends.map(at)).collect();
+    label_at(name, &places, &border, height_mm)
 }
 
 /// A name at that of some places which lies farthest from some edges.

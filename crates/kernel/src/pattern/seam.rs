@@ -3,7 +3,10 @@
 
 use super::dimension::millimetres;
 use super::{LabelKind, PathKind, PatternLabel, PatternPath, Role};
-use crate::flatten::{Flattened, Sheet};
+use crate::flatten::Flattened;
+use crate::mesh::Mesh;
+use crate::sheet::{Seam, Sheet};
+use sheetwright_geometry::index::VertexIndex;
 use sheetwright_geometry::math::{Point2, Vec2, unit2};
 
 /// Letters of a mark are as high as this share of the seam at the most, and as the letters of the
@@ -20,51 +23,95 @@ pub fn seam_mark(n: usize) -> String {
     format!("S{}", n + 1)
 }
 
-/// How the `n`-th seam between two panels is marked on both, from 0: `J1` and so on.
+/// How the `n`-th seam between two parts is marked on both, from 0: `J1` and so on.
 pub fn joint_mark(n: usize) -> String {
     format!("J{}", n + 1)
 }
 
-/// The marks of all seams of a sheet. `tick_mm` is the length of a tick on it, `height_mm` the
-/// height of its letters.
-pub(super) fn marks(
+/// A way along the border of a part that is marked: a side of a cut, or where the part is joined to
+/// another.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct EdgeMark {
+    /// The mark, which stands on both sides.
+    pub mark: String,
+    /// The steps of the border that it runs along, by vertices of the sheet, which lies to their
+    /// left.
+    pub steps: Vec<[VertexIndex; 2]>,
+    /// Whether it says how long the seam is.
+    pub first: bool,
+}
+
+/// The marks of the seams along which a sheet is cut.
+pub fn seam_marks(sheet: &Sheet) -> Vec<EdgeMark> {
+    let of_seam = |(n, seam): (usize, &Seam)| {
+        let sides = seam.steps().into_iter().zip([true, false]);
+        sides.map(move |(steps, first)| EdgeMark { mark: seam_mark(n), steps, first })
+    };
+    sheet.seams().iter().enumerate().flat_map(of_seam).collect()
+}
+
+/// The ticks and letters of some marks. `tick_mm` is the length of a tick, `height_mm` the height
+/// of the piece's letters.
+pub(super) fn drawn(
+    marks: &[EdgeMark],
     sheet: &Sheet,
     flat: &Flattened,
     tick_mm: f64,
     height_mm: f64,
 ) -> (Vec<PatternPath>, Vec<PatternLabel>) {
     let (mut paths, mut labels) = (Vec::new(), Vec::new());
-    for (n, seam) in sheet.seams().iter().enumerate() {
-        for (side, ends) in seam.sides.iter().enumerate() {
-            let [from, to] = ends.map(|s| flat.points[s.get()]);
-            let (mark, first) = (seam_mark(n), side == 0);
-            let side = Side { mark, first, length_mm: from.distance(to), from, to };
-            let (tick, texts) = side.marks(from.lerp(to, 0.5), tick_mm, height_mm);
-            paths.push(tick);
-            labels.extend(texts);
-        }
+    for EdgeMark { mark, steps, first } in marks {
+        let Some((step, share, in_space_mm)) = middle(sheet.mesh(), steps) else { continue };
+        let at = |v: VertexIndex| flat.points[v.get()];
+        let [from, to] = steps[step].map(at);
+        // Sides of a mesh may come out of different lengths: what they are in space holds of both.
+        let length_mm = if sheet.has_rungs() {
+            steps.iter().map(|[a, b]| at(*a).distance(at(*b))).sum()
+        } else {
+            in_space_mm
+        };
+        let side = Side { mark: mark.clone(), first: *first, length_mm, from, to };
+        let (tick, texts) = side.marks(from.lerp(to, share), tick_mm, height_mm);
+        paths.push(tick);
+        labels.extend(texts);
     }
     (paths, labels)
 }
 
+/// The middle of a way along sides in space: the step on which it lies, how much of the step comes
+/// before it, and the length of the whole, mm. `None` for no way.
+fn middle(sheet: &Mesh, steps: &[[VertexIndex; 2]]) -> Option<(usize, f64, f64)> {
+    let length = |n: usize| sheet.position(steps[n][0]).distance(sheet.position(steps[n][1]));
+    let whole: f64 = (0..steps.len()).map(length).sum();
+    let mut left = 0.5 * whole;
+    for n in 0..steps.len() {
+        if left <= length(n) {
+            return Some((n, left / length(n), whole));
+        }
+        left -= length(n);
+    }
+    // Rounding may leave a little.
+    steps.len().checked_sub(1).map(|last| (last, 1.0, whole))
+}
+
 /// A side of a seam on the pattern.
-pub(super) struct Side {
+struct Side {
     /// What both sides of the seam are marked with.
-    pub(super) mark: String,
+    mark: String,
     /// Whether it is the side that says how long the seam is.
-    pub(super) first: bool,
+    first: bool,
     /// How long the seam is, mm.
-    pub(super) length_mm: f64,
+    length_mm: f64,
     /// The ends of the straight line that the side runs along at its middle; the sheet lies to its
     /// left.
-    pub(super) from: Point2,
+    from: Point2,
     /// See `from`.
-    pub(super) to: Point2,
+    to: Point2,
 }
 
 impl Side {
     /// The tick and the letters at the middle of the side.
-    pub(super) fn marks(
+    fn marks(
         &self,
         middle: Point2,
         tick_mm: f64,

@@ -1,7 +1,8 @@
 //! The flat pattern of a quad mesh.
 
 use super::QuadMesh;
-use crate::flatten::{FlattenError, Flattened, Sheet, lay_flat};
+use crate::flatten::{FlattenError, Flattened, lay_flat};
+use crate::sheet::Sheet;
 use crate::surface::{Connectivity, ConnectivityError, Surface};
 use sheetwright_geometry::index::SampleIndex;
 use sheetwright_geometry::math::Point3;

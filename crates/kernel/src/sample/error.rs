@@ -41,6 +41,11 @@ pub enum PanelCause {
         /// Its name.
         name: String,
     },
+    /// A mesh where curves are needed, as in a join.
+    NoCurves {
+        /// Its name.
+        name: String,
+    },
     /// Panels that can't be joined.
     Join {
         /// The one that is not like the others, where it is one.
@@ -73,6 +78,9 @@ impl fmt::Display for PanelCause {
                 write!(f, "only a panel with rails of its own, joined to no other, can run on")
             }
             Self::UnknownPanel { name } => write!(f, "there is no panel '{name}' to join"),
+            Self::NoCurves { name } => {
+                write!(f, "panel '{name}' is a mesh, which has no curves to join")
+            }
             Self::JoinOfJoins { name } => write!(f, "the panel '{name}' is a join itself"),
             Self::Join { part: Some(part), cause } => write!(f, "joining '{part}': {cause}"),
             Self::Join { part: None, cause } => write!(f, "{cause}"),

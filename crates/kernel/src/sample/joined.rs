@@ -78,6 +78,9 @@ fn parts_of<'a>(design: &'a Design, join: &Join) -> Result<Vec<&'a DesignPanel>,
             Some(DesignPanel { shape: PanelShape::Join(_), .. }) => {
                 Err(PanelCause::JoinOfJoins { name: name.clone() })
             }
+            Some(DesignPanel { shape: PanelShape::Mesh(_), .. }) => {
+                Err(PanelCause::NoCurves { name: name.clone() })
+            }
             Some(part) if part.run_on => Err(PanelCause::RunOn),
             Some(part) => Ok(part),
         }

@@ -54,6 +54,10 @@ impl Sampler<'_> {
                 let cause = PanelCause::JoinOfJoins { name: panel.name.clone() };
                 Err(PanelError::of_panel(&panel.name, cause))
             }
+            PanelShape::Mesh(_) => {
+                let cause = PanelCause::NoCurves { name: panel.name.clone() };
+                Err(PanelError::of_panel(&panel.name, cause))
+            }
             PanelShape::Loops { outer, holes } => {
                 let loops = self.loops(panel, outer, holes)?;
                 let steps = loops.iter().map(|samples| along_curves(samples)).collect();

@@ -48,7 +48,7 @@ pub(crate) fn matched(design: &Design) -> Matched {
                     }
                 }
             }
-            PanelShape::Join(_) => {}
+            PanelShape::Join(_) | PanelShape::Mesh(_) => {}
         }
     }
     most.retain(|curve, _| uses.get(curve).is_some_and(|&n| n > 1));

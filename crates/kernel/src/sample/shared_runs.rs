@@ -70,7 +70,7 @@ fn loops_of(design: &Design, part: &DesignPanel) -> Result<Vec<LoopSource>, Pane
         PanelShape::Rails(rails) => rails.iter().collect(),
         PanelShape::Loops { outer, holes } => outer.iter().chain(holes.iter().flatten()).collect(),
         // Refused before.
-        PanelShape::Join(_) => Vec::new(),
+        PanelShape::Join(_) | PanelShape::Mesh(_) => Vec::new(),
     };
     let mut needed = 3;
     for part_of_loop in uses {
@@ -87,7 +87,7 @@ fn loops_of(design: &Design, part: &DesignPanel) -> Result<Vec<LoopSource>, Pane
         PanelShape::Loops { outer, holes } => {
             std::iter::once(outer).chain(holes).map(|uses| loop_of(design, part, uses)).collect()
         }
-        PanelShape::Join(_) => Ok(Vec::new()),
+        PanelShape::Join(_) | PanelShape::Mesh(_) => Ok(Vec::new()),
     }
 }
 

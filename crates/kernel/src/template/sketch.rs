@@ -127,6 +127,8 @@ impl Sketch {
                     let parts = join.parts.iter().map(|part| format!("{part}-starboard"));
                     PanelShape::Join(Join { parts: parts.collect(), ..join.clone() })
                 }
+                // Templates draw curves.
+                PanelShape::Mesh(mesh) => PanelShape::Mesh(mesh.clone()),
             };
             let starboard =
                 DesignPanel { name: format!("{name}-starboard"), shape, ..panel.clone() };

@@ -4,9 +4,10 @@ use super::{Wire, fields, kinds};
 use sheetwright::boundary::{Continuity, PlaneChoice, Within};
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
-    CurveUse, Design, DesignCurve, DesignPanel, Join, MovedBy, PanelMethod, PanelShape, Vary,
-    VaryGoal,
+    CurveUse, Design, DesignCurve, DesignPanel, Join, MovedBy, PanelMesh, PanelMethod, PanelShape,
+    Triangles, Vary, VaryGoal,
 };
+use sheetwright::flatten::Aim;
 use sheetwright::material::{Material, Sourced};
 use sheetwright::triangulate::Goal;
 
@@ -19,6 +20,9 @@ fields!(DesignPanel { name, shape, samples, method, goal, plane, run_on, fold, e
 fields!(CurveUse { name, reversed });
 fields!(Join { parts, smooth, within, keep_parts });
 fields!(Vary { panels, curves, goal, limit_mm, budget_mm, by, leave_developable });
+fields!(Triangles { positions, triangles, left_out });
+fields!(PanelMesh { triangles, aim, split_creases, darts });
+kinds!(Aim { Mean, Max, Seams });
 kinds!(CurveKind { Polyline, Spline, BSpline });
 kinds!(PanelMethod { Optimal, Bridge, Rails });
 kinds!(Goal { Price, WorstWarp });
@@ -41,6 +45,10 @@ impl Wire for PanelShape {
                 out.push(2);
                 join.put(out);
             }
+            Self::Mesh(mesh) => {
+                out.push(3);
+                mesh.put(out);
+            }
         }
     }
 
@@ -49,6 +57,7 @@ impl Wire for PanelShape {
             0 => Self::Rails(Wire::take(from)?),
             1 => Self::Loops { outer: Vec::take(from)?, holes: Vec::take(from)? },
             2 => Self::Join(Join::take(from)?),
+            3 => Self::Mesh(PanelMesh::take(from)?),
             _ => return None,
         })
     }

@@ -54,7 +54,6 @@ variants!(Place {
     Triangles { corners },
     Sides { sides },
     Seams { seams },
-    MeshSeams { count },
     Points { at },
     CurvePoints { curve, numbers }
 });

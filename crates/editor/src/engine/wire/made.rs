@@ -3,17 +3,17 @@
 use super::{Wire, fields, kinds};
 use crate::engine::shown::{Shown, ShownPanel, ShownRung};
 use sheetwright::check::Verdict;
-use sheetwright::index::SampleIndex;
+use sheetwright::index::{SampleIndex, VertexIndex};
 use sheetwright::pattern::{LabelKind, PathKind, PatternLabel, PatternPath, Piece, Role};
 use sheetwright::rung::Rung;
 
-fields!(ShownPanel { name, made });
+fields!(ShownPanel { name, panel, made });
 fields!(Shown {
     verdict,
     findings,
-    proven_optimal,
+    is_mesh,
     positions,
-    loop_ends,
+    loops,
     triangles,
     flat,
     flat_triangles,
@@ -73,6 +73,16 @@ impl Wire for Rung {
     fn take(from: &mut &[u8]) -> Option<Self> {
         let [a, b] = <[SampleIndex; 2]>::take(from)?;
         (a < b).then(|| Self::new(a.get(), b.get()))
+    }
+}
+
+impl Wire for VertexIndex {
+    fn put(&self, out: &mut Vec<u8>) {
+        (self.get() as u32).put(out);
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        Some(Self::new(u32::take(from)? as usize))
     }
 }
 

@@ -22,9 +22,10 @@ impl Dice {
 }
 
 fn shown(design: &Design) -> Vec<ShownPanel> {
-    let panel = |panel| ShownPanel { name: String::from("a"), made: Ok(panel) };
+    let panel =
+        |panel| ShownPanel { name: String::from("a-1"), panel: String::from("a"), made: Ok(panel) };
     let made = make(design, &mut Unwatched).unwrap();
-    made.panels.iter().map(|made| panel(Shown::new(made, design.material.as_ref()))).collect()
+    made.parts.iter().map(|made| panel(Shown::new(made, design.material.as_ref()))).collect()
 }
 
 /// The designs of all templates as they come.
@@ -76,7 +77,11 @@ fn answers() -> Vec<Answer> {
     let refusal = Refusal { message: "no".to_owned(), hint: "ask again".to_owned() };
     let design = template("cone").unwrap().defaults().design().unwrap();
     let mut panels = shown(&design);
-    panels.push(ShownPanel { name: String::new(), made: Err(refusal.clone()) });
+    panels.push(ShownPanel {
+        name: String::new(),
+        panel: String::new(),
+        made: Err(refusal.clone()),
+    });
     let varied = |moved| {
         let (before, after) = (panels.clone(), Vec::new());
         Answer::Varied {

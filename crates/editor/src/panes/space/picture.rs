@@ -289,13 +289,9 @@ fn on_sheet(lines: &mut Lines, shown: &Shown, is_worst: bool, view: SurfaceView,
         }
     }
     let edge = Pen::new(theme.curve, 1.2, 1.5).faded(0.7);
-    let mut start = 0;
-    for &end in &shown.loop_ends {
-        let ends = start as usize..(end as usize).min(shown.positions.len());
-        if let Some(points) = shown.positions.get(ends) {
-            lines.through(points, true, edge);
-        }
-        start = end;
+    for of_loop in &shown.loops {
+        let points: Vec<Point3> = of_loop.iter().map(|&n| at(n)).collect();
+        lines.through(&points, true, edge);
     }
     let coloured = matches!(view, SurfaceView::Warp | SurfaceView::Rungs);
     let beyond = |&n: &usize| twist(&shown.rungs[n]) > shown.warp_limit_deg;

@@ -47,6 +47,8 @@ pub enum VaryCause {
         /// Its name.
         name: String,
     },
+    /// None of the panels that are to bend better has curves: they are meshes.
+    NoCurves,
     /// A curve that bounds none of the panels that are to bend better.
     BoundsNothing,
     /// A curve that would be moved for two reasons that know nothing of one another.
@@ -68,6 +70,7 @@ impl fmt::Display for VaryCause {
             Self::Joined => write!(f, "a panel that joins others can't be varied"),
             Self::RunsOn => write!(f, "a panel whose rails run on can't be varied"),
             Self::UnknownPanel { name } => write!(f, "there is no panel '{name}' to vary"),
+            Self::NoCurves => write!(f, "a mesh has no curves that could move"),
             Self::BoundsNothing => {
                 write!(f, "the curve may move, and bounds none of the panels to vary")
             }

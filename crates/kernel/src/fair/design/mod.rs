@@ -146,6 +146,9 @@ impl Scope {
             .filter(|panel| is_asked(panel))
             .flat_map(|panel| curves_of(panel))
             .collect();
+        if asked.is_empty() {
+            return Err(failed("", None, VaryCause::NoCurves));
+        }
         let mut curves = BTreeSet::new();
         for name in &vary.curves {
             let number = design.curves.iter().position(|curve| curve.name == *name);

@@ -16,6 +16,7 @@ mod spread;
 mod springs;
 mod start;
 
+use super::Flattened;
 use super::pose::posed;
 use crate::mesh::{Mesh, Topology};
 use aims::Run;
@@ -85,14 +86,8 @@ pub enum Ended {
 /// A mesh laid flat.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Relaxed {
-    /// Where the vertices lie in the plane, mm, seen from the side that the mesh faces: in the
-    /// rectangle of least area around them, its longer side along x, its lower left corner at the
-    /// origin.
-    pub points: Vec<Point2>,
-    /// Two edges of the border between which the pattern overlaps itself, by the vertices that they
-    /// begin at: they cross in the plane, or lie where it is covered twice without a crossing. It
-    /// can't be cut from one sheet then. Exact. Without one, no two triangles overlap.
-    pub overlap: Option<(usize, usize)>,
+    /// Where its vertices lie.
+    pub flat: Flattened,
     /// How many triangles do not run counter-clockwise. Exact; 0, unless the last turn into the
     /// rectangle rounds a needle over.
     pub flipped: usize,
@@ -212,13 +207,9 @@ pub fn relax_lengths(
     }
     let points = posed(&form.points, &(0..form.points.len()));
     watch.progress(1.0);
-    Ok(Relaxed {
-        overlap: overlap(topology, &points),
-        flipped: flipped(topology, &points),
-        points,
-        ended,
-        steps: run.steps,
-    })
+    let flipped = flipped(topology, &points);
+    let flat = Flattened { overlap: overlap(topology, &points), points };
+    Ok(Relaxed { flat, flipped, ended, steps: run.steps })
 }
 
 /// The largest and the smallest stretch of a triangle, without unit: how much longer its directions

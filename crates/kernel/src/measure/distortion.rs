@@ -10,9 +10,9 @@ use std::f64::consts::TAU;
 /// plane does not lie flat unless it is cut open: a tube's does not turn at all.
 const HOLE_TURN: f64 = 0.05;
 
-/// What is measured on a mesh and its flat form.
+/// How far a mesh is from lying flat without stretching.
 #[derive(Clone, Debug, PartialEq)]
-pub struct MeshMeasures {
+pub struct Distortion {
     /// The relative length error of every side, (flat − space) / space, signed, in the order of
     /// [`Mesh::edges`]: positive where the pattern is longer.
     pub length_errors: Vec<f64>,
@@ -31,13 +31,16 @@ pub struct MeshMeasures {
     pub stretch_max: f64,
     /// The smallest of all stretches.
     pub stretch_min: f64,
-    /// The area in space, mm².
-    pub area_space_mm2: f64,
-    /// The area of the pattern, mm²; what overlaps counts twice.
-    pub area_flat_mm2: f64,
 }
 
-impl MeshMeasures {
+impl Distortion {
+    /// The side with the largest length error, by its number among those of the sheet, the first of
+    /// equals.
+    pub fn worst_edge(&self) -> Option<usize> {
+        let size = |n: usize| self.length_errors[n].abs();
+        (0..self.length_errors.len()).reduce(|best, n| if size(n) > size(best) { n } else { best })
+    }
+
     /// The strain of a triangle: by which share it is stretched or squeezed where that is most.
     pub fn strain(&self, triangle: TriangleIndex) -> f64 {
         let [most, least] = self.stretches[triangle.get()];
@@ -45,11 +48,11 @@ impl MeshMeasures {
     }
 }
 
-/// Measures a mesh whose vertices lie at these points of the plane.
+/// The distortion of a mesh whose vertices lie at these points of the plane.
 ///
 /// # Panics
 /// Unless there is one point a vertex.
-pub fn mesh_measures(mesh: &Mesh, points: &[Point2]) -> MeshMeasures {
+pub fn distortion(mesh: &Mesh, points: &[Point2]) -> Distortion {
     assert_eq!(mesh.positions().len(), points.len(), "one point a vertex");
     let lengths = mesh.lengths();
     let length_errors: Vec<f64> = mesh
@@ -61,7 +64,6 @@ pub fn mesh_measures(mesh: &Mesh, points: &[Point2]) -> MeshMeasures {
             (a.distance(b) - space) / space
         })
         .collect();
-    let (mut area_space_mm2, mut area_flat_mm2) = (0.0, 0.0);
     let mut area_of = vec![0.0; lengths.len()];
     let mut stretches = Vec::with_capacity(mesh.triangles().len());
     for (n, corners) in mesh.triangles().iter().enumerate() {
@@ -69,8 +71,6 @@ pub fn mesh_measures(mesh: &Mesh, points: &[Point2]) -> MeshMeasures {
         let edges = mesh.topology().edges_of(triangle);
         let flat = corners.map(|v| points[v.get()]);
         let area = mesh.area_vector(triangle).length();
-        area_space_mm2 += area;
-        area_flat_mm2 += 0.5 * (flat[1] - flat[0]).perp_dot(flat[2] - flat[0]);
         for edge in edges {
             area_of[edge] += area;
         }
@@ -80,7 +80,7 @@ pub fn mesh_measures(mesh: &Mesh, points: &[Point2]) -> MeshMeasures {
     let sizes = || length_errors.iter().map(|r| r.abs());
     let weighed: f64 = sizes().zip(&area_of).map(|(r, area)| r * area).sum();
     let border = mesh.edges().iter().zip(sizes()).filter(|(edge, _)| edge.is_border());
-    MeshMeasures {
+    Distortion {
         length_error_max: sizes().fold(0.0, f64::max),
         length_error_mean: sizes().sum::<f64>() / length_errors.len() as f64,
         length_error_mean_by_area: weighed / area_of.iter().sum::<f64>(),
@@ -88,8 +88,6 @@ pub fn mesh_measures(mesh: &Mesh, points: &[Point2]) -> MeshMeasures {
         stretch_max: stretches.iter().fold(0.0, |most, s| s[0].max(most)),
         stretch_min: stretches.iter().fold(f64::INFINITY, |least, s| s[1].min(least)),
         stretches,
-        area_space_mm2,
-        area_flat_mm2,
         length_errors,
     }
 }
@@ -112,8 +110,8 @@ pub struct CutSuggestion {
 /// [`crate::material::stretch_limit`] tells): from a hole that cannot lie flat to the nearest other
 /// loop; or else, of the strained triangles that hang together with the worst, from the vertex that
 /// lies deepest inside to the border, along the shortest way. `None` where the sheet takes all.
-pub fn cut_suggestion(mesh: &Mesh, measures: &MeshMeasures, limit: f64) -> Option<CutSuggestion> {
-    let strain = |n: usize| measures.strain(TriangleIndex::new(n));
+pub fn cut_suggestion(mesh: &Mesh, distortion: &Distortion, limit: f64) -> Option<CutSuggestion> {
+    let strain = |n: usize| distortion.strain(TriangleIndex::new(n));
     let count = mesh.triangles().len();
     let worst = (0..count).reduce(|a, b| if strain(b) > strain(a) { b } else { a })?;
     if strain(worst) <= limit {

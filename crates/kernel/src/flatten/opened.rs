@@ -1,50 +1,37 @@
-//! A surface as it lies on the sheet: cut open along some of its rungs.
-//!
-//! Along a cut, every sample lies on two sides and so becomes two of the sheet. Triangles keep
-//! their numbers. A surface with one loop needs no cut, and its sheet is the surface itself.
+//! A surface cut open along some of its rungs, while it is being laid flat: what becomes its
+//! [`Sheet`].
 
 use super::FlattenError;
+use crate::mesh::Mesh;
+use crate::sheet::Sheet;
 use crate::surface::{Connectivity, Surface};
-use sheetwright_geometry::index::{SampleIndex, TriangleIndex};
-use sheetwright_optimum::rung::Rung;
+use sheetwright_geometry::index::{SampleIndex, TriangleIndex, VertexIndex};
+use sheetwright_geometry::math::Point2;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// A cut that the pattern needs: its two sides are joined when the sheet is bent.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Seam {
-    /// The rung of the surface along which it runs.
-    pub rung: Rung,
-    /// Its two sides, each from a sample of the sheet to the next on its loop. They run against
-    /// one another: the first sample of one belongs on the second of the other.
-    pub sides: [[SampleIndex; 2]; 2],
-    /// How far apart the two places of a sample lie on the pattern, the larger of both, mm.
-    pub gap_mm: f64,
-}
+/// The two sides of a cut, each from a sample of the surface as it is cut to the next on its loop.
+/// They run against one another: the first sample of one belongs on the second of the other.
+pub(super) type CutSides = [[SampleIndex; 2]; 2];
 
 /// A surface cut open.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Sheet {
+#[derive(Clone, Debug)]
+pub(super) struct Opened {
     surface: Surface,
     origin: Vec<SampleIndex>,
     rung_ends: Vec<[SampleIndex; 2]>,
-    seams: Vec<Seam>,
+    cuts: Vec<CutSides>,
 }
 
-impl Sheet {
-    /// The sheet of a surface that is not cut.
-    pub fn whole(surface: &Surface) -> Self {
-        Self {
-            surface: surface.clone(),
-            origin: (0..surface.positions().len()).map(SampleIndex::new).collect(),
-            rung_ends: surface.connectivity().hinges().iter().map(|h| h.rung.ends()).collect(),
-            seams: Vec::new(),
-        }
-    }
+/// A sample as a vertex of a sheet.
+fn vertex(sample: SampleIndex) -> VertexIndex {
+    VertexIndex::new(sample.get())
+}
 
-    /// The sheet of a surface that is cut along the hinges numbered in `cuts`, in increasing
+impl Opened {
+    /// A surface that is cut along the hinges numbered in `cuts`, in increasing
     /// order. Its loops follow the surface's, the one that begins at `first` foremost; of several
-    /// that are joined by cuts, the one with the lowest samples counts. Gaps are left 0.
+    /// that are joined by cuts, the one with the lowest samples counts.
     ///
     /// # Errors
     /// [`FlattenError::Pieces`] if a sample would lie inside, or more than once on the border.
@@ -96,49 +83,52 @@ impl Sheet {
         };
         let rung_ends: Option<Vec<[SampleIndex; 2]>> =
             hinges.iter().map(|h| side(h.triangles[0], h.rung.ends())).collect();
-        let seams: Option<Vec<Seam>> = cuts
+        let cuts: Option<Vec<CutSides>> = cuts
             .iter()
             .map(|&n| {
                 let [low, high] = hinges[n].rung.ends();
                 let [first, second] = hinges[n].triangles;
-                let sides = [side(first, [low, high])?, side(second, [high, low])?];
-                Some(Seam { rung: hinges[n].rung, sides, gap_mm: 0.0 })
+                Some([side(first, [low, high])?, side(second, [high, low])?])
             })
             .collect();
-        let (Some(triangles), Some(rung_ends), Some(seams)) = (triangles, rung_ends, seams) else {
+        let (Some(triangles), Some(rung_ends), Some(cuts)) = (triangles, rung_ends, cuts) else {
             return Err(FlattenError::Pieces);
         };
         let connectivity =
             Connectivity::new(&loops, triangles).map_err(|_| FlattenError::Pieces)?;
         let positions = origin.iter().map(|&s| surface.position(s)).collect();
-        Ok(Self { surface: Surface::new(connectivity, positions), origin, rung_ends, seams })
+        Ok(Self { surface: Surface::new(connectivity, positions), origin, rung_ends, cuts })
     }
 
     /// The surface as it is cut, in space: along a cut its samples lie on one another in pairs.
     /// Its loops are those of the pattern, the outline first.
-    pub fn surface(&self) -> &Surface {
+    pub(super) fn surface(&self) -> &Surface {
         &self.surface
     }
 
-    /// The sample of the uncut surface that a sample of the sheet is.
-    pub fn origin(&self, sample: SampleIndex) -> SampleIndex {
+    /// The sample of the uncut surface that a sample is.
+    pub(super) fn origin(&self, sample: SampleIndex) -> SampleIndex {
         self.origin[sample.get()]
     }
 
-    /// Where the `n`-th rung of the uncut surface begins and ends on the sheet; of a seam, its
-    /// first side.
-    pub fn rung_ends(&self, n: usize) -> [SampleIndex; 2] {
-        self.rung_ends[n]
-    }
-
     /// The cuts that are left, in the order of their rungs.
-    pub fn seams(&self) -> &[Seam] {
-        &self.seams
+    pub(super) fn cuts(&self) -> &[CutSides] {
+        &self.cuts
     }
 
-    pub(super) fn seams_mut(&mut self) -> &mut [Seam] {
-        &mut self.seams
+    /// The sheet whose samples lie at these points when it is flat.
+    pub(super) fn sheet(&self, points: &[Point2]) -> Sheet {
+        let origin = self.origin.iter().copied().map(vertex).collect();
+        let ways = |&[[a, b], [c, d]]: &CutSides| [vec![a, b], vec![d, c]].map(named);
+        let named_ends = self.rung_ends.iter().map(|ends| ends.map(vertex)).collect();
+        let seams = self.cuts.iter().map(ways).collect();
+        let sheet = Sheet::new(Mesh::of_surface(&self.surface), origin, seams);
+        sheet.with_rungs(named_ends).laid_at(points)
     }
+}
+
+fn named(side: Vec<SampleIndex>) -> Vec<VertexIndex> {
+    side.into_iter().map(vertex).collect()
 }
 
 /// An edge of the border of a sheet, by the samples of the uncut surface, and the triangle to its

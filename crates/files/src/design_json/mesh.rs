@@ -1,0 +1,219 @@
+//! Panels whose surface is a mesh: the fields that say so, and the meshes beside a design.
+
+use super::beside::{Kind, file_beside};
+use super::grammar::{AimName, MeshFile, PanelFile, TrianglesFile, Triple};
+use super::source::Source;
+use crate::json::json;
+use crate::mesh::{Builder, MeshFormat, groups};
+use crate::names::{did_you_mean, shown};
+use crate::reading::{InputError, MAX_INPUT_BYTES, read_whole};
+use crate::units::Units;
+use sheetwright::design::{PanelMesh, PanelShape, Triangles};
+use sheetwright::flatten::Aim;
+use sheetwright::math::{from_deg, to_deg};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+const MESH: Kind = Kind { word: "mesh", files: "a mesh (.obj, .stl, .ply or .glb)" };
+
+/// A group of a mesh file with its name.
+type Group = (String, Arc<Triangles>);
+
+/// The meshes of a design, each read once.
+pub(super) struct Meshes<'a> {
+    source: &'a Source<'a>,
+    units: Units,
+    read: BTreeMap<PathBuf, Vec<Group>>,
+    /// How many more bytes the meshes of the design may have together.
+    bytes_left: u64,
+}
+
+impl<'a> Meshes<'a> {
+    pub(super) fn new(source: &'a Source<'a>, units: Units) -> Self {
+        Self { source, units, read: BTreeMap::new(), bytes_left: MAX_INPUT_BYTES }
+    }
+
+    /// The mesh that the panel at `path` of the file is; `None` if it is none.
+    pub(super) fn shape(
+        &mut self,
+        file: &mut PanelFile,
+        path: &str,
+    ) -> Result<Option<PanelShape>, InputError> {
+        let at = |field: &str| format!("{path}{field}");
+        let Some(mesh) = file.mesh.take() else {
+            let given = [
+                (".group", file.group.is_some()),
+                (".aim", file.aim.is_some()),
+                (".split_creases_deg", file.split_creases_deg.is_some()),
+                (".darts", file.darts.is_some()),
+            ];
+            if let Some((field, _)) = given.into_iter().find(|(_, given)| *given) {
+                let hint = "Add \"mesh\": \"hood.stl\", or leave it out.";
+                return Err(self.source.error(&at(field), "the panel is no mesh", hint));
+            }
+            return Ok(None);
+        };
+        self.refuse_curves(file, path)?;
+        let triangles = match &mesh {
+            MeshFile::Path(name) => self.of_file(name, file.group.as_deref(), path)?,
+            MeshFile::Triangles(_) if file.group.is_some() => {
+                let message = "`group` names a group of a mesh file, and there is no file";
+                return Err(self.source.error(&at(".group"), message, "Leave it out."));
+            }
+            MeshFile::Triangles(given) => Arc::new(self.of_list(given, &at(".mesh"))?),
+        };
+        let split_creases = file.split_creases_deg.map(|deg| {
+            let is_angle = (1.0..180.0).contains(&deg);
+            is_angle.then(|| from_deg(deg)).ok_or_else(|| {
+                let message = format!("creases are divided above {deg}°");
+                let hint = "Write an angle from 1 to below 180 degrees.";
+                self.source.error(&at(".split_creases_deg"), message, hint)
+            })
+        });
+        let mesh = PanelMesh {
+            triangles,
+            aim: match file.aim {
+                None | Some(AimName::Mean) => Aim::Mean,
+                Some(AimName::Max) => Aim::Max,
+                Some(AimName::Seams) => Aim::Seams,
+            },
+            split_creases: split_creases.transpose()?,
+            darts: file.darts.unwrap_or(false),
+        };
+        Ok(Some(PanelShape::Mesh(self.source.options.mesh.applied(mesh))))
+    }
+
+    /// Refuses fields that are for panels whose surface is found.
+    fn refuse_curves(&self, file: &PanelFile, path: &str) -> Result<(), InputError> {
+        let given = [
+            ("rails", file.rails.is_some()),
+            ("boundary", file.boundary.is_some()),
+            ("holes", file.holes.is_some()),
+            ("join", file.join.is_some()),
+            ("samples", file.samples.is_some()),
+            ("method", file.method.is_some()),
+            ("goal", file.goal.is_some()),
+            ("run_on", file.run_on.is_some()),
+            ("plane", file.plane.is_some()),
+            ("fold", file.fold.is_some()),
+            ("effort", file.effort.is_some()),
+            ("cut", file.cut.is_some()),
+            ("vary", file.vary.is_some()),
+        ];
+        let Some((field, _)) = given.into_iter().find(|(_, given)| *given) else { return Ok(()) };
+        let message = format!("the panel is a mesh and has `{field}`, which is for curves");
+        let hint = "Keep one of the two: a mesh is laid flat as it stands.";
+        Err(self.source.error(path, message, hint))
+    }
+
+    /// A group of a mesh file, the only one if none is named.
+    fn of_file(
+        &mut self,
+        name: &str,
+        wanted: Option<&str>,
+        path: &str,
+    ) -> Result<Arc<Triangles>, InputError> {
+        let at = format!("{path}.mesh");
+        let Some(folder) = self.source.folder else {
+            let message = "a design from standard input can't take a mesh from a file";
+            let hint = "Save the design as a file in the folder of its meshes.";
+            return Err(self.source.error(&at, message, hint));
+        };
+        let source = self.source;
+        let file =
+            file_beside(folder, name, MESH, &|message, hint| source.error(&at, message, hint))?;
+        if !self.read.contains_key(&file) {
+            let groups = self.read_anew(&file, name, &at)?;
+            self.read.insert(file.clone(), groups);
+        }
+        let groups = self.read.get(&file).map_or(&[][..], Vec::as_slice);
+        let found = match (wanted, groups) {
+            (Some(wanted), _) => groups.iter().find(|(name, _)| name == wanted),
+            (None, [only]) => Some(only),
+            (None, _) => None,
+        };
+        found.map(|(_, triangles)| triangles.clone()).ok_or_else(|| {
+            let known: Vec<&str> = groups.iter().map(|(name, _)| name.as_str()).collect();
+            let (message, hint) = match wanted {
+                Some(wanted) => (
+                    format!("{} has no group {}", shown(name), shown(wanted)),
+                    did_you_mean(wanted, &known),
+                ),
+                None => (
+                    format!("{} has {} groups, and none is named", shown(name), groups.len()),
+                    format!("Name one with \"group\". {}", did_you_mean("", &known)),
+                ),
+            };
+            self.source.error(&format!("{path}.group"), message, hint)
+        })
+    }
+
+    fn read_anew(&mut self, file: &Path, name: &str, at: &str) -> Result<Vec<Group>, InputError> {
+        let ending = file.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+        let Some(format) = MeshFormat::of_ending(&ending.to_lowercase()) else {
+            let message = format!("{} is no mesh", shown(name));
+            let hint = "Name a file that ends in .obj, .stl, .ply or .glb.";
+            return Err(self.source.error(at, message, hint));
+        };
+        // The resolved path is of no use to whoever wrote the design.
+        let bytes = read_whole(file)
+            .map_err(|error| InputError { place: Some(name.to_owned()), ..error })?;
+        let size = bytes.len() as u64;
+        if size > self.bytes_left {
+            let message = "the meshes of the design are larger than 256 MiB together";
+            let hint = "Export them more coarsely: some ten thousand triangles show most shapes.";
+            return Err(self.source.error(at, message, hint));
+        }
+        self.bytes_left -= size;
+        let groups = groups(format, &bytes, name, self.units)?;
+        Ok(groups.into_iter().map(|(name, triangles)| (name, Arc::new(triangles))).collect())
+    }
+
+    /// Triangles that stand in the design itself.
+    fn of_list(&self, given: &TrianglesFile, path: &str) -> Result<Triangles, InputError> {
+        let place = format!("{}: {path}", self.source.place);
+        let mut builder = Builder::new(&place, "mesh", self.units.in_mm());
+        for (n, Triple(xyz)) in given.points.iter().enumerate() {
+            builder.point(*xyz, || format!("{place}.points[{n}]"))?;
+        }
+        for (n, corners) in given.triangles.iter().enumerate() {
+            let at = || format!("{place}.triangles[{n}]");
+            if let Some(corner) = corners.iter().find(|&&corner| corner >= given.points.len()) {
+                let message = format!("there is no point {corner}");
+                let hint = format!("Points are counted from 0; there are {}.", given.points.len());
+                return Err(InputError::at(at(), message, hint));
+            }
+            builder.polygon(corners, at)?;
+        }
+        // One group was begun, so one comes out, unless there is no triangle, which is refused.
+        let built = builder.built()?;
+        let triangles = built.into_iter().next().map(|group| group.triangles().1);
+        let mut triangles = triangles.unwrap_or_default();
+        triangles.left_out += given.left_out;
+        Ok(triangles)
+    }
+}
+
+/// The fields of a panel that is a mesh, as they stand in its file.
+pub(super) fn fields(mesh: &PanelMesh) -> Vec<String> {
+    let Triangles { positions, triangles, left_out } = &*mesh.triangles;
+    let given = TrianglesFile {
+        points: positions.iter().map(|p| Triple([p.x, p.y, p.z])).collect(),
+        triangles: triangles.iter().map(|t| t.map(|v| v.get())).collect(),
+        left_out: *left_out,
+    };
+    let mut fields = vec![format!("\"mesh\": {}", json(&given))];
+    match mesh.aim {
+        Aim::Mean => {}
+        Aim::Max => fields.push(format!("\"aim\": {}", json(&AimName::Max))),
+        Aim::Seams => fields.push(format!("\"aim\": {}", json(&AimName::Seams))),
+    }
+    if let Some(crease) = mesh.split_creases {
+        fields.push(format!("\"split_creases_deg\": {}", json(&to_deg(crease))));
+    }
+    if mesh.darts {
+        fields.push("\"darts\": true".to_owned());
+    }
+    fields
+}

@@ -1,0 +1,266 @@
+//! What `report.html` shows of a part whose surface was found.
+
+use super::flat_picture::{Tagged, edges, outline_length, ruled_picture};
+use super::gauss_picture::gauss_picture;
+use super::moved_picture::{enlarged, moved_picture};
+use super::page::{Number, Page};
+use super::space_picture::space_picture;
+use super::view::box_of;
+use super::warp_chart::warp_chart;
+use super::wording::{
+    area, decimal, degrees, millimetres, millimetres_fine, radius, refold, scientific, steradians,
+    verdict_word,
+};
+use super::worst_rung;
+use maud::{Markup, PreEscaped, html};
+use sheetwright::make::{Found, Part};
+use sheetwright::material::{Material, warp_limit_deg};
+use sheetwright::math::{from_deg, to_deg};
+use sheetwright::measure::RungMeasures;
+use sheetwright::pattern::seam_mark;
+use sheetwright::triangulate::Goal;
+use std::collections::BTreeSet;
+
+/// A warp that is shown as none, degrees: half of the last digit that is printed.
+const NO_WARP_DEG: f64 = 0.005;
+
+/// A part with its boundary.
+pub(super) struct FoundPage<'a> {
+    pub(super) page: &'a Page<'a>,
+    pub(super) found: &'a Found,
+}
+
+impl FoundPage<'_> {
+    fn part(&self) -> &Part {
+        self.page.part
+    }
+
+    fn material(&self) -> Option<&Material> {
+        self.page.made.material.as_ref()
+    }
+
+    /// The pictures, with what there is to see.
+    pub(super) fn figures(&self) -> Markup {
+        let (part, material) = (self.part(), self.material());
+        html! {
+            div.figures {
+                div.column {
+                    figure.first {
+                        (PreEscaped(space_picture(part, material).inline()))
+                        figcaption { (self.space_caption()) }
+                    }
+                    @if let Some(gauss) = gauss_picture(part, material) {
+                        figure.fourth {
+                            (PreEscaped(gauss.inline()))
+                            figcaption { (gauss_caption(part.measures.gauss_area_sr)) }
+                        }
+                    }
+                }
+                div.column {
+                    figure.second {
+                        (PreEscaped(ruled_picture(part, material).inline()))
+                        (self.flat_caption())
+                    }
+                    @if let Some(chart) = warp_chart(part, material) {
+                        figure.third {
+                            (PreEscaped(chart.inline()))
+                            figcaption { (self.warp_caption()) }
+                        }
+                    } @else {
+                        p.third { "One triangle is flat: there is nothing to bend." }
+                    }
+                }
+            }
+        }
+    }
+
+    /// What moving the boundary has changed, if it was to be moved.
+    pub(super) fn before_and_after(&self) -> Markup {
+        let (panel, material) = (self.part(), self.material());
+        let Some(change) = panel.change() else { return html! {} };
+        let before: &Part = &change.before;
+        let price = |part: &Part| part.found().map_or(f64::NAN, |f| f.triangulation.price);
+        let rows = [
+            ("Verdict", [before, panel].map(|p| verdict_word(p.checked.verdict).to_owned())),
+            ("Largest warp", [before, panel].map(|p| degrees(to_deg(p.measures.warp_max)))),
+            ("Mean warp", [before, panel].map(|p| degrees(to_deg(p.measures.warp_mean)))),
+            ("Twist, total", [before, panel].map(|p| scientific(p.measures.twist_total))),
+            ("Price, total", [before, panel].map(|p| scientific(price(p)))),
+        ];
+        html! {
+            h3 { "Before and after the boundary was moved" }
+            p {
+                "Samples moved by up to " (millimetres_fine(change.moved_max_mm())) ", by "
+                (millimetres_fine(change.moved_total_mm())) " in sum: " (change.ended.to_string())
+                "."
+            }
+            table.summary {
+                thead { tr { th scope="col" {} th scope="col" { "Before" } th scope="col" { "After" } } }
+                tbody {
+                    @for (name, [was, is]) in rows {
+                        tr {
+                            th scope="row" { (name) }
+                            td data-label="Before" { (was) }
+                            td data-label="After" { (is) }
+                        }
+                    }
+                }
+            }
+            @if let Some(picture) = moved_picture(panel) {
+                div.figures {
+                    div.column {
+                        figure {
+                            (PreEscaped(picture.inline()))
+                            figcaption {
+                                strong { "Where it moved. " }
+                                "The boundary before (dark) and after (blue), with the way between "
+                                (decimal(enlarged(change), 0)) " times as long as it is."
+                            }
+                        }
+                    }
+                    div.column {
+                        @if let Some(chart) = warp_chart(before, material) {
+                            figure {
+                                (PreEscaped(chart.inline()))
+                                figcaption { strong { "Warp before. " } "Above is the warp after." }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Whether the panel is no flat plate.
+    fn bends(&self) -> bool {
+        self.part().measures.rungs.iter().any(RungMeasures::bends)
+    }
+
+    fn space_caption(&self) -> Markup {
+        let size = box_of(self.part());
+        html! {
+            strong { "In space. " }
+            @if self.bends() {
+                "The thin lines are rulings, along which the sheet stays straight. "
+            }
+            "Blue is the side that the pattern shows, brown the other. It fills a box of "
+            (millimetres(size.x)) " × " (millimetres(size.y)) " × " (millimetres(size.z))
+            " (x, y, z)."
+        }
+    }
+
+    fn flat_caption(&self) -> Markup {
+        let (panel, edges) = (self.part(), edges(self.part()));
+        // Both sides of a seam are one length.
+        let mut seen = BTreeSet::new();
+        html! {
+            figcaption {
+                strong { "Laid flat. " }
+                "The outline to cut. "
+                @if self.bends() {
+                    "Short strokes mark where to lay the straightedge; dashed lines are folds. "
+                }
+                "The whole outline is " (millimetres(outline_length(self.part())))
+                " long."
+                @if !panel.sheet.seams().is_empty() {
+                    " It is cut open along " b { (seam_mark(0)) }
+                    @if panel.sheet.seams().len() > 1 {
+                        " to " b { (seam_mark(panel.sheet.seams().len() - 1)) }
+                    }
+                    ": join the sides that have the same mark."
+                }
+                @if !edges.is_empty() {
+                    ul.edges {
+                        @for edge in edges.iter().filter(|edge| seen.insert(&edge.letter)) {
+                            li { b { (edge.letter) } " " (self.edge_text(edge)) }
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// The name of an edge, how long it is, and what it is joined to.
+    fn edge_text(&self, tagged: &Tagged<'_>) -> String {
+        let length = millimetres(tagged.length_mm);
+        tagged.edge.map_or_else(|| length.clone(), |edge| self.page.edge_text(edge, &length))
+    }
+
+    /// Whether some ruling turns by more than the limit which may come from the sampling.
+    fn is_unsure(&self) -> bool {
+        let limit = from_deg(warp_limit_deg(self.material()));
+        let is_so = |r: &RungMeasures| r.warp > limit && r.warp_beyond_sampling() <= limit;
+        self.part().measures.rungs.iter().any(is_so)
+    }
+
+    fn warp_caption(&self) -> Markup {
+        let measures = &self.part().measures;
+        html! {
+            strong { "Warp. " }
+            "How far the sheet twists from one end of each ruling to the other: the less, the \
+             easier it bends. The dashed line is the limit of "
+            (self.material().map_or("any sheet", |m| &m.title)) "."
+            @if self.is_unsure() {
+                " Dashed bars may be the bend from one sample to the next instead of twist: more \
+                 samples would tell."
+            }
+            @if to_deg(measures.warp_max) < NO_WARP_DEG {
+                " No ruling of this panel twists."
+            } @else if let Some(worst) = worst_rung(measures) {
+                " The largest, " (degrees(to_deg(measures.warp_max))) ", is at ruling "
+                (worst + 1) " of " (measures.rungs.len()) "."
+            }
+        }
+    }
+
+    pub(super) fn numbers(&self) -> Vec<Number> {
+        let (found, measures) = (self.found, &self.part().measures);
+        let optimal = match found.triangulation.gap() {
+            Some(0.0) => "yes".to_owned(),
+            Some(gap) => format!("within {:.2} %", 100.0 * gap),
+            None => "not proven".to_owned(),
+        };
+        let goal = match found.goal {
+            Goal::Price => "price",
+            Goal::WorstWarp => "worst warp, then price",
+        };
+        vec![
+            ("Samples", found.boundary.len().to_string()),
+            ("Triangles", found.surface.connectivity().triangles().len().to_string()),
+            ("Rulings (rungs)", measures.rungs.len().to_string()),
+            ("Method", found.method.name().to_owned()),
+            ("Made least", goal.to_owned()),
+            ("Best possible", optimal),
+            ("Fold price ν", format!("{}", found.fold)),
+            ("Price, total", scientific(found.triangulation.price)),
+            ("Twist, total", scientific(measures.twist_total)),
+            ("Largest crease", degrees(to_deg(measures.crease_max))),
+            ("Tightest bend radius", radius(measures.bend_radius_min_mm)),
+            ("Area of the Gauss image", steradians(measures.gauss_area_sr)),
+            ("Area in space", area(measures.area_space_mm2)),
+            ("Area of the pattern", area(measures.area_flat_mm2)),
+            ("Length error, largest", scientific(measures.length_error_max)),
+            ("Length error, mean", scientific(measures.length_error_mean)),
+            ("Refold error", self.refold_number()),
+        ]
+    }
+
+    fn refold_number(&self) -> String {
+        if self.page.refold_error_mm.is_finite() {
+            format!("{}\u{a0}mm", scientific(self.page.refold_error_mm))
+        } else {
+            refold(self.page.refold_error_mm)
+        }
+    }
+}
+
+fn gauss_caption(area_sr: f64) -> Markup {
+    html! {
+        strong { "Which way it faces. " }
+        "Every direction is a point on a ball; each ruling is drawn from the direction at its one \
+         end (blue) to that at its other (green). One thin curve: the sheet bends without \
+         stretching. A ribbon or an area: it must stretch, the more the wider it is. Its area here is "
+        (steradians(area_sr))
+        ", of 12.57\u{a0}sr that the whole ball has; a little always comes from the sampling."
+    }
+}

@@ -1,0 +1,133 @@
+//! A mesh laid flat, coloured by how much lengths differ.
+
+use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, line, rectangle, round_below, text};
+use super::flat_picture::{FOOT, LEFT, RIGHT, TOP, Tags, beside, dimensions};
+use super::paint::MOST_PATHS;
+use super::raster::{Facet, Raster};
+use super::style::HEATS;
+use super::wording::plain_per_cent;
+use sheetwright::index::{TriangleIndex, VertexIndex};
+use sheetwright::make::{Given, Part};
+use sheetwright::material::{Material, stretch_limit};
+use sheetwright::math::{Point2, Vec2};
+use sheetwright::measure::Distortion;
+use sheetwright::pattern::{PathKind, seam_marks};
+use std::collections::BTreeMap;
+
+/// Room for the legend of the colour map, below the pattern.
+const LEGEND: f64 = 58.0;
+/// Below this the colour map has one colour: nothing that a workshop could measure.
+pub(super) const NO_ERROR: f64 = 1e-9;
+
+/// The largest error that the colour map shows where this is the largest: a round number above it.
+pub(super) fn heat_top(most: f64) -> f64 {
+    let round = round_below(most.max(NO_ERROR));
+    [1.0, 1.5, 2.0, 2.5].into_iter().map(|n| n * round).find(|&top| top >= most).unwrap_or(most)
+}
+
+/// The pattern of a mesh, each triangle coloured by the largest relative length error of its sides,
+/// with the legend below.
+pub(super) fn heat_picture(
+    panel: &Part,
+    given: &Given,
+    distortion: &Distortion,
+    material: Option<&Material>,
+) -> Picture {
+    let size = panel.piece.size;
+    let scale = (WIDTH - LEFT - RIGHT) / size.x.max(1e-12);
+    let bottom = TOP + scale * size.y;
+    let place = |p: Point2| Point2::new(LEFT + scale * p.x, bottom - scale * p.y);
+    let mesh = panel.sheet.mesh();
+    let top = heat_top(distortion.length_error_max);
+    let exact = distortion.length_error_max < NO_ERROR;
+    let heat = |t: usize| {
+        let sides = mesh.topology().edges_of(TriangleIndex::new(t));
+        let error = sides.map(|n| distortion.length_errors[n].abs());
+        let error = error.into_iter().fold(0.0, f64::max);
+        let step = (error / top * HEATS as f64) as usize;
+        if exact { 0 } else { step.min(HEATS - 1) as u16 }
+    };
+    let corners = |t: usize| mesh.triangles()[t].map(|v| place(panel.flat.points[v.get()]));
+    let name = |class: u16| format!("k{class}");
+    let count = mesh.triangles().len();
+    let mut body = if count > MOST_PATHS {
+        let facet = |t| Facet { corners: corners(t), near: [0.0; 3], class: heat(t) };
+        let facets: Vec<Facet> = (0..count).map(facet).collect();
+        Raster::new(Vec2::new(WIDTH, bottom + 1.0), 1.0, &facets).elements(name)
+    } else {
+        let mut fills: BTreeMap<u16, PathData> = BTreeMap::new();
+        (0..count).for_each(|t| fills.entry(heat(t)).or_default().ring(corners(t)));
+        fills.iter().map(|(class, path)| path.element(&name(*class))).collect()
+    };
+    for (class, kinds) in [
+        ("score", &[PathKind::Crease][..]),
+        ("tick", &[PathKind::SeamTick]),
+        ("cut", &[PathKind::Outline, PathKind::Hole]),
+    ] {
+        let mut path = PathData::default();
+        for line in panel.piece.paths.iter().filter(|path| kinds.contains(&path.kind)) {
+            let points = line.points.iter().map(|&p| place(p));
+            if line.closed { path.ring(points) } else { path.line(points) }
+        }
+        body += &path.element(class);
+    }
+    body += &seam_tags(panel, given);
+    if let (Some(worst), false) = (distortion.worst_edge(), exact) {
+        let [a, b] = mesh.edges()[worst].ends.map(|v| place(panel.flat.points[v.get()]));
+        body += &circle("here", a.lerp(b, 0.5), 8.0);
+    }
+    body += &dimensions(size, scale, bottom);
+    let legend = bottom + FOOT + 4.0;
+    body += &if exact {
+        let at = Point2::new(0.5 * WIDTH, legend + 16.0);
+        text("", Anchor::Middle, at, "No length differs: it lies flat exactly.")
+    } else {
+        scale_of_colours(top, stretch_limit(material), legend)
+    };
+    let title = format!("{} laid flat, coloured by the error of its lengths", panel.name);
+    Picture::new(WIDTH, bottom + FOOT + LEGEND, title, body)
+}
+
+/// The marks of seams and joints beside their sides, where there is room.
+fn seam_tags(panel: &Part, given: &Given) -> String {
+    let mut body = String::new();
+    let mut tags = Tags::of(&panel.piece);
+    let of_joints = given.joints.iter().map(|joint| (joint.mark.clone(), &joint.steps));
+    let marks = seam_marks(&panel.sheet);
+    let of_seams = marks.iter().map(|mark| (mark.mark.clone(), &mark.steps));
+    for (mark, steps) in of_seams.chain(of_joints) {
+        let at = |v: VertexIndex| panel.flat.points[v.get()];
+        let Some(last) = steps.last() else { continue };
+        let line: Vec<Point2> = steps.iter().map(|step| at(step[0])).chain([at(last[1])]).collect();
+        let Some(at) = tags.place_free(&beside(&panel.piece, &line)) else { continue };
+        body += &circle("tag", at, 10.5);
+        body += &text("letter", Anchor::Middle, Point2::new(at.x, at.y + 4.5), &mark);
+    }
+    body
+}
+
+/// The colours with the errors that they stand for; a line marks what the material takes.
+fn scale_of_colours(top: f64, limit: f64, y: f64) -> String {
+    let (left, width) = (LEFT, WIDTH - LEFT - RIGHT);
+    let step = width / HEATS as f64;
+    let mut body = String::new();
+    for n in 0..HEATS {
+        let mut path = PathData::default();
+        let at = |dx: f64, dy: f64| Point2::new(left + (n as f64 + dx) * step, y + dy);
+        path.ring([at(0.0, 0.0), at(1.0, 0.0), at(1.0, 14.0), at(0.0, 14.0)]);
+        body += &path.element(&format!("k{n}"));
+    }
+    body += &rectangle("frame", Point2::new(left, y), Vec2::new(width, 14.0));
+    for (share, anchor) in [(0.0, Anchor::Start), (0.5, Anchor::Middle), (1.0, Anchor::End)] {
+        let at = Point2::new(left + share * width, y + 30.0);
+        let label = if share == 0.0 { "0".to_owned() } else { plain_per_cent(share * top) };
+        body += &text("", anchor, at, &label);
+    }
+    let what = Point2::new(left + 0.5 * width, y + 48.0);
+    body += &text("quiet", Anchor::Middle, what, "difference of lengths, flat against space");
+    if limit < top {
+        let x = left + limit / top * width;
+        body += &line("limit", &[Point2::new(x, y - 5.0), Point2::new(x, y + 19.0)]);
+    }
+    body
+}

@@ -1,0 +1,232 @@
+//! What `report.html` shows of a mesh: what flattening stretches, and where.
+
+use super::gauss_picture::gauss_picture;
+use super::heat_picture::{NO_ERROR, heat_picture};
+use super::page::{Number, Page};
+use super::space_picture::space_picture;
+use super::view::box_of;
+use super::wording::{
+    area, decimal, degrees, millimetres, millimetres_fine, per_cent, refold, steradians,
+};
+use crate::mesh::aim_name;
+use maud::{Markup, PreEscaped, html};
+use sheetwright::edge::{Edge, EdgeSource};
+use sheetwright::flatten::Aim;
+use sheetwright::make::{Given, Part};
+use sheetwright::material::{Material, stretch_limit};
+use sheetwright::math::to_deg;
+use sheetwright::pattern::seam_mark;
+
+/// A part with its mesh.
+pub(super) struct MeshPage<'a> {
+    pub(super) page: &'a Page<'a>,
+    pub(super) given: &'a Given,
+}
+
+impl MeshPage<'_> {
+    fn part(&self) -> &Part {
+        self.page.part
+    }
+
+    fn material(&self) -> Option<&Material> {
+        self.page.made.material.as_ref()
+    }
+
+    /// The pictures, with what there is to see.
+    pub(super) fn figures(&self) -> Markup {
+        let (part, material) = (self.part(), self.material());
+        let heat = part.measures.distortion.as_ref();
+        let heat = heat.map(|distortion| heat_picture(part, self.given, distortion, material));
+        html! {
+            div.figures {
+                div.column {
+                    figure.first {
+                        (PreEscaped(space_picture(part, material).inline()))
+                        figcaption { (self.space_caption()) }
+                    }
+                    @if let Some(gauss) = gauss_picture(part, material) {
+                        figure.third {
+                            (PreEscaped(gauss.inline()))
+                            figcaption { (self.gauss_caption()) }
+                        }
+                    }
+                }
+                div.column {
+                    @if let Some(heat) = heat {
+                        figure.second {
+                            (PreEscaped(heat.inline()))
+                            figcaption { (self.flat_caption()) }
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    fn space_caption(&self) -> Markup {
+        let size = box_of(self.part());
+        html! {
+            strong { "In space. " }
+            "Blue is the side that the pattern shows, brown the other. "
+            @if !self.part().sheet.seams().is_empty() { "The green lines are the cuts. " }
+            "It fills a box of " (millimetres(size.x)) " × " (millimetres(size.y)) " × "
+            (millimetres(size.z)) " (x, y, z)."
+        }
+    }
+
+    fn gauss_caption(&self) -> Markup {
+        html! {
+            strong { "Which way it faces. " }
+            "Every direction is a point on a ball; the directions at both ends of each side of the mesh \
+             are joined. A curve: it lies flat without stretching. A net: it must stretch, the more the more it covers. \
+             Its area here is " (steradians(self.part().measures.gauss_area_sr)) ", of 12.57\u{a0}sr that the \
+             whole ball has."
+        }
+    }
+
+    fn flat_caption(&self) -> Markup {
+        let (part, material) = (self.part(), self.material());
+        let (measures, seams) = (&part.measures, part.sheet.seams());
+        let by_area = measures.distortion.as_ref().map(|d| d.length_error_mean_by_area);
+        html! {
+            strong { "Laid flat. " }
+            @if measures.length_error_max < NO_ERROR {
+                "Every length is as in space."
+            } @else {
+                "Each triangle has the colour of the largest relative difference among the lengths of its \
+                 sides, flat against space. The largest of all is "
+                (per_cent(measures.length_error_max)) " (ringed), the mean "
+                (per_cent(measures.length_error_mean))
+                @if let Some(by_area) = by_area { ", weighed by area " (per_cent(by_area)) }
+                "."
+            }
+            @if measures.length_error_max > stretch_limit(material) {
+                " The dashed line in the scale is what "
+                (material.map_or("a sheet of no named material", |m| &m.title)) " takes."
+            }
+            @if seams.len() == 1 {
+                " Join the two sides that are marked " b { (seam_mark(0)) } "."
+            } @else if !seams.is_empty() {
+                " Join the sides that have the same mark, " b { (seam_mark(0)) } " to "
+                b { (seam_mark(seams.len() - 1)) } "."
+            }
+            (self.edges())
+        }
+    }
+
+    /// The edges that are no sides of cuts, where there are several.
+    fn edges(&self) -> Markup {
+        let is_cut = |edge: &&Edge| matches!(edge.source, EdgeSource::Cut { .. });
+        let edges = &self.part().edges;
+        html! {
+            @if edges.len() > 1 {
+                ul.edges {
+                    @for edge in edges.iter().filter(|edge| !is_cut(edge)) {
+                        li { (self.page.edge_text(edge, &millimetres(edge.length_flat_mm))) }
+                    }
+                }
+            }
+        }
+    }
+
+    /// The seams along which it is cut open.
+    pub(super) fn seams(&self) -> Markup {
+        let part = self.part();
+        html! {
+            @if !part.sheet.seams().is_empty() {
+                h3 { "Seams" }
+                table.summary {
+                    thead {
+                        tr {
+                            th scope="col" { "Seam" }
+                            th scope="col" { "In space" }
+                            th scope="col" { "One side, flat" }
+                            th scope="col" { "Other side, flat" }
+                        }
+                    }
+                    tbody {
+                        @for (n, seam) in part.sheet.seams().iter().enumerate() {
+                            tr {
+                                th scope="row" { (seam_mark(n)) }
+                                td data-label="In space" {
+                                    (millimetres_fine(seam.length_mm))
+                                }
+                                td data-label="One side, flat" {
+                                    (millimetres_fine(seam.sides_flat_mm(&part.flat.points)[0]))
+                                }
+                                td data-label="Other side, flat" {
+                                    (millimetres_fine(seam.sides_flat_mm(&part.flat.points)[1]))
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// The lines along which it is joined to other parts.
+    pub(super) fn joints(&self) -> Markup {
+        html! {
+            @if !self.given.joints.is_empty() {
+                h3 { "Joined to other panels" }
+                table.summary {
+                    thead {
+                        tr {
+                            th scope="col" { "Mark" }
+                            th scope="col" { "With" }
+                            th scope="col" { "In space" }
+                            th scope="col" { "Flat" }
+                        }
+                    }
+                    tbody {
+                        @for joint in &self.given.joints {
+                            tr {
+                                th scope="row" { (joint.mark) }
+                                td data-label="With" { (self.page.made.parts[joint.with].name) }
+                                td data-label="In space" { (millimetres_fine(joint.length_mm)) }
+                                td data-label="Flat" {
+                                    (millimetres_fine(joint.flat_mm(&self.part().flat.points)))
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// All that was measured.
+    pub(super) fn numbers(&self) -> Vec<Number> {
+        let (measures, sheet) = (&self.part().measures, self.part().sheet.mesh());
+        let aim = match self.given.aim {
+            Aim::Mean => "mean length error",
+            Aim::Max => "largest length error",
+            Aim::Seams => "border kept exact",
+        };
+        let mut rows = vec![
+            ("Triangles", sheet.triangles().len().to_string()),
+            ("Vertices", self.given.mesh.positions().len().to_string()),
+            ("Method", "mesh".to_owned()),
+            ("Aim", format!("{} ({aim})", aim_name(self.given.aim))),
+            ("Holes of the pattern", (sheet.loops().len() - 1).to_string()),
+            ("Largest crease", degrees(to_deg(measures.crease_max))),
+            ("Area of the Gauss image", steradians(measures.gauss_area_sr)),
+            ("Length error, largest", per_cent(measures.length_error_max)),
+            ("Length error, mean", per_cent(measures.length_error_mean)),
+            ("Area in space", area(measures.area_space_mm2)),
+            ("Area of the pattern", area(measures.area_flat_mm2)),
+            ("Read back", refold(self.page.refold_error_mm)),
+        ];
+        if let Some(distortion) = &measures.distortion {
+            rows.push(("Length error, by area", per_cent(distortion.length_error_mean_by_area)));
+            rows.push(("Stretch, most", decimal(distortion.stretch_max, 6)));
+            rows.push(("Stretch, least", decimal(distortion.stretch_min, 6)));
+        }
+        if let Some(rebuilt) = &self.given.rebuilt {
+            rows.push(("From its border, largest", millimetres_fine(rebuilt.distance_max_mm)));
+            rows.push(("From its border, mean", millimetres_fine(rebuilt.distance_mean_mm)));
+        }
+        rows
+    }
+}

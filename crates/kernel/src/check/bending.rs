@@ -1,0 +1,180 @@
+//! Findings on a surface that was found: does the sheet follow it by bending?
+
+use super::EASY_SHARE;
+use super::{Finding, FindingKind, Place, SeamCause, Subject, TooTight, overlap, seams, title};
+use crate::material::warp_limit_deg;
+use crate::measure::{RungMeasures, SHARP_CREASE_DEG};
+use crate::sheet::Seam;
+use sheetwright_geometry::boundary::Boundary;
+use sheetwright_geometry::math::{Vec3, from_deg, to_deg};
+use sheetwright_optimum::triangulate::Triangulation;
+
+/// Length errors below it, as a share of the size over the shortest side, are rounding: an exact
+/// pattern has a thousandth of it.
+const ROUNDING: f64 = 1e-9;
+
+/// A part with the boundary that its surface was found for.
+pub(super) struct Panel<'a> {
+    pub(super) part: &'a Subject<'a>,
+    pub(super) boundary: &'a Boundary,
+    pub(super) triangulation: &'a Triangulation,
+}
+
+/// What is found on it.
+pub(super) fn findings(panel: &Panel<'_>) -> Vec<Finding> {
+    let checks: [fn(&Panel<'_>) -> Option<Finding>; 13] = [
+        warp,
+        coarse_samples,
+        bend_radius,
+        points,
+        crossing,
+        |panel: &Panel<'_>| overlap(panel.part),
+        forced_rungs,
+        folds,
+        bend_lines,
+        length_error,
+        open_windows,
+        |panel: &Panel<'_>| seams(panel.part, SeamCause::NotFlat),
+        not_proven,
+    ];
+    checks.iter().filter_map(|check| check(panel)).collect()
+}
+
+fn warp(panel: &Panel<'_>) -> Option<Finding> {
+    let limit = from_deg(warp_limit_deg(panel.part.material));
+    let rungs = &panel.part.measures.rungs;
+    let sheet = title(panel.part.material);
+    let beyond = |bound: f64| move |r: &RungMeasures| r.warp_beyond_sampling() > bound;
+    let largest =
+        |bound: f64| rungs.iter().filter(|r| beyond(bound)(r)).map(|r| r.warp).reduce(f64::max);
+    if let Some(largest) = largest(limit) {
+        let count = rungs.iter().filter(|r| beyond(limit)(r)).count();
+        let of = rungs.len();
+        let kind = FindingKind::WarpTooLarge { largest, count, of, limit, sheet };
+        return Some(Finding::new(kind, Place::rungs(rungs, beyond(limit))));
+    }
+    let easy = EASY_SHARE * limit;
+    let kind = FindingKind::WarpHigh { largest: largest(easy)?, limit, sheet };
+    Some(Finding::new(kind, Place::rungs(rungs, beyond(easy))))
+}
+
+fn coarse_samples(panel: &Panel<'_>) -> Option<Finding> {
+    let limit = from_deg(warp_limit_deg(panel.part.material));
+    let rungs = &panel.part.measures.rungs;
+    let told = |r: &RungMeasures| r.warp <= limit || r.warp_beyond_sampling() > 0.0;
+    // What is known to twist too much needs no doubt beside it.
+    let known = rungs.iter().any(|r| r.warp_beyond_sampling() > limit);
+    let kind = FindingKind::CoarseSamples { largest: panel.part.measures.warp_max };
+    (!known && !rungs.iter().all(told))
+        .then(|| Finding::new(kind, Place::rungs(rungs, |r| !told(r))))
+}
+
+fn bend_radius(panel: &Panel<'_>) -> Option<Finding> {
+    let material = panel.part.material?;
+    let (least_mm, limit_mm) =
+        (panel.part.measures.bend_radius_min_mm, material.bend_radius_mm.value);
+    (least_mm < limit_mm).then(|| {
+        let sheet = material.title.clone();
+        let kind = FindingKind::RadiusTooSmall { least_mm, limit_mm, sheet };
+        let tight = |r: &RungMeasures| r.bend_radius_mm < limit_mm;
+        Finding::new(kind, Place::rungs(&panel.part.measures.rungs, tight))
+    })
+}
+
+/// A point round which the sheet turns by less than this, degrees, is rounded off and hardly seen.
+const SEEN_POINT_DEG: f64 = 15.0;
+
+/// A point is no harder on a sheet than a fold through it would be. So what takes folds takes
+/// points; what does not can't have any, unless the shallowest roll that rounds it off is wide
+/// enough.
+fn points(panel: &Panel<'_>) -> Option<Finding> {
+    let apexes = &panel.part.measures.apexes;
+    let sharpest = apexes.iter().max_by(|a, b| a.turn.total_cmp(&b.turn))?;
+    let stiff =
+        panel.part.material.filter(|m| !m.folds() && sharpest.radius_mm < m.bend_radius_mm.value);
+    if stiff.is_none() && to_deg(sharpest.turn) < SEEN_POINT_DEG {
+        return None;
+    }
+    let too_tight = stiff.map(|m| TooTight {
+        sheet: m.title.clone(),
+        limit_mm: m.bend_radius_mm.value,
+        needed_mm: sharpest.radius_mm,
+    });
+    let numbers = apexes.iter().map(|apex| apex.sample).collect();
+    let kind = FindingKind::Points { count: apexes.len(), turn: sharpest.turn, too_tight };
+    Some(Finding::new(kind, Place::Samples { numbers }))
+}
+
+fn crossing(panel: &Panel<'_>) -> Option<Finding> {
+    let crossing = panel.part.measures.self_crossing?;
+    let corners = crossing.map(|t| panel.triangulation.triangles[t.get()]).to_vec();
+    Some(Finding::new(FindingKind::SelfCrossing, Place::Triangles { corners }))
+}
+
+fn forced_rungs(panel: &Panel<'_>) -> Option<Finding> {
+    let count = panel.triangulation.forced_rungs;
+    let forced = |r: &RungMeasures| r.normals[0] == Vec3::ZERO;
+    let place = || Place::rungs(&panel.part.measures.rungs, forced);
+    (count > 0).then(|| Finding::new(FindingKind::RungWithoutPlane { count }, place()))
+}
+
+/// The finding that a surface which need not lie over the supporting plane has a much lower price.
+pub fn better_without_plane(with: f64, without: f64) -> Finding {
+    Finding::of_whole(FindingKind::BetterWithoutPlane { with, without })
+}
+
+fn not_proven(panel: &Panel<'_>) -> Option<Finding> {
+    let gap = panel.triangulation.gap();
+    // Of one loop no gap is known where another method was asked for, which proves nothing.
+    let is_open = gap.map_or(panel.boundary.holes() > 0, |gap| gap > 0.0);
+    let cut_short = panel.triangulation.cut_short;
+    is_open.then(|| Finding::of_whole(FindingKind::NotProven { gap, cut_short }))
+}
+
+fn folds(panel: &Panel<'_>) -> Option<Finding> {
+    let rungs = &panel.part.measures.rungs;
+    let sharpest = rungs.iter().filter(|r| r.is_fold).map(|r| r.crease.abs()).reduce(f64::max)?;
+    let count = rungs.iter().filter(|r| r.is_fold).count();
+    let stiff = title(panel.part.material.filter(|m| !m.folds()));
+    let kind = FindingKind::Folds { count, sharpest, stiff };
+    Some(Finding::new(kind, Place::rungs(rungs, |r| r.is_fold)))
+}
+
+fn bend_lines(panel: &Panel<'_>) -> Option<Finding> {
+    let is_line = |r: &RungMeasures| to_deg(r.crease.abs()) > SHARP_CREASE_DEG && !r.is_fold;
+    let lines = panel.part.measures.rungs.iter().filter(|r| is_line(r));
+    let sharpest = lines.clone().map(|r| r.crease.abs()).reduce(f64::max)?;
+    let kind = FindingKind::BendLines { count: lines.count(), sharpest };
+    Some(Finding::new(kind, Place::rungs(&panel.part.measures.rungs, is_line)))
+}
+
+fn length_error(panel: &Panel<'_>) -> Option<Finding> {
+    let largest = panel.part.measures.length_error_max;
+    let exact = ROUNDING * panel.boundary.size() / shortest_side(panel.boundary);
+    let closes_holes = panel.boundary.holes() > 0;
+    (largest > exact.max(ROUNDING))
+        .then(|| Finding::of_whole(FindingKind::LengthError { largest, closes_holes }))
+}
+
+/// A seam that gapes by no more than this share of the size is one round a window that nearly
+/// lies flat, not one that opens a tube. (A ring that rises by 2° gapes by as much.)
+const WINDOW_GAP: f64 = 2e-3;
+
+fn open_windows(panel: &Panel<'_>) -> Option<Finding> {
+    if panel.part.flat.overlap.is_some() {
+        return None;
+    }
+    let nearly = |seam: &Seam| seam.gap_mm <= WINDOW_GAP * panel.boundary.size();
+    let widest = panel.part.sheet.seams().iter().filter(|s| nearly(s)).map(|s| s.gap_mm);
+    let kind = FindingKind::WindowGap { widest_mm: widest.reduce(f64::max)? };
+    Some(Finding::new(kind, Place::seams(panel.part.sheet, nearly)))
+}
+
+fn shortest_side(boundary: &Boundary) -> f64 {
+    (0..boundary.len())
+        .map(|i| {
+            let at = |k: usize| boundary.samples()[k].position;
+            at(i).distance(at(boundary.next(i)))
+        })
+        .fold(f64::INFINITY, f64::min)
+}

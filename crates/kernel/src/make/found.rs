@@ -1,0 +1,122 @@
+//! Panels that are bounded by curves: the surface that fits them best is found.
+
+use super::part::{Found, Origin, Part};
+use super::unrestricted::Known;
+use super::{MakeCause, MakeError};
+use crate::check::{
+    CheckedFrom, Subject, check, ran_on, rounded_corner, smoothed_joints, stayed_straight,
+    turned_round,
+};
+use crate::design::{DesignPanel, PanelShape, used};
+use crate::edge::edges_of_boundary;
+use crate::flatten::lay_flat;
+use crate::measure::{CutFrom, measures};
+use crate::pattern::{PatternOptions, piece, seam_marks};
+use crate::sample::{PanelCause, Prepared, Sampler, outline, prepare};
+use crate::surface::{Connectivity, Surface};
+use sheetwright_geometry::curve::CurveKind;
+use sheetwright_geometry::watch::{Stage, Watch};
+use sheetwright_optimum::cost::Prices;
+use sheetwright_optimum::triangulate::triangulate_near;
+
+/// Makes one panel; `known` is what is known of its triangulation from when it was made before, and
+/// then from now, with a question that may be open.
+pub(super) fn make_found(
+    sampler: &Sampler<'_>,
+    panel: &DesignPanel,
+    known: &mut Option<Known>,
+    watch: &mut dyn Watch,
+) -> Result<Part, MakeError> {
+    match make_as_asked(sampler, panel, known, watch) {
+        Err(error) if panel.run_on && error.cause != PanelCause::RunOn.into() && !watch.stop() => {
+            let straight = DesignPanel { run_on: false, ..panel.clone() };
+            *known = None;
+            let mut made = make_as_asked(sampler, &straight, known, watch)?;
+            made.checked.add(stayed_straight(&error.cause.to_string()));
+            Ok(made)
+        }
+        made => made,
+    }
+}
+
+fn make_as_asked(
+    sampler: &Sampler<'_>,
+    panel: &DesignPanel,
+    known: &mut Option<Known>,
+    watch: &mut dyn Watch,
+) -> Result<Part, MakeError> {
+    let design = sampler.design;
+    watch.begin(&[&panel.name], Stage::Sample);
+    let Prepared { boundary, plane, options, sources, steps, new_ends, joined } =
+        prepare(sampler, panel, watch)?;
+    let outline = outline(design, &boundary, &sources);
+
+    watch.begin(&[&panel.name], Stage::Solve);
+    let before = known.as_ref().map(Known::cheapest);
+    let cheapest = triangulate_near(&boundary, plane.as_ref(), &options, before, watch)
+        .map_err(|e| MakeError::of_panel(&panel.name, e))?;
+    let triangulation = cheapest.triangulation.clone();
+    let next = Known::next(known.take(), cheapest);
+    let known = known.insert(next);
+    let connectivity = Connectivity::new(boundary.loops(), triangulation.triangles.clone())
+        .map_err(|e| MakeError::of_panel(&panel.name, MakeCause::Surface(e)))?;
+    let surface = Surface::new(connectivity, boundary.positions());
+
+    watch.begin(&[&panel.name], Stage::Flatten);
+    let (sheet, flat) = lay_flat(&surface, &panel.cut, watch)
+        .map_err(|e| MakeError::of_panel(&panel.name, MakeCause::Flatten(e)))?;
+
+    watch.begin(&[&panel.name], Stage::Check);
+    let prices = Prices::new(&boundary, plane.as_ref(), options.price);
+    let measures = measures(CutFrom::Surface(&surface, &prices), &sheet, &flat);
+    let mut checked = check(&Subject {
+        sheet: &sheet,
+        flat: &flat,
+        measures: &measures,
+        material: design.material.as_ref(),
+        from: CheckedFrom::Boundary(&boundary, &triangulation),
+    });
+    for curve in used(design, &panel.shape).filter(|c| c.kind == Some(CurveKind::Spline)) {
+        if let Some(finding) = rounded_corner(&curve.name, &curve.points, curve.closed) {
+            checked.add(finding);
+        }
+    }
+    if let Some(bulges_mm) = new_ends {
+        let straight = DesignPanel { run_on: false, ..panel.clone() };
+        let straight = make_as_asked(sampler, &straight, &mut None, watch).ok();
+        checked.add(ran_on(bulges_mm, &measures, straight.as_ref().map(|made| &made.measures)));
+    }
+    if let (Some(joined), PanelShape::Join(join)) = (&joined, &panel.shape) {
+        let said = smoothed_joints(joined).into_iter().chain(turned_round(joined, &join.parts));
+        said.for_each(|finding| checked.add(finding));
+    }
+    let curve = |number: usize| design.curves[number].name.clone();
+    let edges = edges_of_boundary(&sheet, &flat.points, &steps, curve);
+    let marks = seam_marks(&sheet);
+    let options_of_piece = PatternOptions::default();
+    let piece = piece(&panel.name, &sheet, &flat, &edges, &measures, &marks, &options_of_piece);
+    let found = Found {
+        method: panel.method,
+        goal: panel.goal,
+        fold: panel.fold,
+        boundary,
+        outline,
+        plane,
+        triangulation,
+        surface,
+        change: None,
+    };
+    known.ask(panel, &found, checked.verdict, options);
+    let (name, origin) = (panel.name.clone(), Origin::Found(Box::new(found)));
+    Ok(Part {
+        name: name.clone(),
+        panel: name,
+        sheet,
+        flat,
+        measures,
+        checked,
+        piece,
+        edges,
+        origin,
+    })
+}

@@ -1,0 +1,309 @@
+//! Panels that come as a mesh: divided into parts, cut where they must be, and laid flat.
+//!
+//! A mesh becomes a part, or one for each piece that hangs together. A part that is closed or has a
+//! handle is cut open; one with holes or open at both ends is laid flat as it stands, and cut from
+//! border to border where that leaves less than half of the error.
+
+use super::cleaned::Cleaned;
+use super::part::{Given, Joint, Origin, Part};
+use super::rebuilt::rebuilt;
+use super::{MakeCause, MakeError};
+use crate::check::{CheckedFrom, MeshOrigin, Subject, check};
+use crate::design::{Design, DesignPanel, PanelMesh};
+use crate::flatten::{Aim, RelaxOptions, Relaxed, relax};
+use crate::material::{Material, stretch_limit};
+use crate::measure::{CutFrom, Distortion, cut_suggestion, distortion, measures};
+use crate::mesh::{Cut, Mesh, MeshError, Specks, cut_to_disk, separated};
+use crate::pattern::{PatternOptions, seam_marks};
+use crate::sheet::{Seam, Sheet, cut_along, split_along_creases};
+use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
+use sheetwright_geometry::math::Point3;
+use sheetwright_geometry::watch::{Stage, Watch};
+use std::collections::BTreeSet;
+
+/// A cut that need not be is worth it if it leaves less than this share of the largest length
+/// error.
+const MUCH_LESS: f64 = 0.5;
+/// A part is cut to so many points, at the most: each takes laying it flat again.
+const MOST_DARTS: usize = 12;
+
+/// A mesh falls into so many parts at the most.
+pub const MAX_MESH_PARTS: usize = 1000;
+
+/// Makes the parts of a panel that is a mesh, whose triangles are `cleaned`. Their edges and their
+/// joints are known once all parts of the design are ([`super::joined`]).
+pub(super) fn make_mesh(
+    design: &Design,
+    panel: &DesignPanel,
+    settings: &PanelMesh,
+    cleaned: &Cleaned,
+    watch: &mut dyn Watch,
+) -> Result<Vec<Part>, MakeError> {
+    let pieces =
+        pieces_of(cleaned, settings).map_err(|cause| MakeError::of_panel(&panel.name, cause))?;
+    let material = design.material.as_ref();
+    let names = names(design, panel, pieces.len());
+    let made = names.into_iter().zip(pieces).map(|(name, piece)| {
+        let made = make_part([&panel.name, &name], piece, material, settings, watch);
+        made.map_err(|cause| MakeError::of_panel(&name, cause))
+    });
+    made.collect()
+}
+
+/// How the parts of a panel are called: as the panel, if it is one part, or with a number, which is
+/// counted on where another panel has that name.
+fn names(design: &Design, panel: &DesignPanel, count: usize) -> Vec<String> {
+    if count == 1 {
+        return vec![panel.name.clone()];
+    }
+    let taken: BTreeSet<String> =
+        design.panels.iter().map(|panel| panel.name.to_lowercase()).collect();
+    let numbered = (1..).map(|n| format!("{}-{n}", panel.name));
+    numbered.filter(|name| !taken.contains(&name.to_lowercase())).take(count).collect()
+}
+
+/// A piece of a mesh that hangs together.
+struct MeshPiece {
+    mesh: Mesh,
+    left_out: usize,
+    specks: Option<Specks>,
+    contacts: usize,
+    joints: Vec<PieceJoint>,
+}
+
+/// A joint of a piece, by corners of its triangles: those at which each step starts and ends.
+struct PieceJoint {
+    number: usize,
+    with: usize,
+    steps: Vec<(usize, [usize; 2])>,
+}
+
+fn pieces_of(cleaned: &Cleaned, settings: &PanelMesh) -> Result<Vec<MeshPiece>, MakeCause> {
+    let given = &*cleaned.triangles;
+    let bad = |error: MeshError, at: &dyn Fn(VertexIndex) -> Point3| {
+        let corners = |t: TriangleIndex| given.triangles.get(t.get()).copied();
+        let places = match error {
+            MeshError::NotManifold { from, to } | MeshError::NotOrientable { from, to } => {
+                vec![at(from), at(to)]
+            }
+            MeshError::Degenerate { triangle } => corners(triangle)
+                .map(|t| t.iter().map(|v| given.positions[v.get()]).collect())
+                .unwrap_or_default(),
+            _ => Vec::new(),
+        };
+        MakeCause::Mesh { error, places }
+    };
+    let known = |v: &VertexIndex| v.get() < given.positions.len();
+    if let Some(n) = given.triangles.iter().position(|corners| !corners.iter().all(known)) {
+        let error = MeshError::BadCorner { triangle: TriangleIndex::new(n) };
+        return Err(MakeCause::Mesh { error, places: Vec::new() });
+    }
+    // Points in which parts meet are no fault that anyone should have to mend.
+    let apart = separated(&given.triangles, |_| false);
+    let contacts: BTreeSet<VertexIndex> =
+        apart.origin.windows(2).filter(|pair| pair[0] == pair[1]).map(|pair| pair[0]).collect();
+    let positions: Vec<Point3> = apart.origin.iter().map(|v| given.positions[v.get()]).collect();
+    let at = |v: VertexIndex| positions[v.get()];
+    let whole = Mesh::new(positions.clone(), apart.triangles).map_err(|error| bad(error, &at))?;
+    let divided = settings.split_creases.map(|crease| split_along_creases(&whole, crease));
+    let divided = divided.transpose().map_err(|error| bad(error, &|v| whole.position(v)))?;
+    let (mesh, seams) = match &divided {
+        Some(sheet) => (sheet.mesh(), sheet.seams()),
+        None => (&whole, &[][..]),
+    };
+    let count = mesh.pieces().len();
+    if count > MAX_MESH_PARTS {
+        return Err(MakeCause::Pieces { found: count, most: MAX_MESH_PARTS });
+    }
+    let mut joints = joints_of(mesh, seams);
+    let mut pieces = Vec::with_capacity(count);
+    for (n, piece) in mesh.pieces().iter().enumerate() {
+        let alone = if count == 1 {
+            mesh.clone()
+        } else {
+            mesh.part(&piece.triangles).map_err(|error| bad(error, &|v| mesh.position(v)))?.0
+        };
+        // What was found in the mesh as a whole is said once.
+        let first = n == 0;
+        pieces.push(MeshPiece {
+            mesh: alone,
+            left_out: if first { given.left_out } else { 0 },
+            specks: cleaned.specks.filter(|_| first),
+            contacts: if first { contacts.len() } else { 0 },
+            joints: std::mem::take(&mut joints[n]),
+        });
+    }
+    Ok(pieces)
+}
+
+/// The joints of every piece of a mesh that was divided along some seams, numbered by the seams; a
+/// triangle of a piece is numbered within it.
+fn joints_of(mesh: &Mesh, seams: &[Seam]) -> Vec<Vec<PieceJoint>> {
+    let mut place = vec![(0, 0); mesh.triangles().len()];
+    for (n, piece) in mesh.pieces().iter().enumerate() {
+        for (k, triangle) in piece.triangles.iter().enumerate() {
+            place[triangle.get()] = (n, k);
+        }
+    }
+    let mut joints: Vec<Vec<PieceJoint>> = mesh.pieces().iter().map(|_| Vec::new()).collect();
+    for (number, seam) in seams.iter().enumerate() {
+        // The piece of each side, and its steps.
+        let sides = seam.sides.each_ref().map(|side| {
+            let steps: Vec<(usize, (usize, [usize; 2]))> = side
+                .windows(2)
+                .filter_map(|pair| {
+                    let n = mesh.topology().edge_between(pair[0], pair[1])?;
+                    let triangle = mesh.edges()[n].triangles.into_iter().flatten().next()?;
+                    let corners = mesh.triangles()[triangle.get()];
+                    let at = |v: VertexIndex| corners.iter().position(|&c| c == v);
+                    let ends = [at(pair[0])?, at(pair[1])?];
+                    let (piece, k) = place[triangle.get()];
+                    // On its border, a triangle lies to the left of its sides.
+                    let ends = if (ends[0] + 1) % 3 == ends[1] { ends } else { [ends[1], ends[0]] };
+                    Some((piece, (k, ends)))
+                })
+                .collect();
+            steps
+        });
+        let pieces = sides.each_ref().map(|side| side.first().map(|step| step.0));
+        let [Some(a), Some(b)] = pieces else { continue };
+        for ([piece, with], side) in [[a, b], [b, a]].into_iter().zip(sides) {
+            let steps = side.into_iter().map(|step| step.1).collect();
+            joints[piece].push(PieceJoint { number, with, steps });
+        }
+    }
+    joints
+}
+
+/// A sheet, laid flat.
+struct Laid {
+    sheet: Sheet,
+    relaxed: Relaxed,
+    distortion: Distortion,
+}
+
+fn lay(mesh: &Mesh, cut: &Cut, aim: Aim, watch: &mut dyn Watch) -> Result<Laid, MakeCause> {
+    let sheet =
+        cut_along(mesh, cut).map_err(|error| MakeCause::Mesh { error, places: Vec::new() })?;
+    let relaxing = RelaxOptions { aim, ..RelaxOptions::default() };
+    let relaxed = relax(sheet.mesh(), &relaxing, watch).map_err(MakeCause::Relax)?;
+    let distortion = distortion(sheet.mesh(), &relaxed.flat.points);
+    Ok(Laid { sheet, relaxed, distortion })
+}
+
+/// A mesh laid flat, cut where that must be or is worth it; with the number of darts.
+fn laid_well(
+    mesh: &Mesh,
+    settings: &PanelMesh,
+    limit: f64,
+    watch: &mut dyn Watch,
+) -> Result<(Laid, usize), MakeCause> {
+    let aim = settings.aim;
+    let piece = &mesh.pieces()[0];
+    let needs_cut = piece.is_closed() || piece.handles() > 0;
+    let mut cut = if needs_cut { cut_to_disk(mesh) } else { Cut::new() };
+    let mut closed = lay(mesh, &cut, aim, watch);
+    if !needs_cut && !piece.is_disk() && is_poor(&closed, limit) && !watch.stop() {
+        let opened = cut_to_disk(mesh);
+        let open = lay(mesh, &opened, aim, watch);
+        if is_better(&open, &closed) {
+            (cut, closed) = (opened, open);
+        }
+    }
+    let mut laid = closed?;
+    let mut darts = 0;
+    while settings.darts && darts < MOST_DARTS && laid.distortion.length_error_max > limit {
+        let Some(more) = with_dart(mesh, &laid, &cut, limit) else { break };
+        laid = lay(mesh, &more, aim, watch)?;
+        cut = more;
+        darts += 1;
+    }
+    Ok((laid, darts))
+}
+
+fn make_part(
+    [panel, name]: [&str; 2],
+    piece: MeshPiece,
+    material: Option<&Material>,
+    settings: &PanelMesh,
+    watch: &mut dyn Watch,
+) -> Result<Part, MakeCause> {
+    let MeshPiece { mesh, left_out, specks, contacts, joints } = piece;
+    watch.begin(&[name], Stage::Flatten);
+    let limit = stretch_limit(material);
+    let (laid, darts) = laid_well(&mesh, settings, limit, watch)?;
+    watch.begin(&[name], Stage::Check);
+    let Relaxed { flat, flipped, ended, .. } = laid.relaxed;
+    let sheet = laid.sheet.laid_at(&flat.points);
+    let suggested_cut = cut_suggestion(sheet.mesh(), &laid.distortion, limit).and_then(|cut| {
+        let ends = [*cut.path.first()?, *cut.path.last()?];
+        Some(ends.map(|v| sheet.mesh().position(v)))
+    });
+    let measures = measures(CutFrom::Mesh(&mesh), &sheet, &flat);
+    let checked = check(&Subject {
+        sheet: &sheet,
+        flat: &flat,
+        measures: &measures,
+        material,
+        from: CheckedFrom::Mesh(MeshOrigin {
+            mesh: &mesh,
+            keeps_border: settings.aim == Aim::Seams,
+            suggested_cut,
+            flipped,
+            left_out,
+            specks,
+            contacts,
+            darts,
+        }),
+    });
+    let joints = joints.into_iter().map(|joint| on_sheet(joint, &sheet)).collect();
+    let rebuilt = settings.split_creases.and_then(|_| rebuilt(&mesh, watch));
+    let given = Given { mesh, aim: settings.aim, ended, flipped, joints, rebuilt };
+    // What it is joined to is not known yet, nor how its edges are called.
+    let marks = seam_marks(&sheet);
+    let options = PatternOptions::default();
+    let piece = crate::pattern::piece(name, &sheet, &flat, &[], &measures, &marks, &options);
+    let (panel, name) = (panel.to_owned(), name.to_owned());
+    let (edges, origin) = (Vec::new(), Origin::Given(Box::new(given)));
+    Ok(Part { name, panel, sheet, flat, measures, checked, piece, edges, origin })
+}
+
+/// A joint by the vertices of the sheet as it is cut.
+fn on_sheet(joint: PieceJoint, sheet: &Sheet) -> Joint {
+    let mesh = sheet.mesh();
+    let ends = |&(triangle, ends): &(usize, [usize; 2])| {
+        ends.map(|corner: usize| mesh.triangles()[triangle][corner])
+    };
+    let steps: Vec<[VertexIndex; 2]> = joint.steps.iter().map(ends).collect();
+    let length = |[a, b]: &[VertexIndex; 2]| mesh.position(*a).distance(mesh.position(*b));
+    let length_mm = steps.iter().map(length).sum();
+    let (number, with) = (joint.number, joint.with);
+    Joint { mark: String::new(), with, length_mm, steps, in_panel: (number, with) }
+}
+
+/// Whether a sheet as it stands is worth cutting for.
+fn is_poor(laid: &Result<Laid, MakeCause>, limit: f64) -> bool {
+    laid.as_ref().map_or(true, |laid| {
+        let error = laid.distortion.length_error_max;
+        let overlaps = laid.relaxed.flat.overlap.is_some();
+        error.is_nan() || error > limit || overlaps || laid.relaxed.flipped > 0
+    })
+}
+
+/// Whether a sheet is so much better for its cut that it is worth it.
+fn is_better(open: &Result<Laid, MakeCause>, closed: &Result<Laid, MakeCause>) -> bool {
+    let (Ok(open), Ok(closed)) = (open, closed) else { return open.is_ok() };
+    open.distortion.length_error_max < MUCH_LESS * closed.distortion.length_error_max
+        || (closed.relaxed.flat.overlap.is_some() && open.relaxed.flat.overlap.is_none())
+}
+
+/// The cut with the one added that the measures of the sheet suggest; `None` where they suggest
+/// none that is new.
+fn with_dart(mesh: &Mesh, laid: &Laid, cut: &Cut, limit: f64) -> Option<Cut> {
+    let suggested = cut_suggestion(laid.sheet.mesh(), &laid.distortion, limit)?;
+    let way: Vec<VertexIndex> = suggested.path.iter().map(|&v| laid.sheet.origin(v)).collect();
+    let sides = way.windows(2).map(|pair| mesh.topology().edge_between(pair[0], pair[1]));
+    let mut more = cut.clone();
+    more.extend(sides.collect::<Option<Vec<usize>>>()?);
+    (more.len() > cut.len()).then_some(more)
+}

@@ -1,0 +1,195 @@
+//! A part: what is made of a panel, whether its surface was found or given.
+
+use super::Rebuilt;
+use crate::check::{BoundaryMoved, Checked};
+use crate::design::{PanelMethod, VaryGoal};
+use crate::edge::Edge;
+use crate::fair::{self, Shift};
+use crate::flatten::{Aim, Ended, Flattened};
+use crate::measure::Measures;
+use crate::mesh::Mesh;
+use crate::pattern::Piece;
+use crate::sheet::Sheet;
+use crate::surface::Surface;
+use sheetwright_geometry::boundary::{Boundary, Outline, SupportingPlane};
+use sheetwright_geometry::index::VertexIndex;
+use sheetwright_geometry::math::{Point2, Point3};
+use sheetwright_optimum::triangulate::{Goal, Triangulation};
+
+/// A part with everything that was derived from it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// Its name: that of its panel, with a number where a mesh makes several parts.
+    pub name: String,
+    /// The panel of the design that it is made of, by name.
+    pub panel: String,
+    /// Its surface as it is cut open to lie flat.
+    pub sheet: Sheet,
+    /// Its sheet laid flat.
+    pub flat: Flattened,
+    /// What was measured.
+    pub measures: Measures,
+    /// The verdict and its findings.
+    pub checked: Checked,
+    /// The pattern to cut.
+    pub piece: Piece,
+    /// The edges of its sheet, in the order of the loops; mates are parts of one [`super::Made`].
+    pub edges: Vec<Edge>,
+    /// What it was made from.
+    pub origin: Origin,
+}
+
+/// What a part was made from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Origin {
+    /// A boundary, for which the surface was found.
+    Found(Box<Found>),
+    /// A mesh, whose surface was given.
+    Given(Box<Given>),
+}
+
+/// The boundary of a part, and the surface that was found for it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Found {
+    /// Which triangulations were looked at.
+    pub method: PanelMethod,
+    /// What was made as small as could be.
+    pub goal: Goal,
+    /// The weight ν of the fold price.
+    pub fold: f64,
+    /// The boundary as it was sampled.
+    pub boundary: Boundary,
+    /// The curves between the samples of the boundary.
+    pub outline: Outline,
+    /// The supporting plane, if there is one.
+    pub plane: Option<SupportingPlane>,
+    /// Its triangulation.
+    pub triangulation: Triangulation,
+    /// Its surface in space.
+    pub surface: Surface,
+    /// How its boundary was moved, if it was to be.
+    pub change: Option<Change>,
+}
+
+/// The mesh of a part, and how it was laid flat.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Given {
+    /// Its surface in space.
+    pub mesh: Mesh,
+    /// What flattening made small.
+    pub aim: Aim,
+    /// How flattening ended.
+    pub ended: Ended,
+    /// How many triangles lie upside down when it is flat.
+    pub flipped: usize,
+    /// Where it is joined to the parts that its panel was divided into.
+    pub joints: Vec<Joint>,
+    /// The surface that its border alone asks for, where meshes are divided along creases and there
+    /// is one.
+    pub rebuilt: Option<Rebuilt>,
+}
+
+/// A line along which a part of a mesh is joined to another, where the mesh was divided.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Joint {
+    /// How it is marked on both parts.
+    pub mark: String,
+    /// The number of the other part in the design.
+    pub with: usize,
+    /// How long it is in space, mm.
+    pub length_mm: f64,
+    /// The steps of the border along it, by vertices of the sheet, which lies to their left.
+    pub steps: Vec<[VertexIndex; 2]>,
+    /// Its number among the lines along which its panel was divided, and that of the other part
+    /// among those of the panel.
+    pub(super) in_panel: (usize, usize),
+}
+
+impl Joint {
+    /// How long it is on the pattern of its part, whose vertices lie at these points, mm.
+    pub fn flat_mm(&self, points: &[Point2]) -> f64 {
+        self.steps.iter().map(|[a, b]| points[a.get()].distance(points[b.get()])).sum()
+    }
+}
+
+impl Part {
+    /// Its boundary and the surface that was found for it; `None` of a mesh.
+    pub fn found(&self) -> Option<&Found> {
+        match &self.origin {
+            Origin::Found(found) => Some(found),
+            Origin::Given(_) => None,
+        }
+    }
+
+    /// The mesh that was given; `None` of a boundary.
+    pub fn given(&self) -> Option<&Given> {
+        match &self.origin {
+            Origin::Given(given) => Some(given),
+            Origin::Found(_) => None,
+        }
+    }
+
+    /// How its boundary was moved, if it has one that was to be.
+    pub fn change(&self) -> Option<&Change> {
+        self.found().and_then(|found| found.change.as_ref())
+    }
+}
+
+/// How the boundary of a panel was moved, and what it was before.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Change {
+    /// The part before.
+    pub before: Box<Part>,
+    /// How moving ended. Rungs that resist are those of the panels that were moved together.
+    pub ended: fair::Ended,
+    /// What moving was for.
+    pub goal: VaryGoal,
+    /// The curves of the panel that moved, by name.
+    pub curves: Vec<String>,
+    /// Where places of the boundary lay before, one a sample, and where they lie now, mm.
+    pub moved: Vec<[Point3; 2]>,
+}
+
+impl Change {
+    pub(super) fn new(before: Part, shift: &Shift) -> Self {
+        Self {
+            before: Box::new(before),
+            ended: shift.ended.clone(),
+            goal: shift.goal,
+            curves: shift.curves.clone(),
+            moved: shift.moved.clone(),
+        }
+    }
+
+    /// The largest distance that a sample was moved, mm.
+    pub fn moved_max_mm(&self) -> f64 {
+        self.moved_mm().fold(0.0, f64::max)
+    }
+
+    /// All distances that samples were moved, summed, mm.
+    pub fn moved_total_mm(&self) -> f64 {
+        self.moved_mm().sum()
+    }
+
+    fn moved_mm(&self) -> impl Iterator<Item = f64> {
+        self.moved.iter().map(|[from, to]| from.distance(*to))
+    }
+
+    /// What is to be said of it, where the part is this now; `None` of a mesh, which does not move.
+    pub(super) fn said<'a>(&'a self, now: &'a Part) -> Option<BoundaryMoved<'a>> {
+        Some(BoundaryMoved {
+            ended: &self.ended,
+            wanted: match self.goal {
+                VaryGoal::Warp { largest } => Some(largest),
+                VaryGoal::Price => None,
+            },
+            curves: &self.curves,
+            moved_max_mm: self.moved_max_mm(),
+            moved_total_mm: self.moved_total_mm(),
+            size_mm: now.found()?.boundary.size(),
+            before: &self.before.measures,
+            after: &now.measures,
+            checked: &now.checked,
+        })
+    }
+}
