@@ -24,7 +24,7 @@ const HELP: &str = "Chores of the project:
   cargo xtask gallery      writes docs/gallery.md, its pictures and examples/gallery/
   cargo xtask measured     writes docs/measured.md: gores against the sphere, a duct against tradition
   cargo xtask outputs      makes all there is with a command: --with COMMAND --out DIR
-  cargo xtask peers        what bench/peers/run calls: our speed beside CGAL's, docs/speed.md
+  cargo xtask peers        what bench/peers/run calls; writes bench/peers/README.md: our speed beside CGAL's
   cargo xtask quads        writes docs/quads.md: planar quads and smooth strips, measured
   cargo xtask templates    writes docs/templates.md and its pictures, from the catalogue
   cargo xtask vary         writes docs/vary-compared.md: what moved curves gain, against the paper
