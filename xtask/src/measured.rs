@@ -47,8 +47,8 @@ the meridian midway, against the flat gore. All three fall with the square of th
 as they must: by (π/n)² times 1/3, 1/4 and 1/2 to the leading order, in brackets. Twice as many gores
 lose a quarter as much. The edges themselves lose nothing: they have the length of the meridian.
 
-The lost width is what a maker of cloth balloons adds again, where the cloth stretches; a sheet that
-does not stretch takes the shape that is measured here.
+A maker of cloth balloons adds the lost width again, since cloth stretches; a sheet that does not
+stretch takes the shape that is measured here.
 ";
 
 const DUCT: &str = "
@@ -56,10 +56,10 @@ const DUCT: &str = "
 
 The classical triangulation, as duct shops do it by hand, divides the round end into 24 and takes
 the true length of each line from a corner to the points of its quarter by Pythagoras. Here its
-lengths stand beside those of the pattern of the template `square-to-round`. That one is given the
-two ends and a seam, and the four flat triangles and four conical corners come out as the
-triangulation of the least price; \"neither\" is the share of the area that is neither in a fan
-from a corner nor, to a millionth of a radian, in the plane of the triangle on a side.
+lengths stand beside those of the pattern of the template `square-to-round`. The template has only the
+two ends and a seam; the triangulation of the least price finds the four flat triangles and the four
+conical corners. \"Neither\" is the share of the area that is neither in a fan from a corner nor, to a
+millionth of a radian, in the plane of the triangle on a side.
 ";
 
 /// Writes `docs/measured.md`.
