@@ -1,8 +1,8 @@
-//! From points and curves to validated boundaries: what everything else of Sheetwright stands on.
+//! From points and curves to validated boundaries: the base of all other crates of Sheetwright.
 //!
 //! Read in this order, which is that of the arrows: [`math`] has points and vectors, [`predicate`]
-//! what is decided exactly, [`curve`] curves through points and their samples, [`boundary`] the
-//! closed loops that bound a panel, validated once. Lengths are mm, angles radians. Nothing here
+//! exact tests, [`curve`] curves through points and their samples, [`boundary`] the closed loops
+//! that bound a panel, validated once. Lengths are mm, angles radians. Nothing here
 //! opens a file, reads a clock or starts a thread, and the same input gives the same bits on every
 //! platform.
 

@@ -1,7 +1,7 @@
 //! Points, vectors and frames: the only file that names the crate of vectors; [`sparse`] alone
 //! names that of sparse systems.
 //!
-//! A point is a place and a vector is a way to go; the difference of two points is a vector. Every
+//! A point is a place and a vector a displacement; the difference of two points is a vector. Every
 //! transcendental function of the kernel stands here and comes from the `libm` crate, so that a
 //! design gives the same bits in the browser, on the desktop and on every processor.
 
@@ -45,7 +45,7 @@ impl Point3 {
         Vec3::new(self.x, self.y, self.z)
     }
 
-    /// The point that `way` leads to from the origin.
+    /// The point at the displacement `way` from the origin.
     pub fn from_vec(way: Vec3) -> Self {
         Self::new(way.x, way.y, way.z)
     }
@@ -122,10 +122,10 @@ impl Add<Vec2> for Point2 {
     }
 }
 
-/// Three unit vectors at right angles, right-handed, and a place.
+/// Three unit vectors at right angles, right-handed, and an origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
-    /// Where the frame stands, mm.
+    /// The origin of the frame, mm.
     pub origin: Point3,
     /// First unit direction.
     pub x: Vec3,

@@ -102,9 +102,10 @@ pub fn first_crossing_of_loops(
     first
 }
 
-/// Two edges where a sheet with these closed lines as its border, which lies to their left, lies
-/// over itself: the first that cross or touch, or an edge of a line on whose left it does not lie
-/// once and one beside it. `None` if it covers no point twice. Exact.
+/// Two edges where a sheet overlaps itself, whose border are these closed lines; it lies on their
+/// left. Returns the first two edges that cross or touch, or else an edge of a line on whose left
+/// the sheet does not lie exactly once, and one beside it; `None` if the sheet covers no point
+/// twice. Exact.
 pub fn first_overlap_of_loops(points: &[Point2], loops: &[Range<usize>]) -> Option<(usize, usize)> {
     first_crossing_of_loops(points, loops).or_else(|| cover::first_not_covered_once(points, loops))
 }
@@ -154,9 +155,9 @@ impl Box2 {
     }
 
     /// The part of the segment from `a` to `b`, which are finite, that lies in the box, sides
-    /// included, as shares of the way between the two; `None` if the segment passes beside it. By
-    /// the method of Liang and Barsky, side by side; not exact: rounding decides of a segment that
-    /// only just touches a corner.
+    /// included, as two parameters in 0 ..= 1; `None` if the segment passes beside it. By the
+    /// method of Liang and Barsky, one side of the box after the other. Not exact: rounding decides
+    /// whether a segment touches a corner.
     pub fn part_inside(&self, a: Point2, b: Point2) -> Option<[f64; 2]> {
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
         for (way, low, high) in [
@@ -293,7 +294,7 @@ mod tests {
     fn a_segment_is_in_a_box_where_an_end_is_or_where_it_crosses_a_side() {
         let square = [p(0.0, 0.0), p(1.0, 0.0), p(1.0, 1.0), p(0.0, 1.0)];
         let around = Box2 { min: square[0], max: square[2] };
-        // Away from the corners, which rounding decides of: multiples of irrational numbers.
+        // Away from the corners, where rounding decides: multiples of irrational numbers.
         let spread = |n: u32, by: f64| (f64::from(n) * by).fract() * 3.0 - 1.0;
         let mut found = [0, 0];
         for n in 0..2000 {

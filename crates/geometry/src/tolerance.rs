@@ -21,18 +21,18 @@ impl Tolerance {
     /// A written pattern that folds back onto its surface within this share of the size is right.
     pub const REFOLD: Self = Self(1e-6);
 
-    /// Sides of a cut that lie this near to one another on the pattern, as a share of the size,
-    /// meet but for rounding: lengths are exact to some 13 digits and add up along the way round.
+    /// Sides of a cut this near to one another on the pattern, as a share of the size, meet up to
+    /// rounding: lengths are exact to some 13 digits, and their errors add up along the way round.
     pub const ROUNDING: Self = Self(1e-9);
     /// A cut that gapes by more than this share of the size is a seam; one that gapes by less may
     /// be one round a window, and is closed if little stretching does it. (Of an elliptic window in
     /// a cylinder, the gap is 6e-5 with 100 samples on the outline, and 2e-6 with 400.)
     pub const CLOSING: Self = Self(1e-2);
     /// Lengths are changed by no more than this share to close a cut: a tenth of a millimetre in a
-    /// metre is less than any shop cuts to. (Those windows need 2e-6 and 5e-9.)
+    /// metre is finer than any shop cuts. (Those windows need 2e-6 and 5e-9.)
     pub const STRETCH: Self = Self(1e-4);
-    /// Lengths are changed by up to this share to close a cut where the pattern would else overlap
-    /// itself, so that it can't be cut at all: a millimetre in a metre is what sheet stretches
+    /// Lengths are changed by up to this share to close a cut where the pattern would otherwise
+    /// overlap itself and could not be cut at all: a sheet stretches by a millimetre in a metre
     /// without being bent out of shape.
     pub const MOST_STRETCH: Self = Self(1e-3);
 

@@ -1,4 +1,4 @@
-//! Progress out, stop in: how a long stage talks with whoever waits for it.
+//! Progress out, stop in: how a long stage talks with its caller.
 
 /// The stages of the main job, in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,14 +15,14 @@ pub enum Stage {
     Check,
 }
 
-/// Someone who watches a stage at work, and may stop it.
+/// Watches a stage at work, and may stop it.
 ///
-/// The kernel reads no clock: whoever wants times notes them when [`Watch::begin`] is called.
+/// The kernel reads no clock: a caller that wants times notes them in [`Watch::begin`].
 pub trait Watch {
     /// A stage begins, for the panels of these names: one, or all that move together.
     fn begin(&mut self, _panels: &[&str], _stage: Stage) {}
 
-    /// The stage at work is done to this part: 0 at its beginning, 1 at its end.
+    /// The share of the current stage that is done: 0 at its beginning, 1 at its end.
     fn progress(&mut self, _done: f64) {}
 
     /// Whether the stage should end now. Asked often; once true it must stay true.
@@ -31,7 +31,7 @@ pub trait Watch {
     }
 }
 
-/// Nobody watches: no progress, no stop.
+/// No watching: no progress, no stop.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Unwatched;
 

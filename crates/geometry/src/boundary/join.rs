@@ -1,12 +1,12 @@
 //! Boundaries joined into one: P1 ⊕ P2 (equation 7, \[L11\]).
 //!
-//! Two panels that face the same side walk the edges that they share in opposite directions. Those
-//! pairs of edges cancel, and what is left is walked on from one panel into the other wherever they
-//! end: in the formula, …, b1_{i−1}, b2_{j+1}, …, b2_{j−1}, b1_{i+1}, …. So
+//! Two panels that face the same side walk their shared edges in opposite directions. Those pairs
+//! of edges cancel. Where a shared run ends, the walk along the remaining edges passes from one
+//! panel into the other: in the formula, …, b1_{i−1}, b2_{j+1}, …, b2_{j−1}, b1_{i+1}, …. So
 //!
 //! * of a shared run, the two end points stay and the interior goes;
 //! * several shared runs leave several loops: the largest is the outer one, the others are holes;
-//! * a panel that fills a hole leaves no hole, and holes that nothing touches are carried along;
+//! * a panel that fills a hole leaves no hole, and holes that no other panel touches stay;
 //! * two boundaries that meet at one sample alone lose it, as the formula says: straight edges
 //!   between its neighbours join the two at a neck.
 //!
@@ -27,7 +27,7 @@ pub struct JoinOptions {
     /// Samples of two boundaries that are nearer than this share of the size of both are one.
     /// Default: [`Tolerance::SAME_POINT`].
     pub same: Tolerance,
-    /// How smooth the loop is made where two boundaries meet. Default: as it comes.
+    /// How smooth the loop is made where two boundaries meet. Default: [`Continuity::G0`].
     pub smooth: Continuity,
     /// How far from a joint it is made smooth. Default: 5 % of the length of its loop.
     pub within: Within,
@@ -44,14 +44,14 @@ impl Default for JoinOptions {
 pub struct Joined {
     /// The boundary of all of them together. It faces as the first one does.
     pub boundary: Boundary,
-    /// Where two of them meet on it, in the order of its samples.
+    /// The joints, where two of the parts meet on it, in the order of its samples.
     pub joints: Vec<Joint>,
-    /// Which of them were turned round to face as the first does.
+    /// For each part, whether it was turned round to face as the first does.
     pub turned: Vec<bool>,
 }
 
 impl Joined {
-    /// How far the boundary lies from those that were joined, mm: the largest deviation of a joint.
+    /// The largest distance of the boundary from its parts, mm: the largest deviation of a joint.
     pub fn deviation_mm(&self) -> f64 {
         self.joints.iter().map(|joint| joint.deviation_mm).fold(0.0, f64::max)
     }
@@ -60,7 +60,7 @@ impl Joined {
 /// Why boundaries can't be joined.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JoinError {
-    /// Which of them, counted from 0, where it is one.
+    /// The part at fault, counted from 0; `None` if it is no single one.
     pub part: Option<usize>,
     /// What is wrong.
     pub cause: JoinCause,
@@ -71,11 +71,11 @@ pub struct JoinError {
 pub enum JoinCause {
     /// Fewer than two boundaries.
     TooFew,
-    /// More samples or spans of curves than can be compared with one another in a moment.
+    /// More samples or spans of curves than may be compared with one another.
     TooLarge {
         /// How many there are.
         found: usize,
-        /// How many may be.
+        /// The limit.
         most: usize,
     },
     /// A distance or share that is not positive and finite, or a share above ½.
@@ -99,7 +99,7 @@ pub enum JoinCause {
     Closed,
     /// Two joints with no sample between them, so that there is nothing to make smooth.
     NoRoom,
-    /// What comes out is no boundary.
+    /// The joined loops are no boundary.
     Boundary(BoundaryError),
 }
 
@@ -188,7 +188,7 @@ pub fn join_all(parts: &[&Boundary], options: &JoinOptions) -> Result<Joined, Jo
                 }
                 Ok(ContactKind::Sample) => at_sample = at_sample.or(Some((place, sheet))),
                 Ok(ContactKind::Nothing) => {}
-                // Others may fill what lies between, so that edges are shared there later.
+                // Other parts may fill the gap, so that edges are shared there later.
                 Err(cause) => refused = refused.or(Some(failed(Some(part), cause))),
             }
         }
@@ -212,7 +212,7 @@ pub fn join_all(parts: &[&Boundary], options: &JoinOptions) -> Result<Joined, Jo
 #[derive(Clone)]
 struct Ring {
     nodes: Vec<Node>,
-    /// Whether its direction says nothing: holes of what comes in may run either way.
+    /// Whether its direction is arbitrary: holes of the parts may run either way.
     free: bool,
 }
 
@@ -375,8 +375,8 @@ impl Contact {
         }
     }
 
-    /// Turns loops round until every shared edge is walked in opposite directions; whether the
-    /// second sheet was turned. Loops whose direction says something turn with their sheet.
+    /// Turns loops round until every shared edge is walked in opposite directions. Returns whether
+    /// the second sheet was turned. Loops that are not `free` turn with their sheet.
     fn turn_alike(&self, first: &mut Sheet, second: &mut Sheet) -> Result<bool, JoinCause> {
         let free = [first, second].map(|sheet| {
             let free: Vec<bool> = sheet.loops.iter().map(|ring| ring.free).collect();
@@ -399,7 +399,7 @@ impl Contact {
         for (turn, free) in turns[1].iter_mut().zip(&second_free) {
             *turn = (!free).then_some(turned);
         }
-        // Each pass settles one free loop at least, or there is nothing left to settle.
+        // Each pass settles one free loop at least, or none is left.
         for _ in 0..first_free.len() + second_free.len() {
             for edge in &self.shared {
                 let [a, b] = rings(edge);
@@ -514,7 +514,7 @@ impl Contact {
             }
             // A loop without joints is as it came.
             ring.free &= ring.nodes.iter().all(|node| node.joint.is_none());
-            // What was walked begins with the end of its first edge.
+            // The walk begins with the end of its first edge.
             ring.nodes.rotate_right(1);
             loops.push(ring);
         }

@@ -165,8 +165,8 @@ impl Boundary {
     /// The boundary with these loops, the outer one first.
     ///
     /// # Errors
-    /// Whatever [`BoundaryError`] names. An edge that is walked both ways is a seam and allowed: so
-    /// is the boundary of a tube that is cut open.
+    /// See [`BoundaryError`]. An edge that is walked both ways is a seam, which is allowed: the
+    /// boundary of a tube that is cut open has one.
     pub fn new(loops: Vec<Vec<Sample>>) -> Result<Self, BoundaryError> {
         let found = loops.iter().map(Vec::len).sum();
         if found > MAX_SAMPLES {
@@ -266,7 +266,7 @@ impl Boundary {
         self.samples.len()
     }
 
-    /// Never: a boundary has at least three samples.
+    /// Always false: a boundary has at least three samples.
     pub fn is_empty(&self) -> bool {
         false
     }
@@ -358,7 +358,7 @@ pub fn samples_from_points(points: &[crate::curve::CurvePoint]) -> Vec<Sample> {
         .map(|i| {
             let arrive = at(i) - at(i + m - 1);
             let leave = at(i + 1) - at(i);
-            // A point that repeats its neighbour leaves no direction; the door refuses it later.
+            // A point that repeats its neighbour has no direction; `Boundary::new` refuses it.
             let direction = |v: Vec3| unit(v).unwrap_or(Vec3::ZERO);
             let (tangent_in, tangent_out) = if points[i].corner {
                 (direction(arrive), direction(leave))

@@ -1,10 +1,9 @@
 //! The curves that the samples of a boundary were taken from, walked by arc length.
 //!
-//! A boundary knows its samples and their tangents; what lies between two samples is known to the
-//! curves alone. An outline keeps it: for every edge the pieces of curve from its sample to the
-//! next, so that a vertex may slide along the boundary without leaving it. Where no curve is known
-//! (the loops are samples themselves, joined panels, rails that ran on), it is the cubic with the
-//! tangents of both samples, which is the straight line where the edge is one.
+//! A boundary holds samples and their tangents only. An outline holds, for every edge, the pieces
+//! of curve from its sample to the next, so that a vertex may slide along the boundary without
+//! leaving it. Where no curve is known (the loops are samples themselves, joined panels, rails that
+//! ran on), the piece is the cubic with the tangents of both samples, straight where the edge is.
 
 use super::Boundary;
 use crate::curve::{Cubic, length, parameter_at};
@@ -32,7 +31,7 @@ struct Ring {
 pub struct OnOutline {
     /// Where it is, mm.
     pub position: Point3,
-    /// The unit tangent; at a corner the one on the side that was asked for.
+    /// The unit tangent; at a corner the one on the chosen side.
     pub tangent: Vec3,
 }
 
@@ -46,15 +45,15 @@ pub enum Side {
 }
 
 impl Outline {
-    /// The outline of a boundary of which no more than the samples is known: from each to the next
-    /// the cubic with their tangents, as long as the chord at both ends.
+    /// The outline of a boundary of which only the samples are known: from each to the next the
+    /// cubic with their tangents, whose derivatives at both ends are as long as the chord.
     pub fn through(boundary: &Boundary) -> Self {
         Self::new(boundary, (0..boundary.len()).map(|i| vec![between(boundary, i)]))
     }
 
-    /// The outline whose pieces from each sample to the next are given. They are moved by what
-    /// rounding and chaining leaves, so that they begin and end at the samples; pieces that miss
-    /// them by more than `same_mm` are not taken.
+    /// The outline whose pieces from each sample to the next are given. Pieces that miss the
+    /// samples by up to `same_mm`, by rounding and chaining, are moved to begin and end there;
+    /// those that miss them by more are not taken.
     pub fn from_pieces(
         boundary: &Boundary,
         same_mm: f64,
@@ -95,13 +94,13 @@ impl Outline {
         self.loops[of_loop].ends.last().copied().unwrap_or(0.0)
     }
 
-    /// How far along its loop a sample lies, mm.
+    /// The arc length from the first sample of its loop to a sample, mm.
     pub fn of_sample(&self, sample: usize) -> f64 {
         self.samples[sample]
     }
 
-    /// The place on a loop so many mm of curve behind its first sample; going on round the loop
-    /// beyond its length, and back before it.
+    /// The place on a loop at an arc length of `along_mm` after its first sample; a length beyond
+    /// the loop goes round again, a negative one goes back.
     pub fn at(&self, of_loop: usize, along_mm: f64, side: Side) -> OnOutline {
         let ring = &self.loops[of_loop];
         let (n, t) = ring.locate(along_mm, side);
@@ -164,7 +163,7 @@ fn fitted(mut pieces: Vec<Cubic>, ends: [Point3; 2], same_mm: f64) -> Option<Vec
     }
     pieces[0].control[0] = ends[0];
     pieces[last].control[3] = ends[1];
-    // A piece without length has no direction, and nothing to walk.
+    // A piece without length has no direction.
     pieces.retain(|piece| length(piece, 0.0, 1.0) > 0.0);
     (!pieces.is_empty()).then_some(pieces)
 }

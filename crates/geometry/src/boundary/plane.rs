@@ -1,5 +1,5 @@
-//! A supporting plane: where the boundary projects onto a plane without crossing itself, the
-//! surface may be asked to lie over that plane like a roof over its floor plan.
+//! A supporting plane: where the boundary projects onto a plane without crossing itself, a panel
+//! may demand a surface that lies over that plane like a roof over its floor plan.
 
 use super::Boundary;
 use crate::math::{Frame, Point2, Vec3, unit};
@@ -7,7 +7,7 @@ use crate::predicate::{first_crossing_of_loops, inside, signed_area_doubled};
 use crate::tolerance::Tolerance;
 use std::fmt;
 
-/// Which supporting plane a panel asks for.
+/// Which supporting plane a panel demands.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum PlaneChoice {
     /// The plane onto which the outer loop projects with the largest area, if the boundary projects
@@ -30,7 +30,7 @@ pub struct SupportingPlane {
     pub projected: Vec<Point2>,
 }
 
-/// Why a chosen plane supports nothing.
+/// Why a plane can't support a boundary.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PlaneError {
     /// The normal has no direction.
@@ -68,12 +68,12 @@ impl fmt::Display for PlaneError {
 
 impl std::error::Error for PlaneError {}
 
-/// The supporting plane of a boundary, if there is to be one.
+/// The supporting plane of a boundary; `None` where the choice is none, or [`PlaneChoice::Auto`]
+/// finds none.
 ///
 /// # Errors
-/// A hole of a flat panel that lies outside it or in another; a chosen normal without direction, or
-/// one along which the boundary crosses itself or a hole
-/// lies outside.
+/// A hole of a flat panel lies outside it or in another hole; a chosen normal has no direction, or
+/// the boundary projected along it crosses itself or has a hole outside.
 pub fn supporting_plane(
     boundary: &Boundary,
     choice: PlaneChoice,
@@ -103,7 +103,7 @@ fn project(boundary: &Boundary, normal: Vec3) -> Result<SupportingPlane, PlaneEr
     // The side of the plane that the loop runs counter-clockwise on.
     let facing = if boundary.area_vector().dot(normal) < 0.0 { -normal } else { normal };
     let origin = boundary.samples()[0].position;
-    // Not made a unit vector before: one that is made one twice may differ by a bit.
+    // `facing` is not normalised here: a vector normalised twice may differ by a bit.
     let frame = Frame::with_normal(origin, facing).ok_or(PlaneError::NoDirection)?;
     let projected: Vec<Point2> =
         boundary.samples().iter().map(|s| frame.project(s.position)).collect();

@@ -1,10 +1,10 @@
-//! Joints of boundaries made smooth: a span with the tangents of both sides, and for G2 their
-//! curvatures too, takes the place of the samples around the joint.
+//! Smooth joints: a span with the tangents of both sides, and for G2 their curvatures too, replaces
+//! the samples around a joint of two boundaries.
 //!
 //! The span is a Hermite polynomial between two samples that stay, a cubic for G1 and a quintic for
-//! G2. Its speed at both ends is that of a circular arc with their chord c and the angle θ between
-//! their tangents, in the cubic that comes nearest to it: c / cos²(θ/4). There are as many samples
-//! on it as there were, evenly by length, and they have its tangents.
+//! G2. Its speed at both ends is c / cos²(θ/4), with the chord c and the angle θ between the
+//! tangents: that of the cubic nearest to a circular arc. It gets as many samples as it replaces,
+//! evenly by length, with its tangents.
 
 use crate::curve::Sample;
 use crate::index::SampleIndex;
@@ -13,7 +13,7 @@ use crate::math::{Point3, Vec3, angle_between, cos, unit};
 /// How smooth a loop is where two boundaries meet.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Continuity {
-    /// As it comes: with a corner, unless the two happen to meet smoothly.
+    /// Unchanged: with a corner, unless the two happen to meet smoothly.
     #[default]
     G0,
     /// One tangent.
@@ -33,11 +33,11 @@ impl Continuity {
     }
 }
 
-/// How far from a joint a loop may be changed. It ends sooner at a corner, and half way to the next
-/// joint; it reaches the nearest samples at least.
+/// How far from a joint a loop may be changed. The changed part ends sooner at a corner and half
+/// way to the next joint, and reaches the nearest samples at least.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Within {
-    /// This way along the loop to both sides, mm.
+    /// This arc length to both sides, mm.
     Mm(f64),
     /// This share of the length of the loop to both sides, up to ½.
     Share(f64),
@@ -50,7 +50,7 @@ impl Default for Within {
 }
 
 impl Within {
-    /// Whether it is positive and finite, and a share no more than ½.
+    /// Whether it is positive and finite, and at most ½ if it is a share.
     pub fn is_valid(self) -> bool {
         match self {
             Self::Mm(mm) => mm > 0.0 && mm.is_finite(),
@@ -69,15 +69,14 @@ impl Within {
 /// A place on a boundary where two that were joined meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joint {
-    /// The sample there; where a single shared sample went, the one before it.
+    /// The sample there; where joining removed a single shared sample, the one before it.
     pub sample: SampleIndex,
-    /// By how much the loop turned there before it was made smooth, radians.
+    /// The angle by which the loop turned there before it was made smooth, radians.
     pub turn: f64,
-    /// The samples between which the loop was made smooth, both as they were; `None` if it was left
-    /// as it came.
+    /// The samples between which the loop was made smooth, themselves unchanged; `None` if the loop
+    /// is unchanged here.
     pub window: Option<[SampleIndex; 2]>,
-    /// The largest distance between the loop as it came and as it is, mm, measured at the samples
-    /// of both.
+    /// The largest distance between the loop before and after, mm, measured at the samples of both.
     pub deviation_mm: f64,
 }
 
@@ -97,8 +96,8 @@ pub(super) struct Node {
     pub(super) joint: Option<JointAt>,
 }
 
-/// Makes the joints of all loops smooth; which they are, with samples counted through all loops.
-/// `None` where two joints have no sample between them to stay.
+/// Makes the joints of all loops smooth and returns them, with samples counted through all loops;
+/// `None` where two joints have no sample between them that could stay.
 pub(super) fn smooth_joints(
     loops: &mut [Vec<Node>],
     continuity: Continuity,
@@ -114,7 +113,7 @@ pub(super) fn smooth_joints(
             let turn = ring.turn_at(joint);
             let skip = match continuity {
                 Continuity::G0 => true,
-                // One tangent is there already; where a sample went, there are none.
+                // One tangent is there already; a removed sample leaves none.
                 Continuity::G1 => before[joint].joint == Some(JointAt::Sample) && turn == 0.0,
                 Continuity::G2 => false,
             };
@@ -144,7 +143,8 @@ fn joints_of(nodes: &[Node]) -> Vec<usize> {
     (0..nodes.len()).filter(|&i| nodes[i].joint.is_some()).collect()
 }
 
-/// A loop as it came, with the numbers of its nodes that are joints. Numbers run on over its end.
+/// A loop before the change, with the numbers of its nodes that are joints. Numbers run on over its
+/// end.
 struct Ring<'a> {
     nodes: &'a [Node],
     joints: Vec<usize>,
@@ -178,14 +178,14 @@ impl Ring<'_> {
         if arriving == leaving { 0.0 } else { angle_between(arriving, leaving) }
     }
 
-    /// The nodes that stay at both ends of what is replaced around the n-th joint.
+    /// The nodes that stay at both ends of the replaced part around the n-th joint.
     fn window(&self, n: usize, within: Within) -> Option<[usize; 2]> {
         let (m, count) = (self.nodes.len(), self.joints.len());
         let way_mm = within.way_mm(self.length_mm(0, m));
         let joint = self.joints[n];
         let before = self.joints[(n + count - 1) % count];
         let after = self.joints[(n + 1) % count];
-        // All of it one round later, so that the way back has numbers too.
+        // One round later, so that nodes before the joint have numbers too.
         let [first, last] = self.ends(joint).map(|i| i + m);
         let before = if before < joint { before + m } else { before };
         let after = if after > joint { after + m } else { after + 2 * m };
@@ -252,7 +252,7 @@ impl Ring<'_> {
     }
 
     /// The curvature vector at a node, 1/mm: the difference of the tangents of its neighbours over
-    /// the way between them; at a corner, of the side where the window lies.
+    /// the length between them; at a corner, that on the side of the window.
     fn curvature(&self, i: usize, window_after: bool) -> Vec3 {
         let i = i + self.nodes.len();
         let here = self.sample(i);
@@ -275,7 +275,7 @@ impl Ring<'_> {
         bend - tangent * bend.dot(tangent)
     }
 
-    /// The largest distance between the loop as it came and as it is, between two nodes that stay,
+    /// The largest distance between the loop before and after, mm, between two nodes that stay,
     /// measured at the samples of both (at some hundred of them where there are more).
     fn deviation_mm(&self, from: usize, to: usize, joint: usize, found: &[Sample]) -> f64 {
         const MEASURED: usize = 256;
@@ -287,7 +287,7 @@ impl Ring<'_> {
             let measured = points.iter().step_by(points.len().div_ceil(MEASURED));
             measured.map(|&p| distance_to(p, line)).fold(0.0, f64::max)
         };
-        // The corner itself is where it is farthest, mostly.
+        // The distance is mostly largest at the corner itself.
         let corner = self.ends(joint).map(|i| distance_to(self.at(i), &after));
         far(&before, &after).max(far(&after, &before)).max(corner[0]).max(corner[1])
     }
@@ -364,7 +364,7 @@ impl Span {
                 let step = table[n] - table[n - 1];
                 let share = if step > 0.0 { (wanted - table[n - 1]) / step } else { 0.0 };
                 let t = ((n - 1) as f64 + share) / steps as f64;
-                // Where it stands still, it goes where the chord goes.
+                // Where the derivative vanishes, the direction of the chord.
                 let chord = self.position(1.0) - self.start;
                 let tangent = unit(self.derivative(t)).or(unit(chord)).unwrap_or(Vec3::ZERO);
                 Sample { position: self.position(t), tangent_in: tangent, tangent_out: tangent }

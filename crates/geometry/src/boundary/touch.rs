@@ -1,25 +1,25 @@
-//! No boundary touches itself, but along seams.
+//! Refuses boundaries that touch themselves other than along seams.
 //!
-//! Points are on the same spot and edges touch within a tolerance: curves that cross in space
-//! after sampling miss one another by rounding at least, so an exact test would find nothing.
+//! Points are on one spot, and edges touch, within a tolerance: after sampling, curves that cross
+//! in space miss one another by rounding at least, so an exact test would find no crossing.
 
 use super::{Boundary, BoundaryError};
 use crate::math::{Point3, Vec3};
 use crate::predicate::for_touching_boxes;
 use crate::tolerance::Tolerance;
 
-/// Edges nearer than this share of the size touch: more than rounding (1e-16) by far, less than
-/// any gap that a person draws or a workshop cuts.
+/// Edges nearer than this share of the size touch: far above rounding (1e-16), and below any gap
+/// that is drawn on purpose or can be cut.
 const TOUCH: f64 = 1e-9;
 
 /// Refuses a boundary with two samples on one spot, or two edges that touch, unless both belong to
-/// an edge that is walked both ways; and a loop of nothing but such edges.
+/// an edge that is walked both ways; and a loop with such edges only.
 pub(super) fn refuse_touching(boundary: &Boundary) -> Result<(), BoundaryError> {
     let edges = Edges::new(boundary);
     let mut worst: Option<(usize, usize, bool)> = None;
     edges.for_near_pairs(TOUCH * boundary.size(), |i, j, same_spot| {
         let found = (i, j, same_spot);
-        // Of many, the first in the order of the boundary; a repeated sample before a crossing.
+        // The first in the order of the boundary counts, a repeated sample before a crossing.
         let key = |(i, j, same): (usize, usize, bool)| (!same, j, i);
         if worst.is_none_or(|best| key(found) < key(best)) {
             worst = Some(found);
@@ -142,7 +142,7 @@ fn segment_gap(a: Point3, b: Point3, c: Point3, d: Point3) -> f64 {
     let (uw, vw) = (u.dot(w), v.dot(w));
     let clamp = |x: f64| x.clamp(0.0, 1.0);
     let det = uu * vv - uv * uv;
-    // Parallel segments: any point of the first serves to begin with.
+    // Parallel segments: begin with any point of the first.
     let s = if det > 0.0 { clamp((uv * vw - vv * uw) / det) } else { 0.0 };
     let t = if vv > 0.0 { (uv * s + vw) / vv } else { 0.0 };
     let (s, t) = if t < 0.0 {

@@ -16,8 +16,8 @@ pub const NODES: [(f64, f64); 5] = [
 
 /// Share of a span's size up to which two estimates of its length agree.
 const AGREEMENT: f64 = 1e-13;
-/// Halvings of a span at the most: only a point where the derivative vanishes asks for many, and
-/// 2⁻³⁰ of a span is below what its length can show.
+/// Limit of the halvings of a span. Only a point where the derivative vanishes needs many, and 2⁻³⁰
+/// of a span is below the digits of its length.
 const MOST_HALVINGS: u32 = 30;
 /// Steps of Newton's method at the most; each is kept inside a bracket that shrinks, so that
 /// reaching this bound only costs digits.
@@ -33,7 +33,7 @@ pub fn length(span: &Cubic, from: f64, to: f64) -> f64 {
 fn halved(span: &Cubic, from: f64, to: f64, whole: f64, enough: f64, halvings: u32) -> f64 {
     let middle = 0.5 * (from + to);
     let (a, b) = (quadrature(span, from, middle), quadrature(span, middle, to));
-    // Written so that a length which is no number ends it too.
+    // Written so that NaN ends the recursion too.
     let apart = (a + b - whole).abs() > enough;
     if !apart || halvings == 0 {
         return a + b;

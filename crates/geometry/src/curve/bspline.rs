@@ -20,8 +20,8 @@ fn periodic(points: &[Point3]) -> Vec<Cubic> {
     (0..m).map(|i| bezier([i + m - 1, i, i + 1, i + 2].map(|k| points[k % m]), knots)).collect()
 }
 
-/// The clamped B-spline with these control points (2 or more). Fewer than four make the one span
-/// of the degree that they allow, raised to three.
+/// The clamped B-spline with these control points (2 or more). Two or three make one span of degree
+/// one or two, raised to three.
 fn clamped(points: &[Point3]) -> Vec<Cubic> {
     match *points {
         [a, b] => vec![Cubic::line(a, b)],

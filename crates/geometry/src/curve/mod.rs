@@ -1,8 +1,7 @@
 //! Curves: chains of cubic spans, smooth but for their corners.
 //!
-//! A polyline, an interpolating spline and a B-spline differ only in how their spans are made
-//! (one file each); from there on they are the same thing, evaluated with exact derivatives and
-//! sampled evenly by arc length.
+//! A polyline, an interpolating spline and a B-spline differ only in how their spans are made (one
+//! file each). All are then evaluated with exact derivatives and sampled evenly by arc length.
 
 mod arc_length;
 mod bspline;
@@ -22,7 +21,7 @@ use crate::math::{Point3, Vec3};
 use std::fmt;
 
 /// Largest size of a coordinate, mm (a thousand km): its cubes stay far inside the range of the
-/// exact predicates, and nobody bends a larger sheet.
+/// exact predicates, and no sheet is larger.
 pub const MAX_COORDINATE_MM: f64 = 1e9;
 
 /// A point that a curve is made from.
@@ -32,7 +31,7 @@ pub struct CurvePoint {
     pub at: Point3,
     /// Whether the curve has a corner here: it passes through the point with two tangents.
     pub corner: bool,
-    /// How far it may be moved so that the sheet bends better, mm; 0: as the design says.
+    /// How far the point may move so that the sheet bends better, mm; 0: as the design says.
     pub move_mm: f64,
 }
 
@@ -259,9 +258,9 @@ impl Curve {
     }
 }
 
-/// How one kind makes the spans of a smooth stretch, open between two corners or the whole of a
-/// closed curve without any: from the points that say how long its spans are, and those that it is
-/// made from. What comes out is linear in the latter.
+/// How one kind makes the spans of a smooth stretch, open between two corners or a closed curve
+/// without corners: from the points that give the chord lengths, and the points that the stretch
+/// follows. The spans are linear in the latter.
 struct StretchMaker {
     open: fn(&[Point3], &[Point3]) -> Vec<Cubic>,
     closed: fn(&[Point3], &[Point3]) -> Vec<Cubic>,
@@ -277,12 +276,13 @@ impl CurveKind {
     }
 }
 
-/// Splits the points at corners and lets `open` make the spans, or what stands for them, of each
-/// stretch, given the numbers of its points; or `ring` those of a closed curve without corners. A
-/// closed curve with corners begins at its first point all the same; where that is no corner, the
-/// spans are turned back by as many as points precede the first corner: a spline begins at its
-/// first point, a B-spline somewhere before that corner. Also returned is which spans have a corner
-/// before them.
+/// Splits the points at corners and lets `open` make the spans (or what stands for them) of each
+/// stretch, given the numbers of its points, or `ring` those of a closed curve without corners.
+/// Returns them with a flag for each span: whether a corner comes before it.
+///
+/// A closed curve with corners begins at its first point all the same. Where that is no corner, the
+/// spans are rotated back by the number of points before the first corner: a spline then begins at
+/// its first point, a B-spline somewhere before that corner.
 fn spread<T>(
     kind: CurveKind,
     points: &[CurvePoint],

@@ -1,10 +1,10 @@
 //! Samples of curves, evenly by arc length, that keep the corners.
 //!
 //! The curves are split at their corners into smooth stretches. Every stretch begins and ends at a
-//! sample and is divided evenly; the divisions are shared out by length, at least one a stretch
-//! (largest remainder, the first of equals), but where a number is given for a curve. A stretch
-//! that is walked back along another, as the two sides of a seam are, gets as many; and whichever
-//! way a stretch is run, its samples have the same bits.
+//! sample and is divided evenly. Unless the numbers are given, divisions are shared out by length,
+//! at least one a stretch (largest remainder, the first of equals). A stretch that is walked back
+//! along another, as the two sides of a seam are, gets as many. In either direction, the samples of
+//! a stretch have the same bits.
 
 use super::arc_length::{length, parameter_at};
 use super::{Cubic, Curve};
@@ -12,8 +12,8 @@ use crate::math::{Point3, Vec3, angle_between};
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// Tangents at a joint that differ by less, radians, are one tangent: far below what a hand can
-/// draw or a sheet can show, far above rounding.
+/// Tangents at a joint that differ by less, radians, are one tangent: far below the angles that can
+/// be drawn or seen on a sheet, far above rounding.
 const SAME_DIRECTION: f64 = 1e-7;
 
 /// A point of a curve with its tangents.
@@ -23,7 +23,7 @@ pub struct Sample {
     pub position: Point3,
     /// Unit tangent of the curve as it arrives.
     pub tangent_in: Vec3,
-    /// Unit tangent of the curve as it leaves; that of arrival but at a corner.
+    /// Unit tangent of the curve as it leaves; equal to `tangent_in` except at a corner.
     pub tangent_out: Vec3,
 }
 
@@ -39,9 +39,9 @@ impl Sample {
 pub enum SampleError {
     /// Fewer samples than the corners need.
     TooFew {
-        /// How many were asked for.
+        /// The number of samples wanted.
         asked: usize,
-        /// How many it takes to keep every corner.
+        /// The number needed to keep every corner.
         needed: usize,
     },
 }
@@ -71,9 +71,9 @@ pub struct Place {
 pub struct Placed {
     /// The sample.
     pub sample: Sample,
-    /// Where it arrives.
+    /// Where the curve arrives at it.
     pub arriving: Place,
-    /// Where it leaves, which is where its position is from.
+    /// Where the curve leaves it; its position is taken there.
     pub leaving: Place,
 }
 
@@ -86,16 +86,16 @@ impl Placed {
 
 /// A smooth run of spans.
 struct Stretch {
-    /// The spans, run the way that does not depend on how the curve is run.
+    /// The spans, in a direction that does not depend on that of the curve.
     spans: Vec<Cubic>,
-    /// Whether the curve runs the other way.
+    /// Whether the curve runs in the other direction.
     turned: bool,
     lengths: Vec<f64>,
     whole: f64,
     /// The curve, and the numbers of its spans in the order of the curve.
     curve: usize,
     numbers: Vec<usize>,
-    /// The divisions that are asked for, if they are.
+    /// The given number of divisions, if there is one.
     divisions: Option<usize>,
     /// The earlier stretch that this one is walked back along, if there is one.
     back_along: Option<usize>,
@@ -115,8 +115,7 @@ impl Stretch {
         Self { spans, turned, lengths, whole, curve, numbers, divisions: None, back_along: None }
     }
 
-    /// Position, unit tangent and place where `part` of `parts` equal parts of the stretch are
-    /// behind.
+    /// Position, unit tangent and place after `part` of `parts` equal parts of the stretch.
     fn at(&self, part: usize, parts: usize) -> (Point3, Vec3, Place) {
         let part = if self.turned { parts - part } else { part };
         let (n, t) = self.locate(part, parts);
@@ -227,9 +226,9 @@ pub fn sample_chain(curves: &[Curve], count: usize) -> Result<Vec<Sample>, Sampl
     chain_placed(curves, count, &[]).map(Placed::samples)
 }
 
-/// `count` samples, with their places, of the closed loop that [`sample_chain`] describes. Curves
-/// that `divisions` has a list for get that many divisions, one entry for each of their stretches
-/// between corners; they count among the samples, of which there are more where it takes them.
+/// `count` samples, with their places, of the closed loop that [`sample_chain`] describes. A curve
+/// with a list in `divisions` gets these divisions, one entry for each of its stretches between
+/// corners. They count towards `count`, which is exceeded where they need more.
 ///
 /// # Errors
 /// As those of [`sample_chain`].
@@ -251,8 +250,8 @@ pub fn chain_placed(
         return Err(SampleError::TooFew { asked: count, needed });
     }
     let mut samples = walk(&stretches, &shared_out(&stretches, count));
-    // A closed curve whose first point is no corner begins inside its last stretch; turn the
-    // samples so that they begin as near to its beginning as one lies.
+    // A closed curve whose first point is no corner begins inside its last stretch; rotate the
+    // samples so that the one nearest to its beginning comes first.
     if let [curve] = curves {
         let start = curve.start();
         let nearest = (0..samples.len())
@@ -290,8 +289,8 @@ pub fn divisions_of(curves: &[Curve], count: usize) -> Result<Vec<Vec<usize>>, S
 }
 
 /// The samples of the closed loop that open curves make when chained end to end, from the samples
-/// of each with both its ends. Where one ends the next begins: that sample has the place where it
-/// begins, and the tangents of both.
+/// of each with both its ends. Where one curve ends and the next begins, the sample has the
+/// position of the beginning and the tangents of both.
 pub fn chained_samples(curves: &[Vec<Sample>]) -> Vec<Sample> {
     let mut samples: Vec<Sample> = Vec::new();
     let mut arriving = curves.last().and_then(|curve| curve.last()).copied();
@@ -326,8 +325,8 @@ fn walk(stretches: &[Stretch], divisions: &[usize]) -> Vec<Placed> {
     samples
 }
 
-/// How many divisions each stretch gets: what is given; else by length, at least one each, as many
-/// for both sides of a seam.
+/// How many divisions each stretch gets: the given number; else by length, at least one each, as
+/// many for both sides of a seam.
 fn shared_out(stretches: &[Stretch], divisions: usize) -> Vec<usize> {
     let free: Vec<usize> =
         (0..stretches.len()).filter(|&n| stretches[n].divisions.is_none()).collect();
@@ -335,7 +334,7 @@ fn shared_out(stretches: &[Stretch], divisions: usize) -> Vec<usize> {
     let divisions = divisions.saturating_sub(given).max(free.len());
     let whole: f64 = free.iter().map(|&n| stretches[n].whole).sum();
     let spare = divisions - free.len();
-    // One is given already, so what is shared is the rest; short stretches want none of it.
+    // Each has one already; the rest is shared out, and short stretches get none of it.
     let ideal: Vec<f64> = (0..stretches.len())
         .map(|n| match stretches[n].divisions {
             None => (stretches[n].whole / whole * divisions as f64 - 1.0).max(0.0),
@@ -359,8 +358,8 @@ fn shared_out(stretches: &[Stretch], divisions: usize) -> Vec<usize> {
     sides.retain(|side| side.first().is_some_and(|&n| stretches[n].divisions.is_none()));
     let rest = |n: usize| ideal[n] * scale - (ideal[n] * scale).floor();
     sides.sort_by(|a, b| rest(b[0]).total_cmp(&rest(a[0])).then(a[0].cmp(&b[0])));
-    // What no seam can share goes to the others, so that at most as many rounds as there are
-    // remainders are needed; a loop of nothing but seams keeps one too few.
+    // A single division that a seam can't share goes to the other stretches, so there are at most
+    // as many rounds as remainders; a loop of seams only keeps one division too few.
     for side in sides.iter().cycle().take(2 * divisions) {
         if left >= side.len() {
             side.iter().for_each(|&n| parts[n] += 1);

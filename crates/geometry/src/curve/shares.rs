@@ -1,30 +1,30 @@
 //! How the spans of a curve follow its points.
 //!
-//! A polyline and a B-spline are linear in their points, and so is an interpolating spline as long
-//! as its chords are held. The share of a point in a control point of a span is then what is made
-//! of it when that point alone is 1 and all others are 0.
+//! A polyline and a B-spline are linear in their points, and so is an interpolating spline while
+//! its chord lengths are held. The share of a point in a control point of a span is then the value
+//! of that control point when this point is 1 and all others are 0.
 
 use super::{CurveKind, CurvePoint, spread};
 use crate::math::Point3;
 use std::collections::BTreeMap;
 
-/// Shares below it are none: of a spline's, which fall to a quarter from point to point, those two
-/// dozen points away.
+/// Smaller shares are left out. A spline's shares fall to a quarter from point to point, so those
+/// two dozen points away are.
 const NO_SHARE: f64 = 1e-14;
 
-/// How much of a point's displacement something follows.
+/// The share of a point's displacement that a control point or a place on the curve follows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointShare {
     /// The point of the curve, counted from 0.
     pub point: usize,
-    /// By how much, without unit.
+    /// The share, without unit.
     pub factor: f64,
 }
 
-/// What the four control points of a span follow.
+/// The shares of points in the four control points of a span.
 pub type SpanShares = [Vec<PointShare>; 4];
 
-/// What the spans of a curve follow, in their order. The points must make a curve.
+/// The shares of points in the spans of a curve, in their order. The points must make a curve.
 pub fn point_shares(kind: CurveKind, points: &[CurvePoint], closed: bool) -> Vec<SpanShares> {
     let maker = kind.maker();
     let open = |numbers: &[usize]| of_stretch(maker.open, points, numbers);
@@ -100,7 +100,7 @@ mod tests {
                     let curve = Curve::new(kind, &points, closed).unwrap();
                     let shares = point_shares(kind, &points, closed);
                     assert_eq!(shares.len(), curve.spans().len());
-                    // Everything is linear, so what is made of the points themselves is the curve.
+                    // All is linear, so the shares applied to the points give the curve.
                     for (span, shares) in curve.spans().iter().zip(&shares) {
                         for (control, shares) in span.control.iter().zip(shares) {
                             let made: Vec3 =

@@ -1,15 +1,15 @@
 //! Sparse systems of linear equations: the only file that names the sparse-algebra crate.
 //!
-//! A symmetric positive definite matrix of B × B blocks, one row of blocks a node, is taken apart
-//! into L·Lᵀ (Cholesky) and solved with, in three steps of their own: [`elimination_order`] by
-//! approximate minimum degree \[Amestoy1996\], once a graph; [`Plan`], where the entries of L lie,
-//! once a graph and block size; [`Matrix::factor`], the numbers.
+//! A symmetric positive definite matrix of B × B blocks, one row of blocks a node, is factored into
+//! L·Lᵀ (Cholesky) and solved, in three separate steps: [`elimination_order`] by approximate
+//! minimum degree \[Amestoy1996\], once a graph; [`Plan`], the places of the entries of L, once a
+//! graph and block size; [`Matrix::factor`], the numbers.
 //!
-//! Of the crate `faer` only what works on one number at a time is used, its simplicial
-//! factorisation and triangular solutions: plain products, differences, quotients and square roots,
-//! in an order that the graph alone decides, so that the bits are the same on every platform. Its
-//! supernodal factorisation takes half the time or less, but multiplies dense blocks in vectors as
-//! wide as the processor has and with fused multiply-adds where it has them, which changes bits.
+//! Of the crate `faer` only scalar routines are used, its simplicial factorisation and triangular
+//! solutions: plain products, differences, quotients and square roots, in an order that the graph
+//! alone decides, so that the bits are the same on every platform. Its supernodal factorisation
+//! takes half the time or less. But it multiplies dense blocks in vector registers of the
+//! processor's width, with fused multiply-adds where there are any, which changes bits.
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltRegularization;
@@ -242,7 +242,7 @@ pub struct Factor<'a, const B: usize> {
 }
 
 impl<const B: usize> Factor<'_, B> {
-    /// Solves the system for each of these right sides, given and answered a block a node.
+    /// The solutions for these right sides, each of one block a node.
     pub fn solve<const K: usize>(&self, right: [&[[f64; B]]; K]) -> [Vec<[f64; B]>; K] {
         let (plan, n) = (self.plan, self.plan.columns.size);
         let mut x = Mat::<f64>::zeros(n, K);

@@ -1,17 +1,17 @@
-//! How often a sheet covers the plane, by how often its border winds round it.
+//! How often a sheet covers the points of the plane, by the winding number of its border.
 //!
-//! A sheet laid flat lies to the left of its border. So a point is covered as often as the lines of
+//! A sheet laid flat lies to the left of its border. So it covers a point as often as the lines of
 //! the border wind round it, counter-clockwise less clockwise. Where no two edges cross or touch,
-//! that number changes at lines alone: along a line it is one more on the left than on the right,
-//! and the same all the way. A sheet that covers no point twice has 1 on the left of each of its
-//! lines and 0 on the right.
+//! this winding number changes only at lines: along all of a line it is one more on the left than
+//! on the right. A sheet that covers no point twice has 1 on the left of each of its lines and 0 on
+//! the right.
 //!
-//! Lines that cross nowhere can still have more. A flap on one side of a slit is an example: round
-//! the ends of the slit the sheet goes by more than a full turn, the hole between slit and flap
-//! runs counter-clockwise as the outline does, and inside of it the sheet lies twice.
+//! Lines that do not cross can still have more. An example is a flap on one side of a slit: round
+//! the ends of the slit, the sheet makes more than a full turn. The hole between slit and flap runs
+//! counter-clockwise as the outline does, and the sheet covers its inside twice.
 //!
-//! The number beside a line is counted along a ray from its leftmost corner, as are the edges that
-//! pass the ray: a sweep over y with the edges that are open there.
+//! The winding number beside a line is counted along a ray from its leftmost corner, by the edges
+//! that cross the ray: a sweep over y with the edges that are open there.
 
 use super::orientation;
 use crate::math::Point2;
@@ -34,9 +34,9 @@ impl Edge {
         self.ends[0].y.max(self.ends[1].y)
     }
 
-    /// By how much its line winds round `p` for passing the ray from `p` along x: 1 upwards, −1
-    /// downwards, 0 beside it. The lower end belongs to an edge and the upper one does not, so that
-    /// a corner on the ray counts once. Exact.
+    /// The part of the edge in the winding number of its line round `p`: 1 if it crosses the ray
+    /// from `p` along x upwards, −1 downwards, 0 if not at all. The lower end belongs to an edge
+    /// and the upper one does not, so that a corner on the ray counts once. Exact.
     fn passes(&self, p: Point2) -> i64 {
         let [a, b] = self.ends;
         if a.y <= p.y && p.y < b.y && orientation(a, b, p) == Ordering::Greater {
@@ -48,17 +48,17 @@ impl Edge {
         }
     }
 
-    /// Where it meets the ray from `p`, about: only to name the nearest.
+    /// Where it meets the height `y`, approximately: only to name the nearest edge.
     fn x_at(&self, y: f64) -> f64 {
         let [a, b] = self.ends;
         a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y))
     }
 }
 
-/// Two edges, by the corners that they begin at, where the sheet to the left of closed lines does
-/// not lie once on the left of one of them: an edge of that line, and the one that is nearest
-/// beside it. `None` if it does everywhere. The lines neither cross nor touch. Exact; time O(m log
-/// m) for lines as people draw them, O(m²) at worst.
+/// Two edges, by the corners that they begin at, where a sheet to the left of closed lines does not
+/// lie exactly once: an edge of the line on whose left it does not, and the edge nearest beside it;
+/// `None` if it lies once on the left of every line. The lines neither cross nor touch. Exact; time
+/// O(m log m) for lines as people draw them, O(m²) at worst.
 pub(super) fn first_not_covered_once(
     points: &[Point2],
     lines: &[Range<usize>],
@@ -162,8 +162,7 @@ mod tests {
         assert!(overlap(&[outer, backwards(square(20.0, 0.0, 2.0))]).is_some(), "a hole outside");
     }
 
-    /// How often lines wind round a point that lies on none of them: by the plain rule, edge by
-    /// edge.
+    /// The winding number of lines round a point that lies on none of them, edge by edge.
     fn winding(lines: &[Vec<Point2>], at: Point2) -> i64 {
         let edges = lines.iter().flat_map(|line| (0..line.len()).map(move |i| (line, i)));
         let passes = edges.map(|(line, i)| {
