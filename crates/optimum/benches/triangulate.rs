@@ -1,7 +1,7 @@
 //! How fast the methods are, on one thread: `cargo bench -p sheetwright-optimum`; with `-- holes`,
-//! only the domains with holes, with `-- many`, only boundaries of 1,600 and 10,000 samples, and
-//! with `-- many 100000 blob`, of as many samples as that, of the families with such names. With
-//! `--features rayon` all cores share the tables, and times are those of the clock on the wall.
+//! only the domains with holes; with `-- many`, only boundaries of 1,600 and 10,000 samples; with
+//! `-- many 100000 blob`, of that many samples, of the families with `blob` in their names. With
+//! `--features rayon` all cores share the tables, and times are wall-clock times.
 //!
 //! Method: for every curve family and every number of samples, the least of five runs (three at
 //! 1,600) of the whole of `triangulate`, visibility and bound included. The
@@ -64,7 +64,7 @@ fn main() {
 }
 
 /// Boundaries of many samples, one run each, above 1,600 only those near to developable: time,
-/// price, and the most memory that the program has taken so far, where the system tells.
+/// price, and the peak memory of the program so far, where the system tells.
 fn many() {
     let sizes: Vec<usize> = std::env::args().filter_map(|size| size.parse().ok()).collect();
     let sizes = if sizes.is_empty() { vec![1600, 10_000] } else { sizes };
@@ -101,7 +101,7 @@ fn many() {
     }
 }
 
-/// Whether the command names this family, or none.
+/// Whether the command names this family, or no family.
 fn wanted(family: &str) -> bool {
     let names = || Family::ALL.iter().map(|family| family.name());
     let words = || std::env::args().skip(1);
@@ -109,7 +109,7 @@ fn wanted(family: &str) -> bool {
     !words().any(|word| is_name(&word)) || words().any(|word| family.contains(&word))
 }
 
-/// The time that the processor has spent on this thread: on busy machines others have the rest.
+/// The processor time of this thread, seconds, which other work on the machine does not change.
 /// `None` where threads share the work.
 fn processor_seconds() -> Option<f64> {
     if cfg!(feature = "rayon") {
@@ -126,7 +126,7 @@ fn peak_megabytes() -> Option<u64> {
 }
 
 /// Rings of two loops of 200 samples, and a bent panel of 4 × 8 with round windows in two rows, 200
-/// samples on its rim and 25 on each: time, and how far from the best the answer may be.
+/// samples on its rim and 25 on each: time, and relative optimality gap.
 fn holes() {
     println!("domains with holes, {THREADS}, least of three runs\n");
     println!("{:<34} {:>9} {:>9} {:>9} {:>9}", "domain", "samples", "ν", "ms", "gap, %");

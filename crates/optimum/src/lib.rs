@@ -2,8 +2,8 @@
 //!
 //! A boundary is given by its samples. Of all the ways to join them by rungs into a surface without
 //! interior vertices, [`triangulate::triangulate`] finds the one whose tangent planes turn least
-//! along the rungs. [`rung`] says which rungs there are, [`cost`] what they and the triangles
-//! between them cost, and [`specification`], on one page, which triangulation is the optimum.
+//! along the rungs. [`rung`] has the rungs, [`cost`] the prices of rungs and triangles, and
+//! [`specification`] the definition of the optimum, on one page.
 
 #![forbid(unsafe_code)]
 

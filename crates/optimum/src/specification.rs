@@ -2,23 +2,23 @@
 //!
 //! Number the samples of a loop 0 … m − 1. The edge ⟨0, m−1⟩ belongs to every triangulation. Let
 //! E(i,j) be the least price of a triangulation of the samples i … j, the rung ⟨i,j⟩ included; it
-//! is 0 for an edge of the boundary. The triangle on ⟨i,j⟩ has its third corner at some k between,
-//! and leaves two smaller parts, so that
+//! is 0 for an edge of the boundary. The triangle on ⟨i,j⟩ has its third corner at some k between
+//! i and j, and leaves two smaller parts, so that
 //!
 //! E(i,j) = w(i,j) + min over i<k<j of E(i,k) + E(k,j) + F(i,k,j)
 //!
 //! with w the price of a rung ([`Prices::rung`]) and F the fold price of a triangle
-//! ([`Prices::triangle`]). E(0, m−1) is the price of the optimum. The triangles are found on the
-//! way back, from the k that was the best for each E(i,j).
+//! ([`Prices::triangle`]). E(0, m−1) is the price of the optimum. Tracing back the best k of each
+//! E(i,j) gives its triangles.
 //!
-//! Prices are whole quanta, so that different triangulations do tie, on flat stretches most of
-//! all. **Of equal prices, the k with the shortest way |P_i P_k| + |P_k P_j| wins, then the
+//! Prices are multiples of a quantum, so different triangulations do tie, most of all on flat
+//! stretches. **Of equal prices, the k with the shortest way |P_i P_k| + |P_k P_j| wins, then the
 //! smallest k**: strips of compact triangles rather than fans.
 //!
 //! This takes Θ(m³) time and Θ(m²) memory. [`crate::triangulate`] gives the same triangles and the
-//! same bits of the price in a small part of that, which the tests compare; all that it does beyond
-//! these lines is to leave out what can't be part of the answer. Not specified here are holes,
-//! other methods, and boundaries that need rungs without a tangent plane.
+//! same bits of the price in a small part of that, and tests compare the two. Beyond these lines it
+//! only leaves out entries that can't be part of the optimum. Not specified here are holes, other
+//! methods, and boundaries that need rungs without a tangent plane.
 
 use crate::cost::{PriceOptions, Prices};
 use crate::rung::Visibility;
@@ -46,8 +46,8 @@ pub fn cheapest(
     best(boundary, &sides, |a, b| a + b, |corners, means| prices.triangle(corners, means))
 }
 
-/// The least that the largest twist of a triangulation can be, without unit: the least price of its
-/// dearest rung. Equation (5) with the larger of two prices for their sum, and without folds.
+/// The least possible largest twist of a triangulation, without unit: the least price of its
+/// dearest rung. Equation (5) with the larger of two prices instead of their sum, without folds.
 pub fn least_worst_twist(boundary: &Boundary, plane: Option<&SupportingPlane>) -> Option<f64> {
     let prices = Prices::new(boundary, plane, PriceOptions::default());
     let sides = Sides::new(boundary, plane, &prices);
@@ -85,7 +85,7 @@ impl Sides {
     }
 }
 
-/// The triangulation whose rungs and folds are the least together.
+/// The triangulation with the least price of rungs and folds.
 fn best(
     boundary: &Boundary,
     sides: &Sides,

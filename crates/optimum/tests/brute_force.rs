@@ -39,7 +39,7 @@ fn all_triangulations() -> &'static [Vec<Triangles>] {
     ALL.get_or_init(|| (0..=11).map(|m| triangulations(0, usize::max(m, 1) - 1)).collect())
 }
 
-/// What a side costs, and its N.
+/// The price of a side, and its N.
 #[derive(Clone, Copy)]
 enum Side {
     Edge,
@@ -144,7 +144,7 @@ impl Loop {
         least.map(|(_, worst, price)| (worst, price))
     }
 
-    /// The least that the largest twist can be, by the plain table.
+    /// The least possible largest twist, by the plain table.
     fn bottleneck(&self) -> f64 {
         let m = self.prices.len();
         let mut least = vec![vec![0.0f64; m]; m];
@@ -388,8 +388,8 @@ fn bounds_do_not_change_the_worst_warp() {
     }
 }
 
-/// The bound that the table is filled up to is guessed; whatever the guess, the answer is that of
-/// the whole table.
+/// The bound that the table is filled up to is guessed; with every guess, the result is that of the
+/// whole table.
 #[test]
 fn bounds_do_not_change_the_answer() {
     for seed in 0..60 {

@@ -123,8 +123,8 @@ fn flat_stretches_take_hardly_any_memory() {
 
 #[test]
 fn tables_that_grow_too_large_are_refused_with_their_size() {
-    // Far from developable, nearly all of the dense table is needed: that is foreseen from a loop
-    // of 650.
+    // Far from developable, nearly all of the dense table is needed, which a loop of 650 samples
+    // shows.
     let tangled = star(&mut Random::new(5), 2600, 0.4).unwrap();
     let limit = 16 << 20;
     let narrow = TriangulateOptions { memory_limit: limit, ..options(1.0) };

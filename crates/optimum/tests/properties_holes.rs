@@ -1,4 +1,4 @@
-//! What holds for every boundary with holes, tried on random ones.
+//! Properties of every boundary with holes, tested on random ones.
 #![allow(clippy::unwrap_used, clippy::print_stdout)] // tests panic and print what they measured
 
 use sheetwright::surface::Connectivity;
@@ -128,8 +128,8 @@ fn the_answer_is_the_same_bits_every_time() {
     }
 }
 
-/// What two results for one boundary, told in two ways, must have in common: the price, if both are
-/// proven; at any rate neither is below the other's bound. `slack` is what prices may differ by.
+/// Compares two results for one boundary, given in two ways: their prices are equal if both are
+/// proven, and neither is below the other's bound. `slack` is the allowed difference of prices.
 fn agree(first: &Triangulation, second: &Triangulation, slack: f64, case: &str) {
     assert!(
         first.lower_bound <= second.price + slack,
@@ -149,10 +149,10 @@ fn agree(first: &Triangulation, second: &Triangulation, slack: f64, case: &str) 
     }
 }
 
-/// Where loops begin and in which order holes come is nothing to the surface. Rounding is: which
-/// corner of a triangle comes first changes the last bit of its price, and that may move it by a
-/// quantum. The twist of rungs between smooth samples has no such order, so without the price of
-/// folds the sum is the same to the last bit.
+/// The surface does not depend on where loops begin or on the order of holes, except for rounding:
+/// the first corner of a triangle changes the last bit of its price, and that may move it by a
+/// quantum. The twist of rungs between smooth samples has no such order, so without the fold price
+/// the sum is equal to the last bit.
 #[test]
 fn loops_may_begin_anywhere_and_holes_come_in_any_order() {
     let mut exact = 0;
@@ -181,7 +181,8 @@ fn loops_may_begin_anywhere_and_holes_come_in_any_order() {
     assert!(exact > 5, "{exact}");
 }
 
-/// Nor is where it lies, how it is turned and how large it is, but for rounding.
+/// The surface does not depend on the place, the rotation and the size of the boundary, except for
+/// rounding.
 #[test]
 fn the_surface_may_be_turned_moved_and_scaled() {
     let axis = unit(Vec3::new(1.0, -2.0, 0.7)).unwrap();
@@ -214,7 +215,8 @@ fn the_surface_may_be_turned_moved_and_scaled() {
     }
 }
 
-/// Holes are turned to run the other way round than the outer loop, whichever way they were drawn.
+/// Holes are turned to run the other way round than the outer loop, in whichever direction they
+/// were drawn.
 #[test]
 fn holes_may_be_drawn_either_way() {
     for (seed, boundary, choice) in boundaries(KINDS * 4) {
@@ -263,7 +265,7 @@ fn only_the_optimal_method_takes_holes() {
     assert!(matches!(refused, Err(TriangulateError::TooLarge { limit: 10_000, .. })));
 }
 
-/// Keeps what it is told, and asks to stop when it has been asked so often.
+/// Records progress, and stops after it was asked so often.
 struct Impatient {
     seen: Vec<f64>,
     patience: std::cell::Cell<usize>,

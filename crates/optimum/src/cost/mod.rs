@@ -3,14 +3,14 @@
 //! **Twist** (equation 1, normalised as in \[L11\] and \[WT05\]). With t_i the unit tangent at P_i,
 //! n_i^j = (P_j − P_i) × t_i and n_j^i = (P_i − P_j) × t_j, both normalised,
 //! w(i,j) = 1 − n_i^j · n_j^i. It is computed as ½ |n_i^j − n_j^i|², the same number without
-//! cancellation. Here both normals are turned round, t_i × (P_j − P_i), so that they point to the
-//! side that the surface faces; the product does not change.
+//! cancellation. Here both normals have the opposite sign, t_i × (P_j − P_i), so that they point to
+//! the side that the surface faces; the product does not change.
 //!
-//! Three places where the formula says nothing, and what is done there:
+//! The formula leaves three cases open. They are priced so:
 //!
 //! * A **corner** has two tangents, t⁻ as the curve arrives and t⁺ as it leaves. It is the limit of
-//!   a rounded corner, whose tangents sweep from t⁻ to t⁺, and a rung takes the one that suits it
-//!   best. So the end of a rung at a corner has not one normal but the sector between t⁻ × d and
+//!   a rounded corner, whose tangents sweep from t⁻ to t⁺, and a rung takes the one with the least
+//!   twist. So the end of a rung at a corner has not one normal but the sector between t⁻ × d and
 //!   t⁺ × d, and the twist is the least between the two ends. A cone whose apex is a corner has no
 //!   twist, as it should. Where both ends are corners and leave a choice, the normal nearest to
 //!   those of the planes of their two tangents is taken.
@@ -21,15 +21,14 @@
 //! * A rung **parallel to a tangent** has no tangent plane and is not allowed while there is a
 //!   triangulation without it. At a corner that concerns the rungs that lie on its own edges.
 //!
-//! **Fold price.** Twist does not see how triangles lie between their rungs, so that slivers may
-//! turn over at no cost. With N the direction of n_i^j + n_j^i and n the normal of a triangle, the
+//! **Fold price.** Twist does not depend on how triangles lie between their rungs, so slivers may
+//! turn over at no price. With N the direction of n_i^j + n_j^i and n the normal of a triangle, the
 //! price of a triangulation is Π = Σ_rungs w + ν Σ_triangles Σ_{its rungs} (1 − n · N). A triangle
 //! without area has no normal and counts as turned over, 2 a rung.
 //!
 //! **Exact sums.** Every price is rounded to a multiple of [`QUANTUM`]. Sums of such multiples are
-//! exact in f64 below [`EXACT_BELOW`], so that the price of a triangulation does not depend on the
-//! order in which it is summed, equal prices are equal, and every method that finds the optimum
-//! finds the same number.
+//! exact in f64 below [`EXACT_BELOW`]. So the price of a triangulation does not depend on the order
+//! of its sum, ties are exact, and every method that finds the optimum finds the same number.
 
 mod planes;
 mod slopes;
@@ -47,15 +46,15 @@ use sheetwright_geometry::boundary::{Boundary, SupportingPlane};
 use sheetwright_geometry::curve::Sample;
 use sheetwright_geometry::math::{Vec3, unit};
 
-/// What all prices are multiples of: 2⁻⁴⁴. As a twist it is a warp angle of 2·10⁻⁵ degrees, which
-/// is above the rounding of 1 − n·n (2⁻⁵²) and below anything that can be measured on a sheet.
+/// All prices are multiples of this, 2⁻⁴⁴. As a twist it is a warp angle of 2·10⁻⁵ degrees, above
+/// the rounding of 1 − n·n (2⁻⁵²) and below any angle that can be measured on a sheet.
 pub const QUANTUM: f64 = 1.0 / (1u64 << 44) as f64;
 /// Sums of prices are exact below this: 2⁵³ quanta.
 pub const EXACT_BELOW: f64 = 512.0;
 /// Largest weight of the fold price, so that the price of one triangle stays far inside the
 /// range of exact sums.
 pub const MAX_FOLD: f64 = 10.0;
-/// The default weight ν of the fold price; `docs/fold-price.md` has the table that argues for it.
+/// The default weight ν of the fold price; `docs/fold-price.md` has the reasons.
 pub const DEFAULT_FOLD: f64 = 1.0;
 
 /// Which form of equation (1) twist has.
@@ -102,7 +101,7 @@ pub struct Prices {
     /// The sample that follows each on its loop, along an edge; empty where there is one loop, in
     /// order.
     after: Vec<usize>,
-    /// The samples of the boundary that the members of a chain are; empty where each is itself.
+    /// The sample of the boundary for each member of a chain; empty where each is itself.
     numbers: Vec<usize>,
     /// Coordinates of positions and tangents by axis, for pricing many rungs at once.
     positions: [Vec<f64>; 3],
@@ -141,8 +140,8 @@ impl Prices {
         prices
     }
 
-    /// The prices of a loop of samples that need not be the boundary of anything; it faces along
-    /// its area vector.
+    /// The prices of a loop of samples that need not be a valid boundary; it faces along its area
+    /// vector.
     pub fn of_ring(samples: &[Sample], options: PriceOptions) -> Self {
         let m = samples.len();
         let at = |k: usize| samples[k % m].position;
@@ -172,9 +171,9 @@ impl Prices {
     }
 
     /// The prices of the closed polygon that walks the samples of `order`, taken for a loop in
-    /// order. Unlike those of [`Self::chain`], they take banks for edges, which leaves out the
-    /// folds at the cuts, and triangles may differ in their last bit. Tables of it are filled many
-    /// times as fast.
+    /// order. Unlike those of [`Self::chain`], they treat banks as edges, which leaves out the
+    /// folds at the cuts, and the prices of triangles may differ in their last bit. Tables of these
+    /// prices are filled many times as fast.
     pub(crate) fn chain_in_order(&self, order: &[usize]) -> Self {
         let ends = order.iter().map(|&i| self.ends[i]).collect();
         Self::of_ends(ends, self.options, self.facing)
@@ -233,7 +232,7 @@ impl Prices {
         self.ends.len()
     }
 
-    /// Never: a boundary has at least three samples.
+    /// Always false: a boundary has at least three samples.
     pub fn is_empty(&self) -> bool {
         self.ends.is_empty()
     }
@@ -243,7 +242,7 @@ impl Prices {
         Self { options: PriceOptions { fold, ..self.options }, ..self }
     }
 
-    /// How prices are made up.
+    /// The options of these prices.
     pub fn options(&self) -> PriceOptions {
         self.options
     }
@@ -307,7 +306,7 @@ impl Prices {
     /// zero for a side that is an edge of the boundary.
     #[inline]
     pub fn triangle(&self, [i, k, j]: [usize; 3], means: [Vec3; 3]) -> f64 {
-        // The lowest sample first, so that rounding does not depend on who asks.
+        // The lowest sample first, so that rounding does not depend on the order of the corners.
         let [a, b, c] = [self.number(i), self.number(k), self.number(j)];
         let ([i, k, j], means) = if a < b && a < c {
             ([i, k, j], means)

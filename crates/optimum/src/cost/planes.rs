@@ -1,10 +1,9 @@
 //! The tangent planes along a rung.
 //!
 //! Nearly all rungs end at two smooth samples, away from the directions of the boundary there:
-//! [`smooth`] prices those in straight-line arithmetic that the compiler vectorises over many
-//! rungs, and says when a rung is not of that kind. [`special`] has the conventions for the others.
-//! Which of the two serves a rung depends on that rung alone, so a rung has the same bits wherever
-//! it is priced.
+//! [`smooth`] prices those without branches, so that the compiler vectorises it over many rungs,
+//! and flags the others. [`special`] has the conventions for these. The choice between the two
+//! depends on the rung alone, so a rung has the same bits wherever it is priced.
 
 use sheetwright_geometry::math::{Vec3, angle_between, atan2, cos, sin, turned, unit};
 
@@ -13,17 +12,18 @@ use sheetwright_geometry::math::{Vec3, angle_between, atan2, cos, sin, turned, u
 /// size of the boundary; samples would have to stand a million to a radian of turning to come near.
 const PARALLEL_SINE: f64 = 1e-9;
 
-/// Sectors whose gap is below it, radians, touch: it is rounding, and as a twist far below the
+/// Sectors with a smaller gap, radians, touch: such a gap is rounding, and as a twist far below the
 /// quantum of prices.
 const MEETING: f64 = 1e-12;
-/// How much wider special directions are taken than they are, as a squared cosine: rounding (2⁻⁵²)
-/// must never take an open direction for a plain one, and at its square root, a millionth of a
-/// radian, a parallel rung is special too.
+/// Margin of the cone of special directions, as a squared cosine: rounding (2⁻⁵²) must never take
+/// an open direction for a plain one, and within its square root, a millionth of a radian, a
+/// parallel rung is special too.
 const COSINE_MARGIN: f64 = 1e-12;
 /// Squared length of the sum of two unit normals below which they are opposite and have no mean: a
 /// millionth of a radian from it.
 const OPPOSITE: f64 = 1e-12;
-/// What a side is worth where two choices twist alike: below the quantum of prices.
+/// Weight of the cosine to the reference normal, which decides between choices of equal twist:
+/// below the quantum of prices.
 const TIE: f64 = 1e-14;
 const TURNS: [f64; 3] = [0.0, -std::f64::consts::TAU, std::f64::consts::TAU];
 
@@ -51,7 +51,7 @@ impl RungPlanes {
     }
 }
 
-/// What the planes of a rung depend on at one of its ends.
+/// The data at one end of a rung that its planes depend on.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct End {
     pub(super) position: Vec3,
@@ -83,7 +83,7 @@ impl End {
         self.tangent_in != self.tangent_out
     }
 
-    /// What special rungs between smooth samples depend on here.
+    /// The data of this sample that special rungs between smooth samples depend on.
     pub(super) fn leaving(&self) -> Leaving {
         Leaving {
             position: self.position.to_array(),
@@ -110,7 +110,7 @@ pub(super) struct Smooth {
     pub(super) normals: [[f64; 3]; 2],
     pub(super) mean: [f64; 3],
     pub(super) twist: f64,
-    /// Whether none of this holds, because the rung is special.
+    /// Whether the other fields are invalid, because the rung is special.
     pub(super) is_special: bool,
 }
 
@@ -160,7 +160,7 @@ pub(super) fn is_parallel(
     is_along(from_tangent, from_special) || is_along(to_tangent, to_special)
 }
 
-/// Squared sine of angles below which [`is_twisted_above`] tells nothing.
+/// Squared sine of angles below which [`is_twisted_above`] decides nothing.
 const NARROW: f64 = 1e-10;
 /// How much closer normals may be, as a cosine, than it finds them. A cross product of unit vectors
 /// is off by some 2·10⁻¹⁶, so the normal of directions that differ by 10⁻⁵ is by some 2·10⁻¹¹;
@@ -276,8 +276,8 @@ pub(super) struct SpecialSmooth {
     pub(super) is_lost: bool,
 }
 
-/// What the planes of a special rung depend on at a smooth sample: its position and tangent, and
-/// the unit directions of the edges that arrive and leave.
+/// The data at a smooth sample that the planes of a special rung depend on: its position and
+/// tangent, and the unit directions of the edges that arrive and leave.
 pub(super) struct Leaving {
     pub(super) position: [f64; 3],
     pub(super) tangent: [f64; 3],
@@ -285,7 +285,7 @@ pub(super) struct Leaving {
 }
 
 /// The planes of the special rung between two smooth samples. Where the sign of one normal is open,
-/// it lies along the other; where both are, to the side of `facing`.
+/// it points along the other; where both are open, to the side of `facing`.
 #[inline(always)]
 pub(super) fn special_smooth(from: &Leaving, to: &Leaving, facing: [f64; 3]) -> SpecialSmooth {
     let (a, b) = (from.position, to.position);
@@ -386,7 +386,7 @@ impl Normals {
 }
 
 /// The two normals, one from each sector of the plane across the unit direction `d`, that differ
-/// least; where the sectors overlap, both are what is nearest to `reference` in the overlap.
+/// least; where the sectors overlap, both are the normal nearest to `reference` in the overlap.
 fn closest(u: (Vec3, Vec3), v: (Vec3, Vec3), d: Vec3, reference: Vec3) -> RungPlanes {
     let angle = |from: Vec3, to: Vec3| atan2(from.cross(to).dot(d), from.dot(to));
     // All angles are measured about d from the first normal of u. Most sectors are one normal.
@@ -400,7 +400,7 @@ fn closest(u: (Vec3, Vec3), v: (Vec3, Vec3), d: Vec3, reference: Vec3) -> RungPl
     let at = |angle: f64| {
         if angle == 0.0 { u.0 } else { unit(turned(u.0, d, angle)).unwrap_or(u.0) }
     };
-    // (gap, how far from what is wanted, the two angles)
+    // (gap, angle to the wanted direction, the two angles)
     let mut best: Option<(f64, f64, f64, f64)> = None;
     for round in TURNS {
         let (low, high) = (v_low + round, v_high + round);

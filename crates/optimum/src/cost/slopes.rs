@@ -1,12 +1,12 @@
-//! How fast the price of a triangulation grows when samples move and their tangents turn.
+//! Derivatives of the price of a triangulation by positions and tangents of samples.
 //!
-//! Reverse mode by hand: the price is summed over rungs and triangles, and what each contributes is
-//! carried back, through the mean normal N, the two normals at the ends and the cross products that
-//! they come from, to positions and tangents.
+//! Reverse-mode differentiation by hand: the price is a sum over rungs and triangles, and the
+//! derivative of each term is carried back, through the mean normal N, the two normals at the ends
+//! and the cross products that they come from, to positions and tangents.
 //!
-//! A rung at a corner or with an open sign has a price in pieces. Which piece is active is read off
-//! its planes: each normal is ± t × d of one tangent, or, where two sectors overlap, what is
-//! nearest to the planes of the corners.
+//! The price of a rung at a corner or with an open sign is piecewise smooth. The active piece is
+//! read off its planes: each normal is ± t × d of one tangent, or, where two sectors overlap, the
+//! normal nearest to the planes of the corners.
 
 use super::{End, Prices, RungPlanes};
 use sheetwright_geometry::math::{Vec3, unit};
@@ -20,15 +20,15 @@ const SAME_NORMAL: f64 = 1e-12;
 /// the normal, and the first is taken.
 const ROUNDING: f64 = 1e-24;
 
-/// How fast something grows with the position and the unit tangents of a sample; per mm, and per
+/// The derivatives of a price by the position and the unit tangents of a sample; per mm, and per
 /// radian that a tangent turns.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SampleSlope {
-    /// With the position, per mm.
+    /// By the position, per mm.
     pub position: Vec3,
-    /// With the tangent of arrival.
+    /// By the tangent of arrival.
     pub tangent_in: Vec3,
-    /// With the tangent of leaving.
+    /// By the tangent of leaving.
     pub tangent_out: Vec3,
 }
 
@@ -37,9 +37,9 @@ pub struct SampleSlope {
 enum Source {
     /// ± t × d, with a tangent of the sample at one end.
     Tangent { at_second: bool, arriving: bool, negative: bool },
-    /// What is nearest to the planes of the corners, in the overlap of two sectors.
+    /// The normal nearest to the planes of the corners, in the overlap of two sectors.
     Corners,
-    /// Nothing that is known: it is held to be constant.
+    /// Unknown: the normal is taken to be constant.
     Unknown,
 }
 
@@ -129,7 +129,7 @@ impl Prices {
         (tangent.cross(way), tangent, way)
     }
 
-    /// What is nearest to the planes of the corners at the ends, across the rung.
+    /// The normal across the rung that is nearest to the planes of the corners at its ends.
     fn nearest_to_corners(&self, i: usize, j: usize) -> Option<Vec3> {
         let d = unit(self.ends[j].position - self.ends[i].position)?;
         let reference =
@@ -236,8 +236,8 @@ impl Prices {
         }
     }
 
-    /// What the triangle i, k, j with this many rungs and this sum of their N costs, before it is
-    /// rounded; carries its slopes back to its corners, and returns that with the sum of N.
+    /// The price of the triangle i, k, j with this many rungs and this sum of their N, before
+    /// rounding, and its derivative by the sum of N; carries its slopes back to its corners.
     pub fn carry_triangle(
         &self,
         [i, k, j]: [usize; 3],

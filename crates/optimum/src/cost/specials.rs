@@ -1,7 +1,7 @@
 //! Special rungs among many that are priced at once, see [`super::planes`].
 //!
-//! Along stretches that are nearly straight there are many between smooth samples, and these stand
-//! side by side, too. Those at corners are priced one by one, but for what certainly is too dear.
+//! Along nearly straight stretches there are many between smooth samples, and these are priced side
+//! by side, too. Those at corners are priced one by one, unless they certainly are too dear.
 
 use super::planes::{Leaving, is_parallel, is_twisted_above, special_smooth};
 use super::strip::{FarEnds, LANES, Lanes, Strip, Wanted};
@@ -9,8 +9,8 @@ use super::{Prices, TwistForm, quantised};
 
 impl Prices {
     /// Writes to `strip` those of the rungs from sample `i` that are special; all as
-    /// [`TwistForm::Printed`]. Rarely called, and a function of its own, so that it does not slow
-    /// the others down.
+    /// [`TwistForm::Printed`]. Rarely called, and a separate function so as not to slow down the
+    /// common case.
     #[inline(never)]
     pub(super) fn special_lanes(
         &self,

@@ -1,8 +1,8 @@
 //! Many rungs and triangles priced at once: side by side in vector registers.
 //!
-//! A strip is what leads from one sample to [`LANES`] samples in a row. The arithmetic of prices is
-//! that of single rungs and triangles, in the same order, so the bits are the same too. What says
-//! that some need not be priced has arithmetic of its own, with a margin for rounding.
+//! A strip is the rungs from one sample to [`LANES`] samples in a row. The arithmetic of prices is
+//! that of single rungs and triangles, in the same order, so the bits are the same too. Tests that
+//! leave out rungs or triangles use other arithmetic, with a margin for rounding.
 
 use super::planes::{cross, dot, smooth};
 use super::{Prices, QUANTUM, TwistForm, fold_of, quantised};
@@ -12,14 +12,14 @@ use std::ops::{Deref, DerefMut};
 /// processors.
 pub(crate) const LANES: usize = 16;
 
-/// What the share of a normal in a sum of three N may lose to rounding.
+/// Rounding error of the share of a normal in a sum of three N, at most.
 const SLACK: f64 = 1e-12;
 
-/// The least height above a side's tangent plane that is told from none, as a share of the distance
-/// from the end of the side. Then the triangle is no such sliver that rounding turns its normal by
-/// more than a thousandth of its angle to N, and [`SHARE_OF_SQUARE`] leaves more than that.
+/// The least height above a side's tangent plane that counts, as a share of the distance from the
+/// end of the side. From there on, rounding turns the normal of the triangle by less than a
+/// thousandth of its angle to N, and [`SHARE_OF_SQUARE`] leaves more than that.
 const LEAST_SLOPE: f64 = 1e-6;
-/// What is taken of the half square of that angle.
+/// The factor of the square of that angle, a little below one half.
 const SHARE_OF_SQUARE: f64 = 0.49;
 /// (a + b)² ≤ (1 + 1/16) a² + 17 b².
 const OF_SQUARES: [f64; 2] = [17.0 / 16.0, 17.0];
@@ -27,7 +27,7 @@ const OF_SQUARES: [f64; 2] = [17.0 / 16.0, 17.0];
 /// One number for each rung of a strip.
 pub(crate) type Lanes = [f64; LANES];
 
-/// What starts where a line of the processor's cache does, so that no register is filled from two.
+/// A value aligned to the lines of the processor's cache, so that no register is filled from two.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct Aligned<T>(pub(crate) T);
@@ -69,29 +69,27 @@ impl FarEnds {
 }
 
 /// The rungs from one sample to [`FarEnds`]. Neighbours, rungs without tangent planes, and those
-/// back to lower samples are priced like the rest, as whatever comes out; the caller tells them
-/// apart.
+/// back to lower samples get arbitrary prices; the caller tells them apart.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Strip {
     /// The price of each rung, a multiple of [`super::QUANTUM`]; infinite without tangent planes.
     pub(crate) prices: Aligned<Lanes>,
-    /// N of each rung by axis; zero without tangent planes. Means nothing where it was not asked
-    /// for.
+    /// N of each rung by axis; zero without tangent planes. Undefined in strips without `MEANS`.
     pub(crate) means: Aligned<[Lanes; 3]>,
 }
 
 impl Strip {
-    /// A place to write to: nothing in it means anything yet.
+    /// Undefined values, to be written.
     pub(crate) const BLANK: Self =
         Self { prices: Aligned([0.0; LANES]), means: Aligned([[0.0; LANES]; 3]) };
 }
 
-/// The rungs of a strip that matter; of others it may say that they have no tangent planes.
+/// The rungs of a strip that are wanted; others may be given as without tangent planes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wanted {
     /// One bit each, the lowest for the first.
     pub(crate) lanes: u16,
-    /// The dearest.
+    /// The largest price that is wanted.
     pub(crate) limit: f64,
 }
 
@@ -176,7 +174,7 @@ impl Prices {
     }
 
     /// Which of the sides ⟨i,k⟩ may belong to a triangle i, k, j whose price lies below the
-    /// `limits` of its k, for some j of a run: a bit for each k; not, only if no triangle does.
+    /// `limits` of its k, for some j of a run: a bit for each k, 0 only if no triangle does.
     /// `offsets` lead from i to the k, `means` are the N of the sides.
     ///
     /// The normal n of the triangle is perpendicular to u = P_k − P_i and to v = P_j − P_i, and so
@@ -185,10 +183,10 @@ impl Prices {
     /// ν (1 − n · N) = ½ ν |N − n|² ≥ ½ ν (h · N)² / |h|², as N is a unit vector, or zero for a
     /// side without, which is never left out. The other sides' shares are 0 or more.
     ///
-    /// At a sample of the run, h differs from what it is on the segment by b = `bow` or less. On
+    /// At a sample of the run, h differs from its value on the segment by b = `bow` or less. On
     /// the segment h is linear, and where h · N does not change its sign,
-    /// |h · N| − κ √(17/16 |h|² + 17 b²) is concave for every κ ≥ 0: what is above b at both ends
-    /// is so between them. The root is |h| + b or more.
+    /// |h · N| − κ √(17/16 |h|² + 17 b²) is concave for every κ ≥ 0: if it is above b at both ends,
+    /// it is so between them. The root is |h| + b or more.
     #[inline(always)]
     pub(crate) fn sides_below<const FUSED: bool>(
         &self,
@@ -232,7 +230,7 @@ impl Prices {
     }
 }
 
-/// a b + c, rounded once where `FUSED`, which processors without such an instruction take long for.
+/// a b + c, rounded once where `FUSED`; slow on processors without such an instruction.
 #[expect(
     clippy::disallowed_methods,
     reason = "says only what need not be worked out, with a margin"
@@ -278,10 +276,10 @@ impl OnEdges<'_> {
         [on(0), on(1), on(2)]
     }
 
-    /// No more than the price of each with the weight `fold`, and hardly less where folds are
+    /// A lower bound on the price of each with the weight `fold`, close to it where folds are
     /// slight.
     ///
-    /// With c = n · s for the normal n and the sum s of the N, and r rungs, x = r² − c² says it
+    /// With c = n · s for the normal n and the sum s of the N, and r rungs, x = r² − c² gives it
     /// without a root: r − c = x / (r + c), and c ≤ r − x / 2r, so that
     /// r − c ≥ x / 2r (1 + x / 4r²). Prices are rounded to the quantum.
     #[inline(always)]
@@ -290,12 +288,12 @@ impl OnEdges<'_> {
         for n in 0..LANES {
             let area_vector = cross(self.side(0, n), self.side(1, n));
             let (square, along) = (dot(area_vector, area_vector), dot(area_vector, self.sum(n)));
-            // Without area c is −r, and where it is negative, r − c is more than what is said of 0.
+            // Without area c is −r; where c is negative, r − c exceeds the bound for c = 0.
             let cosine_squared = if along > 0.0 { along * along / square } else { 0.0 };
             // ½ r⁻¹ and ¼ r⁻².
             let [half, quarter] = if self.rungs[n] > 1.5 { [0.25, 0.0625] } else { [0.5, 0.25] };
             let x = self.rungs[n] * self.rungs[n] - cosine_squared;
-            // Nothing is said where squares leave the range of numbers.
+            // The bound is 0 where squares leave the range of numbers.
             let x = if x > 0.0 { x } else { 0.0 };
             let price = fold * (x * half) * (1.0 + x * quarter) - QUANTUM;
             prices[n] = if price > 0.0 { price } else { 0.0 };
@@ -330,7 +328,7 @@ pub(crate) struct Fan<'a> {
 pub(crate) struct FanRungs {
     /// Of all lanes but those in `fewer`.
     pub(crate) most: f64,
-    /// One less for the lanes with these numbers; a number beyond is none.
+    /// One less for the lanes with these numbers; a number beyond the lanes stands for none.
     pub(crate) fewer: [usize; 2],
 }
 
@@ -341,7 +339,7 @@ impl FanRungs {
         self.most - less(self.fewer[0]) - less(self.fewer[1])
     }
 
-    /// No lane has fewer.
+    /// The least of all lanes.
     #[inline(always)]
     pub(crate) fn least(&self) -> f64 {
         let less = |lane: usize| if lane < LANES { 1.0 } else { 0.0 };
@@ -401,7 +399,7 @@ impl Fans<'_> {
         prices
     }
 
-    /// Whether some of them may cost less than their limit, with so many rungs or more; not, only
+    /// Whether some of them may cost less than their limit, with so many rungs or more; false only
     /// if none does. Limits of 0 or less admit none.
     ///
     /// With a the area vector and s the sum of the N, that is a · s > c |a| for
@@ -420,7 +418,7 @@ impl Fans<'_> {
             let area_vector = cross(fan.side, self.other_side(n));
             let along = fused_dot::<FUSED>(area_vector, self.sum(fan, n));
             let least = rungs - limits[n] * self.weight;
-            // Squares with the sign of what is squared.
+            // Squares that keep the sign of their root.
             let is_too_short = along * along.abs()
                 < least * least.abs() * fused_dot::<FUSED>(area_vector, area_vector);
             // `!` of what is certain: squares that leave the range of numbers decide nothing.

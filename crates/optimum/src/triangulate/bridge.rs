@@ -9,20 +9,19 @@
 //! ```
 //!
 //! plus the price of that triangle. The part on the other side, ⟨i,j⟩⁻, is the part from j on to i,
-//! so one table over (start, length) serves both; it is filled by length, and of the prices only
-//! those of two lengths are kept, and those of the parts that begin or end at sample 0. Every
-//! triangulation has a rung at sample 0 or the rung ⟨0−,0+⟩, and equation (2) puts the two sides of
-//! it together.
+//! so one table over (start, length) serves both. It is filled by length; prices are kept for two
+//! lengths only, and for the parts that begin or end at sample 0. Every triangulation has a rung at
+//! sample 0 or the rung ⟨0−,0+⟩, and equation (2) adds the two sides of that rung.
 
 use super::{Side, Terms, TriangulateError};
 use sheetwright_geometry::watch::Watch;
 
-/// What the tables of m samples take, bytes: a choice for every start and length.
+/// Memory of the tables of m samples, bytes: a choice for every start and length.
 pub(super) fn memory_needed(m: usize) -> u64 {
     (m as u64) * (m as u64) * size_of::<bool>() as u64
 }
 
-/// The parts of one length at a time, by where they start, and what is needed of all lengths.
+/// The parts of two lengths at a time, by their start, and the values needed of all lengths.
 struct Parts<'a> {
     terms: &'a Terms<'a>,
     m: usize,
@@ -76,7 +75,7 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// The rungs across so many edges, by where they start.
+    /// The rungs across `length` edges, by their start.
     fn sides(terms: &Terms<'_>, length: usize) -> Vec<Side> {
         let m = terms.prices.len();
         let side = |i: usize| {
@@ -102,7 +101,7 @@ impl<'a> Parts<'a> {
         self.terms.fold(corners, at.map(|n| rungs[n].mean))
     }
 
-    /// The price of three parts together.
+    /// The price of three parts combined.
     fn three(&self, a: f64, b: f64, c: f64) -> f64 {
         self.terms.together(self.terms.together(a, b), c)
     }

@@ -1,4 +1,4 @@
-//! The loop of about every fourth sample, whose optimum is near to that of all samples.
+//! Thinning: the loop of about every fourth sample, whose optimum is near to that of all samples.
 
 use super::{Rule, Terms};
 use crate::cost::Prices;
@@ -44,7 +44,8 @@ impl Thinned {
         Self { prices: self.prices.with_fold(fold), ..self }
     }
 
-    /// Without the bar: fewer samples may have no answer below it, and a guess needs one.
+    /// Its terms without the bar: fewer samples may have no triangulation below it, and the bound
+    /// needs one.
     pub(super) fn terms(&self) -> Terms<'_> {
         let terms = Terms::new(&self.prices, &self.visibility, self.forced).within(self.memory);
         Terms { rule: self.rule, ..terms }

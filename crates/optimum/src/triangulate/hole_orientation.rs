@@ -1,11 +1,11 @@
-//! Which way holes run.
+//! The orientation of holes.
 //!
 //! A hole must run the other way round than the outer loop, as seen from the side that the surface
-//! faces; people draw it either way. On a supporting plane its area says which. Without one, as at
-//! the two ends of a tube, each way bounds a surface of its own, and the cheaper one is meant: a
-//! tube rather than one that passes through itself. That is decided on a few of the samples, with a
-//! part of the work that the search may do: what is not looked at any more stays as it was found by
-//! then.
+//! faces; drawings have it either way. On a supporting plane the sign of its area decides. Without
+//! one, as at the two ends of a tube, each orientation bounds another surface, and the cheaper one
+//! is meant: a tube rather than a surface that passes through itself. That is decided on a few of
+//! the samples, with a share of the work limit. Where the share ends early, the other holes keep
+//! their orientation.
 
 use super::holes::{Tally, Work};
 use super::{Terms, TriangulateError, TriangulateOptions, holes};
@@ -17,7 +17,7 @@ use sheetwright_geometry::boundary::SupportingPlane;
 use sheetwright_geometry::predicate::signed_area_doubled;
 use sheetwright_geometry::watch::Watch;
 
-/// Samples of each loop that the choice is made on, about.
+/// About so many samples of each loop decide.
 const FEW: usize = 16;
 /// The share of the work that the choice may take.
 const SHARE: f64 = 0.25;
@@ -26,7 +26,7 @@ const SHARE: f64 = 0.25;
 /// there is one.
 ///
 /// # Errors
-/// [`TriangulateError::Stopped`] if the watcher asks to stop.
+/// [`TriangulateError::Stopped`] if the watch stops it.
 pub fn with_holes_facing(
     boundary: &Boundary,
     plane: Option<&SupportingPlane>,
@@ -41,7 +41,7 @@ pub fn with_holes_facing(
         let wrong = holes.filter(turned);
         return Ok(wrong.fold(boundary.clone(), |turned, hole| turned.with_hole_turned(hole)));
     }
-    // Progress is that of the surface to come.
+    // Progress is reported for the search that follows, not for this one.
     let watch = &mut Silent(watch);
     let mut few = boundary.thinned(FEW);
     let mut turned = vec![false; boundary.holes() + 1];
@@ -82,8 +82,8 @@ fn is_cheaper(
     work: Work<'_>,
     watch: &mut dyn Watch,
 ) -> Result<bool, TriangulateError> {
-    // A tube through itself is slow to search, so the cheaper one by a first guess goes first, and
-    // the other is searched up to its price.
+    // A tube through itself is slow to search, so the one whose first triangulation is cheaper goes
+    // first, and the other is searched up to its price.
     let guess = |boundary: &Boundary, watch: &mut dyn Watch| {
         let work = work.part(SHARE);
         with_terms(boundary, price, |terms| holes::guess(terms, boundary.loops(), work, watch))
@@ -100,7 +100,7 @@ fn is_cheaper(
     Ok(if one_first { first_price < second_price } else { second_price < first_price })
 }
 
-/// What comparing two boundaries takes at the least, steps: two tables each, of so many places.
+/// Lower bound on the work of comparing two boundaries, steps: two tables each, of so many places.
 fn least_work(places: usize) -> u64 {
     4 * (places as u64).pow(3) / 6
 }
@@ -115,7 +115,7 @@ fn with_terms<T>(
     what(&Terms::new(&prices, &visibility, true))
 }
 
-/// Passes on a wish to stop, and no progress.
+/// Passes on stopping, and no progress.
 struct Silent<'w>(&'w mut dyn Watch);
 
 impl Watch for Silent<'_> {

@@ -1,20 +1,20 @@
-//! How much memory tables may take: what the caller allows, and what the system gives.
+//! How much memory tables may take: the limit of the caller, and that of the system.
 //!
-//! Tables grow piece by piece, and a piece that can't be had would end the program. So it is found
-//! out before a large table is begun, by asking for memory and giving it back.
+//! Tables grow piece by piece, and a failed allocation would end the program. So before a large
+//! table is begun, its memory is reserved and released again.
 
-/// Tables that take no more are begun without a question, bytes.
+/// Tables up to this size are begun without that test, bytes.
 const UNASKED: u64 = 64 << 20;
-/// The share of what can be had that tables may take; the rest is for what grows beside them.
+/// The share of the available memory that tables may take; the rest is for other data.
 const SHARE: f64 = 0.75;
-/// How finely it is found out what can be had, bytes.
+/// Resolution of the search for the available memory, bytes.
 const STEP: u64 = 16 << 20;
 
-/// The most memory that tables may take which need no more than this, bytes: `limit`, if it can be
-/// had.
+/// The memory limit of tables that need up to `needed` bytes: `limit`, if the system has as much as
+/// they may take, else [`SHARE`] of what it has; bytes.
 pub(super) fn obtainable(limit: u64, needed: u64) -> u64 {
     let most = limit.min(needed);
-    // In a browser, memory that was asked for is never given back.
+    // In a browser, memory is never released.
     if most <= UNASKED || cfg!(target_family = "wasm") || can_be_had(most) {
         return limit;
     }
@@ -30,7 +30,7 @@ fn can_be_had(bytes: u64) -> bool {
     let Ok(bytes) = usize::try_from(bytes) else { return false };
     let mut memory: Vec<u8> = Vec::new();
     let is_had = memory.try_reserve_exact(bytes).is_ok();
-    // Memory that is not looked at need not be asked for.
+    // Without this, the compiler may leave out an allocation that is not used.
     std::hint::black_box(&memory);
     is_had
 }

@@ -4,13 +4,12 @@
 //! [`crate::cost`], over the triangulations that the method admits.
 //!
 //! **The least worst warp** ([`Goal::WorstWarp`]) takes two passes of the same method. The first
-//! puts parts together by the larger of their prices instead of the sum, (max, min) for (+, min),
-//! and counts no folds: that gives the least that the worst rung can be. The second minimises Π
-//! with all rungs above that barred. Looking for the worst by bisection over the sorted twists
-//! would do as well, but is code of its own for each method; this is two lines in each, exact
-//! because a maximum rounds nothing, and of the same order. A rung without a tangent plane counts
-//! 2, the most there is, in both passes: where one is needed the worst can't be helped, nothing is
-//! barred, and the least Π decides.
+//! combines parts by the larger of their prices instead of the sum, (max, min) for (+, min), and
+//! counts no folds: that gives the least possible largest twist. The second minimises Π with all
+//! dearer rungs barred. Bisection over the sorted twists would give the same, but needs separate
+//! code for each method; this takes two lines in each, is exact because a maximum does not round,
+//! and has the same order of time. A rung without a tangent plane counts 2, the largest twist there
+//! is, in both passes: where one is needed, no rung is barred, and the least Π decides.
 
 mod bridge;
 mod coarse;
@@ -44,7 +43,7 @@ use std::fmt;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Method {
     /// All of them: equation (5), see [`crate::specification`]. O(m³) time and O(m²) memory at the
-    /// most; next to a developable surface far less. With holes, see `docs/holes.md`.
+    /// most; next to a developable surface far less. With holes, see `docs/method.md`.
     #[default]
     Optimal,
     /// Those whose every triangle has an edge of the boundary: equations (3) and (4). O(m²) both.
@@ -58,14 +57,14 @@ pub enum Method {
     },
 }
 
-/// What is made as small as can be.
+/// The quantity that is minimised.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Goal {
-    /// The price Π: least twist and folds in all.
+    /// The price Π: the sum of twist and folds.
     #[default]
     Price,
-    /// The twist of the worst rung first, and of those triangulations the price Π. For one loop
-    /// only.
+    /// The largest twist of a rung first, and among triangulations with the least such twist the
+    /// price Π. For one loop only.
     WorstWarp,
 }
 
@@ -84,18 +83,19 @@ impl Goal {
 pub struct TriangulateOptions {
     /// Which triangulations are looked at.
     pub method: Method,
-    /// What is made as small as can be.
+    /// The quantity that is minimised.
     pub goal: Goal,
     /// How they are priced.
     pub price: PriceOptions,
-    /// The most memory that tables may take, bytes. Default 4 GiB: `Optimal` up to 15,000 samples
-    /// without holes, and many more where the boundary comes near to a developable surface. Less
-    /// where the system does not give as much.
+    /// Limit of the memory of tables, bytes. Default 4 GiB: `Optimal` up to 15,000 samples without
+    /// holes, and many more where the boundary is near to a developable surface. Lowered where the
+    /// system has less.
     pub memory_limit: u64,
-    /// The most work that the search with holes may do, steps of about a nanosecond: about what it
-    /// takes to compare two sums of prices. Work is counted, not timed, so that the answer is the
-    /// same everywhere. A search that has done it answers with the best that it has found and what
-    /// is proven of it; it goes beyond only to find a first answer. Default [`DEFAULT_WORK`].
+    /// Limit of the work of the search with holes, in steps of about a nanosecond (the comparison
+    /// of two sums of prices). Work is counted, not timed, so that the answer is the same
+    /// everywhere. A search that reaches the limit returns the best triangulation found and its
+    /// lower bound; it exceeds the limit only to find a first triangulation. Default
+    /// [`DEFAULT_WORK`].
     pub work_limit: u64,
 }
 
@@ -122,34 +122,33 @@ pub struct Triangulation {
     /// Its triangles, corners counter-clockwise as seen from the side that the surface faces, the
     /// lowest first (on one loop: in its order); m + 2 h − 2 of them, in increasing order.
     pub triangles: Vec<[SampleIndex; 3]>,
-    /// Π: what was minimised, at last, without unit; below [`EXACT_BELOW`] an exact multiple of
-    /// [`crate::cost::QUANTUM`].
+    /// Π, without unit; below [`EXACT_BELOW`] an exact multiple of [`crate::cost::QUANTUM`].
     pub price: f64,
     /// The price of its dearest rung alone: its largest twist, without unit, a multiple of
     /// [`crate::cost::QUANTUM`]; 0 for a triangle.
     pub largest_twist: f64,
-    /// Whether no triangulation at all, of those that the supporting plane admits, is better: is
-    /// cheaper or, if the goal was the worst warp, has a smaller largest twist, or the same and is
-    /// cheaper. Not claimed for prices of [`EXACT_BELOW`] and more, whose sums are rounded:
+    /// Whether this is proven optimal among all triangulations that the supporting plane admits:
+    /// none is cheaper or, if the goal is the worst warp, has a smaller largest twist, or an equal
+    /// one and a lower price. False for prices of [`EXACT_BELOW`] and more, whose sums are rounded:
     /// hopeless boundaries.
     pub proven_optimal: bool,
-    /// No triangulation at all, of those that the supporting plane admits, is cheaper than this; if
-    /// the goal was the worst warp, none of those whose largest twist is no larger. The price
-    /// itself where that is proven, 0 where nothing is known.
+    /// Lower bound on the price of all triangulations that the supporting plane admits; if the goal
+    /// is the worst warp, of those whose largest twist is no larger. Equal to the price where it is
+    /// proven optimal, 0 where no bound is known.
     pub lower_bound: f64,
-    /// Rungs without a tangent plane that no triangulation could do without; each counts as a
-    /// twist of 2.
+    /// How many rungs have no tangent plane, where no triangulation exists without such rungs; each
+    /// counts as a twist of 2.
     pub forced_rungs: usize,
-    /// What the search with holes has done, steps; 0 without holes, where nothing is counted.
+    /// The work of the search with holes, steps; 0 without holes, where work is not counted.
     pub work: u64,
-    /// Whether that search ended because it had done the work that it may: with more,
-    /// [`TriangulateOptions::work_limit`], there may be a better one, or it may be proven.
+    /// Whether that search ended at [`TriangulateOptions::work_limit`]: with more work, it may find
+    /// a better triangulation, or prove this one.
     pub cut_short: bool,
 }
 
 impl Triangulation {
-    /// How much of the price may be more than need be, as a share of it, 0 ..= 1: 0 where it is
-    /// proven optimal; `None` where nothing is known.
+    /// The relative optimality gap, (price − lower bound) / price, 0 ..= 1: 0 where the
+    /// triangulation is proven optimal; `None` where no bound is known.
     pub fn gap(&self) -> Option<f64> {
         if self.proven_optimal {
             Some(0.0)
@@ -172,12 +171,12 @@ pub enum TriangulateError {
         /// How many.
         count: usize,
     },
-    /// The tables would not fit the memory that they may take.
+    /// The tables would exceed the memory limit.
     TooLarge {
-        /// What they need, bytes: as far as is known from the number of samples and from the
-        /// tables of fewer samples, or else at the most.
+        /// The memory that they need, bytes: an estimate from the number of samples and from the
+        /// tables of fewer samples, or else an upper bound.
         needed: u64,
-        /// What they may take, bytes.
+        /// The limit, bytes.
         limit: u64,
     },
     /// The weight of the fold price is not within 0 ..= [`MAX_FOLD`].
@@ -186,7 +185,7 @@ pub enum TriangulateError {
     Rails,
     /// No triangulation of this method lies inside the projection on the supporting plane.
     NoneInside,
-    /// The watcher asked to stop.
+    /// The watch stopped it.
     Stopped,
 }
 
@@ -229,7 +228,7 @@ fn gib(bytes: u64) -> f64 {
 /// The cheapest triangulation of a boundary that the method admits.
 ///
 /// With a supporting plane, every rung lies inside the boundary's projection on it; without, any
-/// two samples may be joined and the surface may cross itself, which is measured afterwards.
+/// two samples may be joined, and the surface may cross itself, which a later stage measures.
 ///
 /// # Errors
 /// See [`TriangulateError`].
@@ -242,9 +241,9 @@ pub fn triangulate(
     Ok(triangulate_near(boundary, plane, options, None, watch)?.triangulation)
 }
 
-/// The cheapest triangulation of a boundary, as [`triangulate`] finds it, sooner where one is
-/// `known` of a boundary that was nearly the same, as while a handle is dragged: its price now is a
-/// bound. The answer does not depend on it.
+/// The cheapest triangulation of a boundary, as [`triangulate`] finds it; faster if `known` is a
+/// triangulation of nearly the same boundary, as while a handle is dragged: its price now is an
+/// upper bound. The answer does not depend on it.
 ///
 /// # Errors
 /// See [`TriangulateError`].
@@ -260,11 +259,11 @@ pub fn triangulate_near(
     let memory_limit = memory::obtainable(options.memory_limit, needed(&lengths, options));
     let options = &TriangulateOptions { memory_limit, ..options.clone() };
     refuse(&lengths, options)?;
-    // Some methods begin anew; progress does not.
+    // Some methods begin again; their progress does not.
     let watch = &mut Part::new(watch, 0.0..1.0);
     let prices = Prices::new(boundary, plane, options.price);
     let known = known.filter(|known| warm_start::is_of(&known.triangulation, &lengths));
-    // Which rungs lie inside the projection takes its time to find out, so less is asked at first.
+    // Exact visibility takes time, so looser tests come first.
     let nothing_asked = Visibility::everything();
     let mut also_without_plane = None;
     let as_before = known.is_some_and(|known| known.also_without_plane == Some(true));
@@ -292,7 +291,7 @@ pub fn triangulate_near(
         && may_ask_less(&prices, options)
     {
         let at_ends = Visibility::at_ends(plane);
-        // What led astray one move ago is most likely to do so again.
+        // A triangulation that left the plane one move ago is likely to do so again.
         astray = mended_at_ends(&prices, &at_ends, known_astray);
         if astray.is_none() {
             match solve_then_check(&prices, &at_ends, Some(plane), options, known, watch)? {
@@ -309,8 +308,8 @@ pub fn triangulate_near(
         Cheapest { triangulation, also_without_plane, astray }
     };
     let visibility = Visibility::new(boundary, plane);
-    // Rungs without a tangent plane are admitted only when nothing can be done without them, which
-    // the table of all rungs has shown where any two samples may be joined.
+    // Rungs without a tangent plane are admitted only if there is no triangulation without them,
+    // which the table of all rungs has shown where any two samples may be joined.
     let none_unforced = plane.is_none() && may_ask_less(&prices, options);
     let tally = holes::Tally::default();
     let work = holes::Work::new(&tally, options.work_limit);
@@ -337,7 +336,7 @@ pub fn triangulate_near(
     Err(TriangulateError::NoneInside)
 }
 
-/// What was found, or nothing where the tables would not fit the memory.
+/// The result, or `None` where the tables would exceed the memory limit.
 pub fn if_it_fits<T>(
     found: Result<Option<T>, TriangulateError>,
 ) -> Result<Option<T>, TriangulateError> {
@@ -347,7 +346,7 @@ pub fn if_it_fits<T>(
     }
 }
 
-/// Whether a bound on the price leaves out most of the table, next to a developable surface.
+/// Whether a bound on the price can prune most of the table, next to a developable surface.
 fn is_bounded(options: &TriangulateOptions) -> bool {
     options.method == Method::Optimal
         && options.goal == Goal::Price
@@ -371,11 +370,11 @@ fn one_loop(
     }
 }
 
-/// Refuses loops of so many samples, the outer one first, that can't be triangulated, before
-/// anything is worked out or taken: options out of range, tables that would not fit.
+/// Refuses loops of so many samples, the outer one first, that can't be triangulated, before any
+/// computation: options out of range, tables that would exceed the memory limit.
 ///
-/// What one loop takes with `Optimal` depends on the boundary, and far from a developable surface
-/// [`triangulate`] may still find that it is too much.
+/// The memory of one loop with `Optimal` depends on the boundary. Far from a developable surface,
+/// [`triangulate`] may still find that it exceeds the limit.
 ///
 /// # Errors
 /// See [`TriangulateError`].
@@ -398,7 +397,7 @@ pub fn refuse(lengths: &[usize], options: &TriangulateOptions) -> Result<(), Tri
     if needed > limit { Err(TriangulateError::TooLarge { needed, limit }) } else { Ok(()) }
 }
 
-/// What the tables of a method take for loops of so many samples, bytes.
+/// Memory of the tables of a method for loops of so many samples, bytes.
 fn needed(lengths: &[usize], options: &TriangulateOptions) -> u64 {
     match options.method {
         Method::Optimal if lengths.len() > 1 => holes::memory_needed(lengths),
@@ -413,34 +412,34 @@ struct Found {
     /// Corners counter-clockwise as seen from the side that the surface faces; on one loop in any
     /// order.
     triangles: Vec<[usize; 3]>,
-    /// What no triangulation at all is cheaper than, if that is less than the price of this one, or
-    /// may be.
+    /// Lower bound on the price of all triangulations, if it is, or may be, below the price of this
+    /// one.
     lower_bound: Option<f64>,
 }
 
-/// Triangles on the way, and their price.
+/// Triangles and their price.
 #[derive(Clone, Debug)]
 struct Solved {
     price: f64,
     triangles: Vec<[usize; 3]>,
 }
 
-/// What a method may use, and for what price.
+/// The rungs that a method may use, and their prices.
 #[derive(Clone, Copy)]
 struct Terms<'a> {
     prices: &'a Prices,
     visibility: &'a Visibility,
     /// Whether rungs without a tangent plane are admitted, as a twist of 2.
     forced: bool,
-    /// How parts are priced together.
+    /// How the prices of parts are combined.
     rule: Rule,
     /// Rungs that are dearer are not admitted.
     bar: f64,
-    /// The most that tables may take, bytes, where what they take depends on the boundary.
+    /// Limit of the memory of tables, bytes, where it depends on the boundary.
     memory: u64,
 }
 
-/// What the price of parts together is.
+/// How the prices of two parts are combined.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Rule {
     /// Their sum.
@@ -459,7 +458,8 @@ struct Side {
 }
 
 const EDGE: Side = Side { price: 0.0, mean: Vec3::ZERO };
-/// A rung without tangent planes, where nothing can be done without it: the most that can be.
+/// A rung without tangent planes where there is no triangulation without such rungs: the largest
+/// twist.
 const FORCED: Side = Side { price: 2.0, mean: Vec3::ZERO };
 const BARRED: Side = Side { price: f64::INFINITY, mean: Vec3::ZERO };
 
@@ -469,12 +469,12 @@ impl<'a> Terms<'a> {
         Self { prices, visibility, forced, rule: Rule::Sum, bar: f64::INFINITY, memory: u64::MAX }
     }
 
-    /// Limits the memory that tables may take, bytes.
+    /// Sets the limit of the memory of tables, bytes.
     fn within(self, memory: u64) -> Self {
         Self { memory, ..self }
     }
 
-    /// The price of two parts together.
+    /// The combined price of two parts.
     #[inline(always)]
     fn together(&self, a: f64, b: f64) -> f64 {
         match self.rule {
@@ -526,15 +526,15 @@ impl<'a> Terms<'a> {
         }
     }
 
-    /// Writes to `strip` all sides from sample `i` to the far ends, at once: what [`Self::side`]
-    /// says of each; those that do not lead to a higher sample are barred, and those dearer than
-    /// `limit` may be. Without N unless `MEANS`.
+    /// Writes to `strip` all sides from sample `i` to the far ends at once, as [`Self::side`] has
+    /// them. Those that do not lead to a higher sample are barred, and those dearer than `limit`
+    /// may be. Without N unless `MEANS`.
     #[inline(always)]
     fn strip<const MEANS: bool>(&self, i: usize, to: &FarEnds, limit: f64, strip: &mut Strip) {
         let in_order = self.prices.in_order();
         let is_apart = i + 1 < to.first && to.count == LANES;
         let is_plain = is_apart && in_order && (i > 0 || to.first + LANES < self.prices.len());
-        // Banks cost nothing, and what has no planes may be forced.
+        // Banks cost nothing, and rungs without planes may be forced.
         let limit = if in_order && !self.forced { limit } else { f64::INFINITY };
         let allowed = if is_plain { self.visibility.allowed(i, to.first) } else { u16::MAX };
         self.prices.strip::<MEANS>(i, to, Wanted { lanes: allowed, limit }, strip);

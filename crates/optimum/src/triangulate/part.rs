@@ -1,9 +1,9 @@
-//! Progress of work that is a part of more.
+//! Progress of a part of a larger work.
 
 use sheetwright_geometry::watch::Watch;
 use std::ops::Range;
 
-/// A part of the work, and the part of its progress that this is.
+/// A part of the work, with its range of the whole progress.
 pub(super) struct Part<'w> {
     watch: &'w mut dyn Watch,
     share: Range<f64>,
@@ -23,7 +23,7 @@ impl<'w> Part<'w> {
 
 impl Watch for Part<'_> {
     fn progress(&mut self, done: f64) {
-        // Some work is done in several goes, which begin anew.
+        // Some work is done in several passes, whose progress begins again at 0.
         if done > self.told {
             self.told = done;
             self.watch.progress(self.share.start + (self.share.end - self.share.start) * done);

@@ -1,9 +1,9 @@
-//! Triangulations over a supporting plane, found without knowing which rungs lie inside the
+//! Triangulations over a supporting plane, found without computing which rungs lie inside the
 //! projection.
 //!
-//! To know that of all pairs of samples takes longer than to fill the table. So the table is filled
-//! with more rungs than those, and the answer is looked at: mostly it lies over the plane as it
-//! should, and then it is the answer.
+//! To compute that for all pairs of samples takes longer than to fill the table. So the table is
+//! filled with more rungs, and its optimum is checked: if all of its triangles face up over the
+//! plane, which is mostly so, it is the optimum with the plane, too.
 
 use super::memory::obtainable;
 use super::{
@@ -16,30 +16,31 @@ use sheetwright_geometry::boundary::{Boundary, SupportingPlane};
 use sheetwright_geometry::predicate::orientation;
 use sheetwright_geometry::watch::Watch;
 
-/// The cheapest triangulation, and what the search for it shows of others.
+/// The cheapest triangulation, and by-products of the search.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cheapest {
     /// The cheapest triangulation that the method and the supporting plane admit.
     pub triangulation: Triangulation,
-    /// Whether it is that without the plane too, if the search has shown that.
+    /// Whether it is the cheapest without the plane, too; `None` if the search did not show that.
     pub also_without_plane: Option<bool>,
-    /// A triangulation whose rungs begin and end inside the projection, but do not all lie there,
-    /// that was cheaper, if the search has come upon one or knows of one from before.
+    /// A cheaper triangulation whose rungs begin and end inside the projection, but do not all lie
+    /// there, if the search has met one or was given one.
     pub astray: Option<Triangulation>,
 }
 
-/// What the cheapest triangulation is of those with more rungs than lie inside the projection.
+/// The result of the check of the cheapest triangulation with more rungs than lie inside the
+/// projection.
 pub(super) enum Looked {
-    /// It lies over the plane as it should.
+    /// It lies over the plane: its triangles face up and do not overlap.
     Lies(Triangulation),
     /// It does not.
     Astray(Triangulation),
-    /// There is none, or it was not looked for.
+    /// There is none, or there was no search.
     None,
 }
 
-/// The cheapest triangulation of one loop among those with these rungs, which are all that lie
-/// inside the projection and more; `known` is a triangulation that is known.
+/// The cheapest triangulation of one loop among those with these rungs (all that lie inside the
+/// projection, and others), checked; `known` is a triangulation from before, if there is one.
 pub(super) fn solve_then_check(
     prices: &Prices,
     visibility: &Visibility,
@@ -59,8 +60,8 @@ pub(super) fn solve_then_check(
     })
 }
 
-/// A triangulation that is `known`, mended where rungs only have to begin and end inside the
-/// projection; `None` if it can't be mended, or if nothing is known.
+/// The triangulation `known`, repaired for rungs that only begin and end inside the projection;
+/// `None` if it can't be repaired, or if none is known.
 pub(super) fn mended_at_ends(
     prices: &Prices,
     at_ends: &Visibility,
@@ -71,15 +72,15 @@ pub(super) fn mended_at_ends(
     Some(outcome(&terms, Found { triangles, lower_bound: Some(0.0) }, Method::Optimal))
 }
 
-/// Whether the table of all rungs may be filled without asking which lie inside the projection.
+/// Whether the table of all rungs may be filled before it is known which lie inside the projection.
 pub(super) fn may_ask_less(prices: &Prices, options: &TriangulateOptions) -> bool {
     is_bounded(options) && prices.one_loop()
 }
 
-/// Whether the cheapest triangulation of those with more rungs than lie inside the projection is
-/// that with the plane too: where its triangles all lie on the plane as they should, they do not
-/// overlap, and their rungs lie inside. Then it is the cheapest of those too, and ties were decided
-/// among the same.
+/// Checks whether the cheapest triangulation with more rungs than lie inside the projection is the
+/// optimum with the plane, too. If all its triangles are counter-clockwise on the plane, they do
+/// not overlap, and their rungs lie inside. Then it is the cheapest over the plane, and ties were
+/// decided by one rule.
 fn looked(
     plane: Option<&SupportingPlane>,
     terms: &Terms<'_>,
@@ -95,11 +96,10 @@ fn looked(
     if lies { Looked::Lies(found) } else { Looked::Astray(found) }
 }
 
-/// The cheapest triangulation of one loop, or the best that is found of a ring, any two samples
-/// joined, if it costs less than `limit`; only those count whose rungs all have tangent planes.
-/// `None` as well where the table that would tell does not fit the memory. What a triangulation
-/// costs that is `known` from before is a bound, on which the answer does not depend, unless it
-/// makes the table small enough for the memory.
+/// The cheapest triangulation without a plane of one loop, or the best found of a ring, if it costs
+/// less than `limit` and all its rungs have tangent planes; else `None`. `None` as well where the
+/// table exceeds the memory limit. The price of a triangulation `known` from before is an upper
+/// bound; the answer does not depend on it, unless it makes the table small enough for the memory.
 ///
 /// # Errors
 /// See [`TriangulateError`].

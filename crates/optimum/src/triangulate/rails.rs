@@ -8,7 +8,7 @@
 use super::{Side, Terms, TriangulateError};
 use sheetwright_geometry::watch::Watch;
 
-/// What the tables of m samples take, `first` of them on the first rail, bytes: a price and a
+/// Memory of the tables of m samples, `first` of them on the first rail, bytes: a price and a
 /// choice for every pair across.
 pub(super) fn memory_needed(first: usize, m: usize) -> u64 {
     let pairs = (first as u64) * (m.saturating_sub(first) as u64);

@@ -1,19 +1,17 @@
-//! What a triangulation that is known from before is worth now.
+//! Warm start: an upper bound from the triangulation of the boundary before it moved.
 //!
 //! Samples that move by a hundredth of the size may turn cheap rungs into dear ones, and a bound of
-//! twice the price keeps many more entries of the table. So the known triangulation is mended
-//! first: a rung between two triangles is exchanged for the other diagonal of theirs as long as
-//! that makes it cheaper. That takes a small part of what the table takes, and ends at or near the
-//! optimum.
+//! twice the price keeps many more entries of the table. So the known triangulation is repaired by
+//! flips: a rung between two triangles is exchanged for the other diagonal while that lowers the
+//! price. That takes a small part of the time of the table, and ends at or near the optimum.
 //!
 //! Where a bay of the boundary has turned the other way, all rungs across it may be barred now, and
-//! no exchange of one leads on. So before that, each patch of triangles that barred rungs hold
-//! together is triangulated anew, with some of the triangles around it: without those there may be
-//! no way to.
+//! no flip of a single rung helps. So before the flips, each patch of triangles with barred rungs
+//! between them is triangulated anew, with some of the triangles around it: without those, the
+//! patch may have no triangulation.
 //!
-//! Exchanges of single rungs may end far from the cheapest. Where they do, a band of the table
-//! about the rungs that are known is filled for a better bound: it finds what takes many exchanges
-//! at once.
+//! Flips may end far from the optimum. Where they do, a band of the table about the known rungs is
+//! filled for a better bound: it finds changes that take many flips at once.
 
 use super::{EDGE, Side, Terms, TriangulateError, Triangulation, optimal};
 use crate::rung::Visibility;
@@ -21,15 +19,16 @@ use sheetwright_geometry::index::SampleIndex;
 use sheetwright_geometry::watch::{Unwatched, Watch};
 use std::collections::BTreeSet;
 
-/// Rungs that are looked at, at the most, for each sample.
+/// Limit of the rungs tested for a flip, for each sample.
 const MOST_LOOKS: usize = 32;
-/// Corners of a patch that is triangulated anew, at the most: with more, the loop is another one
-/// than before.
+/// Limit of the corners of a patch that is triangulated anew: with more, the loop has changed too
+/// much.
 const MOST_CORNERS: usize = 128;
-/// What costs more than so many times what it did before is taken to be far from the cheapest.
+/// A repaired triangulation that costs more than so many times its price before is taken to be far
+/// from the optimum.
 const MUCH_DEARER: f64 = 4.0;
 
-/// Whether it is one of a loop with as many samples.
+/// Whether the known triangulation is of a single loop with as many samples.
 pub(super) fn is_of(known: &Triangulation, lengths: &[usize]) -> bool {
     // With holes there are more triangles, and more rungs than that.
     lengths.len() == 1
@@ -37,13 +36,13 @@ pub(super) fn is_of(known: &Triangulation, lengths: &[usize]) -> bool {
         && known.rungs.len() + 3 == lengths[0]
 }
 
-/// What a triangulation costs now that is mended from one that is known: no less than the cheapest.
-/// `None` if it has rungs that may not be used now and can't be mended, or if nothing is known.
+/// The price of the known triangulation after its repair, an upper bound on the optimum. `None` if
+/// it has barred rungs and can't be repaired, or if none is known.
 pub(super) fn price(terms: &Terms<'_>, known: Option<&Triangulation>) -> Option<f64> {
     Some(Mended::of(terms, known?)?.price())
 }
 
-/// The triangles of the same.
+/// The triangles of the known triangulation after its repair; `None` as for [`price`].
 pub(super) fn triangles(
     terms: &Terms<'_>,
     known: Option<&Triangulation>,
@@ -51,17 +50,16 @@ pub(super) fn triangles(
     Some(Mended::of(terms, known?)?.triangles().collect())
 }
 
-/// A bound on the cheapest price: what a triangulation costs now that is mended from one that is
-/// known. Where that is much more than it cost, exchanges have led astray from it, and there may be
-/// a cheap one near to the rungs that are known.
+/// An upper bound on the price of the optimum: that of the repaired triangulation. Where it is much
+/// more than the price before, flips have led away, and the band near to the known rungs may have a
+/// cheaper triangulation.
 pub(super) fn bound(
     terms: &Terms<'_>,
     known: Option<&Triangulation>,
     watch: &mut dyn Watch,
 ) -> Result<Option<f64>, TriangulateError> {
     let Some((price, known)) = price(terms, known).zip(known) else { return Ok(None) };
-    // Beside what cost nothing all is much dearer, and tables as cheap as that take less than a
-    // band.
+    // Every price is much more than 0, and a table of such a loop takes less than a band.
     if price <= MUCH_DEARER * known.price || known.price == 0.0 {
         return Ok(Some(price));
     }
@@ -123,7 +121,7 @@ impl Lines {
     }
 }
 
-/// A triangulation on the way.
+/// A triangulation under repair.
 struct Mended<'a> {
     terms: &'a Terms<'a>,
     lines: Lines,
@@ -140,7 +138,7 @@ fn sides_of(corners: &[usize]) -> impl Iterator<Item = [usize; 2]> {
 }
 
 impl<'a> Mended<'a> {
-    /// Mended from one that is known; `None` where a rung is barred for good.
+    /// The repaired triangulation of a known one; `None` where a rung stays barred.
     fn of(terms: &'a Terms<'a>, known: &Triangulation) -> Option<Self> {
         let mut mended = Self::new(terms, known);
         mended.free().then(|| {
@@ -169,7 +167,7 @@ impl<'a> Mended<'a> {
         self.lines.get(ends(a, b)).map_or(EDGE, |line| line.side)
     }
 
-    /// F of the triangle with these corners, of which one side may not be there yet.
+    /// F of the triangle with these corners; one of its sides may not be in the list yet.
     fn fold(&self, a: usize, b: usize, far: usize, between: Side) -> f64 {
         let mut corners = [a, b, far];
         corners.sort_unstable();
@@ -180,8 +178,8 @@ impl<'a> Mended<'a> {
         self.terms.fold(corners, [mean(i, k), mean(k, j), mean(i, j)])
     }
 
-    /// Triangulates anew what barred rungs hold together, with about as much around it, and with
-    /// more where that can't be triangulated. Returns whether no rung is barred any more.
+    /// Triangulates each patch around barred rungs anew, with about as many triangles around it,
+    /// and with more where that has no triangulation. Returns whether no rung is barred any more.
     fn free(&mut self) -> bool {
         let is_barred = |line: &Line| line.side.price == f64::INFINITY;
         let barred = self.lines.iter().filter(|(_, line)| is_barred(line));
@@ -219,7 +217,7 @@ impl<'a> Mended<'a> {
     }
 
     /// The cheapest triangulation of a polygon of samples, in increasing order; `None` if there is
-    /// none or if they are too many.
+    /// none or if the samples are too many.
     fn cheapest_within(&self, corners: &[usize]) -> Option<Vec<[usize; 3]>> {
         if corners.len() > MOST_CORNERS {
             return None;
@@ -259,7 +257,7 @@ impl<'a> Mended<'a> {
         }
     }
 
-    /// Exchanges rungs as long as that makes it cheaper, those around an exchanged one again.
+    /// Flips rungs while that lowers the price; those around a flipped rung are tested again.
     fn mend(&mut self) {
         let rungs = self.lines.iter().filter(|(_, line)| line.is_rung());
         let mut queue: Vec<[usize; 2]> = rungs.map(|(ends, _)| ends).collect();

@@ -1,14 +1,14 @@
 //! All triangulations of a domain with holes, grown side by side.
 //!
-//! An uncovered side is picked, every third corner is tried, and what can't become a triangulation
-//! of the domain is given up. So every triangulation comes up exactly once.
+//! An uncovered side is picked, every third corner is tried, and a partial triangulation that can't
+//! be completed is given up. So every triangulation is found exactly once.
 
 use std::collections::BTreeSet;
 
 /// The numbers of its samples, counter-clockwise.
 pub(crate) type Triangle = [usize; 3];
 
-/// What triangles cost, with half the price of each of their rungs: every rung has two.
+/// The prices of triangles, with half the price of each of their rungs: every rung has two.
 pub(crate) struct Costs {
     m: usize,
     /// Infinite for a triangle that may not be used.
@@ -40,14 +40,14 @@ impl Costs {
     }
 }
 
-/// What a side from one sample to another is to a triangulation that grows.
+/// The state of a side, from one sample to another, in a growing triangulation.
 #[derive(Clone, Copy, PartialEq)]
 enum State {
-    /// Neither way is it a side yet.
+    /// Not a side yet, in either direction.
     Free,
-    /// A triangle must come to lie to its left.
+    /// A triangle must lie to its left, and none does yet.
     Open,
-    /// No triangle may.
+    /// No further triangle may lie to its left.
     Done,
 }
 
@@ -152,8 +152,8 @@ impl<'a> Growth<'a> {
         !(start == self.after[v] && end == self.before[v]) || steps == self.of_sample[v] + 1
     }
 
-    /// No triangulation that grows from here costs less than the price so far and this: a triangle
-    /// lies at three open sides at the most.
+    /// Lower bound on the price that all triangulations grown from here add: a triangle lies at
+    /// three open sides at the most.
     fn least_to_come(&self) -> f64 {
         let m = self.costs.m;
         let open = |&side: &usize| self.sides[side / m][side % m] == State::Open;

@@ -84,8 +84,8 @@ impl<'a> Domain<'a> {
         self.prices.triangle(corners, [(a, b), (b, c), (a, c)].map(mean))
     }
 
-    /// What triangles cost; those with a rung without tangent planes only if they are admitted, at
-    /// a twist of 2.
+    /// The prices of triangles; those with a rung without tangent planes only if they are admitted,
+    /// at a twist of 2.
     fn costs(&self, forced: bool) -> Costs {
         Costs::new(self.boundary.len(), |triangle| {
             let [a, b, c] = triangle;
@@ -99,7 +99,7 @@ impl<'a> Domain<'a> {
         })
     }
 
-    /// Checks that a result is a triangulation of the domain and says the truth of itself.
+    /// Checks that a result is a triangulation of the domain, and that its claims are true.
     fn check(&self, found: &Triangulation, case: &str) {
         let triangles: Vec<Triangle> =
             found.triangles.iter().map(|t| t.map(SampleIndex::get)).collect();
@@ -157,7 +157,7 @@ impl<'a> Domain<'a> {
         })
     }
 
-    /// How a person can look at the case again.
+    /// How to reproduce the case.
     fn told(&self, seed: u64) -> String {
         let plane = if self.plane.is_some() { "plane" } else { "no plane" };
         let mut rows = String::new();
@@ -257,7 +257,7 @@ fn choices(has_plane: bool) -> &'static [PlaneChoice] {
     if has_plane { &[FROM_ABOVE, PlaneChoice::None] } else { &[PlaneChoice::None] }
 }
 
-/// What enumeration rests on, checked by other reasoning.
+/// The enumeration itself, checked by other reasoning.
 #[test]
 fn every_triangulation_is_enumerated_once() {
     // A disc of m samples has as many as Catalan's numbers say.
@@ -321,14 +321,15 @@ fn rings_are_the_least_of_all() {
 struct Tally {
     looked_at: usize,
     proven: usize,
-    /// Those dearer than need be, with how much, as a share.
+    /// Results above the least price, each with its excess as a share.
     dearer: Vec<(f64, String)>,
 }
 
 impl Tally {
     /// Compares the results for random boundaries with the least prices, found by searching. The
-    /// bound that the search begins with is what was found, so it finds that again unless there is
-    /// something cheaper. What a result says of itself must be true, whether it is the best or not.
+    /// search begins with the price of the result as its bound, so it finds that again unless a
+    /// triangulation is cheaper. The claims of a result must be true, whether it is the best or
+    /// not.
     fn of(
         count: usize,
         sizes: impl Fn(u64) -> Vec<usize>,

@@ -1,15 +1,15 @@
 //! Which rungs leave into the inside of a projected loop at both ends, as far as rounding can tell.
 //!
-//! A rung that leaves into the outside at one of its ends is not inside. That takes a few products
-//! for each pair, where finding out who sees whom takes a walk through triangles; corners are
-//! looked at 64 side by side, for the widest registers that the processor has (crate `pulp`). Of a
-//! loop that does not wind, few rungs are left that are outside all the same.
+//! A rung that leaves into the outside at one of its ends is not inside. That test takes a few
+//! products for each pair, where exact visibility takes a walk through triangles; 64 corners are
+//! tested side by side, in the widest registers of the processor (crate `pulp`). On a loop that
+//! does not wind, few outside rungs pass it.
 
 use super::pairs::{BITS, PairSet};
 use sheetwright_geometry::math::{Point2, Vec2};
 use sheetwright_geometry::predicate::orientation;
 
-/// What rounding may make of the doubled area of a triangle, as a share of its two products: a
+/// Rounding error of the doubled area of a triangle, as a share of its two products, at most: a
 /// little more than the (3 + 16 ε) ε of \[Shewchuk1997\].
 const ROUNDING: f64 = 4e-16;
 
@@ -52,7 +52,7 @@ impl Corner {
     }
 }
 
-/// As many corners in a row as a word has bits, by coordinates, so that many are looked at side by
+/// As many corners in a row as a word has bits, by coordinates, so that many are tested side by
 /// side; the last one repeats beyond the end.
 struct Block {
     at: [[f64; BITS]; 2],
@@ -95,8 +95,8 @@ impl Block {
     }
 }
 
-/// Looks from one corner at the blocks that its row has words for. A type rather than a closure, so
-/// that it is compiled for the widest registers.
+/// Tests the pairs of one corner with the blocks that its row has words for. A type rather than a
+/// closure, so that it is compiled for the widest registers.
 struct LookFrom<'a> {
     from: Corner,
     blocks: &'a [Block],

@@ -1,4 +1,5 @@
-//! Who sees whom inside a projection: triangular expansion \[Bungiu2014\], with exact predicates.
+//! Visibility between samples inside a projection: triangular expansion \[Bungiu2014\], with exact
+//! predicates.
 //!
 //! 1. The domain between the projected loops is cut into triangles (a constrained Delaunay
 //!    triangulation, crate `spade`); which triangles does not matter.
@@ -9,10 +10,10 @@
 //! 4. A boundary edge ends the view.
 //!
 //! Without holes the triangles form a tree, so a sample meets each at most once: O(m) for each
-//! sample, O(m²) for all. Beyond a side lies the part of the loop between its ends, so that the
-//! looks at parts with lower samples alone, which look back, are spared. Round h holes a sample may
-//! meet a triangle from h + 1 sides. A rung that touches the boundary between its ends is not
-//! inside.
+//! sample, O(m²) for all. Beyond a side lies the part of the loop between its ends; a part with
+//! lower samples only is skipped, since those have been paired from their side. Round h holes a
+//! sample may meet a triangle from h + 1 sides. A rung that touches the boundary between its ends
+//! is not inside.
 
 use super::pairs::PairSet;
 use sheetwright_geometry::math::Point2;
@@ -35,7 +36,7 @@ pub(super) fn inside_pairs(points: &[Point2], loops: &[Range<usize>]) -> PairSet
     pairs
 }
 
-/// A triangulation of the domain, for looking through.
+/// A triangulation of the domain, for the expansion.
 struct Triangles {
     /// Corners of each triangle, counter-clockwise.
     corners: Vec<[usize; 3]>,
@@ -55,7 +56,7 @@ impl Triangles {
             .collect();
         let vertices = points.iter().map(vertex).collect();
         let none = Self { corners: vec![], beyond: vec![], around: vec![vec![]; points.len()] };
-        // Nothing is seen of what is no domain; a boundary has passed the door and is one.
+        // A set of loops that is no domain has no visible pairs; a validated boundary is one.
         let Ok(all) = ConstrainedDelaunayTriangulation::<spade::Point2<f64>>::try_bulk_load_cdt(
             vertices,
             edges.clone(),
@@ -112,8 +113,8 @@ impl Triangles {
         Self { corners, beyond, around }
     }
 
-    /// Calls `see` for what one sample sees, but for what lies beyond sides, given by their right
-    /// and their left end, that are not worth a look.
+    /// Calls `see` for the samples that one sample sees. Parts beyond a side, given by its right
+    /// and its left end, are skipped unless the side is worth it.
     fn look_from(
         &self,
         source: usize,

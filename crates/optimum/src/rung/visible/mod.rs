@@ -1,9 +1,9 @@
 //! Which rungs lie inside the projection of the boundary on its supporting plane.
 //!
 //! Exactly, by triangular expansion (`expansion`); or, for most searches, by the ends of the rungs
-//! alone (`at_ends`), which tells most of those apart that are outside and takes a fraction of the
-//! time. If the triangles of the answer do not overlap in the projection, all of its rungs are
-//! inside, and no more need be asked (`triangulate::plane_check`).
+//! alone (`at_ends`), which excludes most rungs outside in a fraction of the time. If the triangles
+//! of the optimum do not overlap in the projection, all of its rungs are inside, and the exact test
+//! is not needed (`triangulate::plane_check`).
 
 mod at_ends;
 mod expansion;
@@ -26,26 +26,25 @@ pub struct Visibility {
 enum Seen {
     Everything,
     Pairs(PairSet),
-    /// What is inside at both ends, found out when it is first asked for.
+    /// The rungs inside at both ends, computed at first use.
     AtEnds(Vec<Point2>, OnceLock<PairSet>),
 }
 
 impl Visibility {
-    /// What a plane lets be seen of a boundary; everything without a plane.
+    /// The visible pairs of a boundary over a plane; all pairs without a plane.
     pub fn new(boundary: &Boundary, plane: Option<&SupportingPlane>) -> Self {
         let inside = |plane: &SupportingPlane| inside_pairs(&plane.projected, boundary.loops());
         Self { seen: plane.map_or(Seen::Everything, |plane| Seen::Pairs(inside(plane))) }
     }
 
-    /// Everything, as without a plane.
+    /// All pairs, as without a plane.
     pub(crate) fn everything() -> Self {
         Self { seen: Seen::Everything }
     }
 
-    /// The pairs of samples of one loop whose rung leaves into the inside at both ends, but for
-    /// those that rounding leaves open, which are among them: all that see one another, and few
-    /// others unless the projection winds. Found in a fraction of the time, and only when it is
-    /// asked for.
+    /// The pairs of samples of one loop whose rung leaves into the inside at both ends, or for
+    /// which rounding leaves that open: all that see one another, and few others unless the
+    /// projection winds. Computed at first use, in a fraction of the time.
     pub(crate) fn at_ends(plane: &SupportingPlane) -> Self {
         Self { seen: Seen::AtEnds(plane.projected.clone(), OnceLock::new()) }
     }
@@ -60,12 +59,12 @@ impl Visibility {
         }
     }
 
-    /// What it takes for so many samples where not everything is seen, bytes.
+    /// Memory for so many samples where not all pairs are visible, bytes.
     pub(crate) fn memory_needed(m: usize) -> u64 {
         PairSet::bytes_of(m)
     }
 
-    /// What it takes once it is asked, bytes.
+    /// Memory once the pairs are computed, bytes.
     pub(crate) fn bytes(&self) -> u64 {
         match &self.seen {
             Seen::Everything => 0,
@@ -84,8 +83,7 @@ impl Visibility {
         }
     }
 
-    /// What is seen between the members of a chain of `m`, as `sees` says of two of them, the lower
-    /// first.
+    /// The visible pairs of a chain of `m` members, by `sees` of two of them, the lower first.
     pub(crate) fn of_pairs(m: usize, mut sees: impl FnMut(usize, usize) -> bool) -> Self {
         let mut pairs = PairSet::new(m);
         for j in 0..m {
@@ -98,8 +96,8 @@ impl Visibility {
         Self { seen: Seen::Pairs(pairs) }
     }
 
-    /// What is seen between some of the samples, or, where that is still to be found out, on the
-    /// loop of these samples.
+    /// The visible pairs among some of the samples, or, where pairs are not yet computed, those of
+    /// the loop of these samples.
     pub(crate) fn thinned(&self, kept: &[usize]) -> Self {
         let pairs = match &self.seen {
             Seen::Everything => return Self::everything(),
@@ -137,8 +135,8 @@ mod tests {
         inside_pairs(polygon, std::slice::from_ref(&(0..polygon.len())))
     }
 
-    /// Seen or not by the definition: the rung leaves into the inside at both ends and touches no
-    /// edge but at its ends.
+    /// Visibility by its definition: the rung leaves into the inside at both ends and touches no
+    /// edge except at its ends.
     fn sees(polygon: &[Point2], i: usize, j: usize) -> bool {
         let m = polygon.len();
         let leaves_inside = |i: usize, j: usize| {

@@ -3,8 +3,8 @@
 /// Bits of a word.
 pub(super) const BITS: usize = u64::BITS as usize;
 
-/// The row of the lower sample, which begins with the word of its own bit, has a bit for each
-/// higher one. Bits of that word for lower samples mean nothing, nor do those beyond the last
+/// The row of the lower sample begins with the word of its own bit and has a bit for each higher
+/// sample. Bits of that word for lower samples are undefined, and so are those beyond the last
 /// sample.
 #[derive(Clone, Debug)]
 pub(super) struct PairSet {
@@ -29,12 +29,12 @@ impl PairSet {
         pairs
     }
 
-    /// What it takes for so many samples, bytes.
+    /// Memory for so many samples, bytes.
     pub(super) fn bytes_of(m: usize) -> u64 {
         words_before(m as u64, m as u64) * size_of::<u64>() as u64
     }
 
-    /// What it takes, bytes.
+    /// Memory, bytes.
     pub(super) fn bytes(&self) -> u64 {
         Self::bytes_of(self.samples)
     }

@@ -14,9 +14,9 @@
 //! 3. The walk is sought over sets of starts ([`starts`]), with a sweep through the cover for each
 //!    ([`sweep`]).
 //! 4. A walk with fewer than three steps along one chain, or one that takes all steps along one
-//!    chain before all along the other, uses a rung twice and is no surface. It is possible only
-//!    without a plane. Where the cheapest walk is one of those, the search is run again over paths
-//!    that count their steps and turns.
+//!    chain before all along the other, uses a rung twice and is no surface. That is possible only
+//!    without a plane. If the cheapest walk is such a walk, the search is repeated over paths that
+//!    count their steps and turns.
 
 mod starts;
 mod sweep;
@@ -30,7 +30,7 @@ use super::winding::Winding;
 use sheetwright_geometry::watch::Watch;
 use starts::Sought;
 
-/// What the tables of two chains of m and k samples take, bytes.
+/// Memory of the tables of two chains of m and k samples, bytes.
 pub(super) fn memory_needed(m: usize, k: usize) -> u64 {
     let grid = (m as u64) * (k as u64);
     let joins = grid * size_of::<Join>() as u64;
@@ -40,20 +40,20 @@ pub(super) fn memory_needed(m: usize, k: usize) -> u64 {
     Pockets::memory_needed(m) + Pockets::memory_needed(k) + joins + paths.max(counting)
 }
 
-/// Cells of all layers of a grid of paths that count, at the most: 32 bytes each, so 1.8 GiB.
+/// Limit of the cells in all layers of a grid of counting paths: 32 bytes each, so 1.8 GiB.
 const MOST_COUNTING_CELLS: u64 = 60_000_000;
 
-/// What is found out about a ring.
+/// The result of the search on a ring.
 pub(super) struct RingFound {
     /// The triangles of the cheapest triangulation that was found; `None` if none was.
     pub(super) triangles: Option<Vec<[usize; 3]>>,
-    /// What none is cheaper than, if that is not the price of these triangles, or if there may be
-    /// some where none were found: the work ended before that was known.
+    /// Lower bound on the price of every triangulation, if it is below the price of these
+    /// triangles, or if the work ended before it was known whether there are any.
     pub(super) lower_bound: Option<f64>,
 }
 
-/// The cheapest triangulation of a ring up to `bound`, or, where there is no work left to be done,
-/// the best that was found by then, and what none is cheaper than.
+/// The cheapest triangulation of a ring up to `bound`; or, where the work limit ends the search,
+/// the best found so far, and a lower bound.
 pub(super) fn solve_exactly(
     chains: &Chains<'_>,
     bound: f64,
@@ -78,8 +78,7 @@ pub(super) fn solve_exactly(
 }
 
 /// The cheapest triangulation of the ring between two chains up to `bound`, without the price of
-/// its cuts, or the best that was found before there was no work left; `None` if there is none, or
-/// it is no surface.
+/// its cuts, or the best found before the work ended; `None` if there is none, or it is no surface.
 pub(super) fn solve(
     chains: &Chains<'_>,
     bound: f64,
@@ -97,7 +96,7 @@ pub(super) fn solve(
 #[derive(Clone, Copy)]
 struct Join {
     side: Side,
-    /// How often its inner place winds round the hole, seen from its outer place in 0 .. m.
+    /// The winding number of its inner place round the hole, seen from its outer place in 0 .. m.
     winding: i8,
 }
 
@@ -164,7 +163,7 @@ impl<'c, 'a> Band<'c, 'a> {
         self.joins[p * self.inner.len() + self.below(a)]
     }
 
-    /// The price of a joining rung between places on the cover; infinite if it winds otherwise.
+    /// The price of a joining rung between places on the cover; infinite if its winding differs.
     fn join_price(&self, p: usize, a: i64) -> f64 {
         let join = self.join(p, a);
         let winds = !self.chains.has_plane() || i64::from(join.winding) == a.div_euclid(self.k());

@@ -1,24 +1,25 @@
 //! A lower bound on the price of all triangulations of a domain.
 //!
 //! A triangulation is a set of triangles such that every edge of the boundary has one, and every
-//! rung as many on one side as on the other. Let each rung move some of the price of the triangles
-//! on one of its sides to those on the other, as much for each, and let each edge of the boundary
-//! take some off its triangles. As long as no triangle is left with less than nothing, what the
-//! edges have taken, together, is a lower bound on the price of every triangulation (the dual of
-//! the linear relaxation; the ascent is that of message passing, \[Kolmogorov2006\]).
+//! rung as many on one side as on the other. Let each rung move the same amount of the price of
+//! every triangle on one of its sides to every triangle on the other, and let each edge of the
+//! boundary take an amount off its triangles. While no remaining price is negative, the sum of the
+//! amounts that the edges have taken is a lower bound on the price of every triangulation (the dual
+//! of the linear relaxation; the ascent is that of message passing, \[Kolmogorov2006\]).
 //!
 //! 1. Only triangles count that can belong to a triangulation cheaper than the one that is known.
 //! 2. The loops are cut into one chain along rungs of that triangulation. In the order of the table
-//!    of equation (5), short runs first, each rung moves what its inner side has left to its outer
-//!    side. Moved whole, one sweep works out equation (5), and on a simple polygon the whole price
-//!    of the optimum arrives at the last edge. Rungs that cross a cut are swept along.
-//! 3. Sweeps back and forth level out what the cuts have upset; then it is better to move a part
-//!    of it. The bound never falls.
-//! 4. A triangle that is left with more than the gap belongs to no cheaper triangulation and is
+//!    of equation (5), short runs first, each rung moves the least remaining price on its inner
+//!    side to its outer side. Moved whole, one sweep evaluates equation (5), and on a simple
+//!    polygon the whole price of the optimum arrives at the last edge. Rungs that cross a cut move
+//!    theirs, too.
+//! 3. Sweeps back and forth correct the effect of the cuts; then moving only a part works better.
+//!    The bound never falls.
+//! 4. A triangle whose remaining price exceeds the gap belongs to no cheaper triangulation and is
 //!    dropped.
-//! 5. Every triangulation has the same number of triangles, so that any amount may be taken off all
-//!    of them alike. Without a plane that is needed: a lid over each hole, and the panel closed
-//!    behind it, has fewer.
+//! 5. Every triangulation has the same number of triangles, so the same amount may be taken off all
+//!    of them. Without a plane that is needed: a lid over each hole, with the panel closed behind
+//!    it, has fewer triangles.
 //!
 //! All prices are whole numbers of half quanta, so that the bound is exact.
 
@@ -33,12 +34,12 @@ use std::ops::Range;
 
 /// No side.
 const NONE: u32 = u32::MAX;
-/// What dropped triangles are left with.
+/// The remaining price of dropped triangles.
 const DROPPED: i64 = i64::MAX;
-/// Triangles at the most, of 50 bytes each.
+/// Limit of the triangles, 50 bytes each.
 const MOST_TRIANGLES: usize = 20_000_000;
 
-/// What the tables of m samples take, bytes.
+/// Memory of the tables of m samples, bytes.
 pub(super) fn memory_needed(m: usize) -> u64 {
     // The number of every pair, the sides, and the triangles with their places in lists.
     let pairs = (m as u64) * (m as u64);
@@ -65,7 +66,7 @@ struct Side {
     triangles: [Range<usize>; 2],
 }
 
-/// A direction in which a side is walked: its number, twice, and one more from high to low.
+/// A direction in which a side is walked: twice the number of the side, plus one from high to low.
 type Way = u32;
 
 /// The triangles that may belong to a cheaper triangulation, and their sides.
@@ -86,20 +87,20 @@ pub(super) struct Relaxation {
     pub(super) limit: i64,
 }
 
-/// What is left to whom, and what the edges have taken.
+/// The remaining prices, and the sum that the edges have taken.
 #[derive(Clone)]
 pub(super) struct Left {
     of_triangles: Vec<i64>,
-    /// In half quanta.
+    /// What the edges have taken, in half quanta.
     pub(super) bound: i64,
-    /// Triangles looked at in the last sweep.
+    /// Triangles read in the last sweep.
     pub(super) looked: u64,
 }
 
 impl Relaxation {
     /// The relaxation of a domain of which `best` is a triangulation; `None` if it has too many
-    /// triangles, or more than there is work left for. `chain` is what is left when `best` is cut
-    /// into one chain.
+    /// triangles, or more than there is work left for. `chain` is the chain that remains when
+    /// `best` is cut open.
     pub(super) fn new(
         chains: &Chains<'_>,
         chain: &[usize],
@@ -250,12 +251,12 @@ impl Left {
         self.of_triangles[triangle as usize] == DROPPED
     }
 
-    /// What a triangle is left with.
+    /// The remaining price of a triangle.
     pub(super) fn with(&self, triangle: u32) -> i64 {
         self.of_triangles[triangle as usize]
     }
 
-    /// Whether no triangle is left with less than nothing, so that the bound is one.
+    /// Whether no remaining price is negative, so that the bound is valid.
     pub(super) fn is_bound(&self) -> bool {
         self.of_triangles.iter().all(|&left| left >= 0)
     }
@@ -283,8 +284,8 @@ impl Left {
         }
     }
 
-    /// Takes `amount` off every triangle, of which every triangulation has `count`. It may leave
-    /// some with less than nothing; until sweeps have made up for that, nothing is bounded.
+    /// Takes `amount` off every triangle, of which every triangulation has `count`. Remaining
+    /// prices may become negative; the bound is invalid until sweeps have made up for that.
     pub(super) fn take(&mut self, amount: i64, count: usize) {
         for left in &mut self.of_triangles {
             *left -= amount;
@@ -292,7 +293,7 @@ impl Left {
         self.bound += amount * count as i64;
     }
 
-    /// One sweep, and what is dropped after it; false if nothing below the limit is left. A rung
+    /// One sweep, after which triangles are dropped; false if none below the limit is left. A rung
     /// moves `share` sixteenths of the difference.
     pub(super) fn sweep(&mut self, relaxation: &Relaxation, forwards: bool, share: i64) -> bool {
         // All are looked at once more at the end.
@@ -356,7 +357,7 @@ fn order(chain: &[usize], m: usize, sides: impl Iterator<Item = ([usize; 2], boo
     keyed.into_iter().map(|(_, way)| way).collect()
 }
 
-/// Which loop each sample lies on, and what follows it.
+/// The loop of each sample, and the sample that follows it.
 struct Loops {
     of_sample: Vec<usize>,
     after: Vec<usize>,

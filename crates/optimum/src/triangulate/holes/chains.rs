@@ -36,7 +36,7 @@ pub(super) struct Chains<'a> {
     pub(super) cuts: Vec<[usize; 2]>,
     /// Pairs of spots on the only chain left that may not be joined, the lower place first.
     pub(super) barred: BTreeSet<[usize; 2]>,
-    /// What may be done for it.
+    /// The work allowed for it.
     pub(super) work: Work<'a>,
 }
 
@@ -57,7 +57,7 @@ impl<'a> Chains<'a> {
         }
     }
 
-    /// These chains, for which `work` counts what is done.
+    /// These chains with `work` as their counter.
     pub(super) fn within(&self, work: Work<'a>) -> Self {
         Self { work, ..self.clone() }
     }
@@ -192,7 +192,7 @@ pub(super) fn in_sector(own: Point2, from: Point2, until: Point2, to: Point2) ->
     if left(from, until) {
         left(from, to) && left(to, until)
     } else {
-        // A sector of more than half a turn, or a whole one: all but the closed rest.
+        // A sector of more than half a turn, or a whole turn: the complement of the closed rest.
         left(from, to) || right(until, to) || opposite(own, from, to) || opposite(own, until, to)
     }
 }

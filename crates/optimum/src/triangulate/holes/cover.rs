@@ -1,4 +1,4 @@
-//! The universal cover of a band: places, walks round it, and the grids in which they are sought.
+//! The universal cover of a band: places, walks round it, and the grids that are searched.
 
 /// A pair of places on the cover: an outer and an inner one.
 pub(super) type Pair = (usize, i64);

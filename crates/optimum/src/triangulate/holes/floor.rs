@@ -1,9 +1,9 @@
-//! A lower bound on the price of all triangulations that takes no search.
+//! A lower bound on the price of all triangulations, without a search.
 //!
 //! Each edge of the boundary is a side of one triangle, and each rung a side of two. So the price
-//! is at least the sum, over the edges, of the cheapest triangle at each: its fold with half the
-//! price of its rungs, divided by its edges where it has several. That needs O(m²) triangles. It is
-//! low, as a triangle that cuts off a corner costs little, but it is never without a number.
+//! is at least the sum, over the edges, of the cheapest triangle at each: its fold price with half
+//! the price of its rungs, divided by the number of its edges. That takes O(m²) triangles. The
+//! bound is low, as a triangle that cuts off a corner costs little, but it always exists.
 
 use super::super::{BARRED, Side};
 use super::bound::{price_of, units};
@@ -11,7 +11,7 @@ use super::chains::Chains;
 use super::work::SIDE;
 use sheetwright_geometry::math::Vec3;
 
-/// What no triangulation is cheaper than.
+/// The lower bound.
 pub(super) fn floor(chains: &Chains<'_>) -> f64 {
     let m = chains.terms.prices.len();
     chains.work.count(SIDE * (m as u64).pow(2));
@@ -29,8 +29,8 @@ pub(super) fn floor(chains: &Chains<'_>) -> f64 {
     price_of(chains.chains.iter().map(of_loop).sum())
 }
 
-/// The least share in the price, in half quanta, of a triangle on an edge. `sides` lead from each
-/// of its ends to all samples.
+/// The least share in the price, in half quanta, of a triangle on an edge. `sides` are those from
+/// each of its ends to all samples.
 fn at_edge(chains: &Chains<'_>, [a, b]: [usize; 2], sides: [&[Side]; 2]) -> i64 {
     let mut least: Option<i64> = None;
     for c in (0..chains.terms.prices.len()).filter(|&c| c != a && c != b) {

@@ -27,10 +27,10 @@ use sheetwright_geometry::watch::Watch;
 use std::ops::Range;
 pub(super) use work::{Tally, Work};
 
-/// Prices above which a bound prunes little on a ring, so that it isn't worth looking for one.
+/// A bound above this price prunes little on a ring and is not worth a search.
 const WORTH_A_BOUND: f64 = 4.0;
 
-/// What the tables of loops of these lengths take, bytes.
+/// Memory of the tables of loops of these lengths, bytes.
 pub(super) fn memory_needed(lengths: &[usize]) -> u64 {
     let holes = lengths.len() - 1;
     let all = lengths.iter().sum::<usize>() + 2 * holes;
@@ -40,13 +40,12 @@ pub(super) fn memory_needed(lengths: &[usize]) -> u64 {
     chain.max(band).max(bound)
 }
 
-/// The share of the work that is left which improving the first triangulation may take: a good
-/// answer comes before the proof that it is.
+/// The share of the remaining work for improving the first triangulation: a good triangulation
+/// comes before the proof that it is good.
 const SHARE_OF_IMPROVING: f64 = 0.4;
 
-/// The cheapest triangles between the loops; `None` if there are none up to the price `bound`.
-/// Where the work that may be done ends before that is known, the best that were found, and what
-/// none is cheaper than.
+/// The cheapest triangulation between the loops; `None` if there is none up to the price `bound`.
+/// Where the work limit ends the search, the best found so far, and a lower bound.
 pub(super) fn solve(
     terms: &Terms<'_>,
     plane: Option<&SupportingPlane>,
@@ -63,8 +62,7 @@ pub(super) fn solve(
     Ok(found)
 }
 
-/// The best triangles that are found up to `bound`, and what none is cheaper than as far as the
-/// search has come.
+/// The best triangulation found up to `bound`, and the lower bound that the search has reached.
 fn searched(
     chains: &Chains<'_>,
     bound: f64,
@@ -77,7 +75,7 @@ fn searched(
     let first = search::first(chains, bound, &mut Part::new(watch, 0.0..0.1))?;
     let Some(first) = first else { return Ok(None) };
     if first.price == 0.0 {
-        // Prices are never negative: it lies flat, and no other is cheaper.
+        // Its price is 0: it lies flat, and no other is cheaper.
         return Ok(Some(Found { triangles: first.triangles, lower_bound: None }));
     }
     let improving = chains.within(chains.work.part(SHARE_OF_IMPROVING));
@@ -92,7 +90,7 @@ fn of_ring(
     bound: f64,
     watch: &mut dyn Watch,
 ) -> Result<Option<Found>, TriangulateError> {
-    // A large table is filled once: what comes out is the answer if nothing better is found.
+    // A large table is filled once; its result stands unless the search finds a better one.
     let is_large = polygon::is_large(chains, chains.len(0) + chains.len(1) + 2);
     let worth = if is_large { bound } else { bound.min(WORTH_A_BOUND) };
     let first = search::first(chains, worth, &mut Part::new(watch, 0.0..0.1))?;
@@ -102,7 +100,7 @@ fn of_ring(
     if let Some(triangles) = triangles {
         return Ok(Some(Found { triangles, lower_bound }));
     }
-    // Where nothing is left open, there is none.
+    // Without an open lower bound, there is no triangulation.
     if lower_bound.is_none() {
         return Ok(None);
     }

@@ -60,19 +60,19 @@ pub(super) struct Pockets {
     by_end: Vec<f64>,
     /// The N of the side between two places, at s · n + q.
     means: Vec<Vec3>,
-    /// Whether all runs are worked out: else the long ones have no price, since there was no more
-    /// work to be done.
+    /// Whether all runs are computed: else the long ones have no price, since the work limit ended
+    /// the table.
     pub(super) are_all: bool,
 }
 
 impl Pockets {
-    /// What the tables of a chain take, bytes.
+    /// Memory of the tables of a chain, bytes.
     pub(super) fn memory_needed(n: usize) -> u64 {
         let entry = 2 * size_of::<f64>() + size_of::<Vec3>() + size_of::<Side>();
         (n as u64) * (n as u64) * entry as u64
     }
 
-    /// The pockets of a walk up to the price `bound`, as far as there is work left to be done.
+    /// The pockets of a walk up to the price `bound`, as far as the work limit allows.
     /// `closes(s, q)` says whether the rung between two places may close off the run from the first
     /// on to the second.
     pub(super) fn new(
@@ -199,8 +199,8 @@ impl Pockets {
         }
     }
 
-    /// The k of E(s,q) as its distance from s: of equal prices the one with the shortest way over
-    /// k, then the first.
+    /// The k of E(s,q) as its distance from s: of equal prices the k with the shortest way, then
+    /// the first.
     fn chosen(&self, chains: &Chains<'_>, walk: &Walk, s: usize, length: usize) -> Option<usize> {
         let n = self.n;
         let q = (s + length) % n;
@@ -222,8 +222,8 @@ impl Pockets {
     }
 }
 
-/// The least of first + second + F below `below`, element by element, and where it is. F is
-/// never negative and dear, so it is worked out only where the sum does not decide.
+/// The least of first + second + F below `below`, element by element, and its place. F is never
+/// negative and expensive, so it is computed only where the sum does not decide.
 #[inline]
 pub(super) fn least_of(
     first: &[f64],
@@ -244,7 +244,7 @@ pub(super) fn least_of(
             }
         }
     };
-    // The shortest step and the first one are good guesses, and spare most of the others their F.
+    // The shortest step and the first one are good guesses, which spare most others their F.
     if let [a, .., b] = first
         && let [c, .., d] = second
     {

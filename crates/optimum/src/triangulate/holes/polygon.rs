@@ -10,25 +10,25 @@ use std::collections::BTreeMap;
 
 /// Steps for a sum of the table with folds, on a chain.
 const FOLDED_SUM: u64 = 10;
-/// A table that takes more than one part in so many of the work that is left is large.
+/// A table is large if it takes more than the remaining work divided by this.
 const LARGE: u64 = 4;
 
-/// Cases of rungs used from both banks that are tried at the most.
+/// Limit of the cases of rungs used from both banks.
 const MOST_CASES: usize = 200;
-/// Tables at the most for a surface that is to be found soon.
+/// Limit of the tables for a quick surface.
 const MOST_QUICK: usize = 4;
 /// Such a table that takes no more steps than this, a twentieth of a second, is filled even where
 /// no work is left.
 const SMALL: u64 = 50_000_000;
 
-/// The cheapest triangulation of the only chain that is a surface, or one that is found soon;
-/// `None` if there is none up to `bound`, or none was found.
+/// The cheapest triangulation of the only chain that is a surface, or a quick one; `None` if there
+/// is none up to `bound`, or none was found.
 ///
 /// Without a plane, the cheapest of all may use a rung from both banks of a cut, which is no
-/// surface. Then there are two cases, with one of the two barred, and the cheapest case is tried
-/// first. Where tables are large, or not enough work is left for two of them, one of the two is
-/// barred wherever a rung is used from both banks, all at once: that finds a surface after a few
-/// tables, mostly.
+/// surface. Then there are two cases, with the rung barred from one of the banks, and the cheapest
+/// case is tried first. Where tables are large, or the remaining work does not suffice for two of
+/// them, all such rungs are barred from one bank at once: that mostly gives a surface after a few
+/// tables.
 pub(super) fn solve_simple(
     chains: &Chains<'_>,
     bound: f64,
@@ -60,8 +60,8 @@ pub(super) fn solve_simple(
     Ok(None)
 }
 
-/// A surface that is found soon, from a triangulation that uses rungs from both banks of a cut;
-/// `None` if none is found with a few tables, as many as there is work left for.
+/// A quick surface from a triangulation that uses rungs from both banks of a cut; `None` if a few
+/// tables, as many as the work limit allows, do not find one.
 fn quickly(
     mut case: Chains<'_>,
     mut solved: Solved,
@@ -100,8 +100,8 @@ fn by_samples(chains: &Chains<'_>, solved: Solved) -> Solved {
     Solved { triangles, ..solved }
 }
 
-/// Pairs of rungs between different places that join the same samples, in the order in which the
-/// triangles come upon them.
+/// Pairs of rungs between different places that join the same samples, in the order of the
+/// triangles.
 fn used_twice(chains: &Chains<'_>, places: &[[usize; 3]]) -> Vec<[[usize; 2]; 2]> {
     let mut twice = Vec::new();
     let mut of_samples: BTreeMap<[usize; 2], [usize; 2]> = BTreeMap::new();
@@ -152,17 +152,17 @@ fn solve(
     }))
 }
 
-/// What a table on a chain of so many places takes at the least, steps: each of its sums.
+/// Least work of a table on a chain of so many places, steps: each of its sums.
 fn least_steps(places: usize) -> u64 {
     (places as u64).pow(3) / 6
 }
 
-/// What a table on a chain of so many places takes at the most, steps.
+/// Most work of a table on a chain of so many places, steps.
 fn most_steps(terms: &Terms<'_>, places: usize) -> u64 {
     least_steps(places) * if terms.folds() { FOLDED_SUM } else { 1 }
 }
 
-/// Whether the table on a chain of so many places may take a large part of the work that is left.
+/// Whether the table on a chain of so many places may take a large part of the remaining work.
 pub(super) fn is_large(chains: &Chains<'_>, places: usize) -> bool {
     most_steps(chains.terms, places) > chains.work.left() / LARGE
 }
@@ -170,10 +170,10 @@ pub(super) fn is_large(chains: &Chains<'_>, places: usize) -> bool {
 /// The triangles of the cheapest triangulation of a chain of these samples, numbered in order, and
 /// its price; `None` if there is none up to `bound`.
 ///
-/// Members of a chain have no numbers in order, for which the table with folds takes about ten
-/// times as long. Where that is a large part of the work, the chain is taken for a loop in order
-/// first, which leaves out the folds at its cuts. What comes out is a bound for the table, or,
-/// where no bound leaves little to look at, the answer: good, and not the cheapest.
+/// Members of a chain are not numbered in order, and for those the table with folds takes about ten
+/// times as long. Where that is a large part of the work, the chain is first treated as a loop in
+/// order, which leaves out the folds at its cuts. The result is a bound for the table; or, where
+/// the bound would prune too little, it is the answer: good, and not the cheapest.
 fn solve_on_chain(
     chains: &Chains<'_>,
     terms: &Terms<'_>,
@@ -200,7 +200,7 @@ fn solve_on_chain(
         }
         bound = price;
     }
-    // Far from developable the table takes all sums; below a low bound, few are left.
+    // Far from developable the table needs all sums; below a low bound, few.
     chains.work.count(if bound < WORTH_A_BOUND { sums } else { all });
     if bound < f64::INFINITY {
         optimal::solve_within(terms, bound, &mut Part::silent(watch))

@@ -1,14 +1,13 @@
-//! The optimum of a domain with several holes, or how far from it the best known triangulation can
-//! be.
+//! The optimum of a domain with several holes, or a lower bound on it.
 //!
 //! The bound of [`super::bound`] drops all triangles that no cheaper triangulation has; mostly none
-//! are left, and the best known triangulation is proven optimal. What is left otherwise is
-//! searched: beginning at an edge of the boundary, the side that waits for a triangle and has the
-//! fewest to choose from gets one after the other, and the bound is raised anew. A surface that
-//! grows to the end this way is cheaper than the best, and is checked to be one: without a plane,
-//! the relaxation also admits holes that are closed by a lid of their own, and the like. The search
-//! ends when there is no work left to be done; then the lowest bound of what was not searched is
-//! the lower bound.
+//! are left, and the best known triangulation is proven optimal. Otherwise branch and bound
+//! searches the triangles that are left: beginning at an edge of the boundary, the open side with
+//! the fewest triangles to choose from gets one after the other, and the bound is raised anew. A
+//! complete surface is cheaper than the best known one, and is checked to be a surface: without a
+//! plane, the relaxation also admits holes that are closed by lids of their own, and the like.
+//! Where the work limit ends the search, the lowest bound of the branches not searched is the lower
+//! bound.
 
 use super::super::{Solved, TriangulateError};
 use super::Part;
@@ -20,17 +19,17 @@ use crate::cost::EXACT_BELOW;
 use sheetwright_geometry::watch::Watch;
 use std::collections::BTreeSet;
 
-/// The share of the work that is left which sweeps may take before the search begins.
+/// The share of the remaining work for sweeps before the search begins.
 const SHARE_OF_SWEEPS: f64 = 0.5;
 /// Steps for each step of the search, beside the triangles that it looks at.
 const OF_STEP: u64 = 1000;
-/// Sweeps at the most before the search begins, and at each of its steps.
+/// Limits of the sweeps before the search begins, and at each of its steps.
 const FIRST_SWEEPS: usize = 400;
 const SWEEPS: usize = 12;
-/// What of the difference a rung moves, in sixteenths: 8 leaves both sides as much, 16 leaves the
-/// side it comes from nothing. Of 8, 10, 12, 14 and 16, 12 closed the gap of panels with two to
-/// eight holes on a plane in the fewest sweeps. Without a plane, where triangles begin with less
-/// than nothing, 8 for the first sweeps and then 10 came farthest of the few that were tried.
+/// The part of the difference that a rung moves, in sixteenths: 8 leaves both sides equal, 16 moves
+/// all. Of 8, 10, 12, 14 and 16, 12 closed the gap of panels with two to eight holes on a plane in
+/// the fewest sweeps. Without a plane, where remaining prices begin negative, 8 for the first
+/// sweeps and then 10 gave the best bound of the few that were tried.
 const SHARE: i64 = 12;
 const SHARE_FIRST: i64 = 8;
 const SHARE_OPEN: i64 = 10;
@@ -38,8 +37,8 @@ const HALVING: usize = 40;
 /// Without a plane, this part of the price to beat is taken off every triangle at the beginning: a
 /// lid over a hole saves four of them.
 const FOR_COUNT: i64 = 4;
-/// Without a plane, with so many times as many triangles as are needed and more of them than this,
-/// a search would come to nothing.
+/// Without a plane, no search is tried if more triangles are left than this many times those of a
+/// triangulation, and than [`SEARCHED`]: it would not end.
 const HOPELESS: usize = 40;
 const SEARCHED: usize = 20_000;
 /// Sweeps that close less than a hundredth of the gap have stalled, or a thousandth without a
@@ -48,14 +47,14 @@ const STALLED: i64 = 100;
 const STALLED_OPEN: i64 = 1000;
 const ENOUGH_STALLED: usize = 4;
 
-/// The best triangulation, and what no triangulation is cheaper than if that is not its own price.
+/// The best triangulation, and the lower bound if that is below its price.
 pub(super) fn prove(
     chains: &Chains<'_>,
     best: Solved,
     watch: &mut dyn Watch,
 ) -> Result<(Solved, Option<f64>), TriangulateError> {
     if best.price >= EXACT_BELOW {
-        // Its price is rounded itself, so that no whole number stands for it.
+        // A sum so large is rounded, so no whole number represents it.
         return Ok((best, Some(0.0)));
     }
     let chain = one_chain(chains, &best);
@@ -64,7 +63,7 @@ pub(super) fn prove(
     };
     let wanted = chains.terms.prices.len() + 2 * chains.chains.len() - 4;
     let mut left = relaxation.whole();
-    // Without a price on folds, pairs of triangles back to back cost nothing and undo it.
+    // Without a fold price, pairs of triangles back to back cost nothing and undo it.
     if !chains.has_plane() && chains.terms.prices.options().fold > 0.0 {
         left.take((relaxation.limit / FOR_COUNT).min(i64::MAX / 4 / wanted as i64), wanted);
     }
@@ -89,7 +88,7 @@ pub(super) fn prove(
     Ok((search.best, lower_bound))
 }
 
-/// Raises the bound by sweeps until it stalls; false if nothing below the limit is left.
+/// Raises the bound by sweeps until it stalls; false if no triangle below the limit is left.
 fn raise(
     chains: &Chains<'_>,
     relaxation: &Relaxation,
@@ -130,7 +129,7 @@ fn raise(
     Ok(true)
 }
 
-/// A surface on the way: its triangles, the sides it has walked and those that wait for another.
+/// A partial surface: its triangles, the sides it has walked, and the open ones.
 #[derive(Clone, Default)]
 struct Grown {
     triangles: Vec<u32>,
@@ -150,7 +149,7 @@ struct Search<'c, 'a> {
 }
 
 impl Search<'_, '_> {
-    /// Searches everything that contains what has grown so far.
+    /// Searches all triangulations that contain the partial surface.
     fn grow(
         &mut self,
         mut left: Left,
@@ -162,7 +161,7 @@ impl Search<'_, '_> {
                 return Ok(());
             };
             candidates.sort_by_key(|&t| (left.with(t), t));
-            // One after the other where there is no choice; a step down for each choice else.
+            // In this loop while there is no choice; else a recursive call for each choice.
             let [.., last] = candidates[..] else { return Ok(()) };
             for &triangle in &candidates[..candidates.len() - 1] {
                 let (mut left, mut grown) = (left.clone(), grown.clone());
@@ -186,8 +185,8 @@ impl Search<'_, '_> {
         grown.take(&self.relaxation, triangle)
     }
 
-    /// What can stand at the side that waits and has the fewest triangles to choose from; `None` if
-    /// nothing waits, nothing cheaper is left, or the search is given up.
+    /// The triangles for the open side with the fewest to choose from; `None` if no side is open,
+    /// no cheaper surface is left, or the search is given up.
     fn candidates(
         &mut self,
         left: &mut Left,
@@ -222,7 +221,7 @@ impl Search<'_, '_> {
         Ok(ways.into_iter().map(candidates).min_by_key(Vec::len))
     }
 
-    /// Takes a surface that is complete, if it is one and cheaper than the best.
+    /// Keeps a complete surface, if it is one and cheaper than the best.
     fn finish(&mut self, grown: &Grown) {
         let price: i64 = grown.triangles.iter().map(|&t| self.relaxation.prices[t as usize]).sum();
         let triangles: Vec<[usize; 3]> = grown

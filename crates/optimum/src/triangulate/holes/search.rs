@@ -1,10 +1,10 @@
-//! A good triangulation of a domain with several holes: cuts, and what each can be replaced by.
+//! A good triangulation of a domain with several holes, by local search over cuts.
 //!
 //! Any h joining rungs that tie h + 1 loops together cut the domain open into one chain, whose
-//! cheapest triangulation the table finds. From then on the triangulation is improved one cut at a
-//! time: h − 1 of its own rungs are kept as cuts, so that a ring is left, and the ring's cheapest
-//! triangulation ([`super::band`]) can only be as cheap or cheaper. Which rungs are kept changes
-//! from round to round; it ends when a round of each kind has brought nothing.
+//! cheapest triangulation the table finds. Then one cut at a time is replaced: h − 1 rungs of the
+//! triangulation are kept as cuts, so that a ring is left, and the cheapest triangulation of the
+//! ring ([`super::band`]) is no dearer. The kept rungs change from round to round; the search ends
+//! when a round of each kind has brought no gain.
 
 use super::super::{Solved, TriangulateError};
 use super::chains::{Chains, Spot};
@@ -18,8 +18,8 @@ pub(super) struct Sides {
 }
 
 impl Sides {
-    /// The sides of some triangles; `None` if one is used twice in the same direction, or is an
-    /// edge of the boundary as well: then they are no surface.
+    /// The sides of some triangles; `None` if a side is used twice in one direction, or is an edge
+    /// of the boundary as well: then they are no surface.
     pub(super) fn new(chains: &Chains<'_>, triangles: &[[usize; 3]]) -> Option<Self> {
         let mut far = BTreeMap::new();
         for &[a, b, c] in triangles {
@@ -85,8 +85,8 @@ impl Sides {
     }
 }
 
-/// The best triangulation that the replacement of cuts finds, beginning with `best`, as far as
-/// there is work left to be done.
+/// The best triangulation that the replacement of cuts finds within the work limit, beginning with
+/// `best`.
 pub(super) fn improved(
     chains: &Chains<'_>,
     mut best: Solved,
@@ -108,7 +108,7 @@ pub(super) fn improved(
     Ok(best)
 }
 
-/// Rounds of improvement at the most; two or three are usual.
+/// Limit of the rounds of improvement; two or three are usual.
 const MOST_ROUNDS: usize = 6;
 
 /// Which rungs are kept as cuts.
@@ -152,11 +152,11 @@ pub(super) fn first(
     if found.is_some() || chains.has_plane() || bound < f64::INFINITY {
         return Ok(found);
     }
-    // Any two samples may be joined: there always is one.
+    // Any two samples may be joined, so this always finds one.
     Ok(zigzag::nested(chains))
 }
 
-/// Replaces the cuts of one choice, one after the other; whether that made it cheaper.
+/// Replaces the cuts of one choice, one after the other; returns whether that lowered the price.
 fn improve(
     chains: &Chains<'_>,
     best: &mut Solved,

@@ -1,8 +1,8 @@
 //! How rungs wind round the hole of a band on a supporting plane.
 //!
-//! On the plane a rung is straight and has one way to go round the hole. A reference cut ⟨o,e⟩
-//! tells which: whether the rung crosses it and, where it begins at o or e, on which side of it it
-//! leaves. All of it is decided by exact predicates.
+//! On the plane a rung is straight and has one winding round the hole. A reference cut ⟨o,e⟩
+//! determines it: whether the rung crosses the cut and, where it begins at o or e, on which side of
+//! the cut it leaves. Exact predicates decide both.
 
 use super::chains::{Chains, Spot, in_sector};
 use super::pockets::Walk;

@@ -1,8 +1,8 @@
-//! Work that is counted, so that a search ends after a stated amount of it, with the same answer on
-//! every machine and however busy it is. A clock would not do that.
+//! Counted work, so that a search ends after a stated amount of it with the same answer on every
+//! machine, however busy. With a clock, the answer would vary.
 //!
-//! A *step* is about what it takes to compare a sum of two prices with the least one so far: a
-//! nanosecond on a core of 2020. Dearer things count as several.
+//! A *step* is about the time of comparing a sum of two prices with the least one so far: a
+//! nanosecond on a core of 2020. Slower operations count as several steps.
 
 use std::cell::Cell;
 
@@ -10,14 +10,14 @@ use std::cell::Cell;
 pub(super) const FOLD: u64 = 16;
 /// Steps for the price of a rung.
 pub(super) const SIDE: u64 = 40;
-/// Steps for asking whether a rung crosses a cut.
+/// Steps for testing whether a rung crosses a cut.
 pub(super) const CUT: u64 = 8;
-/// Steps for a triangle of the bound: it lies anywhere in memory, and is looked at and written.
+/// Steps for a triangle of the bound: it lies anywhere in memory, and is read and written.
 pub(super) const LOOK: u64 = 6;
 /// Steps for a new triangle of the bound.
 pub(super) const TRIANGLE: u64 = 100;
 
-/// What was done, steps, and whether more would have been.
+/// The steps done, and whether the limit cut the search short.
 #[derive(Default)]
 pub(in crate::triangulate) struct Tally {
     done: Cell<u64>,
@@ -34,7 +34,7 @@ impl Tally {
     }
 }
 
-/// What a search has done, and how far it may go.
+/// The steps that a search has done, and its limit.
 #[derive(Clone, Copy)]
 pub(in crate::triangulate) struct Work<'a> {
     tally: &'a Tally,
@@ -47,7 +47,7 @@ impl<'a> Work<'a> {
         Self { tally, end }
     }
 
-    /// A part of what is left, as a share of it.
+    /// A share of the remaining work.
     pub(in crate::triangulate) fn part(self, share: f64) -> Self {
         let done = self.tally.done();
         Self { end: done + (share * self.end.saturating_sub(done) as f64) as u64, ..self }
@@ -64,7 +64,7 @@ impl<'a> Work<'a> {
         self.end.saturating_sub(self.tally.done())
     }
 
-    /// Whether all that may be done is done: then the caller ends, and the search is cut short.
+    /// Whether the limit is reached: then the caller ends, and the search is cut short.
     #[inline]
     pub(super) fn is_out(self) -> bool {
         let is_out = self.tally.done() >= self.end;
@@ -74,12 +74,12 @@ impl<'a> Work<'a> {
         is_out
     }
 
-    /// Notes that more would have been done with more work.
+    /// Notes that the limit cut the search short.
     pub(super) fn cut_short(self) {
         self.tally.cut_short.set(true);
     }
 
-    /// How much of it is done, 0 ..= 1.
+    /// The share of the work that is done, 0 ..= 1.
     pub(super) fn share(self) -> f64 {
         (self.tally.done() as f64 / self.end.max(1) as f64).min(1.0)
     }

@@ -2,7 +2,7 @@
 //!
 //! Without a plane any two samples may be joined. A *zigzag* is a band between two loops whose
 //! steps each run along one edge; the cheapest is a shortest path through the lattice of all pairs,
-//! in one pass. It answers where no other triangulation was found before the work ended.
+//! in one pass. It is the result where the work ended before another triangulation was found.
 //!
 //! It is a surface for any number of loops of three or more samples each:
 //!
@@ -11,8 +11,8 @@
 //!    pairs of it that stand for the same samples would differ by a round along one chain, so that
 //!    one of them had a place 0; only (0,0) and (1,0) have one, and only the end, (m,k), comes back
 //!    to either. A rung joins two loops, so it is no edge.
-//! 2. Another loop goes into one triangle of what is there: a zigzag between that triangle and the
-//!    loop takes its place. Its rungs all end at samples that had no triangle before, so none is
+//! 2. Another loop goes into one of these triangles: a zigzag between that triangle and the loop
+//!    replaces it. Its rungs all end at samples that had no triangle before, so none is
 //!    used twice; each side of the triangle keeps one triangle on its inner side, and the fans at
 //!    its corners stay whole.
 //! 3. Where rungs without tangent planes are admitted, every rung has a price.

@@ -1,5 +1,5 @@
-//! The rungs near those of a triangulation of a thinned loop: where a good triangulation of the
-//! loop itself is looked for.
+//! The band of the table: the rungs near those of a triangulation of a thinned loop, among which a
+//! good triangulation of the whole loop is found.
 
 use crate::cost::{FarEnds, LANES};
 use std::ops::Range;
@@ -18,8 +18,8 @@ pub(super) struct Band {
 }
 
 impl Band {
-    /// What is near to these triangles between any of the samples: between the parts that they are
-    /// in, which begin with the samples that were kept, and the parts beside those.
+    /// The rungs near to these triangles between any of the samples: those between the parts of
+    /// their corners, which begin with the kept samples, and the parts beside those.
     pub(super) fn about(
         triangles: impl Iterator<Item = [usize; 3]>,
         kept: &[usize],
@@ -30,8 +30,7 @@ impl Band {
         Self::along(&parts, kept, m)
     }
 
-    /// What is near to these triangles between the samples that were kept, for a loop of `m`
-    /// samples.
+    /// The rungs near to these triangles between the kept samples, for a loop of `m` samples.
     pub(super) fn along(triangles: &[[usize; 3]], kept: &[usize], m: usize) -> Self {
         let n = kept.len();
         let mut part_of = vec![0; m];

@@ -20,7 +20,7 @@ pub(super) fn lowest(prices: &Lanes) -> f64 {
     reduced(prices, |a, b| if b < a { b } else { a })
 }
 
-/// What is left of all lanes where one of every two is.
+/// The reduction of all lanes by a function of two.
 #[inline(always)]
 fn reduced(prices: &Lanes, of_two: impl Fn(f64, f64) -> f64) -> f64 {
     let mut lanes = *prices;
@@ -34,8 +34,8 @@ fn reduced(prices: &Lanes, of_two: impl Fn(f64, f64) -> f64) -> f64 {
     lanes[0]
 }
 
-/// Whether products are added in one step: wide registers come with that, but for those of
-/// browsers.
+/// Whether products are added in one step, fused: processors with wide registers do that, browsers
+/// do not.
 #[inline(always)]
 pub(super) fn are_fused<S: pulp::Simd>() -> bool {
     !S::IS_SCALAR && !cfg!(target_family = "wasm")

@@ -1,20 +1,20 @@
-//! Between which bounds the N of many rungs lie, and what triangles with such sides cost at the
-//! least.
+//! Boxes around the N of many rungs, and lower bounds on the fold price F of triangles with such
+//! sides.
 //!
 //! With n the normal of a triangle whose three sides are rungs and s the sum of their N, its F is ν
 //! (3 − n · s) ≥ ν (3 − |s|) ≥ ν (9 − |s|²) / 6. As each N is a unit vector or zero, 9 − |s|² is at
-//! least the sum of the squares of what the three differ by, two at a time. Where one side is an
-//! edge of the boundary, 2 − |s| ≥ (4 − |s|²) / 4 is more than a sixth of the square of what the
-//! other two differ by. Of a triangle with two edges nothing is said; one without area costs 2 ν a
-//! rung, which is more than any of this.
+//! least the sum of the squared differences of the three, two at a time. Where one side is an edge
+//! of the boundary, 2 − |s| ≥ (4 − |s|²) / 4 is more than a sixth of the squared difference of the
+//! other two. The bound for a triangle with two edges is 0; one without area costs 2 ν a rung, more
+//! than all these bounds.
 //!
-//! Where it is known about which way n points, the share of each side, ν (1 − n · N) = ½ ν |n −
-//! N|², tells more.
+//! Where the direction of n is known approximately, the share of each side, ν (1 − n · N) =
+//! ½ ν |n − N|², gives a closer bound.
 
 use super::lanes::{highest, lowest};
 use crate::cost::{LANES, Lanes, QUANTUM};
 
-/// What N and F may lose to rounding, for ν = 1: some twenty operations on numbers up to 12.
+/// Rounding error of N and F at most, for ν = 1: some twenty operations on numbers up to 12.
 const SLACK: f64 = 1e-13;
 
 /// A box that the N of some rungs lie in.
@@ -26,7 +26,7 @@ pub(super) struct NormalBox {
 }
 
 impl NormalBox {
-    /// Of rungs of which nothing is known, or among which are edges of the boundary.
+    /// Of unknown rungs, or of rungs and edges of the boundary.
     pub(super) const ANY: Self =
         Self { least: [f64::NEG_INFINITY; 3], greatest: [f64::INFINITY; 3] };
 
@@ -34,7 +34,7 @@ impl NormalBox {
     pub(super) const NONE: Self =
         Self { least: [f64::INFINITY; 3], greatest: [f64::NEG_INFINITY; 3] };
 
-    /// Of what lies between these, by axis.
+    /// The box between these values, by axis.
     #[inline(always)]
     pub(super) fn between(least: [f64; 3], greatest: [f64; 3]) -> Self {
         Self { least, greatest }
@@ -45,7 +45,7 @@ impl NormalBox {
         (self.least, self.greatest)
     }
 
-    /// Takes in another box.
+    /// Extends this box to include another.
     #[inline(always)]
     pub(super) fn include(&mut self, other: &Self) {
         for axis in 0..3 {
@@ -76,7 +76,7 @@ impl NormalBox {
         }
     }
 
-    /// The square of what the N of one and of the other differ by at the least.
+    /// The least squared difference of an N in one box and an N in the other.
     #[inline(always)]
     fn apart_squared(&self, other: &Self) -> f64 {
         let mut sum = 0.0;
@@ -84,7 +84,7 @@ impl NormalBox {
             let above = self.least[axis] - other.greatest[axis];
             let below = other.least[axis] - self.greatest[axis];
             let gap = if above > below { above } else { below };
-            // No number where one box is any and the other has no rung: that adds nothing.
+            // NaN where one box is ANY and the other NONE: that adds nothing.
             sum += if gap > 0.0 { gap * gap } else { 0.0 };
         }
         sum
@@ -102,8 +102,8 @@ pub(super) fn least_fold(fold: f64, [a, b, c]: [&NormalBox; 3]) -> f64 {
 }
 
 /// The least F of triangles whose normals are no farther than `off` from `middle`, and whose sides
-/// have their N in these boxes, one each; an edge of the boundary has any. The share of a side is ν
-/// (1 − n · N) ≥ ½ ν |n − N|².
+/// have their N in these boxes, one each; the box of an edge of the boundary is ANY. The share of a
+/// side is ν (1 − n · N) ≥ ½ ν |n − N|².
 #[inline(always)]
 pub(super) fn least_fold_about(
     fold: f64,

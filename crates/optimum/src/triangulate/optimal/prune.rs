@@ -1,6 +1,6 @@
-//! Which tiles of the table may have finite entries, as far as the samples of their rows and
-//! columns tell: a lower bound on the price of any rung between two runs of neighbouring samples
-//! ([`Span::least`]), against the bound on the price of the answer.
+//! Pruning of tiles: a tile may have finite entries only if the lower bound on the price of any
+//! rung between two runs of neighbouring samples ([`Span::least`]), those of its rows and columns,
+//! does not exceed the upper bound on the price of the optimum.
 
 use super::band::Band;
 use crate::cost::{LANES, QUANTUM, Segment, TwistForm};
@@ -8,19 +8,19 @@ use crate::triangulate::Terms;
 use sheetwright_geometry::math::{Vec3, unit};
 use std::ops::Range;
 
-/// So many tiles beside one another are first looked at as one. With 8 or 16 of them the table of
+/// So many tiles beside one another are first bounded as one. With 8 or 16 of them the table of
 /// *wavy* with 50,000 samples takes 0.91 times as long where folds cost nothing, and 0.97 times
-/// else.
+/// otherwise.
 const LONG: usize = 16;
 
 /// Which tiles may have finite entries.
 pub(super) struct Open<'a> {
-    /// Only those with rungs of the band.
+    /// If given, only tiles with rungs of the band.
     pub(super) band: Option<&'a Band>,
-    /// What the samples of the tiles have in common; empty where that tells nothing.
+    /// Common data of the samples of each row of tiles; empty where it bounds nothing.
     spans: Vec<Span>,
-    /// The least that rungs between [`LONG`] rows of tiles and as many columns can cost, on and
-    /// above the diagonal; empty where spans tell nothing.
+    /// Lower bounds on the prices of rungs between [`LONG`] rows of tiles and as many columns, on
+    /// and above the diagonal; empty where spans bound nothing.
     of_long: Vec<Vec<f64>>,
     /// Entries above it are infinite; a multiple of the quantum.
     pub(super) bound: f64,
@@ -43,7 +43,7 @@ impl<'a> Open<'a> {
         Self { band, spans: spans_of(LANES), of_long, bound, samples: m }
     }
 
-    /// Tells every tile open that the band does not close: no spans are known.
+    /// Without spans, so that every tile is open that the band does not exclude.
     #[cfg(test)]
     pub(super) fn without_spans(self) -> Self {
         Self { spans: vec![], of_long: vec![], ..self }
@@ -54,7 +54,7 @@ impl<'a> Open<'a> {
         row + 1 >= column || (row, column) == (0, (self.samples - 1) / LANES)
     }
 
-    /// No rung of the tile of these rows and columns costs less, as far as spans tell.
+    /// Lower bound, by spans, on the price of a rung of the tile of these rows and columns.
     pub(super) fn least(&self, row: usize, column: usize) -> f64 {
         if self.has_edges(row, column) || self.spans.is_empty() {
             return 0.0;
@@ -74,19 +74,19 @@ impl<'a> Open<'a> {
         !is_dear && (self.has_edges(row, column) || self.band.is_none_or(is_near))
     }
 
-    /// Where the samples of a column of tiles lie, if spans tell.
+    /// The segment near which the samples of a column of tiles lie, if spans are known.
     pub(super) fn segment(&self, column: usize) -> Option<Segment> {
         self.spans.get(column).map(Span::segment)
     }
 }
 
-/// What rounding may add to lengths of differences of unit vectors.
+/// Rounding error of lengths of differences of unit vectors, at most.
 const SLACK: f64 = 1e-7;
-/// What rounding may add to the difference of two squared cosines.
+/// Rounding error of the difference of two squared cosines, at most.
 const COSINE_MARGIN: f64 = 1e-11;
 
-/// What the samples of a run have in common, to second order: positions are middle + τ t + r and
-/// tangents t + ξ k + q, with |τ| ≤ reach, |r| ≤ bow, |ξ| ≤ turn, |q| ≤ rest.
+/// The samples of a run to second order: positions are middle + τ t + r and tangents t + ξ k + q,
+/// with |τ| ≤ reach, |r| ≤ bow, |ξ| ≤ turn, |q| ≤ rest.
 #[derive(Clone, Copy)]
 pub(super) struct Span {
     middle: Vec3,
@@ -145,13 +145,13 @@ impl Span {
         Segment { ends, bow: self.bow + off }
     }
 
-    /// How far a sample may be from the middle, and a tangent from t.
+    /// The largest distance of a sample from the middle, and of a tangent from t.
     fn off(&self) -> (f64, f64) {
         (self.reach + self.bow, self.turn + self.rest)
     }
 
-    /// The direction of t × d over the rungs from this run along about `d` to the run `to`, and
-    /// how far it may be from that; `None` if it may be any.
+    /// The direction of t × d over the rungs from this run along about `d` to the run `to`, and the
+    /// largest distance from it; `None` if all directions are possible.
     ///
     /// With d = d₀ + τ′ t′ + r′ − τ t − r, and as t × t = 0,
     /// (t + ξ k + q) × d = t × d₀ + τ′ t × t′ + t × (r′ − r) + ξ k × (d − τ t …) + q × d.
@@ -180,7 +180,7 @@ impl Span {
         plain.then(|| (normal, across / left + SLACK))
     }
 
-    /// No rung to another run costs less, as far as the spans tell.
+    /// Lower bound on the price of any rung to another run.
     pub(super) fn least(&self, to: &Self) -> f64 {
         let d = to.middle - self.middle;
         let length = d.length();

@@ -1,4 +1,4 @@
-//! The table itself, in which order its tiles are filled, and the way back.
+//! The table: its tiles, the order in which they are filled, and the trace of the optimum.
 
 mod between;
 mod entries;
@@ -23,18 +23,17 @@ use sheetwright_geometry::math::Vec3;
 use sheetwright_geometry::watch::Watch;
 use std::ops::Range;
 
-/// So many columns of tiles are filled together: the tiles to the left in the same rows, which all
-/// of them need, then come from the processor's cache for all but the first. Alone, with folds, the
-/// cone takes 1.7 times as long at 10,000 samples, where 7 % of all tiles are kept; random curves
-/// and the twisted strip 1.2 to 2.1 times at 3,200, where 38 to 67 % are.
+/// So many columns of tiles are filled together: the tiles to the left in these rows, which all of
+/// them need, then come from the processor's cache for all but the first. One column at a time,
+/// with folds, the cone takes 1.7 times as long at 10,000 samples, where 7 % of all tiles are kept;
+/// random curves and the twisted strip 1.2 to 2.1 times at 3,200, where 38 to 67 % are.
 const GROUP: usize = 8;
-/// With fewer samples it takes longer, on the whole, to look first at what the rest of the loop
-/// costs than that saves: at 400 a strip takes 0.65 times as long with it, but random curves 1.1 to
-/// 1.3 times.
+/// With fewer samples, the completion bound takes longer on the whole than it saves: at 400 a strip
+/// takes 0.65 times as long with it, but random curves 1.1 to 1.3 times.
 const LEAST_OUTSIDE: usize = 640;
-/// The share of the time that it takes, about.
+/// Its share of the time, about.
 const SHARE_OF_OUTSIDE: f64 = 0.3;
-/// The share of a length that rounding may take off it.
+/// Rounding error of a length at most, as a share of it.
 const SLACK: f64 = 1e-12;
 
 /// The table in tiles of [`LANES`] rows by as many columns, on and above the diagonal.
@@ -45,15 +44,15 @@ pub(super) struct Table<'a> {
     folds: bool,
     /// Whether samples are numbered in order, so that many triangles can be priced at once.
     in_order: bool,
-    /// The widest that the processor has.
+    /// The widest registers of the processor.
     pub(super) registers: pulp::Arch,
-    /// What is known of the rest of the loop beside each rung.
+    /// Lower bounds on the price of the rest of the loop beside each rung.
     outside: Option<CompletionBound>,
 }
 
 /// The ways from one sample to another over those of a column of tiles.
 struct Ways<'t> {
-    /// How long they are at the least, mm.
+    /// Lower bound on their lengths, mm.
     least: f64,
     at: usize,
     /// With E of their first halves.
@@ -77,9 +76,9 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// Fills the table with all entries that may be part of a triangulation up to `bound`, those of
-    /// rungs outside the band excepted, and returns the price of the answer. `share` is the part of
-    /// the progress that this is.
+    /// Fills the table with all entries that may be part of a triangulation up to the price
+    /// `bound`, except those of rungs outside the band, and returns the price of the optimum.
+    /// `share` is the range of the progress for this.
     pub(super) fn fill(
         &mut self,
         bound: f64,
@@ -104,8 +103,8 @@ impl<'a> Table<'a> {
         self.fill_open(&open, watch, start..share.end)
     }
 
-    /// Fills the tiles that are open, and returns the price of the answer. `share` is the part of
-    /// the progress that this is.
+    /// Fills the open tiles, and returns the price of the optimum. `share` is the range of the
+    /// progress for this.
     pub(super) fn fill_open(
         &mut self,
         open: &Open<'_>,
@@ -128,7 +127,7 @@ impl<'a> Table<'a> {
         Ok(self.entry(0, self.m - 1))
     }
 
-    /// Refuses tiles that do not fit the memory.
+    /// Refuses tiles that exceed the memory limit.
     fn fit(&mut self) -> Result<(), TriangulateError> {
         let limit = self.terms.memory;
         if self.bytes() > limit {
@@ -138,14 +137,14 @@ impl<'a> Table<'a> {
         Ok(())
     }
 
-    /// Forgets all entries, and gives back memory where another needs it, bytes.
+    /// Clears all entries, and releases memory if another table needs so much, bytes.
     pub(super) fn clear_for(&mut self, another: u64) {
         self.store.clear();
         let taken = self.terms.visibility.bytes() + another;
         self.store.shrink_to(self.terms.memory.saturating_sub(taken));
     }
 
-    /// What it takes, with who sees whom and what is known of the rest of the loop, bytes.
+    /// Memory, with visible pairs and completion bounds, bytes.
     pub(super) fn bytes(&self) -> u64 {
         self.store.bytes() + self.terms.visibility.bytes() + self.outside_bytes()
     }
@@ -162,13 +161,13 @@ impl<'a> Table<'a> {
         self.outside.as_ref().is_none_or(has_some) && open.is_open(row, column)
     }
 
-    /// Whether it is looked at what the rest of the loop costs, where memory allows.
+    /// Whether the completion bound is computed, where memory allows.
     fn has_outside(&self) -> bool {
         self.folds && self.in_order && self.m >= LEAST_OUTSIDE
     }
 
-    /// Fills the tiles that are open, beside `outside`: lower bounds on what the rest of the loop
-    /// costs, or none. Returns the price of the answer.
+    /// Fills the open tiles, with the lower bounds `outside` on the price of the rest of the loop,
+    /// if any. Returns the price of the optimum.
     #[cfg(test)]
     pub(super) fn fill_beside(
         &mut self,
@@ -271,8 +270,7 @@ impl<'a> Table<'a> {
         let price = self.price_below(i, j);
         let is_known = price < f64::INFINITY;
         let mut chosen = (price, f64::INFINITY, usize::MAX);
-        // On flat stretches all are equal, and most are a long way round: the shortest ways come
-        // first.
+        // On flat stretches all prices tie, and most ways are long: the shortest come first.
         for Ways { least, at, own, beyond } in self.ways(i, j, price, reaches) {
             if is_known && least > chosen.1 {
                 break;
@@ -283,7 +281,7 @@ impl<'a> Table<'a> {
                 if sum > chosen.0 || sum == f64::INFINITY {
                     continue;
                 }
-                // None is cheaper than what is known, nor than its own sum.
+                // No sum is below the known price, nor below its own least.
                 let detour = self.terms.prices.detour(i, k, j);
                 if (is_known || sum == chosen.0) && detour > chosen.1 {
                     continue;
@@ -298,8 +296,8 @@ impl<'a> Table<'a> {
         chosen.2
     }
 
-    /// The tiles with the sums that E(i,j) may be the least of, the shortest ways first; not those
-    /// whose sums are more than `price`.
+    /// The tiles whose sums may be the least of E(i,j), the shortest ways first; without those
+    /// whose sums exceed `price`.
     fn ways(&self, i: usize, j: usize, price: f64, reaches: &[f64]) -> Vec<Ways<'_>> {
         let columns = self.store.beside(i / LANES).iter().map(|at| *at as usize);
         let mut ways: Vec<Ways<'_>> = columns
@@ -320,8 +318,8 @@ impl<'a> Table<'a> {
         ways
     }
 
-    /// What the triangle below the rung ⟨i,j⟩ and all below that cost in E(i,j): without the rung's
-    /// own price, as far as sums are exact, and infinite where nothing is known.
+    /// E(i,j) without the price of the rung ⟨i,j⟩, as far as sums are exact: the triangle below it
+    /// and all below that; infinite where no entry is known.
     fn price_below(&self, i: usize, j: usize) -> f64 {
         let entry = self.entry(i, j);
         let is_exact = self.terms.rule == Rule::Sum && entry < EXACT_BELOW;

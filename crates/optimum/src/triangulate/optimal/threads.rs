@@ -1,9 +1,8 @@
-//! Threads that help the one that works out a table.
+//! Threads that help the one that computes a table.
 //!
-//! Helpers are called once for all that is to be shared, and look for something to do until nothing
-//! is left. The thread that called them, the *leader*, begins at once, so that a late helper costs
-//! no time until the end; only there does it wait for each. Without the feature `rayon` there are
-//! none.
+//! Helpers are called once for all shared work, and take parts of it until none is left. The thread
+//! that called them, the *leader*, begins at once, so that a late helper costs no time until the
+//! end, where the leader waits for each. Without the feature `rayon` there are none.
 
 #[cfg(feature = "rayon")]
 use std::{
@@ -12,17 +11,17 @@ use std::{
     sync::atomic::{AtomicUsize, Ordering},
 };
 
-/// Threads at the most, with the leader: of the table twice as many tiles are filled at a time, at
-/// the most.
+/// Limit of the threads, with the leader: at most twice as many tiles of the table are filled at a
+/// time.
 pub(super) const MOST_THREADS: usize = if cfg!(feature = "rayon") { 16 } else { 1 };
-/// Columns of tiles for each thread, at the least: with fewer it would mostly wait, for the tiles
-/// of a diagonal of the table are no more than the columns, and half as many in the mean.
+/// Least number of columns of tiles for each thread: with fewer it would mostly wait, since a
+/// diagonal has at most as many tiles as there are columns, and half as many in the mean.
 #[cfg(feature = "rayon")]
 const LEAST_COLUMNS: usize = 4;
 
 /// Helpers that leaders outside of the pool have called. A leader waits in the end for each that it
-/// called, so that one that helps another for long must not be called; leaders in the pool don't
-/// wait for those that have not begun.
+/// called, so it must not call one that helps another leader for long; leaders in the pool don't
+/// wait for helpers that have not begun.
 #[cfg(feature = "rayon")]
 static CALLED: AtomicUsize = AtomicUsize::new(0);
 
@@ -35,7 +34,7 @@ pub(super) struct Helpers {
 
 #[cfg(feature = "rayon")]
 impl Helpers {
-    /// As many of the pool as are of use for so many columns of tiles and free, if there are any.
+    /// As many free threads of the pool as so many columns of tiles can use, if there are any.
     pub(super) fn call(columns: usize) -> Option<Self> {
         let threads = (columns / LEAST_COLUMNS).min(MOST_THREADS);
         if threads > 1 { Self::up_to(threads - 1) } else { None }
@@ -62,7 +61,7 @@ impl Helpers {
         self.count
     }
 
-    /// Has each of them `help`, while this thread leads.
+    /// Calls `help` on each of them, while this thread calls `lead`.
     pub(super) fn join<R>(&self, help: impl Fn() + Sync, lead: impl FnOnce() -> R) -> R {
         rayon::in_place_scope(|scope| {
             for _ in 0..self.count {
@@ -82,8 +81,8 @@ impl Drop for Helpers {
     }
 }
 
-/// Starts the pool, unless it is; returns whether it runs. Where the system starts no threads, to
-/// ask `rayon` how many there are would panic.
+/// Starts the pool, unless it runs; returns whether it runs. Where the system starts no threads,
+/// asking `rayon` for their number would panic.
 #[cfg(feature = "rayon")]
 fn has_started() -> bool {
     static STARTED: OnceLock<bool> = OnceLock::new();

@@ -1,10 +1,10 @@
-//! The tiles of a table, and their memory, kept for the next one.
+//! The tiles of a table, and their memory, kept for the next table.
 //!
-//! Where a stretch of the boundary lies in a plane, all of its rungs are free, and so is whatever
-//! is put together of them: entries of zero that say nothing, as many as the pairs of its samples.
-//! Tiles that have no other entries and, where folds cost something, the same bits of N throughout
-//! are kept once for each N. In planes along the axes N has the same bits, in others it may differ
-//! in the last ones.
+//! Where a stretch of the boundary lies in a plane, all of its rungs cost nothing, and so do all
+//! triangulations of them: as many entries of zero as there are pairs of its samples. Tiles that
+//! have no other entries and, with a fold price, one N throughout to the last bit, are stored once
+//! for each N. In planes along the axes all N have equal bits, in others they may differ in the
+//! last ones.
 //!
 //! While a handle is dragged, and over many holes or panels, one table follows another of about the
 //! same size. Fresh memory comes page by page from the system, which took a seventh of the time. So
@@ -16,7 +16,7 @@ use crate::cost::{Aligned, LANES, Lanes};
 use std::cell::Cell;
 use std::collections::BTreeMap;
 
-/// What is more is given back, bytes: where that much is taken, filling it takes far longer.
+/// Limit of the memory kept, bytes: filling more takes far longer than to allocate it.
 const MOST_KEPT: u64 = 16 << 20;
 
 thread_local! {
@@ -38,12 +38,12 @@ pub(super) struct Sums {
 
 pub(super) struct Means {
     pub(super) rows: Aligned<[[Lanes; 3]; LANES]>,
-    /// Where those of finite entries lie, if that is known.
+    /// The box around the N of finite entries, if it is known.
     pub(super) within: NormalBox,
 }
 
 impl Tile {
-    /// What a tile takes, bytes, with or without N.
+    /// Memory of a tile, bytes, with or without N.
     pub(super) fn bytes(folds: bool) -> u64 {
         // It stands in a list that may have grown by doubling.
         let means = if folds { size_of::<Means>() } else { 0 };
@@ -66,7 +66,7 @@ impl Tile {
         self.means.as_ref().map(|means| &means.rows[i % LANES])
     }
 
-    /// Where the N of finite entries lie.
+    /// The box around the N of finite entries.
     #[inline(always)]
     pub(super) fn normals(&self) -> &NormalBox {
         self.means.as_ref().map_or(&NormalBox::ANY, |means| &means.within)
@@ -79,7 +79,7 @@ impl Tile {
 
     /// N, if it is the same for all rungs and all entries are zero; zero where none is stored.
     fn flat_mean(&self) -> Option<[f64; 3]> {
-        // The least first, which tells of most tiles.
+        // The least first, which decide for most tiles.
         let mut sums = self.sums.least.iter().chain(self.sums.entries.as_flattened());
         if sums.any(|&sum| sum != 0.0) {
             return None;
@@ -112,7 +112,7 @@ pub(super) fn least_bytes(count: usize) -> u64 {
     TilePool::slots(count) as u64 * size_of::<u32>() as u64
 }
 
-/// What a tile's column beside others takes, in a list that may have grown by doubling, bytes.
+/// Memory of a tile's entry in the list of columns, which may have grown by doubling, bytes.
 const PLACE_BYTES: u64 = 2 * size_of::<u32>() as u64;
 /// No tile.
 const NONE: u32 = u32::MAX;
@@ -121,11 +121,11 @@ const NONE: u32 = u32::MAX;
 pub(super) struct TilePool {
     folds: bool,
     tiles: Vec<Tile>,
-    /// Which of them stands where, or [`NONE`].
+    /// The number of the tile at each place, or [`NONE`].
     places: Vec<u32>,
-    /// How many places have one.
+    /// How many places have a tile.
     taken: usize,
-    /// Those that may stand in many places, by the bits of their N.
+    /// Flat tiles, which may stand in many places, by the bits of their N.
     flat: BTreeMap<[u64; 3], u32>,
     /// The columns of the tiles beside one another, in increasing order.
     beside: Vec<Vec<u32>>,
@@ -172,25 +172,25 @@ impl TilePool {
         }
     }
 
-    /// What it takes without the tiles to be used again, bytes.
+    /// Memory without the spare tiles, bytes.
     pub(super) fn bytes(&self) -> u64 {
         let places = least_bytes(self.beside.len()) + self.taken as u64 * PLACE_BYTES;
         places + self.bytes_of(self.tiles.len())
     }
 
-    /// Gives back what is to be used again where all together would take more than this, bytes.
+    /// Releases the spare tiles if all together would exceed this limit, bytes.
     pub(super) fn shrink_to(&mut self, limit: u64) {
         if self.bytes() + self.bytes_of(self.spare.len()) > limit {
             self.spare = Vec::new();
         }
     }
 
-    /// What so many tiles take, without places for them, bytes.
+    /// Memory of so many tiles, without their places, bytes.
     fn bytes_of(&self, tiles: usize) -> u64 {
         tiles as u64 * Tile::bytes(self.folds)
     }
 
-    /// Takes a tile that was filled. Those beside one another come from left to right.
+    /// Stores a filled tile. Tiles of a row come from left to right.
     pub(super) fn put(&mut self, row: usize, column: usize, tile: Tile) {
         if tile.is_empty() {
             self.spare.push(tile);

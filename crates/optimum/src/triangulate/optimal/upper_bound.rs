@@ -1,16 +1,16 @@
-//! The table of all rungs, below a price that is found first among few samples.
+//! The table of all rungs, below an upper bound that is found first among few samples.
 //!
-//! 1. Near to the rungs of a triangulation of the thinned loop, all that are near are priced and
-//!    put together: a band of the table. Next to a developable surface, its optimum costs a quarter
-//!    of what that of the thinned loop does, and is the cheapest triangulation of all or nearly so.
-//!    Where one step from few samples to more has shown that, the triangulation of the band is good
-//!    enough for the next step, and the table of the thinned loop, which takes several times as
-//!    long, is not filled. Where it does not come true one step later, it is.
-//! 2. Far from a developable surface, where the band is dearer than the thinned loop, its optimum
-//!    may have another shape than that of all samples; then the thinned loop is triangulated with
-//!    cheaper folds as well, and the cheaper of two bands is the bound.
+//! 1. All rungs near to those of a triangulation of the thinned loop are priced and combined: a
+//!    band of the table. Next to a developable surface, the optimum of the band costs a quarter of
+//!    that of the thinned loop, and is the cheapest triangulation of all or nearly so. Where one
+//!    step from few samples to more has shown that, the triangulation of the band serves for the
+//!    next step, and the table of the thinned loop, which takes several times as long, is not
+//!    filled. Where the next step shows the contrary, that table is filled after all.
+//! 2. Far from a developable surface, where the band is dearer than the thinned loop, the optimum
+//!    of the thinned loop may have another shape than that of all samples. Then the thinned loop is
+//!    triangulated with cheaper folds as well, and the cheaper of two bands is the bound.
 //! 3. If neither has a triangulation, the bound is guessed from the optimum of the thinned loop,
-//!    and raised until there is an answer below it.
+//!    and raised until there is a triangulation below it.
 
 use super::band::Band;
 use super::table::Table;
@@ -23,31 +23,32 @@ use sheetwright_geometry::watch::Watch;
 
 /// Loops with fewer samples are solved without a bound: it would cost more than it saves.
 const LEAST_THINNED: usize = 64;
-/// Of thinned loops with fewer samples, the cheapest triangulation is looked for in any case: that
+/// For thinned loops with fewer samples, the cheapest triangulation is computed in any case, which
 /// takes little.
 const LEAST_ROUGH: usize = 128;
-/// What costs up to so many times as much as the triangulation of the thinned loop near which it
-/// was found is taken to be nearly the cheapest. Next to a developable surface it is a quarter. Of
-/// random curves, some cost 0.31 to 0.46 times as much where another shape was far cheaper.
+/// A triangulation that costs up to so many times as much as that of the thinned loop near which it
+/// was found is taken to be nearly the cheapest. Next to a developable surface the ratio is a
+/// quarter. Some random curves had 0.31 to 0.46 where another shape was far cheaper.
 const NEAR: f64 = 0.3;
 /// [`NEAR`] for a triangulation that is found with cheaper folds: it is one guess of two, so it may
 /// cost as much as that of the thinned loop.
 const NEAR_WITH_CHEAPER_FOLDS: f64 = 1.0;
-/// Where the next band costs more than so many times as much, what was taken to be nearly the
+/// If the next band costs more than so many times as much, the triangulation taken to be nearly the
 /// cheapest was not.
 const NOT_NEAR: f64 = 0.5;
-/// A cheapest triangulation that costs as many times as much as the rough one, or more, leads to no
-/// other bound.
+/// A cheapest triangulation that costs at least so many times as much as the rough one does not
+/// lead to another bound.
 const CHEAPER: f64 = 0.95;
-/// How much more than that of the thinned loop the answer may cost, where its rungs lead to none.
+/// Guesses of the price of the optimum, as multiples of that of the thinned loop, where the band
+/// has no triangulation.
 const GUESSES: [f64; 2] = [1.3, 5.2];
-/// Where the table may not fit the memory, that of the thinned loop may take one part in so many of
-/// it: next to a developable surface the table has about six times as many tiles, elsewhere up to
-/// sixteen times, and at the least 3.7 times on the families and the planks of 2,600 to 16,000
-/// samples. Where all lies in one plane, flat tiles are stored once and it has 1.9 times as many:
-/// such a loop may be refused though it would just fit.
+/// Where the table may exceed the memory limit, that of the thinned loop may take one part in so
+/// many of it: next to a developable surface the table has about six times as many tiles, elsewhere
+/// up to sixteen times, and at least 3.7 times on the families and the planks of 2,600 to 16,000
+/// samples. Where all samples lie in one plane, flat tiles are stored once and it has 1.9 times as
+/// many: such a loop may be refused though it would just fit.
 const SHARE_OF_THINNED: u64 = 3;
-/// How many times what the table of the thinned loop takes the table is said to need where that is
+/// The memory of the table as a multiple of that of the thinned loop, for the error where that is
 /// refused.
 const GROWTH: u64 = 6;
 
@@ -61,7 +62,7 @@ pub(in crate::triangulate) fn solve_priced(
     fill_below(&mut table, &bounds, watch)
 }
 
-/// What the cheapest triangulation near to the rungs of these triangles costs, if that is less than
+/// The price of the cheapest triangulation near to the rungs of these triangles, if it is less than
 /// `bound`; else `bound`.
 pub(in crate::triangulate) fn price_near(
     terms: &Terms<'_>,
@@ -86,7 +87,7 @@ fn fill_below(
 ) -> Result<Option<Solved>, TriangulateError> {
     let mut left = 1.0;
     for &bound in &bounds.prices {
-        // How many bounds it takes is not known: each gets half of what is left of the progress.
+        // The number of bounds is not known: each gets half of the remaining progress.
         let share = 1.0 - left..1.0 - 0.5 * left;
         let price = table.fill(bound, None, watch, share)?;
         if price < f64::INFINITY {
@@ -97,15 +98,15 @@ fn fill_below(
     Ok(None)
 }
 
-/// A triangulation that costs little.
+/// A cheap triangulation.
 struct Rough {
     solved: Solved,
-    /// Whether none costs less.
+    /// Whether it is the cheapest.
     is_cheapest: bool,
 }
 
-/// One that costs up to `near` times as much as the one of still fewer samples near which it was
-/// found, or the cheapest; `None` if there is none.
+/// A triangulation that costs up to `near` times as much as the one of still fewer samples near
+/// which it was found, or the cheapest; `None` if there is none.
 fn roughly(
     terms: &Terms<'_>,
     near: f64,
@@ -122,12 +123,12 @@ fn roughly(
     Ok(solved.map(|solved| Rough { solved, is_cheapest: true }))
 }
 
-/// Bounds on the price of the answer.
+/// Upper bounds on the price of the optimum.
 struct Bounds {
-    /// To be tried one after the other; the last one holds, or is none.
+    /// To be tried one after the other; the last one is valid, or infinite.
     prices: Vec<f64>,
-    /// What the triangulation costs that the table holds, if it holds one, and that of the thinned
-    /// loop near which it was found.
+    /// The prices of the triangulation that the table holds, if it holds one, and of that of the
+    /// thinned loop near which it was found.
     held: Option<[f64; 2]>,
 }
 
@@ -148,9 +149,9 @@ struct Thinning<'t, 'a> {
     table: &'t mut Table<'a>,
     kept: Vec<usize>,
     thinned: Thinned,
-    /// Whether the table may not fit the memory.
+    /// Whether the table may exceed the memory limit.
     may_fail: bool,
-    /// What the table of the thinned loop may take at the most, bytes.
+    /// Memory limit of the table of the thinned loop, bytes.
     share: u64,
 }
 
@@ -166,7 +167,7 @@ impl<'t, 'a> Thinning<'t, 'a> {
 
     /// Bounds by way of the thinned loop; `None` if that has no triangulation.
     fn bounds(self, watch: &mut dyn Watch) -> Result<Option<Bounds>, TriangulateError> {
-        // The whole table of the thinned loop tells whether this one has a chance to fit.
+        // The whole table of the thinned loop shows whether this one has a chance to fit.
         let near = if self.may_fail { 0.0 } else { NEAR };
         let few = self.thinned.terms().within(self.left());
         let rough = roughly(&few, near, watch).map_err(|error| self.refused(error))?;
@@ -200,8 +201,8 @@ impl<'t, 'a> Thinning<'t, 'a> {
         Ok(Some(Bounds { prices, held }))
     }
 
-    /// What a triangulation costs near that of the thinned loop with cheaper folds, if it costs up
-    /// to `bound`; infinite if not, or where all that is near is near to the band that is known.
+    /// The price of a triangulation near that of the thinned loop with cheaper folds, if it is up
+    /// to `bound`; infinite if not, or if the known band covers the new one.
     fn with_cheaper_folds(
         self,
         known: &Band,
@@ -222,17 +223,17 @@ impl<'t, 'a> Thinning<'t, 'a> {
         }
     }
 
-    /// What is near to a triangulation of the thinned loop.
+    /// The band near to a triangulation of the thinned loop.
     fn band_of(&self, coarse: &Solved) -> Band {
         Band::along(&coarse.triangles, &self.kept, self.table.m)
     }
 
-    /// What is left for the table of the thinned loop, bytes.
+    /// The memory left for the table of the thinned loop, bytes.
     fn left(&self) -> u64 {
         self.table.terms.memory.saturating_sub(self.table.bytes()).min(self.share)
     }
 
-    /// What it means that the thinned loop was refused.
+    /// The error of this loop, from that of the thinned loop.
     fn refused(&self, error: TriangulateError) -> TriangulateError {
         match error {
             TriangulateError::TooLarge { needed, .. } => TriangulateError::TooLarge {

@@ -1,12 +1,12 @@
-//! The cheapest closed walk round a band, sought over sets of starts.
+//! The cheapest closed walk round a band, by branch and bound over sets of starts.
 //!
 //! For a set of starts, the cheapest path from any of them to the image of any other
-//! ([`super::sweep`]) is a lower bound on all of their walks, and the answer if it happens to
-//! close. Sets are halved between start and end until the cheapest path of all closes (branch and
-//! bound, as for circular shortest paths \[Appleton2003\]); a set that is no cheaper than a walk
-//! that is known is dropped. A few dozen sets are usual; at worst there is one for each pair. Where
-//! the work that may be done ends before, the best closed walk is the answer, and the cheapest path
-//! of the sets that are left is the lower bound.
+//! ([`super::sweep`]) is a lower bound on all of their walks, and the optimum if it closes. Sets
+//! are halved between start and end until the cheapest path of all closes (as for circular shortest
+//! paths \[Appleton2003\]). A set whose bound is not below the price of a known walk is dropped. A
+//! few dozen sets are usual; at worst there is one for each pair. Where the work limit ends the
+//! search, the result is the best closed walk, and the cheapest path of the remaining sets is the
+//! lower bound.
 
 use super::super::Part;
 use super::super::cover::{BandWalk, Starts};
@@ -17,15 +17,15 @@ use sheetwright_geometry::watch::Watch;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-/// The share of the work that sets of starts get; the rest is for closed walks where that was not
-/// enough.
+/// The share of the work for sets of starts; the rest is for closed walks where that did not
+/// suffice.
 const SHARE_OF_SETS: f64 = 0.8;
 
-/// What a search for the cheapest closed walk has found.
+/// The result of a search for the cheapest closed walk.
 pub(super) struct Sought {
-    /// The cheapest that is known.
+    /// The cheapest known walk.
     pub(super) walk: Option<BandWalk>,
-    /// What no closed walk is cheaper than, if one may be cheaper than that.
+    /// Lower bound on all closed walks, if it is below the price of that walk.
     pub(super) lower_bound: Option<f64>,
 }
 
@@ -88,7 +88,7 @@ impl Band<'_, '_> {
             (Starts { outer: (1, m - 1), inner: all }, 0.0),
         ];
         left *= 0.7;
-        // The least that a walk may cost from starts that were not sought.
+        // Lower bound on walks from starts that were not searched.
         let mut unsought = f64::INFINITY;
         loop {
             for (starts, least) in sets.drain(..) {
@@ -119,7 +119,7 @@ impl Band<'_, '_> {
         }
     }
 
-    /// What was found when no walk is cheaper than `least`, as far as all pockets are worked out.
+    /// The result if `least` is a lower bound on all walks, provided that all pockets are computed.
     fn sought(&self, walk: Option<BandWalk>, least: f64) -> Sought {
         let are_all = self.outer_pockets.are_all && self.inner_pockets.are_all;
         let least = if are_all { least } else { 0.0 };
@@ -127,9 +127,9 @@ impl Band<'_, '_> {
         Sought { walk, lower_bound: (!is_least).then_some(least) }
     }
 
-    /// The best closed walk that is known when not all starts could be sought: `open` has the
-    /// cheapest paths from those that were, the cheapest last. From where they begin, a few closed
-    /// walks more are sought with what work is left.
+    /// The result where not all starts could be searched: `open` has the cheapest paths from those
+    /// that were, the cheapest last. With the work that is left, a few more closed walks are
+    /// searched from where these begin.
     fn given_up(
         &self,
         open: Vec<Open>,

@@ -54,7 +54,7 @@ impl Band<'_, '_> {
 
     /// Goes through the pairs of a grid, column by column, and visits those whose rungs cost no
     /// more than `bound`: the column and the row, and the price. Returns whether it came to the
-    /// end: not where the work that may be done ends before.
+    /// end; false where the work limit ended it.
     #[inline(always)]
     fn each_join(
         &self,

@@ -1,8 +1,8 @@
-//! The loop as it is seen from afar: equation (5) for runs, from short bundles to long ones, and
-//! what that leaves for the rest of the loop, from long ones to short ones.
+//! The abstracted loop: equation (5) for runs, from short bundles to long ones, and the bounds on
+//! the rest of the loop, from long bundles to short ones.
 //!
 //! Both go through all triples of runs A < K < B for one A and K after the other, with sixteen B
-//! side by side, as the table does. What wide triangles pay at the least is worked out on the way
+//! side by side, as the table does. The lower bounds on wide triangles are computed on the way
 //! outwards, and kept.
 
 use super::cells::Cells;
@@ -14,8 +14,8 @@ use crate::triangulate::optimal::normals::{NormalBox, least_fold, least_fold_abo
 use crate::triangulate::{Terms, TriangulateError};
 use sheetwright_geometry::watch::Watch;
 
-/// What sums over all runs may gain on the prices of triangulations: by rounding, and by half a
-/// quantum for each triangle whose folds are rounded down; 4e-11 for 1,500 runs.
+/// By how much sums over all runs may exceed the prices of triangulations: by rounding, and by half
+/// a quantum for each triangle whose folds are rounded down; 4e-11 for 1,500 runs.
 const SLACK: f64 = 1e-10;
 
 /// Prices of a bundle with neither of its runs charged, the first, the second, and both: bit 0 says
@@ -43,7 +43,7 @@ fn set_lane(bundles: &mut Bundles, lane: usize, charged: Charged) {
     }
 }
 
-/// Takes the prices of a lane that are lower.
+/// Lowers the prices of a lane to these, where they are lower.
 #[inline(always)]
 fn lower_lane(bundles: &mut Bundles, lane: usize, price: impl Fn(usize) -> f64) {
     for at in 0..4 {
@@ -51,7 +51,7 @@ fn lower_lane(bundles: &mut Bundles, lane: usize, price: impl Fn(usize) -> f64) 
     }
 }
 
-/// What is known of a loop of runs.
+/// A loop of runs with its bounds.
 pub(super) struct Abstraction<'a> {
     /// ν.
     fold: f64,
@@ -64,12 +64,12 @@ pub(super) struct Abstraction<'a> {
     width: usize,
     /// By first run, and the groups of the second.
     rungs: Vec<Rungs>,
-    /// What the edges within a run are charged with third corners in another, by the first.
+    /// The charges of the edges within a run with third corners in another, by the first.
     charges: Vec<f64>,
 }
 
 impl<'a> Abstraction<'a> {
-    /// What it takes for so many runs, bytes.
+    /// Memory for so many runs, bytes.
     pub(super) fn bytes(runs: usize) -> u64 {
         let width = runs.div_ceil(LANES);
         let of_pair = size_of::<Direction>() + 2 * size_of::<f64>();
@@ -116,8 +116,8 @@ impl<'a> Abstraction<'a> {
         afar
     }
 
-    /// What is outside of all bundles with both runs charged inside, by first run, and of rungs
-    /// within a run; infinite where none is part of the answer.
+    /// R of all bundles with both runs charged inside, by first run, and of rungs within a run;
+    /// infinite where no rung is part of the optimum.
     pub(super) fn rests(&self, watch: &mut dyn Watch) -> Result<Vec<f64>, TriangulateError> {
         let n = self.cells.runs.len();
         let mut wide = Wide::new(n);
@@ -155,7 +155,7 @@ impl<'a> Abstraction<'a> {
         Ok(rests)
     }
 
-    /// What the edges within run a are charged with third corners in run x.
+    /// The charge of the edges within run a with third corners in run x.
     fn charge(&self, a: usize, x: usize) -> f64 {
         let edges = self.cells.runs.inner_edges(a);
         if edges == 0 {
@@ -166,16 +166,16 @@ impl<'a> Abstraction<'a> {
         if edges == 1 { of_edges } else { of_edges.min(self.nibble(a, x)) }
     }
 
-    /// Lower bound on what a triangle pays beyond a nibble: its corners are two samples of run a,
-    /// which are no neighbours, and one of x.
+    /// Lower bound on the price of a triangle beyond a nibble: its corners are two samples of run
+    /// a, which are no neighbours, and one of x.
     fn nibble(&self, a: usize, x: usize) -> f64 {
         let of_rungs = self.nibble_of_rungs(a, x);
         // One of its sides may be the edge to the next run.
         if a.abs_diff(x) == 1 { of_rungs.min(self.nibble_of_edge(a, x)) } else { of_rungs }
     }
 
-    /// Lower bound on what a triangle pays beyond a nibble of run a, with its third corner in x, if
-    /// all of its sides are rungs.
+    /// Lower bound on the price of a triangle beyond a nibble of run a, with its third corner in x,
+    /// if all of its sides are rungs.
     fn nibble_of_rungs(&self, a: usize, x: usize) -> f64 {
         let n = self.cells.runs.len();
         let (from, to) = (a.min(x), a.max(x));
@@ -192,16 +192,16 @@ impl<'a> Abstraction<'a> {
         0.5 * own.least + across.least + fold
     }
 
-    /// Lower bound on what a triangle pays beyond a nibble of run a, with its third corner in x, if
-    /// one of its sides is the edge between the runs.
+    /// Lower bound on the price of a triangle beyond a nibble of run a, with its third corner in x,
+    /// if one of its sides is the edge between the runs.
     fn nibble_of_edge(&self, a: usize, x: usize) -> f64 {
         let (own, across) = (self.cells.of(a, a), self.cells.of(a.min(x), a.max(x)));
         let fold = least_fold(self.fold, [&own.normals, &across.normals, &NormalBox::ANY]);
         0.5 * (own.least + across.least) + fold
     }
 
-    /// What is outside of a rung between two samples of one run: the triangle beyond it, what lies
-    /// below the other side of that, and what is outside of its bundle.
+    /// Lower bound on the price outside of a rung between two samples of one run: the triangle
+    /// beyond it, the part below the other side of that triangle, and R of its bundle.
     fn beyond_nibbles(&self, a: usize, inside: &[Bundles], outside: &[Bundles]) -> f64 {
         let n = self.cells.runs.len();
         let mut least = f64::INFINITY;
@@ -221,8 +221,8 @@ impl<'a> Abstraction<'a> {
         if least <= self.bound { least - SLACK } else { f64::INFINITY }
     }
 
-    /// What is inside of the edge between two runs: nothing is charged there, but that runs without
-    /// inner edges are at no cost.
+    /// Q of the edge between two runs: nothing is charged there, except runs without inner edges,
+    /// at no cost.
     #[inline(always)]
     fn edge(&self, a: usize, b: usize) -> Charged {
         let is_free = |run: usize| self.cells.runs.inner_edges(run) == 0;
@@ -231,7 +231,7 @@ impl<'a> Abstraction<'a> {
         [0.0, a, b, a + b]
     }
 
-    /// What the first and the second of two runs are charged in their bundle.
+    /// The charges of the first and the second of two runs in their bundle.
     #[inline(always)]
     fn charged(&self, a: usize, b: usize) -> [f64; 2] {
         let n = self.cells.runs.len();
@@ -244,8 +244,8 @@ fn lower_of(a: f64, b: f64) -> f64 {
     if b < a { b } else { a }
 }
 
-/// What is inside of a bundle, from what is inside of the two other sides of a triangle: their
-/// common run is charged in one of them.
+/// Q of a bundle, from the Q of the two other sides of a triangle: their common run is charged in
+/// one of them.
 #[inline(always)]
 fn joined(first: &Charged, second: &Charged, at: usize) -> f64 {
     let (of_first, of_second) = (at & FIRST, at & SECOND);
@@ -255,9 +255,9 @@ fn joined(first: &Charged, second: &Charged, at: usize) -> f64 {
     )
 }
 
-/// What is outside of the first side of a triangle, from what is inside of the second and outside
-/// of the one that spans both: the common run of the sides is charged in one of them, the far end
-/// of the second in that or farther out.
+/// R of the first side of a triangle, from Q of the second and R of the side that spans both: the
+/// common run of the sides is charged in one of them, the far end of the second in that or farther
+/// out.
 #[inline(always)]
 fn beside_first(second: &Charged, across: &Charged, at: usize) -> f64 {
     let of_first = at & FIRST;
@@ -268,9 +268,9 @@ fn beside_first(second: &Charged, across: &Charged, at: usize) -> f64 {
     )
 }
 
-/// What is outside of the second side of a triangle, from what is inside of the first and outside
-/// of the one that spans both: the common run of the sides is charged in one of them, the far end
-/// of the first in that or farther out.
+/// R of the second side of a triangle, from Q of the first and R of the side that spans both: the
+/// common run of the sides is charged in one of them, the far end of the first in that or farther
+/// out.
 #[inline(always)]
 fn beside_second(first: &Charged, across: &Charged, at: usize) -> f64 {
     let of_middle = if at & FIRST == 0 { SECOND } else { NEITHER };
@@ -281,8 +281,8 @@ fn beside_second(first: &Charged, across: &Charged, at: usize) -> f64 {
     )
 }
 
-/// Works out Q of all bundles that begin at run a, when that of later ones is known. A type rather
-/// than a closure, as that of the table.
+/// Computes Q of all bundles that begin at run a, from Q of later ones. A type rather than a
+/// closure, as that of the table.
 struct Outwards<'o, 'a> {
     afar: &'o Abstraction<'a>,
     a: usize,
@@ -299,7 +299,7 @@ impl pulp::WithSimd for Outwards<'_, '_> {
         let (n, width) = (afar.cells.runs.len(), afar.width);
         for k in a + 1..n {
             let (at, lane) = (a * width + k / LANES, k % LANES);
-            // All is known that is inside of the bundle to k, but for what is charged in it.
+            // Q of the bundle to k lacks only the charges in it.
             let mut first = if k == a + 1 { afar.edge(a, k) } else { of_lane(&inside[at], lane) };
             let [of_a, of_k] = afar.charged(a, k);
             if afar.cells.of(a, k).least > afar.bound {
@@ -366,8 +366,8 @@ impl pulp::WithSimd for Outwards<'_, '_> {
     }
 }
 
-/// Works out R of all bundles that begin at run a, when that of earlier ones is known, and what
-/// these say of later ones.
+/// Computes R of all bundles that begin at run a, from R of earlier ones, and lowers R of later
+/// ones.
 struct Inwards<'i, 'a> {
     afar: &'i Abstraction<'a>,
     a: usize,
@@ -383,7 +383,7 @@ impl pulp::WithSimd for Inwards<'_, '_> {
     fn with_simd<S: pulp::Simd>(self, _: S) {
         let Self { afar, a, wide, inside, outside } = self;
         let (n, width) = (afar.cells.runs.len(), afar.width);
-        // R of the bundles, with what is charged in them; and the least of each group.
+        // R of the bundles, with the charges in them; and the least of each group.
         let (mut through, mut least) = (vec![NEVER; width], vec![f64::INFINITY; width]);
         for k in (a + 1..n).rev() {
             let (at, lane) = (a * width + k / LANES, k % LANES);

@@ -1,17 +1,18 @@
-//! What is known of pairs of runs, and the blocks of neighbouring runs that threads take one after
-//! the other: what was gathered of the rungs between two tiles goes into the cells of its block.
+//! Cells, the bounds for pairs of runs, and the blocks of neighbouring runs that threads take one
+//! after the other: data gathered from the rungs between two tiles goes into the cells of its
+//! block.
 
 use super::runs::Runs;
 use crate::cost::{Aligned, FarEnds, LANES, Lanes, Strip};
 use crate::triangulate::optimal::normals::NormalBox;
 use std::ops::Range;
 
-/// What is known of two runs, a and b, which may be one.
+/// The bounds for two runs, a and b, which may be one run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Cell {
-    /// No rung between them costs less; infinite if there is none up to the bound.
+    /// Lower bound on the price of a rung between them; infinite if there is none up to the bound.
     pub(super) least: f64,
-    /// Where N of the rungs up to the bound lies.
+    /// A box around the N of the rungs up to the bound.
     pub(super) normals: NormalBox,
     /// Lower bounds on the price, with half of the prices of its rungs, of a triangle on an edge
     /// between samples of a with its third corner in b, and of one on an edge in b with its third
@@ -32,8 +33,8 @@ impl Cell {
     };
 }
 
-/// What the rungs from some samples of one run to those of a tile have in common, for each of the
-/// latter.
+/// Common bounds of the rungs from some samples of one run to those of a tile, for each sample of
+/// the tile.
 pub(super) struct Gathered {
     pub(super) prices: Aligned<Lanes>,
     pub(super) least: Aligned<[Lanes; 3]>,
@@ -113,7 +114,7 @@ impl Block<'_> {
         &mut self.cells[(a - self.first) * self.runs.len() + b]
     }
 
-    /// Takes what was gathered of run a and one column of tiles.
+    /// Merges the data gathered for run a and one column of tiles.
     pub(super) fn take(&mut self, a: usize, to: &FarEnds, gathered: &Gathered) {
         for lane in 0..to.count {
             let j = to.first + lane;
@@ -139,7 +140,7 @@ impl Block<'_> {
         }
     }
 
-    /// Takes the least prices of triangles on the edge before sample i, the first of a run, and of
+    /// Merges the least prices of triangles on the edge before sample i, the first of a run, and of
     /// one column of tiles.
     pub(super) fn take_link(&mut self, i: usize, to: &FarEnds, least: &Lanes) {
         let (before, run) = (self.runs.of(i - 1), self.runs.of(i));

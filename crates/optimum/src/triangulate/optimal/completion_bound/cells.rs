@@ -1,9 +1,9 @@
-//! What is known of all rungs between two runs, and of the triangles on edges of the one whose
-//! third corner lies in the other.
+//! Bounds for all rungs between two runs, and for the triangles on edges of one run whose third
+//! corner lies in the other.
 //!
 //! Each thread takes one *block* of neighbouring runs after the other, and prices the rungs from
-//! their samples to all later ones (`pricing`), row by row of tiles. The triangles on the edge from
-//! a block to the next are found by the former, so that no block needs another.
+//! their samples to all later ones (`pricing`), row by row of tiles. Each block also prices the
+//! triangles on the edge to the next one, so that no block depends on another.
 
 use super::blocks::{Block, Cell, blocks};
 use super::pricing::{LastRow, LastRung, Linking, Pricing, Row};
@@ -17,8 +17,8 @@ use sheetwright_geometry::watch::Watch;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-/// Rows of tiles in a block where threads share them, at the least: rungs from the first sample of
-/// the next are priced twice.
+/// Least number of rows of tiles in a block where threads share them: rungs from the first sample
+/// of the next block are priced twice.
 const LEAST_ROWS: usize = 4;
 /// Blocks for each thread, so that none waits long for the others.
 const BLOCKS_A_THREAD: usize = 8;
@@ -30,15 +30,15 @@ pub(super) struct Cells {
 }
 
 impl Cells {
-    /// What they take while they are priced, for so many runs of so many samples, with as many
-    /// threads as there may be, bytes.
+    /// Memory during pricing, for so many runs of so many samples, with as many threads as there
+    /// may be, bytes.
     pub(super) fn bytes(runs: usize, samples: usize) -> u64 {
         let of_tiles = size_of::<FarEnds>() + MOST_THREADS * size_of::<LastRow>();
         let of_pairs = (runs as u64).pow(2) * size_of::<Cell>() as u64;
         of_pairs + (samples.div_ceil(LANES) * of_tiles) as u64
     }
 
-    /// Prices all rungs that spans leave open.
+    /// Prices all rungs that spans do not exclude.
     pub(super) fn new(
         terms: &Terms<'_>,
         registers: pulp::Arch,
@@ -54,7 +54,7 @@ impl Cells {
         Self::in_blocks(terms, registers, open, runs, rows, helpers.as_ref(), watch)
     }
 
-    /// Prices all rungs that spans leave open, with this many rows of tiles in a block or some
+    /// Prices all rungs that spans do not exclude, with this many rows of tiles in a block or some
     /// more, and these helpers.
     pub(super) fn in_blocks(
         terms: &Terms<'_>,
@@ -103,7 +103,7 @@ impl Cells {
     }
 }
 
-/// What threads share that price all blocks.
+/// The data shared by the threads that price all blocks.
 struct All<'s, 'c> {
     terms: &'s Terms<'s>,
     registers: pulp::Arch,
@@ -115,7 +115,7 @@ struct All<'s, 'c> {
 }
 
 impl All<'_, '_> {
-    /// Prices blocks until none is left, or `goes_on` says no before some row of tiles.
+    /// Prices blocks until none is left, or `goes_on` returns false before some row of tiles.
     fn price(&self, goes_on: &mut dyn FnMut(usize) -> bool) {
         // The last row that was priced in each column of tiles.
         let mut above = vec![];
@@ -162,7 +162,7 @@ impl All<'_, '_> {
         }
     }
 
-    /// Finds what triangles on the edge after the last sample of a block cost.
+    /// Prices the triangles on the edge after the last sample of a block.
     fn link(&self, block: &mut Block<'_>, above: &[LastRow]) {
         let (terms, bound, row) = (self.terms, self.open.bound, block.rows.end);
         for column in row..self.ends.len() {

@@ -1,5 +1,5 @@
-//! How the rungs between the samples of two tiles are priced, and the triangles on edges of the
-//! boundary that they are sides of: sixteen at a time.
+//! Prices of the rungs between the samples of two tiles, and of the triangles on edges of the
+//! boundary with such rungs as sides: sixteen at a time.
 
 use super::blocks::{Block, Gathered};
 use crate::cost::{Aligned, FarEnds, LANES, Lanes, OnEdges, Strip};
@@ -7,9 +7,9 @@ use crate::triangulate::Terms;
 use crate::triangulate::optimal::lanes::{lowest, of_lane};
 use std::ops::Range;
 
-/// Numbers of the rungs from one sample to those of a tile, with that of the rung before them in
-/// front: on edges before samples of the tile each rung meets the one before. To move them by one
-/// lane takes longer than to read them at another place.
+/// Numbers of the rungs from one sample to those of a tile, preceded by that of the rung before
+/// them: triangles on edges of the tile combine each rung with the one before. To read them one
+/// place earlier is faster than to shift them by one lane.
 #[derive(Clone, Copy)]
 struct Numbers(Aligned<[f64; 2 * LANES]>);
 
@@ -66,7 +66,7 @@ impl Row {
         offsets: [Numbers::all(0.0); 3],
     };
 
-    /// Takes those of the last row of a tile, of which those before it matter no more.
+    /// Takes over the last row of a tile, whose rungs before the first one no longer matter.
     #[inline(always)]
     fn set_last(&mut self, row: &LastRow, offsets: impl Fn() -> Aligned<[Lanes; 3]>) {
         self.any = row.any;
@@ -154,7 +154,7 @@ impl LastRung {
 #[derive(Clone, Copy)]
 pub(super) struct LastRow {
     strip: Strip,
-    /// Whether any of them is up to the bound; else nothing else means anything.
+    /// Whether any of them is up to the bound; if not, the other fields are undefined.
     any: bool,
 }
 
@@ -173,8 +173,8 @@ fn price_up_to(terms: &Terms<'_>, bound: f64, i: usize, to: &FarEnds, strip: &mu
     lowest(&strip.prices) < f64::INFINITY
 }
 
-/// Takes the prices of triangles on edges of the boundary, with half of those of their rungs,
-/// `prices`, where they are lower than the least so far.
+/// Lowers the least prices to those of triangles on edges of the boundary, with half of the prices
+/// of their rungs, `prices`, where these are lower.
 #[inline(always)]
 fn lower_on_edges(least: &mut Lanes, fold: f64, prices: [&Lanes; 2], triangles: &OnEdges<'_>) {
     let mut rungs = [0.0; LANES];
@@ -203,7 +203,8 @@ fn beyond(i: usize, to: &FarEnds, prices: &Lanes) -> Lanes {
     beyond
 }
 
-/// How many of the sides to samples from `first` on are rungs, where those to `edges` are not.
+/// For samples from `first` on, how many of the two sides to each are rungs, if those to `edges`
+/// are not.
 #[inline(always)]
 fn rungs(first: usize, edges: [usize; 2]) -> Lanes {
     let mut rungs = [2.0; LANES];

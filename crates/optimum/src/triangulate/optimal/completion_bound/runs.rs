@@ -1,13 +1,13 @@
-//! The loop in runs of neighbouring samples, and which way rungs between two of them lead.
+//! The loop in runs of neighbouring samples, and the directions of rungs between two runs.
 
 use crate::triangulate::Terms;
 use sheetwright_geometry::math::{Vec3, unit};
 use std::ops::Range;
 
-/// Corners are runs of their own while they are at most one in so many runs: their rungs have
-/// normals to choose from, which would blur whatever run they shared.
+/// Corners are single runs while they are at most one in so many runs: their rungs have a choice of
+/// normals, which would loosen the bounds of a longer run.
 const RUNS_A_CORNER: usize = 4;
-/// Runs of neighbouring samples. The first sample, the last, and each corner are runs of their own.
+/// Runs of neighbouring samples. The first sample, the last, and each corner are single runs.
 pub(in crate::triangulate::optimal) struct Runs {
     /// The first sample of each run, and the number of samples.
     starts: Vec<u32>,
@@ -53,28 +53,28 @@ impl Runs {
         self.of[sample] as usize
     }
 
-    /// What it takes, bytes.
+    /// Memory, bytes.
     pub(super) fn bytes(&self) -> u64 {
         ((self.starts.len() + self.of.len()) * size_of::<u32>()) as u64
     }
 }
 
-/// A unit vector, and how far others may be from it.
+/// A unit vector, and the largest distance of others from it.
 #[derive(Clone, Copy)]
 pub(super) struct Direction {
     pub(super) middle: Vec3,
-    /// Infinite where nothing is known.
+    /// Infinite where no bound is known.
     pub(super) off: f64,
 }
 
 impl Direction {
     const ANY: Self = Self { middle: Vec3::ZERO, off: f64::INFINITY };
-    /// What is farther off, as a share of a length, says too little of its direction.
+    /// Limit of the distance, as a share of a length: beyond it, the direction is too uncertain.
     pub(super) const FARTHEST: f64 = 0.7;
     /// For δ of up to [`Self::FARTHEST`] |x|, the unit vectors of x and of x + δ differ by no more
     /// than so many times |δ| / |x|: 2 sin(½ asin(0.7)) / 0.7 is 1.081.
     pub(super) const OFF_OF_SHARE: f64 = 1.1;
-    /// What rounding may turn a direction by, far more than it does.
+    /// Upper bound on the effect of rounding on a direction, far above it.
     pub(super) const LEAST_OFF: f64 = 1e-7;
     /// A triangle with two corners this close to one another, as a share of the size of the loop,
     /// may have a normal that rounding turns by as much as a radian.
@@ -101,7 +101,7 @@ impl Direction {
     }
 }
 
-/// Where some vectors lie, by axis.
+/// The box around some vectors.
 #[derive(Clone, Copy)]
 struct Extent {
     least: [f64; 3],
@@ -127,18 +127,18 @@ impl Extent {
         extent
     }
 
-    /// The middle, and how far from it others are.
+    /// The middle, and the largest distance of the vectors from it.
     fn ball(&self) -> (Vec3, f64) {
         let [least, greatest] = [self.least, self.greatest].map(Vec3::from_array);
         ((least + greatest) * 0.5, ((greatest - least) * 0.5).length())
     }
 }
 
-/// Which way rungs lead from each run to itself and to each later one, by first run.
+/// The directions of rungs from each run to itself and to each later one, by first run.
 ///
-/// Two bounds are known, and the closer one is taken. From a ball around each run, where they are
-/// far apart; and, since a rung is the sum of the edges of the boundary between its ends, from all
-/// of those together, where the boundary hardly turns.
+/// The closer of two bounds is taken: one from a ball around each run, good for runs far apart; and
+/// one from the edges of the boundary between the ends of a rung, whose sum it is, good where the
+/// boundary hardly turns.
 pub(super) fn directions(terms: &Terms<'_>, runs: &Runs) -> Vec<Direction> {
     let n = runs.len();
     let at = |i: usize| Vec3::from_array(terms.prices.smooth_end(i).0);

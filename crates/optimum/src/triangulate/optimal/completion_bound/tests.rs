@@ -1,4 +1,5 @@
-//! Against what the rest of the loop costs in truth, and against the table without.
+//! The completion bound against the true price of the rest of the loop, and against the table
+//! without it.
 
 use super::super::{solve_priced, solve_within};
 use super::*;
@@ -16,7 +17,7 @@ use sheetwright_shapes::random::Random;
 use std::f64::consts::TAU;
 use three_run_bound::{Rungs, least_wide};
 
-/// What the rest of the loop costs in truth beside each rung ⟨i,j⟩, from E of all.
+/// The true price of the rest of the loop beside each rung ⟨i,j⟩, from E of all.
 fn rests_in_truth(terms: &Terms<'_>, full: &Table<'_>) -> Vec<f64> {
     let m = terms.prices.len();
     let sides: Vec<_> = (0..m * m).map(|at| (at / m, at % m)).collect();
@@ -45,9 +46,9 @@ fn rests_in_truth(terms: &Terms<'_>, full: &Table<'_>) -> Vec<f64> {
     rests
 }
 
-/// No rung has a rest of the loop that costs less than is said, if both are part of a triangulation
-/// up to a bound, and what is said changes nothing of the answer. Returns how many entries are left
-/// of how many, with the price as the bound.
+/// Checks that the bound is never above the true price of the rest of the loop, if the rung is part
+/// of a triangulation up to the upper bound, and that it does not change the optimum. Returns the
+/// number of entries left with the price as the upper bound, and that of all.
 fn check(terms: &Terms<'_>, length: usize, registers: pulp::Arch, what: &str) -> [usize; 2] {
     let mut full = Table::new(terms);
     let price = full.fill(f64::INFINITY, None, &mut Unwatched, 0.0..1.0).unwrap();
@@ -291,7 +292,7 @@ fn it_is_left_out_where_memory_is_short_and_stops_when_asked() {
         let (bound, mut plain) = (solved.price, Table::new(terms));
         let open = Open::new(terms, bound, None);
         plain.fill_beside(None, &open, &mut Unwatched).unwrap();
-        // What the table takes at last within so much memory, if that is enough.
+        // The final memory of the table within this limit, if the limit suffices.
         let taken = |memory: u64| {
             let few = terms.within(memory);
             let mut table = Table::new(&few);
@@ -405,7 +406,7 @@ fn rungs_of(terms: &Terms<'_>, [a, b, c]: [usize; 3]) -> f64 {
     [(a, b), (b, c), (a, c)].iter().map(|&(a, b)| f64::from(!terms.prices.neighbours(a, b))).sum()
 }
 
-/// What is taken for the fold price of a triangle with so many rungs on an edge, ν = 1.
+/// The close lower bound on the fold price of a triangle with so many rungs on an edge, ν = 1.
 fn hardly_less(fold: f64, rungs: f64) -> f64 {
     let cosine = (rungs - fold).max(0.0);
     let x = rungs * rungs - cosine * cosine;
@@ -421,7 +422,7 @@ fn cells_hold_what_their_rungs_and_triangles_cost() {
         let Some(boundary) = random_boundary(seed) else { continue };
         with_terms(&boundary, 1.0, |terms| {
             let m = terms.prices.len();
-            // Of dear rungs and triangles nothing is said.
+            // Dear rungs and triangles have no bound.
             let bound = 0.3;
             let open = Open::new(terms, bound, None);
             let cells =

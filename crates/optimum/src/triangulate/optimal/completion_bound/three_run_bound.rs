@@ -1,9 +1,9 @@
-//! What wide triangles pay at the least, from what the rungs of three bundles have in common.
+//! Lower bounds on the prices of wide triangles, from the bounds of three bundles.
 
 use super::runs::Direction;
 use crate::cost::{LANES, Lanes};
 
-/// The share that is taken off a price before it is rounded to single precision, which may add
+/// The share that a price is lowered by before it is rounded to single precision, which may add
 /// 2⁻²⁴.
 const ROUNDED: f64 = 1e-6;
 
@@ -11,12 +11,12 @@ const ROUNDED: f64 = 1e-6;
 #[derive(Clone, Copy)]
 #[repr(align(64))]
 pub(super) struct Rungs {
-    /// None costs less.
+    /// Lower bounds on their prices.
     pub(super) least: Lanes,
-    /// Where their N lie, by axis.
+    /// The boxes around their N, by axis.
     pub(super) lower: [Lanes; 3],
     pub(super) upper: [Lanes; 3],
-    /// Their directions, by axis, and how far off these may be.
+    /// Their directions, by axis, and the largest distance from these.
     pub(super) along: [Lanes; 3],
     pub(super) off: Lanes,
 }
@@ -30,7 +30,7 @@ impl Rungs {
         off: [f64::INFINITY; LANES],
     };
 
-    /// Those of one bundle, so many times.
+    /// Those of one bundle in all lanes.
     #[inline(always)]
     pub(super) fn all_like(&self, lane: usize) -> Self {
         let all = |of: &Lanes| [of[lane]; LANES];
@@ -45,16 +45,16 @@ impl Rungs {
     }
 }
 
-/// What wide triangles pay at the least, rounded down: for each first run and each second one, side
-/// by side, as many groups of third ones as from that of the first on.
+/// Lower bounds on the prices of wide triangles, rounded down: for each first and second run, the
+/// groups of third runs from the group of the first on, side by side.
 pub(super) struct Wide {
     prices: Vec<f32>,
-    /// Where those of each first run begin, and how many there are.
+    /// The places where those of each first run begin, and the number of all.
     starts: Vec<usize>,
 }
 
 impl Wide {
-    /// What they take for so many runs, bytes.
+    /// Memory for so many runs, bytes.
     pub(super) fn bytes(runs: usize) -> u64 {
         let width = runs.div_ceil(LANES);
         let of_first = |a: usize| ((runs - a - 1) * (width - a / LANES) * LANES) as u64;
@@ -101,17 +101,17 @@ impl Wide {
     }
 }
 
-/// How far a value is from an interval that it is so much above or below of.
+/// The distance of a value from an interval, from its distances above and below.
 #[inline(always)]
 fn gap_of(above: f64, below: f64) -> f64 {
     let gap = if above > below { above } else { below };
     if gap > 0.0 { gap } else { 0.0 }
 }
 
-/// What wide triangles cost at the least for ν = `fold`, of which these are the sides, `across` the
-/// one that spans the others: for their folds what the N of their sides leave, taken two at a time,
-/// as in `normals::least_fold`, or what their normals do, as in `normals::least_fold_about`, from
-/// the two sides that tell these best.
+/// Lower bounds on the prices of wide triangles with these sides for ν = `fold`; `across` spans the
+/// other two. Their folds are bounded by the N of their sides, two at a time, as in
+/// `normals::least_fold`, or by their normals, as in `normals::least_fold_about`, from the two
+/// sides that determine these best.
 #[inline(always)]
 pub(super) fn least_wide(fold: f64, first: &Rungs, second: &Rungs, across: &Rungs) -> Lanes {
     let mut apart = [0.0; LANES];
@@ -125,7 +125,7 @@ pub(super) fn least_wide(fold: f64, first: &Rungs, second: &Rungs, across: &Rung
             }
         }
     }
-    // The square of how far off it may be, as a share of its length.
+    // The square of its largest error, as a share of its length.
     let (mut normal, mut share) = ([[0.0; LANES]; 3], [f64::INFINITY; LANES]);
     for (one, other) in [(first, across), (first, second), (across, second)] {
         let (mut middle, mut shares) = ([[0.0; LANES]; 3], [0.0; LANES]);

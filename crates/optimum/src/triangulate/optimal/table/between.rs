@@ -5,14 +5,14 @@ use crate::triangulate::optimal::lanes::lowest;
 use crate::triangulate::optimal::normals::{NormalBox, least_fold};
 use crate::triangulate::optimal::tile_pool::Tile;
 
-/// The tiles between the rows and the column of a tile that is filled, as far as they were needed.
+/// The tiles between the rows and the column of a tile that is filled, as far as needed so far.
 pub(super) struct Between<'a> {
     pub(super) row: usize,
     column: usize,
     pub(super) found: Vec<Sides<'a>>,
-    /// The place, among the tiles beside one another, of the first that was not looked at.
+    /// The place, in the list of tiles of these rows, of the first that was not yet read.
     next: usize,
-    /// Where the N of the tile that is filled lie, as far as that is known.
+    /// The box around the N of the tile that is filled, as far as it is known.
     normals: NormalBox,
 }
 
@@ -22,7 +22,7 @@ pub(super) struct Sides<'a> {
     pub(super) at: usize,
     pub(super) own: &'a Tile,
     pub(super) beyond: &'a Tile,
-    /// The least that two entries, one of each, are together.
+    /// The least sum of two entries, one of each.
     sums: f64,
     /// Lower bound on the price of a triangle on two such sides: the least sum of two entries, with
     /// the least F.
@@ -60,9 +60,9 @@ impl Table<'_> {
         false
     }
 
-    /// Whether no sums below the rungs of the tile can be less than `limit`, for a tile without
-    /// edges ⟨i,i+1⟩: with k in its own rows or column, another of its entries would have to be
-    /// finite first, and the first of all has its k between.
+    /// Whether no sum below the rungs of the tile can be less than `limit`, for a tile without
+    /// edges ⟨i,i+1⟩: a k in its own rows or column needs another finite entry of the tile, and the
+    /// first such entry has its k between.
     #[inline(always)]
     pub(super) fn leaves_nothing<'a, const FOLDS: bool>(
         &'a self,
@@ -78,7 +78,7 @@ impl Table<'_> {
         true
     }
 
-    /// Takes into account where the N of the tile lie.
+    /// Updates the bounds by the box around the N of the tile.
     #[inline(always)]
     pub(super) fn know_normals(&self, between: &mut Between<'_>, normals: NormalBox) {
         between.normals = normals;

@@ -1,10 +1,9 @@
 //! The entries of a row of a tile, one after the other: E(i,j) with k among the samples of the
-//! tile's own column has E(i,k) of the same row.
+//! tile's own column depends on E(i,k) of the same row.
 //!
-//! Nearly all of these k are good for the triangle on the edge of the boundary from k to the sample
-//! after it, and for no other. So where folds cost something, F of those triangles is worked out
-//! for all j at once. What they lead to from left to right is known before any other k is looked
-//! at, and leaves little to be lower.
+//! Nearly all of these k matter only for the triangle on the edge of the boundary from k to the
+//! next sample. So with a fold price, F of those triangles is computed for all j at once. Their
+//! prices, from left to right, come before all other k, few of which are then lower.
 
 use super::Table;
 use super::least::Least;
@@ -15,7 +14,7 @@ use crate::triangulate::optimal::tile_pool::Tile;
 /// The rungs of a row of a tile.
 pub(super) struct RungsOfRow<'a> {
     pub(super) prices: &'a Lanes,
-    /// What the sums below each must be less than.
+    /// Upper limits of the sums below each.
     pub(super) below: &'a Lanes,
 }
 
@@ -34,9 +33,9 @@ impl RungsOfRow<'_> {
     }
 }
 
-/// What is known of the triangles i, j − 1, j on edges of the boundary, for all j of a row. Most of
-/// a triangulation are such, or have their edge at i, so F is worked out for all of them at once;
-/// and no other look is taken at them.
+/// The triangles i, j − 1, j on edges of the boundary, for all j of a row. Most triangles of a
+/// triangulation are such, or have their edge at i, so F is computed for all of them at once, and
+/// only here.
 pub(super) struct OnEdgesOfRow {
     folds: Aligned<Lanes>,
     /// E of the rung before the first of the row.
@@ -47,7 +46,7 @@ impl OnEdgesOfRow {
     pub(super) const NONE: Self =
         Self { folds: Aligned([f64::INFINITY; LANES]), before: f64::INFINITY };
 
-    /// Takes what is lower, from left to right.
+    /// Lowers the least sums to these, from left to right.
     #[inline(always)]
     pub(super) fn lower(&self, least: &mut Least<'_>, rungs: &RungsOfRow<'_>) {
         let mut entry = self.before;
@@ -61,8 +60,8 @@ impl OnEdgesOfRow {
 }
 
 impl Table<'_> {
-    /// The entries of a row, from left to right, as those to the left are their E(i,k) with k in
-    /// the column itself. `least` has looked at all other k.
+    /// The entries of a row, from left to right, since those to the left are E(i,k) with k in the
+    /// column itself. `least` holds the least sums over all other k.
     #[inline(always)]
     pub(super) fn entries_of_row<const FOLDS: bool, const FUSED: bool>(
         &self,
@@ -88,7 +87,7 @@ impl Table<'_> {
         entries
     }
 
-    /// What is known of the triangles i, j − 1, j.
+    /// The data of the triangles i, j − 1, j.
     #[inline(always)]
     pub(super) fn on_edges_of_row(&self, least: &Least<'_>, row: usize) -> OnEdgesOfRow {
         let (i, first) = (least.i, least.to.first);
@@ -107,7 +106,7 @@ impl Table<'_> {
         OnEdgesOfRow { folds: Aligned(least.fans.on_edges(before, rungs)), before: entry }
     }
 
-    /// Looks at the triangles i, k, j with k in the column of j, but for the j next to it.
+    /// Tests the triangles i, k, j with k in the column of j, except the j next to it.
     #[inline(always)]
     fn look_beyond_edge<const FUSED: bool>(
         &self,

@@ -1,5 +1,4 @@
-//! How a tile of the table is filled: what is looked at for each of its entries, and in which
-//! order.
+//! How a tile of the table is filled: the order in which sums are tested for each of its entries.
 
 use super::Table;
 use super::between::{Between, Sides};
@@ -13,7 +12,7 @@ use crate::triangulate::optimal::tile_pool::Tile;
 use crate::triangulate::{Rule, Terms};
 use sheetwright_geometry::math::Vec3;
 
-/// What the bound of F may lose to rounding, for ν = 1: |s|² is at most 9 and comes from some ten
+/// Rounding error of the bound of F at most, for ν = 1: |s|² is at most 9 and comes from some ten
 /// operations.
 const SLACK: f64 = 1e-13;
 
@@ -57,9 +56,9 @@ impl pulp::WithSimd for Filling<'_> {
 
 /// The rungs of a tile, row by row.
 struct Rungs {
-    /// Infinite where nothing is looked for.
+    /// Infinite where no entry is wanted.
     prices: [Lanes; LANES],
-    /// The sums below each must be less than this; infinitely low where nothing is looked for.
+    /// The sums below each must be less than this; −∞ where no entry is wanted.
     below: [Lanes; LANES],
 }
 
@@ -136,7 +135,7 @@ impl Table<'_> {
             self.look_first::<FOLDS, FUSED>(&mut least, best, column, tile, together);
             let rungs = RungsOfRow { prices, below };
             let mut on_edges = OnEdgesOfRow::NONE;
-            // On flat stretches nothing is left to be lower.
+            // On flat stretches no price can be lower.
             if FOLDS && self.in_order && highest(&least.prices) > 0.0 {
                 on_edges = self.on_edges_of_row(&least, row);
                 on_edges.lower(&mut least, &rungs);
@@ -187,13 +186,13 @@ impl Table<'_> {
             if least == f64::INFINITY {
                 continue;
             }
-            // Half of what a rung costs and the rest of the loop are up to the bound.
+            // Half the price of a rung and the rest of the loop must not exceed the bound.
             let dearest = open.bound.min(2.0 * (open.bound - least));
             self.terms.strip::<FOLDS>(i, to, dearest, &mut strip);
             if let Some(of_tile) = &mut tile.means {
                 of_tile.rows[i % LANES] = *strip.means;
             }
-            // Of each rung, with what the rest of the loop costs.
+            // The share of the price of a rung that counts beside the bound on the rest.
             let share = if self.outside.is_some() { 0.5 } else { 1.0 };
             let mut together = [0.0; LANES];
             for n in 0..LANES {
@@ -219,8 +218,8 @@ impl Table<'_> {
         rungs
     }
 
-    /// What a rung of the tile of these rows and columns and the rest of the loop cost together at
-    /// the least.
+    /// Lower bound on the price of a rung of the tile of these rows and columns together with the
+    /// rest of the loop.
     #[inline(always)]
     fn least_beside_sums(&self, open: &Open<'_>, row: usize, column: usize) -> f64 {
         let least = open.least(row, column).max(0.0);
@@ -232,7 +231,7 @@ impl Table<'_> {
         }
     }
 
-    /// What sums below a rung of this price must be less than, for entries up to `bound`.
+    /// Upper limit of the sums below a rung of this price, for entries up to `bound`.
     #[inline(always)]
     fn sums_below(&self, bound: f64, price: f64) -> f64 {
         let left = match self.terms.rule {
@@ -243,7 +242,7 @@ impl Table<'_> {
         left + QUANTUM
     }
 
-    /// Looks at those k before the column that were best one row below.
+    /// Tests those k before the column that were best one row below.
     #[inline(always)]
     fn look_first<const FOLDS: bool, const FUSED: bool>(
         &self,
@@ -254,8 +253,8 @@ impl Table<'_> {
         together: impl Fn(f64, f64) -> f64 + Copy,
     ) {
         let row = least.i / LANES;
-        // The sample before those of the column is best for the triangle on the edge between, which
-        // is known.
+        // The sample before those of the column matters for the triangle on the edge between, which
+        // is done.
         let end = least.to.first.saturating_sub(usize::from(FOLDS && self.in_order));
         let mut last = 0;
         for n in 0..LANES {
@@ -277,7 +276,7 @@ impl Table<'_> {
         }
     }
 
-    /// Looks at the k before those of the column.
+    /// Tests the k before those of the column.
     #[inline(always)]
     fn look_between<'a, const FOLDS: bool, const FUSED: bool>(
         &'a self,
@@ -306,9 +305,9 @@ impl Table<'_> {
         }
     }
 
-    /// Looks at the k of one column of tiles. Of the 16, only those are looked at whose E(i,k) and
-    /// the least E(k,j) together lie below `reach`, the highest of the least prices, which is
-    /// returned.
+    /// Tests the k of one column of tiles. Of the 16, only those are tested whose E(i,k) and the
+    /// least E(k,j) together lie below `reach`, the highest of the least prices. Returns the new
+    /// `reach`.
     #[inline(always)]
     fn look_through<const FOLDS: bool, const FUSED: bool>(
         &self,
@@ -355,7 +354,7 @@ impl Table<'_> {
         if wanted == row { Some(tile) } else { self.store.tile(wanted, column) }
     }
 
-    /// Looks at the triangles i, k, j of all j of the tile `beyond`, with E(i,k) = `entry` and N of
+    /// Tests the triangles i, k, j of all j of the tile `beyond`, with E(i,k) = `entry` and N of
     /// the rungs from i to the samples around k.
     #[inline(always)]
     pub(super) fn look<const FOLDS: bool, const FUSED: bool>(
@@ -382,7 +381,7 @@ impl Table<'_> {
         least.lower(k, |n| together(entry, entries[n]));
     }
 
-    /// Looks at the triangles i, k, j of one k and all j, where F decides: some of the sums
+    /// Tests the triangles i, k, j of one k and all j where F decides: some of the sums
     /// E(i,k) + E(k,j) lie below the least prices. `shared` is the N of ⟨i,k⟩, `means` are those of
     /// the ⟨k,j⟩.
     #[inline(always)]
@@ -403,9 +402,9 @@ impl Table<'_> {
         self.look_at_fan::<FUSED>(least, (k, entry), (&fan, rungs), (entries, &left));
     }
 
-    /// Looks at the triangles of those sides ⟨i,k⟩ that have a bit in `left`, with k in the column
-    /// of tiles `at`, which `offsets` lead to, on loops whose members are numbered in order. Sides
-    /// whose own share in F is too much for all j go without a look at each.
+    /// Tests the triangles of those sides ⟨i,k⟩ that have a bit in `left`, with k in the column of
+    /// tiles `at`, which `offsets` lead to, on loops whose members are numbered in order. Sides
+    /// whose own share in F is too large for all j are skipped as a whole.
     #[inline(always)]
     fn look_at_sides<const FUSED: bool>(
         &self,
@@ -434,7 +433,7 @@ impl Table<'_> {
                 beyond: &means_beyond.rows[n],
             };
             let (k, entry, sums) = (first + n, entries[n], &beyond.sums.entries[n]);
-            // The triangle on an edge to the column is known.
+            // The triangle on an edge to the column is done.
             let edge = if k + 1 == least.to.first { 0 } else { usize::MAX };
             let left = least.left_but(edge, entry, sums);
             let rungs = self.least_rungs(i, k);
@@ -442,8 +441,8 @@ impl Table<'_> {
         }
     }
 
-    /// Looks at the triangles i, k, j of one k and all j, with E(i,k) = `entry`, E(k,j) =
-    /// `entries`, and at least so many `rungs` each, whose F is below what is `left`.
+    /// Tests the triangles i, k, j of one k and all j, with E(i,k) = `entry`, E(k,j) = `entries`,
+    /// and at least so many `rungs` each, whose F is below `left`.
     #[inline(always)]
     pub(super) fn look_at_fan<const FUSED: bool>(
         &self,
@@ -475,9 +474,8 @@ impl Table<'_> {
         }
     }
 
-    /// Looks at the triangles i, k, j of one k, one j after the other, where samples are not
-    /// numbered in order. A lower bound on F from the N alone comes first, and spares most of them
-    /// the F itself.
+    /// Tests the triangles i, k, j of one k, one j after the other, where samples are not numbered
+    /// in order. A lower bound on F from the N alone comes first, and spares most of them F itself.
     #[inline(never)]
     fn look_singly(
         &self,

@@ -1,25 +1,24 @@
-//! What is known of the rungs from one sample to those of a tile, while their entries are looked
-//! for.
+//! The least sums so far below the rungs from one sample to those of a tile.
 
 use crate::cost::{Aligned, Fans, FarEnds, LANES, Lanes, Segment};
 
-/// The least sums below the rungs from one sample to those of a tile, on the way.
+/// The least sums so far below the rungs from one sample to those of a tile.
 pub(super) struct Least<'a> {
     pub(super) i: usize,
     pub(super) to: &'a FarEnds,
     pub(super) means: &'a [Lanes; 3],
-    /// Means nothing where folds cost nothing.
+    /// Undefined where folds cost nothing.
     pub(super) fans: Fans<'a>,
-    /// Where those of the tile lie, if that is known.
+    /// The segment near which the samples of the tile lie, if it is known.
     pub(super) segment: Option<&'a Segment>,
-    /// Infinitely low where nothing is looked for.
+    /// −∞ where no entry is wanted.
     pub(super) prices: Aligned<Lanes>,
     /// The k that they were found at; 0 for none.
     pub(super) best: Aligned<Lanes>,
 }
 
 impl Least<'_> {
-    /// Takes what is lower with this k for one lane.
+    /// Lowers the sum of one lane, if it is lower with this k.
     #[inline(always)]
     pub(super) fn lower_one(&mut self, n: usize, k: usize, price: f64) {
         if price < self.prices[n] {
@@ -27,7 +26,7 @@ impl Least<'_> {
         }
     }
 
-    /// What F must be below, with E(i,k) = `entry` and E(k,j) = `entries`.
+    /// Upper limits of F, with E(i,k) = `entry` and E(k,j) = `entries`.
     #[inline(always)]
     pub(super) fn left(&self, entry: f64, entries: &Lanes) -> Lanes {
         let mut left = [0.0; LANES];
@@ -37,8 +36,8 @@ impl Least<'_> {
         left
     }
 
-    /// What F must be below, as [`Self::left`] has it, but 0 for the lane `one`, whose triangle is
-    /// known: no F is below that.
+    /// Upper limits of F, as [`Self::left`] has them, but 0 for the lane `one`, whose triangle is
+    /// done: no F is below 0.
     #[inline(always)]
     pub(super) fn left_but(&self, one: usize, entry: f64, entries: &Lanes) -> Lanes {
         let mut left = [0.0; LANES];
@@ -49,7 +48,7 @@ impl Least<'_> {
         left
     }
 
-    /// Takes what is lower with this k.
+    /// Lowers the sums that are lower with this k.
     #[inline(always)]
     pub(super) fn lower(&mut self, k: usize, price: impl Fn(usize) -> f64) {
         let mut prices = [0.0; LANES];

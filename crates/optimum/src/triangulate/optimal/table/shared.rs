@@ -1,12 +1,12 @@
 //! Threads that fill a table together.
 //!
 //! 1. Of [`WIDTH`] columns of tiles, one diagonal after the other is filled. The tiles of a
-//!    diagonal need nothing of one another, so the bits are the same whichever thread fills them.
-//!    What tiles beside one another share comes from the processors' caches then; with diagonals of
+//!    diagonal do not depend on one another, so the bits are the same whichever thread fills them.
+//!    Data that neighbouring tiles share then comes from the processors' caches; with diagonals of
 //!    all columns, two threads take 1.4 times as long at 100,000 samples (*wavy*).
-//! 2. A table of 400 samples has 25 diagonals and takes a few milliseconds: to wake threads for
-//!    each of them would take longer than its work. So helpers are called once for a table, and
-//!    look out for the next diagonal until the last is filled (`threads`).
+//! 2. A table of 400 samples has 25 diagonals and takes a few milliseconds: waking threads for each
+//!    of them would take longer than the work. So helpers are called once for a table, and wait for
+//!    the next diagonal in a loop until the last is filled (`threads`).
 
 use super::filling::{Column, Filling};
 use super::{Open, Table};
@@ -21,7 +21,7 @@ use std::sync::{Mutex, PoisonError, RwLock, RwLockWriteGuard, TryLockError};
 /// 100,000 samples. The tiles of a diagonal are half as many in the mean, and no thread is to wait
 /// for others.
 const WIDTH: usize = 2 * MOST_THREADS;
-/// The numbers that no diagonal has, before the first and after the last.
+/// Numbers that stand for no diagonal: before the first and after the last.
 const NONE_YET: usize = usize::MAX - 1;
 const NONE_LEFT: usize = usize::MAX;
 
@@ -44,7 +44,7 @@ struct Diagonal<'s, 'a> {
     given: AtomicUsize,
 }
 
-/// Sends the helpers away, however it ends.
+/// Dismisses the helpers when it is dropped, also in a panic.
 struct End<'s>(&'s AtomicUsize);
 
 impl Drop for End<'_> {
@@ -94,8 +94,8 @@ impl<'s, 'a> Shared<'s, 'a> {
         }
     }
 
-    /// The diagonal, as soon as no thread fills tiles of it. That is soon: to be put aside for so
-    /// short a time would take longer.
+    /// The diagonal, as soon as no thread fills tiles of it. It yields in a loop, since the wait is
+    /// shorter than putting the thread to sleep.
     fn alone(&self) -> RwLockWriteGuard<'_, Diagonal<'s, 'a>> {
         loop {
             match self.diagonal.try_write() {
