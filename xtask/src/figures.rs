@@ -35,7 +35,7 @@ fn hull_with(samples: usize, vary: VarySettings) -> Result<Made, Box<dyn Error>>
     Ok(make(&read_input(&example, &options)?, &mut Unwatched)?)
 }
 
-/// The last plank of the hull moved until it bends: where to, and its warp before and after.
+/// The last plank of the hull moved until it bends: both boundaries, and its warp before and after.
 fn hull_moved() -> Result<Picture, Box<dyn Error>> {
     let asked =
         VarySettings { warp_deg: Some(5.6), limit_mm: Some(15.0), ..VarySettings::default() };
@@ -74,7 +74,7 @@ fn three_cones() -> Result<Picture, Box<dyn Error>> {
     Ok(side_by_side("Three cones joined to one sheet", &columns))
 }
 
-/// The examples whose curves move, as they are then.
+/// The examples whose curves move, after they have moved.
 fn vary() -> Result<Picture, Box<dyn Error>> {
     let pictures: Vec<Picture> = crate::vary::drawn()?.iter().map(design_picture).collect();
     Ok(side_by_side("A mouse, a hat and a flower, with their curves moved", &pictures))

@@ -27,7 +27,7 @@ const SAMPLES: usize = 200;
 const RINGS: usize = 20;
 const FOLDER: &str = "examples/gallery";
 
-/// Writes `docs/gallery.md`, its pictures, and what it is made from.
+/// Writes `docs/gallery.md`, its pictures, and the files that it is made from.
 pub(crate) fn write() -> Result<()> {
     let shapes = Shapes::made()?;
     let pictures = shapes.pictures()?.into_iter();
@@ -69,7 +69,7 @@ fn designs() -> Result<Vec<(&'static str, Vec<u8>)>> {
 fn obj(name: &str, mesh: &Triangles) -> Vec<u8> {
     let mut text = format!("# Units: mm.\no {name}\n");
     for p in &mesh.positions {
-        // Writing to a string does not fail. Nobody measures finer than to a micrometre.
+        // Writing to a string does not fail. A micrometre is fine enough.
         let _ = writeln!(text, "v {:.3} {:.3} {:.3}", p.x + 0.0, p.y + 0.0, p.z + 0.0);
     }
     for [a, b, c] in mesh.triangles.iter().map(|t| t.map(VertexIndex::get)) {
@@ -262,7 +262,7 @@ fn flat(made: &Made) -> Picture {
     flat_picture(&made.parts[0], made.material.as_ref())
 }
 
-/// What the paper shows of a shape: in space, flat, and its length errors.
+/// The three views of a shape in the paper: in space, flat, and its length errors.
 fn three(title: &str, made: &Made) -> Result<Picture> {
     let errors = as_mesh_design(title, &made.parts[0].sheet, Aim::Mean);
     let errors = make(&errors, &mut Unwatched)?;

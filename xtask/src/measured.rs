@@ -10,7 +10,7 @@ const GORES: [usize; 6] = [6, 8, 12, 16, 24, 36];
 const RADIUS: f64 = 200.0;
 /// Divisions of the round end in the classical triangulation.
 const DIVISIONS: usize = 24;
-/// What leans by more from the flat triangle of its side is not flat, radians.
+/// A triangle that leans by more from the flat triangle of its side is not flat, radians.
 const FLAT: f64 = 1e-6;
 /// Samples of each rail of the duct: those of the template.
 const SAMPLES: usize = 241;

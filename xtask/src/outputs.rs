@@ -1,4 +1,4 @@
-//! Everything that a command makes of what lies in the house, kept in folders: the one half of
+//! All files that a command makes of the project's own inputs, kept in folders: the first half of
 //! showing that a change of the code changes no output. `compare` is the other half.
 //!
 //! Each input gets a folder with the status, both streams and all files that were written: the
@@ -15,7 +15,7 @@ const HELP: &str = "`cargo xtask outputs` takes `--with COMMAND --out DIR` and, 
                     `--only TEXT` for the inputs whose names hold it";
 /// The folders with inputs of `make`.
 const INPUTS: [&str; 3] = ["examples", "examples/gallery", "corpus/good"];
-/// What a curve table or a design is made into: all there is. A mesh takes the default.
+/// The formats for a curve table or a design: all there are. A mesh takes the default.
 const FORMATS: &str = "obj,svg,dxf,pdf,quads,step,report";
 
 /// An input and how it is made.
@@ -110,8 +110,8 @@ fn make(input: &str, without_plane: bool) -> Vec<String> {
     call.into_iter().map(str::to_owned).collect()
 }
 
-/// Runs the calls of a job into its folder and keeps their statuses and what they said; `signal` is
-/// the status of one that a signal ended.
+/// Runs the calls of a job into its folder and keeps their statuses and streams; `signal` is the
+/// status of one that a signal ended.
 fn run(command: &Path, job: &Job, folder: &Path) -> Result<String, String> {
     let failed = |error: std::io::Error| format!("{}: {error}", job.folder);
     fs::create_dir_all(folder).map_err(failed)?;

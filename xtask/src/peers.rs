@@ -35,7 +35,7 @@ const FAMILIES: [Family; 6] = [
     Family::Fourier(2),
     Family::Fourier(3),
 ];
-/// For how long we are timed, many ticks of the clock; seconds.
+/// Least time of our rounds, many ticks of the clock; seconds.
 const LEAST_TIMED: f64 = 0.5;
 /// Rounds of CGAL's searches up to this many samples, of which the quickest counts; one above.
 const ROUNDS: usize = 5;

@@ -80,7 +80,7 @@ fn page() -> String {
 
 fn picture(template: &Template, mut design: Design) -> Result<Picture, Box<dyn Error>> {
     for panel in &mut design.panels {
-        // What asks for many has a tight bend somewhere.
+        // A panel with many samples has a tight bend somewhere.
         panel.samples = panel.samples.min(SAMPLES.max(panel.samples / 4 + 1));
     }
     let made = make(&design, &mut Unwatched)?;

@@ -1,4 +1,4 @@
-//! The page that compares moved curves with \[G14\], and what its picture shows.
+//! The page that compares moved curves with \[G14\], and the models of its picture.
 
 use sheetwright::boundary::size_of;
 use sheetwright::design::{Design, MovedBy, PanelShape};
@@ -17,7 +17,7 @@ struct Model {
     /// The curves of the example that are most like those that moved in the paper, and more of
     /// them.
     alike: &'static [&'static [&'static str]],
-    /// Its time, and what was read of ours by points and by samples, seconds.
+    /// Its time, and ours by points and by samples, seconds.
     times: [f64; 3],
 }
 
@@ -41,7 +41,7 @@ const MODELS: [Model; 3] = [
         times: [7.2, 0.05, 0.65],
     },
 ];
-/// How often the gain of the paper is to be reached.
+/// The bar: so many times the gain of the paper.
 const TIMES: f64 = 10.0;
 /// Shares of ε.
 const SHARES: [f64; 4] = [1.0, 0.5, 0.25, 0.125];

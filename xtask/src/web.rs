@@ -1,9 +1,10 @@
 //! The editor for the browser: a folder of files that any web server can serve.
 //!
-//! 1. The crate is compiled for WebAssembly, by whichever toolchain here can: the one in PATH if it
-//!    has the target, else Debian's, which builds the standard library for it on the way.
-//! 2. `wasm-bindgen` writes what joins it to a page. No `wasm-opt` after it: what the compiler
-//!    makes for size is smaller once a server has packed it, and older ones break it.
+//! 1. The crate is compiled for WebAssembly: by the toolchain in PATH if it has the target, else by
+//!    Debian's, which builds the standard library for it on the way.
+//! 2. `wasm-bindgen` writes the script that joins it to a page. No `wasm-opt` after it: the output
+//!    of the compiler for size is smaller once a server has packed it, and older versions of
+//!    `wasm-opt` break it.
 //! 3. The page is put beside it (`crates/editor/web`), with the colours of the editor's theme, an
 //!    icon in the same colours, and a list of all files under a number made from their contents,
 //!    from which the service worker keeps them for when there is no network.
@@ -19,7 +20,7 @@ use std::process::Command;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 const CRATE: &str = "sheetwright-editor";
-/// How the compiler names what it makes of the crate.
+/// The compiler's name for the compiled crate.
 const MADE: &str = "sheetwright_editor.wasm";
 /// The files of the page that colours and sizes are put into.
 const PAGE: [&str; 6] =
@@ -62,7 +63,7 @@ pub(crate) fn build() -> Result<(), String> {
 fn compile(work: &Path) -> Result<PathBuf, String> {
     let mut cargo = cargo()?;
     cargo.args(["build", "--package", CRATE, "--lib", "--target", TARGET, "--profile", "web"]);
-    // A folder of its own, so that this and other builds don't undo each other's work.
+    // A separate folder, so that this and other builds don't undo each other's work.
     cargo.arg("--target-dir").arg(work).current_dir(root());
     run(&mut cargo)?;
     Ok(work.join(TARGET).join("web").join(MADE))
@@ -92,7 +93,7 @@ fn cargo() -> Result<Command, String> {
     ))
 }
 
-/// Writes what joins the WebAssembly to a page.
+/// Writes the script that joins the WebAssembly to a page.
 fn bind(wasm: &Path, glue: &Path) -> Result<(), String> {
     let mut command = Command::new(wasm_bindgen()?);
     command.args(["--target", "web", "--no-typescript", "--out-name", "sheetwright", "--out-dir"]);
@@ -165,7 +166,7 @@ fn colour(theme: &str, name: &str) -> Result<String, String> {
         .ok_or_else(|| format!("the theme has no colour {name}"))
 }
 
-/// Writes the files, and removes what else lies there from an earlier build.
+/// Writes the files, and removes other files of an earlier build.
 fn write(out: &Path, files: &BTreeMap<String, Vec<u8>>) -> Result<(), String> {
     let failed = |path: &Path, error: std::io::Error| format!("{}: {error}", path.display());
     if out.join("sw.js").exists() {
@@ -197,7 +198,7 @@ fn run(command: &mut Command) -> Result<(), String> {
     }
 }
 
-/// What a command says; `None` if there is none or it fails.
+/// The standard output of a command; `None` if there is no such command or it fails.
 fn said(command: &mut Command) -> Option<String> {
     let output = command.output().ok().filter(|output| output.status.success())?;
     Some(String::from_utf8(output.stdout).ok()?.trim().to_owned())

@@ -1,4 +1,4 @@
-//! Surfaces whose flat form is known, and closed smooth curves on them.
+//! Developable surfaces whose development is known, and closed smooth curves on them.
 
 use crate::trace::{Trace, samples_along};
 use sheetwright::boundary::Boundary;
@@ -13,8 +13,8 @@ pub trait Developable {
     /// A direction along the ruling through the point.
     fn ruling(&self, u: f64, v: f64) -> Vec3;
 
-    /// The bend radius at the point, mm: how far the next ruling is, over how far the tangent plane
-    /// turns on the way; not a number where a ruling has no direction or runs along u. Good to a
+    /// The bend radius at the point, mm: the distance to the next ruling over the angle by which
+    /// the tangent plane turns; NaN where a ruling has no direction or runs along u. Accurate to a
     /// millionth, by differences of the second order.
     fn bend_radius(&self, u: f64, v: f64) -> f64 {
         const STEP: f64 = 1e-4;
@@ -144,13 +144,13 @@ impl Developable for HelixTangents {
 /// A closed smooth curve on a developable surface: an ellipse in its parameters, with a wave that
 /// makes it concave in places.
 pub struct Blob {
-    /// What it lies on.
+    /// The surface on which it lies.
     pub surface: Box<dyn Developable>,
     /// Middle of the ellipse.
     pub middle: [f64; 2],
     /// Its two half axes.
     pub half: [f64; 2],
-    /// How high the wave is, as a share of the half axes.
+    /// The height of the wave, as a share of the half axes.
     pub wave: f64,
     /// Name, as tables print it.
     pub name: &'static str,
@@ -218,8 +218,8 @@ pub fn blobs() -> Vec<Blob> {
     ]
 }
 
-/// The largest distance, mm, between two lists of points in the plane after one has been turned
-/// and moved (not mirrored) onto the other as well as least squares can.
+/// The largest distance, mm, between two lists of points in the plane after the rotation and
+/// translation (no mirror) of one onto the other that is best by least squares.
 pub fn largest_distance_after_fitting(a: &[Point2], b: &[Point2]) -> f64 {
     let middle = |list: &[Point2]| {
         let sum = list.iter().fold(Point2::default().to_vec(), |sum, p| sum + p.to_vec());

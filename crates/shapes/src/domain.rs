@@ -1,5 +1,5 @@
-//! Which sets of triangles are triangulations of a domain with holes: the definition, spelt out
-//! side by side and vertex by vertex, to judge the results of cleverer programs by.
+//! Which sets of triangles are triangulations of a domain with holes: the definition, checked side
+//! by side and vertex by vertex, as an oracle for faster programs.
 
 use std::ops::Range;
 
@@ -70,7 +70,7 @@ pub fn fault(loops: &[Range<usize>], triangles: &[[usize; 3]]) -> Option<String>
     None
 }
 
-/// Into how many parts the triangles join the samples.
+/// The number of connected parts that the triangles make of the samples.
 fn parts(m: usize, triangles: &[[usize; 3]]) -> usize {
     let mut part: Vec<usize> = (0..m).collect();
     for &[a, b, c] in triangles {

@@ -1,4 +1,4 @@
-//! Designs with handles to drag, and the way that a hand drags them.
+//! Designs with handles to drag, and the path of a handle under a hand.
 
 use crate::family::Family;
 use crate::random::Random;
@@ -44,7 +44,7 @@ pub fn outline(family: Family) -> DesignCurve {
     DesignCurve { name: family.name(), kind: Some(kind), closed: true, points: points.collect() }
 }
 
-/// A handle on its way: it wanders about where it was at first, as under a hand.
+/// A handle that is dragged: it wanders about its first place, as under a hand.
 pub struct Drag {
     home: Point3,
     off: Vec3,
@@ -61,7 +61,7 @@ impl Drag {
         Self { home, off: Vec3::ZERO, reach, random: Random::new(seed) }
     }
 
-    /// Moves on: where it is then.
+    /// Moves one step and returns the new place.
     pub fn step(&mut self) -> Point3 {
         let mut between = || self.random.between(-1.0, 1.0);
         let step = Vec3::new(between(), between(), between());

@@ -1,5 +1,5 @@
-//! The curve families that programs of this field are compared on; sizes near 1 there, hundreds of
-//! mm here.
+//! The curve families that programs of this field are compared on; their sizes are near 1 in the
+//! papers, and hundreds of mm here.
 
 use crate::developable::{Blob, Cone, Cylinder};
 use crate::random::Random;

@@ -1,4 +1,4 @@
-//! A finding of each kind, with numbers and places as they come.
+//! A finding of each kind, with typical numbers and places.
 
 use sheetwright::check::{
     Bend, BorderSide, Finding, FindingKind as Kind, Hindrance, Movement, Place, SeamCause,
@@ -9,7 +9,7 @@ use sheetwright::index::SampleIndex;
 use sheetwright::math::{Point3, from_deg};
 use sheetwright::rung::Rung;
 
-/// A finding of each kind, and of some two where their sentences differ.
+/// A finding of each kind, and two of kinds with two sentences.
 pub fn one_of_each() -> Vec<Finding> {
     let mut all = of_surfaces();
     all.extend(of_meshes());

@@ -78,8 +78,8 @@ fn disk(rings: usize, map: impl Fn(f64, f64) -> Point3) -> Triangles {
     Triangles { positions, triangles, left_out: 0 }
 }
 
-/// A closed spline through `count` points, rounded to a hundredth of a millimetre, as people write
-/// them.
+/// A closed spline through `count` points, rounded to a hundredth of a millimetre, as in files that
+/// are typed.
 fn ring(name: &str, count: usize, at: impl Fn(f64) -> Point3) -> DesignCurve {
     let hundredth = |x: f64| (x * 100.0).round() / 100.0 + 0.0;
     let points = (0..count).map(|n| {

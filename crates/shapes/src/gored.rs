@@ -1,4 +1,4 @@
-//! What gores lose of a sphere: they bend one way only, and a sphere bends two.
+//! The area and length that gores lose of a sphere: they bend one way only, and a sphere bends two.
 
 use sheetwright::make::{Found, Part, make};
 use sheetwright::math::Point3;
@@ -14,16 +14,16 @@ pub struct Loss {
     pub gores: usize,
     /// The area of all flat gores, mm².
     pub area_mm2: f64,
-    /// What they lack of the hemisphere's area, as a share of it.
+    /// The area that they lose, as a share of the hemisphere's area.
     pub area_lost: f64,
-    /// The most that a flat gore lacks of the length of an arc of the sphere, as a share of it:
-    /// of the circle of latitude between its rails, at any height, or of the meridian midway.
+    /// The largest loss of length of a flat gore against an arc of the sphere, as a share of the
+    /// arc: of the circle of latitude between its rails, at any height, or of the meridian midway.
     pub length_lost: f64,
-    /// How far the surface comes from the sphere, as a share of the radius.
+    /// The largest distance of the surface from the sphere, as a share of the radius.
     pub off_sphere: f64,
 }
 
-/// What `gores` gores of the template `dome` lose of a hemisphere of this radius, mm.
+/// The loss of `gores` gores of the template `dome` against a hemisphere of this radius, mm.
 pub fn loss(gores: usize, radius: f64) -> Loss {
     let dome = template("dome").expect("the catalogue has domes");
     let mut values = dome.defaults();
@@ -79,7 +79,7 @@ fn length_lost(gore: &Part, gores: usize, radius: f64) -> f64 {
 fn off_sphere(gore: &Part, radius: f64) -> f64 {
     let space = found(gore).boundary.positions();
     let off = |p: Point3| (p.to_vec().length() / radius - 1.0).abs();
-    // A triangle of points on a sphere is farthest from it inside, and a gore at its level rungs.
+    // A triangle of points on a sphere is farthest from it inside; a gore is so at its level rungs.
     let middles = level_pairs(gore).into_iter().map(|[a, b]| off(space[a].lerp(space[b], 0.5)));
     let inside = found(gore).surface.connectivity().triangles().iter().map(|corners| {
         let [a, b, c] = corners.map(|s| space[s.get()]);
@@ -88,8 +88,8 @@ fn off_sphere(gore: &Part, radius: f64) -> f64 {
     middles.chain(inside).fold(0.0, f64::max)
 }
 
-/// What theory says of n gores that are pieces of cylinders: the shares of area, of length and of
-/// the radius, each to the leading order in 1/n.
+/// The theoretical losses of n gores that are pieces of cylinders: the shares of area, of length
+/// and of the radius, each to the leading order in 1/n.
 pub fn expected(gores: usize) -> [f64; 3] {
     let square = (PI / gores as f64) * (PI / gores as f64);
     // A gore's middle is a quarter of an ellipse with the half axes R cos(π/n) and R, which is a

@@ -10,7 +10,7 @@ const FOOT_MM: f64 = 304.8;
 /// Its four curves, splines in mm: main deck, upper and lower chine, profile.
 ///
 /// # Panics
-/// If `examples/ubc-fishing-vessel.csv` is no table of a name and three numbers a row.
+/// If a row of `examples/ubc-fishing-vessel.csv` is not a name and three numbers.
 pub fn curves() -> Vec<DesignCurve> {
     let mut curves: Vec<DesignCurve> = Vec::new();
     for row in TABLE.lines().skip(1) {

@@ -1,13 +1,13 @@
 //! Boundaries of known surfaces, with their developments: for tests, benchmarks and figures.
 //!
-//! [`developable`] has surfaces whose flat form is known in closed form, [`rings`] the same with
-//! holes, [`family`] the curve families that programs of this field are compared on, [`hemisphere`]
-//! the pieces of a gored hemisphere, [`gored`] what gores lose of a sphere, [`transition`] the
-//! classical square-to-round duct, [`three_cones`] a sheet that branches, [`random`] a generator of
-//! numbers and boundaries, [`hull`] the planks of a published one, [`drag`] handles and the way
-//! that a hand drags them, [`gallery`] the shapes of the gallery, [`pierced`] random boundaries
-//! with holes, [`domain`] the definition of what a triangulation of such a boundary is, and
-//! [`findings`] a finding of each kind.
+//! [`developable`] has surfaces whose development is known in closed form, [`rings`] such surfaces
+//! with holes, [`family`] the curve families that programs of this field are compared on,
+//! [`hemisphere`] the pieces of a gored hemisphere, [`gored`] the losses of gores against a sphere,
+//! [`transition`] the classical square-to-round duct, [`three_cones`] a sheet that branches,
+//! [`random`] a generator of numbers and boundaries, [`hull`] the planks of a published hull,
+//! [`drag`] handles and how a hand drags them, [`gallery`] the shapes of the gallery, [`pierced`]
+//! random boundaries with holes, [`domain`] the definition of a triangulation of such a boundary,
+//! and [`findings`] a finding of each kind.
 #![allow(clippy::expect_used)] // nothing comes from outside: a shape that fails is a fault of ours
 
 pub mod developable;

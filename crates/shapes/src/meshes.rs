@@ -29,7 +29,7 @@ pub fn grid(
             let corner = |i: usize, j: usize| numbers[i * rows + j];
             let corners = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
             let [Some(a), Some(b), Some(c), Some(d)] = corners else { continue };
-            // Both ways of cutting cells, in turn.
+            // Cells are cut along either diagonal in turn.
             if (i + j) % 2 == 0 {
                 triangles.extend([[a, b, c], [a, c, d]]);
             } else {

@@ -1,5 +1,5 @@
 //! Random boundaries with holes. The outer loop runs counter-clockwise as seen from above, holes
-//! run clockwise; each generator says `None` where what came out is no boundary.
+//! run clockwise. Each generator returns `None` where the loops are no boundary.
 
 use crate::random::Random;
 use sheetwright::boundary::{Boundary, PlaneChoice, samples_from_points, supporting_plane};
@@ -8,10 +8,10 @@ use sheetwright::math::{Point2, Point3, Vec3, cos, sin};
 use sheetwright::predicate::signed_area_doubled;
 use std::f64::consts::TAU;
 
-/// The plane that [`plate`] and [`grid_plate`] have for certain: seen from above.
+/// The plane that [`plate`] and [`grid_plate`] always have: seen from above.
 pub const FROM_ABOVE: PlaneChoice = PlaneChoice::Normal(Vec3::Z);
 
-/// How often a hole is thrown anew before a plate is given up.
+/// Tries for a hole before a plate is given up.
 const THROWS: usize = 200;
 
 /// A loop of points as samples; each is a corner with probability `corners`.
@@ -38,8 +38,7 @@ fn lifted(plan: &[Point2], mut height: impl FnMut(Point2) -> f64) -> Vec<Point3>
     plan.iter().map(|&p| Point3::new(p.x, p.y, height(p))).collect()
 }
 
-/// The boundary of these loops, whichever way they run, if it has a supporting plane seen from
-/// above.
+/// The boundary of these loops, in either direction, if it has a supporting plane seen from above.
 fn over_its_plan(random: &mut Random, loops: &[Vec<Point3>], corners: f64) -> Option<Boundary> {
     let loops: Vec<Vec<Sample>> = loops
         .iter()

@@ -77,7 +77,7 @@ fn on_ellipse(middle: [f64; 2], half: [f64; 2], angle: f64) -> [f64; 2] {
 pub struct Pierced {
     /// Name, as tables print it.
     pub name: &'static str,
-    /// What it lies on.
+    /// The surface on which it lies.
     pub surface: Box<dyn Developable>,
     /// Its loops, the outer one first.
     pub loops: Vec<Loop>,
@@ -87,7 +87,7 @@ pub struct Pierced {
 pub struct Sampled {
     /// The boundary.
     pub boundary: Boundary,
-    /// Where its samples lie on the surface; u counts on round the axis.
+    /// The parameters of its samples on the surface; u counts on round the axis.
     pub parameters: Vec<[f64; 2]>,
     /// The largest distance between two neighbours, mm.
     pub spacing: f64,
@@ -145,7 +145,7 @@ impl Pierced {
     }
 
     /// Its area, mm²: half the sum of x dy − y dx round the development, cut open from end to end
-    /// at u = 0 where it is a ring. Good to a hundred-thousandth.
+    /// at u = 0 where it is a ring. Accurate to a hundred-thousandth.
     pub fn area(&self) -> f64 {
         let of_cut = |low: Loop, high: Loop, t: f64| {
             let flat = |[u, v]: [f64; 2]| self.surface.flat(u, v);
@@ -177,7 +177,7 @@ impl Pierced {
 }
 
 /// One of each kind: tubes whose ends project onto one another, so that there is no plane, and
-/// patches that have one; sizes of some hundred mm but for the oblique cone, which is of size 1.
+/// patches that have one; sizes of some hundred mm, except the oblique cone with size 1.
 pub fn pierced() -> Vec<Pierced> {
     let cylinder = || Box::new(Cylinder { radius: 300.0 });
     let ends = [Loop::Round(-300.0), Loop::Back(300.0)];

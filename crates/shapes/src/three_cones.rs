@@ -1,4 +1,4 @@
-//! Three cones that touch one plane, and the sheet that they make together.
+//! Three cones that touch one plane, and the sheet that they form.
 //!
 //! A sheet that only bends can branch: three wings, each a part of a cone, leave a flat middle
 //! along three rulings. On the flat sheet those rulings are the sides of a triangle, and each wing
@@ -85,7 +85,7 @@ pub fn wing_outline(wing: usize, count: usize) -> Vec<Point2> {
 }
 
 /// The design of the three cones, each a panel, joined to one with smooth joints. Points are
-/// rounded to a thousandth of a millimetre, as people write them.
+/// rounded to a thousandth of a millimetre, as in files that are typed.
 pub fn design(samples: usize) -> Design {
     let rounded = |p: Point3| {
         let thousandth = |x: f64| (x * 1e3).round() / 1e3 + 0.0;

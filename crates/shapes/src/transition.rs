@@ -1,4 +1,4 @@
-//! The square-to-round duct as duct shops have drawn it for a century, to compare with.
+//! The square-to-round duct as duct shops have drawn it for a century, for comparison.
 //!
 //! The classical triangulation divides the round end evenly, a quarter for each corner of the
 //! rectangle, and finds the true length of every line from a corner to the points of its quarter by
@@ -20,7 +20,7 @@ pub struct Transition {
     pub diameter: f64,
     /// Its height above the rectangle, mm.
     pub height: f64,
-    /// How far its middle is out of line, mm.
+    /// The offset of its middle from that of the rectangle, mm.
     pub offset: [f64; 2],
     /// Its tilt towards x, degrees.
     pub tilt_deg: f64,
@@ -185,6 +185,6 @@ pub fn neither_flat_nor_conical(duct: &Part, flat: f64) -> f64 {
         let mean: Vec3 = side.iter().sum();
         side.iter().filter(move |area| angle_between(**area, mean) > flat).map(|a| a.length())
     });
-    // The sum of nothing is −0.
+    // An empty sum is −0.
     (beside.sum::<f64>() + 0.0) / whole
 }

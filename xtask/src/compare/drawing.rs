@@ -1,9 +1,9 @@
-//! What a drawing shows, apart from how its file says so: to tell a pattern that has moved from one
-//! that is written in another way.
+//! The lines of a drawing without the details of its file: to tell a pattern that has moved from
+//! one that is written in another way.
 
 use miniz_oxide::inflate::decompress_to_vec_zlib;
 
-/// What an SVG, DXF or PDF shows; `None` for another ending, or if it can't be told.
+/// The lines of an SVG, DXF or PDF; `None` for another ending, or if the file can't be read.
 pub(super) fn shown(name: &str, bytes: &[u8]) -> Option<Vec<u8>> {
     match name.rsplit('.').next()? {
         "svg" => svg(std::str::from_utf8(bytes).ok()?),
@@ -13,7 +13,7 @@ pub(super) fn shown(name: &str, bytes: &[u8]) -> Option<Vec<u8>> {
     }
 }
 
-/// The size, and the lines of all paths that are no letters, group by group.
+/// The size, and the lines of all paths except letters, group by group.
 fn svg(text: &str) -> Option<Vec<u8>> {
     let mut shown = String::new();
     for tag in text.split('<').skip(1) {
@@ -43,7 +43,7 @@ fn dxf(text: &str) -> Option<Vec<u8>> {
     Some(lines[start..start + length].join("\n").into_bytes())
 }
 
-/// The contents of all streams but for their texts.
+/// The contents of all streams without their texts.
 fn pdf(bytes: &[u8]) -> Option<Vec<u8>> {
     let mut shown = Vec::new();
     let mut rest = bytes;

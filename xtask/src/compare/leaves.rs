@@ -3,7 +3,7 @@
 //! Numbers stay as they are written: rounding on the way in must not hide a last digit. So this is
 //! a reader of our own, of texts that our own writers made.
 
-/// A value without values of its own.
+/// A value that contains no other values.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Leaf {
     /// A number, `true`, `false`, `null`, or an empty list or object, as it is written.
@@ -40,7 +40,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether this byte comes next, which is passed over then.
+    /// Whether this byte comes next; if so, it is skipped.
     fn takes(&mut self, byte: u8) -> bool {
         self.space();
         let is_next = self.text.get(self.at) == Some(&byte);
@@ -64,7 +64,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// What stands up to the closing bracket.
+    /// Reads the values up to the closing bracket.
     fn list(&mut self, path: &str, end: u8, is_object: bool) -> Result<(), String> {
         if self.takes(end) {
             let empty = if is_object { "{}" } else { "[]" };

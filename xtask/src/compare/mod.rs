@@ -1,10 +1,9 @@
-//! Two folders of outputs compared file by file: what a change of the code has changed of what
-//! comes out.
+//! Two folders of outputs compared file by file: how a change of the code has changed outputs.
 //!
 //! - `report.json`: the numbers, truth values and codes, value by value. Sentences may change.
-//! - Drawings (SVG, DXF, PDF): byte by byte, and where bytes differ, whether what they show does.
+//! - Drawings (SVG, DXF, PDF): byte by byte, and where bytes differ, whether their lines do.
 //! - Pages, texts and times may change and are only counted.
-//! - Everything else, as surfaces, tables and statuses: byte by byte.
+//! - All other files, as surfaces, tables and statuses: byte by byte.
 
 mod drawing;
 mod leaves;
@@ -23,22 +22,22 @@ const SHOWN: usize = 12;
 /// The keys of sentences in a report.
 const SENTENCES: [&str; 2] = ["text", "where"];
 
-/// What is meant to change.
+/// The changes that are intended.
 #[derive(Clone, Copy, Debug, Default)]
 struct Allowed {
     added_keys: bool,
     same_drawings: bool,
 }
 
-/// What two folders have and have not in common.
+/// The differences of two folders.
 #[derive(Debug, Default)]
 struct Compared {
     files: usize,
     /// A line each.
     differences: Vec<String>,
-    /// Values that reports have more, with all numbers in their ways left out: how many.
+    /// New values of reports: their paths without the numbers of lists, and how many there are.
     added: BTreeMap<String, usize>,
-    /// Drawings that show the same and are written another way.
+    /// Drawings with equal lines that are written another way.
     redrawn: usize,
     /// Pages, texts and times that differ.
     texts: usize,
@@ -167,8 +166,7 @@ fn compare_reports(name: &str, both: [&Vec<u8>; 2], allowed: Allowed, compared: 
     }
 }
 
-/// Whether two values are the same: numbers if they are so to the last bit, however they are
-/// written.
+/// Whether two values are equal: numbers to the last bit, however they are written.
 fn is_same(a: &Leaf, b: &Leaf) -> bool {
     let number = |leaf: &Leaf| match leaf {
         Leaf::Token(token) => token.parse::<f64>().ok().map(f64::to_bits),
@@ -187,7 +185,7 @@ fn is_sentence(path: &str) -> bool {
     SENTENCES.contains(&path.rsplit('.').next().unwrap_or(path))
 }
 
-/// A way without the numbers of lists: `panels[].edges[].name`.
+/// A path without the numbers of lists: `panels[].edges[].name`.
 fn without_numbers(path: &str) -> String {
     let mut parts = path.split('[');
     let mut short = parts.next().unwrap_or_default().to_owned();

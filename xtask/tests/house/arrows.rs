@@ -1,5 +1,5 @@
-//! The arrows of the house: which crate may use which, and which
-//! module of those that compute.
+//! The arrows of the house: which crate may use which, and in the crates that compute, which
+//! module.
 //!
 //! Read off the Cargo files and the `use` lines; a wrong arrow fails here, with its line.
 

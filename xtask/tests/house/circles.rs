@@ -1,11 +1,11 @@
-//! No circles of files: what a file uses does not lead back to it.
+//! No circles of files: the files that a file uses do not lead back to it.
 //!
-//! The files of a folder are compared as they stand side by side: a file and the folder of its name
-//! count as one, and so does all inside of them; what a file shares with the folder that it lies in
-//! is no circle. Each `use` and each path through `crate::` or `super::` is an arrow, also where
-//! the folder passes a name on from another file. Test modules are left out.
+//! The files of a folder are compared with one another: a file, the folder of its name and all
+//! inside of that count as one; names that a file shares with the folder in which it lies are no
+//! circle. Each `use` and each path through `crate::` or `super::` is an arrow, also where the
+//! folder passes a name on from another file. Test modules are left out.
 //!
-//! There are none; the first fails here.
+//! The test fails at the first circle.
 
 use super::sources::{root, rust_files};
 use std::collections::{BTreeMap, BTreeSet};
@@ -114,7 +114,7 @@ impl Modules {
         arrows
     }
 
-    /// What a path reaches, or the longest beginning of it that reaches a module.
+    /// The module that a path reaches, or that the longest possible beginning of it reaches.
     fn deepest(&self, from: &Way, path: &[String]) -> Option<Way> {
         (1..=path.len()).rev().find_map(|n| self.reached(from, &path[..n]))
     }
@@ -140,7 +140,7 @@ impl Modules {
     }
 }
 
-/// What arrows lead to from a file, one after the other.
+/// The files that arrows lead to from a file, in one or more steps.
 fn reachable<'a>(from: &'a String, arrows: &'a BTreeSet<[String; 2]>) -> BTreeSet<&'a String> {
     let mut found = BTreeSet::new();
     let mut waiting = vec![from];
@@ -230,7 +230,7 @@ fn circles_are_found_however_a_name_comes() {
     let passed_on =
         [("", "mod a;\nmod b;\npub use a::{A, f as g};"), straight[1], ("b", "use crate::A;")];
     assert_eq!(circles(&passed_on), of("c", ["a", "b"]));
-    // What is inside of a folder counts for it; what it shares with its own files does not.
+    // Arrows from inside of a folder count for it; those to its own files do not.
     let inside =
         [("", ""), ("a", "use super::b::B;\nmod in;"), ("a/in", "use super::A;"), ("b", "")];
     assert_eq!(circles(&inside), []);

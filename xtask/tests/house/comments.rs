@@ -1,4 +1,4 @@
-//! How comments read: no longer than lines of code, and each names what it is about.
+//! Comments are no longer than lines of code, and each names its subject.
 
 use super::sources::{root, rust_files};
 
@@ -8,7 +8,7 @@ const MOST_CHARACTERS: usize = 100;
 /// The folders of the source.
 const FOLDERS: [&str; 3] = ["crates", "fuzz/fuzz_targets", "xtask"];
 
-/// The places of all comment lines of which something holds.
+/// The places of all comment lines for which `holds` is true.
 fn comments(holds: impl Fn(&str, &str) -> bool) -> Vec<String> {
     let mut found = Vec::new();
     for path in FOLDERS.iter().flat_map(|folder| rust_files(&root().join(folder))) {
@@ -32,7 +32,7 @@ fn comments_are_no_longer_than_code() {
 
 #[test]
 fn comments_name_what_they_are_about() {
-    // What it is the same as may stand on another page.
+    // The subject may stand on another page.
     let nameless = comments(|_, comment| comment.starts_with("The same"));
     assert!(nameless.is_empty(), "say what it is:\n{}", nameless.join("\n"));
 }

@@ -1,5 +1,5 @@
-//! Options of the command are named by the command alone: what lies below it speaks to people at
-//! the editor and to readers of a page too, and says what helps in plain words.
+//! The command alone names its options: the crates below it also serve the editor and pages, and
+//! name remedies in plain words.
 
 use super::sources::{root, rust_files};
 

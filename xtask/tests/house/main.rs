@@ -1,5 +1,5 @@
-//! What holds for the source as a whole: which way its arrows point, that no files run in circles,
-//! how its comments read, and that options of the command are named by the command alone.
+//! Rules for the source as a whole: the direction of its arrows, no circles of files, readable
+//! comments, and options that the command alone names.
 
 #![allow(clippy::unwrap_used)] // tests panic
 
