@@ -1,13 +1,13 @@
-//! What a sheet can do: the limits that a verdict is given against.
+//! Materials: the limits of a sheet, with which the verdict compares a panel.
 //!
-//! A material is data that comes with a design. The kernel knows none by name: the catalogue is a
+//! A material is data that comes with a design. The kernel names no material: the catalogue is a
 //! file (`materials.json` in the crate `sheetwright-files`), and designs bring their own. Every
-//! number says where it comes from, so that a reader of a verdict can judge its limit.
+//! number has its source, so that a reader of a verdict can judge the limit.
 
 /// The source of a number that has none.
 pub const ASSUMED: &str = "assumed";
 
-/// A number and where it comes from.
+/// A number and its source.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sourced {
     /// The number, in the unit of its field.
@@ -28,29 +28,29 @@ impl Sourced {
 pub struct Material {
     /// How designs name it.
     pub name: String,
-    /// How people call it.
+    /// The name for people.
     pub title: String,
     /// Thickness, mm.
     pub thickness_mm: Sourced,
-    /// The smallest radius that it is bent to, mm.
+    /// The smallest bend radius, mm.
     pub bend_radius_mm: Sourced,
     /// The largest warp angle that it takes, degrees.
     pub warp_limit_deg: Sourced,
-    /// By which share it is stretched or squeezed within its plane at most, without unit.
+    /// The largest strain within its plane, in tension and compression, as a share.
     pub stretch_limit: Sourced,
 }
 
-/// The largest warp angle of a sheet that nothing is known of, degrees: metal shipbuilding
-/// \[ZB18\]. A warp angle along a ruling means that the sheet must stretch there.
+/// The largest warp angle of an unknown sheet, degrees: metal shipbuilding \[ZB18\]. A warp angle
+/// along a ruling means that the sheet must stretch there.
 pub const DEFAULT_WARP_LIMIT_DEG: f64 = 6.0;
 
-/// By which share a sheet that nothing is known of is stretched within its plane at most: a
-/// millimetre in a metre, about where metal stops springing back. Assumed, not looked up; the same
-/// as [`sheetwright_geometry::tolerance::Tolerance::MOST_STRETCH`].
+/// The largest strain of an unknown sheet within its plane, as a share: a millimetre in a metre,
+/// about where metal stops springing back. Assumed, not looked up; equal to
+/// [`sheetwright_geometry::tolerance::Tolerance::MOST_STRETCH`].
 pub const DEFAULT_STRETCH_LIMIT: f64 = 1e-3;
 
-/// A sheet that is bent to no less than this many thicknesses is taken to break when it is folded:
-/// between solid board (10) and plywood (96), nearer to the board.
+/// A sheet whose smallest bend radius exceeds this many thicknesses is taken to break when it is
+/// folded: between solid board (10) and plywood (96), nearer to the board.
 const MOST_THICKNESSES: f64 = 10.0;
 
 impl Material {
@@ -66,7 +66,7 @@ pub fn warp_limit_deg(material: Option<&Material>) -> f64 {
     material.map_or(DEFAULT_WARP_LIMIT_DEG, |m| m.warp_limit_deg.value)
 }
 
-/// By which share a sheet is stretched within its plane at most: the material's, or the default
+/// The largest strain of a sheet within its plane, as a share: the material's, or the default
 /// without one.
 pub fn stretch_limit(material: Option<&Material>) -> f64 {
     material.map_or(DEFAULT_STRETCH_LIMIT, |m| m.stretch_limit.value)

@@ -1,7 +1,7 @@
 //! A surface without interior vertices: triangles over samples.
 //!
-//! [`Connectivity`] knows which samples are joined and nothing of where they lie; [`Surface`] adds
-//! positions. Flattening takes a connectivity and lengths, so it can't depend on positions.
+//! [`Connectivity`] holds which samples are joined, but no positions; [`Surface`] adds positions.
+//! Flattening takes a connectivity and lengths, so it can't depend on positions.
 
 use sheetwright_geometry::index::{SampleIndex, TriangleIndex};
 use sheetwright_geometry::math::{Point3, Vec3, angle_between, unit};
@@ -37,7 +37,8 @@ pub enum ConnectivityError {
         /// The other end.
         to: SampleIndex,
     },
-    /// A side of only one triangle that is no edge of the boundary, or the reverse.
+    /// A side of only one triangle that is no edge of the boundary, or an edge of the boundary that
+    /// is no such side.
     OpenSide {
         /// One end of the side.
         from: SampleIndex,
@@ -69,8 +70,8 @@ impl Connectivity {
     /// after loop). Corners run counter-clockwise as seen from the side that the surface faces.
     ///
     /// # Errors
-    /// Unless the triangles are a manifold whose border is exactly the loops. What is wrong with
-    /// single triangles comes first.
+    /// Unless the triangles are a manifold whose border is exactly the loops. Faults of single
+    /// triangles come first.
     pub fn new(
         loops: &[Range<usize>],
         triangles: Vec<[SampleIndex; 3]>,
@@ -190,7 +191,7 @@ fn edges_of(loops: &[Range<usize>]) -> impl Iterator<Item = [SampleIndex; 2]> + 
     })
 }
 
-/// A connectivity whose samples have places.
+/// A connectivity with positions of its samples.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
     connectivity: Connectivity,
@@ -207,17 +208,17 @@ impl Surface {
         Self { connectivity, positions }
     }
 
-    /// Which samples are joined.
+    /// The triangles over samples, without positions.
     pub fn connectivity(&self) -> &Connectivity {
         &self.connectivity
     }
 
-    /// Where the samples lie, mm.
+    /// The positions of the samples, mm.
     pub fn positions(&self) -> &[Point3] {
         &self.positions
     }
 
-    /// Where a sample lies, mm.
+    /// The position of a sample, mm.
     pub fn position(&self, sample: SampleIndex) -> Point3 {
         self.positions[sample.get()]
     }

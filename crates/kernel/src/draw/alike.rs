@@ -1,16 +1,16 @@
-//! Which pieces of a pattern are the same part: cut once, any of them fits.
+//! Which pieces of a pattern are equal parts, so that one drawing serves for all.
 //!
-//! Two outlines are compared about the means of their corners. A turn, or a turn of the mirror
-//! image, keeps each corner's distance from there; so only those corners of the second outline can
-//! belong to the first of the first from which all distances follow one another alike. For each
-//! such start the turn is found by least squares, and every corner must then come to lie on its
-//! partner. What else is cut or scored has to follow.
+//! Two outlines are compared about the means of their corners. A rotation, with or without a
+//! mirror, keeps each corner's distance from there. So a corner of the second outline can match the
+//! first corner of the first outline only if the sequences of distances agree from there on. For
+//! each such corner, the rotation is found by least squares, and every corner must then lie on its
+//! partner. Holes and scored lines must match, too.
 
 use crate::pattern::{PathKind, Piece, Role};
 use sheetwright_geometry::math::{Point2, Vec2};
 
-/// A motion of the plane: points about `from` are mirrored where it is asked for, turned, and put
-/// about `to`.
+/// A motion of the plane: points about `from` are mirrored if `is_mirror`, turned, and moved to
+/// `to`.
 struct Motion {
     from: Vec2,
     to: Vec2,
@@ -27,9 +27,9 @@ impl Motion {
     }
 }
 
-/// Whether two pieces are the same part, maybe turned over: every corner of what is cut or scored
-/// of the one comes to lie within `within_mm` of one of the other. Pieces whose outlines have
-/// different numbers of corners are not compared.
+/// Whether two pieces are equal parts, maybe turned over: a motion brings every corner of a cut or
+/// scored line of the one within `within_mm` of one of the other. Pieces whose outlines have
+/// different numbers of corners are not equal.
 pub fn alike(a: &Piece, b: &Piece, within_mm: f64) -> bool {
     let (of_a, of_b) = (a.outline(), b.outline());
     let size = |piece: &Piece| {
@@ -54,7 +54,7 @@ pub fn alike(a: &Piece, b: &Piece, within_mm: f64) -> bool {
         })
 }
 
-/// The corners of what is cut or scored besides the outline.
+/// The corners of cut and scored lines besides the outline.
 fn rest(piece: &Piece) -> Vec<(Role, Point2)> {
     let counts = |role: Role| matches!(role, Role::Cut | Role::Score);
     let paths = piece.paths.iter().filter(|p| p.kind != PathKind::Outline && counts(p.role));

@@ -5,11 +5,11 @@ use crate::design::{CurveUse, Design, DesignPanel, PanelShape};
 use crate::sample::LEAST_OF_HOLE;
 use sheetwright_geometry::curve::Curve;
 
-/// A design of which no panel has more than `most` samples in all its loops, or as few as its
-/// curves let it have: one at every corner, three on an outline, as many on a hole as a panel gives
-/// it at the least. Panels that have no more stay as they are. Where seams are matched, all panels
-/// with more get fewer in the same proportion, so that both sides of a seam still agree; a panel
-/// that shares a long curve with a finer one may then keep a few more.
+/// A design of which no panel has more than `most` samples in all its loops, or else the least
+/// number that its curves need: one at every corner, three on an outline, and the minimum of each
+/// hole. Panels with no more samples stay as they are. Where seams are matched, all panels with
+/// more get fewer in the same proportion, so that both sides of a seam still agree; a panel that
+/// shares a long curve with a finer one may then keep a few more.
 ///
 /// Meshes have no samples. Points that are samples themselves stay, and joins are as fine as they
 /// ask for or their parts make them.
@@ -31,15 +31,15 @@ pub fn coarse(design: &Design, most: usize) -> Design {
     changed
 }
 
-/// The most samples that a panel may ask for so that it has `most` at the most; `None` where that
-/// can't be told.
+/// The largest setting of `samples` of a panel with which it has at most `most` samples in all;
+/// `None` where that is unknown.
 fn within(design: &Design, panel: &DesignPanel, most: usize) -> Option<usize> {
     let (mut low, mut high) = (least(design, panel), panel.samples);
     let count = counter(design, panel)?;
     if count(high) <= most {
         return Some(high);
     }
-    // More samples asked for never make fewer.
+    // The number of samples never falls as the setting grows.
     while low < high {
         let middle = (low + high).div_ceil(2);
         if count(middle) <= most {
@@ -62,12 +62,12 @@ fn curves<'a>(
     uses.iter().filter_map(found)
 }
 
-/// Samples that the corners of a chain of curves ask for.
+/// Samples that the corners of a chain of curves need.
 fn corners(design: &Design, uses: &[CurveUse]) -> usize {
     curves(design, uses).map(|(curve, _)| curve.stretches().len()).sum::<usize>().max(3)
 }
 
-/// The least samples that a panel may ask for.
+/// The least setting of `samples` of a panel.
 fn least(design: &Design, panel: &DesignPanel) -> usize {
     match &panel.shape {
         PanelShape::Rails(rails) => {
@@ -84,7 +84,7 @@ fn corners_of_rail(design: &Design, rail: &CurveUse) -> usize {
     curves(design, uses).map(|(curve, _)| curve.stretches().len() + 1).sum::<usize>().max(2)
 }
 
-/// How many samples all loops of a panel have when it asks for some.
+/// The number of samples in all loops of a panel, as a function of its setting.
 fn counter(design: &Design, panel: &DesignPanel) -> Option<impl Fn(usize) -> usize> {
     // Curves that can't be built have none.
     let length = |uses: &[CurveUse]| {

@@ -1,4 +1,4 @@
-//! What people do to the points of a curve.
+//! Edits of the points of a curve.
 //!
 //! A *leg* is the part of a curve from one of its points to the next: leg i begins at point i, and
 //! the last leg of a closed curve ends at point 0. For polylines and splines legs are the spans of
@@ -9,7 +9,7 @@ use sheetwright_geometry::curve::{Curve, CurveError, CurveKind, CurvePoint, poin
 use sheetwright_geometry::math::{Point2, Point3};
 use std::fmt;
 
-/// Why a curve can't be changed as asked.
+/// Why an edit of a curve fails.
 #[derive(Clone, Debug, PartialEq)]
 pub enum EditError {
     /// There is no point of this number.
@@ -31,16 +31,16 @@ pub enum EditError {
         /// How many such a curve needs.
         needed: usize,
     },
-    /// The points are samples themselves: nothing lies between them to be changed.
+    /// The points are samples themselves: there is no curve between them to be changed.
     Samples,
     /// The leg is no straight line.
     NotStraight,
-    /// It is for open curves, and this one is closed.
+    /// The edit is for open curves, and this one is closed.
     Closed {
         /// Its name.
         curve: String,
     },
-    /// It is for closed curves, and this one is open.
+    /// The edit is for closed curves, and this one is open.
     Open {
         /// Its name.
         curve: String,
@@ -49,9 +49,9 @@ pub enum EditError {
     Kinds,
     /// An end of the half does not lie on the mirror.
     OffMirror {
-        /// How far it is off, mm.
+        /// Its distance from the mirror, mm.
         off_mm: f64,
-        /// How far it may be, mm.
+        /// The largest distance allowed, mm.
         within_mm: f64,
     },
     /// The points make no curve.
@@ -141,20 +141,19 @@ fn check_leg(curve: &DesignCurve, leg: usize) -> Result<(), EditError> {
 pub struct Nearest {
     /// The span of the curve that it lies on, counted from 0.
     pub span: usize,
-    /// Where on the span, 0 ..= 1.
+    /// The parameter on the span, 0 ..= 1.
     pub t: f64,
     /// The leg that it belongs to: a point inserted here comes after point `leg`.
     pub leg: usize,
     /// The place in space, mm.
     pub position: Point3,
-    /// How far it is from the point asked for, in the plan, mm.
+    /// Its distance from the given point in the plan, mm.
     pub distance_mm: f64,
 }
 
-/// Places of a span that are looked at before the nearest is narrowed down.
+/// Places of a span that are compared before the nearest is narrowed down.
 const PLACES: usize = 32;
-/// Times that the part of the span where the nearest lies is made smaller by the golden section: to
-/// some 1e-8 of a span.
+/// Steps of the golden-section search for the nearest place: to some 1e-8 of a span.
 const NARROWINGS: usize = 36;
 
 /// The place of a curve that lies nearest to `at` in the plan that `project` makes of space.
@@ -234,12 +233,12 @@ fn leg_at(curve: &DesignCurve, span: usize, t: f64) -> usize {
 /// between points so near would wind about them.
 const ON_A_POINT: f64 = 1e-4;
 
-/// A smooth point more, at a place on the curve, which then runs through it (polylines, splines) or
-/// is pulled there (B-splines). Also returned is its number. Splines keep their shape nearly,
-/// polylines and straight legs exactly.
+/// The curve with another smooth point at a place on it, and the number of that point. Polylines
+/// and splines then run through it, B-splines have it as a control point. Splines keep their shape
+/// nearly, polylines and straight legs exactly.
 ///
 /// # Errors
-/// A place that is none, or right on a point.
+/// A place that does not exist, or lies on a point.
 pub fn insert_point(
     curve: &DesignCurve,
     place: &Nearest,
@@ -302,7 +301,7 @@ fn as_spline(curve: &DesignCurve) -> DesignCurve {
 }
 
 /// The curve with a straight side from point `from` on to point `to`: both become corners, and the
-/// points between them, as the curve runs, go. For the leg i: from i to i + 1.
+/// points between them, in the direction of the curve, are removed. For the leg i: from i to i + 1.
 ///
 /// # Errors
 /// No such points, no way from the one to the other, or too few points that would be left.
@@ -323,11 +322,11 @@ pub fn straighten(curve: &DesignCurve, from: usize, to: usize) -> Result<DesignC
     with_points(curve, points.collect())
 }
 
-/// How far a leg may bulge from a straight line to be one, as a share of its length: rounding.
+/// The largest bulge of a straight leg, as a share of its length: rounding.
 const STRAIGHT: f64 = 1e-9;
 
-/// The curve with a smooth point in the middle of a straight leg, so that it can be bent. Also
-/// returned is its number. A polyline becomes a spline.
+/// The curve with a smooth point in the middle of a straight leg, so that it can be bent, and the
+/// number of that point. A polyline becomes a spline.
 ///
 /// # Errors
 /// No such leg, one that is bent already, or points that are samples themselves.
@@ -381,12 +380,12 @@ pub(super) fn free_of(names: &[&str], base: &str) -> String {
     if !base.is_empty() && !names.contains(&base) {
         return base.to_owned();
     }
-    // Numbered from the number that the base ends with, if it does.
+    // Counted from the number at the end of the base, if there is one.
     let stem = base.trim_end_matches(|c: char| c.is_ascii_digit());
     let number = base[stem.len()..].parse::<u32>().unwrap_or(1);
     let stem = if stem.trim().is_empty() { "curve" } else { stem.trim_end() };
     let numbered =
         (1..=names.len() as u64 + 1).map(|n| format!("{stem} {}", u64::from(number) + n));
-    // Of more numbers than there are names, one is free.
+    // There are more numbers than names, so one is free.
     numbered.into_iter().find(|name| !names.contains(&name.as_str())).unwrap_or_default()
 }

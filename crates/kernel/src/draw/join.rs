@@ -1,4 +1,4 @@
-//! Open curves made one, or closed; closed curves opened.
+//! Joins two open curves, closes an open one, opens a closed one.
 
 use super::edit::{EditError, reversed, with_points};
 use crate::design::DesignCurve;
@@ -14,10 +14,10 @@ fn ends(curve: &DesignCurve) -> Result<[CurvePoint; 2], EditError> {
     }
 }
 
-/// Two open curves as one, from the end of each that lies nearest to the other: with one point
-/// where they meet within `within_mm`, half way between both ends, else with a straight side. There
-/// the curve has corners, so that both keep their shapes. It has the name of the first and runs the
-/// way that the first does; a polyline and a spline make a spline.
+/// Two open curves joined at the ends that are nearest to one another. Ends within `within_mm`
+/// become one point half way between them; otherwise a straight side joins them. The curve has
+/// corners there, so that both keep their shapes. It has the name and the direction of the first;
+/// a polyline and a spline make a spline.
 ///
 /// # Errors
 /// A closed curve, or one of control points with one that runs through its points.
@@ -46,7 +46,7 @@ pub fn join(a: &DesignCurve, b: &DesignCurve, within_mm: f64) -> Result<DesignCu
         (a_start.at.distance(b_end.at), true, false),
         (a_start.at.distance(b_start.at), true, true),
     ];
-    // The first of equals, so that the first curve is gone on from its end.
+    // The first of equals, so that the first curve is continued from its end.
     let (_, before, turned) = ways
         .into_iter()
         .reduce(|best, way| if way.0 < best.0 { way } else { best })
@@ -60,7 +60,8 @@ pub fn join(a: &DesignCurve, b: &DesignCurve, within_mm: f64) -> Result<DesignCu
     with_points(&DesignCurve { kind, ..a.clone() }, points)
 }
 
-/// Makes the last of `points` and the first of `rest` corners, and one point where they meet.
+/// Makes the last of `points` and the first of `rest` corners, and one point if they are within
+/// `within_mm`.
 fn meet(points: &mut [CurvePoint], rest: &mut Vec<CurvePoint>, within_mm: f64) {
     let (Some(end), Some(start)) = (points.last_mut(), rest.first_mut()) else { return };
     end.corner = true;
@@ -83,7 +84,7 @@ pub fn close(curve: &DesignCurve, within_mm: f64) -> Result<DesignCurve, EditErr
     let mut first: Vec<CurvePoint> = points.drain(..1).collect();
     meet(&mut points, &mut first, within_mm);
     if first.is_empty() {
-        // The end, which both are now, is where the curve begins.
+        // The merged point, at the end, becomes the first point.
         points.rotate_right(1);
     } else {
         points.splice(0..0, first);

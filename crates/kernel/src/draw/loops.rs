@@ -1,14 +1,14 @@
 //! Which closed curves of a plan lie inside which, which cross, and which are neighbours.
 //!
-//! Loops that do not meet are nested like bowls. Counted from outside, a loop at an even depth
+//! Loops that do not meet are disjoint or nested. Counted from outside, a loop at an even depth
 //! bounds a panel and one at an odd depth is a hole of the panel around it. Loops that meet in
-//! corners or along sides, each outside of the other, are neighbours, as panels are that are drawn
-//! off one another; neither lies inside the other. Loops that meet in any other way cross: one runs
+//! corners or along sides, each outside of the other, are neighbours, as panels drawn off one
+//! another are; neither lies inside the other. Loops that meet in any other way cross: one runs
 //! through the other, touches it from inside, or lies on it.
 //!
-//! All tests are exact on the polygons that are given. Two edges that cross in their middles tell
-//! at once. Where loops only touch, each place is a corner of one of them; around it, the edges of
-//! either run into the other, out of it, or along it, which the turns about that corner tell.
+//! All tests are exact on the given polygons. Two edges that cross in their interiors decide at
+//! once. Where loops only touch, each contact is a corner of one of them. Orientation tests about
+//! that corner show whether the edges of either run into the other, out of it, or along it.
 
 use sheetwright_geometry::math::Point2;
 use sheetwright_geometry::predicate::{
@@ -17,7 +17,7 @@ use sheetwright_geometry::predicate::{
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
-/// Where a loop lies among others.
+/// The place of a loop among others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Nested {
     /// The innermost of the loops around it, counted from 0; `None` if there is none.
@@ -33,7 +33,7 @@ impl Nested {
     }
 }
 
-/// How loops lie in a plan.
+/// The nesting, crossings and contacts of loops in a plan.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Nesting {
     /// Each loop, in the order given. Loops that cross or touch are not inside one another.
@@ -48,8 +48,9 @@ pub struct Nesting {
     pub crossing_itself: Vec<usize>,
 }
 
-/// How closed polygons lie in a plan. Those of fewer than three corners lie inside nothing and have
-/// nothing inside. Time O(m log m) for m corners as people draw them.
+/// The nesting, crossings and contacts of closed polygons in a plan. A polygon of fewer than three
+/// corners lies inside no other and has none inside. Time O(m log m) for m corners as people draw
+/// them.
 pub fn nesting(loops: &[Vec<Point2>]) -> Nesting {
     let meetings = meetings(loops);
     let meets = |a: usize, b: usize| meetings.contains_key(&[a.min(b), a.max(b)]);
@@ -154,7 +155,7 @@ fn meetings(loops: &[Vec<Point2>]) -> BTreeMap<[usize; 2], Meeting> {
     found
 }
 
-/// Whether the line through `a` and `b` has `c` on one side and `d` on the other.
+/// Whether the line through `a` and `b` separates `c` and `d`.
 fn parts(a: Point2, b: Point2, c: Point2, d: Point2) -> bool {
     let sides = [orientation(a, b, c), orientation(a, b, d)];
     !sides.contains(&Ordering::Equal) && sides[0] != sides[1]
@@ -184,15 +185,15 @@ fn way_round(polygon: &[Point2]) -> Ordering {
         let (a, b) = (polygon[*a], polygon[*b]);
         a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y))
     };
-    // The lowest of the leftmost corners turns as the whole does.
+    // The polygon turns at the lowest of its leftmost corners in its own direction.
     let Some(corner) = (0..polygon.len()).min_by(order) else { return Ordering::Equal };
     let [before, behind] = beside(polygon, corner, polygon[corner]);
     orientation(before, polygon[corner], behind)
 }
 
-/// Where the way from a place `p` on a polygon towards another point begins: `Greater` inside of
-/// the polygon, `Less` outside, `Equal` along it. `before` and `behind` are the corners of the
-/// polygon beside `p`, and it runs round `way`.
+/// Where the segment from a place `p` on a polygon towards another point begins: `Greater` inside
+/// of the polygon, `Less` outside, `Equal` along it. `before` and `behind` are the corners of the
+/// polygon beside `p`, and `way` is its direction.
 fn side(p: Point2, [before, behind]: [Point2; 2], way: Ordering, toward: Point2) -> Ordering {
     let alike = |a: f64, b: f64, from: f64| a.partial_cmp(&from) == b.partial_cmp(&from);
     let runs_along = |corner: Point2| {

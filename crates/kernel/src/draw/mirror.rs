@@ -1,12 +1,12 @@
-//! Curves and their images in a mirror, which is whatever `reflect` says: a plane as a rule.
+//! Curves and their images in a mirror, given by the function `reflect`: usually a plane.
 
 use super::edit::{EditError, built, with_points};
 use crate::design::DesignCurve;
 use sheetwright_geometry::curve::CurvePoint;
 use sheetwright_geometry::math::{Point3, Vec3, angle_between, from_deg};
 
-/// A curve that meets its image at less than this turn, degrees, is meant to run on smoothly: a
-/// hand does not meet a mirror more exactly.
+/// A curve that meets its image at a smaller turn, degrees, is meant to run on smoothly: a hand is
+/// no more exact than that.
 const SMOOTH_DEG: f64 = 25.0;
 /// The part of a span over which the direction of its image is found.
 const SHORT: f64 = 1e-3;
@@ -18,12 +18,12 @@ pub fn mirrored(curve: &DesignCurve, reflect: impl Fn(Point3) -> Point3) -> Desi
 }
 
 /// An open half and its image as one closed, symmetrical curve. Both ends of the half must lie
-/// within `within_mm` of the mirror, and are put where `onto` says: exactly on it. Where the half
-/// meets the mirror nearly squarely, the curve runs on smoothly; else, or where the end is a corner
+/// within `within_mm` of the mirror; `onto` moves them exactly on it. Where the half meets the
+/// mirror nearly at right angles, the curve runs on smoothly; else, or where the end is a corner
 /// already, it has a corner.
 ///
 /// # Errors
-/// A closed curve, ends that are off the mirror, or nothing between them.
+/// A closed curve, ends that are off the mirror, or no points between them.
 pub fn closed_by_mirror(
     half: &DesignCurve,
     reflect: impl Fn(Point3) -> Point3,

@@ -1,9 +1,9 @@
-//! What a drawing program needs of geometry, so that it computes none itself: from the way of a
-//! hand to a curve, from curves in a plan to panels with holes, what people do to a curve, and
-//! which pieces of a pattern are the same part.
+//! The geometry of a drawing program, so that the program computes none itself: from the path of a
+//! pointer to a curve, from curves in a plan to panels with holes, edits of a curve, and which
+//! pieces of a pattern are equal parts.
 //!
-//! Everything here is a pure function on the plain values of a [design](crate::design): it returns
-//! what is changed, or says in words why it can't be, and never changes what it is given.
+//! All functions here are pure, on the plain values of a [design](crate::design): each returns the
+//! changed value, or an error in words, and never changes its arguments.
 
 pub mod alike;
 pub mod coarse;

@@ -1,15 +1,14 @@
 //! From the closed curves of a design to panels and holes.
 //!
 //! A closed curve that no panel uses becomes a hole of the panel whose outer loop is the nearest
-//! around it in the plan; inside a hole, or where nothing is around it, it becomes a panel. So
-//! depth after depth of curves drawn inside one another is in turn sheet and air. What panels there
-//! are keep everything. One that a new curve is drawn around stays, and the new panel has a hole
-//! there.
+//! around it in the plan; inside a hole, or outside of all panels, it becomes a panel. So curves
+//! drawn inside one another are sheet and opening in turn. Existing panels do not change. If a new
+//! curve is drawn around one, the new panel has a hole there.
 //!
-//! A new panel runs along its curve so that it faces as its neighbours do: against the way that a
-//! panel runs which has two of its points in a row too; without such a neighbour,
-//! counter-clockwise, so that it faces the eye above the plan. Which way the hand drew means
-//! nothing.
+//! A new panel runs along its curve in the direction in which it faces as its neighbours do:
+//! opposite to a panel that shares two points in a row with it; without such a neighbour,
+//! counter-clockwise, so that it faces the eye above the plan. The direction of the drawn curve
+//! does not matter.
 
 use super::edit::{built, free_of};
 use super::loops::{Nesting, nesting};
@@ -19,10 +18,10 @@ use sheetwright_geometry::math::{Point2, Point3};
 use sheetwright_geometry::predicate::signed_area_doubled;
 use std::collections::BTreeSet;
 
-/// Something that is proposed for the panels of a design.
+/// A proposed change of the panels of a design.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PanelChange {
-    /// A closed curve becomes a hole of a panel that there is.
+    /// A closed curve becomes a hole of an existing panel.
     Hole {
         /// The panel.
         panel: String,
@@ -33,22 +32,22 @@ pub enum PanelChange {
     Panel(DesignPanel),
 }
 
-/// What is proposed for the panels of a design.
+/// The proposed changes of the panels of a design.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Proposal {
     /// The changes, in the order of the curves.
     pub changes: Vec<PanelChange>,
     /// Pairs of curves that cross in the plan, lie on one another or touch with one inside the
-    /// other, at least one of them free: nothing is proposed for a free curve that crosses
-    /// something. Neighbours that touch from outside are no such pair, unless both would be holes
-    /// of one panel.
+    /// other, at least one of them free: a free curve that crosses another gets no proposal.
+    /// Neighbours that touch from outside are no such pair, unless both would be holes of one
+    /// panel.
     pub crossing: Vec<[String; 2]>,
-    /// Free curves that cross themselves in the plan: nothing is proposed for them.
+    /// Free curves that cross themselves in the plan, which get no proposal.
     pub crossing_itself: Vec<String>,
 }
 
 impl Proposal {
-    /// The design with all that is proposed.
+    /// The design with all proposed changes.
     pub fn applied(&self, design: &Design) -> Design {
         let mut changed = design.clone();
         for change in &self.changes {
@@ -76,7 +75,7 @@ fn used(name: &str) -> CurveUse {
 const PLACES: usize = 24;
 
 /// The places of a curve in a plan as a polygon for [`nesting`]; without the end of an open one, so
-/// that those of curves that follow one another make a loop. Empty if its points make no curve.
+/// that the polygons of curves in a chain make a loop. Empty if its points make no curve.
 pub fn in_plan(curve: &DesignCurve, project: impl Fn(Point3) -> Point2) -> Vec<Point2> {
     built(curve).map(|made| polygon(&made, curve, &project)).unwrap_or_default()
 }
@@ -94,7 +93,8 @@ fn polygon(made: &Curve, curve: &DesignCurve, project: &impl Fn(Point3) -> Point
     places.map(|(n, t)| project(made.spans()[n].position(t))).collect()
 }
 
-/// How far the control points of a straight span may be off, as a share of its length: rounding.
+/// The largest distance of the control points of a straight span from its line, as a share of its
+/// length: rounding.
 const STRAIGHT: f64 = 1e-12;
 
 /// A loop of the plan.
@@ -167,8 +167,8 @@ fn loops_of(design: &Design, project: &impl Fn(Point3) -> Point2) -> Vec<Loop> {
     loops
 }
 
-/// Whether a new outline is to be run against the way that its curve has, among the outer loops of
-/// the panels that there are.
+/// Whether a new outline must run opposite to its curve, given the outer loops of the existing
+/// panels.
 fn is_turned(new: &Loop, others: &[Vec<Point3>]) -> bool {
     let m = new.points.len();
     let side = |n: usize| [new.points[n], new.points[(n + 1) % m]];
@@ -181,7 +181,7 @@ fn is_turned(new: &Loop, others: &[Vec<Point3>]) -> bool {
         let count = |other: &Vec<Point3>| (0..m).filter(|&n| runs(other, of(n))).count();
         others.iter().map(count).sum::<usize>()
     };
-    // Neighbours run along what they share in opposite directions.
+    // Neighbours run along shared points in opposite directions.
     match shared(false).cmp(&shared(true)) {
         std::cmp::Ordering::Greater => true,
         std::cmp::Ordering::Less => false,
@@ -189,7 +189,7 @@ fn is_turned(new: &Loop, others: &[Vec<Point3>]) -> bool {
     }
 }
 
-/// The free loops that nothing is proposed for, and a proposal that says why.
+/// The free loops without a proposal, and a proposal with the reasons.
 fn barred(
     loops: &[Loop],
     crossing: &[[usize; 2]],
@@ -211,8 +211,8 @@ fn barred(
     (proposal, barred)
 }
 
-/// What becomes of every closed curve that no panel uses. New panels get the free names that follow
-/// the names of their curves, and `samples` samples.
+/// A proposal for every closed curve that no panel uses. New panels get free names made from the
+/// names of their curves, and `samples` samples.
 pub fn panels_of_drawing(
     design: &Design,
     project: impl Fn(Point3) -> Point2,
@@ -231,7 +231,7 @@ pub fn panels_of_drawing(
         let of = move |pair: &&[usize; 2]| pair.contains(&n);
         touching.iter().filter(of).map(move |&[a, b]| if a == n { b } else { a })
     };
-    // From outside inwards, so that what is around a loop has its part.
+    // From outside inwards, so that the loops around a loop are decided first.
     let mut order: Vec<usize> =
         (0..loops.len()).filter(|n| loops[*n].is_free() && !barred.contains(n)).collect();
     order.sort_by_key(|&n| (nested[n].depth, n));
@@ -272,7 +272,7 @@ pub fn panels_of_drawing(
         let outer = vec![CurveUse { name: name.clone(), reversed }];
         let shape = PanelShape::Loops { outer, holes: Vec::new() };
         new.push((n, DesignPanel::new(free, shape, samples)));
-        // Panels that there are and that it is drawn around.
+        // Existing panels inside of it.
         for inner in (0..loops.len()).filter(|&i| parent(i, &barred) == Some(n)) {
             if let Part::Outer(of) = loops[inner].part
                 && let PanelShape::Loops { outer, .. } = &design.panels[of].shape
@@ -295,9 +295,9 @@ fn add_hole(panel: &mut DesignPanel, hole: Vec<CurveUse>) {
     }
 }
 
-/// The design without a curve: panels lose the holes that it bounds, and a panel whose outer loop
-/// or rail it is part of goes; so do joins of fewer than two panels, and what would vary nothing
-/// that is left.
+/// The design without a curve: panels lose the holes that it bounds. Also removed are panels whose
+/// outer loop or rail it is part of, joins of fewer than two panels, and each `vary` without curves
+/// or panels left.
 pub fn without_curve(design: &Design, name: &str) -> Design {
     let mut changed = design.clone();
     changed.curves.retain(|curve| curve.name != name);
@@ -314,15 +314,16 @@ pub fn without_curve(design: &Design, name: &str) -> Design {
     without_lost_panels(changed)
 }
 
-/// The design without a panel; its curves stay. Joins of fewer than two panels go, and what would
-/// vary nothing that is left.
+/// The design without a panel; its curves stay. Also removed are joins of fewer than two panels,
+/// and each `vary` without curves or panels left.
 pub fn without_panel(design: &Design, name: &str) -> Design {
     let mut changed = design.clone();
     changed.panels.retain(|panel| panel.name != name);
     without_lost_panels(changed)
 }
 
-/// Whether a list of names, which stands for all when it is empty, still names some.
+/// Keeps the names that are left; returns whether any are, or the list was empty, which stands for
+/// all.
 fn left_of(names: &mut Vec<String>, is_left: impl Fn(&str) -> bool) -> bool {
     let named = !names.is_empty();
     names.retain(|name| is_left(name));

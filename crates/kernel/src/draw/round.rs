@@ -1,9 +1,9 @@
 //! Points of a circle.
 //!
 //! A cubic spline through n points of a circle, spread evenly, lies inside of it between them, by
-//! (2π/n)⁴/384 of the radius at the most: by a thousandth for 8 points, which a pattern that lies
-//! askew shows as 199.8 mm for 200 mm; for 32 points by 4 millionths. So the circle of 200 mm
-//! measures 200 mm within 0.001 mm in every direction.
+//! (2π/n)⁴/384 of the radius at the most: for 8 points by a thousandth, so that a pattern at an
+//! angle measures 199.8 mm instead of 200 mm; for 32 points by 4 millionths, so that the circle of
+//! 200 mm measures 200 mm within 0.001 mm in every direction.
 
 use sheetwright_geometry::math::{Point2, Vec2, cos, from_deg, sin};
 

@@ -1,20 +1,19 @@
-//! Points that are put where there are points already.
+//! Points drawn onto existing points.
 //!
-//! A plan shows where a point lies across it, and not how far it is lifted. A curve drawn on from a
-//! point that there is means that point: the new one takes its whole position in space, bit by bit,
-//! so that what meets there meets in space too, and moves together from then on.
+//! A plan does not show how far a point is lifted. A curve drawn from an existing point means that
+//! point: the new point takes its whole position in space, bit by bit, so that the curves meet in
+//! space, too, and move together from then on.
 
 use super::edit::{EditError, insert_point, nearest, with_points};
 use crate::design::DesignCurve;
 use sheetwright_geometry::math::{Point2, Point3};
 
-/// A fitted point takes the place of a shared one within this share of the way to its neighbours;
-/// farther off, the curve gets a point more.
+/// A shared point replaces a fitted one within this share of the distance to its neighbours;
+/// farther off, the curve gets another point.
 const TAKES: f64 = 0.35;
 
-/// Which of some points of space is exactly at a place of the plan that `project` makes of space;
-/// of several the one with the greatest `lift`, which lies on top as the plan is seen. `None`
-/// if there is no such point.
+/// The point that `project` puts exactly at a place of the plan; of several the one with the
+/// greatest `lift`, which lies on top in the plan. `None` if there is no such point.
 pub fn point_at(
     points: impl Iterator<Item = Point3>,
     place: Point2,
@@ -25,8 +24,8 @@ pub fn point_at(
     on_it.max_by(|a, b| lift(*a).total_cmp(&lift(*b)))
 }
 
-/// A drawn curve that begins at `start` and ends at `end`, as far as these are given. Of a closed
-/// curve, which has no ends, a point is put on each.
+/// A drawn curve that begins at `start` and ends at `end`, as far as these are given. A closed
+/// curve, which has no ends, gets a point at each.
 ///
 /// # Errors
 /// Points that make no curve.
@@ -51,7 +50,7 @@ pub fn settled(
     with_points(&settled, settled.points.clone())
 }
 
-/// A closed curve with a point at a place that it runs by.
+/// A closed curve with a point at a place near it.
 fn through(
     curve: &DesignCurve,
     to: Point3,

@@ -1,23 +1,22 @@
-//! From the way of a hand, noisy and unevenly spaced, to the few points of a cubic curve.
+//! From the path of a hand, noisy and unevenly spaced, to the few points of a cubic curve.
 //!
 //! The paper that this program grew from records the paths of a brush or a mouse, simplifies them
 //! by the method of Douglas and Peucker \[DouglasPeucker1973\] and approximates them by a cubic
 //! B-spline within L/100, L being the length of the stroke. Here the curve is the interpolating
-//! spline of `CurveKind::Spline`: piecewise cubic and twice
-//! differentiable, it *is* a cubic B-spline, the one with its knots at its handles, and written by
-//! the points it runs through instead of its control points; so handles lie on the curve, where a
-//! hand looks for them. In steps:
+//! spline of `CurveKind::Spline`. It is piecewise cubic and twice differentiable, so it *is* a
+//! cubic B-spline with its knots at its handles. It is given by the points it runs through instead
+//! of its control points, so handles lie on the curve, where a hand looks for them. In steps:
 //!
-//! 1. Points on the same spot are one; a stroke no larger than a click is refused (`path`).
-//! 2. Where the ends meet, or the end runs past the beginning, the stroke is closed; what runs over
-//!    is cut off and what gapes is drawn together (`closing`).
-//! 3. Corners are where the hand turns sharply within a short way, and no less sharply within half
-//!    of it: that tells a corner from a bend (`corners`).
-//! 4. Between corners, points are taken away after Douglas and Peucker as long as the stroke keeps
-//!    within L/100. Where nothing is left between two corners the side is straight.
-//! 5. Elsewhere handles are laid, as few as bring the curve within L/100 of the stroke and the
-//!    stroke within L/100 of the curve, by least squares, which smooth the jitter of a hand instead
-//!    of following it (`fit`).
+//! 1. Points on one spot are merged; a stroke no larger than a click is refused (`path`).
+//! 2. Where the ends meet, or the end runs past the beginning, the stroke is closed: the excess is
+//!    cut off and a gap is drawn together (`closing`).
+//! 3. A corner is a place where the hand turns sharply within a short length, and no less sharply
+//!    within half of it; a bend turns by half there (`corners`).
+//! 4. Between corners, points are removed after Douglas and Peucker while the stroke stays within
+//!    L/100. Where none is left between two corners, the side is straight.
+//! 5. Elsewhere the fewest handles are placed that bring curve and stroke within L/100 of one
+//!    another, by least squares, which smooth the jitter of a hand instead of following it
+//!    (`fit`).
 
 mod closing;
 mod corners;
@@ -32,15 +31,16 @@ use std::fmt;
 /// How a stroke becomes a curve. Shares are of the length L of the stroke.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StrokeOptions {
-    /// How far the curve may be off the stroke, as a share of L: 0.01, as in the paper.
+    /// The largest distance of the curve from the stroke, as a share of L: 0.01, as in the paper.
     pub tolerance_share: f64,
-    /// The least turn that makes a corner, degrees: 40, which octagons have and no bend of an oval.
+    /// The least turn that makes a corner, degrees: 40, less than in an octagon and more than in a
+    /// bend of an oval.
     pub corner_deg: f64,
     /// The share of L within which the ends of a stroke count as meeting: 0.04.
     pub close_share: f64,
     /// A stroke that extends no farther than this is a click, mm: 1.
     pub smallest_mm: f64,
-    /// What the pointer can't tell apart, mm: the size of a pixel in the plan. 0: not known.
+    /// The resolution of the pointer, mm: the size of a pixel in the plan. 0: unknown.
     pub grain_mm: f64,
 }
 
@@ -59,7 +59,7 @@ impl Default for StrokeOptions {
 /// A point that the curve of a stroke runs through.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StrokePoint {
-    /// Where it lies in the plan, mm.
+    /// Its position in the plan, mm.
     pub at: Point2,
     /// Whether the hand made a corner here. The ends of an open curve are none.
     pub corner: bool,
@@ -72,15 +72,15 @@ pub struct Stroke {
     pub points: Vec<StrokePoint>,
     /// Whether the curve ends where it begins.
     pub closed: bool,
-    /// How far curve and stroke are apart at the most, either way, mm; measured from the stroke as
-    /// it was closed. It is above the tolerance only where a stroke is so wild that
-    /// [`MOST_POINTS`] points don't follow it.
+    /// The largest distance between curve and stroke, in both directions, mm; from the stroke after
+    /// it was closed. It exceeds the tolerance only where a stroke is so wild that [`MOST_POINTS`]
+    /// points don't follow it.
     pub off_mm: f64,
     /// The length L of the stroke, mm.
     pub length_mm: f64,
 }
 
-/// Points that a stroke becomes at the most.
+/// Limit of the points of a stroke.
 pub const MOST_POINTS: usize = 64;
 
 /// Why a stroke is no curve.
@@ -92,14 +92,14 @@ pub enum StrokeError {
         /// The position, counted from 0.
         position: usize,
     },
-    /// It extends no farther than a click does.
+    /// It extends no farther than a click.
     Click {
-        /// How far it extends, mm.
+        /// Its extent, mm.
         extent_mm: f64,
-        /// How far a stroke extends at the least, mm.
+        /// The least extent of a stroke, mm.
         smallest_mm: f64,
     },
-    /// It runs back over itself so that no curve follows it.
+    /// It runs back over itself, so no curve follows it.
     NoCurve,
 }
 

@@ -1,5 +1,5 @@
-//! Spectral projected gradient, \[BMR00\]: steps as long as the last change of the slopes suggests
-//! (Barzilai and Borwein), projected on the limits, along which the value must
+//! Spectral projected gradient, \[BMR00\]: the length of a step comes from the last change of the
+//! slopes (Barzilai and Borwein). The step is projected on the limits, and along it the value must
 //! fall below the largest of the last few.
 
 use super::limit::Limit;
@@ -7,32 +7,32 @@ use sheetwright_geometry::math::Vec3;
 
 /// How many values back a step is compared with.
 const MEMORY: usize = 8;
-/// How much of the fall that the slopes promise a step must keep (Armijo).
+/// The share of the fall predicted by the slopes that a step must achieve (Armijo).
 const KEPT: f64 = 1e-4;
 /// How often a step is shortened.
 const SHORTENED: usize = 25;
-/// No step would move an unknown by more than this many times what it may: beyond, projections lose
-/// digits and gain nothing.
+/// No step before projection moves an unknown by more than this many times its limit: beyond,
+/// projections lose digits.
 const LONGEST_MOVE: f64 = 1e3;
-/// The first step moves the farthest unknown by this share of what it may.
+/// The first step moves the farthest unknown by this share of its limit.
 const FIRST_MOVE: f64 = 0.01;
-/// A step below this share of what may be moved is none.
+/// A step below this share of the limit counts as none.
 const NO_MOVE: f64 = 1e-9;
 
 /// A descent ends when this many steps,
 const PATIENCE: usize = 20;
-/// together, have lowered the best value by less than this share of it: the triangulation changes
-/// before more can be told.
+/// together, have lowered the best value by less than this share of it: a new triangulation gains
+/// more.
 const LEAST_FALL: f64 = 1e-4;
 
 /// How a descent ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum DescentEnd {
-    /// No direction within the limits goes down any more, but for rounding, or none was found.
+    /// No direction within the limits lowers the value any more beyond rounding, or none was found.
     Converged,
     /// All steps are used.
     Steps,
-    /// Asked to stop.
+    /// The watch stopped it.
     Stopped,
 }
 
@@ -44,8 +44,8 @@ pub(super) struct Descent {
     pub(super) end: DescentEnd,
 }
 
-/// Descends from `start`, which obeys the limit, by at most so many steps. `value` gives the value
-/// at a point and fills in its slopes; it may be infinite, where nothing can be.
+/// Descends from `start`, which is within the limit, by at most so many steps. `value` gives the
+/// value at a point and fills in its slopes; it is infinite at impossible points.
 pub(super) fn descend(
     start: &[Vec3],
     limit: &Limit,
@@ -99,7 +99,7 @@ pub(super) fn descend(
                 found = Some(there);
                 break;
             }
-            // Where the parabola through both values has its least, within reason.
+            // The minimum of the parabola through both values, kept within bounds.
             let curved = there - here - share * promised;
             let least = -0.5 * promised * share * share / curved;
             let within = least.is_finite() && least > 0.1 * share && least < 0.5 * share;

@@ -1,19 +1,19 @@
-//! What holds samples back, and the exact projections on it: the nearest displacements that obey.
+//! Limits of displacements, and the exact projections on them: the nearest displacements within.
 
 use sheetwright_geometry::math::Vec3;
 
-/// How far the unknowns may move.
+/// A limit of the displacements of the unknowns.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Limit {
-    /// One budget in all, equation (6): the sum of weight × displacement over the unknowns is at
-    /// most `total_mm`; and none moves by more than a limit of its own.
+    /// One budget for all, equation (6): the sum of weight × displacement over the unknowns is at
+    /// most `total_mm`, and each unknown has a limit of its own.
     Budget {
         /// The budget, mm; finite and not negative.
         total_mm: f64,
-        /// What a displacement of each unknown counts, positive: 1 for a sample, for a control
-        /// point the sum of the shares that samples have in it.
+        /// The weight of each unknown, positive: 1 for a sample, for a control point the sum of the
+        /// shares that samples have in it.
         weights: Vec<f64>,
-        /// The limits, mm, not negative; infinite where the budget alone holds an unknown back.
+        /// The limits, mm, not negative; infinite where the budget alone limits an unknown.
         radii_mm: Vec<f64>,
     },
     /// A limit for each unknown, mm; finite and not negative, 0 holds it fixed.
@@ -24,25 +24,25 @@ pub enum Limit {
 }
 
 impl Limit {
-    /// One budget for all, and nothing else.
+    /// One budget for all, without other limits.
     pub fn budget(total_mm: f64, weights: Vec<f64>) -> Self {
         let radii_mm = vec![f64::INFINITY; weights.len()];
         Self::Budget { total_mm, weights, radii_mm }
     }
 
-    /// How many unknowns it is for.
+    /// The number of unknowns.
     pub fn len(&self) -> usize {
         match self {
             Self::Budget { radii_mm, .. } | Self::Each { radii_mm } => radii_mm.len(),
         }
     }
 
-    /// Whether it is for none.
+    /// Whether there are no unknowns.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Whether its numbers are limits at all.
+    /// Whether its numbers are valid limits.
     pub(super) fn is_valid(&self) -> bool {
         let length = |mm: &f64| mm.is_finite() && *mm >= 0.0;
         match self {
@@ -104,7 +104,7 @@ impl Limit {
         assert_eq!(self.len(), displacements.len(), "one displacement an unknown");
         match self {
             Self::Budget { total_mm, weights, radii_mm } => {
-                // Twice, since what is very long loses the digits that the budget is counted in.
+                // Twice, since very long displacements lose the digits of the budget.
                 project_on_budget(displacements, weights, radii_mm, *total_mm);
                 project_on_budget(displacements, weights, radii_mm, *total_mm);
             }
@@ -117,15 +117,16 @@ impl Limit {
     }
 }
 
-/// A displacement, or as much of it as is `longest` long.
+/// A displacement, shortened to at most `longest`.
 fn shortened(way: Vec3, longest: f64) -> Vec3 {
     let length = way.length();
     if length > longest { way * (longest / length) } else { way }
 }
 
-/// The projection on Σ wₖ |uₖ| ≤ ε and |uₖ| ≤ rₖ shortens every uₖ by λ wₖ, to nothing where it is
-/// no longer than that, and then to rₖ. The sum that is left falls with λ and is linear between the
-/// ratios |uₖ| / wₖ and (|uₖ| − rₖ) / wₖ, so λ follows from where among them it is ε.
+/// The projection on Σ wₖ |uₖ| ≤ ε and |uₖ| ≤ rₖ shortens every uₖ by λ wₖ, to zero where it is no
+/// longer than that, and then to rₖ. The remaining sum falls with λ and is linear between the
+/// ratios
+/// |uₖ| / wₖ and (|uₖ| − rₖ) / wₖ, so the two ratios between which it reaches ε give λ.
 fn project_on_budget(displacements: &mut [Vec3], weights: &[f64], radii_mm: &[f64], total_mm: f64) {
     let count = displacements.len();
     let lengths: Vec<f64> = displacements.iter().map(|way| way.length()).collect();
@@ -188,8 +189,8 @@ mod tests {
         weights.iter().zip(ways).map(|(w, way)| w * way.length()).sum()
     }
 
-    /// What every projection on a convex set obeys: it is in it, nothing in it is in a direction
-    /// that leads on to what is projected, and it stays where it is when projected again.
+    /// Checks the properties of a projection on a convex set: the result is in the set, no element
+    /// of the set is nearer (the variational inequality), and projecting again does not move it.
     fn check(limit: &Limit, within: impl Fn(&[Vec3]) -> bool, numbers: &mut Numbers) {
         let count = limit.len();
         for long in [1e-3, 1.0, 30.0, 1e4] {

@@ -1,29 +1,28 @@
-//! Variational interpolation, \[G14\]: samples move, within limits, so that the surface bends less
-//! unlike a sheet.
+//! Variational interpolation, \[G14\]: samples move, within limits, so that the surface bends more
+//! like a sheet.
 //!
-//! **The problem** (equation 6). Among the displacements that a [`Limit`] allows, find those for
-//! which the cheapest triangulation of the moved boundary is cheapest; or ([`VaryGoal::Warp`]) the
-//! smallest for which no rung has a warp angle above a given one.
+//! **The problem** (equation 6). Among the displacements within a [`Limit`], find those with the
+//! least price of the cheapest triangulation of the moved boundary; or ([`VaryGoal::Warp`]) the
+//! smallest with which no rung has a warp angle above a given one.
 //!
 //! **The unknowns** are displacements in space. Every sample follows them linearly ([`Motion`]): a
 //! sample may be an unknown itself, the copies of a sample on a seam are one unknown, and samples
-//! along a curve may follow the control points of a B-spline. Panels are varied together, so what
-//! they share stays shared, to the bit.
+//! along a curve may follow the control points of a B-spline. Panels are varied together, so their
+//! shared samples stay shared, to the bit.
 //!
-//! **The way there.**
+//! **The method.**
 //! 1. Triangulate. Hold the triangulation.
 //! 2. Descend by projected gradients on the price of that triangulation, a sum over its rungs and
 //!    triangles in which tangents turn as the samples beside them move. \[G14\] holds the tangents
-//!    of the neighbours; then a slope is that of no function.
+//!    of the neighbours; its slopes are then no gradient of a function.
 //! 3. Triangulate anew, and take the step only if the true price falls and the total twist does not
 //!    rise; else half of it, a quarter, an eighth.
-//! 4. Repeat until nothing falls any more.
+//! 4. Repeat until the price falls no more.
 //!
-//! For a warp angle, what is above it is squared and added to the price, with growing weight; when
-//! no rung is above it, the limit is drawn in, by bisection, as long as the angle can be kept.
+//! For a warp angle, the squares of the excess of warp angles are added to the price with growing
+//! weight. When no rung exceeds the angle, bisection lowers the limit for as long as that holds.
 //!
-//! This finds a minimum, not the least of all: triangulations are proven optimal, displacements are
-//! not.
+//! This finds a local minimum: triangulations are proven optimal, displacements are not.
 
 mod descend;
 mod design;
@@ -61,7 +60,7 @@ use value::PanelValue;
 const SHARES: [f64; 4] = [1.0, 0.5, 0.25, 0.125];
 /// A round that gains less than this share of the price is the last.
 const LEAST_GAIN: f64 = 1e-4;
-/// How much more twist counts where it would rise, and how much at the most.
+/// Factor of the weight of twist where it would rise, and the largest weight.
 const MORE_TWIST: f64 = 10.0;
 const MOST_TWIST: f64 = 1000.0;
 
@@ -76,20 +75,21 @@ pub struct VaryPanel<'a> {
     pub triangulate: &'a TriangulateOptions,
     /// How its samples follow the unknowns, one motion a sample.
     pub motions: &'a [Motion],
-    /// Whether its samples only follow those of the others: its price counts, but no warp angle of
-    /// its own is asked for.
+    /// Whether its samples only follow those of the others: its price counts, but the goal's warp
+    /// angle does not hold for it.
     pub follows: bool,
 }
 
 /// Panels as unknowns move them.
 ///
-/// Whoever gives the panels says where their samples lie: at held places of the boundary, as
-/// [`vary`] has it, or spread anew over curves that are drawn from the unknowns.
+/// An implementation decides where samples lie: at held places of the boundary, as for [`vary`], or
+/// spread anew over curves that are drawn from the unknowns.
 pub trait Moving {
     /// The panels where the unknowns have moved them.
     ///
     /// # Errors
-    /// Whatever makes these no panels; [`VaryError::Stopped`] if the watcher asks to stop.
+    /// A [`VaryError`] where the moved samples make no panels; [`VaryError::Stopped`] if the watch
+    /// stops it.
     fn panels(
         &self,
         unknowns: &[Vec3],
@@ -133,23 +133,23 @@ impl Moving for Held<'_> {
     }
 }
 
-/// How samples are moved.
+/// Options of a variation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VaryOptions {
-    /// What for. Default: the least price.
+    /// The goal. Default: the least price.
     pub goal: VaryGoal,
-    /// What zig-zag counts, without unit: this many times the sum of the squares of the angles
-    /// (radians) by which the edges of the boundary turn against one another. Default 0.01: a price
-    /// that is no part of the true one, so small that it decides only between displacements that
-    /// are worth the same.
+    /// Weight of zig-zag, without unit: the factor of the sum of the squares of the angles
+    /// (radians) by which the edges of the boundary turn against one another. Default 0.01: not a
+    /// part of the true price, and so small that it decides only between displacements of about
+    /// equal price.
     pub fairness: f64,
-    /// How often the panels are triangulated anew at the most, in one descent. Default 20.
+    /// Limit of the triangulations in one descent. Default 20.
     pub rounds: usize,
-    /// Steps between two triangulations at the most. Default 200.
+    /// Limit of the steps between two triangulations. Default 200.
     pub steps: usize,
-    /// Whether boundaries stay as they are where the sampling explains every warp angle, as the
-    /// sheet bends by as much from one sample to the next: they are developable already, as far as
-    /// the samples tell. Default true.
+    /// Whether a boundary stays as it is if its sampling explains every warp angle, because the
+    /// sheet bends by as much from one sample to the next: it is developable already, as far as its
+    /// samples tell. Default true.
     pub leave_developable: bool,
 }
 
@@ -168,7 +168,7 @@ impl Default for VaryOptions {
 /// Moves the samples of panels within a limit.
 ///
 /// # Errors
-/// See [`VaryError`]; whatever is wrong with the panels before anything has moved.
+/// See [`VaryError`]: the panels are invalid before they move.
 pub fn vary(
     panels: &[VaryPanel<'_>],
     limit: &Limit,
@@ -179,11 +179,11 @@ pub fn vary(
     vary_moving(&Held(panels), &[], limit, options, watch)
 }
 
-/// Moves panels within a limit, wherever their samples lie as they move. `known` are displacements
-/// to go on from where they, brought within the limit, are better than none; or nothing.
+/// Moves panels within a limit; `moving` decides where their samples lie. `known` are displacements
+/// to go on from if, projected on the limit, they are better than none; empty if there are none.
 ///
 /// # Errors
-/// See [`VaryError`]; whatever is wrong with the panels before anything has moved.
+/// See [`VaryError`]: the panels are invalid before they move.
 ///
 /// # Panics
 /// If a motion follows an unknown that the limit does not have, or some but not all displacements
@@ -250,7 +250,7 @@ fn going_on(
     start
 }
 
-/// What is given, and what was passed on the way.
+/// The given data of a variation, and its history.
 struct Way<'a> {
     moving: &'a dyn Moving,
     options: &'a VaryOptions,
@@ -283,7 +283,7 @@ impl Way<'_> {
         descend(&state.unknowns, limit, steps, &mut value, &stop)
     }
 
-    /// The first state on the way from `state` to `target` that is accepted.
+    /// The first accepted state between `state` and `target`, by the shares of [`SHARES`].
     fn first_accepted(
         &self,
         state: &State,
@@ -296,7 +296,7 @@ impl Way<'_> {
             let unknowns = state.unknowns.iter().zip(target).map(between).collect();
             match State::new(self.moving, unknowns, Some(state), watch) {
                 Ok(next) if accepted(&next) => return Ok(Some(next)),
-                // What touches itself there, or has no triangulation, may be nearer.
+                // A boundary that touches itself, or has no triangulation: try a shorter step.
                 Ok(_) | Err(NoState::Refused(_)) => {}
                 Err(NoState::Stopped) => return Err(NoState::Stopped),
             }
@@ -342,8 +342,8 @@ fn least_price(
     watch: &mut dyn Watch,
 ) -> (State, Ended) {
     let mut state = start;
-    // Where folds count, their price may fall as twist rises, which must not be: then twist counts
-    // for more on the way.
+    // With a fold price, folds may fall while twist rises, which is not allowed: then the weight of
+    // twist in the descent grows.
     let mut twist = 1.0;
     let rounds = way.options.rounds;
     for round in 0..rounds {
@@ -419,14 +419,14 @@ fn varied(
     }
 }
 
-/// What is made small while a triangulation is held.
+/// Weights of the value that is minimised while a triangulation is held.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Weights {
-    /// What displacements are for.
+    /// The goal.
     pub goal: VaryGoal,
-    /// What the squares of warp angles above the goal's, radians², count beside the price.
+    /// Weight of the squared excess of warp angles above the goal's, radians², beside the price.
     pub excess: f64,
-    /// What twist counts, 1 as in the price.
+    /// Weight of twist; 1 as in the price.
     pub twist: f64,
     /// See [`VaryOptions::fairness`].
     pub fairness: f64,
@@ -435,17 +435,17 @@ pub struct Weights {
 /// A value for a triangulation that is held, and its slopes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sloped {
-    /// The value, without unit: Π, but for the rounding of prices, and what else is weighed.
+    /// The value, without unit: Π without the rounding of prices, and the other weighted terms.
     pub value: f64,
-    /// How fast it grows with each unknown, per mm.
+    /// Its derivative by each unknown, per mm.
     pub slopes: Vec<Vec3>,
     /// Which piece of its price is active on each rung, and whether its warp angle is above the
     /// goal's; where one changes, the value has a kink.
     pub pieces: Vec<(Piece, bool)>,
 }
 
-/// What is descended on: the value of a panel with its triangulation held, where the unknowns have
-/// moved its samples. `None` where a tangent has lost its direction.
+/// The value that is minimised, for a panel with its triangulation held and its samples moved by
+/// the unknowns. `None` where a tangent has lost its direction.
 ///
 /// # Panics
 /// If a motion follows an unknown that is not among `unknowns`.

@@ -1,21 +1,21 @@
-//! How samples follow the unknowns: positions and tangents are linear in them, until tangents are
-//! made unit.
+//! How samples follow the unknowns: positions and tangents are linear in them, before tangents are
+//! normalised.
 
 use sheetwright_geometry::boundary::Boundary;
 use sheetwright_geometry::curve::Sample;
 use sheetwright_geometry::math::{Vec3, unit};
 use sheetwright_optimum::cost::SampleSlope;
 
-/// How much of an unknown something follows.
+/// The share of an unknown in a position or a derivative.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Share {
     /// The unknown, a displacement in space, counted from 0.
     pub unknown: usize,
-    /// By how much of it, without unit.
+    /// The share, without unit.
     pub factor: f64,
 }
 
-/// By how much a sample slips along its curve as an unknown moves: by `way` · displacement, mm.
+/// The slip of a sample along its curve as an unknown moves: `way` · displacement, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slip {
     /// The unknown, counted from 0.
@@ -24,30 +24,30 @@ pub struct Slip {
     pub way: Vec3,
 }
 
-/// How a tangent follows: it is the direction of `length_mm` times the tangent at the start, plus
-/// the shares, plus what it turns by as the sample slips.
+/// How a tangent follows the unknowns: it is the direction of `length_mm` times the tangent at the
+/// start, plus the shares, plus `bend` times the slip of the sample.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Lean {
-    /// The length of the derivative, or of the difference of samples, that the tangent at the start
-    /// is the direction of, mm; positive.
+    /// The length of the derivative, or of the difference of samples, whose direction the tangent
+    /// at the start is, mm; positive.
     pub length_mm: f64,
-    /// What is added to it.
+    /// The displacements added to it.
     pub shares: Vec<Share>,
-    /// What is added to it for each mm that the sample slips, without unit.
+    /// The vector added to it for each mm that the sample slips, without unit.
     pub bend: Vec3,
 }
 
 /// How a sample follows the unknowns. Without shares it is fixed and keeps its bits.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Motion {
-    /// What is added to its position.
+    /// The displacements added to its position.
     pub position: Vec<Share>,
-    /// How it slips along its curve, which keeps samples evenly spread as the curve changes its
-    /// length.
+    /// How it slips along its curve, so that samples stay evenly spaced as the length of the curve
+    /// changes.
     pub slip: Vec<Slip>,
     /// The direction that it slips in, a unit tangent.
     pub along: Vec3,
-    /// How its tangent of arrival turns; that of a sample that is no corner is not looked at.
+    /// How its tangent of arrival turns; unused for a sample that is no corner.
     pub tangent_in: Lean,
     /// How its tangent of leaving turns.
     pub tangent_out: Lean,
@@ -81,8 +81,8 @@ pub fn motions(boundary: &Boundary, positions: Vec<Vec<Share>>) -> Vec<Motion> {
     (0..boundary.len()).map(motion).collect()
 }
 
-/// The motions of samples that are unknowns themselves, where `unknown` says which one each is;
-/// the others are fixed. The copies of a shared sample are one unknown.
+/// The motions of samples that are unknowns themselves, by their numbers in `unknown`; the others
+/// are fixed. The copies of a shared sample are one unknown.
 ///
 /// # Panics
 /// Unless there is one entry for every sample.
@@ -91,10 +91,10 @@ pub fn motions_of_samples(boundary: &Boundary, unknown: &[Option<usize>]) -> Vec
     motions(boundary, unknown.iter().map(of).collect())
 }
 
-/// The shares of a sample in the displacements of control points, `first` and those after it, of a
-/// uniform cubic B-spline along an open curve: `along` is how far along it is, 0 at the beginning
-/// and 1 at the end, where it follows the first and the last alone. They are positive and add up to
-/// one, so that no sample moves farther than a control point.
+/// The shares of a sample in the displacements of control points, numbered from `first` on, of a
+/// uniform cubic B-spline along an open curve. `along` is the place of the sample: 0 at the
+/// beginning and 1 at the end, where it follows the first and the last alone. The shares are
+/// positive and add up to one, so that no sample moves farther than a control point.
 ///
 /// # Panics
 /// With fewer than four control points.
@@ -120,9 +120,10 @@ pub fn control_shares(along: f64, first: usize, controls: usize) -> Vec<Share> {
     shares.filter(|share| share.factor != 0.0).collect()
 }
 
-/// What a budget for samples counts of each unknown: the sum of the shares that the samples of
-/// these motions have in it, so that the displacements of the samples add up to no more. Give the
-/// copies of a shared sample once. 1 for an unknown without samples, which nothing moves.
+/// The weight of each unknown in a budget for samples: the sum of the shares that the samples of
+/// these motions have in it, so that the displacements of the samples add up to no more than the
+/// budget. Give the copies of a shared sample once. 1 for an unknown without samples, which does
+/// not move.
 ///
 /// # Panics
 /// If a motion follows an unknown that is not below `unknowns`.
@@ -151,12 +152,12 @@ fn gathered(mut shares: Vec<Share>) -> Vec<Share> {
     sums
 }
 
-/// The displacement that shares make of the unknowns, mm.
+/// The displacement by these shares of the unknowns, mm.
 pub(super) fn displacement(shares: &[Share], unknowns: &[Vec3]) -> Vec3 {
     shares.iter().map(|share| unknowns[share.unknown] * share.factor).sum()
 }
 
-/// How far a sample slips, mm.
+/// The slip of a sample, mm.
 fn slipped(motion: &Motion, unknowns: &[Vec3]) -> f64 {
     motion.slip.iter().map(|slip| slip.way.dot(unknowns[slip.unknown])).sum()
 }

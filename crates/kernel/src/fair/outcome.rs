@@ -1,4 +1,4 @@
-//! What comes out of a variation, and why there may be nothing.
+//! The outcome of a variation, and its errors.
 
 use sheetwright_geometry::boundary::{Boundary, BoundaryError, PlaneError, SupportingPlane};
 use sheetwright_geometry::math::{Vec3, to_deg};
@@ -9,17 +9,17 @@ use std::fmt;
 /// How a variation ended.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Ended {
-    /// Nothing was moved: the sampling explains every warp angle, or none is above the goal.
+    /// No sample moved: the sampling explains every warp angle, or none is above the goal.
     NothingToDo,
-    /// No displacement within the limit goes down any more, or by next to nothing.
+    /// No displacement within the limit lowers the price any more by a noticeable share.
     Converged,
     /// The held triangulations would be cheaper, but the true price does not fall.
     NoGain,
     /// All rounds are used.
     Rounds,
-    /// The watcher asked to stop; what was reached until then is kept.
+    /// The watch stopped it; the result so far is kept.
     Stopped,
-    /// No warp angle is above the goal, and the displacements are as small as was found.
+    /// No warp angle is above the goal, and the displacements are the smallest found.
     Reached,
     /// Some warp angles stay above the goal.
     Closest {
@@ -75,7 +75,7 @@ pub struct VariedPanel {
     pub plane: Option<SupportingPlane>,
     /// Its triangulation.
     pub triangulation: Triangulation,
-    /// How far each sample has moved, mm.
+    /// The displacement of each sample, mm.
     pub moved_mm: Vec<f64>,
     /// The largest warp angle, radians.
     pub warp_max: f64,
@@ -83,7 +83,7 @@ pub struct VariedPanel {
     pub warp_mean: f64,
 }
 
-/// Panels after their samples have moved, and how good they are.
+/// Panels after their samples have moved, and their prices and warp angles.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Varied {
     /// The panels, in the order in which they were given.
@@ -111,7 +111,7 @@ pub struct Varied {
 /// Why panels can't be varied. Panels and unknowns are counted from 0.
 #[derive(Clone, Debug, PartialEq)]
 pub enum VaryError {
-    /// A panel has not one motion for every sample.
+    /// The number of motions of a panel is not that of its samples.
     Motions {
         /// The panel.
         panel: usize,
@@ -123,8 +123,7 @@ pub enum VaryError {
         /// The sample.
         sample: usize,
     },
-    /// A limit that is negative or no number, a weight that is not positive, or a goal that is no
-    /// angle.
+    /// A limit that is negative or NaN, a weight that is not positive, or a goal that is no angle.
     Limit,
     /// The printed form of twist is for comparison only and has no slopes.
     PrintedTwist {
@@ -140,26 +139,26 @@ pub enum VaryError {
     Boundary {
         /// The panel.
         panel: usize,
-        /// Why not.
+        /// The reason.
         error: BoundaryError,
     },
-    /// The plane supports nothing.
+    /// The plane does not support the boundary.
     Plane {
         /// The panel.
         panel: usize,
-        /// Why not.
+        /// The reason.
         error: PlaneError,
     },
     /// There is no triangulation.
     Triangulate {
         /// The panel.
         panel: usize,
-        /// Why not.
+        /// The reason.
         error: TriangulateError,
     },
-    /// Whatever else makes them no panels.
+    /// The moved curves make no panels for another reason.
     NoPanels,
-    /// The watcher asked to stop before there was anything to keep.
+    /// The watch stopped it before there was a result to keep.
     Stopped,
 }
 

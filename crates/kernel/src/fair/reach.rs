@@ -1,4 +1,4 @@
-//! The target form: no warp angle above a given one, by small displacements.
+//! The goal of a warp angle: no rung above it, by small displacements.
 
 use super::descend::DescentEnd;
 use super::state::{NoState, State};
@@ -7,26 +7,27 @@ use crate::design::VaryGoal;
 use sheetwright_geometry::math::Vec3;
 use sheetwright_geometry::watch::Watch;
 
-/// Descents aim this share below the angle, so that squares of excess, which press less the less is
-/// left, come below it.
+/// Descents aim at this share of the angle, since the squares of the excess lose their effect near
+/// the aim.
 const AIM: f64 = 0.98;
-/// What excess counts beside the price at first, about as much as twist, and how much more when
-/// that helps no further, up to where a rung a hundredth of a degree too far outweighs most panels.
+/// First weight of the excess beside the price, about that of twist; its factor when a weight helps
+/// no further; and the largest weight, with which a rung a hundredth of a degree too far outweighs
+/// most panels.
 const FIRST_WEIGHT: f64 = 1.0;
 const HEAVIER: f64 = 10.0;
 const HEAVIEST: f64 = 1e6;
 /// A round that gains less than this share is the last with its weight.
 const WORTH_ANOTHER: f64 = 0.2;
-/// The displacements are as small as they get when the bisection is within this share of them.
+/// The bisection of the limit ends within this share.
 const CLOSE_ENOUGH: f64 = 0.05;
-/// Bisections of the limit at the most.
+/// Most bisections of the limit.
 const BISECTIONS: usize = 8;
 /// Rounds of each bisection.
 const ROUNDS_DRAWN_IN: usize = 4;
-/// There, this part of the steps is enough: one begins near the goal.
+/// Divisor of the steps there: the start is near the goal.
 const STEPS_DRAWN_IN: usize = 4;
-/// What excess counts at first where the limit is drawn in: what is near the angle would be led
-/// away from it by less.
+/// First weight of the excess while the limit is lowered: with less weight, a state near the angle
+/// would move away from it.
 const WEIGHT_DRAWN_IN: f64 = 10.0;
 
 /// How an attempt to come below the angle ended.
@@ -36,8 +37,8 @@ enum Attempt {
     Stopped,
 }
 
-/// Brings every warp angle to `largest` or below, then draws the limit in while that can be kept.
-/// The angles are that and the largest one before anything moved.
+/// Brings every warp angle to `largest` or below, then lowers the limit while that holds. The two
+/// angles are this one and the largest before any move.
 pub(super) fn reach(
     way: &mut Way<'_>,
     start: State,
@@ -95,22 +96,22 @@ pub(super) fn reach(
     (state, Ended::Reached)
 }
 
-/// How hard an attempt tries.
+/// The limits of an attempt.
 #[derive(Clone, Copy)]
 struct Effort {
-    /// What excess counts at first.
+    /// First weight of the excess.
     weight: f64,
-    /// Descents at the most.
+    /// Limit of the descents.
     rounds: usize,
-    /// Steps of each.
+    /// Limit of the steps of each.
     steps: usize,
     /// Whether more weight is tried where a descent is not accepted.
     patient: bool,
 }
 
 /// Descends with a weight of the excess that grows from the given one until no warp angle is above
-/// the goal's; takes a step only if the true price and excess, so weighed, fall. Where the goal is
-/// not reached, what came nearest is kept, which may be the start.
+/// the goal's; takes a step only if the true price with the weighted excess falls. Where the goal
+/// is not reached, the nearest state is kept, which may be the start.
 fn come_below(
     way: &Way<'_>,
     start: State,

@@ -1,18 +1,18 @@
 //! Whether a boundary is developable already, as far as its samples tell.
 //!
-//! Rungs end at samples and not where rulings would, so on a perfect cylinder they have warp angles
-//! too: up to what the sheet bends by from one sample to the next, which takes two rungs. Bending
-//! is told from twist by its sign: creases of one bend turn the same way, while those of a twisted
-//! strip turn to and fro, each triangle lying in the tangent plane at its own edge. So the sum of
-//! the creases of one triangle is bending, and what cancels in it is twist.
+//! Rungs end at samples and not where rulings would, so even on a perfect cylinder they have warp
+//! angles: up to the bend from one sample to the next, which spans two rungs. The signs of creases
+//! separate bending from twist: creases of a bend have one sign, while those of a twisted strip
+//! alternate, since each triangle lies in the tangent plane at its own edge. So the sum of the
+//! creases of one triangle is bending, and the part that cancels is twist.
 
 use super::state::PanelState;
 use crate::measure::{RungMeasures, rung_measures};
 use crate::surface::{Connectivity, Surface};
 use sheetwright_optimum::cost::{PriceOptions, Prices};
 
-/// How much more than the bend from one sample to the next a warp angle may be: samples of one side
-/// need not stand across from those of the other.
+/// By which factor a warp angle may exceed the bend from one sample to the next: samples of the two
+/// sides need not lie opposite one another.
 const MARGIN: f64 = 2.0;
 /// Warp angles below it, radians, are rounding: far below what a sheet shows.
 const NO_WARP: f64 = 1e-6;
@@ -44,7 +44,7 @@ pub(super) fn explains(panel: &PanelState) -> bool {
     rungs.iter().enumerate().all(|(n, rung)| {
         let ends = rung.rung.ends().map(|sample| at_sample[sample.get()]);
         let explained = (MARGIN * beside[n]).max(ends[0].max(ends[1]));
-        // Nor must it be more than the verdict allows for.
+        // Nor may it exceed the allowance of the verdict.
         rung.warp <= explained.min(rung.resolution).max(NO_WARP)
     })
 }

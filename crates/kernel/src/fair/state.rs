@@ -1,4 +1,4 @@
-//! Panels where the unknowns have moved them, triangulated anew: what a step is judged by.
+//! Panels moved by the unknowns and triangulated anew, by which a step is judged.
 
 use super::{Motion, Moving, MovingPanel, VaryError, VaryPanel};
 use crate::design::VaryGoal;
@@ -13,13 +13,13 @@ use sheetwright_optimum::triangulate::{
 };
 use std::f64::consts::PI;
 
-/// A panel where it stands now.
+/// A panel in its current state.
 #[derive(Clone, Debug)]
 pub(super) struct PanelState {
     pub(super) boundary: Boundary,
     pub(super) plane: Option<SupportingPlane>,
     pub(super) triangulate: TriangulateOptions,
-    /// How its samples follow as the unknowns move on from where they are.
+    /// How its samples follow the unknowns from here on.
     pub(super) motions: Vec<Motion>,
     pub(super) triangulation: Triangulation,
     /// The warp angle of each rung, radians; π without tangent planes.
@@ -29,7 +29,7 @@ pub(super) struct PanelState {
 }
 
 impl PanelState {
-    /// A panel that is held as it is given.
+    /// A given panel, not moved.
     pub(super) fn held(
         panel: &VaryPanel<'_>,
         plane: Option<&SupportingPlane>,
@@ -48,7 +48,7 @@ impl PanelState {
     }
 }
 
-/// All panels where they stand now.
+/// All panels in their current state.
 #[derive(Clone, Debug)]
 pub(super) struct State {
     pub(super) unknowns: Vec<Vec3>,
@@ -59,7 +59,7 @@ pub(super) struct State {
     pub(super) twist: f64,
 }
 
-/// Passes on whether to stop, but not the progress of what is only a part of a stage.
+/// Passes on stopping, but not the progress, which is of a part of a stage only.
 struct Quiet<'a>(&'a dyn Watch);
 
 impl Watch for Quiet<'_> {
@@ -68,16 +68,15 @@ impl Watch for Quiet<'_> {
     }
 }
 
-/// Why there is no such state.
+/// Why there is no state.
 pub(super) enum NoState {
-    /// The samples can't stand there: they touch, or have no triangulation.
+    /// The moved samples touch, or have no triangulation.
     Refused(VaryError),
     Stopped,
 }
 
 impl State {
-    /// The panels where the unknowns move them. Those whose samples stay where they are in `before`
-    /// keep their triangulation.
+    /// The panels moved by the unknowns. Those with the samples of `before` keep its triangulation.
     pub(super) fn new(
         moving: &dyn Moving,
         unknowns: Vec<Vec3>,
@@ -131,17 +130,18 @@ impl State {
         self.panels.iter().flat_map(|panel| &panel.warps).copied().fold(0.0, f64::max)
     }
 
-    /// The panels of which warp angles are asked for, with their numbers.
+    /// The panels for which the goal's warp angle holds, with their numbers.
     fn asked(&self) -> impl Iterator<Item = (usize, &PanelState)> {
         self.panels.iter().enumerate().filter(|(_, panel)| !panel.follows)
     }
 
-    /// The largest warp angle of the panels of which warp angles are asked for, radians.
+    /// The largest warp angle of the panels for which the goal's holds, radians.
     pub(super) fn warp_asked(&self) -> f64 {
         self.asked().flat_map(|(_, panel)| &panel.warps).copied().fold(0.0, f64::max)
     }
 
-    /// The sum of the squares of what warp angles are above the goal's, radians²; 0 without a goal.
+    /// The sum of the squared excess of warp angles above the goal's, radians²; 0 without such a
+    /// goal.
     pub(super) fn excess(&self, goal: VaryGoal) -> f64 {
         let VaryGoal::Warp { largest } = goal else { return 0.0 };
         let above = |warp: &f64| (warp - largest).max(0.0);

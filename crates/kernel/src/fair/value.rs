@@ -1,5 +1,5 @@
-//! What a displacement is worth, for triangulations that stay: the price, the excess of warp angles
-//! and the zig-zag, with their slopes.
+//! The value of a displacement with triangulations held: the price, the excess of warp angles and
+//! the zig-zag, with their slopes.
 
 use super::Weights;
 use super::motion::{Motion, carry, displacement, moved};
@@ -13,7 +13,7 @@ use sheetwright_optimum::cost::{Piece, PriceOptions, Prices, SampleSlope};
 use sheetwright_optimum::rung::Rung;
 use sheetwright_optimum::triangulate::Triangulation;
 
-/// Sines of warp angles are held above it, so that a rung whose planes are opposite has a slope.
+/// Lower limit of the sines of warp angles, so that a rung whose planes are opposite has a slope.
 const LEAST_SINE: f64 = 1e-6;
 
 /// The rungs and triangles of a panel, as the sums walk over them.
@@ -38,7 +38,7 @@ impl Net {
     }
 }
 
-/// One panel with a triangulation that stays.
+/// One panel with its triangulation held.
 pub(super) struct PanelValue<'a> {
     boundary: &'a Boundary,
     plane: Option<&'a SupportingPlane>,
@@ -46,12 +46,12 @@ pub(super) struct PanelValue<'a> {
     motions: &'a [Motion],
     follows: bool,
     net: Net,
-    /// Where the unknowns are when the boundary is what it is.
+    /// The unknowns of the panel's current boundary.
     base: &'a [Vec3],
 }
 
 impl<'a> PanelValue<'a> {
-    /// A panel that is here when the unknowns are at `base`.
+    /// The value of a panel whose current boundary belongs to the unknowns `base`.
     pub(super) fn new(panel: &'a PanelState, base: &'a [Vec3]) -> Self {
         Self {
             boundary: &panel.boundary,
@@ -64,7 +64,7 @@ impl<'a> PanelValue<'a> {
         }
     }
 
-    /// How far the unknowns are from where the boundary is what it is.
+    /// The displacements of the unknowns from those of the current boundary.
     fn onward(&self, unknowns: &[Vec3]) -> Vec<Vec3> {
         unknowns.iter().zip(self.base).map(|(to, from)| *to - *from).collect()
     }

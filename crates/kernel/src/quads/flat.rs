@@ -10,11 +10,11 @@ use sheetwright_geometry::watch::Watch;
 
 impl QuadMesh {
     /// The mesh in triangles, with its vertices as samples. Each quad is divided along its shorter
-    /// diagonal (of equals that from its first corner); where it has a corner that turns inwards,
-    /// along that from there.
+    /// diagonal (of equals that from its first corner); a quad with a reflex corner, along the
+    /// diagonal from there.
     ///
     /// # Errors
-    /// If the faces are no manifold with the loops as its border, which those of
+    /// If the faces are no manifold with the loops as its border; those of
     /// [`quads`](super::quads) are.
     pub fn triangulated(&self) -> Result<Surface, ConnectivityError> {
         let mut triangles = Vec::new();
@@ -33,7 +33,7 @@ impl QuadMesh {
     }
 
     /// How many quads cross themselves: neither diagonal divides them in two triangles that face
-    /// the same way. They fold over where they are laid flat.
+    /// one side. Such a quad folds over when it is laid flat.
     pub fn crossed_quads(&self) -> usize {
         let is_crossed = |face: &&[usize]| {
             face.len() == 4 && self.leaning(face, 0) <= 0.0 && self.leaning(face, 1) <= 0.0
@@ -41,7 +41,7 @@ impl QuadMesh {
         self.faces().filter(is_crossed).count()
     }
 
-    /// How the two triangles of a quad, divided at corner `n`, face: positive for the same way.
+    /// Positive if the two triangles of a quad, divided at corner `n`, face one side.
     fn leaning(&self, quad: &[usize], n: usize) -> f64 {
         let at = |k: usize| self.vertices[quad[(n + k) % 4]].position;
         let across = at(2) - at(0);
@@ -60,8 +60,8 @@ impl QuadMesh {
     }
 }
 
-/// Lays a quad mesh flat, as [`lay_flat`] does a surface: cut open near these places, mm, where it
-/// must be. All sides keep their lengths, and so do the diagonals of planar quads, both of them.
+/// Lays a quad mesh flat, as [`lay_flat`] does a surface: cut open near these places, mm, if it
+/// must be. All sides keep their lengths, and so do both diagonals of planar quads.
 ///
 /// # Errors
 /// See [`FlattenError`]; and [`FlattenError::Pieces`] for a mesh that is no manifold.

@@ -6,10 +6,10 @@
 //! once:
 //!
 //! - Degrees: an end that is left with three sides is no candidate any more, nor are its rungs.
-//! - Angles: the two faces at the rung are one, no triangle any more. The bending angle at a rung
-//!   is the angle between the area vectors of its two faces. The area vector of a polygon in space
-//!   is the sum of those of its triangles (Newell), so for triangles this is the crease, and for
-//!   what was merged the mean of its triangles by area, however they lie.
+//! - Angles: the two faces at the rung become one polygon. The bending angle at a rung is the angle
+//!   between the area vectors of its two faces. The area vector of a polygon in space is the sum of
+//!   those of its triangles (Newell): so for triangles the angle is the crease, and a merged face
+//!   has the mean direction of its triangles by area.
 //!
 //! Angles that agree to [`SAME_ANGLE`] tie, and the rung that is listed first is removed. We depart
 //! from the paper where a strip ends in a straight side (the end of a panel between two rails):
@@ -27,7 +27,7 @@ const SAME_ANGLE: f64 = 1e-9;
 /// A face: its samples in order, counter-clockwise as seen from the side that the surface faces.
 pub(super) type Face = Vec<usize>;
 
-/// What is left when no candidate rung is.
+/// The result when no candidate rung is left.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Merged {
     /// The faces.
@@ -57,7 +57,7 @@ struct Merging<'a> {
     areas: Vec<Vec3>,
 }
 
-/// Removes the candidate rungs of a surface. `is_corner` says of each sample whether the boundary
+/// Removes the candidate rungs of a surface. `is_corner` tells for each sample whether the boundary
 /// has a corner there.
 pub(super) fn merge(surface: &Surface, is_corner: &dyn Fn(usize) -> bool) -> Merged {
     let mut merging = Merging::new(surface, is_corner);
@@ -132,7 +132,7 @@ impl<'a> Merging<'a> {
     fn key(&self, rung: usize) -> Option<u64> {
         let [a, b] = self.faces_at(rung);
         let is_candidate = |end: usize| self.degree[end] > 3 || self.at_end[rung] == Some(end);
-        // With the same face on both sides, that would be no polygon any more.
+        // With one face on both sides, removal would leave no polygon.
         if !self.there[rung] || a == b || !self.ends(rung).into_iter().all(is_candidate) {
             return None;
         }
@@ -150,7 +150,8 @@ impl<'a> Merging<'a> {
         let [low, high] = self.ends(rung);
         self.there[rung] = false;
         let polygon = joined(&self.faces[a], &self.faces[b], low, high);
-        // The one of fewer triangles goes, so that no triangle changes its face often.
+        // The face of fewer triangles is merged into the other, so that no triangle changes its
+        // face often.
         let (kept, gone) =
             if self.triangles[a].len() >= self.triangles[b].len() { (a, b) } else { (b, a) };
         for triangle in std::mem::take(&mut self.triangles[gone]) {
@@ -181,8 +182,8 @@ impl<'a> Merging<'a> {
     }
 }
 
-/// Two polygons in one, without the side from `low` to `high` of the first, which the second runs
-/// back.
+/// Two polygons merged into one, without the side from `low` to `high` of the first, along which
+/// the second runs back.
 fn joined(first: &Face, second: &Face, low: usize, high: usize) -> Face {
     let from = |face: &Face, start: usize, before: usize| {
         let count = face.len();
@@ -225,7 +226,7 @@ mod tests {
         (boundary, surface)
     }
 
-    /// The rungs in the order of their removal, everything looked at anew each time.
+    /// The rungs in the order of their removal, with all keys computed anew each time.
     fn plainly(surface: &Surface, is_corner: &dyn Fn(usize) -> bool) -> Vec<[usize; 2]> {
         let mut merging = Merging::new(surface, is_corner);
         let mut removed = Vec::new();

@@ -1,26 +1,25 @@
 //! From the triangles of a surface without interior vertices to planar quads.
 //!
-//! The rungs of an optimal triangulation lie along the rulings of the surface, but for those that
-//! cross a strip slantwise because its two sides have samples at other places. Planar quads want
-//! one rung a ruling, with a vertex of its own at both ends. \[L11\] section 6 and \[G14\] get
-//! there in five steps:
+//! The rungs of an optimal triangulation lie along the rulings of the surface, except those that
+//! cross a strip aslant because samples of its two sides do not lie opposite one another. Planar
+//! quads need one rung for each ruling, with separate vertices at both ends. \[L11\] section 6 and
+//! \[G14\] make them in five steps:
 //!
 //! 1. A vertex with more than three sides is a candidate.
 //! 2. A rung between two candidates is a candidate; a heap holds them by their bending angle.
-//! 3. The flattest is removed, and the heap put right, until it is empty (`merge`).
-//! 4. What is a candidate is looked up again.
+//! 3. The flattest is removed, and the heap updated, until it is empty (`merge`).
+//! 4. The remaining candidate vertices are found.
 //! 5. Each candidate v becomes deg(v) − 2 copies, spread over a small stretch of the boundary about
 //!    v, one for each of its rungs, so that each has three sides (`spread`).
 //!
-//! After that no two rungs share a vertex. A face between two rungs is a quad. A face with one rung
-//! is the end of a strip, and keeps the samples there that never had a rung, with two sides: one,
-//! which makes a triangle, or the two of a straight end, which make a quad. A face with three rungs
-//! or more, where strips meet, is a larger polygon; it is split into quads (`split`), so that its
-//! vertices have more than three sides again.
+//! Then no two rungs share a vertex. A face between two rungs is a quad. A face with one rung is
+//! the end of a strip, with the samples there that never had a rung: one sample makes a triangle,
+//! the two of a straight end make a quad. A face with three rungs or more, where strips meet, is a
+//! larger polygon; it is split into quads (`split`), so that its vertices have more than three
+//! sides again.
 //!
-//! The quads are no plane ones yet. [`planar`] makes them so by sliding their vertices along the
-//! boundary \[LPW06\]; [`lay_quads_flat`] unrolls them, and [`smooth`] makes strips of ruled
-//! surfaces of them.
+//! The quads are not planar yet. [`planar`] makes them so by sliding their vertices along the
+//! boundary \[LPW06\]; [`lay_quads_flat`] unrolls them, and [`smooth`] makes ruled strips of them.
 
 mod flat;
 mod merge;
@@ -44,22 +43,22 @@ use std::ops::Range;
 pub struct Vertex {
     /// The loop that it lies on.
     pub of_loop: usize,
-    /// How far along the outline of the loop, mm. Those of a loop increase, from a little before
-    /// its first sample.
+    /// Its arc length along the outline of the loop, mm, which increases from vertex to vertex,
+    /// beginning a little before the first sample.
     pub along_mm: f64,
     /// Whether it is a corner of the boundary, where it stays.
     pub is_corner: bool,
-    /// Where it lies, mm: at its place on the outline, unless it had to leave it.
+    /// Its position, mm: its place on the outline, unless it had to leave it.
     pub position: Point3,
 }
 
-/// What the rungs that are left divide the surface into.
+/// A part of the surface between the rungs that are left.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Cell {
     /// Its vertices, counter-clockwise as seen from the side that the surface faces.
     pub corners: Vec<usize>,
-    /// The quads that divide the cell, and triangles where there must be; the cell itself where it
-    /// has no more than four corners.
+    /// The quads that divide the cell, and triangles where needed; the cell itself if it has no
+    /// more than four corners.
     pub faces: Vec<Vec<usize>>,
 }
 
@@ -82,7 +81,7 @@ impl QuadMesh {
         self.cells.iter().flat_map(|cell| cell.faces.iter().map(Vec::as_slice))
     }
 
-    /// Where the vertices lie, mm.
+    /// The positions of the vertices, mm.
     pub fn positions(&self) -> Vec<Point3> {
         self.vertices.iter().map(|vertex| vertex.position).collect()
     }
@@ -92,27 +91,27 @@ impl QuadMesh {
         self.cells.iter().filter(|cell| cell.corners.len() > 4).count()
     }
 
-    /// The vertex behind vertex `i` on its loop.
+    /// The vertex after vertex `i` on its loop.
     pub fn next(&self, i: usize) -> usize {
         let range = &self.loops[self.vertices[i].of_loop];
         if i + 1 == range.end { range.start } else { i + 1 }
     }
 
-    /// How far it is along the outline from vertex `i` to the one behind it, mm.
+    /// The arc length along the outline from vertex `i` to the next one, mm.
     pub fn gap_mm(&self, outline: &Outline, i: usize) -> f64 {
         self.gap_of_moved_mm(outline, i, |_| 0.0)
     }
 
-    /// How far it is along the outline from vertex `i` to the one behind it, mm, where each vertex
-    /// has moved along it by `moved`, mm.
+    /// The arc length along the outline from vertex `i` to the next one, mm, if each vertex has
+    /// moved along it by `moved`, mm.
     fn gap_of_moved_mm(&self, outline: &Outline, i: usize, moved: impl Fn(usize) -> f64) -> f64 {
         let next = self.next(i);
         let round = if next <= i { outline.length(self.vertices[i].of_loop) } else { 0.0 };
         self.vertices[next].along_mm + moved(next) + round - self.vertices[i].along_mm - moved(i)
     }
 
-    /// How far a face is from lying in a plane: the distance of its two diagonals, mm; 0 for a
-    /// triangle. No corner of a quad lies farther than half of it from the plane between them.
+    /// The planarity error of a face: the distance between its two diagonals, mm; 0 for a triangle.
+    /// No corner of a quad lies farther than half of it from the plane between the diagonals.
     pub fn unevenness_mm(&self, face: &[usize]) -> f64 {
         match *face {
             [a, b, c, d] => {
@@ -130,7 +129,7 @@ impl QuadMesh {
 }
 
 /// The quads of a surface over the samples of a boundary, by the five steps; larger polygons are
-/// split. They are not planar yet, but as nearly as the surface is developable.
+/// split. They are not planar yet, only as near to it as the surface is to developable.
 ///
 /// # Panics
 /// Unless surface and outline are of this boundary.

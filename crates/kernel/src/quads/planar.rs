@@ -1,21 +1,22 @@
 //! Making all quads planar.
 //!
-//! Every rung has two ends that may slide along the boundary, and every quad asks for one thing,
-//! that its diagonals meet; so there are about twice as many unknowns as equations, and where a
-//! developable surface passes through the boundary, there are planar quads near it \[LPW06\]. What
-//! is asked of a quad with the corners a, b, c, d is that the distance of its diagonals ac and bd,
-//! h = n · (b − a) with n the direction of (c − a) × (d − b), is 0; its derivative is n times how
-//! far the points move where the diagonals come nearest. That is the volume of its tetrahedron,
-//! divided by what makes it a length.
+//! Both ends of every rung may slide along the boundary, and every quad sets one condition, that
+//! its diagonals meet. So there are about twice as many unknowns as equations, and where a
+//! developable surface passes through the boundary, there are planar quads near it \[LPW06\]. The
+//! equation of a quad with the corners a, b, c, d is h = 0, with h = n · (b − a) the distance of
+//! its diagonals ac and bd, and n the direction of (c − a) × (d − b). The derivative of h is n
+//! times the relative motion of the two points where the diagonals are nearest. Up to a factor that
+//! makes it a length, h is the volume of the tetrahedron of the corners.
 //!
-//! Of all moves that make it so, that of the least squares is looked for: Newton's method on the
-//! equations, each step the least that does it (J H⁻¹ Jᵀ λ = …, one row a quad, which is a chain
-//! for a strip, see `solve`); and from a planar mesh, steps along the equations that shorten the
-//! moves in all. H holds a barrier as well, so that no two vertices meet on the boundary.
+//! Of all moves that satisfy the equations, the one with the least squares is wanted: Newton's
+//! method, each step the shortest that solves the linear equations (J H⁻¹ Jᵀ λ = …, one row a quad,
+//! which is a chain for a strip, see `solve`); and from a planar mesh, steps along the equations
+//! that shorten the moves in all. H also holds a barrier, so that no two vertices meet on the
+//! boundary.
 //!
-//! Sliding alone need not do: with straight skew rails no quad is planar, and a twisted plank is
-//! asked for what no surface through its edges has. Then vertices may leave the outline, by as
-//! little as does it: moves off the outline weigh [`OFF_WEIGHTS`] times as much as moves along it.
+//! Sliding alone may not suffice: with straight skew rails no quad is planar, and no surface
+//! through the edges of a twisted plank has planar quads. Then vertices may leave the outline by as
+//! little as suffices: moves off the outline weigh [`OFF_WEIGHTS`] times as much as moves along it.
 
 use super::solve::Symmetric;
 use super::{QuadMesh, Vertex};
@@ -24,55 +25,56 @@ use sheetwright_geometry::math::{Point3, Vec3, ln, unit};
 use sheetwright_geometry::tolerance::Tolerance;
 use sheetwright_geometry::watch::Watch;
 
-/// Squares of moves off the outline weigh so many times as much as those along it. Where no planar
-/// mesh is found so, it is looked for with the next, and from there with the first again.
+/// Weights of the squares of moves off the outline against those along it. Where no planar mesh is
+/// found with the first, the next is tried, and from its result the first again.
 const OFF_WEIGHTS: [f64; 3] = [1e4, 1e2, 1.0];
 /// The weight of the barrier between neighbours, as a share of the square of their first distance:
-/// small against the moves that it has to stop, which are of that distance.
+/// small against the moves that it must prevent, which are of that distance.
 const BARRIER: f64 = 0.005;
 /// Neighbours stay apart by this share of their first distance.
 const LEAST_GAP: f64 = 0.01;
-/// Neighbours that would let less than this share of a step be taken are held.
+/// Neighbours that would limit a step to less than this share are held.
 const LEAST_SHARE: f64 = 0.25;
-/// Times that more are held before a step is taken as it is.
+/// Limit of the rounds of holding more neighbours, before a step is taken as it is.
 const MOST_HOLDS: usize = 12;
-/// Steps that make quads planar, at the most; from a good start five do.
+/// Limit of the steps that make quads planar; from a good start five suffice.
 const MOST_STEPS: usize = 80;
-/// Steps that shorten the moves, at the most.
+/// Limit of the steps that shorten the moves.
 const MOST_SHORTENINGS: usize = 30;
 /// Shortening ends when it gains less than this share.
 const GAIN: f64 = 1e-3;
-/// What is added to the diagonal of the equations, as a share of its largest entry.
+/// The number added to the diagonal of the equations, as a share of its largest entry.
 const RIDGE: f64 = 1e-13;
 
-/// What is asked of planar quads.
+/// Options of making quads planar.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanarOptions {
-    /// How far the diagonals of a quad may be apart, as a share of the size of the boundary.
+    /// The largest distance allowed between the diagonals of a quad, as a share of the size of the
+    /// boundary.
     pub even: Tolerance,
-    /// How far a vertex may leave the outline where sliding along it does not do, mm; 0: not at
-    /// all.
+    /// The largest distance allowed of a vertex from the outline where sliding along it does not
+    /// suffice, mm; 0: vertices stay on it.
     pub leave_mm: f64,
 }
 
 /// How making quads planar ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PlanarEnd {
-    /// All are, and all vertices are on the outline.
+    /// All quads are planar, and all vertices are on the outline.
     OnOutline,
-    /// All are, and some vertices are off the outline.
+    /// All quads are planar, and some vertices are off the outline.
     OffOutline,
-    /// They would be with vertices farther off the outline than is allowed: the mesh has them on
-    /// it, with the quads as near to planar as they came, or as they were.
+    /// Planar quads need vertices farther off the outline than allowed: the mesh has them on the
+    /// outline, with the quads as near to planar as was reached, or unchanged.
     TooFarOff,
-    /// Not even off the outline were they found planar without crossing themselves: the mesh is as
-    /// it was.
+    /// Even off the outline, no planar quads were found that do not cross themselves: the mesh is
+    /// unchanged.
     NotFound,
-    /// The watcher asked to stop: the mesh is as it was.
+    /// The watch stopped it: the mesh is unchanged.
     Stopped,
 }
 
-/// A mesh of planar quads, and what it took.
+/// A mesh of planar quads, and how far its vertices moved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Planar {
     /// The mesh.
@@ -83,10 +85,10 @@ pub struct Planar {
     pub uneven_before_mm: f64,
     /// The largest distance between the diagonals of a quad after, mm.
     pub uneven_after_mm: f64,
-    /// The largest distance between where a vertex was and where it is, mm.
+    /// The largest displacement of a vertex, mm.
     pub moved_max_mm: f64,
-    /// The largest distance by which a vertex is off the outline, mm; for [`PlanarEnd::TooFarOff`]
-    /// that by which it would have to be.
+    /// The largest distance of a vertex from the outline, mm; for [`PlanarEnd::TooFarOff`] the
+    /// distance that would be needed.
     pub off_max_mm: f64,
     /// Steps that were taken.
     pub steps: usize,
@@ -99,7 +101,7 @@ pub(super) fn distance_of_diagonals(at: [Point3; 4]) -> Option<(f64, [Vec3; 4])>
     let (ac, bd, ab) = (c - a, d - b, b - a);
     let cross = ac.cross(bd);
     let n = unit(cross)?;
-    // Where the diagonals come nearest, as shares of them.
+    // The places where the diagonals are nearest, as shares of them.
     let square = cross.length_squared();
     let on_ac = ab.cross(bd).dot(cross) / square;
     let on_bd = ab.cross(ac).dot(cross) / square;
@@ -110,7 +112,7 @@ pub(super) fn distance_of_diagonals(at: [Point3; 4]) -> Option<(f64, [Vec3; 4])>
     Some((n.dot(ab), derivatives))
 }
 
-/// Makes the quads of a mesh over an outline planar, moving its vertices as little as it can.
+/// Makes the quads of a mesh over an outline planar, with small moves of its vertices.
 pub fn planar(
     mesh: &QuadMesh,
     outline: &Outline,
@@ -160,7 +162,7 @@ pub fn planar(
     }
 }
 
-/// How far vertices have moved.
+/// The moves of vertices.
 #[derive(Clone, Debug)]
 struct Moved {
     /// Along the outline, mm.
@@ -177,7 +179,7 @@ impl Moved {
     }
 }
 
-/// The distance of the diagonals of a quad and what it changes with.
+/// The distance of the diagonals of a quad, and its derivatives.
 struct Equation {
     distance: f64,
     corners: [usize; 4],
@@ -189,7 +191,7 @@ struct Search<'a> {
     mesh: &'a QuadMesh,
     outline: &'a Outline,
     quads: Vec<[usize; 4]>,
-    /// The distance along the outline from each vertex to the next as it was, mm.
+    /// The original arc length from each vertex to the next, mm.
     gaps: Vec<f64>,
     enough: f64,
     steps: usize,
@@ -242,17 +244,17 @@ impl<'a> Search<'a> {
         uneven(&self.equations(moved))
     }
 
-    /// Whether all quads are planar, and no more of them cross themselves than did.
+    /// Whether all quads are planar, and no more of them cross themselves than at the start.
     fn is_even(&self, moved: &Moved, allowed: f64) -> bool {
         self.uneven(moved) <= allowed && !self.is_crossed(moved)
     }
 
-    /// Whether more quads cross themselves than did: planar, but no faces.
+    /// Whether more quads cross themselves than at the start: planar, but no faces.
     fn is_crossed(&self, moved: &Moved) -> bool {
         self.mesh_of(moved).crossed_quads() > self.mesh.crossed_quads()
     }
 
-    /// Planar quads whose vertices may leave the outline, or as near to them as could be found.
+    /// Planar quads whose vertices may leave the outline, or the nearest to planar that was found.
     fn off_outline(&mut self, start: &Moved, allowed: f64, watch: &mut dyn Watch) -> Moved {
         let mut found = start.clone();
         for weight in OFF_WEIGHTS {
@@ -270,8 +272,8 @@ impl<'a> Search<'a> {
         found
     }
 
-    /// From a start to planar quads with short moves; the best that was found. Vertices may leave
-    /// the outline if that has a weight.
+    /// The best planar quads with short moves that were found from a start. Vertices may leave the
+    /// outline if `leave` gives a weight for that.
     fn run(&mut self, start: &Moved, leave: Option<f64>, watch: &mut dyn Watch) -> Moved {
         let mut best = self.made_even(start.clone(), leave, watch);
         if self.uneven(&best) > self.enough {
@@ -329,8 +331,8 @@ impl<'a> Search<'a> {
         at
     }
 
-    /// A step and how much of it can be taken, which is not little: where neighbours would come too
-    /// near, they are held, and the step is looked for again without their sliding.
+    /// A step, and the share of it that can be taken. Where neighbours would limit that share too
+    /// much, they are held, and the step is computed again without their sliding.
     fn free_step(&self, at: &Moved, leave: Option<f64>, shorten: bool) -> (Moved, f64) {
         let mut held: Vec<bool> = self.mesh.vertices.iter().map(|v| v.is_corner).collect();
         let mut step = self.step(at, leave, shorten, &held);
@@ -351,7 +353,7 @@ impl<'a> Search<'a> {
         (step, share)
     }
 
-    /// The step of Newton's method, without those that are held sliding; with `shorten` also
+    /// The step of Newton's method in which `held` vertices do not slide; with `shorten` also
     /// towards shorter moves.
     fn step(&self, at: &Moved, leave: Option<f64>, shorten: bool, held: &[bool]) -> Moved {
         let count = self.mesh.vertices.len();
@@ -409,7 +411,7 @@ impl<'a> Search<'a> {
         step
     }
 
-    /// What the moves cost: half their squares, and the barrier.
+    /// The cost of the moves: half their squares, and the barrier.
     fn cost(&self, at: &Moved, leave: Option<f64>) -> f64 {
         let off_weight = leave.unwrap_or(0.0);
         let moves = at.along.iter().zip(&at.off);
@@ -417,14 +419,14 @@ impl<'a> Search<'a> {
         let barrier: f64 = (0..self.gaps.len())
             .map(|i| {
                 let share = self.gap(at, i) / self.gaps[i];
-                // x − ln x, which is least where nothing moved.
+                // x − ln x, which is least for no move.
                 BARRIER * self.gaps[i] * self.gaps[i] * (share - ln(share))
             })
             .sum();
         0.5 * squares + barrier
     }
 
-    /// The derivative of the cost by each move along, and a bound of its second one.
+    /// The derivative of the cost by each move along, and a bound of the second derivative.
     fn slopes_along(&self, at: &Moved) -> (Vec<f64>, Vec<f64>) {
         let (mut slopes, mut stiffness) = (at.along.clone(), vec![1.0; at.along.len()]);
         for i in 0..self.gaps.len() {
@@ -441,8 +443,8 @@ impl<'a> Search<'a> {
         (slopes, stiffness)
     }
 
-    /// How much of a step can be taken for the gap behind a vertex: it shrinks by no more than
-    /// half, and not below the least.
+    /// The share of a step that the gap after a vertex allows: the gap shrinks by no more than
+    /// half, and not below [`LEAST_GAP`].
     fn share_of_gap(&self, at: &Moved, step: &Moved, i: usize) -> f64 {
         let gap = self.gap(at, i);
         let shrinks = step.along[i] - step.along[self.mesh.next(i)];

@@ -1,19 +1,19 @@
 //! Smooth strips: ruled B-spline surfaces over the quads.
 //!
 //! A strip is a run of quads, rung beside rung. Its two rails are cubic Bézier curves from rung to
-//! rung, P on the right and Q on the left of the way along it, and its surface is ruled,
+//! rung, P on the right and Q on the left as seen along the strip, and its surface is ruled,
 //! S(u, v) = (1 − v) P(u) + v Q(u): degree 3 × 1 (\[G14\]). Two patches at a rung are
-//! G1 if both rails leave it as they arrive but for a factor, P′₊ = λ P′₋ and Q′₊ = λ Q′₋ with the
-//! same λ: then S_u of the one is λ times that of the other all along the rung. Both rails over the
-//! same knots, with one derivative at each, have that; so a strip is one B-spline surface with
-//! double knots, λ the ratio of the knot intervals.
+//! G1 if the derivatives of both rails change by one factor λ there, P′₊ = λ P′₋ and Q′₊ = λ Q′₋:
+//! then S_u of the one is λ times that of the other all along the rung. Rails over common knots,
+//! with one derivative at each, satisfy that; so a strip is one B-spline surface with double knots,
+//! λ the ratio of the knot intervals.
 //!
-//! Rails pass through the places of the vertices on the outline (a smooth surface need not have the
-//! planar quads that made some leave it) with the tangents of the outline there; how fast they do
-//! is the slope of arc length by u, from the vertices beside. So they miss the outline between the
-//! vertices by the fourth power of their distance, which is measured. A ruled surface is not
-//! developable as such: its warp, the angle between the tangent planes at both ends of a ruling, is
-//! measured too.
+//! Rails pass through the places of the vertices on the outline, with the tangents of the outline
+//! there. (A smooth surface does not need the planar quads for which some vertices left the
+//! outline.) The length of the derivative is the slope of arc length by u, from the neighbouring
+//! vertices. So rails miss the outline between the vertices by the fourth power of their distance,
+//! which is measured. A ruled surface need not be developable: its warp, the angle between the
+//! tangent planes at both ends of a ruling, is measured too.
 //!
 //! Where a rail has a corner the strip ends and another begins. Cells that are no part of a strip
 //! (ends in a triangle, larger polygons where strips meet) stay plane faces. Their sides on the
@@ -43,7 +43,7 @@ pub struct Rail {
     pub control: Vec<Point3>,
 }
 
-/// What an edge runs along.
+/// The curve of an edge.
 #[derive(Clone, Debug, PartialEq)]
 pub enum EdgeCurve {
     /// The straight line between its ends.
@@ -57,15 +57,15 @@ pub enum EdgeCurve {
 pub struct SmoothEdge {
     /// The vertices that it runs from and to.
     pub ends: [usize; 2],
-    /// The way.
+    /// Its curve.
     pub curve: EdgeCurve,
 }
 
-/// What a face lies on.
+/// The shape of a face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FaceShape {
-    /// The ruled surface between two edges, splines over the same knots: the one at v = 0, on the
-    /// right of the way along the strip, and the one at v = 1.
+    /// The ruled surface between two edges, splines over common knots: the one at v = 0, on the
+    /// right as seen along the strip, and the one at v = 1.
     Ruled([usize; 2]),
     /// The plane through the face's first vertex with this unit normal.
     Plane(Vec3),
@@ -74,7 +74,7 @@ pub enum FaceShape {
 /// A face of a smooth surface.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SmoothFace {
-    /// What it lies on; its normals point to the side that the panel faces.
+    /// Its shape; its normals point to the side that the panel faces.
     pub shape: FaceShape,
     /// Its edges, counter-clockwise as seen from there, and whether each is run from its end to its
     /// beginning.
@@ -84,7 +84,7 @@ pub struct SmoothFace {
 /// A surface of ruled strips and plane faces, sewn along their rungs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SmoothSurface {
-    /// Where the vertices lie, mm.
+    /// The positions of the vertices, mm.
     pub vertices: Vec<Point3>,
     /// The edges: those between two faces once.
     pub edges: Vec<SmoothEdge>,
@@ -197,7 +197,7 @@ fn strips(mesh: &QuadMesh, outline: &Outline) -> (Vec<Strip>, Vec<usize>) {
         }
     }
     let is_corner = |[a, b]: [usize; 2]| mesh.vertices[a].is_corner || mesh.vertices[b].is_corner;
-    // Where a strip begins: a side that nothing of a strip lies behind, or that has a corner.
+    // Where a strip begins: a side without a strip cell behind it, or with a corner.
     let begins = |side: [usize; 2]| {
         let [a, b] = side;
         !entered_by.contains_key(&[b, a]) || is_corner(side)
@@ -224,7 +224,7 @@ fn strips(mesh: &QuadMesh, outline: &Outline) -> (Vec<Strip>, Vec<usize>) {
                 if taken[cell] {
                     continue;
                 }
-                // What closes on itself has no beginning, and is cut at two of its rungs.
+                // A closed strip has no beginning, and is cut at two of its rungs.
                 if pass == 1 {
                     let round = ring_length(&across, &entered_by, cell, side);
                     walk(cell, side, round.div_ceil(2), &mut taken);
@@ -238,7 +238,7 @@ fn strips(mesh: &QuadMesh, outline: &Outline) -> (Vec<Strip>, Vec<usize>) {
     (found, others)
 }
 
-/// How many cells there are from a side on, once round.
+/// The number of cells of a closed strip, from a side on.
 fn ring_length(
     across: &[Option<[[usize; 2]; 2]>],
     entered_by: &BTreeMap<[usize; 2], usize>,
@@ -279,8 +279,8 @@ struct Building<'a> {
 
 impl<'a> Building<'a> {
     fn new(mesh: &'a QuadMesh, outline: &'a Outline) -> Self {
-        // Where they had to leave the outline, they are back on it: between neighbours that have
-        // come near to one another, steps off it would bend the rails.
+        // Vertices that left the outline are put back on it: between close neighbours, steps off it
+        // would bend the rails.
         let on = |v: &Vertex| outline.at(v.of_loop, v.along_mm, Side::Leaving).position;
         let vertices: Vec<Point3> = mesh.vertices.iter().map(on).collect();
         let done = SmoothSurface {
@@ -327,7 +327,8 @@ impl<'a> Building<'a> {
 
     fn add_strip(&mut self, strip: &Strip) {
         let last = strip.len() - 1;
-        // How far the rails go from ruling to ruling; the left one runs back along the boundary.
+        // The arc lengths of the rails from ruling to ruling; the left one runs back along the
+        // boundary.
         let gaps: Vec<[f64; 2]> = strip
             .windows(2)
             .map(|pair| {
@@ -427,8 +428,8 @@ impl<'a> Building<'a> {
 }
 
 /// The slope at each knot of the curve with these slopes between them: inside that of the parabola
-/// through three, as far as the curve does not run back; at the ends what makes the outer span as
-/// even as can be.
+/// through three, limited so that the curve does not run back; at the ends that with the most even
+/// outer span.
 fn speeds(knots: &[f64], slopes: &[f64]) -> Vec<f64> {
     let last = slopes.len();
     let step = |i: usize| knots[i + 1] - knots[i];

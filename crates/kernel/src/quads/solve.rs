@@ -1,8 +1,8 @@
 //! Symmetric positive definite systems with few entries.
 //!
 //! The system of a strip of quads is a chain, that of strips that branch a tree, and each hole adds
-//! one cycle: taken from the leaves, elimination fills in next to nothing. Whichever row has the
-//! fewest neighbours left is eliminated next, the first of equals (minimum degree).
+//! one cycle: elimination from the leaves makes hardly any new entries. The row with the fewest
+//! neighbours left is eliminated next, the first of equals (minimum degree).
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -20,7 +20,7 @@ impl Symmetric {
         Self { diagonal: vec![0.0; size], rows: vec![BTreeMap::new(); size] }
     }
 
-    /// Adds to an entry, and to the one that mirrors it.
+    /// Adds to an entry, and to its mirror image.
     pub(super) fn add(&mut self, i: usize, j: usize, value: f64) {
         if i == j {
             self.diagonal[i] += value;
@@ -30,9 +30,8 @@ impl Symmetric {
         }
     }
 
-    /// Solves for the right side, with `share` of the largest entry of the diagonal added to all of
-    /// it, so that rows without entries do no harm: those unknowns come out as nearly 0 as they
-    /// can.
+    /// Solves for the right side, with `share` of the largest entry of the diagonal added to each
+    /// diagonal entry, so that rows without entries do no harm: their unknowns become nearly 0.
     pub(super) fn solved(mut self, right: &[f64], share: f64) -> Vec<f64> {
         let size = self.diagonal.len();
         let most = self.diagonal.iter().copied().fold(0.0, f64::max);

@@ -1,16 +1,16 @@
-//! Larger polygons in quads.
+//! Divides larger polygons into quads.
 //!
-//! A polygon of 2k corners is k − 1 quads; one with an odd number has a triangle besides. Which
-//! diagonals are drawn is decided like a triangulation, by the table of all part polygons: the
-//! quads are taken whose corners, all four, turn least from the plane of the quad, so that flat and
-//! convex ones win. (\[L11\] hands the polygons to a general method for plane ones; ours have six
-//! or eight corners, so that the best can be had.)
+//! A polygon of 2k corners becomes k − 1 quads; one with an odd number of corners has a triangle
+//! besides. Dynamic programming over all part polygons, as for a triangulation, finds the
+//! diagonals: the corners of the quads, all four, turn least from the planes of the quads, so that
+//! flat and convex ones win. (\[L11\] uses a general method for plane polygons; ours have six or
+//! eight corners, so that the optimum can be computed.)
 
 use super::{QuadMesh, Vertex};
 use sheetwright_geometry::math::{Vec3, unit};
 use std::ops::Range;
 
-/// Polygons with more corners are halved first: the table takes time with the fourth power.
+/// Polygons with more corners are halved first: the time of the table grows with the fourth power.
 const MOST_CORNERS: usize = 40;
 
 /// Fills in the faces of all cells.
@@ -45,8 +45,8 @@ fn faces_of(vertices: &[Vertex], corners: &[usize]) -> Vec<Vec<usize>> {
     faces
 }
 
-/// The cheapest division of every part polygon i, i + 1 … j, with the corners between i and j of
-/// the face at that side; none for two neighbours.
+/// The cheapest division of every part polygon i, i + 1 … j, with the further corners of the face
+/// at the side from i to j; none for two neighbours.
 struct Table<'a> {
     vertices: &'a [Vertex],
     corners: &'a [usize],
@@ -68,7 +68,7 @@ impl Table<'_> {
         let is_odd = (j - i).is_multiple_of(2);
         for a in i + 1..j {
             for b in a + 1..j {
-                // A part with an odd number of corners has the one triangle that there is.
+                // A part with an odd number of corners has the only triangle.
                 let is_part_odd = [(i, a), (a, b), (b, j)].map(|(p, q)| (q - p).is_multiple_of(2));
                 if is_part_odd.into_iter().filter(|&odd| odd).count() == usize::from(is_odd) {
                     let parts = self.cost(i, a) + self.cost(a, b) + self.cost(b, j);

@@ -1,17 +1,16 @@
 //! Step 5: a vertex for every rung.
 //!
 //! A sample v with k = deg(v) − 2 rungs becomes k vertices along the outline about v, in the order
-//! in which the rungs come round v, each with one of the rungs. The stretch that they take up
-//! reaches less than half-way to the samples beside v, divided as evenly as the samples themselves:
-//! k copies lie at a k-th of the edge from one another, since what they stand for is a stretch of
-//! boundary whose rulings all came out at v. At a corner one copy stays, the middle one.
+//! of the rungs round v, each with one of the rungs. They lie within half the distance to the
+//! samples beside v, a k-th of the edge from one another, as evenly as the samples: they represent
+//! a stretch of boundary whose rulings all ended at v. At a corner one copy stays, the middle one.
 
 use super::merge::{Face, Merged};
 use super::{Cell, QuadMesh, Vertex};
 use sheetwright_geometry::boundary::{Boundary, Outline, Side};
 use std::collections::BTreeMap;
 
-/// The mesh of what the rungs divide the surface into; its cells are not split yet.
+/// The mesh of the cells between the rungs; the cells are not split yet.
 pub(super) fn spread(merged: &Merged, boundary: &Boundary, outline: &Outline) -> QuadMesh {
     let rungs_at = rungs_in_order(merged, boundary);
     let (mut vertices, mut loops) = (Vec::new(), Vec::new());
@@ -36,7 +35,7 @@ pub(super) fn spread(merged: &Merged, boundary: &Boundary, outline: &Outline) ->
                 let edge = if step < 0.0 { boundary.previous(v) } else { v };
                 let away = step * edge_length(boundary, outline, edge) / count as f64;
                 let along_mm = outline.of_sample(v) + away;
-                // Exactly the sample, where it is the sample.
+                // Exactly the position of the sample, if it is the sample.
                 let position = if step == 0.0 {
                     boundary.samples()[v].position
                 } else {
@@ -80,7 +79,7 @@ fn edge_length(boundary: &Boundary, outline: &Outline, sample: usize) -> f64 {
 /// The far ends of the rungs of each sample, in the order in which copies of it follow one another
 /// along the boundary.
 fn rungs_in_order(merged: &Merged, boundary: &Boundary) -> Vec<Vec<usize>> {
-    // In the face to the left of v → y, what comes before v.
+    // For v → y, the corner before v in the face to the left.
     let mut before = BTreeMap::new();
     for face in &merged.faces {
         for n in 0..face.len() {

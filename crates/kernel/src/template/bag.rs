@@ -40,13 +40,13 @@ const PARAMETERS: [Parameter; 6] = [
     ),
 ];
 
-/// The bottom of a front is this wide or wider, mm, and the gusset at the mouth a third of it: less
-/// takes no needle.
+/// Least width of the bottom of a front, mm; that of the gusset at the mouth is a third of it. Less
+/// can't be sewn.
 const NARROWEST: f64 = 30.0;
-/// Samples of the gusset lie this far apart at the most, as a share of the reach of a corner: its
-/// tightest bend has a third of that for its radius, and so turns by 5° from one to the next.
+/// Largest distance of samples of the gusset, as a share of the reach of a corner: the radius of
+/// its tightest bend is a third of that reach, so it turns by 5° from one sample to the next.
 const SAMPLE: f64 = 0.03;
-/// Samples of the gusset at the least and at the most.
+/// Limits of the samples of the gusset.
 const SAMPLES: [f64; 2] = [200.0, 1600.0];
 
 /// The seam is a curve in the upright plane of the front, pushed forward by half of the depth at

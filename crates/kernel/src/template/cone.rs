@@ -1,4 +1,4 @@
-//! Cones, frusta and what is made from them.
+//! Cones, frusta and lampshades.
 
 use super::sketch::{Drawn, Sketch, numbered};
 use super::{Template, TemplateError, Values, count, length};
@@ -45,7 +45,7 @@ fn lampshade(values: &Values) -> Drawn {
     let (bottom, top) = (values.number("bottom") / 2.0, values.number("top") / 2.0);
     let slant = values.number("slant");
     let flare = (bottom - top).abs();
-    // A shade so flat is a plate: a thousandth of the slant is left for its height.
+    // A flatter shade is a plate: its height is at least a thousandth of its slant.
     let upright = (slant * slant - flare * flare).sqrt();
     if upright.is_nan() || upright < 1e-3 * slant {
         return Err(TemplateError::together(

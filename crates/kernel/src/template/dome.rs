@@ -192,8 +192,8 @@ fn airship(values: &Values) -> Drawn {
         let hint = format!("Make the length 1 to {MOST_SLENDER} times the diameter.");
         return Err(TemplateError::together("diameter", message, hint));
     }
-    // r² = c · x (1 − x) e^(−kx) is largest where it is asked to be, round at both ends, and
-    // slimmer towards the tail; k = 0 is an ellipsoid.
+    // r² = c · x (1 − x) e^(−kx) is largest at `fullest`, round at both ends, and slimmer towards
+    // the tail; k = 0 is an ellipsoid.
     let k = (1.0 - 2.0 * fullest) / (fullest * (1.0 - fullest));
     let shape = |x: f64, left: f64| (x * left * pow(E, -k * x)).sqrt();
     let top = shape(fullest, 1.0 - fullest);
@@ -218,7 +218,8 @@ fn airship(values: &Values) -> Drawn {
     gores(&profile(PI, |t| hull(nose + (tail - nose) * t)), values.count("gores"), named("caps"))
 }
 
-/// The longest hull, in diameters: its nose and tail are so sharp that no sampling shows them well.
+/// The longest hull, in diameters: the nose and tail of a longer one are too sharp for any
+/// sampling.
 const MOST_SLENDER: f64 = 10.0;
 
 /// Where a profile that widens from the first place to the second has this radius.

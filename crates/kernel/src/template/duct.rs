@@ -47,8 +47,9 @@ pub(super) const SQUARE_TO_ROUND: Template = Template {
 /// side meets it.
 const SAMPLES: usize = 241;
 
-/// The plane of a tilted round end meets that of the rectangle beyond it, by this share of its half
-/// width. Nearer to a side, the sheet between that side and the next is folded rather than bent.
+/// Least distance from the rectangle, as a share of its half width, at which the plane of a tilted
+/// round end meets that of the rectangle. Nearer to a side, the sheet between that side and the
+/// next is folded rather than bent.
 const CLEAR_SHARE: f64 = 0.2;
 
 fn square_to_round(values: &Values) -> Drawn {
@@ -56,8 +57,8 @@ fn square_to_round(values: &Values) -> Drawn {
     let (radius, height) = (values.number("diameter") / 2.0, values.number("height"));
     let tilt = values.radians("tilt");
     let middle = Point3::new(values.number("offset-x"), values.number("offset-y"), height);
-    // How far the plane of the round end lies above the far edge of the rectangle, and the round
-    // end itself above the plane of the rectangle.
+    // The heights of the plane of the round end above the far edge of the rectangle, and of the
+    // round end itself above the plane of the rectangle.
     let slope = sin(tilt).abs() / cos(tilt);
     let towards = middle.x * tilt.signum();
     let over = height + slope * (towards - (1.0 + CLEAR_SHARE) * x);

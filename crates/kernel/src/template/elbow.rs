@@ -118,8 +118,8 @@ fn elbow(values: &Values) -> Drawn {
     Ok(sketch)
 }
 
-/// Half a segment is at least this long at the throat, as a share of the radius of the pipe: a
-/// quarter of what lies between two samples. On what is slimmer, rungs run along the edge.
+/// Least length of half a segment at the throat, as a share of the radius of the pipe: a quarter of
+/// the distance between two samples. On slimmer segments, rungs run along the edge.
 const LEAST_THROAT: f64 = 0.0065;
 
 /// From one segment to the next a pipe turns by less than this, radians (150°): beyond it the cuts
@@ -155,7 +155,7 @@ pub(super) const Y_BRANCH: Template = Template {
     build: y_branch,
 };
 
-/// What is left of a ruling at the least, as a share of the radius of the trunk.
+/// Least length of a ruling, as a share of the radius of the trunk.
 const LEAST_RULING: f64 = 0.05;
 
 fn y_branch(values: &Values) -> Drawn {
@@ -263,7 +263,8 @@ impl Branch {
         Vec3::new(cos(self.lean), 0.0, -sin(self.lean)) * cos(angle) + Vec3::Y * sin(angle)
     }
 
-    /// Where the ruling begins beside the origin, and its way for every mm along the axis.
+    /// The beginning of the ruling beside the origin, and its direction for every mm along the
+    /// axis.
     fn ruling(self, angle: f64) -> (Point3, Vec3) {
         let out = self.outward(angle);
         let slope = sin(self.taper) / cos(self.taper);
@@ -277,13 +278,13 @@ impl Branch {
         start + way * s
     }
 
-    /// How far along the axis a ruling meets the plane between the branches.
+    /// The length along the axis at which a ruling meets the plane between the branches, mm.
     fn until_middle(self, angle: f64) -> f64 {
         let (start, way) = self.ruling(angle);
         -start.x / way.x
     }
 
-    /// How far along the axis a ruling meets the plane z = middle + slope · x.
+    /// The length along the axis at which a ruling meets the plane z = middle + slope · x, mm.
     fn until_mitre(self, angle: f64, slope: f64, middle: f64) -> f64 {
         let (start, way) = self.ruling(angle);
         (middle + slope * start.x - start.z) / (way.z - slope * way.x)

@@ -42,8 +42,9 @@ const PARAMETERS: [Parameter; 6] = [
     count("panels", "panels that the strip is divided into", 1, 60, 6),
 ];
 
-/// Arcs in parallel planes run in the same direction at the same angle; straight lines between such
-/// points make a developable surface (a cone, oblique if it leans), and the joints are among them.
+/// Arcs in parallel planes have equal directions at equal angles. Straight lines between such
+/// points make a developable surface (a cone, oblique if it leans), and the joints are among these
+/// lines.
 fn facade(values: &Values) -> Drawn {
     let (lower, upper) = (values.number("lower-radius"), values.number("upper-radius"));
     let (height, lean) = (values.number("height"), values.number("lean"));
@@ -53,7 +54,7 @@ fn facade(values: &Values) -> Drawn {
     for panel in 0..panels {
         let arc = |radius: f64, out: f64, z: f64| {
             move |t: f64| {
-                // Both panels of a joint come to the very same point.
+                // Both panels of a joint get exactly one point.
                 let turned = (panel as f64 + t) / panels as f64 - 0.5;
                 let angle = whole * turned;
                 Point3::new(out + radius * cos(angle), radius * sin(angle), z)

@@ -3,9 +3,8 @@
 //!
 //! The rails of a gore are two meridians and lie on the surface of revolution. Level rungs between
 //! them are parallel, so the gore is a piece of a cylinder: it bends without any force, and its
-//! outline has the lengths of the meridians. What is lost is the bulge between two meridians: a
-//! share of 1 − cos(π/n) of the radius at the middle of a gore, and of 1 − sin(π/n)/(π/n) of the
-//! girth.
+//! outline has the lengths of the meridians. The bulge between two meridians is lost: a share of
+//! 1 − cos(π/n) of the radius at the middle of a gore, and of 1 − sin(π/n)/(π/n) of the girth.
 
 use super::TemplateError;
 use super::sketch::{Drawn, Sketch, stations};
@@ -22,17 +21,17 @@ pub(super) struct Station {
     pub(super) z: f64,
 }
 
-/// Samples of each meridian: at least so many, since rungs every hundredth of the way look smooth …
+/// Samples of each meridian: at least so many, since rungs every hundredth of it look smooth …
 const FEWEST_SAMPLES: usize = 101;
-/// … and at the most so many, where the files would grow and hands can't follow.
+/// … and at most so many, since files grow, and more rulings can't be marked by hand.
 const MOST_SAMPLES: usize = 401;
-/// Between samples the meridian turns by at most this, radians (4°), where so many are enough for
-/// it.
+/// Largest turn of the meridian from sample to sample, radians (4°), if that needs no more than
+/// [`MOST_SAMPLES`].
 const TURN: f64 = 0.07;
-/// Tangent planes along a rung that is not level turn by at most this, radians (3.8°), where so
-/// many samples are enough for it.
+/// Largest turn of the tangent planes along a rung that is not level, radians (3.8°), if that needs
+/// no more than [`MOST_SAMPLES`].
 const SLANT_TURN: f64 = 1.0 / 15.0;
-/// Where even the most samples leave that turn this many times too large, the gores are too slim.
+/// If that turn is this many times too large even with [`MOST_SAMPLES`], the gores are too slim.
 const TOO_SLIM: f64 = 1.4;
 
 /// The points of a profile along `at` from 0 to 1, which turns by `turn` radians in all.
@@ -40,12 +39,12 @@ pub(super) fn profile(turn: f64, at: impl Fn(f64) -> Station) -> Vec<Station> {
     stations(turn).into_iter().map(at).collect()
 }
 
-/// What the parameters of a template in gores are called.
+/// The names of the parameters of a template in gores.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Names {
-    /// The one that sets how many gores there are.
+    /// That of the number of gores.
     pub(super) count: &'static str,
-    /// The one that sets how wide the ends are open.
+    /// That of the width of the openings at the ends.
     pub(super) opening: &'static str,
 }
 
@@ -91,13 +90,14 @@ pub(super) fn gores(profile: &[Station], n: usize, names: Names) -> Drawn {
     Ok(sketch)
 }
 
-/// What is nearer to the axis, as a share of the largest radius, is on it: rounding is.
+/// Points nearer to the axis than this share of the largest radius are on it: rounding.
 const ON_AXIS: f64 = 1e-9;
-/// An end that is open is at least so wide, as a share of the largest radius: the edge of a gore
-/// there is then not much shorter than what lies between two samples.
+/// Least radius of an open end, as a share of the largest radius: the edge of a gore there is then
+/// not much shorter than the distance between two samples.
 const LEAST_OPENING: f64 = 0.01;
 
-/// How many samples, evenly along it, show a profile in n gores; `None` if none do.
+/// The number of samples, evenly along it, that a profile in n gores needs; `None` if no number
+/// suffices.
 ///
 /// Every other rung joins a sample to the next one of the other rail. Where the curvature is κ, the
 /// distance from the axis r and that from sample to sample h, the tangent planes at its two ends

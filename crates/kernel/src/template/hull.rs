@@ -40,7 +40,7 @@ const PARAMETERS: [Parameter; 2] = [
     Parameter { name: "units", meaning: "unit of the table's numbers", kind: Kind::Choice(&UNITS) },
 ];
 
-/// The units that whoever reads the table turns into millimetres.
+/// The units of the table, which its reader turns into millimetres.
 const UNITS: [Choice; 5] = [
     Choice { name: "mm", meaning: "millimetres" },
     Choice { name: "cm", meaning: "centimetres" },
@@ -51,10 +51,10 @@ const UNITS: [Choice; 5] = [
 
 /// Samples of each line.
 const SAMPLES: usize = 200;
-/// A hull has so many lines at the most.
+/// Limit of the lines of a hull.
 const MOST_LINES: usize = 20;
 
-/// The lines of a skiff of 3.6 m: what a builder would write down, to the mm.
+/// The lines of a skiff of 3.6 m, as a builder writes them down, to the mm.
 const SKIFF: [(&str, [[f64; 3]; 9]); 3] = [
     (
         "keel",

@@ -10,42 +10,42 @@
 //!   deadrise, z = keel(x + sweep · y) + deadrise · y. The sweep brings the rise of the forefoot to
 //!   the chine before it comes to the keel, which makes the bow sharper than amidships.
 //!
-//! The chine is where the two meet, the keel and the stems where they meet the middle plane, and a
-//! transom is a plane that cuts both. Every curve is a spline through a few points of these, closer
-//! together at the ends, where a natural spline is least true; neighbours share the very same
-//! curve.
+//! The chine is the line where the two meet, the keel and the stems are the lines where they meet
+//! the middle plane, and a transom is a plane that cuts both. Every curve is a spline through a few
+//! points of these lines, closer together at the ends, where a natural spline is least exact;
+//! neighbours share one curve.
 
 use super::TemplateError;
 use super::sketch::{Sketch, mirrored};
 use sheetwright_geometry::math::{Point3, cos};
 use std::f64::consts::PI;
 
-/// What a hull is drawn from; lengths in mm.
+/// The dimensions of a hull; lengths in mm.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Dimensions {
-    /// From the top of the stern to the top of the bow.
+    /// The length from the top of the stern to the top of the bow.
     pub length: f64,
-    /// Across the sheer at the widest station.
+    /// The width across the sheer at the widest station.
     pub beam: f64,
-    /// From the lowest point of the keel to the sheer there.
+    /// The height from the lowest point of the keel to the sheer there.
     pub depth: f64,
-    /// How far the sides lean outwards, for each mm upwards.
+    /// The outward slope of the sides, mm for each mm upwards.
     pub flare: f64,
-    /// How far the bottom rises, for each mm outwards.
+    /// The rise of the bottom, mm for each mm outwards.
     pub deadrise: f64,
-    /// Of the sheer at the bow, above the lowest point of the keel.
+    /// The height of the sheer at the bow above the lowest point of the keel.
     pub bow_height: f64,
-    /// Of the sheer at the stern, likewise.
+    /// The height of the sheer at the stern above that point.
     pub stern_height: f64,
-    /// Of the line of the keel where it would come to the bow, likewise.
+    /// The height of the line of the keel, extended to the bow, above that point.
     pub bow_rise: f64,
-    /// Of the line of the keel where it would come to the stern, likewise.
+    /// The height of the line of the keel, extended to the stern, above that point.
     pub stern_rise: f64,
     /// How the hull ends at the bow.
     pub bow: End,
     /// How it ends at the stern.
     pub stern: End,
-    /// What cannot be set.
+    /// The properties that cannot be set.
     pub style: Style,
 }
 
@@ -58,29 +58,29 @@ pub(super) enum End {
     Transom {
         /// Its width at the sheer, mm.
         width: f64,
-        /// How far it leans outwards, for each mm upwards.
+        /// Its outward slope, mm for each mm upwards.
         lean: f64,
     },
 }
 
-/// What makes one kind of boat different from another of the same dimensions.
+/// The differences between kinds of boats of equal dimensions.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Style {
-    /// Where the widest station lies, as a share of the length from the stern.
+    /// The place of the widest station, as a share of the length from the stern.
     pub widest: f64,
-    /// Where the keel is lowest, likewise.
+    /// The place where the keel is lowest, as a share of the length from the stern.
     pub lowest: f64,
-    /// The power of the distance from there with which the keel rises towards the bow and the
-    /// stern.
+    /// The exponents with which the keel rises towards the bow and the stern, as powers of the
+    /// distance from there.
     pub keel_powers: [u32; 2],
-    /// How far the bottom's straight lines run aft, as a share of how far they run outwards.
+    /// The run of the bottom's straight lines aft, as a share of their run outwards.
     pub sweep: f64,
-    /// How much fuller the ends are in plan than those of a parabola: a share of the half-breadth
+    /// The fullness of the ends in plan beyond those of a parabola: the share of the half-breadth
     /// that falls off with the fourth power.
     pub fullness: f64,
 }
 
-/// A hull as far as it is drawn.
+/// A hull with its curves and panels so far.
 #[derive(Debug)]
 pub(super) struct Hull {
     /// Its curves and panels.
@@ -97,31 +97,31 @@ const STEM_POINTS: usize = 7;
 const TRANSOM_POINTS: usize = 5;
 /// Samples of the loop of a long panel: one every 15 mm of a small boat.
 pub(super) const LONG_SAMPLES: usize = 400;
-/// Samples of the loop of a transom: it is flat, so that few do.
+/// Samples of the loop of a transom: it is flat, so few suffice.
 const FLAT_SAMPLES: usize = 100;
-/// A side is nowhere lower than this, mm: less can't be stitched or nailed.
+/// Least height of a side, mm: a lower one can't be stitched or nailed.
 const LEAST_SIDE: f64 = 20.0;
-/// The chines are amidships at least this share of the beam from the middle: a narrower bottom is
-/// not what anybody sets.
+/// Least distance of the chines from the middle amidships, as a share of the beam: a narrower
+/// bottom is a mistake.
 const LEAST_BOTTOM: f64 = 0.1;
-/// A transom is no narrower than this at the chine, mm each side of the middle, likewise.
+/// Least half-width of a transom at the chine, mm: a narrower one is a mistake, too.
 const LEAST_HALF_WIDTH: f64 = 20.0;
-/// The bottom and the sides have each a slope against the other; where the product of the two comes
-/// to 1 they are parallel and never meet. This is the most.
+/// Limit of the product of the slopes of the bottom and the sides, each against the other: at 1
+/// they are parallel and never meet.
 const STEEPEST: f64 = 0.9;
-/// The line of the keel comes up to this share of the height of the sheer at the most.
+/// Largest rise of the line of the keel, as a share of the height of the sheer.
 const HIGHEST_RISE: f64 = 0.8;
-/// A transom leans over this share of the length between it and the widest station at the most.
+/// Largest lean of a transom, as a share of the length between it and the widest station.
 const LONGEST_LEAN: f64 = 0.8;
-/// Where the plan is looked at to see that it is fair.
+/// Places at which the plan is checked to be fair.
 const PLAN_CHECKS: usize = 32;
 /// Halvings of an interval: from metres to below rounding.
 const HALVINGS: usize = 64;
-/// How far a point may be from where two surfaces meet, as a share of the length: far above
-/// rounding, far below what anybody measures.
+/// Largest distance of a point from the line where two surfaces meet, as a share of the length: far
+/// above rounding, far below any measurement.
 const MET: f64 = 1e-9;
 
-/// What the curves, the panel and the parameters of an end are called.
+/// The names of the curves, the panel and the parameters of an end.
 struct EndNames {
     /// In words.
     end: &'static str,
@@ -171,7 +171,7 @@ struct Form {
     falls: [f64; 3],
 }
 
-/// Where one end of the keel, of the chine and of the sheer lies.
+/// The positions of one end of the keel, of the chine and of the sheer.
 #[derive(Clone, Copy, Debug)]
 struct Corners {
     keel: Point3,
@@ -340,7 +340,7 @@ impl Form {
         }
     }
 
-    /// A stem: where the side comes to the middle, from the keel to the sheer at `[x, z]`.
+    /// A stem: the line where the side meets the middle, from the keel to the sheer at `[x, z]`.
     fn stem(&self, sketch: &mut Sketch, [x, top]: [f64; 2], names: &EndNames) -> Corners {
         let at = |z: f64| turning_point(|x| self.side(x, z), self.widest, x);
         let foot = turning_point(|z| z - self.keel(at(z)), 0.0, top);
@@ -497,7 +497,7 @@ fn line(stern: Point3, bow: Point3, at: impl Fn(f64) -> Point3) -> Vec<Point3> {
     points
 }
 
-/// So many numbers between two, both included, closer together near the ends.
+/// `count` numbers between two, both included, closer together near the ends.
 fn spread(from: f64, to: f64, count: usize) -> impl Iterator<Item = f64> {
     let last = (count - 1) as f64;
     (0..count).map(move |n| from + (to - from) * (1.0 - cos(PI * n as f64 / last)) / 2.0)

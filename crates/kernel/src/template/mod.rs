@@ -4,9 +4,9 @@
 //! shape: a name, who uses it, the words that people search for, its parameters with their ranges,
 //! and a function that draws the design. [`catalogue`] lists them; one file a family draws them.
 //!
-//! Values are checked at the door, in [`Values::set`]: a function that draws is only ever called
-//! with values within their ranges. What no range can say (a neck that is wider than the belly) it
-//! refuses itself, in words.
+//! [`Values::set`] checks values, so a function that draws gets only values within their ranges. It
+//! refuses combinations that no range can exclude (a neck that is wider than the belly) itself, in
+//! words.
 
 mod bag;
 mod boat;
@@ -33,15 +33,15 @@ use std::fmt;
 /// A shape with parameters.
 #[derive(Clone, Copy, Debug)]
 pub struct Template {
-    /// What the command and designs call it: lower-case words joined by `-`.
+    /// The name in the command and in designs: lower-case words joined by `-`.
     pub name: &'static str,
-    /// What people call it.
+    /// The name for people.
     pub title: &'static str,
     /// One sentence on who uses it and for what.
     pub who: &'static str,
-    /// What people search for when they mean it.
+    /// Words by which people search for it.
     pub words: &'static [&'static str],
-    /// What can be set, in the order in which it is shown.
+    /// The parameters, in the order in which they are shown.
     pub parameters: &'static [Parameter],
     /// The material that it is usually made of, by its name in the catalogue; `None` where that
     /// differs from maker to maker.
@@ -50,18 +50,18 @@ pub struct Template {
     build: fn(&Values) -> Drawn,
 }
 
-/// Something that can be set.
+/// A parameter of a template.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameter {
     /// What the command calls it: lower-case words joined by `-`.
     pub name: &'static str,
     /// What it means, as a phrase without a full stop.
     pub meaning: &'static str,
-    /// What it takes.
+    /// The values that it takes.
     pub kind: Kind,
 }
 
-/// What a parameter takes.
+/// The values that a parameter takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
     /// A length, mm.
@@ -75,20 +75,20 @@ pub enum Kind {
     Number(Range),
     /// Several lengths, mm.
     Lengths {
-        /// What each may be.
+        /// The least value of each.
         least: f64,
-        /// What each may be at the most.
+        /// The largest value of each.
         most: f64,
-        /// How few they may be.
+        /// The least number of them.
         fewest: usize,
-        /// How many they may be.
+        /// The largest number of them.
         longest: usize,
-        /// What they are unless they are set.
+        /// The lengths unless they are set.
         default: &'static [f64],
     },
     /// One of these; the first unless it is set.
     Choice(&'static [Choice]),
-    /// The curves of a curve table, which whoever calls reads; none unless it is set.
+    /// The curves of a curve table, which the caller reads; none unless it is set.
     Table,
 }
 
@@ -103,7 +103,7 @@ pub struct Range {
     pub default: f64,
 }
 
-/// One of the things that can be chosen.
+/// One of the values of a choice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Choice {
     /// What the command calls it.
@@ -155,7 +155,7 @@ pub enum TemplateError {
         /// The parameter.
         parameter: &'static str,
     },
-    /// The number is none, or outside of the range.
+    /// The number is NaN, or outside of the range.
     OutOfRange {
         /// The parameter.
         parameter: &'static str,
@@ -176,16 +176,16 @@ pub enum TemplateError {
         /// How many there are.
         found: usize,
     },
-    /// This can't be chosen.
+    /// The parameter has no such choice.
     UnknownChoice {
         /// The parameter.
         parameter: &'static str,
-        /// What was wanted.
+        /// The name of the choice.
         wanted: String,
     },
     /// Values that do not go together.
     Together {
-        /// The parameter that had better be changed.
+        /// The parameter to change.
         parameter: &'static str,
         /// What is wrong, as a sentence without a capital and a full stop.
         message: String,
@@ -195,7 +195,7 @@ pub enum TemplateError {
 }
 
 impl TemplateError {
-    /// The parameter that it is about; `None` where there is no such parameter.
+    /// The parameter at fault; `None` where there is no such parameter.
     pub fn parameter(&self) -> Option<&'static str> {
         match *self {
             Self::UnknownParameter { .. } => None,
@@ -296,7 +296,7 @@ impl Kind {
 }
 
 impl Values {
-    /// The template that they are for.
+    /// The template of these values.
     pub fn template(&self) -> &'static Template {
         self.template
     }
@@ -362,8 +362,8 @@ impl Values {
     /// The value of a parameter.
     ///
     /// # Panics
-    /// Where the template has no such parameter. So do the functions below, also where it is of
-    /// another kind: a fault of the template's own file, which drawing it once brings to light.
+    /// If the template has no such parameter. The functions below panic, too, also if it is of
+    /// another kind: a fault of the template's own file, which drawing it once shows.
     fn value(&self, name: &str) -> &Value {
         let place = self.template.parameters.iter().position(|p| p.name == name);
         let Some(place) = place else { panic!("{} has no '{name}'", self.template.name) };
@@ -396,7 +396,7 @@ impl Values {
         }
     }
 
-    /// The name of what was chosen.
+    /// The name of the choice.
     fn choice(&self, name: &str) -> &str {
         match self.value(name) {
             Value::Choice(name) => name,

@@ -48,7 +48,7 @@ fn ramp(values: &Values) -> Drawn {
     let turn = atan2(run, radius - height);
     let arc = |y: f64| {
         move |t: f64| match t {
-            // The foot on the ground and the top in the deck, to the last digit.
+            // The foot lies on the ground and the top in the deck, to the last digit.
             0.0 => Point3::new(0.0, y, 0.0),
             1.0 => Point3::new(run, y, height),
             t => Point3::new(radius * sin(turn * t), y, radius * (1.0 - cos(turn * t))),

@@ -7,7 +7,7 @@ use sheetwright_geometry::curve::{Curve, CurveKind, CurvePoint};
 use sheetwright_geometry::math::{Point3, cos, sin};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// A vase, a bowl or what was measured.
+/// A vase, a bowl or a measured profile.
 pub(super) const REVOLUTION: Template = Template {
     name: "revolution",
     title: "Vase, bowl or any turned shape in gores",
@@ -91,7 +91,7 @@ const NEAR_AXIS: f64 = 1e-3;
 fn reaches_axis(stations: &[Station]) -> Option<f64> {
     let largest = stations.iter().map(|s| s.r).fold(0.0, f64::max);
     let inner = &stations[1..stations.len() - 1];
-    // The largest is near nothing but itself, so a profile of zeros is caught here too.
+    // `<=` also catches a profile of zeros.
     if let Some(near) = inner.iter().find(|s| s.r <= NEAR_AXIS * largest) {
         return Some(near.z);
     }
@@ -104,7 +104,7 @@ fn reaches_axis(stations: &[Station]) -> Option<f64> {
         .find_map(|at| (at.x <= 0.0).then_some(at.z))
 }
 
-/// Places that are looked at between two radii.
+/// Places that are checked between two radii.
 const TRIED: usize = 32;
 
 /// A hemisphere in gores that are divided level.

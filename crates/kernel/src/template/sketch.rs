@@ -1,5 +1,5 @@
-//! What templates draw with: named curves and panels, and curves through points of a formula that
-//! lie on it to far below what a hand can cut.
+//! The drawing tools of templates: named curves and panels, and curves through points of a formula,
+//! which they match far more closely than a hand can cut.
 
 use super::TemplateError;
 use crate::design::{CurveUse, Design, DesignCurve, DesignPanel, Join, PanelMethod, PanelShape};
@@ -15,10 +15,10 @@ pub(super) struct Sketch {
     panels: Vec<DesignPanel>,
 }
 
-/// What a template's function gives back.
+/// The result of a template's function.
 pub(super) type Drawn = Result<Sketch, TemplateError>;
 
-/// A smooth part of a curve: how far it turns in all, radians, and where it is at 0 to 1.
+/// A smooth part of a curve: its whole turn, radians, and its points over 0 ..= 1.
 pub(super) struct Part<'a> {
     pub(super) turn: f64,
     pub(super) at: &'a dyn Fn(f64) -> Point3,
@@ -37,8 +37,8 @@ impl Sketch {
         self.curve(name, CurveKind::Spline, points);
     }
 
-    /// A smooth open curve along `at` from 0 to 1, which moves about evenly and turns by `turn`
-    /// radians in all.
+    /// A smooth open curve along `at` from 0 to 1, which has about constant speed and turns by
+    /// `turn` radians in all.
     pub(super) fn along(&mut self, name: impl Into<String>, turn: f64, at: impl Fn(f64) -> Point3) {
         self.jointed(name, &[Part { turn, at: &at }]);
     }
@@ -48,7 +48,7 @@ impl Sketch {
         self.curve(name, CurveKind::Spline, points);
     }
 
-    /// A smooth curve that control points draw to themselves.
+    /// A smooth curve by control points.
     pub(super) fn bspline(&mut self, name: impl Into<String>, points: &[Point3]) {
         let points = points.iter().map(|&at| CurvePoint::smooth(at)).collect();
         self.curve(name, CurveKind::BSpline, points);
@@ -78,13 +78,13 @@ impl Sketch {
     }
 
     /// A panel between two rails, whose every rung joins the two. It needs no supporting plane: the
-    /// order of the rails is enough, and what is rolled round a pipe has none.
+    /// order of the rails is enough, and a sheet rolled round a pipe has none.
     pub(super) fn strip(&mut self, name: impl Into<String>, rails: [&str; 2], samples: usize) {
         let shape = PanelShape::Rails(rails.map(used));
         self.panel(name, shape, samples, PanelMethod::Rails, PlaneChoice::None);
     }
 
-    /// A panel between two lines that nobody drew as rails of a strip: all its rungs are looked at.
+    /// A panel between two lines that were not drawn as rails of a strip: all rungs are admitted.
     pub(super) fn plank(&mut self, name: impl Into<String>, rails: [&str; 2], samples: usize) {
         let shape = PanelShape::Rails(rails.map(used));
         self.panel(name, shape, samples, PanelMethod::Optimal, PlaneChoice::Auto);
@@ -136,8 +136,8 @@ impl Sketch {
         }
     }
 
-    /// The image of a curve to starboard, which is drawn unless it is there; itself if it lies in
-    /// the plane.
+    /// The image of a curve to starboard, which is drawn unless it exists; the curve itself if it
+    /// lies in the plane.
     fn starboard(&mut self, part: &CurveUse) -> CurveUse {
         let Some(curve) = self.curves.iter().find(|curve| curve.name == part.name) else {
             return part.clone();
@@ -199,17 +199,18 @@ pub(super) fn numbered(name: &str, piece: usize, pieces: usize) -> String {
     if pieces == 1 { name.to_owned() } else { format!("{name}-{}", piece + 1) }
 }
 
-/// Points of a curve are at most so far apart, radians of its turning (5°): a spline through points
-/// of a circle then lies within 10⁻⁶ of its radius.
+/// Largest turn of a curve between two of its points, radians (5°): a spline through points of a
+/// circle then lies within 10⁻⁶ of its radius.
 const STEP: f64 = 0.0873;
-/// A curve has this many steps at the least, however little it turns.
+/// Least number of steps of a curve, however little it turns.
 const FEWEST_STEPS: usize = 8;
 /// How often the step is halved towards the ends. A natural spline is straight at its ends, where
-/// these curves are not, and turns off there in proportion to its last step: 64 times shorter, that
+/// these curves are not, and deviates there in proportion to its last step: 64 times shorter, that
 /// is 0.02°.
 const HALVINGS: u32 = 6;
 
-/// Where points of a curve lie that turns by `turn` radians: from 0 to 1, closer towards the ends.
+/// The parameters of the points of a curve that turns by `turn` radians: from 0 to 1, closer
+/// towards the ends.
 pub(super) fn stations(turn: f64) -> Vec<f64> {
     let steps = ((turn.abs() / STEP).ceil() as usize).max(FEWEST_STEPS);
     let step = 1.0 / steps as f64;

@@ -38,14 +38,14 @@ const PARAMETERS: [Parameter; 8] = [
     length("rear-length", "length from the middle hoop to the rear one", 200.0, 10_000.0, 1300.0),
 ];
 
-/// A hoop is at most so many times as high as half of its width, or as little of it: more is
-/// nothing that a pole bends to.
+/// A hoop is at most so many times as high as half of its width, and at least that fraction of it:
+/// a pole does not bend further.
 const MOST_STRETCHED: f64 = 4.0;
 /// Samples along a hoop that is half a circle; a stretched one bends more tightly somewhere.
 const SAMPLES: f64 = 150.0;
 
-/// Hoops in parallel planes: straight lines between points where they run in the same direction
-/// make a developable surface, whatever their sizes are.
+/// Hoops in parallel planes: straight lines between points of equal directions make a developable
+/// surface, for all sizes.
 fn tent(values: &Values) -> Drawn {
     let length = |name: &str| values.number(name);
     let middle = length("front-length");

@@ -1,21 +1,21 @@
 //! Whether a stroke ends where it began.
 //!
-//! A hand rarely ends at the very spot: it stops short, runs past the beginning beside it, or
-//! across it. So places near both ends are looked at in pairs; of these the pair counts that is
-//! nearest, where cutting off what lies outside of it costs a quarter of its length. What gapes
-//! between them is drawn together over a short way along both ends.
+//! A hand rarely ends at the very spot: it stops short, or runs past or across the beginning. So
+//! places near both ends are compared in pairs. The best pair has the least sum of its gap and a
+//! quarter of the length that is cut off outside of it. The gap is then closed by moving a short
+//! stretch at both ends.
 
 use super::path::Path;
 use sheetwright_geometry::math::Point2;
 
-/// How far from its ends a stroke is looked at, as a share of its length.
+/// The stretch at each end that is searched, as a share of the length.
 const NEAR_END: f64 = 0.12;
-/// Places looked at near each end.
+/// Places compared near each end.
 const PLACES: usize = 48;
-/// What a mm that is cut off costs, in mm of gap.
+/// The cost of a mm that is cut off, in mm of gap.
 const CUT_COST: f64 = 0.25;
-/// The way along each end over which a gap is drawn together, as a share of the length: the ends
-/// are turned by a few degrees only.
+/// The stretch at each end that is moved to close a gap, as a share of the length: the ends are
+/// turned by a few degrees only.
 const DRAWN_TOGETHER: f64 = 0.15;
 
 /// The points of the closed path that a stroke makes, the last joined to the first; `None` where
@@ -43,7 +43,7 @@ pub(super) fn closing(points: &[Point2], close_share: f64) -> Option<Vec<Point2>
     Some(drawn_together(kept)).filter(|points| points.len() >= 3)
 }
 
-/// The path from one way along it to another.
+/// The path between two lengths along it.
 fn trimmed(path: &Path, from: f64, to: f64) -> Vec<Point2> {
     let mut kept = vec![path.at(from)];
     let mut way = 0.0;
@@ -58,8 +58,8 @@ fn trimmed(path: &Path, from: f64, to: f64) -> Vec<Point2> {
     kept
 }
 
-/// The points with both ends moved to the middle between them, and the others the less the farther
-/// they are from there; without the last, which is the first.
+/// The points with both ends moved to the middle between them, and the others less and less with
+/// the distance from there; without the last, which repeats the first.
 fn drawn_together(points: Vec<Point2>) -> Vec<Point2> {
     let path = Path::new(points, false);
     let (first, last) = (path.at(0.0), path.at(path.length()));

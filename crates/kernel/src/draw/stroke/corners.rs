@@ -1,25 +1,26 @@
-//! Where the hand made corners.
+//! Finds the corners of a stroke.
 //!
-//! At a place of the stroke, the turn within a short way w is the angle between the directions of
-//! two arms, one before and one behind, whose middles are w apart; each direction is that of the
+//! At a place of the stroke, the turn within a short length w is the angle between the directions
+//! of two arms, one before and one behind, whose middles are w apart. Each direction is that of the
 //! straight line that fits the arm best, so that the jitter of single positions counts little. On a
-//! bend the turn grows with w, at a corner it doesn't: a corner is a place where the turn within w
-//! is at least as large as asked for, not much smaller than within 2 w, and larger than beside it.
+//! bend the turn grows with w, at a corner it does not. So a corner is a place where the turn
+//! within w reaches the option's angle, is not much smaller than within 2 w, and is larger than
+//! beside it.
 
 use super::StrokeOptions;
 use super::path::Path;
 use sheetwright_geometry::math::{Point2, Vec2, atan2, from_deg};
 
-/// Places at equal steps that a stroke is looked at.
+/// Places at equal steps at which a stroke is examined.
 pub(super) const EVEN: usize = 480;
-/// The way w, as a share of the length, if positions are exact: hands round corners off within
-/// about that much.
+/// The length w, as a share of the stroke, if positions are exact: hands round corners off within
+/// about that length.
 const SHORT_WAY: f64 = 1.0 / 80.0;
-/// The way at the most: sides of a star are a tenth of its length.
+/// Upper limit of w: sides of a star are a tenth of its length.
 const LONGEST_WAY: f64 = 1.0 / 26.0;
-/// The way in terms of the jitter of positions, so that it turns an arm by some 5° only.
+/// w in terms of the jitter of positions, which then turns an arm by some 5° only.
 const WAY_BY_JITTER: f64 = 30.0;
-/// The way in terms of the grain of the pointer: arms of five pixels know their direction.
+/// w in terms of the grain of the pointer: arms of five pixels have a clear direction.
 const WAY_BY_GRAIN: f64 = 8.0;
 /// The turn within w is at least this share of that within 2 w at a corner; on a bend it is half.
 const SHARP: f64 = 0.72;
@@ -45,7 +46,7 @@ pub(super) fn corners(drawn: &Path, even: &[Point2], options: &StrokeOptions) ->
     let within: Vec<f64> = (0..m).map(|i| look.turn(i, way)).collect();
     let least = from_deg(options.corner_deg);
     let reach = (APART * way / step).ceil() as usize;
-    // The turn as good as stays the same near a corner: its middle is where the mean is largest.
+    // The turn is nearly constant near a corner: the middle is where the mean is largest.
     let mean = |i: usize| {
         let beside = (way / (2.0 * step)).round().max(1.0) as i64;
         let near = (-beside..=beside).map(|d| look.number(i, d).map_or(0.0, |j| within[j]));
@@ -62,7 +63,7 @@ pub(super) fn corners(drawn: &Path, even: &[Point2], options: &StrokeOptions) ->
     (0..m).filter(is_corner).collect()
 }
 
-/// How far positions scatter about a smooth way, mm.
+/// The scatter of positions about a smooth path, mm.
 fn jitter(drawn: &Path) -> f64 {
     let p = &drawn.points;
     let off = |i: usize| {

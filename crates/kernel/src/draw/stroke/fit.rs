@@ -1,11 +1,11 @@
-//! As few handles as bring a curve within the tolerance of a stroke.
+//! The fewest handles with which a curve lies within the tolerance of a stroke.
 //!
-//! Between corners, or all round without any, handles are laid along the stroke, more of them where
-//! it bends, as what Douglas and Peucker leave of it tells. Then all of them, corners too, are
-//! moved to where the squares of the distances between places of the stroke and the curve add up to
-//! the least (`squares`). Stretches that are still off the stroke by more than the tolerance get
-//! one handle more and all is laid anew: spread once more, and also as it was with one more where
-//! it is worst; the better of both counts.
+//! Between corners, or all round without corners, handles are spread along the stroke, more of them
+//! where it bends by the points that Douglas and Peucker keep. Then all handles, corners too, are
+//! moved to minimise the sum of squared distances between places of the stroke and the curve
+//! (`squares`). Stretches that are still off by more than the tolerance get one more handle. Both
+//! variants are tried, all handles spread anew and the old ones with one more at the worst place,
+//! and the better one counts.
 
 use super::path::{Path, douglas_peucker};
 use super::squares::{Handle, curve, solved};
@@ -13,18 +13,19 @@ use super::{MOST_POINTS, StrokePoint};
 use sheetwright_geometry::math::{Point2, atan2};
 use sheetwright_geometry::predicate::{for_touching_boxes, segments_touch};
 
-/// Handles of a closed curve without corners at the least: three make no fair oval.
+/// Least number of handles of a closed curve without corners: three make no fair oval.
 const LEAST_ROUND: usize = 4;
 /// Points that Douglas and Peucker leave for each handle that a cubic needs, at most: fewer are
 /// tried first.
 const LEFT_BY_HANDLE: usize = 5;
 /// Pieces of a span of the curve when it is compared with the stroke.
 const PIECES: usize = 24;
-/// Where a stretch has as many handles, it gets more than one at a time.
+/// A stretch with this many handles gets more than one at a time.
 const MANY: usize = 12;
 /// Places of the stroke for each handle, at least.
 const PLACES_BY_HANDLE: usize = 3;
-/// Distances are measured at places of the curve; between them it is off by hardly more.
+/// Share of the tolerance for distances at places of the curve: between them it is hardly farther
+/// off.
 const BETWEEN_PLACES: f64 = 0.99;
 /// The weight of the bends against the length where handles are spread.
 const BY_BEND: f64 = 1.0;
@@ -39,18 +40,18 @@ pub(super) struct Fitted {
 struct Stretch {
     from: usize,
     to: usize,
-    /// Where the bends lie: the share of handles that lies before each place, from 0 to 1.
+    /// The share of handles that lies before each place, 0 ..= 1, which follows the bends.
     share_before: Vec<f64>,
     /// Handles inside it.
     inner: usize,
 }
 
-/// A curve and how far it is off.
+/// A curve and its distance from the stroke.
 #[derive(Clone)]
 struct Tried {
     handles: Vec<Handle>,
     off_mm: f64,
-    /// Of each stretch: how far it is off, and the place where it is worst.
+    /// For each stretch, its largest distance and the place of that.
     worst: Vec<(f64, usize)>,
 }
 
@@ -74,14 +75,14 @@ pub(super) fn fit(
         let places = places_of(&tried.handles, drawn.closed).unwrap_or_default();
         tried.off_mm <= tolerance_mm && (may_cross || !crosses(&places, drawn.closed))
     };
-    // As laid, should nothing better be found.
+    // As spread, unless a better one is found.
     let laid = spread(&stretches, even, drawn.closed, corners.is_empty());
     let mut best = compared(laid, drawn, even, &stretches);
     let mut last: Option<Tried> = None;
     for _ in 0..MOST_POINTS {
         let spread = spread(&stretches, even, drawn.closed, corners.is_empty());
         let added = last.as_ref().map(|last| with_added(last, even, drawn.closed, tolerance_mm));
-        // Where a hand rounded a corner off widely, sides that meet beyond it are off there.
+        // Where a hand rounded a corner off widely, straight sides that meet beyond it are far off.
         let pinned = (spread.iter().any(|h| h.corner) && last.is_some()).then(|| spread.clone());
         let laid = [(Some(spread), false), (added, false), (pinned, true)];
         let mut tries: Vec<Tried> = laid
@@ -144,8 +145,8 @@ fn stretches(drawn: &Path, even: &[Point2], corners: &[usize], tolerance_mm: f64
     ends.windows(2).map(stretch).collect()
 }
 
-/// The share of handles that is to lie before each of these points: by length and by the turns of
-/// what Douglas and Peucker leave, each turn spread over half of the way to its neighbours.
+/// The share of handles that should lie before each of these points: by length, and by the turns at
+/// the points that Douglas and Peucker keep, each turn spread half way to its neighbours.
 fn share_before(points: &[Point2], tolerance_mm: f64) -> Vec<f64> {
     let kept = douglas_peucker(points, 0.5 * tolerance_mm);
     let last = points.len() - 1;
@@ -196,8 +197,8 @@ fn spread(stretches: &[Stretch], even: &[Point2], closed: bool, round: bool) -> 
     handles
 }
 
-/// The handles of a curve with one more in every stretch that is off, where it is worst; of one
-/// that is nowhere off, in all.
+/// The handles of a curve with one more in every stretch beyond the tolerance, at its worst place;
+/// if none is, in every stretch.
 fn with_added(tried: &Tried, even: &[Point2], closed: bool, tolerance_mm: f64) -> Vec<Handle> {
     let m = even.len();
     let mut handles = tried.handles.clone();
@@ -215,7 +216,7 @@ fn with_added(tried: &Tried, even: &[Point2], closed: bool, tolerance_mm: f64) -
     handles
 }
 
-/// How far the curve through handles and the stroke are apart; `None` if there is no such curve.
+/// The distance between the stroke and the curve through handles; `None` if there is no such curve.
 fn compared(
     handles: Vec<Handle>,
     drawn: &Path,
@@ -260,7 +261,7 @@ fn places_of(handles: &[Handle], closed: bool) -> Option<Vec<Point2>> {
     Some((0..count).map(|n| Point2::new(at(n).x, at(n).y)).collect())
 }
 
-/// Whether a way from point to point crosses itself.
+/// Whether a polyline crosses itself.
 fn crosses(points: &[Point2], closed: bool) -> bool {
     let m = points.len();
     let edges = m - usize::from(!closed);

@@ -1,10 +1,10 @@
-//! A stroke as a path from point to point: its length, places on it, distances from it.
+//! A stroke as a polyline: its length, places on it, distances from it.
 
 use super::StrokeError;
 use sheetwright_geometry::curve::MAX_COORDINATE_MM;
 use sheetwright_geometry::math::{Point2, Vec2};
 
-/// Steps shorter than this share of the extent are none: they have no direction to speak of.
+/// Steps shorter than this share of the extent are dropped: they have no clear direction.
 const SAME_SPOT: f64 = 1e-9;
 
 /// The positions without those that repeat the one before.
@@ -36,7 +36,7 @@ pub(super) fn cleaned(positions: &[Point2], smallest_mm: f64) -> Result<Vec<Poin
 pub(super) struct Path {
     pub(super) points: Vec<Point2>,
     pub(super) closed: bool,
-    /// The way up to each point, and to the end.
+    /// The length up to each point, and to the end, mm.
     ways: Vec<f64>,
 }
 
@@ -56,12 +56,12 @@ impl Path {
         self.ways[self.ways.len() - 1]
     }
 
-    /// The way up to each of its points, mm.
+    /// The length up to each of its points, mm.
     pub(super) fn ways(&self) -> impl Iterator<Item = f64> + '_ {
         self.ways.iter().copied().take(self.points.len())
     }
 
-    /// The place `way` mm from its beginning; round and round a closed path.
+    /// The place at a length of `way` mm from its beginning; on a closed path, counted on round it.
     pub(super) fn at(&self, way: f64) -> Point2 {
         let length = self.length();
         let way = if self.closed { way.rem_euclid(length) } else { way.clamp(0.0, length) };
@@ -85,7 +85,7 @@ impl Path {
         (0..self.ways.len() - 1).map(move |i| (self.points[i], self.points[(i + 1) % m]))
     }
 
-    /// How far a point is from the path, mm.
+    /// The distance of a point from the path, mm.
     pub(super) fn distance(&self, p: Point2) -> f64 {
         let squared = self.steps().map(|(a, b)| squared_from_segment(p, a, b));
         squared.fold(f64::INFINITY, f64::min).sqrt()
@@ -99,8 +99,8 @@ fn squared_from_segment(p: Point2, a: Point2, b: Point2) -> f64 {
     (to - along * t).length_squared()
 }
 
-/// The points that Douglas and Peucker keep of a way from point to point so that it stays within
-/// `tolerance_mm`: their numbers, both ends among them.
+/// The points of a polyline that Douglas and Peucker keep so that it stays within `tolerance_mm`:
+/// their numbers, both ends among them.
 pub(super) fn douglas_peucker(points: &[Point2], tolerance_mm: f64) -> Vec<usize> {
     let mut kept = vec![0];
     let mut open = vec![points.len() - 1];

@@ -1,23 +1,24 @@
 //! Handles by least squares.
 //!
-//! As long as its chords are held, an interpolating spline is linear in its points: its place at a
-//! parameter u is a sum of the points, each times its share. So with a parameter for every place of
-//! the stroke, the points that bring the sum of squared distances to its least solve a small system
-//! of linear equations. Then every place gets the parameter of the nearest place of the new curve,
-//! near the one it had, and again. Both ends of an open stroke stay where they are.
+//! While its chord lengths are held, an interpolating spline is linear in its points: its position
+//! at a parameter u is a sum of the points, each times its share. So with a parameter for every
+//! place of the stroke, the points with the least sum of squared distances solve a small system of
+//! linear equations. Then every place gets the parameter of the nearest place of the new curve,
+//! near the one it had, and the system is solved again. Both ends of an open stroke stay where they
+//! are.
 
 use sheetwright_geometry::curve::{Curve, CurveKind, CurvePoint, point_shares};
 use sheetwright_geometry::math::{Point2, Point3, Vec2};
 
 /// Rounds of solving and finding the nearest places: after these, handles move by less than the
-/// stroke is known.
+/// jitter of the stroke.
 const ROUNDS: usize = 8;
-/// Places of a span that are looked at for the nearest.
+/// Places of a span among which the nearest is searched.
 const PLACES: usize = 16;
-/// How far from the place it had the nearest is looked for, in spans.
+/// The range of that search about the last parameter, in spans.
 const REACH: f64 = 1.5;
-/// How firmly a handle stays where it was, as a share of what a place of the stroke pulls: for
-/// handles that no place pulls.
+/// Weight of a handle's old position beside that of a place of the stroke: for handles to which no
+/// place belongs.
 const STAY: f64 = 1e-3;
 /// Places of the stroke this near to a corner, as a share of its length, don't count: a hand rounds
 /// corners off.
@@ -116,7 +117,7 @@ pub(super) fn solved(
             *u = nearest(&looked, even[place % m], *u, *bounds);
         }
         let placed = placed(&handles, order, &us, m, closed.then_some(spans as f64));
-        // A curve that runs back along the stroke fits worse than it did a round ago.
+        // A curve that runs back along the stroke fits worse than that of the last round.
         if !placed.windows(2).all(|pair| pair[0].place < pair[1].place) {
             break;
         }
@@ -150,8 +151,8 @@ fn placed(
     placed
 }
 
-/// The parameter nearest to `p` of a curve given by places on it, near `u`, and within bounds;
-/// round and round a closed curve without any.
+/// The parameter nearest to `p` of a curve given by places on it, near `u`, and within bounds; on a
+/// closed curve without bounds, counted on round it.
 fn nearest(looked: &[Point2], p: Point2, u: f64, bounds: Option<(f64, f64)>) -> f64 {
     let last = (looked.len() - 1) as i64;
     let scale = PLACES as f64;
@@ -212,7 +213,7 @@ fn least_squares(
     for i in 0..n {
         let to = handles[i].at - origin;
         if fixed[i] {
-            // What others share with it moves to the right.
+            // Its terms in the other equations move to the right sides.
             for j in 0..n {
                 let shared = matrix[j][i];
                 right[j] -= to * shared;
@@ -228,7 +229,8 @@ fn least_squares(
     Some(solution.into_iter().map(|way| origin + way).collect())
 }
 
-/// The solution of a symmetric, positive definite system, by elimination; `None` where it is none.
+/// The solution of a symmetric, positive definite system, by elimination; `None` if it is not
+/// positive definite.
 fn positive_definite(mut matrix: Vec<Vec<f64>>, mut right: Vec<Vec2>) -> Option<Vec<Vec2>> {
     let n = right.len();
     for i in 0..n {

@@ -8,12 +8,12 @@ use std::fmt;
 /// Why curves of a design can't be moved: the panel or curve, and what is wrong.
 pub type FairError = Failure<FairCause>;
 
-/// What is in the way of moving curves.
+/// What prevents moving curves.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FairCause {
     /// A panel that can't be sampled or triangulated.
     Panel(PanelCause),
-    /// What should move can't.
+    /// Curves that should move can't.
     Vary(VaryCause),
 }
 
@@ -40,7 +40,7 @@ impl From<PanelError> for FairError {
 pub enum VaryCause {
     /// A panel is joined from others, and its boundary is not that of the curves alone.
     Joined,
-    /// The rails of a panel run on, and its ends follow them in their own way.
+    /// The rails of a panel run on, so its ends do not follow the curves alone.
     RunsOn,
     /// A panel that the design does not have, or does not make.
     UnknownPanel {
@@ -51,16 +51,16 @@ pub enum VaryCause {
     NoCurves,
     /// A curve that bounds none of the panels that are to bend better.
     BoundsNothing,
-    /// A curve that would be moved for two reasons that know nothing of one another.
+    /// A curve that two independent `vary` would move.
     MovedTwice,
     /// More points than can be moved together.
     TooManyPoints {
         /// How many there are.
         found: usize,
-        /// How many are taken.
+        /// The limit.
         most: usize,
     },
-    /// Whatever else is in the way.
+    /// Another failure of the variation.
     Failed(VaryError),
 }
 

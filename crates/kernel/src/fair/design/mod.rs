@@ -1,18 +1,18 @@
-//! Designs whose curves move, \[G14\], so that the sheet bends better: what [`crate::fair`] does
-//! with samples, done with the points that people draw.
+//! Designs whose curves move, \[G14\], so that the sheet bends better: [`crate::fair`] moves
+//! samples, this module the points that people draw.
 //!
 //! The unknowns are the displacements of the points of curves, so that a spline of a dozen points
-//! stays one, and what comes out is a design like any other: [`varied_design`] makes designs of
-//! designs. Points on one spot, such as the ends of curves that meet, are one unknown, and so is a
-//! curve that several panels share. With [`MovedBy::Samples`] a curve first gets as many points as
-//! it has samples.
+//! stays one, and the result is an ordinary design: [`varied_design`] turns a design into a design.
+//! Points on one spot, such as the ends of curves that meet, are one unknown, and so is a curve
+//! that several panels share. With [`MovedBy::Samples`] a curve first gets as many points as it has
+//! samples.
 //!
 //! Between two triangulations the places of the samples on their curves are held, and so are the
-//! chords that a spline is made over; then samples and tangents are linear in the points
+//! chord lengths of splines; then samples and tangents are linear in the points
 //! ([`point_shares`](sheetwright_geometry::curve::point_shares)). With every triangulation the
-//! moved curves are sampled anew, as those of any design are, and what is accepted is accepted for
-//! that; so samples slip along their curves as these change their lengths, and that is a part of
-//! how they follow ([`respacing`]).
+//! moved curves are sampled anew, as those of any design, and steps are accepted by these samples.
+//! So samples slip along their curves as these change their lengths, which their motions include
+//! ([`respacing`]).
 
 mod error;
 mod refine;
@@ -33,18 +33,18 @@ use sheetwright_optimum::triangulate::TriangulateError;
 use std::collections::{BTreeMap, BTreeSet};
 use unknowns::Unknowns;
 
-/// Points that may move together at the most: every step looks at all of them.
+/// Limit of the points that move together: every step computes all of them.
 const MOST_POINTS: usize = 20_000;
-/// Where nothing says how far points may move, this share of the size of the panels.
+/// The limit where none is given, as a share of the size of the panels.
 const DEFAULT_SHARE: f64 = 0.01;
-/// What a search with holes may do while points move, as a share of the panel's effort: there are
-/// dozens of searches on the way, and the panel that comes out is triangulated with all of it.
+/// The effort of a search with holes while points move, as a share of the panel's effort: there are
+/// dozens of such searches, and the final panel is triangulated with the whole effort.
 const SHARE_OF_EFFORT: f64 = 0.1;
-/// How often points are held back by what samples between them moved too far.
+/// How often the limits of points are reduced because samples between them moved too far.
 const ATTEMPTS: usize = 3;
-/// By how much more, since other displacements come out each time.
+/// Additional factor of each reduction, since the displacements differ each time.
 const HELD_BACK: f64 = 0.98;
-/// What a sample may move beyond its limit, as a share of it: rounding.
+/// By how much a sample may exceed its limit, as a share of it: rounding.
 const WITHIN: f64 = 1e-9;
 
 /// How the samples of a panel were moved.
@@ -52,11 +52,11 @@ const WITHIN: f64 = 1e-9;
 pub(crate) struct Shift {
     /// How moving ended.
     pub(crate) ended: Ended,
-    /// What moving was for.
+    /// The goal.
     pub(crate) goal: VaryGoal,
     /// The curves of the panel that moved, by name.
     pub(crate) curves: Vec<String>,
-    /// Where samples lay before and where they lie now, mm.
+    /// The positions of samples before and after, mm.
     pub(crate) moved: Vec<[Point3; 2]>,
 }
 
@@ -68,15 +68,15 @@ impl Shift {
 
 /// A design before and after its points were moved.
 pub(crate) struct VariedDesign {
-    /// As it was given, but with matched seams and nothing to move.
+    /// The given design with matched seams and without `vary`.
     pub(crate) before: Design,
     /// `before` with its points moved.
     pub(crate) after: Design,
-    /// How the panels were moved that were to be, by name.
+    /// How panels were moved, by name, for those with a `vary`.
     pub(crate) shifts: BTreeMap<String, Shift>,
 }
 
-/// Moves what may be moved; `None` where nothing may.
+/// The design with its points moved; `None` where no point may move.
 pub(crate) fn varied_design(
     design: &Design,
     watch: &mut dyn Watch,
@@ -94,14 +94,14 @@ pub(crate) fn varied_design(
     for (vary, scope) in asked.iter().zip(&scopes) {
         let moved = Problem { design: &after, vary, scope }.solved(watch)?;
         after = moved.0;
-        // A panel that follows what others move is told of once for each; the last tells all.
+        // A panel that follows others comes up once for each; the last entry has all moves.
         shifts.extend(moved.1);
     }
     after.curves.iter_mut().flat_map(|c| &mut c.points).for_each(|point| point.move_mm = 0.0);
     Ok(Some(VariedDesign { before, after, shifts }))
 }
 
-/// What is to move: as the design says, or the points that have a distance by which they may.
+/// What should move: the `vary` of the design, or else all points with a distance of their own.
 fn asked(design: &Design) -> Vec<Vary> {
     if !design.vary.is_empty() {
         return design.vary.clone();
@@ -118,7 +118,7 @@ struct Scope {
     panels: Vec<(usize, bool)>,
     /// The curves that move, by their numbers.
     curves: BTreeSet<usize>,
-    /// Whether points move only as far as they say themselves.
+    /// Whether each point moves only by its own distance.
     by_point: bool,
 }
 
@@ -200,7 +200,7 @@ fn refuse_moved_twice(design: &Design, scopes: &[Scope]) -> Result<(), FairError
     Ok(())
 }
 
-/// What is moved together.
+/// Panels and curves that are moved together.
 struct Problem<'a> {
     design: &'a Design,
     vary: &'a Vary,
@@ -258,8 +258,8 @@ impl Problem<'_> {
         Ok((after, shifts))
     }
 
-    /// Moves the points so that no sample moves farther than it may. Between its points a spline
-    /// may move farther than they do; where it would, they are held back by as much.
+    /// Moves the points so that no sample exceeds its limit. Between its points a spline may move
+    /// farther than they do; where it does, the limits of the points are reduced accordingly.
     fn within_the_limit(
         &self,
         drawn: &Drawn<'_>,
@@ -298,7 +298,7 @@ impl Problem<'_> {
         vary_moving(drawn, &known, &limit, &options, watch)
     }
 
-    /// How far each sample may move, mm, if anything says so.
+    /// The limit of each sample, mm, if there is one.
     fn limit_mm(&self, size_mm: f64) -> Option<f64> {
         let nothing_said =
             self.vary.limit_mm.is_none() && self.vary.budget_mm.is_none() && !self.scope.by_point;
@@ -342,7 +342,7 @@ impl Problem<'_> {
     }
 }
 
-/// The design that is drawn anew wherever its points move.
+/// The design, drawn anew for each displacement of its points.
 struct Drawn<'a> {
     problem: &'a Problem<'a>,
     design: Design,

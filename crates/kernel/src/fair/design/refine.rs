@@ -6,8 +6,8 @@ use sheetwright_geometry::curve::{CurveKind, CurvePoint, point_shares, position_
 use sheetwright_geometry::math::Point3;
 use std::collections::BTreeSet;
 
-/// The design with these curves drawn as splines through the samples that the first of the panels
-/// that uses them takes of them. Curves whose points are samples stay as they are.
+/// The design with these curves drawn as splines through their samples, those of the first panel
+/// that uses each. Curves whose points are samples stay as they are.
 pub(super) fn with_a_point_a_sample(
     design: &Design,
     panels: &[&DesignPanel],
@@ -28,7 +28,7 @@ pub(super) fn with_a_point_a_sample(
             }
             left.remove(&number);
             if !curve.closed {
-                // At the ends the samples may have been taken of what follows.
+                // At the ends, the samples may have been taken from the next curve.
                 let whole = CurveUse { name: curve.name.clone(), reversed: false };
                 let whole = built(design, panel, &whole)?;
                 let last = whole.spans().len() - 1;
@@ -71,7 +71,7 @@ fn points(curve: &DesignCurve, mut taken: Vec<Taken>) -> Vec<CurvePoint> {
         same
     });
     let shares = point_shares(kind_of_part(curve), &curve.points, curve.closed);
-    // A sample may move by what the points beside it may.
+    // The limit of a sample follows from those of the points beside it.
     let may_move = |taken: &Taken| {
         let near = position_shares(&shares[taken.span], taken.t);
         let all: f64 = near.iter().map(|share| share.factor.abs()).sum();

@@ -1,4 +1,4 @@
-//! How samples slip along a curve as it changes its length, which keeps them evenly spread.
+//! How samples slip along a curve as its length changes, so that they stay evenly spaced.
 //!
 //! A sample lies at a share f of the length L of its smooth stretch. Where the points P_k move by
 //! dP_k while its parameter u is held, the length up to it, s(u), grows by Σ G_k(u) · dP_k, with
@@ -12,12 +12,12 @@ use sheetwright_geometry::math::{Vec3, unit};
 
 /// How a sample slips.
 pub(super) struct SlippingSample {
-    /// The number that it was given.
+    /// Its number, given by the caller.
     pub(super) number: usize,
     pub(super) slip: Vec<Slip>,
-    /// The unit tangent of the curve as it was drawn.
+    /// The unit tangent of the curve before it moves.
     pub(super) along: Vec3,
-    /// C'' / |C'| of the curve as it was drawn.
+    /// C'' / |C'| of the curve before it moves.
     pub(super) bend: Vec3,
 }
 
@@ -69,7 +69,7 @@ pub(super) fn slips(
     slipping
 }
 
-/// A walk along a stretch: the length behind, and how it grows with each point.
+/// A walk along a stretch: the length so far, and its derivative by each point.
 struct Walk<'a> {
     curve: &'a Curve,
     spans: &'a [SpanShares],

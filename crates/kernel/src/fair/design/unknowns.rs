@@ -12,22 +12,22 @@ use sheetwright_geometry::math::{Point3, Vec3};
 use sheetwright_geometry::tolerance::Tolerance;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A derivative below this share of the size of the boundary has no direction to tell; its tangent
-/// follows the samples beside it.
+/// A derivative below this share of the size of the boundary has no clear direction; the tangent
+/// there follows the samples beside it.
 const NO_DERIVATIVE: f64 = 1e-9;
 
 /// A curve that moves.
 struct MovingCurve {
-    /// The curve, and what its spans follow; none where its points are the samples.
+    /// The curve, and the shares of its spans; none where its points are the samples.
     curve: Option<Curve>,
     spans: Vec<SpanShares>,
-    /// Where its points lie, mm.
+    /// The positions of its points, mm.
     points: Vec<Vec3>,
     /// The unknown of each point.
     unknown: Vec<Option<usize>>,
-    /// How far each point may move by what it says itself, mm.
+    /// The distance that each point itself allows, mm.
     move_mm: Vec<f64>,
-    /// The largest sum of shares, each without its sign, that a sample has in the points.
+    /// The largest sum of absolute shares that a sample has in the points.
     most_shares: f64,
 }
 
@@ -110,13 +110,12 @@ impl Unknowns {
         Self { curves: self.curves.iter().map(anew).collect(), count: self.count }
     }
 
-    /// The largest sum of shares, each without its sign, that a sample has in the points of a
-    /// curve.
+    /// The largest sum of absolute shares that a sample has in the points of a curve.
     pub(super) fn most_shares(&self) -> f64 {
         self.curves.values().map(|curve| curve.most_shares).fold(1.0, f64::max)
     }
 
-    /// Where the samples of a panel are moved to, if they are held at their places of the curves.
+    /// The moved positions of the samples of a panel, held at their places of the curves.
     pub(super) fn places(&self, panel: &Prepared, displacements: &[Vec3]) -> Vec<Point3> {
         let moved = |(source, from): (&Sourced, Point3)| {
             let way: Vec3 =
@@ -126,8 +125,8 @@ impl Unknowns {
         panel.sources.iter().zip(panel.boundary.positions()).map(moved).collect()
     }
 
-    /// How far each unknown may move, mm: by `limit_mm`, and, if points say so themselves, as they
-    /// say.
+    /// The limit of each unknown, mm: the least of `limit_mm` and, if `by_point`, the distances of
+    /// its points.
     pub(super) fn radii_mm(&self, limit_mm: Option<f64>, by_point: bool) -> Vec<f64> {
         let mut radii = vec![f64::INFINITY; self.count];
         for curve in self.curves.values() {
@@ -162,7 +161,7 @@ impl Unknowns {
         moved
     }
 
-    /// How the samples of a panel follow.
+    /// How the samples of a panel follow the unknowns.
     pub(super) fn motions(&self, panel: &Prepared) -> Vec<Motion> {
         let positions = panel.sources.iter().map(|source| self.position(source)).collect();
         let mut motions = motions(&panel.boundary, positions);
@@ -207,7 +206,7 @@ impl Unknowns {
         }
     }
 
-    /// What the position of a sample follows.
+    /// The shares of the unknowns in the position of a sample.
     fn position(&self, source: &Sourced) -> Vec<Share> {
         let Some(place) = source.at else { return Vec::new() };
         let Some(curve) = self.curves.get(&place.curve) else { return Vec::new() };
@@ -259,7 +258,8 @@ impl MovingCurve {
         some.map(|(unknown, factor)| Share { unknown, factor }).collect()
     }
 
-    /// How a tangent follows: it is the direction of the derivative, which is linear in the points.
+    /// How a tangent follows the unknowns: it is the direction of the derivative, which is linear
+    /// in the points.
     fn lean(&self, place: OnCurve, least_mm: f64) -> Option<Lean> {
         let shares = derivative_shares(self.spans.get(place.span)?, place.t);
         let derivative: Vec3 = shares.iter().map(|s| self.points[s.point] * s.factor).sum();
@@ -325,8 +325,8 @@ mod tests {
         prepare(&sampler, &design.panels[0], &mut Unwatched).unwrap()
     }
 
-    /// Samples and tangents follow as those of the moved design lie, but for the square of the
-    /// displacement; with splines, but for what their chords change, too.
+    /// Samples and tangents agree with those of the moved design up to the square of the
+    /// displacement; with splines, also up to the effect of their chord lengths.
     #[test]
     fn samples_follow_as_moved_curves_are_sampled() {
         for (kind, exact) in
@@ -362,8 +362,7 @@ mod tests {
                 if exact {
                     assert!(near < 0.02 * far + 1e-12, "{kind:?}: {far:e} {near:e}");
                 }
-                // A spline of nine points, all of which move their own way: chords matter most
-                // here.
+                // A spline of nine points that all move independently: chords matter most here.
                 assert!(near < 5e-4, "{kind:?}: {near:e}");
             }
         }
