@@ -59,7 +59,7 @@ pub(super) fn bound(
     watch: &mut dyn Watch,
 ) -> Result<Option<f64>, TriangulateError> {
     let Some((price, known)) = price(terms, known).zip(known) else { return Ok(None) };
-    // Every price is much more than 0, and a table of such a loop takes less than a band.
+    // Any price is much more than 0, and a table below so low a price takes less than a band.
     if price <= MUCH_DEARER * known.price || known.price == 0.0 {
         return Ok(Some(price));
     }

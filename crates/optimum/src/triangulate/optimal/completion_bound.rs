@@ -31,9 +31,9 @@
 //!    beyond a nibble, if that is lower.
 //! 4. Let Q(A,B) be the sum of the charges in the bundle of A and B and inside of it, and of the
 //!    wide triangles there, and R(A,B) that sum outside of it. Each has four values, for whether A
-//!    and whether B is charged inside or in the bundle. Then Q(A,B) = min over K of Q(A,K) + Q(K,B)
-//!    + g(A,K,B), with K charged on one side, plus the charges of A and B, if any; and R likewise,
-//!    from outer bundles to inner ones.
+//!    and whether B is charged inside or in the bundle. Then Q(A,B) is the minimum over K of
+//!    Q(A,K) + Q(K,B) + g(A,K,B), with K charged on one side, plus the charges of A and B, if any;
+//!    and R likewise, from outer bundles to inner ones.
 //! 5. Outside of a rung ⟨i,j⟩ of that bundle are all other runs that are not inside. So with an
 //!    upper bound U on the price, only entries of the table with E(i,j) − ½ w(i,j) + R(A,B) ≤ U are
 //!    part of the optimum. Outside of a nibble are all runs except its own, and the triangle beyond
