@@ -1,9 +1,9 @@
 """Flattens a mesh with libigl and with ours, in turn, and prints a table of times and errors.
 
-Errors are relative length errors of all sides, every side counting the same. Lengths of what others
-flatten are compared after the one scale that makes their mean error least, since a conformal map has
-none of its own; ours are taken as they are. Times are the least of three runs, from vertices and
-triangles in memory to the flat points; ours look for overlaps as well.
+Errors are relative length errors of all sides, every side counting the same. The lengths of libigl's
+results are compared after the scale that minimises their mean error, since a conformal map has no
+scale of its own; ours are taken as they are. Times are the least of three runs, from vertices and
+triangles in memory to the flat points; ours include the search for overlaps.
 """
 
 import subprocess

@@ -1,5 +1,5 @@
-//! Any bytes as the DXF of a pattern: words of why not, or an outline and rungs that hold together
-//! and that survive being written and read once more.
+//! Any bytes as the DXF of a pattern: an error in words, or an outline and rungs that fit together
+//! and are equal after being written and read once more.
 #![no_main]
 
 mod again;
@@ -7,7 +7,7 @@ mod again;
 use libfuzzer_sys::fuzz_target;
 use sheetwright_files::{read_dxf, write_dxf};
 
-/// How far rounding takes a corner: not at all, since DXF keeps every bit.
+/// Largest move of a corner by rounding: none, since DXF keeps every bit.
 const EXACT: f64 = 0.0;
 
 fuzz_target!(|bytes: &[u8]| {

@@ -1,5 +1,5 @@
-//! Any bytes as the SVG of a pattern: words of why not, or an outline and rungs that hold together
-//! and that survive being written and read once more.
+//! Any bytes as the SVG of a pattern: an error in words, or an outline and rungs that fit together
+//! and are equal up to rounding after being written and read once more.
 #![no_main]
 
 mod again;
@@ -7,7 +7,7 @@ mod again;
 use libfuzzer_sys::fuzz_target;
 use sheetwright_files::{read_svg, write_svg};
 
-/// How far rounding takes a corner, as a share of the size: that of a subtraction or two.
+/// Largest move of a corner by rounding, as a share of the size: that of a subtraction or two.
 const ROUNDED: f64 = 1e-14;
 
 fuzz_target!(|bytes: &[u8]| {

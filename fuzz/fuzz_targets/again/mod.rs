@@ -1,4 +1,4 @@
-//! What must hold of whatever is read as a pattern, and of the same pattern written once more.
+//! Properties of every pattern that is read, and of that pattern written once more.
 
 use sheetwright::math::Point2;
 use sheetwright::pattern::{PathKind, PatternPath, Piece, Role};
@@ -8,8 +8,8 @@ use sheetwright_files::{PatternReadError, ReadPattern};
 /// Patterns up to this size, mm, and down to its inverse, are written again: what the kernel makes.
 const SIZE_MM: f64 = 1e9;
 
-/// Checks a pattern that was read; `again` writes and reads it. A corner is then so `near` to where
-/// it was, as a share of the size of the file.
+/// Checks a pattern that was read; `again` writes and reads it. Corners may move by `near`, as a
+/// share of the size of the file.
 pub fn check(
     read: &ReadPattern,
     again: impl Fn(&Piece) -> Result<ReadPattern, PatternReadError>,
@@ -28,7 +28,7 @@ pub fn check(
     if !(1.0 / SIZE_MM..=SIZE_MM).contains(&size) {
         return;
     }
-    // Rounding may turn round what has next to no area, and then it is no hole.
+    // Rounding may reverse a line with hardly any area, and then it is no hole.
     let area = |line: &Vec<Point2>| signed_area_doubled(line).abs();
     let tiny = |line: &Vec<Point2>| area(line) <= 1e-6 * size * size;
     let equal = |line: &Vec<Point2>| area(line) >= area(&read.outline) * (1.0 - 1e-6);
