@@ -1,8 +1,20 @@
 //! Bytes to kernel values and back: the only crate that knows file formats.
 //!
-//! In: [`read_input`] makes a kernel [`Design`](sheetwright::design::Design) from a design file or
-//! a curve table, [`design_from_template`] from a template. Out: [`output_files`] makes every file
-//! of a made design, in memory; the caller writes them. One module a format.
+//! In: [`read_input`] makes a kernel [`Design`](sheetwright::design::Design) from a design file, a
+//! curve table or a mesh, [`design_from_template`] from a template. Out: [`output_files`] makes
+//! every file of a made design, in memory; the caller writes them. One module a format.
+//!
+//! ```
+//! use sheetwright::{Unwatched, make};
+//! use sheetwright_files::{Format, OutputOptions, ReadOptions, output_files, read_input};
+//!
+//! let design = read_input("../../examples/leaf.csv".as_ref(), &ReadOptions::default())?;
+//! let made = make(&design, &mut Unwatched)?;
+//! let outputs = output_files(&made, &[Format::Svg, Format::Dxf], OutputOptions::default())?;
+//! let names: Vec<&str> = outputs.files.iter().map(|file| &file.name[..]).collect();
+//! assert_eq!(names, ["leaf.svg", "leaf.dxf"]);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod archive;
 mod catalogue;

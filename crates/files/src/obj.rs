@@ -1,8 +1,8 @@
 //! Surfaces as OBJ.
 
 use crate::drawing::digits;
-use sheetwright::index::{SampleIndex, VertexIndex};
-use sheetwright::make::{Made, Origin};
+use sheetwright::index::VertexIndex;
+use sheetwright::make::Made;
 use sheetwright::math::{Point2, Point3};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -13,19 +13,9 @@ pub fn write_obj(made: &Made) -> Vec<u8> {
     let mut obj = Obj::new();
     for part in &made.parts {
         // Along a seam, a vertex lies on the pattern twice.
-        let (space, uncut): (&[Point3], Vec<[usize; 3]>) = match &part.origin {
-            Origin::Found(found) => {
-                let triangles = found.surface.connectivity().triangles().iter();
-                (found.surface.positions(), triangles.map(|t| t.map(SampleIndex::get)).collect())
-            }
-            Origin::Given(given) => {
-                let triangles = given.mesh.triangles().iter();
-                (given.mesh.positions(), triangles.map(|t| t.map(VertexIndex::get)).collect())
-            }
-        };
         let on_sheet = part.sheet.mesh().triangles().iter().map(|t| t.map(VertexIndex::get));
-        let triangles = uncut.into_iter().zip(on_sheet).map(|(space, flat)| [space, flat]);
-        obj.part(&part.name, space, &part.flat.points, triangles);
+        let triangles = part.triangles().zip(on_sheet).map(|(space, flat)| [space, flat]);
+        obj.part(&part.name, part.positions(), &part.flat.points, triangles);
     }
     obj.text.into_bytes()
 }

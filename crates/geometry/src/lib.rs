@@ -16,6 +16,8 @@ pub mod tolerance;
 
 pub mod index;
 
+pub mod disjoint;
+
 pub mod watch;
 
 pub mod curve;

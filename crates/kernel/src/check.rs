@@ -9,15 +9,16 @@ mod remedy;
 mod severity;
 mod stretching;
 
-pub use bending::better_without_plane;
 pub use finding::{Checked, Finding, Verdict};
 pub use kind::{Bend, FindingKind, Hindrance, Movement, SeamCause, TooTight};
-pub use origin::{
-    BoundaryMoved, moved, ran_on, rounded_corner, smoothed_joints, stayed_straight, turned_round,
-};
 pub use place::{BorderSide, Place, SeamPlace};
 pub use remedy::Remedy;
 pub use severity::Severity;
+
+pub(crate) use bending::better_without_plane;
+pub(crate) use origin::{
+    BoundaryMoved, moved, ran_on, rounded_corner, smoothed_joints, stayed_straight, turned_round,
+};
 
 use crate::flatten::Flattened;
 use crate::material::Material;

@@ -164,7 +164,11 @@ impl Connectivity {
     }
 
     /// The corner of a triangle that is no end of a side of it.
-    pub fn far_corner(&self, triangle: TriangleIndex, side: [SampleIndex; 2]) -> SampleIndex {
+    pub(crate) fn far_corner(
+        &self,
+        triangle: TriangleIndex,
+        side: [SampleIndex; 2],
+    ) -> SampleIndex {
         let corners = self.triangles[triangle.get()];
         corners.into_iter().find(|c| !side.contains(c)).unwrap_or(corners[0])
     }

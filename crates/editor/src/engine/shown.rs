@@ -120,8 +120,6 @@ impl Shown {
     pub fn new(panel: &Part, material: Option<&Material>) -> Self {
         let sheet = panel.sheet.mesh();
         let number = |v: VertexIndex| v.get() as u32;
-        // In space, both sides of a cut lie on one another: a vertex is drawn as what it was.
-        let origin = |v: VertexIndex| number(panel.sheet.origin(v));
         let errors = length_errors(&panel.sheet, &panel.flat).into_iter().map(f64::abs);
         let measured = panel.measures.rungs.iter().zip(panel.sheet.rung_ends());
         let rungs = measured.map(|(rung, on_sheet)| ShownRung {
@@ -136,9 +134,9 @@ impl Shown {
             verdict: panel.checked.verdict,
             findings: panel.checked.findings.iter().filter(|f| is_news(f)).cloned().collect(),
             is_mesh: panel.given().is_some(),
-            positions: positions(panel),
+            positions: panel.positions().to_vec(),
             loops: loops(panel),
-            triangles: sheet.triangles().iter().map(|t| t.map(origin)).collect(),
+            triangles: panel.triangles().map(|t| t.map(|n| n as u32)).collect(),
             flat: panel.flat.points.clone(),
             flat_triangles: sheet.triangles().iter().map(|t| t.map(number)).collect(),
             sides: sheet.edges().iter().map(|edge| edge.ends.map(number)).zip(errors).collect(),
@@ -175,15 +173,7 @@ impl Shown {
     }
 }
 
-/// The points of a part in space, by the numbers that they have where it is not cut.
-fn positions(part: &Part) -> Vec<Point3> {
-    match &part.origin {
-        Origin::Found(found) => found.surface.positions().to_vec(),
-        Origin::Given(given) => given.mesh.positions().to_vec(),
-    }
-}
-
-/// The loops of the boundary of a part, by those numbers.
+/// The loops of the boundary of a part, by the numbers of its points where it is not cut.
 fn loops(part: &Part) -> Vec<Vec<u32>> {
     match &part.origin {
         Origin::Found(found) => {

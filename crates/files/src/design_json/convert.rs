@@ -23,18 +23,13 @@ use sheetwright::boundary::{MAX_SAMPLES, PlaneChoice};
 use sheetwright::cost::{MAX_FOLD, PriceOptions};
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
-    CurveUse, Design, DesignCurve, DesignPanel, LEAST_EFFORT, MOST_EFFORT, PanelMethod, PanelShape,
-    Vary,
+    CurveUse, Design, DesignCurve, DesignPanel, LEAST_EFFORT, LOOP_SAMPLES, MOST_EFFORT,
+    PanelMethod, PanelShape, RAIL_SAMPLES, Vary,
 };
 use sheetwright::math::{Point3, Vec3};
 use sheetwright::triangulate::Goal;
 use std::collections::BTreeMap;
 
-/// Samples of each rail unless the design says: a ruling every half per cent of the length, finer
-/// than hands can mark, in well under a second.
-const RAIL_SAMPLES: usize = 200;
-/// Samples of an outer loop unless the design says: as many as two rails have.
-const LOOP_SAMPLES: usize = 400;
 /// A design has this many panels, and a panel this many uses of curves, at the most.
 const MAX_PANELS: usize = MAX_CURVES;
 

@@ -76,11 +76,7 @@ impl Solid {
         };
         let cut: BTreeSet<[VertexIndex; 2]> =
             sheet.seams().iter().flat_map(|seam| seam.steps()).flatten().collect();
-        let steps = |line: &Vec<VertexIndex>| -> Vec<[VertexIndex; 2]> {
-            let next = line.iter().cycle().skip(1);
-            line.iter().zip(next).map(|(&a, &b)| [a, b]).collect()
-        };
-        let border = sheet.loops().iter().flat_map(steps).filter(|step| !cut.contains(step));
+        let border = sheet.border_steps().filter(|step| !cut.contains(step));
         let cuts = sheet.seams().iter().flat_map(|seam| {
             let [first, _] = seam.steps();
             first

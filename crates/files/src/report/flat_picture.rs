@@ -10,6 +10,7 @@ use sheetwright::material::Material;
 use sheetwright::math::{Point2, Vec2, angle_between, from_deg, unit2};
 use sheetwright::pattern::{PathKind, Piece, Role, seam_mark};
 use sheetwright::rung::Rung;
+use sheetwright::sheet::steps_of;
 use std::collections::BTreeSet;
 
 /// Room left and right of the pattern; the chart of warp has the same, so that the two line up.
@@ -181,10 +182,8 @@ pub(super) fn dimensions(size: Vec2, scale: f64, bottom: f64) -> String {
 
 /// The length of the whole outline, mm.
 pub(super) fn outline_length(panel: &Part) -> f64 {
-    let outline = &panel.sheet.loops()[0];
-    let next = outline.iter().cycle().skip(1);
-    let at = |v: &VertexIndex| panel.flat.points[v.get()];
-    outline.iter().zip(next).map(|(a, b)| at(a).distance(at(b))).sum()
+    let at = |v: VertexIndex| panel.flat.points[v.get()];
+    steps_of(&panel.sheet.loops()[0]).map(|[a, b]| at(a).distance(at(b))).sum()
 }
 
 /// The vertices along some steps of the border, by their numbers.

@@ -9,6 +9,7 @@ use super::rulings::{RUNG_CLASSES, rung_classes};
 use super::strips::strips;
 use super::view::View;
 use super::wording::decimal;
+use sheetwright::disjoint::DisjointSets;
 use sheetwright::index::{TriangleIndex, VertexIndex};
 use sheetwright::make::{Found, Origin, Part};
 use sheetwright::material::Material;
@@ -257,17 +258,16 @@ fn sides_on_ball(mesh: &Mesh, areas: &[Vec3]) -> Vec<[Vec3; 2]> {
             Some((edge.ends, [left, right], angle.abs() > from_deg(SHARP_DEG)))
         })
     };
-    // Corners that have one direction, as trees of which the root stands for all.
-    let mut parent: Vec<usize> = (0..3 * areas.len()).collect();
+    // Corners that have one direction.
+    let mut same = DisjointSets::new(3 * areas.len());
     for (ends, [left, right], is_sharp) in inner() {
         for v in ends {
             if !is_sharp {
-                let [a, b] = [left, right].map(|t| root(&mut parent, corner(t, v)));
-                parent[a.max(b)] = a.min(b);
+                same.join(corner(left, v), corner(right, v));
             }
         }
     }
-    let roots: Vec<usize> = (0..parent.len()).map(|n| root(&mut parent, n)).collect();
+    let roots = same.all_first();
     let mut sums = vec![Vec3::ZERO; roots.len()];
     for (n, &of) in roots.iter().enumerate() {
         sums[of] += areas[n / 3];
@@ -283,15 +283,6 @@ fn sides_on_ball(mesh: &Mesh, areas: &[Vec3]) -> Vec<[Vec3; 2]> {
         }
     }
     sides.into_iter().filter_map(|[a, b]| Some([a?, b?])).collect()
-}
-
-/// The root of a tree, with the way to it made short.
-fn root(parent: &mut [usize], mut n: usize) -> usize {
-    while parent[n] != n {
-        parent[n] = parent[parent[n]];
-        n = parent[n];
-    }
-    n
 }
 
 /// A ball with circles of latitude and longitude about z, and the names of its axes, which lie over

@@ -119,7 +119,7 @@ fn forced_rungs(panel: &Panel<'_>) -> Option<Finding> {
 }
 
 /// The finding that a surface which need not lie over the supporting plane has a much lower price.
-pub fn better_without_plane(with: f64, without: f64) -> Finding {
+pub(crate) fn better_without_plane(with: f64, without: f64) -> Finding {
     Finding::of_whole(FindingKind::BetterWithoutPlane { with, without })
 }
 

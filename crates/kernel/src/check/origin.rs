@@ -15,7 +15,7 @@ const ROUNDED_CORNER_DEG: f64 = 60.0;
 /// The finding that the points of a spline turn sharply where no corner is marked, so that the
 /// curve runs round a corner that its maker may have meant; `None` if they do not. `points` are
 /// those of the curve of this name.
-pub fn rounded_corner(name: &str, points: &[CurvePoint], closed: bool) -> Option<Finding> {
+pub(crate) fn rounded_corner(name: &str, points: &[CurvePoint], closed: bool) -> Option<Finding> {
     let m = points.len();
     let inner = if closed { 0..m } else { 1..m.saturating_sub(1) };
     let turn = |i: usize| {
@@ -35,7 +35,7 @@ pub fn rounded_corner(name: &str, points: &[CurvePoint], closed: bool) -> Option
 
 /// The finding that a boundary was made smooth where the panels that it joins meet; `None` if it
 /// was left as it came.
-pub fn smoothed_joints(joined: &Joined) -> Option<Finding> {
+pub(crate) fn smoothed_joints(joined: &Joined) -> Option<Finding> {
     let smoothed = joined.joints.iter().filter(|joint| joint.window.is_some());
     let numbers: Vec<SampleIndex> = smoothed.map(|joint| joint.sample).collect();
     let count = numbers.len();
@@ -48,7 +48,7 @@ pub fn smoothed_joints(joined: &Joined) -> Option<Finding> {
 /// `bulges_mm` is how far the end at the beginning of the first rail, and that at its end, bulge
 /// from the straight line, mm; `None` for an end that stays straight. `straight` are the measures
 /// of the same panel with straight ends, if it can be made.
-pub fn ran_on(
+pub(crate) fn ran_on(
     bulges_mm: [Option<f64>; 2],
     measures: &Measures,
     straight: Option<&Measures>,
@@ -61,13 +61,13 @@ pub fn ran_on(
 
 /// The finding that the ends that the rails of a panel would run on to make no panel, and why, so
 /// that its ends stay straight.
-pub fn stayed_straight(cause: &str) -> Finding {
+pub(crate) fn stayed_straight(cause: &str) -> Finding {
     Finding::of_whole(FindingKind::StayedStraight { cause: cause.to_owned() })
 }
 
 /// The finding that some of the joined panels were turned round to face as the first does; `None`
 /// if all do. `names` are theirs.
-pub fn turned_round(joined: &Joined, names: &[String]) -> Option<Finding> {
+pub(crate) fn turned_round(joined: &Joined, names: &[String]) -> Option<Finding> {
     let turned = names.iter().zip(&joined.turned).filter(|(_, turned)| **turned);
     let panels: Vec<String> = turned.map(|(name, _)| name.clone()).collect();
     let first = names.first()?.clone();
@@ -77,30 +77,30 @@ pub fn turned_round(joined: &Joined, names: &[String]) -> Option<Finding> {
 
 /// How a boundary was moved so that the sheet bends better.
 #[derive(Clone, Copy, Debug)]
-pub struct BoundaryMoved<'a> {
+pub(crate) struct BoundaryMoved<'a> {
     /// How it ended.
-    pub ended: &'a Ended,
+    pub(crate) ended: &'a Ended,
     /// The largest warp angle that was asked for, radians, if one was.
-    pub wanted: Option<f64>,
+    pub(crate) wanted: Option<f64>,
     /// The curves of the panel that moved, by name.
-    pub curves: &'a [String],
+    pub(crate) curves: &'a [String],
     /// The largest distance that a sample was moved, mm.
-    pub moved_max_mm: f64,
+    pub(crate) moved_max_mm: f64,
     /// All those distances, summed, mm.
-    pub moved_total_mm: f64,
+    pub(crate) moved_total_mm: f64,
     /// The size of the boundary, mm.
-    pub size_mm: f64,
+    pub(crate) size_mm: f64,
     /// What was measured before.
-    pub before: &'a Measures,
+    pub(crate) before: &'a Measures,
     /// What is measured now.
-    pub after: &'a Measures,
+    pub(crate) after: &'a Measures,
     /// What is found now.
-    pub checked: &'a Checked,
+    pub(crate) checked: &'a Checked,
 }
 
 /// The finding that a boundary was moved, and what came of it: a warning where an angle that was
 /// asked for is not reached.
-pub fn moved(moving: &BoundaryMoved<'_>) -> Finding {
+pub(crate) fn moved(moving: &BoundaryMoved<'_>) -> Finding {
     let BoundaryMoved { ended, wanted, before, after, .. } = *moving;
     let missed = wanted.filter(|&wanted| after.warp_max > wanted);
     let movement = Movement {

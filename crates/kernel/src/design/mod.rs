@@ -4,6 +4,7 @@
 mod failure;
 mod join;
 mod mesh;
+mod shorthand;
 mod vary;
 
 pub use failure::Failure;
@@ -83,6 +84,11 @@ impl PanelMethod {
     }
 }
 
+/// Samples of each rail unless a design says: a ruling every half per cent of the length, finer
+/// than hands can mark, in well under a second.
+pub const RAIL_SAMPLES: usize = 200;
+/// Samples of an outer loop unless a design says: as many as two rails have.
+pub const LOOP_SAMPLES: usize = 400;
 /// The least effort of a panel, as a multiple of the default.
 pub const LEAST_EFFORT: f64 = 0.001;
 /// The greatest effort of a panel, as a multiple of the default: up to an hour and a half.

@@ -1,7 +1,7 @@
 //! The runs of one source that a border is divided into, and their names.
 
 use super::{Edge, EdgeSource};
-use crate::sheet::Sheet;
+use crate::sheet::{Sheet, steps_of};
 use sheetwright_geometry::index::VertexIndex;
 use sheetwright_geometry::math::{Point2, Point3};
 use std::collections::BTreeMap;
@@ -29,12 +29,6 @@ pub(super) fn edges_of(
         other => name(other),
     };
     edges(&loops, name, sheet.mesh().positions(), flat)
-}
-
-/// The steps along a loop of vertices.
-pub(super) fn steps_of(line: &[VertexIndex]) -> impl Iterator<Item = [VertexIndex; 2]> + '_ {
-    let next = line.iter().cycle().skip(1);
-    line.iter().zip(next).map(|(&a, &b)| [a, b])
 }
 
 /// The steps of the border along the cuts of a sheet.

@@ -37,7 +37,7 @@ impl Placed {
 
 /// Looks for the mates of all edges of a design, and compares their lengths: of edges on one curve,
 /// of the two sides of a cut, and of parts of meshes that meet.
-pub fn join_mates(parts: &mut [PartEdges<'_>]) {
+pub(crate) fn join_mates(parts: &mut [PartEdges<'_>]) {
     let mut groups: BTreeMap<Group, Vec<Placed>> = BTreeMap::new();
     for (number, part) in parts.iter().enumerate() {
         for (edge, found) in part.edges.iter().enumerate() {

@@ -11,9 +11,9 @@ mod mates;
 mod of_boundary;
 mod of_mesh;
 
-pub use mates::join_mates;
-pub use of_boundary::edges_of_boundary;
-pub use of_mesh::{MeshBorder, edges_of_meshes};
+pub(crate) use mates::join_mates;
+pub(crate) use of_boundary::edges_of_boundary;
+pub(crate) use of_mesh::{MeshBorder, edges_of_meshes};
 
 use sheetwright_geometry::math::{Point2, Point3};
 
@@ -95,11 +95,11 @@ impl Edge {
 
 /// A part with its edges, as far as mates are looked for.
 #[derive(Debug)]
-pub struct PartEdges<'a> {
+pub(crate) struct PartEdges<'a> {
     /// Its edges.
-    pub edges: &'a mut Vec<Edge>,
+    pub(crate) edges: &'a mut Vec<Edge>,
     /// Where the vertices of its sheet lie in space, mm.
-    pub space: &'a [Point3],
+    pub(crate) space: &'a [Point3],
     /// Where they lie on the pattern, mm.
-    pub flat: &'a [Point2],
+    pub(crate) flat: &'a [Point2],
 }

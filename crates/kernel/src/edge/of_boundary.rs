@@ -10,7 +10,7 @@ use sheetwright_geometry::math::Point2;
 /// The edges of a sheet that is laid flat at these points. `steps` says what the step from each
 /// sample of the boundary lies on, `curve` how a curve of the design is called. They have no mates
 /// yet.
-pub fn edges_of_boundary(
+pub(crate) fn edges_of_boundary(
     sheet: &Sheet,
     flat: &[Point2],
     steps: &[StepSource],

@@ -1,7 +1,7 @@
 //! The edges of the parts of meshes: where they meet one another, the sides of their cuts, and
 //! their border.
 
-use super::border::{edges_of, steps_of};
+use super::border::edges_of;
 use super::{Edge, EdgeSource};
 use crate::sample::StepPlace;
 use crate::sheet::Sheet;
@@ -11,26 +11,26 @@ use std::collections::BTreeMap;
 
 /// A part of a mesh whose edges are looked for.
 #[derive(Clone, Debug)]
-pub struct MeshBorder<'a> {
+pub(crate) struct MeshBorder<'a> {
     /// Its number among the parts of the design.
-    pub part: usize,
+    pub(crate) part: usize,
     /// Its name.
-    pub name: &'a str,
+    pub(crate) name: &'a str,
     /// Its sheet.
-    pub sheet: &'a Sheet,
+    pub(crate) sheet: &'a Sheet,
     /// Where the vertices of its sheet lie on the pattern, mm.
-    pub flat: &'a [Point2],
+    pub(crate) flat: &'a [Point2],
     /// Where it is joined to parts that it was divided from: the number of each, and the steps of
     /// its border, the sheet to the left.
-    pub joints: Vec<(usize, &'a [[VertexIndex; 2]])>,
+    pub(crate) joints: Vec<(usize, &'a [[VertexIndex; 2]])>,
 }
 
 /// The edges of all parts of meshes of a design. They have no mates yet.
-pub fn edges_of_meshes(parts: &[MeshBorder<'_>]) -> Vec<Vec<Edge>> {
+pub(crate) fn edges_of_meshes(parts: &[MeshBorder<'_>]) -> Vec<Vec<Edge>> {
     // Parts that were not divided from one another meet where their steps lie on one another.
     let mut at_step: BTreeMap<StepPlace, Vec<usize>> = BTreeMap::new();
     for part in parts {
-        for step in part.steps() {
+        for step in part.sheet.border_steps() {
             at_step.entry(part.place(step)).or_default().push(part.part);
         }
     }
@@ -60,10 +60,6 @@ pub fn edges_of_meshes(parts: &[MeshBorder<'_>]) -> Vec<Vec<Edge>> {
 }
 
 impl MeshBorder<'_> {
-    fn steps(&self) -> impl Iterator<Item = [VertexIndex; 2]> + '_ {
-        self.sheet.loops().iter().flat_map(|line| steps_of(line))
-    }
-
     fn place(&self, step: [VertexIndex; 2]) -> StepPlace {
         StepPlace::between(step.map(|v| self.sheet.mesh().position(v)))
     }

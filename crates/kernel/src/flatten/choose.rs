@@ -13,10 +13,10 @@
 //!    joined to what is joined already; the fewest of all is not sought.
 //! 4. The loops that close are joined to the others by the shortest rungs.
 
-use super::opened::root;
 use super::unroll::beside;
 use crate::surface::{Connectivity, Surface};
 use sheetwright_geometry::boundary::size_of;
+use sheetwright_geometry::disjoint::DisjointSets;
 use sheetwright_geometry::index::{SampleIndex, TriangleIndex};
 use sheetwright_geometry::math::{Point2, Point3, Vec2, unit2};
 use sheetwright_geometry::tolerance::Tolerance;
@@ -50,7 +50,7 @@ pub(super) fn cuts(surface: &Surface, near: &[Point3], closing: Tolerance) -> Ve
     let left_of = left_of(surface.connectivity());
     let opens: Vec<bool> =
         (0..loops).map(|n| gap_round_mm(surface, &left_of, n) > limit_mm).collect();
-    let mut joined = Joined { parent: (0..loops).collect(), cuts: Vec::new() };
+    let mut joined = Joined { trees: DisjointSets::new(loops), cuts: Vec::new() };
     for &place in near {
         joined.nearest(surface, &joints, place);
     }
@@ -116,20 +116,20 @@ fn clearance_mm(surface: &Surface, joint: &Joint) -> f64 {
 
 /// The loops as a forest of those that are joined by cuts.
 struct Joined {
-    parent: Vec<usize>,
+    trees: DisjointSets,
     cuts: Vec<usize>,
 }
 
 impl Joined {
     /// The two trees that a rung would join; `None` if they are one.
     fn trees(&mut self, joint: &Joint) -> Option<[usize; 2]> {
-        let [a, b] = joint.loops.map(|n| root(&mut self.parent, n));
+        let [a, b] = joint.loops.map(|n| self.trees.first(n));
         (a != b).then_some([a, b])
     }
 
     fn join(&mut self, joint: &Joint) {
-        if let Some([a, b]) = self.trees(joint) {
-            self.parent[a.max(b)] = a.min(b);
+        let [a, b] = joint.loops;
+        if self.trees.join(a, b) {
             self.cuts.push(joint.hinge);
         }
     }
@@ -150,7 +150,7 @@ impl Joined {
     /// Joins the tree of the first open loop with another tree that has one, along the fewest rungs
     /// and the shortest way of those; `false` if there is no other, or no way.
     fn two_open_ones(&mut self, joints: &[Joint], opens: &[bool]) -> bool {
-        let roots: Vec<usize> = (0..opens.len()).map(|n| root(&mut self.parent, n)).collect();
+        let roots: Vec<usize> = (0..opens.len()).map(|n| self.trees.first(n)).collect();
         let mut open = roots.iter().zip(opens).filter(|(_, opens)| **opens).map(|(root, _)| *root);
         let Some(start) = open.next() else { return false };
         let goals: Vec<usize> = open.filter(|&root| root != start).collect();

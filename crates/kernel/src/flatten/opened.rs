@@ -5,6 +5,7 @@ use super::FlattenError;
 use crate::mesh::Mesh;
 use crate::sheet::Sheet;
 use crate::surface::{Connectivity, Surface};
+use sheetwright_geometry::disjoint::DisjointSets;
 use sheetwright_geometry::index::{SampleIndex, TriangleIndex, VertexIndex};
 use sheetwright_geometry::math::Point2;
 use std::collections::BTreeMap;
@@ -163,32 +164,28 @@ fn border(connectivity: &Connectivity, cuts: &[usize], first: usize) -> Vec<Bord
 
 /// The corners of all triangles, those joined that are one sample of the sheet.
 struct Corners {
-    parent: Vec<usize>,
+    /// The lowest corner that each is joined with.
+    first: Vec<usize>,
 }
 
 impl Corners {
     fn joined(connectivity: &Connectivity, cuts: &[usize]) -> Self {
-        let mut parent: Vec<usize> = (0..3 * connectivity.triangles().len()).collect();
+        let mut same = DisjointSets::new(3 * connectivity.triangles().len());
         for (n, hinge) in connectivity.hinges().iter().enumerate() {
             if cuts.binary_search(&n).is_ok() {
                 continue;
             }
             for sample in hinge.rung.ends() {
-                let [a, b] =
-                    hinge.triangles.map(|t| root(&mut parent, own_corner(connectivity, t, sample)));
-                parent[a.max(b)] = a.min(b);
+                let [a, b] = hinge.triangles.map(|t| own_corner(connectivity, t, sample));
+                same.join(a, b);
             }
         }
-        // Parents have lower numbers, so one pass upwards leads every corner to its root.
-        for corner in 0..parent.len() {
-            parent[corner] = parent[parent[corner]];
-        }
-        Self { parent }
+        Self { first: same.all_first() }
     }
 
     /// What stands for all corners that a corner of a triangle is joined with.
     fn of(&self, connectivity: &Connectivity, triangle: TriangleIndex, at: SampleIndex) -> usize {
-        self.parent[own_corner(connectivity, triangle, at)]
+        self.first[own_corner(connectivity, triangle, at)]
     }
 }
 
@@ -196,13 +193,4 @@ impl Corners {
 fn own_corner(connectivity: &Connectivity, triangle: TriangleIndex, at: SampleIndex) -> usize {
     let corners = connectivity.triangles()[triangle.get()];
     3 * triangle.get() + corners.iter().position(|&s| s == at).unwrap_or(0)
-}
-
-/// The root of a forest that a number hangs from; the way there is halved for the next time.
-pub(super) fn root(parent: &mut [usize], mut n: usize) -> usize {
-    while parent[n] != n {
-        parent[n] = parent[parent[n]];
-        n = parent[n];
-    }
-    n
 }

@@ -29,36 +29,18 @@ use sheetwright_optimum::triangulate::TriangulateError;
 /// A design that is being edited, with its panels as they are now; by default, one without any.
 ///
 /// ```
-/// use sheetwright::curve::{CurveKind, CurvePoint};
-/// use sheetwright::design::{
-///     CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape,
+/// use sheetwright::{
+///     CurveUse, Design, DesignCurve, DesignPanel, Live, PanelShape, Point3, Unwatched, make,
 /// };
-/// use sheetwright::make::{Live, make};
-/// use sheetwright::math::Point3;
-/// use sheetwright::watch::Unwatched;
 ///
 /// // Two planks that share the chine, in mm.
-/// let rail = |name: &str, z: f64| DesignCurve {
-///     name: name.into(),
-///     kind: Some(CurveKind::Spline),
-///     closed: false,
-///     points: [0.0, 900.0, 1800.0]
-///         .map(|x| CurvePoint::smooth(Point3::new(x, 0.4 * z + x * (1800.0 - x) * 3e-4, z)))
-///         .to_vec(),
+/// let rail = |name: &str, z: f64| {
+///     let at = |x: f64| [x, 0.4 * z + x * (1800.0 - x) * 3e-4, z];
+///     DesignCurve::spline(name, [0.0, 900.0, 1800.0].map(at))
 /// };
-/// let plank = |name: &str, rails: [&str; 2]| DesignPanel {
-///     name: name.into(),
-///     shape: PanelShape::Rails(
-///         rails.map(|rail| CurveUse { name: rail.into(), reversed: false }),
-///     ),
-///     samples: 40,
-///     method: PanelMethod::Optimal,
-///     goal: Default::default(),
-///     run_on: false,
-///     plane: Default::default(),
-///     fold: sheetwright::cost::DEFAULT_FOLD,
-///     effort: 1.0,
-///     cut: Vec::new(),
+/// let plank = |name: &str, rails: [&str; 2]| {
+///     let along = |rail: &str| CurveUse { name: rail.into(), reversed: false };
+///     DesignPanel::new(name, PanelShape::Rails(rails.map(along)), 40)
 /// };
 /// let design = Design {
 ///     name: "dinghy".into(),

@@ -14,7 +14,7 @@ use crate::flatten::{Aim, RelaxOptions, Relaxed, relax};
 use crate::material::{Material, stretch_limit};
 use crate::measure::{CutFrom, Distortion, cut_suggestion, distortion, measures};
 use crate::mesh::{Cut, Mesh, MeshError, Specks, cut_to_disk, separated};
-use crate::pattern::{PatternOptions, seam_marks};
+use crate::pattern::Piece;
 use crate::sheet::{Seam, Sheet, cut_along, split_along_creases};
 use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
 use sheetwright_geometry::math::Point3;
@@ -28,7 +28,7 @@ const MUCH_LESS: f64 = 0.5;
 const MOST_DARTS: usize = 12;
 
 /// A mesh falls into so many parts at the most.
-pub const MAX_MESH_PARTS: usize = 1000;
+const MAX_MESH_PARTS: usize = 1000;
 
 /// Makes the parts of a panel that is a mesh, whose triangles are `cleaned`. Their edges and their
 /// joints are known once all parts of the design are ([`super::joined`]).
@@ -239,7 +239,7 @@ fn make_part(
         let ends = [*cut.path.first()?, *cut.path.last()?];
         Some(ends.map(|v| sheet.mesh().position(v)))
     });
-    let measures = measures(CutFrom::Mesh(&mesh), &sheet, &flat);
+    let measures = measures(CutFrom::Mesh(&mesh, laid.distortion), &sheet, &flat);
     let checked = check(&Subject {
         sheet: &sheet,
         flat: &flat,
@@ -260,9 +260,7 @@ fn make_part(
     let rebuilt = settings.split_creases.and_then(|_| rebuilt(&mesh, watch));
     let given = Given { mesh, aim: settings.aim, ended, flipped, joints, rebuilt };
     // What it is joined to is not known yet, nor how its edges are called.
-    let marks = seam_marks(&sheet);
-    let options = PatternOptions::default();
-    let piece = crate::pattern::piece(name, &sheet, &flat, &[], &measures, &marks, &options);
+    let piece = Piece::undrawn(name);
     let (panel, name) = (panel.to_owned(), name.to_owned());
     let (edges, origin) = (Vec::new(), Origin::Given(Box::new(given)));
     Ok(Part { name, panel, sheet, flat, measures, checked, piece, edges, origin })

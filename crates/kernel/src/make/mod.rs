@@ -17,7 +17,6 @@ mod unrestricted;
 
 pub use error::{MakeCause, MakeError};
 pub use live::{Live, LivePanel};
-pub use mesh::MAX_MESH_PARTS;
 pub use part::{Change, Found, Given, Joint, Origin, Part};
 pub use rebuilt::Rebuilt;
 

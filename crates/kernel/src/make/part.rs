@@ -129,6 +129,21 @@ impl Part {
         }
     }
 
+    /// Where its vertices lie in space before it is cut, mm; the samples of its boundary, where its
+    /// surface was found.
+    pub fn positions(&self) -> &[Point3] {
+        match &self.origin {
+            Origin::Found(found) => found.surface.positions(),
+            Origin::Given(given) => given.mesh.positions(),
+        }
+    }
+
+    /// Its triangles before it is cut, by those vertices, in the order of those of its sheet.
+    pub fn triangles(&self) -> impl Iterator<Item = [usize; 3]> + '_ {
+        let corners = |t: &[VertexIndex; 3]| t.map(|v| self.sheet.origin(v).get());
+        self.sheet.mesh().triangles().iter().map(corners)
+    }
+
     /// How its boundary was moved, if it has one that was to be.
     pub fn change(&self) -> Option<&Change> {
         self.found().and_then(|found| found.change.as_ref())

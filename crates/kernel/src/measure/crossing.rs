@@ -28,7 +28,7 @@ use sheetwright_geometry::tolerance::Tolerance;
 use std::cmp::Ordering;
 
 /// The first two triangles, by their numbers, that pass through one another.
-pub fn first_self_crossing(surface: &Surface) -> Option<[TriangleIndex; 2]> {
+pub(super) fn first_self_crossing(surface: &Surface) -> Option<[TriangleIndex; 2]> {
     if is_simple_as_seen(surface) { None } else { first_crossing_pair(surface) }
 }
 

@@ -45,7 +45,7 @@ pub fn gauss_area(connectivity: &Connectivity, rungs: &[RungMeasures]) -> f64 {
 
 /// The area of the Gauss image of a mesh, steradians: 0 for one that lies flat without stretching,
 /// but for cones and handles.
-pub fn gauss_area_of_mesh(mesh: &Mesh) -> f64 {
+pub(super) fn gauss_area_of_mesh(mesh: &Mesh) -> f64 {
     let on_border = mesh.topology().on_border();
     let defects = angle_defects(mesh).into_iter().zip(on_border);
     defects.filter(|(_, on_border)| !on_border).map(|(defect, _)| defect.abs()).sum()

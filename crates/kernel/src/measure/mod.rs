@@ -22,15 +22,16 @@ mod gauss;
 
 pub use bend::Apex;
 pub(crate) use crossing::crosses_itself;
-pub use crossing::first_self_crossing;
+use crossing::first_self_crossing;
 pub use distortion::{CutSuggestion, Distortion, cut_suggestion, distortion};
-pub use gauss::{gauss_area, gauss_area_of_mesh};
+pub use gauss::gauss_area;
 
 use crate::flatten::Flattened;
 use crate::mesh::{Mesh, crease_angles};
 use crate::sheet::Sheet;
 use crate::surface::Surface;
 use bend::{Rolls, rolls};
+use gauss::gauss_area_of_mesh;
 use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
 use sheetwright_geometry::math::{Point3, Vec3, to_deg};
 use sheetwright_optimum::cost::Prices;
@@ -123,12 +124,12 @@ pub struct Measures {
 }
 
 /// What a sheet was cut from.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub enum CutFrom<'a> {
     /// A surface that was found, with the prices of the boundary that it spans.
     Surface(&'a Surface, &'a Prices),
-    /// A mesh that was given.
-    Mesh(&'a Mesh),
+    /// A mesh that was given, with the [`distortion`] of its sheet.
+    Mesh(&'a Mesh, Distortion),
 }
 
 /// Measures a sheet, its flat pattern, and the surface that it was cut from. A rung that is cut is
@@ -136,12 +137,16 @@ pub enum CutFrom<'a> {
 pub fn measures(from: CutFrom<'_>, sheet: &Sheet, flat: &Flattened) -> Measures {
     match from {
         CutFrom::Surface(surface, prices) => measures_of_surface(surface, prices, sheet, flat),
-        CutFrom::Mesh(mesh) => measures_of_mesh(mesh, sheet, flat),
+        CutFrom::Mesh(mesh, distortion) => measures_of_mesh(mesh, distortion, sheet, flat),
     }
 }
 
-fn measures_of_mesh(mesh: &Mesh, sheet: &Sheet, flat: &Flattened) -> Measures {
-    let distortion = distortion(sheet.mesh(), &flat.points);
+fn measures_of_mesh(
+    mesh: &Mesh,
+    distortion: Distortion,
+    sheet: &Sheet,
+    flat: &Flattened,
+) -> Measures {
     Measures {
         rungs: Vec::new(),
         twist_total: 0.0,
@@ -269,12 +274,8 @@ fn length_error(sheet: &Sheet, flat: &Flattened, [a, b]: [VertexIndex; 2]) -> f6
 
 /// The sides of a sheet: round its loops, and then those within. Sums are taken in this order.
 fn border_first(sheet: &Sheet) -> impl Iterator<Item = [VertexIndex; 2]> + '_ {
-    let round = sheet.loops().iter().flat_map(|of_loop| {
-        let next = of_loop.iter().cycle().skip(1);
-        of_loop.iter().zip(next).map(|(&a, &b)| [a, b])
-    });
     let within = sheet.mesh().edges().iter().filter(|edge| !edge.is_border());
-    round.chain(within.map(|edge| edge.ends))
+    sheet.border_steps().chain(within.map(|edge| edge.ends))
 }
 
 /// The area of a sheet in space, mm².

@@ -4,21 +4,22 @@
 //! the corners at both its ends become one. What is left apart are the two sides of a cut, and
 //! parts that met in a point.
 
+use sheetwright_geometry::disjoint::DisjointSets;
 use sheetwright_geometry::index::VertexIndex;
 use std::collections::BTreeSet;
 
 /// Triangles whose vertices were taken apart.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Separated {
+pub(crate) struct Separated {
     /// The triangles, in the order in which they were given.
-    pub triangles: Vec<[VertexIndex; 3]>,
+    pub(crate) triangles: Vec<[VertexIndex; 3]>,
     /// The vertex that each vertex was; those that were one stand beside one another.
-    pub origin: Vec<VertexIndex>,
+    pub(crate) origin: Vec<VertexIndex>,
 }
 
 /// Takes triangles apart along the sides for which `is_cut` of their ends, the lower first; and at
 /// points in which parts of them meet that have no side in common there.
-pub fn separated(
+pub(crate) fn separated(
     triangles: &[[VertexIndex; 3]],
     is_cut: impl Fn([VertexIndex; 2]) -> bool,
 ) -> Separated {
@@ -33,24 +34,24 @@ pub fn separated(
         }
     }
     sides.sort_unstable();
-    let mut of: Vec<usize> = (0..3 * triangles.len()).collect();
+    let mut of = DisjointSets::new(3 * triangles.len());
     for pair in sides.windows(2) {
         let [(ends, corners), (other_ends, others)] = [pair[0], pair[1]];
         if ends == other_ends && !is_cut(ends) {
             for (a, b) in corners.into_iter().zip(others) {
-                unite(&mut of, a, b);
+                of.join(a, b);
             }
         }
     }
     let corner = |n: usize| triangles[n / 3][n % 3];
     let mut classes: BTreeSet<(VertexIndex, usize)> = BTreeSet::new();
-    let roots: Vec<usize> = (0..of.len()).map(|n| root(&mut of, n)).collect();
+    let roots = of.all_first();
     for (n, &root) in roots.iter().enumerate() {
         classes.insert((corner(n), root));
     }
     let classes: Vec<(VertexIndex, usize)> = classes.into_iter().collect();
     // A class has one corner that is its root, so that roots name classes.
-    let mut number = vec![0; of.len()];
+    let mut number = vec![0; roots.len()];
     for (n, class) in classes.iter().enumerate() {
         number[class.1] = n;
     }
@@ -59,22 +60,6 @@ pub fn separated(
         triangles: (0..triangles.len()).map(apart).collect(),
         origin: classes.into_iter().map(|class| class.0).collect(),
     }
-}
-
-/// The lowest corner of a class, as far as it is known; shortens the way to it.
-pub(crate) fn root(of: &mut [usize], mut n: usize) -> usize {
-    while of[n] != n {
-        of[n] = of[of[n]];
-        n = of[n];
-    }
-    n
-}
-
-/// Makes one class of those of two corners.
-pub(crate) fn unite(of: &mut [usize], a: usize, b: usize) {
-    let (a, b) = (root(of, a), root(of, b));
-    // The lower one leads, so that the outcome does not depend on the order.
-    of[a.max(b)] = a.min(b);
 }
 
 #[cfg(test)]

@@ -14,8 +14,8 @@
 //! angle defect, the Gauss curvature that sits in the vertex).
 
 use super::Mesh;
-use super::corners::{root, unite};
 use super::ways::Ways;
+use sheetwright_geometry::disjoint::DisjointSets;
 use sheetwright_geometry::index::VertexIndex;
 use sheetwright_geometry::math::{angle_between, from_deg};
 use std::collections::BTreeSet;
@@ -93,17 +93,15 @@ fn cut_handles_and_holes(mesh: &Mesh) -> Cut {
     let mut crossed: Vec<usize> =
         (0..edges.len()).filter(|&n| !edges[n].is_border() && !in_forest.contains(&n)).collect();
     crossed.sort_by(|&a, &b| detour(b).total_cmp(&detour(a)).then(a.cmp(&b)));
-    let mut trees: Vec<usize> = (0..mesh.triangles().len()).collect();
+    let mut trees = DisjointSets::new(mesh.triangles().len());
     let mut cut = Cut::new();
     for n in crossed {
         let [Some(a), Some(b)] = edges[n].triangles else { continue };
-        if root(&mut trees, a.get()) == root(&mut trees, b.get()) {
+        if !trees.join(a.get(), b.get()) {
             cut.insert(n);
             for end in edges[n].ends {
                 cut.extend(ways.back(edges, end));
             }
-        } else {
-            unite(&mut trees, a.get(), b.get());
         }
     }
     // A way that two loops share, from where they part to the source, is no cut of its own unless

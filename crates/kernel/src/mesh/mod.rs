@@ -14,12 +14,12 @@ mod specks;
 mod topology;
 mod ways;
 
-pub use corners::{Separated, separated};
-pub(crate) use corners::{root, unite};
+pub(crate) use corners::separated;
 pub use crease::crease_angles;
 pub use cut::{Cut, angle_defects, cut_through, cut_to_disk, worst_points};
 pub use error::MeshError;
-pub use specks::{Specks, WithoutSpecks, without_specks};
+pub use specks::Specks;
+pub(crate) use specks::{WithoutSpecks, without_specks};
 pub use topology::{MeshEdge, Piece, Topology};
 pub(crate) use ways::Ways;
 

@@ -4,7 +4,8 @@
 //! width. Each would become a panel of its own, whose pattern has no digits left. What hangs
 //! together with anything larger is no crumb: leaving it out would tear the surface.
 
-use super::corners::{root, separated, unite};
+use super::corners::separated;
+use sheetwright_geometry::disjoint::DisjointSets;
 use sheetwright_geometry::index::VertexIndex;
 use sheetwright_geometry::math::{Point3, Vec3};
 use sheetwright_geometry::tolerance::{MIN_SIZE_MM, Tolerance};
@@ -21,13 +22,13 @@ pub struct Specks {
 
 /// Triangles without the parts that are too small, and those that were left out.
 #[derive(Clone, Debug, PartialEq)]
-pub struct WithoutSpecks {
+pub(crate) struct WithoutSpecks {
     /// The vertices that are left, mm.
-    pub positions: Vec<Point3>,
+    pub(crate) positions: Vec<Point3>,
     /// The triangles that are left.
-    pub triangles: Vec<[VertexIndex; 3]>,
+    pub(crate) triangles: Vec<[VertexIndex; 3]>,
     /// The parts that are not.
-    pub specks: Specks,
+    pub(crate) specks: Specks,
 }
 
 /// What is too small in a file.
@@ -77,7 +78,7 @@ impl Part {
 /// Triangles without the parts that are smaller than [`MIN_SIZE_MM`], or narrower (area by size)
 /// than [`Tolerance::SAME_POINT`] of the size of the file that they are from, mm. `None` if there
 /// are none, and where a corner is no vertex.
-pub fn without_specks(
+pub(crate) fn without_specks(
     positions: &[Point3],
     triangles: &[[VertexIndex; 3]],
     file_size_mm: f64,
@@ -92,12 +93,12 @@ pub fn without_specks(
     }
     // Vertices in which parts only touch are taken apart first.
     let apart = separated(triangles, |_| false);
-    let mut of: Vec<usize> = (0..apart.origin.len()).collect();
+    let mut of = DisjointSets::new(apart.origin.len());
     for [a, b, c] in &apart.triangles {
-        unite(&mut of, a.get(), b.get());
-        unite(&mut of, a.get(), c.get());
+        of.join(a.get(), b.get());
+        of.join(a.get(), c.get());
     }
-    let part_of: Vec<usize> = apart.triangles.iter().map(|t| root(&mut of, t[0].get())).collect();
+    let part_of: Vec<usize> = apart.triangles.iter().map(|t| of.first(t[0].get())).collect();
     let mut parts: BTreeMap<usize, Part> = BTreeMap::new();
     for (n, part) in part_of.iter().enumerate() {
         let more = alone(n);

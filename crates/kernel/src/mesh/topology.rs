@@ -2,6 +2,7 @@
 
 use super::MeshError;
 use crate::surface::Connectivity;
+use sheetwright_geometry::disjoint::DisjointSets;
 use sheetwright_geometry::index::{SampleIndex, TriangleIndex, VertexIndex};
 use std::ops::Range;
 
@@ -242,7 +243,7 @@ fn check_fans(
     triangles: &[[VertexIndex; 3]],
     vertices: usize,
 ) -> Result<(), MeshError> {
-    let mut same = Same::new(3 * triangles.len());
+    let mut same = DisjointSets::new(3 * triangles.len());
     let corner = |side: &Side, vertex: VertexIndex| {
         let corners = triangles[side.triangle as usize];
         let at = corners.iter().position(|&v| v == vertex).unwrap_or(0);
@@ -266,31 +267,6 @@ fn check_fans(
     match fan_of.iter().position(Option::is_none) {
         Some(vertex) => Err(MeshError::Unused { vertex: VertexIndex::new(vertex) }),
         None => Ok(()),
-    }
-}
-
-/// Which things are known to be one (union–find).
-struct Same {
-    parent: Vec<usize>,
-}
-
-impl Same {
-    fn new(count: usize) -> Self {
-        Self { parent: (0..count).collect() }
-    }
-
-    /// The first of those that are one with a thing.
-    fn first(&mut self, mut n: usize) -> usize {
-        while self.parent[n] != n {
-            self.parent[n] = self.parent[self.parent[n]];
-            n = self.parent[n];
-        }
-        n
-    }
-
-    fn join(&mut self, a: usize, b: usize) {
-        let (a, b) = (self.first(a), self.first(b));
-        self.parent[a.max(b)] = a.min(b);
     }
 }
 

@@ -6,7 +6,9 @@ mod edge_names;
 mod seam;
 
 pub use crease::SCORED_CREASE_DEG;
-pub use seam::{EdgeMark, joint_mark, seam_mark, seam_marks};
+pub use seam::{EdgeMark, seam_mark, seam_marks};
+
+pub(crate) use seam::joint_mark;
 
 use crate::edge::Edge;
 use crate::flatten::Flattened;
@@ -122,6 +124,12 @@ pub struct Piece {
 }
 
 impl Piece {
+    /// The piece of a part before it is drawn.
+    pub(crate) fn undrawn(name: &str) -> Self {
+        let (paths, labels) = (Vec::new(), Vec::new());
+        Self { name: name.to_owned(), paths, labels, size: Vec2::ZERO }
+    }
+
     /// The points of the outline, mm.
     pub fn outline(&self) -> &[Point2] {
         self.paths
@@ -145,10 +153,10 @@ impl Piece {
 
 /// How a pattern is marked.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PatternOptions {
+pub(crate) struct PatternOptions {
     /// How many rulings get ticks, at the most. Default 24, as in the classical triangulation of
     /// ducts.
-    pub ruling_ticks: usize,
+    pub(crate) ruling_ticks: usize,
 }
 
 impl Default for PatternOptions {
@@ -164,7 +172,7 @@ const LABEL_SHARE: f64 = 0.08;
 
 /// The pattern of one part with these edges. `measures` are those of its surface in space, `marks`
 /// those of its seams and of the lines along which it is joined to other parts.
-pub fn piece(
+pub(crate) fn piece(
     name: &str,
     sheet: &Sheet,
     flat: &Flattened,

@@ -24,7 +24,7 @@ pub fn seam_mark(n: usize) -> String {
 }
 
 /// How the `n`-th seam between two parts is marked on both, from 0: `J1` and so on.
-pub fn joint_mark(n: usize) -> String {
+pub(crate) fn joint_mark(n: usize) -> String {
     format!("J{}", n + 1)
 }
 

@@ -47,6 +47,12 @@ impl Seam {
     }
 }
 
+/// The steps along a loop of vertices, each from a vertex to the next.
+pub fn steps_of(line: &[VertexIndex]) -> impl Iterator<Item = [VertexIndex; 2]> + '_ {
+    let next = line.iter().cycle().skip(1);
+    line.iter().zip(next).map(|(&a, &b)| [a, b])
+}
+
 /// A surface cut to lie flat.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sheet {
@@ -104,6 +110,11 @@ impl Sheet {
     /// Its border, the sheet to the left; where the surface was found, the outline first.
     pub fn loops(&self) -> &[Vec<VertexIndex>] {
         self.mesh.loops()
+    }
+
+    /// The steps of its border, loop after loop, each from a vertex to the next.
+    pub fn border_steps(&self) -> impl Iterator<Item = [VertexIndex; 2]> + '_ {
+        self.loops().iter().flat_map(|line| steps_of(line))
     }
 
     /// The vertex of the uncut surface that a vertex of the sheet is: where the surface was found,

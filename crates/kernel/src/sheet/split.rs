@@ -1,7 +1,8 @@
 //! A mesh divided into panels along its sharp creases.
 
 use super::{Sheet, cut_along};
-use crate::mesh::{Cut, Mesh, MeshError, crease_angles, root, unite};
+use crate::mesh::{Cut, Mesh, MeshError, crease_angles};
+use sheetwright_geometry::disjoint::DisjointSets;
 use sheetwright_geometry::index::TriangleIndex;
 
 /// The sheet of a mesh that is taken apart along the sides at which it turns by more than
@@ -12,14 +13,14 @@ use sheetwright_geometry::index::TriangleIndex;
 /// See [`MeshError`]; a valid mesh has none.
 pub fn split_along_creases(mesh: &Mesh, crease: f64) -> Result<Sheet, MeshError> {
     let turns = crease_angles(mesh);
-    let mut parts: Vec<usize> = (0..mesh.triangles().len()).collect();
+    let mut parts = DisjointSets::new(mesh.triangles().len());
     for (edge, turn) in mesh.edges().iter().zip(&turns) {
         if let ([Some(a), Some(b)], true) = (edge.triangles, *turn <= crease) {
-            unite(&mut parts, a.get(), b.get());
+            parts.join(a.get(), b.get());
         }
     }
     let mut apart = |triangles: [Option<TriangleIndex>; 2]| match triangles {
-        [Some(a), Some(b)] => root(&mut parts, a.get()) != root(&mut parts, b.get()),
+        [Some(a), Some(b)] => parts.first(a.get()) != parts.first(b.get()),
         _ => false,
     };
     let cut: Cut = (0..turns.len()).filter(|&n| apart(mesh.edges()[n].triangles)).collect();

@@ -216,7 +216,7 @@ pub fn relax_lengths(
 /// are in the plane than in space. The smallest is negative where it is turned over; both are 1
 /// where its lengths are kept. `None` where the lengths, in the order of its sides from the first
 /// corner on, make no triangle.
-pub fn triangle_stretches(lengths: [f64; 3], flat: [Point2; 3]) -> Option<[f64; 2]> {
+pub(crate) fn triangle_stretches(lengths: [f64; 3], flat: [Point2; 3]) -> Option<[f64; 2]> {
     let shape = Shape::of(lengths)?;
     Some(stretches(Reference::new(&shape, lengths[0]).map(flat)).0)
 }
