@@ -63,6 +63,8 @@ pub mod quads;
 
 pub mod measure;
 
+pub mod elastic;
+
 pub mod material;
 
 pub mod design;

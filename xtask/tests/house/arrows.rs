@@ -20,14 +20,13 @@ const CRATES: [(&str, &[&str]); 8] = [
 ];
 
 /// Crates that only one crate of ours may name: file formats, the command line, windows.
-const OWNERS: [(&str, &str); 19] = [
+const OWNERS: [(&str, &str); 18] = [
     ("faer", "crates/geometry"),
     ("glam", "crates/geometry"),
     ("libm", "crates/geometry"),
     ("robust", "crates/geometry"),
     ("pulp", "crates/optimum"),
     ("rayon", "crates/optimum"),
-    ("spade", "crates/optimum"),
     ("serde", "crates/files"),
     ("serde_json", "crates/files"),
     ("csv", "crates/files"),
@@ -68,7 +67,7 @@ const FILE_OWNERS: [(&str, &[&str]); 7] = [
         ],
     ),
     ("rayon::", &["triangulate/optimal/threads.rs", "triangulate/optimal/table/tests.rs"]),
-    ("spade::", &["rung/visible/expansion.rs"]),
+    ("spade::", &["rung/visible/expansion.rs", "elastic/net.rs"]),
 ];
 
 /// The dependencies under a `[section]` of a Cargo file.

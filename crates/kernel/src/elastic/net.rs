@@ -1,0 +1,244 @@
+//! The net of quadratic triangles that an elastic sheet is computed on: a Delaunay triangulation of
+//! the flat outline, refined inside until it is fine enough \[Ruppert1995\], whose border sides are
+//! as curved as the outline.
+
+use super::element::{Nodes, values};
+use crate::flatten::Flattened;
+use crate::sheet::Sheet;
+use sheetwright_geometry::index::VertexIndex;
+use sheetwright_geometry::math::{Point2, Point3, atan2, from_deg};
+use spade::handles::FixedVertexHandle;
+use spade::{AngleLimit, ConstrainedDelaunayTriangulation, RefinementParameters, Triangulation};
+use std::collections::BTreeMap;
+
+/// The outline has a corner where it turns by more than this, degrees: a node stands there.
+const CORNER_DEG: f64 = 20.0;
+/// A loop has so many nodes at the least.
+const LEAST_ON_LOOP: usize = 6;
+/// Circles round triangles have a radius of so many times their shortest side at the most: angles
+/// of 25° and more, but at narrow corners of the outline.
+const RADIUS_BY_SIDE: f64 = 1.18;
+/// A net has so many times the triangles that are asked for at the most.
+const MOST_TIMES: usize = 8;
+
+/// A net over a flat sheet.
+pub(super) struct Net {
+    /// Where its nodes lie flat, mm.
+    pub(super) flat: Vec<Point2>,
+    /// Where its nodes lie on the surface that the sheet was unrolled from, mm.
+    pub(super) space: Vec<Point3>,
+    /// Whether each node lies on the border.
+    pub(super) on_border: Vec<bool>,
+    /// Its triangles.
+    pub(super) elements: Vec<Nodes>,
+    /// The triangle of the sheet that the middle of each triangle lies in.
+    pub(super) over: Vec<usize>,
+}
+
+/// A side that two triangles share.
+pub(super) struct InnerSide {
+    /// The numbers of the triangles.
+    pub(super) elements: [usize; 2],
+    /// The corners at its ends, as they come in the first triangle.
+    pub(super) ends: [usize; 2],
+}
+
+/// A point of the border, flat and in space.
+#[derive(Clone, Copy)]
+struct OnBorder {
+    flat: Point2,
+    space: Point3,
+}
+
+impl Net {
+    /// A net of about so many triangles; `None` where the outline can't be divided so, as where the
+    /// pattern overlaps itself.
+    pub(super) fn new(sheet: &Sheet, flat: &Flattened, triangles: usize) -> Option<Self> {
+        let area = crate::measure::area_flat(sheet, flat);
+        // An equilateral triangle with a side s has an area of √3/4 s².
+        let side_mm = (4.0 * area / (3.0f64.sqrt() * triangles as f64)).sqrt();
+        if flat.overlap.is_some() || !side_mm.is_finite() || side_mm <= 0.0 {
+            return None;
+        }
+        let loops: Vec<Vec<OnBorder>> =
+            sheet.loops().iter().map(|line| divided(sheet, flat, line, side_mm)).collect();
+        let mut net = Self::inside(&loops, area / triangles as f64, triangles)?;
+        net.lay_on(sheet, flat);
+        Some(net)
+    }
+
+    /// The net inside loops of corners and middles in turn.
+    fn inside(loops: &[Vec<OnBorder>], area: f64, triangles: usize) -> Option<Self> {
+        let mut delaunay = ConstrainedDelaunayTriangulation::<spade::Point2<f64>>::new();
+        let mut middles: BTreeMap<[usize; 2], OnBorder> = BTreeMap::new();
+        let mut corners: BTreeMap<usize, OnBorder> = BTreeMap::new();
+        for of_loop in loops {
+            let mut handles: Vec<FixedVertexHandle> = Vec::new();
+            for corner in of_loop.iter().step_by(2) {
+                let at =
+                    spade::mitigate_underflow(spade::Point2::new(corner.flat.x, corner.flat.y));
+                let handle = delaunay.insert(at).ok()?;
+                // Two corners on one spot are no outline.
+                if corners.insert(handle.index(), *corner).is_some() {
+                    return None;
+                }
+                handles.push(handle);
+            }
+            for (n, &from) in handles.iter().enumerate() {
+                let to = handles[(n + 1) % handles.len()];
+                if !delaunay.can_add_constraint(from, to) {
+                    return None;
+                }
+                delaunay.add_constraint(from, to);
+                middles.insert(key(from.index(), to.index()), of_loop[2 * n + 1]);
+            }
+        }
+        let refined = delaunay.refine(
+            RefinementParameters::new()
+                .keep_constraint_edges()
+                .exclude_outer_faces(true)
+                .with_angle_limit(AngleLimit::from_radius_to_shortest_edge_ratio(RADIUS_BY_SIDE))
+                .with_max_allowed_area(1.5 * area)
+                .with_max_additional_vertices(MOST_TIMES * triangles),
+        );
+        let outer: std::collections::BTreeSet<usize> =
+            refined.excluded_faces.iter().map(|face| face.index()).collect();
+        let mut net = Self {
+            flat: Vec::new(),
+            space: Vec::new(),
+            on_border: Vec::new(),
+            elements: Vec::new(),
+            over: Vec::new(),
+        };
+        let mut nodes: BTreeMap<usize, usize> = BTreeMap::new();
+        let mut of_sides: BTreeMap<[usize; 2], usize> = BTreeMap::new();
+        for face in delaunay.inner_faces().filter(|face| !outer.contains(&face.fix().index())) {
+            let vertices = face.vertices().map(|v| (v.fix().index(), v.position()));
+            let mut element = [0; 6];
+            for (k, (vertex, at)) in vertices.iter().enumerate() {
+                let known = corners.get(vertex).copied();
+                element[k] = *nodes
+                    .entry(*vertex)
+                    .or_insert_with(|| net.add(known, Point2::new(at.x, at.y)));
+            }
+            for k in 0..3 {
+                let side = key(vertices[k].0, vertices[(k + 1) % 3].0);
+                let (a, b) = (element[k], element[(k + 1) % 3]);
+                element[3 + k] = *of_sides.entry(side).or_insert_with(|| {
+                    let middle = net.flat[a].lerp(net.flat[b], 0.5);
+                    net.add(middles.get(&side).copied(), middle)
+                });
+            }
+            net.elements.push(element);
+        }
+        (!net.elements.is_empty()).then_some(net)
+    }
+
+    fn add(&mut self, known: Option<OnBorder>, at: Point2) -> usize {
+        self.flat.push(known.map_or(at, |known| known.flat));
+        self.space.push(known.map_or(Point3::default(), |known| known.space));
+        self.on_border.push(known.is_some());
+        self.flat.len() - 1
+    }
+
+    /// Lays the inner nodes on the surface: where they lie in the triangles of the sheet.
+    fn lay_on(&mut self, sheet: &Sheet, flat: &Flattened) {
+        let triangles = sheet.mesh().triangles();
+        let places: Vec<[Point2; 3]> =
+            triangles.iter().map(|t| t.map(|v| flat.points[v.get()])).collect();
+        for n in 0..self.flat.len() {
+            if !self.on_border[n] {
+                let (t, weights) = located(&places, self.flat[n]);
+                let corners = triangles[t].map(|v| sheet.mesh().position(v).to_vec());
+                self.space[n] = Point3::from_vec(
+                    corners[0] * weights[0] + corners[1] * weights[1] + corners[2] * weights[2],
+                );
+            }
+        }
+        let middle = |nodes: &Nodes| {
+            let weights = values(super::element::CENTROID);
+            let sum = (0..6).map(|k| self.flat[nodes[k]].to_vec() * weights[k]);
+            Point2::default() + sum.fold(sheetwright_geometry::math::Vec2::ZERO, |a, b| a + b)
+        };
+        self.over = self.elements.iter().map(|nodes| located(&places, middle(nodes)).0).collect();
+    }
+
+    /// The sides that two triangles share.
+    pub(super) fn inner_sides(&self) -> Vec<InnerSide> {
+        let mut first: BTreeMap<[usize; 2], (usize, [usize; 2])> = BTreeMap::new();
+        let mut shared = Vec::new();
+        for (n, nodes) in self.elements.iter().enumerate() {
+            for k in 0..3 {
+                let ends = [nodes[k], nodes[(k + 1) % 3]];
+                match first.remove(&key(ends[0], ends[1])) {
+                    Some((other, ends)) => shared.push(InnerSide { elements: [other, n], ends }),
+                    None => {
+                        first.insert(key(ends[0], ends[1]), (n, ends));
+                    }
+                }
+            }
+        }
+        shared
+    }
+}
+
+fn key(a: usize, b: usize) -> [usize; 2] {
+    [a.min(b), a.max(b)]
+}
+
+/// The triangle that a point lies in, or nearest to, and its barycentric coordinates there.
+fn located(triangles: &[[Point2; 3]], p: Point2) -> (usize, [f64; 3]) {
+    let mut best = (f64::NEG_INFINITY, 0, [1.0, 0.0, 0.0]);
+    for (n, &[a, b, c]) in triangles.iter().enumerate() {
+        let whole = (b - a).perp_dot(c - a);
+        let weights = [(b - p).perp_dot(c - p), (c - p).perp_dot(a - p), (a - p).perp_dot(b - p)]
+            .map(|w| w / whole);
+        let least = weights.into_iter().fold(f64::INFINITY, f64::min);
+        if least > best.0 {
+            best = (least, n, weights);
+        }
+    }
+    (best.1, best.2)
+}
+
+/// A loop of the border as corners and middles in turn, about `side_mm` from corner to corner, with
+/// one wherever the outline turns sharply. Both lie on the outline, by its length.
+fn divided(sheet: &Sheet, flat: &Flattened, line: &[VertexIndex], side_mm: f64) -> Vec<OnBorder> {
+    let point =
+        |v: VertexIndex| OnBorder { flat: flat.points[v.get()], space: sheet.mesh().position(v) };
+    let m = line.len();
+    let at = |n: usize| point(line[n % m]);
+    let is_corner = |n: &usize| {
+        let (before, here, after) = (at(n + m - 1).flat, at(*n).flat, at(n + 1).flat);
+        let (came, goes) = (here - before, after - here);
+        atan2(came.perp_dot(goes), came.dot(goes)).abs() > from_deg(CORNER_DEG)
+    };
+    let mut corners: Vec<usize> = (0..m).filter(is_corner).collect();
+    let least = LEAST_ON_LOOP.div_ceil(corners.len().max(1));
+    if corners.is_empty() {
+        corners.push(0);
+    }
+    let mut found = Vec::new();
+    for (k, &from) in corners.iter().enumerate() {
+        let to = if k + 1 < corners.len() { corners[k + 1] } else { corners[0] + m };
+        let lengths: Vec<f64> = (from..to).map(|n| at(n).flat.distance(at(n + 1).flat)).collect();
+        let whole: f64 = lengths.iter().sum();
+        let count = ((whole / side_mm).round() as usize).max(least).max(1);
+        let mut walked = 0.0;
+        let mut n = 0;
+        for step in 0..2 * count {
+            let wanted = whole * step as f64 / (2 * count) as f64;
+            while n + 1 < lengths.len() && walked + lengths[n] <= wanted {
+                walked += lengths[n];
+                n += 1;
+            }
+            let share = ((wanted - walked) / lengths[n]).clamp(0.0, 1.0);
+            let (a, b) = (at(from + n), at(from + n + 1));
+            found.push(OnBorder {
+                flat: a.flat.lerp(b.flat, share),
+                space: a.space.lerp(b.space, share),
+            });
+        }
+    }
+    found
+}
