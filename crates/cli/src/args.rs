@@ -22,15 +22,15 @@ Examples:
   sheetwright make leaf.csv --out build --samples 300 --formats svg,report
       A closed curve from a spreadsheet, smoothed through its points
   sheetwright make hood.stl --out build --units cm --material leather-2mm
-      A mesh from another program, flattened as it stands: how much must it stretch?
+      A mesh from another program, flattened as it is: by how much must it stretch?
   sheetwright check dinghy.sheet.json
-      Will it bend? The verdict alone
+      Will it bend? Prints the verdict and writes no files
   sheetwright new --list
-      Shapes to begin with: cones, ducts, domes and what they take
+      Templates: cones, ducts, domes and others, with their parameters
   sheetwright new cone --set bottom=40cm --make build
-      From a template to patterns in one go; with -o hood.sheet.json, a design to go on with
+      From a template to patterns in one step; with -o hood.sheet.json, a design to edit
   sheetwright convert leaf.csv leaf.sheet.json
-      A curve table becomes a design to go on with
+      A curve table becomes a design to edit
 
 Exit status:
   0  done, and no finding is an error
@@ -44,10 +44,10 @@ Examples:
   generate-curve | sheetwright make - --out build
   sheetwright make dinghy.sheet.json --out build --json --formats dxf,report
   sheetwright make tent.obj --out build --units m --aim seams
-      Meshes (.obj, .stl, .ply, .glb): one panel a group, its seams as long on both sides
+      Meshes (.obj, .stl, .ply, .glb): one panel for each group, both sides of a seam equally long
   sheetwright make box.stl --out build --split-creases 30
   sheetwright make dinghy.sheet.json --out build --vary-warp 6 --vary-limit 5mm
-      Moves the curves by as little as makes every panel bend, and writes where to";
+      Moves the curves as little as needed for a warp of 6°, and writes the moved curves";
 
 const CHECK_EXAMPLES: &str = "\
 Examples:
@@ -67,20 +67,20 @@ Examples:
 
 const NEW_EXAMPLES: &str = "\
 Examples:
-  sheetwright new --list                              what there is, and what it takes
-  sheetwright new cone --list                         the same of one template
+  sheetwright new --list                              all templates and their parameters
+  sheetwright new cone --list                         the parameters of one template
   sheetwright new cone --set bottom=40cm --set height='15 3/4in' -o hood.sheet.json
-  sheetwright new hemisphere --make build             the patterns and the report at once
+  sheetwright new hemisphere --make build             the patterns and the report in one step
   sheetwright new cone --set material=steel-1mm | sheetwright check -";
 
 /// From boundary curves to the developable surface that fits them best, and its flat pattern.
 #[derive(Debug, Parser)]
 #[command(name = "sheetwright", version, after_help = EXAMPLES, arg_required_else_help = true)]
 pub(crate) struct Cli {
-    /// Make findings and errors machine-readable: JSON, one object a line
+    /// Print findings and errors as JSON, one object per line
     #[arg(long, global = true)]
     pub(crate) json: bool,
-    /// Show no progress and no messages beside the answer
+    /// Show no progress and no notes
     #[arg(long, short, global = true)]
     pub(crate) quiet: bool,
     #[command(subcommand)]
@@ -118,7 +118,7 @@ pub(crate) enum Command {
 pub(crate) struct MakeArgs {
     #[command(flatten)]
     pub(crate) source: SourceArgs,
-    /// The folder for the files; it is created if need be, and keeps what is not written
+    /// The folder for the files; it is created if it is missing, and its other files stay
     #[arg(long, short, value_name = "DIR")]
     pub(crate) out: PathBuf,
     #[command(flatten)]
@@ -148,7 +148,7 @@ impl MakeArgs {
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub(crate) enum ReportArg {
-    /// A table of all panels with thumbnails, and what was found
+    /// A table of all panels with thumbnails, and the findings
     Short,
     /// Everything of every panel
     Long,
@@ -166,14 +166,13 @@ pub(crate) struct CheckArgs {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Meshes")]
 pub(crate) struct MeshArgs {
-    /// What flattening makes small where it can't be exact, which is with meshes alone [default:
-    /// mean]
+    /// What flattening minimises where a mesh can't be laid flat exactly [default: mean]
     #[arg(long, value_enum, ignore_case = true, value_name = "AIM")]
     pub(crate) aim: Option<AimArg>,
-    /// Divide a mesh into panels along the creases that turn by more than this
+    /// Divide a mesh into panels along the creases above this angle, in degrees
     #[arg(long, value_name = "DEG", value_parser = crease_deg)]
     pub(crate) split_creases: Option<f64>,
-    /// Cut a mesh that would have to stretch too much from its border to its worst points
+    /// Cut a mesh that would stretch too much, from its border to the points that stretch most
     #[arg(long)]
     pub(crate) darts: bool,
 }
@@ -191,7 +190,7 @@ impl MeshArgs {
         }
     }
 
-    /// What was given that makes no difference to a design, as it was given.
+    /// The first option for meshes that is given, as it is written.
     pub(crate) fn given(&self) -> Option<String> {
         match (self.aim, self.split_creases, self.darts) {
             (Some(aim), _, _) => Some(format!("--aim {}", aim.name())),
@@ -213,7 +212,7 @@ pub(crate) struct NewArgs {
     #[arg(value_name = "TEMPLATE", required_unless_present = "list",
         value_parser = Name { known: template_values })]
     pub(crate) template: Option<String>,
-    /// Say which templates there are and what they take, or what this one takes
+    /// List the templates and their parameters, or the parameters of this template
     #[arg(long, conflicts_with_all = ["set", "out", "make"])]
     pub(crate) list: bool,
     /// Set a parameter: a length in mm or with a unit (400mm, 40cm, 0.4m, 15 3/4in, 1' 4"), an
@@ -223,7 +222,7 @@ pub(crate) struct NewArgs {
     /// The design to write [default: standard output]
     #[arg(long, short, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
-    /// Make it at once, as `make` does: the design, its patterns and its report go into this folder
+    /// Also make the design, as `make` does: design, patterns and report go into this folder
     #[arg(long, value_name = "DIR", conflicts_with = "out")]
     pub(crate) make: Option<PathBuf>,
 }
@@ -242,15 +241,15 @@ pub(crate) struct ConvertArgs {
     pub(crate) pdf: PdfArgs,
 }
 
-/// How patterns come to paper.
+/// How patterns are laid out on paper.
 #[derive(Debug, Args)]
 pub(crate) struct PdfArgs {
-    /// The paper that the PDF is tiled to
+    /// The paper size of the PDF
     #[arg(long, value_name = "PAPER", default_value = "a4", ignore_case = true,
         value_parser = paper_parser())]
     paper: Paper,
-    /// The most sheets that a panel may take in the PDF [default: 2000]; a larger one is drawn to a
-    /// smaller scale on one page, with a table of offsets. Up to 20000
+    /// The most sheets of paper for one panel in the PDF, 1 to 20000 [default: 2000]; a larger
+    /// panel is drawn to a smaller scale on one page, with a table of offsets
     #[arg(long, value_name = "N", value_parser = max_sheets)]
     max_sheets: Option<MaxSheets>,
 }
@@ -266,57 +265,58 @@ fn max_sheets(given: &str) -> Result<MaxSheets, String> {
     number.ok_or_else(|| format!("give a whole number from 1 to {}", MaxSheets::MOST.get()))
 }
 
-/// What is read, and what is set instead of it.
+/// The input, and the options that replace its values.
 #[derive(Debug, Args)]
 pub(crate) struct SourceArgs {
     /// A design (.sheet.json), a curve table (.csv), a mesh (.obj, .stl, .ply, .glb), or - for
     /// standard input
     #[arg(value_name = "INPUT")]
     pub(crate) input: PathBuf,
-    /// The format of standard input [default: as its content shows]
+    /// The format of standard input [default: told from its content]
     #[arg(long, value_enum, ignore_case = true, value_name = "FORMAT")]
     pub(crate) from: Option<StdinFormat>,
-    /// Samples of each outer loop or rail; a curve table is smoothed by a spline through its points
+    /// The number of samples of each outer loop or rail; with it, the curves of a table become
+    /// splines through their points
     #[arg(long, value_name = "N")]
     samples: Option<usize>,
     /// The weight of the fold price, from 0 (twist alone) to 10
     #[arg(long, value_name = "NU", allow_negative_numbers = true)]
     fold: Option<f64>,
-    /// How much work the search may do where there are holes, as a multiple of the default, which
-    /// is up to 5 seconds; then it answers with the best that was found, and how far from the best
-    /// it may be
+    /// The limit on the search for the surface of a panel with holes, as a multiple of the default,
+    /// which is up to 5 seconds; at the limit, the best surface found is used, and a finding says
+    /// how far it may be from the best possible
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     effort: Option<f64>,
-    /// Which triangulations are looked at
+    /// Which triangulations are searched
     #[arg(long, value_enum, ignore_case = true, value_name = "METHOD")]
     method: Option<MethodArg>,
-    /// Whether the surface must lie over a plane that the boundary projects onto [default: as the
-    /// design says, or auto: over the best-fit plane where there is one]
+    /// Whether the surface lies over a plane onto which the boundary projects without crossing
+    /// itself [default: as the design says, or auto]
     #[arg(long, value_enum, ignore_case = true, value_name = "PLANE")]
     plane: Option<PlaneArg>,
-    /// The unit of a curve table or a mesh [default: mm]; a design says its own
+    /// The unit of a curve table or a mesh [default: mm]; a design states its own
     #[arg(long, value_name = "UNITS", ignore_case = true, value_parser = units_parser())]
     units: Option<Units>,
-    /// The material that it is made from, instead of what the design says: one of the design's own,
-    /// or of the catalogue, which docs/files.md lists
+    /// The material of the sheet, in place of the design's: one of the design's own materials, or
+    /// one of the catalogue, which docs/files.md lists
     #[arg(long, value_name = "NAME", value_parser = Name { known: material_values })]
     material: Option<String>,
     #[command(flatten)]
     vary: VaryArgs,
 }
 
-/// What may move so that panels bend better. Any of it makes all curves of a design that says
-/// nothing of `vary` move.
+/// Limits and goal of moving curves so that panels bend better. In a design without `vary`, any of
+/// these options lets all curves move.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Moving the boundary so that it bends better")]
 struct VaryArgs {
-    /// Move the curves as little as can be so that no warp angle is above this one
+    /// Move the curves as little as possible so that no warp angle is above this one, in degrees
     #[arg(long, value_name = "DEG", value_parser = warp_deg)]
     vary_warp: Option<f64>,
-    /// How far each sample may move: in mm, or with a unit (2mm, 1/8in)
+    /// The longest way that a sample may move: in mm, or with a unit (2mm, 1/8in)
     #[arg(long, value_name = "LENGTH", value_parser = distance_mm)]
     vary_limit: Option<f64>,
-    /// How far all samples together may move
+    /// The most that the ways of all samples may add up to
     #[arg(long, value_name = "LENGTH", value_parser = distance_mm)]
     vary_budget: Option<f64>,
 }
@@ -332,7 +332,7 @@ fn distance_mm(given: &str) -> Result<f64, String> {
 }
 
 impl SourceArgs {
-    /// Whether it is glTF, whose standard says metres, and nobody said which unit it is in.
+    /// Whether the input is glTF, whose standard says metres, and no unit is given.
     pub(crate) fn is_glb_without_units(&self) -> bool {
         let ending = self.input.extension().and_then(|e| e.to_str()).unwrap_or_default();
         let is_glb =
@@ -368,9 +368,9 @@ impl SourceArgs {
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum PlaneArg {
-    /// Over the best-fit plane, where the boundary projects onto it without crossing itself
+    /// Over the best-fit plane, if the boundary projects onto it without crossing itself
     Auto,
-    /// Anywhere in space: for sheets that wrap round or hang over
+    /// Free in space: for sheets that wrap round or hang over
     None,
 }
 
@@ -405,12 +405,12 @@ impl StdinFormat {
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum MethodArg {
-    /// All of them: the best there is
+    /// All triangulations: finds the best surface
     Optimal,
-    /// Those whose every triangle has an edge of the boundary, to compare with: mostly slower than
-    /// optimal
+    /// Triangulations in which every triangle has an edge of the boundary, for comparison: mostly
+    /// slower than optimal
     Bridge,
-    /// Those whose every rung joins the two rails; for panels with rails
+    /// Triangulations in which every rung joins the two rails, for panels with rails
     Rails,
 }
 
@@ -420,7 +420,7 @@ pub(crate) enum AimArg {
     Mean,
     /// The largest length error
     Max,
-    /// The error of the seams and the border, which stay exact
+    /// The length error of the seams and the border, which stay exact
     Seams,
 }
 
@@ -434,8 +434,8 @@ impl AimArg {
     }
 }
 
-/// Any name, while completions and help show the known ones: the refusal of an unknown one comes
-/// with the nearest known one, as everywhere.
+/// Any name; completions and help show the known ones. An unknown name is refused later, with the
+/// nearest known one, as everywhere.
 #[derive(Clone)]
 struct Name {
     /// The known ones.

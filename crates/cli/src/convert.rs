@@ -36,7 +36,7 @@ impl Target {
             "svg" => Ok(Self::Made(Format::Svg, ".svg")),
             "dxf" => Ok(Self::Made(Format::Dxf, ".dxf")),
             _ => Err(Failure::new(
-                "the name does not end in a format that is written",
+                "the ending of the name is no format that can be written",
                 "End it in .sheet.json, .csv, .obj, .step, .pdf, .html, .json, .svg or .dxf.",
             )
             .at(path.display().to_string())),
@@ -91,8 +91,8 @@ pub(crate) fn run(args: &ConvertArgs, voice: Voice) -> Result<bool, Failure> {
 }
 
 fn for_one_panel(ending: &str, out: &Path) -> Failure {
-    let message = format!("{ending} is for one panel, and there are several");
-    let hint = "`sheetwright make` writes one file a panel; .pdf takes all of them.";
+    let message = format!("{ending} holds one panel, and there are several");
+    let hint = "`sheetwright make` writes one file for each panel; .pdf holds all of them.";
     Failure::new(message, hint).at(out.display().to_string())
 }
 

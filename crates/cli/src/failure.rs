@@ -1,4 +1,4 @@
-//! Why a command can't do what was asked: what, where, and what to do.
+//! Why a command failed: the message, the place and the hint.
 
 use crate::remedies::with_options;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
@@ -9,7 +9,7 @@ use sheetwright_files::{InputError, Units, hint_in_design, length_in, remedy_for
 
 const HELP: &str = "`sheetwright --help` shows the commands with examples.";
 
-/// Why a command can't do what was asked.
+/// Why a command failed.
 #[derive(Debug)]
 pub(crate) struct Failure {
     /// What is wrong.
@@ -47,7 +47,7 @@ impl Failure {
         let words: Vec<&str> = block.split_whitespace().collect();
         let message = words.join(" ");
         let message = message.strip_prefix("error: ").unwrap_or(&message).to_owned();
-        // Nobody who mistypes an option wants to pass it as a value.
+        // A mistyped option is no value: leave out the tip on passing it as one.
         let tips: Vec<&str> = text
             .lines()
             .filter_map(|line| line.trim().strip_prefix("tip: "))
@@ -61,8 +61,7 @@ impl Failure {
     }
 }
 
-/// What to do about an argument too many: a unit that belongs to the number before it, or another
-/// input.
+/// The hint for an extra argument: a unit that belongs to the number before it, or a second input.
 fn too_many(error: &clap::Error) -> Option<String> {
     let Some(ContextValue::String(extra)) = error.get(ContextKind::InvalidArg) else { return None };
     if error.kind() != ErrorKind::UnknownArgument || extra.starts_with('-') {
@@ -74,7 +73,7 @@ fn too_many(error: &clap::Error) -> Option<String> {
     if let Some(number) = number
         && length_in(&format!("1 {extra}"), Units::Millimetres).is_some()
     {
-        let hint = format!("A value with a blank stands in quotation marks: '{number} {extra}'.");
+        let hint = format!("Put a value with a space in quotation marks: '{number} {extra}'.");
         return Some(hint);
     }
     let makes = args.iter().any(|arg| ["make", "check"].contains(&arg.as_str()));
@@ -94,10 +93,10 @@ impl From<WriteError> for Failure {
     }
 }
 
-/// How a shell makes all inputs of a pattern, each into a folder of its own.
+/// The loop of a shell that makes all inputs of a pattern, each into a folder of its own.
 pub(crate) fn for_all(pattern: &str, ending: &str) -> String {
     format!(
-        "For all, in a shell: for f in {pattern}; do sheetwright make \"$f\" --out \
+        "For all files, in a shell: for f in {pattern}; do sheetwright make \"$f\" --out \
          \"${{f%{ending}}}\"; done"
     )
 }

@@ -51,24 +51,24 @@ pub(crate) fn refuse_unmade(design: &Design, formats: &[Format]) -> Result<(), F
         Some(format) if !design.panels.is_empty() && design.panels.iter().all(is_mesh) => {
             Err(Failure::new(
                 format!("{} can't be made of a mesh, which has no rulings", format.name()),
-                "Leave it out, or give boundary curves instead.",
+                "Leave the format out, or give boundary curves instead.",
             ))
         }
         _ => Ok(()),
     }
 }
 
-/// Says what was given that makes no difference, and what was not and may.
+/// Notes an option that has no effect, and a unit that may be missing.
 pub(crate) fn note_options(design: &Design, source: &SourceArgs, mesh: &MeshArgs, voice: Voice) {
     if let (false, Some(given)) = (design.panels.iter().any(is_mesh), mesh.given()) {
         voice.note(&format!(
-            "note: the panels of a design unroll exactly, so {given} makes no difference"
+            "note: {given} has no effect: no panel is a mesh, and the others are laid flat exactly"
         ));
     }
     if source.is_glb_without_units() {
         voice.note(
-            "note: glTF files are in metres by their standard, and this one is read in millimetres; \
-             --units m changes that",
+            "note: the standard of glTF says metres, and this file is read in millimetres; \
+             --units m reads it in metres",
         );
     }
 }

@@ -14,7 +14,7 @@ use sheetwright_files::{
 use std::path::Path;
 use std::time::Instant;
 
-/// Writes the design, makes it, or says what there is; whether some finding is an error.
+/// Writes the design, makes it, or lists templates. Returns whether some finding is an error.
 pub(crate) fn run(args: &NewArgs, voice: Voice) -> Result<bool, Failure> {
     let name = args.template.as_deref();
     if args.list {
@@ -44,7 +44,7 @@ pub(crate) fn run(args: &NewArgs, voice: Voice) -> Result<bool, Failure> {
     Ok(false)
 }
 
-/// Why a template can't be made; with the way to all of them where it is none.
+/// Why a template can't be made; for an unknown name, also how to list all templates.
 fn refused(name: &str, error: InputError) -> Failure {
     let mut failure = Failure::from(error);
     if template(name).is_none() {
@@ -53,14 +53,14 @@ fn refused(name: &str, error: InputError) -> Failure {
     failure
 }
 
-/// Refuses settings that the shell took apart at a blank, so that a unit stands where a template
-/// should, or that were written as one: a comma stands between lengths.
+/// Refuses a unit in place of a template, which comes from a setting with a space that is not
+/// quoted, and several settings in one, separated by commas or semicolons.
 fn refuse_slips(name: &str, settings: &[String]) -> Result<(), Failure> {
     let Some(template) = template(name) else {
         return match Units::from_name(name) {
             Some(_) => Err(Failure::new(
                 format!("there is no template {}", shown(name)),
-                "A value with a blank stands in quotation marks: --set 'height=500 mm'.",
+                "Put a value with a space in quotation marks: --set 'height=500 mm'.",
             )),
             None => Ok(()),
         };
@@ -79,7 +79,7 @@ fn refuse_slips(name: &str, settings: &[String]) -> Result<(), Failure> {
         let each: Vec<String> = parts.iter().take(3).map(|part| format!("--set {part}")).collect();
         let rest = if parts.len() > 3 { " …" } else { "" };
         let message = format!("{} is several settings", shown(setting));
-        let hint = format!("Give each its own: {}{rest}.", each.join(" "));
+        let hint = format!("Write --set for each: {}{rest}.", each.join(" "));
         return Err(Failure::new(message, hint).at(template.name));
     }
     Ok(())
@@ -88,7 +88,7 @@ fn refuse_slips(name: &str, settings: &[String]) -> Result<(), Failure> {
 fn list(name: Option<&str>, voice: Voice) -> Result<(), Failure> {
     let one = name.and_then(template);
     match (one, name) {
-        // A name that is none is answered as it is where a design is wanted.
+        // An unknown name gives the error that it gives without --list.
         (None, Some(name)) => {
             design_from_template(name, &[]).map(|_| ()).map_err(|error| refused(name, error))
         }

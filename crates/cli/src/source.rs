@@ -22,15 +22,18 @@ pub(crate) fn design(args: &SourceArgs, mesh: &MeshArgs) -> Result<Design, Failu
             // Nothing at all is refused as any format is.
             let none = bytes.trim_ascii().is_empty().then_some(InputFormat::Table);
             let format = InputFormat::of_bytes(&bytes).or(none).ok_or_else(|| {
-                let message = "the content does not show which format it is in";
-                let hint = "Say so: add --from csv, json, obj, stl, ply or glb.";
+                let message = "the content does not show its format";
+                let hint = "Name the format: add --from csv, json, obj, stl, ply or glb.";
                 Failure::new(message, hint).at(STDIN)
             })?;
             Ok(read_bytes(format, &bytes, "-", None, &options)?)
         }
         (false, Some(_)) => {
             let message = "--from is for standard input";
-            Err(Failure::new(message, "Leave it out: a file's name ends in its format."))
+            Err(Failure::new(
+                message,
+                "Leave --from out: the ending of a file's name tells its format.",
+            ))
         }
         (false, None) if args.input.is_dir() => Err(folder(&args.input)),
         (false, None) => Ok(read_input(&args.input, &options)?),

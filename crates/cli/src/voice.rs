@@ -1,5 +1,5 @@
-//! What the command says: answers on standard output, everything else on standard error. Words come
-//! to a terminal, so they go out without what it would obey ([`visible`]); designs and pages as
+//! Output of the command: answers on standard output, everything else on standard error. Text for a
+//! terminal is written without control sequences ([`visible`]); designs and pages are written as
 //! they are.
 
 use crate::failure::Failure;
@@ -18,7 +18,7 @@ pub(crate) struct Voice {
 }
 
 impl Voice {
-    /// Says why the command can't do what was asked.
+    /// Writes why the command failed.
     pub(crate) fn fail(self, failure: &Failure) {
         let Failure { message, place, hint } = failure;
         say(&if self.json {
@@ -30,7 +30,7 @@ impl Voice {
         });
     }
 
-    /// Says something about the work, unless silence is asked for.
+    /// Writes a note about the work, unless the command is quiet or writes JSON.
     pub(crate) fn note(self, text: &str) {
         if !self.quiet && !self.json {
             say(&in_one_line(text));
@@ -38,7 +38,7 @@ impl Voice {
     }
 }
 
-/// A line of its own, whatever a path or a name in it has.
+/// The text as one line, even if a path or a name in it has a line break.
 fn in_one_line(text: &str) -> String {
     text.replace('\n', "\u{fffd}") + "\n"
 }
@@ -48,19 +48,18 @@ pub(crate) fn say(text: &str) {
     let _ = io::stderr().lock().write_all(visible(text).as_bytes());
 }
 
-/// Writes words or messages to standard output. A reader that has seen enough and left is no
-/// failure.
+/// Writes text to standard output. A reader that closes its end early is no failure.
 pub(crate) fn print(text: &str) -> Result<(), Failure> {
     print_as_it_is(visible(text).as_bytes())
 }
 
-/// Writes what is no message, such as a design, to standard output.
+/// Writes data, such as a design, to standard output, unchanged.
 pub(crate) fn print_as_it_is(bytes: &[u8]) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     match out.write_all(bytes).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::new(
             format!("standard output can't be written: {error}"),
-            "Check where it leads to.",
+            "Check where standard output leads to.",
         )),
         _ => Ok(()),
     }

@@ -340,7 +340,7 @@ impl Editor {
             return false;
         }
         self.refuse(format!(
-            "{what} would reach further out than {} km. Check the units, the mirror and the numbers.",
+            "{what} would lie farther out than {} km. Check the units, the mirror and the numbers.",
             FARTHEST_MM / 1e6
         ));
         true

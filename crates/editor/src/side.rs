@@ -66,7 +66,7 @@ fn selected_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>)
             let twist = decimal(at.warp_deg, 2);
             ui.label(format!("Twist {twist}° of {}°", shown.warp_limit_deg));
             if at.is_unsure && shown.verdict == Verdict::Undecided {
-                let text = "With so few samples this may be bending alone.";
+                let text = "The samples are too coarse to tell: this may be bending alone.";
                 ui.label(RichText::new(text).color(theme.faint));
             }
             ui.label(format!("Bend {}°", decimal(at.crease_deg, 2)));
@@ -204,8 +204,8 @@ fn panel_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
         let mut lies_over = to.plane != PlaneChoice::None;
         let label = "Lies over its plan like a roof";
         if ui.checkbox(&mut lies_over, label).on_hover_text(
-            "Rungs stay inside the outline as seen from its best plane. Without it, any two places \
-             of the edge may be joined.",
+            "On: seen square to the best-fit plane, the surface stays inside the outline. Off: the \
+             surface may wrap round or hang over.",
         ).changed() {
             to.plane = if lies_over { PlaneChoice::Auto } else { PlaneChoice::None };
         }
@@ -241,7 +241,7 @@ fn mesh_ui<'a>(ui: &mut Ui, field: &impl Fn(&'a str) -> Field<'a>, mesh: &mut Pa
         mesh.split_creases = Some(from_deg(deg));
     }
     ui.checkbox(&mut mesh.darts, "Cut to the worst points").on_hover_text(
-        "Where it would have to stretch more than the sheet takes, it is cut from its border.",
+        "Where the mesh would stretch by more than the limit of the sheet, cut it from its border.",
     );
 }
 

@@ -172,7 +172,7 @@ fn made_ui(
     ui.label(RichText::new(size).color(theme.faint));
     if let Some(worst) = shown.worst_rung() {
         let twist = format!(
-            "Largest twist {:.1}°, the sheet takes {}°",
+            "Largest twist {:.1}°, limit {}°",
             shown.rungs[worst].warp_deg, shown.warp_limit_deg
         );
         let hint = twist_hint(&shown.rungs[worst], shown.warp_max_deg);
@@ -219,7 +219,7 @@ fn twist_hint(worst: &ShownRung, largest_deg: f64) -> String {
         "Show where it is.".into()
     } else {
         format!(
-            "Show where it is. The {largest}° that the report has may come from samples that are far \
+            "Show where it is. The report has {largest}°, which may come from samples that are far \
              apart."
         )
     }
@@ -287,9 +287,7 @@ mod tests {
             normals: Default::default(),
         };
         assert_eq!(twist_hint(&rung(9.07, false), 9.07), "Show where it is.");
-        assert!(
-            twist_hint(&rung(0.32, false), 0.8526).contains("The 0.9° that the report has may")
-        );
+        assert!(twist_hint(&rung(0.32, false), 0.8526).contains("The report has 0.9°, which may"));
         assert!(twist_hint(&rung(15.0, true), 15.0).contains("It may come from samples"));
     }
 }

@@ -276,7 +276,7 @@ fn what_no_file_could_hold_is_refused() {
         editor.carry_out(Act::Rest);
         let notice = editor.notice.as_ref().unwrap();
         assert!(notice.is_refusal, "{what}: {}", notice.text);
-        let says = format!("{what} would reach further out than 100 km.");
+        let says = format!("{what} would lie farther out than 100 km.");
         assert!(notice.text.starts_with(&says), "{}", notice.text);
         assert_eq!(editor.document(), &before);
         assert_eq!(Document::read("a.sheet.json", &editor.bytes()).as_ref(), Ok(&before));

@@ -255,7 +255,7 @@ fn what_was_dropped_is_recently_closed_and_comes_back_with_its_file() {
     for n in 0..2 {
         let mut hands = Hands::new(SIZE, false);
         kept_in(&mut hands, folder.path());
-        assert!(!hands.sees("Not saved when it ended"), "{n}");
+        assert!(!hands.sees("Not saved when the editor ended"), "{n}");
         hands.harness.get_by_label_contains(" ago").click();
         hands.step();
         hands.step();
@@ -312,7 +312,7 @@ fn a_recovered_design_keeps_its_file_and_is_asked_about() {
     drop(hands);
     let mut hands = Hands::new(SIZE, false);
     kept_in(&mut hands, folder.path());
-    assert!(hands.sees("Not saved when it ended"));
+    assert!(hands.sees("Not saved when the editor ended"));
     hands.harness.get_by_label_contains(" ago").click();
     hands.step();
     hands.step();
@@ -351,7 +351,7 @@ fn unsaved_work_waits_for_a_recovered_design_too() {
     assert!(asks(&mut hands));
     hands.click("Cancel");
     assert_eq!(document(&hands), drawn);
-    assert!(hands.sees("Not saved when it ended"), "it is still offered");
+    assert!(hands.sees("Not saved when the editor ended"), "it is still offered");
     hands.click(&format!("Back to {}", drawn.design.name));
     assert_eq!(hands.app().editor().page, Page::Panes);
 }
@@ -383,7 +383,7 @@ fn a_window_with_unsaved_work_asks_before_it_closes() {
     drop(hands);
     let mut hands = Hands::new(SIZE, false);
     kept_in(&mut hands, folder.path());
-    assert!(!hands.sees("Not saved when it ended"));
+    assert!(!hands.sees("Not saved when the editor ended"));
     hands.harness.get_by_label_contains(" ago").click();
     hands.step();
     hands.step();
@@ -421,5 +421,5 @@ fn a_long_name_leaves_the_button_that_forgets_it_in_sight() {
     let button = hands.harness.get_by_label("×").rect();
     assert!(button.min.x > 0.0 && button.max.x <= 230.0, "{button}");
     hands.click("×");
-    assert!(!hands.sees("Not saved when it ended"));
+    assert!(!hands.sees("Not saved when the editor ended"));
 }

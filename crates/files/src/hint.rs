@@ -1,4 +1,4 @@
-//! What to do about a design that can't be made: one sentence for each cause.
+//! Hints for designs that can't be made: what to do about each cause.
 
 use sheetwright::boundary::{BoundaryError, JoinCause, PlaneError};
 use sheetwright::check::Remedy;
@@ -14,7 +14,7 @@ use sheetwright::triangulate::TriangulateError;
 
 const FAULT: &str = "This is a fault of the program: please report it with the input.";
 
-/// What a person can do about the error.
+/// What to do about the error: one sentence or more.
 pub fn hint_for(error: &MakeError) -> String {
     match &error.cause {
         MakeCause::NoPanels => {
@@ -26,15 +26,15 @@ pub fn hint_for(error: &MakeError) -> String {
         MakeCause::Vary(cause) => varying(cause).to_owned(),
         MakeCause::Mesh { error, .. } => mesh(*error).to_owned(),
         MakeCause::Pieces { .. } => {
-            "Its triangles do not share corners, as after an export without welding: merge its \
-             points by distance in the program that it is from, or export STL."
+            "Its triangles do not share corners, as after an export without welding. Merge its \
+             points by distance in the program that exported it, or export it as STL."
                 .to_owned()
         }
         MakeCause::Relax(error) => relaxing(*error).to_owned(),
     }
 }
 
-/// About a panel that can't be triangulated; `of` is the curve, where it is one.
+/// What to do about a panel that can't be triangulated; `of` is the curve at fault, if one is.
 fn panel(cause: &PanelCause, of: Option<&str>) -> String {
     match cause {
         PanelCause::UnknownCurve => "Check the names of the curves.".to_owned(),
@@ -49,26 +49,25 @@ fn panel(cause: &PanelCause, of: Option<&str>) -> String {
                 .to_owned()
         }
         PanelCause::NotChained { next, .. } => format!(
-            "Give both curves the same end point, or put '-' before '{next}' or this one to run it \
-             the other way."
+            "Give both curves the same end point, or put '-' before the name of '{next}' or of \
+             this curve to reverse it."
         ),
         PanelCause::SameRails => "Name two different curves.".to_owned(),
         PanelCause::RunOn => {
             "Leave `run_on` out, or name two open curves as the rails of the panel.".to_owned()
         }
         PanelCause::NoRails => {
-            "Give the panel two rails, or take the method optimal or bridge.".to_owned()
+            "Give the panel two rails, or set the method to optimal or bridge.".to_owned()
         }
         PanelCause::UnknownPanel { .. } => "Check the names of the panels.".to_owned(),
         PanelCause::NoCurves { .. } => {
-            "Join panels that are bounded by curves; meshes are joined in the program that they \
-             are from."
+            "Join panels that are bounded by curves. Join meshes in the program that exported them."
                 .to_owned()
         }
-        PanelCause::JoinOfJoins { .. } => "Name the panels that it is made of.".to_owned(),
+        PanelCause::JoinOfJoins { .. } => "Name the panels that it joins.".to_owned(),
         PanelCause::Join { cause, .. } => join(cause).to_owned(),
         PanelCause::Sampling(SampleError::TooFew { needed, .. }) => {
-            format!("Ask for {needed} samples or more; a few hundred show most panels well.")
+            format!("Use {needed} samples or more; a few hundred are enough for most panels.")
         }
         PanelCause::Boundary(error) => boundary(error).to_owned(),
         PanelCause::Plane(error) => plane(error).to_owned(),
@@ -76,8 +75,8 @@ fn panel(cause: &PanelCause, of: Option<&str>) -> String {
     }
 }
 
-/// [`hint_for`], and of a panel that has many holes how to make its curves panels instead: people
-/// expect of a table of many curves that each becomes one.
+/// [`hint_for`]; for a panel that has holes, also how to make a panel of each of its curves, since
+/// users expect that of a table with many curves.
 pub fn hint_in_design(error: &MakeError, design: &Design) -> String {
     let hint = hint_for(error);
     let holes = design.panels.iter().find(|panel| panel.name == error.panel).map(|panel| {
@@ -94,15 +93,15 @@ pub fn hint_in_design(error: &MakeError, design: &Design) -> String {
     match holes {
         Some(count) if count > 0 && is_of_holes => format!(
             "This is one panel with {count} {}: its first curve is the outline, all others are \
-             holes. To make a panel each, list them in a design: \"panels\": [{{ \"name\": \"a\", \
-             \"boundary\": [\"a\"] }}, …]. Else: {hint}",
+             holes. To make a panel of each curve, list the panels in a design: \"panels\": \
+             [{{ \"name\": \"a\", \"boundary\": [\"a\"] }}, …]. Otherwise: {hint}",
             if count == 1 { "hole" } else { "holes" }
         ),
         _ => hint,
     }
 }
 
-/// What may be set about the error, beside what [`hint_for`] says.
+/// The option that helps against the error, beside the advice of [`hint_for`].
 pub fn remedy_for(error: &MakeError) -> Option<Remedy> {
     match &error.cause {
         MakeCause::Mesh { error: MeshError::TooSmall, .. } => Some(Remedy::Units),
@@ -116,15 +115,15 @@ fn mesh(error: MeshError) -> &'static str {
     match error {
         MeshError::Empty => "Export the surface as a mesh of triangles or polygons.",
         MeshError::NotManifold { .. } => {
-            "A sheet has one side or two along every line: take out what is inside, or make what \
-             branches a group of its own."
+            "In a sheet, one or two triangles share a side. Remove inner walls, or make each \
+             branch a group of its own."
         }
         MeshError::NotOrientable { .. } => {
             "Cut it through once, so that it has a front and a back, and export it again."
         }
-        MeshError::TooSmall => "Check the units that the coordinates of the file are in.",
+        MeshError::TooSmall => "Check the units of the coordinates in the file.",
         MeshError::Degenerate { .. } => {
-            "Take the triangle out, or merge its points by distance, in the program that it is from."
+            "Remove the triangle, or merge its points by distance, in the program that exported it."
         }
         MeshError::TooMany { .. } => MORE_COARSELY,
         _ => FAULT,
@@ -132,40 +131,39 @@ fn mesh(error: MeshError) -> &'static str {
 }
 
 const MORE_COARSELY: &str =
-    "Export it more coarsely: some ten thousand triangles show most shapes well.";
+    "Export it with fewer triangles; ten thousand are enough for most shapes.";
 
 fn relaxing(error: RelaxError) -> &'static str {
     match error {
         RelaxError::Stopped => "Start it again to finish it.",
         RelaxError::TooLarge => MORE_COARSELY,
-        _ => "Divide it into simpler panels in the program that it is from.",
+        _ => "Divide it into simpler panels in the program that exported it.",
     }
 }
 
 fn varying(cause: &VaryCause) -> &'static str {
     match cause {
         VaryCause::Joined => {
-            "Vary the panels before they are joined, in a design of their own, and join what comes \
-             out; or name other `curves` to move."
+            "Vary the panels in a design without the join, and join the moved panels; or name \
+             other `curves` to move."
         }
-        VaryCause::RunsOn => {
-            "Leave `run_on` out, or name `curves` to move that bound other panels."
-        }
+        VaryCause::RunsOn => "Leave `run_on` out, or name `curves` that bound other panels.",
         VaryCause::UnknownPanel { .. } => {
-            "Name panels that are made: not those that a join takes the place of."
+            "Name panels that are made. Those that a join replaces are not made."
         }
         VaryCause::NoCurves => "Name panels that are bounded by curves, or leave `vary` out.",
         VaryCause::BoundsNothing => {
-            "Leave it out of `vary`, or name a panel that it bounds among its `panels`."
+            "Leave the curve out of `vary`, or add a panel that it bounds to the `panels` of \
+             `vary`."
         }
         VaryCause::MovedTwice => {
-            "Write one `vary` for the whole design, beside `panels`, or name the `curves` that each \
-             may move."
+            "Write one `vary` for the whole design, beside `panels`, or name the `curves` that \
+             each panel may move."
         }
         VaryCause::TooManyPoints { .. } => {
             "Name the `curves` that may move, or draw them with fewer points."
         }
-        VaryCause::Failed(_) => "Let the boundary move less far, or change it where it is said.",
+        VaryCause::Failed(_) => "Set a smaller limit, or change the boundary at the place named.",
     }
 }
 
@@ -186,13 +184,13 @@ fn curve(error: &CurveError) -> &'static str {
 fn boundary(error: &BoundaryError) -> &'static str {
     match error {
         BoundaryError::TooFewSamples { .. } => {
-            "A panel has three corners or more: add points, or ask for more samples."
+            "A panel has three corners or more: add points, or use more samples."
         }
-        BoundaryError::TooManySamples { .. } => "Ask for fewer samples.",
+        BoundaryError::TooManySamples { .. } => "Use fewer samples.",
         BoundaryError::OutOfRange { .. } => {
             "Lengths are finite numbers within ±1e9 mm: check the units and the numbers."
         }
-        BoundaryError::TooSmall => "Check the units: all points lie on one spot, or nearly.",
+        BoundaryError::TooSmall => "Check the units: all points lie in one place, or nearly.",
         BoundaryError::Repeated { .. } => {
             "A loop passes each place once: remove the repeated point, or divide the panel where \
              the loop meets itself."
@@ -201,12 +199,8 @@ fn boundary(error: &BoundaryError) -> &'static str {
             "Leave a gap between the two ends of the band and join them after cutting, or take out \
              the half turn."
         }
-        BoundaryError::OnOneLine { .. } => {
-            "A panel needs area: check that the points do not all lie in a row."
-        }
-        BoundaryError::BoundsNothing { .. } => {
-            "A loop goes round something: name curves that enclose the panel."
-        }
+        BoundaryError::OnOneLine { .. } => "A panel needs area: move a point off the line.",
+        BoundaryError::BoundsNothing { .. } => "Name curves that enclose an area.",
         BoundaryError::Crossing { .. } => {
             "Order the points along the boundary, or divide the panel where it crosses itself."
         }
@@ -217,23 +211,23 @@ fn join(cause: &JoinCause) -> &'static str {
     match cause {
         JoinCause::TooFew => "Name two panels or more.",
         JoinCause::TooLarge { .. } => {
-            "Ask for fewer samples, or leave points out; a few hundred show most panels well."
+            "Use fewer samples, or remove points; a few hundred are enough for most panels."
         }
-        JoinCause::Within => "Ask for a distance above 0, or for a share above 0 and up to 0.5.",
+        JoinCause::Within => "Set a distance above 0, or a share above 0 and up to 0.5.",
         JoinCause::Apart => {
-            "Panels are joined along curves that both have: name the same curve in both, or give \
+            "Panels are joined along curves that they share: name the same curve in both, or give \
              their curves the same points."
         }
         JoinCause::LooseSamples { .. } => {
-            "Let both run along the same curve where they meet: two curves that only pass through \
-             the same points differ between them."
+            "Use the same curve in both panels where they meet: two curves through the same points \
+             differ between those points."
         }
-        JoinCause::ManySheets => "Join two panels along an edge, and make the third by itself.",
+        JoinCause::ManySheets => "Join two panels along an edge, and make the third separately.",
         JoinCause::OneSided => {
-            "Leave one of them out: a band that closes with half a turn has no side to face."
+            "Leave one panel out: a band that closes with half a turn has one side only."
         }
-        JoinCause::Handle | JoinCause::Closed => "Leave one of them out and make it by itself.",
-        JoinCause::NoRoom => "Ask for more samples.",
+        JoinCause::Handle | JoinCause::Closed => "Leave one panel out and make it separately.",
+        JoinCause::NoRoom => "Use more samples.",
         JoinCause::Boundary(error) => boundary(error),
     }
 }
@@ -245,7 +239,7 @@ fn plane(error: &PlaneError) -> &'static str {
             "Move the hole inside the outline, or write \"plane\": \"none\" for a tube."
         }
         PlaneError::Crossing { .. } => {
-            "Choose a normal along which the boundary is seen as a simple loop, or \"auto\" or \
+            "Choose a normal along which the boundary is seen without crossings, or \"auto\" or \
              \"none\"."
         }
     }
@@ -254,17 +248,18 @@ fn plane(error: &PlaneError) -> &'static str {
 fn triangulation(error: &TriangulateError) -> &'static str {
     match error {
         TriangulateError::Holes { .. } => {
-            "Take the method optimal. If the curves are two open edges, name them as the rails of \
-             a panel in a design."
+            "Set the method to optimal. If the curves are two open edges, name them as the rails \
+             of a panel in a design."
         }
         TriangulateError::GoalWithHoles { .. } => "Leave `goal` out, or fill the holes.",
         TriangulateError::TooLarge { .. } => {
-            "Ask for fewer samples; for a panel of two rails, the method rails needs far less."
+            "Use fewer samples; for a panel of two rails, the method rails needs far less memory."
         }
-        TriangulateError::Fold => "Ask for a fold price of 0 (twist alone) to 10.",
-        TriangulateError::Rails => "Ask for more samples.",
+        TriangulateError::Fold => "Set a fold price from 0 (twist alone) to 10.",
+        TriangulateError::Rails => "Use more samples.",
         TriangulateError::NoneInside => {
-            "Take the method optimal, or another plane (\"none\" admits every triangulation)."
+            "Set the method to optimal, or choose another plane (\"none\" admits every \
+             triangulation)."
         }
         TriangulateError::Stopped => "Start it again to finish it.",
     }
@@ -282,7 +277,7 @@ fn flat(error: &FlattenError) -> &'static str {
     match error {
         FlattenError::Cycle | FlattenError::Pieces => FAULT,
         FlattenError::NoTriangle { .. } => {
-            "Three samples lie on one line or spot there: move the boundary apart, or change the \
+            "Three samples lie on one line or in one place there. Move the boundary, or change the \
              number of samples."
         }
         FlattenError::Stopped => "Start it again to finish it.",

@@ -1,4 +1,4 @@
-//! Whatever the main job takes, from a file or from standard input.
+//! Inputs of every format, from a file or from bytes: designs, curve tables and meshes.
 
 use crate::meant::material_meant;
 use crate::mesh::MeshFormat;
@@ -14,7 +14,7 @@ use sheetwright::design::{Design, LEAST_EFFORT, MOST_EFFORT};
 use sheetwright::material::Material;
 use std::path::Path;
 
-/// Formats that the main job takes.
+/// The format of an input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InputFormat {
     /// A design, `*.sheet.json` or `*.json`.
@@ -29,14 +29,14 @@ impl InputFormat {
     /// The format of a file, by the ending of its name.
     ///
     /// # Errors
-    /// An ending that is not taken.
+    /// An ending of no known format.
     pub fn of(path: &Path) -> Result<Self, InputError> {
         let name = path.display().to_string();
         let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("").to_lowercase();
         match ending.as_str() {
             "csv" => Ok(Self::Table),
             "json" => Ok(Self::Design),
-            "" => Err(InputError::at(name, "the name has no ending to tell the format by", TAKEN)),
+            "" => Err(InputError::at(name, "the name has no ending that tells the format", TAKEN)),
             other if let Some(format) = MeshFormat::of_ending(other) => Ok(Self::Mesh(format)),
             _ => {
                 let message = format!("the ending {} is not known", shown(&format!(".{ending}")));
@@ -47,7 +47,7 @@ impl InputFormat {
 }
 
 impl InputFormat {
-    /// The format that some bytes are in, by how they begin; `None` where that does not show.
+    /// The format of some bytes, told from their beginning; `None` where it shows no format.
     pub fn of_bytes(bytes: &[u8]) -> Option<Self> {
         if bytes.starts_with(b"glTF") {
             return Some(Self::Mesh(MeshFormat::Glb));
@@ -81,7 +81,7 @@ impl InputFormat {
 /// The beginning of an input, in which its format shows, bytes: comments of some programs are long.
 const SHOWS: usize = 1 << 16;
 
-/// Whether these are as many bytes as a binary STL says that it has.
+/// Whether the number of bytes is the one that a binary STL states.
 fn is_binary_stl(bytes: &[u8]) -> bool {
     const HEADER: usize = 80;
     const TRIANGLE: usize = 50;
@@ -95,10 +95,9 @@ fn is_binary_stl(bytes: &[u8]) -> bool {
 /// The design in a file: curves, or a mesh, a panel a group.
 ///
 /// # Errors
-/// A file that can't be read, or that is no design, no curve table and no mesh that this version
-/// takes.
+/// A file that can't be read, or that is no design, curve table or mesh that this version reads.
 pub fn read_input(path: &Path, options: &ReadOptions) -> Result<Design, InputError> {
-    // A folder is named as such whatever its name ends in.
+    // Before the ending is looked at: a folder may have any.
     refuse_folder(path)?;
     let format = InputFormat::of(path)?;
     let bytes = read_whole(path)?;
@@ -110,12 +109,12 @@ pub fn read_input(path: &Path, options: &ReadOptions) -> Result<Design, InputErr
     read_bytes(format, &bytes, &path.display().to_string(), Some(folder), options)
 }
 
-/// The design in some bytes. `name` is the name of the file they are from, or `-`; it is used in
-/// messages, and its stem for what has no name of its own. Tables and meshes that a design refers
-/// to lie in `folder`; without one it can't refer to any.
+/// The design in some bytes. `name` is the name of their file, or `-` for standard input: messages
+/// show it, and its stem names what has no other name. Tables and meshes that a design refers to
+/// lie in `folder`; without a folder, a design can't refer to any.
 ///
 /// # Errors
-/// Bytes that are no design, curve table or mesh that this version takes, or options out of range.
+/// Bytes that are no design, curve table or mesh that this version reads, or options out of range.
 pub fn read_bytes(
     format: InputFormat,
     bytes: &[u8],
@@ -136,7 +135,7 @@ pub fn read_bytes(
     Ok(design)
 }
 
-/// The material that the caller asks for, of a design with these of its own.
+/// The material that the caller sets, from the design's `own` materials or the catalogue.
 fn material_asked_for(
     options: &ReadOptions,
     own: &[Material],
@@ -154,22 +153,22 @@ fn check_options(format: InputFormat, options: &ReadOptions) -> Result<(), Input
         && samples > MAX_SAMPLES
     {
         return refused(
-            format!("{samples} samples were asked for"),
-            "1000000 are the most; a few hundred show most panels well.",
+            format!("the number of samples is {samples}; the limit is {MAX_SAMPLES}"),
+            "Use fewer samples; a few hundred are enough for most panels.",
         );
     }
     if let Some(fold) = options.fold
         && !(0.0..=MAX_FOLD).contains(&fold)
     {
         return refused(
-            format!("a fold price of {fold} was asked for"),
-            "Ask for 0 (twist alone) to 10.",
+            format!("the fold price is {fold}"),
+            "Set a fold price from 0 (twist alone) to 10.",
         );
     }
     if let Some(effort) = options.effort
         && !(LEAST_EFFORT..=MOST_EFFORT).contains(&effort)
     {
-        return refused(format!("an effort of {effort} was asked for"), EFFORTS);
+        return refused(format!("the effort is {effort}"), EFFORTS);
     }
     if let InputFormat::Mesh(_) = format {
         let ReadOptions { samples, fold, effort, method, plane, vary, .. } = options;
@@ -179,19 +178,19 @@ fn check_options(format: InputFormat, options: &ReadOptions) -> Result<(), Input
             ("an effort", effort.is_some()),
             ("a method", method.is_some()),
             ("a plane", plane.is_some()),
-            ("what may move", *vary != VarySettings::default()),
+            ("moving", *vary != VarySettings::default()),
         ];
         if let Some((what, _)) = given.into_iter().find(|(_, given)| *given) {
             return refused(
-                format!("{what} can't be given for a mesh, which is flattened as it stands"),
-                "Leave it out, or give boundary curves instead.",
+                format!("{what} can't be set for a mesh, which is flattened as it is"),
+                "Leave the setting out, or give boundary curves instead.",
             );
         }
     }
     if format == InputFormat::Design && options.units.is_some() {
         return refused(
-            "units were given for a design, which says its own".to_owned(),
-            "Leave the units to the design's field `units`.",
+            "units can't be set for a design, which states its own".to_owned(),
+            "Change the design's field `units` instead.",
         );
     }
     Ok(())

@@ -7,6 +7,9 @@ use std::collections::BTreeSet;
 use std::fmt;
 use std::marker::PhantomData;
 
+/// The end of the message about a name that an object has twice.
+pub(crate) const TWICE: &str = "is written twice";
+
 /// A value that is written as an object. What serde derives would take a list of the fields, too.
 #[derive(Debug)]
 pub(crate) struct Object<T>(pub(crate) T);
@@ -63,7 +66,7 @@ impl<'de, T: Deserialize<'de> + Called> Deserialize<'de> for Named<T> {
                 while let Some(name) = map.next_key::<String>()? {
                     if !names.insert(name.clone()) {
                         let shown = crate::names::shown(&name);
-                        let text = format!("the {} {shown} stands there twice", T::CALLED);
+                        let text = format!("the {} {shown} {TWICE}", T::CALLED);
                         return Err(de::Error::custom(text));
                     }
                     let Object(thing) = map.next_value()?;

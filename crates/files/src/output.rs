@@ -41,15 +41,15 @@ impl Format {
     /// Every format, in the order in which files are written.
     pub const ALL: [Self; 7] =
         [Self::Obj, Self::Svg, Self::Dxf, Self::Pdf, Self::Quads, Self::Step, Self::Report];
-    /// Those that are written unless somebody asks for others.
+    /// The formats that are written by default.
     pub const DEFAULT: [Self; 5] = [Self::Obj, Self::Svg, Self::Dxf, Self::Pdf, Self::Report];
 
-    /// Whether it is written of panels with rulings only, and so of no mesh.
+    /// Whether the format needs rulings, which meshes do not have.
     pub const fn needs_rulings(self) -> bool {
         matches!(self, Self::Quads | Self::Step)
     }
 
-    /// How people ask for it.
+    /// Its name in commands and designs.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Obj => "obj",
@@ -71,13 +71,13 @@ impl Format {
 /// How the files of a design are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct OutputOptions {
-    /// How patterns come to paper.
+    /// How patterns are laid out on paper.
     pub pdf: PdfOptions,
     /// How much `report.html` shows. Default: all of up to 100 panels, a table of more.
     pub report: ReportForm,
 }
 
-/// Everything but paper as it is by default.
+/// The default options with this paper.
 impl From<&PdfOptions> for OutputOptions {
     fn from(pdf: &PdfOptions) -> Self {
         Self { pdf: *pdf, ..Self::default() }
@@ -106,7 +106,7 @@ pub struct Outputs {
     pub refold_error_mm: Vec<f64>,
 }
 
-/// Why no files can be made of a design.
+/// Why the files of a design can't be made.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum OutputError {
     /// The name of a panel can't be the name of a file.
@@ -114,10 +114,9 @@ pub enum OutputError {
         /// The panel.
         panel: String,
     },
-    /// Two panels would write the same file, on a disk that does not tell capitals from small
-    /// letters.
+    /// Two panels would write one file, on a disk that does not tell upper from lower case.
     SameName {
-        /// The panel that comes first.
+        /// The first panel.
         panel: String,
         /// The other.
         other: String,
@@ -132,7 +131,9 @@ pub enum OutputError {
 impl fmt::Display for OutputError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::BadName { panel } => write!(f, "panel '{panel}': no file can have this name"),
+            Self::BadName { panel } => {
+                write!(f, "panel '{panel}': the name can't be the name of a file")
+            }
             Self::SameName { panel, other } => {
                 write!(f, "panels '{panel}' and '{other}' would write the same file")
             }
@@ -149,13 +150,12 @@ impl From<serde_json::Error> for OutputError {
     }
 }
 
-/// Makes the files of the formats that are asked for, in memory. Whatever is asked for, the
-/// pattern of every part is written, read back and compared with what it is; and where curves were
-/// moved, they are written as a table, with a design that makes the same from it. Formats that
-/// need rulings have the parts that have them.
+/// Makes the files of these formats, in memory. For any formats, the pattern of every part is
+/// written, read back and compared with the pattern in memory, and moved curves are written as a
+/// table, with a design that reads them from it. Formats that need rulings leave meshes out.
 ///
 /// # Errors
-/// Panels whose names make no files. A pattern that is not what it was is a finding.
+/// Panels whose names can't be names of files. A written pattern that differs is a finding.
 pub fn output_files(
     made: &Made,
     formats: &[Format],
@@ -223,7 +223,7 @@ fn file(name: impl Into<String>, bytes: Vec<u8>) -> OutputFile {
     OutputFile { name: name.into(), bytes }
 }
 
-/// The files of patterns, whatever they are patterns of.
+/// The files of the patterns of all parts.
 struct Patterns {
     svg: Vec<OutputFile>,
     dxf: Vec<OutputFile>,
@@ -244,7 +244,7 @@ impl Patterns {
         }
     }
 
-    /// The SVG and the DXF of a piece, where they were asked for.
+    /// The SVG and the DXF of a piece, where they are among the formats.
     fn of(&self, n: usize) -> (Option<&[u8]>, Option<&[u8]>) {
         fn bytes_of(files: &[OutputFile], n: usize) -> Option<&[u8]> {
             files.get(n).map(|file| &file.bytes[..])
@@ -279,7 +279,7 @@ fn not_refolded(error: &RefoldFileError) -> Finding {
 /// The curves as they were moved, beside the design that takes its points from there.
 const MOVED_TABLE: &str = "moved.csv";
 
-/// Readers of designs check names with a hint each; this is the last door before the disk.
+// Readers of designs refuse such names already; designs built by a program come here unchecked.
 fn check_names<'a>(names: impl Iterator<Item = &'a str>) -> Result<(), OutputError> {
     let mut seen: BTreeMap<String, &str> = BTreeMap::new();
     for name in names {

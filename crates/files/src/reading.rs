@@ -1,5 +1,5 @@
-//! What every reader needs: errors with a place and a hint, what the caller sets, and bytes and
-//! text within bounds.
+//! What every reader needs: errors with a place and a hint, the settings of the caller, and bytes
+//! and text within limits.
 
 use crate::units::Units;
 use sheetwright::boundary::PlaneChoice;
@@ -15,9 +15,9 @@ use std::path::Path;
 /// A file has this many bytes at the most: more than a million rows of 250 characters.
 pub const MAX_INPUT_BYTES: u64 = 256 << 20;
 
-/// What every unknown ending is answered with.
-pub(crate) const TAKEN: &str = "A design (.sheet.json or .json), a curve table (.csv) or a mesh (.obj, .stl, .ply or .glb) is \
-     taken.";
+/// The hint for an unknown ending.
+pub(crate) const TAKEN: &str = "Give a design (.sheet.json or .json), a curve table (.csv) or a \
+     mesh (.obj, .stl, .ply or .glb).";
 
 /// Why an input can't be read, where, and what to do.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -53,7 +53,7 @@ impl fmt::Display for InputError {
 
 impl std::error::Error for InputError {}
 
-/// What may move, as the caller sets it: of every field, as the design says where it is none.
+/// What may move, as the caller sets it; a field that is `None` leaves the value of the design.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct VarySettings {
     /// How far each sample may move, mm.
@@ -65,7 +65,8 @@ pub struct VarySettings {
 }
 
 impl VarySettings {
-    /// What may move of a design that says this; everything of one that says nothing.
+    /// The `vary` of a design with these settings in place of its values; of a design without
+    /// `vary`, one that moves all curves.
     pub(crate) fn applied(&self, mut vary: Vec<Vary>) -> Vec<Vary> {
         if *self == Self::default() {
             return vary;
@@ -84,20 +85,20 @@ impl VarySettings {
     }
 }
 
-/// How the caller wants meshes to be laid flat, instead of as their panels say.
+/// How meshes are laid flat, in place of what their panels say.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MeshSettings {
-    /// What flattening makes small where it can't be exact.
+    /// What flattening minimises where it can't be exact.
     pub aim: Option<Aim>,
     /// Meshes are divided into parts along creases above this angle, radians.
     pub split_creases: Option<f64>,
-    /// Whether parts that would have to stretch too much are cut to their worst points: `true`
-    /// cuts, `false` leaves it to the panel.
+    /// Whether parts that would stretch too much are cut from their border to the points of the
+    /// largest stretch: `true` cuts, `false` leaves it to the panel.
     pub darts: bool,
 }
 
 impl MeshSettings {
-    /// The mesh as the caller wants it.
+    /// The mesh with these settings in place of its own.
     pub(crate) fn applied(&self, mesh: PanelMesh) -> PanelMesh {
         PanelMesh {
             aim: self.aim.unwrap_or(mesh.aim),
@@ -108,9 +109,9 @@ impl MeshSettings {
     }
 }
 
-/// Which efforts may be asked for.
+/// The range of efforts.
 pub(crate) const EFFORTS: &str =
-    "Ask for 0.001 to 1000 times the default; 1 is up to 5 seconds a panel.";
+    "Set an effort from 0.001 to 1000; 1 is the default, up to 5 seconds for each panel.";
 
 /// What the caller sets instead of the file.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -120,15 +121,15 @@ pub struct ReadOptions {
     pub samples: Option<usize>,
     /// The weight ν of the fold price, 0 ..= 10. Default: as the design says.
     pub fold: Option<f64>,
-    /// How much work the search may do where there are holes, as a multiple of the default.
+    /// The limit on the work of the search in panels with holes, as a multiple of the default.
     pub effort: Option<f64>,
-    /// Which triangulations are looked at. Default: as the design says.
+    /// Which triangulations are searched. Default: as the design says.
     pub method: Option<PanelMethod>,
     /// The supporting plane of every panel. Default: as the design says, or `auto`.
     pub plane: Option<PlaneChoice>,
-    /// The unit of a curve table or a mesh. Default: millimetres. A design says its own.
+    /// The unit of a curve table or a mesh. Default: millimetres. A design states its own.
     pub units: Option<Units>,
-    /// The name of the material that it is made from, one of the design's own or of the catalogue.
+    /// The name of the material of the sheet, one of the design's own or of the catalogue.
     /// Default: as the design says; none for tables and meshes.
     pub material: Option<String>,
     /// What may move. Default: as the design says.
@@ -201,7 +202,7 @@ fn too_large(place: &str) -> InputError {
     InputError::at(
         place,
         "the input is larger than 256 MiB",
-        "A boundary needs a few thousand points at the most; leave out what lies between.",
+        "Remove points: a few thousand are enough for a boundary.",
     )
 }
 
@@ -227,7 +228,7 @@ pub(crate) fn text_of<'a>(bytes: &'a [u8], name: &str) -> Result<&'a str, InputE
         return Err(InputError::at(place, "the text is encoded as UTF-16", hint));
     }
     if bytes.contains(&0) {
-        return Err(InputError::at(place, "this is no text but binary data", TAKEN));
+        return Err(InputError::at(place, "this is binary data, not text", TAKEN));
     }
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let text = std::str::from_utf8(bytes).map_err(|error| {

@@ -33,7 +33,10 @@ impl fmt::Display for RefoldFileError {
         match self {
             Self::Read(error) => write!(f, "the written pattern can't be read: {error}"),
             Self::Lines => {
-                write!(f, "the written pattern has another outline or other holes than the panel")
+                write!(
+                    f,
+                    "the outline or the holes of the written pattern differ from those of the panel"
+                )
             }
             Self::Moved { by_mm } => {
                 write!(f, "the written pattern has a point that is {by_mm:.6} mm off")

@@ -22,7 +22,8 @@ const UNNAMED: &str = "outline";
 const COLUMNS: [&str; 6] = ["x", "y", "z", "curve", "corner", "move"];
 const HEADER_HINT: &str = "The first line names the columns, as in: curve,x,y,z";
 const NUMBER_HINT: &str = "Write numbers as in 12.5 or 1e-3, with a decimal point and no unit.";
-const COMMA_HINT: &str = "Where columns are separated by commas, decimals have a point (12.5). Or separate by semicolons.";
+const COMMA_HINT: &str =
+    "Write decimals with a point (12.5), or separate the columns by semicolons.";
 
 /// A curve of a table.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,14 +80,15 @@ pub fn read_table(text: &str, name: &str, units: Units) -> Result<Vec<TableCurve
         let place = format!("{place}:{}", line_of(&row, text));
         if count > MAX_ROWS {
             let message = format!("the table has more than {MAX_ROWS} rows");
-            let hint = "Leave rows out, or divide the table; a few hundred points show a curve.";
+            let hint =
+                "Remove rows, or divide the table; a few hundred points are enough for a curve.";
             return Err(InputError::at(place, message, hint));
         }
         let (curve, point) = columns.read(&row, &place, units)?;
         curves.push(curve, point, &place)?;
     }
     if curves.list.is_empty() {
-        let hint = "Add one row a point, in the order of the curve.";
+        let hint = "Add one row for each point, in the order of the curve.";
         return Err(InputError::at(place, "the table has no rows below its header", hint));
     }
     Ok(curves.list)
@@ -139,7 +141,7 @@ impl Curves {
         }
         if self.list.len() == MAX_CURVES {
             let message = format!("the table has more than {MAX_CURVES} curves");
-            let hint = "The rows of a curve have one name; divide a table of so many curves.";
+            let hint = "Give all rows of a curve one name, or divide the table.";
             return Err(InputError::at(place, message, hint));
         }
         self.by_name.insert(name.to_owned(), self.list.len());
@@ -171,7 +173,7 @@ impl Columns {
                 return Err(InputError::at(place, message, did_you_mean(name, &COLUMNS)));
             }
             if names[..n].contains(name) {
-                let message = format!("the column '{name}' stands there twice");
+                let message = format!("the header names the column '{name}' twice");
                 return Err(InputError::at(place, message, "Keep one of them."));
             }
         }
@@ -220,7 +222,7 @@ impl Columns {
             "" | "0" => false,
             "1" => true,
             other => {
-                let message = format!("the corner is {}", shown(other));
+                let message = format!("the value of `corner` is {}", shown(other));
                 return Err(failed(message, "Write 1 at a corner, and 0 or nothing elsewhere."));
             }
         };
@@ -232,8 +234,11 @@ impl Columns {
             }
         };
         if move_mm < 0.0 {
-            let message = format!("the point may move by {move_mm} mm");
-            return Err(failed(message, "Write a distance, or 0 or nothing where it is fixed."));
+            let message = format!("the value of `move` is {move_mm} mm");
+            return Err(failed(
+                message,
+                "Write a distance above 0; write 0 or nothing to fix the point.",
+            ));
         }
         let at = Point3::new(xyz[0], xyz[1], xyz[2]);
         let name = self.curve.map_or(UNNAMED, |column| unguarded(value(column)));
@@ -291,7 +296,7 @@ pub(crate) fn read_as_design(
     let table = read_table(text, name, options.units.unwrap_or_default())?;
     let called = stem(name);
     if let Some(why) = refused_for_file(&called) {
-        let message = format!("the panel would be called {}, which {why}", shown(&called));
+        let message = format!("the name of the panel would be {}, which {why}", shown(&called));
         let hint = "Rename the file: the panel and its output files are named after it.";
         return Err(InputError::at(display_name(name), message, hint));
     }
@@ -444,7 +449,7 @@ mod tests {
         assert_eq!(refused("x,y,z\n\n\n1,2,a\n"), "t.csv:4: z is 'a', which is no number");
         assert_eq!(refused("x,y,z\n1,\"2,5\",3\n"), "t.csv:2: y is '2,5', which is no number");
         assert_eq!(refused("x,y,z\n1,2,inf\n"), "t.csv:2: z is 'inf', which is out of range");
-        assert_eq!(refused("x,y,z,move\n1,2,3,-1\n"), "t.csv:2: the point may move by -1 mm");
+        assert_eq!(refused("x,y,z,move\n1,2,3,-1\n"), "t.csv:2: the value of `move` is -1 mm");
         assert_eq!(refused("1,2,3\n4,5,6\n"), "t.csv:1: the table has no header");
     }
 

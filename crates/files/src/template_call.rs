@@ -25,7 +25,7 @@ const UNITS: &str = "units";
 ///
 /// # Errors
 /// An unknown template or parameter, a value that can't be read or is out of range, a setting that
-/// stands there twice, values that do not go together.
+/// is set twice, values that do not go together.
 pub fn design_from_template(name: &str, settings: &[String]) -> Result<Design, InputError> {
     called(name, settings, None).map(|new| new.design)
 }
@@ -71,7 +71,7 @@ fn called(name: &str, settings: &[String], folder: Option<&Path>) -> Result<NewD
     let template = template(name).ok_or_else(|| InputError {
         message: format!("there is no template {}", shown(name)),
         place: None,
-        hint: template_question(name) + "The catalogue describes all there are.",
+        hint: template_question(name) + "The catalogue describes all templates.",
     })?;
     let mut values = template.defaults();
     let mut seen: Vec<&str> = Vec::new();
@@ -121,8 +121,8 @@ fn set_table(
     let template = values.template();
     let place = place(template, name);
     let Some(folder) = folder else {
-        let message = "a table can't be read here";
-        return Err(InputError::at(place, message, "Leave it out."));
+        let message = "without a folder, no table can be read";
+        return Err(InputError::at(place, message, "Leave `table` out."));
     };
     let curves = table_beside(folder, path, units, &place)?
         .into_iter()

@@ -100,7 +100,7 @@ fn a_design_holds_panels_of_both_kinds() {
         assert!(!text(&outputs, name).is_empty());
     }
     let page = text(&outputs, "report.html");
-    for words in ["3 panels of ", "a bend radius of", "of stretch", "Warp, largest", "Seams"] {
+    for words in ["3 panels of ", "bend radius from", "stretch up to", "Warp, largest", "Seams"] {
         assert!(page.contains(words), "{words}");
     }
 }
@@ -177,7 +177,7 @@ fn what_a_mesh_can_not_be_is_refused_with_its_place_and_a_way_out() {
         ),
         (
             r#""mesh": { "points": [], "triangles": [] }, "group": "b""#,
-            ["panels[0].group", "there is no file", "Leave it out"],
+            ["panels[0].group", "there is no file", "Leave `group` out"],
         ),
         (
             r#""mesh": "tray.obj", "group": "lid", "split_creases_deg": 200"#,

@@ -231,7 +231,9 @@ impl Editor {
         self.becomes(document);
         self.part = crate::room::Part::Plan;
         self.wants_fit = true;
-        self.say("Now scale the picture: two places on it, and how far apart they are.");
+        self.say(
+            "Now scale the picture: click two places on it and type the distance between them.",
+        );
     }
 }
 
@@ -281,7 +283,7 @@ impl Editor {
         self.page = super::Page::Panes;
         let apart = a.distance(b);
         if !(apart > 0.0 && distance_mm > 0.0) {
-            self.refuse("The two places have to be apart.".to_owned());
+            self.refuse("The two places are the same. Click two places that are apart.".to_owned());
             return;
         }
         let factor = distance_mm / apart;

@@ -30,7 +30,7 @@ impl CalibratePage {
     ) -> (bool, Option<f64>) {
         let mut taken = None;
         let stays = window(ctx, "Scale the picture", 320.0, |ui| {
-            ui.label("How far apart are the two places in truth? Type it and press Enter.");
+            ui.label("Type the real distance between the two places and press Enter.");
             let now = self.typed.or(editor.calibrating()).unwrap_or(0.0);
             let units = editor.document().drawing.units;
             let field = Field { theme, of: Id::unique("picture"), label: "Distance" };

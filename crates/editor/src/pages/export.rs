@@ -56,7 +56,8 @@ impl ExportPage {
                 .map(|panel| panel.name.as_str())
                 .collect();
             if !bad.is_empty() {
-                let text = format!("Look again before you cut: {} will not bend.", bad.join(", "));
+                let text =
+                    format!("Read the findings before you cut: {} will not bend.", bad.join(", "));
                 ui.label(RichText::new(text).color(theme.verdicts[2]));
                 ui.add_space(6.0);
             }

@@ -205,7 +205,9 @@ impl StartPage {
         });
         if !offers.recovered.is_empty() {
             ui.add_space(16.0);
-            ui.label(RichText::new("Not saved when it ended").color(theme.verdicts[1]).strong());
+            ui.label(
+                RichText::new("Not saved when the editor ended").color(theme.verdicts[1]).strong(),
+            );
             for (n, text) in offers.recovered.iter().enumerate() {
                 // However long the name is, the button beside it stays in sight.
                 let line = vec2(ui.available_width(), ui.spacing().interact_size.y);

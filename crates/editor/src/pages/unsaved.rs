@@ -14,7 +14,7 @@ pub fn unsaved_ui(ctx: &egui::Context, editor: &Editor, theme: &Theme) -> Option
     }
     Page::new("Unsaved work", 400.0).show(ctx, |ui, is_new| {
         ui.heading(format!("{} is not saved yet", editor.title()));
-        let back = "What you drop stands on the start page under Recently closed.";
+        let back = "Work that you drop stays on the start page, under Recently closed.";
         ui.label(format!("{} {back}", what_comes(next)));
         if let Some(notice) = editor.notice.as_ref().filter(|notice| notice.is_refusal) {
             ui.label(RichText::new(&notice.text).color(theme.verdicts[2]));
@@ -29,7 +29,7 @@ pub fn unsaved_ui(ctx: &egui::Context, editor: &Editor, theme: &Theme) -> Option
                 decision = Some(Decision::Save);
             }
             let drop = ui.button("Drop").on_hover_text(
-                "Go on without saving it. It stands under Recently closed on the start page.",
+                "Go on without saving it. It stays on the start page, under Recently closed.",
             );
             if drop.clicked() {
                 decision = Some(Decision::Drop);

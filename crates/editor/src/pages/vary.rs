@@ -186,7 +186,7 @@ fn work_ui(ui: &mut Ui, editor: &Editor, acts: &mut Vec<Act>) {
 /// How it ended, in words. Angles are those of the cards at the side.
 fn said(varied: &Varied, units: Units) -> String {
     if varied.moved.is_none() {
-        return "Nothing moved: either it bends already, or moving this far does not help."
+        return "Nothing moved: either the sheet bends already, or moving this far does not help."
             .to_owned();
     }
     let twist = |panels: &[ShownPanel]| {

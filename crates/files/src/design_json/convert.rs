@@ -63,7 +63,7 @@ pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, In
             let path = format!("panels[{n}].vary");
             let own = reader.read(of_panel, &path, Some(&panels[n].name), &panels)?;
             if vary.iter().any(|other: &Vary| other.panels == own.panels) {
-                let message = "the `vary` beside `panels` names this panel alone already";
+                let message = "the `vary` beside `panels` already names this panel alone";
                 return Err(source.error(&path, message, "Keep one of the two."));
             }
             vary.push(own);
@@ -87,7 +87,7 @@ fn curves(
 ) -> Result<Vec<DesignCurve>, InputError> {
     if list.len() > MAX_CURVES {
         let message = format!("the design has {} curves", list.len());
-        return Err(source.error("curves", message, format!("{MAX_CURVES} are the most.")));
+        return Err(source.error("curves", message, format!("The limit is {MAX_CURVES} curves.")));
     }
     let mut tables = Tables::new(source, units);
     let mut curves = Vec::with_capacity(list.len());
@@ -120,7 +120,8 @@ fn curves(
             }
             (Some(_), None) => {
                 let message = "`curve` names a curve of a table, and there is no `table`";
-                return Err(source.error(&format!("{path}.curve"), message, "Leave it out."));
+                let hint = "Leave `curve` out, or add a `table`.";
+                return Err(source.error(&format!("{path}.curve"), message, hint));
             }
             (Some(_), Some(_)) => {
                 let message = "the curve has both `points` and a `table`";
@@ -150,7 +151,7 @@ fn curve_point(
     let at = point_mm(xyz, units, source, path)?;
     let Some(move_mm) = in_range_mm(movable, units).filter(|mm| *mm >= 0.0) else {
         let message = format!("the point may move by {movable} {}", units.name());
-        let hint = "Write a distance, or 0 where it is fixed.";
+        let hint = "Write a distance above 0, or 0 to fix the point.";
         return Err(source.error(&format!("{}.move", path()), message, hint));
     };
     Ok(CurvePoint { at, corner, move_mm })
@@ -181,7 +182,7 @@ fn panels(
 ) -> Result<Vec<DesignPanel>, InputError> {
     if list.len() > MAX_PANELS {
         let message = format!("the design has {} panels", list.len());
-        return Err(source.error("panels", message, format!("{MAX_PANELS} are the most.")));
+        return Err(source.error("panels", message, format!("The limit is {MAX_PANELS} panels.")));
     }
     let mut meshes = Meshes::new(source, units);
     let known: BTreeMap<&str, &DesignCurve> = curves.iter().map(|c| (c.name.as_str(), c)).collect();
@@ -196,7 +197,7 @@ fn panels(
             return Err(source.error(&format!("{path}.name"), message, hint));
         }
         if let Some(other) = earlier.insert(folded(&file.name), n) {
-            let message = format!("the name {} is that of panels[{other}] too", shown(&file.name));
+            let message = format!("panels[{other}] has the name {} too", shown(&file.name));
             let hint = "Give each panel a name of its own; upper and lower case count as one, as \
                         on many disks.";
             return Err(source.error(&format!("{path}.name"), message, hint));
@@ -247,7 +248,7 @@ impl PanelReader<'_> {
         };
         let run_on = file.run_on.unwrap_or(false);
         if run_on && !matches!(shape, PanelShape::Rails(_)) {
-            let hint = "Leave it out, or name two open curves as `rails`.";
+            let hint = "Leave `run_on` out, or name two open curves as `rails`.";
             return Err(self.error(".run_on", "only rails can run on", hint));
         }
         let plane = match file.plane {
@@ -278,10 +279,10 @@ impl PanelReader<'_> {
         };
         if places.len() > holes {
             let (message, hint) = if holes == 0 {
-                ("a panel without holes is not cut open".to_owned(), "Leave it out.".to_owned())
+                ("a panel without holes is not cut open".to_owned(), "Leave `cut` out.".to_owned())
             } else {
-                let message = format!("{} points stand for the cuts", places.len());
-                (message, format!("Name {holes} at the most: one a hole."))
+                let message = format!("the number of points in `cut` is {}", places.len());
+                (message, format!("Write at most {holes}, one for each hole."))
             };
             return Err(self.error(".cut", message, hint));
         }
@@ -303,8 +304,8 @@ impl PanelReader<'_> {
                 let uses = self.uses(rails, ".rails")?;
                 let found = uses.len();
                 let rails = <[CurveUse; 2]>::try_from(uses).map_err(|_| {
-                    let message = format!("the panel has {found} rails");
-                    let hint = "Name two open curves; a loop of more goes into `boundary`.";
+                    let message = format!("the number of rails is {found}");
+                    let hint = "Name two open curves; write a loop of more as `boundary`.";
                     self.error(".rails", message, hint)
                 })?;
                 Ok(PanelShape::Rails(rails))
@@ -320,7 +321,7 @@ impl PanelReader<'_> {
                 Ok(PanelShape::Loops { outer, holes })
             }
             (Some(_), None, Some(_)) => {
-                let hint = "Chain the rails and the edges between their ends to a `boundary`.";
+                let hint = "Write the rails and the curves between their ends as a `boundary`.";
                 Err(self.error(".holes", "a panel with rails has no holes", hint))
             }
             (Some(_), Some(_), _) => {
@@ -344,7 +345,7 @@ impl PanelReader<'_> {
         }
         if names.len() > MAX_CURVES {
             let message = format!("the list names {} curves", names.len());
-            return Err(self.error(field, message, format!("{MAX_CURVES} are the most.")));
+            return Err(self.error(field, message, format!("The limit is {MAX_CURVES} curves.")));
         }
         let mut uses = Vec::with_capacity(names.len());
         for (n, written) in names.into_iter().enumerate() {
@@ -382,8 +383,8 @@ impl PanelReader<'_> {
     fn refuse_many_points(&self, shape: &PanelShape) -> Result<(), InputError> {
         let count = points_of(shape, self.known);
         if count > MAX_SAMPLES {
-            let message = format!("the curves of the panel have {count} points together");
-            return Err(self.error("", message, format!("{MAX_SAMPLES} are the most.")));
+            let message = format!("the curves of the panel have {count} points in total");
+            return Err(self.error("", message, format!("The limit is {MAX_SAMPLES} points.")));
         }
         Ok(())
     }
@@ -398,8 +399,9 @@ impl PanelReader<'_> {
         };
         let within = usize::try_from(written).ok().filter(|&n| n <= MAX_SAMPLES);
         let samples = within.ok_or_else(|| {
-            let message = format!("{written} samples are asked for");
-            let hint = format!("{MAX_SAMPLES} are the most; a few hundred show most panels well.");
+            let message = format!("the number of samples is {written}");
+            let hint =
+                format!("The limit is {MAX_SAMPLES}; a few hundred are enough for most panels.");
             self.error(".samples", message, hint)
         })?;
         Ok(self.source.options.samples.unwrap_or(samples))
@@ -408,8 +410,9 @@ impl PanelReader<'_> {
     fn fold(&self, written: Option<f64>) -> Result<f64, InputError> {
         let fold = written.unwrap_or(PriceOptions::default().fold);
         if !(0.0..=MAX_FOLD).contains(&fold) {
-            let message = format!("a fold price of {fold} is asked for");
-            return Err(self.error(".fold", message, "Ask for 0 (twist alone) to 10."));
+            let message = format!("the fold price is {fold}");
+            let hint = "Set a fold price from 0 (twist alone) to 10.";
+            return Err(self.error(".fold", message, hint));
         }
         Ok(self.source.options.fold.unwrap_or(fold))
     }
@@ -417,7 +420,7 @@ impl PanelReader<'_> {
     fn effort(&self, written: Option<f64>) -> Result<f64, InputError> {
         let effort = written.unwrap_or(1.0);
         if !(LEAST_EFFORT..=MOST_EFFORT).contains(&effort) {
-            let message = format!("an effort of {effort} is asked for");
+            let message = format!("the effort is {effort}");
             return Err(self.error(".effort", message, EFFORTS));
         }
         Ok(self.source.options.effort.unwrap_or(effort))

@@ -89,14 +89,14 @@ pub(super) fn read(
     let in_range = |path: &str, mm: f64| {
         in_range_mm(mm, Units::Millimetres).ok_or_else(|| {
             let path = format!("drawing.{path}");
-            source.error(&path, "the number is out of range", "Give it a length in mm.")
+            source.error(&path, "the number is out of range", "Write a length in mm.")
         })
     };
     let positive = |path: &str, mm: f64| match in_range(path, mm)? {
         mm if mm > 0.0 => Ok(mm),
         _ => {
             let path = format!("drawing.{path}");
-            Err(source.error(&path, "it has to be above 0", "Give it a length in mm."))
+            Err(source.error(&path, "the length is not above 0", "Write a length in mm above 0."))
         }
     };
     let mirror = match file.mirror {
@@ -110,8 +110,8 @@ pub(super) fn read(
         None => None,
         Some(Object(picture)) => {
             let bytes = BASE64_STANDARD.decode(&picture.data).map_err(|_| {
-                let hint = "Put the picture in again in the editor, or leave `reference` out.";
-                source.error("drawing.reference.data", "this is no base64", hint)
+                let hint = "Add the picture again in the editor, or leave `reference` out.";
+                source.error("drawing.reference.data", "the text is not base64", hint)
             })?;
             Some(Reference {
                 name: picture.name,

@@ -384,13 +384,13 @@ impl Triple {
     fn from_seq<'de, A: SeqAccess<'de>>(mut seq: A) -> Result<Self, A::Error> {
         let mut numbers = [0.0; 3];
         for (n, number) in numbers.iter_mut().enumerate() {
-            *number = seq.next_element()?.ok_or_else(|| {
-                de::Error::custom(format!("{n} numbers stand where three are needed"))
-            })?;
+            *number = seq
+                .next_element()?
+                .ok_or_else(|| de::Error::custom(format!("found {n} numbers, expected three")))?;
         }
         match seq.next_element::<IgnoredAny>()? {
             None => Ok(Self(numbers)),
-            Some(_) => Err(de::Error::custom("more than three numbers stand where three belong")),
+            Some(_) => Err(de::Error::custom("found more than three numbers, expected three")),
         }
     }
 }

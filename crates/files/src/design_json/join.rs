@@ -28,7 +28,7 @@ pub(super) fn join(
             (".keep_parts", file.keep_parts.is_some()),
         ] {
             if given {
-                let hint = "Add \"join\": [\"left\", \"right\"], or leave it out.";
+                let hint = "Add \"join\": [\"left\", \"right\"], or leave this field out.";
                 return Err(source.error(&at(field), "the panel joins no others", hint));
             }
         }
@@ -46,9 +46,9 @@ pub(super) fn join(
     }
     if !(2..=MAX_PARTS).contains(&parts.len()) {
         let message = match parts.len() {
-            0 => "the panel joins none".to_owned(),
-            1 => "the panel joins one alone".to_owned(),
-            many => format!("the panel joins {many} panels"),
+            0 => "`join` names no panel".to_owned(),
+            1 => "`join` names one panel only".to_owned(),
+            many => format!("`join` names {many} panels"),
         };
         let hint = format!("Name 2 to {MAX_PARTS} panels that share an edge or a sample.");
         return Err(source.error(&at(".join"), message, hint));
@@ -59,8 +59,8 @@ pub(super) fn join(
         Some(SmoothName::G2) => Continuity::G2,
     };
     if smooth == Continuity::G0 && file.within.is_some() {
-        let message = "`within` is for joints that are made smooth";
-        let hint = "Add \"smooth\": \"G1\" or \"G2\", or leave it out.";
+        let message = "`within` applies to smooth joints only";
+        let hint = "Add \"smooth\": \"G1\" or \"G2\", or leave `within` out.";
         return Err(source.error(&at(".within"), message, hint));
     }
     let within = match &file.within {
@@ -75,7 +75,7 @@ pub(super) fn join(
         Some(WithinFile::Share(of)) => Within::Share(of.share),
     };
     if !within.is_valid() {
-        let message = "`within` is no distance above 0, and no share above 0 and up to 0.5";
+        let message = "`within` is neither a distance above 0 nor a share above 0 and up to 0.5";
         let hint = "Write a distance, such as 40, or a share of the boundary, such as \
                     {\"share\": 0.05}.";
         return Err(source.error(&at(".within"), message, hint));
@@ -124,19 +124,19 @@ pub(super) fn check_joins(
                     } else {
                         format!("the panel {shown} is a join itself")
                     };
-                    let hint = "Name the panels that it is made of.".to_owned();
+                    let hint = "Name the panels that it joins.".to_owned();
                     return Err(refused(message, hint));
                 }
                 Some(part) => points += points_of(&part.shape, curves),
             }
             if join.parts[..place].contains(name) {
                 let hint = "Name each panel once.".to_owned();
-                return Err(refused(format!("the panel {shown} stands there twice"), hint));
+                return Err(refused(format!("the list names the panel {shown} twice"), hint));
             }
         }
         if points > MAX_SAMPLES {
-            let message = format!("the curves of the joined panels have {points} points together");
-            let hint = format!("{MAX_SAMPLES} are the most.");
+            let message = format!("the curves of the joined panels have {points} points in total");
+            let hint = format!("The limit is {MAX_SAMPLES} points.");
             return Err(error(&format!("panels[{n}].join"), message, hint));
         }
     }

@@ -24,7 +24,11 @@ pub(super) fn read(
     let count = list.0.len() + usize::from(matches!(choice, Some(MaterialChoice::Own(_))));
     if count > MAX_MATERIALS {
         let message = format!("the design has {count} materials");
-        return Err(source.error("materials", message, format!("{MAX_MATERIALS} are the most.")));
+        return Err(source.error(
+            "materials",
+            message,
+            format!("The limit is {MAX_MATERIALS} materials."),
+        ));
     }
     let refuse = |path: &str, message: String, hint: &str| source.error(path, message, hint);
     let mut own = materials_in(list, &refuse)?;
@@ -39,7 +43,7 @@ pub(super) fn read(
             let chosen = material(name, file, "material", &refuse)?;
             if own.iter().any(|other| other.name == chosen.name) {
                 let message =
-                    format!("`materials` has one that is called {} too", shown(&chosen.name));
+                    format!("`materials` has one of the name {} too", shown(&chosen.name));
                 let hint = "Write its name here, or give this one another `title`.";
                 return Err(source.error("material", message, hint));
             }

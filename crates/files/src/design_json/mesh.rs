@@ -49,7 +49,7 @@ impl<'a> Meshes<'a> {
                 (".darts", file.darts.is_some()),
             ];
             if let Some((field, _)) = given.into_iter().find(|(_, given)| *given) {
-                let hint = "Add \"mesh\": \"hood.stl\", or leave it out.";
+                let hint = "Add \"mesh\": \"hood.stl\", or leave this field out.";
                 return Err(self.source.error(&at(field), "the panel is no mesh", hint));
             }
             return Ok(None);
@@ -59,14 +59,14 @@ impl<'a> Meshes<'a> {
             MeshFile::Path(name) => self.of_file(name, file.group.as_deref(), path)?,
             MeshFile::Triangles(_) if file.group.is_some() => {
                 let message = "`group` names a group of a mesh file, and there is no file";
-                return Err(self.source.error(&at(".group"), message, "Leave it out."));
+                return Err(self.source.error(&at(".group"), message, "Leave `group` out."));
             }
             MeshFile::Triangles(given) => Arc::new(self.of_list(given, &at(".mesh"))?),
         };
         let split_creases = file.split_creases_deg.map(|deg| {
             let is_angle = (1.0..180.0).contains(&deg);
             is_angle.then(|| from_deg(deg)).ok_or_else(|| {
-                let message = format!("creases are divided above {deg}°");
+                let message = format!("the crease angle is {deg}°");
                 let hint = "Write an angle from 1 to below 180 degrees.";
                 self.source.error(&at(".split_creases_deg"), message, hint)
             })
@@ -103,7 +103,7 @@ impl<'a> Meshes<'a> {
         ];
         let Some((field, _)) = given.into_iter().find(|(_, given)| *given) else { return Ok(()) };
         let message = format!("the panel is a mesh and has `{field}`, which is for curves");
-        let hint = "Keep one of the two: a mesh is laid flat as it stands.";
+        let hint = "Keep one of the two: a mesh is laid flat as it is.";
         Err(self.source.error(path, message, hint))
     }
 
@@ -161,8 +161,8 @@ impl<'a> Meshes<'a> {
             .map_err(|error| InputError { place: Some(name.to_owned()), ..error })?;
         let size = bytes.len() as u64;
         if size > self.bytes_left {
-            let message = "the meshes of the design are larger than 256 MiB together";
-            let hint = "Export them more coarsely: some ten thousand triangles show most shapes.";
+            let message = "the meshes of the design are larger than 256 MiB in total";
+            let hint = "Export them with fewer triangles; ten thousand are enough for most shapes.";
             return Err(self.source.error(at, message, hint));
         }
         self.bytes_left -= size;

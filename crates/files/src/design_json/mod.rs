@@ -21,7 +21,7 @@ pub use write::write_design;
 pub(crate) use write::write_design_of_table;
 
 use crate::drawn::Drawing;
-use crate::json::Object;
+use crate::json::{Object, TWICE};
 use crate::names::{nearest, shown};
 use crate::reading::{InputError, ReadOptions, display_name, refuse_large, text_of};
 use crate::table::RANGE_HINT;
@@ -35,7 +35,7 @@ use std::path::Path;
 const VERSION: u64 = 1;
 const GRAMMAR_HINT: &str = "docs/files.md says what each field takes.";
 const SYNTAX_HINT: &str =
-    "Look for a missing comma, quotation mark or bracket, or for something after the last one.";
+    "Look for a missing comma, quotation mark or bracket, or for text after the last bracket.";
 
 /// The design in a text. Tables that it refers to lie in `folder` or below.
 pub(crate) fn read(
@@ -102,7 +102,7 @@ fn wrong_version(version: u64, place: &str) -> Option<InputError> {
     (version != VERSION).then(|| {
         InputError::at(
             format!("{place}: sheetwright"),
-            format!("the design is of version {version} of the format"),
+            format!("the version of the format is {version}"),
             format!("This program reads version {VERSION}: write \"sheetwright\": {VERSION}."),
         )
     })
@@ -159,9 +159,9 @@ fn in_our_words(text: &str) -> (String, String) {
     }
     if let Some(field) = text.strip_prefix("duplicate field `") {
         let field = field.trim_end_matches('`');
-        return (format!("the field `{field}` stands there twice"), "Keep one of them.".to_owned());
+        return (format!("the field `{field}` is written twice"), "Keep one of them.".to_owned());
     }
-    if text.ends_with("stands there twice") {
+    if text.ends_with(TWICE) {
         return (text.to_owned(), "Keep one of them, or give the other a new name.".to_owned());
     }
     for kind in ["invalid type: ", "invalid value: "] {
@@ -169,7 +169,7 @@ fn in_our_words(text: &str) -> (String, String) {
             && let Some((found, wanted)) = rest.rsplit_once(", expected ")
         {
             let message =
-                format!("here stands {}, not {}", found_in_words(found), wanted_in_words(wanted));
+                format!("found {}, expected {}", found_in_words(found), wanted_in_words(wanted));
             return (message, GRAMMAR_HINT.to_owned());
         }
     }
@@ -289,15 +289,15 @@ mod tests {
     fn joins_that_say_nothing_are_refused() {
         for (from, to, said) in [
             ("\"east\"]", "\"eest\"]", "panels[0].join[1]: there is no panel 'eest'"),
-            ("\"east\"]", "\"west\"]", "panels[0].join[1]: the panel 'west' stands there twice"),
+            ("\"east\"]", "\"west\"]", "panels[0].join[1]: the list names the panel 'west' twice"),
             ("\"east\"]", "\"whole\"]", "panels[0].join[1]: the panel joins itself"),
-            (", \"east\"]", "]", "panels[0].join: the panel joins one alone"),
+            (", \"east\"]", "]", "panels[0].join: `join` names one panel only"),
             ("\"G2\"", "\"G3\"", "panels[0].smooth: the value 'G3' is not known"),
-            ("\"G2\"", "\"none\"", "panels[0].within: `within` is for joints that are made smooth"),
-            ("0.5", "0", "panels[0].within: `within` is no distance above 0"),
-            ("0.5", "{\"share\": 0.6}", "panels[0].within: `within` is no distance above 0"),
+            ("\"G2\"", "\"none\"", "panels[0].within: `within` applies to smooth joints only"),
+            ("0.5", "0", "panels[0].within: `within` is neither a distance above 0 nor"),
+            ("0.5", "{\"share\": 0.6}", "panels[0].within: `within` is neither a distance above 0"),
             ("0.5", "{\"part\": 0.6}", "panels[0].within.part: the field 'part' is not known"),
-            ("0.5", "\"5%\"", "panels[0].within: here stands the text '5%', not a distance or"),
+            ("0.5", "\"5%\"", "panels[0].within: found the text '5%', expected a distance or"),
             ("0.5", "1e300", "panels[0].within: the distance 1e300 cm is out of range"),
             ("\"join\"", "\"rails\"", "panels[0].smooth: the panel joins no others"),
             ("\"samples\"", "\"holes\": [], \"samples\"", "panels[0]: the panel joins others and"),
@@ -401,7 +401,7 @@ mod tests {
     #[test]
     fn a_later_version_is_named_before_its_fields() {
         let (error, _) = refused("\"sheetwright\": 1,", "\"sheetwright\": 2, \"skins\": [],");
-        assert_eq!(error, "d.sheet.json: sheetwright: the design is of version 2 of the format");
+        assert_eq!(error, "d.sheet.json: sheetwright: the version of the format is 2");
     }
 
     #[test]

@@ -86,8 +86,8 @@ impl<'a> Tables<'a> {
         })?;
         let size = bytes.len() as u64;
         if size > self.bytes_left {
-            let message = "the tables of the design are larger than 256 MiB together";
-            let hint = "Leave points out; a few hundred show a curve.";
+            let message = "the tables of the design are larger than 256 MiB in total";
+            let hint = "Remove points; a few hundred are enough for a curve.";
             return Err(self.source.error(&format!("{path}.table"), message, hint));
         }
         self.bytes_left -= size;

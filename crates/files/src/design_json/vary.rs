@@ -12,7 +12,7 @@ use sheetwright::math::{from_deg, to_deg};
 
 /// Angles that may be asked for, degrees.
 pub(crate) const MOST_WARP_DEG: f64 = 90.0;
-pub(crate) const WARP_HINT: &str = "Ask for an angle above 0° and up to 90°.";
+pub(crate) const WARP_HINT: &str = "Set an angle above 0° and up to 90°.";
 const DISTANCE_HINT: &str = "Write a distance of 0 or more, in the units of the design.";
 
 /// What a design says of what may move: as a whole, and panel by panel.
@@ -40,7 +40,7 @@ impl VaryReader<'_> {
                 Some(mm) => Ok(Some(mm)),
                 None => {
                     let message = format!(
-                        "samples may move by {} {}",
+                        "the distance is {} {}",
                         crate::table::number(written),
                         self.units.name()
                     );
@@ -51,7 +51,7 @@ impl VaryReader<'_> {
         let known = |field: &str, written: Option<Vec<String>>, what: &str, known: &[&str]| {
             let Some(names) = written else { return Ok(Vec::new()) };
             if names.is_empty() {
-                let hint = format!("Name a {what}, or leave the list out: then all count.");
+                let hint = format!("Name a {what}, or leave the list out to take all {what}s.");
                 return Err(error(field, format!("the list of {what}s is empty"), hint));
             }
             match names.iter().position(|name| !known.contains(&name.as_str())) {
@@ -69,8 +69,9 @@ impl VaryReader<'_> {
             (None, panels) => known(".panels", panels, "panel", &panel_names)?,
             (Some(panel), None) => vec![panel.to_owned()],
             (Some(_), Some(_)) => {
-                let message = "`panels` stands in what is said of one panel".to_owned();
-                let hint = "Leave it out, or write `vary` beside `panels`, for the whole design.";
+                let message = "the `vary` of a panel has no `panels`".to_owned();
+                let hint =
+                    "Leave `panels` out, or write `vary` beside `panels`, for the whole design.";
                 return Err(error(".panels", message, hint.to_owned()));
             }
         };
@@ -80,7 +81,7 @@ impl VaryReader<'_> {
                 VaryGoal::Warp { largest: from_deg(deg) }
             }
             Some(deg) => {
-                let message = format!("a warp angle of {deg}° is asked for");
+                let message = format!("the warp angle is {deg}°");
                 return Err(error(".warp_deg", message, WARP_HINT.to_owned()));
             }
         };

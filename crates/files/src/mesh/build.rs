@@ -121,7 +121,7 @@ impl Builder {
         }
         if self.groups.len() == MAX_GROUPS {
             let message = format!("the mesh has more than {MAX_GROUPS} groups");
-            let hint = "Every group becomes a panel: join those that are one piece of sheet.";
+            let hint = "Every group becomes a panel: merge groups that are one piece of sheet.";
             return Err(InputError::at(where_from(), message, hint));
         }
         self.groups.push(Group { name: name.to_owned(), ..Group::default() });
@@ -188,7 +188,7 @@ impl Builder {
         let (mut kept, lost): (Vec<Group>, Vec<Group>) =
             groups.into_iter().partition(|group| !group.triangles.is_empty());
         let Some(first) = kept.first_mut() else {
-            return Err(InputError::at(place, "there is no triangle in it", NO_SURFACE));
+            return Err(InputError::at(place, "the mesh has no triangle", NO_SURFACE));
         };
         first.left_out += lost.iter().map(|group| group.left_out).sum::<usize>();
         let several = kept.len() > 1;

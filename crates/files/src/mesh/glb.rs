@@ -12,6 +12,7 @@ use serde::Deserialize;
 use sheetwright::math::Vec3;
 use sheetwright::mesh::MAX_TRIANGLES;
 
+const DAMAGED: &str = "The file is damaged: export it again.";
 const EXPORT: &str = "Export it as one .glb file without compression, or as OBJ, PLY or STL.";
 /// Types of the chunks and of what accessors hold, as the standard numbers them.
 const JSON_CHUNK: u32 = 0x4e4f_534a;
@@ -157,12 +158,16 @@ pub(super) fn read(bytes: &[u8], place: &str, builder: &mut Builder) -> Result<(
     let document: Document =
         serde_path_to_error::deserialize(&mut deserializer).map_err(|error| {
             let at = format!("{place}: {}", error.path());
-            let hint = "It is damaged, or no glTF of version 2: export it again.";
-            InputError::at(at, format!("its description can't be read: {}", error.inner()), hint)
+            let hint = "The file is damaged, or no glTF of version 2: export it again.";
+            InputError::at(
+                at,
+                format!("the JSON of the file can't be read: {}", error.inner()),
+                hint,
+            )
         })?;
     if let Some(name) = document.extensions_required.first() {
         // Units, lights and materials change no shape, but they are never required for it either.
-        let message = format!("it can't be read without the extension '{name}'");
+        let message = format!("the file needs the extension '{name}', which is not supported");
         return Err(InputError::at(place, message, EXPORT));
     }
     let file = File { document: &document, binary, place };
@@ -195,7 +200,7 @@ fn chunks<'a>(bytes: &'a [u8], place: &str) -> Result<(&'a [u8], &'a [u8]), Inpu
     let u32_of = |cursor: &mut Cursor<'a>| cursor.array().map(u32::from_le_bytes);
     let version = u32_of(&mut cursor).ok_or_else(|| cut_off(place, "the header"))?;
     if version != 2 {
-        let message = format!("this is glTF of version {version}, and version 2 is read");
+        let message = format!("the glTF version is {version}; version 2 is supported");
         return Err(InputError::at(place, message, EXPORT));
     }
     let mut found: [Option<&[u8]>; 2] = [None, None];
@@ -226,7 +231,7 @@ struct File<'a> {
 
 impl File<'_> {
     fn missing(&self, at: String) -> InputError {
-        InputError::at(at, "it is named, and it is not there", "It is damaged: export it again.")
+        InputError::at(at, "the file refers to it, and it is missing", DAMAGED)
     }
 
     /// The nodes of the scene with where they are put, those that are named first coming first.
@@ -255,8 +260,8 @@ impl File<'_> {
             let at = format!("{}: nodes[{n}]", self.place);
             let Some(node) = nodes.get(n) else { return Err(self.missing(at)) };
             if std::mem::replace(&mut seen[n], true) {
-                let message = "the node belongs to two others, or to itself";
-                return Err(InputError::at(at, message, "It is damaged: export it again."));
+                let message = "the node has two parents, or is its own";
+                return Err(InputError::at(at, message, DAMAGED));
             }
             let transform = outer.after(&Transform::of(node));
             placed.push((n, transform));
@@ -294,8 +299,9 @@ impl File<'_> {
             }
         };
         if let Some(beyond) = corners.iter().find(|&&corner| corner >= count) {
-            let message = format!("point {beyond} is named, and there are {count}, from 0 on");
-            return Err(InputError::at(at, message, "It is damaged: export it again."));
+            let message =
+                format!("an index is {beyond}, and there are {count} points, counted from 0");
+            return Err(InputError::at(at, message, DAMAGED));
         }
         let list: Vec<[usize; 3]> = match mode {
             TRIANGLES => corners.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect(),
@@ -339,7 +345,7 @@ impl File<'_> {
         }
         let outside = |what: &str| InputError::at(at.clone(), what, EXPORT);
         if found.sparse.is_some() {
-            return Err(outside("its numbers are given as differences from others (sparse)"));
+            return Err(outside("its numbers are stored as differences from others (sparse)"));
         }
         let view = found.buffer_view.ok_or_else(|| outside("its numbers are not in the file"))?;
         let view = self.document.buffer_views.get(view).ok_or_else(|| self.missing(at.clone()))?;

@@ -145,7 +145,7 @@ fn too_many(place: impl Into<String>) -> InputError {
     InputError::at(
         place,
         format!("the mesh has more than {MAX_TRIANGLES} points or triangles"),
-        "Export it more coarsely: some ten thousand triangles show most shapes well.",
+        "Export it with fewer triangles; ten thousand are enough for most shapes.",
     )
 }
 

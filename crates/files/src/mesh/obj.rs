@@ -58,7 +58,7 @@ pub(super) fn read(bytes: &[u8], place: &str, builder: &mut Builder) -> Result<(
         }
         let ring: Vec<usize> = corners.by_ref().take(face.count).collect();
         if let Some(beyond) = ring.iter().find(|&&corner| corner >= points) {
-            let message = format!("the face names point {}, and there are {points}", beyond + 1);
+            let message = format!("the face names point {}; the file has {points}", beyond + 1);
             let hint = "Points are counted from 1 through the whole file; export it again.";
             return Err(InputError::at(at(), message, hint));
         }

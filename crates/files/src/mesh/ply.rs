@@ -98,7 +98,7 @@ pub(super) fn read(bytes: &[u8], place: &str, builder: &mut Builder) -> Result<(
                 element.count,
                 quoted(&element.name)
             );
-            let hint = "It was cut off on its way here: copy or export it again.";
+            let hint = "The file is incomplete: copy or export it again.";
             return Err(InputError::at(place, message, hint));
         }
         if least == 0 {
@@ -155,7 +155,7 @@ pub(super) fn read(bytes: &[u8], place: &str, builder: &mut Builder) -> Result<(
         let points = builder.points();
         if let Some(beyond) = ring.iter().find(|&&corner| corner >= points) {
             let message =
-                format!("the face names point {beyond}, and there are {points}, from 0 on");
+                format!("the face names point {beyond}; there are {points}, counted from 0");
             return Err(InputError::at(at, message, AGAIN));
         }
         if ring.len() < 3 {
@@ -173,7 +173,7 @@ fn header(values: &mut Values<'_>) -> Result<Vec<Element>, InputError> {
     let mut encoding = None;
     let first = values.next_line().unwrap_or_default();
     if first.trim_ascii() != b"ply" {
-        let message = "the first line of a PLY file is 'ply', and here it is not";
+        let message = "a PLY file begins with the line 'ply', and this one does not";
         return Err(InputError::at(format!("{}:1", values.place), message, AGAIN));
     }
     for _ in 0..MAX_HEADER_LINES {
@@ -312,7 +312,7 @@ impl<'a> Values<'a> {
         if value.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&value) {
             return Ok(value as usize);
         }
-        let message = format!("{value} counts nothing");
+        let message = format!("{value} is no count");
         Err(InputError::at(self.at(), message, AGAIN))
     }
 }

@@ -52,7 +52,7 @@ pub(super) fn cut_off(place: &str, what: &str) -> InputError {
     InputError::at(
         place,
         format!("the file ends within {what}"),
-        "It was cut off on its way here: copy or export it again.",
+        "The file is incomplete: copy or export it again.",
     )
 }
 

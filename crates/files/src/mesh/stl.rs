@@ -46,7 +46,7 @@ fn binary(bytes: &[u8], place: &str, builder: &mut Builder) -> Result<(), InputE
         return Err(InputError::at(
             format!("{place}, byte {}", bytes.len()),
             format!("the file ends after {there} of {count} triangles"),
-            "It was cut off on its way here, or is no STL: copy or export it again.",
+            "The file is incomplete, or is no STL: copy or export it again.",
         ));
     }
     if count > MAX_TRIANGLES {

@@ -92,7 +92,7 @@ fn a_group_of_which_nothing_is_left_is_no_panel_and_is_counted() {
         assert_eq!((design.groups[0].name.as_str(), design.groups[0].left_out), ("b", 1));
     }
     let nothing = obj("v 0 0 0\nv 1 0 0\nv 1 0 0\no a\nf 1 2 3\n").unwrap_err();
-    assert_eq!(nothing.message, "there is no triangle in it");
+    assert_eq!(nothing.message, "the mesh has no triangle");
 }
 
 #[test]
@@ -107,7 +107,7 @@ fn what_is_no_triangle_is_left_out_and_counted() {
 fn broken_obj_is_refused_by_line() {
     for (text, said) in [
         (format!("{SQUARE}f 1 2\n"), "shape.obj:5: the face has 2 corners"),
-        (format!("{SQUARE}f 1 2 9\n"), "shape.obj:5: the face names point 9, and there are 4"),
+        (format!("{SQUARE}f 1 2 9\n"), "shape.obj:5: the face names point 9; the file has 4"),
         (format!("{SQUARE}f 1 2 0\n"), "shape.obj:5: '0' names no point"),
         (format!("{SQUARE}f 1 2 -5\n"), "shape.obj:5: '-5' names no point"),
         (format!("{SQUARE}f 1 2 x\n"), "shape.obj:5: 'x' names no point"),
@@ -121,8 +121,8 @@ fn broken_obj_is_refused_by_line() {
             "v 1 2 1e10\n".to_owned(),
             "shape.obj:1: a coordinate is not a finite number within ±1e9 mm",
         ),
-        (SQUARE.to_owned(), "shape.obj: there is no triangle in it"),
-        (String::new(), "shape.obj: there is no triangle in it"),
+        (SQUARE.to_owned(), "shape.obj: the mesh has no triangle"),
+        (String::new(), "shape.obj: the mesh has no triangle"),
     ] {
         let error = obj(&text).unwrap_err();
         assert_eq!(error.to_string(), format!("some/{said}"));
@@ -187,7 +187,7 @@ fn broken_stl_is_refused_by_line_or_byte() {
         ),
         (b"solid\nfacet\nvertex 0 0 0\nfacet\n".to_vec(), "shape.stl:2: the facet has one corner"),
         (b"solid\nvertices 0 0 0\n".to_vec(), "shape.stl:2: 'vertices' is no word of an STL file"),
-        (b"solid box\nendsolid box\n".to_vec(), "shape.stl: there is no triangle in it"),
+        (b"solid box\nendsolid box\n".to_vec(), "shape.stl: the mesh has no triangle"),
         (Vec::new(), "shape.stl: the input is empty"),
     ] {
         let error = read_mesh(MeshFormat::Stl, &bytes).unwrap_err();
@@ -247,7 +247,7 @@ fn broken_ply_is_refused() {
     for (bytes, said) in [
         (
             b"solid\n".to_vec(),
-            "shape.ply:1: the first line of a PLY file is 'ply', and here it is not",
+            "shape.ply:1: a PLY file begins with the line 'ply', and this one does not",
         ),
         (b"ply\nformat ascii 1.0\n".to_vec(), "shape.ply: the file ends within the header"),
         (b"ply\nelements 7\n".to_vec(), "shape.ply:2: 'elements 7' is no line of a PLY header"),
@@ -262,10 +262,10 @@ fn broken_ply_is_refused() {
         ),
         (
             text.replace("0 1 2 3", "0 1 2 4").into_bytes(),
-            "shape.ply:15: the face names point 4, and there are 4, from 0 on",
+            "shape.ply:15: the face names point 4; there are 4, counted from 0",
         ),
         (text.replace("0 1 2 3", "0 1 2 x").into_bytes(), "shape.ply:15: 'x' is no number"),
-        (text.replace("4 0 1 2 3", "4 0 1 -2 3").into_bytes(), "shape.ply:15: -2 counts nothing"),
+        (text.replace("4 0 1 2 3", "4 0 1 -2 3").into_bytes(), "shape.ply:15: -2 is no count"),
         (
             binary[..binary.len() - 3].to_vec(),
             "shape.ply, byte 379: the file ends within its elements",
@@ -338,7 +338,7 @@ fn broken_glb_is_refused_by_its_part() {
     };
     for (bytes, said) in [
         (good[..50].to_vec(), ", byte 12: the file ends within a chunk"),
-        (b"glTF\x01\0\0\0".to_vec(), ": this is glTF of version 1, and version 2 is read"),
+        (b"glTF\x01\0\0\0".to_vec(), ": the glTF version is 1; version 2 is supported"),
         (b"{}".to_vec(), ": a .glb file begins with 'glTF', and this one does not"),
         (
             changed(r#""count":4,"type":"VEC3""#, r#""count":4000000000,"type":"VEC3""#),
@@ -351,20 +351,23 @@ fn broken_glb_is_refused_by_its_part() {
         (changed("5126", "5122"), ": accessors[0]: numbers of type 5122 'VEC3' can't be read here"),
         (
             changed(r#""indices":1"#, r#""indices":9"#),
-            ": accessors[9]: it is named, and it is not there",
+            ": accessors[9]: the file refers to it, and it is missing",
         ),
         (
             changed(r#""children":[1]"#, r#""children":[0]"#),
-            ": nodes[0]: the node belongs to two others, or to itself",
+            ": nodes[0]: the node has two parents, or is its own",
         ),
-        (changed(r#""mesh":1"#, r#""mesh":5"#), ": meshes[5]: it is named, and it is not there"),
+        (
+            changed(r#""mesh":1"#, r#""mesh":5"#),
+            ": meshes[5]: the file refers to it, and it is missing",
+        ),
         (
             changed(r#""byteOffset":48"#, r#""byteOffset":0"#),
-            ": meshes[0].primitives[0]: point 16256 is named, and there are 4, from 0 on",
+            ": meshes[0].primitives[0]: an index is 16256, and there are 4 points, counted from 0",
         ),
         (
             changed(r#""scene":0"#, r#""extensionsRequired":["KHR_draco_mesh_compression"]"#),
-            ": it can't be read without the extension 'KHR_draco_mesh_compression'",
+            ": the file needs the extension 'KHR_draco_mesh_compression', which is not supported",
         ),
         (
             changed(r#"{"byteLength":64}"#, r#"{"uri":"a.bin"}"#),
@@ -382,7 +385,7 @@ fn broken_glb_is_refused_by_its_part() {
     assert!(
         error
             .to_string()
-            .starts_with("some/shape.glb: scenes[0].nodes: its description can't be read"),
+            .starts_with("some/shape.glb: scenes[0].nodes: the JSON of the file can't be read"),
         "{error}"
     );
 }

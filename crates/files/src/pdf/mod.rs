@@ -141,13 +141,13 @@ impl Reduced {
     }
 }
 
-/// How to print a panel of so many sheets true to scale all the same, in a sentence: `is_full`
-/// where those before it leave no room for it. `None` where no PDF takes so many.
+/// How to print a panel of this number of sheets true to scale, in a sentence; `is_full` if the
+/// panels before it leave too few sheets. `None` for more sheets than a PDF may have.
 pub(crate) fn way_to_sheets(sheets: usize, is_full: bool) -> Option<String> {
     let way = if is_full {
-        "Make it in a design of its own to print it true to scale.".to_owned()
+        "To print it true to scale, make it in a design of its own.".to_owned()
     } else {
-        format!("To print it true to scale all the same, allow {sheets} sheets.")
+        format!("To print it true to scale, allow {sheets} sheets.")
     };
     (sheets <= MaxSheets::MOST.get()).then_some(way)
 }

@@ -129,7 +129,7 @@ fn table(page: &mut Page, piece: &Piece, stations: &[f64], top: f64, reduced: &R
     let left = MARGIN_MM;
     let right_column = page.size().x - MARGIN_MM - 55.0;
     let told = format!(
-        "At 1:1 this piece would take about {} sheets. Mark it out by these offsets instead: x \
+        "At 1:1 this piece takes about {} sheets. Mark it out by these offsets instead: x \
          along a base line, y square to it, in mm.",
         reduced.sheets
     );

@@ -1,5 +1,5 @@
-//! How much `report.html` shows: of many panels a table with thumbnails, since a page of all their
-//! pictures would be of no use to anyone and of many megabytes.
+//! How much `report.html` shows: of many panels a table with thumbnails, since a page with all
+//! their pictures has many megabytes and is hard to read.
 
 use super::canvas::{PathData, Picture, simplified};
 use super::verdict::{findings, severity, verdict};
@@ -14,17 +14,17 @@ pub enum ReportForm {
     /// Everything of up to 100 panels, a table of more.
     #[default]
     Auto,
-    /// A table of all panels with thumbnails of their patterns, and what was found.
+    /// A table of all panels with thumbnails of their patterns, and the findings.
     Short,
     /// Everything of every panel.
     Long,
 }
 
 impl ReportForm {
-    /// Beyond so many panels the report is short by itself.
+    /// The most panels of a report that is long by default.
     const MOST_LONG: usize = 100;
 
-    /// How people ask for it.
+    /// Its name in commands.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Auto => "auto",
@@ -33,7 +33,7 @@ impl ReportForm {
         }
     }
 
-    /// Whether the report of so many panels is short.
+    /// Whether the report of this number of panels is short.
     pub const fn is_short(self, panels: usize) -> bool {
         match self {
             Self::Auto => panels > Self::MOST_LONG,
@@ -48,18 +48,18 @@ pub(super) struct Row<'a> {
     pub(super) name: &'a str,
     pub(super) piece: &'a Piece,
     pub(super) checked: &'a Checked,
-    /// What stands under the labels.
+    /// The values under the labels.
     pub(super) values: Vec<String>,
 }
 
-/// All panels in the short form: how many bend, and a table with those first that need a look.
+/// All panels in the short form: how many have which verdict, and a table, the worst first.
 pub(super) fn short(labels: &[&str], rows: Vec<Row<'_>>) -> Markup {
     let mut order: Vec<usize> = (0..rows.len()).collect();
     order.sort_by_key(|&n| std::cmp::Reverse(severity(rows[n].checked)));
     html! {
         (counts(&rows))
         p.sub {
-            "This is the short form of the report, those panels first that need a look. For \
+            "This is the short form of the report. Panels with errors and warnings come first. For \
              pictures of every panel, choose the long form when you make the report."
         }
         table.summary.short {
@@ -120,7 +120,7 @@ fn counts(rows: &[Row<'_>]) -> Markup {
 fn thumbnail(piece: &Piece) -> Picture {
     const SIZE: Point2 = Point2::new(96.0, 48.0);
     const EDGE: f64 = 2.0;
-    /// What is left out of the outline lies nearer to it.
+    /// The largest distance of a point left out from the outline, in units of the picture.
     const SEEN: f64 = 0.15;
     let room = Point2::new(SIZE.x - 2.0 * EDGE, SIZE.y - 2.0 * EDGE);
     let scale = (room.x / piece.size.x.max(1e-12)).min(room.y / piece.size.y.max(1e-12));

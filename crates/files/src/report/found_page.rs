@@ -67,14 +67,14 @@ impl FoundPage<'_> {
                             figcaption { (self.warp_caption()) }
                         }
                     } @else {
-                        p.third { "One triangle is flat: there is nothing to bend." }
+                        p.third { "A single triangle is flat: nothing bends." }
                     }
                 }
             }
         }
     }
 
-    /// What moving the boundary has changed, if it was to be moved.
+    /// Verdict, warp and price before and after the boundary was moved, if it was.
     pub(super) fn before_and_after(&self) -> Markup {
         let (panel, material) = (self.part(), self.material());
         let Some(change) = panel.change() else { return html! {} };
@@ -91,7 +91,7 @@ impl FoundPage<'_> {
             h3 { "Before and after the boundary was moved" }
             p {
                 "Samples moved by up to " (millimetres_fine(change.moved_max_mm())) ", by "
-                (millimetres_fine(change.moved_total_mm())) " in sum: " (change.ended.to_string())
+                (millimetres_fine(change.moved_total_mm())) " in total: " (change.ended.to_string())
                 "."
             }
             table.summary {
@@ -113,8 +113,8 @@ impl FoundPage<'_> {
                             (PreEscaped(picture.inline()))
                             figcaption {
                                 strong { "Where it moved. " }
-                                "The boundary before (dark) and after (blue), with the way between "
-                                (decimal(enlarged(change), 0)) " times as long as it is."
+                                "The boundary before (dark) and after (blue). The distance between \
+                                 them is drawn " (decimal(enlarged(change), 0)) " times as long."
                             }
                         }
                     }
@@ -131,7 +131,7 @@ impl FoundPage<'_> {
         }
     }
 
-    /// Whether the panel is no flat plate.
+    /// Whether some rung bends: false for a flat plate.
     fn bends(&self) -> bool {
         self.part().measures.rungs.iter().any(RungMeasures::bends)
     }
@@ -143,7 +143,7 @@ impl FoundPage<'_> {
             @if self.bends() {
                 "The thin lines are rulings, along which the sheet stays straight. "
             }
-            "Blue is the side that the pattern shows, brown the other. It fills a box of "
+            "Blue is the side that the pattern shows, brown the other. The panel fills a box of "
             (millimetres(size.x)) " × " (millimetres(size.y)) " × " (millimetres(size.z))
             " (x, y, z)."
         }
@@ -158,7 +158,8 @@ impl FoundPage<'_> {
                 strong { "Laid flat. " }
                 "The outline to cut. "
                 @if self.bends() {
-                    "Short strokes mark where to lay the straightedge; dashed lines are folds. "
+                    "Short strokes mark the ends of rulings, to lay a straightedge on; dashed lines \
+                     are folds. "
                 }
                 "The whole outline is " (millimetres(outline_length(self.part())))
                 " long."
@@ -186,7 +187,7 @@ impl FoundPage<'_> {
         tagged.edge.map_or_else(|| length.clone(), |edge| self.page.edge_text(edge, &length))
     }
 
-    /// Whether some ruling turns by more than the limit which may come from the sampling.
+    /// Whether the warp of some ruling is above the limit only by what may come from the sampling.
     fn is_unsure(&self) -> bool {
         let limit = from_deg(warp_limit_deg(self.material()));
         let is_so = |r: &RungMeasures| r.warp > limit && r.warp_beyond_sampling() <= limit;
@@ -197,11 +198,11 @@ impl FoundPage<'_> {
         let measures = &self.part().measures;
         html! {
             strong { "Warp. " }
-            "How far the sheet twists from one end of each ruling to the other: the less, the \
-             easier it bends. The dashed line is the limit of "
+            "The angle by which the sheet twists from one end of each ruling to the other: the \
+             smaller, the easier it bends. The dashed line is the limit of "
             (self.material().map_or("any sheet", |m| &m.title)) "."
             @if self.is_unsure() {
-                " Dashed bars may be the bend from one sample to the next instead of twist: more \
+                " Dashed bars may be bending from one sample to the next instead of twist: more \
                  samples would tell."
             }
             @if to_deg(measures.warp_max) < NO_WARP_DEG {
@@ -229,7 +230,7 @@ impl FoundPage<'_> {
             ("Triangles", found.surface.connectivity().triangles().len().to_string()),
             ("Rulings (rungs)", measures.rungs.len().to_string()),
             ("Method", found.method.name().to_owned()),
-            ("Made least", goal.to_owned()),
+            ("Minimised", goal.to_owned()),
             ("Best possible", optimal),
             ("Fold price ν", format!("{}", found.fold)),
             ("Price, total", scientific(found.triangulation.price)),
@@ -257,10 +258,11 @@ impl FoundPage<'_> {
 fn gauss_caption(area_sr: f64) -> Markup {
     html! {
         strong { "Which way it faces. " }
-        "Every direction is a point on a ball; each ruling is drawn from the direction at its one \
-         end (blue) to that at its other (green). One thin curve: the sheet bends without \
-         stretching. A ribbon or an area: it must stretch, the more the wider it is. Its area here is "
+        "Every direction is a point on a ball. Each ruling is drawn from the direction at one end \
+         (blue) to the direction at the other end (green). If these points lie on one thin curve, \
+         the sheet bends without stretching. If they cover a ribbon or an area, the sheet must \
+         stretch, and more for a wider one. The area here is "
         (steradians(area_sr))
-        ", of 12.57\u{a0}sr that the whole ball has; a little always comes from the sampling."
+        " of the 12.57\u{a0}sr of the whole ball. Sampling always adds a little."
     }
 }

@@ -1,4 +1,4 @@
-//! `report.html`: the report for people, one file that works offline.
+//! `report.html`: the report to read, one file that works offline.
 
 use super::form::{ReportForm, Row, short};
 use super::found_page::FoundPage;
@@ -17,11 +17,11 @@ use sheetwright::make::{Made, Origin};
 use sheetwright::material::{stretch_limit, warp_limit_deg};
 use sheetwright::math::to_deg;
 
-/// `report.html` of a made design. `refold_error_mm` and `checked` have one entry a part; a refold
-/// error that is not finite says that the written pattern could not be read back.
+/// `report.html` of a made design. `refold_error_mm` and `checked` have one entry for each part; a
+/// refold error that is not finite means that the written pattern can't be read back.
 ///
 /// # Panics
-/// Unless there is one entry a part.
+/// Unless both have one entry for each part.
 pub fn report_html(
     made: &Made,
     refold_error_mm: &[f64],
@@ -69,8 +69,8 @@ pub fn report_html(
     )
 }
 
-/// What a browser may do for the page: take its own style sheet, and nothing else. No text of a
-/// design, whatever it holds, can run or fetch anything.
+/// What a browser may load for the page: its own style sheet, and nothing else. No text of a design
+/// can run or fetch anything.
 const POLICY: &str =
     "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'";
 
@@ -94,7 +94,7 @@ fn document(name: &str, body: Markup) -> Vec<u8> {
     bytes
 }
 
-/// How many panels there are, and what their sheet takes.
+/// The number of panels, their material and its limits.
 fn subtitle(made: &Made) -> String {
     let meshes = made.parts.iter().filter(|part| part.given().is_some()).count();
     let count = made.parts.len();
@@ -105,33 +105,33 @@ fn subtitle(made: &Made) -> String {
         (n, true) => format!("{n} mesh panels"),
     };
     let stretch = plain_per_cent(stretch_limit(made.material.as_ref()));
-    let mut takes = Vec::new();
+    let mut limits = Vec::new();
     match &made.material {
         Some(m) => {
             if meshes < count {
                 let warp = decimal(m.warp_limit_deg.value, 1);
                 let radius = millimetres(m.bend_radius_mm.value);
-                takes.push(format!("a warp of {warp}° and a bend radius of {radius}"));
+                limits.push(format!("warp up to {warp}°, bend radius from {radius}"));
             }
             if meshes > 0 {
-                takes.push(format!("{stretch} of stretch"));
+                limits.push(format!("stretch up to {stretch}"));
             }
-            format!("{panels} of {}: takes {}", m.title, takes.join(", and "))
+            format!("{panels} of {}. Limits: {}", m.title, limits.join(", "))
         }
         None => {
             if meshes < count {
                 let warp = decimal(warp_limit_deg(None), 1);
-                takes.push(format!("a warp of {warp}° is accepted, and any bend radius"));
+                limits.push(format!("warp up to {warp}°, any bend radius"));
             }
             if meshes > 0 {
-                takes.push(format!("{stretch} of stretch is accepted"));
+                limits.push(format!("stretch up to {stretch}"));
             }
-            format!("{panels}, no material named: {}", takes.join("; "))
+            format!("{panels}, no material named. Limits: {}", limits.join(", "))
         }
     }
 }
 
-/// The table of all panels: a row for the name of each with what stands under each label.
+/// The table of all panels: a row for each, with its name and a value under each label.
 fn summary<'a>(labels: &[&str], rows: impl Iterator<Item = (&'a str, Vec<String>)>) -> Markup {
     html! {
         table.summary {
@@ -156,8 +156,7 @@ fn summary<'a>(labels: &[&str], rows: impl Iterator<Item = (&'a str, Vec<String>
     }
 }
 
-/// A column of the table of all panels, with what stands there; nothing where a part has no such
-/// quantity.
+/// A column of the table of all panels; its value is `None` where a part has no such quantity.
 struct Column {
     label: &'static str,
     value: fn(&Page<'_>) -> Option<String>,
@@ -210,7 +209,7 @@ const COLUMNS: [Column; 9] = [
     },
 ];
 
-/// The columns in which some part has something.
+/// The columns in which some part has a value.
 fn columns(pages: &[Page<'_>]) -> Vec<&'static Column> {
     let has = |column: &&Column| pages.iter().any(|page| (column.value)(page).is_some());
     COLUMNS.iter().filter(has).collect()
@@ -266,7 +265,7 @@ fn card(number: usize, name: &str, checked: &Checked) -> Markup {
             p {
                 @match checked.findings.first() {
                     Some(finding) => (finding_text(finding)),
-                    None => "Nothing was found against it.",
+                    None => "No findings.",
                 }
             }
         }

@@ -1,4 +1,4 @@
-//! What `report.html` shows of a mesh: what flattening stretches, and where.
+//! What `report.html` shows of a mesh: how far flattening stretches it, and where.
 
 use super::gauss_picture::gauss_picture;
 use super::heat_picture::{NO_ERROR, heat_picture};
@@ -69,7 +69,7 @@ impl MeshPage<'_> {
             strong { "In space. " }
             "Blue is the side that the pattern shows, brown the other. "
             @if !self.part().sheet.seams().is_empty() { "The green lines are the cuts. " }
-            "It fills a box of " (millimetres(size.x)) " × " (millimetres(size.y)) " × "
+            "The panel fills a box of " (millimetres(size.x)) " × " (millimetres(size.y)) " × "
             (millimetres(size.z)) " (x, y, z)."
         }
     }
@@ -77,10 +77,11 @@ impl MeshPage<'_> {
     fn gauss_caption(&self) -> Markup {
         html! {
             strong { "Which way it faces. " }
-            "Every direction is a point on a ball; the directions at both ends of each side of the mesh \
-             are joined. A curve: it lies flat without stretching. A net: it must stretch, the more the more it covers. \
-             Its area here is " (steradians(self.part().measures.gauss_area_sr)) ", of 12.57\u{a0}sr that the \
-             whole ball has."
+            "Every direction is a point on a ball. A line joins the directions of the two triangles at \
+             each side of the mesh. If the lines lie on one curve, the panel lies flat without \
+             stretching. If they form a net, the panel must stretch, and more for a larger net. The \
+             area here is " (steradians(self.part().measures.gauss_area_sr)) " of the 12.57\u{a0}sr of \
+             the whole ball."
         }
     }
 
@@ -91,18 +92,18 @@ impl MeshPage<'_> {
         html! {
             strong { "Laid flat. " }
             @if measures.length_error_max < NO_ERROR {
-                "Every length is as in space."
+                "Every length is that in space."
             } @else {
-                "Each triangle has the colour of the largest relative difference among the lengths of its \
-                 sides, flat against space. The largest of all is "
+                "The colour of a triangle is the largest relative difference between the lengths of its \
+                 sides, flat and in space. The largest of all is "
                 (per_cent(measures.length_error_max)) " (ringed), the mean "
                 (per_cent(measures.length_error_mean))
-                @if let Some(by_area) = by_area { ", weighed by area " (per_cent(by_area)) }
+                @if let Some(by_area) = by_area { ", weighted by area " (per_cent(by_area)) }
                 "."
             }
             @if measures.length_error_max > stretch_limit(material) {
-                " The dashed line in the scale is what "
-                (material.map_or("a sheet of no named material", |m| &m.title)) " takes."
+                " The dashed line in the scale is the limit of "
+                (material.map_or("a sheet of no named material", |m| &m.title)) "."
             }
             @if seams.len() == 1 {
                 " Join the two sides that are marked " b { (seam_mark(0)) } "."
@@ -114,7 +115,7 @@ impl MeshPage<'_> {
         }
     }
 
-    /// The edges that are no sides of cuts, where there are several.
+    /// The edges that are not sides of cuts, if the part has more than one.
     fn edges(&self) -> Markup {
         let is_cut = |edge: &&Edge| matches!(edge.source, EdgeSource::Cut { .. });
         let edges = &self.part().edges;
@@ -196,7 +197,7 @@ impl MeshPage<'_> {
         }
     }
 
-    /// All that was measured.
+    /// All measures, with their labels.
     pub(super) fn numbers(&self) -> Vec<Number> {
         let (measures, sheet) = (&self.part().measures, self.part().sheet.mesh());
         let aim = match self.given.aim {

@@ -1,4 +1,4 @@
-//! Which rungs a picture draws, how they look, and what the legend says of them.
+//! Which rungs a picture draws, their classes, and the legend.
 
 use super::canvas::{Anchor, MARGIN, line, text};
 use super::wording::thinned;
@@ -9,24 +9,24 @@ use sheetwright::math::{Point2, from_deg, to_deg};
 use sheetwright::measure::{RungMeasures, SHARP_CREASE_DEG};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Rungs of a class drawn on a panel, at the most.
+/// The most rungs of a class that are drawn on a panel.
 pub(super) const MOST_RUNGS: usize = 60;
-/// The middles of rulings on a panel stand at least this far apart, in units of the picture: closer
+/// The least distance between the middles of rulings on a panel, in units of the picture: closer
 /// ones would run into one another.
 pub(super) const APART: f64 = 5.0;
 /// The classes of rungs, in the order in which they are drawn.
 pub(super) const RUNG_CLASSES: [&str; 6] = ["turn", "r", "score", "t", "x", "w"];
-/// Those that stand apart, of which the first take their room before the others.
+/// The classes whose middles keep that distance; the first is placed first.
 pub(super) const APART_CLASSES: [&str; 2] = ["turn", "r"];
 /// The class of cuts in space: rungs along which the pattern is cut open.
 pub(super) const CUT: &str = "seam";
 /// The class of the sharp creases of a mesh, which are scored as folds are.
 pub(super) const CREASE: &str = "score";
 
-/// The class of every rung that is drawn: `w` the one that warps most, if it is beyond the limit,
-/// `x` beyond it, `t` bent more tightly than the sheet takes, `score` a fold, `turn` one that
-/// turns as sharply as the pattern engraves, `r` any other along which the sheet bends: on a flat
-/// part a line would look like a bend. At the most about `most` of each.
+/// The class of every rung that is drawn: `w` the largest warp, if above the limit, `x` any other
+/// warp above the limit, `t` a bend radius below the limit, `score` a fold, `turn` a bend so sharp
+/// that the pattern engraves it, `r` any other along which the sheet bends: on a flat part a line
+/// would look like a bend. About `most` of each class at most.
 pub(super) fn rung_classes(
     part: &Part,
     material: Option<&Material>,
@@ -72,8 +72,8 @@ fn class_within(rung: &RungMeasures) -> Option<&'static str> {
     }
 }
 
-/// At the most `most` of some rungs, each so many after the last, an even number: along a strip
-/// rungs lean one way and the other in turn, and only every other one is drawn.
+/// At most `most` of some rungs, in equal steps of an even number: along a strip rungs lean one way
+/// and the other in turn, and those drawn lean one way.
 fn alike(rungs: &[usize], most: usize) -> Vec<usize> {
     if rungs.len() <= most {
         return rungs.to_vec();
@@ -82,14 +82,14 @@ fn alike(rungs: &[usize], most: usize) -> Vec<usize> {
     rungs[(rungs.len() - 1) % every / 2..].iter().step_by(every).copied().collect()
 }
 
-/// The middles of rulings that are drawn, by squares as large as they stand apart.
+/// The middles of the rulings that are drawn, in a grid whose squares have their least distance.
 pub(super) struct Middles {
     apart: f64,
     squares: BTreeMap<(i64, i64), Vec<Point2>>,
 }
 
 impl Middles {
-    /// None yet, to stand at least this far apart in units of the picture.
+    /// No middles; `apart` is their least distance, in units of the picture.
     pub(super) fn apart(apart: f64) -> Self {
         Self { apart, squares: BTreeMap::new() }
     }
@@ -98,7 +98,7 @@ impl Middles {
         ((middle.x / self.apart).floor() as i64, (middle.y / self.apart).floor() as i64)
     }
 
-    /// Whether no other is near.
+    /// Whether no other middle is nearer than the least distance.
     pub(super) fn is_free(&self, middle: Point2) -> bool {
         let (x, y) = self.square(middle);
         let around = (-1..=1).flat_map(|i| (-1..=1).map(move |k| (x + i, y + k)));
@@ -111,23 +111,23 @@ impl Middles {
     }
 }
 
-/// What the lines of a picture mean that stand out.
+/// The meaning of the lines of a picture that are drawn in a style of their own.
 pub(super) struct Legend {
     pub(super) body: String,
     /// How much higher it makes the picture.
     pub(super) height: f64,
 }
 
-/// The legend of the classes of some lines, from a height of the picture on; empty if none stands
-/// out.
+/// The legend of the classes of some lines, whose upper edge is at `top`; empty if no class needs
+/// one.
 pub(super) fn legend(classes: impl Iterator<Item = &'static str>, top: f64) -> Legend {
     const ROW: f64 = 22.0;
     let shown: BTreeSet<&str> = classes.collect();
     let mut legend = Legend { body: String::new(), height: 0.0 };
     for (class, words) in [
-        ("w", "warps most"),
-        ("x", "warps more than the sheet takes"),
-        ("t", "bent more tightly than the sheet takes"),
+        ("w", "largest warp"),
+        ("x", "warp above the limit"),
+        ("t", "bend radius below the limit"),
         ("score", "fold: score it"),
         (CUT, "cut open on the pattern"),
     ] {

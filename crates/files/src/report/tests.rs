@@ -298,11 +298,11 @@ fn bends_that_are_too_tight_stand_out() {
     let page = html(&made);
     let shown = pictures(&page).iter().filter(|p| p.contains(r#"class="t""#)).count();
     assert!(shown >= 2, "in space and flat");
-    let legends = page.matches("bent more tightly than the sheet takes").count();
+    let legends = page.matches("bend radius below the limit").count();
     assert_eq!(legends, 2, "in space and flat");
-    assert!(!page.contains("warps more than the sheet takes"));
-    assert!(!html(&concave()).contains("bent more tightly"));
-    assert_eq!(html(&helicoid()).matches("warps most").count(), 2);
+    assert!(!page.contains("warp above the limit"));
+    assert!(!html(&concave()).contains("bend radius below"));
+    assert_eq!(html(&helicoid()).matches("largest warp").count(), 2);
 }
 
 /// How many lines a picture has of a class.
@@ -406,7 +406,7 @@ fn the_chart_is_as_unsure_as_the_verdict() {
     assert_eq!(made.parts[0].checked.verdict, sheetwright::check::Verdict::Undecided);
     assert!(made.parts[0].measures.warp_max > sheetwright::math::from_deg(6.0));
     let page = html(&made);
-    assert!(page.contains("Can't tell yet") && page.contains("Dashed bars may be the bend"));
+    assert!(page.contains("Can't tell yet") && page.contains("Dashed bars may be bending"));
     assert!(page.contains(r#"<path class="bar unsure""#));
     for known in ["bar over", "head over", r#"class="ring""#, r#"class="w""#] {
         assert!(!page.contains(known), "{known}");

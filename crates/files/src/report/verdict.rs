@@ -5,7 +5,7 @@ use crate::words::{finding_place, finding_text};
 use maud::{Markup, html};
 use sheetwright::check::{Checked, Finding, Place, Severity, Verdict};
 
-/// How bad things are: the worst finding and the verdict together.
+/// The worst severity of the findings and of the verdict.
 pub(super) fn severity(checked: &Checked) -> Severity {
     let of_verdict = match checked.verdict {
         Verdict::Bends => Severity::Note,
@@ -24,11 +24,11 @@ pub(super) fn verdict(checked: &Checked) -> Markup {
         Severity::Error => "×",
     };
     let word = verdict_word(checked.verdict);
-    // A sheet that would bend may still be one that must not be cut.
+    // A sheet that bends may have an error that forbids cutting it.
     let but = match (checked.verdict, severity) {
         (Verdict::WillNotBend, _) => "",
         (_, Severity::Error) => ", but do not cut it",
-        (Verdict::Bends, Severity::Warning) => ", but look before you cut",
+        (Verdict::Bends, Severity::Warning) => ", but read the warnings before you cut",
         _ => "",
     };
     html! {
@@ -39,11 +39,11 @@ pub(super) fn verdict(checked: &Checked) -> Markup {
     }
 }
 
-/// Everything that was found.
+/// All findings, each with its place and its code.
 pub(super) fn findings(checked: &Checked) -> Markup {
     html! {
         @if checked.findings.is_empty() {
-            p { "Nothing was found against it." }
+            p { "No findings." }
         } @else {
             ul.findings {
                 @for finding in &checked.findings {

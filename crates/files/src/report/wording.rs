@@ -1,4 +1,4 @@
-//! Numbers and verdicts as people read them.
+//! Numbers and verdicts in words.
 
 use sheetwright::check::Verdict;
 
@@ -17,23 +17,23 @@ pub fn verdict_word(verdict: Verdict) -> &'static str {
 pub fn verdict_sentence(verdict: Verdict, is_mesh: bool) -> &'static str {
     match verdict {
         Verdict::Bends if is_mesh => {
-            "Laid flat, no length changes by more than the sheet takes with ease."
+            "Laid flat, every length changes by less than the sheet takes with ease."
         }
         Verdict::BendsAndFolds if is_mesh => {
             "The sheet takes this shape with its creases folded along scored lines."
         }
         Verdict::BendsWithForce | Verdict::Undecided if is_mesh => {
-            "The sheet has to stretch to take this shape, by less than it bears."
+            "The sheet must stretch to take this shape. The stretch is within the limit."
         }
         Verdict::Bends => "The sheet takes this shape by bending alone.",
         Verdict::BendsAndFolds => {
             "The sheet takes this shape by bending, and by sharp folds along scored lines."
         }
         Verdict::BendsWithForce => {
-            "The sheet takes this shape when it is clamped: it has to stretch a little."
+            "The sheet takes this shape when it is clamped. It must stretch a little."
         }
         Verdict::Undecided => {
-            "These samples are too coarse to tell bending from twist: ask for more."
+            "The samples are too coarse to tell bending from twist. Use more samples."
         }
         Verdict::WillNotBend => "The sheet does not take this shape.",
     }
@@ -117,7 +117,7 @@ pub(super) fn degrees(deg: f64) -> String {
     format!("{}°", decimal(deg, decimals))
 }
 
-/// A relative error as a share in per cent; what no workshop can measure is called so.
+/// A relative error as a share in per cent; `none` below 1e-8, which no workshop can measure.
 pub(super) fn per_cent(share: f64) -> String {
     if share < 1e-8 { "none".to_owned() } else { format!("{}\u{a0}%", decimal(100.0 * share, 4)) }
 }
@@ -133,7 +133,7 @@ pub(super) fn plain_per_cent(share: f64) -> String {
     format!("{text}\u{a0}%")
 }
 
-/// How far the pattern misses the surface when it is folded up again.
+/// The refold error: the largest distance from the surface to the pattern folded up again, mm.
 pub(super) fn refold(error_mm: f64) -> String {
     if !error_mm.is_finite() {
         "not read back".to_owned()

@@ -1,9 +1,9 @@
-//! What moving a boundary came to, and letting rails run on, in words.
+//! Sentences on moved boundaries and on rails that run on.
 
 use sheetwright::check::{Bend, FindingKind, Hindrance, Movement};
 use sheetwright::math::to_deg;
 
-/// What was moved, and what that changed; a sentence without its end.
+/// Which curves moved, how far, and the change of warp and twist; a sentence without its end.
 pub(super) fn movement(movement: &Movement) -> String {
     let Movement { curves, moved_max_mm, moved_total_mm, size_mm, warp, twist } = movement;
     if curves.is_empty() {
@@ -19,8 +19,8 @@ pub(super) fn movement(movement: &Movement) -> String {
     )
 }
 
-/// Why nothing was moved, as the end of a sentence, and what is to be done instead where the panel
-/// does not bend.
+/// Why nothing moved, as the end of a sentence, and what to do instead where the panel does not
+/// bend. `wanted` is the goal, the largest warp angle, radians.
 pub(super) fn not_needed(
     wanted: Option<f64>,
     is_above: bool,
@@ -28,53 +28,53 @@ pub(super) fn not_needed(
 ) -> String {
     let tell = "as far as its samples tell";
     if is_above {
-        return ": the samples explain every warp angle by bending, so the panel is developable as \
-                far as they tell. Ask for more samples to see its warp angles fall."
+        return ": bending from one sample to the next explains every warp angle, so the panel is \
+                developable as far as its samples tell. With more samples its warp angles fall."
             .to_owned();
     }
     let Some(hindrance) = hindrance else {
         return format!(": the panel bends as it is, {tell}.");
     };
     let twist = match wanted.map(to_deg) {
-        Some(wanted) => format!("no ruling twists by more than the {wanted:.1}° asked for"),
+        Some(wanted) => format!("no ruling twists by more than the goal of {wanted:.1}°"),
         None => "no ruling twists".to_owned(),
     };
     format!(": {twist}, {tell}.{}", keeps_from_bending(Some(hindrance)))
 }
 
-/// What keeps a panel from bending that has all the warp angles asked for, as a sentence.
+/// What keeps a panel from bending although its warp angles reach the goal, as a sentence.
 pub(super) fn keeps_from_bending(hindrance: Option<Hindrance>) -> &'static str {
     match hindrance {
         None => "",
-        Some(Hindrance::Warp) => " The sheet takes less than that: ask for a smaller angle.",
+        Some(Hindrance::Warp) => " The limit for the sheet is smaller: set a smaller angle.",
         Some(Hindrance::Radius) => {
-            " What keeps the panel from bending is its radius, which moving for less twist does \
-             not change: take a thinner sheet, or draw the curves rounder."
+            " The bend radius keeps the panel from bending, and moving for less twist does not \
+             change it. Choose a thinner sheet, or draw the curves rounder."
         }
         Some(Hindrance::Other) => {
-            " What keeps the panel from bending is not its twist: see the errors beside this."
+            " Something other than twist keeps the panel from bending: see the other errors."
         }
     }
 }
 
-/// What became of the ends of a panel whose rails were let run on, and whether it bends the better
-/// for it.
+/// The shape of both ends of a panel whose rails run on, and whether it bends better with them than
+/// with straight ends.
 pub(super) fn ran_on(
     kind: &FindingKind,
     bulges_mm: [Option<f64>; 2],
     bends: Option<[Bend; 2]>,
 ) -> String {
     let said = |bulge: Option<f64>| match bulge {
-        Some(mm) => format!("a curve up to {mm:.2} mm beside the straight line"),
+        Some(mm) => format!("a curve up to {mm:.2} mm from the straight line"),
         None => "straight".to_owned(),
     };
     let [start, end] = bulges_mm.map(said);
     let mut text = format!(
-        "The rails were let run on beyond their ends. The end of the panel where the first rail \
-         begins is {start}; the one where it ends is {end}."
+        "The rails run on beyond their ends. Where the first rail begins, the end of the panel is \
+         {start}; where that rail ends, it is {end}."
     );
     if bulges_mm == [None; 2] {
-        text.push_str(" Rulings would gain nothing by leaving there.");
+        text.push_str(" Rulings through these ends would gain nothing.");
     } else if let Some(bends) = bends {
         let [now, straight] = bends.map(|bend| {
             let warp = to_deg(bend.warp);

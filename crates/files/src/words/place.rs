@@ -1,14 +1,14 @@
-//! Where something was found, in words.
+//! Places of findings, in words.
 
 use sheetwright::check::{BorderSide, Finding, FindingKind, Place, SeamPlace};
 use sheetwright::index::SampleIndex;
 use sheetwright::math::Point3;
 use sheetwright::pattern::seam_mark;
 
-/// How much of a long list is shown: the first few stand for all.
+/// The most entries of a list that a place shows.
 const SHOWN: usize = 6;
 
-/// Where something was found: `rungs 41–47`, `samples 3 and 12`; empty where it is the whole panel.
+/// The place of a finding: `rungs 41–47`, `samples 3, 12`; empty where it is the whole panel.
 /// Numbers count from 1.
 pub fn finding_place(finding: &Finding) -> String {
     match (&finding.place, &finding.kind) {
@@ -55,7 +55,7 @@ fn listed(numbers: &[SampleIndex]) -> String {
     numbers.iter().map(|&n| number(n).to_string()).collect::<Vec<_>>().join(", ")
 }
 
-/// How many of `count` are left out where so many are `shown`.
+/// ` and 3 more` and `what` they are; empty where all of `count` are `shown`.
 fn and_more(count: usize, shown: usize, what: &str) -> String {
     match count.saturating_sub(shown) {
         0 => String::new(),
@@ -67,6 +67,12 @@ fn samples(numbers: &[SampleIndex]) -> String {
     let shown = listed(&numbers[..numbers.len().min(SHOWN)]);
     let s = if numbers.len() == 1 { "" } else { "s" };
     format!("sample{s} {shown}{}", and_more(numbers.len(), SHOWN, ""))
+}
+
+/// How many ranges are left out.
+fn and_more_ranges(count: usize) -> String {
+    let what = if count == SHOWN + 1 { " range" } else { " ranges" };
+    and_more(count, SHOWN, what)
 }
 
 /// Rungs as ranges of their numbers: `rungs 41–47, 60`.
@@ -84,10 +90,10 @@ fn rungs(numbers: &[usize]) -> String {
         .map(|&(a, b)| if a == b { a.to_string() } else { format!("{a}–{b}") })
         .collect();
     let word = if numbers.len() == 1 { "rung" } else { "rungs" };
-    format!("{word} {}{}", shown.join(", "), and_more(ranges.len(), SHOWN, " ranges"))
+    format!("{word} {}{}", shown.join(", "), and_more_ranges(ranges.len()))
 }
 
-/// Seams with their marks: `S1 from sample 3 to 17`, or `S1 to S5` of a mesh, where all are meant.
+/// Seams with their marks: `S1 from sample 3 to 17`; of a mesh, whose list has all, `S1 to S5`.
 fn seams(list: &[SeamPlace]) -> String {
     if let [SeamPlace { number: first, ends: None }, .., SeamPlace { number: last, .. }] = list {
         return format!("{} to {}", seam_mark(*first), seam_mark(*last));

@@ -56,25 +56,24 @@ fn a_finding_reads_well() {
     };
     assert_eq!(
         said("warp-too-large"),
-        [
-            "The surface twists by up to 9.0° along its rulings, at 5 of 40 of them by more than the \
-          6.0° that a sheet takes. Move the boundary there, or divide the panel. (rungs 1–3, 5, \
-          7–8, 10, 12, 14 and 1 more ranges)"
-        ]
+        ["The surface twists by up to 9.0° along its rulings; the limit for a sheet of no named \
+          material is 6.0°. 5 of 40 rulings exceed the limit. Move the boundary there, or divide \
+          the panel. (rungs 1–3, 5, 7–8, 10, 12, 14 and 1 more range)"]
     );
     assert_eq!(
         said("stretch-too-large")[0],
-        "Laid flat, lengths differ from the surface by up to 1.2 %: by so much the sheet must \
-         stretch. Mild steel, 1 mm takes 0.10 %. Cut it from the border at (7.0, 8.0, 9.0) mm to \
-         (0.0, 2.0, 3.3) mm, divide it along its sharp creases, divide it into more panels in the \
-         program that it is from, or take a sheet that stretches more. (at (0.0, 2.0, 3.3) mm)"
+        "Laid flat, lengths differ from those on the surface by up to 1.2 %: the sheet must \
+         stretch by that much. The limit for mild steel, 1 mm is 0.10 %. Cut it from the border \
+         at (7.0, 8.0, 9.0) mm to (0.0, 2.0, 3.3) mm, divide it along its sharp creases, divide it \
+         into more panels in the program that exported it, or choose a sheet that stretches more. \
+         (at (0.0, 2.0, 3.3) mm)"
     );
     assert_eq!(
         said("warp-not-reached"),
         [
             "'rim' and 'chine' moved by up to 1.50 mm (0.300 % of the size), 40.0 mm over all samples: \
           the largest warp angle goes from 9.00° to 5.00°, the total twist from 3.000e-1 to \
-          1.000e-1. The 4.0° that were asked for are not reached within the limits: 1 rung stays \
+          1.000e-1. The goal of 4.0° is not reached within the limits: 1 rung stays \
           above 4.0°: within the limits, the largest warp angle comes down from 9.0° to 5.0°. Let \
           the boundary move farther, or draw it with less twist. (rung 4)"
         ]
@@ -121,7 +120,11 @@ fn one_and_several_read_well() {
     assert!(folds(2, Some(ply)).ends_with("Plywood, 4 mm does not fold; move the boundary there."));
     let too_tight = TooTight { sheet: ply.to_owned(), limit_mm: 380.0, needed_mm: 12.0 };
     let points = FindingKind::Points { count: 1, turn: 0.5, too_tight: Some(too_tight) };
-    assert!(said(points).contains("there. Plywood, 4 mm takes a radius of 380.0 mm"));
+    assert!(
+        said(points).contains(
+            "there. The bend radius there is 12.0 mm; the limit for plywood, 4 mm is 380.0"
+        )
+    );
     let turned = |names: &[&str]| {
         let panels = names.iter().map(|&name| name.to_owned()).collect();
         said(FindingKind::TurnedRound { panels, first: "a".to_owned() })

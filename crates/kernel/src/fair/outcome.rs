@@ -37,12 +37,12 @@ pub enum Ended {
 impl fmt::Display for Ended {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NothingToDo => write!(f, "nothing needed to move"),
+            Self::NothingToDo => write!(f, "nothing needs to move"),
             Self::Converged => write!(f, "no further move within the limits helps"),
-            Self::NoGain => write!(f, "no move was found that lowers the true price"),
-            Self::Rounds => write!(f, "all rounds are used; more would gain more"),
-            Self::Stopped => write!(f, "stopped on the way"),
-            Self::Reached => write!(f, "every rung is within the angle asked for"),
+            Self::NoGain => write!(f, "no move was found that lowers the price"),
+            Self::Rounds => write!(f, "all rounds are used; further rounds may gain more"),
+            Self::Stopped => write!(f, "stopped early"),
+            Self::Reached => write!(f, "no warp angle is above the goal"),
             Self::Closest { wanted, before, reached, resisting } => {
                 let (count, verb) = match resisting.len() {
                     1 => ("1 rung".to_owned(), "stays"),

@@ -52,8 +52,8 @@ pub enum FlattenError {
 impl fmt::Display for FlattenError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Cycle => write!(f, "the surface hangs together in a cycle that no cut opens"),
-            Self::Pieces => write!(f, "the surface falls apart into pieces"),
+            Self::Cycle => write!(f, "the triangles of the surface form a cycle that no cut opens"),
+            Self::Pieces => write!(f, "the surface has separate pieces"),
             Self::NoTriangle { triangle } => {
                 write!(f, "the lengths of triangle {triangle} make no triangle")
             }

@@ -80,10 +80,9 @@ impl fmt::Display for MakeCause {
             Self::Flatten(error) => write!(f, "{error}"),
             Self::Vary(cause) => write!(f, "{cause}"),
             Self::Mesh { error, places } => write_mesh_error(f, *error, places),
-            Self::Pieces { found, most } => write!(
-                f,
-                "it falls into {found} parts that do not hang together; {most} is the most"
-            ),
+            Self::Pieces { found, most } => {
+                write!(f, "the mesh has {found} separate parts; the limit is {most}")
+            }
             Self::Relax(error) => write!(f, "{error}"),
         }
     }
@@ -98,8 +97,8 @@ fn write_mesh_error(f: &mut fmt::Formatter<'_>, error: MeshError, at: &[Point3])
         }
         (MeshError::NotOrientable { .. }, [a, b]) => write!(
             f,
-            "it has one side only, as a Möbius strip or a Klein bottle: all round it, front turns \
-             into back, as at the side from {} to {}",
+            "the mesh has one side only, as a Möbius strip or a Klein bottle: front and back meet at \
+             the side from {} to {}",
             place(a),
             place(b)
         ),

@@ -63,7 +63,10 @@ impl fmt::Display for MeshError {
         match self {
             Self::Empty => write!(f, "the mesh has no triangle"),
             Self::TooMany { found } => {
-                write!(f, "the mesh has {found} triangles or vertices; {MAX_TRIANGLES} is the most")
+                write!(
+                    f,
+                    "the mesh has {found} triangles or vertices; the limit is {MAX_TRIANGLES}"
+                )
             }
             Self::BadCorner { triangle } => {
                 write!(f, "triangle {triangle} has a corner that is no vertex")
@@ -72,7 +75,7 @@ impl fmt::Display for MeshError {
                 write!(f, "vertex {vertex} has a coordinate that is no finite number")
             }
             Self::TooSmall => {
-                write!(f, "nothing of it is larger than a millionth of a millimetre")
+                write!(f, "the whole mesh is smaller than a millionth of a millimetre")
             }
             Self::Degenerate { triangle } => write!(f, "triangle {triangle} has no area"),
             Self::Unused { vertex } => write!(f, "vertex {vertex} belongs to no triangle"),
@@ -80,7 +83,7 @@ impl fmt::Display for MeshError {
                 write!(f, "the side {from}–{to} belongs to more than two triangles")
             }
             Self::PinchedVertex { vertex } => {
-                write!(f, "parts of the mesh meet in vertex {vertex} alone")
+                write!(f, "parts of the mesh meet only in vertex {vertex}")
             }
             Self::NotOrientable { from, to } => write!(
                 f,

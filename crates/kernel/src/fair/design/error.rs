@@ -72,11 +72,11 @@ impl fmt::Display for VaryCause {
             Self::UnknownPanel { name } => write!(f, "there is no panel '{name}' to vary"),
             Self::NoCurves => write!(f, "a mesh has no curves that could move"),
             Self::BoundsNothing => {
-                write!(f, "the curve may move, and bounds none of the panels to vary")
+                write!(f, "the curve may move, but bounds none of the panels to vary")
             }
             Self::MovedTwice => write!(f, "two panels would move the curve, each in its own way"),
             Self::TooManyPoints { found, most } => {
-                write!(f, "{found} points may move, and {most} are the most")
+                write!(f, "{found} points may move; the limit is {most}")
             }
             Self::Failed(error) => write!(f, "{error}"),
         }

@@ -132,7 +132,7 @@ impl fmt::Display for RelaxError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Pieces { found } => {
-                write!(f, "the mesh is of {found} pieces; each is laid flat by itself")
+                write!(f, "the mesh has {found} pieces; lay each flat by itself")
             }
             Self::Closed => {
                 write!(f, "the mesh is closed and must be cut open before it lies flat")
@@ -147,7 +147,7 @@ impl fmt::Display for RelaxError {
                 write!(f, "the lengths of triangle {triangle} make no triangle")
             }
             Self::Hole => write!(f, "the lengths round a hole can't close"),
-            Self::NoStart => write!(f, "no flat form was found that turns no triangle over"),
+            Self::NoStart => write!(f, "no flat form was found without a triangle upside down"),
             Self::TooLarge => write!(f, "the mesh is too large for the memory"),
             Self::Stopped => write!(f, "stopped"),
         }
