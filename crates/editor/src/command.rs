@@ -1,7 +1,7 @@
 //! Everything that a person can ask for by name: menus, keys, buttons and the palette share it.
 
 use crate::document::Plan;
-use crate::room::Part;
+use crate::room::WindowPart;
 use crate::theme::Look;
 use crate::views::Navigation;
 use crate::views::SurfaceView;
@@ -61,7 +61,7 @@ pub enum Command {
     /// How surfaces look in space.
     View(SurfaceView),
     /// One part of the window, where there is no room for all.
-    Show(Part),
+    Show(WindowPart),
     /// Everything in sight.
     Fit,
     /// Parallel lines stay parallel, or meet far away.
@@ -127,7 +127,7 @@ impl Command {
         ];
         all.extend(Plan::ALL.map(Self::PlanOf));
         all.extend(SurfaceView::ALL.map(Self::View));
-        all.extend(Part::ALL.map(Self::Show));
+        all.extend(WindowPart::ALL.map(Self::Show));
         all.extend([
             Self::Fit,
             Self::ToggleOrthographic,
@@ -173,10 +173,10 @@ impl Command {
             Self::PlanOf(Plan::Front) => "Plan: front",
             Self::PlanOf(Plan::Side) => "Plan: side",
             Self::View(view) => view.name(),
-            Self::Show(Part::Plan) => "Show the plan",
-            Self::Show(Part::Space) => "Show space",
-            Self::Show(Part::Pattern) => "Show the pattern",
-            Self::Show(Part::Answer) => "Show the answer",
+            Self::Show(WindowPart::Plan) => "Show the plan",
+            Self::Show(WindowPart::Space) => "Show space",
+            Self::Show(WindowPart::Pattern) => "Show the pattern",
+            Self::Show(WindowPart::Answer) => "Show the answer",
             Self::Fit => "Fit",
             Self::ToggleOrthographic => "Perspective on or off",
             Self::Navigate(navigation) => navigation.name(),
@@ -229,10 +229,12 @@ impl Command {
             Self::PlanOf(Plan::Front) => "Draw as seen from the front; handles lift along y.",
             Self::PlanOf(Plan::Side) => "Draw as seen from the side; handles lift along x.",
             Self::View(view) => view.tooltip(),
-            Self::Show(Part::Plan) => "Where outlines are drawn and handles moved.",
-            Self::Show(Part::Space) => "The sheet in space, where handles are lifted.",
-            Self::Show(Part::Pattern) => "The sheet laid flat, with its dimensions.",
-            Self::Show(Part::Answer) => "Will it bend? And typed values for what is selected.",
+            Self::Show(WindowPart::Plan) => "Where outlines are drawn and handles moved.",
+            Self::Show(WindowPart::Space) => "The sheet in space, where handles are lifted.",
+            Self::Show(WindowPart::Pattern) => "The sheet laid flat, with its dimensions.",
+            Self::Show(WindowPart::Answer) => {
+                "Will it bend? And typed values for what is selected."
+            }
             Self::Fit => "Bring everything into sight.",
             Self::ToggleOrthographic => "Let lines that are parallel stay so, or meet far away.",
             Self::Navigate(navigation) => navigation.tooltip(),

@@ -18,7 +18,7 @@ use crate::document::{Edit, Selection};
 use crate::engine::shown::ShownPanel;
 use crate::engine::{Engine, Refusal, Varied, Wake};
 use crate::panes::plan::Tool;
-use crate::room::{Part, Room};
+use crate::room::{Room, WindowPart};
 use crate::scene::{Act, Scene};
 use crate::theme::{Look, Theme};
 use crate::views::Navigation;
@@ -46,7 +46,7 @@ pub struct Editor {
     /// How much of it all there is room for, as whoever shows it says.
     pub room: Room,
     /// What is seen where there is no room for everything, if there is room for one.
-    part: Part,
+    part: WindowPart,
     /// What is open over the panes.
     pub page: Page,
     /// Whether everything is to be brought into sight.
@@ -130,7 +130,7 @@ impl Editor {
             navigation: Navigation::default(),
             look: Look::default(),
             room: Room::default(),
-            part: Part::default(),
+            part: WindowPart::default(),
             page: Page::default(),
             wants_fit: true,
             wants_sight: None,
@@ -211,9 +211,9 @@ impl Editor {
     }
 
     /// What is seen where there is no room for everything.
-    pub fn shown_part(&self) -> Part {
-        let is_beside = self.room == Room::Two && self.part == Part::Answer;
-        if is_beside { Part::default() } else { self.part }
+    pub fn shown_part(&self) -> WindowPart {
+        let is_beside = self.room == Room::Two && self.part == WindowPart::Answer;
+        if is_beside { WindowPart::default() } else { self.part }
     }
 
     /// What panes look at.
@@ -278,7 +278,7 @@ impl Editor {
         self.varied = None;
         self.tool = Tool::Select;
         self.page = Page::Panes;
-        self.part = Part::Plan;
+        self.part = WindowPart::Plan;
         self.wants_fit = true;
         self.notice = None;
     }

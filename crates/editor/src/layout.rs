@@ -8,7 +8,7 @@ use crate::editor::Editor;
 use crate::panes::pattern::PatternPane;
 use crate::panes::plan::PlanPane;
 use crate::panes::space::SpacePane;
-use crate::room::{Part, Room};
+use crate::room::{Room, WindowPart};
 use crate::scene::{Act, Scene};
 use crate::side::fields_ui;
 use crate::theme::Theme;
@@ -70,11 +70,11 @@ impl Panes {
     }
 
     /// What the hand holds in panes that are not shown is let go, except for these.
-    pub(crate) fn let_go(&mut self, except: &[Part], acts: &mut Vec<Act>) {
-        if !except.contains(&Part::Plan) {
+    pub(crate) fn let_go(&mut self, except: &[WindowPart], acts: &mut Vec<Act>) {
+        if !except.contains(&WindowPart::Plan) {
             self.plan.let_go(acts);
         }
-        if !except.contains(&Part::Space) {
+        if !except.contains(&WindowPart::Space) {
             self.space.let_go(acts);
         }
     }
@@ -107,16 +107,16 @@ impl Panes {
             return;
         }
         self.let_go(&[editor.shown_part()], acts);
-        let is_answer = editor.shown_part() == Part::Answer;
+        let is_answer = editor.shown_part() == WindowPart::Answer;
         egui::CentralPanel::default().frame(if is_answer { bar } else { pane }).show(ui, |ui| {
             match editor.shown_part() {
-                Part::Plan => self.plan.ui(ui, &scene, acts),
-                Part::Space => {
+                WindowPart::Plan => self.plan.ui(ui, &scene, acts),
+                WindowPart::Space => {
                     views_ui(ui, editor, theme, acts);
                     self.space.ui(ui, &scene, editor.view, acts);
                 }
-                Part::Pattern => self.pattern.ui(ui, &scene, editor.view, acts),
-                Part::Answer => self.side_ui(ui, editor, theme, acts),
+                WindowPart::Pattern => self.pattern.ui(ui, &scene, editor.view, acts),
+                WindowPart::Answer => self.side_ui(ui, editor, theme, acts),
             }
         });
     }
@@ -226,8 +226,8 @@ fn titled(ui: &mut Ui, theme: &Theme, title: &str, hint: &str) {
 fn parts_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
     Panel::top("parts").frame(title_frame(theme)).show(ui, |ui| {
         ui.horizontal(|ui| {
-            for part in Part::ALL {
-                if part != Part::Answer || editor.room == Room::One {
+            for part in WindowPart::ALL {
+                if part != WindowPart::Answer || editor.room == Room::One {
                     command_button(ui, editor, Command::Show(part), part.name(), acts);
                 }
             }

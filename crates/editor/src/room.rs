@@ -35,9 +35,9 @@ impl Room {
     }
 }
 
-/// What is seen where there is no room for everything.
+/// A part of the window; one or two are seen where there is no room for all.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Part {
+pub enum WindowPart {
     /// The plan.
     #[default]
     Plan,
@@ -49,11 +49,11 @@ pub enum Part {
     Answer,
 }
 
-impl Part {
+impl WindowPart {
     /// Every part.
     pub const ALL: [Self; 4] = [Self::Plan, Self::Space, Self::Pattern, Self::Answer];
 
-    /// What people call it.
+    /// Its title.
     pub fn name(self) -> &'static str {
         match self {
             Self::Plan => "Plan",

@@ -11,7 +11,7 @@ use hands::{Hands, round};
 use sheetwright_editor::command::Command;
 use sheetwright_editor::document::{Document, Plan};
 use sheetwright_editor::pages::start::CARD;
-use sheetwright_editor::room::Part;
+use sheetwright_editor::room::WindowPart;
 use sheetwright_editor::views::SurfaceView;
 
 /// Where a pane lies, if it is seen.
@@ -38,14 +38,14 @@ fn where_there_is_no_room_for_all_one_part_is_seen_at_a_time() {
         assert_eq!(answer(&hands), has_side);
         hands.click("Space");
         assert_eq!(panes(&hands), [false, true, false]);
-        hands.run(Command::Show(Part::Pattern));
+        hands.run(Command::Show(WindowPart::Pattern));
         assert_eq!(panes(&hands), [false, false, true]);
         // What is asked for is brought into sight.
         hands.run(Command::Draw);
         assert_eq!(panes(&hands), [true, false, false]);
         hands.run(Command::View(SurfaceView::Warp));
         assert_eq!(panes(&hands), [false, true, false]);
-        hands.run(Command::Show(Part::Answer));
+        hands.run(Command::Show(WindowPart::Answer));
         assert_eq!(panes(&hands), [false, has_side, false]);
         assert!(answer(&hands));
         assert_eq!(hands.app().editor().notice.is_some(), has_side);
@@ -57,7 +57,7 @@ fn what_is_begun_anew_is_drawn_on_a_plan_that_is_seen() {
     let mut hands = Hands::new([390.0, 844.0], false);
     for command in [Command::New, Command::AddCircle, Command::PlanOf(Plan::Front)] {
         hands.harness.state_mut().editor_mut().replace(Document::default(), None);
-        hands.run(Command::Show(Part::Pattern));
+        hands.run(Command::Show(WindowPart::Pattern));
         assert_eq!(panes(&hands), [false, false, true]);
         hands.run(command);
         assert_eq!(panes(&hands), [true, false, false], "{command:?}");
@@ -80,10 +80,10 @@ fn a_hand_whose_pane_goes_away_lets_go() {
     assert!(hands.app().editor().history().is_dragging());
     let moved = hands.app().editor().document().design.curves[0].points[0].at;
     assert_ne!(moved, point);
-    hands.run(Command::Show(Part::Space));
+    hands.run(Command::Show(WindowPart::Space));
     assert!(!hands.app().editor().history().is_dragging());
     hands.release(handle);
-    hands.run(Command::Show(Part::Plan));
+    hands.run(Command::Show(WindowPart::Plan));
     // The next press is one of its own.
     let elsewhere = handle - vec2(100.0, 200.0);
     hands.drag(&[elsewhere, elsewhere - vec2(30.0, 0.0)]);

@@ -10,7 +10,7 @@ use hands::{Hands, round};
 use sheetwright_editor::command::Command;
 use sheetwright_editor::document::Document;
 use sheetwright_editor::document::PointRef;
-use sheetwright_editor::room::Part;
+use sheetwright_editor::room::WindowPart;
 use sheetwright_editor::scene::Act;
 use sheetwright_editor::theme::Look;
 use sheetwright_editor::views::SurfaceView;
@@ -66,7 +66,7 @@ fn pictures_are_taken_where_somebody_asks() {
             hands.settle();
             keep(&mut hands, &folder, &format!("{name}-{view:?}").to_lowercase());
         }
-        for part in Part::ALL {
+        for part in WindowPart::ALL {
             hands.run(Command::Show(part));
             hands.settle();
             keep(&mut hands, &folder, &format!("{name}-part-{part:?}").to_lowercase());

@@ -238,8 +238,8 @@ fn unit_of(name: &str) -> Option<Units> {
     }
 }
 
-/// What a sum adds or takes away.
-struct Part<'a> {
+/// A summand: its sign and its numbers with their units.
+struct Summand<'a> {
     sign: f64,
     /// Numbers with what stands behind each; at least one.
     terms: Vec<(f64, &'a str)>,
@@ -247,7 +247,7 @@ struct Part<'a> {
 
 const SIGNS: [char; 3] = ['+', '-', '−'];
 
-fn parts(text: &str) -> Result<Vec<Part<'_>>, Slip> {
+fn parts(text: &str) -> Result<Vec<Summand<'_>>, Slip> {
     if text.len() > MAX_BYTES {
         return Err(Slip::Long);
     }
@@ -277,7 +277,7 @@ fn parts(text: &str) -> Result<Vec<Part<'_>>, Slip> {
             terms.push((number, unit));
             rest = after.trim_start();
         }
-        parts.push(Part { sign, terms });
+        parts.push(Summand { sign, terms });
     }
     Ok(parts)
 }

@@ -44,15 +44,15 @@ pub fn new_design(name: &str, settings: &[String], folder: &Path) -> Result<NewD
 pub struct NewDesign {
     /// The design.
     pub design: Design,
-    table: Option<Table>,
+    table: Option<TableSetting>,
 }
 
-/// A table that a template was given.
+/// The table that a setting names.
 #[derive(Clone, Debug, PartialEq)]
-struct Table {
+struct TableSetting {
     /// Its path from the design's folder.
     path: String,
-    /// What its numbers are in.
+    /// The unit of its numbers.
     units: Units,
 }
 
@@ -103,7 +103,7 @@ fn called(name: &str, settings: &[String], folder: Option<&Path>) -> Result<NewD
     let mut table = None;
     for (name, path) in tables {
         set_table(&mut values, name, path, units, folder)?;
-        table = Some(Table { path: path.to_owned(), units });
+        table = Some(TableSetting { path: path.to_owned(), units });
     }
     let mut design = values.design().map_err(|error| in_words(&error, template, ""))?;
     let usual = || material_named(values.usual_sheet()?, &[]);

@@ -109,7 +109,7 @@ fn opened(mesh: &Mesh) -> Sheet {
 }
 
 fn assert_disk(open: &Sheet) {
-    let pieces = open.mesh().pieces();
+    let pieces = open.mesh().components();
     assert_eq!((pieces.len(), open.mesh().loops().len(), open.mesh().euler()), (1, 1, 1));
     assert!(pieces[0].is_disk());
 }
@@ -209,9 +209,9 @@ fn a_dart_reaches_the_worst_point() {
 fn a_cube_is_split_into_its_faces() {
     let cube = cube();
     let split = split_along_creases(&cube, from_deg(45.0)).unwrap();
-    assert_eq!(split.mesh().pieces().len(), 6);
+    assert_eq!(split.mesh().components().len(), 6);
     assert!(
-        split.mesh().pieces().iter().all(|piece| piece.is_disk() && piece.triangles.len() == 2)
+        split.mesh().components().iter().all(|piece| piece.is_disk() && piece.triangles.len() == 2)
     );
     assert_eq!(split.seams().len(), 12);
     let whole = split_along_creases(&cube, from_deg(100.0)).unwrap();

@@ -6,7 +6,7 @@ use crate::document::Selection;
 use crate::document::{Mirror, edit};
 use crate::engine::shown::Shown;
 use crate::panes::plan::Tool;
-use crate::room::{Part, Room};
+use crate::room::{Room, WindowPart};
 use sheetwright::check::Place;
 
 const NOTHING_DRAWN: &str = "Nothing is drawn yet.";
@@ -37,7 +37,7 @@ impl Editor {
                 needs(document.drawing.reference.is_some(), "There is no picture under the plan.")
             }
             Command::WorstRung => needs(self.worst_rung().is_some(), "No panel has a rung yet."),
-            Command::Show(Part::Answer) if self.room == Room::Two => {
+            Command::Show(WindowPart::Answer) if self.room == Room::Two => {
                 Some("It is in sight at the side.")
             }
             Command::Show(_) => needs(self.room != Room::All, "All panes are in sight."),
@@ -93,11 +93,11 @@ impl Editor {
             }
             Command::Draw => self.use_tool(Tool::Draw),
             Command::AddRectangle => {
-                self.part = Part::Plan;
+                self.part = WindowPart::Plan;
                 self.step(edit::with_rectangle(self.document()));
             }
             Command::AddCircle => {
-                self.part = Part::Plan;
+                self.part = WindowPart::Plan;
                 self.step(edit::with_circle(self.document()));
             }
             Command::Select => self.use_tool(Tool::Select),
@@ -123,7 +123,7 @@ impl Editor {
             Command::RemoveReference => self.draw_as(|drawing| drawing.reference = None),
             Command::PlanOf(plan) => {
                 self.draw_as(|drawing| drawing.plan = plan);
-                self.part = Part::Plan;
+                self.part = WindowPart::Plan;
                 self.wants_fit = true;
             }
             Command::View(view) => {
@@ -171,8 +171,8 @@ impl Editor {
     /// Brings the sheet into sight, as it is in space; or as it lies flat, for whoever looks at
     /// that.
     fn show_sheet(&mut self) {
-        if self.part != Part::Pattern {
-            self.part = Part::Space;
+        if self.part != WindowPart::Pattern {
+            self.part = WindowPart::Space;
         }
     }
 
@@ -186,7 +186,7 @@ impl Editor {
 
     fn use_tool(&mut self, tool: Tool) {
         self.page = Page::Panes;
-        self.part = Part::Plan;
+        self.part = WindowPart::Plan;
         self.tool = tool;
     }
 

@@ -229,7 +229,7 @@ impl Editor {
             opacity: 0.5,
         });
         self.becomes(document);
-        self.part = crate::room::Part::Plan;
+        self.part = crate::room::WindowPart::Plan;
         self.wants_fit = true;
         self.say(
             "Now scale the picture: click two places on it and type the distance between them.",

@@ -24,7 +24,7 @@ const SHADE: Color32 = Color32::from_black_alpha(70);
 
 /// How a page opens.
 #[derive(Clone, Copy)]
-struct Page<'a> {
+struct PageWindow<'a> {
     /// What screen readers call it, and by what it is known again in the next frame.
     name: &'a str,
     /// Whether its name stands at its top, beside a cross that closes it.
@@ -35,7 +35,7 @@ struct Page<'a> {
     place: (Align2, Vec2),
 }
 
-impl<'a> Page<'a> {
+impl<'a> PageWindow<'a> {
     /// A page in the middle without a title.
     fn new(name: &'a str, width: f32) -> Self {
         Self { name, is_titled: false, width, place: (Align2::CENTER_CENTER, Vec2::ZERO) }
@@ -107,7 +107,7 @@ fn title_ui(ui: &mut Ui, title: &str) -> bool {
 
 /// A page in the middle with a title and a cross; whether it stays open.
 fn window(ctx: &egui::Context, title: &str, width: f32, content: impl FnOnce(&mut Ui)) -> bool {
-    let page = Page { is_titled: true, ..Page::new(title, width) };
+    let page = PageWindow { is_titled: true, ..PageWindow::new(title, width) };
     !page.show(ctx, |ui, _| content(ui)).closes
 }
 

@@ -1,6 +1,6 @@
 //! Every command by a few letters of its name.
 
-use super::Page;
+use super::PageWindow;
 use crate::command::Command;
 use crate::editor::Editor;
 use crate::room::fitting;
@@ -43,7 +43,7 @@ impl Palette {
         let mut stays = true;
         let room = ctx.content_rect().size();
         let place = (Align2::CENTER_TOP, egui::vec2(0.0, (0.11 * room.y).min(90.0)));
-        let page = Page { place, ..Page::new("Find a command", 480.0) };
+        let page = PageWindow { place, ..PageWindow::new("Find a command", 480.0) };
         let touched = page.show(ctx, |ui, is_new| {
             let edit = TextEdit::singleline(&mut self.text)
                 .id(Id::unique("palette"))

@@ -1,6 +1,6 @@
 //! A path that is typed, where the system has no dialog for files.
 
-use super::{Page, main_button};
+use super::{PageWindow, main_button};
 use crate::editor::FileWish;
 use crate::io::Typed;
 use crate::theme::Theme;
@@ -54,7 +54,7 @@ impl TypedPath {
             ctx.input_mut(|i| (i.consume_key(none, Key::Escape), i.consume_key(none, Key::Enter)));
         let mut act = leaves.then_some(PathAct::Leave);
         let [title, label, verb] = words(&self.wish);
-        Page::new("Path", 480.0).show(ctx, |ui, is_new| {
+        PageWindow::new("Path", 480.0).show(ctx, |ui, is_new| {
             ui.heading(title);
             ui.label(
                 "This system shows no dialog for files: it has neither a desktop portal nor zenity. \

@@ -1,6 +1,6 @@
 //! The question what is to become of work that no file has, before something else takes its place.
 
-use super::{Page, main_button};
+use super::{PageWindow, main_button};
 use crate::editor::{Decision, Editor, Next};
 use crate::theme::Theme;
 use eframe::egui::{self, Key, Modifiers, RichText};
@@ -12,7 +12,7 @@ pub fn unsaved_ui(ctx: &egui::Context, editor: &Editor, theme: &Theme) -> Option
     if ctx.input_mut(|i| i.consume_key(Modifiers::NONE, Key::Escape)) {
         decision = Some(Decision::Stay);
     }
-    Page::new("Unsaved work", 400.0).show(ctx, |ui, is_new| {
+    PageWindow::new("Unsaved work", 400.0).show(ctx, |ui, is_new| {
         ui.heading(format!("{} is not saved yet", editor.title()));
         let back = "Work that you drop stays on the start page, under Recently closed.";
         ui.label(format!("{} {back}", what_comes(next)));

@@ -439,8 +439,8 @@ impl Serialize for Triple {
 
 impl<'de> Deserialize<'de> for MeshFile {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Mesh;
-        impl<'de> Visitor<'de> for Mesh {
+        struct MeshVisitor;
+        impl<'de> Visitor<'de> for MeshVisitor {
             type Value = MeshFile;
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 write!(f, "the path of a mesh file or an object with `points` and `triangles`")
@@ -453,7 +453,7 @@ impl<'de> Deserialize<'de> for MeshFile {
                     .map(MeshFile::Triangles)
             }
         }
-        deserializer.deserialize_any(Mesh)
+        deserializer.deserialize_any(MeshVisitor)
     }
 }
 

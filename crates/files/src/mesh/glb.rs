@@ -32,9 +32,9 @@ struct Document {
     scene: Option<usize>,
     scenes: Vec<Scene>,
     nodes: Vec<Node>,
-    meshes: Vec<Mesh>,
+    meshes: Vec<GltfMesh>,
     accessors: Vec<Accessor>,
-    buffer_views: Vec<View>,
+    buffer_views: Vec<BufferView>,
     buffers: Vec<Buffer>,
     extensions_required: Vec<String>,
 }
@@ -59,7 +59,7 @@ struct Node {
 
 #[derive(Deserialize, Default)]
 #[serde(default)]
-struct Mesh {
+struct GltfMesh {
     name: String,
     primitives: Vec<Primitive>,
 }
@@ -92,7 +92,7 @@ struct Accessor {
 
 #[derive(Deserialize, Default)]
 #[serde(rename_all = "camelCase", default)]
-struct View {
+struct BufferView {
     buffer: usize,
     byte_offset: usize,
     byte_length: usize,

@@ -15,7 +15,7 @@ mod text;
 mod tiling;
 
 use miniz_oxide::deflate::compress_to_vec_zlib;
-use page::Page;
+use page::PdfPage;
 use pdf_writer::{Filter, Finish, Name, Pdf, Rect, Ref, TextStr};
 use sheetwright::check::{Finding, FindingKind};
 use sheetwright::make::Made;
@@ -198,7 +198,7 @@ fn pages<'a>(
     piece: &'a Piece,
     plan: &'a Plan,
     paper: Paper,
-) -> Box<dyn Iterator<Item = Page> + 'a> {
+) -> Box<dyn Iterator<Item = PdfPage> + 'a> {
     match plan {
         Plan::Tiled(tiling) => Box::new(sheets::pages(piece, tiling)),
         Plan::Reduced(reduced) => Box::new(std::iter::once(offsets::page(piece, reduced, paper))),
@@ -206,7 +206,7 @@ fn pages<'a>(
 }
 
 /// The file that holds the pages, which are taken one after the other.
-fn document(title: &str, pages: impl Iterator<Item = Page>) -> Vec<u8> {
+fn document(title: &str, pages: impl Iterator<Item = PdfPage>) -> Vec<u8> {
     let mut free = 1..;
     let mut id = || Ref::new(free.next().unwrap_or(i32::MAX));
     let (catalog, tree, info, regular, bold) = (id(), id(), id(), id(), id());

@@ -3,8 +3,8 @@
 //! Boat builders never had paper patterns of planks. They set off stations along a base line,
 //! measure the heights of the edges at each, and bend a batten through the points.
 
-use super::page::{Anchor, Page, Pen, Type};
-use super::piece::{Detail, View, draw};
+use super::page::{Anchor, PdfPage, Pen, Type};
+use super::piece::{Detail, PaperView, draw};
 use super::sheets::header;
 use super::tiling::{HEADER_MM, MARGIN_MM};
 use super::{Paper, Reduced, way_to_sheets};
@@ -51,8 +51,8 @@ fn round_up(x: f64, steps: &[f64]) -> f64 {
 }
 
 /// The page of a piece.
-pub(super) fn page(piece: &Piece, reduced: &Reduced, paper: Paper) -> Page {
-    let mut page = Page::new(paper.size_mm());
+pub(super) fn page(piece: &Piece, reduced: &Reduced, paper: Paper) -> PdfPage {
+    let mut page = PdfPage::new(paper.size_mm());
     let size = page.size();
     let scale = reduced.scale;
     let Box2 { min, max } = around(piece);
@@ -65,7 +65,7 @@ pub(super) fn page(piece: &Piece, reduced: &Reduced, paper: Paper) -> Page {
     let height_mm = (shown.max.y - shown.min.y) / scale;
     let top = size.y - MARGIN_MM - HEADER_MM;
     let corner = Point2::new(MARGIN_MM, top - height_mm);
-    let view = View { shown, corner, scale };
+    let view = PaperView { shown, corner, scale };
     header(&mut page, &piece.name, "reduced", "drawn smaller than it is", &view);
 
     let step = round_up((max.x - min.x) / MAX_STATIONS, &[1.0, 2.0, 2.5, 5.0]);
@@ -125,7 +125,7 @@ fn corners(outline: &[Point2]) -> Vec<Point2> {
     (0..m).filter(turns).map(|n| outline[n]).collect()
 }
 
-fn table(page: &mut Page, piece: &Piece, stations: &[f64], top: f64, reduced: &Reduced) {
+fn table(page: &mut PdfPage, piece: &Piece, stations: &[f64], top: f64, reduced: &Reduced) {
     let left = MARGIN_MM;
     let right_column = page.size().x - MARGIN_MM - 55.0;
     let told = format!(

@@ -1,9 +1,9 @@
 //! The first pages: what there is, how to put it together, and whether it was printed right.
 
-use super::page::{Anchor, Page, Pen, Type};
-use super::piece::{Detail, View, draw};
+use super::page::{Anchor, PdfPage, Pen, Type};
+use super::piece::{Detail, PaperView, draw};
 use super::text::{encoded, width};
-use super::tiling::{MARGIN_MM, Sheet, Tiling};
+use super::tiling::{MARGIN_MM, PaperSheet, Tiling};
 use super::{Paper, Plan, way_to_sheets};
 use sheetwright::math::{Point2, Vec2};
 use sheetwright::pattern::{Piece, Role};
@@ -48,7 +48,7 @@ impl Block {
 }
 
 /// The pages that stand before the sheets.
-pub(super) fn pages(title: &str, pieces: &[&Piece], plans: &[Plan], paper: Paper) -> Vec<Page> {
+pub(super) fn pages(title: &str, pieces: &[&Piece], plans: &[Plan], paper: Paper) -> Vec<PdfPage> {
     let size = paper.size_mm();
     let width_mm = size.x - 2.0 * MARGIN_MM;
     let blocks: Vec<Block> =
@@ -67,7 +67,7 @@ pub(super) fn pages(title: &str, pieces: &[&Piece], plans: &[Plan], paper: Paper
         top -= block.height_mm();
     }
 
-    let mut pages: Vec<Page> = (0..=on_page).map(|_| Page::new(size)).collect();
+    let mut pages: Vec<PdfPage> = (0..=on_page).map(|_| PdfPage::new(size)).collect();
     first(&mut pages[0], title, paper);
     let mut next_page = pages.len() + 1;
     for (n, piece) in pieces.iter().enumerate() {
@@ -84,7 +84,7 @@ pub(super) fn pages(title: &str, pieces: &[&Piece], plans: &[Plan], paper: Paper
 }
 
 /// The head of the first page: title, check square, legend and what to do.
-fn first(page: &mut Page, title: &str, paper: Paper) {
+fn first(page: &mut PdfPage, title: &str, paper: Paper) {
     let size = page.size();
     let (left, top) = (MARGIN_MM, size.y - MARGIN_MM);
     let width_mm = size.x - 2.0 * MARGIN_MM;
@@ -112,7 +112,7 @@ fn first(page: &mut Page, title: &str, paper: Paper) {
 
     let column = left + CHECK_MM + 8.0;
     let mut y = square.max.y - 3.5;
-    let heading = |page: &mut Page, y: f64, text: &str| {
+    let heading = |page: &mut PdfPage, y: f64, text: &str| {
         page.text(Point2::new(column, y), text, Type::new(10.0).bold());
     };
     heading(page, y, "Lines");
@@ -147,7 +147,7 @@ fn first(page: &mut Page, title: &str, paper: Paper) {
 
 /// One piece, with its sheets.
 fn piece_block(
-    page: &mut Page,
+    page: &mut PdfPage,
     piece: &Piece,
     plan: &Plan,
     block: &Block,
@@ -178,7 +178,7 @@ fn piece_block(
     page.fitted_text(Point2::new(MARGIN_MM, top - 9.5), &told, Type::new(9.0), width_mm);
     let height_mm = (block.shown.max.y - block.shown.min.y) / block.scale;
     let corner = Point2::new(MARGIN_MM, top - CAPTION_MM - height_mm);
-    let view = View { shown: block.shown, corner, scale: block.scale };
+    let view = PaperView { shown: block.shown, corner, scale: block.scale };
     if let Plan::Tiled(tiling) = plan {
         grid(page, piece, tiling, &view);
     }
@@ -186,7 +186,7 @@ fn piece_block(
 }
 
 /// The cells of the sheets with their names, which stand where no line of the piece runs.
-fn grid(page: &mut Page, piece: &Piece, tiling: &Tiling, view: &View) {
+fn grid(page: &mut PdfPage, piece: &Piece, tiling: &Tiling, view: &PaperView) {
     let lines = lines_of_cells(piece, tiling);
     for &sheet in &tiling.sheets {
         let cell = tiling.cell(sheet);
@@ -240,8 +240,8 @@ fn places(cell: Box2, size: Vec2) -> impl Iterator<Item = Point2> {
 }
 
 /// The lines that the overview draws, by the sheets whose cells they may pass.
-fn lines_of_cells(piece: &Piece, tiling: &Tiling) -> BTreeMap<Sheet, Vec<[Point2; 2]>> {
-    let mut found: BTreeMap<Sheet, Vec<[Point2; 2]>> = BTreeMap::new();
+fn lines_of_cells(piece: &Piece, tiling: &Tiling) -> BTreeMap<PaperSheet, Vec<[Point2; 2]>> {
+    let mut found: BTreeMap<PaperSheet, Vec<[Point2; 2]>> = BTreeMap::new();
     let drawn = piece.paths.iter().filter(|p| matches!(p.role, Role::Cut | Role::Score));
     for path in drawn {
         let count = path.points.len() - usize::from(!path.closed);

@@ -76,14 +76,14 @@ impl Type {
 }
 
 /// A page that is being drawn.
-pub(super) struct Page {
+pub(super) struct PdfPage {
     size: Vec2,
     content: Content,
     /// The pen that the reader of the page has in hand.
     pen: Option<Pen>,
 }
 
-impl Page {
+impl PdfPage {
     /// An empty page of a size, mm.
     pub(super) fn new(size: Vec2) -> Self {
         let mut content = Content::new();
@@ -200,7 +200,7 @@ mod tests {
     #[test]
     fn a_pen_is_taken_once_and_only_where_something_is_drawn() {
         let at = Point2::new;
-        let mut page = Page::new(Vec2::new(210.0, 297.0));
+        let mut page = PdfPage::new(Vec2::new(210.0, 297.0));
         page.lines(&[], Pen::NOTE);
         page.line(at(0.0, 0.0), at(1.0, 0.0), Pen::CUT);
         page.clipped(Box2 { min: at(0.0, 0.0), max: at(9.0, 9.0) }, |page| {

@@ -1,6 +1,6 @@
 //! A piece on a page: the part of it that the page shows, at a scale.
 
-use super::page::{Page, Pen};
+use super::page::{PdfPage, Pen};
 use crate::stroke_font::strokes;
 use sheetwright::math::{Point2, Vec2};
 use sheetwright::pattern::{PathKind, PatternLabel, Piece, Role};
@@ -11,7 +11,7 @@ const WIDEST_MM: f64 = 1.0;
 
 /// A part of the plane of a piece and where it lies on a page.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct View {
+pub(super) struct PaperView {
     /// The part, in the coordinates of the piece, mm.
     pub(super) shown: Box2,
     /// Where its lower left corner lies on the page, mm.
@@ -20,7 +20,7 @@ pub(super) struct View {
     pub(super) scale: f64,
 }
 
-impl View {
+impl PaperView {
     /// Where a point of the piece lies on the page.
     pub(super) fn place(&self, point: Point2) -> Point2 {
         self.corner + (point - self.shown.min) / self.scale
@@ -43,10 +43,10 @@ pub(super) enum Detail {
 
 /// Draws the part of the piece that the view shows, with some texts.
 pub(super) fn draw(
-    page: &mut Page,
+    page: &mut PdfPage,
     piece: &Piece,
     labels: &[PatternLabel],
-    view: &View,
+    view: &PaperView,
     detail: Detail,
 ) {
     page.clipped(view.frame(), |page| {
@@ -75,7 +75,7 @@ pub(super) fn draw(
 }
 
 /// The runs of a line whose edges may be seen in a view, on the page.
-fn visible(line: &[Point2], closed: bool, view: &View) -> Vec<Vec<Point2>> {
+fn visible(line: &[Point2], closed: bool, view: &PaperView) -> Vec<Vec<Point2>> {
     let count = if closed { line.len() } else { line.len().saturating_sub(1) };
     let wide = Vec2::splat(WIDEST_MM * view.scale);
     let around = Box2 { min: view.shown.min + -wide, max: view.shown.max + wide };
@@ -103,7 +103,7 @@ mod tests {
     fn only_lines_that_cross_the_view_are_drawn() {
         let at = Point2::new;
         let shown = Box2 { min: at(100.0, 100.0), max: at(200.0, 200.0) };
-        let view = View { shown, corner: at(10.0, 10.0), scale: 1.0 };
+        let view = PaperView { shown, corner: at(10.0, 10.0), scale: 1.0 };
         let runs = |line: &[Point2]| visible(line, false, &view).len();
         // Beside a corner, though its box has part of the view.
         assert_eq!(runs(&[at(0.0, 250.0), at(180.0, 0.0)]), 1);
@@ -111,7 +111,7 @@ mod tests {
         // Half of its width is seen.
         assert_eq!(runs(&[at(0.0, 99.9), at(300.0, 99.9)]), 1);
         // Within half a pen of the frame on the page, at a smaller scale.
-        let small = View { scale: 400.0, ..view };
+        let small = PaperView { scale: 400.0, ..view };
         let beside = |y: f64| visible(&[at(0.0, y), at(300.0, y)], false, &small).len();
         assert_eq!((beside(100.0 - 0.1 * 400.0), beside(100.0 - 2.0 * 400.0)), (1, 0));
         // An outline of which two of four sides are seen.

@@ -5,9 +5,9 @@
 //! middle of the overlaps, and where they cross, all four sheets print the same cross.
 
 use super::labels::labels;
-use super::page::{Anchor, Page, Pen, Type};
-use super::piece::{Detail, View, draw};
-use super::tiling::{MARGIN_MM, OVERLAP_MM, Sheet, Tiling};
+use super::page::{Anchor, PdfPage, Pen, Type};
+use super::piece::{Detail, PaperView, draw};
+use super::tiling::{MARGIN_MM, OVERLAP_MM, PaperSheet, Tiling};
 use sheetwright::math::{Point2, Vec2};
 use sheetwright::pattern::{PatternLabel, Piece};
 use sheetwright::predicate::Box2;
@@ -18,15 +18,18 @@ const CROSS_MM: f64 = 4.0;
 const BAR_MM: f64 = 100.0;
 
 /// The sheets of a piece.
-pub(super) fn pages<'a>(piece: &'a Piece, tiling: &'a Tiling) -> impl Iterator<Item = Page> + 'a {
+pub(super) fn pages<'a>(
+    piece: &'a Piece,
+    tiling: &'a Tiling,
+) -> impl Iterator<Item = PdfPage> + 'a {
     let labels = labels(piece, tiling);
     tiling.sheets.iter().map(move |&sheet| page(piece, &labels, tiling, sheet))
 }
 
-fn page(piece: &Piece, labels: &[PatternLabel], tiling: &Tiling, sheet: Sheet) -> Page {
-    let mut page = Page::new(tiling.page);
+fn page(piece: &Piece, labels: &[PatternLabel], tiling: &Tiling, sheet: PaperSheet) -> PdfPage {
+    let mut page = PdfPage::new(tiling.page);
     let corner = Point2::new(MARGIN_MM, MARGIN_MM);
-    let view = View { shown: tiling.window(sheet), corner, scale: 1.0 };
+    let view = PaperView { shown: tiling.window(sheet), corner, scale: 1.0 };
     let place = format!(
         "row {} of {}, column {} of {}",
         sheet.row + 1,
@@ -42,7 +45,7 @@ fn page(piece: &Piece, labels: &[PatternLabel], tiling: &Tiling, sheet: Sheet) -
 }
 
 /// Names the sheet, says what it shows, and draws the scale bar.
-pub(super) fn header(page: &mut Page, piece: &str, sheet: &str, place: &str, view: &View) {
+pub(super) fn header(page: &mut PdfPage, piece: &str, sheet: &str, place: &str, view: &PaperView) {
     let size = page.size();
     let top = size.y - MARGIN_MM;
     let right = size.x - MARGIN_MM;
@@ -63,7 +66,7 @@ pub(super) fn header(page: &mut Page, piece: &str, sheet: &str, place: &str, vie
 }
 
 /// A bar of 100 mm, divided into tens.
-fn scale_bar(page: &mut Page, from: Point2) {
+fn scale_bar(page: &mut PdfPage, from: Point2) {
     page.line(from, from + Vec2::new(BAR_MM, 0.0), Pen::MARK);
     for n in 0..=10 {
         let high = if n % 5 == 0 { 2.5 } else { 1.5 };
@@ -77,7 +80,7 @@ fn scale_bar(page: &mut Page, from: Point2) {
 
 /// Draws the seams with neighbours, names them, and draws a cross in every corner: neighbours
 /// print the same crosses.
-fn seams(page: &mut Page, tiling: &Tiling, sheet: Sheet, view: &View) {
+fn seams(page: &mut PdfPage, tiling: &Tiling, sheet: PaperSheet, view: &PaperView) {
     let cell = tiling.cell(sheet);
     let cell = Box2 { min: view.place(cell.min), max: view.place(cell.max) };
     let middle = cell.min.lerp(cell.max, 0.5);
@@ -114,7 +117,7 @@ mod tests {
 
     #[test]
     fn rows_go_on_after_z() {
-        let name = |row: usize| Sheet { row, column: 2 }.name();
+        let name = |row: usize| PaperSheet { row, column: 2 }.name();
         assert_eq!(
             [0, 1, 25, 26, 27, 51, 52, 701, 702].map(name),
             ["A3", "B3", "Z3", "AA3", "AB3", "AZ3", "BA3", "ZZ3", "AAA3"]

@@ -27,17 +27,17 @@ pub(super) struct Tiling {
     pub(super) columns: usize,
     pub(super) rows: usize,
     /// The sheets that have a part of the piece, row after row.
-    pub(super) sheets: Vec<Sheet>,
+    pub(super) sheets: Vec<PaperSheet>,
 }
 
 /// A place in the grid of sheets, counted from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Sheet {
+pub(super) struct PaperSheet {
     pub(super) row: usize,
     pub(super) column: usize,
 }
 
-impl Sheet {
+impl PaperSheet {
     /// Its name, such as B3: A, B, … Z, AA, AB, … are the rows.
     pub(super) fn name(self) -> String {
         let mut letters = Vec::new();
@@ -101,7 +101,7 @@ fn on_page(piece: &Piece, page: Vec2, most: usize) -> Result<Tiling, usize> {
 
 impl Tiling {
     /// What a sheet shows of the piece, mm.
-    pub(super) fn window(&self, sheet: Sheet) -> Box2 {
+    pub(super) fn window(&self, sheet: PaperSheet) -> Box2 {
         let window = window(self.page);
         let step = window - Vec2::splat(OVERLAP_MM);
         let from_below = self.rows - 1 - sheet.row;
@@ -111,7 +111,7 @@ impl Tiling {
 
     /// The window up to the seams with its neighbours, mm: the cells of all sheets fill the grid
     /// without overlapping.
-    pub(super) fn cell(&self, sheet: Sheet) -> Box2 {
+    pub(super) fn cell(&self, sheet: PaperSheet) -> Box2 {
         let Box2 { min, max } = self.window(sheet);
         let half = 0.5 * OVERLAP_MM;
         let inner = |is_inner: bool| if is_inner { half } else { 0.0 };
@@ -124,20 +124,20 @@ impl Tiling {
 
     /// The box around all windows, mm.
     pub(super) fn extent(&self) -> Box2 {
-        let lower_left = Sheet { row: self.rows - 1, column: 0 };
-        let upper_right = Sheet { row: 0, column: self.columns - 1 };
+        let lower_left = PaperSheet { row: self.rows - 1, column: 0 };
+        let upper_right = PaperSheet { row: 0, column: self.columns - 1 };
         Box2 { min: self.window(lower_left).min, max: self.window(upper_right).max }
     }
 
     /// The sheets whose cells have a point of the piece: those that its outline or a hole passes
     /// through, and those whose middle lies inside. Edges look at the cells about them alone.
-    fn touched<'a>(&self, loops: impl Iterator<Item = &'a [Point2]>) -> Vec<Sheet> {
+    fn touched<'a>(&self, loops: impl Iterator<Item = &'a [Point2]>) -> Vec<PaperSheet> {
         let middle = |sheet| {
             let cell = self.cell(sheet);
             cell.min.lerp(cell.max, 0.5)
         };
         let columns: Vec<f64> =
-            (0..self.columns).map(|column| middle(Sheet { row: 0, column }).x).collect();
+            (0..self.columns).map(|column| middle(PaperSheet { row: 0, column }).x).collect();
         let mut passed = vec![false; self.rows * self.columns];
         // Whether an odd number of edges crosses the middle of a row between the middles of two
         // columns, the first one left of the middle of column 0.
@@ -146,14 +146,14 @@ impl Tiling {
         for (a, b) in loops.flat_map(edges) {
             let around = Box2::of_segment(a, b);
             for row in self.rows_about(around) {
-                let y = middle(Sheet { row, column: 0 }).y;
+                let y = middle(PaperSheet { row, column: 0 }).y;
                 if (a.y > y) != (b.y > y) {
                     let x = a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x);
                     odd[row * width + columns.partition_point(|&middle| middle < x)] ^= true;
                 }
                 for column in self.columns_about(around) {
                     passed[row * self.columns + column] |=
-                        self.cell(Sheet { row, column }).part_inside(a, b).is_some();
+                        self.cell(PaperSheet { row, column }).part_inside(a, b).is_some();
                 }
             }
         }
@@ -163,7 +163,7 @@ impl Tiling {
             for column in 0..self.columns {
                 inside ^= odd[row * width + column];
                 if inside || passed[row * self.columns + column] {
-                    sheets.push(Sheet { row, column });
+                    sheets.push(PaperSheet { row, column });
                 }
             }
         }
@@ -188,10 +188,10 @@ impl Tiling {
     }
 
     /// The sheets whose cells a box may have a point of.
-    pub(super) fn sheets_about(&self, around: Box2) -> impl Iterator<Item = Sheet> + use<> {
+    pub(super) fn sheets_about(&self, around: Box2) -> impl Iterator<Item = PaperSheet> + use<> {
         let columns = self.columns_about(around);
         let rows = self.rows_about(around);
-        rows.flat_map(move |row| columns.clone().map(move |column| Sheet { row, column }))
+        rows.flat_map(move |row| columns.clone().map(move |column| PaperSheet { row, column }))
     }
 
     /// The cells of the sheets that a box reaches into.
@@ -206,18 +206,18 @@ impl Tiling {
         sheets.map(|sheet| self.cell(sheet)).filter(reach).collect()
     }
 
-    fn has(&self, sheet: Sheet) -> bool {
+    fn has(&self, sheet: PaperSheet) -> bool {
         self.sheets.binary_search(&sheet).is_ok()
     }
 
     /// The sheets beside one, each with the direction in which it lies.
-    pub(super) fn neighbours(&self, sheet: Sheet) -> Vec<(Vec2, Sheet)> {
-        let Sheet { row, column } = sheet;
+    pub(super) fn neighbours(&self, sheet: PaperSheet) -> Vec<(Vec2, PaperSheet)> {
+        let PaperSheet { row, column } = sheet;
         let beside = [
-            (Vec2::NEG_X, column.checked_sub(1).map(|column| Sheet { row, column })),
-            (Vec2::X, Some(Sheet { row, column: column + 1 })),
-            (Vec2::Y, row.checked_sub(1).map(|row| Sheet { row, column })),
-            (Vec2::NEG_Y, Some(Sheet { row: row + 1, column })),
+            (Vec2::NEG_X, column.checked_sub(1).map(|column| PaperSheet { row, column })),
+            (Vec2::X, Some(PaperSheet { row, column: column + 1 })),
+            (Vec2::Y, row.checked_sub(1).map(|row| PaperSheet { row, column })),
+            (Vec2::NEG_Y, Some(PaperSheet { row: row + 1, column })),
         ];
         let there = beside.into_iter().filter_map(|(way, sheet)| Some((way, sheet?)));
         there.filter(|&(_, sheet)| self.has(sheet)).collect()

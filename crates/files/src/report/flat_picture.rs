@@ -212,13 +212,13 @@ pub(super) fn edges(panel: &Part) -> Vec<Tagged<'_>> {
     let mut sides: Vec<Tagged<'_>> = Vec::new();
     for (n, seam) in panel.sheet.seams().iter().enumerate() {
         for steps in seam.steps() {
-            let side = Stretch::new(panel, &way_along(&steps));
+            let side = EdgeStretch::new(panel, &way_along(&steps));
             let at = tags.place(&side.places);
             sides.push(Tagged { letter: seam_mark(n), edge: None, length_mm: side.length_mm, at });
         }
     }
-    let mut stretches: Vec<(usize, Stretch)> =
-        runs.iter().map(|(_, run)| Stretch::new(panel, run)).enumerate().collect();
+    let mut stretches: Vec<(usize, EdgeStretch)> =
+        runs.iter().map(|(_, run)| EdgeStretch::new(panel, run)).enumerate().collect();
     stretches.sort_by(|a, b| b.1.length_mm.total_cmp(&a.1.length_mm).then(a.0.cmp(&b.0)));
     let mut chosen: Vec<(usize, f64, Point2)> = Vec::new();
     for (n, found) in stretches {
@@ -266,14 +266,14 @@ fn between_corners<'a>(panel: &Part, edge: &'a Edge) -> Vec<(&'a Edge, Vec<usize
     starts.zip(ends).map(|(from, to)| (edge, run[from..=to].to_vec())).collect()
 }
 
-/// Some steps of the outline.
-struct Stretch {
+/// A run of steps of the outline with one letter.
+struct EdgeStretch {
     length_mm: f64,
     /// Where its letter may stand in the picture, the best place first.
     places: Vec<Point2>,
 }
 
-impl Stretch {
+impl EdgeStretch {
     fn new(panel: &Part, samples: &[usize]) -> Self {
         let at = |i: usize| panel.flat.points[i];
         let steps = samples.windows(2).map(|w| at(w[0]).distance(at(w[1])));

@@ -3,7 +3,7 @@
 use super::flat_picture::{Tagged, edges, outline_length, ruled_picture};
 use super::gauss_picture::gauss_picture;
 use super::moved_picture::{enlarged, moved_picture};
-use super::page::{Number, Page};
+use super::page::{Number, PartPage};
 use super::space_picture::space_picture;
 use super::view::box_of;
 use super::warp_chart::warp_chart;
@@ -26,7 +26,7 @@ const NO_WARP_DEG: f64 = 0.005;
 
 /// A part with its boundary.
 pub(super) struct FoundPage<'a> {
-    pub(super) page: &'a Page<'a>,
+    pub(super) page: &'a PartPage<'a>,
     pub(super) found: &'a Found,
 }
 
@@ -158,8 +158,7 @@ impl FoundPage<'_> {
                 strong { "Laid flat. " }
                 "The outline to cut. "
                 @if self.bends() {
-                    "Short strokes mark the ends of rulings, to lay a straightedge on; dashed lines \
-                     are folds. "
+                    "Lay a straightedge from stroke to stroke along a ruling; dashed lines are folds. "
                 }
                 "The whole outline is " (millimetres(outline_length(self.part())))
                 " long."

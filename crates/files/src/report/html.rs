@@ -3,7 +3,7 @@
 use super::form::{ReportForm, Row, short};
 use super::found_page::FoundPage;
 use super::mesh_page::MeshPage;
-use super::page::Page;
+use super::page::PartPage;
 use super::space_picture::design_picture;
 use super::style::page_style;
 use super::verdict::{findings, severity, verdict};
@@ -31,8 +31,8 @@ pub fn report_html(
     assert_eq!(made.parts.len(), refold_error_mm.len(), "one refold error a part");
     assert_eq!(made.parts.len(), checked.len(), "one verdict a part");
     let each = made.parts.iter().zip(refold_error_mm).zip(checked).enumerate();
-    let pages: Vec<Page<'_>> = each
-        .map(|(n, ((part, &refold_error_mm), checked))| Page {
+    let pages: Vec<PartPage<'_>> = each
+        .map(|(n, ((part, &refold_error_mm), checked))| PartPage {
             made,
             number: n + 1,
             part,
@@ -159,7 +159,7 @@ fn summary<'a>(labels: &[&str], rows: impl Iterator<Item = (&'a str, Vec<String>
 /// A column of the table of all panels; its value is `None` where a part has no such quantity.
 struct Column {
     label: &'static str,
-    value: fn(&Page<'_>) -> Option<String>,
+    value: fn(&PartPage<'_>) -> Option<String>,
 }
 
 const COLUMNS: [Column; 9] = [
@@ -210,12 +210,12 @@ const COLUMNS: [Column; 9] = [
 ];
 
 /// The columns in which some part has a value.
-fn columns(pages: &[Page<'_>]) -> Vec<&'static Column> {
+fn columns(pages: &[PartPage<'_>]) -> Vec<&'static Column> {
     let has = |column: &&Column| pages.iter().any(|page| (column.value)(page).is_some());
     COLUMNS.iter().filter(has).collect()
 }
 
-impl Page<'_> {
+impl PartPage<'_> {
     fn row(&self, columns: &[&Column]) -> Row<'_> {
         let Self { part, checked, .. } = *self;
         Row { name: &part.name, piece: &part.piece, checked, values: self.values(columns) }

@@ -2,7 +2,7 @@
 
 use super::gauss_picture::gauss_picture;
 use super::heat_picture::{NO_ERROR, heat_picture};
-use super::page::{Number, Page};
+use super::page::{Number, PartPage};
 use super::space_picture::space_picture;
 use super::view::box_of;
 use super::wording::{
@@ -19,7 +19,7 @@ use sheetwright::pattern::seam_mark;
 
 /// A part with its mesh.
 pub(super) struct MeshPage<'a> {
-    pub(super) page: &'a Page<'a>,
+    pub(super) page: &'a PartPage<'a>,
     pub(super) given: &'a Given,
 }
 
@@ -77,11 +77,12 @@ impl MeshPage<'_> {
     fn gauss_caption(&self) -> Markup {
         html! {
             strong { "Which way it faces. " }
-            "Every direction is a point on a ball. A line joins the directions of the two triangles at \
-             each side of the mesh. If the lines lie on one curve, the panel lies flat without \
-             stretching. If they form a net, the panel must stretch, and more for a larger net. The \
-             area here is " (steradians(self.part().measures.gauss_area_sr)) " of the 12.57\u{a0}sr of \
-             the whole ball."
+            "Every direction is a point on a ball. A line joins the directions of the two \
+             triangles at each side of the mesh. If the lines lie on one curve, the panel lies flat \
+             without stretching. If they form a net, the panel must stretch, and more for a larger \
+             net. The area here is "
+            (steradians(self.part().measures.gauss_area_sr))
+            " of the 12.57\u{a0}sr of the whole ball."
         }
     }
 
@@ -94,8 +95,8 @@ impl MeshPage<'_> {
             @if measures.length_error_max < NO_ERROR {
                 "Every length is that in space."
             } @else {
-                "The colour of a triangle is the largest relative difference between the lengths of its \
-                 sides, flat and in space. The largest of all is "
+                "The colour of a triangle shows the largest relative difference between the \
+                 lengths of its sides, flat and in space. The largest of all is "
                 (per_cent(measures.length_error_max)) " (ringed), the mean "
                 (per_cent(measures.length_error_mean))
                 @if let Some(by_area) = by_area { ", weighted by area " (per_cent(by_area)) }

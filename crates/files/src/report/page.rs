@@ -5,7 +5,7 @@ use sheetwright::edge::Edge;
 use sheetwright::make::{Made, Part};
 
 /// A part with all that its section of the page shows.
-pub(super) struct Page<'a> {
+pub(super) struct PartPage<'a> {
     pub(super) made: &'a Made,
     /// From 1.
     pub(super) number: usize,
@@ -15,7 +15,7 @@ pub(super) struct Page<'a> {
     pub(super) checked: &'a Checked,
 }
 
-impl Page<'_> {
+impl PartPage<'_> {
     /// The name of an edge, how long it is, and what it is joined to.
     pub(super) fn edge_text(&self, edge: &Edge, length: &str) -> String {
         let mates = edge.mates.iter().map(|mate| &self.made.parts[mate.part].name[..]);

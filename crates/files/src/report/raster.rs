@@ -156,7 +156,7 @@ impl<'a> Raster<'a> {
         corners.sort_unstable_by(|a, b| a.y.total_cmp(&b.y));
         let [low, middle, high] = corners;
         let (long, lower, upper) =
-            (Side::new(low, high), Side::new(low, middle), Side::new(middle, high));
+            (FacetSide::new(low, high), FacetSide::new(low, middle), FacetSide::new(middle, high));
         let width = self.width;
         (whole_from(low.y)..whole_from(high.y).min(self.height)).filter_map(move |row| {
             let y = row as f64;
@@ -280,12 +280,12 @@ impl<'a> Raster<'a> {
 
 /// A side of a facet, in cells, from its lower to its upper end, so that both facets of a side say
 /// the same of it.
-struct Side {
+struct FacetSide {
     from: Point2,
     slope: f64,
 }
 
-impl Side {
+impl FacetSide {
     fn new(low: Point2, high: Point2) -> Self {
         Self { from: low, slope: (high.x - low.x) / (high.y - low.y) }
     }

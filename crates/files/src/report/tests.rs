@@ -339,7 +339,7 @@ fn a_page_speaks_of_rulings_where_there_are_any() {
         let checked = [made.parts[0].checked.clone()];
         let page = report_html(&made, &[0.0], &checked, ReportForm::Long);
         let page = String::from_utf8(page).unwrap();
-        for words in ["The thin lines are rulings", "Short strokes mark"] {
+        for words in ["The thin lines are rulings", "Lay a straightedge"] {
             assert_eq!(page.contains(words), bends, "{words}");
         }
     }
@@ -418,7 +418,7 @@ fn the_chart_is_as_unsure_as_the_verdict() {
 fn a_panel_without_rulings_has_no_chart() {
     let page = html(&triangle());
     assert_eq!(pictures(&page).len(), 2);
-    assert!(page.contains("One triangle is flat"));
+    assert!(page.contains("A single triangle is flat"));
 }
 
 #[test]

@@ -13,7 +13,7 @@
 //! A second boundary that walks the shared edges the same way is turned round first. Which samples
 //! are on one spot is decided by distance, everything after that by counting.
 
-use super::smooth::{Continuity, Joint, JointAt, Node, Within, smooth_joints};
+use super::smooth::{Continuity, JointAt, Node, SmoothedJoint, Within, smooth_joints};
 use super::{Boundary, BoundaryError, size_of};
 use crate::curve::Sample;
 use crate::math::{Point3, Vec3, angle_between, unit};
@@ -45,7 +45,7 @@ pub struct Joined {
     /// The boundary of all of them together. It faces as the first one does.
     pub boundary: Boundary,
     /// The joints, where two of the parts meet on it, in the order of its samples.
-    pub joints: Vec<Joint>,
+    pub joints: Vec<SmoothedJoint>,
     /// For each part, whether it was turned round to face as the first does.
     pub turned: Vec<bool>,
 }
@@ -172,7 +172,7 @@ pub fn join_all(parts: &[&Boundary], options: &JoinOptions) -> Result<Joined, Jo
     }
     let positions = parts.iter().flat_map(|part| part.samples()).map(|s| s.position);
     let same_mm = options.same.length_mm(size_of(positions));
-    let mut whole = Sheet::of(first);
+    let mut whole = JoinedLoops::of(first);
     let mut turned = vec![false; parts.len()];
     let mut waiting: Vec<usize> = (1..parts.len()).collect();
     while !waiting.is_empty() {
@@ -180,7 +180,7 @@ pub fn join_all(parts: &[&Boundary], options: &JoinOptions) -> Result<Joined, Jo
         let mut next = None;
         let mut refused = None;
         for (place, &part) in waiting.iter().enumerate() {
-            let sheet = Sheet::of(parts[part]);
+            let sheet = JoinedLoops::of(parts[part]);
             match Contact::between(&whole, &sheet, same_mm).kind() {
                 Ok(ContactKind::Edges) => {
                     next = Some((place, sheet));
@@ -244,11 +244,11 @@ impl Ring {
 
 /// A boundary that is being joined: an oriented sheet with loops, the sheet on their left.
 #[derive(Clone)]
-struct Sheet {
+struct JoinedLoops {
     loops: Vec<Ring>,
 }
 
-impl Sheet {
+impl JoinedLoops {
     fn of(boundary: &Boundary) -> Self {
         let node = |sample: &Sample| Node { sample: *sample, joint: None };
         let ring = |(n, range): (usize, &std::ops::Range<usize>)| Ring {
@@ -324,7 +324,7 @@ struct Contact {
 }
 
 impl Contact {
-    fn between(first: &Sheet, second: &Sheet, same_mm: f64) -> Self {
+    fn between(first: &JoinedLoops, second: &JoinedLoops, same_mm: f64) -> Self {
         let (first_rings, first_next) = first.rings_and_next();
         let (second_rings, second_next) = second.rings_and_next();
         let (ring_of, next) = ([first_rings, second_rings], [first_next, second_next]);
@@ -377,7 +377,11 @@ impl Contact {
 
     /// Turns loops round until every shared edge is walked in opposite directions. Returns whether
     /// the second sheet was turned. Loops that are not `free` turn with their sheet.
-    fn turn_alike(&self, first: &mut Sheet, second: &mut Sheet) -> Result<bool, JoinCause> {
+    fn turn_alike(
+        &self,
+        first: &mut JoinedLoops,
+        second: &mut JoinedLoops,
+    ) -> Result<bool, JoinCause> {
         let free = [first, second].map(|sheet| {
             let free: Vec<bool> = sheet.loops.iter().map(|ring| ring.free).collect();
             (sheet, free)
@@ -430,10 +434,10 @@ impl Contact {
     }
 
     /// The formula for one shared sample: it goes, and straight edges join its neighbours.
-    fn joined_at_sample(&self, first: &Sheet, second: &Sheet) -> Sheet {
+    fn joined_at_sample(&self, first: &JoinedLoops, second: &JoinedLoops) -> JoinedLoops {
         let [i, j] = self.loose[0];
         // The other nodes of a loop, from the one after the shared one to the one before.
-        let others = |sheet: &Sheet, side: usize, node: usize| -> Vec<Node> {
+        let others = |sheet: &JoinedLoops, side: usize, node: usize| -> Vec<Node> {
             let all: Vec<Node> = sheet.nodes().copied().collect();
             let mut list = Vec::new();
             let mut at = self.next[side][node];
@@ -464,10 +468,14 @@ impl Contact {
         loops[rings[0]] = Ring { nodes, free };
         let carried = second.loops.iter().enumerate().filter(|(n, _)| *n != rings[1]);
         loops.extend(carried.map(|(_, ring)| ring.clone()));
-        Sheet { loops }
+        JoinedLoops { loops }
     }
 
-    fn joined_along_edges(&self, first: &Sheet, second: &Sheet) -> Result<Sheet, JoinCause> {
+    fn joined_along_edges(
+        &self,
+        first: &JoinedLoops,
+        second: &JoinedLoops,
+    ) -> Result<JoinedLoops, JoinCause> {
         // Edges of both in one list, those of the second after those of the first.
         let count = first.count();
         let nodes: Vec<Node> = first.nodes().chain(second.nodes()).copied().collect();
@@ -519,12 +527,17 @@ impl Contact {
             loops.push(ring);
         }
         self.refuse_handles(first, second, loops.len())?;
-        Ok(Sheet { loops })
+        Ok(JoinedLoops { loops })
     }
 
     /// Euler's number of the two together, less that of what they share, is that of a sheet with as
     /// many loops as are left: 2 − loops.
-    fn refuse_handles(&self, first: &Sheet, second: &Sheet, left: usize) -> Result<(), JoinCause> {
+    fn refuse_handles(
+        &self,
+        first: &JoinedLoops,
+        second: &JoinedLoops,
+        left: usize,
+    ) -> Result<(), JoinCause> {
         let spots = |side: usize| {
             let next = &self.next[side];
             let ends = self.shared.iter().flat_map(|e| [e.edges[side], next[e.edges[side]]]);

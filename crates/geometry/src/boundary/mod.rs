@@ -12,7 +12,7 @@ mod touch;
 pub use join::{JoinCause, JoinError, JoinOptions, Joined, join, join_all};
 pub use outline::{OnOutline, Outline, Side};
 pub use plane::{PlaneChoice, PlaneError, SupportingPlane, supporting_plane};
-pub use smooth::{Continuity, Joint, Within};
+pub use smooth::{Continuity, SmoothedJoint, Within};
 
 use crate::curve::{MAX_COORDINATE_MM, Sample};
 use crate::index::SampleIndex;

@@ -68,7 +68,7 @@ impl Within {
 
 /// A place on a boundary where two that were joined meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Joint {
+pub struct SmoothedJoint {
     /// The sample there; where joining removed a single shared sample, the one before it.
     pub sample: SampleIndex,
     /// The angle by which the loop turned there before it was made smooth, radians.
@@ -102,7 +102,7 @@ pub(super) fn smooth_joints(
     loops: &mut [Vec<Node>],
     continuity: Continuity,
     within: Within,
-) -> Option<Vec<Joint>> {
+) -> Option<Vec<SmoothedJoint>> {
     let mut joints = Vec::new();
     let mut count = 0;
     for nodes in loops {
@@ -132,7 +132,7 @@ pub(super) fn smooth_joints(
                 window = Some([from, to].map(|i| SampleIndex::new(count + i % m)));
             }
             let sample = SampleIndex::new(count + joint);
-            joints.push(Joint { sample, turn, window, deviation_mm });
+            joints.push(SmoothedJoint { sample, turn, window, deviation_mm });
         }
         count += nodes.len();
     }

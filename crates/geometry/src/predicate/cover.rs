@@ -19,13 +19,13 @@ use std::cmp::Ordering;
 use std::ops::Range;
 
 /// An edge from corner `from` to the next on its line.
-struct Edge {
+struct PolygonEdge {
     from: usize,
     of_line: usize,
     ends: [Point2; 2],
 }
 
-impl Edge {
+impl PolygonEdge {
     fn low(&self) -> f64 {
         self.ends[0].y.min(self.ends[1].y)
     }
@@ -69,9 +69,9 @@ pub(super) fn first_not_covered_once(
         return None;
     }
     let next = |i: usize, line: &Range<usize>| if i + 1 == line.end { line.start } else { i + 1 };
-    let mut edges: Vec<Edge> = Vec::with_capacity(points.len());
+    let mut edges: Vec<PolygonEdge> = Vec::with_capacity(points.len());
     for (of_line, line) in lines.iter().enumerate() {
-        edges.extend((*line).clone().map(|from| Edge {
+        edges.extend((*line).clone().map(|from| PolygonEdge {
             from,
             of_line,
             ends: [points[from], points[next(from, line)]],
@@ -85,7 +85,7 @@ pub(super) fn first_not_covered_once(
     let corners: Vec<usize> = lines.iter().map(|line| leftmost(line)).collect();
     let mut order: Vec<usize> = (0..lines.len()).collect();
     order.sort_by(|&a, &b| points[corners[a]].y.total_cmp(&points[corners[b]].y));
-    let (mut open, mut waiting) = (Vec::<&Edge>::new(), edges.iter().peekable());
+    let (mut open, mut waiting) = (Vec::<&PolygonEdge>::new(), edges.iter().peekable());
     let mut first: Option<(usize, usize)> = None;
     for line in order {
         let corner = corners[line];

@@ -104,17 +104,18 @@ struct Loop {
     polygon: Vec<Point2>,
     /// The points of the curves as the loop runs.
     points: Vec<Point3>,
-    part: Part,
+    part: LoopRole,
 }
 
 impl Loop {
     fn is_free(&self) -> bool {
-        self.part == Part::Free
+        self.part == LoopRole::Free
     }
 }
 
+/// What a loop is to the panels.
 #[derive(Clone, Copy, PartialEq)]
-enum Part {
+enum LoopRole {
     /// The outer loop of a panel, by its number.
     Outer(usize),
     /// A hole of a panel.
@@ -148,7 +149,7 @@ fn loops_of(design: &Design, project: &impl Fn(Point3) -> Point2) -> Vec<Loop> {
                 for (k, uses) in std::iter::once(outer).chain(holes).enumerate() {
                     bound.extend(uses.iter().map(|u| u.name.as_str()));
                     let names = uses.iter().map(|u| u.name.clone()).collect();
-                    let part = if k == 0 { Part::Outer(n) } else { Part::Hole };
+                    let part = if k == 0 { LoopRole::Outer(n) } else { LoopRole::Hole };
                     let (polygon, points) = run_along(uses);
                     loops.push(Loop { names, polygon, points, part });
                 }
@@ -161,7 +162,7 @@ fn loops_of(design: &Design, project: &impl Fn(Point3) -> Point2) -> Vec<Loop> {
         if polygon.len() >= 3 {
             let points = curve.points.iter().map(|point| point.at).collect();
             let names = vec![curve.name.clone()];
-            loops.push(Loop { names, polygon, points, part: Part::Free });
+            loops.push(Loop { names, polygon, points, part: LoopRole::Free });
         }
     }
     loops
@@ -235,8 +236,8 @@ pub fn panels_of_drawing(
     let mut order: Vec<usize> =
         (0..loops.len()).filter(|n| loops[*n].is_free() && !barred.contains(n)).collect();
     order.sort_by_key(|&n| (nested[n].depth, n));
-    let mut parts: Vec<Part> = loops.iter().map(|l| l.part).collect();
-    let is_outer = |part: Part| matches!(part, Part::Outer(_));
+    let mut parts: Vec<LoopRole> = loops.iter().map(|l| l.part).collect();
+    let is_outer = |part: LoopRole| matches!(part, LoopRole::Outer(_));
     let mut outer_points: Vec<Vec<Point3>> =
         loops.iter().filter(|l| is_outer(l.part)).map(|l| l.points.clone()).collect();
     let first_new = design.panels.len();
@@ -244,15 +245,15 @@ pub fn panels_of_drawing(
     let mut holes: Vec<(usize, PanelChange)> = Vec::new();
     for n in order {
         let name = loops[n].names[0].clone();
-        if let Some(Part::Outer(panel)) = parent(n, &barred).map(|n| parts[n]) {
+        if let Some(LoopRole::Outer(panel)) = parent(n, &barred).map(|n| parts[n]) {
             // Between two holes that touch there would be no sheet.
-            if let Some(other) = neighbours(n).find(|&other| parts[other] == Part::Hole) {
+            if let Some(other) = neighbours(n).find(|&other| parts[other] == LoopRole::Hole) {
                 barred.insert(n);
                 let pair = [n.min(other), n.max(other)];
                 proposal.crossing.push(pair.map(|n| loops[n].names.join(", ")));
                 continue;
             }
-            parts[n] = Part::Hole;
+            parts[n] = LoopRole::Hole;
             if panel >= first_new {
                 add_hole(&mut new[panel - first_new].1, vec![used(&name)]);
             } else {
@@ -261,7 +262,7 @@ pub fn panels_of_drawing(
             }
             continue;
         }
-        parts[n] = Part::Outer(first_new + new.len());
+        parts[n] = LoopRole::Outer(first_new + new.len());
         let others = design.panels.iter().chain(new.iter().map(|(_, panel)| panel));
         let others: Vec<&str> = others.map(|panel| panel.name.as_str()).collect();
         // A panel has the name of its curve if no other has it.
@@ -274,7 +275,7 @@ pub fn panels_of_drawing(
         new.push((n, DesignPanel::new(free, shape, samples)));
         // Existing panels inside of it.
         for inner in (0..loops.len()).filter(|&i| parent(i, &barred) == Some(n)) {
-            if let Part::Outer(of) = loops[inner].part
+            if let LoopRole::Outer(of) = loops[inner].part
                 && let PanelShape::Loops { outer, .. } = &design.panels[of].shape
                 && let Some((_, panel)) = new.last_mut()
             {

@@ -25,7 +25,7 @@ use std::collections::BTreeMap;
 
 /// A rung that joins two loops.
 #[derive(Clone, Copy)]
-struct Joint {
+struct LoopRung {
     hinge: usize,
     loops: [usize; 2],
     length_mm: f64,
@@ -62,28 +62,28 @@ pub(super) fn cuts(surface: &Surface, near: &[Point3], closing: Tolerance) -> Ve
 }
 
 /// The rungs that join two loops, in their order.
-fn joints(surface: &Surface) -> Vec<Joint> {
+fn joints(surface: &Surface) -> Vec<LoopRung> {
     let connectivity = surface.connectivity();
     let loop_of = |s: SampleIndex| connectivity.loops().partition_point(|l| l.end <= s.get());
     let of_hinge = |(hinge, ends): (usize, [SampleIndex; 2])| {
         let loops = ends.map(loop_of);
         let length_mm = surface.length(ends[0], ends[1]);
-        (loops[0] != loops[1]).then_some(Joint { hinge, loops, length_mm })
+        (loops[0] != loops[1]).then_some(LoopRung { hinge, loops, length_mm })
     };
     connectivity.hinges().iter().map(|h| h.rung.ends()).enumerate().filter_map(of_hinge).collect()
 }
 
 /// The rung between every two loops that have any to cut along, in the order of the loops: the
 /// shortest, or one as good that keeps clear of other loops.
-fn shortest_between(surface: &Surface, joints: &[Joint]) -> Vec<Joint> {
-    let mut of_pairs: BTreeMap<[usize; 2], Vec<Joint>> = BTreeMap::new();
+fn shortest_between(surface: &Surface, joints: &[LoopRung]) -> Vec<LoopRung> {
+    let mut of_pairs: BTreeMap<[usize; 2], Vec<LoopRung>> = BTreeMap::new();
     for joint in joints {
         let [a, b] = joint.loops;
         of_pairs.entry([a.min(b), a.max(b)]).or_default().push(*joint);
     }
-    let best = |of_pair: Vec<Joint>| {
+    let best = |of_pair: Vec<LoopRung>| {
         let shortest = of_pair.iter().map(|j| j.length_mm).fold(f64::INFINITY, f64::min);
-        let clear = |joint: &Joint| clearance_mm(surface, joint);
+        let clear = |joint: &LoopRung| clearance_mm(surface, joint);
         of_pair.into_iter().filter(|j| j.length_mm <= shortest * (1.0 + AS_SHORT)).reduce(
             |best, other| {
                 let (clear, better) = (clear(&best), clear(&other));
@@ -98,7 +98,7 @@ fn shortest_between(surface: &Surface, joints: &[Joint]) -> Vec<Joint> {
 
 /// How far a rung keeps from the samples of the loops that it does not join, mm; infinite where
 /// there are no others.
-fn clearance_mm(surface: &Surface, joint: &Joint) -> f64 {
+fn clearance_mm(surface: &Surface, joint: &LoopRung) -> f64 {
     let [a, b] = surface.connectivity().hinges()[joint.hinge].rung.ends();
     let (from, to) = (surface.position(a), surface.position(b));
     let along = to - from;
@@ -122,12 +122,12 @@ struct Joined {
 
 impl Joined {
     /// The two trees that a rung would join; `None` if they are one.
-    fn trees(&mut self, joint: &Joint) -> Option<[usize; 2]> {
+    fn trees(&mut self, joint: &LoopRung) -> Option<[usize; 2]> {
         let [a, b] = joint.loops.map(|n| self.trees.first(n));
         (a != b).then_some([a, b])
     }
 
-    fn join(&mut self, joint: &Joint) {
+    fn join(&mut self, joint: &LoopRung) {
         let [a, b] = joint.loops;
         if self.trees.join(a, b) {
             self.cuts.push(joint.hinge);
@@ -135,8 +135,8 @@ impl Joined {
     }
 
     /// Cuts along the rung whose middle lies nearest to a place, of those that join two trees.
-    fn nearest(&mut self, surface: &Surface, joints: &[Joint], place: Point3) {
-        let away = |joint: &Joint| {
+    fn nearest(&mut self, surface: &Surface, joints: &[LoopRung], place: Point3) {
+        let away = |joint: &LoopRung| {
             let [a, b] = surface.connectivity().hinges()[joint.hinge].rung.ends();
             surface.position(a).lerp(surface.position(b), 0.5).distance(place)
         };
@@ -149,7 +149,7 @@ impl Joined {
 
     /// Joins the tree of the first open loop with another tree that has one, along the fewest rungs
     /// and the shortest way of those; `false` if there is no other, or no way.
-    fn two_open_ones(&mut self, joints: &[Joint], opens: &[bool]) -> bool {
+    fn two_open_ones(&mut self, joints: &[LoopRung], opens: &[bool]) -> bool {
         let roots: Vec<usize> = (0..opens.len()).map(|n| self.trees.first(n)).collect();
         let mut open = roots.iter().zip(opens).filter(|(_, opens)| **opens).map(|(root, _)| *root);
         let Some(start) = open.next() else { return false };
@@ -200,7 +200,7 @@ impl Joined {
     }
 
     /// Joins what is still apart by the shortest rungs (Kruskal's algorithm).
-    fn others(&mut self, joints: &[Joint]) {
+    fn others(&mut self, joints: &[LoopRung]) {
         let mut by_length = joints.to_vec();
         by_length.sort_by(|a, b| a.length_mm.total_cmp(&b.length_mm).then(a.hinge.cmp(&b.hinge)));
         for joint in by_length {
@@ -215,7 +215,7 @@ struct Way {
     cuts: usize,
     length_mm: f64,
     /// Its last rung, and the tree that it comes from.
-    last: Option<(Joint, usize)>,
+    last: Option<(LoopRung, usize)>,
     /// Whether no shorter one is left to be found.
     done: bool,
 }

@@ -111,13 +111,13 @@ fn pieces_of(cleaned: &Cleaned, settings: &PanelMesh) -> Result<Vec<MeshPiece>, 
         Some(sheet) => (sheet.mesh(), sheet.seams()),
         None => (&whole, &[][..]),
     };
-    let count = mesh.pieces().len();
+    let count = mesh.components().len();
     if count > MAX_MESH_PARTS {
         return Err(MakeCause::Pieces { found: count, most: MAX_MESH_PARTS });
     }
     let mut joints = joints_of(mesh, seams);
     let mut pieces = Vec::with_capacity(count);
-    for (n, piece) in mesh.pieces().iter().enumerate() {
+    for (n, piece) in mesh.components().iter().enumerate() {
         let alone = if count == 1 {
             mesh.clone()
         } else {
@@ -140,12 +140,12 @@ fn pieces_of(cleaned: &Cleaned, settings: &PanelMesh) -> Result<Vec<MeshPiece>, 
 /// triangle of a piece is numbered within it.
 fn joints_of(mesh: &Mesh, seams: &[Seam]) -> Vec<Vec<PieceJoint>> {
     let mut place = vec![(0, 0); mesh.triangles().len()];
-    for (n, piece) in mesh.pieces().iter().enumerate() {
+    for (n, piece) in mesh.components().iter().enumerate() {
         for (k, triangle) in piece.triangles.iter().enumerate() {
             place[triangle.get()] = (n, k);
         }
     }
-    let mut joints: Vec<Vec<PieceJoint>> = mesh.pieces().iter().map(|_| Vec::new()).collect();
+    let mut joints: Vec<Vec<PieceJoint>> = mesh.components().iter().map(|_| Vec::new()).collect();
     for (number, seam) in seams.iter().enumerate() {
         // The piece of each side, and its steps.
         let sides = seam.sides.each_ref().map(|side| {
@@ -199,7 +199,7 @@ fn laid_well(
     watch: &mut dyn Watch,
 ) -> Result<(Laid, usize), MakeCause> {
     let aim = settings.aim;
-    let piece = &mesh.pieces()[0];
+    let piece = &mesh.components()[0];
     let needs_cut = piece.is_closed() || piece.handles() > 0;
     let mut cut = if needs_cut { cut_to_disk(mesh) } else { Cut::new() };
     let mut closed = lay(mesh, &cut, aim, watch);

@@ -36,7 +36,9 @@ pub struct Rebuilt {
 /// at all, too many points, or a border that no surface without interior vertices takes.
 pub(super) fn rebuilt(mesh: &Mesh, watch: &mut dyn Watch) -> Option<Rebuilt> {
     let [border] = mesh.loops() else { return None };
-    if border.len() > MOST_SAMPLES || !mesh.pieces().first().is_some_and(|piece| piece.is_disk()) {
+    if border.len() > MOST_SAMPLES
+        || !mesh.components().first().is_some_and(|piece| piece.is_disk())
+    {
         return None;
     }
     let at: Vec<Point3> = border.iter().map(|&v| mesh.position(v)).collect();

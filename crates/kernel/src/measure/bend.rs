@@ -90,7 +90,7 @@ struct Station {
     /// How many rungs turn here.
     rungs: usize,
     /// The edge that leaves.
-    edge: Edge,
+    edge: BorderEdge,
     /// How long that is, mm.
     length: f64,
     /// How its triangle lies to the rulings.
@@ -106,7 +106,7 @@ impl Station {
 
 /// An edge of the border with its triangle.
 #[derive(Clone, Copy, Default)]
-struct Edge {
+struct BorderEdge {
     /// From end to end, mm.
     way: Vec3,
     /// From its middle to the far corner of its triangle, mm.
@@ -139,7 +139,7 @@ impl Lie {
     ///
     /// If the ends of the edge are off by δ each, the plane turns by up to 2 δ (|v| + |h|)/|u h − v
     /// w|: 2 δ/w if the edge runs across the rulings, and many times that if it runs along them.
-    fn of(edge: &Edge, ruling: Vec3, size: f64) -> Option<Self> {
+    fn of(edge: &BorderEdge, ruling: Vec3, size: f64) -> Option<Self> {
         let across = ruling.cross(edge.normal);
         let (w, h) = (edge.way.dot(across), edge.way.dot(ruling));
         let (u, v) = (edge.to_far.dot(across), edge.to_far.dot(ruling));
@@ -214,7 +214,8 @@ fn stations(surface: &Surface, creases: &[f64]) -> Vec<Station> {
             if after[from.get()] == to.get() {
                 let far = connectivity.far_corner(TriangleIndex::new(n), [from, to]);
                 let [start, end, far] = [from, to, far].map(|s| surface.position(s));
-                let edge = Edge { way: end - start, to_far: far - start.lerp(end, 0.5), normal };
+                let edge =
+                    BorderEdge { way: end - start, to_far: far - start.lerp(end, 0.5), normal };
                 let width = normal.cross(edge.way) * 0.5;
                 stations[from.get()].edge = edge;
                 stations[from.get()].length = edge.way.length();
@@ -294,7 +295,7 @@ impl Roll {
 
 /// A stretch of border, summed up from its first station on.
 #[derive(Clone, Copy)]
-struct Stretch {
+struct BorderStretch {
     /// τ.
     turn: Vec3,
     /// E, mm.
@@ -309,7 +310,7 @@ struct Stretch {
     longest: f64,
 }
 
-impl Stretch {
+impl BorderStretch {
     /// One without stations, beside the edge that leads to the first.
     fn before(stations: &[Station], first: usize) -> Self {
         let [turn, width, axis] = [Vec3::ZERO; 3];
@@ -404,14 +405,14 @@ fn roll_from(
     stations: &[Station],
     first: usize,
     size: f64,
-    seen: &mut Vec<Stretch>,
+    seen: &mut Vec<BorderStretch>,
 ) -> Option<Roll> {
     let m = stations.len();
     if !stations[first].turns() {
         return None;
     }
     seen.clear();
-    let mut stretch = Stretch::before(stations, first);
+    let mut stretch = BorderStretch::before(stations, first);
     let mut way = 0.0;
     for n in 0..m {
         let station = &stations[stretch.number(n, m)];
@@ -485,7 +486,7 @@ mod tests {
             return None;
         }
         let mut tightest: Option<Roll> = None;
-        let mut stretch = Stretch::before(stations, first);
+        let mut stretch = BorderStretch::before(stations, first);
         let mut way = 0.0;
         for n in first..first + m {
             stretch.take(&stations[n % m]);

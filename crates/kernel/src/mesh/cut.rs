@@ -73,7 +73,7 @@ pub fn cut_to_disk(mesh: &Mesh) -> Cut {
 
 /// The shortest cut after which a mesh of one piece has no handle and no more than one loop.
 fn cut_handles_and_holes(mesh: &Mesh) -> Cut {
-    let Some(piece) = mesh.pieces().first() else { return Cut::new() };
+    let Some(piece) = mesh.components().first() else { return Cut::new() };
     if piece.handles() == 0 && piece.loops.len() < 2 {
         return Cut::new();
     }

@@ -4,7 +4,7 @@
 //! positions. Both are validated once, in [`Mesh::new`], and trusted afterwards: every side belongs
 //! to one triangle or two, every vertex has one fan of triangles, neighbours run the same way
 //! round, no triangle is without area, and the whole is not smaller than [`MIN_SIZE_MM`]. A mesh
-//! may be of several [`Piece`]s.
+//! may be of several [`Component`]s.
 
 mod corners;
 mod crease;
@@ -20,7 +20,7 @@ pub use cut::{Cut, angle_defects, cut_through, cut_to_disk, worst_points};
 pub use error::MeshError;
 pub use specks::Specks;
 pub(crate) use specks::{WithoutSpecks, without_specks};
-pub use topology::{MeshEdge, Piece, Topology};
+pub use topology::{MeshEdge, Component, Topology};
 pub(crate) use ways::Ways;
 
 use crate::surface::{Surface, signed_crease};
@@ -123,8 +123,8 @@ impl Mesh {
     }
 
     /// The parts that hang together, by their lowest triangle.
-    pub fn pieces(&self) -> &[Piece] {
-        self.topology.pieces()
+    pub fn components(&self) -> &[Component] {
+        self.topology.components()
     }
 
     /// Euler's number, vertices − sides + triangles: 1 for a disk, 0 for a ring, 2 for a sphere.

@@ -1,8 +1,8 @@
 //! Parts of a mesh that are too small to be sheet.
 //!
 //! Files of meshes hold crumbs: triangles of 1e-14 mm that some operation left, or slivers without
-//! width. Each would become a panel of its own, whose pattern has no digits left. What hangs
-//! together with anything larger is no crumb: leaving it out would tear the surface.
+//! width. Each would become a panel of its own, whose pattern has no digits left. A small triangle
+//! that is joined to larger ones is no crumb: leaving it out would tear the surface.
 
 use super::corners::separated;
 use sheetwright_geometry::disjoint::DisjointSets;
@@ -31,7 +31,7 @@ pub(crate) struct WithoutSpecks {
     pub(crate) specks: Specks,
 }
 
-/// What is too small in a file.
+/// The limits below which a component is too small.
 struct Limits {
     /// The least width, mm: the area of a part divided by its size.
     width: f64,
@@ -39,15 +39,15 @@ struct Limits {
     of: f64,
 }
 
-/// A part that hangs together by sides.
-struct Part {
+/// The box and the area of a connected component.
+struct ComponentSize {
     first: usize,
     low: Vec3,
     high: Vec3,
     area: f64,
 }
 
-impl Part {
+impl ComponentSize {
     fn of_triangle(first: usize, at: [Point3; 3]) -> Self {
         let [a, b, c] = at.map(Point3::to_vec);
         let area = 0.5 * (b - a).cross(c - a).length();
@@ -87,7 +87,7 @@ pub(crate) fn without_specks(
         return None;
     }
     let limits = Limits { width: Tolerance::SAME_POINT.length_mm(file_size_mm), of: file_size_mm };
-    let alone = |n: usize| Part::of_triangle(n, triangles[n].map(|v| positions[v.get()]));
+    let alone = |n: usize| ComponentSize::of_triangle(n, triangles[n].map(|v| positions[v.get()]));
     if !(0..triangles.len()).any(|n| alone(n).may_be_of_speck(&limits)) {
         return None;
     }
@@ -99,7 +99,7 @@ pub(crate) fn without_specks(
         of.join(a.get(), c.get());
     }
     let part_of: Vec<usize> = apart.triangles.iter().map(|t| of.first(t[0].get())).collect();
-    let mut parts: BTreeMap<usize, Part> = BTreeMap::new();
+    let mut parts: BTreeMap<usize, ComponentSize> = BTreeMap::new();
     for (n, part) in part_of.iter().enumerate() {
         let more = alone(n);
         let whole = match parts.remove(part) {

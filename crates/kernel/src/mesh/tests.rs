@@ -43,8 +43,8 @@ fn a_square_is_a_disk() {
     let sides = [TriangleIndex::new(1), TriangleIndex::new(0)].map(Some);
     assert_eq!(m.edges()[1].triangles, sides);
     assert_eq!(m.loops(), [[0, 1, 2, 3].map(v).to_vec()]);
-    assert_eq!((m.euler(), m.pieces().len()), (1, 1));
-    assert!(m.pieces()[0].is_disk());
+    assert_eq!((m.euler(), m.components().len()), (1, 1));
+    assert!(m.components()[0].is_disk());
     assert_eq!(m.lengths()[1], 2f64.sqrt());
 }
 
@@ -115,27 +115,27 @@ fn surfaces_with_one_side_are_refused() {
 fn rings_spheres_and_tori_are_told_apart() {
     let tube = mesh(&scattered(18), &grid(7, 3, |i, j| 3 * (i % 6) + j)).unwrap();
     assert_eq!((tube.euler(), tube.loops().len()), (0, 2));
-    assert_eq!(tube.pieces()[0].handles(), 0);
+    assert_eq!(tube.components()[0].handles(), 0);
     let torus = mesh(&scattered(30), &grid(7, 6, |i, j| 5 * (i % 6) + j % 5)).unwrap();
     assert_eq!((torus.euler(), torus.loops().len()), (0, 0));
-    assert_eq!(torus.pieces()[0].handles(), 1);
+    assert_eq!(torus.components()[0].handles(), 1);
     let ball = mesh(&scattered(4), &[[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]]).unwrap();
     assert_eq!(ball.euler(), 2);
-    assert!(ball.pieces()[0].is_closed());
+    assert!(ball.components()[0].is_closed());
 }
 
 #[test]
-fn pieces_come_apart_and_the_longest_loop_comes_first() {
+fn components_come_apart_and_the_longest_loop_comes_first() {
     let mut positions = SQUARE.to_vec();
     positions.extend(SQUARE.map(|[x, y, z]| [3.0 * x, 3.0 * y, z + 1.0]));
     let both = [[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]];
     let m = mesh(&positions, &both).unwrap();
-    assert_eq!(m.pieces().len(), 2);
+    assert_eq!(m.components().len(), 2);
     assert_eq!(m.loops()[0][0], v(4));
-    assert_eq!(m.pieces()[0].loops, [1]);
-    let (second, vertices) = m.part(&m.pieces()[1].triangles).unwrap();
+    assert_eq!(m.components()[0].loops, [1]);
+    let (second, vertices) = m.part(&m.components()[1].triangles).unwrap();
     assert_eq!(vertices, [4, 5, 6, 7].map(v));
-    assert_eq!(second.triangles(), m.part(&m.pieces()[0].triangles).unwrap().0.triangles());
+    assert_eq!(second.triangles(), m.part(&m.components()[0].triangles).unwrap().0.triangles());
     assert_eq!(second.lengths()[0], 3.0);
     assert_eq!(m.part(&[]), Err(MeshError::Empty));
 }

@@ -1,4 +1,4 @@
-//! Which vertices of a mesh are joined: sides, loops and pieces, without positions.
+//! Which vertices of a mesh are joined: sides, loops and components, without positions.
 
 use super::MeshError;
 use crate::surface::Connectivity;
@@ -23,9 +23,9 @@ impl MeshEdge {
     }
 }
 
-/// A part of a mesh that hangs together by sides.
+/// A connected component of a mesh: triangles joined by shared sides.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Piece {
+pub struct Component {
     /// Its triangles, in increasing order.
     pub triangles: Vec<TriangleIndex>,
     /// Its vertices, in increasing order.
@@ -36,9 +36,8 @@ pub struct Piece {
     pub euler: isize,
 }
 
-impl Piece {
-    /// How many handles it has: 0 for whatever can be drawn in a plane once it is cut open there, 1
-    /// for a torus.
+impl Component {
+    /// The number of handles: 0 for a sphere, a disk and a disk with holes, 1 for a torus.
     pub fn handles(&self) -> usize {
         // Euler's formula for a surface with two sides: 2 − 2 handles − loops.
         let handles = (2 - self.loops.len() as isize - self.euler) / 2;
@@ -64,15 +63,15 @@ pub struct Topology {
     edges: Vec<MeshEdge>,
     edges_of_triangles: Vec<[u32; 3]>,
     loops: Vec<Vec<VertexIndex>>,
-    pieces: Vec<Piece>,
+    components: Vec<Component>,
 }
 
-/// A side as one triangle has it.
+/// A side of one triangle.
 #[derive(Clone, Copy)]
-struct Side {
+struct HalfEdge {
     ends: [VertexIndex; 2],
     triangle: u32,
-    /// Which corner of the triangle it begins at.
+    /// The corner of the triangle at which it begins, 0 ..= 2.
     at: u8,
     /// Whether the triangle runs from the lower vertex to the higher.
     upwards: bool,
@@ -87,19 +86,20 @@ impl Topology {
         let sides = sorted_sides(&triangles);
         let neighbours = neighbours(&sides, triangles.len())?;
         check_fans(&sides, &triangles, vertices)?;
-        let (piece_of, turned) = facing(&triangles, &neighbours)?;
+        let (component_of, turned) = facing(&triangles, &neighbours)?;
         for (corners, _) in triangles.iter_mut().zip(&turned).filter(|(_, turned)| **turned) {
             corners.swap(1, 2);
         }
         let (edges, edges_of_triangles) = edges(&sides, &triangles, &turned);
         let loops = loops(&edges, vertices);
-        let pieces = pieces(&piece_of, &triangles, &edges, vertices);
-        let mut topology = Self { vertices, triangles, edges, edges_of_triangles, loops, pieces };
-        topology.give_loops_to_pieces();
+        let components = components(&component_of, &triangles, &edges, vertices);
+        let mut topology =
+            Self { vertices, triangles, edges, edges_of_triangles, loops, components };
+        topology.give_loops_to_components();
         Ok(topology)
     }
 
-    /// The topology of a surface of one piece without interior vertices.
+    /// The topology of a surface of one component without interior vertices.
     pub(super) fn of_surface(connectivity: &Connectivity) -> Self {
         let vertex = |sample: SampleIndex| VertexIndex::new(sample.get());
         let triangles: Vec<[VertexIndex; 3]> =
@@ -109,9 +109,10 @@ impl Topology {
             edges(&sorted_sides(&triangles), &triangles, &vec![false; count]);
         let of_loop = |range: &Range<usize>| range.clone().map(VertexIndex::new).collect();
         let loops: Vec<Vec<VertexIndex>> = connectivity.loops().iter().map(of_loop).collect();
-        let pieces = pieces(&vec![0; count], &triangles, &edges, vertices);
-        let mut topology = Self { vertices, triangles, edges, edges_of_triangles, loops, pieces };
-        topology.give_loops_to_pieces();
+        let components = components(&vec![0; count], &triangles, &edges, vertices);
+        let mut topology =
+            Self { vertices, triangles, edges, edges_of_triangles, loops, components };
+        topology.give_loops_to_components();
         topology
     }
 
@@ -149,8 +150,8 @@ impl Topology {
     }
 
     /// The parts that hang together, by their lowest triangle.
-    pub fn pieces(&self) -> &[Piece] {
-        &self.pieces
+    pub fn components(&self) -> &[Component] {
+        &self.components
     }
 
     /// Euler's number, vertices − sides + triangles.
@@ -177,31 +178,31 @@ impl Topology {
             self.loops.drain(..).map(|of_loop| (around(&of_loop), of_loop)).collect();
         keyed.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1[0].cmp(&b.1[0])));
         self.loops = keyed.into_iter().map(|(_, of_loop)| of_loop).collect();
-        self.give_loops_to_pieces();
+        self.give_loops_to_components();
     }
 
-    fn give_loops_to_pieces(&mut self) {
-        let mut piece_of = vec![0; self.vertices];
-        for (n, piece) in self.pieces.iter_mut().enumerate() {
-            piece.loops.clear();
-            for vertex in &piece.vertices {
-                piece_of[vertex.get()] = n;
+    fn give_loops_to_components(&mut self) {
+        let mut component_of = vec![0; self.vertices];
+        for (n, component) in self.components.iter_mut().enumerate() {
+            component.loops.clear();
+            for vertex in &component.vertices {
+                component_of[vertex.get()] = n;
             }
         }
         for (n, of_loop) in self.loops.iter().enumerate() {
-            self.pieces[piece_of[of_loop[0].get()]].loops.push(n);
+            self.components[component_of[of_loop[0].get()]].loops.push(n);
         }
     }
 }
 
 /// Every side as every triangle has it, in increasing order of ends, then of triangles.
-fn sorted_sides(triangles: &[[VertexIndex; 3]]) -> Vec<Side> {
-    let mut sides: Vec<Side> = Vec::with_capacity(3 * triangles.len());
+fn sorted_sides(triangles: &[[VertexIndex; 3]]) -> Vec<HalfEdge> {
+    let mut sides: Vec<HalfEdge> = Vec::with_capacity(3 * triangles.len());
     for (n, corners) in triangles.iter().enumerate() {
         for at in 0..3 {
             let (from, to) = (corners[at], corners[(at + 1) % 3]);
             let ends = [from.min(to), from.max(to)];
-            sides.push(Side { ends, triangle: n as u32, at: at as u8, upwards: from < to });
+            sides.push(HalfEdge { ends, triangle: n as u32, at: at as u8, upwards: from < to });
         }
     }
     sides.sort_unstable_by_key(|side| (side.ends, side.triangle));
@@ -209,7 +210,7 @@ fn sorted_sides(triangles: &[[VertexIndex; 3]]) -> Vec<Side> {
 }
 
 /// The sides that belong together.
-fn groups(sides: &[Side]) -> impl Iterator<Item = &[Side]> {
+fn groups(sides: &[HalfEdge]) -> impl Iterator<Item = &[HalfEdge]> {
     sides.chunk_by(|a, b| a.ends == b.ends)
 }
 
@@ -217,7 +218,7 @@ fn groups(sides: &[Side]) -> impl Iterator<Item = &[Side]> {
 type Neighbours = [Option<(u32, bool)>; 3];
 
 /// The neighbours of each triangle.
-fn neighbours(sides: &[Side], triangles: usize) -> Result<Vec<Neighbours>, MeshError> {
+fn neighbours(sides: &[HalfEdge], triangles: usize) -> Result<Vec<Neighbours>, MeshError> {
     let mut found = vec![[None; 3]; triangles];
     for group in groups(sides) {
         match *group {
@@ -239,12 +240,12 @@ fn neighbours(sides: &[Side], triangles: usize) -> Result<Vec<Neighbours>, MeshE
 /// Checks that the triangles of every vertex are one fan: their corners there hang together by the
 /// sides that end there.
 fn check_fans(
-    sides: &[Side],
+    sides: &[HalfEdge],
     triangles: &[[VertexIndex; 3]],
     vertices: usize,
 ) -> Result<(), MeshError> {
     let mut same = DisjointSets::new(3 * triangles.len());
-    let corner = |side: &Side, vertex: VertexIndex| {
+    let corner = |side: &HalfEdge, vertex: VertexIndex| {
         let corners = triangles[side.triangle as usize];
         let at = corners.iter().position(|&v| v == vertex).unwrap_or(0);
         3 * side.triangle as usize + at
@@ -275,14 +276,14 @@ fn facing(
     triangles: &[[VertexIndex; 3]],
     neighbours: &[Neighbours],
 ) -> Result<(Vec<usize>, Vec<bool>), MeshError> {
-    let mut piece_of = vec![usize::MAX; triangles.len()];
+    let mut component_of = vec![usize::MAX; triangles.len()];
     let mut turned = vec![false; triangles.len()];
-    let mut pieces = 0;
+    let mut components = 0;
     for start in 0..triangles.len() {
-        if piece_of[start] != usize::MAX {
+        if component_of[start] != usize::MAX {
             continue;
         }
-        piece_of[start] = pieces;
+        component_of[start] = components;
         let mut reached = vec![start];
         let mut at = 0;
         while at < reached.len() {
@@ -292,8 +293,8 @@ fn facing(
                 let Some((there, agree)) = *neighbour else { continue };
                 let there = there as usize;
                 let as_here = turned[here] == agree;
-                if piece_of[there] == usize::MAX {
-                    piece_of[there] = pieces;
+                if component_of[there] == usize::MAX {
+                    component_of[there] = components;
                     turned[there] = as_here;
                     reached.push(there);
                 } else if turned[there] != as_here {
@@ -303,21 +304,21 @@ fn facing(
                 }
             }
         }
-        // The first of the piece stays as it is; if most others were turned, they are right.
+        // The first of the component stays as it is; if most others were turned, they are right.
         if 2 * reached.iter().filter(|&&n| turned[n]).count() > reached.len() {
             for n in reached {
                 turned[n] = !turned[n];
             }
         }
-        pieces += 1;
+        components += 1;
     }
-    Ok((piece_of, turned))
+    Ok((component_of, turned))
 }
 
 /// The sides of the mesh, and the three of every triangle. Those triangles whose flag in `turned`
 /// is set have had their last two corners swapped.
 fn edges(
-    sides: &[Side],
+    sides: &[HalfEdge],
     triangles: &[[VertexIndex; 3]],
     turned: &[bool],
 ) -> (Vec<MeshEdge>, Vec<[u32; 3]>) {
@@ -362,30 +363,31 @@ fn loops(edges: &[MeshEdge], vertices: usize) -> Vec<Vec<VertexIndex>> {
     loops
 }
 
-fn pieces(
-    piece_of: &[usize],
+fn components(
+    component_of: &[usize],
     triangles: &[[VertexIndex; 3]],
     edges: &[MeshEdge],
     vertices: usize,
-) -> Vec<Piece> {
-    let count = piece_of.iter().max().map_or(0, |most| most + 1);
-    let empty = Piece { triangles: Vec::new(), vertices: Vec::new(), loops: Vec::new(), euler: 0 };
-    let mut pieces = vec![empty; count];
+) -> Vec<Component> {
+    let count = component_of.iter().max().map_or(0, |most| most + 1);
+    let empty =
+        Component { triangles: Vec::new(), vertices: Vec::new(), loops: Vec::new(), euler: 0 };
+    let mut components = vec![empty; count];
     let mut of_vertex = vec![0; vertices];
     for (n, corners) in triangles.iter().enumerate() {
-        pieces[piece_of[n]].triangles.push(TriangleIndex::new(n));
+        components[component_of[n]].triangles.push(TriangleIndex::new(n));
         for vertex in corners {
-            of_vertex[vertex.get()] = piece_of[n];
+            of_vertex[vertex.get()] = component_of[n];
         }
     }
-    for (n, &piece) in of_vertex.iter().enumerate() {
-        pieces[piece].vertices.push(VertexIndex::new(n));
+    for (n, &component) in of_vertex.iter().enumerate() {
+        components[component].vertices.push(VertexIndex::new(n));
     }
-    for piece in &mut pieces {
-        piece.euler = (piece.vertices.len() + piece.triangles.len()) as isize;
+    for component in &mut components {
+        component.euler = (component.vertices.len() + component.triangles.len()) as isize;
     }
     for edge in edges {
-        pieces[of_vertex[edge.ends[0].get()]].euler -= 1;
+        components[of_vertex[edge.ends[0].get()]].euler -= 1;
     }
-    pieces
+    components
 }

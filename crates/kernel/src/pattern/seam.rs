@@ -70,7 +70,7 @@ pub(super) fn drawn(
         } else {
             in_space_mm
         };
-        let side = Side { mark: mark.clone(), first: *first, length_mm, from, to };
+        let side = SeamSide { mark: mark.clone(), first: *first, length_mm, from, to };
         let (tick, texts) = side.marks(from.lerp(to, share), tick_mm, height_mm);
         paths.push(tick);
         labels.extend(texts);
@@ -95,7 +95,7 @@ fn middle(sheet: &Mesh, steps: &[[VertexIndex; 2]]) -> Option<(usize, f64, f64)>
 }
 
 /// A side of a seam on the pattern.
-struct Side {
+struct SeamSide {
     /// What both sides of the seam are marked with.
     mark: String,
     /// Whether it is the side that says how long the seam is.
@@ -109,7 +109,7 @@ struct Side {
     to: Point2,
 }
 
-impl Side {
+impl SeamSide {
     /// The tick and the letters at the middle of the side.
     fn marks(
         &self,

@@ -34,7 +34,7 @@ fn faces_of(vertices: &[Vertex], corners: &[usize]) -> Vec<Vec<usize>> {
         faces.extend(faces_of(vertices, &rest));
         return faces;
     }
-    let mut table = Table { vertices, corners, best: vec![(0.0, None); count * count] };
+    let mut table = SplitTable { vertices, corners, best: vec![(0.0, None); count * count] };
     for length in 2..count {
         for i in 0..count - length {
             table.fill(i, i + length);
@@ -47,13 +47,13 @@ fn faces_of(vertices: &[Vertex], corners: &[usize]) -> Vec<Vec<usize>> {
 
 /// The cheapest division of every part polygon i, i + 1 … j, with the further corners of the face
 /// at the side from i to j; none for two neighbours.
-struct Table<'a> {
+struct SplitTable<'a> {
     vertices: &'a [Vertex],
     corners: &'a [usize],
     best: Vec<(f64, Option<[usize; 2]>)>,
 }
 
-impl Table<'_> {
+impl SplitTable<'_> {
     fn cost(&self, i: usize, j: usize) -> f64 {
         self.best[i * self.corners.len() + j].0
     }

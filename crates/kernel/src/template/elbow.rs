@@ -3,7 +3,7 @@
 //! Two cylinders or cones of revolution that touch one sphere meet in plane curves (a theorem of
 //! Monge's). So every cut here is plane, and every ruling runs from one plane to another.
 
-use super::sketch::{Drawn, Part, Sketch};
+use super::sketch::{Drawn, Sketch, SmoothPart};
 use super::{Choice, Kind, Parameter, Template, TemplateError, Values, angle, count, length};
 use sheetwright_geometry::math::{Point3, Vec3, atan2, cos, sin};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -208,9 +208,9 @@ fn y_branch(values: &Values) -> Drawn {
     sketch.jointed(
         "trunk-top",
         &[
-            Part { turn: FRAC_PI_2, at: &quarter(0.0, FRAC_PI_2) },
-            Part { turn: PI, at: &quarter(FRAC_PI_2, PI + FRAC_PI_2) },
-            Part { turn: FRAC_PI_2, at: &quarter(PI + FRAC_PI_2, TAU) },
+            SmoothPart { turn: FRAC_PI_2, at: &quarter(0.0, FRAC_PI_2) },
+            SmoothPart { turn: PI, at: &quarter(FRAC_PI_2, PI + FRAC_PI_2) },
+            SmoothPart { turn: FRAC_PI_2, at: &quarter(PI + FRAC_PI_2, TAU) },
         ],
     );
     sketch.strip("trunk", ["trunk-foot", "trunk-top"], SAMPLES);
@@ -232,9 +232,9 @@ fn y_branch(values: &Values) -> Drawn {
         sketch.jointed(
             &cut,
             &[
-                Part { turn: PI - meeting, at: &to_middle(PI, TAU - meeting) },
-                Part { turn: 2.0 * meeting, at: &to_trunk },
-                Part { turn: PI - meeting, at: &to_middle(TAU + meeting, TAU + PI) },
+                SmoothPart { turn: PI - meeting, at: &to_middle(PI, TAU - meeting) },
+                SmoothPart { turn: 2.0 * meeting, at: &to_trunk },
+                SmoothPart { turn: PI - meeting, at: &to_middle(TAU + meeting, TAU + PI) },
             ],
         );
         sketch.strip(name, [&cut, &end], SAMPLES);

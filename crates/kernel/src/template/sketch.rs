@@ -18,8 +18,8 @@ pub(super) struct Sketch {
 /// The result of a template's function.
 pub(super) type Drawn = Result<Sketch, TemplateError>;
 
-/// A smooth part of a curve: its whole turn, radians, and its points over 0 ..= 1.
-pub(super) struct Part<'a> {
+/// A smooth part of a curve: its total turn, radians, and its points over 0 ..= 1.
+pub(super) struct SmoothPart<'a> {
     pub(super) turn: f64,
     pub(super) at: &'a dyn Fn(f64) -> Point3,
 }
@@ -40,7 +40,7 @@ impl Sketch {
     /// A smooth open curve along `at` from 0 to 1, which has about constant speed and turns by
     /// `turn` radians in all.
     pub(super) fn along(&mut self, name: impl Into<String>, turn: f64, at: impl Fn(f64) -> Point3) {
-        self.jointed(name, &[Part { turn, at: &at }]);
+        self.jointed(name, &[SmoothPart { turn, at: &at }]);
     }
 
     /// A smooth curve through points that may be corners.
@@ -55,7 +55,7 @@ impl Sketch {
     }
 
     /// An open curve of smooth parts, with a corner wherever two meet.
-    pub(super) fn jointed(&mut self, name: impl Into<String>, parts: &[Part<'_>]) {
+    pub(super) fn jointed(&mut self, name: impl Into<String>, parts: &[SmoothPart<'_>]) {
         let mut points: Vec<CurvePoint> = Vec::new();
         for part in parts {
             let mut stations = stations(part.turn).into_iter();

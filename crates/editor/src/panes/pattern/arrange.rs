@@ -9,7 +9,7 @@
 //! shape.
 
 use super::pack::{CLEAR, Cell, Packed, largest};
-use super::view::{Placed, View};
+use super::view::{PatternView, Placed};
 use crate::scene::Scene;
 use eframe::egui::{Pos2, Vec2, vec2};
 use sheetwright::draw::alike::alike;
@@ -37,9 +37,9 @@ const LEAST: f64 = 1e-4;
 /// often.
 const FARTHER: i32 = 12;
 
-/// Panels whose pieces are one part.
+/// Panels whose pieces are alike and drawn once.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Part {
+pub(super) struct AlikePieces {
     /// The panels, by their numbers.
     pub(super) members: Vec<usize>,
     /// Width and height of the piece as files have it, mm.
@@ -84,18 +84,18 @@ impl Takes {
 }
 
 /// The parts of all panels that were made, in the order of their first.
-pub(super) fn parts(scene: &Scene<'_>) -> Vec<Part> {
-    let mut parts: Vec<Part> = Vec::new();
+pub(super) fn parts(scene: &Scene<'_>) -> Vec<AlikePieces> {
+    let mut parts: Vec<AlikePieces> = Vec::new();
     for (panel, shown) in scene.made() {
         let size = shown.piece.size;
         let within = ALIKE_MM.min(ALIKE_SHARE * size.max_element());
-        let is_of = |part: &&mut Part| {
+        let is_of = |part: &&mut AlikePieces| {
             let first = scene.panels[part.members[0]].made.as_ref();
             first.is_ok_and(|first| alike(&first.piece, &shown.piece, within))
         };
         match parts.iter_mut().find(is_of) {
             Some(part) => part.members.push(panel),
-            None => parts.push(Part { members: vec![panel], size }),
+            None => parts.push(AlikePieces { members: vec![panel], size }),
         }
     }
     parts
@@ -139,7 +139,7 @@ fn stem<'a>(names: &[&'a str]) -> &'a str {
 pub(super) struct Arrangement {
     slots: Vec<Slot>,
     /// How they are looked at so that all are in sight, in the middle of the pane.
-    pub(super) view: View,
+    pub(super) view: PatternView,
     /// Whether there is room for names.
     pub(super) is_named: bool,
 }
@@ -196,7 +196,7 @@ impl Arrangement {
             free: cells.takes(n, scale).with_clear().scaled(zoom),
         });
         let middle = mm((0.5 * packed.size).to_pos2());
-        let view = View { middle, mm_per_point: 1.0 / (zoom * scale) };
+        let view = PatternView { middle, mm_per_point: 1.0 / (zoom * scale) };
         Self { slots: slots.collect(), view, is_named: cells.way.is_named }
     }
 
@@ -223,7 +223,7 @@ impl Arrangement {
         &self,
         scene: &Scene<'_>,
         worst: Option<usize>,
-        view: &View,
+        view: &PatternView,
     ) -> Vec<ShownPart> {
         let zoom = self.view.mm_per_point / view.mm_per_point;
         let place = |slot: &Slot| {
@@ -278,7 +278,7 @@ fn ways() -> impl Iterator<Item = Way> {
 /// Parts and what there is to know of their texts, to be packed in a way at any scale, points for a
 /// millimetre.
 struct Cells<'a> {
-    parts: &'a [Part],
+    parts: &'a [AlikePieces],
     texts: &'a [Texts],
     takes: fn(Vec2, &Texts) -> Takes,
     way: Way,
@@ -341,7 +341,7 @@ struct Best<'a> {
 
 /// The way that shows parts largest, each by its own margin.
 fn best<'a>(
-    parts: &'a [Part],
+    parts: &'a [AlikePieces],
     texts: &'a [Texts],
     takes: fn(Vec2, &Texts) -> Takes,
     room: Vec2,
@@ -389,8 +389,8 @@ mod tests {
     const TAKES: fn(Vec2, &Texts) -> Takes =
         |_, texts| Takes { left: texts.dimension.x, right: 0.0, below: texts.dimension.y };
 
-    fn of(sizes: &[[f64; 2]]) -> (Vec<Part>, Vec<Texts>) {
-        let part = |&[x, y]: &[f64; 2]| Part { members: vec![0], size: Size::new(x, y) };
+    fn of(sizes: &[[f64; 2]]) -> (Vec<AlikePieces>, Vec<Texts>) {
+        let part = |&[x, y]: &[f64; 2]| AlikePieces { members: vec![0], size: Size::new(x, y) };
         let texts = || Texts { name: 30.0, dimension: vec2(40.0, 27.0) };
         (sizes.iter().map(part).collect(), sizes.iter().map(|_| texts()).collect())
     }

@@ -28,7 +28,7 @@ use eframe::egui::{
 use sheetwright::check::Place;
 use sheetwright::math::{Point2, Vec2 as Way, pow};
 use sheetwright_files::Units;
-use view::{View, box_of};
+use view::{PatternView, box_of};
 
 /// A pane of this height has room for a legend, points.
 const LEGEND_FROM: f32 = 360.0;
@@ -45,7 +45,7 @@ const ARROW: f32 = 40.0;
 /// The pane, with what it keeps from frame to frame.
 #[derive(Debug)]
 pub struct PatternPane {
-    view: View,
+    view: PatternView,
     arrangement: Arrangement,
     /// What it is the arrangement of.
     arranged: Option<Arranged>,
@@ -66,7 +66,7 @@ struct Arranged {
 impl Default for PatternPane {
     fn default() -> Self {
         let arrangement = Arrangement::default();
-        let view = View::default();
+        let view = PatternView::default();
         Self { view, arrangement, arranged: None, follows: true, to_bring: None }
     }
 }

@@ -1,7 +1,7 @@
 //! How a piece looks: its sheet, what is done along its lines, its texts and its dimensions.
 
 use super::arrange::{Takes, Texts};
-use super::view::{Placed, View, box_of};
+use super::view::{PatternView, Placed, box_of};
 use crate::engine::shown::Shown;
 use crate::panes::marks::{Marks, SPOT};
 use crate::panes::measured::worst_colour;
@@ -42,7 +42,7 @@ const CAPITAL: f32 = 0.7;
 /// How a piece is looked at.
 pub(super) struct Look<'a> {
     /// Which part of the paper is in sight.
-    pub(super) view: &'a View,
+    pub(super) view: &'a PatternView,
     /// The pane.
     pub(super) rect: Rect,
     /// Where the piece lies.

@@ -48,20 +48,20 @@ impl Placed {
 
 /// Which part of the paper is looked at.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct View {
+pub(super) struct PatternView {
     /// What is in the middle, mm.
     pub(super) middle: Point2,
     /// The size of a point of the screen, mm.
     pub(super) mm_per_point: f64,
 }
 
-impl Default for View {
+impl Default for PatternView {
     fn default() -> Self {
         Self { middle: Point2::default(), mm_per_point: 1.0 }
     }
 }
 
-impl View {
+impl PatternView {
     /// Where a place shows; y goes up.
     pub(super) fn seen(&self, p: Point2, rect: Rect) -> Pos2 {
         let way = (p - self.middle) / self.mm_per_point;
@@ -93,7 +93,7 @@ impl View {
 }
 
 /// A rectangle around a piece on the screen.
-pub(super) fn box_of(piece: &Placed, view: &View, rect: Rect) -> Rect {
+pub(super) fn box_of(piece: &Placed, view: &PatternView, rect: Rect) -> Rect {
     let low = Point2::default() + piece.offset;
     let high = low + piece.box_size();
     let (a, b) = (view.seen(low, rect), view.seen(high, rect));
@@ -107,7 +107,7 @@ mod tests {
     #[test]
     fn zooming_keeps_what_is_under_the_hand() {
         let rect = Rect::from_min_size(pos2(10.0, 20.0), Vec2::new(300.0, 200.0));
-        let mut view = View { middle: Point2::new(50.0, -20.0), mm_per_point: 2.0 };
+        let mut view = PatternView { middle: Point2::new(50.0, -20.0), mm_per_point: 2.0 };
         let at = pos2(40.0, 180.0);
         let under = view.under(at, rect);
         view.zoom(2.5, at, rect);

@@ -1,6 +1,6 @@
 //! The handles of curves, as the plan shows them.
 
-use super::view::View;
+use super::view::PlanView;
 use crate::document::{PointRef, Selection};
 use crate::panes::words::length;
 use crate::scene::{Act, Scene};
@@ -31,7 +31,7 @@ struct Handle {
 }
 
 impl Handles {
-    pub(super) fn new(scene: &Scene<'_>, view: View, pane: Rect) -> Self {
+    pub(super) fn new(scene: &Scene<'_>, view: PlanView, pane: Rect) -> Self {
         let plan = scene.document.drawing.plan;
         let mut shown = Vec::new();
         for (curve, of) in scene.document.design.curves.iter().enumerate() {

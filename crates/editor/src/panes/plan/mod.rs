@@ -11,7 +11,7 @@ mod paint;
 mod snap;
 mod view;
 
-use view::View;
+use view::PlanView;
 
 use crate::command::Command;
 use crate::document::{Edit, PointRef, Selection};
@@ -41,7 +41,7 @@ pub enum Tool {
 pub struct PlanPane {
     /// What the hand does.
     pub tool: Tool,
-    view: View,
+    view: PlanView,
     /// Where the pane lay in the last frame.
     pane: Rect,
     /// How large the pane was when everything was brought into sight; `None` if that is to be done.
@@ -81,7 +81,7 @@ impl Default for PlanPane {
     fn default() -> Self {
         Self {
             tool: Tool::default(),
-            view: View::default(),
+            view: PlanView::default(),
             pane: Rect::ZERO,
             fitted: None,
             is_by_hand: false,
@@ -443,7 +443,7 @@ impl PlanPane {
         handles: &Handles,
     ) {
         let painter = ui.painter_at(pane);
-        let sheet = paint::Sheet { painter: &painter, pane, view: self.view, scene };
+        let sheet = paint::PlanCanvas { painter: &painter, pane, view: self.view, scene };
         sheet.ground();
         self.picture.show(&sheet, ui.ctx());
         sheet.grid();

@@ -3,7 +3,7 @@
 use super::Tool;
 use super::handles::Handles;
 use super::snap::Snap;
-use super::view::{View, grid_step};
+use super::view::{PlanView, grid_step};
 use crate::document::PointRef;
 use crate::document::{Plan, Reference};
 use crate::panes::dashes::dashed;
@@ -19,15 +19,15 @@ use sheetwright::curve::Curve;
 use sheetwright::design::DesignCurve;
 use sheetwright::math::Point2;
 
-/// Something to draw on.
-pub(super) struct Sheet<'a> {
+/// The plan as it is drawn on: painter, pane and view.
+pub(super) struct PlanCanvas<'a> {
     pub(super) painter: &'a Painter,
     pub(super) pane: Rect,
-    pub(super) view: View,
+    pub(super) view: PlanView,
     pub(super) scene: &'a Scene<'a>,
 }
 
-impl Sheet<'_> {
+impl PlanCanvas<'_> {
     fn at(&self, p: Point2) -> Pos2 {
         self.view.to_screen(self.pane, p)
     }
@@ -284,7 +284,7 @@ pub(super) struct Outlines {
 const STEPS: usize = 24;
 
 impl Outlines {
-    pub(super) fn show(&mut self, sheet: &Sheet<'_>) {
+    pub(super) fn show(&mut self, sheet: &PlanCanvas<'_>) {
         let scene = sheet.scene;
         let plan = scene.document.drawing.plan;
         let mut kept = std::mem::take(&mut self.curves);
@@ -313,7 +313,7 @@ impl Outlines {
     }
 
     /// The curve nearest to a place on the screen, if one is near.
-    pub(super) fn nearest(&self, pane: Rect, view: View, at: Pos2) -> Option<usize> {
+    pub(super) fn nearest(&self, pane: Rect, view: PlanView, at: Pos2) -> Option<usize> {
         const REACH: f32 = 9.0;
         let distance = |line: &[Point2]| {
             let points: Vec<Pos2> = line.iter().map(|&p| view.to_screen(pane, p)).collect();
@@ -363,7 +363,7 @@ pub(super) struct ReferencePicture {
 }
 
 impl ReferencePicture {
-    pub(super) fn show(&mut self, sheet: &Sheet<'_>, ctx: &egui::Context) {
+    pub(super) fn show(&mut self, sheet: &PlanCanvas<'_>, ctx: &egui::Context) {
         let Some(reference) = &sheet.scene.document.drawing.reference else {
             self.shown = None;
             return;

@@ -6,7 +6,7 @@ use sheetwright::math::Point2;
 
 /// A view of the plan: y runs upwards there and downwards on the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct View {
+pub(super) struct PlanView {
     /// What lies in the middle, mm.
     pub(super) centre: Point2,
     /// Points of the screen for a millimetre.
@@ -16,13 +16,13 @@ pub(super) struct View {
 /// Points of the screen for a millimetre, at the least and at the most.
 const SCALES: [f64; 2] = [1e-6, 1e4];
 
-impl Default for View {
+impl Default for PlanView {
     fn default() -> Self {
         Self { centre: Point2::new(0.0, 0.0), scale: 0.5 }
     }
 }
 
-impl View {
+impl PlanView {
     /// Where a place of the plan lies on the screen.
     pub(super) fn to_screen(self, pane: Rect, p: Point2) -> Pos2 {
         let middle = pane.center();
@@ -104,7 +104,7 @@ mod tests {
 
     #[test]
     fn the_screen_and_the_plan_agree() {
-        let view = View { centre: Point2::new(30.0, -20.0), scale: 2.5 };
+        let view = PlanView { centre: Point2::new(30.0, -20.0), scale: 2.5 };
         let p = Point2::new(37.0, 11.0);
         let there = view.to_screen(PANE, p);
         assert!(view.to_plan(PANE, there).distance(p) < 1e-4);
@@ -113,7 +113,7 @@ mod tests {
 
     #[test]
     fn zooming_keeps_what_is_under_the_hand() {
-        let mut view = View::default();
+        let mut view = PlanView::default();
         let hand = pos2(140.0, 320.0);
         let before = view.to_plan(PANE, hand);
         view.zoom(PANE, hand, 3.7);
@@ -122,7 +122,7 @@ mod tests {
 
     #[test]
     fn fitting_shows_everything_with_room_around() {
-        let mut view = View::default();
+        let mut view = PlanView::default();
         let places = [Point2::new(-900.0, 10.0), Point2::new(1100.0, 60.0)];
         view.fit(PANE, places.into_iter());
         for p in places {

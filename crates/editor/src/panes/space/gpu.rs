@@ -38,9 +38,9 @@ pub(super) struct Segment {
     pub(super) lift: f32,
 }
 
-/// What is in a picture.
+/// The triangles and lines of space.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Picture {
+pub(super) struct SpacePicture {
     /// Triangles, three corners each.
     pub(super) sheets: Vec<SheetVertex>,
     /// Lines, in the order in which they are drawn.
@@ -82,7 +82,7 @@ pub(super) struct Globals {
 /// One frame of the pane.
 pub(super) struct Frame {
     /// What is in it.
-    pub(super) picture: Arc<Picture>,
+    pub(super) picture: Arc<SpacePicture>,
     /// How it is looked at.
     pub(super) globals: Globals,
     /// What is behind everything.
@@ -107,7 +107,7 @@ struct Stage {
     sampler: wgpu::Sampler,
     target: Option<Target>,
     /// The triangles and lines of the picture that was sent last.
-    sent: Option<(Arc<Picture>, wgpu::Buffer, wgpu::Buffer)>,
+    sent: Option<(Arc<SpacePicture>, wgpu::Buffer, wgpu::Buffer)>,
     /// How it was looked at, and before what ground, when it was drawn last.
     drawn: Option<(Globals, [f32; 4])>,
 }

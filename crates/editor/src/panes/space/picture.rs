@@ -2,7 +2,7 @@
 
 use super::camera::Camera;
 use super::gauss;
-use super::gpu::{Globals, Picture};
+use super::gpu::{Globals, SpacePicture};
 use super::lines::{Lines, Pen, curve_points};
 use super::pick::share_along;
 use super::sheets::vertices;
@@ -43,7 +43,7 @@ pub(super) struct Built {
     curves: Vec<(DesignCurve, Vec<Point3>)>,
     curves_version: u64,
     /// What is drawn.
-    pub(super) picture: Arc<Picture>,
+    pub(super) picture: Arc<SpacePicture>,
     /// What its places are about, mm.
     origin: Point3,
     /// How far from there anything is, mm.
@@ -86,7 +86,8 @@ impl Built {
         if view == SurfaceView::Gauss {
             let (sheets, lines) = gauss::image(scene);
             (self.origin, self.reach) = (Point3::default(), 1.3);
-            self.picture = Arc::new(Picture { sheets, lines: lines.segments, under: 0, ghosts: 0 });
+            self.picture =
+                Arc::new(SpacePicture { sheets, lines: lines.segments, under: 0, ghosts: 0 });
             return;
         }
         let (middle, radius) = around(&self.points(scene));
@@ -123,7 +124,7 @@ impl Built {
         if view == SurfaceView::Wireframe {
             ghosts = lines.segments.len() - under;
         }
-        self.picture = Arc::new(Picture { sheets, lines: lines.segments, under, ghosts });
+        self.picture = Arc::new(SpacePicture { sheets, lines: lines.segments, under, ghosts });
     }
 
     fn update_curves(&mut self, curves: &[DesignCurve]) {

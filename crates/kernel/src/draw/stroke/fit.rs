@@ -37,7 +37,7 @@ pub(super) struct Fitted {
 
 /// A part of the stroke between two corners: numbers of places at equal steps; the end may run over
 /// the number of them. The whole of a closed stroke without corners is one.
-struct Stretch {
+struct StrokeStretch {
     from: usize,
     to: usize,
     /// The share of handles that lies before each place, 0 ..= 1, which follows the bends.
@@ -122,7 +122,12 @@ pub(super) fn fit(
     Some(Fitted { points, off_mm: best.off_mm })
 }
 
-fn stretches(drawn: &Path, even: &[Point2], corners: &[usize], tolerance_mm: f64) -> Vec<Stretch> {
+fn stretches(
+    drawn: &Path,
+    even: &[Point2],
+    corners: &[usize],
+    tolerance_mm: f64,
+) -> Vec<StrokeStretch> {
     let m = even.len();
     let mut ends: Vec<usize> = corners.to_vec();
     if drawn.closed {
@@ -140,7 +145,7 @@ fn stretches(drawn: &Path, even: &[Point2], corners: &[usize], tolerance_mm: f64
         let points: Vec<Point2> = (from..=to).map(|i| even[i % m]).collect();
         let left = douglas_peucker(&points, tolerance_mm).len() - 2;
         let inner = left.div_ceil(LEFT_BY_HANDLE).min(room);
-        Stretch { from, to, share_before: share_before(&points, tolerance_mm), inner }
+        StrokeStretch { from, to, share_before: share_before(&points, tolerance_mm), inner }
     };
     ends.windows(2).map(stretch).collect()
 }
@@ -174,7 +179,7 @@ fn share_before(points: &[Point2], tolerance_mm: f64) -> Vec<f64> {
 }
 
 /// Handles spread over all stretches.
-fn spread(stretches: &[Stretch], even: &[Point2], closed: bool, round: bool) -> Vec<Handle> {
+fn spread(stretches: &[StrokeStretch], even: &[Point2], closed: bool, round: bool) -> Vec<Handle> {
     let m = even.len();
     let mut handles = Vec::new();
     let handle = |place: usize, corner: bool| Handle { place, at: even[place % m], corner };
@@ -221,7 +226,7 @@ fn compared(
     handles: Vec<Handle>,
     drawn: &Path,
     even: &[Point2],
-    stretches: &[Stretch],
+    stretches: &[StrokeStretch],
 ) -> Option<Tried> {
     let m = even.len();
     let step = drawn.length() / (m - usize::from(!drawn.closed)) as f64;
@@ -230,7 +235,7 @@ fn compared(
     let mut worst: Vec<(f64, usize)> =
         stretches.iter().map(|s| (0.0, (s.from + s.to) / 2)).collect();
     let mut note = |place: usize, off: f64| {
-        let holds = |s: &Stretch| {
+        let holds = |s: &StrokeStretch| {
             (s.from..=s.to).contains(&place) || (s.from..=s.to).contains(&(place + m))
         };
         if let Some(n) = stretches.iter().position(holds)

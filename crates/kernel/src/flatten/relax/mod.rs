@@ -222,8 +222,8 @@ pub(crate) fn triangle_stretches(lengths: [f64; 3], flat: [Point2; 3]) -> Option
 }
 
 fn check(topology: &Topology) -> Result<(), RelaxError> {
-    let [piece] = topology.pieces() else {
-        return Err(RelaxError::Pieces { found: topology.pieces().len() });
+    let [piece] = topology.components() else {
+        return Err(RelaxError::Pieces { found: topology.components().len() });
     };
     if piece.is_closed() {
         return Err(RelaxError::Closed);
