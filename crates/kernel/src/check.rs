@@ -1,4 +1,4 @@
-//! Findings: what is wrong with a panel, where, how bad, and what to do; and the verdict.
+//! Findings on a part, each with its kind, its place and its severity; and the verdict.
 
 mod bending;
 mod finding;
@@ -31,11 +31,11 @@ use sheetwright_geometry::math::Point3;
 use sheetwright_geometry::tolerance::Tolerance;
 use sheetwright_optimum::triangulate::Triangulation;
 
-/// Up to this share of what it takes, a sheet goes into shape by itself; above it, with force. Half
+/// Up to this share of its limit, a sheet takes its shape without force; above it, with force. Half
 /// of the limit: a choice, not a measurement, so that a warning comes well before the limit.
 pub const EASY_SHARE: f64 = 0.5;
 
-/// Everything known of a part when it is checked.
+/// A part with everything that its check needs.
 #[derive(Clone, Copy, Debug)]
 pub struct Subject<'a> {
     /// Its sheet.
@@ -46,11 +46,11 @@ pub struct Subject<'a> {
     pub measures: &'a Measures,
     /// Its material, if one is named.
     pub material: Option<&'a Material>,
-    /// What it came from.
+    /// The boundary or the mesh that it came from.
     pub from: CheckedFrom<'a>,
 }
 
-/// What a part came from, as far as it is checked.
+/// The boundary or the mesh of a part.
 #[derive(Clone, Copy, Debug)]
 pub enum CheckedFrom<'a> {
     /// A boundary, whose surface was found.
@@ -59,12 +59,12 @@ pub enum CheckedFrom<'a> {
     Mesh(MeshOrigin<'a>),
 }
 
-/// What is known of a mesh and of how it was laid flat, beside its measures.
+/// A mesh, and how it was read and laid flat.
 #[derive(Clone, Copy, Debug)]
 pub struct MeshOrigin<'a> {
     /// The mesh before it was cut.
     pub mesh: &'a Mesh,
-    /// Whether its border was to be true.
+    /// Whether the aim was a border of exact lengths.
     pub keeps_border: bool,
     /// A cut that would help, from inside or from a hole to the border: its ends, mm.
     pub suggested_cut: Option<[Point3; 2]>,
@@ -76,7 +76,7 @@ pub struct MeshOrigin<'a> {
     pub specks: Option<Specks>,
     /// Points in which parts of it met that have no side in common there.
     pub contacts: usize,
-    /// Cuts that were asked for, from the border to points inside.
+    /// The number of cuts from the border to points inside that the design or the caller sets.
     pub darts: usize,
 }
 
@@ -91,15 +91,15 @@ pub fn check(part: &Subject<'_>) -> Checked {
 }
 
 /// The finding that a written pattern does not fold back onto its surface; `None` if it does.
-/// `error_mm` is how far it comes from it, `size_mm` the size of the boundary; `known_mm` is how
-/// far the pattern comes from it before it is written, where its lengths are not exact: else 0.
+/// `error_mm` is its refold error, `size_mm` the size of the boundary, `known_mm` the refold error
+/// of the pattern in memory if its lengths are not exact, else 0.
 pub fn refolding(error_mm: f64, size_mm: f64, known_mm: f64) -> Option<Finding> {
     let limit_mm = Tolerance::REFOLD.length_mm(size_mm) + known_mm;
     let is_off = error_mm.is_nan() || error_mm > limit_mm;
     is_off.then(|| Finding::of_whole(FindingKind::Refold { error_mm, limit_mm }))
 }
 
-/// How people call the sheet.
+/// The title of the material.
 fn title(material: Option<&Material>) -> Option<String> {
     material.map(|m| m.title.clone())
 }

@@ -20,7 +20,7 @@ pub(super) struct Panel<'a> {
     pub(super) triangulation: &'a Triangulation,
 }
 
-/// What is found on it.
+/// The findings on it.
 pub(super) fn findings(panel: &Panel<'_>) -> Vec<Finding> {
     let checks: [fn(&Panel<'_>) -> Option<Finding>; 13] = [
         warp,
@@ -62,7 +62,7 @@ fn coarse_samples(panel: &Panel<'_>) -> Option<Finding> {
     let limit = from_deg(warp_limit_deg(panel.part.material));
     let rungs = &panel.part.measures.rungs;
     let told = |r: &RungMeasures| r.warp <= limit || r.warp_beyond_sampling() > 0.0;
-    // What is known to twist too much needs no doubt beside it.
+    // Not beside an error: twist beyond the limit is certain then.
     let known = rungs.iter().any(|r| r.warp_beyond_sampling() > limit);
     let kind = FindingKind::CoarseSamples { largest: panel.part.measures.warp_max };
     (!known && !rungs.iter().all(told))
@@ -81,12 +81,11 @@ fn bend_radius(panel: &Panel<'_>) -> Option<Finding> {
     })
 }
 
-/// A point round which the sheet turns by less than this, degrees, is rounded off and hardly seen.
+/// A point where the sheet turns by less than this, degrees, is rounded off and hardly seen.
 const SEEN_POINT_DEG: f64 = 15.0;
 
-/// A point is no harder on a sheet than a fold through it would be. So what takes folds takes
-/// points; what does not can't have any, unless the shallowest roll that rounds it off is wide
-/// enough.
+/// A point is no harder on a sheet than a fold through it. So a sheet that folds takes points; a
+/// stiff one takes them only if the shallowest roll that rounds them off is wide enough.
 fn points(panel: &Panel<'_>) -> Option<Finding> {
     let apexes = &panel.part.measures.apexes;
     let sharpest = apexes.iter().max_by(|a, b| a.turn.total_cmp(&b.turn))?;
@@ -125,7 +124,7 @@ pub(crate) fn better_without_plane(with: f64, without: f64) -> Finding {
 
 fn not_proven(panel: &Panel<'_>) -> Option<Finding> {
     let gap = panel.triangulation.gap();
-    // Of one loop no gap is known where another method was asked for, which proves nothing.
+    // For one loop, a method other than optimal proves nothing, so no gap is known.
     let is_open = gap.map_or(panel.boundary.holes() > 0, |gap| gap > 0.0);
     let cut_short = panel.triangulation.cut_short;
     is_open.then(|| Finding::of_whole(FindingKind::NotProven { gap, cut_short }))
@@ -156,8 +155,8 @@ fn length_error(panel: &Panel<'_>) -> Option<Finding> {
         .then(|| Finding::of_whole(FindingKind::LengthError { largest, closes_holes }))
 }
 
-/// A seam that gapes by no more than this share of the size is one round a window that nearly
-/// lies flat, not one that opens a tube. (A ring that rises by 2° gapes by as much.)
+/// The widest gap of a seam round a window that nearly lies flat, as a share of the size; a wider
+/// one opens a tube. (A ring that rises by 2° has such a gap.)
 const WINDOW_GAP: f64 = 2e-3;
 
 fn open_windows(panel: &Panel<'_>) -> Option<Finding> {

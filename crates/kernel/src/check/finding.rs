@@ -1,18 +1,17 @@
-//! What is found on a panel, and the verdict that it comes to. A finding is a value: its sentences
-//! are written where it is shown, and what may be set against it the command shows as an option,
-//! another program as it sets it.
+//! Findings on a panel, and the verdict that follows from them. A finding is a value: programs that
+//! show it write its sentence and name its remedies, the command as options.
 
 use super::kind::FindingKind;
 use super::place::Place;
 use super::remedy::Remedy;
 use super::severity::Severity;
 
-/// One thing found.
+/// A finding: its kind and its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
-    /// What, with its numbers.
+    /// Its kind, with its numbers.
     pub kind: FindingKind,
-    /// Where.
+    /// Its place.
     pub place: Place,
 }
 
@@ -37,7 +36,7 @@ impl Finding {
         self.kind.code()
     }
 
-    /// What may be set against it, beside what its sentence says.
+    /// Settings that help against it, beside the advice of its sentence.
     pub fn remedies(&self) -> Vec<Remedy> {
         self.kind.remedies()
     }
@@ -59,7 +58,7 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// What findings come to.
+    /// The verdict that follows from findings.
     fn of(findings: &[Finding]) -> Self {
         let has = |is_it: fn(&FindingKind) -> bool| findings.iter().any(|f| is_it(&f.kind));
         if has(|kind| kind.is_of_bending() && kind.severity() == Severity::Error) {
@@ -88,7 +87,7 @@ impl Verdict {
         Self::WillNotBend,
     ];
 
-    /// How reports name it.
+    /// Its name in reports.
     pub fn name(self) -> &'static str {
         match self {
             Self::Bends => "bends",
@@ -100,17 +99,17 @@ impl Verdict {
     }
 }
 
-/// The verdict on a panel and what it rests on, the worst first.
+/// The verdict on a panel, and its findings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Checked {
     /// Will it bend?
     pub verdict: Verdict,
-    /// What was found.
+    /// The findings, the worst first.
     pub findings: Vec<Finding>,
 }
 
 impl Checked {
-    /// The verdict that findings come to, and these, the worst first.
+    /// The verdict that follows from these findings, and the findings, the worst first.
     pub(super) fn of(findings: Vec<Finding>) -> Self {
         let mut checked = Self { verdict: Verdict::of(&findings), findings };
         checked.sort();

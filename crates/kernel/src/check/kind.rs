@@ -7,11 +7,12 @@ use crate::fair::Ended;
 use sheetwright_geometry::math::Point3;
 use sheetwright_geometry::tolerance::Tolerance;
 
-/// What was found. Angles are in radians; errors and limits of lengths are shares without unit.
+/// The kind of a finding. Angles are in radians; errors and limits of lengths are shares without
+/// unit.
 /// `sheet` is the title of the material.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FindingKind {
-    /// Rulings twist by more than the sheet takes.
+    /// Rulings twist by more than the limit of the sheet.
     WarpTooLarge {
         /// The largest warp angle that the sampling does not explain.
         largest: f64,
@@ -38,16 +39,16 @@ pub enum FindingKind {
         /// The largest warp angle.
         largest: f64,
     },
-    /// The sheet is bent more tightly than it takes.
+    /// The bend radius is below the limit of the sheet.
     RadiusTooSmall {
         /// The smallest bend radius, mm.
         least_mm: f64,
-        /// The bend radius that the sheet takes, mm.
+        /// The smallest bend radius that the sheet takes, mm.
         limit_mm: f64,
         /// The sheet.
         sheet: String,
     },
-    /// Bend lines run together in points.
+    /// Bend lines meet in points.
     Points {
         /// How many points.
         count: usize,
@@ -60,7 +61,7 @@ pub enum FindingKind {
     SelfCrossing,
     /// The pattern overlaps itself.
     Overlap,
-    /// Rungs run along the boundary's own direction, where no tangent plane is given.
+    /// Rungs run along the boundary itself, where the surface has no tangent plane.
     RungWithoutPlane {
         /// How many.
         count: usize,
@@ -74,9 +75,9 @@ pub enum FindingKind {
     },
     /// A better surface may exist.
     NotProven {
-        /// By which share its price may be lower, if that is known.
+        /// The largest share by which its price may be lower, if that is known.
         gap: Option<f64>,
-        /// Whether the search ended with the work that it may do.
+        /// Whether the search ended at the limit of its work.
         cut_short: bool,
     },
     /// The surface has sharp folds.
@@ -97,21 +98,21 @@ pub enum FindingKind {
         /// The sheet that does not fold; `None` where it folds.
         stiff: Option<String>,
     },
-    /// Rulings turn so much that the sheet is bent along them as along lines.
+    /// The sheet bends at single rulings so much that they are bend lines.
     BendLines {
         /// How many.
         count: usize,
         /// The largest crease.
         sharpest: f64,
     },
-    /// Lengths of the pattern differ from those of the surface.
+    /// Lengths in the pattern differ from those on the surface.
     LengthError {
         /// The largest relative length error.
         largest: f64,
         /// Whether they differ so that holes close when the panel is laid flat.
         closes_holes: bool,
     },
-    /// Round a hole the panel nearly lies flat, and is cut there.
+    /// Laid flat, the panel has a small gap at a hole and is cut there.
     WindowGap {
         /// The widest gap, mm.
         widest_mm: f64,
@@ -120,12 +121,12 @@ pub enum FindingKind {
     Seams {
         /// How many.
         count: usize,
-        /// How long they are together, mm.
+        /// Their total length, mm.
         length_mm: f64,
-        /// Why there are any.
+        /// Why the pattern has seams.
         why: SeamCause,
     },
-    /// A mesh must stretch by more than the sheet takes.
+    /// A mesh must stretch by more than the limit of the sheet.
     StretchTooLarge {
         /// The largest relative length error.
         largest: f64,
@@ -154,7 +155,7 @@ pub enum FindingKind {
         /// The largest relative length error.
         largest: f64,
     },
-    /// The border of a mesh was to keep its lengths, and could not.
+    /// The border of a mesh does not keep its lengths, as the aim demands.
     BorderNotTrue {
         /// The largest relative length error of the border.
         largest: f64,
@@ -174,7 +175,7 @@ pub enum FindingKind {
         /// How many.
         count: usize,
     },
-    /// Parts of a mesh met in points alone.
+    /// Parts of a mesh meet only in points.
     PointContacts {
         /// In how many.
         count: usize,
@@ -193,7 +194,7 @@ pub enum FindingKind {
         /// How far it lies from the boundaries of the panels at most, mm.
         deviation_mm: f64,
     },
-    /// The rails of a panel were let run on.
+    /// The rails of a panel run on.
     RanOn {
         /// How far the end where the first rail begins, and that where it ends, bulge from the
         /// straight line, mm; `None` of an end that stays straight.
@@ -203,7 +204,7 @@ pub enum FindingKind {
     },
     /// The rails of a panel can't run on.
     StayedStraight {
-        /// Why not: the error of the panel with the ends that it would get, in words.
+        /// Why not: the error of the panel with the new ends, in words.
         cause: String,
     },
     /// Joined panels were turned round to face as the first does.
@@ -215,7 +216,7 @@ pub enum FindingKind {
     },
     /// The boundary was moved.
     Moved {
-        /// How far, and what it changed.
+        /// How far, and the change of warp and twist.
         movement: Movement,
         /// How it ended.
         ended: Ended,
@@ -224,7 +225,7 @@ pub enum FindingKind {
     },
     /// Nothing needed to move.
     NotMoved {
-        /// What there was.
+        /// The warp and twist, which did not change.
         movement: Movement,
         /// The warp angle that was asked for.
         wanted: Option<f64>,
@@ -235,7 +236,7 @@ pub enum FindingKind {
     },
     /// The warp angle that was asked for is not reached.
     WarpNotReached {
-        /// How far the boundary was moved, and what it changed.
+        /// How far the boundary was moved, and the change of warp and twist.
         movement: Movement,
         /// The warp angle that was asked for.
         wanted: f64,
@@ -244,9 +245,9 @@ pub enum FindingKind {
     },
     /// The written pattern does not fold back onto the surface.
     Refold {
-        /// How far it misses the surface, mm.
+        /// The refold error, mm.
         error_mm: f64,
-        /// How far it may, mm.
+        /// The limit, mm.
         limit_mm: f64,
     },
     /// The written pattern is not the one that was laid flat.
@@ -256,25 +257,26 @@ pub enum FindingKind {
     },
     /// Vertices of the quads leave the boundary so that all are planar.
     QuadsOffBoundary {
-        /// How far at most, mm.
+        /// The largest distance, mm.
         off_mm: f64,
     },
     /// The quads are not planar.
     QuadsNotPlanar {
-        /// How far the diagonals of one are apart at most, mm.
+        /// The largest distance between the two diagonals of a quad, mm.
         uneven_mm: f64,
-        /// How far vertices would leave the boundary if all were planar, if that was found, mm.
+        /// The largest distance of a vertex from the boundary if all quads were planar, mm; `None`
+        /// if no such quads were found.
         off_mm: Option<f64>,
     },
     /// The PDF shows the panel smaller than it is.
     PdfReduced {
-        /// About how many sheets of paper it would take.
+        /// About how many sheets of paper it takes at true scale.
         sheets: usize,
         /// The scale, as 400 of 1:400.
         scale: f64,
-        /// The most sheets that a PDF takes.
+        /// The most sheets of a PDF.
         most: usize,
-        /// Whether the panels before it leave no room for them.
+        /// Whether the panels before it leave too few sheets.
         is_full: bool,
     },
 }
@@ -284,9 +286,9 @@ pub enum FindingKind {
 pub struct TooTight {
     /// The sheet.
     pub sheet: String,
-    /// The bend radius that it takes, mm.
+    /// The smallest bend radius that it takes, mm.
     pub limit_mm: f64,
-    /// The bend radius that it would have to take, mm.
+    /// The bend radius of the point, mm.
     pub needed_mm: f64,
 }
 
@@ -310,14 +312,14 @@ pub struct Bend {
     pub radius_mm: f64,
 }
 
-/// How a boundary was moved, and what that changed.
+/// How a boundary was moved, and the change of warp and twist.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Movement {
     /// The curves of the panel that moved, by name.
     pub curves: Vec<String>,
     /// The largest distance that a sample was moved, mm.
     pub moved_max_mm: f64,
-    /// All those distances, summed, mm.
+    /// The sum of the distances of all samples, mm.
     pub moved_total_mm: f64,
     /// The size of the boundary, mm.
     pub size_mm: f64,
@@ -327,10 +329,10 @@ pub struct Movement {
     pub twist: [f64; 2],
 }
 
-/// What keeps a panel from bending whose boundary was moved as far as was asked for.
+/// What keeps a panel from bending although its warp angles reach the goal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Hindrance {
-    /// The sheet takes less warp than was asked for.
+    /// The limit of the sheet is below the goal.
     Warp,
     /// Its bend radius.
     Radius,
@@ -339,7 +341,7 @@ pub enum Hindrance {
 }
 
 impl FindingKind {
-    /// How bad it is.
+    /// Its severity.
     pub fn severity(&self) -> Severity {
         let unless =
             |is_fine: bool, bad: Severity, fine: Severity| if is_fine { fine } else { bad };
@@ -382,7 +384,7 @@ impl FindingKind {
             Self::Folds { stiff, .. } | Self::Creases { stiff, .. } => {
                 unless(stiff.is_none(), Severity::Error, Severity::Warning)
             }
-            // What closing holes changes is mostly less than anyone cuts to.
+            // Closing holes changes lengths by less than cutting does, mostly.
             Self::LengthError { largest, closes_holes } => {
                 let is_unseen = *closes_holes && *largest <= Tolerance::STRETCH.share();
                 unless(is_unseen, Severity::Warning, Severity::Note)
@@ -431,7 +433,7 @@ impl FindingKind {
         }
     }
 
-    /// What may be set against it.
+    /// Settings that help against it.
     pub fn remedies(&self) -> Vec<Remedy> {
         let listed = |list: &[(bool, Remedy)]| {
             let helps = list.iter().filter(|(helps, _)| *helps);

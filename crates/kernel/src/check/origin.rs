@@ -1,4 +1,4 @@
-//! Findings of how a boundary came to be: what its curves look like, and what was done to them.
+//! Findings on the origin of a boundary: its curves, and how they were joined, run on and moved.
 
 use super::{Bend, Checked, Finding, FindingKind, Hindrance, Movement, Place, Severity, Verdict};
 use crate::fair::Ended;
@@ -8,8 +8,8 @@ use sheetwright_geometry::curve::CurvePoint;
 use sheetwright_geometry::index::SampleIndex;
 use sheetwright_geometry::math::{angle_between, to_deg};
 
-/// Points where a spline turns by more than this without being a corner, degrees, are named: what
-/// was typed as a corner comes out round. A smooth curve of eight points turns by 45° at each.
+/// Points where a spline turns by more than this without being a corner, degrees, give a finding:
+/// they may be meant as corners. A smooth closed curve of eight points turns by 45° at each.
 const ROUNDED_CORNER_DEG: f64 = 60.0;
 
 /// The finding that the points of a spline turn sharply where no corner is marked, so that the
@@ -43,8 +43,8 @@ pub(crate) fn smoothed_joints(joined: &Joined) -> Option<Finding> {
     (count > 0).then(|| Finding::new(kind, Place::Samples { numbers }))
 }
 
-/// The finding that the rails of a panel were let run on, what became of its ends, and whether that
-/// was worth it: a warning if both the largest warp and the smallest bend radius are worse.
+/// The finding that the rails of a panel run on, with the shape of its ends and how it bends: a
+/// warning if both the largest warp and the smallest bend radius are worse than with straight ends.
 /// `bulges_mm` is how far the end at the beginning of the first rail, and that at its end, bulge
 /// from the straight line, mm; `None` for an end that stays straight. `straight` are the measures
 /// of the same panel with straight ends, if it can be made.
@@ -59,8 +59,8 @@ pub(crate) fn ran_on(
     Finding::of_whole(FindingKind::RanOn { bulges_mm, bends })
 }
 
-/// The finding that the ends that the rails of a panel would run on to make no panel, and why, so
-/// that its ends stay straight.
+/// The finding that the rails of a panel can't run on, so that its ends stay straight. `cause` is
+/// the error of the panel with the new ends, in words.
 pub(crate) fn stayed_straight(cause: &str) -> Finding {
     Finding::of_whole(FindingKind::StayedStraight { cause: cause.to_owned() })
 }
@@ -80,7 +80,7 @@ pub(crate) fn turned_round(joined: &Joined, names: &[String]) -> Option<Finding>
 pub(crate) struct BoundaryMoved<'a> {
     /// How it ended.
     pub(crate) ended: &'a Ended,
-    /// The largest warp angle that was asked for, radians, if one was.
+    /// The largest warp angle that is the goal, radians, if one is.
     pub(crate) wanted: Option<f64>,
     /// The curves of the panel that moved, by name.
     pub(crate) curves: &'a [String],
@@ -90,16 +90,16 @@ pub(crate) struct BoundaryMoved<'a> {
     pub(crate) moved_total_mm: f64,
     /// The size of the boundary, mm.
     pub(crate) size_mm: f64,
-    /// What was measured before.
+    /// The measures before.
     pub(crate) before: &'a Measures,
-    /// What is measured now.
+    /// The measures now.
     pub(crate) after: &'a Measures,
-    /// What is found now.
+    /// The findings now.
     pub(crate) checked: &'a Checked,
 }
 
-/// The finding that a boundary was moved, and what came of it: a warning where an angle that was
-/// asked for is not reached.
+/// The finding that a boundary was moved, with the change of warp and twist: a warning if the goal
+/// is not reached.
 pub(crate) fn moved(moving: &BoundaryMoved<'_>) -> Finding {
     let BoundaryMoved { ended, wanted, before, after, .. } = *moving;
     let missed = wanted.filter(|&wanted| after.warp_max > wanted);
@@ -129,7 +129,7 @@ pub(crate) fn moved(moving: &BoundaryMoved<'_>) -> Finding {
     }
 }
 
-/// What keeps a panel from bending that has all the warp angles asked for.
+/// What keeps a panel from bending although its warp angles reach the goal.
 fn hindrance(checked: &Checked) -> Option<Hindrance> {
     let is_error = |finding: &&Finding| finding.severity() == Severity::Error;
     let has = |is_it: fn(&FindingKind) -> bool| {

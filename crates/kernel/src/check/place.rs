@@ -1,11 +1,11 @@
-//! Where something was found: what a pane can select, and a pattern can mark.
+//! Places of findings, which a pane can select and a pattern can mark.
 
 use crate::measure::RungMeasures;
 use crate::sheet::{Seam, Sheet};
 use sheetwright_geometry::index::SampleIndex;
 use sheetwright_geometry::math::Point3;
 
-/// Where something was found. All numbers count from 0.
+/// The place of a finding. All numbers count from 0.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Place {
     /// The whole part.

@@ -1,17 +1,17 @@
-//! What may be set against findings: the command shows it as an option, another program as it sets
-//! it.
+//! Settings that help against findings. Each program names them in its own way, the command as
+//! options.
 
-/// Something to set that helps against a finding.
+/// A setting that helps against a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Remedy {
-    /// More work for the search of a panel with holes: its effort.
+    /// A greater effort: more work for the search in a panel with holes.
     Effort,
-    /// Cuts of a mesh from its border to the points where it would have to stretch the most.
+    /// Cuts of a mesh from its border to the points that would stretch most.
     Darts,
     /// Dividing a mesh along its sharp creases.
     SplitCreases,
-    /// Another unit of the coordinates of a file that does not say its own.
+    /// Another unit of the coordinates, for a file that does not state its own.
     Units,
-    /// So many sheets of paper for a pattern.
+    /// A larger number of sheets of paper for a pattern: this one.
     Sheets(usize),
 }

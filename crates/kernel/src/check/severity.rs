@@ -12,7 +12,7 @@ pub enum Severity {
 }
 
 impl Severity {
-    /// How reports name it.
+    /// Its name in reports.
     pub fn name(self) -> &'static str {
         match self {
             Self::Note => "note",

@@ -14,13 +14,13 @@ const TRUE_BORDER: f64 = 1e-9;
 /// Length errors below it, as a share, are rounding and no finding: less than any shop can measure.
 const UNSEEN: f64 = 1e-6;
 
-/// A part with what is known of its mesh.
+/// A part with its mesh.
 pub(super) struct Panel<'a> {
     pub(super) part: &'a Subject<'a>,
     pub(super) origin: MeshOrigin<'a>,
 }
 
-/// What is found on it.
+/// The findings on it.
 pub(super) fn findings(panel: &Panel<'_>) -> Vec<Finding> {
     let checks: [fn(&Panel<'_>) -> Option<Finding>; 9] = [
         stretch,
@@ -40,7 +40,7 @@ fn stretch(panel: &Panel<'_>) -> Option<Finding> {
     let largest = panel.part.measures.length_error_max;
     let limit = stretch_limit(panel.part.material);
     let sheet = title(panel.part.material);
-    // Also for what is no number.
+    // True for NaN, too.
     let kind = if largest.is_nan() || largest > limit {
         FindingKind::StretchTooLarge {
             largest,

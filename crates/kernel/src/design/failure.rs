@@ -1,15 +1,15 @@
-//! Which part of a design can't be used, and why.
+//! Errors of a design: the panel or curve, and the cause.
 
 use std::fmt;
 
-/// Why something of a design can't be done: where, and the cause.
+/// An error of a design: the panel or curve, and the cause.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Failure<C> {
     /// The panel; empty where it is a curve or the design as a whole.
     pub panel: String,
     /// The curve, if it is one.
     pub curve: Option<String>,
-    /// What is wrong.
+    /// The cause.
     pub cause: C,
 }
 
@@ -24,7 +24,7 @@ impl<C> Failure<C> {
         Self { panel: panel.to_owned(), curve: None, cause: cause.into() }
     }
 
-    /// Of a curve, whatever panel uses it.
+    /// Of a curve, in any panel.
     pub(crate) fn of_curve(curve: &str, cause: impl Into<C>) -> Self {
         Self { panel: String::new(), curve: Some(curve.to_owned()), cause: cause.into() }
     }

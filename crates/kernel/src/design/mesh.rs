@@ -1,11 +1,11 @@
-//! A panel whose surface is given, as triangles from elsewhere.
+//! A panel whose surface is given as a mesh.
 
 use crate::flatten::Aim;
 use sheetwright_geometry::index::VertexIndex;
 use sheetwright_geometry::math::Point3;
 use std::sync::Arc;
 
-/// Triangles that are one part, or several that do not hang together.
+/// Triangles of one part, or of several separate ones.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Triangles {
     /// Their vertices, mm, each used by some triangle.
@@ -21,12 +21,12 @@ pub struct Triangles {
 pub struct PanelMesh {
     /// Its triangles, which copies of a design share.
     pub triangles: Arc<Triangles>,
-    /// What flattening makes small where it can't be exact. Default: the mean length error.
+    /// What flattening minimises where it can't be exact. Default: the mean length error.
     pub aim: Aim,
     /// The mesh is divided into parts along creases above this angle, radians. Default: it is not.
     pub split_creases: Option<f64>,
-    /// Whether parts that would have to stretch more than the material takes are cut from their
-    /// border to their worst points. Default: they are not.
+    /// Whether parts that would stretch by more than the limit of the material are cut from their
+    /// border to the points that stretch most. Default: they are not.
     pub darts: bool,
 }
 

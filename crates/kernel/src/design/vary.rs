@@ -1,6 +1,6 @@
-//! What may move so that a sheet bends better.
+//! Moving curves so that a sheet bends better: goal and limits.
 
-/// What displacements are for.
+/// The goal of moving.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum VaryGoal {
     /// The least price that the limit allows.
@@ -12,7 +12,7 @@ pub enum VaryGoal {
     },
 }
 
-/// What moves.
+/// Whether points of curves move, or samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum MovedBy {
     /// The points that curves are made from, so that curves stay as fair as they are drawn.
@@ -22,7 +22,7 @@ pub enum MovedBy {
     Samples,
 }
 
-/// What may move, how far, and what for.
+/// The curves that may move, the limits and the goal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vary {
     /// The panels that are to bend better; empty: all that are made. Other panels that share a
@@ -31,15 +31,15 @@ pub struct Vary {
     /// The curves that may move; empty: all those of the panels, or those of them that have points
     /// with a distance by which they may move.
     pub curves: Vec<String>,
-    /// What for.
+    /// The goal.
     pub goal: VaryGoal,
-    /// How far each sample may move, mm.
+    /// The longest way of a sample, mm.
     pub limit_mm: Option<f64>,
-    /// How far all samples together may move, mm.
+    /// The limit on the sum of the ways of all samples, mm.
     pub budget_mm: Option<f64>,
-    /// What moves.
+    /// Whether points of curves move, or samples.
     pub by: MovedBy,
-    /// Whether panels stay as they are that are developable already, as far as their samples tell.
+    /// Whether panels that are developable already, as far as their samples tell, stay as they are.
     pub leave_developable: bool,
 }
 

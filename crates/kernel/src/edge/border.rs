@@ -6,11 +6,11 @@ use sheetwright_geometry::index::VertexIndex;
 use sheetwright_geometry::math::{Point2, Point3};
 use std::collections::BTreeMap;
 
-/// A step of a border: the vertex that it begins at, and what it lies on.
+/// A step of a border: the vertex at which it begins, and its source.
 type Step = (usize, EdgeSource);
 
-/// The edges of a sheet. Steps along its cuts are of these; `source` is what another step, by its
-/// ends, lies on, `name` what an edge of such a source is called.
+/// The edges of a sheet. The source of a step along a cut is that cut; `source` gives that of any
+/// other step, by its ends, and `name` the name of an edge with such a source.
 pub(super) fn edges_of(
     sheet: &Sheet,
     flat: &[Point2],
@@ -42,8 +42,8 @@ fn cut_steps(sheet: &Sheet) -> BTreeMap<[VertexIndex; 2], EdgeSource> {
     of_cuts
 }
 
-/// The edges of a border of these loops. `name` is what an edge of a source is called; a second one
-/// of one name gets `-2`, and so on.
+/// The edges of a border of these loops. `name` gives the name of an edge by its source; a second
+/// edge with that name gets `-2`, and so on.
 fn edges(
     loops: &[Vec<Step>],
     name: impl Fn(EdgeSource) -> String,
@@ -54,7 +54,7 @@ fn edges(
     let mut edges: Vec<Edge> = Vec::new();
     for (source, run) in loops.iter().flat_map(|steps| runs(steps)) {
         let name = name(source);
-        // A curve may be called as the second edge of another would be.
+        // A curve may have the name that the second edge of another gets.
         let mut numbered = || {
             let n = count.entry(name.clone()).and_modify(|n| *n += 1).or_insert(1);
             if *n == 1 { name.clone() } else { format!("{name}-{n}") }

@@ -65,7 +65,7 @@ pub(crate) fn join_mates(parts: &mut [PartEdges<'_>]) {
     edges.for_each(|edge| edge.mates.sort_unstable());
 }
 
-/// What edges have to have in common to be mates.
+/// The group of edges among which mates are found: edges of one curve, one cut or two meshes.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 enum Group {
     Curve(usize),
@@ -101,8 +101,8 @@ fn pairs(group: &Group, list: &[Placed]) -> BTreeSet<[usize; 2]> {
     at_step.values().flat_map(of_step).collect()
 }
 
-/// How long what two edges have in common is on the pattern of each, mm; `None` if they have no
-/// more in common than `least_mm`.
+/// The length that two edges have in common, on the pattern of each, mm; `None` if it is not above
+/// `least_mm`.
 fn in_common(a: &Placed, b: &Placed, least_mm: f64) -> Option<[f64; 2]> {
     let (few, many) = if a.steps.len() < b.steps.len() { (a, b) } else { (b, a) };
     let shared: BTreeSet<&StepPlace> =
@@ -114,7 +114,7 @@ fn in_common(a: &Placed, b: &Placed, least_mm: f64) -> Option<[f64; 2]> {
     Some(lengths)
 }
 
-/// How long that part of an edge is on the pattern, mm, that another edge on the same curve has in
+/// The length on the pattern, mm, of the part of an edge that another edge on its curve has in
 /// common with it.
 fn along(own: &Placed, other: &Placed, least_mm: f64) -> Option<f64> {
     let lengths = |points: &mut dyn Iterator<Item = f64>| -> Vec<f64> {

@@ -1,4 +1,4 @@
-//! The edges of parts: named runs of the border of a sheet, each with what it lies on and with the
+//! The edges of parts: named runs of the border of a sheet, each with its source and its mates, the
 //! edges that it is joined to.
 //!
 //! An edge ends where the border passes from one curve to another, to the straight end of a strip
@@ -17,14 +17,14 @@ pub(crate) use of_mesh::{MeshBorder, edges_of_meshes};
 
 use sheetwright_geometry::math::{Point2, Point3};
 
-/// What an edge lies on.
+/// The source of an edge: the curve, end or cut that it lies on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum EdgeSource {
     /// A curve, by its number in the design.
     Curve(usize),
-    /// What joins the beginnings of two rails.
+    /// The end of a strip that joins the beginnings of its rails.
     Start,
-    /// What joins their ends.
+    /// The end of a strip that joins the ends of its rails.
     End,
     /// A side of a cut: the first or the second of the cut of this number.
     Cut {
@@ -56,7 +56,7 @@ pub struct EdgePlace {
 pub struct Edge {
     /// Its name, as in `PANEL/EDGE`; no two of a part share one.
     pub name: String,
-    /// What it lies on.
+    /// Its source.
     pub source: EdgeSource,
     /// The vertices of the sheet along it, by their numbers, the sheet to the left; of an edge that
     /// is a whole loop, the first stands at the end once more.
@@ -93,7 +93,7 @@ impl Edge {
     }
 }
 
-/// A part with its edges, as far as mates are looked for.
+/// The edges of a part and the places of its vertices, for finding mates.
 #[derive(Debug)]
 pub(crate) struct PartEdges<'a> {
     /// Its edges.

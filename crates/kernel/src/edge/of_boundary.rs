@@ -7,9 +7,8 @@ use crate::sample::StepSource;
 use crate::sheet::Sheet;
 use sheetwright_geometry::math::Point2;
 
-/// The edges of a sheet that is laid flat at these points. `steps` says what the step from each
-/// sample of the boundary lies on, `curve` how a curve of the design is called. They have no mates
-/// yet.
+/// The edges of a sheet that is laid flat at these points, without mates. `steps` holds the source
+/// of the step from each sample of the boundary, `curve` gives the name of a curve of the design.
 pub(crate) fn edges_of_boundary(
     sheet: &Sheet,
     flat: &[Point2],

@@ -31,8 +31,8 @@ struct LoopRung {
     length_mm: f64,
 }
 
-/// Rungs up to this share longer than the shortest are as good, and of those the one is taken that
-/// keeps farthest from all other loops: nobody can weld a seam a millimetre beside a window.
+/// Rungs up to this share longer than the shortest are as good. Of those, the one farthest from all
+/// other loops is taken, since a seam a millimetre beside a window can't be welded.
 const AS_SHORT: f64 = 0.02;
 /// Lengths nearer to one another than this share are equal, and the first rung is taken: of the
 /// rulings of a cone, rounding must not choose.

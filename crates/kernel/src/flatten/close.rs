@@ -1,4 +1,4 @@
-//! Closing cuts that gape by less than anyone notices.
+//! Closing cuts whose gaps are smaller than a cutter notices.
 //!
 //! A window in a bent panel closes when the panel is laid flat only if the panel is exactly
 //! developable all round it. Triangles over samples nearly are: the two sides of the cut then lie a
@@ -22,9 +22,9 @@ use sheetwright_geometry::watch::Watch;
 use sheetwright_optimum::rung::Rung;
 use std::collections::BTreeMap;
 
-/// Steps at the most; each squares what is left, so that three or four do.
+/// The most steps; each squares the error, so that three or four are enough.
 const MOST_STEPS: usize = 12;
-/// What is left of a gap, as a share of the size, when rounding is all there is.
+/// The gap that rounding leaves, as a share of the size.
 const MET: f64 = 1e-12;
 
 /// The sheet laid flat with lengths so changed that the cuts numbered in `closed` meet; `None`

@@ -5,17 +5,17 @@ use crate::mesh::{Specks, WithoutSpecks, without_specks};
 use sheetwright_geometry::boundary::size_of;
 use std::sync::Arc;
 
-/// The triangles of a panel as they are made, and what was left out of them.
+/// The triangles of a panel that are used, and the parts of its mesh that were left out.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Cleaned {
     pub(super) triangles: Arc<Triangles>,
     pub(super) specks: Option<Specks>,
 }
 
-/// The triangles of each panel that is to be made, without parts that are too small; `None` of a
-/// panel that is no mesh, or of which nothing is left. What was left out of the latter counts with
-/// the first that is kept. If nothing is left of any, all stay as they are, to be refused for what
-/// is wrong with them.
+/// The triangles of each panel that is to be made, without parts that are too small; `None` for a
+/// panel that is no mesh, or of which no triangle is left. Parts left out of such a panel are
+/// counted with the first panel that is kept. If no mesh has a triangle left, all stay as they are
+/// and fail in `make` with their own errors.
 pub(super) fn cleaned(design: &Design) -> Vec<Option<Cleaned>> {
     let panels = design.panels_to_make();
     let meshes = panels.into_iter().map(|panel| match &panel.shape {
@@ -57,7 +57,7 @@ fn cleaned_of(meshes: &[Option<&Arc<Triangles>>]) -> Vec<Option<Cleaned>> {
     kept
 }
 
-/// What two meshes lost, counted together.
+/// The parts left out of two meshes, in total.
 fn both(a: Option<Specks>, b: Option<Specks>) -> Option<Specks> {
     match (a, b) {
         (Some(a), Some(b)) => Some(Specks { parts: a.parts + b.parts, ..a }),

@@ -10,10 +10,10 @@ use sheetwright_geometry::math::Point3;
 use sheetwright_optimum::triangulate::TriangulateError;
 use std::fmt;
 
-/// Why a design can't be made: the panel or curve, and what is wrong.
+/// Why a design can't be made: the panel or curve, and the cause.
 pub type MakeError = Failure<MakeCause>;
 
-/// What is wrong with a design, a panel or a curve.
+/// The cause why a design can't be made.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MakeCause {
     /// A design without panels.
@@ -26,18 +26,18 @@ pub enum MakeCause {
     Flatten(FlattenError),
     /// Curves that can't be moved.
     Vary(VaryCause),
-    /// Triangles that are no mesh; where, mm, if that can be told.
+    /// Triangles that are no mesh.
     Mesh {
-        /// What is wrong with them.
+        /// Why they are no mesh.
         error: MeshError,
-        /// The vertices of the error.
+        /// The vertices that the error names, mm; empty if it names none.
         places: Vec<Point3>,
     },
-    /// So many parts that do not hang together, which is more than anyone wants as panels.
+    /// A mesh with more separate parts than the limit.
     Pieces {
         /// How many there are.
         found: usize,
-        /// How many are taken.
+        /// The limit.
         most: usize,
     },
     /// A mesh that can't be laid flat.
@@ -97,8 +97,8 @@ fn write_mesh_error(f: &mut fmt::Formatter<'_>, error: MeshError, at: &[Point3])
         }
         (MeshError::NotOrientable { .. }, [a, b]) => write!(
             f,
-            "the mesh has one side only, as a Möbius strip or a Klein bottle: front and back meet at \
-             the side from {} to {}",
+            "the mesh has one side only, as a Möbius strip or a Klein bottle: front and back meet \
+             at the side from {} to {}",
             place(a),
             place(b)
         ),

@@ -19,8 +19,8 @@ use sheetwright_geometry::watch::{Stage, Watch};
 use sheetwright_optimum::cost::Prices;
 use sheetwright_optimum::triangulate::triangulate_near;
 
-/// Makes one panel; `known` is what is known of its triangulation from when it was made before, and
-/// then from now, with a question that may be open.
+/// Makes one panel. `known` holds its triangulation from the last time it was made, and then the
+/// new one, with a question that may be open.
 pub(super) fn make_found(
     sampler: &Sampler<'_>,
     panel: &DesignPanel,

@@ -1,20 +1,19 @@
-//! A design while it is edited: of what is made from it, only what depends on a change is made
-//! anew.
+//! A design while it is edited: only the panels that depend on a change are made anew.
 //!
 //! 1. A panel depends on the curves that bound it, on its own settings, on the material, and on how
 //!    many samples its curves get where seams are matched; one that joins others, on those too. A
 //!    panel for which all that is as it was, to the last bit, stays as it is.
-//! 2. A panel that does change has nearly the triangulation that it had. What that costs now,
-//!    mended where it has to be, bounds the price of the new one, so that the table is filled below
-//!    it at once, where making a panel afresh looks for such a bound first. (The table itself is
-//!    not kept: samples are spread evenly over a smooth stretch of an outline, so when its length
+//! 2. A panel that does change has nearly the triangulation that it had. The price of that, mended
+//!    where necessary, bounds the price of the new one, so that the table is filled below it at
+//!    once, where making a panel afresh looks for such a bound first. (The table itself is not
+//!    kept: samples are spread evenly over a smooth stretch of an outline, so when its length
 //!    changes, all of them move.)
 //! 3. Whether a panel that does not bend would bend better without its plane takes a search of its
 //!    own (`unrestricted`), and neither its surface nor its pattern depends on that. While a
 //!    handle is dragged, the question waits until the hand rests.
 //!
-//! What comes out once it rests is what [`super::make`] makes of the same design, bit by bit; only
-//! where memory is short, a bound from before may make a table fit that does not fit afresh.
+//! Once the hand rests, the outcome is that of [`super::make`] for this design, bit by bit; only if
+//! memory is short, a bound from before may make a table fit that does not fit afresh.
 
 use super::cleaned::Cleaned;
 use super::unrestricted::Known;
@@ -75,17 +74,17 @@ pub struct Live {
 pub struct LivePanel {
     /// Its name.
     pub name: String,
-    /// Its parts as they were made last, or why it could not be: one part of a panel with curves.
-    /// The mates of their edges are known to [`Live::made`] alone.
+    /// Its parts as they were made last, or why they can't be made: one part of a panel with
+    /// curves. The mates of their edges are known to [`Live::made`] alone.
     pub made: Result<Vec<Part>, MakeError>,
-    /// What it was made from; `None` where making it was stopped.
+    /// The inputs that it was made from; `None` if making it was stopped.
     made_from: Option<Inputs>,
-    /// What is known of its triangulation from when it had one last.
+    /// Its last triangulation, if it had one.
     known: Option<Known>,
 }
 
 impl LivePanel {
-    /// Whether this is the panel of the design as it is now: not where making it was stopped.
+    /// Whether it was made from the design as it is now: false if making it was stopped.
     pub fn is_current(&self) -> bool {
         self.made_from.is_some()
     }
@@ -130,7 +129,7 @@ impl Inputs {
         Self { panels, curves, divisions, mesh, material: design.material.clone() }
     }
 
-    /// Whether they are the same to the last bit: 0 and −0 are equal and not the same.
+    /// Whether both are alike to the last bit: 0 and −0 are not.
     fn same(&self, other: &Self) -> bool {
         let bits = |p: Point3| [p.x, p.y, p.z].map(f64::to_bits);
         let same_point = |(a, b): (&CurvePoint, &CurvePoint)| bits(a.at) == bits(b.at);
@@ -146,7 +145,7 @@ impl Inputs {
 }
 
 impl Live {
-    /// Makes all panels of a design, as it is drawn: what it says of moving points is left alone.
+    /// Makes all panels of a design as it is drawn; its `vary` is ignored.
     pub fn new(design: Design, watch: &mut dyn Watch) -> Self {
         let mut live = Self::default();
         live.update(design, watch);
@@ -163,9 +162,9 @@ impl Live {
         &self.panels
     }
 
-    /// Moves one point of a curve, both by their numbers, to another place, mm, and makes what
-    /// depends on it, as far as [`Self::follow`] does. Returns the numbers of the panels that were
-    /// made anew, among [`Self::panels`], whether or not they could be made.
+    /// Moves one point of a curve, both by their numbers, to another place, mm, and makes the
+    /// panels that depend on it as [`Self::follow`] does. Returns the numbers, among
+    /// [`Self::panels`], of the panels that were made anew or that failed.
     ///
     /// # Panics
     /// If there is no such curve or point.
@@ -180,23 +179,23 @@ impl Live {
         self.make_changed(watch)
     }
 
-    /// Takes another design in the place of this one, changed in whatever way, and makes what
-    /// depends on the change: surface, pattern, measures, verdict and findings. Of the findings of
-    /// a panel that does not bend, one is left to [`Self::settle`]: whether it would bend better
-    /// without its plane. So a hand is followed in as little as half of the time. Returns the
-    /// numbers of the panels that were made anew, among [`Self::panels`], whether or not they could
-    /// be made.
+    /// Takes another design in place of this one and makes the panels that depend on the change:
+    /// surface, pattern, measures, verdict and findings. One finding of a panel that does not bend
+    /// is left to [`Self::settle`]: whether it bends better without its plane. This saves up to
+    /// half of the time while a handle is dragged. Returns the numbers, among [`Self::panels`], of
+    /// the panels that were made anew or that failed.
     ///
-    /// Where the watcher asks to stop, the panels that were not made yet keep what they were made
-    /// before, and are made by the next call; [`LivePanel::is_current`] says of which that holds.
+    /// If the watcher asks to stop, the panels that were not made yet keep their former parts and
+    /// are made by the next call; [`LivePanel::is_current`] is false for them.
     pub fn follow(&mut self, design: Design, watch: &mut dyn Watch) -> Vec<usize> {
         self.design = design;
         self.make_changed(watch)
     }
 
-    /// Looks for what [`Self::follow`] and [`Self::move_point`] have left, as when the hand rests.
-    /// Returns the numbers of the panels that changed. Where the watcher asks to stop, the next
-    /// call looks for the rest; [`LivePanel::is_settled`] says of which panels nothing is left.
+    /// Looks for the findings that [`Self::follow`] and [`Self::move_point`] have left; call it
+    /// when the hand rests. Returns the numbers of the panels that changed. If the watcher asks to
+    /// stop, the next call looks for the rest; [`LivePanel::is_settled`] is true for finished
+    /// panels.
     pub fn settle(&mut self, watch: &mut dyn Watch) -> Vec<usize> {
         let mut changed = Vec::new();
         for (n, panel) in self.panels.iter_mut().enumerate() {
@@ -229,8 +228,8 @@ impl Live {
         changed
     }
 
-    /// What [`super::make`] makes of the design as it is now, if nothing in it is to be moved, but
-    /// for what is left to [`Self::settle`].
+    /// The outcome of [`super::make`] for the design as it is now without its `vary`; findings left
+    /// to [`Self::settle`] are missing.
     ///
     /// # Errors
     /// The first panel that can't be made, and why.

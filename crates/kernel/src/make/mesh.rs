@@ -1,8 +1,8 @@
 //! Panels that come as a mesh: divided into parts, cut where they must be, and laid flat.
 //!
-//! A mesh becomes a part, or one for each piece that hangs together. A part that is closed or has a
-//! handle is cut open; one with holes or open at both ends is laid flat as it stands, and cut from
-//! border to border where that leaves less than half of the error.
+//! Each connected component of a mesh becomes a part. A part that is closed or has a handle is cut
+//! open; one with holes or open at both ends is laid flat as it is, and cut from border to border
+//! where that leaves less than half of the error.
 
 use super::cleaned::Cleaned;
 use super::part::{Given, Joint, Origin, Part};
@@ -21,13 +21,13 @@ use sheetwright_geometry::math::Point3;
 use sheetwright_geometry::watch::{Stage, Watch};
 use std::collections::BTreeSet;
 
-/// A cut that need not be is worth it if it leaves less than this share of the largest length
+/// A cut that is not necessary is made if it leaves less than this share of the largest length
 /// error.
 const MUCH_LESS: f64 = 0.5;
-/// A part is cut to so many points, at the most: each takes laying it flat again.
+/// The most points that a part is cut to: after each cut it is laid flat again.
 const MOST_DARTS: usize = 12;
 
-/// A mesh falls into so many parts at the most.
+/// The most parts of a mesh.
 const MAX_MESH_PARTS: usize = 1000;
 
 /// Makes the parts of a panel that is a mesh, whose triangles are `cleaned`. Their edges and their
@@ -98,7 +98,7 @@ fn pieces_of(cleaned: &Cleaned, settings: &PanelMesh) -> Result<Vec<MeshPiece>, 
         let error = MeshError::BadCorner { triangle: TriangleIndex::new(n) };
         return Err(MakeCause::Mesh { error, places: Vec::new() });
     }
-    // Points in which parts meet are no fault that anyone should have to mend.
+    // Parts that meet in a point are no error: they are separated there.
     let apart = separated(&given.triangles, |_| false);
     let contacts: BTreeSet<VertexIndex> =
         apart.origin.windows(2).filter(|pair| pair[0] == pair[1]).map(|pair| pair[0]).collect();
@@ -123,7 +123,7 @@ fn pieces_of(cleaned: &Cleaned, settings: &PanelMesh) -> Result<Vec<MeshPiece>, 
         } else {
             mesh.part(&piece.triangles).map_err(|error| bad(error, &|v| mesh.position(v)))?.0
         };
-        // What was found in the mesh as a whole is said once.
+        // Findings on the whole mesh go to its first part.
         let first = n == 0;
         pieces.push(MeshPiece {
             mesh: alone,

@@ -2,8 +2,7 @@
 //! is edited, [`Live`].
 //!
 //! A panel that is bounded by curves becomes one part ([`found`]), a mesh one or several
-//! ([`mesh`]). What depends on other parts comes last ([`joined`]): which edges are joined, and
-//! what marks say of them.
+//! ([`mesh`]). Joined edges and their marks, which depend on other parts, come last ([`joined`]).
 
 mod cleaned;
 mod error;
@@ -36,12 +35,12 @@ use unrestricted::Known;
 pub struct Made {
     /// Its name.
     pub name: String,
-    /// The sheet it is made from, if one is named.
+    /// The material of the sheet, if one is named.
     pub material: Option<Material>,
-    /// Its parts, panel after panel in the order of the design, without those that a join takes the
-    /// place of.
+    /// Its parts, panel after panel in the order of the design, without panels that a join
+    /// replaces.
     pub parts: Vec<Part>,
-    /// The design with its points moved, if any were: making it comes to the same.
+    /// The design with its points moved, if any were: making it gives these parts.
     pub moved: Option<Design>,
 }
 
@@ -81,7 +80,7 @@ pub fn make(design: &Design, watch: &mut dyn Watch) -> Result<Made, MakeError> {
     Ok(Made { name, material, parts, moved })
 }
 
-/// What panels of a design are made with.
+/// The inputs that the panels of a design share.
 struct Maker<'a> {
     design: &'a Design,
     matched: Matched,
@@ -98,9 +97,9 @@ impl<'a> Maker<'a> {
         Sampler { design: self.design, matched: &self.matched }
     }
 
-    /// Makes one panel, the `number`-th of those that are to be made; `known` is what is known of
-    /// its triangulation from when it was made before, and then from now, with a question that may
-    /// be open. A mesh has no parts if nothing of it is large enough to be sheet.
+    /// Makes one panel, the `number`-th of those that are to be made. `known` holds its
+    /// triangulation from the last time it was made, and then the new one, with a question that may
+    /// be open. A mesh without a component that is large enough to be sheet gives no parts.
     fn make(
         &self,
         number: usize,

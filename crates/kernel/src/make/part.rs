@@ -1,4 +1,4 @@
-//! A part: what is made of a panel, whether its surface was found or given.
+//! A part: one piece of sheet of a panel, whether its surface was found or given.
 
 use super::Rebuilt;
 use crate::check::{BoundaryMoved, Checked};
@@ -27,7 +27,7 @@ pub struct Part {
     pub sheet: Sheet,
     /// Its sheet laid flat.
     pub flat: Flattened,
-    /// What was measured.
+    /// Its measures.
     pub measures: Measures,
     /// The verdict and its findings.
     pub checked: Checked,
@@ -35,11 +35,11 @@ pub struct Part {
     pub piece: Piece,
     /// The edges of its sheet, in the order of the loops; mates are parts of one [`super::Made`].
     pub edges: Vec<Edge>,
-    /// What it was made from.
+    /// The boundary or the mesh that it was made from.
     pub origin: Origin,
 }
 
-/// What a part was made from.
+/// The boundary or the mesh that a part was made from.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Origin {
     /// A boundary, for which the surface was found.
@@ -51,9 +51,9 @@ pub enum Origin {
 /// The boundary of a part, and the surface that was found for it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
-    /// Which triangulations were looked at.
+    /// Which triangulations were searched.
     pub method: PanelMethod,
-    /// What was made as small as could be.
+    /// The quantity that was minimised.
     pub goal: Goal,
     /// The weight ν of the fold price.
     pub fold: f64,
@@ -76,7 +76,7 @@ pub struct Found {
 pub struct Given {
     /// Its surface in space.
     pub mesh: Mesh,
-    /// What flattening made small.
+    /// The length error that flattening minimised.
     pub aim: Aim,
     /// How flattening ended.
     pub ended: Ended,
@@ -84,15 +84,15 @@ pub struct Given {
     pub flipped: usize,
     /// Where it is joined to the parts that its panel was divided into.
     pub joints: Vec<Joint>,
-    /// The surface that its border alone asks for, where meshes are divided along creases and there
-    /// is one.
+    /// The optimal surface of its border alone, if meshes are divided along creases and there is
+    /// one.
     pub rebuilt: Option<Rebuilt>,
 }
 
 /// A line along which a part of a mesh is joined to another, where the mesh was divided.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
-    /// How it is marked on both parts.
+    /// Its mark on both parts.
     pub mark: String,
     /// The number of the other part in the design.
     pub with: usize,
@@ -150,18 +150,18 @@ impl Part {
     }
 }
 
-/// How the boundary of a panel was moved, and what it was before.
+/// How the boundary of a panel was moved, and the part before.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Change {
     /// The part before.
     pub before: Box<Part>,
     /// How moving ended. Rungs that resist are those of the panels that were moved together.
     pub ended: fair::Ended,
-    /// What moving was for.
+    /// The goal of moving.
     pub goal: VaryGoal,
     /// The curves of the panel that moved, by name.
     pub curves: Vec<String>,
-    /// Where places of the boundary lay before, one a sample, and where they lie now, mm.
+    /// For each sample, its place on the boundary before and now, mm.
     pub moved: Vec<[Point3; 2]>,
 }
 
@@ -190,7 +190,8 @@ impl Change {
         self.moved.iter().map(|[from, to]| from.distance(*to))
     }
 
-    /// What is to be said of it, where the part is this now; `None` of a mesh, which does not move.
+    /// The data of the finding on it; `now` is the part as it was moved. `None` for a mesh, which
+    /// does not move.
     pub(super) fn said<'a>(&'a self, now: &'a Part) -> Option<BoundaryMoved<'a>> {
         Some(BoundaryMoved {
             ended: &self.ended,

@@ -13,11 +13,11 @@ use sheetwright_geometry::math::{Point3, angle_between, from_deg};
 use sheetwright_geometry::watch::Watch;
 use sheetwright_optimum::triangulate::{TriangulateOptions, triangulate};
 
-/// A border of more points is not triangulated: nobody asked for minutes of work.
+/// The most points of a border that is triangulated: more would take minutes.
 const MOST_SAMPLES: usize = 1200;
 /// The border has a corner where it turns by more than this, degrees.
 const CORNER_DEG: f64 = 30.0;
-/// Points of the mesh that are looked at, at the most.
+/// The most points of the mesh whose distance is measured.
 const MOST_POINTS: usize = 5000;
 
 /// The surface of a border beside the mesh that it is from.
@@ -27,13 +27,13 @@ pub struct Rebuilt {
     pub surface: Surface,
     /// The largest distance of a vertex of the mesh from it, mm.
     pub distance_max_mm: f64,
-    /// The mean distance of the vertices of the mesh from it, each weighed by the area round it,
+    /// The mean distance of the vertices of the mesh from it, each weighted by the area round it,
     /// mm.
     pub distance_mean_mm: f64,
 }
 
-/// The surface that the border of a mesh of one piece asks for. `None` where it has holes or none
-/// at all, too many points, or a border that no surface without interior vertices takes.
+/// The optimal surface of the border of a mesh with one component. `None` if the mesh has holes or
+/// no border, if the border has too many points, or if no triangulation of it is found.
 pub(super) fn rebuilt(mesh: &Mesh, watch: &mut dyn Watch) -> Option<Rebuilt> {
     let [border] = mesh.loops() else { return None };
     if border.len() > MOST_SAMPLES

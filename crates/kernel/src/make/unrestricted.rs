@@ -1,11 +1,11 @@
 //! Whether the plane of a panel, rather than its boundary, keeps it from bending.
 //!
-//! A surface that need not lie over the plane may pass through itself, so a panel without a plane
-//! is for those who ask for it. Where one that costs much less does not pass through itself, that
-//! is worth a word. To know takes a search of its own, without the plane, and nothing else depends
-//! on it. So it is a question that stays open while a panel is made, and may wait until the hand
-//! rests that drags a handle. What was found when it was asked last bounds the search, as it bounds
-//! that with the plane.
+//! A surface that need not lie over the plane may pass through itself, so panels have a plane by
+//! default. If a surface without it has a much lower price and does not pass through itself, a
+//! finding says so. This takes a search of its own, without the plane, and no surface or pattern
+//! depends on it. So the question stays open while a panel is made, and may wait until a dragged
+//! handle rests. The last answer bounds the search, as the last triangulation bounds that with the
+//! plane.
 
 use super::MakeCause;
 use super::part::{Found, Origin, Part};
@@ -20,13 +20,13 @@ use sheetwright_optimum::triangulate::{
     if_it_fits, triangulate,
 };
 
-/// A surface that need not lie over the plane is worth a word if its price is below this share.
+/// A surface without the plane is reported if its price is below this share of that with the plane.
 const MUCH_CHEAPER: f64 = 0.5;
 
-/// The question takes no more than one part in so many of the work that the answer may.
+/// The work for the question is at most that for the panel divided by this.
 const SHARE_OF_WORK: u64 = 4;
 
-/// What is known of the triangulations of a panel.
+/// The last triangulations of a panel, with the plane and without.
 #[derive(Clone, Debug)]
 pub(super) struct Known {
     cheapest: Cheapest,
@@ -34,8 +34,8 @@ pub(super) struct Known {
     free: Option<Triangulation>,
     /// Whether the question was answered before the panel was made anew.
     was_answered: bool,
-    /// How it was triangulated, if whether it would bend better without its plane is to be asked
-    /// yet.
+    /// The options of its triangulation while the question is open: whether it bends better without
+    /// its plane.
     open: Option<TriangulateOptions>,
 }
 
@@ -122,7 +122,7 @@ impl Known {
         let limit = MUCH_CHEAPER * found.price;
         match self.cheapest.also_without_plane {
             Some(true) => return Ok(None),
-            // Who is asked each time had better know.
+            // The question comes back with each change, so the answer is looked for and kept.
             None if self.was_answered && boundary.holes() == 0 => {
                 let free = if_it_fits(triangulate(boundary, None, options, watch).map(Some))?;
                 if let Some(free) = &free {

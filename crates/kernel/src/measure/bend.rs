@@ -26,35 +26,33 @@ use sheetwright_geometry::boundary::size_of;
 use sheetwright_geometry::index::{SampleIndex, TriangleIndex};
 use sheetwright_geometry::math::{Vec3, to_deg, unit};
 
-/// How deep a roll is at the least, as a share of the size of the surface: how far its middle lies
-/// from the line between its ends. A sheet is stiff and rounds off what is shallower, half a
-/// millimetre on a metre; and coordinates are rounded, which turns the edges of finely sampled
-/// borders to and fro.
+/// The least depth of a roll, as a share of the size of the surface: the distance of its middle
+/// from the line between its ends. A stiff sheet rounds off shallower rolls, half a millimetre on a
+/// metre; and rounded coordinates turn the edges of finely sampled borders to and fro.
 const ROLL_DEPTH: f64 = 5e-4;
-/// How wide a roll is at the most, as a share of the size: one as wide that is not deep enough is
-/// bent to two and a half times the size, and nobody asks how much flatter it is.
+/// The largest width of a roll, as a share of the size: a roll of this width that is not deep
+/// enough has a radius of two and a half times the size, and counts as flat.
 const ROLL_WIDTH: f64 = 0.1;
-/// How many edges of the border wide a roll is at the least.
+/// The least width of a roll, in edges of the border.
 const ROLL_EDGES: f64 = 2.0;
-/// From how many stations on a roll is averaged with others: fewer are all that coarse samples
-/// tell.
+/// The least number of stations of a roll that is averaged with others: coarse samples have fewer.
 const MANY: usize = 6;
-/// How many times as wide as the doubt about where it begins and ends a roll is at the least.
+/// The least width of a roll, in multiples of the uncertainty of where it begins and ends.
 const CERTAIN: f64 = 8.0;
-/// How long a stretch of border is followed, in the widths of the widest roll: border that runs
+/// The longest stretch of border that is followed, in widths of the widest roll: border that runs
 /// along rulings gains no width.
 const REACH: f64 = 3.0;
-/// How far coordinates are off at the most, as a share of the size: a metre is given to 0.1 mm.
+/// The largest error of coordinates, as a share of the size: a metre is given to 0.1 mm.
 const ROUNDING: f64 = 5e-5;
-/// By how much a triangle may enlarge what its edge is off by, before that is allowed for.
+/// The largest factor by which a triangle enlarges the error of its edge without being corrected.
 const LEVER: f64 = 3.0;
-/// The most of a turn that is put down to that, as a share.
+/// The largest share of a turn that is attributed to that error.
 const PUT_DOWN: f64 = 0.8;
 /// A fan has at least as many rungs: fewer may be coarse samples.
 const APEX_RUNGS: usize = 4;
 /// Turns below it, radians, are rounding: the sheet is flat there.
 const FLAT: f64 = 1e-9;
-/// What bounds are enlarged by, far more than rounding takes off them.
+/// The factor that enlarges bounds, far more than rounding lowers them.
 const MORE: f64 = 1.0 + 1e-9;
 
 /// A sample that rulings run together in, as in the point of a cone: towards it the bend radius
@@ -78,7 +76,7 @@ pub(super) struct Rolls {
     pub(super) apexes: Vec<Apex>,
 }
 
-/// What the border has at one sample: its rungs and half of both edges.
+/// The border at one sample: its rungs and half of both edges.
 #[derive(Clone, Copy, Default)]
 struct Station {
     /// τ.
@@ -115,8 +113,8 @@ struct BorderEdge {
     normal: Vec3,
 }
 
-/// How the triangle of an edge lies to the rulings there: what its slope depends on beside the
-/// spacing of the samples.
+/// The position of the triangle of an edge relative to the rulings, on which its slope depends
+/// beside the spacing of the samples.
 #[derive(Clone, Copy)]
 struct Lie {
     /// Along the rulings.

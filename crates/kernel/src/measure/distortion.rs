@@ -18,9 +18,9 @@ pub struct Distortion {
     pub length_errors: Vec<f64>,
     /// The largest size of these.
     pub length_error_max: f64,
-    /// Their mean size, every side counting the same.
+    /// Their mean size, with equal weights.
     pub length_error_mean: f64,
-    /// Their mean size, every side counting as the area of its triangles in space.
+    /// Their mean size, each side weighted by the area of its triangles in space.
     pub length_error_mean_by_area: f64,
     /// The largest size of the errors of border edges.
     pub border_error_max: f64,

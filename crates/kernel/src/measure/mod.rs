@@ -37,15 +37,15 @@ use sheetwright_geometry::math::{Point3, Vec3, to_deg};
 use sheetwright_optimum::cost::Prices;
 use sheetwright_optimum::rung::Rung;
 
-/// Creases above this angle, degrees, are lines to bend or score along, not parts of a smooth
-/// bend: what a bend of 90° has when it is divided into 18, the coarsest that workshops bend by.
+/// Creases above this angle, degrees, are lines to bend or score along, not parts of a smooth bend:
+/// the creases of a bend of 90° divided into 18, the coarsest that workshops make.
 pub const SHARP_CREASE_DEG: f64 = 5.0;
 
 /// Creases up to this angle, radians, do not bend the sheet: numbers of 16 digits make such ones on
 /// a plate.
 const FLAT_CREASE: f64 = 1e-9;
 
-/// What is measured at one rung.
+/// The measures of one rung.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RungMeasures {
     /// The rung.
@@ -88,13 +88,14 @@ impl RungMeasures {
     }
 }
 
-/// What is measured on one part. A mesh has no rungs: what comes from these is 0 there, and what
-/// comes from [`Distortion`] is a measure of meshes alone.
+/// The measures of one part. A mesh has no rungs, so the measures of rungs are 0 there;
+/// [`Distortion`] is measured of meshes alone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measures {
     /// The rungs, in increasing order: along a strip between two rails, from one end to the other.
     pub rungs: Vec<RungMeasures>,
-    /// W: the sum of all w, without unit. It grows with the sampling; people get warp angles.
+    /// W: the sum of all w, without unit. It grows with the sampling; reports show warp angles
+    /// first.
     pub twist_total: f64,
     /// The largest warp angle, radians; 0 without rungs.
     pub warp_max: f64,
@@ -123,7 +124,7 @@ pub struct Measures {
     pub distortion: Option<Distortion>,
 }
 
-/// What a sheet was cut from.
+/// The surface that a sheet was cut from.
 #[derive(Clone, Debug)]
 pub enum CutFrom<'a> {
     /// A surface that was found, with the prices of the boundary that it spans.

@@ -1,8 +1,8 @@
-//! Vertices taken apart where no side holds their triangles together.
+//! Vertices split where no common side joins their triangles.
 //!
 //! Every corner of every triangle starts as a vertex of its own; across each side that stays joined
-//! the corners at both its ends become one. What is left apart are the two sides of a cut, and
-//! parts that met in a point.
+//! the corners at both its ends become one. The two sides of a cut, and parts that meet only in a
+//! point, stay apart.
 
 use sheetwright_geometry::disjoint::DisjointSets;
 use sheetwright_geometry::index::VertexIndex;

@@ -21,17 +21,17 @@ use sheetwright_geometry::math::{angle_between, from_deg};
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
 
-/// A vertex of a closed mesh is cut to if its angle defect is above this, degrees: what a cap of a
-/// football has at its pole when it is divided by six, where a pattern begins to need a dart.
+/// A closed mesh is cut to vertices whose angle defect is above this, degrees: that of the pole of
+/// a football's cap divided by six, where a pattern begins to need a dart.
 const SHARP_DEFECT_DEG: f64 = 30.0;
-/// So many points are cut to, at the most: a cut through more is no pattern but a puzzle.
+/// The most points that a mesh is cut to: a cut through more is no pattern but a puzzle.
 const MOST_POINTS: usize = 256;
 
 /// Sides along which a mesh is to be cut, by their numbers among [`Mesh::edges`].
 pub type Cut = BTreeSet<usize>;
 
-/// The angle defect of every vertex, radians: what its angles lack of a full turn, or of half a
-/// turn on the border.
+/// The angle defect of every vertex, radians: a full turn, or half a turn on the border, less the
+/// sum of its angles.
 pub fn angle_defects(mesh: &Mesh) -> Vec<f64> {
     let on_border = mesh.topology().on_border();
     let mut defects: Vec<f64> =
@@ -57,8 +57,8 @@ pub fn worst_points(mesh: &Mesh, least: f64) -> Vec<VertexIndex> {
     worst.into_iter().map(VertexIndex::new).collect()
 }
 
-/// The cut that makes a disk of a mesh of one piece: none for a disk. A closed mesh is cut through
-/// its worst points, or from end to end where it has none.
+/// The cut that makes a disk of a mesh of one component: none for a disk. A closed mesh is cut
+/// through its worst points, or from end to end where it has none.
 pub fn cut_to_disk(mesh: &Mesh) -> Cut {
     let mut cut = cut_handles_and_holes(mesh);
     if mesh.loops().is_empty() {
@@ -71,7 +71,7 @@ pub fn cut_to_disk(mesh: &Mesh) -> Cut {
     cut
 }
 
-/// The shortest cut after which a mesh of one piece has no handle and no more than one loop.
+/// The shortest cut after which a mesh of one component has no handle and no more than one loop.
 fn cut_handles_and_holes(mesh: &Mesh) -> Cut {
     let Some(piece) = mesh.components().first() else { return Cut::new() };
     if piece.handles() == 0 && piece.loops.len() < 2 {
@@ -110,7 +110,7 @@ fn cut_handles_and_holes(mesh: &Mesh) -> Cut {
     cut
 }
 
-/// Takes away what ends blindly inside the mesh: it separates nothing.
+/// Removes branches of a cut that end inside the mesh: they separate nothing.
 fn trim(mesh: &Mesh, cut: &mut Cut) {
     let on_border = mesh.topology().on_border();
     let edges = mesh.edges();

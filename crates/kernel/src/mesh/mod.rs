@@ -33,8 +33,8 @@ use sheetwright_geometry::tolerance::MIN_SIZE_MM;
 /// pattern.
 pub const MAX_TRIANGLES: usize = 2_000_000;
 
-/// A triangle is without area when its least height is below this share of its longest side:
-/// a thousand times what coordinates of 16 digits leave of a height that is none.
+/// A triangle is without area if its least height is below this share of its longest side: a
+/// thousand times the height that rounding to 16 digits gives to three points on a line.
 const LEAST_HEIGHT: f64 = 1e-12;
 
 /// Triangles over vertices in space.
@@ -46,7 +46,7 @@ pub struct Mesh {
 
 impl Mesh {
     /// The mesh of `triangles` over vertices at `positions`, mm. Triangles that run the other way
-    /// round than most of their piece are turned round; where as many run each way, the first
+    /// round than most of their component are turned round; where as many run each way, the first
     /// stays.
     ///
     /// # Errors
@@ -122,7 +122,7 @@ impl Mesh {
         self.topology.loops()
     }
 
-    /// The parts that hang together, by their lowest triangle.
+    /// The connected components, in the order of their lowest triangles.
     pub fn components(&self) -> &[Component] {
         self.topology.components()
     }
@@ -163,12 +163,12 @@ impl Mesh {
         signed_crease(triangles.map(|t| self.area_vector(t)), to - from)
     }
 
-    /// The mesh of some of the triangles alone, as of one piece or of one group, with the vertices
-    /// that its own stand for, in increasing order.
+    /// The mesh of some of the triangles alone, as of one component or of one group, with the
+    /// number in this mesh of each of its vertices, in increasing order.
     ///
     /// # Errors
-    /// See [`MeshError`]: triangles that are no whole piece may meet in a point, and none are no
-    /// mesh.
+    /// See [`MeshError`]: triangles of a part of a component may meet only in a point, and no
+    /// triangles are no mesh.
     pub fn part(&self, triangles: &[TriangleIndex]) -> Result<(Self, Vec<VertexIndex>), MeshError> {
         let corners = || triangles.iter().map(|t| self.triangles()[t.get()]);
         let mut vertices: Vec<VertexIndex> = corners().flatten().collect();

@@ -39,7 +39,7 @@ pub(super) fn overall(size: Vec2, height_mm: f64) -> (Vec<PatternPath>, Vec<Patt
     (paths, labels)
 }
 
-/// A length as people read it: tenths of a millimetre.
+/// A length in words: tenths of a millimetre.
 pub(super) fn millimetres(length: f64) -> String {
     format!("{length:.1} mm")
 }

@@ -20,7 +20,7 @@ use sheetwright_geometry::math::{Point2, Vec2, to_deg};
 use sheetwright_geometry::predicate::{Box2, signed_area_doubled};
 use sheetwright_optimum::rung::Rung;
 
-/// What a machine or a person does along a path.
+/// The work along a path, by a machine or by hand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Role {
     /// Cut through.
@@ -29,7 +29,7 @@ pub enum Role {
     Score,
     /// Mark lightly on the piece: names, lines to bend along, ruling ticks.
     Engrave,
-    /// For people alone: rungs, dimensions, reference squares. No machine follows these.
+    /// To read only: rungs, dimensions, reference squares. No machine follows these.
     Note,
 }
 
@@ -48,7 +48,7 @@ impl Role {
     }
 }
 
-/// What a path shows.
+/// The meaning of a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PathKind {
     /// The outline of the piece; its points are the vertices of its loop on the sheet, in order.
@@ -59,7 +59,7 @@ pub enum PathKind {
     Rung(Rung),
     /// A sharp crease of a mesh.
     Crease,
-    /// A tick at the end of a ruling, on the inside of the outline: where to lay the straightedge.
+    /// A tick at the end of a ruling, inside the outline: a straightedge is laid from tick to tick.
     RulingTick,
     /// A tick in the middle of a side of a seam, which meets that of the other side.
     SeamTick,
@@ -70,9 +70,9 @@ pub enum PathKind {
 /// A polyline of a pattern.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PatternPath {
-    /// What is done along it.
+    /// The work along it.
     pub role: Role,
-    /// What it shows.
+    /// Its meaning.
     pub kind: PathKind,
     /// Its points, mm, two or more.
     pub points: Vec<Point2>,
@@ -80,7 +80,7 @@ pub struct PatternPath {
     pub closed: bool,
 }
 
-/// What a text says.
+/// The meaning of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LabelKind {
     /// The name of the piece.
@@ -89,16 +89,16 @@ pub enum LabelKind {
     Edge,
     /// The mark of a seam or joint, beside the middle of a side of it.
     Mark,
-    /// A length, with the unit, or what is that long.
+    /// A length with its unit, or the thing that has it.
     Length,
 }
 
 /// A line of text of a pattern.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PatternLabel {
-    /// What it says.
+    /// Its meaning.
     pub kind: LabelKind,
-    /// What is done along its strokes.
+    /// The work along its strokes.
     pub role: Role,
     /// The middle of its base line, mm.
     pub at: Point2,

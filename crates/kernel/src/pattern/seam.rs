@@ -1,5 +1,4 @@
-//! The marks of a seam: the same letters and a tick in the middle of both its sides, and how long
-//! it is.
+//! The marks of a seam: equal letters and a tick in the middle of both its sides, and its length.
 
 use super::dimension::millimetres;
 use super::{LabelKind, PathKind, PatternLabel, PatternPath, Role};
@@ -17,13 +16,13 @@ const BESIDE_NAME: f64 = 0.6;
 /// Smaller letters can't be engraved.
 const LEAST_MM: f64 = 1.5;
 
-/// How the `n`-th seam of a piece is marked, from 0: `S1` and so on. Edges have letters in reports,
+/// The mark of the `n`-th seam of a piece, from 0: `S1` and so on. Edges have letters in reports,
 /// so seams have another name.
 pub fn seam_mark(n: usize) -> String {
     format!("S{}", n + 1)
 }
 
-/// How the `n`-th seam between two parts is marked on both, from 0: `J1` and so on.
+/// The mark of the `n`-th seam between two parts, on both of them, from 0: `J1` and so on.
 pub(crate) fn joint_mark(n: usize) -> String {
     format!("J{}", n + 1)
 }
@@ -64,7 +63,8 @@ pub(super) fn drawn(
         let Some((step, share, in_space_mm)) = middle(sheet.mesh(), steps) else { continue };
         let at = |v: VertexIndex| flat.points[v.get()];
         let [from, to] = steps[step].map(at);
-        // Sides of a mesh may come out of different lengths: what they are in space holds of both.
+        // Both sides may differ in length on the pattern of a mesh, so the length in space is
+        // shown.
         let length_mm = if sheet.has_rungs() {
             steps.iter().map(|[a, b]| at(*a).distance(at(*b))).sum()
         } else {

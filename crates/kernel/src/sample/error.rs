@@ -6,10 +6,10 @@ use sheetwright_geometry::curve::{CurveError, SampleError};
 use sheetwright_optimum::triangulate::TriangulateError;
 use std::fmt;
 
-/// Why a panel can't be sampled and triangulated: the panel or its curve, and what is wrong.
+/// Why a panel can't be sampled and triangulated: the panel or its curve, and the cause.
 pub type PanelError = Failure<PanelCause>;
 
-/// What is wrong with a panel or one of its curves.
+/// The cause why a panel can't be sampled and triangulated.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PanelCause {
     /// A curve that the design does not have.
@@ -27,7 +27,7 @@ pub enum PanelCause {
     },
     /// Both rails are the same curve.
     SameRails,
-    /// A rails method for a panel without rails.
+    /// The method `rails` for a panel without rails.
     NoRails,
     /// Rails that run on, for a panel without rails or one that is joined to others.
     RunOn,
@@ -48,9 +48,9 @@ pub enum PanelCause {
     },
     /// Panels that can't be joined.
     Join {
-        /// The one that is not like the others, where it is one.
+        /// The panel at fault, if it is one.
         part: Option<String>,
-        /// What is wrong.
+        /// The cause.
         cause: JoinCause,
     },
     /// Too few samples.

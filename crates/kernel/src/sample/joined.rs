@@ -2,8 +2,8 @@
 //!
 //! Panels share edges, and ⊕ looks for shared samples. So each run of each part, from corner to
 //! corner or to where another part ends on it, is sampled by itself, from where it was drawn from;
-//! runs that lie on one another get as many samples, and the others share out by their lengths
-//! those that are asked for.
+//! runs that lie on one another get equal numbers of samples, and the others share out the rest of
+//! the panel's number by their lengths.
 
 use super::error::{PanelCause, PanelError};
 use super::shared_runs::{Link, LoopSource, MAX_PIECES, loop_samples, near_mm, sources};
@@ -18,13 +18,13 @@ use sheetwright_geometry::math::{Point3, Vec3};
 use sheetwright_geometry::predicate::for_touching_boxes;
 use sheetwright_geometry::tolerance::Tolerance;
 
-/// Samples are shared out anew at most this often, until the outer loop has as many as were asked
-/// for: twice is enough unless a ring closes.
+/// The most rounds of sharing samples out, until the outer loop has the number of samples of the
+/// panel: two are enough unless a ring closes.
 const ROUNDS: usize = 6;
 
-/// Samples of all parts at the most, whatever it takes to have as many on the outer loop as were
-/// asked for: an outline of fixed samples never gets more of them, and an edge that two parts share
-/// may be much longer than what is left of both.
+/// The most samples of all parts. It ends the search for the number of samples of the outer loop:
+/// an outline of fixed samples never gets more of them, and an edge that two parts share may be
+/// much longer than the rest of both.
 const MOST: usize = 2 * MAX_PIECES;
 
 /// The joined boundary of the parts of `panel`.

@@ -151,7 +151,7 @@ impl Sampler<'_> {
             })
             .collect();
         let sampled = match chain_placed(&curves, count, &divisions) {
-            // Nobody asked for a number of samples of a hole.
+            // The number of samples of the panel does not count for a hole.
             Err(SampleError::TooFew { needed, .. }) if least > 0 => {
                 chain_placed(&curves, needed, &divisions)
             }

@@ -1,5 +1,5 @@
-//! From the curves of a design to the boundaries of its panels; samples know which place of which
-//! curve they are from.
+//! From the curves of a design to the boundaries of its panels, whose samples have their places on
+//! curves.
 
 mod curves;
 mod error;

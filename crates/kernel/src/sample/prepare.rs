@@ -1,4 +1,4 @@
-//! What a panel is triangulated from: its boundary, the plane that supports it, and how.
+//! The input of the triangulation of a panel: its boundary, its supporting plane and the options.
 
 use super::error::{PanelCause, PanelError};
 use super::joined;
@@ -23,19 +23,19 @@ pub(crate) fn sampled(sampler: &Sampler<'_>, panel: &DesignPanel) -> Result<Samp
     }
 }
 
-/// What a panel is triangulated from.
+/// The input of the triangulation of a panel.
 pub(crate) struct Prepared {
     pub(crate) boundary: Boundary,
     /// The plane that supports it, if there is one.
     pub(crate) plane: Option<SupportingPlane>,
     pub(crate) options: TriangulateOptions,
-    /// Where the samples of the boundary are from.
+    /// The places on curves of the samples of the boundary.
     pub(crate) sources: Vec<Sourced>,
-    /// What the step from each sample of the boundary to the next lies on.
+    /// The source of the step from each sample of the boundary to the next.
     pub(crate) steps: Vec<StepSource>,
-    /// Where rails ran on: how far each end bulges from the straight line, mm, if it does.
+    /// If rails run on: how far each end bulges from the straight line, mm, if it does.
     pub(crate) new_ends: Option<[Option<f64>; 2]>,
-    /// Where panels were joined: how.
+    /// If panels were joined: the outcome.
     pub(crate) joined: Option<Joined>,
 }
 

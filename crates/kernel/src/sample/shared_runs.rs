@@ -24,11 +24,11 @@ pub(super) struct Link {
     pub(super) curve: Curve,
     /// Whether it is run from its end to its beginning.
     reversed: bool,
-    /// What it lies on.
+    /// Its source.
     pub(super) source: StepSource,
 }
 
-/// What a loop of a part is made from.
+/// The source of a loop of a part: curves or samples.
 pub(super) enum LoopSource {
     Links(Vec<Link>),
     /// Points that are samples themselves.
@@ -76,8 +76,8 @@ fn loops_of(design: &Design, part: &DesignPanel) -> Result<Vec<LoopSource>, Pane
     for part_of_loop in uses {
         needed += built(design, part, part_of_loop)?.smooth_runs().len();
     }
-    // Whatever is wrong with a part is said as where it is made by itself; but that it asks for too
-    // few samples matters only there.
+    // Errors of a part are those that it has when it is made by itself, but for too few samples:
+    // here its number of samples does not count.
     let alone = DesignPanel { samples: part.samples.max(needed), ..part.clone() };
     Sampler { design, matched: &Matched::new() }.of_curves(&alone)?;
     match &part.shape {

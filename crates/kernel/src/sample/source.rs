@@ -1,4 +1,4 @@
-//! Samples that know which place of which curve they are from.
+//! Samples with their places on curves.
 
 use super::steps::StepSource;
 use sheetwright_geometry::boundary::Joined;
@@ -12,22 +12,22 @@ pub(crate) struct OnCurve {
     pub(crate) curve: usize,
     /// The span of the curve as it was drawn; where its points are the samples, the point.
     pub(crate) span: usize,
-    /// Where on the span, 0 ..= 1.
+    /// The parameter on the span, 0 ..= 1.
     pub(crate) t: f64,
     /// Whether the loop runs against the curve.
     pub(crate) reversed: bool,
 }
 
-/// A sample, and where it is from. What comes from no curve has no place: the straight edges
-/// between rails, new ends of rails that run on, and joined panels.
+/// A sample, and its place on a curve. Samples of straight edges between rails, of new ends of
+/// rails that run on and of joined panels have no place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Sourced {
     pub(crate) sample: Sample,
-    /// What its position is from.
+    /// The place of its position.
     pub(crate) at: Option<OnCurve>,
-    /// What its tangent of arrival is from.
+    /// The place of its tangent of arrival.
     pub(crate) arriving: Option<OnCurve>,
-    /// What its tangent of leaving is from.
+    /// The place of its tangent of leaving.
     pub(crate) leaving: Option<OnCurve>,
 }
 
@@ -36,7 +36,7 @@ impl Sourced {
         Self { sample, at: None, arriving: None, leaving: None }
     }
 
-    /// Run the other way.
+    /// The sample of the loop reversed.
     pub(crate) fn back(self) -> Self {
         let back = |place: Option<OnCurve>| {
             place.map(|place| OnCurve { reversed: !place.reversed, ..place })

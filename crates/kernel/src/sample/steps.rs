@@ -1,23 +1,23 @@
-//! What each step of a boundary, from one sample to the next, lies on. Edges of patterns have their
-//! names from it.
+//! The source of each step of a boundary, from one sample to the next. It names the edges of
+//! patterns.
 
 use sheetwright_geometry::boundary::Boundary;
 use sheetwright_geometry::math::Point3;
 use std::collections::BTreeMap;
 
-/// What a step of a boundary lies on.
+/// The source of a step of a boundary: the curve or the end that it lies on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum StepSource {
     /// A curve, by its number in the design.
     Curve(usize),
-    /// What joins the beginnings of two rails: straight, unless they run on.
+    /// The end that joins the beginnings of two rails: straight, unless they run on.
     Start,
-    /// What joins their ends.
+    /// The end that joins the ends of two rails.
     End,
 }
 
-/// Where the samples of a rail's own lie among those that it has with the new ends that it runs on
-/// to.
+/// The first and the last sample of a rail itself, among its samples with the new ends that it runs
+/// on to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Own {
     pub(super) first: usize,
@@ -25,17 +25,18 @@ pub(super) struct Own {
 }
 
 impl Own {
-    /// A rail of so many samples that does not run on.
+    /// All of a rail of this number of samples, which does not run on.
     pub(super) fn all(samples: usize) -> Self {
         Self { first: 0, last: samples - 1 }
     }
 
-    /// Of the rail run back, which has so many samples.
+    /// That of the reversed rail of this number of samples.
     pub(super) fn back(self, samples: usize) -> Self {
         Self { first: samples - 1 - self.last, last: samples - 1 - self.first }
     }
 
-    /// The steps from each of so many samples of a rail: along its curve, and before and after it.
+    /// The sources of the steps from each sample of a rail of this number of samples: `before`,
+    /// `on` and `after` its curve.
     pub(super) fn steps(
         self,
         samples: usize,

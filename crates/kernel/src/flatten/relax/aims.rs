@@ -1,5 +1,6 @@
-//! What is made small where lengths cannot all be true: the mean error, the largest, or the rest
-//! once the border is true. The first two begin with the least squares, which a step or two reach.
+//! The aims where lengths cannot all be true: least mean error, least largest error, or least
+//! squares with a true border. The first two begin with the least squares, which a step or two
+//! reach.
 
 use super::guard::Guard;
 use super::springs::{Form, factored, guarded_by};
@@ -11,7 +12,7 @@ use sheetwright_geometry::watch::Watch;
 /// Errors below this are those of rounding: lengths of 16 digits, sides a ten-thousandth of the
 /// size.
 const TRUE: f64 = 1e-12;
-/// The most steps that make up for what a border misses at last; each squares the error, or nearly.
+/// The most last steps that make the border true; each squares the error, or nearly.
 const MOST_LAST: usize = 10;
 /// Least squares end when a step lowers them by less than this share.
 const SQUARES_GAIN: f64 = 1e-3;
@@ -22,7 +23,7 @@ const MEAN_GAIN: f64 = 5e-4;
 const MEAN_ROUND: f64 = 0.01;
 /// The largest error ends within this share of the least that it can be near there.
 const MAX_GAP: f64 = 0.01;
-/// Each round divides that gap by so much.
+/// The factor by which each round divides that gap.
 const MAX_PACE: f64 = 4.0;
 /// The most steps of a round; two mostly do.
 const MAX_ROUND: usize = 6;
@@ -30,12 +31,12 @@ const MAX_ROUND: usize = 6;
 /// leaves of their errors is about one part in so many, but steps along a bent border are short
 /// while they are stiff.
 const STIFF: [f64; 2] = [10.0, 1e5];
-/// By how much they get stiffer from step to step, once what was to be reached nearly is.
+/// The factor by which they get stiffer from step to step, once the form has nearly settled.
 const STIFFENING: f64 = 10.0;
 /// The border is stiffened when a step changes the squares by less than this share.
 const SETTLED: f64 = 0.1;
 
-/// A run towards an aim: what it is for, and how many steps are left.
+/// A run towards an aim: its mesh, its plan of elimination and its steps.
 pub(super) struct Run<'a> {
     pub inner: &'a Inner<'a>,
     pub plan: &'a Plan<2>,

@@ -30,15 +30,14 @@ use spread::{Reference, stretches};
 use springs::Form;
 use std::fmt;
 
-/// What is made small where lengths cannot all be true. Errors are relative: the difference of the
-/// length in the plane and in space, divided by that in space.
+/// The quantity that flattening minimises where lengths cannot all be true. Errors are relative:
+/// the length in the plane less that in space, divided by that in space.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Aim {
-    /// The mean error, every side counting the same: most sides come out true, and what must give
-    /// gives in few places.
+    /// The mean error, with equal weights: most sides are true, and the errors sit in few places.
     #[default]
     Mean,
-    /// The largest error: it is spread evenly, and most sides give a little.
+    /// The largest error: errors are spread evenly, and most sides have a small one.
     Max,
     /// The border is true (1e-9), so that both sides of every seam are equal, and the squares of
     /// the other sides' errors are least.
@@ -48,7 +47,7 @@ pub enum Aim {
 /// How a mesh is laid flat.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RelaxOptions {
-    /// What is made small.
+    /// The quantity that is minimised.
     pub aim: Aim,
     /// The most steps after the first flat form; each solves a sparse system of twice the number of
     /// vertices. Aims take 10 to 40.
@@ -72,14 +71,14 @@ impl RelaxOptions {
 pub enum Ended {
     /// All lengths are true, but for rounding.
     True,
-    /// What was to be small is as small as steps make it.
+    /// The quantity is as small as steps make it.
     Least,
-    /// What was to be small is as small as steps make it, but a triangle is squeezed to a hundredth
-    /// of its area, which no step goes beyond: the surface wants to be cut open.
+    /// The quantity is as small as steps make it, but a triangle is squeezed to a hundredth of its
+    /// area, the limit of every step: the surface should be cut open.
     Squeezed,
     /// No steps were left.
     OutOfSteps,
-    /// The watcher asked to stop; what was reached is right, if not the best.
+    /// The watcher asked to stop; the form is valid, but not the best.
     Stopped,
 }
 
@@ -100,7 +99,7 @@ pub struct Relaxed {
 /// Why a mesh cannot be laid flat.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RelaxError {
-    /// It has several pieces; each is laid flat by itself.
+    /// It has several components; each is laid flat by itself.
     Pieces {
         /// How many.
         found: usize,
@@ -119,8 +118,8 @@ pub enum RelaxError {
     },
     /// A hole whose edges cannot close.
     Hole,
-    /// No flat form was found that turns no triangle over: lengths differ by more than numbers
-    /// can bear.
+    /// No flat form was found without a triangle upside down: lengths differ by more than rounding
+    /// allows.
     NoStart,
     /// The system of equations does not fit the memory.
     TooLarge,
