@@ -32,16 +32,14 @@
 
 mod planes;
 mod slopes;
-mod specials;
 mod strip;
 
 pub use planes::RungPlanes;
+pub(crate) use planes::{cross, dot};
 pub use slopes::{Piece, SampleSlope, SlopedRung};
-pub(crate) use strip::{
-    Aligned, Fan, FanRungs, Fans, FarEnds, LANES, Lanes, OnEdges, Segment, Strip, Wanted,
-};
+pub(crate) use strip::{Aligned, Fan, FarEnds, LANES, Lanes, Strip};
 
-use planes::{End, cross, dot, smooth, special};
+use planes::{End, smooth, special};
 use sheetwright_geometry::boundary::{Boundary, SupportingPlane};
 use sheetwright_geometry::curve::Sample;
 use sheetwright_geometry::math::{Vec3, unit};

@@ -40,6 +40,7 @@ pub struct RungPlanes {
 }
 
 impl RungPlanes {
+    #[inline(always)]
     fn new(a: Vec3, b: Vec3) -> Self {
         let twist = 0.5 * (a - b).length_squared();
         Self { at_ends: [a, b], mean: unit(a + b).unwrap_or(Vec3::ZERO), twist }
@@ -81,15 +82,6 @@ impl End {
 
     pub(super) fn is_corner(&self) -> bool {
         self.tangent_in != self.tangent_out
-    }
-
-    /// The data of this sample that special rungs between smooth samples depend on.
-    pub(super) fn leaving(&self) -> Leaving {
-        Leaving {
-            position: self.position.to_array(),
-            tangent: self.tangent_out.to_array(),
-            edges: [self.edge_in.to_array(), self.edge_out.to_array()],
-        }
     }
 
     /// The normal of the plane of both tangents of a corner, on the side of `facing`: that of the
@@ -160,68 +152,19 @@ pub(super) fn is_parallel(
     is_along(from_tangent, from_special) || is_along(to_tangent, to_special)
 }
 
-/// Squared sine of angles below which [`is_twisted_above`] decides nothing.
-const NARROW: f64 = 1e-10;
-/// How much closer normals may be, as a cosine, than it finds them. A cross product of unit vectors
-/// is off by some 2·10⁻¹⁶, so the normal of directions that differ by 10⁻⁵ is by some 2·10⁻¹¹;
-/// there are two, here and in [`special`] each.
-const CLOSER: f64 = 1e-9;
-
-/// Whether the rung from a corner to a smooth sample certainly has a twist above `limit`, by
-/// neither root nor quotient: its normal at the smooth sample lies outside the sector of those at
-/// the corner, and too far from both ends.
-pub(super) fn is_twisted_above(
-    corner: &End,
-    (to, tangent, special): ([f64; 3], [f64; 3], f64),
-    limit: f64,
-) -> bool {
-    let cosine = 1.0 - limit - CLOSER;
-    if cosine <= 0.0 {
-        return false;
-    }
-    let from = corner.position.to_array();
-    let d = [to[0] - from[0], to[1] - from[1], to[2] - from[2]];
-    let (length_squared, along) = (dot(d, d), dot(tangent, d));
-    if along * along >= special * length_squared {
-        return false;
-    }
-    let normal = cross(d, tangent);
-    let ends = [corner.tangent_in, corner.tangent_out].map(|t| cross(t.to_array(), d));
-    let squared = dot(normal, normal);
-    let ends_squared = ends.map(|end| dot(end, end));
-    let turn = dot(cross(ends[0], ends[1]), d);
-    let least = NARROW * length_squared;
-    let is_clear = squared > least
-        && ends_squared[0] > least
-        && ends_squared[1] > least
-        && turn * turn > NARROW * ends_squared[0] * ends_squared[1] * length_squared;
-    let is_inside =
-        dot(cross(ends[0], normal), d) * turn > 0.0 && dot(cross(normal, ends[1]), d) * turn > 0.0;
-    let is_far = |end: [f64; 3], end_squared: f64| {
-        let near = dot(end, normal);
-        near <= 0.0 || near * near < cosine * cosine * squared * end_squared
-    };
-    is_clear && !is_inside && is_far(ends[0], ends_squared[0]) && is_far(ends[1], ends_squared[1])
-}
-
 #[inline(always)]
-pub(super) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 #[inline(always)]
-pub(super) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 #[inline(always)]
 fn scaled(a: [f64; 3], factor: f64) -> [f64; 3] {
     [a[0] * factor, a[1] * factor, a[2] * factor]
-}
-
-#[inline(always)]
-fn divided(a: [f64; 3], by: f64) -> [f64; 3] {
-    [a[0] / by, a[1] / by, a[2] / by]
 }
 
 impl From<Smooth> for RungPlanes {
@@ -245,83 +188,21 @@ enum Normals {
 /// The planes of a special rung; `None` where it has none, because it is parallel to a tangent or
 /// has no length. Where nothing else decides, normals point to the side of `facing`.
 pub(super) fn special(from: &End, to: &End, facing: Vec3) -> Option<RungPlanes> {
-    if !from.is_corner() && !to.is_corner() {
-        let open = special_smooth(&from.leaving(), &to.leaving(), facing.to_array());
-        return (!open.is_lost).then(|| RungPlanes {
-            at_ends: open.normals.map(Vec3::from_array),
-            mean: Vec3::from_array(open.mean),
-            twist: open.twist,
-        });
-    }
     let d = unit(to.position - from.position)?;
     Some(match (from.normals(d)?, to.normals(-d)?) {
         (Normals::One(u), Normals::One(v)) => RungPlanes::new(u, v),
         (Normals::One(u), Normals::EitherSign(v)) => RungPlanes::new(u, along(v, u)),
         (Normals::EitherSign(u), Normals::One(v)) => RungPlanes::new(along(u, v), v),
+        (Normals::EitherSign(u), Normals::EitherSign(v)) => {
+            let v = along(v, u);
+            let sign = if (u + v).dot(facing) < 0.0 { -1.0 } else { 1.0 };
+            RungPlanes::new(u * sign, v * sign)
+        }
         (u, v) => {
             let reference = from.plane_normal(facing) + to.plane_normal(facing);
             between_sectors(u, v, d, reference)
         }
     })
-}
-
-/// A special rung between two smooth samples, as numbers that stand in vector registers.
-#[derive(Clone, Copy)]
-pub(super) struct SpecialSmooth {
-    pub(super) normals: [[f64; 3]; 2],
-    /// Zero where the normals are opposite.
-    pub(super) mean: [f64; 3],
-    pub(super) twist: f64,
-    /// Whether it has no planes, because it is parallel to a tangent or has no length.
-    pub(super) is_lost: bool,
-}
-
-/// The data at a smooth sample that the planes of a special rung depend on: its position and
-/// tangent, and the unit directions of the edges that arrive and leave.
-pub(super) struct Leaving {
-    pub(super) position: [f64; 3],
-    pub(super) tangent: [f64; 3],
-    pub(super) edges: [[f64; 3]; 2],
-}
-
-/// The planes of the special rung between two smooth samples. Where the sign of one normal is open,
-/// it points along the other; where both are open, to the side of `facing`.
-#[inline(always)]
-pub(super) fn special_smooth(from: &Leaving, to: &Leaving, facing: [f64; 3]) -> SpecialSmooth {
-    let (a, b) = (from.position, to.position);
-    let (d, has_length) = unit_of([b[0] - a[0], b[1] - a[1], b[2] - a[2]]);
-    let normal = |end: &Leaving, d: [f64; 3]| {
-        let leaving = cross(end.tangent, d);
-        let sine = dot(leaving, leaving).sqrt();
-        let is_open = dot(cross(end.edges[0], d), cross(end.edges[1], d)) <= 0.0;
-        (divided(leaving, sine), is_open, sine <= PARALLEL_SINE)
-    };
-    let (u, u_open, u_lost) = normal(from, d);
-    let (v, v_open, v_lost) = normal(to, scaled(d, -1.0));
-    let is_turned = dot(u, v) < 0.0;
-    let turn = |n: [f64; 3], is_turned: bool| scaled(n, if is_turned { -1.0 } else { 1.0 });
-    let (u, v) = (turn(u, is_turned & u_open & !v_open), turn(v, is_turned & v_open));
-    let sum = [u[0] + v[0], u[1] + v[1], u[2] + v[2]];
-    let is_behind = u_open & v_open & (dot(sum, facing) < 0.0);
-    let (u, v, sum) = (turn(u, is_behind), turn(v, is_behind), turn(sum, is_behind));
-    let difference = [u[0] - v[0], u[1] - v[1], u[2] - v[2]];
-    let (mean, has_mean) = unit_of(sum);
-    SpecialSmooth {
-        normals: [u, v],
-        mean: if has_mean { mean } else { [0.0; 3] },
-        twist: 0.5 * dot(difference, difference),
-        is_lost: !has_length | u_lost | v_lost,
-    }
-}
-
-/// The unit vector along a finite vector with the bits of [`unit`], and whether there is one: none
-/// along zero.
-#[inline(always)]
-fn unit_of(v: [f64; 3]) -> ([f64; 3], bool) {
-    let larger = |a: f64, b: f64| if b > a { b } else { a };
-    let scale = larger(larger(v[0].abs(), v[1].abs()), v[2].abs());
-    let scaled = divided(v, scale);
-    (divided(scaled, dot(scaled, scaled).sqrt()), scale > 0.0)
 }
 
 /// The planes of a rung, along the unit direction `d`, that ends at a corner: the two normals, one
@@ -347,6 +228,7 @@ fn along(v: Vec3, u: Vec3) -> Vec3 {
 
 impl End {
     /// The normals of a rung that leaves this sample in the unit direction `d`.
+    #[inline(always)]
     fn normals(&self, d: Vec3) -> Option<Normals> {
         let leaving = self.tangent_out.cross(d);
         if !self.is_corner() {

@@ -12,7 +12,6 @@
 //! is, in both passes: where one is needed, no rung is barred, and the least Π decides.
 
 mod bridge;
-mod coarse;
 mod hole_orientation;
 mod holes;
 mod memory;
@@ -20,17 +19,15 @@ mod optimal;
 mod part;
 mod plane_check;
 mod rails;
-mod warm_start;
 
 pub use hole_orientation::with_holes_facing;
 pub use optimal::memory_needed;
 pub use plane_check::Cheapest;
 pub use plane_check::cheaper_than;
 
-use crate::cost::{
-    EXACT_BELOW, FarEnds, LANES, MAX_FOLD, PriceOptions, Prices, Strip, TwistForm, Wanted,
-};
+use crate::cost::{EXACT_BELOW, FarEnds, LANES, MAX_FOLD, PriceOptions, Prices, Strip, TwistForm};
 use crate::rung::{Rung, Visibility};
+use optimal::warm_start;
 use part::Part;
 use plane_check::{Looked, may_ask_less, mended_at_ends, solve_then_check};
 use sheetwright_geometry::boundary::{Boundary, SupportingPlane};
@@ -173,8 +170,7 @@ pub enum TriangulateError {
     },
     /// The tables would exceed the memory limit.
     TooLarge {
-        /// The memory that they need, bytes: an estimate from the number of samples and from the
-        /// tables of fewer samples, or else an upper bound.
+        /// What they need at the most, bytes.
         needed: u64,
         /// The limit, bytes.
         limit: u64,
@@ -361,10 +357,7 @@ fn one_loop(
     watch: &mut dyn Watch,
 ) -> Result<Option<Vec<[usize; 3]>>, TriangulateError> {
     match method {
-        Method::Optimal => {
-            let bound = warm_start::bound(terms, known, watch)?;
-            optimal::solve(terms, bound, watch)
-        }
+        Method::Optimal => optimal::solve(terms, known, watch),
         Method::Bridge => bridge::solve(terms, watch),
         Method::Rails { first } => rails::solve(terms, first, watch),
     }
@@ -526,18 +519,16 @@ impl<'a> Terms<'a> {
         }
     }
 
-    /// Writes to `strip` all sides from sample `i` to the far ends at once, as [`Self::side`] has
-    /// them. Those that do not lead to a higher sample are barred, and those dearer than `limit`
-    /// may be. Without N unless `MEANS`.
+    /// Writes to `strip` all sides from sample `i` to the far ends, at once: what [`Self::side`]
+    /// says of each; those that do not lead to a higher sample are barred. Without N unless
+    /// `MEANS`.
     #[inline(always)]
-    fn strip<const MEANS: bool>(&self, i: usize, to: &FarEnds, limit: f64, strip: &mut Strip) {
+    fn strip<const MEANS: bool>(&self, i: usize, to: &FarEnds, strip: &mut Strip) {
         let in_order = self.prices.in_order();
         let is_apart = i + 1 < to.first && to.count == LANES;
         let is_plain = is_apart && in_order && (i > 0 || to.first + LANES < self.prices.len());
-        // Banks cost nothing, and rungs without planes may be forced.
-        let limit = if in_order && !self.forced { limit } else { f64::INFINITY };
         let allowed = if is_plain { self.visibility.allowed(i, to.first) } else { u16::MAX };
-        self.prices.strip::<MEANS>(i, to, Wanted { lanes: allowed, limit }, strip);
+        self.prices.strip::<MEANS>(i, to, allowed, strip);
         let Strip { prices, means } = strip;
         if is_plain {
             // No neighbours among them.

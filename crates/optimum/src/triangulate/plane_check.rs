@@ -6,9 +6,10 @@
 //! plane, which is mostly so, it is the optimum with the plane, too.
 
 use super::memory::obtainable;
+use super::optimal::warm_start;
 use super::{
     Found, Method, Terms, TriangulateError, TriangulateOptions, Triangulation, holes, if_it_fits,
-    is_bounded, memory_needed, optimal, outcome, warm_start,
+    is_bounded, memory_needed, optimal, outcome,
 };
 use crate::cost::{Prices, quantised};
 use crate::rung::Visibility;
@@ -53,7 +54,7 @@ pub(super) fn solve_then_check(
         return Ok(Looked::None);
     }
     let terms = Terms::new(prices, visibility, false).within(options.memory_limit);
-    let found = optimal::solve(&terms, warm_start::bound(&terms, known, watch)?, watch)?;
+    let found = optimal::solve(&terms, known, watch)?;
     Ok(match found {
         Some(triangles) => looked(plane, &terms, triangles, options.method),
         None => Looked::None,

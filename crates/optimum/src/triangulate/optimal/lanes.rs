@@ -33,10 +33,3 @@ fn reduced(prices: &Lanes, of_two: impl Fn(f64, f64) -> f64) -> f64 {
     }
     lanes[0]
 }
-
-/// Whether products are added in one step, fused: processors with wide registers do that, browsers
-/// do not.
-#[inline(always)]
-pub(super) fn are_fused<S: pulp::Simd>() -> bool {
-    !S::IS_SCALAR && !cfg!(target_family = "wasm")
-}

@@ -1,27 +1,13 @@
-//! The tiles of a table, and their memory, kept for the next table.
+//! The tiles of a table: those that have finite entries.
 //!
-//! Where a stretch of the boundary lies in a plane, all of its rungs cost nothing, and so do all
-//! triangulations of them: as many entries of zero as there are pairs of its samples. Tiles that
-//! have no other entries and, with a fold price, one N throughout to the last bit, are stored once
-//! for each N. In planes along the axes all N have equal bits, in others they may differ in the
-//! last ones.
-//!
-//! While a handle is dragged, and over many holes or panels, one table follows another of about the
-//! same size. Fresh memory comes page by page from the system, which took a seventh of the time. So
-//! each thread keeps some tiles of its last table. Their entries are cleared before they are used
-//! again; N is written wherever an entry is.
+//! Where a stretch of the boundary lies in a plane, all of its rungs are free, and so is whatever
+//! is put together of them: entries of zero that say nothing, as many as the pairs of its samples.
+//! Tiles that have no other entries and, where folds cost something, the same bits of N throughout
+//! are kept once for each N. In planes along the axes N has the same bits, in others it may differ
+//! in the last ones.
 
-use super::normals::NormalBox;
 use crate::cost::{Aligned, LANES, Lanes};
-use std::cell::Cell;
 use std::collections::BTreeMap;
-
-/// Limit of the memory kept, bytes: filling more takes far longer than to allocate it.
-const MOST_KEPT: u64 = 16 << 20;
-
-thread_local! {
-    static SPARE: Cell<Vec<Tile>> = const { Cell::new(Vec::new()) };
-}
 
 /// [`LANES`] rows by as many columns of the table. A row holds E(k,j) of one k and all j.
 pub(super) struct Tile {
@@ -36,11 +22,7 @@ pub(super) struct Sums {
     pub(super) least: Aligned<Lanes>,
 }
 
-pub(super) struct Means {
-    pub(super) rows: Aligned<[[Lanes; 3]; LANES]>,
-    /// The box around the N of finite entries, if it is known.
-    pub(super) within: NormalBox,
-}
+pub(super) type Means = Aligned<[[Lanes; 3]; LANES]>;
 
 impl Tile {
     /// Memory of a tile, bytes, with or without N.
@@ -53,23 +35,17 @@ impl Tile {
     /// A tile without finite entries.
     pub(super) fn new(folds: bool) -> Self {
         let none = [f64::INFINITY; LANES];
-        let means = || Means { rows: Aligned([[[0.0; LANES]; 3]; LANES]), within: NormalBox::ANY };
+        let means = || Box::new(Aligned([[[0.0; LANES]; 3]; LANES]));
         Self {
             sums: Box::new(Sums { entries: Aligned([none; LANES]), least: Aligned(none) }),
-            means: folds.then(|| Box::new(means())),
+            means: folds.then(means),
         }
     }
 
     /// N of the rungs from sample `i`; `None` when folds cost nothing.
     #[inline(always)]
     pub(super) fn means_from(&self, i: usize) -> Option<&[Lanes; 3]> {
-        self.means.as_ref().map(|means| &means.rows[i % LANES])
-    }
-
-    /// The box around the N of finite entries.
-    #[inline(always)]
-    pub(super) fn normals(&self) -> &NormalBox {
-        self.means.as_ref().map_or(&NormalBox::ANY, |means| &means.within)
+        self.means.as_ref().map(|means| &means[i % LANES])
     }
 
     /// Whether all entries are infinite.
@@ -84,19 +60,10 @@ impl Tile {
         if sums.any(|&sum| sum != 0.0) {
             return None;
         }
-        let Some(Means { rows, .. }) = self.means.as_deref() else { return Some([0.0; 3]) };
+        let Some(rows) = self.means.as_deref() else { return Some([0.0; 3]) };
         let mean = [0, 1, 2].map(|axis| rows[0][axis][0]);
         let is_one = |row: &[Lanes; 3]| (0..3).all(|axis| row[axis] == [mean[axis]; LANES]);
         rows.iter().all(is_one).then_some(mean)
-    }
-
-    fn clear(&mut self) {
-        let none = [f64::INFINITY; LANES];
-        *self.sums.entries = [none; LANES];
-        *self.sums.least = none;
-        if let Some(means) = &mut self.means {
-            means.within = NormalBox::ANY;
-        }
     }
 }
 
@@ -129,7 +96,7 @@ pub(super) struct TilePool {
     flat: BTreeMap<[u64; 3], u32>,
     /// The columns of the tiles beside one another, in increasing order.
     beside: Vec<Vec<u32>>,
-    /// Tiles to be used again.
+    /// Tiles that were filled and have no finite entries.
     spare: Vec<Tile>,
 }
 
@@ -148,8 +115,6 @@ impl TilePool {
 
     /// For so many rows of tiles and as many columns, with or without N.
     pub(super) fn new(count: usize, folds: bool) -> Self {
-        let mut spare = SPARE.take();
-        spare.retain(|tile| tile.means.is_some() == folds);
         Self {
             folds,
             tiles: Vec::new(),
@@ -157,37 +122,19 @@ impl TilePool {
             taken: 0,
             flat: BTreeMap::new(),
             beside: vec![Vec::new(); count],
-            spare,
+            spare: Vec::new(),
         }
     }
 
     /// A tile to be filled, without finite entries.
     pub(super) fn fresh(&mut self) -> Tile {
-        match self.spare.pop() {
-            Some(mut tile) => {
-                tile.clear();
-                tile
-            }
-            None => Tile::new(self.folds),
-        }
+        self.spare.pop().unwrap_or_else(|| Tile::new(self.folds))
     }
 
-    /// Memory without the spare tiles, bytes.
+    /// What it takes, bytes.
     pub(super) fn bytes(&self) -> u64 {
         let places = least_bytes(self.beside.len()) + self.taken as u64 * PLACE_BYTES;
-        places + self.bytes_of(self.tiles.len())
-    }
-
-    /// Releases the spare tiles if all together would exceed this limit, bytes.
-    pub(super) fn shrink_to(&mut self, limit: u64) {
-        if self.bytes() + self.bytes_of(self.spare.len()) > limit {
-            self.spare = Vec::new();
-        }
-    }
-
-    /// Memory of so many tiles, without their places, bytes.
-    fn bytes_of(&self, tiles: usize) -> u64 {
-        tiles as u64 * Tile::bytes(self.folds)
+        places + self.tiles.len() as u64 * Tile::bytes(self.folds)
     }
 
     /// Stores a filled tile. Tiles of a row come from left to right.
@@ -202,8 +149,6 @@ impl TilePool {
         let at = flat.map_or(next, |mean| *self.flat.entry(mean).or_insert(next));
         if at == next {
             self.tiles.push(tile);
-        } else {
-            self.spare.push(tile);
         }
         self.places[Self::slot(row, column)] = at;
         self.taken += 1;
@@ -231,21 +176,7 @@ impl TilePool {
         }
         self.taken = 0;
         self.flat.clear();
-        self.spare.append(&mut self.tiles);
-    }
-
-    /// Keeps its memory for the next table of this thread.
-    fn keep(&mut self) {
-        self.clear();
-        self.spare.truncate((MOST_KEPT / Tile::bytes(self.folds)) as usize);
-        // A thread that ends keeps nothing.
-        let _ = SPARE.try_with(|spare| spare.set(std::mem::take(&mut self.spare)));
-    }
-}
-
-impl Drop for TilePool {
-    fn drop(&mut self) {
-        self.keep();
+        self.tiles.clear();
     }
 }
 
@@ -273,12 +204,6 @@ mod tests {
         assert_eq!(store.beside(0), [1]);
         store.clear();
         assert!(store.tile(0, 1).is_none() && store.beside(0).is_empty());
-        let again = store.fresh();
-        assert!(again.is_empty() && *again.sums.entries == [[f64::INFINITY; LANES]; LANES]);
-        // Tiles without N are of no use where folds cost something, and the other way round.
-        drop(store);
-        assert!(TilePool::new(2, false).fresh().means.is_none());
-        assert!(TilePool::new(2, true).fresh().means.is_some());
     }
 
     #[test]
@@ -288,7 +213,7 @@ mod tests {
             *tile.sums.entries = [[0.0; LANES]; LANES];
             *tile.sums.least = [0.0; LANES];
             if let Some(means) = &mut tile.means {
-                *means.rows = [mean.map(|x| [x; LANES]); LANES];
+                ***means = [mean.map(|x| [x; LANES]); LANES];
             }
             tile
         };
@@ -301,7 +226,7 @@ mod tests {
             let mut store = TilePool::new(4, folds);
             let mut turned = flat(folds, [0.0, 0.0, 1.0]);
             if let Some(means) = &mut turned.means {
-                means.rows[LANES - 1][0][LANES - 1] = 1e-16;
+                means[LANES - 1][0][LANES - 1] = 1e-16;
             }
             store.put(0, 1, flat(folds, [0.0, 0.0, 1.0]));
             store.put(0, 2, flat(folds, [-0.0, 0.0, 1.0]));
@@ -325,25 +250,5 @@ mod tests {
             let zeros = |column| store.tile(0, column).map(|tile| tile.flat_mean().is_some());
             assert_eq!([zeros(1), zeros(2)], [Some(false), Some(true)]);
         }
-    }
-
-    #[test]
-    fn tiles_to_be_used_again_do_not_count() {
-        let fill = |store: &mut TilePool| {
-            let mut tile = store.fresh();
-            (tile.sums.entries[0][1], tile.sums.least[0]) = (1.0, 1.0);
-            store.put(0, 0, tile);
-        };
-        let mut store = TilePool::new(1, true);
-        let empty = store.bytes();
-        fill(&mut store);
-        let full = store.bytes();
-        assert!(empty < full && full <= most_bytes(1));
-        store.clear();
-        assert_eq!((store.bytes(), store.spare.len()), (empty, 1));
-        store.shrink_to(full);
-        assert_eq!(store.spare.len(), 1);
-        store.shrink_to(empty);
-        assert_eq!(store.spare.len(), 0);
     }
 }

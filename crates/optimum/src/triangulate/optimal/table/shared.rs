@@ -8,8 +8,9 @@
 //!    of them would take longer than the work. So helpers are called once for a table, and wait for
 //!    the next diagonal in a loop until the last is filled (`threads`).
 
-use super::filling::{Column, Filling};
-use super::{Open, Table};
+use super::filling::Filling;
+use super::{Pruning, Table};
+use crate::cost::FarEnds;
 use crate::triangulate::TriangulateError;
 use crate::triangulate::optimal::threads::{Helpers, MOST_THREADS};
 use crate::triangulate::optimal::tile_pool::Tile;
@@ -27,8 +28,8 @@ const NONE_LEFT: usize = usize::MAX;
 
 /// What threads share while they fill a table.
 struct Shared<'s, 'a> {
-    columns: Vec<Mutex<Column>>,
-    open: &'s Open<'s>,
+    ends: &'s [FarEnds],
+    pruning: &'s dyn Pruning,
     /// A thread that fills a tile reads it.
     diagonal: RwLock<Diagonal<'s, 'a>>,
     /// The number of the diagonal that is filled, [`NONE_YET`] or [`NONE_LEFT`].
@@ -56,26 +57,20 @@ impl Drop for End<'_> {
 // A thread that panics leaves a lock that says so. The others go on, and `rayon` passes the panic
 // on in the end.
 impl<'s, 'a> Shared<'s, 'a> {
-    fn new(table: &'s mut Table<'a>, columns: Vec<Column>, open: &'s Open<'s>) -> Self {
+    fn new(table: &'s mut Table<'a>, ends: &'s [FarEnds], pruning: &'s dyn Pruning) -> Self {
         let diagonal = Diagonal { table, tiles: vec![], given: AtomicUsize::new(0) };
-        Self {
-            columns: columns.into_iter().map(Mutex::new).collect(),
-            open,
-            diagonal: RwLock::new(diagonal),
-            at: AtomicUsize::new(NONE_YET),
-        }
+        Self { ends, pruning, diagonal: RwLock::new(diagonal), at: AtomicUsize::new(NONE_YET) }
     }
 
     /// Fills tiles of the diagonal until all are given out.
     fn fill_some(&self) {
         let diagonal = self.diagonal.read().unwrap_or_else(PoisonError::into_inner);
-        let (table, open) = (&*diagonal.table, self.open);
+        let (table, pruning) = (&*diagonal.table, self.pruning);
         let next = || diagonal.tiles.get(diagonal.given.fetch_add(1, Ordering::Relaxed));
         while let Some(&([row, column], ref tile)) = next() {
             let mut tile = tile.lock().unwrap_or_else(PoisonError::into_inner);
-            let mut column = self.columns[column].lock().unwrap_or_else(PoisonError::into_inner);
-            let (column, tile) = (&mut *column, &mut *tile);
-            table.registers.dispatch(Filling { table, open, row, column, tile });
+            let (to, tile) = (&self.ends[column], &mut *tile);
+            table.registers.dispatch(Filling { table, pruning, row, to, tile });
         }
     }
 
@@ -113,7 +108,7 @@ impl<'s, 'a> Shared<'s, 'a> {
         tell: impl Fn(f64, &mut dyn Watch),
     ) -> Result<(), TriangulateError> {
         let _end = End(&self.at);
-        let count = self.columns.len();
+        let count = self.ends.len();
         let mut number = 0;
         for first in (0..count).step_by(WIDTH) {
             let end = count.min(first + WIDTH);
@@ -124,11 +119,11 @@ impl<'s, 'a> Shared<'s, 'a> {
                     return Err(TriangulateError::Stopped);
                 }
                 let places = (first.max(away)..end).map(|column| [column - away, column]);
-                if self.alone().begin(self.open, places) {
+                if self.alone().begin(self.pruning, places) {
                     self.at.store(number, Ordering::Release);
                     number += 1;
                     self.fill_some();
-                    self.alone().keep()?;
+                    self.alone().keep(self.pruning)?;
                 }
                 // The sums of a tile are as many as its distance from the diagonal.
                 let of_group = (away + 1) as f64 / end as f64;
@@ -141,9 +136,9 @@ impl<'s, 'a> Shared<'s, 'a> {
 
 impl Diagonal<'_, '_> {
     /// Gives out the tiles in these places that are open; returns whether there are any.
-    fn begin(&mut self, open: &Open<'_>, places: impl Iterator<Item = [usize; 2]>) -> bool {
+    fn begin(&mut self, pruning: &dyn Pruning, places: impl Iterator<Item = [usize; 2]>) -> bool {
         for [row, column] in places {
-            if self.table.is_open(open, row, column) {
+            if pruning.least(row, column) <= pruning.bound() {
                 self.tiles.push(([row, column], Mutex::new(self.table.store.fresh())));
             }
         }
@@ -152,12 +147,12 @@ impl Diagonal<'_, '_> {
     }
 
     /// Takes those that were filled into the table.
-    fn keep(&mut self) -> Result<(), TriangulateError> {
+    fn keep(&mut self, pruning: &dyn Pruning) -> Result<(), TriangulateError> {
         for ([row, column], tile) in self.tiles.drain(..) {
             let tile = tile.into_inner().unwrap_or_else(PoisonError::into_inner);
             self.table.store.put(row, column, tile);
         }
-        self.table.fit()
+        self.table.fit(pruning)
     }
 }
 
@@ -166,20 +161,21 @@ impl Table<'_> {
     pub(super) fn fill_shared(
         &mut self,
         helpers: &Helpers,
-        columns: Vec<Column>,
-        open: &Open<'_>,
+        ends: &[FarEnds],
+        pruning: &dyn Pruning,
         watch: &mut dyn Watch,
         tell: impl Fn(f64, &mut dyn Watch),
     ) -> Result<(), TriangulateError> {
-        let shared = Shared::new(self, columns, open);
+        let shared = Shared::new(self, ends, pruning);
         helpers.join(|| shared.help(), || shared.lead(watch, tell))
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::Unpruned;
     use super::*;
-    use crate::cost::{PriceOptions, Prices};
+    use crate::cost::{LANES, PriceOptions, Prices};
     use crate::rung::Visibility;
     use crate::triangulate::Terms;
     use sheetwright_geometry::boundary::{Boundary, samples_from_points};
@@ -198,18 +194,16 @@ mod tests {
         let prices = Prices::new(&boundary, None, PriceOptions::default());
         let everything = Visibility::everything();
         let terms = Terms::new(&prices, &everything, false);
-        let open = Open::new(&terms, 1.0, None);
         let (mut led, mut helped) = (Table::new(&terms), Table::new(&terms));
-        let mut columns: Vec<Column> = (0..20).map(|at| Column::new(&terms, at)).collect();
-        led.fill_by_columns(&mut columns, &open, &mut Unwatched, |_, _| {}).unwrap();
-        let columns = (0..20).map(|at| Column::new(&terms, at)).collect();
-        let shared = Shared::new(&mut helped, columns, &open);
+        let ends: Vec<FarEnds> = (0..20).map(|at| prices.far_ends(at * LANES)).collect();
+        led.fill_by_columns(&ends, &Unpruned, &mut Unwatched, |_, _| {}).unwrap();
+        let shared = Shared::new(&mut helped, &ends, &Unpruned);
         std::thread::scope(|scope| {
             scope.spawn(|| shared.help());
             let _end = End(&shared.at);
             for away in 0..20 {
                 let places = (away..20).map(|column| [column - away, column]);
-                if shared.alone().begin(&open, places) {
+                if shared.alone().begin(&Unpruned, places) {
                     shared.at.store(away, Ordering::Release);
                     let is_left = || {
                         let diagonal = shared.diagonal.read().unwrap();
@@ -218,7 +212,7 @@ mod tests {
                     while is_left() {
                         std::thread::yield_now();
                     }
-                    shared.alone().keep().unwrap();
+                    shared.alone().keep(&Unpruned).unwrap();
                 }
             }
         });

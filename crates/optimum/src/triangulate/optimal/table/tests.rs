@@ -1,8 +1,7 @@
-use super::between::Between;
 use super::*;
-use crate::cost::{PriceOptions, Prices, QUANTUM, Strip, quantised};
+use crate::cost::{PriceOptions, Prices, Strip, quantised};
 use crate::rung::Visibility;
-use crate::triangulate::optimal::prune::Span;
+use crate::triangulate::optimal::pruning::fill_up_to;
 use crate::triangulate::{Rule, Side};
 use sheetwright_geometry::boundary::{Boundary, samples_from_points};
 use sheetwright_geometry::curve::CurvePoint;
@@ -25,77 +24,62 @@ fn boundaries(m: usize) -> [Boundary; 2] {
     points.map(|points| Boundary::new(vec![samples_from_points(&points)]).unwrap())
 }
 
+/// Leaves out what costs more, and nothing else.
+struct UpTo(f64);
+
+impl Pruning for UpTo {
+    fn bound(&self) -> f64 {
+        self.0
+    }
+
+    fn least(&self, _row: usize, _column: usize) -> f64 {
+        0.0
+    }
+
+    fn rests(&self, _i: usize, _to: &FarEnds) -> Lanes {
+        [0.0; LANES]
+    }
+
+    fn bytes(&self) -> u64 {
+        0
+    }
+}
+
 #[test]
 fn strips_are_what_single_sides_are() {
     let m = 320;
-    let (mut admitted, mut dear) = (0, 0);
+    let (mut admitted, mut barred) = (0, 0);
     for boundary in boundaries(m) {
         let prices = Prices::new(&boundary, None, PriceOptions::default());
         let some = Visibility::of_pairs(m, |i, j| (i * 7 + j * 3) % 5 != 0);
         for visibility in [Visibility::everything(), some] {
-            for (forced, bar, limit) in [
-                (false, f64::INFINITY, f64::INFINITY),
-                (false, f64::INFINITY, 0.02),
-                (true, f64::INFINITY, 0.02),
-                (false, 0.1, 0.02),
-            ] {
+            for (forced, bar) in [(false, f64::INFINITY), (true, f64::INFINITY), (false, 0.1)] {
                 let terms = Terms { bar, ..Terms::new(&prices, &visibility, forced) };
                 let mut strip = Strip::BLANK;
                 for (i, first) in (0..m).flat_map(|i| [(i, i / 16 * 16), (i, 256), (i, 304)]) {
-                    terms.strip::<true>(i, &prices.far_ends(first), limit, &mut strip);
+                    terms.strip::<true>(i, &prices.far_ends(first), &mut strip);
                     for (n, j) in (first..first + LANES).enumerate().filter(|(_, j)| *j > i) {
                         let side = terms.side(i, j);
-                        if side.price <= limit.min(f64::MAX) {
+                        assert_eq!(strip.prices[n], side.price, "{i} {j}");
+                        if side.price < f64::INFINITY {
                             let mean = Vec3::from_array(strip.means.map(|mean| mean[n]));
-                            assert_eq!((strip.prices[n], mean), (side.price, side.mean));
+                            assert_eq!(mean, side.mean, "{i} {j}");
                             admitted += 1;
                         } else {
-                            assert!(strip.prices[n] > limit.min(f64::MAX), "{i} {j}");
-                            dear += 1;
+                            barred += 1;
                         }
                     }
                 }
             }
         }
     }
-    assert!(admitted > 10_000 && dear > 10_000, "{admitted} {dear}");
-}
-
-#[test]
-fn tiles_that_are_not_looked_at_have_no_entries() {
-    let mut closed = 0;
-    for (boundary, fold) in boundaries(320).iter().flat_map(|b| [(b, 0.0), (b, 1.0)]) {
-        let prices = Prices::new(boundary, None, PriceOptions { fold, ..Default::default() });
-        let everything = Visibility::everything();
-        for (forced, rule) in [(false, Rule::Sum), (true, Rule::Sum), (false, Rule::Worst)] {
-            let terms = Terms { rule, ..Terms::new(&prices, &everything, forced) };
-            let known = crate::triangulate::optimal::solve_priced(&terms, &mut Unwatched);
-            let bound = known.unwrap().unwrap().price;
-            let terms = Terms { bar: if forced { 0.5 * bound } else { f64::INFINITY }, ..terms };
-            let (mut table, mut full) = (Table::new(&terms), Table::new(&terms));
-            let few = table.fill(bound, None, &mut Unwatched, 0.0..1.0).unwrap();
-            // Without spans, no side is left out for its own share in the folds either.
-            let all = Open::new(&terms, bound, None).without_spans();
-            assert_eq!(few, full.fill_open(&all, &mut Unwatched, 0.0..1.0).unwrap());
-            for (i, j) in (0..table.m).flat_map(|i| (i + 1..320).map(move |j| (i, j))) {
-                assert_eq!(table.entry(i, j), full.entry(i, j), "{i} {j}");
-            }
-            let open = Open::new(&terms, bound, None);
-            let tiles = (0..20).flat_map(|row| (row..20).map(move |column| (row, column)));
-            closed += tiles.filter(|&(row, column)| !open.is_open(row, column)).count();
-            if bound < f64::INFINITY && !forced {
-                assert_eq!(table.trace(), full.trace());
-            }
-        }
-    }
-    assert!(closed > 100, "{closed}");
+    assert!(admitted > 10_000 && barred > 10_000, "{admitted} {barred}");
 }
 
 #[test]
 fn entries_are_all_those_of_equation_5_up_to_the_bound() {
     // The last tiles are not full.
     let m = 315;
-    let (mut empty, mut apart) = (0, 0);
     for (boundary, fold) in boundaries(m).iter().flat_map(|b| [(b, 0.0), (b, 1.0)]) {
         let prices = Prices::new(boundary, None, PriceOptions { fold, ..Default::default() });
         let everything = Visibility::everything();
@@ -114,27 +98,13 @@ fn entries_are_all_those_of_equation_5_up_to_the_bound() {
         let answer = plain[0][m - 1];
         for bound in [answer, quantised(1.5 * answer)] {
             let mut table = Table::new(&terms);
-            assert_eq!(table.fill(bound, None, &mut Unwatched, 0.0..1.0), Ok(answer));
+            assert_eq!(table.fill(&UpTo(bound), &mut Unwatched, 0.0..1.0), Ok(answer));
             for (i, j) in (0..m).flat_map(|i| (i + 1..m).map(move |j| (i, j))) {
                 let expected = if plain[i][j] <= bound { plain[i][j] } else { f64::INFINITY };
                 assert_eq!(table.entry(i, j), expected, "{i} {j}");
             }
-            // What is left out, and by what.
-            let open = Open::new(&terms, bound, None);
-            for (row, column) in (0..20).flat_map(|row| (row + 2..20).map(move |c| (row, c))) {
-                let mut between = Between::new(row, column);
-                let is_empty =
-                    table.leaves_nothing::<true>(&mut between, bound + QUANTUM, |a, b| a + b);
-                empty += usize::from(is_empty && open.is_open(row, column));
-                while table.find_next::<true>(&mut between, |a, b| a + b) {}
-                if let Some(tile) = table.store.tile(row, column) {
-                    table.know_normals(&mut between, *tile.normals());
-                    apart += between.found.iter().filter(|sides| sides.least > bound).count();
-                }
-            }
         }
     }
-    assert!(empty > 50 && apart > 200, "{empty} {apart}");
 }
 
 #[test]
@@ -153,8 +123,7 @@ fn tiles_that_stand_in_many_places_have_the_n_of_all() {
     let everything = Visibility::everything();
     let terms = Terms::new(&prices, &everything, false);
     let mut table = Table::new(&terms);
-    // What the rest of the loop costs would leave out most of them.
-    table.fill_beside(None, &Open::new(&terms, 0.5, None), &mut Unwatched).unwrap();
+    table.fill(&UpTo(0.5), &mut Unwatched, 0.0..1.0).unwrap();
     let mut places = std::collections::BTreeMap::new();
     for (row, column) in (0..m / LANES).flat_map(|row| (row..m / LANES).map(move |c| (row, c))) {
         let Some(tile) = table.store.tile(row, column) else { continue };
@@ -171,64 +140,6 @@ fn tiles_that_stand_in_many_places_have_the_n_of_all() {
 }
 
 #[test]
-fn rungs_of_long_runs_cost_what_their_spans_say_or_more() {
-    let m = 2_100;
-    let mut closed = 0;
-    for boundary in boundaries(m) {
-        let prices = Prices::new(&boundary, None, PriceOptions::default());
-        let everything = Visibility::everything();
-        let terms = Terms::new(&prices, &everything, false);
-        // With a bound as low as that, only the spans of long runs are asked.
-        let open = Open::new(&terms, QUANTUM, None);
-        let mut strip = Strip::BLANK;
-        for column in 0..m.div_ceil(LANES) {
-            let to = prices.far_ends(column * LANES);
-            for row in 0..column {
-                let least = open.least(row, column);
-                if least <= QUANTUM {
-                    continue;
-                }
-                closed += 1;
-                for i in row * LANES..(row + 1) * LANES {
-                    terms.strip::<false>(i, &to, f64::INFINITY, &mut strip);
-                    assert!(strip.prices[..to.count].iter().all(|&price| price >= least), "{i}");
-                }
-            }
-        }
-    }
-    assert!(closed > 1_000, "{closed}");
-}
-
-#[test]
-fn samples_lie_where_their_spans_say() {
-    for boundary in boundaries(320) {
-        // Far from the origin, where coordinates are coarse.
-        for away in [0.0, 5e8] {
-            let points = boundary.samples().iter().map(|sample| {
-                let [x, y, z] = sample.position.to_vec().to_array();
-                CurvePoint::smooth(Point3::new(x + away, y - away, z))
-            });
-            let samples = samples_from_points(&points.collect::<Vec<_>>());
-            let boundary = Boundary::new(vec![samples]).unwrap();
-            let prices = Prices::new(&boundary, None, PriceOptions::default());
-            let everything = Visibility::everything();
-            let terms = Terms::new(&prices, &everything, false);
-            for start in (0..320).step_by(LANES) {
-                let segment = Span::of(&terms, start..start + LANES).segment();
-                let ends = segment.ends.map(Vec3::from_array);
-                let (from, along) = (ends[0], ends[1] - ends[0]);
-                for i in start..start + LANES {
-                    let to = Vec3::from_array(prices.smooth_end(i).0) - from;
-                    let share = (to.dot(along) / along.length_squared()).clamp(0.0, 1.0);
-                    let off = (to - along * share).length();
-                    assert!(off <= segment.bow * (1.0 + 1e-12), "{i}: {off} {}", segment.bow);
-                }
-            }
-        }
-    }
-}
-
-#[test]
 fn registers_change_no_bit() {
     #[cfg(target_arch = "x86_64")]
     let narrow = [Some(pulp::Arch::Scalar), pulp::x86::V3::try_new().map(pulp::Arch::V3)];
@@ -240,11 +151,11 @@ fn registers_change_no_bit() {
         for rule in [Rule::Sum, Rule::Worst] {
             let terms = Terms { rule, ..Terms::new(&prices, &everything, false) };
             let mut widest = Table::new(&terms);
-            let price = widest.fill(1.0, None, &mut Unwatched, 0.0..1.0).unwrap();
+            let price = fill_up_to(&mut widest, 1.0, &mut Unwatched).unwrap();
             assert!(price < 1.0, "{price}");
             for registers in narrow.into_iter().flatten() {
                 let mut table = Table { registers, ..Table::new(&terms) };
-                assert_eq!(table.fill(1.0, None, &mut Unwatched, 0.0..1.0).unwrap(), price);
+                assert_eq!(fill_up_to(&mut table, 1.0, &mut Unwatched).unwrap(), price);
                 for (i, j) in (0..table.m).flat_map(|i| (i + 1..320).map(move |j| (i, j))) {
                     assert_eq!(table.entry(i, j), widest.entry(i, j), "{registers:?} {i} {j}");
                     if table.entry(i, j) < f64::INFINITY {
@@ -306,7 +217,7 @@ mod threads {
                                 .is_some(),
                             threads > 1
                         );
-                        let fill = || table.fill(bound, None, &mut Unwatched, 0.0..1.0);
+                        let fill = || fill_up_to(&mut table, bound, &mut Unwatched);
                         pool(threads).install(fill).unwrap();
                         table
                     };
@@ -342,7 +253,7 @@ mod threads {
         let mut fill = |at: f64, panics: bool| {
             let filled = pool.install(|| {
                 let mut watch = Ending { told: Cell::new(0.0), at, panics };
-                let filled = table.fill(1.0, None, &mut watch, 0.0..1.0);
+                let filled = fill_up_to(&mut table, 1.0, &mut watch);
                 (filled, watch.told.get())
             });
             (filled, table.entry(0, 639))
@@ -366,11 +277,11 @@ mod threads {
         let everything = Visibility::everything();
         let terms = Terms::new(&prices, &everything, false);
         let mut table = Table::new(&terms);
-        pool(4).install(|| table.fill(f64::INFINITY, None, &mut Unwatched, 0.0..1.0)).unwrap();
+        pool(4).install(|| fill_up_to(&mut table, f64::INFINITY, &mut Unwatched)).unwrap();
         let memory = table.bytes() / 2;
         let terms = Terms { memory, ..Terms::new(&prices, &everything, false) };
         let mut table = Table::new(&terms);
-        let refused = pool(4).install(|| table.fill(f64::INFINITY, None, &mut Unwatched, 0.0..1.0));
+        let refused = pool(4).install(|| fill_up_to(&mut table, f64::INFINITY, &mut Unwatched));
         let limit = memory;
         assert!(
             matches!(refused, Err(TriangulateError::TooLarge { limit: at, .. }) if at == limit)

@@ -2,7 +2,8 @@
 //! boundary with such rungs as sides: sixteen at a time.
 
 use super::blocks::{Block, Gathered};
-use crate::cost::{Aligned, FarEnds, LANES, Lanes, OnEdges, Strip};
+use super::on_edges::OnEdges;
+use crate::cost::{Aligned, FarEnds, LANES, Lanes, Strip};
 use crate::triangulate::Terms;
 use crate::triangulate::optimal::lanes::{lowest, of_lane};
 use std::ops::Range;
@@ -166,7 +167,7 @@ impl LastRow {
 /// any is not.
 #[inline(always)]
 fn price_up_to(terms: &Terms<'_>, bound: f64, i: usize, to: &FarEnds, strip: &mut Strip) -> bool {
-    terms.strip::<true>(i, to, bound, strip);
+    terms.strip::<true>(i, to, strip);
     for price in strip.prices.iter_mut() {
         *price = if *price <= bound { *price } else { f64::INFINITY };
     }

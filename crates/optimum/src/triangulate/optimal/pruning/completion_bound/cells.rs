@@ -6,11 +6,11 @@
 //! triangles on the edge to the next one, so that no block depends on another.
 
 use super::blocks::{Block, Cell, blocks};
+use super::normals::NormalBox;
 use super::pricing::{LastRow, LastRung, Linking, Pricing, Row};
 use super::runs::Runs;
 use crate::cost::{FarEnds, LANES};
-use crate::triangulate::optimal::normals::NormalBox;
-use crate::triangulate::optimal::prune::Open;
+use crate::triangulate::optimal::pruning::spans::Spans;
 use crate::triangulate::optimal::threads::{Helpers, MOST_THREADS};
 use crate::triangulate::{Terms, TriangulateError};
 use sheetwright_geometry::watch::Watch;
@@ -42,7 +42,7 @@ impl Cells {
     pub(super) fn new(
         terms: &Terms<'_>,
         registers: pulp::Arch,
-        open: &Open<'_>,
+        spans: &Spans,
         runs: Runs,
         watch: &mut dyn Watch,
     ) -> Result<Self, TriangulateError> {
@@ -51,7 +51,7 @@ impl Cells {
         let rows = helpers.as_ref().map_or(count, |helpers| {
             count.div_ceil(BLOCKS_A_THREAD * (1 + helpers.count())).max(LEAST_ROWS)
         });
-        Self::in_blocks(terms, registers, open, runs, rows, helpers.as_ref(), watch)
+        Self::in_blocks(terms, registers, spans, runs, rows, helpers.as_ref(), watch)
     }
 
     /// Prices all rungs that spans do not exclude, with this many rows of tiles in a block or some
@@ -59,7 +59,7 @@ impl Cells {
     pub(super) fn in_blocks(
         terms: &Terms<'_>,
         registers: pulp::Arch,
-        open: &Open<'_>,
+        spans: &Spans,
         runs: Runs,
         rows: usize,
         helpers: Option<&Helpers>,
@@ -71,7 +71,7 @@ impl Cells {
         let all = All {
             terms,
             registers,
-            open,
+            spans,
             ends: &ends,
             blocks: Mutex::new(blocks(&runs, rows, count, &mut cells).into_iter()),
             is_stopped: AtomicBool::new(false),
@@ -107,7 +107,7 @@ impl Cells {
 struct All<'s, 'c> {
     terms: &'s Terms<'s>,
     registers: pulp::Arch,
-    open: &'s Open<'s>,
+    spans: &'s Spans,
     ends: &'s [FarEnds],
     /// Those that no thread has taken.
     blocks: Mutex<std::vec::IntoIter<Block<'c>>>,
@@ -136,13 +136,13 @@ impl All<'_, '_> {
 
     /// Prices a row of tiles.
     fn price_row(&self, block: &mut Block<'_>, row: usize, above: &mut [LastRow]) {
-        let (terms, bound) = (self.terms, self.open.bound);
+        let (terms, bound) = (self.terms, self.spans.bound);
         let rows = row * LANES..terms.prices.len().min((row + 1) * LANES);
         let mut before = [LastRung::NONE; LANES];
         let mut turns = [Row::NONE; 2];
         for column in row..self.ends.len() {
             let above = &mut above[column];
-            if !self.open.is_open(row, column) {
+            if !self.spans.is_open(row, column) {
                 *above = LastRow::NONE;
                 before = [LastRung::NONE; LANES];
                 continue;
@@ -164,9 +164,9 @@ impl All<'_, '_> {
 
     /// Prices the triangles on the edge after the last sample of a block.
     fn link(&self, block: &mut Block<'_>, above: &[LastRow]) {
-        let (terms, bound, row) = (self.terms, self.open.bound, block.rows.end);
+        let (terms, bound, row) = (self.terms, self.spans.bound, block.rows.end);
         for column in row..self.ends.len() {
-            if self.open.is_open(row, column) {
+            if self.spans.is_open(row, column) {
                 let (i, to, above) = (row * LANES, &self.ends[column], &above[column]);
                 self.registers.dispatch(Linking { terms, bound, i, to, above, block });
             }

@@ -1,8 +1,8 @@
 //! Thinning: the loop of about every fourth sample, whose optimum is near to that of all samples.
 
-use super::{Rule, Terms};
 use crate::cost::Prices;
 use crate::rung::Visibility;
+use crate::triangulate::{Rule, Terms};
 
 /// One sample in about so many is kept.
 const THINNING: usize = 4;

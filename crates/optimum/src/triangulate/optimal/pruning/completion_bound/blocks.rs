@@ -2,9 +2,9 @@
 //! after the other: data gathered from the rungs between two tiles goes into the cells of its
 //! block.
 
+use super::normals::NormalBox;
 use super::runs::Runs;
 use crate::cost::{Aligned, FarEnds, LANES, Lanes, Strip};
-use crate::triangulate::optimal::normals::NormalBox;
 use std::ops::Range;
 
 /// The bounds for two runs, a and b, which may be one run.

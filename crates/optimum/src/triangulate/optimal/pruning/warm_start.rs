@@ -13,8 +13,11 @@
 //! Flips may end far from the optimum. Where they do, a band of the table about the known rungs is
 //! filled for a better bound: it finds changes that take many flips at once.
 
-use super::{EDGE, Side, Terms, TriangulateError, Triangulation, optimal};
+use super::super::table::{Table, Unpruned};
+use super::HIGHEST_BOUND;
+use super::upper_bound::price_near;
 use crate::rung::Visibility;
+use crate::triangulate::{EDGE, Side, Terms, TriangulateError, Triangulation};
 use sheetwright_geometry::index::SampleIndex;
 use sheetwright_geometry::watch::{Unwatched, Watch};
 use std::collections::BTreeSet;
@@ -28,43 +31,50 @@ const MOST_CORNERS: usize = 128;
 /// from the optimum.
 const MUCH_DEARER: f64 = 4.0;
 
-/// Whether the known triangulation is of a single loop with as many samples.
-pub(super) fn is_of(known: &Triangulation, lengths: &[usize]) -> bool {
+/// Whether it is one of a loop with as many samples.
+pub(in crate::triangulate) fn is_of(known: &Triangulation, lengths: &[usize]) -> bool {
     // With holes there are more triangles, and more rungs than that.
     lengths.len() == 1
         && known.triangles.len() + 2 == lengths[0]
         && known.rungs.len() + 3 == lengths[0]
 }
 
-/// The price of the known triangulation after its repair, an upper bound on the optimum. `None` if
-/// it has barred rungs and can't be repaired, or if none is known.
-pub(super) fn price(terms: &Terms<'_>, known: Option<&Triangulation>) -> Option<f64> {
+/// What a triangulation costs now that is mended from one that is known: no less than the cheapest.
+/// `None` if it has rungs that may not be used now and can't be mended, or if nothing is known.
+pub(in crate::triangulate) fn price(
+    terms: &Terms<'_>,
+    known: Option<&Triangulation>,
+) -> Option<f64> {
     Some(Mended::of(terms, known?)?.price())
 }
 
-/// The triangles of the known triangulation after its repair; `None` as for [`price`].
-pub(super) fn triangles(
+/// The triangles of the same.
+pub(in crate::triangulate) fn triangles(
     terms: &Terms<'_>,
     known: Option<&Triangulation>,
 ) -> Option<Vec<[usize; 3]>> {
     Some(Mended::of(terms, known?)?.triangles().collect())
 }
 
-/// An upper bound on the price of the optimum: that of the repaired triangulation. Where it is much
-/// more than the price before, flips have led away, and the band near to the known rungs may have a
-/// cheaper triangulation.
-pub(super) fn bound(
+/// A bound on the cheapest price: what a triangulation costs now that is mended from one that is
+/// known. Where that is much more than it cost, exchanges have led astray from it, and there may be
+/// a cheap one near to the rungs that are known.
+pub(in crate::triangulate) fn bound(
     terms: &Terms<'_>,
     known: Option<&Triangulation>,
     watch: &mut dyn Watch,
 ) -> Result<Option<f64>, TriangulateError> {
     let Some((price, known)) = price(terms, known).zip(known) else { return Ok(None) };
-    // Any price is much more than 0, and a table below so low a price takes less than a band.
-    if price <= MUCH_DEARER * known.price || known.price == 0.0 {
-        return Ok(Some(price));
-    }
-    let triangles = known.triangles.iter().map(|corners| corners.map(SampleIndex::get));
-    Ok(Some(optimal::price_near(terms, triangles, price, watch)?))
+    // Beside what cost nothing all is much dearer, and tables as cheap as that take less than a
+    // band.
+    let is_poor = price > MUCH_DEARER * known.price && known.price > 0.0;
+    let price = if is_poor {
+        let triangles = known.triangles.iter().map(|corners| corners.map(SampleIndex::get));
+        price_near(terms, triangles, price, watch)?
+    } else {
+        price
+    };
+    Ok(Some(price).filter(|price| *price <= HIGHEST_BOUND))
 }
 
 /// A rung or an edge of the boundary.
@@ -226,8 +236,9 @@ impl<'a> Mended<'a> {
         let allows = |i: usize, j: usize| self.terms.visibility.allows(corners[i], corners[j]);
         let visibility = Visibility::of_pairs(corners.len(), allows);
         let terms = Terms::new(&prices, &visibility, self.terms.forced);
-        let found = optimal::solve_within(&terms, f64::INFINITY, &mut Unwatched);
-        let triangles = found.ok()??.triangles;
+        let mut table = Table::new(&terms);
+        let price = table.fill(&Unpruned, &mut Unwatched, 0.0..1.0).ok()?;
+        let triangles = if price < f64::INFINITY { table.trace() } else { return None };
         Some(triangles.into_iter().map(|triangle| triangle.map(|n| corners[n])).collect())
     }
 
@@ -312,9 +323,9 @@ impl<'a> Mended<'a> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Found, Method, TriangulateOptions, outcome, triangulate};
     use super::*;
     use crate::cost::{PriceOptions, Prices};
+    use crate::triangulate::{Found, Method, TriangulateOptions, optimal, outcome, triangulate};
     use sheetwright_geometry::boundary::{
         Boundary, PlaneChoice, samples_from_points, supporting_plane,
     };
@@ -415,8 +426,8 @@ mod tests {
             let bound = bound(&terms, Some(&known), &mut Unwatched).unwrap().unwrap();
             assert!(cheapest.price <= bound && bound <= mended.price(), "{n}");
             lower += usize::from(bound < mended.price());
-            let solve = |bound| optimal::solve(&terms, bound, &mut Unwatched).unwrap();
-            assert_eq!(solve(Some(bound)), solve(None), "{n}");
+            let solve = |known| optimal::solve(&terms, known, &mut Unwatched).unwrap();
+            assert_eq!(solve(Some(&known)), solve(None), "{n}");
         }
         // Most of them no exchange of single rungs had freed.
         assert!(freed > 10 && 2 * few < freed, "{freed} {few}");

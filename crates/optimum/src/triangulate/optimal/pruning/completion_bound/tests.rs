@@ -1,13 +1,13 @@
 //! The completion bound against the true price of the rest of the loop, and against the table
 //! without it.
 
-use super::super::{solve_priced, solve_within};
+use super::super::random_boundary::{random_boundary, with_terms};
+use super::super::{Pruned, fill_up_to, solve_priced, solve_within};
 use super::*;
 use crate::cost::{PriceOptions, Prices, QUANTUM, TwistForm, quantised};
 use crate::rung::Visibility;
-use crate::triangulate::optimal::normals::{NormalBox, least_fold, least_fold_about};
 use crate::triangulate::optimal::table::Table;
-use random_boundary::{random_boundary, with_terms};
+use normals::{NormalBox, least_fold, least_fold_about};
 use runs::Direction;
 use sheetwright_geometry::boundary::{Boundary, samples_from_points};
 use sheetwright_geometry::curve::CurvePoint;
@@ -51,7 +51,7 @@ fn rests_in_truth(terms: &Terms<'_>, full: &Table<'_>) -> Vec<f64> {
 /// number of entries left with the price as the upper bound, and that of all.
 fn check(terms: &Terms<'_>, length: usize, registers: pulp::Arch, what: &str) -> [usize; 2] {
     let mut full = Table::new(terms);
-    let price = full.fill(f64::INFINITY, None, &mut Unwatched, 0.0..1.0).unwrap();
+    let price = fill_up_to(&mut full, f64::INFINITY, &mut Unwatched).unwrap();
     let mut counts = [0; 2];
     if price > 60.0 {
         return counts;
@@ -61,9 +61,9 @@ fn check(terms: &Terms<'_>, length: usize, registers: pulp::Arch, what: &str) ->
         let bound = quantised(share * price);
         let mut table = Table::new(terms);
         table.registers = registers;
-        let open = Open::new(terms, bound, None);
+        let spans = Spans::new(terms, bound);
         let runs = Runs::new(terms, length);
-        let found = CompletionBound::new(runs, terms, registers, &open, &mut Unwatched).unwrap();
+        let found = CompletionBound::new(runs, terms, registers, &spans, &mut Unwatched).unwrap();
         for (i, j) in (0..table.m).flat_map(|i| (i + 1..table.m).map(move |j| (i, j))) {
             let (entry, truth) = (full.entry(i, j), in_truth[i * table.m + j]);
             let half = 0.5 * terms.side(i, j).price;
@@ -78,7 +78,8 @@ fn check(terms: &Terms<'_>, length: usize, registers: pulp::Arch, what: &str) ->
                 counts[1] += usize::from(entry <= bound);
             }
         }
-        let answer = table.fill_beside(Some(found), &open, &mut Unwatched).unwrap();
+        let pruned = Pruned { spans, band: None, completion: Some(found) };
+        let answer = table.fill(&pruned, &mut Unwatched, 0.0..1.0).unwrap();
         if price <= bound {
             assert_eq!(answer, price, "{what}");
             assert_eq!(table.trace(), full.trace(), "{what}");
@@ -263,8 +264,9 @@ fn loops_of_many_samples_have_the_answer_of_the_table_without() {
             let found = solve_priced(terms, &mut watch).unwrap().unwrap();
             assert!(watch.0 && watch.1 > 0.4, "{name}: {}", watch.1);
             let mut without = Table::new(terms);
-            let open = Open::new(terms, found.price, None);
-            let price = without.fill_beside(None, &open, &mut Unwatched).unwrap();
+            let spans = Spans::new(terms, found.price);
+            let pruned = Pruned { spans, band: None, completion: None };
+            let price = without.fill(&pruned, &mut Unwatched, 0.0..1.0).unwrap();
             assert_eq!((price, without.trace()), (found.price, found.triangles.clone()), "{name}");
             // With a bound that is known, and with none below it.
             for (share, is_found) in [(1.2, true), (0.9, false)] {
@@ -290,13 +292,14 @@ fn it_is_left_out_where_memory_is_short_and_stops_when_asked() {
     with_terms(&curves[0].1, 1.0, |terms| {
         let solved = solve_priced(terms, &mut Unwatched).unwrap().unwrap();
         let (bound, mut plain) = (solved.price, Table::new(terms));
-        let open = Open::new(terms, bound, None);
-        plain.fill_beside(None, &open, &mut Unwatched).unwrap();
-        // The final memory of the table within this limit, if the limit suffices.
+        let spans = Spans::new(terms, bound);
+        let pruned = Pruned { spans: Spans::new(terms, bound), band: None, completion: None };
+        plain.fill(&pruned, &mut Unwatched, 0.0..1.0).unwrap();
+        // What the table takes at last within so much memory, if that is enough.
         let taken = |memory: u64| {
             let few = terms.within(memory);
             let mut table = Table::new(&few);
-            match table.fill(bound, None, &mut Unwatched, 0.0..1.0) {
+            match fill_up_to(&mut table, bound, &mut Unwatched) {
                 Ok(price) => {
                     assert_eq!((price, table.trace()), (bound, solved.triangles.clone()));
                     Some(table.bytes())
@@ -305,11 +308,14 @@ fn it_is_left_out_where_memory_is_short_and_stops_when_asked() {
                 Err(error) => panic!("{error}"),
             }
         };
-        let all = taken(u64::MAX).unwrap();
+        let runs = CompletionBound::runs(terms);
+        let known = CompletionBound::new(runs, terms, plain.registers, &spans, &mut Unwatched);
+        let beside = known.unwrap().bytes();
+        let all = taken(u64::MAX).unwrap() + beside;
         assert!(all < plain.bytes(), "{all} {}", plain.bytes());
         let needed =
             Table::new(terms).bytes() + CompletionBound::most_bytes(&CompletionBound::runs(terms));
-        assert_eq!(taken(needed.max(all)), Some(all));
+        assert_eq!(taken(needed.max(all)), Some(all - beside));
         let mut refused = 0;
         for memory in [plain.bytes(), needed - 1, needed / 2, all - 1, all / 4] {
             match taken(memory) {
@@ -322,7 +328,7 @@ fn it_is_left_out_where_memory_is_short_and_stops_when_asked() {
             CompletionBound::runs(terms),
             terms,
             plain.registers,
-            &open,
+            &spans,
             &mut Impatient,
         );
         assert_eq!(stopped.err(), Some(TriangulateError::Stopped));
@@ -424,9 +430,9 @@ fn cells_hold_what_their_rungs_and_triangles_cost() {
             let m = terms.prices.len();
             // Dear rungs and triangles have no bound.
             let bound = 0.3;
-            let open = Open::new(terms, bound, None);
+            let spans = Spans::new(terms, bound);
             let cells =
-                Cells::new(terms, pulp::Arch::new(), &open, Runs::new(terms, 5), &mut Unwatched)
+                Cells::new(terms, pulp::Arch::new(), &spans, Runs::new(terms, 5), &mut Unwatched)
                     .unwrap();
             let (runs, n) = (&cells.runs, cells.runs.len());
             let mut least = vec![[f64::INFINITY; 5]; n * n];
@@ -491,11 +497,11 @@ fn cells_are_the_same_however_many_blocks_they_are_priced_in() {
     for (what, boundary) in [700, 1_024, 1_028, 1_105].into_iter().flat_map(curves) {
         with_terms(&boundary, 1.0, |terms| {
             let registers = pulp::Arch::new();
-            let open = Open::new(terms, 0.3, None);
+            let spans = Spans::new(terms, 0.3);
             for length in [16, 32, 48] {
                 let in_blocks = |rows: usize| {
                     let runs = Runs::new(terms, length);
-                    Cells::in_blocks(terms, registers, &open, runs, rows, None, &mut Unwatched)
+                    Cells::in_blocks(terms, registers, &spans, runs, rows, None, &mut Unwatched)
                         .unwrap()
                 };
                 let (one, n) = (in_blocks(usize::MAX / 2), Runs::new(terms, length).len());
@@ -528,9 +534,9 @@ fn prices_rounded_up_all_along_lose_no_answer() {
     for fold in [0.9, 1.2, 1.3] {
         with_terms(&boundary, fold, |terms| {
             let mut table = Table::new(terms);
-            let price = table.fill(0.01, None, &mut Unwatched, 0.0..1.0).unwrap();
+            let price = fill_up_to(&mut table, 0.01, &mut Unwatched).unwrap();
             assert!(price < 0.01, "{fold}: {price}");
-            let again = table.fill(price, None, &mut Unwatched, 0.0..1.0).unwrap();
+            let again = fill_up_to(&mut table, price, &mut Unwatched).unwrap();
             assert_eq!(again, price, "{fold}");
         });
     }

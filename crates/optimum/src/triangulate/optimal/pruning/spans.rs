@@ -1,52 +1,40 @@
-//! Pruning of tiles: a tile may have finite entries only if the lower bound on the price of any
-//! rung between two runs of neighbouring samples ([`Span::least`]), those of its rows and columns,
-//! does not exceed the upper bound on the price of the optimum.
+//! Lower bounds on the price of any rung between two tiles' runs of neighbouring samples, from where
+//! these lie and how they turn.
 
-use super::band::Band;
-use crate::cost::{LANES, QUANTUM, Segment, TwistForm};
+use crate::cost::{LANES, QUANTUM, TwistForm};
 use crate::triangulate::Terms;
 use sheetwright_geometry::math::{Vec3, unit};
 use std::ops::Range;
 
-/// So many tiles beside one another are first bounded as one. With 8 or 16 of them the table of
-/// *wavy* with 50,000 samples takes 0.91 times as long where folds cost nothing, and 0.97 times
-/// otherwise.
-const LONG: usize = 16;
-
-/// Which tiles may have finite entries.
-pub(super) struct Open<'a> {
-    /// If given, only tiles with rungs of the band.
-    pub(super) band: Option<&'a Band>,
-    /// Common data of the samples of each row of tiles; empty where it bounds nothing.
+/// What the samples of each column of tiles have in common, and a bound on the price of the answer.
+pub(super) struct Spans {
+    /// Empty where they tell nothing.
     spans: Vec<Span>,
-    /// Lower bounds on the prices of rungs between [`LONG`] rows of tiles and as many columns, on
-    /// and above the diagonal; empty where spans bound nothing.
-    of_long: Vec<Vec<f64>>,
-    /// Entries above it are infinite; a multiple of the quantum.
+    /// A multiple of the quantum, or infinite.
     pub(super) bound: f64,
     samples: usize,
 }
 
-impl<'a> Open<'a> {
-    pub(super) fn new(terms: &Terms<'_>, bound: f64, band: Option<&'a Band>) -> Self {
+impl Spans {
+    pub(super) fn new(terms: &Terms<'_>, bound: f64) -> Self {
         let m = terms.prices.len();
         let tells = bound < f64::INFINITY
             && terms.prices.in_order()
             && terms.prices.options().form == TwistForm::Normalised;
-        let spans_of = |length: usize| -> Vec<Span> {
-            let starts = (0..if tells { m } else { 0 }).step_by(length);
-            starts.map(|start| Span::of(terms, start..m.min(start + length))).collect()
-        };
-        let long = spans_of(LONG * LANES);
-        let of_row = |row: usize| long[row..].iter().map(|to| long[row].least(to)).collect();
-        let of_long = (0..long.len()).map(of_row).collect();
-        Self { band, spans: spans_of(LANES), of_long, bound, samples: m }
+        let starts = (0..if tells { m } else { 0 }).step_by(LANES);
+        let span = |start: usize| Span::of(terms, start..m.min(start + LANES));
+        Self { spans: starts.map(span).collect(), bound, samples: m }
     }
 
-    /// Without spans, so that every tile is open that the band does not exclude.
+    /// Tells nothing of any tile.
     #[cfg(test)]
-    pub(super) fn without_spans(self) -> Self {
-        Self { spans: vec![], of_long: vec![], ..self }
+    pub(super) fn silent(self) -> Self {
+        Self { spans: vec![], ..self }
+    }
+
+    /// The samples of a column of tiles.
+    pub(super) fn run(&self, at: usize) -> Range<usize> {
+        at * LANES..self.samples.min((at + 1) * LANES)
     }
 
     /// Whether the tile of these rows and columns has edges of the boundary.
@@ -54,29 +42,17 @@ impl<'a> Open<'a> {
         row + 1 >= column || (row, column) == (0, (self.samples - 1) / LANES)
     }
 
-    /// Lower bound, by spans, on the price of a rung of the tile of these rows and columns.
+    /// No rung of the tile of these rows and columns costs less; 0 where edges are among them.
     pub(super) fn least(&self, row: usize, column: usize) -> f64 {
         if self.has_edges(row, column) || self.spans.is_empty() {
             return 0.0;
         }
-        let of_long = self.of_long[row / LONG][column / LONG - row / LONG];
-        if of_long > self.bound {
-            return of_long;
-        }
-        self.spans[row].least(&self.spans[column])
+        self.spans[row].least(&self.spans[column]).max(0.0)
     }
 
-    /// Whether the tile of these rows and columns may have finite entries.
+    /// Whether the tile of these rows and columns may have rungs up to the bound, or has edges.
     pub(super) fn is_open(&self, row: usize, column: usize) -> bool {
-        let is_dear = self.least(row, column) > self.bound;
-        let run = |at: usize| at * LANES..self.samples.min((at + 1) * LANES);
-        let is_near = |band: &Band| band.has(run(row), run(column));
-        !is_dear && (self.has_edges(row, column) || self.band.is_none_or(is_near))
-    }
-
-    /// The segment near which the samples of a column of tiles lie, if spans are known.
-    pub(super) fn segment(&self, column: usize) -> Option<Segment> {
-        self.spans.get(column).map(Span::segment)
+        self.least(row, column) <= self.bound
     }
 }
 
@@ -88,7 +64,7 @@ const COSINE_MARGIN: f64 = 1e-11;
 /// The samples of a run to second order: positions are middle + τ t + r and tangents t + ξ k + q,
 /// with |τ| ≤ reach, |r| ≤ bow, |ξ| ≤ turn, |q| ≤ rest.
 #[derive(Clone, Copy)]
-pub(super) struct Span {
+struct Span {
     middle: Vec3,
     /// t and k, unit vectors or zero.
     tangent: Vec3,
@@ -102,7 +78,7 @@ pub(super) struct Span {
 }
 
 impl Span {
-    pub(super) fn of(terms: &Terms<'_>, samples: Range<usize>) -> Self {
+    fn of(terms: &Terms<'_>, samples: Range<usize>) -> Self {
         let end = |i: usize| {
             let (position, tangent, special) = terms.prices.smooth_end(i);
             (Vec3::from_array(position), Vec3::from_array(tangent), special)
@@ -136,16 +112,7 @@ impl Span {
         span
     }
 
-    /// The segment that its samples are near to.
-    pub(super) fn segment(&self) -> Segment {
-        let to_end = self.tangent * self.reach;
-        let ends = [self.middle - to_end, self.middle + to_end].map(|end| end.to_array());
-        // The ends are rounded.
-        let off = 4.0 * f64::EPSILON * (self.middle.length() + self.reach);
-        Segment { ends, bow: self.bow + off }
-    }
-
-    /// The largest distance of a sample from the middle, and of a tangent from t.
+    /// How far a sample may be from the middle, and a tangent from t.
     fn off(&self) -> (f64, f64) {
         (self.reach + self.bow, self.turn + self.rest)
     }
@@ -180,8 +147,8 @@ impl Span {
         plain.then(|| (normal, across / left + SLACK))
     }
 
-    /// Lower bound on the price of any rung to another run.
-    pub(super) fn least(&self, to: &Self) -> f64 {
+    /// No rung to another run costs less, as far as the spans tell.
+    fn least(&self, to: &Self) -> f64 {
         let d = to.middle - self.middle;
         let length = d.length();
         let off = self.off().0 + to.off().0;

@@ -6,11 +6,11 @@
 //! outwards, and kept.
 
 use super::cells::Cells;
+use super::normals::{NormalBox, least_fold, least_fold_about};
 use super::runs::{Direction, directions};
 use super::three_run_bound::{Rungs, Wide, least_wide};
 use crate::cost::{LANES, Lanes};
 use crate::triangulate::optimal::lanes::lowest;
-use crate::triangulate::optimal::normals::{NormalBox, least_fold, least_fold_about};
 use crate::triangulate::{Terms, TriangulateError};
 use sheetwright_geometry::watch::Watch;
 

@@ -11,8 +11,7 @@
 //! Where the direction of n is known approximately, the share of each side, ν (1 − n · N) =
 //! ½ ν |n − N|², gives a closer bound.
 
-use super::lanes::{highest, lowest};
-use crate::cost::{LANES, Lanes, QUANTUM};
+use crate::cost::QUANTUM;
 
 /// Rounding error of N and F at most, for ν = 1: some twenty operations on numbers up to 12.
 const SLACK: f64 = 1e-13;
@@ -54,29 +53,7 @@ impl NormalBox {
         }
     }
 
-    /// Of the rungs whose `prices` are finite; `means` are their N.
-    #[inline(always)]
-    pub(super) fn of(prices: &[Lanes; LANES], means: &[[Lanes; 3]; LANES]) -> Self {
-        let mut least = [[f64::INFINITY; LANES]; 3];
-        let mut greatest = [[f64::NEG_INFINITY; LANES]; 3];
-        for (prices, means) in prices.iter().zip(means) {
-            for axis in 0..3 {
-                for n in 0..LANES {
-                    let (x, is_one) = (means[axis][n], prices[n] < f64::INFINITY);
-                    let is_lower = is_one & (x < least[axis][n]);
-                    let is_higher = is_one & (x > greatest[axis][n]);
-                    least[axis][n] = if is_lower { x } else { least[axis][n] };
-                    greatest[axis][n] = if is_higher { x } else { greatest[axis][n] };
-                }
-            }
-        }
-        Self {
-            least: [lowest(&least[0]), lowest(&least[1]), lowest(&least[2])],
-            greatest: [highest(&greatest[0]), highest(&greatest[1]), highest(&greatest[2])],
-        }
-    }
-
-    /// The least squared difference of an N in one box and an N in the other.
+    /// The square of what the N of one and of the other differ by at the least.
     #[inline(always)]
     fn apart_squared(&self, other: &Self) -> f64 {
         let mut sum = 0.0;
@@ -130,22 +107,16 @@ mod tests {
     use sheetwright_shapes::random::Random;
     use std::f64::consts::TAU;
 
-    /// The box of a tile, some rungs of which have a price and an N around this one, and those N.
+    /// Some N around this one, and their box.
     fn around(random: &mut Random, middle: Vec3, reach: f64) -> (NormalBox, Vec<Vec3>) {
-        let (mut prices, mut means) = ([[f64::INFINITY; LANES]; LANES], [[[0.0; LANES]; 3]; LANES]);
-        let mut list = Vec::new();
-        for row in 0..LANES {
-            for n in 0..LANES {
-                let off = [(); 3].map(|()| random.between(-reach, reach));
-                let mean = unit(middle + Vec3::from_array(off)).unwrap();
-                if random.between(0.0, 1.0) < 0.05 {
-                    prices[row][n] = random.between(0.0, 1.0);
-                    list.push(mean);
-                }
-                (0..3).for_each(|axis| means[row][axis][n] = mean[axis]);
-            }
+        let (mut within, mut list) = (NormalBox::NONE, Vec::new());
+        for _ in 0..12 {
+            let off = [(); 3].map(|()| random.between(-reach, reach));
+            let mean = unit(middle + Vec3::from_array(off)).unwrap();
+            within.include(&NormalBox::between(mean.to_array(), mean.to_array()));
+            list.push(mean);
         }
-        (NormalBox::of(&prices, &means), list)
+        (within, list)
     }
 
     #[test]
@@ -158,11 +129,11 @@ mod tests {
                 let off = [(); 3].map(|()| random.between(-apart, apart));
                 unit(Vec3::Z + Vec3::from_array(off)).unwrap()
             };
-            let tiles = [(); 3].map(|()| {
+            let sides = [(); 3].map(|()| {
                 let middle = middle(&mut random);
                 around(&mut random, middle, 0.1 * apart)
             });
-            let [a, b, c] = &tiles;
+            let [a, b, c] = &sides;
             let least = least_fold(1.0, [&a.0, &b.0, &c.0]);
             let of_two = least_fold(1.0, [&a.0, &b.0, &NormalBox::ANY]);
             assert_eq!(least_fold(1.0, [&a.0, &NormalBox::ANY, &NormalBox::ANY]), 0.0);
@@ -223,9 +194,7 @@ mod tests {
 
     #[test]
     fn without_rungs_there_is_no_triangle() {
-        let means = [[[0.0; LANES]; 3]; LANES];
-        let none = NormalBox::of(&[[f64::INFINITY; LANES]; LANES], &means);
-        let some = NormalBox::of(&[[0.0; LANES]; LANES], &means);
+        let (none, some) = (NormalBox::NONE, NormalBox::between([0.0; 3], [0.0; 3]));
         assert_eq!(least_fold(1.0, [&none, &some, &some]), f64::INFINITY);
         assert_eq!(least_fold(1.0, [&some; 3]), 0.0);
     }

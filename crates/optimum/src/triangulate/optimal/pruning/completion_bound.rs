@@ -49,11 +49,13 @@
 mod abstraction;
 mod blocks;
 mod cells;
+mod normals;
+mod on_edges;
 mod pricing;
 mod runs;
 mod three_run_bound;
 
-use super::prune::Open;
+use super::spans::Spans;
 use crate::cost::{LANES, Lanes};
 use crate::triangulate::{Terms, TriangulateError};
 use abstraction::Abstraction;
@@ -94,11 +96,11 @@ impl CompletionBound {
         runs: Runs,
         terms: &Terms<'_>,
         registers: pulp::Arch,
-        open: &Open<'_>,
+        spans: &Spans,
         watch: &mut dyn Watch,
     ) -> Result<Self, TriangulateError> {
-        let cells = Cells::new(terms, registers, open, runs, watch)?;
-        let rests = Abstraction::new(terms, registers, open.bound, &cells).rests(watch)?;
+        let cells = Cells::new(terms, registers, spans, runs, watch)?;
+        let rests = Abstraction::new(terms, registers, spans.bound, &cells).rests(watch)?;
         Ok(Self { runs: cells.runs, rests })
     }
 
@@ -151,7 +153,5 @@ impl CompletionBound {
     }
 }
 
-#[cfg(test)]
-mod random_boundary;
 #[cfg(test)]
 mod tests;
