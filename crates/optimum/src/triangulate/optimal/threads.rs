@@ -57,11 +57,7 @@ impl Helpers {
         (free(called) > 0).then(|| Self { count: free(called), is_outside })
     }
 
-    pub(super) fn count(&self) -> usize {
-        self.count
-    }
-
-    /// Calls `help` on each of them, while this thread calls `lead`.
+    /// Has each of them `help`, while this thread leads.
     pub(super) fn join<R>(&self, help: impl Fn() + Sync, lead: impl FnOnce() -> R) -> R {
         rayon::in_place_scope(|scope| {
             for _ in 0..self.count {
@@ -101,10 +97,6 @@ pub(super) enum Helpers {}
 impl Helpers {
     pub(super) fn call(_columns: usize) -> Option<Self> {
         None
-    }
-
-    pub(super) fn count(&self) -> usize {
-        match *self {}
     }
 
     pub(super) fn join<R>(&self, _help: impl Fn() + Sync, _lead: impl FnOnce() -> R) -> R {

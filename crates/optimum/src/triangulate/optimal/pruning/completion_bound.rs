@@ -15,13 +15,13 @@
 //!    triangulation pay its price. Let A, B … be runs. A triangle is *wide* if its corners belong
 //!    to three of them, *thin* if just two belong to one. The rungs of a triangulation that join A
 //!    and B follow one another, with thin triangles between them: a *bundle*. Bundles and wide
-//!    triangles are a triangulation of the runs. The first and the last sample are single runs, so
-//!    that no run contains the edge between them, and so are corners, unless there are many
-//!    (`runs`).
-//! 2. A wide triangle pays at least g: half of the least prices of rungs of its three bundles, and
-//!    the least price of its folds, from the ranges of N of these rungs and of the normal of the
-//!    triangle (`cells`, `three_run_bound`). The edge from one run to the next is no rung;
-//!    triangles on it have a close bound, the least over third corners in each run.
+//!    triangles are a triangulation of the runs. The first sample and the last are runs of their
+//!    own, so that none runs across the edge between them, and so are corners, unless there are
+//!    many (`runs`).
+//! 2. A wide triangle pays g or more: half of the least that rungs of its three bundles cost, and
+//!    the least that its folds can cost, from where N of these rungs lie (`cells`,
+//!    `three_run_bound`). The edge from one run to the next is no rung; what triangles on it pay is
+//!    known well, as the least over third corners in each run.
 //! 3. The |A| − 1 edges within a run are sides of thin triangles, or lie below a *nibble*: a rung
 //!    between two samples of A. The triangle beyond the outermost nibble is thin, too, with its
 //!    third corner in another run. If each thin triangle with the third corner in X pays at least c
@@ -47,7 +47,6 @@
 //! R is a lower bound, so the table keeps all triangulations that cost U or less, ties included.
 
 mod abstraction;
-mod blocks;
 mod cells;
 mod normals;
 mod on_edges;

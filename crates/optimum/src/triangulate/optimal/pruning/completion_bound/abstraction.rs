@@ -6,8 +6,7 @@
 //! outwards, and kept.
 
 use super::cells::Cells;
-use super::normals::{NormalBox, least_fold, least_fold_about};
-use super::runs::{Direction, directions};
+use super::normals::{NormalBox, least_fold};
 use super::three_run_bound::{Rungs, Wide, least_wide};
 use crate::cost::{LANES, Lanes};
 use crate::triangulate::optimal::lanes::lowest;
@@ -59,7 +58,6 @@ pub(super) struct Abstraction<'a> {
     bound: f64,
     registers: pulp::Arch,
     cells: &'a Cells,
-    directions: Vec<Direction>,
     /// How many groups of [`LANES`] runs there are.
     width: usize,
     /// By first run, and the groups of the second.
@@ -72,7 +70,7 @@ impl<'a> Abstraction<'a> {
     /// Memory for so many runs, bytes.
     pub(super) fn bytes(runs: usize) -> u64 {
         let width = runs.div_ceil(LANES);
-        let of_pair = size_of::<Direction>() + 2 * size_of::<f64>();
+        let of_pair = 2 * size_of::<f64>();
         let of_group = size_of::<Rungs>() + 2 * size_of::<Bundles>();
         Wide::bytes(runs) + runs as u64 * (runs * of_pair + width * of_group) as u64
     }
@@ -90,7 +88,6 @@ impl<'a> Abstraction<'a> {
             bound: bound + SLACK,
             registers,
             cells,
-            directions: directions(terms, &cells.runs),
             width,
             rungs: vec![Rungs::NONE; n * width],
             charges: vec![f64::INFINITY; n * n],
@@ -98,14 +95,12 @@ impl<'a> Abstraction<'a> {
         for a in 0..n {
             for b in a + 1..n {
                 let (group, lane) = (&mut afar.rungs[a * width + b / LANES], b % LANES);
-                let (cell, direction) = (cells.of(a, b), &afar.directions[a * n + b]);
+                let cell = cells.of(a, b);
                 let (lower, upper) = cell.normals.extremes();
-                let along = direction.middle.to_array();
-                (group.least[lane], group.off[lane]) = (cell.least, direction.off);
+                group.least[lane] = cell.least;
                 for axis in 0..3 {
                     group.lower[axis][lane] = lower[axis];
                     group.upper[axis][lane] = upper[axis];
-                    group.along[axis][lane] = along[axis];
                 }
                 if cell.least <= afar.bound {
                     afar.charges[a * n + b] = afar.charge(a, b);
@@ -177,18 +172,8 @@ impl<'a> Abstraction<'a> {
     /// Lower bound on the price of a triangle beyond a nibble of run a, with its third corner in x,
     /// if all of its sides are rungs.
     fn nibble_of_rungs(&self, a: usize, x: usize) -> f64 {
-        let n = self.cells.runs.len();
-        let (from, to) = (a.min(x), a.max(x));
-        let (own, across) = (self.cells.of(a, a), self.cells.of(from, to));
-        let sides = [&own.normals, &across.normals, &across.normals];
-        let [own_way, way] = [(a, a), (from, to)].map(|(i, j)| &self.directions[i * n + j]);
-        let [first, second] = if a < x { [own_way, way] } else { [way, own_way] };
-        let normal = Direction::across(first, second);
-        let mut fold = least_fold(self.fold, sides);
-        if normal.off < f64::INFINITY {
-            let about = (normal.middle.to_array(), normal.off);
-            fold = fold.max(least_fold_about(self.fold, about, sides));
-        }
+        let (own, across) = (self.cells.of(a, a), self.cells.of(a.min(x), a.max(x)));
+        let fold = least_fold(self.fold, [&own.normals, &across.normals, &across.normals]);
         0.5 * own.least + across.least + fold
     }
 
@@ -349,7 +334,7 @@ impl pulp::WithSimd for Outwards<'_, '_> {
                     continue;
                 }
                 let place = wide.place(a, k, group);
-                let mut prices = least_wide(afar.fold, &own, second, across);
+                let mut prices = least_wide(afar.fold, [&own, second, across]);
                 for lane in 0..LANES {
                     let is_third = group * LANES + lane > k;
                     prices[lane] = if is_third { prices[lane] } else { f64::INFINITY };

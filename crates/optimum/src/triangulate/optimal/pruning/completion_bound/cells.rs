@@ -2,12 +2,10 @@
 //! corner lies in the other.
 //!
 //! Each thread takes one *block* of neighbouring runs after the other, and prices the rungs from
-//! their samples to all later ones (`pricing`), row by row of tiles. Each block also prices the
-//! triangles on the edge to the next one, so that no block depends on another.
+//! their samples to all later ones (`pricing`).
 
-use super::blocks::{Block, Cell, blocks};
 use super::normals::NormalBox;
-use super::pricing::{LastRow, LastRung, Linking, Pricing, Row};
+use super::pricing::Pricing;
 use super::runs::Runs;
 use crate::cost::{FarEnds, LANES};
 use crate::triangulate::optimal::pruning::spans::Spans;
@@ -17,11 +15,34 @@ use sheetwright_geometry::watch::Watch;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-/// Least number of rows of tiles in a block where threads share them: rungs from the first sample
-/// of the next block are priced twice.
-const LEAST_ROWS: usize = 4;
-/// Blocks for each thread, so that none waits long for the others.
-const BLOCKS_A_THREAD: usize = 8;
+/// Runs of a block: the rungs from the first sample of the next are priced twice.
+const RUNS_OF_BLOCK: usize = 8;
+
+/// What is known of two runs, a and b, which may be one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Cell {
+    /// No rung between them costs less; infinite if there is none up to the bound.
+    pub(super) least: f64,
+    /// Where N of the rungs up to the bound lies.
+    pub(super) normals: NormalBox,
+    /// Lower bounds on the price, with half of the prices of its rungs, of a triangle on an edge
+    /// between samples of a with its third corner in b, and of one on an edge in b with its third
+    /// corner in a. Close to the least price where folds are slight.
+    pub(super) on_edges: [f64; 2],
+    /// Lower bounds on the price, with half of the prices of its rungs, of a triangle on the edge
+    /// from a to the run after it with its third corner in b, and of one on the edge from b to the
+    /// run after it with its third corner in a.
+    pub(super) on_links: [f64; 2],
+}
+
+impl Cell {
+    const UNKNOWN: Self = Self {
+        least: f64::INFINITY,
+        normals: NormalBox::NONE,
+        on_edges: [f64::INFINITY; 2],
+        on_links: [f64::INFINITY; 2],
+    };
+}
 
 /// The cells of all pairs of runs, by the first.
 pub(super) struct Cells {
@@ -33,9 +54,9 @@ impl Cells {
     /// Memory during pricing, for so many runs of so many samples, with as many threads as there
     /// may be, bytes.
     pub(super) fn bytes(runs: usize, samples: usize) -> u64 {
-        let of_tiles = size_of::<FarEnds>() + MOST_THREADS * size_of::<LastRow>();
-        let of_pairs = (runs as u64).pow(2) * size_of::<Cell>() as u64;
-        of_pairs + (samples.div_ceil(LANES) * of_tiles) as u64
+        let tiles = samples.div_ceil(LANES);
+        let of_tiles = tiles * size_of::<FarEnds>() + MOST_THREADS * Pricing::bytes(tiles);
+        (runs * runs * size_of::<Cell>() + of_tiles) as u64
     }
 
     /// Prices all rungs that spans do not exclude.
@@ -46,53 +67,57 @@ impl Cells {
         runs: Runs,
         watch: &mut dyn Watch,
     ) -> Result<Self, TriangulateError> {
-        let count = terms.prices.len().div_ceil(LANES);
-        let helpers = Helpers::call(count);
-        let rows = helpers.as_ref().map_or(count, |helpers| {
-            count.div_ceil(BLOCKS_A_THREAD * (1 + helpers.count())).max(LEAST_ROWS)
-        });
-        Self::in_blocks(terms, registers, spans, runs, rows, helpers.as_ref(), watch)
+        Self::in_blocks(RUNS_OF_BLOCK, terms, registers, spans, runs, watch)
     }
 
-    /// Prices all rungs that spans do not exclude, with this many rows of tiles in a block or some
-    /// more, and these helpers.
+    /// Prices all rungs that spans leave open, so many runs in a block.
     pub(super) fn in_blocks(
+        length: usize,
         terms: &Terms<'_>,
         registers: pulp::Arch,
         spans: &Spans,
         runs: Runs,
-        rows: usize,
-        helpers: Option<&Helpers>,
         watch: &mut dyn Watch,
     ) -> Result<Self, TriangulateError> {
-        let count = terms.prices.len().div_ceil(LANES);
+        let (n, count) = (runs.len(), terms.prices.len().div_ceil(LANES));
         let ends: Vec<FarEnds> = (0..count).map(|at| terms.prices.far_ends(at * LANES)).collect();
-        let mut cells = vec![Cell::UNKNOWN; runs.len() * runs.len()];
-        let all = All {
-            terms,
-            registers,
-            spans,
-            ends: &ends,
-            blocks: Mutex::new(blocks(&runs, rows, count, &mut cells).into_iter()),
-            is_stopped: AtomicBool::new(false),
+        let mut cells = vec![Cell::UNKNOWN; n * n];
+        let blocks = Mutex::new(cells.chunks_mut(n * length).enumerate());
+        let is_stopped = AtomicBool::new(false);
+        let price = |goes_on: &mut dyn FnMut(usize) -> bool| {
+            let mut pricing = Pricing::new(terms, spans, &runs, &ends);
+            let next = || blocks.lock().unwrap_or_else(PoisonError::into_inner).next();
+            while let Some((block, cells)) = next() {
+                let first = block * length;
+                for run in first..n.min(first + length) {
+                    let cells = &mut cells[(run - first) * n..][..n];
+                    for i in runs.samples(run) {
+                        if is_stopped.load(Ordering::Relaxed) || !goes_on(i) {
+                            return is_stopped.store(true, Ordering::Relaxed);
+                        }
+                        pricing.price(registers, i);
+                    }
+                    pricing.close(registers, run, cells);
+                }
+            }
         };
         let mut lead = || {
-            all.price(&mut |row| {
-                // Rows have as many tiles as there are rows below.
-                let below = (count - row) as f64 / count as f64;
-                watch.progress(1.0 - below * below);
+            price(&mut |i| {
+                // Later samples have fewer rungs.
+                let left = 1.0 - i as f64 / terms.prices.len() as f64;
+                watch.progress(1.0 - left * left);
                 !watch.stop()
             });
         };
-        match helpers {
-            Some(helpers) => helpers.join(|| all.price(&mut |_| true), lead),
+        match Helpers::call(count) {
+            Some(helpers) => helpers.join(|| price(&mut |_| true), lead),
             None => lead(),
         }
-        if all.is_stopped.into_inner() {
+        if is_stopped.into_inner() {
             return Err(TriangulateError::Stopped);
         }
         // The edge from the last sample to the first is no rung, and costs nothing.
-        let root = &mut cells[runs.len() - 1];
+        let root = &mut cells[n - 1];
         (root.least, root.normals) = (0.0, NormalBox::ANY);
         Ok(Self { runs, cells })
     }
@@ -100,76 +125,5 @@ impl Cells {
     #[inline(always)]
     pub(super) fn of(&self, a: usize, b: usize) -> &Cell {
         &self.cells[a * self.runs.len() + b]
-    }
-}
-
-/// The data shared by the threads that price all blocks.
-struct All<'s, 'c> {
-    terms: &'s Terms<'s>,
-    registers: pulp::Arch,
-    spans: &'s Spans,
-    ends: &'s [FarEnds],
-    /// Those that no thread has taken.
-    blocks: Mutex<std::vec::IntoIter<Block<'c>>>,
-    is_stopped: AtomicBool,
-}
-
-impl All<'_, '_> {
-    /// Prices blocks until none is left, or `goes_on` returns false before some row of tiles.
-    fn price(&self, goes_on: &mut dyn FnMut(usize) -> bool) {
-        // The last row that was priced in each column of tiles.
-        let mut above = vec![];
-        let next = || self.blocks.lock().unwrap_or_else(PoisonError::into_inner).next();
-        while let Some(mut block) = next() {
-            above.clear();
-            above.resize(self.ends.len(), LastRow::NONE);
-            for row in block.rows.clone() {
-                if self.is_stopped.load(Ordering::Relaxed) || !goes_on(row) {
-                    self.is_stopped.store(true, Ordering::Relaxed);
-                    return;
-                }
-                self.price_row(&mut block, row, &mut above);
-            }
-            self.link(&mut block, &above);
-        }
-    }
-
-    /// Prices a row of tiles.
-    fn price_row(&self, block: &mut Block<'_>, row: usize, above: &mut [LastRow]) {
-        let (terms, bound) = (self.terms, self.spans.bound);
-        let rows = row * LANES..terms.prices.len().min((row + 1) * LANES);
-        let mut before = [LastRung::NONE; LANES];
-        let mut turns = [Row::NONE; 2];
-        for column in row..self.ends.len() {
-            let above = &mut above[column];
-            if !self.spans.is_open(row, column) {
-                *above = LastRow::NONE;
-                before = [LastRung::NONE; LANES];
-                continue;
-            }
-            let (rows, to) = (rows.clone(), &self.ends[column]);
-            let (before, turns) = (&mut before, &mut turns);
-            self.registers.dispatch(Pricing {
-                terms,
-                bound,
-                rows,
-                to,
-                above,
-                before,
-                turns,
-                block,
-            });
-        }
-    }
-
-    /// Prices the triangles on the edge after the last sample of a block.
-    fn link(&self, block: &mut Block<'_>, above: &[LastRow]) {
-        let (terms, bound, row) = (self.terms, self.spans.bound, block.rows.end);
-        for column in row..self.ends.len() {
-            if self.spans.is_open(row, column) {
-                let (i, to, above) = (row * LANES, &self.ends[column], &above[column]);
-                self.registers.dispatch(Linking { terms, bound, i, to, above, block });
-            }
-        }
     }
 }

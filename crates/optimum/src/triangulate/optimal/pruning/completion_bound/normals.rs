@@ -3,13 +3,10 @@
 //!
 //! With n the normal of a triangle whose three sides are rungs and s the sum of their N, its F is ν
 //! (3 − n · s) ≥ ν (3 − |s|) ≥ ν (9 − |s|²) / 6. As each N is a unit vector or zero, 9 − |s|² is at
-//! least the sum of the squared differences of the three, two at a time. Where one side is an edge
-//! of the boundary, 2 − |s| ≥ (4 − |s|²) / 4 is more than a sixth of the squared difference of the
-//! other two. The bound for a triangle with two edges is 0; one without area costs 2 ν a rung, more
-//! than all these bounds.
-//!
-//! Where the direction of n is known approximately, the share of each side, ν (1 − n · N) =
-//! ½ ν |n − N|², gives a closer bound.
+//! least the sum of the squares of what the three differ by, two at a time. Where one side is an
+//! edge of the boundary, 2 − |s| ≥ (4 − |s|²) / 4 is more than a sixth of the square of what the
+//! other two differ by. Of a triangle with two edges nothing is said; one without area costs 2 ν a
+//! rung, which is more than any of this.
 
 use crate::cost::QUANTUM;
 
@@ -75,25 +72,6 @@ pub(super) fn least_fold(fold: f64, [a, b, c]: [&NormalBox; 3]) -> f64 {
     let squares = a.apart_squared(b) + a.apart_squared(c) + b.apart_squared(c);
     // Prices are rounded to the quantum.
     let least = fold * (squares / 6.0 - SLACK) - QUANTUM;
-    if least > 0.0 { least } else { 0.0 }
-}
-
-/// The least F of triangles whose normals are no farther than `off` from `middle`, and whose sides
-/// have their N in these boxes, one each; the box of an edge of the boundary is ANY. The share of a
-/// side is ν (1 − n · N) ≥ ½ ν |n − N|².
-#[inline(always)]
-pub(super) fn least_fold_about(
-    fold: f64,
-    (middle, off): ([f64; 3], f64),
-    sides: [&NormalBox; 3],
-) -> f64 {
-    let normal = NormalBox::between(middle, middle);
-    let mut squares = 0.0;
-    for side in sides {
-        let apart = side.apart_squared(&normal).sqrt() - off;
-        squares += if apart > 0.0 { apart * apart } else { 0.0 };
-    }
-    let least = fold * (0.5 * squares - SLACK) - QUANTUM;
     if least > 0.0 { least } else { 0.0 }
 }
 

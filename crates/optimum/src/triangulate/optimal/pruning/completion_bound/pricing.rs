@@ -1,177 +1,273 @@
-//! Prices of the rungs between the samples of two tiles, and of the triangles on edges of the
-//! boundary with such rungs as sides: sixteen at a time.
+//! How the rungs from the samples of a run to all later ones are priced, and the triangles on edges
+//! of the boundary that they are sides of: sample by sample, and sixteen at a time.
 
-use super::blocks::{Block, Gathered};
+use super::cells::Cell;
+use super::normals::NormalBox;
 use super::on_edges::OnEdges;
+use super::runs::Runs;
 use crate::cost::{Aligned, FarEnds, LANES, Lanes, Strip};
 use crate::triangulate::Terms;
-use crate::triangulate::optimal::lanes::{lowest, of_lane};
-use std::ops::Range;
+use crate::triangulate::optimal::lanes::lowest;
+use crate::triangulate::optimal::pruning::spans::Spans;
 
-/// Numbers of the rungs from one sample to those of a tile, preceded by that of the rung before
-/// them: triangles on edges of the tile combine each rung with the one before. To read them one
-/// place earlier is faster than to shift them by one lane.
-#[derive(Clone, Copy)]
-struct Numbers(Aligned<[f64; 2 * LANES]>);
-
-impl Numbers {
-    const fn all(of: f64) -> Self {
-        Self(Aligned([of; 2 * LANES]))
-    }
-
-    #[inline(always)]
-    fn set(&mut self, before: f64, lanes: &Lanes) {
-        self.0[LANES - 1] = before;
-        self.0[LANES..].copy_from_slice(lanes);
-    }
-
-    /// Of the rungs to the samples of the tile.
-    #[inline(always)]
-    fn lanes(&self) -> Lanes {
-        self.from(LANES)
-    }
-
-    /// Of the rungs to the samples before those.
-    #[inline(always)]
-    fn before(&self) -> Lanes {
-        self.from(LANES - 1)
-    }
-
-    #[inline(always)]
-    fn from(&self, first: usize) -> Lanes {
-        let mut lanes = [0.0; LANES];
-        for n in 0..LANES {
-            lanes[n] = self.0[first + n];
-        }
-        lanes
-    }
+/// The rungs from one sample to all of the loop.
+struct Row {
+    /// The sample; no sample at first.
+    i: usize,
+    /// The price of each, infinite where there is none up to the bound; N of each and the way from
+    /// the sample, by axis. All begin with [`LANES`] numbers that mean nothing, so that there is
+    /// one before that of sample 0.
+    prices: Vec<f64>,
+    means: [Vec<f64>; 3],
+    ways: [Vec<f64>; 3],
+    /// The columns of tiles with rungs up to the bound.
+    columns: Vec<usize>,
 }
 
-/// The rungs from one sample to those of a tile.
-#[derive(Clone, Copy)]
-pub(super) struct Row {
-    /// Infinite where there is none up to the bound.
-    prices: Numbers,
-    /// Where any of them is finite.
-    any: bool,
-    means: [Numbers; 3],
-    offsets: [Numbers; 3],
+/// Sixteen numbers of a list that begins with as many.
+#[inline(always)]
+fn lanes(list: &[f64], first: usize) -> Lanes {
+    let mut lanes = [0.0; LANES];
+    lanes.copy_from_slice(&list[first..][..LANES]);
+    lanes
+}
+
+#[inline(always)]
+fn lanes_of_each(lists: &[Vec<f64>; 3], first: usize) -> [Lanes; 3] {
+    [lanes(&lists[0], first), lanes(&lists[1], first), lanes(&lists[2], first)]
 }
 
 impl Row {
-    /// If none is up to the bound.
-    pub(super) const NONE: Self = Self {
-        prices: Numbers::all(f64::INFINITY),
-        any: false,
-        means: [Numbers::all(0.0); 3],
-        offsets: [Numbers::all(0.0); 3],
+    fn new(tiles: usize) -> Self {
+        let list = |of: f64| vec![of; (tiles + 1) * LANES];
+        let zeros = || [list(0.0), list(0.0), list(0.0)];
+        let prices = list(f64::INFINITY);
+        Self { i: usize::MAX, prices, means: zeros(), ways: zeros(), columns: vec![] }
+    }
+}
+
+/// What the rungs from the samples of one run to those of a tile have in common, for each of the
+/// latter.
+#[derive(Clone, Copy)]
+struct Gathered {
+    prices: Aligned<Lanes>,
+    least: Aligned<[Lanes; 3]>,
+    greatest: Aligned<[Lanes; 3]>,
+    /// Of triangles on edges within the run, on the edge before each sample of the tile, and on the
+    /// edge from the run to the next one.
+    on_own: Aligned<Lanes>,
+    on_far: Aligned<Lanes>,
+    on_link: Aligned<Lanes>,
+}
+
+impl Gathered {
+    const NOTHING: Self = Self {
+        prices: Aligned([f64::INFINITY; LANES]),
+        least: Aligned([[f64::INFINITY; LANES]; 3]),
+        greatest: Aligned([[f64::NEG_INFINITY; LANES]; 3]),
+        on_own: Aligned([f64::INFINITY; LANES]),
+        on_far: Aligned([f64::INFINITY; LANES]),
+        on_link: Aligned([f64::INFINITY; LANES]),
     };
 
-    /// Takes over the last row of a tile, whose rungs before the first one no longer matter.
     #[inline(always)]
-    fn set_last(&mut self, row: &LastRow, offsets: impl Fn() -> Aligned<[Lanes; 3]>) {
-        self.any = row.any;
-        if row.any {
-            self.set(&LastRung::NONE, [0.0; 3], &row.strip, &offsets());
+    fn take_rungs(&mut self, prices: &Lanes, means: &[Lanes; 3]) {
+        for n in 0..LANES {
+            self.prices[n] = if prices[n] < self.prices[n] { prices[n] } else { self.prices[n] };
         }
-    }
-
-    #[inline(always)]
-    fn set(&mut self, before: &LastRung, to_before: [f64; 3], strip: &Strip, offsets: &[Lanes; 3]) {
-        self.prices.set(before.price, &strip.prices);
         for axis in 0..3 {
-            self.means[axis].set(before.mean[axis], &strip.means[axis]);
-            self.offsets[axis].set(to_before[axis], &offsets[axis]);
+            let (least, greatest) = (&mut self.least[axis], &mut self.greatest[axis]);
+            for n in 0..LANES {
+                let (x, is_one) = (means[axis][n], prices[n] < f64::INFINITY);
+                least[n] = if is_one & (x < least[n]) { x } else { least[n] };
+                greatest[n] = if is_one & (x > greatest[n]) { x } else { greatest[n] };
+            }
         }
     }
 
-    /// Lowers the least prices by the triangles on the edges before the samples j of the tile:
-    /// those with the corners i, j − 1 and j. The last sample of the loop comes after `i`.
-    #[inline(always)]
-    fn lower_on_column_edges(
-        &self,
-        least: &mut Lanes,
-        fold: f64,
-        [i, last]: [usize; 2],
-        to: &FarEnds,
-    ) {
-        if !self.any {
-            return;
+    /// Lowers what is known of a cell by that of one lane.
+    fn lower(&self, n: usize, cell: &mut Cell) {
+        let at = |of: &[Lanes; 3]| [of[0][n], of[1][n], of[2][n]];
+        cell.least = cell.least.min(self.prices[n]);
+        cell.normals.include(&NormalBox::between(at(&self.least), at(&self.greatest)));
+        cell.on_edges[0] = cell.on_edges[0].min(self.on_own[n]);
+    }
+}
+
+/// The rungs of one run after the other, on the way.
+pub(super) struct Pricing<'s> {
+    terms: &'s Terms<'s>,
+    spans: &'s Spans,
+    runs: &'s Runs,
+    ends: &'s [FarEnds],
+    /// The rungs from the sample that was priced last, and from the one before.
+    own: Row,
+    above: Row,
+    /// A row of tiles, and the columns of those of it that spans leave open.
+    open: (usize, Vec<usize>),
+    /// By column of tiles.
+    gathered: Vec<Gathered>,
+}
+
+impl<'s> Pricing<'s> {
+    /// What it takes, bytes.
+    pub(super) fn bytes(tiles: usize) -> usize {
+        tiles * (size_of::<Gathered>() + 2 * 7 * size_of::<Lanes>())
+    }
+
+    pub(super) fn new(
+        terms: &'s Terms<'s>,
+        spans: &'s Spans,
+        runs: &'s Runs,
+        ends: &'s [FarEnds],
+    ) -> Self {
+        let (own, above) = (Row::new(ends.len()), Row::new(ends.len()));
+        let (open, gathered) = ((usize::MAX, vec![]), vec![Gathered::NOTHING; ends.len()]);
+        Self { terms, spans, runs, ends, own, above, open, gathered }
+    }
+
+    /// Prices the rungs from sample `i`, unless that was done last, and the triangles on edges
+    /// within its run.
+    pub(super) fn price(&mut self, registers: pulp::Arch, i: usize) {
+        self.move_to(registers, i);
+        registers.dispatch(Gathering { pricing: self, is_link: false });
+    }
+
+    /// Prices the triangles on the edge from a run to the next one, and writes all that was
+    /// gathered of the run to its cells.
+    pub(super) fn close(&mut self, registers: pulp::Arch, run: usize, cells: &mut [Cell]) {
+        let end = self.runs.samples(run).end;
+        if end < self.terms.prices.len() {
+            self.move_to(registers, end);
+            registers.dispatch(Gathering { pricing: self, is_link: true });
         }
-        let triangles = OnEdges {
-            offsets: [
-                &self.offsets.each_ref().map(Numbers::before),
-                &self.offsets.each_ref().map(Numbers::lanes),
-            ],
-            means: [
-                &self.means.each_ref().map(Numbers::before),
-                &self.means.each_ref().map(Numbers::lanes),
-            ],
-            rungs: rungs(to.first, [i + 2, if i == 0 { last } else { usize::MAX }]),
-        };
-        let prices = [&self.prices.before(), &beyond(i + 1, to, &self.prices.lanes())];
-        lower_on_edges(least, fold, prices, &triangles);
+        let first = self.runs.samples(run).start / LANES;
+        for (gathered, to) in self.gathered[first..].iter_mut().zip(&self.ends[first..]) {
+            for n in 0..to.count {
+                let j = to.first + n;
+                let b = self.runs.of(j);
+                if b < run {
+                    continue;
+                }
+                gathered.lower(n, &mut cells[b]);
+                if b > run + 1 {
+                    cells[b].on_links[0] = cells[b].on_links[0].min(gathered.on_link[n]);
+                }
+                // That of a column is the edge before it.
+                let before = self.runs.of(j.max(1) - 1);
+                if before == b {
+                    cells[b].on_edges[1] = cells[b].on_edges[1].min(gathered.on_far[n]);
+                } else if before > run {
+                    let cell = &mut cells[before];
+                    cell.on_links[1] = cell.on_links[1].min(gathered.on_far[n]);
+                }
+            }
+            *gathered = Gathered::NOTHING;
+        }
     }
 
-    /// Lowers the least prices by the triangles on the edge between the sample that these rungs
-    /// lead from and the next one, i, whose rungs are `strip`: those with the corners i − 1, i and
-    /// j.
+    fn move_to(&mut self, registers: pulp::Arch, i: usize) {
+        if self.own.i != i {
+            std::mem::swap(&mut self.own, &mut self.above);
+            self.own.i = i;
+            let (row, count) = (i / LANES, self.ends.len());
+            if self.open.0 != row {
+                let open = (row..count).filter(|column| self.spans.is_open(row, *column));
+                self.open = (row, open.collect());
+            }
+            registers.dispatch(Moving { pricing: self });
+        }
+    }
+}
+
+/// Prices the rungs of a row anew, for its sample. A type rather than a closure, as that of the
+/// table.
+struct Moving<'p, 's> {
+    pricing: &'p mut Pricing<'s>,
+}
+
+impl pulp::WithSimd for Moving<'_, '_> {
+    type Output = ();
+
     #[inline(always)]
-    fn lower_on_row_edge(
-        &self,
-        least: &mut Lanes,
-        terms: &Terms<'_>,
-        i: usize,
-        to: &FarEnds,
-        strip: &Strip,
-    ) {
-        let (prices, last) = (terms.prices, terms.prices.len() - 1);
-        let triangles = OnEdges {
-            offsets: [
-                &prices.offset(i - 1, i).map(|x| [x; LANES]),
-                &self.offsets.each_ref().map(Numbers::lanes),
-            ],
-            means: [&strip.means, &self.means.each_ref().map(Numbers::lanes)],
-            rungs: rungs(to.first, [i + 1, if i == 1 { last } else { usize::MAX }]),
-        };
-        let of_rungs = [&beyond(i, to, &strip.prices), &self.prices.lanes()];
-        lower_on_edges(least, prices.options().fold, of_rungs, &triangles);
+    fn with_simd<S: pulp::Simd>(self, _: S) {
+        let Pricing { terms, spans, ends, own, open, .. } = self.pricing;
+        for column in own.columns.drain(..) {
+            own.prices[(column + 1) * LANES..][..LANES].fill(f64::INFINITY);
+        }
+        let (i, mut strip) = (own.i, Strip::BLANK);
+        for &column in &open.1 {
+            terms.strip::<true>(i, &ends[column], &mut strip);
+            for price in strip.prices.iter_mut() {
+                *price = if *price <= spans.bound { *price } else { f64::INFINITY };
+            }
+            if lowest(&strip.prices) == f64::INFINITY {
+                continue;
+            }
+            let (first, ways) = ((column + 1) * LANES, terms.prices.offsets(i, &ends[column]));
+            own.prices[first..][..LANES].copy_from_slice(&*strip.prices);
+            for axis in 0..3 {
+                own.means[axis][first..][..LANES].copy_from_slice(&strip.means[axis]);
+                own.ways[axis][first..][..LANES].copy_from_slice(&ways[axis]);
+            }
+            own.columns.push(column);
+        }
     }
 }
 
-/// The rung that leads to the last sample of a tile.
-#[derive(Clone, Copy)]
-pub(super) struct LastRung {
-    /// Infinite if there is none up to the bound.
-    price: f64,
-    mean: [f64; 3],
+/// Gathers what the rungs of a row and the triangles on edges before its sample cost.
+struct Gathering<'p, 's> {
+    pricing: &'p mut Pricing<'s>,
+    /// Whether the sample is the first after the run, so that only the triangles on the edge to it
+    /// are looked at.
+    is_link: bool,
 }
 
-impl LastRung {
-    pub(super) const NONE: Self = Self { price: f64::INFINITY, mean: [0.0; 3] };
-}
+impl pulp::WithSimd for Gathering<'_, '_> {
+    type Output = ();
 
-/// The rungs from the last sample of a tile's rows.
-#[derive(Clone, Copy)]
-pub(super) struct LastRow {
-    strip: Strip,
-    /// Whether any of them is up to the bound; if not, the other fields are undefined.
-    any: bool,
-}
-
-impl LastRow {
-    pub(super) const NONE: Self = Self { strip: Strip::BLANK, any: false };
-}
-
-/// Prices the rungs from sample i to those of a tile, infinite if above the bound; returns whether
-/// any is not.
-#[inline(always)]
-fn price_up_to(terms: &Terms<'_>, bound: f64, i: usize, to: &FarEnds, strip: &mut Strip) -> bool {
-    terms.strip::<true>(i, to, strip);
-    for price in strip.prices.iter_mut() {
-        *price = if *price <= bound { *price } else { f64::INFINITY };
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) {
+        let Pricing { terms, runs, ends, own, above, gathered, .. } = self.pricing;
+        let (i, last, fold) = (own.i, terms.prices.len() - 1, terms.prices.options().fold);
+        let has_edge = i > 0 && above.i == i - 1 && (self.is_link || runs.of(i - 1) == runs.of(i));
+        for &column in &own.columns {
+            let (first, at) = (ends[column].first, (column + 1) * LANES);
+            let gathered = &mut gathered[column];
+            let (prices, means) = (lanes(&own.prices, at), lanes_of_each(&own.means, at));
+            if !self.is_link {
+                // Edges of the boundary are no rungs.
+                let closing = if i == 0 { last } else { usize::MAX };
+                let mut rungs = beyond(i + 1, first, &prices);
+                if let Some(rung) = rungs.get_mut(closing.wrapping_sub(first)) {
+                    *rung = f64::INFINITY;
+                }
+                gathered.take_rungs(&rungs, &means);
+                // The triangles i, j − 1, j.
+                let triangles = OnEdges {
+                    offsets: [&lanes_of_each(&own.ways, at - 1), &lanes_of_each(&own.ways, at)],
+                    means: [&lanes_of_each(&own.means, at - 1), &means],
+                    rungs: count(first, [i + 2, closing]),
+                };
+                let of_rungs = [&lanes(&own.prices, at - 1), &beyond(i + 1, first, &prices)];
+                lower_on_edges(&mut gathered.on_far, fold, of_rungs, &triangles);
+            }
+            if has_edge {
+                // The triangles i − 1, i, j.
+                let to_own = terms.prices.offset(i - 1, i).map(|x| [x; LANES]);
+                let closing = if i == 1 { last } else { usize::MAX };
+                let triangles = OnEdges {
+                    offsets: [&to_own, &lanes_of_each(&above.ways, at)],
+                    means: [&means, &lanes_of_each(&above.means, at)],
+                    rungs: count(first, [i + 1, closing]),
+                };
+                let of_rungs = [&beyond(i, first, &prices), &lanes(&above.prices, at)];
+                let is_link = self.is_link;
+                let least = if is_link { &mut gathered.on_link } else { &mut gathered.on_own };
+                lower_on_edges(least, fold, of_rungs, &triangles);
+            }
+        }
     }
-    lowest(&strip.prices) < f64::INFINITY
 }
 
 /// Lowers the least prices to those of triangles on edges of the boundary, with half of the prices
@@ -180,34 +276,33 @@ fn price_up_to(terms: &Terms<'_>, bound: f64, i: usize, to: &FarEnds, strip: &mu
 fn lower_on_edges(least: &mut Lanes, fold: f64, prices: [&Lanes; 2], triangles: &OnEdges<'_>) {
     let mut rungs = [0.0; LANES];
     let mut any = false;
-    for lane in 0..LANES {
-        rungs[lane] = 0.5 * (prices[0][lane] + prices[1][lane]);
-        any |= rungs[lane] < least[lane];
+    for n in 0..LANES {
+        rungs[n] = 0.5 * (prices[0][n] + prices[1][n]);
+        any |= rungs[n] < least[n];
     }
     if !any {
         return;
     }
     let folds = triangles.least_prices(fold);
-    for lane in 0..LANES {
-        let price = rungs[lane] + folds[lane];
-        least[lane] = if price < least[lane] { price } else { least[lane] };
+    for n in 0..LANES {
+        let price = rungs[n] + folds[n];
+        least[n] = if price < least[n] { price } else { least[n] };
     }
 }
 
 /// The prices of the rungs to samples beyond i.
 #[inline(always)]
-fn beyond(i: usize, to: &FarEnds, prices: &Lanes) -> Lanes {
+fn beyond(i: usize, first: usize, prices: &Lanes) -> Lanes {
     let mut beyond = *prices;
-    for lane in 0..LANES {
-        beyond[lane] = if to.first + lane > i { prices[lane] } else { f64::INFINITY };
+    for n in 0..LANES {
+        beyond[n] = if first + n > i { prices[n] } else { f64::INFINITY };
     }
     beyond
 }
 
-/// For samples from `first` on, how many of the two sides to each are rungs, if those to `edges`
-/// are not.
+/// How many of two sides to samples from `first` on are rungs, where those to `edges` are not.
 #[inline(always)]
-fn rungs(first: usize, edges: [usize; 2]) -> Lanes {
+fn count(first: usize, edges: [usize; 2]) -> Lanes {
     let mut rungs = [2.0; LANES];
     for edge in edges {
         if let Some(rungs) = rungs.get_mut(edge.wrapping_sub(first)) {
@@ -215,102 +310,4 @@ fn rungs(first: usize, edges: [usize; 2]) -> Lanes {
         }
     }
     rungs
-}
-
-/// A tile to be priced. A type rather than a closure, as that of the table.
-pub(super) struct Pricing<'p, 'c> {
-    pub(super) terms: &'p Terms<'p>,
-    pub(super) bound: f64,
-    pub(super) rows: Range<usize>,
-    pub(super) to: &'p FarEnds,
-    /// The rungs from the last sample of the tile above, and then from the last of this one.
-    pub(super) above: &'p mut LastRow,
-    /// The last rung of each row of the tile to the left, and then of this one.
-    pub(super) before: &'p mut [LastRung; LANES],
-    /// Where the rungs of a row and of the row above are kept, in turn.
-    pub(super) turns: &'p mut [Row; 2],
-    pub(super) block: &'p mut Block<'c>,
-}
-
-impl pulp::WithSimd for Pricing<'_, '_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: pulp::Simd>(self, _: S) {
-        let Self { terms, bound, rows, to, above: last_row, before, turns, block } = self;
-        let (last, fold) = (terms.prices.len() - 1, terms.prices.options().fold);
-        let mut gathered = Gathered::NOTHING;
-        let mut strip = Strip::BLANK;
-        turns[0].set_last(last_row, || terms.prices.offsets(rows.start - 1, to));
-        let mut upper = 0;
-        for i in rows.clone() {
-            let run = block.runs.of(i);
-            let [zeroth, first] = &mut *turns;
-            let (above, own) = if upper == 0 { (zeroth, first) } else { (first, zeroth) };
-            upper = 1 - upper;
-            if i > rows.start {
-                above.lower_on_column_edges(&mut gathered.on_column_edges, fold, [i - 1, last], to);
-                if block.runs.of(i - 1) != run {
-                    block.take(block.runs.of(i - 1), to, &gathered);
-                    gathered = Gathered::NOTHING;
-                }
-            }
-            own.any = price_up_to(terms, bound, i, to, &mut strip);
-            let left = std::mem::replace(&mut before[i - rows.start], LastRung::NONE);
-            if !own.any {
-                continue;
-            }
-            if to.count == LANES {
-                let mean = of_lane(&strip.means, LANES - 1);
-                before[i - rows.start] = LastRung { price: strip.prices[LANES - 1], mean };
-            }
-            let to_first =
-                if to.first > i { terms.prices.offset(i, to.first - 1) } else { [0.0; 3] };
-            own.set(&left, to_first, &strip, &terms.prices.offsets(i, to));
-            gathered.take_rungs(i, to.first, last, &strip);
-            if !above.any {
-                continue;
-            }
-            if block.runs.of(i - 1) == run {
-                above.lower_on_row_edge(&mut gathered.on_row_edges, terms, i, to, &strip);
-            } else {
-                let mut least = [f64::INFINITY; LANES];
-                above.lower_on_row_edge(&mut least, terms, i, to, &strip);
-                block.take_link(i, to, &least);
-            }
-        }
-        let (own, i) = (&turns[upper], rows.end - 1);
-        own.lower_on_column_edges(&mut gathered.on_column_edges, fold, [i, last], to);
-        block.take(block.runs.of(i), to, &gathered);
-        *last_row = LastRow { strip, any: own.any };
-    }
-}
-
-/// The triangles on the edge before sample i, the first that is not of a block, with the third
-/// corner in the samples of a tile.
-pub(super) struct Linking<'p, 'c> {
-    pub(super) terms: &'p Terms<'p>,
-    pub(super) bound: f64,
-    pub(super) i: usize,
-    pub(super) to: &'p FarEnds,
-    /// The rungs from the sample before.
-    pub(super) above: &'p LastRow,
-    pub(super) block: &'p mut Block<'c>,
-}
-
-impl pulp::WithSimd for Linking<'_, '_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: pulp::Simd>(self, _: S) {
-        let Self { terms, bound, i, to, above, block } = self;
-        let mut strip = Strip::BLANK;
-        if above.any && price_up_to(terms, bound, i, to, &mut strip) {
-            let mut last = Row::NONE;
-            last.set_last(above, || terms.prices.offsets(i - 1, to));
-            let mut least = [f64::INFINITY; LANES];
-            last.lower_on_row_edge(&mut least, terms, i, to, &strip);
-            block.take_link(i, to, &least);
-        }
-    }
 }

@@ -7,15 +7,12 @@ use super::*;
 use crate::cost::{PriceOptions, Prices, QUANTUM, TwistForm, quantised};
 use crate::rung::Visibility;
 use crate::triangulate::optimal::table::Table;
-use normals::{NormalBox, least_fold, least_fold_about};
-use runs::Direction;
 use sheetwright_geometry::boundary::{Boundary, samples_from_points};
 use sheetwright_geometry::curve::CurvePoint;
-use sheetwright_geometry::math::{Point3, Vec3, cos, sin, unit};
+use sheetwright_geometry::math::{Point3, Vec3, cos, sin};
 use sheetwright_geometry::watch::Unwatched;
 use sheetwright_shapes::random::Random;
 use std::f64::consts::TAU;
-use three_run_bound::{Rungs, least_wide};
 
 /// The true price of the rest of the loop beside each rung ⟨i,j⟩, from E of all.
 fn rests_in_truth(terms: &Terms<'_>, full: &Table<'_>) -> Vec<f64> {
@@ -335,78 +332,6 @@ fn it_is_left_out_where_memory_is_short_and_stops_when_asked() {
     });
 }
 
-#[test]
-fn directions_are_as_far_off_as_they_may_be() {
-    for (name, boundary) in curves(160) {
-        with_terms(&boundary, 1.0, |terms| {
-            let runs = Runs::new(terms, 8);
-            let directions = runs::directions(terms, &runs);
-            let at = |i: usize| boundary.samples()[i].position;
-            let mut known = 0;
-            for (i, j) in (0..160).flat_map(|i| (i + 1..160).map(move |j| (i, j))) {
-                let direction = &directions[runs.of(i) * runs.len() + runs.of(j)];
-                let off = (unit(at(j) - at(i)).unwrap() - direction.middle).length();
-                assert!(off <= direction.off, "{name} {i} {j}: {off} {}", direction.off);
-                known += usize::from(direction.off < 0.5);
-            }
-            assert!(known > 5_000, "{name}: {known}");
-        });
-    }
-}
-
-#[test]
-fn wide_triangles_cost_what_boxes_and_directions_say_one_by_one() {
-    let mut random = Random::new(7);
-    let mut about_tells = 0;
-    for turn in 0..400 {
-        let reach = [0.01, 0.1, 0.4][turn % 3];
-        let near = |random: &mut Random, middle: Vec3, reach: f64| {
-            middle + Vec3::from_array([(); 3].map(|()| random.between(-reach, reach)))
-        };
-        // Three corners of a triangle, and N about its normal.
-        let corners = [(); 3].map(|()| near(&mut random, Vec3::ZERO, 1.0));
-        let [ik, kj, ij] = [[0, 1], [1, 2], [0, 2]].map(|[a, b]| corners[b] - corners[a]);
-        let normal = unit(ik.cross(ij)).unwrap();
-        let (mut groups, mut boxes, mut ways) = ([Rungs::NONE; 3], vec![], vec![]);
-        let lane = turn % LANES;
-        for (side, group) in [ik, kj, ij].into_iter().zip(&mut groups) {
-            let middle = near(&mut random, normal, 2.0 * reach);
-            let ends = [(); 2].map(|()| near(&mut random, middle, 0.3 * reach).to_array());
-            let low = [0, 1, 2].map(|axis| ends[0][axis].min(ends[1][axis]));
-            let high = [0, 1, 2].map(|axis| ends[0][axis].max(ends[1][axis]));
-            let way = Direction { middle: unit(side).unwrap(), off: random.between(0.0, reach) };
-            let along = way.middle.to_array();
-            group.least[lane] = random.between(0.0, 0.1);
-            group.off[lane] = way.off;
-            for axis in 0..3 {
-                group.lower[axis][lane] = low[axis];
-                group.upper[axis][lane] = high[axis];
-                group.along[axis][lane] = along[axis];
-            }
-            boxes.push(NormalBox::between(low, high));
-            ways.push(way);
-        }
-        let [first, second, across] = &groups;
-        let found = least_wide(2.0, &first.all_like(lane), second, across)[lane];
-        let normals = [(0, 2), (0, 1), (2, 1)].map(|(a, b)| Direction::across(&ways[a], &ways[b]));
-        let closest = normals.into_iter().min_by(|a, b| a.off.total_cmp(&b.off)).unwrap();
-        let sides = [&boxes[0], &boxes[1], &boxes[2]];
-        let apart = least_fold(2.0, sides);
-        let about = if closest.off < f64::INFINITY {
-            // The true normal is as near as that.
-            assert!((normal - closest.middle).length() <= closest.off, "{turn}");
-            least_fold_about(2.0, (closest.middle.to_array(), closest.off), sides)
-        } else {
-            0.0
-        };
-        about_tells += usize::from(about > apart);
-        let rungs: f64 = groups.iter().map(|group| 0.5 * group.least[lane]).sum();
-        let expected = rungs + apart.max(about);
-        assert!((found - expected).abs() < 1e-11, "{turn}: {found} {expected}");
-    }
-    assert!(about_tells > 50, "{about_tells}");
-}
-
 /// How many sides of a triangle are rungs.
 fn rungs_of(terms: &Terms<'_>, [a, b, c]: [usize; 3]) -> f64 {
     [(a, b), (b, c), (a, c)].iter().map(|&(a, b)| f64::from(!terms.prices.neighbours(a, b))).sum()
@@ -499,12 +424,11 @@ fn cells_are_the_same_however_many_blocks_they_are_priced_in() {
             let registers = pulp::Arch::new();
             let spans = Spans::new(terms, 0.3);
             for length in [16, 32, 48] {
-                let in_blocks = |rows: usize| {
+                let in_blocks = |size: usize| {
                     let runs = Runs::new(terms, length);
-                    Cells::in_blocks(terms, registers, &spans, runs, rows, None, &mut Unwatched)
-                        .unwrap()
+                    Cells::in_blocks(size, terms, registers, &spans, runs, &mut Unwatched).unwrap()
                 };
-                let (one, n) = (in_blocks(usize::MAX / 2), Runs::new(terms, length).len());
+                let (one, n) = (in_blocks(1 << 20), Runs::new(terms, length).len());
                 let known = |cells: &Cells, a, b| cells.of(a, b).least < f64::INFINITY;
                 let pairs: Vec<_> = (0..n).flat_map(|a| (a..n).map(move |b| (a, b))).collect();
                 assert!(pairs.iter().filter(|(a, b)| known(&one, *a, *b)).count() > n, "{what}");

@@ -1,6 +1,5 @@
 //! Lower bounds on the prices of wide triangles, from the bounds of three bundles.
 
-use super::runs::Direction;
 use crate::cost::{LANES, Lanes};
 
 /// The share that a price is lowered by before it is rounded to single precision, which may add
@@ -16,9 +15,6 @@ pub(super) struct Rungs {
     /// The boxes around their N, by axis.
     pub(super) lower: [Lanes; 3],
     pub(super) upper: [Lanes; 3],
-    /// Their directions, by axis, and the largest distance from these.
-    pub(super) along: [Lanes; 3],
-    pub(super) off: Lanes,
 }
 
 impl Rungs {
@@ -26,8 +22,6 @@ impl Rungs {
         least: [f64::INFINITY; LANES],
         lower: [[f64::INFINITY; LANES]; 3],
         upper: [[f64::NEG_INFINITY; LANES]; 3],
-        along: [[0.0; LANES]; 3],
-        off: [f64::INFINITY; LANES],
     };
 
     /// Those of one bundle in all lanes.
@@ -35,13 +29,7 @@ impl Rungs {
     pub(super) fn all_like(&self, lane: usize) -> Self {
         let all = |of: &Lanes| [of[lane]; LANES];
         let by_axis = |of: &[Lanes; 3]| [all(&of[0]), all(&of[1]), all(&of[2])];
-        Self {
-            least: all(&self.least),
-            lower: by_axis(&self.lower),
-            upper: by_axis(&self.upper),
-            along: by_axis(&self.along),
-            off: all(&self.off),
-        }
+        Self { least: all(&self.least), lower: by_axis(&self.lower), upper: by_axis(&self.upper) }
     }
 }
 
@@ -108,12 +96,11 @@ fn gap_of(above: f64, below: f64) -> f64 {
     if gap > 0.0 { gap } else { 0.0 }
 }
 
-/// Lower bounds on the prices of wide triangles with these sides for ν = `fold`; `across` spans the
-/// other two. Their folds are bounded by the N of their sides, two at a time, as in
-/// `normals::least_fold`, or by their normals, as in `normals::least_fold_about`, from the two
-/// sides that determine these best.
+/// What wide triangles cost at the least for ν = `fold`, of which these are the sides: for their
+/// folds what the N of their sides leave, taken two at a time, as in `normals::least_fold`.
 #[inline(always)]
-pub(super) fn least_wide(fold: f64, first: &Rungs, second: &Rungs, across: &Rungs) -> Lanes {
+pub(super) fn least_wide(fold: f64, sides: [&Rungs; 3]) -> Lanes {
+    let [first, second, across] = sides;
     let mut apart = [0.0; LANES];
     for (one, other) in [(first, second), (first, across), (second, across)] {
         for axis in 0..3 {
@@ -125,58 +112,10 @@ pub(super) fn least_wide(fold: f64, first: &Rungs, second: &Rungs, across: &Rung
             }
         }
     }
-    // The square of its largest error, as a share of its length.
-    let (mut normal, mut share) = ([[0.0; LANES]; 3], [f64::INFINITY; LANES]);
-    for (one, other) in [(first, across), (first, second), (across, second)] {
-        let (mut middle, mut shares) = ([[0.0; LANES]; 3], [0.0; LANES]);
-        for n in 0..LANES {
-            let (u, v) = (&one.along, &other.along);
-            let x = u[1][n] * v[2][n] - u[2][n] * v[1][n];
-            let y = u[2][n] * v[0][n] - u[0][n] * v[2][n];
-            let z = u[0][n] * v[1][n] - u[1][n] * v[0][n];
-            (middle[0][n], middle[1][n], middle[2][n]) = (x, y, z);
-            let off = one.off[n] + other.off[n] + one.off[n] * other.off[n];
-            shares[n] = off * off / (x * x + y * y + z * z);
-        }
-        for n in 0..LANES {
-            let is_closer = shares[n] < share[n];
-            share[n] = if is_closer { shares[n] } else { share[n] };
-            for axis in 0..3 {
-                normal[axis][n] = if is_closer { middle[axis][n] } else { normal[axis][n] };
-            }
-        }
-    }
-    let mut off = [0.0; LANES];
-    for n in 0..LANES {
-        let [x, y, z] = [normal[0][n], normal[1][n], normal[2][n]];
-        let scale = 1.0 / (x * x + y * y + z * z).sqrt();
-        (normal[0][n], normal[1][n], normal[2][n]) = (x * scale, y * scale, z * scale);
-        off[n] = Direction::OFF_OF_SHARE * share[n].sqrt() + Direction::LEAST_OFF;
-    }
-    let mut about = [0.0; LANES];
-    for side in [first, second, across] {
-        let mut squares = [0.0; LANES];
-        for axis in 0..3 {
-            for n in 0..LANES {
-                let above = normal[axis][n] - side.upper[axis][n];
-                let below = side.lower[axis][n] - normal[axis][n];
-                let gap = gap_of(above, below);
-                squares[n] += gap * gap;
-            }
-        }
-        for n in 0..LANES {
-            let apart = squares[n].sqrt() - off[n];
-            let apart = if apart > 0.0 { apart } else { 0.0 };
-            about[n] += apart * apart;
-        }
-    }
     let mut prices = [0.0; LANES];
     for n in 0..LANES {
-        let is_known = share[n] <= Direction::FARTHEST * Direction::FARTHEST;
-        let about = if is_known { 0.5 * about[n] } else { 0.0 };
-        let apart = apart[n] / 6.0;
-        let folds = if about > apart { about } else { apart };
-        prices[n] = 0.5 * (first.least[n] + second.least[n] + across.least[n]) + fold * folds;
+        let rungs = 0.5 * (first.least[n] + second.least[n] + across.least[n]);
+        prices[n] = rungs + fold * (apart[n] / 6.0);
     }
     prices
 }
