@@ -229,9 +229,8 @@ fn what_bends_without_its_plane_is_as_made_afresh() {
 }
 
 #[test]
-fn what_led_astray_before_changes_nothing() {
+fn what_is_known_from_before_changes_nothing() {
     let families = Family::ALL.into_iter().filter(|family| family.name().contains("patch"));
-    let (mut begun, mut kept, mut ended) = (0, 0, 0);
     for family in families {
         let mut design = one_panel(outline(family), 100, 0.0);
         for handle in (0..24).step_by(3) {
@@ -248,27 +247,12 @@ fn what_led_astray_before_changes_nothing() {
                 let near = known.as_ref();
                 let next = triangulate_near(boundary, plane, &options, near, &mut Unwatched);
                 let next = next.unwrap();
-                assert_eq!(
-                    next.triangulation,
-                    panel.found().unwrap().triangulation,
-                    "{handle}, {step}"
-                );
-                if let Some(astray) = &next.astray {
-                    assert!(astray.forced_rungs == 0 && *astray != next.triangulation);
-                }
-                let was_astray = known.is_some_and(|known| known.astray.is_some());
-                match (was_astray, next.astray.is_some()) {
-                    (false, true) => begun += 1,
-                    (true, true) => kept += 1,
-                    (true, false) => ended += 1,
-                    (false, false) => {}
-                }
+                assert_eq!(next.triangulation, panel.triangulation, "{handle}, {step}");
                 known = Some(next);
             }
             design.curves[0].points[handle].at = home;
         }
     }
-    assert!(begun > 4 && kept > 20 && ended > 4, "{begun} {kept} {ended}");
 }
 
 fn circle(name: &str, radius: f64, height: f64) -> DesignCurve {

@@ -53,7 +53,7 @@ fn quadrature(span: &Cubic, from: f64, to: f64) -> f64 {
 
 /// The parameter up to which the span, from its beginning, is `wanted` mm long; `whole` is the
 /// length of the span. Clamped to 0 ..= 1.
-pub fn parameter_at(span: &Cubic, wanted: f64, whole: f64) -> f64 {
+pub(crate) fn parameter_at(span: &Cubic, wanted: f64, whole: f64) -> f64 {
     if wanted <= 0.0 {
         return 0.0;
     }

@@ -11,7 +11,8 @@ mod sample;
 mod shares;
 mod spline;
 
-pub use arc_length::{NODES, length, parameter_at};
+pub(crate) use arc_length::parameter_at;
+pub use arc_length::{NODES, length};
 pub use cubic::Cubic;
 pub use sample::{Place, Placed, chain_placed, chained_samples, divisions_of, open_placed};
 pub use sample::{Sample, SampleError, sample_chain, sample_open};

@@ -83,7 +83,7 @@ impl Default for PriceOptions {
 
 /// Rounds a price to a multiple of [`QUANTUM`]; for prices below 128.
 #[inline]
-pub fn quantised(price: f64) -> f64 {
+pub(crate) fn quantised(price: f64) -> f64 {
     // Numbers in 256 .. 512 have an ulp of 2⁻⁴⁴, so the sum is rounded to it, ties to even.
     const SHIFT: f64 = 384.0;
     (price + SHIFT) - SHIFT
@@ -292,7 +292,7 @@ impl Prices {
 
     /// Equation (1) as printed: the cross products divided by the length of the rung alone. At a
     /// corner, with the mean of the two tangents.
-    pub fn printed_twist(&self, i: usize, j: usize) -> f64 {
+    pub(crate) fn printed_twist(&self, i: usize, j: usize) -> f64 {
         let (a, b) = (&self.ends[i], &self.ends[j]);
         let Some(d) = unit(b.position - a.position) else { return 2.0 };
         1.0 - a.mean_tangent().cross(d).dot(b.mean_tangent().cross(-d))

@@ -29,7 +29,7 @@ use crate::cost::{EXACT_BELOW, FarEnds, LANES, MAX_FOLD, PriceOptions, Prices, S
 use crate::rung::{Rung, Visibility};
 use optimal::warm_start;
 use part::Part;
-use plane_check::{Looked, may_ask_less, mended_at_ends, solve_then_check};
+use plane_check::{may_ask_less, solve_then_check};
 use sheetwright_geometry::boundary::{Boundary, SupportingPlane};
 use sheetwright_geometry::index::SampleIndex;
 use sheetwright_geometry::math::Vec3;
@@ -263,16 +263,13 @@ pub fn triangulate_near(
     let nothing_asked = Visibility::everything();
     let mut also_without_plane = None;
     let as_before = known.is_some_and(|known| known.also_without_plane == Some(true));
-    let known_astray = known.and_then(|known| known.astray.as_ref());
-    let known_astray = known_astray.filter(|astray| warm_start::is_of(astray, &lengths));
     let known = known.map(|known| &known.triangulation);
     if as_before || plane.is_none() {
         match solve_then_check(&prices, &nothing_asked, plane, options, known, watch) {
-            Ok(Looked::Lies(triangulation)) => {
-                let also_without_plane = Some(true);
-                return Ok(Cheapest { triangulation, also_without_plane, astray: None });
+            Ok(Some(triangulation)) => {
+                return Ok(Cheapest { triangulation, also_without_plane: Some(true) });
             }
-            Ok(_) => also_without_plane = Some(false),
+            Ok(None) => also_without_plane = Some(false),
             // With the plane, the table may be smaller.
             Err(TriangulateError::TooLarge { .. }) if plane.is_some() => {}
             Err(error) => return Err(error),
@@ -282,27 +279,15 @@ pub fn triangulate_near(
     if options.method == Method::Optimal && plane.is_some() && needed > limit {
         return Err(TriangulateError::TooLarge { needed, limit });
     }
-    let mut astray = None;
     if let Some(plane) = plane
         && may_ask_less(&prices, options)
     {
         let at_ends = Visibility::at_ends(plane);
-        // A triangulation that left the plane one move ago is likely to do so again.
-        astray = mended_at_ends(&prices, &at_ends, known_astray);
-        if astray.is_none() {
-            match solve_then_check(&prices, &at_ends, Some(plane), options, known, watch)? {
-                Looked::Lies(triangulation) => {
-                    return Ok(Cheapest { triangulation, also_without_plane, astray: None });
-                }
-                Looked::Astray(found) => astray = Some(found),
-                Looked::None => {}
-            }
+        let found = solve_then_check(&prices, &at_ends, Some(plane), options, known, watch)?;
+        if let Some(triangulation) = found {
+            return Ok(Cheapest { triangulation, also_without_plane });
         }
     }
-    let of_plane = |triangulation: Triangulation| {
-        let astray = astray.filter(|astray| astray.price < triangulation.price);
-        Cheapest { triangulation, also_without_plane, astray }
-    };
     let visibility = Visibility::new(boundary, plane);
     // Rungs without a tangent plane are admitted only if there is no triangulation without them,
     // which the table of all rungs has shown where any two samples may be joined.
@@ -326,7 +311,8 @@ pub fn triangulate_near(
         if let Some(found) = found {
             let found = outcome(&terms, found, options.method);
             let cut_short = tally.is_cut_short() && !found.proven_optimal;
-            return Ok(of_plane(Triangulation { work: tally.done(), cut_short, ..found }));
+            let triangulation = Triangulation { work: tally.done(), cut_short, ..found };
+            return Ok(Cheapest { triangulation, also_without_plane });
         }
     }
     Err(TriangulateError::NoneInside)

@@ -8,7 +8,7 @@
 use super::memory::obtainable;
 use super::optimal::warm_start;
 use super::{
-    Found, Method, Terms, TriangulateError, TriangulateOptions, Triangulation, holes, if_it_fits,
+    Found, Terms, TriangulateError, TriangulateOptions, Triangulation, holes, if_it_fits,
     is_bounded, memory_needed, optimal, outcome,
 };
 use crate::cost::{Prices, quantised};
@@ -24,24 +24,11 @@ pub struct Cheapest {
     pub triangulation: Triangulation,
     /// Whether it is the cheapest without the plane, too; `None` if the search did not show that.
     pub also_without_plane: Option<bool>,
-    /// A cheaper triangulation whose rungs begin and end inside the projection, but do not all lie
-    /// there, if the search has met one or was given one.
-    pub astray: Option<Triangulation>,
 }
 
-/// The result of the check of the cheapest triangulation with more rungs than lie inside the
-/// projection.
-pub(super) enum Looked {
-    /// It lies over the plane: its triangles face up and do not overlap.
-    Lies(Triangulation),
-    /// It does not.
-    Astray(Triangulation),
-    /// There is none, or there was no search.
-    None,
-}
-
-/// The cheapest triangulation of one loop among those with these rungs (all that lie inside the
-/// projection, and others), checked; `known` is a triangulation from before, if there is one.
+/// The cheapest triangulation of one loop among those with these rungs, which are all that lie
+/// inside the projection and more, if it lies over the plane as it should; `known` is a
+/// triangulation that is known.
 pub(super) fn solve_then_check(
     prices: &Prices,
     visibility: &Visibility,
@@ -49,28 +36,16 @@ pub(super) fn solve_then_check(
     options: &TriangulateOptions,
     known: Option<&Triangulation>,
     watch: &mut dyn Watch,
-) -> Result<Looked, TriangulateError> {
+) -> Result<Option<Triangulation>, TriangulateError> {
     if !may_ask_less(prices, options) {
-        return Ok(Looked::None);
+        return Ok(None);
     }
     let terms = Terms::new(prices, visibility, false).within(options.memory_limit);
     let found = optimal::solve(&terms, known, watch)?;
-    Ok(match found {
-        Some(triangles) => looked(plane, &terms, triangles, options.method),
-        None => Looked::None,
-    })
-}
-
-/// The triangulation `known`, repaired for rungs that only begin and end inside the projection;
-/// `None` if it can't be repaired, or if none is known.
-pub(super) fn mended_at_ends(
-    prices: &Prices,
-    at_ends: &Visibility,
-    known: Option<&Triangulation>,
-) -> Option<Triangulation> {
-    let terms = Terms::new(prices, at_ends, false);
-    let triangles = warm_start::triangles(&terms, known)?;
-    Some(outcome(&terms, Found { triangles, lower_bound: Some(0.0) }, Method::Optimal))
+    let lies = |triangles: &Vec<[usize; 3]>| plane.is_none_or(|plane| lie_on(plane, triangles));
+    Ok(found
+        .filter(lies)
+        .map(|triangles| outcome(&terms, Found { triangles, lower_bound: None }, options.method)))
 }
 
 /// Whether the table of all rungs may be filled before it is known which lie inside the projection.
@@ -78,23 +53,12 @@ pub(super) fn may_ask_less(prices: &Prices, options: &TriangulateOptions) -> boo
     is_bounded(options) && prices.one_loop()
 }
 
-/// Checks whether the cheapest triangulation with more rungs than lie inside the projection is the
-/// optimum with the plane, too. If all its triangles are counter-clockwise on the plane, they do
-/// not overlap, and their rungs lie inside. Then it is the cheapest over the plane, and ties were
-/// decided by one rule.
-fn looked(
-    plane: Option<&SupportingPlane>,
-    terms: &Terms<'_>,
-    triangles: Vec<[usize; 3]>,
-    method: Method,
-) -> Looked {
-    let lie = |plane: &SupportingPlane| {
-        let at = |i: usize| plane.projected[i];
-        triangles.iter().all(|&[i, k, j]| orientation(at(i), at(k), at(j)).is_gt())
-    };
-    let lies = plane.is_none_or(lie);
-    let found = outcome(terms, Found { triangles, lower_bound: None }, method);
-    if lies { Looked::Lies(found) } else { Looked::Astray(found) }
+/// Whether triangles all lie on the plane as they should. Then they do not overlap, and their rungs
+/// lie inside the projection: the cheapest triangulation of those with more rungs is that with the
+/// plane too, and ties were decided among the same.
+fn lie_on(plane: &SupportingPlane, triangles: &[[usize; 3]]) -> bool {
+    let at = |i: usize| plane.projected[i];
+    triangles.iter().all(|&[i, k, j]| orientation(at(i), at(k), at(j)).is_gt())
 }
 
 /// The cheapest triangulation without a plane of one loop, or the best found of a ring, if it costs

@@ -24,7 +24,7 @@ mod spans;
 mod upper_bound;
 pub(in crate::triangulate) mod warm_start;
 
-use super::table::{Pruning, Table};
+use super::table::{Pruning, Table, Unpruned};
 use crate::cost::{FarEnds, LANES, Lanes};
 use crate::triangulate::part::Part;
 use crate::triangulate::{Solved, Terms, TriangulateError};
@@ -85,6 +85,9 @@ fn fill(
     watch: &mut dyn Watch,
     share: Range<f64>,
 ) -> Result<f64, TriangulateError> {
+    if bound == f64::INFINITY && band.is_none() {
+        return table.fill(&Unpruned, watch, share);
+    }
     table.clear();
     let terms = table.terms;
     let mut pruned = Pruned { spans: Spans::new(terms, bound), band, completion: None };

@@ -1,6 +1,5 @@
 //! The table with what is left out against the table without.
 
-use super::super::table::Unpruned;
 use super::random_boundary::random_boundary;
 use super::*;
 use crate::cost::{PriceOptions, Prices, QUANTUM, Strip, TwistForm, quantised};
