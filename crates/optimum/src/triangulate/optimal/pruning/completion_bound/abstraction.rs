@@ -2,12 +2,11 @@
 //! the rest of the loop, from long bundles to short ones.
 //!
 //! Both go through all triples of runs A < K < B for one A and K after the other, with sixteen B
-//! side by side, as the table does. The lower bounds on wide triangles are computed on the way
-//! outwards, and kept.
+//! side by side, as the table does.
 
 use super::cells::Cells;
 use super::normals::{NormalBox, least_fold};
-use super::three_run_bound::{Rungs, Wide, least_wide};
+use super::three_run_bound::{Rungs, least_wide};
 use crate::cost::{LANES, Lanes};
 use crate::triangulate::optimal::lanes::lowest;
 use crate::triangulate::{Terms, TriangulateError};
@@ -72,7 +71,7 @@ impl<'a> Abstraction<'a> {
         let width = runs.div_ceil(LANES);
         let of_pair = 2 * size_of::<f64>();
         let of_group = size_of::<Rungs>() + 2 * size_of::<Bundles>();
-        Wide::bytes(runs) + runs as u64 * (runs * of_pair + width * of_group) as u64
+        (runs * (runs * of_pair + width * of_group)) as u64
     }
 
     pub(super) fn new(
@@ -115,14 +114,12 @@ impl<'a> Abstraction<'a> {
     /// infinite where no rung is part of the optimum.
     pub(super) fn rests(&self, watch: &mut dyn Watch) -> Result<Vec<f64>, TriangulateError> {
         let n = self.cells.runs.len();
-        let mut wide = Wide::new(n);
         let mut inside = vec![NEVER; n * self.width];
         for a in (0..n).rev() {
             if watch.stop() {
                 return Err(TriangulateError::Stopped);
             }
-            let (wide, inside) = (&mut wide, &mut inside);
-            self.registers.dispatch(Outwards { afar: self, a, wide, inside });
+            self.registers.dispatch(Outwards { afar: self, a, inside: &mut inside });
         }
         let mut outside = vec![NEVER; n * self.width];
         // Nothing is outside of the edge from the last sample to the first.
@@ -131,8 +128,8 @@ impl<'a> Abstraction<'a> {
             if watch.stop() {
                 return Err(TriangulateError::Stopped);
             }
-            let (wide, inside, outside) = (&wide, &inside, &mut outside);
-            self.registers.dispatch(Inwards { afar: self, a, wide, inside, outside });
+            let (inside, outside) = (&inside, &mut outside);
+            self.registers.dispatch(Inwards { afar: self, a, inside, outside });
         }
         let mut rests = vec![f64::INFINITY; n * n];
         for a in 0..n {
@@ -216,7 +213,20 @@ impl<'a> Abstraction<'a> {
         [0.0, a, b, a + b]
     }
 
-    /// The charges of the first and the second of two runs in their bundle.
+    /// What wide triangles between runs a, k and those of a group pay at the least; infinite for
+    /// third runs that do not come after k. `first` are the rungs between a and k.
+    #[inline(always)]
+    fn wide(&self, first: &Rungs, [a, k]: [usize; 2], group: usize) -> Lanes {
+        let [second, across] = [k, a].map(|run| &self.rungs[run * self.width + group]);
+        let mut prices = least_wide(self.fold, [first, second, across]);
+        for lane in 0..LANES {
+            let is_third = group * LANES + lane > k;
+            prices[lane] = if is_third { prices[lane] } else { f64::INFINITY };
+        }
+        prices
+    }
+
+    /// What the first and the second of two runs are charged in their bundle.
     #[inline(always)]
     fn charged(&self, a: usize, b: usize) -> [f64; 2] {
         let n = self.cells.runs.len();
@@ -271,7 +281,6 @@ fn beside_second(first: &Charged, across: &Charged, at: usize) -> f64 {
 struct Outwards<'o, 'a> {
     afar: &'o Abstraction<'a>,
     a: usize,
-    wide: &'o mut Wide,
     inside: &'o mut [Bundles],
 }
 
@@ -280,7 +289,7 @@ impl pulp::WithSimd for Outwards<'_, '_> {
 
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, _: S) {
-        let Self { afar, a, wide, inside } = self;
+        let Self { afar, a, inside } = self;
         let (n, width) = (afar.cells.runs.len(), afar.width);
         for k in a + 1..n {
             let (at, lane) = (a * width + k / LANES, k % LANES);
@@ -333,14 +342,7 @@ impl pulp::WithSimd for Outwards<'_, '_> {
                 if !any {
                     continue;
                 }
-                let place = wide.place(a, k, group);
-                let mut prices = least_wide(afar.fold, [&own, second, across]);
-                for lane in 0..LANES {
-                    let is_third = group * LANES + lane > k;
-                    prices[lane] = if is_third { prices[lane] } else { f64::INFINITY };
-                }
-                wide.set(place, &prices);
-                let prices = wide.of(place);
+                let prices = afar.wide(&own, [a, k], group);
                 let sums = &mut inside[a * width + group];
                 for lane in 0..LANES {
                     let below = of_lane(&below, lane);
@@ -356,7 +358,6 @@ impl pulp::WithSimd for Outwards<'_, '_> {
 struct Inwards<'i, 'a> {
     afar: &'i Abstraction<'a>,
     a: usize,
-    wide: &'i Wide,
     inside: &'i [Bundles],
     outside: &'i mut [Bundles],
 }
@@ -366,28 +367,28 @@ impl pulp::WithSimd for Inwards<'_, '_> {
 
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, _: S) {
-        let Self { afar, a, wide, inside, outside } = self;
+        let Self { afar, a, inside, outside } = self;
         let (n, width) = (afar.cells.runs.len(), afar.width);
         // R of the bundles, with the charges in them; and the least of each group.
         let (mut through, mut least) = (vec![NEVER; width], vec![f64::INFINITY; width]);
         for k in (a + 1..n).rev() {
             let (at, lane) = (a * width + k / LANES, k % LANES);
-            let first = of_lane(&inside[at], lane);
+            let (first, own_rungs) = (of_lane(&inside[at], lane), afar.rungs[at].all_like(lane));
             let mut beyond = of_lane(&outside[at], lane);
             for group in (k + 1) / LANES..width {
                 if first[NEITHER] + least[group] > afar.bound {
                     continue;
                 }
-                let price = wide.of(wide.place(a, k, group));
                 let (below, parents) = (&inside[k * width + group], &through[group]);
                 let mut any = false;
                 for lane in 0..LANES {
                     let inner = first[NEITHER] + below[NEITHER][lane];
-                    any |= inner + parents[BOTH][lane] + price[lane] <= afar.bound;
+                    any |= inner + parents[BOTH][lane] <= afar.bound;
                 }
                 if !any {
                     continue;
                 }
+                let price = afar.wide(&own_rungs, [a, k], group);
                 let sums = &mut outside[k * width + group];
                 let mut of_first = NEVER;
                 for lane in 0..LANES {

@@ -10,8 +10,8 @@
 
 use crate::cost::QUANTUM;
 
-/// Rounding error of N and F at most, for ν = 1: some twenty operations on numbers up to 12.
-const SLACK: f64 = 1e-13;
+/// What N and F may lose to rounding, for ν = 1: some twenty operations on numbers up to 12.
+pub(super) const SLACK: f64 = 1e-13;
 
 /// A box that the N of some rungs lie in.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,10 +1,7 @@
 //! Lower bounds on the prices of wide triangles, from the bounds of three bundles.
 
-use crate::cost::{LANES, Lanes};
-
-/// The share that a price is lowered by before it is rounded to single precision, which may add
-/// 2⁻²⁴.
-const ROUNDED: f64 = 1e-6;
+use super::normals::SLACK;
+use crate::cost::{LANES, Lanes, QUANTUM};
 
 /// The rungs of bundles that begin at one run and end at [`LANES`] runs in a row.
 #[derive(Clone, Copy)]
@@ -33,63 +30,7 @@ impl Rungs {
     }
 }
 
-/// Lower bounds on the prices of wide triangles, rounded down: for each first and second run, the
-/// groups of third runs from the group of the first on, side by side.
-pub(super) struct Wide {
-    prices: Vec<f32>,
-    /// The places where those of each first run begin, and the number of all.
-    starts: Vec<usize>,
-}
-
-impl Wide {
-    /// Memory for so many runs, bytes.
-    pub(super) fn bytes(runs: usize) -> u64 {
-        let width = runs.div_ceil(LANES);
-        let of_first = |a: usize| ((runs - a - 1) * (width - a / LANES) * LANES) as u64;
-        (0..runs).map(of_first).sum::<u64>() * size_of::<f32>() as u64
-    }
-
-    fn starts(n: usize) -> Vec<usize> {
-        let width = n.div_ceil(LANES);
-        let mut starts = vec![0];
-        for a in 0..n {
-            starts.push(starts[a] + (n - a - 1) * (width - a / LANES) * LANES);
-        }
-        starts
-    }
-
-    pub(super) fn new(n: usize) -> Self {
-        let starts = Self::starts(n);
-        Self { prices: vec![f32::INFINITY; starts[n]], starts }
-    }
-
-    /// Where the group of the third run stands.
-    #[inline(always)]
-    pub(super) fn place(&self, a: usize, k: usize, group: usize) -> usize {
-        let width = (self.starts.len() - 1).div_ceil(LANES);
-        let groups = (k - a - 1) * (width - a / LANES) + group - a / LANES;
-        self.starts[a] + groups * LANES
-    }
-
-    /// Sets those of a group, rounded down.
-    #[inline(always)]
-    pub(super) fn set(&mut self, place: usize, prices: &Lanes) {
-        for lane in 0..LANES {
-            self.prices[place + lane] = (prices[lane] * (1.0 - ROUNDED)) as f32;
-        }
-    }
-
-    #[inline(always)]
-    pub(super) fn of(&self, place: usize) -> Lanes {
-        let mut prices = [0.0; LANES];
-        for n in 0..LANES {
-            prices[n] = f64::from(self.prices[place + n]);
-        }
-        prices
-    }
-}
-
-/// The distance of a value from an interval, from its distances above and below.
+/// How far a value is from an interval that it is so much above or below of.
 #[inline(always)]
 fn gap_of(above: f64, below: f64) -> f64 {
     let gap = if above > below { above } else { below };
@@ -115,7 +56,8 @@ pub(super) fn least_wide(fold: f64, sides: [&Rungs; 3]) -> Lanes {
     let mut prices = [0.0; LANES];
     for n in 0..LANES {
         let rungs = 0.5 * (first.least[n] + second.least[n] + across.least[n]);
-        prices[n] = rungs + fold * (apart[n] / 6.0);
+        let folds = fold * (apart[n] / 6.0 - SLACK) - QUANTUM;
+        prices[n] = rungs + if folds > 0.0 { folds } else { 0.0 };
     }
     prices
 }
