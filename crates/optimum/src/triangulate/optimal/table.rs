@@ -1,26 +1,18 @@
 //! The table: its tiles, the order in which they are filled, and the trace of the optimum.
 
 mod filling;
-#[cfg(feature = "rayon")]
 mod shared;
 
 use super::lanes::{lowest, of_lane};
 use super::memory_needed;
-#[cfg(feature = "rayon")]
 use super::threads::Helpers;
 use super::tile_pool::TilePool;
 use crate::cost::{FarEnds, LANES, Lanes};
 use crate::triangulate::{Terms, TriangulateError};
-use filling::Filling;
+use shared::Shared;
 use sheetwright_geometry::math::Vec3;
 use sheetwright_geometry::watch::Watch;
 use std::ops::Range;
-
-/// So many columns of tiles are filled together: the tiles to the left in these rows, which all of
-/// them need, then come from the processor's cache for all but the first. One column at a time,
-/// with folds, the cone takes 1.7 times as long at 10,000 samples, where 7 % of all tiles are kept;
-/// random curves and the twisted strip 1.2 to 2.1 times at 3,200, where 38 to 67 % are.
-const GROUP: usize = 8;
 
 /// The door between the table and all pruning: what it may leave out, since it can't be part of
 /// an answer up to a bound on the price.
@@ -104,15 +96,11 @@ impl<'a> Table<'a> {
         let ends: Vec<FarEnds> =
             (0..columns).map(|at| self.terms.prices.far_ends(at * LANES)).collect();
         self.fit(pruning)?;
-        let tell = |done: f64, watch: &mut dyn Watch| {
-            watch.progress(share.start + (share.end - share.start) * done);
-        };
-        #[cfg(feature = "rayon")]
-        if let Some(helpers) = Helpers::call(columns) {
-            self.fill_shared(&helpers, &ends, pruning, watch, tell)?;
-            return Ok(self.entry(0, self.m - 1));
+        let shared = Shared::new(self, &ends, pruning);
+        match Helpers::call(columns) {
+            Some(helpers) => helpers.join(|| shared.help(), || shared.lead(watch, share))?,
+            None => shared.lead(watch, share)?,
         }
-        self.fill_by_columns(&ends, pruning, watch, tell)?;
         Ok(self.entry(0, self.m - 1))
     }
 
@@ -133,41 +121,6 @@ impl<'a> Table<'a> {
     /// What it takes, with who sees whom, bytes.
     pub(super) fn bytes(&self) -> u64 {
         self.store.bytes() + self.terms.visibility.bytes()
-    }
-
-    /// [`GROUP`] columns of tiles at a time, row by row from the diagonal upwards.
-    fn fill_by_columns(
-        &mut self,
-        ends: &[FarEnds],
-        pruning: &dyn Pruning,
-        watch: &mut dyn Watch,
-        tell: impl Fn(f64, &mut dyn Watch),
-    ) -> Result<(), TriangulateError> {
-        let count = ends.len() as f64;
-        for first in (0..ends.len()).step_by(GROUP) {
-            let end = ends.len().min(first + GROUP);
-            let [before, after] = [first, end].map(|at| at as f64 / count).map(|x| x * x * x);
-            for row in (0..end).rev() {
-                for column in first.max(row)..end {
-                    if pruning.least(row, column) > pruning.bound() {
-                        continue;
-                    }
-                    if watch.stop() {
-                        return Err(TriangulateError::Stopped);
-                    }
-                    let mut tile = self.store.fresh();
-                    let (table, to) = (&*self, &ends[column]);
-                    let filling = Filling { table, pruning, row, to, tile: &mut tile };
-                    self.registers.dispatch(filling);
-                    self.store.put(row, column, tile);
-                }
-                self.fit(pruning)?;
-                // The sums of a tile are as many as its distance from the diagonal.
-                let of_group = (end - row) as f64 / end as f64;
-                tell(before + (after - before) * of_group * of_group, watch);
-            }
-        }
-        Ok(())
     }
 
     /// N of the rung ⟨i,j⟩; zero where folds cost nothing or none is stored.

@@ -1,4 +1,4 @@
-//! Threads that fill a table together.
+//! In which order the tiles of a table are filled, by one thread or more.
 //!
 //! 1. Of [`WIDTH`] columns of tiles, one diagonal after the other is filled. The tiles of a
 //!    diagonal do not depend on one another, so the bits are the same whichever thread fills them.
@@ -12,22 +12,21 @@ use super::filling::Filling;
 use super::{Pruning, Table};
 use crate::cost::FarEnds;
 use crate::triangulate::TriangulateError;
-use crate::triangulate::optimal::threads::{Helpers, MOST_THREADS};
 use crate::triangulate::optimal::tile_pool::Tile;
 use sheetwright_geometry::watch::Watch;
+use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError, RwLock, RwLockWriteGuard, TryLockError};
 
-/// So many columns of tiles are filled together, 32; with 8 of them *wavy* takes 4 % longer at
-/// 100,000 samples. The tiles of a diagonal are half as many in the mean, and no thread is to wait
-/// for others.
-const WIDTH: usize = 2 * MOST_THREADS;
-/// Numbers that stand for no diagonal: before the first and after the last.
+/// So many columns of tiles are filled together: twice as many as there may be threads, so that none
+/// waits for others.
+const WIDTH: usize = 32;
+/// The numbers that no diagonal has, before the first and after the last.
 const NONE_YET: usize = usize::MAX - 1;
 const NONE_LEFT: usize = usize::MAX;
 
 /// What threads share while they fill a table.
-struct Shared<'s, 'a> {
+pub(super) struct Shared<'s, 'a> {
     ends: &'s [FarEnds],
     pruning: &'s dyn Pruning,
     /// A thread that fills a tile reads it.
@@ -57,7 +56,11 @@ impl Drop for End<'_> {
 // A thread that panics leaves a lock that says so. The others go on, and `rayon` passes the panic
 // on in the end.
 impl<'s, 'a> Shared<'s, 'a> {
-    fn new(table: &'s mut Table<'a>, ends: &'s [FarEnds], pruning: &'s dyn Pruning) -> Self {
+    pub(super) fn new(
+        table: &'s mut Table<'a>,
+        ends: &'s [FarEnds],
+        pruning: &'s dyn Pruning,
+    ) -> Self {
         let diagonal = Diagonal { table, tiles: vec![], given: AtomicUsize::new(0) };
         Self { ends, pruning, diagonal: RwLock::new(diagonal), at: AtomicUsize::new(NONE_YET) }
     }
@@ -75,7 +78,7 @@ impl<'s, 'a> Shared<'s, 'a> {
     }
 
     /// Fills tiles of one diagonal after the other, until none is left.
-    fn help(&self) {
+    pub(super) fn help(&self) {
         let mut last = NONE_YET;
         loop {
             match self.at.load(Ordering::Acquire) {
@@ -101,11 +104,11 @@ impl<'s, 'a> Shared<'s, 'a> {
         }
     }
 
-    /// Fills all diagonals, with the helpers.
-    fn lead(
+    /// Fills all diagonals, with helpers or alone.
+    pub(super) fn lead(
         &self,
         watch: &mut dyn Watch,
-        tell: impl Fn(f64, &mut dyn Watch),
+        share: Range<f64>,
     ) -> Result<(), TriangulateError> {
         let _end = End(&self.at);
         let count = self.ends.len();
@@ -127,7 +130,8 @@ impl<'s, 'a> Shared<'s, 'a> {
                 }
                 // The sums of a tile are as many as its distance from the diagonal.
                 let of_group = (away + 1) as f64 / end as f64;
-                tell(before + (after - before) * of_group * of_group, watch);
+                let done = before + (after - before) * of_group * of_group;
+                watch.progress(share.start + (share.end - share.start) * done);
             }
         }
         Ok(())
@@ -156,21 +160,6 @@ impl Diagonal<'_, '_> {
     }
 }
 
-impl Table<'_> {
-    /// Fills the tiles that are open, with these helpers.
-    pub(super) fn fill_shared(
-        &mut self,
-        helpers: &Helpers,
-        ends: &[FarEnds],
-        pruning: &dyn Pruning,
-        watch: &mut dyn Watch,
-        tell: impl Fn(f64, &mut dyn Watch),
-    ) -> Result<(), TriangulateError> {
-        let shared = Shared::new(self, ends, pruning);
-        helpers.join(|| shared.help(), || shared.lead(watch, tell))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::Unpruned;
@@ -196,7 +185,7 @@ mod tests {
         let terms = Terms::new(&prices, &everything, false);
         let (mut led, mut helped) = (Table::new(&terms), Table::new(&terms));
         let ends: Vec<FarEnds> = (0..20).map(|at| prices.far_ends(at * LANES)).collect();
-        led.fill_by_columns(&ends, &Unpruned, &mut Unwatched, |_, _| {}).unwrap();
+        Shared::new(&mut led, &ends, &Unpruned).lead(&mut Unwatched, 0.0..1.0).unwrap();
         let shared = Shared::new(&mut helped, &ends, &Unpruned);
         std::thread::scope(|scope| {
             scope.spawn(|| shared.help());
