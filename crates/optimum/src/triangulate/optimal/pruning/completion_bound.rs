@@ -115,17 +115,11 @@ impl CompletionBound {
     pub(super) fn row(&self, i: usize, first: usize) -> Lanes {
         let n = self.runs.len();
         let rests = &self.rests[self.runs.of(i) * n..][..n];
-        let last = self.last();
-        let mut row = [rests[self.runs.of(first)]; LANES];
-        if self.runs.of(first) != self.runs.of(last.min(first + LANES - 1)) {
-            for lane in 0..LANES {
-                row[lane] = rests[self.runs.of(last.min(first + lane))];
-            }
-        }
-        for edge in [i + 1, if i == 0 { last } else { usize::MAX }] {
-            if let Some(rest) = row.get_mut(edge.wrapping_sub(first)) {
-                *rest = 0.0;
-            }
+        let (last, mut row) = (self.last(), [0.0; LANES]);
+        for lane in 0..LANES {
+            let j = last.min(first + lane);
+            let is_edge = j == i + 1 || (i == 0 && j == last);
+            row[lane] = if is_edge { 0.0 } else { rests[self.runs.of(j)] };
         }
         row
     }

@@ -158,25 +158,9 @@ impl<'a> Abstraction<'a> {
         if edges == 1 { of_edges } else { of_edges.min(self.nibble(a, x)) }
     }
 
-    /// Lower bound on the price of a triangle beyond a nibble: its corners are two samples of run
-    /// a, which are no neighbours, and one of x.
+    /// Lower bound on what a triangle pays beyond a nibble: its corners are two samples of run a,
+    /// which are no neighbours, and one of x. One of its sides may be the edge between the runs.
     fn nibble(&self, a: usize, x: usize) -> f64 {
-        let of_rungs = self.nibble_of_rungs(a, x);
-        // One of its sides may be the edge to the next run.
-        if a.abs_diff(x) == 1 { of_rungs.min(self.nibble_of_edge(a, x)) } else { of_rungs }
-    }
-
-    /// Lower bound on the price of a triangle beyond a nibble of run a, with its third corner in x,
-    /// if all of its sides are rungs.
-    fn nibble_of_rungs(&self, a: usize, x: usize) -> f64 {
-        let (own, across) = (self.cells.of(a, a), self.cells.of(a.min(x), a.max(x)));
-        let fold = least_fold(self.fold, [&own.normals, &across.normals, &across.normals]);
-        0.5 * own.least + across.least + fold
-    }
-
-    /// Lower bound on the price of a triangle beyond a nibble of run a, with its third corner in x,
-    /// if one of its sides is the edge between the runs.
-    fn nibble_of_edge(&self, a: usize, x: usize) -> f64 {
         let (own, across) = (self.cells.of(a, a), self.cells.of(a.min(x), a.max(x)));
         let fold = least_fold(self.fold, [&own.normals, &across.normals, &NormalBox::ANY]);
         0.5 * (own.least + across.least) + fold
@@ -194,11 +178,9 @@ impl<'a> Abstraction<'a> {
             if beyond > self.bound {
                 continue;
             }
-            let below = inside[at][NEITHER][to % LANES];
-            least = least.min(beyond + below + self.nibble_of_rungs(a, x));
-            if to - from == 1 {
-                least = least.min(beyond + self.nibble_of_edge(a, x));
-            }
+            // Below the edge between two runs there is nothing.
+            let below = if to - from == 1 { 0.0 } else { inside[at][NEITHER][to % LANES] };
+            least = least.min(beyond + below + self.nibble(a, x));
         }
         if least <= self.bound { least - SLACK } else { f64::INFINITY }
     }
