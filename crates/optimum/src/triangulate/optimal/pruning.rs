@@ -14,8 +14,8 @@
 //! - `spans` bounds the price of any rung between two runs of 16 samples from below: no rung of a
 //!   tile costs less. Next to a developable surface it leaves so few tiles that their number grows
 //!   like m^1.5.
-//! - `completion_bound` bounds what the rest of the loop costs beside a rung, from the loop as it is
-//!   seen from afar, by runs of samples \[Raphael2001, FM07\].
+//! - `completion_bound` bounds what the rest of the loop costs beside a rung, from the loop as seen
+//!   from afar, by runs of samples (coarse to fine \[Raphael2001\], abstraction \[FM07\]).
 
 mod band;
 mod coarse;

@@ -14,6 +14,9 @@ use sheetwright_geometry::math::Vec3;
 use sheetwright_geometry::watch::Watch;
 use std::ops::Range;
 
+/// The share of a length that rounding may take off it.
+const SLACK: f64 = 1e-12;
+
 /// The door between the table and all pruning: what it may leave out, since it can't be part of
 /// an answer up to a bound on the price.
 ///
@@ -145,21 +148,33 @@ impl<'a> Table<'a> {
 
     /// The triangles below the edge ⟨0, m−1⟩, whose price must be finite.
     pub(super) fn trace(&self) -> Vec<[usize; 3]> {
+        let reaches = self.reaches();
         let mut triangles = Vec::with_capacity(self.m - 2);
         let mut parts = vec![(0, self.m - 1)];
         while let Some((i, j)) = parts.pop() {
             if j - i < 2 {
                 continue;
             }
-            let k = self.chosen(i, j);
+            let k = self.chosen(i, j, &reaches);
             triangles.push([i, k, j]);
             parts.extend([(i, k), (k, j)]);
         }
         triangles
     }
 
+    /// The sample in the middle of each column of tiles, and how far the others are from it, mm.
+    fn reaches(&self) -> Vec<(usize, f64)> {
+        let reach = |at: usize| {
+            let samples = at * LANES..self.m.min((at + 1) * LANES);
+            let middle = usize::midpoint(samples.start, samples.end);
+            let lengths = samples.map(|k| self.terms.prices.length(middle, k));
+            (middle, lengths.fold(0.0, f64::max))
+        };
+        (0..self.m.div_ceil(LANES)).map(reach).collect()
+    }
+
     /// The k of E(i,j), by the rule for equals.
-    fn chosen(&self, i: usize, j: usize) -> usize {
+    fn chosen(&self, i: usize, j: usize, reaches: &[(usize, f64)]) -> usize {
         let mut chosen = (f64::INFINITY, f64::INFINITY, usize::MAX);
         let columns = self.store.beside(i / LANES).iter().map(|at| *at as usize);
         for at in columns.take_while(|at| at * LANES < j) {
@@ -169,7 +184,12 @@ impl<'a> Table<'a> {
                 continue;
             };
             let least = [own.sums.least[i % LANES], lowest(&beyond.sums.least)];
-            if self.terms.together(least[0], least[1]) > chosen.0 {
+            let least = self.terms.together(least[0], least[1]);
+            // On flat stretches all are equal, and most are a long way round.
+            let (middle, reach) = reaches[at];
+            let detour = self.terms.prices.detour(i, middle, j);
+            let is_longer = detour - 2.0 * reach - SLACK * detour > chosen.1;
+            if least > chosen.0 || (least == chosen.0 && is_longer) {
                 continue;
             }
             for n in 0..LANES {

@@ -1,5 +1,5 @@
-//! Lower bounds on the price of any rung between two tiles' runs of neighbouring samples, from where
-//! these lie and how they turn.
+//! Lower bounds on the price of any rung between the samples of two tiles, from where these lie and
+//! how the boundary turns there.
 
 use crate::cost::{LANES, QUANTUM, TwistForm};
 use crate::triangulate::Terms;

@@ -18,8 +18,8 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError, RwLock, RwLockWriteGuard, TryLockError};
 
-/// So many columns of tiles are filled together: twice as many as there may be threads, so that none
-/// waits for others.
+/// So many columns of tiles are filled together: twice as many as there may be threads, so that
+/// none waits for others.
 const WIDTH: usize = 32;
 /// The numbers that no diagonal has, before the first and after the last.
 const NONE_YET: usize = usize::MAX - 1;

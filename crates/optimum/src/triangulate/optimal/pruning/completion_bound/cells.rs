@@ -5,7 +5,7 @@
 //! their samples to all later ones (`pricing`).
 
 use super::normals::NormalBox;
-use super::pricing::Pricing;
+use super::pricing::{Cell, Pricing};
 use super::runs::Runs;
 use crate::cost::{FarEnds, LANES};
 use crate::triangulate::optimal::pruning::spans::Spans;
@@ -17,32 +17,6 @@ use std::sync::{Mutex, PoisonError};
 
 /// Runs of a block: the rungs from the first sample of the next are priced twice.
 const RUNS_OF_BLOCK: usize = 8;
-
-/// What is known of two runs, a and b, which may be one.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Cell {
-    /// No rung between them costs less; infinite if there is none up to the bound.
-    pub(super) least: f64,
-    /// Where N of the rungs up to the bound lies.
-    pub(super) normals: NormalBox,
-    /// Lower bounds on the price, with half of the prices of its rungs, of a triangle on an edge
-    /// between samples of a with its third corner in b, and of one on an edge in b with its third
-    /// corner in a. Close to the least price where folds are slight.
-    pub(super) on_edges: [f64; 2],
-    /// Lower bounds on the price, with half of the prices of its rungs, of a triangle on the edge
-    /// from a to the run after it with its third corner in b, and of one on the edge from b to the
-    /// run after it with its third corner in a.
-    pub(super) on_links: [f64; 2],
-}
-
-impl Cell {
-    const UNKNOWN: Self = Self {
-        least: f64::INFINITY,
-        normals: NormalBox::NONE,
-        on_edges: [f64::INFINITY; 2],
-        on_links: [f64::INFINITY; 2],
-    };
-}
 
 /// The cells of all pairs of runs, by the first.
 pub(super) struct Cells {

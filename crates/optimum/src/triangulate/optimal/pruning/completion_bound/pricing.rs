@@ -1,7 +1,6 @@
 //! How the rungs from the samples of a run to all later ones are priced, and the triangles on edges
 //! of the boundary that they are sides of: sample by sample, and sixteen at a time.
 
-use super::cells::Cell;
 use super::normals::NormalBox;
 use super::on_edges::OnEdges;
 use super::runs::Runs;
@@ -9,6 +8,32 @@ use crate::cost::{Aligned, FarEnds, LANES, Lanes, Strip};
 use crate::triangulate::Terms;
 use crate::triangulate::optimal::lanes::lowest;
 use crate::triangulate::optimal::pruning::spans::Spans;
+
+/// What is known of two runs, a and b, which may be one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Cell {
+    /// No rung between them costs less; infinite if there is none up to the bound.
+    pub(super) least: f64,
+    /// Where N of the rungs up to the bound lies.
+    pub(super) normals: NormalBox,
+    /// Lower bounds on the price, with half of the prices of its rungs, of a triangle on an edge
+    /// between samples of a with its third corner in b, and of one on an edge in b with its third
+    /// corner in a. Close to the least price where folds are slight.
+    pub(super) on_edges: [f64; 2],
+    /// Lower bounds on the price, with half of the prices of its rungs, of a triangle on the edge
+    /// from a to the run after it with its third corner in b, and of one on the edge from b to the
+    /// run after it with its third corner in a.
+    pub(super) on_links: [f64; 2],
+}
+
+impl Cell {
+    pub(super) const UNKNOWN: Self = Self {
+        least: f64::INFINITY,
+        normals: NormalBox::NONE,
+        on_edges: [f64::INFINITY; 2],
+        on_links: [f64::INFINITY; 2],
+    };
+}
 
 /// The rungs from one sample to all of the loop.
 struct Row {
