@@ -8,14 +8,16 @@
 //! the answer. Each file has one bound that says which are:
 //!
 //! - `upper_bound` finds U: what the cheapest triangulation costs near to that of the loop of every
-//!   fourth sample (`coarse`), in a `band` of the table.
-//! - `warm_start` has U for nothing while a handle is dragged: what the triangulation from one move
-//!   before costs now, mended by exchanges of rungs.
+//!   fourth sample (`coarse`), in a `band` of the table. Without it 400 samples take 2.3 times as
+//!   long with the fold price and 1.2 times without, 1,600 samples 17 and 4.7 times.
+//! - `warm_start` has U for little while a handle is dragged: what the triangulation from one move
+//!   before costs now, mended by exchanges of rungs. Without it a move of 400 samples takes 1.25 to
+//!   1.9 times as long.
 //! - `spans` bounds the price of any rung between two runs of 16 samples from below: no rung of a
-//!   tile costs less. Next to a developable surface it leaves so few tiles that their number grows
-//!   like m^1.5.
+//!   tile costs less. Without it 1,600 samples take 1.17 and 1.06 times as long.
 //! - `completion_bound` bounds what the rest of the loop costs beside a rung, from the loop as seen
-//!   from afar, by runs of samples (coarse to fine \[Raphael2001\], abstraction \[FM07\]).
+//!   from afar, by runs of samples (coarse to fine \[Raphael2001\], abstraction \[FM07\]). Without
+//!   it 1,600 samples take 1.6 times as long with the fold price, the twisted strip 6 times.
 
 mod band;
 mod coarse;

@@ -118,10 +118,11 @@ impl<'s, 'a> Shared<'s, 'a> {
             let [before, after] =
                 [first, end].map(|at| at as f64 / count as f64).map(|x| x * x * x);
             for away in 0..end {
-                if watch.stop() {
+                let places = (first.max(away)..end).map(|column| [column - away, column]);
+                // A diagonal may take long: it is asked for each of its tiles.
+                if places.clone().any(|_| watch.stop()) {
                     return Err(TriangulateError::Stopped);
                 }
-                let places = (first.max(away)..end).map(|column| [column - away, column]);
                 if self.alone().begin(self.pruning, places) {
                     self.at.store(number, Ordering::Release);
                     number += 1;
