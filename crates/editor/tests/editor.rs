@@ -446,7 +446,7 @@ fn a_picture_is_scaled_by_two_places_and_their_distance() {
     let editor = hands.harness.state_mut().editor_mut();
     editor.calibrate([Point2::new(0.0, 0.0), Point2::new(1e-3, 0.0)]);
     editor.calibrated(1e9);
-    assert!(editor.notice.as_ref().unwrap().text.starts_with("The picture would reach"));
+    assert!(editor.notice.as_ref().unwrap().text.starts_with("The picture would lie farther out"));
     assert_eq!(reference(&hands), (5.0, 0.0, 0.0));
     hands.key(Modifiers::SHIFT, Key::K);
     assert!(hands.app().editor().document().drawing.reference.is_none());

@@ -242,12 +242,12 @@ fn what_is_known_from_before_changes_nothing() {
                 let panel = make(&design, &mut Unwatched).unwrap().parts.remove(0);
                 let mut options = TriangulateOptions::default();
                 options.price.fold = 0.0;
-                let (boundary, plane) =
-                    (&panel.found().unwrap().boundary, panel.found().unwrap().plane.as_ref());
+                let found = panel.found().unwrap();
+                let (boundary, plane) = (&found.boundary, found.plane.as_ref());
                 let near = known.as_ref();
                 let next = triangulate_near(boundary, plane, &options, near, &mut Unwatched);
                 let next = next.unwrap();
-                assert_eq!(next.triangulation, panel.triangulation, "{handle}, {step}");
+                assert_eq!(next.triangulation, found.triangulation, "{handle}, {step}");
                 known = Some(next);
             }
             design.curves[0].points[handle].at = home;

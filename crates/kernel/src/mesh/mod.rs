@@ -20,7 +20,7 @@ pub use cut::{Cut, angle_defects, cut_through, cut_to_disk, worst_points};
 pub use error::MeshError;
 pub use specks::Specks;
 pub(crate) use specks::{WithoutSpecks, without_specks};
-pub use topology::{MeshEdge, Component, Topology};
+pub use topology::{Component, MeshEdge, Topology};
 pub(crate) use ways::Ways;
 
 use crate::surface::{Surface, signed_crease};
