@@ -5,11 +5,11 @@
 //! sheet stretches least where it leaves the ruled surface. How much it must stretch decides
 //! whether it bends, and a warp angle alone does not say that: it leaves out the thickness.
 //!
-//! 1. The flat outline is divided into quadratic triangles ([`net`]).
-//! 2. The energy of the sheet is that of stretching and of bending ([`energy`]); both are exact for
+//! 1. The flat outline is divided into quadratic triangles (`net`).
+//! 2. The energy of the sheet is that of stretching and of bending (`energy`); both are exact for
 //!    large turns and small strains, which is what sheets bear.
 //! 3. The border is held: every point of it lies on the curve in space, by its length along the
-//!    outline. From the ruled surface on, Newton's method goes to the least energy ([`newton`]). A
+//!    outline. From the ruled surface on, Newton's method goes to the least energy (`newton`). A
 //!    place of rest that a small push would leave is left.
 //! 4. What comes out is the strain of every triangle, in the plane and in the outer fibre, how far
 //!    the sheet lies from the ruled surface, and how stable it is.

@@ -1,8 +1,8 @@
 //! From a design to parts with everything that is derived from them: [`make`] and, while a design
 //! is edited, [`Live`].
 //!
-//! A panel that is bounded by curves becomes one part ([`found`]), a mesh one or several
-//! ([`mesh`]). Joined edges and their marks, which depend on other parts, come last ([`joined`]).
+//! A panel that is bounded by curves becomes one part (`found`), a mesh one or several
+//! (`mesh`). Joined edges and their marks, which depend on other parts, come last (`joined`).
 
 mod cleaned;
 mod error;
