@@ -1,110 +1,141 @@
-//! What SVG and DXF files of a piece show: its paths, its texts as strokes, and beside it a square
-//! of 100 mm by which a shop checks that the drawing kept its size.
+//! How a design is drawn: what an editor keeps beside what is made.
 
-use crate::stroke_font::strokes;
-use sheetwright::math::{Point2, Vec2};
-use sheetwright::pattern::{LabelKind, PathKind, PatternLabel, Piece, Role};
-use sheetwright::predicate::Box2;
-use sheetwright::rung::Rung;
+use crate::units::Units;
+use sheetwright::math::{Point2, Point3, Vec3};
+use std::sync::Arc;
 
-/// The side of the reference square, mm.
-pub(crate) const REFERENCE_MM: f64 = 100.0;
-/// Between the piece with its dimensions and the reference square, mm.
-const REFERENCE_GAP_MM: f64 = 20.0;
-/// Letters in the reference square, mm.
-const CAPTION_MM: f64 = 8.0;
-
-/// What a shape of a drawing shows.
+/// How a design is drawn: nothing in it changes what is made.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum What {
-    Outline,
-    Hole,
-    Rung(Rung),
-    Crease,
-    RulingTick,
-    SeamTick,
-    Dimension,
-    /// A text, which its lines are the strokes of.
-    Label(String),
-    /// The reference square.
-    Reference,
+pub struct Drawing {
+    /// The units that lengths are shown in, and that a number without a unit is in.
+    pub units: Units,
+    /// The plane that the plan shows.
+    pub plan: Plan,
+    /// The mirror, if what is drawn is symmetrical: a line of the plan.
+    pub mirror: Option<Mirror>,
+    /// The distance of the lines of the grid, mm.
+    pub grid_mm: f64,
+    /// Whether points snap to the grid.
+    pub snap_to_grid: bool,
+    /// A picture to draw after, under the plan.
+    pub reference: Option<Reference>,
 }
 
-/// Lines of one role that show one thing.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Shape {
-    pub(crate) role: Role,
-    pub(crate) what: What,
-    /// Polylines, mm.
-    pub(crate) lines: Vec<Vec<Point2>>,
-    /// Whether each of them ends where it begins.
-    pub(crate) closed: bool,
+/// Which plane the plan shows. Handles move in it on the left and across it on the right.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Plan {
+    /// Seen from above: x to the right, y upwards; across it is z.
+    #[default]
+    Top,
+    /// Seen from the front: x to the right, z upwards; across it is −y.
+    Front,
+    /// Seen from the right side: y to the right, z upwards; across it is x.
+    Side,
 }
 
-/// Everything that a file of the piece shows, in the coordinates of the piece.
-pub(crate) fn shapes(piece: &Piece) -> Vec<Shape> {
-    let mut shapes: Vec<Shape> = piece
-        .paths
-        .iter()
-        .map(|path| Shape {
-            role: path.role,
-            what: match path.kind {
-                PathKind::Outline => What::Outline,
-                PathKind::Hole => What::Hole,
-                PathKind::Rung(rung) => What::Rung(rung),
-                PathKind::Crease => What::Crease,
-                PathKind::RulingTick => What::RulingTick,
-                PathKind::SeamTick => What::SeamTick,
-                PathKind::Dimension => What::Dimension,
-            },
-            lines: vec![path.points.clone()],
-            closed: path.closed,
-        })
-        .collect();
-    shapes.extend(piece.labels.iter().map(label));
-    let around = extent(&shapes);
-    // Whole millimetres, so that its sides are 100 mm in every digit.
-    let x = (around.max.x + REFERENCE_GAP_MM).ceil();
-    let y = around.min.y.floor();
-    shapes.extend(reference(Point2::new(x, y)));
-    shapes
-}
+impl Plan {
+    /// Every plane.
+    pub const ALL: [Self; 3] = [Self::Top, Self::Front, Self::Side];
 
-fn label(label: &PatternLabel) -> Shape {
-    Shape {
-        role: label.role,
-        what: What::Label(label.text.clone()),
-        lines: strokes(&label.text, label.at, label.along, label.height_mm),
-        closed: false,
+    /// What people call it, and files in small letters.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Top => "Top",
+            Self::Front => "Front",
+            Self::Side => "Side",
+        }
+    }
+
+    /// Where a point lies in the plan, mm.
+    pub fn flat(self, p: Point3) -> Point2 {
+        match self {
+            Self::Top => Point2::new(p.x, p.y),
+            Self::Front => Point2::new(p.x, p.z),
+            Self::Side => Point2::new(p.y, p.z),
+        }
+    }
+
+    /// How far a point is lifted off the plan, mm, towards whoever looks at it.
+    pub fn lift(self, p: Point3) -> f64 {
+        match self {
+            Self::Top => p.z,
+            Self::Front => -p.y,
+            Self::Side => p.x,
+        }
+    }
+
+    /// The point at a place of the plan, lifted off it, mm.
+    pub fn space(self, at: Point2, lift: f64) -> Point3 {
+        match self {
+            Self::Top => Point3::new(at.x, at.y, lift),
+            Self::Front => Point3::new(at.x, -lift, at.y),
+            Self::Side => Point3::new(lift, at.x, at.y),
+        }
+    }
+
+    /// The way across it, towards whoever looks at it.
+    pub fn normal(self) -> Vec3 {
+        match self {
+            Self::Top => Vec3::new(0.0, 0.0, 1.0),
+            Self::Front => Vec3::new(0.0, -1.0, 0.0),
+            Self::Side => Vec3::new(1.0, 0.0, 0.0),
+        }
     }
 }
 
-/// The reference square, with its lower left corner at `corner`, and what it says.
-fn reference(corner: Point2) -> [Shape; 2] {
-    let side = REFERENCE_MM;
-    let square = [(0.0, 0.0), (side, 0.0), (side, side), (0.0, side)];
-    let square = square.map(|(x, y)| corner + Vec2::new(x, y)).to_vec();
-    let caption = PatternLabel {
-        kind: LabelKind::Length,
-        role: Role::Note,
-        at: corner + Vec2::new(0.5 * side, 0.5 * (side - CAPTION_MM)),
-        along: Vec2::X,
-        height_mm: CAPTION_MM,
-        text: format!("{side} × {side} mm"),
-    };
-    let square =
-        Shape { role: Role::Note, what: What::Reference, lines: vec![square], closed: true };
-    [square, label(&caption)]
+/// A line of the plan that everything is drawn on both sides of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mirror {
+    /// Whether the line runs upwards on the plan, so that left and right are alike; else it runs to
+    /// the right, and above and below are alike.
+    pub upright: bool,
+    /// Where it stands on the axis that it crosses, mm.
+    pub at_mm: f64,
 }
 
-/// The box around all lines, mm.
-pub(crate) fn extent(shapes: &[Shape]) -> Box2 {
-    let points = shapes.iter().flat_map(|shape| shape.lines.iter().flatten().copied());
-    Box2::of_points(points).unwrap_or(Box2 { min: Point2::default(), max: Point2::default() })
+impl Mirror {
+    /// Where the mirror shows a place of the plan, mm.
+    pub fn image(self, p: Point2) -> Point2 {
+        if self.upright {
+            Point2::new(2.0 * self.at_mm - p.x, p.y)
+        } else {
+            Point2::new(p.x, 2.0 * self.at_mm - p.y)
+        }
+    }
 }
 
-/// A coordinate in the fewest digits that give the same number back, without an exponent.
-pub(crate) fn digits(x: f64) -> String {
-    // Adding 0 turns −0 into 0.
-    format!("{}", x + 0.0)
+/// A picture that is drawn after: a photograph or a scan of a plan, true to scale.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reference {
+    /// The name of the file that it came from.
+    pub name: String,
+    /// The bytes of that file, PNG or JPEG.
+    pub bytes: Arc<[u8]>,
+    /// Where the middle of the picture lies on the plan, mm.
+    pub centre: Point2,
+    /// The size of a pixel, mm.
+    pub mm_per_pixel: f64,
+    /// How much of it shows, 0 ..= 1.
+    pub opacity: f64,
+}
+
+impl Drawing {
+    /// An empty drawing in these units, with a grid that is round in them.
+    pub fn in_units(units: Units) -> Self {
+        let usual = Self::default();
+        Self { units, grid_mm: units.round_step_mm(usual.grid_mm), ..usual }
+    }
+}
+
+impl Default for Drawing {
+    fn default() -> Self {
+        Self {
+            units: Units::Millimetres,
+            plan: Plan::Top,
+            mirror: None,
+            grid_mm: 50.0,
+            snap_to_grid: false,
+            reference: None,
+        }
+    }
 }

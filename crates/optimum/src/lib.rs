@@ -14,3 +14,6 @@ pub mod cost;
 pub mod specification;
 
 pub mod triangulate;
+
+#[cfg(test)]
+mod test_boundaries;

@@ -204,51 +204,20 @@ pub(crate) struct Fan<'a> {
 mod tests {
     use super::*;
     use crate::cost::PriceOptions;
+    use crate::test_boundaries::{bent_square, nearly_straight, waving};
     use sheetwright_geometry::boundary::{Boundary, samples_from_points};
     use sheetwright_geometry::curve::CurvePoint;
     use sheetwright_geometry::math::{Point3, Vec3, cos, sin};
 
-    /// A quadrangle with two straight sides and two bent ones, so many samples each.
-    fn bent(n: usize, corners: [[f64; 2]; 4]) -> Prices {
-        let sides = (0..4 * n).map(|at| {
-            let (side, t) = (at / n, (at % n) as f64 / n as f64);
-            let (from, to) = (corners[side], corners[(side + 1) % 4]);
-            let [x, y] = [0, 1].map(|axis| (1.0 - t) * from[axis] + t * to[axis]);
-            let at = Point3::new(x, y, 0.3 * sin(3.0 * x));
-            CurvePoint { corner: t == 0.0, ..CurvePoint::smooth(at) }
-        });
-        let samples = samples_from_points(&sides.collect::<Vec<_>>());
-        let boundary = Boundary::new(vec![samples]).unwrap();
+    fn priced(boundary: Boundary) -> Prices {
         Prices::new(&boundary, None, PriceOptions::default())
-    }
-
-    /// A smooth loop that is far from developable where `height` is large.
-    fn waving(n: usize, height: f64) -> Prices {
-        let points = (0..n).map(|at| {
-            let t = std::f64::consts::TAU * at as f64 / n as f64;
-            CurvePoint::smooth(Point3::new(cos(t), sin(t), height * sin(3.0 * t)))
-        });
-        let samples = samples_from_points(&points.collect::<Vec<_>>());
-        let boundary = Boundary::new(vec![samples]).unwrap();
-        Prices::new(&boundary, None, PriceOptions::default())
-    }
-
-    /// A loop with a side along which triangles are slivers, whose normals rounding turns.
-    fn nearly_straight(bend: f64) -> Prices {
-        let side = (0..=400).map(|n| {
-            let x = f64::from(n) / 400.0;
-            Point3::new(0.8 * x, 0.6 * x + bend * x * x, 3.0 * bend * x * x * x)
-        });
-        let points = side.chain([Point3::new(1.0, 2.0, 0.0), Point3::new(0.0, 2.0, 0.0)]);
-        let samples = samples_from_points(&points.map(CurvePoint::smooth).collect::<Vec<_>>());
-        Prices::new(&Boundary::new(vec![samples]).unwrap(), None, PriceOptions::default())
     }
 
     #[test]
     fn fans_are_what_single_triangles_are() {
-        let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
         let slivers = [nearly_straight(1e-5), nearly_straight(1e-6)];
-        for prices in [waving(400, 0.3), bent(100, square)].into_iter().chain(slivers) {
+        for boundary in [waving(400, 0.3), bent_square(100)].into_iter().chain(slivers) {
+            let prices = priced(boundary);
             let m = prices.len();
             let mean = |i: usize, j: usize| {
                 let planes = prices.planes(i, j).filter(|_| !prices.neighbours(i, j));
@@ -279,25 +248,25 @@ mod tests {
 
     /// A loop whose samples stand to either side of a line in turn, so that the sign of many
     /// normals is open.
-    fn zigzag(off: f64) -> Prices {
+    fn zigzag(off: f64) -> Boundary {
         let points = (0..120).map(|n| {
             let t = std::f64::consts::TAU * f64::from(n) / 120.0;
             let r = 1.0 + if n % 2 == 0 { off } else { -off };
             CurvePoint::smooth(Point3::new(r * cos(t), 0.4 * r * sin(t), 0.2 * sin(2.0 * t)))
         });
         let samples = samples_from_points(&points.collect::<Vec<_>>());
-        Prices::new(&Boundary::new(vec![samples]).unwrap(), None, PriceOptions::default())
+        Boundary::new(vec![samples]).unwrap()
     }
 
     #[test]
     fn strips_are_what_single_rungs_are() {
-        let bent = bent(20, [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
-        for (prices, least_without, least_open) in [
-            (bent, 200, 20),
+        for (boundary, least_without, least_open) in [
+            (bent_square(20), 200, 20),
             (nearly_straight(1e-7), 0, 400),
             (zigzag(0.01), 0, 1000),
             (zigzag(0.002), 0, 200),
         ] {
+            let prices = priced(boundary);
             let (mut without, mut open) = (0, 0);
             for i in 0..prices.len() {
                 for first in (0..prices.len()).step_by(LANES) {

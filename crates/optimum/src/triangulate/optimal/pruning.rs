@@ -161,6 +161,4 @@ pub(super) fn fill_up_to(
 }
 
 #[cfg(test)]
-mod random_boundary;
-#[cfg(test)]
 mod tests;

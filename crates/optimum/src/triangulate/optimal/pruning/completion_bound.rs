@@ -58,7 +58,7 @@ use super::spans::Spans;
 use crate::cost::{LANES, Lanes};
 use crate::triangulate::{Terms, TriangulateError};
 use abstraction::Abstraction;
-use cells::Cells;
+use cells::{Cells, RUNS_OF_BLOCK};
 use runs::Runs;
 use sheetwright_geometry::watch::Watch;
 
@@ -98,7 +98,7 @@ impl CompletionBound {
         spans: &Spans,
         watch: &mut dyn Watch,
     ) -> Result<Self, TriangulateError> {
-        let cells = Cells::new(terms, registers, spans, runs, watch)?;
+        let cells = Cells::new(RUNS_OF_BLOCK, terms, registers, spans, runs, watch)?;
         let rests = Abstraction::new(terms, registers, spans.bound, &cells).rests(watch)?;
         Ok(Self { runs: cells.runs, rests })
     }

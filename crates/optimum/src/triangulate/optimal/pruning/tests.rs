@@ -1,31 +1,15 @@
 //! The table with what is left out against the table without.
 
-use super::random_boundary::random_boundary;
 use super::*;
 use crate::cost::{PriceOptions, Prices, QUANTUM, Strip, TwistForm, quantised};
 use crate::rung::Visibility;
+use crate::test_boundaries::{plate, random_boundary, waving};
 use crate::triangulate::Rule;
 use sheetwright_geometry::boundary::{Boundary, samples_from_points};
 use sheetwright_geometry::curve::CurvePoint;
 use sheetwright_geometry::math::{Point3, cos, sin};
 use sheetwright_geometry::watch::Unwatched;
 use sheetwright_shapes::family::Family;
-
-/// A bent plate of `m` samples with four corners and two straight sides; a wavy loop.
-fn boundaries(m: usize) -> [Boundary; 2] {
-    let plate = |i: usize| {
-        let (side, t) = (4 * i / m, (4 * i % m) as f64 / m as f64);
-        let [s, z] = [[t, 0.0], [1.0, t], [1.0 - t, 1.0], [0.0, 1.0 - t]][side];
-        let at = Point3::new(sin(2.0 * s), 0.3 * s * z - cos(2.0 * s), z);
-        CurvePoint { corner: (4 * i).is_multiple_of(m), ..CurvePoint::smooth(at) }
-    };
-    let wavy = |i: usize| {
-        let t = std::f64::consts::TAU * i as f64 / m as f64;
-        CurvePoint::smooth(Point3::new(cos(t), sin(t), 0.3 * sin(3.0 * t)))
-    };
-    let points: [Vec<CurvePoint>; 2] = [(0..m).map(plate).collect(), (0..m).map(wavy).collect()];
-    points.map(|points| Boundary::new(vec![samples_from_points(&points)]).unwrap())
-}
 
 /// With all bounds, with those of a price alone, and without any: the same triangles and the same
 /// bits of the price. Returns whether there is a triangulation.
@@ -120,7 +104,8 @@ fn ties_have_the_answer_of_the_table_without_pruning() {
 #[test]
 fn tiles_that_spans_leave_out_have_no_entries() {
     let mut closed = 0;
-    for (boundary, fold) in boundaries(320).iter().flat_map(|b| [(b, 0.0), (b, 1.0)]) {
+    for (boundary, fold) in [plate(320), waving(320, 0.3)].iter().flat_map(|b| [(b, 0.0), (b, 1.0)])
+    {
         let prices = Prices::new(boundary, None, PriceOptions { fold, ..Default::default() });
         let everything = Visibility::everything();
         for (forced, rule) in [(false, Rule::Sum), (true, Rule::Sum), (false, Rule::Worst)] {
@@ -150,7 +135,7 @@ fn tiles_that_spans_leave_out_have_no_entries() {
 fn rungs_cost_what_their_spans_say_or_more() {
     let m = 1_100;
     let mut told = 0;
-    for boundary in boundaries(m) {
+    for boundary in [plate(m), waving(m, 0.3)] {
         let prices = Prices::new(&boundary, None, PriceOptions::default());
         let everything = Visibility::everything();
         let terms = Terms::new(&prices, &everything, false);

@@ -167,21 +167,13 @@ mod tests {
     use super::*;
     use crate::cost::{LANES, PriceOptions, Prices};
     use crate::rung::Visibility;
+    use crate::test_boundaries::waving;
     use crate::triangulate::Terms;
-    use sheetwright_geometry::boundary::{Boundary, samples_from_points};
-    use sheetwright_geometry::curve::CurvePoint;
-    use sheetwright_geometry::math::{Point3, cos, sin};
     use sheetwright_geometry::watch::Unwatched;
 
     #[test]
     fn a_helper_alone_fills_all() {
-        let wavy = |i: usize| {
-            let t = std::f64::consts::TAU * i as f64 / 320.0;
-            CurvePoint::smooth(Point3::new(cos(t), sin(t), 0.3 * sin(3.0 * t)))
-        };
-        let points: Vec<CurvePoint> = (0..320).map(wavy).collect();
-        let boundary = Boundary::new(vec![samples_from_points(&points)]).unwrap();
-        let prices = Prices::new(&boundary, None, PriceOptions::default());
+        let prices = Prices::new(&waving(320, 0.3), None, PriceOptions::default());
         let everything = Visibility::everything();
         let terms = Terms::new(&prices, &everything, false);
         let (mut led, mut helped) = (Table::new(&terms), Table::new(&terms));

@@ -1,28 +1,13 @@
 use super::*;
 use crate::cost::{PriceOptions, Prices, Strip, quantised};
 use crate::rung::Visibility;
+use crate::test_boundaries::{plate, waving};
 use crate::triangulate::optimal::pruning::fill_up_to;
 use crate::triangulate::{Rule, Side};
 use sheetwright_geometry::boundary::{Boundary, samples_from_points};
 use sheetwright_geometry::curve::CurvePoint;
 use sheetwright_geometry::math::{Point3, cos, sin};
 use sheetwright_geometry::watch::Unwatched;
-
-/// A bent plate of `m` samples with four corners and two straight sides; a wavy loop.
-fn boundaries(m: usize) -> [Boundary; 2] {
-    let plate = |i: usize| {
-        let (side, t) = (4 * i / m, (4 * i % m) as f64 / m as f64);
-        let [s, z] = [[t, 0.0], [1.0, t], [1.0 - t, 1.0], [0.0, 1.0 - t]][side];
-        let at = Point3::new(sin(2.0 * s), 0.3 * s * z - cos(2.0 * s), z);
-        CurvePoint { corner: (4 * i).is_multiple_of(m), ..CurvePoint::smooth(at) }
-    };
-    let wavy = |i: usize| {
-        let t = std::f64::consts::TAU * i as f64 / m as f64;
-        CurvePoint::smooth(Point3::new(cos(t), sin(t), 0.3 * sin(3.0 * t)))
-    };
-    let points: [Vec<CurvePoint>; 2] = [(0..m).map(plate).collect(), (0..m).map(wavy).collect()];
-    points.map(|points| Boundary::new(vec![samples_from_points(&points)]).unwrap())
-}
 
 /// Leaves out what costs more, and nothing else.
 struct UpTo(f64);
@@ -49,7 +34,7 @@ impl Pruning for UpTo {
 fn strips_are_what_single_sides_are() {
     let m = 320;
     let (mut admitted, mut barred) = (0, 0);
-    for boundary in boundaries(m) {
+    for boundary in [plate(m), waving(m, 0.3)] {
         let prices = Prices::new(&boundary, None, PriceOptions::default());
         let some = Visibility::of_pairs(m, |i, j| (i * 7 + j * 3) % 5 != 0);
         for visibility in [Visibility::everything(), some] {
@@ -80,7 +65,7 @@ fn strips_are_what_single_sides_are() {
 fn entries_are_all_those_of_equation_5_up_to_the_bound() {
     // The last tiles are not full.
     let m = 315;
-    for (boundary, fold) in boundaries(m).iter().flat_map(|b| [(b, 0.0), (b, 1.0)]) {
+    for (boundary, fold) in [plate(m), waving(m, 0.3)].iter().flat_map(|b| [(b, 0.0), (b, 1.0)]) {
         let prices = Prices::new(boundary, None, PriceOptions { fold, ..Default::default() });
         let everything = Visibility::everything();
         let terms = Terms::new(&prices, &everything, false);
@@ -145,7 +130,8 @@ fn registers_change_no_bit() {
     let narrow = [Some(pulp::Arch::Scalar), pulp::x86::V3::try_new().map(pulp::Arch::V3)];
     #[cfg(not(target_arch = "x86_64"))]
     let narrow = [Some(pulp::Arch::Scalar)];
-    for (boundary, fold) in boundaries(320).iter().flat_map(|b| [(b, 0.0), (b, 1.0)]) {
+    for (boundary, fold) in [plate(320), waving(320, 0.3)].iter().flat_map(|b| [(b, 0.0), (b, 1.0)])
+    {
         let prices = Prices::new(boundary, None, PriceOptions { fold, ..Default::default() });
         let everything = Visibility::everything();
         for rule in [Rule::Sum, Rule::Worst] {
@@ -201,7 +187,9 @@ mod threads {
     fn any_number_of_threads_fills_the_same_table() {
         // More columns of tiles than are filled together, and fewer.
         for m in [315, 640] {
-            for (boundary, fold) in boundaries(m).iter().flat_map(|b| [(b, 0.0), (b, 1.0)]) {
+            for (boundary, fold) in
+                [plate(m), waving(m, 0.3)].iter().flat_map(|b| [(b, 0.0), (b, 1.0)])
+            {
                 let prices =
                     Prices::new(boundary, None, PriceOptions { fold, ..Default::default() });
                 let everything = Visibility::everything();
@@ -244,7 +232,7 @@ mod threads {
 
     #[test]
     fn threads_stop_when_asked_and_when_one_panics() {
-        let [_, wavy] = boundaries(640);
+        let wavy = waving(640, 0.3);
         let prices = Prices::new(&wavy, None, PriceOptions::default());
         let everything = Visibility::everything();
         let terms = Terms::new(&prices, &everything, false);
@@ -272,7 +260,7 @@ mod threads {
 
     #[test]
     fn threads_end_where_the_memory_does() {
-        let [plate, _] = boundaries(640);
+        let plate = plate(640);
         let prices = Prices::new(&plate, None, PriceOptions::default());
         let everything = Visibility::everything();
         let terms = Terms::new(&prices, &everything, false);

@@ -16,7 +16,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 /// Runs of a block: the rungs from the first sample of the next are priced twice.
-const RUNS_OF_BLOCK: usize = 8;
+pub(super) const RUNS_OF_BLOCK: usize = 8;
 
 /// The cells of all pairs of runs, by the first.
 pub(super) struct Cells {
@@ -33,19 +33,8 @@ impl Cells {
         (runs * runs * size_of::<Cell>() + of_tiles) as u64
     }
 
-    /// Prices all rungs that spans do not exclude.
+    /// Prices all rungs that spans leave open. A block has `length` runs, which changes no bit.
     pub(super) fn new(
-        terms: &Terms<'_>,
-        registers: pulp::Arch,
-        spans: &Spans,
-        runs: Runs,
-        watch: &mut dyn Watch,
-    ) -> Result<Self, TriangulateError> {
-        Self::in_blocks(RUNS_OF_BLOCK, terms, registers, spans, runs, watch)
-    }
-
-    /// Prices all rungs that spans leave open, so many runs in a block.
-    pub(super) fn in_blocks(
         length: usize,
         terms: &Terms<'_>,
         registers: pulp::Arch,

@@ -56,54 +56,21 @@ impl OnEdges<'_> {
 mod tests {
     use super::*;
     use crate::cost::{PriceOptions, Prices};
-    use sheetwright_geometry::boundary::{Boundary, samples_from_points};
-    use sheetwright_geometry::curve::CurvePoint;
-    use sheetwright_geometry::math::{Point3, Vec3, cos, sin};
+    use crate::test_boundaries::{bent_square, nearly_straight, waving};
+    use sheetwright_geometry::boundary::Boundary;
+    use sheetwright_geometry::math::Vec3;
 
-    /// A quadrangle with two straight sides and two bent ones, so many samples each.
-    fn bent(n: usize, corners: [[f64; 2]; 4]) -> Prices {
-        let sides = (0..4 * n).map(|at| {
-            let (side, t) = (at / n, (at % n) as f64 / n as f64);
-            let (from, to) = (corners[side], corners[(side + 1) % 4]);
-            let [x, y] = [0, 1].map(|axis| (1.0 - t) * from[axis] + t * to[axis]);
-            let at = Point3::new(x, y, 0.3 * sin(3.0 * x));
-            CurvePoint { corner: t == 0.0, ..CurvePoint::smooth(at) }
-        });
-        let samples = samples_from_points(&sides.collect::<Vec<_>>());
-        let boundary = Boundary::new(vec![samples]).unwrap();
+    fn priced(boundary: Boundary) -> Prices {
         Prices::new(&boundary, None, PriceOptions::default())
-    }
-
-    /// A smooth loop that is far from developable where `height` is large.
-    fn waving(n: usize, height: f64) -> Prices {
-        let points = (0..n).map(|at| {
-            let t = std::f64::consts::TAU * at as f64 / n as f64;
-            CurvePoint::smooth(Point3::new(cos(t), sin(t), height * sin(3.0 * t)))
-        });
-        let samples = samples_from_points(&points.collect::<Vec<_>>());
-        let boundary = Boundary::new(vec![samples]).unwrap();
-        Prices::new(&boundary, None, PriceOptions::default())
-    }
-
-    /// A loop with a side along which triangles are slivers, whose normals rounding turns.
-    fn nearly_straight(bend: f64) -> Prices {
-        let side = (0..=400).map(|n| {
-            let x = f64::from(n) / 400.0;
-            Point3::new(0.8 * x, 0.6 * x + bend * x * x, 3.0 * bend * x * x * x)
-        });
-        let points = side.chain([Point3::new(1.0, 2.0, 0.0), Point3::new(0.0, 2.0, 0.0)]);
-        let samples = samples_from_points(&points.map(CurvePoint::smooth).collect::<Vec<_>>());
-        Prices::new(&Boundary::new(vec![samples]).unwrap(), None, PriceOptions::default())
     }
 
     #[test]
     fn no_triangle_on_an_edge_costs_less_than_is_said() {
-        let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
         let (mut hardly_less, mut all) = (0, 0);
         for (prices, fold) in [0.1, 1.0, 10.0].into_iter().flat_map(|fold| {
-            let loops = [bent(100, square), waving(400, 0.3), waving(400, 0.0)];
+            let loops = [bent_square(100), waving(400, 0.3), waving(400, 0.0)];
             let slivers = [nearly_straight(1e-5), nearly_straight(1e-6)];
-            loops.into_iter().chain(slivers).map(move |prices| (prices, fold))
+            loops.into_iter().chain(slivers).map(move |boundary| (priced(boundary), fold))
         }) {
             let prices = prices.with_fold(fold);
             let mean = |i: usize, j: usize| {

@@ -1,11 +1,11 @@
 //! The completion bound against the true price of the rest of the loop, and against the table
 //! without it.
 
-use super::super::random_boundary::{random_boundary, with_terms};
 use super::super::{Pruned, fill_up_to, solve_priced, solve_within};
 use super::*;
 use crate::cost::{PriceOptions, Prices, QUANTUM, TwistForm, quantised};
 use crate::rung::Visibility;
+use crate::test_boundaries::random_boundary;
 use crate::triangulate::optimal::table::Table;
 use sheetwright_geometry::boundary::{Boundary, samples_from_points};
 use sheetwright_geometry::curve::CurvePoint;
@@ -13,6 +13,12 @@ use sheetwright_geometry::math::{Point3, Vec3, cos, sin};
 use sheetwright_geometry::watch::Unwatched;
 use sheetwright_shapes::random::Random;
 use std::f64::consts::TAU;
+
+fn with_terms<T>(boundary: &Boundary, fold: f64, what: impl FnOnce(&Terms<'_>) -> T) -> T {
+    let prices = Prices::new(boundary, None, PriceOptions { fold, ..Default::default() });
+    let everything = Visibility::everything();
+    what(&Terms::new(&prices, &everything, false))
+}
 
 /// The true price of the rest of the loop beside each rung ⟨i,j⟩, from E of all.
 fn rests_in_truth(terms: &Terms<'_>, full: &Table<'_>) -> Vec<f64> {
@@ -356,9 +362,15 @@ fn cells_hold_what_their_rungs_and_triangles_cost() {
             // Dear rungs and triangles have no bound.
             let bound = 0.3;
             let spans = Spans::new(terms, bound);
-            let cells =
-                Cells::new(terms, pulp::Arch::new(), &spans, Runs::new(terms, 5), &mut Unwatched)
-                    .unwrap();
+            let cells = Cells::new(
+                RUNS_OF_BLOCK,
+                terms,
+                pulp::Arch::new(),
+                &spans,
+                Runs::new(terms, 5),
+                &mut Unwatched,
+            )
+            .unwrap();
             let (runs, n) = (&cells.runs, cells.runs.len());
             let mut least = vec![[f64::INFINITY; 5]; n * n];
             let of = |i: usize| runs.of(i);
@@ -426,7 +438,7 @@ fn cells_are_the_same_however_many_blocks_they_are_priced_in() {
             for length in [16, 32, 48] {
                 let in_blocks = |size: usize| {
                     let runs = Runs::new(terms, length);
-                    Cells::in_blocks(size, terms, registers, &spans, runs, &mut Unwatched).unwrap()
+                    Cells::new(size, terms, registers, &spans, runs, &mut Unwatched).unwrap()
                 };
                 let (one, n) = (in_blocks(1 << 20), Runs::new(terms, length).len());
                 let known = |cells: &Cells, a, b| cells.of(a, b).least < f64::INFINITY;

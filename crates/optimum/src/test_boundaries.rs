@@ -1,12 +1,53 @@
-//! Random boundaries for the tests of bounds.
+//! Boundaries that tests of several modules use.
 
-use crate::cost::{PriceOptions, Prices};
-use crate::rung::Visibility;
-use crate::triangulate::Terms;
 use sheetwright_geometry::boundary::{Boundary, samples_from_points};
 use sheetwright_geometry::curve::CurvePoint;
 use sheetwright_geometry::math::{Point3, cos, sin};
 use std::f64::consts::TAU;
+
+fn boundary(points: impl Iterator<Item = CurvePoint>) -> Boundary {
+    Boundary::new(vec![samples_from_points(&points.collect::<Vec<_>>())]).unwrap()
+}
+
+/// Of `m` samples, waving three times about a circle: far from developable where `height` is large.
+pub(crate) fn waving(m: usize, height: f64) -> Boundary {
+    boundary((0..m).map(|i| {
+        let t = TAU * i as f64 / m as f64;
+        CurvePoint::smooth(Point3::new(cos(t), sin(t), height * sin(3.0 * t)))
+    }))
+}
+
+/// A bent plate of `m` samples with four corners and two straight sides.
+pub(crate) fn plate(m: usize) -> Boundary {
+    boundary((0..m).map(|i| {
+        let (side, t) = (4 * i / m, (4 * i % m) as f64 / m as f64);
+        let [s, z] = [[t, 0.0], [1.0, t], [1.0 - t, 1.0], [0.0, 1.0 - t]][side];
+        let at = Point3::new(sin(2.0 * s), 0.3 * s * z - cos(2.0 * s), z);
+        CurvePoint { corner: (4 * i).is_multiple_of(m), ..CurvePoint::smooth(at) }
+    }))
+}
+
+/// A square with two straight sides and two bent ones, `n` samples each.
+pub(crate) fn bent_square(n: usize) -> Boundary {
+    let corners: [[f64; 2]; 4] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    boundary((0..4 * n).map(|at| {
+        let (side, t) = (at / n, (at % n) as f64 / n as f64);
+        let (from, to) = (corners[side], corners[(side + 1) % 4]);
+        let [x, y] = [0, 1].map(|axis| (1.0 - t) * from[axis] + t * to[axis]);
+        let at = Point3::new(x, y, 0.3 * sin(3.0 * x));
+        CurvePoint { corner: t == 0.0, ..CurvePoint::smooth(at) }
+    }))
+}
+
+/// With a side along which triangles are slivers, whose normals rounding turns.
+pub(crate) fn nearly_straight(bend: f64) -> Boundary {
+    let side = (0..=400).map(|n| {
+        let x = f64::from(n) / 400.0;
+        Point3::new(0.8 * x, 0.6 * x + bend * x * x, 3.0 * bend * x * x * x)
+    });
+    let points = side.chain([Point3::new(1.0, 2.0, 0.0), Point3::new(0.0, 2.0, 0.0)]);
+    boundary(points.map(CurvePoint::smooth))
+}
 
 struct Random(u64);
 
@@ -24,7 +65,7 @@ impl Random {
 
 /// Boundaries of all kinds: near to developable, far from it, tied, with straight and with doubled
 /// back runs, with corners and without.
-pub(super) fn random_boundary(seed: u64) -> Option<Boundary> {
+pub(crate) fn random_boundary(seed: u64) -> Option<Boundary> {
     let mut random = Random(seed * 7919 + 17);
     for _ in 0..4 {
         random.next();
@@ -87,14 +128,4 @@ pub(super) fn random_boundary(seed: u64) -> Option<Boundary> {
         })
         .collect();
     Boundary::new(vec![samples_from_points(&points)]).ok()
-}
-
-pub(super) fn with_terms<T>(
-    boundary: &Boundary,
-    fold: f64,
-    what: impl FnOnce(&Terms<'_>) -> T,
-) -> T {
-    let prices = Prices::new(boundary, None, PriceOptions { fold, ..Default::default() });
-    let everything = Visibility::everything();
-    what(&Terms::new(&prices, &everything, false))
 }

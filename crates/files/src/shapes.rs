@@ -1,0 +1,110 @@
+//! What SVG and DXF files of a piece show: its paths, its texts as strokes, and beside it a square
+//! of 100 mm by which a shop checks that the drawing kept its size.
+
+use crate::stroke_font::strokes;
+use sheetwright::math::{Point2, Vec2};
+use sheetwright::pattern::{LabelKind, PathKind, PatternLabel, Piece, Role};
+use sheetwright::predicate::Box2;
+use sheetwright::rung::Rung;
+
+/// The side of the reference square, mm.
+pub(crate) const REFERENCE_MM: f64 = 100.0;
+/// Between the piece with its dimensions and the reference square, mm.
+const REFERENCE_GAP_MM: f64 = 20.0;
+/// Letters in the reference square, mm.
+const CAPTION_MM: f64 = 8.0;
+
+/// What a shape of a drawing shows.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum What {
+    Outline,
+    Hole,
+    Rung(Rung),
+    Crease,
+    RulingTick,
+    SeamTick,
+    Dimension,
+    /// A text, which its lines are the strokes of.
+    Label(String),
+    /// The reference square.
+    Reference,
+}
+
+/// Lines of one role that show one thing.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Shape {
+    pub(crate) role: Role,
+    pub(crate) what: What,
+    /// Polylines, mm.
+    pub(crate) lines: Vec<Vec<Point2>>,
+    /// Whether each of them ends where it begins.
+    pub(crate) closed: bool,
+}
+
+/// Everything that a file of the piece shows, in the coordinates of the piece.
+pub(crate) fn shapes(piece: &Piece) -> Vec<Shape> {
+    let mut shapes: Vec<Shape> = piece
+        .paths
+        .iter()
+        .map(|path| Shape {
+            role: path.role,
+            what: match path.kind {
+                PathKind::Outline => What::Outline,
+                PathKind::Hole => What::Hole,
+                PathKind::Rung(rung) => What::Rung(rung),
+                PathKind::Crease => What::Crease,
+                PathKind::RulingTick => What::RulingTick,
+                PathKind::SeamTick => What::SeamTick,
+                PathKind::Dimension => What::Dimension,
+            },
+            lines: vec![path.points.clone()],
+            closed: path.closed,
+        })
+        .collect();
+    shapes.extend(piece.labels.iter().map(label));
+    let around = extent(&shapes);
+    // Whole millimetres, so that its sides are 100 mm in every digit.
+    let x = (around.max.x + REFERENCE_GAP_MM).ceil();
+    let y = around.min.y.floor();
+    shapes.extend(reference(Point2::new(x, y)));
+    shapes
+}
+
+fn label(label: &PatternLabel) -> Shape {
+    Shape {
+        role: label.role,
+        what: What::Label(label.text.clone()),
+        lines: strokes(&label.text, label.at, label.along, label.height_mm),
+        closed: false,
+    }
+}
+
+/// The reference square, with its lower left corner at `corner`, and what it says.
+fn reference(corner: Point2) -> [Shape; 2] {
+    let side = REFERENCE_MM;
+    let square = [(0.0, 0.0), (side, 0.0), (side, side), (0.0, side)];
+    let square = square.map(|(x, y)| corner + Vec2::new(x, y)).to_vec();
+    let caption = PatternLabel {
+        kind: LabelKind::Length,
+        role: Role::Note,
+        at: corner + Vec2::new(0.5 * side, 0.5 * (side - CAPTION_MM)),
+        along: Vec2::X,
+        height_mm: CAPTION_MM,
+        text: format!("{side} × {side} mm"),
+    };
+    let square =
+        Shape { role: Role::Note, what: What::Reference, lines: vec![square], closed: true };
+    [square, label(&caption)]
+}
+
+/// The box around all lines, mm.
+pub(crate) fn extent(shapes: &[Shape]) -> Box2 {
+    let points = shapes.iter().flat_map(|shape| shape.lines.iter().flatten().copied());
+    Box2::of_points(points).unwrap_or(Box2 { min: Point2::default(), max: Point2::default() })
+}
+
+/// A coordinate in the fewest digits that give the same number back, without an exponent.
+pub(crate) fn digits(x: f64) -> String {
+    // Adding 0 turns −0 into 0.
+    format!("{}", x + 0.0)
+}
