@@ -5,8 +5,8 @@
 //! into the header and 50 crates into the program, and panics on a date out of range. The tests
 //! let it read what is written.
 
-use crate::drawing::{digits, extent, shapes};
 use crate::read_back::{Lines, MAX_BYTES, PatternReadError, ReadPattern, pattern};
+use crate::shapes::{digits, extent, shapes};
 use sheetwright::math::Point2;
 use sheetwright::pattern::{Piece, Role};
 use std::fmt::{Display, Write as _};

@@ -1,6 +1,6 @@
 //! Surfaces as OBJ.
 
-use crate::drawing::digits;
+use crate::shapes::digits;
 use sheetwright::index::VertexIndex;
 use sheetwright::make::Made;
 use sheetwright::math::{Point2, Point3};

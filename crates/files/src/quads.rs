@@ -1,7 +1,7 @@
 //! Quads of panels: made, counted, and written as OBJ.
 
-use crate::drawing::digits;
 use crate::obj::one_word;
+use crate::shapes::digits;
 use sheetwright::check::{Finding, FindingKind};
 use sheetwright::make::Found;
 use sheetwright::quads::{Planar, PlanarEnd, PlanarOptions, SmoothSurface, planar, quads, smooth};

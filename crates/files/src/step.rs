@@ -8,7 +8,7 @@
 //! Written here rather than by a crate: what there is brings a modelling kernel of a hundred crates
 //! along, and all that is needed is a list of numbered records.
 
-use crate::drawing::digits;
+use crate::shapes::digits;
 use sheetwright::math::{Frame, Point3, Vec3, unit};
 use sheetwright::quads::{EdgeCurve, FaceShape, Rail, SmoothFace, SmoothSurface};
 use std::collections::BTreeMap;

@@ -4,8 +4,8 @@
 //! keeps a drawing its size in every program. Nothing is transformed, nothing is filled, and
 //! letters are strokes, so that no program looks for a font.
 
-use crate::drawing::{Shape, What, digits, extent, shapes};
 use crate::read_back::{Lines, MAX_BYTES, PatternReadError, ReadPattern, pattern};
+use crate::shapes::{Shape, What, digits, extent, shapes};
 use sheetwright::math::Point2;
 use sheetwright::pattern::{Piece, Role};
 use std::fmt::Write as _;

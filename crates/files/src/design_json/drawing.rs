@@ -1,7 +1,7 @@
 //! How a design is drawn: the field `drawing` of its file, which making it passes over.
 
 use super::source::Source;
-use crate::drawn::{Drawing, Mirror, Plan, Reference};
+use crate::drawing::{Drawing, Mirror, Plan, Reference};
 use crate::json::Object;
 use crate::reading::InputError;
 use crate::table::in_range_mm;

@@ -20,7 +20,7 @@ pub(crate) use vary::MOST_WARP_DEG;
 pub use write::write_design;
 pub(crate) use write::write_design_of_table;
 
-use crate::drawn::Drawing;
+use crate::drawing::Drawing;
 use crate::json::{Object, TWICE};
 use crate::names::{nearest, shown};
 use crate::reading::{InputError, ReadOptions, display_name, refuse_large, text_of};

@@ -1,10 +1,8 @@
 //! What `report.html` shows of a part whose surface was found.
 
 use super::flat_picture::{Tagged, edges, outline_length, ruled_picture};
-use super::gauss_picture::gauss_picture;
 use super::moved_picture::{enlarged, moved_picture};
-use super::page::{Number, PartPage};
-use super::space_picture::space_picture;
+use super::page::{Number, PartPage, table};
 use super::view::box_of;
 use super::warp_chart::warp_chart;
 use super::wording::{
@@ -14,7 +12,7 @@ use super::wording::{
 use super::worst_rung;
 use maud::{Markup, PreEscaped, html};
 use sheetwright::make::{Found, Part};
-use sheetwright::material::{Material, warp_limit_deg};
+use sheetwright::material::warp_limit_deg;
 use sheetwright::math::{from_deg, to_deg};
 use sheetwright::measure::RungMeasures;
 use sheetwright::pattern::seam_mark;
@@ -31,31 +29,12 @@ pub(super) struct FoundPage<'a> {
 }
 
 impl FoundPage<'_> {
-    fn part(&self) -> &Part {
-        self.page.part
-    }
-
-    fn material(&self) -> Option<&Material> {
-        self.page.made.material.as_ref()
-    }
-
     /// The pictures, with what there is to see.
     pub(super) fn figures(&self) -> Markup {
-        let (part, material) = (self.part(), self.material());
+        let (part, material) = (self.page.part, self.page.material());
         html! {
             div.figures {
-                div.column {
-                    figure.first {
-                        (PreEscaped(space_picture(part, material).inline()))
-                        figcaption { (self.space_caption()) }
-                    }
-                    @if let Some(gauss) = gauss_picture(part, material) {
-                        figure.fourth {
-                            (PreEscaped(gauss.inline()))
-                            figcaption { (gauss_caption(part.measures.gauss_area_sr)) }
-                        }
-                    }
-                }
+                (self.page.space_column(&self.space_caption(), "fourth", &gauss_caption(part.measures.gauss_area_sr)))
                 div.column {
                     figure.second {
                         (PreEscaped(ruled_picture(part, material).inline()))
@@ -76,7 +55,7 @@ impl FoundPage<'_> {
 
     /// Verdict, warp and price before and after the boundary was moved, if it was.
     pub(super) fn before_and_after(&self) -> Markup {
-        let (panel, material) = (self.part(), self.material());
+        let (panel, material) = (self.page.part, self.page.material());
         let Some(change) = panel.change() else { return html! {} };
         let before: &Part = &change.before;
         let price = |part: &Part| part.found().map_or(f64::NAN, |f| f.triangulation.price);
@@ -86,7 +65,8 @@ impl FoundPage<'_> {
             ("Mean warp", [before, panel].map(|p| degrees(to_deg(p.measures.warp_mean)))),
             ("Twist, total", [before, panel].map(|p| scientific(p.measures.twist_total))),
             ("Price, total", [before, panel].map(|p| scientific(price(p)))),
-        ];
+        ]
+        .map(|(name, values)| (name, values.to_vec()));
         html! {
             h3 { "Before and after the boundary was moved" }
             p {
@@ -94,18 +74,7 @@ impl FoundPage<'_> {
                 (millimetres_fine(change.moved_total_mm())) " in total: " (change.ended.to_string())
                 "."
             }
-            table.summary {
-                thead { tr { th scope="col" {} th scope="col" { "Before" } th scope="col" { "After" } } }
-                tbody {
-                    @for (name, [was, is]) in rows {
-                        tr {
-                            th scope="row" { (name) }
-                            td data-label="Before" { (was) }
-                            td data-label="After" { (is) }
-                        }
-                    }
-                }
-            }
+            (table(None, "", &["Before", "After"], rows.into_iter()))
             @if let Some(picture) = moved_picture(panel) {
                 div.figures {
                     div.column {
@@ -133,11 +102,11 @@ impl FoundPage<'_> {
 
     /// Whether some rung bends: false for a flat plate.
     fn bends(&self) -> bool {
-        self.part().measures.rungs.iter().any(RungMeasures::bends)
+        self.page.part.measures.rungs.iter().any(RungMeasures::bends)
     }
 
     fn space_caption(&self) -> Markup {
-        let size = box_of(self.part());
+        let size = box_of(self.page.part);
         html! {
             strong { "In space. " }
             @if self.bends() {
@@ -150,7 +119,7 @@ impl FoundPage<'_> {
     }
 
     fn flat_caption(&self) -> Markup {
-        let (panel, edges) = (self.part(), edges(self.part()));
+        let (panel, edges) = (self.page.part, edges(self.page.part));
         // Both sides of a seam are one length.
         let mut seen = BTreeSet::new();
         html! {
@@ -160,7 +129,7 @@ impl FoundPage<'_> {
                 @if self.bends() {
                     "Lay a straightedge from stroke to stroke along a ruling; dashed lines are folds. "
                 }
-                "The whole outline is " (millimetres(outline_length(self.part())))
+                "The whole outline is " (millimetres(outline_length(self.page.part)))
                 " long."
                 @if !panel.sheet.seams().is_empty() {
                     " It is cut open along " b { (seam_mark(0)) }
@@ -188,18 +157,18 @@ impl FoundPage<'_> {
 
     /// Whether the warp of some ruling is above the limit only by what may come from the sampling.
     fn is_unsure(&self) -> bool {
-        let limit = from_deg(warp_limit_deg(self.material()));
+        let limit = from_deg(warp_limit_deg(self.page.material()));
         let is_so = |r: &RungMeasures| r.warp > limit && r.warp_beyond_sampling() <= limit;
-        self.part().measures.rungs.iter().any(is_so)
+        self.page.part.measures.rungs.iter().any(is_so)
     }
 
     fn warp_caption(&self) -> Markup {
-        let measures = &self.part().measures;
+        let measures = &self.page.part.measures;
         html! {
             strong { "Warp. " }
             "The angle by which the sheet twists from one end of each ruling to the other: the \
              smaller, the easier it bends. The dashed line is the limit of "
-            (self.material().map_or("any sheet", |m| &m.title)) "."
+            (self.page.material().map_or("any sheet", |m| &m.title)) "."
             @if self.is_unsure() {
                 " Dashed bars may be bending from one sample to the next instead of twist: more \
                  samples would tell."
@@ -214,7 +183,7 @@ impl FoundPage<'_> {
     }
 
     pub(super) fn numbers(&self) -> Vec<Number> {
-        let (found, measures) = (self.found, &self.part().measures);
+        let (found, measures) = (self.found, &self.page.part.measures);
         let optimal = match found.triangulation.gap() {
             Some(0.0) => "yes".to_owned(),
             Some(gap) => format!("within {:.2} %", 100.0 * gap),

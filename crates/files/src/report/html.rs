@@ -3,7 +3,7 @@
 use super::form::{ReportForm, Row, short};
 use super::found_page::FoundPage;
 use super::mesh_page::MeshPage;
-use super::page::PartPage;
+use super::page::{PartPage, table};
 use super::space_picture::design_picture;
 use super::style::page_style;
 use super::verdict::{findings, severity, verdict};
@@ -62,7 +62,7 @@ pub fn report_html(
             @if is_short {
                 (short(&labels, pages.iter().map(|page| page.row(&columns)).collect()))
             } @else {
-                (summary(&labels, pages.iter().map(|p| (&p.part.name[..], p.values(&columns)))))
+                (table(Some("All panels"), "Panel", &labels, pages.iter().map(|p| (&p.part.name[..], p.values(&columns)))))
                 @for page in &pages { (page.section()) }
             }
         },
@@ -127,31 +127,6 @@ fn subtitle(made: &Made) -> String {
                 limits.push(format!("stretch up to {stretch}"));
             }
             format!("{panels}, no material named. Limits: {}", limits.join(", "))
-        }
-    }
-}
-
-/// The table of all panels: a row for each, with its name and a value under each label.
-fn summary<'a>(labels: &[&str], rows: impl Iterator<Item = (&'a str, Vec<String>)>) -> Markup {
-    html! {
-        table.summary {
-            caption { "All panels" }
-            thead {
-                tr {
-                    th scope="col" { "Panel" }
-                    @for label in labels { th scope="col" { (label) } }
-                }
-            }
-            tbody {
-                @for (name, values) in rows {
-                    tr {
-                        th scope="row" { (name) }
-                        @for (label, value) in labels.iter().zip(values) {
-                            td data-label=(label) { (value) }
-                        }
-                    }
-                }
-            }
         }
     }
 }

@@ -1,9 +1,7 @@
 //! What `report.html` shows of a mesh: how far flattening stretches it, and where.
 
-use super::gauss_picture::gauss_picture;
 use super::heat_picture::{NO_ERROR, heat_picture};
-use super::page::{Number, PartPage};
-use super::space_picture::space_picture;
+use super::page::{Number, PartPage, table};
 use super::view::box_of;
 use super::wording::{
     area, decimal, degrees, millimetres, millimetres_fine, per_cent, refold, steradians,
@@ -12,8 +10,8 @@ use crate::mesh::aim_name;
 use maud::{Markup, PreEscaped, html};
 use sheetwright::edge::{Edge, EdgeSource};
 use sheetwright::flatten::Aim;
-use sheetwright::make::{Given, Part};
-use sheetwright::material::{Material, stretch_limit};
+use sheetwright::make::Given;
+use sheetwright::material::stretch_limit;
 use sheetwright::math::to_deg;
 use sheetwright::pattern::seam_mark;
 
@@ -24,33 +22,14 @@ pub(super) struct MeshPage<'a> {
 }
 
 impl MeshPage<'_> {
-    fn part(&self) -> &Part {
-        self.page.part
-    }
-
-    fn material(&self) -> Option<&Material> {
-        self.page.made.material.as_ref()
-    }
-
     /// The pictures, with what there is to see.
     pub(super) fn figures(&self) -> Markup {
-        let (part, material) = (self.part(), self.material());
+        let (part, material) = (self.page.part, self.page.material());
         let heat = part.measures.distortion.as_ref();
         let heat = heat.map(|distortion| heat_picture(part, self.given, distortion, material));
         html! {
             div.figures {
-                div.column {
-                    figure.first {
-                        (PreEscaped(space_picture(part, material).inline()))
-                        figcaption { (self.space_caption()) }
-                    }
-                    @if let Some(gauss) = gauss_picture(part, material) {
-                        figure.third {
-                            (PreEscaped(gauss.inline()))
-                            figcaption { (self.gauss_caption()) }
-                        }
-                    }
-                }
+                (self.page.space_column(&self.space_caption(), "third", &self.gauss_caption()))
                 div.column {
                     @if let Some(heat) = heat {
                         figure.second {
@@ -64,11 +43,11 @@ impl MeshPage<'_> {
     }
 
     fn space_caption(&self) -> Markup {
-        let size = box_of(self.part());
+        let size = box_of(self.page.part);
         html! {
             strong { "In space. " }
             "Blue is the side that the pattern shows, brown the other. "
-            @if !self.part().sheet.seams().is_empty() { "The green lines are the cuts. " }
+            @if !self.page.part.sheet.seams().is_empty() { "The green lines are the cuts. " }
             "The panel fills a box of " (millimetres(size.x)) " × " (millimetres(size.y)) " × "
             (millimetres(size.z)) " (x, y, z)."
         }
@@ -81,13 +60,13 @@ impl MeshPage<'_> {
              triangles at each side of the mesh. If the lines lie on one curve, the panel lies flat \
              without stretching. If they form a net, the panel must stretch, and more for a larger \
              net. The area here is "
-            (steradians(self.part().measures.gauss_area_sr))
+            (steradians(self.page.part.measures.gauss_area_sr))
             " of the 12.57\u{a0}sr of the whole ball."
         }
     }
 
     fn flat_caption(&self) -> Markup {
-        let (part, material) = (self.part(), self.material());
+        let (part, material) = (self.page.part, self.page.material());
         let (measures, seams) = (&part.measures, part.sheet.seams());
         let by_area = measures.distortion.as_ref().map(|d| d.length_error_mean_by_area);
         html! {
@@ -119,7 +98,7 @@ impl MeshPage<'_> {
     /// The edges that are not sides of cuts, if the part has more than one.
     fn edges(&self) -> Markup {
         let is_cut = |edge: &&Edge| matches!(edge.source, EdgeSource::Cut { .. });
-        let edges = &self.part().edges;
+        let edges = &self.page.part.edges;
         html! {
             @if edges.len() > 1 {
                 ul.edges {
@@ -133,74 +112,39 @@ impl MeshPage<'_> {
 
     /// The seams along which it is cut open.
     pub(super) fn seams(&self) -> Markup {
-        let part = self.part();
+        let part = self.page.part;
+        let labels = ["In space", "One side, flat", "Other side, flat"];
+        let rows = part.sheet.seams().iter().enumerate().map(|(n, seam)| {
+            let [one, other] = seam.sides_flat_mm(&part.flat.points);
+            (seam_mark(n), [seam.length_mm, one, other].map(millimetres_fine).to_vec())
+        });
         html! {
             @if !part.sheet.seams().is_empty() {
                 h3 { "Seams" }
-                table.summary {
-                    thead {
-                        tr {
-                            th scope="col" { "Seam" }
-                            th scope="col" { "In space" }
-                            th scope="col" { "One side, flat" }
-                            th scope="col" { "Other side, flat" }
-                        }
-                    }
-                    tbody {
-                        @for (n, seam) in part.sheet.seams().iter().enumerate() {
-                            tr {
-                                th scope="row" { (seam_mark(n)) }
-                                td data-label="In space" {
-                                    (millimetres_fine(seam.length_mm))
-                                }
-                                td data-label="One side, flat" {
-                                    (millimetres_fine(seam.sides_flat_mm(&part.flat.points)[0]))
-                                }
-                                td data-label="Other side, flat" {
-                                    (millimetres_fine(seam.sides_flat_mm(&part.flat.points)[1]))
-                                }
-                            }
-                        }
-                    }
-                }
+                (table(None, "Seam", &labels, rows))
             }
         }
     }
 
     /// The lines along which it is joined to other parts.
     pub(super) fn joints(&self) -> Markup {
+        let (made, flat) = (self.page.made, &self.page.part.flat.points);
+        let rows = self.given.joints.iter().map(|joint| {
+            let lengths = [joint.length_mm, joint.flat_mm(flat)].map(millimetres_fine);
+            let [space, flat] = lengths;
+            (&joint.mark, vec![made.parts[joint.with].name.clone(), space, flat])
+        });
         html! {
             @if !self.given.joints.is_empty() {
                 h3 { "Joined to other panels" }
-                table.summary {
-                    thead {
-                        tr {
-                            th scope="col" { "Mark" }
-                            th scope="col" { "With" }
-                            th scope="col" { "In space" }
-                            th scope="col" { "Flat" }
-                        }
-                    }
-                    tbody {
-                        @for joint in &self.given.joints {
-                            tr {
-                                th scope="row" { (joint.mark) }
-                                td data-label="With" { (self.page.made.parts[joint.with].name) }
-                                td data-label="In space" { (millimetres_fine(joint.length_mm)) }
-                                td data-label="Flat" {
-                                    (millimetres_fine(joint.flat_mm(&self.part().flat.points)))
-                                }
-                            }
-                        }
-                    }
-                }
+                (table(None, "Mark", &["With", "In space", "Flat"], rows))
             }
         }
     }
 
     /// All measures, with their labels.
     pub(super) fn numbers(&self) -> Vec<Number> {
-        let (measures, sheet) = (&self.part().measures, self.part().sheet.mesh());
+        let (measures, sheet) = (&self.page.part.measures, self.page.part.sheet.mesh());
         let aim = match self.given.aim {
             Aim::Mean => "mean length error",
             Aim::Max => "largest length error",
@@ -218,7 +162,7 @@ impl MeshPage<'_> {
             ("Length error, mean", per_cent(measures.length_error_mean)),
             ("Area in space", area(measures.area_space_mm2)),
             ("Area of the pattern", area(measures.area_flat_mm2)),
-            ("Read back", refold(self.page.refold_error_mm)),
+            ("Refold error", refold(self.page.refold_error_mm)),
         ];
         if let Some(distortion) = &measures.distortion {
             rows.push(("Length error, by area", per_cent(distortion.length_error_mean_by_area)));

@@ -6,7 +6,6 @@
 //! every platform: all colours and sizes of letters are classes of one style sheet.
 
 mod canvas;
-mod drawn;
 mod flat_picture;
 mod form;
 mod found_page;
@@ -22,6 +21,7 @@ mod paint;
 mod quads_picture;
 mod raster;
 mod rulings;
+mod solid;
 mod space_picture;
 mod strips;
 mod style;

@@ -1,8 +1,13 @@
-//! A part with all that its section of `report.html` shows.
+//! A part with all that its section of `report.html` shows, and what sections of found surfaces and
+//! of meshes have in common.
 
+use super::gauss_picture::gauss_picture;
+use super::space_picture::space_picture;
+use maud::{Markup, PreEscaped, html};
 use sheetwright::check::Checked;
 use sheetwright::edge::Edge;
 use sheetwright::make::{Made, Part};
+use sheetwright::material::Material;
 
 /// A part with all that its section of the page shows.
 pub(super) struct PartPage<'a> {
@@ -16,6 +21,34 @@ pub(super) struct PartPage<'a> {
 }
 
 impl PartPage<'_> {
+    pub(super) fn material(&self) -> Option<&Material> {
+        self.made.material.as_ref()
+    }
+
+    /// The column of the part in space and of the directions that it faces. The second picture has
+    /// the place `gauss_place` among all where the page is narrow.
+    pub(super) fn space_column(
+        &self,
+        space_caption: &Markup,
+        gauss_place: &str,
+        gauss_caption: &Markup,
+    ) -> Markup {
+        html! {
+            div.column {
+                figure.first {
+                    (PreEscaped(space_picture(self.part, self.material()).inline()))
+                    figcaption { (space_caption) }
+                }
+                @if let Some(gauss) = gauss_picture(self.part, self.material()) {
+                    figure class=(gauss_place) {
+                        (PreEscaped(gauss.inline()))
+                        figcaption { (gauss_caption) }
+                    }
+                }
+            }
+        }
+    }
+
     /// The name of an edge, how long it is, and what it is joined to.
     pub(super) fn edge_text(&self, edge: &Edge, length: &str) -> String {
         let mates = edge.mates.iter().map(|mate| &self.made.parts[mate.part].name[..]);
@@ -24,6 +57,36 @@ impl PartPage<'_> {
             format!("{}, {length}", edge.name)
         } else {
             format!("{}, {length}, joined to {}", edge.name, mates.join(", "))
+        }
+    }
+}
+
+/// A table: a row for each name, with a value under each label. `first` stands above the names.
+pub(super) fn table<N: AsRef<str>>(
+    caption: Option<&str>,
+    first: &str,
+    labels: &[&str],
+    rows: impl Iterator<Item = (N, Vec<String>)>,
+) -> Markup {
+    html! {
+        table.summary {
+            @if let Some(caption) = caption { caption { (caption) } }
+            thead {
+                tr {
+                    th scope="col" { (first) }
+                    @for label in labels { th scope="col" { (label) } }
+                }
+            }
+            tbody {
+                @for (name, values) in rows {
+                    tr {
+                        th scope="row" { (name.as_ref()) }
+                        @for (label, value) in labels.iter().zip(values) {
+                            td data-label=(label) { (value) }
+                        }
+                    }
+                }
+            }
         }
     }
 }

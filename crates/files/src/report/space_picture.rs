@@ -1,10 +1,10 @@
 //! Surfaces in space: shaded triangles, rulings or creases, the boundary and the cuts.
 
 use super::canvas::{Anchor, MARGIN, PathData, Picture, WIDTH, line, round_below, scale_bar, text};
-use super::drawn::{Drawn, Solid};
 use super::paint::{MOST_PATHS, Scene, coarse_shade, joined, shades_of};
 use super::raster::Facet;
 use super::rulings::{APART, APART_CLASSES, CREASE, CUT, Middles, RUNG_CLASSES, legend};
+use super::solid::{Drawn, Solid};
 use super::view::{View, view_of};
 use super::wording::length_short;
 use sheetwright::make::{Made, Part};
