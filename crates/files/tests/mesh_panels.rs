@@ -103,6 +103,8 @@ fn a_design_holds_panels_of_both_kinds() {
     for words in ["3 panels of ", "bend radius from", "stretch up to", "Warp, largest", "Seams"] {
         assert!(page.contains(words), "{words}");
     }
+    // An edge that has the name of the part that it meets says it once.
+    assert!(page.contains("mm, joined to apron</li>") && !page.contains("<li>apron,"));
 }
 
 #[test]

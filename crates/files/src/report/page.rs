@@ -53,10 +53,11 @@ impl PartPage<'_> {
     pub(super) fn edge_text(&self, edge: &Edge, length: &str) -> String {
         let mates = edge.mates.iter().map(|mate| &self.made.parts[mate.part].name[..]);
         let mates: Vec<&str> = mates.collect();
-        if mates.is_empty() {
-            format!("{}, {length}", edge.name)
-        } else {
-            format!("{}, {length}, joined to {}", edge.name, mates.join(", "))
+        match mates[..] {
+            [] => format!("{}, {length}", edge.name),
+            // An edge of a mesh has the name of the part that it meets.
+            [only] if only == edge.name => format!("{length}, joined to {only}"),
+            _ => format!("{}, {length}, joined to {}", edge.name, mates.join(", ")),
         }
     }
 }

@@ -443,12 +443,12 @@ impl PlanPane {
         handles: &Handles,
     ) {
         let painter = ui.painter_at(pane);
-        let sheet = paint::PlanCanvas { painter: &painter, pane, view: self.view, scene };
-        sheet.ground();
-        self.picture.show(&sheet, ui.ctx());
-        sheet.grid();
-        sheet.panels();
-        self.outlines.show(&sheet);
+        let canvas = paint::PlanCanvas { painter: &painter, pane, view: self.view, scene };
+        canvas.ground();
+        self.picture.show(&canvas, ui.ctx());
+        canvas.grid();
+        canvas.panels();
+        self.outlines.show(&canvas);
         let hovered = response.hover_pos().and_then(|at| handles.at(at));
         let hand = response.hover_pos().or(response.interact_pointer_pos());
         let curve = hand.and_then(|at| self.outlines.nearest(pane, self.view, at));
@@ -456,19 +456,19 @@ impl PlanPane {
         let under = hovered.iter().chain(held).map(|r| r.curve).chain(curve);
         let boxed = self.lasso.zip(response.interact_pointer_pos());
         let boxed = boxed.map(|(from, to)| Rect::from_two_pos(from, to));
-        sheet.handles(handles, hovered, &Lit::new(scene, under), boxed);
-        sheet.stroke(&self.stroke, &self.corners, response.hover_pos());
-        sheet.places(&self.calibrated);
-        sheet.snaps(&self.snaps);
-        sheet.scale();
+        canvas.handles(handles, hovered, &Lit::new(scene, under), boxed);
+        canvas.stroke(&self.stroke, &self.corners, response.hover_pos());
+        canvas.places(&self.calibrated);
+        canvas.snaps(&self.snaps);
+        canvas.scale();
         if let Some(area) = boxed {
-            sheet.lasso(area);
+            canvas.lasso(area);
         }
         if scene.document.design.curves.is_empty()
             && self.stroke.is_empty()
             && self.corners.is_empty()
         {
-            sheet.invitation(self.tool);
+            canvas.invitation(self.tool);
         }
         let is_on_curve = curve.is_some();
         let icon = match self.tool {

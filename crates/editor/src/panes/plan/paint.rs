@@ -284,8 +284,8 @@ pub(super) struct Outlines {
 const STEPS: usize = 24;
 
 impl Outlines {
-    pub(super) fn show(&mut self, sheet: &PlanCanvas<'_>) {
-        let scene = sheet.scene;
+    pub(super) fn show(&mut self, canvas: &PlanCanvas<'_>) {
+        let scene = canvas.scene;
         let plan = scene.document.drawing.plan;
         let mut kept = std::mem::take(&mut self.curves);
         for (n, curve) in scene.document.design.curves.iter().enumerate() {
@@ -299,15 +299,15 @@ impl Outlines {
         }
         let theme = scene.theme;
         for (n, (curve, _, line)) in self.curves.iter().enumerate() {
-            let points: Vec<Pos2> = line.iter().map(|&p| sheet.at(p)).collect();
+            let points: Vec<Pos2> = line.iter().map(|&p| canvas.at(p)).collect();
             let is_selected = scene.selection.curve == Some(n);
             let colour = if is_selected { theme.accent } else { theme.curve };
             let width = if is_selected { CURVE_WIDTH + 1.0 } else { CURVE_WIDTH };
             if !is_used(scene, &curve.name) {
                 // What bounds no panel yet is dashed.
-                dashed(sheet.painter, &points, Stroke::new(width, colour), 8.0, 5.0);
+                dashed(canvas.painter, &points, Stroke::new(width, colour), 8.0, 5.0);
             } else {
-                sheet.painter.add(Shape::line(points, Stroke::new(width, colour)));
+                canvas.painter.add(Shape::line(points, Stroke::new(width, colour)));
             }
         }
     }
@@ -363,8 +363,8 @@ pub(super) struct ReferencePicture {
 }
 
 impl ReferencePicture {
-    pub(super) fn show(&mut self, sheet: &PlanCanvas<'_>, ctx: &egui::Context) {
-        let Some(reference) = &sheet.scene.document.drawing.reference else {
+    pub(super) fn show(&mut self, canvas: &PlanCanvas<'_>, ctx: &egui::Context) {
+        let Some(reference) = &canvas.scene.document.drawing.reference else {
             self.shown = None;
             return;
         };
@@ -378,11 +378,11 @@ impl ReferencePicture {
         let [width, height] =
             texture.size().map(|pixels| pixels as f64 * reference.mm_per_pixel / 2.0);
         let centre = reference.centre;
-        let corner = |x: f64, y: f64| sheet.at(Point2::new(centre.x + x, centre.y + y));
+        let corner = |x: f64, y: f64| canvas.at(Point2::new(centre.x + x, centre.y + y));
         let area = Rect::from_min_max(corner(-width, height), corner(width, -height));
         let uv = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
         let tint = Color32::WHITE.gamma_multiply(reference.opacity as f32);
-        sheet.painter.image(texture.id(), area, uv, tint);
+        canvas.painter.image(texture.id(), area, uv, tint);
     }
 }
 
