@@ -25,7 +25,7 @@ pub fn hint_for(error: &MakeError) -> String {
         MakeCause::Flatten(error) => flat(error).to_owned(),
         MakeCause::Vary(cause) => varying(cause).to_owned(),
         MakeCause::Mesh { error, .. } => mesh(*error).to_owned(),
-        MakeCause::Pieces { .. } => {
+        MakeCause::Components { .. } => {
             "Its triangles do not share corners, as after an export without welding. Merge its \
              points by distance in the program that exported it, or export it as STL."
                 .to_owned()

@@ -213,7 +213,7 @@ fn what_cannot_lie_flat_is_refused_in_words() {
     assert!(closed.to_string().contains("must be cut open"));
     let mut two = corners[..3].to_vec();
     two.extend(corners[..3].iter().map(|p| Point3::new(p.x, p.y, 5.0)));
-    assert_eq!(refused(two, &[[0, 1, 2], [3, 4, 5]]), RelaxError::Pieces { found: 2 });
+    assert_eq!(refused(two, &[[0, 1, 2], [3, 4, 5]]), RelaxError::Components { found: 2 });
     // A torus of 6 × 5 cells without one triangle.
     let at = |i: usize, j: usize| 5 * (i % 6) + j % 5;
     let mut torus = Vec::new();

@@ -34,7 +34,7 @@ pub enum MakeCause {
         places: Vec<Point3>,
     },
     /// A mesh with more separate parts than the limit.
-    Pieces {
+    Components {
         /// How many there are.
         found: usize,
         /// The limit.
@@ -80,7 +80,7 @@ impl fmt::Display for MakeCause {
             Self::Flatten(error) => write!(f, "{error}"),
             Self::Vary(cause) => write!(f, "{cause}"),
             Self::Mesh { error, places } => write_mesh_error(f, *error, places),
-            Self::Pieces { found, most } => {
+            Self::Components { found, most } => {
                 write!(f, "the mesh has {found} separate parts; the limit is {most}")
             }
             Self::Relax(error) => write!(f, "{error}"),

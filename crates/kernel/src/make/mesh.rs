@@ -113,7 +113,7 @@ fn pieces_of(cleaned: &Cleaned, settings: &PanelMesh) -> Result<Vec<MeshPiece>, 
     };
     let count = mesh.components().len();
     if count > MAX_MESH_PARTS {
-        return Err(MakeCause::Pieces { found: count, most: MAX_MESH_PARTS });
+        return Err(MakeCause::Components { found: count, most: MAX_MESH_PARTS });
     }
     let mut joints = joints_of(mesh, seams);
     let mut pieces = Vec::with_capacity(count);

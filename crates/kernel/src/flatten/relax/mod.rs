@@ -100,7 +100,7 @@ pub struct Relaxed {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RelaxError {
     /// It has several components; each is laid flat by itself.
-    Pieces {
+    Components {
         /// How many.
         found: usize,
     },
@@ -130,7 +130,7 @@ pub enum RelaxError {
 impl fmt::Display for RelaxError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Pieces { found } => {
+            Self::Components { found } => {
                 write!(f, "the mesh has {found} pieces; lay each flat by itself")
             }
             Self::Closed => {
@@ -222,7 +222,7 @@ pub(crate) fn triangle_stretches(lengths: [f64; 3], flat: [Point2; 3]) -> Option
 
 fn check(topology: &Topology) -> Result<(), RelaxError> {
     let [piece] = topology.components() else {
-        return Err(RelaxError::Pieces { found: topology.components().len() });
+        return Err(RelaxError::Components { found: topology.components().len() });
     };
     if piece.is_closed() {
         return Err(RelaxError::Closed);
