@@ -126,6 +126,25 @@ fn a_twisted_plate_is_pressed_in_the_middle_as_theory_says() {
 }
 
 #[test]
+fn a_sheet_far_away_is_strained_as_one_at_the_origin() {
+    // By whole powers of two, so that rounding loses nothing of where it lies.
+    let (grid, far) = (1.0 / f64::from(1 << 20), f64::from(1 << 25));
+    let round = |x: f64| (x / grid).round() * grid;
+    let wound = helicoid(800.0, 200.0, 0.4);
+    let at = |far: f64| {
+        let points = wound.positions().iter();
+        let points = points.map(|p| Point3::new(round(p.x) + far, round(p.y) - far, round(p.z)));
+        at_rest(&Surface::new(wound.connectivity().clone(), points.collect()), steel(1.0, 0.3), 350)
+    };
+    let (here, there) = (at(0.0), at(far));
+    assert_eq!(here.flat, there.flat);
+    let share = there.strain_at(0.95) / here.strain_at(0.95);
+    assert!((share - 1.0).abs() < 1e-6, "{share}");
+    let moved = there.positions.iter().zip(&here.positions);
+    assert!(moved.clone().all(|(b, a)| (b.x - far - a.x).abs() < 1e-3), "{moved:?}");
+}
+
+#[test]
 fn strains_settle_as_the_net_becomes_finer() {
     let wavy = |z: f64, phase: f64| -> Vec<Point3> {
         let at = |i: usize| {

@@ -36,10 +36,10 @@ use std::fmt;
 /// How a sheet is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ElasticOptions {
-    /// About how many triangles the flat outline is divided into. Default: 350, with which the
-    /// strain is within a factor of 1.5 of the finest for nine panels of ten.
+    /// About how many triangles the flat outline is divided into. Default: 350. On a wavy strip of
+    /// 1 m, the strain is then within 10 % of that of 2,800 triangles.
     pub triangles: usize,
-    /// Steps of Newton's method at the most. Default: 60; most panels take 5 to 15.
+    /// Steps of Newton's method at the most. Default: 60; the sheets of the tests take 4 to 11.
     pub most_steps: usize,
 }
 
@@ -116,7 +116,11 @@ pub fn elastic(
     options: &ElasticOptions,
     watch: &mut dyn Watch,
 ) -> Result<Elastic, ElasticError> {
-    let net = Net::new(sheet, flat, options.triangles).ok_or(ElasticError::NoNet)?;
+    let mut net = Net::new(sheet, flat, options.triangles).ok_or(ElasticError::NoNet)?;
+    // The bending form takes differences of products of positions: near to the origin, few digits
+    // are lost.
+    let away = net.space[0].to_vec();
+    net.space.iter_mut().for_each(|p| *p += -away);
     let energy = Energy::new(&net, stiffness).ok_or(ElasticError::NoNet)?;
     let Rest { positions, is_stable, steps } = rest(&net, &energy, options.most_steps, watch)?;
     let moved = positions.iter().zip(&net.space).map(|(now, before)| now.distance(*before));
@@ -133,7 +137,7 @@ pub fn elastic(
         triangles: net.elements.iter().map(|nodes| [nodes[0], nodes[1], nodes[2]]).collect(),
         over: net.over,
         flat: net.flat,
-        positions,
+        positions: positions.into_iter().map(|p| p + away).collect(),
     })
 }
 
