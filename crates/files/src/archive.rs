@@ -1,20 +1,21 @@
 //! Several files as one ZIP archive, for browsers, which download one file at a time.
 //!
-//! Files are stored as they are: patterns are small, and PDF is packed already. The format then is
-//! three records: a header before each file, the same again in a directory at the end, and where
-//! that directory lies (APPNOTE 6.3, sections 4.3.7, 4.3.12 and 4.3.16). No times: the same files
-//! give the same bytes.
+//! Files are stored as they are: patterns are small, and PDF is packed already. The format then
+//! needs three kinds of records: a header before each file, a directory at the end that repeats the
+//! headers, and an end record with the offset of the directory (APPNOTE 6.3, sections 4.3.7, 4.3.12
+//! and 4.3.16). All times are constant, so that equal files give equal bytes.
 
 use crate::output::OutputFile;
 
 /// Names are UTF-8 (general purpose flag 11).
 const UTF_8: u16 = 1 << 11;
-/// What it takes to read an archive of stored files: version 2.0.
+/// Ten times the version of the format that a reader of stored files needs: 2.0.
 const VERSION: u16 = 20;
-/// The first of January 1980, the first day that the format knows.
+/// The date of every file: 1 January 1980, the earliest date of the format.
 const FIRST_DAY: u16 = 0x21;
 
-/// An archive of files. `None` beyond what the format of 1989 holds: 65,535 files, 4 GiB in all.
+/// Returns the ZIP archive of the files; `None` above the limits of the format of 1989: 65,535
+/// files, 4 GiB in all.
 pub fn zipped(files: &[OutputFile]) -> Option<Vec<u8>> {
     let mut archive = Vec::new();
     let mut directory = Vec::new();
@@ -69,8 +70,8 @@ mod tests {
         word(bytes, at) + (word(bytes, at + 2) << 16)
     }
 
-    /// The files of an archive, found as readers find them: from its end to its directory, and from
-    /// there to each. (Python's `zipfile` reads the archives of the browser's test in .ci.)
+    /// The files of an archive, read as other programs do: the end record, the directory, each
+    /// file. (Python's `zipfile` reads the archives of the browser's test in .ci.)
     fn unzipped(bytes: &[u8]) -> Vec<OutputFile> {
         let end = bytes.len() - 22;
         assert_eq!(&bytes[end..end + 4], b"PK\x05\x06");

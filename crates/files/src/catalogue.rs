@@ -1,17 +1,17 @@
-//! The catalogue of templates, for people, for programs and for the docs.
+//! The catalogue of templates: as text, as JSON and as tables of the docs.
 
 use crate::template_call::{MATERIAL, default, range};
 use serde::Serialize;
 use sheetwright::template::{Kind, Parameter, Template, Value, catalogue};
 use std::fmt::Write;
 
-/// Characters in a line, as far as words allow.
+/// The most characters of a line, unless one word is longer.
 const LINE: usize = 96;
 /// Where the meaning of a parameter begins.
 const COLUMN: usize = 28;
 
-/// The catalogue in words: one line for each template to choose from, then each with what it takes.
-/// `call` stands between them: how the program at hand is told which template, and what to set.
+/// The catalogue as text: one line for each template, then `call`, then each template with its
+/// parameters. `call` says how to name a template and its settings in the calling program.
 pub fn catalogue_text(call: &str) -> String {
     let mut text = String::from("Templates:\n");
     let widest = catalogue().iter().map(|t| t.name.len()).max().unwrap_or(0);
@@ -33,7 +33,7 @@ pub fn catalogue_text(call: &str) -> String {
     text
 }
 
-/// One template in words: who uses it, what it is searched for by, and what it takes.
+/// One template as text: its users, its search words and its parameters.
 pub fn template_text(template: &Template) -> String {
     let mut text = String::new();
     line(&mut text, &format!("{}: {}", template.name, template.title));
@@ -71,8 +71,8 @@ fn wrapped(text: &mut String, indent: &str, said: &str) {
     wrapped_after(text, indent, indent, said);
 }
 
-/// Lines of words, broken where a terminal would break them worse. Spaces in a row, as in columns,
-/// are kept on the first line.
+/// Breaks a text into lines between words, so that a terminal does not break inside words. Keeps
+/// runs of spaces, as between columns, on the first line.
 fn wrapped_after(text: &mut String, first: &str, indent: &str, said: &str) {
     let mut current = first.to_owned();
     let mut fresh = true;
@@ -92,7 +92,7 @@ fn wrapped_after(text: &mut String, first: &str, indent: &str, said: &str) {
     line(text, current.trim_end());
 }
 
-/// A table of what a template takes, in Markdown, for the docs.
+/// The parameters of a template as a Markdown table, for the docs.
 pub fn parameter_table(template: &Template) -> String {
     let mut table = String::from("| parameter | | default | takes |\n|---|---|---|---|\n");
     for Parameter { name, meaning, kind } in template.parameters {
@@ -134,7 +134,7 @@ struct ParameterFile {
     least: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     most: Option<f64>,
-    /// How many lengths a list has, from and to.
+    /// The least and the greatest number of lengths in a list.
     #[serde(skip_serializing_if = "Option::is_none")]
     lengths: Option<[usize; 2]>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -170,7 +170,7 @@ pub fn catalogue_json(only: Option<&Template>) -> String {
         })
         .collect();
     let file = CatalogueFile { sheetwright: 1, templates };
-    // Texts and finite numbers have nothing that JSON can't say.
+    // Texts and finite numbers always serialise.
     serde_json::to_string(&file).unwrap_or_default() + "\n"
 }
 

@@ -1,23 +1,23 @@
-//! How a design is drawn: what an editor keeps beside what is made.
+//! How a design is drawn: settings of the editor, which change no output.
 
 use crate::units::Units;
 use sheetwright::math::{Point2, Point3, Vec3};
 use std::sync::Arc;
 
-/// How a design is drawn: nothing in it changes what is made.
+/// How the editor draws a design. Nothing in it changes an output.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawing {
-    /// The units that lengths are shown in, and that a number without a unit is in.
+    /// The unit of displayed lengths, and of a typed number without a unit.
     pub units: Units,
     /// The plane that the plan shows.
     pub plan: Plan,
-    /// The mirror, if what is drawn is symmetrical: a line of the plan.
+    /// The line of symmetry in the plan; `None` without symmetry.
     pub mirror: Option<Mirror>,
     /// The distance of the lines of the grid, mm.
     pub grid_mm: f64,
     /// Whether points snap to the grid.
     pub snap_to_grid: bool,
-    /// A picture to draw after, under the plan.
+    /// A picture under the plan, to trace.
     pub reference: Option<Reference>,
 }
 
@@ -37,7 +37,7 @@ impl Plan {
     /// Every plane.
     pub const ALL: [Self; 3] = [Self::Top, Self::Front, Self::Side];
 
-    /// What people call it, and files in small letters.
+    /// Its name in the editor; in files it is in lower case.
     pub fn name(self) -> &'static str {
         match self {
             Self::Top => "Top",
@@ -55,7 +55,7 @@ impl Plan {
         }
     }
 
-    /// How far a point is lifted off the plan, mm, towards whoever looks at it.
+    /// The height of a point above the plan, mm, positive towards the viewer.
     pub fn lift(self, p: Point3) -> f64 {
         match self {
             Self::Top => p.z,
@@ -64,7 +64,7 @@ impl Plan {
         }
     }
 
-    /// The point at a place of the plan, lifted off it, mm.
+    /// The point in space at a place of the plan and a height above it, mm.
     pub fn space(self, at: Point2, lift: f64) -> Point3 {
         match self {
             Self::Top => Point3::new(at.x, at.y, lift),
@@ -73,7 +73,7 @@ impl Plan {
         }
     }
 
-    /// The way across it, towards whoever looks at it.
+    /// The unit normal of the plan, towards the viewer.
     pub fn normal(self) -> Vec3 {
         match self {
             Self::Top => Vec3::new(0.0, 0.0, 1.0),
@@ -83,18 +83,18 @@ impl Plan {
     }
 }
 
-/// A line of the plan that everything is drawn on both sides of.
+/// A line of symmetry in the plan: the editor draws everything on both sides of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mirror {
-    /// Whether the line runs upwards on the plan, so that left and right are alike; else it runs to
-    /// the right, and above and below are alike.
+    /// Whether the line runs upwards on the plan and mirrors left and right; else it runs to the
+    /// right and mirrors above and below.
     pub upright: bool,
-    /// Where it stands on the axis that it crosses, mm.
+    /// Its coordinate on the axis that it crosses, mm.
     pub at_mm: f64,
 }
 
 impl Mirror {
-    /// Where the mirror shows a place of the plan, mm.
+    /// The mirror image of a place of the plan, mm.
     pub fn image(self, p: Point2) -> Point2 {
         if self.upright {
             Point2::new(2.0 * self.at_mm - p.x, p.y)
@@ -104,7 +104,7 @@ impl Mirror {
     }
 }
 
-/// A picture that is drawn after: a photograph or a scan of a plan, true to scale.
+/// A picture to trace: a photograph or a scan of a plan, true to scale.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reference {
     /// The name of the file that it came from.
@@ -115,7 +115,7 @@ pub struct Reference {
     pub centre: Point2,
     /// The size of a pixel, mm.
     pub mm_per_pixel: f64,
-    /// How much of it shows, 0 ..= 1.
+    /// Its opacity, 0 ..= 1; 0 is invisible.
     pub opacity: f64,
 }
 

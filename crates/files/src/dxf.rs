@@ -1,9 +1,9 @@
 //! Patterns as DXF of release 12, and back.
 //!
-//! Release 12 is what every shop reads: polylines on layers, without handles, dates or styles. It
-//! is so small that it is written and read here: the crate that knows all of DXF would bring dates
-//! into the header and 50 crates into the program, and panics on a date out of range. The tests
-//! let it read what is written.
+//! Every shop reads release 12: polylines on layers, without handles, dates or styles. It is small
+//! enough for this module to write and read it: the crate for all of DXF adds dates to the header
+//! and 50 crates to the program, and panics on a date out of range. The tests read the written
+//! files with that crate.
 
 use crate::read_back::{Lines, MAX_BYTES, PatternReadError, ReadPattern, pattern};
 use crate::shapes::{digits, extent, shapes};
@@ -21,7 +21,7 @@ const fn colour_number(role: Role) -> u8 {
     }
 }
 
-/// The DXF file of a piece. `docs/outputs.md` says what a reader may rely on.
+/// The DXF file of a piece. `docs/outputs.md` specifies it for readers.
 pub fn write_dxf(piece: &Piece) -> Vec<u8> {
     let shapes = shapes(piece);
     let around = extent(&shapes);
@@ -77,7 +77,7 @@ fn tables(pairs: &mut Pairs) {
     });
 }
 
-/// A DXF under way: pairs of a group code and a value, each on a line of its own.
+/// The text of a DXF file so far: pairs of a group code and a value, each on a line of its own.
 struct Pairs(String);
 
 impl Pairs {
@@ -124,7 +124,7 @@ impl Pairs {
     }
 }
 
-/// A coordinate with all its digits and, as DXF wants it, a decimal point.
+/// A coordinate with all its digits and a decimal point, which DXF requires.
 fn real(x: f64) -> String {
     let mut digits = digits(x);
     if !digits.contains('.') {
@@ -133,7 +133,8 @@ fn real(x: f64) -> String {
     digits
 }
 
-/// A text in the characters of release 12; others by their code points, as AutoCAD writes them.
+/// A text in ASCII, as release 12 requires; other characters become their code points, in the
+/// notation of AutoCAD.
 fn ascii(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for character in text.chars() {
@@ -155,7 +156,8 @@ pub fn read_dxf(bytes: &[u8]) -> Result<ReadPattern, PatternReadError> {
     pattern(dxf_lines(bytes)?)
 }
 
-/// The lines of a pattern that [`write_dxf`] wrote, before it is known what each of them is.
+/// The lines of a pattern that [`write_dxf`] wrote, not yet told apart into outline, holes and
+/// rungs.
 pub(crate) fn dxf_lines(bytes: &[u8]) -> Result<Lines, PatternReadError> {
     if bytes.len() > MAX_BYTES {
         return Err(PatternReadError::TooLarge);

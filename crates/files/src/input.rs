@@ -47,7 +47,7 @@ impl InputFormat {
 }
 
 impl InputFormat {
-    /// The format of some bytes, told from their beginning; `None` where it shows no format.
+    /// The format of an input, detected from its first bytes; `None` if they match no format.
     pub fn of_bytes(bytes: &[u8]) -> Option<Self> {
         if bytes.starts_with(b"glTF") {
             return Some(Self::Mesh(MeshFormat::Glb));
@@ -78,10 +78,11 @@ impl InputFormat {
     }
 }
 
-/// The beginning of an input, in which its format shows, bytes: comments of some programs are long.
+/// The bytes at the beginning of an input that format detection reads; some programs begin files
+/// with long comments.
 const SHOWS: usize = 1 << 16;
 
-/// Whether the number of bytes is the one that a binary STL states.
+/// Whether the length of the input is the one that the header of a binary STL states.
 fn is_binary_stl(bytes: &[u8]) -> bool {
     const HEADER: usize = 80;
     const TRIANGLE: usize = 50;
@@ -92,12 +93,12 @@ fn is_binary_stl(bytes: &[u8]) -> bool {
     })
 }
 
-/// The design in a file: curves, or a mesh, a panel a group.
+/// The design in a file: curves, or a mesh with one panel per group.
 ///
 /// # Errors
 /// A file that can't be read, or that is no design, curve table or mesh that this version reads.
 pub fn read_input(path: &Path, options: &ReadOptions) -> Result<Design, InputError> {
-    // Before the ending is looked at: a folder may have any.
+    // Checked before the ending, since a folder may have any ending.
     refuse_folder(path)?;
     let format = InputFormat::of(path)?;
     let bytes = read_whole(path)?;
@@ -110,8 +111,8 @@ pub fn read_input(path: &Path, options: &ReadOptions) -> Result<Design, InputErr
 }
 
 /// The design in some bytes. `name` is the name of their file, or `-` for standard input: messages
-/// show it, and its stem names what has no other name. Tables and meshes that a design refers to
-/// lie in `folder`; without a folder, a design can't refer to any.
+/// show it, and its stem is the default name. Tables and meshes that a design refers to lie in
+/// `folder`; without a folder, a design can't refer to any.
 ///
 /// # Errors
 /// Bytes that are no design, curve table or mesh that this version reads, or options out of range.

@@ -1,5 +1,5 @@
-//! JSON as both designs and the catalogue of materials are written: values that are objects and
-//! nothing else, and objects whose keys are names.
+//! JSON types of designs and of the catalogue of materials: values that must be objects, and
+//! objects whose keys are names.
 
 use serde::de::{self, Deserialize, Deserializer, MapAccess, Visitor};
 use serde::{Serialize, Serializer};
@@ -10,7 +10,8 @@ use std::marker::PhantomData;
 /// The end of the message about a name that an object has twice.
 pub(crate) const TWICE: &str = "is written twice";
 
-/// A value that is written as an object. What serde derives would take a list of the fields, too.
+/// A value that must be a JSON object. The reader that serde derives also accepts a list of the
+/// fields.
 #[derive(Debug)]
 pub(crate) struct Object<T>(pub(crate) T);
 
@@ -36,13 +37,14 @@ impl<T: Serialize> Serialize for Object<T> {
     }
 }
 
-/// What the things of an object are called, in one word.
+/// The word for the values of an object of names.
 pub(crate) trait Called {
-    /// `curve`.
+    /// One word, such as `curve`.
     const CALLED: &str;
 }
 
-/// An object of things by their names, in the order of the file; no name stands there twice.
+/// The values of an object whose keys are names, in the order of the file. Reading refuses a name
+/// that appears twice.
 #[derive(Debug)]
 pub(crate) struct Named<T>(pub(crate) Vec<(String, T)>);
 
@@ -79,7 +81,7 @@ impl<'de, T: Deserialize<'de> + Called> Deserialize<'de> for Named<T> {
     }
 }
 
-/// A value as JSON in one line. Numbers, texts and lists of them have nothing that JSON can't say.
+/// A value as JSON in one line. Numbers, texts and lists of them always serialise.
 pub(crate) fn json(value: &impl Serialize) -> String {
     serde_json::to_string(value).unwrap_or_default()
 }

@@ -1,18 +1,18 @@
-//! What people may have meant by a name that is none: of a template, of a parameter, of a material.
+//! Suggestions for an unknown name of a template, a parameter or a material.
 //!
-//! A slip of the fingers is the nearest name. Other words for the thing are looked up: in what the
-//! catalogue says of templates and parameters, and for materials in a list of trade and American
-//! words.
+//! A typing error leads to the nearest name, a synonym to the name that it stands for. The synonyms
+//! come from the catalogue for templates and parameters, and from the lists below for parameters
+//! and for the trade and American names of materials.
 
 use crate::materials::{known_materials, material_named};
 use crate::names::{did_you_mean, folded, nearest, shown};
 use sheetwright::material::Material;
 use sheetwright::template::{Parameter, Template, catalogue};
 
-/// Templates that are named in a hint, at the most.
+/// The most templates that a hint names.
 const MOST_NAMED: usize = 4;
 
-/// Words for sheets, by how the names of the materials here begin.
+/// Synonyms of materials, by the first part of the material's name.
 const MATERIAL_WORDS: [(&str, &[&str]); 9] = [
     (
         "steel",
@@ -60,7 +60,7 @@ const MATERIAL_WORDS: [(&str, &[&str]); 9] = [
     ("paper", &["kraft", "tissue", "parchment"]),
 ];
 
-/// Words for what is set, and the word for it here.
+/// The usual word in the name of a parameter, and its synonyms.
 const PARAMETER_WORDS: [(&str, &[&str]); 9] = [
     ("diameter", &["dia", "diam", "d", "ø", "radius", "r", "bore", "round", "size"]),
     ("height", &["h", "high", "tall", "rise", "drop"]),
@@ -76,15 +76,14 @@ const PARAMETER_WORDS: [(&str, &[&str]); 9] = [
     ("units", &["unit"]),
 ];
 
-/// The material that a design with these of its own means by a name; or what is wrong with the name
-/// and what to do about it.
+/// The material of a name, from `own` or the catalogue. The error is a message and a hint.
 pub(crate) fn material_meant(wanted: &str, own: &[Material]) -> Result<Material, (String, String)> {
     material_named(wanted, own).ok_or_else(|| {
         (format!("the material {} is not known", shown(wanted)), material_hint(wanted, own))
     })
 }
 
-/// What to do about a material that a design with these of its own does not know.
+/// The hint for a name that neither `own` nor the catalogue has.
 fn material_hint(wanted: &str, own: &[Material]) -> String {
     let known: Vec<&str> = known_materials(own).iter().map(|m| &m.name[..]).collect();
     let words = words_of(wanted);
@@ -102,11 +101,11 @@ fn material_hint(wanted: &str, own: &[Material]) -> String {
     if meant.is_empty() || nearest(wanted, known.iter().copied()).is_some() {
         return did_you_mean(wanted, &known);
     }
-    // A word of its own, far from every name.
+    // A synonym that resembles no name.
     format!("Did you mean {}? {}", one_of(&meant), did_you_mean("", &known))
 }
 
-/// The templates that may be meant by a name that none has, as a question; empty if none may.
+/// A question that suggests templates for an unknown name; empty without a suggestion.
 pub(crate) fn template_question(wanted: &str) -> String {
     let found = templates_meant(wanted);
     match found.is_empty() {
@@ -115,8 +114,9 @@ pub(crate) fn template_question(wanted: &str) -> String {
     }
 }
 
-/// Templates called so, or that have the word among theirs; else those with the nearest name or
-/// word; else those that say the word of themselves.
+/// The names of templates to suggest, by the first of these rules that finds any: the name or a
+/// search word is `wanted`; the nearest name; the nearest search word; the name begins with
+/// `wanted`; the title or the users contain all its words.
 fn templates_meant(wanted: &str) -> Vec<&'static str> {
     let words = words_of(wanted);
     let has_all = |texts: &[&str]| {
@@ -144,7 +144,8 @@ fn templates_meant(wanted: &str) -> Vec<&'static str> {
     named(&|t| has_all(&[t.title, t.who]))
 }
 
-/// What to do about a parameter that a template has not; `others` are what every template takes.
+/// The hint for a parameter that the template does not have; `others` are the settings of every
+/// template.
 pub(crate) fn parameter_hint(wanted: &str, template: &Template, others: &[&str]) -> String {
     let mut known: Vec<&str> = template.parameters.iter().map(|p| p.name).collect();
     known.extend(others);
@@ -164,8 +165,8 @@ pub(crate) fn parameter_hint(wanted: &str, template: &Template, others: &[&str])
     }
 }
 
-/// Parameters that the word begins or is a part of; else those whose meaning has it. Where there
-/// are none, the usual word for the thing is looked for so, then other words for it.
+/// The parameters whose name begins with `wanted` or has it as a part, else those whose meaning
+/// contains it. If there are none, searches for the usual word in this way, then for its synonyms.
 fn parameters_meant(wanted: &str, template: &Template) -> Vec<&'static Parameter> {
     let usual = PARAMETER_WORDS.iter().filter(|(_, others)| others.contains(&wanted));
     let alike = usual.flat_map(|(word, others)| [*word].into_iter().chain(others.iter().copied()));

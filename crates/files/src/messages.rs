@@ -1,5 +1,5 @@
-//! What the command tells other programs: errors, findings and times as JSON. docs/files.md lists
-//! the fields.
+//! Messages of the command to other programs: errors, findings and times as JSON. docs/files.md
+//! lists the fields.
 
 use crate::names::is_invisible;
 use crate::words::{finding_place, finding_text};
@@ -46,11 +46,11 @@ pub struct PanelTimes {
     pub name: String,
     /// From curves to a triangulation.
     pub solve: f64,
-    /// Moving samples within their limits; what panels that move together took is divided evenly.
+    /// Moving samples within their limits. The time of panels that move together is divided evenly.
     pub vary: f64,
     /// Laying the surface flat, measuring and checking it.
     pub flatten: f64,
-    /// Making and writing its files; what panels share is divided evenly.
+    /// Making and writing its files. The time of shared files is divided evenly.
     pub write: f64,
 }
 
@@ -66,8 +66,8 @@ pub fn error_json(message: &str, place: Option<&str>, hint: &str) -> String {
 }
 
 /// The verdict and the findings of every panel as one line of JSON, panels and findings as in
-/// `report.json`. `panels` has one entry a name; `files` are the files that were written, if any
-/// were asked for.
+/// `report.json`. `panels` has one entry per name; `files` are the written files, `None` where the
+/// command writes none.
 pub fn findings_json(
     name: &str,
     names: &[&str],
@@ -96,14 +96,14 @@ pub fn timing_json(panels: &[PanelTimes], total: f64) -> Vec<u8> {
     line(&TimingFile { panels, total }).into_bytes()
 }
 
-/// Texts and finite numbers have nothing that JSON can't say. What a terminal obeys or does not
-/// show is escaped, also where JSON does not ask for it.
+/// One line of JSON. Texts and finite numbers always serialise. Control and invisible characters
+/// are escaped, also where JSON does not require it.
 fn line(value: &impl Serialize) -> String {
     let json = serde_json::to_string(value).unwrap_or_default();
     let mut line = String::with_capacity(json.len() + 1);
     for c in json.chars() {
         if is_invisible(c) {
-            // All of them have four digits or fewer.
+            // All of them have at most four hexadecimal digits.
             line.push_str(&format!("\\u{:04x}", u32::from(c)));
         } else {
             line.push(c);

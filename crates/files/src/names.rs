@@ -1,15 +1,15 @@
-//! Names that people gave: which are taken, and how they are shown in messages.
+//! Names that users give: which ones are accepted, and how messages show them.
 //!
-//! A panel's name becomes the name of its files, on whatever system the design is opened, so the
-//! same names are refused everywhere.
+//! A panel's name becomes the name of its files. A design may be opened on any operating system, so
+//! every system refuses the same names.
 
 use unicode_normalization::UnicodeNormalization;
 
-/// A name has this many bytes at the most: with an ending added it stays below the 255 bytes that
-/// file systems take, and it fits on a label.
+/// The most bytes of a name: with an ending added it stays below the 255 bytes that file systems
+/// take, and it fits on a label.
 pub(crate) const MAX_NAME_BYTES: usize = 100;
 
-/// Characters that some file system gives a meaning of its own.
+/// Characters with a special meaning in some file system.
 const SEPARATORS: [char; 9] = ['/', '\\', ':', '*', '?', '"', '<', '>', '|'];
 
 /// Names that Windows keeps for devices, with any ending.
@@ -17,7 +17,8 @@ const RESERVED: [&str; 7] = ["con", "prn", "aux", "nul", "conin$", "conout$", "c
 /// Names that Windows keeps for devices when a digit follows.
 const RESERVED_NUMBERED: [&str; 2] = ["com", "lpt"];
 
-/// Why a name is not taken, as the end of a sentence that begins with the name.
+/// Why a name is refused, as the end of a sentence that begins with the name; `None` if it is
+/// accepted.
 pub(crate) fn refused_anywhere(name: &str) -> Option<&'static str> {
     if name.is_empty() {
         Some("is empty")
@@ -64,8 +65,8 @@ pub(crate) fn refused_for_file(name: &str) -> Option<&'static str> {
         .then_some("is the name of a device on Windows")
 }
 
-/// A name from another program, made fit for files on every system: what no file name takes becomes
-/// `_`, and it is cut to so many bytes. Empty where nothing is left of it.
+/// A name from another program, changed to one that a file can have on every system: forbidden
+/// characters become `_`, and it is cut to `most_bytes`. Empty if nothing is left.
 pub(crate) fn made_for_files(name: &str, most_bytes: usize) -> String {
     let fit = |c: char| if is_invisible(c) || SEPARATORS.contains(&c) { '_' } else { c };
     let mut made = String::new();
@@ -77,32 +78,33 @@ pub(crate) fn made_for_files(name: &str, most_bytes: usize) -> String {
     }
     let made = made.trim_matches(|c: char| c.is_whitespace() || c == '.');
     match refused_for_file(made) {
-        // The name of a device, which another letter makes an ordinary one.
+        // The name of a device: a leading `_` makes it an ordinary name.
         Some(_) if !made.is_empty() => format!("_{made}"),
         _ => made.to_owned(),
     }
 }
 
-/// A name as disks see it that tell neither upper from lower case nor the ways apart in which
-/// Unicode composes a letter and its accent.
+/// A name for comparison: lower case, with composed accents (NFC), since some file systems ignore
+/// case and the composition of letters and accents.
 pub(crate) fn folded(name: &str) -> String {
     let composed: String = name.nfc().collect();
     composed.to_lowercase().nfc().collect()
 }
 
-/// Control characters, and those that turn the direction of writing and so hide an ending.
+/// Whether a character is a control character, invisible, or changes the direction of writing,
+/// which can hide an ending.
 pub(crate) fn is_invisible(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}')
 }
 
-/// A text without what a terminal obeys or does not show, so that no name and no path can move its
-/// cursor, colour it, or hide what it is: each such character becomes U+FFFD. Ends of lines stay.
+/// The text with U+FFFD for each control or invisible character, so that no name and no path can
+/// control a terminal or disguise itself. Line feeds stay.
 pub fn visible(text: &str) -> String {
     text.chars().map(|c| if is_invisible(c) && c != '\n' { '\u{fffd}' } else { c }).collect()
 }
 
-/// What stands in a file, fit for a message: quoted, short, in one line.
+/// A text of a file for a message: in quotation marks, on one line, cut after 60 characters.
 pub fn shown(text: &str) -> String {
     const SHOWN: usize = 60;
     let clean = |c: char| if is_invisible(c) { '\u{fffd}' } else { c };
@@ -118,7 +120,8 @@ pub(crate) fn nearest<'a>(
     wanted: &str,
     known: impl IntoIterator<Item = &'a str>,
 ) -> Option<&'a str> {
-    // Beyond a third of the letters it is another word; a long text is no slip of the fingers.
+    // The least similarity of a suggestion, 0 ..= 1: with more than about a third of the letters
+    // changed it is another word. A text longer than any name is no typing error.
     const NEAR: f64 = 0.65;
     if wanted.len() > MAX_NAME_BYTES {
         return None;

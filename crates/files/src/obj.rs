@@ -7,8 +7,8 @@ use sheetwright::math::{Point2, Point3};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-/// The OBJ file of all parts: an object and a group a part, places in space as vertices and places
-/// on the flat pattern as texture coordinates, both in mm and with all their digits.
+/// The OBJ file of all parts, with one object and one group per part. Vertices are points in space,
+/// texture coordinates are points of the flat pattern, both in mm with all their digits.
 pub fn write_obj(made: &Made) -> Vec<u8> {
     let mut obj = Obj::new();
     for part in &made.parts {
@@ -20,10 +20,10 @@ pub fn write_obj(made: &Made) -> Vec<u8> {
     obj.text.into_bytes()
 }
 
-/// A file that parts are added to.
+/// An OBJ file so far.
 struct Obj {
     text: String,
-    /// The numbers of the next place in space and of the next on the pattern.
+    /// The numbers of the next vertex and of the next texture coordinate.
     next: [usize; 2],
     /// Names that are taken.
     taken: BTreeSet<String>,
@@ -48,8 +48,8 @@ impl Obj {
     ) {
         let name = one_word(name, &mut self.taken);
         let obj = &mut self.text;
-        // `o` divides the file for Blender and trimesh, `g` for everyone else. Writing to a
-        // string does not fail.
+        // `o` divides the file for Blender and trimesh, `g` for other programs. Writing to a string
+        // does not fail.
         let _ = writeln!(obj, "o {name}\ng {name}");
         for p in space {
             let _ = writeln!(obj, "v {} {} {}", digits(p.x), digits(p.y), digits(p.z));
@@ -67,8 +67,8 @@ impl Obj {
     }
 }
 
-/// A name as OBJ takes it: blanks would begin another group. Names that differ in blanks alone are
-/// told apart by a number.
+/// A name without blanks, which would begin another group in OBJ. A number is added where the
+/// result is taken.
 pub(crate) fn one_word(name: &str, taken: &mut BTreeSet<String>) -> String {
     let word: String =
         name.chars().map(|c| if c.is_whitespace() || c.is_control() { '_' } else { c }).collect();

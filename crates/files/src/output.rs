@@ -25,7 +25,7 @@ pub enum Format {
     Obj,
     /// `PANEL.svg`: the pattern of each panel.
     Svg,
-    /// `PANEL.dxf`: the same for programs that read no SVG.
+    /// `PANEL.dxf`: the pattern of each panel, for programs that read no SVG.
     Dxf,
     /// `pattern.pdf`: the patterns on sheets of paper.
     Pdf,
@@ -89,20 +89,20 @@ impl From<&PdfOptions> for OutputOptions {
 pub struct OutputFile {
     /// Its name, without a folder.
     pub name: String,
-    /// What it holds.
+    /// Its content.
     pub bytes: Vec<u8>,
 }
 
-/// The files of a made design, and what writing them has found.
+/// The files of a made design, and the findings from writing them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outputs {
     /// The files, format after format in the order of [`Format::ALL`].
     pub files: Vec<OutputFile>,
-    /// What is known of each panel: the findings of the kernel, those of the written files added,
-    /// the worst first. The verdict is the kernel's.
+    /// The verdict of the kernel on each panel, and the findings of the kernel and on the written
+    /// files, the worst first.
     pub panels: Vec<Checked>,
-    /// How far the written files of each panel miss its surface when they are folded up, mm; NaN
-    /// where they can't be.
+    /// The refold error of each panel, mm: the largest distance of its written pattern, read back
+    /// and folded up, from its surface; NaN where reading or folding fails.
     pub refold_error_mm: Vec<f64>,
 }
 
@@ -114,7 +114,7 @@ pub enum OutputError {
         /// The panel.
         panel: String,
     },
-    /// Two panels would write one file, on a disk that does not tell upper from lower case.
+    /// Two panels would write one file on a file system that ignores case.
     SameName {
         /// The first panel.
         panel: String,
@@ -123,7 +123,7 @@ pub enum OutputError {
     },
     /// `report.json` can't be written.
     Report {
-        /// Why, in the words of the writer of JSON.
+        /// The error of the JSON writer.
         why: String,
     },
 }
@@ -150,9 +150,9 @@ impl From<serde_json::Error> for OutputError {
     }
 }
 
-/// Makes the files of these formats, in memory. For any formats, the pattern of every part is
-/// written, read back and compared with the pattern in memory, and moved curves are written as a
-/// table, with a design that reads them from it. Formats that need rulings leave meshes out.
+/// Makes the files of these formats, in memory. With any choice of formats, writes the pattern of
+/// every part, reads it back and compares it with the pattern in memory; and writes moved curves as
+/// a table, with a design that reads them from it. Formats that need rulings leave meshes out.
 ///
 /// # Errors
 /// Panels whose names can't be names of files. A written pattern that differs is a finding.
@@ -252,7 +252,7 @@ impl Patterns {
         (bytes_of(&self.svg, n), bytes_of(&self.dxf, n))
     }
 
-    /// The findings on a panel, those on its sheets of paper added, the worst first.
+    /// The findings on a panel, including those on its sheets of paper, the worst first.
     fn noted(&self, n: usize, mut checked: Checked) -> Checked {
         let reduced = self.pdf.iter().flat_map(|pdf| &pdf.reduced).find(|r| r.panel == n);
         checked.findings.extend(reduced.map(Reduced::finding));
@@ -271,12 +271,12 @@ impl Patterns {
     }
 }
 
-/// The finding that a written pattern is not the one that was laid flat.
+/// The finding that a written pattern differs from the flat pattern.
 fn not_refolded(error: &RefoldFileError) -> Finding {
     Finding::of_whole(FindingKind::NotReadBack { cause: error.to_string() })
 }
 
-/// The curves as they were moved, beside the design that takes its points from there.
+/// The name of the table of moved curves; the design beside it takes its points from there.
 const MOVED_TABLE: &str = "moved.csv";
 
 // Readers of designs refuse such names already; designs built by a program come here unchecked.

@@ -10,23 +10,24 @@ use sheetwright::watch::Unwatched;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-/// How near to planar quads are made, as a share of the size.
+/// The tolerance of planar quads, as a share of the size.
 const EVEN: Tolerance = Tolerance::ROUNDING;
-/// How far vertices may leave the boundary so that quads are planar, as a share of the size: a
-/// millimetre in a metre, which is what a panel that is bent cold gives way by anyway.
+/// The largest distance that vertices may leave the boundary so that quads are planar, as a share
+/// of the size: a millimetre in a metre, by which a panel gives way when it is bent cold.
 const LEAVE: f64 = 1e-3;
 
 /// A panel in planar quads, and the smooth surface over them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PanelQuads {
-    /// The quads, and what making them planar took.
+    /// The quads, and how far their vertices moved to make them planar.
     pub planar: Planar,
     /// The smooth surface.
     pub smooth: SmoothSurface,
 }
 
 impl PanelQuads {
-    /// Those of a found surface; vertices may leave its boundary by a thousandth of its size.
+    /// The quads of a found surface; vertices may leave its boundary by up to a thousandth of its
+    /// size.
     pub fn new(found: &Found) -> Self {
         let mesh = quads(&found.surface, &found.boundary, &found.outline);
         let options = PlanarOptions { even: EVEN, leave_mm: LEAVE * found.boundary.size() };
@@ -35,7 +36,7 @@ impl PanelQuads {
         Self { planar, smooth }
     }
 
-    /// What a person should know of them.
+    /// The finding on the quads; `None` where they are planar on the outline.
     pub(crate) fn finding(&self) -> Option<Finding> {
         let Planar { end, off_max_mm, uneven_after_mm, .. } = self.planar;
         let (uneven_mm, off_mm) = (uneven_after_mm, off_max_mm);
@@ -50,7 +51,8 @@ impl PanelQuads {
     }
 }
 
-/// The OBJ file of the quads of all panels, under their names: an object and a group a panel.
+/// The OBJ file of the quads of all panels, under their names, with one object and one group per
+/// panel.
 pub fn write_quads(panels: &[(&str, &PanelQuads)]) -> Vec<u8> {
     let mut obj = String::from("# Planar quads by Sheetwright. Units: mm. One group per panel.\n");
     let mut before = 1;

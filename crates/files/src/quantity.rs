@@ -1,5 +1,4 @@
-//! Quantities as people type them: `400mm`, `40 cm`, `15 3/4in`, `1' 4"`, `45°`, `200 + 50`,
-//! `12,5`.
+//! Quantities as typed: `400mm`, `40 cm`, `15 3/4in`, `1' 4"`, `45°`, `200 + 50`, `12,5`.
 //!
 //! ```text
 //! quantity = [sign] part {("+" | "-") part}
@@ -10,18 +9,18 @@
 //! unit     = mm cm m in ft, " ″ inch inches, ' ′ foot feet; of an angle deg ° degree degrees
 //! ```
 //!
-//! A comma stands before decimals. Where it could as well part thousands, as in `1,250`, the text
-//! is refused: a length that is a thousand times another must not be a guess. Fields of the editor,
-//! settings of templates and options of the command read quantities here and nowhere else.
+//! A comma separates decimals. A text where it could also separate thousands, as in `1,250`, is
+//! refused, since a wrong guess would be a factor of 1000. Fields of the editor, settings of
+//! templates and options of the command all read quantities here.
 
 use crate::design_json::MOST_WARP_DEG;
 use crate::table::in_range_mm;
 use crate::units::Units;
 
-/// Lengths as they can be written.
+/// Examples of lengths, for messages.
 pub(crate) const LENGTH_EXAMPLES: &str = "400, 400mm, 40cm, 0.4m, 15 3/4in or 1' 4\"";
 
-/// A quantity has this many bytes at the most; more is no slip of the fingers.
+/// The most bytes of a quantity; a longer text is no typing error.
 const MAX_BYTES: usize = 100;
 
 /// Why a text is no quantity.
@@ -29,24 +28,24 @@ const MAX_BYTES: usize = 100;
 pub(crate) enum Slip {
     /// There is no text.
     Empty,
-    /// There is too much of it.
+    /// The text is too long.
     Long,
-    /// Here a number was expected.
+    /// The text where a number was expected.
     NoNumber(String),
-    /// A comma that stands before decimals or between thousands.
+    /// A comma that may separate decimals or thousands.
     Ambiguous(String),
     /// More separators than a number can have.
     Separators(String),
     /// Some numbers have a unit and some have none.
     SomeUnits,
-    /// A unit that is none of this quantity.
+    /// A unit that this quantity does not have.
     Unit(String),
-    /// Beyond all numbers.
+    /// The value is not finite.
     Huge,
 }
 
 impl Slip {
-    /// Why, in a sentence; `what` is the quantity: `length`.
+    /// Why, in a sentence; `what` names the quantity, such as `length`.
     fn words(&self, what: &str) -> String {
         match self {
             Self::Empty => format!("Type a {what}."),
@@ -70,7 +69,7 @@ impl Slip {
         }
     }
 
-    /// What to change, where that is more than to write a quantity.
+    /// Advice on the form of the text, where "write a quantity" is not enough.
     pub(crate) fn advice(&self, what: &str) -> Option<String> {
         let is_of_form = matches!(self, Self::Ambiguous(_) | Self::Separators(_) | Self::SomeUnits);
         is_of_form.then(|| self.words(what))
@@ -85,8 +84,7 @@ pub fn read_length(text: &str, units: Units) -> Result<f64, String> {
     length(text, units).map_err(|slip| slip.words("length"))
 }
 
-/// Lengths, mm, with commas between them; or with semicolons, where a comma may stand before
-/// decimals.
+/// Lengths, mm, separated by commas, or by semicolons so that a comma may separate decimals.
 ///
 /// # Errors
 /// Why one of them is no length, in a sentence.
@@ -105,7 +103,7 @@ pub fn read_angle(text: &str) -> Result<f64, String> {
 /// A number without a unit.
 ///
 /// # Errors
-/// Why the text is none, in a sentence.
+/// Why the text is no number, in a sentence.
 pub fn read_number(text: &str) -> Result<f64, String> {
     plain(text).map_err(|slip| slip.words("number"))
 }
@@ -116,7 +114,7 @@ pub fn length_in(text: &str, units: Units) -> Option<f64> {
 }
 
 /// A length with its unit, as short as a hundredth of a millimetre allows: `400 mm`, `40.5 cm`,
-/// `15.75 in`. It reads back within that.
+/// `15.75 in`. It reads back with this accuracy.
 pub fn length_text(mm: f64, units: Units) -> String {
     let decimals = match units {
         Units::Millimetres => 2,
@@ -130,7 +128,7 @@ pub fn length_text(mm: f64, units: Units) -> String {
     format!("{digits} {}", units.name())
 }
 
-/// A step of a grid: inches in halves of halves, and a part of a foot in inches.
+/// A step of a grid with its unit: inches as binary fractions, and steps below a foot in inches.
 pub fn step_text(mm: f64, units: Units) -> String {
     let inch = Units::Inches.in_mm();
     let is_small = matches!(units, Units::Inches | Units::Feet) && mm < 0.999 * units.in_mm();
@@ -145,14 +143,14 @@ pub fn step_text(mm: f64, units: Units) -> String {
     }
 }
 
-/// A distance that something may move, mm; `None` where the text is none, or the distance is not
-/// taken.
+/// A limit on movement, mm; `None` if the text is no length, or the length is negative or out of
+/// range.
 pub fn distance_mm(text: &str) -> Option<f64> {
     let mm = length(text, Units::Millimetres).ok()?;
     in_range_mm(mm, Units::Millimetres).filter(|mm| *mm >= 0.0)
 }
 
-/// A warp angle that may be asked for, degrees; `None` where the text is none.
+/// A goal for the warp angle, degrees; `None` if the text is no angle above 0° and up to 90°.
 pub fn warp_deg(text: &str) -> Option<f64> {
     angle(text).ok().filter(|deg| *deg > 0.0 && *deg <= MOST_WARP_DEG)
 }
@@ -163,7 +161,7 @@ pub(crate) fn length(text: &str, units: Units) -> Result<f64, Slip> {
     let has_unit = |(_, unit): &(f64, &str)| !unit.is_empty();
     let terms = || parts.iter().flat_map(|part| &part.terms);
     if !terms().any(has_unit) {
-        // Two of them beside one another are no sum: 1 250.
+        // Two numbers without units side by side are no sum: 1 250.
         let beside = parts.iter().find(|part| part.terms.len() > 1);
         if beside.is_some() {
             return Err(Slip::Separators(text.trim().to_owned()));
@@ -178,8 +176,8 @@ pub(crate) fn length(text: &str, units: Units) -> Result<f64, Slip> {
         let mut sum = 0.0;
         for (number, unit) in &part.terms {
             let of = unit_of(unit).ok_or_else(|| Slip::Unit((*unit).to_owned()))?;
-            // Units are whole tenths of a mm; counted in these, 15.75 inches are 400.05 mm to the
-            // digit.
+            // All units are whole tenths of a mm. Computed in tenths, 15.75 inches are exactly
+            // 400.05 mm.
             sum += number * (of.in_mm() * 10.0) / 10.0;
         }
         total += part.sign * sum;
@@ -194,7 +192,7 @@ fn bare(number: f64, units: Units) -> f64 {
     }
 }
 
-/// Lengths with commas between them, or semicolons, mm.
+/// Lengths, mm, separated by commas or semicolons.
 pub(crate) fn lengths(text: &str, units: Units) -> Result<Vec<f64>, Slip> {
     let between = if text.contains(';') { ';' } else { ',' };
     text.split(between).map(|text| length(text, units)).collect()
@@ -210,7 +208,7 @@ pub(crate) fn plain(text: &str) -> Result<f64, Slip> {
     alone(text, &[""])
 }
 
-/// A sum of numbers with one of these units, all of which are the same.
+/// A sum of numbers with one of `units`, which are spellings of the same unit.
 fn alone(text: &str, units: &[&str]) -> Result<f64, Slip> {
     let mut total = 0.0;
     for part in parts(text)? {
@@ -226,7 +224,7 @@ fn alone(text: &str, units: &[&str]) -> Result<f64, Slip> {
 }
 
 fn finite(number: f64) -> Result<f64, Slip> {
-    // -0 is 0 to people.
+    // Adding 0 turns −0 into 0.
     if number.is_finite() { Ok(number + 0.0) } else { Err(Slip::Huge) }
 }
 
@@ -241,7 +239,7 @@ fn unit_of(name: &str) -> Option<Units> {
 /// A summand: its sign and its numbers with their units.
 struct Summand<'a> {
     sign: f64,
-    /// Numbers with what stands behind each; at least one.
+    /// Numbers, each with the text of its unit; at least one.
     terms: Vec<(f64, &'a str)>,
 }
 
@@ -325,7 +323,7 @@ fn decimal(text: &str) -> Result<(f64, &str), Slip> {
         }
         return Err(Slip::Separators(text[..end].to_owned()));
     }
-    // 0,125 parts no thousands.
+    // A leading zero rules out thousands: 0,125.
     if is_comma && end - whole == 4 && (1..=3).contains(&whole) && !text.starts_with('0') {
         return Err(Slip::Ambiguous(text[..end].to_owned()));
     }
@@ -336,7 +334,7 @@ fn decimal(text: &str) -> Result<(f64, &str), Slip> {
             end = text.len() - signed.len() + count;
         }
     }
-    // What is no number on its own, as "." is none, is refused by the parser.
+    // The parser refuses digits that are no number, such as a lone ".".
     let number = text[..end].replace(',', ".").parse();
     number.map(|number| (number, &text[end..])).map_err(|_| Slip::NoNumber(text.to_owned()))
 }

@@ -1,5 +1,5 @@
-//! What is read back from a written pattern: the outline, the holes and the rungs, by where their
-//! lines lie.
+//! Reads the outline, the holes and the rungs back from a written pattern, by the positions of its
+//! lines.
 
 use sheetwright::math::Point2;
 use sheetwright::predicate::{Box2, orientation, signed_area_doubled};
@@ -7,7 +7,7 @@ use sheetwright::rung::Rung;
 use std::cmp::Ordering;
 use std::fmt;
 
-/// Larger files than this are not read, bytes: a hundred times the pattern of 10,000 samples.
+/// The most bytes of a file: a hundred times the pattern of 10,000 samples.
 pub(crate) const MAX_BYTES: usize = 256 << 20;
 /// The end of a rung lies on a point of the outline if it is nearer than this share of the size
 /// of the outline. The files give both in the same digits; this is for rounding alone.
@@ -36,27 +36,27 @@ impl ReadPattern {
 /// Why a file is no pattern.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PatternReadError {
-    /// More bytes than a pattern has.
+    /// The file is larger than 256 MiB.
     TooLarge,
-    /// No text in UTF-8.
+    /// The file is no text in UTF-8.
     NotText,
-    /// No XML, and what the parser says of it.
+    /// The file is no XML, with the parser's message.
     Xml(String),
-    /// No DXF of release 12: the line and what is wrong there.
+    /// The file is no DXF of release 12.
     Dxf {
         /// The line, from 1.
         line: usize,
-        /// What is wrong.
+        /// The problem at this line.
         problem: &'static str,
     },
-    /// A width, height and view box that do not agree on the size of a unit, or no such size.
+    /// `width`, `height` and `viewBox` are missing or give different sizes of a unit.
     Units,
     /// A group or layer that is missing.
     Missing(&'static str),
     /// Something that a pattern does not have, such as a transform, a curve or another entity.
     Unexpected(String),
-    /// So many closed lines to cut, of which none encloses all others and they run its other way
-    /// round.
+    /// The closed lines to cut, of this number, are no outline with holes: the largest must enclose
+    /// all others, and they must run in its opposite direction.
     Outlines(usize),
     /// A coordinate that is not finite.
     NotFinite,
@@ -82,7 +82,7 @@ impl fmt::Display for PatternReadError {
 
 impl std::error::Error for PatternReadError {}
 
-/// The lines of a file, before it is known what each of them is.
+/// The lines of a file, not yet told apart into outline, holes and rungs.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Lines {
     /// The closed lines to cut, in the order of the file, mm.
@@ -145,11 +145,11 @@ pub(crate) fn pattern(lines: Lines) -> Result<ReadPattern, PatternReadError> {
     Ok(ReadPattern { outline, holes: cuts, rungs })
 }
 
-/// The pattern of some lines where it is known to overlap itself. A hole may then run any way and
-/// reach out of the outline, and a corner may lie on another, so that lines alone do not tell which
-/// is which. They are read as what was laid: the outline and the holes in the order of the file,
-/// moved so that the box around all of them has its lower left corner where that of `laid` has it;
-/// and those of the `wanted` rungs, by numbers of corners, that a segment joins.
+/// The pattern of some lines that is known to overlap itself. A hole may then run in either
+/// direction and leave the outline, and corners may coincide, so the lines alone do not tell
+/// outline, holes and rungs apart. Takes the outline and the holes in the order of the file, moved
+/// so that the box around all of them has its lower left corner at that of `laid`. Returns those of
+/// the `wanted` rungs, by numbers of corners, that a segment draws.
 pub(crate) fn overlapping_pattern(
     mut lines: Lines,
     laid: &[Point2],
@@ -185,7 +185,7 @@ pub(crate) fn overlapping_pattern(
     Ok(ReadPattern { outline, holes: lines.cuts, rungs })
 }
 
-/// The corners of closed lines, found by where they lie.
+/// The corners of closed lines, searchable by position.
 struct Corners {
     points: Vec<Point2>,
     /// The numbers of the corners before and after each on its line.
@@ -208,8 +208,8 @@ impl Corners {
         Self { points, beside, by_x, near_mm }
     }
 
-    /// The corner that lies at `point`. Where the sides of a cut lie on one another, several do:
-    /// then the first from which the way `to` the other end starts inside the outline.
+    /// The corner at `point`. If several coincide there, as on the sides of a cut, the first from
+    /// which the segment `to` the other end starts inside the outline.
     fn at(&self, point: Point2, to: Point2) -> Option<usize> {
         let first = self.by_x.partition_point(|&i| self.points[i].x < point.x - self.near_mm);
         let near: Vec<usize> = self.by_x[first..]
@@ -225,8 +225,8 @@ impl Corners {
         }
     }
 
-    /// Whether the way from corner `i` to a point starts inside: to the left of its line, as of an
-    /// outline that runs counter-clockwise and of a hole that runs clockwise.
+    /// Whether the segment from corner `i` to a point starts inside, which is left of the corner's
+    /// line: outlines run counter-clockwise, holes clockwise.
     fn inside(&self, i: usize, to: Point2) -> bool {
         let [previous, next] = self.beside[i].map(|k| self.points[k]);
         let at = self.points[i];

@@ -1,4 +1,4 @@
-//! What every reader needs: errors with a place and a hint, the settings of the caller, and bytes
+//! Shared by every reader: errors with a place and a hint, the settings of the caller, and bytes
 //! and text within limits.
 
 use crate::units::Units;
@@ -12,7 +12,7 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-/// A file has this many bytes at the most: more than a million rows of 250 characters.
+/// The most bytes of a file: more than a million rows of 250 characters.
 pub const MAX_INPUT_BYTES: u64 = 256 << 20;
 
 /// The hint for an unknown ending.
@@ -22,7 +22,7 @@ pub(crate) const TAKEN: &str = "Give a design (.sheet.json or .json), a curve ta
 /// Why an input can't be read, where, and what to do.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InputError {
-    /// What is wrong.
+    /// The problem, in words.
     pub message: String,
     /// Where: the file, with a line (`leaf.csv:12`), a line and a column (`a.sheet.json:3:14`) or
     /// a JSON path (`a.sheet.json: panels[0].rails[1]`).
@@ -53,7 +53,7 @@ impl fmt::Display for InputError {
 
 impl std::error::Error for InputError {}
 
-/// What may move, as the caller sets it; a field that is `None` leaves the value of the design.
+/// The limits on movement that the caller sets; `None` keeps the value of the design.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct VarySettings {
     /// How far each sample may move, mm.
@@ -65,8 +65,8 @@ pub struct VarySettings {
 }
 
 impl VarySettings {
-    /// The `vary` of a design with these settings in place of its values; of a design without
-    /// `vary`, one that moves all curves.
+    /// The `vary` of a design with these settings in place of its values. A design without `vary`
+    /// gets one that moves all curves, if there are settings.
     pub(crate) fn applied(&self, mut vary: Vec<Vary>) -> Vec<Vary> {
         if *self == Self::default() {
             return vary;
@@ -85,10 +85,10 @@ impl VarySettings {
     }
 }
 
-/// How meshes are laid flat, in place of what their panels say.
+/// How meshes are laid flat; these settings replace those of their panels.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MeshSettings {
-    /// What flattening minimises where it can't be exact.
+    /// The quantity that flattening minimises where it can't be exact.
     pub aim: Option<Aim>,
     /// Meshes are divided into parts along creases above this angle, radians.
     pub split_creases: Option<f64>,
@@ -109,11 +109,11 @@ impl MeshSettings {
     }
 }
 
-/// The range of efforts.
+/// The hint for an effort out of range.
 pub(crate) const EFFORTS: &str =
     "Set an effort from 0.001 to 1000; 1 is the default, up to 5 seconds for each panel.";
 
-/// What the caller sets instead of the file.
+/// The settings of the caller, which replace those of the file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ReadOptions {
     /// Samples of each outer loop or rail. A curve table becomes splines with it. Default: as the
@@ -132,7 +132,7 @@ pub struct ReadOptions {
     /// The name of the material of the sheet, one of the design's own or of the catalogue.
     /// Default: as the design says; none for tables and meshes.
     pub material: Option<String>,
-    /// What may move. Default: as the design says.
+    /// Limits on movement. Default: as the design says.
     pub vary: VarySettings,
     /// How meshes are laid flat. Default: as the design says.
     pub mesh: MeshSettings,
@@ -143,7 +143,8 @@ pub(crate) fn display_name(name: &str) -> &str {
     if name == "-" { "standard input" } else { name }
 }
 
-/// What an input without a name of its own is called: the file's name without its endings.
+/// The default name of an input: the file's name without its endings, or `panel` for standard
+/// input.
 pub(crate) fn stem(name: &str) -> String {
     if name == "-" {
         return "panel".to_owned();
@@ -158,7 +159,7 @@ pub(crate) fn stem(name: &str) -> String {
     file.get(..kept).unwrap_or(file).to_owned()
 }
 
-/// A folder is no input, whatever its name ends in.
+/// Refuses a folder, also one whose name has a known ending.
 pub(crate) fn refuse_folder(path: &Path) -> Result<(), InputError> {
     if path.is_dir() {
         let message = "this is a folder";
@@ -167,22 +168,22 @@ pub(crate) fn refuse_folder(path: &Path) -> Result<(), InputError> {
     Ok(())
 }
 
-/// All bytes of a file, if they are few enough.
+/// All bytes of a file, at most [`MAX_INPUT_BYTES`].
 pub(crate) fn read_whole(path: &Path) -> Result<Vec<u8>, InputError> {
     refuse_folder(path)?;
     let place = path.display().to_string();
     let file = File::open(path).map_err(|error| unreadable(&place, &error))?;
-    // Said at once where the size is known; pipes are counted while they are read.
+    // Fails at once if the size is known; the bytes of a pipe are counted while they are read.
     if file.metadata().is_ok_and(|data| data.len() > MAX_INPUT_BYTES) {
         return Err(too_large(&place));
     }
     read_limited(file, &place)
 }
 
-/// All bytes of a reader, if they are few enough. `place` is named in the error.
+/// All bytes of a reader, at most [`MAX_INPUT_BYTES`]. Errors name `place`.
 ///
 /// # Errors
-/// More than [`MAX_INPUT_BYTES`], or whatever the reader fails with.
+/// More bytes than [`MAX_INPUT_BYTES`], or an error of the reader.
 pub fn read_limited(reader: impl Read, place: &str) -> Result<Vec<u8>, InputError> {
     let mut bytes = Vec::new();
     reader
@@ -197,7 +198,7 @@ pub(crate) fn refuse_large(bytes: &[u8], place: &str) -> Result<(), InputError> 
     if bytes.len() as u64 > MAX_INPUT_BYTES { Err(too_large(place)) } else { Ok(()) }
 }
 
-/// The error for more bytes than are taken.
+/// The error for an input above the limit of bytes.
 fn too_large(place: &str) -> InputError {
     InputError::at(
         place,
@@ -207,7 +208,7 @@ fn too_large(place: &str) -> InputError {
 }
 
 fn unreadable(place: &str, error: &io::Error) -> InputError {
-    // The texts of the system differ from one to the next; the common causes get our own.
+    // Operating systems word these errors differently; common causes get a text of this program.
     let (message, hint) = match error.kind() {
         io::ErrorKind::NotFound => {
             ("there is no such file".to_owned(), "Check the path and the spelling.")
@@ -220,7 +221,7 @@ fn unreadable(place: &str, error: &io::Error) -> InputError {
     InputError::at(place, message, hint)
 }
 
-/// The text without the mark that some editors put before it.
+/// The text of some bytes, without the byte order mark that some editors write.
 pub(crate) fn text_of<'a>(bytes: &'a [u8], name: &str) -> Result<&'a str, InputError> {
     let place = display_name(name);
     if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {

@@ -48,14 +48,14 @@ impl fmt::Display for RefoldFileError {
 
 impl std::error::Error for RefoldFileError {}
 
-/// How far the written files of a part come from what it is when they are read back, mm: the worse
-/// of those that are given. Without any, an SVG is written in memory, so that the answer always
-/// rests on a file. Where the surface was found, the pattern is folded up, and vertices are
-/// compared in space; what is stretched does not fold up again, so of a mesh the outline and the
-/// holes are compared with where they were laid.
+/// The refold error of the written files of a part, mm: the largest of the given files. Without a
+/// file it writes an SVG in memory and reads that, so that the answer always rests on a file. For a
+/// found surface it folds the pattern up and compares vertices in space. A stretched pattern does
+/// not fold up again, so for a mesh it compares the outline and the holes with the flat pattern.
 ///
 /// # Errors
-/// A file that can't be read or folded, or that has a point elsewhere.
+/// A file that can't be read or folded, or that has a point off its place by more than the
+/// tolerance.
 pub fn refold_error_mm(
     part: &Part,
     svg: Option<&[u8]>,
@@ -90,7 +90,7 @@ fn folded_error_mm(
         let by_mm = pattern.points().iter().zip(&part.flat.points).map(off).fold(0.0, f64::max);
         let error_mm = refold(&part.sheet, &pattern.points(), &pattern.rungs)
             .map_err(RefoldFileError::Fold)?;
-        // Where closing holes lets folding miss, that must not hide a point that has moved.
+        // Closing windows allows a larger refold error, which must not hide a moved point.
         let allowed_mm = Tolerance::REFOLD.length_mm(found.boundary.size());
         if by_mm > allowed_mm && error_mm <= known_miss_mm(part) + allowed_mm {
             return Err(RefoldFileError::Moved { by_mm });
@@ -100,15 +100,15 @@ fn folded_error_mm(
     })
 }
 
-/// The finding that the written files of a part are not what was made, where they miss it by so
-/// much; `None` where they are.
+/// The finding that the written files of a part differ from its surface; `None` if `error_mm` is
+/// within the tolerance.
 pub(crate) fn refold_finding(part: &Part, error_mm: f64) -> Option<Finding> {
     refolding(error_mm, part.found()?.boundary.size(), known_miss_mm(part))
 }
 
-/// How far the points of the written outline and holes of a piece come from where they were laid
-/// when they are read back, mm: the worse of the files that are given, or of an SVG in memory.
-/// `overlaps` says that the pattern is known to overlap itself.
+/// The largest distance of the points of the outline and holes, read back, from the flat pattern,
+/// mm: over the given files, or of an SVG in memory. `overlaps` says whether the pattern is known
+/// to overlap itself.
 ///
 /// # Errors
 /// A file that can't be read, or has other lines than the piece.
@@ -135,8 +135,9 @@ fn read_back_error_mm(
     Ok(worst)
 }
 
-/// What was written of a piece, read back. A pattern that overlaps itself is given with the rungs
-/// that are looked for in it: its lines alone do not tell what they are.
+/// The patterns of the files of a piece, read back. For a pattern that overlaps itself,
+/// `overlapping` has the rungs to look for, since its lines alone do not tell outline, holes and
+/// rungs apart.
 fn read_patterns(
     piece: &Piece,
     overlapping: Option<&[Rung]>,
@@ -164,13 +165,13 @@ fn read_patterns(
     read.collect()
 }
 
-/// How far the pattern of a part comes from its surface before it is written, mm, where closing its
-/// windows may have changed lengths; 0 where there are none. What the written files may miss by
-/// without being wrong: that the lengths are right is measured by themselves.
+/// The refold error of the pattern in memory, mm, of a part with windows, whose closing may change
+/// lengths; 0 without windows. The written files may have this error too without being wrong, since
+/// length errors are measured separately.
 fn known_miss_mm(part: &Part) -> f64 {
     if part.sheet.loops().len() == 1 {
         return 0.0;
     }
-    // What can't be folded before it is written can't be afterwards, and is told then.
+    // A pattern that can't be folded here can't be folded from its file, where that is an error.
     refold(&part.sheet, &part.flat.points, &part.sheet.rungs()).unwrap_or(0.0)
 }

@@ -1,5 +1,5 @@
-//! What SVG and DXF files of a piece show: its paths, its texts as strokes, and beside it a square
-//! of 100 mm by which a shop checks that the drawing kept its size.
+//! The shapes in SVG and DXF files of a piece: its paths, its texts as strokes, and beside it a
+//! square of 100 mm by which a shop checks the scale.
 
 use crate::stroke_font::strokes;
 use sheetwright::math::{Point2, Vec2};
@@ -9,12 +9,12 @@ use sheetwright::rung::Rung;
 
 /// The side of the reference square, mm.
 pub(crate) const REFERENCE_MM: f64 = 100.0;
-/// Between the piece with its dimensions and the reference square, mm.
+/// The gap between the piece with its dimensions and the reference square, mm.
 const REFERENCE_GAP_MM: f64 = 20.0;
-/// Letters in the reference square, mm.
+/// The height of the letters in the reference square, mm.
 const CAPTION_MM: f64 = 8.0;
 
-/// What a shape of a drawing shows.
+/// The kind of a shape.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum What {
     Outline,
@@ -24,13 +24,13 @@ pub(crate) enum What {
     RulingTick,
     SeamTick,
     Dimension,
-    /// A text, which its lines are the strokes of.
+    /// A text; the lines of the shape are its strokes.
     Label(String),
     /// The reference square.
     Reference,
 }
 
-/// Lines of one role that show one thing.
+/// Lines of one role that together draw one item.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Shape {
     pub(crate) role: Role,
@@ -79,7 +79,7 @@ fn label(label: &PatternLabel) -> Shape {
     }
 }
 
-/// The reference square, with its lower left corner at `corner`, and what it says.
+/// The reference square, with its lower left corner at `corner`, and its caption.
 fn reference(corner: Point2) -> [Shape; 2] {
     let side = REFERENCE_MM;
     let square = [(0.0, 0.0), (side, 0.0), (side, side), (0.0, side)];

@@ -1,12 +1,12 @@
-//! Smooth surfaces as STEP: ISO 10303-21 (the file), ISO 10303-214 (what it says), as every CAD
-//! system reads it.
+//! Smooth surfaces as STEP: ISO 10303-21 (file format) and ISO 10303-214 (schema), which every CAD
+//! system reads.
 //!
 //! Each panel is a product of its own with one open shell: ruled strips are B-spline surfaces of
 //! degree 3 × 1, flat parts are planes, and faces that meet share the edge. Millimetres. No date
 //! and no author: the same design gives the same bytes.
 //!
-//! Written here rather than by a crate: what there is brings a modelling kernel of a hundred crates
-//! along, and all that is needed is a list of numbered records.
+//! This module uses no crate: the known ones depend on a modelling kernel of a hundred crates, and
+//! a list of numbered records is enough.
 
 use crate::shapes::digits;
 use sheetwright::math::{Frame, Point3, Vec3, unit};
@@ -14,7 +14,7 @@ use sheetwright::quads::{EdgeCurve, FaceShape, Rail, SmoothFace, SmoothSurface};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-/// Points this near to one another, as a share of the size, are one: quads are planar to a tenth of
+/// Points closer than this, as a share of the size, count as one: quads are planar to a tenth of
 /// it.
 const SAME_POINT: f64 = 1e-8;
 
@@ -70,7 +70,8 @@ pub fn write_step(panels: &[(&str, &SmoothSurface)]) -> Vec<u8> {
     .into_bytes()
 }
 
-/// The power of ten that [`SAME_POINT`] of the size comes to.
+/// The uncertainty of coordinates for the file, mm: [`SAME_POINT`] of the size, rounded up to a
+/// power of ten.
 fn uncertainty_mm(surface: &SmoothSurface) -> f64 {
     let origin = surface.vertices.first().copied().unwrap_or_default();
     let reach = |p: &Point3| (*p - origin).abs().max_element();
@@ -79,7 +80,7 @@ fn uncertainty_mm(surface: &SmoothSurface) -> f64 {
     powers.into_iter().find(|power| SAME_POINT * size <= *power).unwrap_or(10.0)
 }
 
-/// Numbered records, as far as they are written.
+/// The numbered records written so far.
 #[derive(Default)]
 struct Records {
     text: String,
@@ -87,7 +88,7 @@ struct Records {
 }
 
 impl Records {
-    /// Writes a record; how others name it.
+    /// Writes a record, and returns the name by which others refer to it.
     fn add(&mut self, record: &str) -> String {
         self.count += 1;
         // Writing to a string does not fail.
@@ -110,7 +111,7 @@ impl Records {
     }
 }
 
-/// One surface, as it is written.
+/// A surface while it is written.
 struct Shell<'a> {
     step: &'a mut Records,
     surface: &'a SmoothSurface,
@@ -218,7 +219,7 @@ impl<'a> Shell<'a> {
         }
     }
 
-    /// The control points of the spline of an edge, which surfaces have as well.
+    /// The control points of the spline of an edge, which surfaces share.
     fn control(&mut self, edge: usize) -> Vec<String> {
         if let Some(known) = self.controls.get(&edge) {
             return known.clone();
@@ -230,7 +231,7 @@ impl<'a> Shell<'a> {
     }
 }
 
-/// How often each knot counts.
+/// The multiplicity of each knot, as a list.
 fn multiplicities(knots: &[f64]) -> String {
     let last = knots.len().saturating_sub(1);
     let counts = (0..knots.len()).map(|n| if n == 0 || n == last { "4" } else { "2" });
@@ -250,7 +251,7 @@ fn real(x: f64) -> String {
     real
 }
 
-/// A string: of characters beyond ASCII the code units of UTF-16, as ISO 10303-21 has it.
+/// A string of ISO 10303-21; characters beyond ASCII become UTF-16 code units.
 fn text(name: &str) -> String {
     let mut written = String::from("'");
     for c in name.chars() {

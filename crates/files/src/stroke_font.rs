@@ -38,11 +38,11 @@ fn width_units(text: &str) -> f64 {
 const CAPITAL: f64 = 6.0;
 /// Where the base line runs on the grid, units.
 const BASE_LINE: f64 = 2.0;
-/// Between two characters, units.
+/// The gap between two characters, units.
 const GAP: f64 = 2.0;
 /// The width of a space, units.
 const SPACE: f64 = 2.0;
-/// What stands for a character that the alphabet does not have.
+/// The strokes for a character that the alphabet does not have.
 const BOX: &str = "0242480802";
 
 /// The strokes of a character, and its width in units.

@@ -1,8 +1,8 @@
 //! Patterns as SVG, and back.
 //!
-//! One unit is 1 mm, and `width`, `height` and `viewBox` say so in the same digits, which is what
-//! keeps a drawing its size in every program. Nothing is transformed, nothing is filled, and
-//! letters are strokes, so that no program looks for a font.
+//! One unit is 1 mm. `width`, `height` and `viewBox` state this in the same digits, so that a
+//! drawing keeps its size in every program. Nothing is transformed, nothing is filled, and letters
+//! are strokes, so that no program looks for a font.
 
 use crate::read_back::{Lines, MAX_BYTES, PatternReadError, ReadPattern, pattern};
 use crate::shapes::{Shape, What, digits, extent, shapes};
@@ -13,20 +13,20 @@ use svgtypes::{Length, LengthUnit, SimplePathSegment, SimplifyingPathParser, Vie
 
 /// The width of every line, mm: thin enough for every laser to follow rather than to fill.
 const LINE_MM: f64 = 0.1;
-/// Inkscape draws lines that are thinner than a pixel as nothing, and those by this rule, which it
-/// alone knows, one pixel wide at any zoom. It has to stand in a style sheet of its own, since
-/// Inkscape passes over a whole sheet that has a rule with `@supports`.
+/// Inkscape does not show lines thinner than a pixel. With this rule, which no other program knows,
+/// it draws them one pixel wide at any zoom. The rule needs a style sheet of its own, since
+/// Inkscape ignores a whole sheet that has a rule with `@supports`.
 const IN_INKSCAPE: &str = "path{-inkscape-stroke:hairline}";
-/// On a screen lines are one pixel wide at any zoom: of a plank of 4 m, shown whole, lines of 0.1
-/// mm would be a hundredth of a pixel. Only browsers know `@supports`; by the rules of CSS,
-/// programs that drive machines pass over it and take [`LINE_MM`].
+/// On a screen, lines are one pixel wide at any zoom: in a view of a whole plank of 4 m, a line of
+/// 0.1 mm would be a small part of a pixel. Only browsers know `@supports`; programs that drive
+/// machines ignore it, as CSS requires, and use [`LINE_MM`].
 const ON_SCREENS: &str = "@supports (vector-effect:non-scaling-stroke){@media screen{\
 path{vector-effect:non-scaling-stroke;stroke-width:1px}}}";
-/// Between the drawing and the edge of the page, mm.
+/// The gap between the drawing and the edge of the page, mm.
 const EDGE_MM: f64 = 5.0;
 
-/// The colours of the roles, for programs that go by colour: red is cut, blue scored, black
-/// engraved by the widest custom, and grey is followed by nobody.
+/// The colours of the roles, for programs that assign operations by colour. By the widest custom
+/// red is cut, blue scored and black engraved; grey has no operation.
 const fn colour(role: Role) -> &'static str {
     match role {
         Role::Cut => "#ff0000",
@@ -36,7 +36,7 @@ const fn colour(role: Role) -> &'static str {
     }
 }
 
-/// The SVG file of a piece. `docs/outputs.md` says what a reader may rely on.
+/// The SVG file of a piece. `docs/outputs.md` specifies it for readers.
 pub fn write_svg(piece: &Piece) -> Vec<u8> {
     let shapes = shapes(piece);
     let around = extent(&shapes);
@@ -77,7 +77,7 @@ pub fn write_svg(piece: &Piece) -> Vec<u8> {
     svg.into_bytes()
 }
 
-/// The attributes that say what a shape shows.
+/// The attributes that name the kind of a shape.
 fn named(shape: &Shape) -> String {
     match &shape.what {
         What::Outline => "id=\"outline\" class=\"outline\"".to_owned(),
@@ -104,7 +104,7 @@ fn drawn(shape: &Shape, place: impl Fn(&Point2) -> String) -> String {
     lines.collect::<Vec<_>>().join(" ")
 }
 
-/// A text as XML holds it; what XML has no way to hold is replaced visibly.
+/// A text escaped for XML; a visible mark replaces characters that XML does not allow.
 fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for character in text.chars() {
@@ -122,8 +122,8 @@ fn escaped(text: &str) -> String {
 }
 
 /// Reads back the outline, the holes and the rungs of a pattern that [`write_svg`] wrote: the
-/// closed paths of `cut`, and the segments of the other groups between its corners. What the paths
-/// are named is not looked at; the unit is what `width` and `height` make of `viewBox`.
+/// closed paths of `cut`, and the segments of the other groups between its corners. Ignores the
+/// names of the paths. `width`, `height` and `viewBox` give the unit.
 ///
 /// # Errors
 /// See [`PatternReadError`]. Transforms and curves are refused, since a pattern has none.
@@ -131,7 +131,8 @@ pub fn read_svg(bytes: &[u8]) -> Result<ReadPattern, PatternReadError> {
     pattern(svg_lines(bytes)?)
 }
 
-/// The lines of a pattern that [`write_svg`] wrote, before it is known what each of them is.
+/// The lines of a pattern that [`write_svg`] wrote, not yet told apart into outline, holes and
+/// rungs.
 pub(crate) fn svg_lines(bytes: &[u8]) -> Result<Lines, PatternReadError> {
     if bytes.len() > MAX_BYTES {
         return Err(PatternReadError::TooLarge);
@@ -172,7 +173,7 @@ pub(crate) fn svg_lines(bytes: &[u8]) -> Result<Lines, PatternReadError> {
     Ok(found)
 }
 
-/// How many millimetres a unit of the view box is.
+/// The size of a unit of the view box, mm.
 fn unit_mm(root: roxmltree::Node<'_, '_>) -> Result<f64, PatternReadError> {
     let units = PatternReadError::Units;
     let view: ViewBox =
@@ -192,7 +193,7 @@ fn unit_mm(root: roxmltree::Node<'_, '_>) -> Result<f64, PatternReadError> {
     };
     let (Some(width), Some(height)) = (size("width"), size("height")) else { return Err(units) };
     let (across, up) = (width / view.w, height / view.h);
-    // Rounding of two quotients; anything more would distort the drawing.
+    // The tolerance is for the rounding of two quotients; a larger difference distorts the drawing.
     let agree = (across - up).abs() <= 1e-12 * up;
     if agree && across > 0.0 && across.is_finite() { Ok(across) } else { Err(units) }
 }

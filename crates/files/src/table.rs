@@ -12,11 +12,11 @@ use sheetwright::math::Point3;
 use sheetwright::triangulate::Goal;
 use std::collections::BTreeMap;
 
-/// A table has this many rows at the most, as a boundary has samples.
+/// The most rows of a table, which is the most samples of a boundary.
 pub const MAX_ROWS: usize = MAX_SAMPLES;
-/// A table or a design has this many curves at the most.
+/// The most curves of a table or of a design.
 pub const MAX_CURVES: usize = 10_000;
-/// What the only curve of a table without the column `curve` is called.
+/// The name of the only curve of a table without the column `curve`.
 const UNNAMED: &str = "outline";
 /// The columns, required ones first.
 const COLUMNS: [&str; 6] = ["x", "y", "z", "curve", "corner", "move"];
@@ -30,7 +30,7 @@ const COMMA_HINT: &str =
 pub struct TableCurve {
     /// Its name.
     pub name: String,
-    /// Its points, in the order of the rows; a last one that repeats the first is still there.
+    /// Its points, in the order of the rows, including a last one that repeats the first.
     pub points: Vec<CurvePoint>,
 }
 
@@ -42,7 +42,7 @@ impl TableCurve {
         if let (true, [first, .., last]) = (closed, points.as_mut_slice())
             && first.at == last.at
         {
-            // The two are one point: a corner at either is one.
+            // The two are one point, which is a corner if either is.
             first.corner |= last.corner;
             first.move_mm = first.move_mm.min(last.move_mm);
             points.pop();
@@ -54,7 +54,7 @@ impl TableCurve {
 /// The curves of a table, in the order in which they begin. `name` is the file's, for messages.
 ///
 /// # Errors
-/// A header without x, y and z, a row that has other columns, or a value that is none; each with
+/// A header without x, y and z, a row with another number of cells, or an invalid value; each with
 /// its line.
 pub fn read_table(text: &str, name: &str, units: Units) -> Result<Vec<TableCurve>, InputError> {
     let place = display_name(name);
@@ -66,7 +66,7 @@ pub fn read_table(text: &str, name: &str, units: Units) -> Result<Vec<TableCurve
         .trim(csv::Trim::All)
         .from_reader(text.as_bytes());
     let mut row = csv::StringRecord::new();
-    // The reader of rows sees memory, and the text is text: it has nothing to fail with.
+    // Reading can't fail here: the reader reads memory, and the text is valid UTF-8.
     let unreadable = |error: csv::Error| InputError::at(place, error.to_string(), HEADER_HINT);
     if !rows.read_record(&mut row).map_err(unreadable)? {
         return Err(InputError::at(place, "the table has no header", HEADER_HINT));
@@ -94,16 +94,16 @@ pub fn read_table(text: &str, name: &str, units: Units) -> Result<Vec<TableCurve
     Ok(curves.list)
 }
 
-/// What separates the columns: a comma; or, as spreadsheets write where the comma is taken for
-/// decimals, the semicolon or the tabulator that the header has instead.
+/// The separator of the columns: a comma, or, if the header has none, its semicolon or tabulator,
+/// which spreadsheets write where the comma separates decimals.
 fn separator_of(text: &str) -> u8 {
     let header = text.lines().find(|line| !line.trim().is_empty()).unwrap_or("");
     let has = |separator: &u8| header.as_bytes().contains(separator);
     [b',', b';', b'\t'].into_iter().find(has).unwrap_or(b',')
 }
 
-/// The line that a row stands on. The reader notes where the row before ended, which is before the
-/// second half of a CRLF and before empty lines.
+/// The line number of a row. The reader gives the end of the row before, which lies before the LF
+/// of a CRLF and before empty lines.
 fn line_of(row: &csv::StringRecord, text: &str) -> u64 {
     let Some(position) = row.position() else { return 0 };
     let start = usize::try_from(position.byte()).unwrap_or(usize::MAX);
@@ -117,7 +117,7 @@ fn line_of(row: &csv::StringRecord, text: &str) -> u64 {
 struct Curves {
     list: Vec<TableCurve>,
     by_name: BTreeMap<String, usize>,
-    /// The curve of the row before, which is that of most rows.
+    /// The curve of the row before; most rows belong to it.
     last: usize,
 }
 
@@ -150,7 +150,7 @@ impl Curves {
     }
 }
 
-/// Where the header says that each column stands.
+/// The positions of the columns, from the header.
 struct Columns {
     count: usize,
     xyz: [usize; 3],
@@ -247,7 +247,7 @@ impl Columns {
 }
 
 impl Columns {
-    /// The length of a cell, mm; or what is wrong with it and what to do.
+    /// The length in a cell, mm. The error is a message and a hint.
     fn length_mm(
         &self,
         column: &str,
@@ -261,7 +261,7 @@ impl Columns {
     }
 }
 
-/// The length of a cell, mm; or what is wrong with it and what to do.
+/// The length in a cell, mm. The error is a message and a hint.
 fn length_mm(column: &str, text: &str, units: Units) -> Result<f64, (String, &'static str)> {
     if text.is_empty() {
         return Err((format!("{column} is empty"), NUMBER_HINT));
@@ -300,7 +300,7 @@ pub(crate) fn read_as_design(
         let hint = "Rename the file: the panel and its output files are named after it.";
         return Err(InputError::at(display_name(name), message, hint));
     }
-    // Rows are the samples themselves unless a number of samples is asked for.
+    // Rows are the samples themselves unless the caller sets a number of samples.
     let kind = options.samples.map(|_| CurveKind::Spline);
     let curves: Vec<DesignCurve> = table
         .iter()
@@ -362,9 +362,9 @@ pub fn write_table(curves: &[DesignCurve]) -> Vec<u8> {
     table.into_bytes()
 }
 
-/// What begins a formula in some spreadsheet, in the letters of every country.
+/// The characters that begin a formula in some spreadsheet, in half and full width.
 const FORMULA: [char; 8] = ['=', '+', '-', '@', '＝', '＋', '－', '＠'];
-/// Stands before a name that begins so, as spreadsheets have it: what follows is a text.
+/// The mark of a text in spreadsheets, written before a name that begins so.
 const AS_TEXT: char = '\'';
 
 /// Whether a spreadsheet could take a name for a formula, or would if it had fewer apostrophes.
@@ -377,12 +377,12 @@ fn guarded(name: &str) -> String {
     if looks_like_a_formula(name) { format!("{AS_TEXT}{name}") } else { name.to_owned() }
 }
 
-/// The name that [`guarded`] was given.
+/// The inverse of [`guarded`].
 fn unguarded(cell: &str) -> &str {
     cell.strip_prefix(AS_TEXT).filter(|name| looks_like_a_formula(name)).unwrap_or(cell)
 }
 
-/// A cell, in quotation marks where commas or such marks in it ask for them.
+/// A cell, in quotation marks if it contains a comma or a quotation mark.
 fn quoted(text: &str) -> String {
     if text.contains([',', '"']) {
         format!("\"{}\"", text.replace('"', "\"\""))
@@ -501,7 +501,7 @@ mod tests {
         }
         let back: Vec<String> = read(&text).unwrap().into_iter().map(|c| c.name).collect();
         assert_eq!(back, names);
-        // Those that are no formula stand there as they are.
+        // Names that are no formula stay as they are.
         assert!(text.contains("\na=b,") && text.contains("\nit's,") && text.contains("\n',"));
     }
 

@@ -1,4 +1,4 @@
-//! A template as it is called: its name and `NAME=VALUE` texts, to a design.
+//! Makes a design from the name of a template and `NAME=VALUE` texts.
 
 use crate::design_json::{table_beside, write_design, write_design_of_table};
 use crate::materials::material_named;
@@ -14,13 +14,13 @@ use sheetwright::template::{
 };
 use std::path::Path;
 
-/// What every template takes beside its parameters.
+/// The setting that every template has beside its parameters.
 pub(crate) const MATERIAL: &str = "material";
-/// What a template with a table calls the unit of its numbers.
+/// The parameter for the unit of a template's table.
 const UNITS: &str = "units";
 
-/// The design that a template draws with these settings, each a text `NAME=VALUE`; what is not set
-/// is at its default. Lengths are in millimetres unless they have a unit, angles in degrees.
+/// The design that a template draws with these settings, each a text `NAME=VALUE`; other parameters
+/// have their defaults. Lengths are in millimetres unless they have a unit, angles in degrees.
 /// `material` sets the sheet of any template.
 ///
 /// # Errors
@@ -152,7 +152,7 @@ fn set(values: &mut Values, name: &str, text: &str) -> Result<(), InputError> {
     values.set(parameter.name, value).map_err(|error| in_words(&error, template, text))
 }
 
-/// The value in a text; or what is wrong with it, where that is a slip of the fingers.
+/// The value in a text. The error names the slip in a quantity, or is `None` for a table.
 fn read(kind: &Kind, text: &str) -> Result<Value, Option<Slip>> {
     let mm = Units::Millimetres;
     let value = match kind {
@@ -195,7 +195,7 @@ fn place(template: &Template, parameter: &str) -> String {
     format!("{}: {parameter}", template.name)
 }
 
-/// What the kernel says, with the value as it was typed and what the parameter takes.
+/// The error of the kernel, with the value as typed and the range of the parameter.
 fn in_words(error: &TemplateError, template: &Template, typed: &str) -> InputError {
     let parameter = error.parameter().and_then(|name| template.parameter(name));
     let Some(parameter) = parameter else {
@@ -207,7 +207,7 @@ fn in_words(error: &TemplateError, template: &Template, typed: &str) -> InputErr
         TemplateError::Together { message, hint, .. } => (message.clone(), hint.clone()),
         TemplateError::OutOfRange { value, .. } => {
             let value = with_unit(&parameter.kind, *value);
-            // Whoever forgot a unit sees what the number was taken for.
+            // Shows the value with its unit, so that a forgotten unit is noticed.
             let typed = match typed {
                 typed if typed.replace(' ', "") == value.replace(' ', "") => String::new(),
                 typed if typed.contains(',') => String::new(),
@@ -232,7 +232,7 @@ fn in_words(error: &TemplateError, template: &Template, typed: &str) -> InputErr
     InputError::at(place, message, hint)
 }
 
-/// What a parameter takes, in words: `a length from 10 mm to 20 m`.
+/// The accepted values of a parameter, in words: `a length from 10 mm to 20 m`.
 fn takes(kind: &Kind) -> String {
     let what = match kind {
         Kind::Length(_) => "a length from ",
@@ -244,7 +244,7 @@ fn takes(kind: &Kind) -> String {
     format!("{what}{}", range(kind))
 }
 
-/// The least and the most that a parameter takes: `10 mm to 20 m`.
+/// The range of a parameter: `10 mm to 20 m`.
 pub(crate) fn range(kind: &Kind) -> String {
     let between =
         |least: f64, most: f64| format!("{} to {}", with_unit(kind, least), with_unit(kind, most));
@@ -281,7 +281,7 @@ pub(crate) fn default(kind: &Kind) -> String {
     }
 }
 
-/// A number with the unit that people would give it.
+/// A number with its customary unit.
 fn with_unit(kind: &Kind, number: f64) -> String {
     match kind {
         Kind::Length(_) | Kind::Lengths { .. } if number.abs() >= 1000.0 => {
@@ -293,7 +293,7 @@ fn with_unit(kind: &Kind, number: f64) -> String {
     }
 }
 
-/// As short as it can be without hiding why a number is out of range.
+/// A number in few digits, but enough to show why it is out of range.
 fn short(number: f64) -> String {
     if number != 0.0 && !(1e-4..1e9).contains(&number.abs()) {
         return format!("{number:e}");
@@ -359,12 +359,12 @@ mod tests {
         let error = design_from_template("kone", &[]).unwrap_err();
         assert_eq!(error.message, "there is no template 'kone'");
         assert!(error.hint.starts_with("Did you mean 'cone'? The"), "{}", error.hint);
-        // What people search for leads there too.
+        // A search word leads to its template too.
         let hint = design_from_template("Zepelin", &[]).unwrap_err().hint;
         assert!(hint.starts_with("Did you mean 'airship'? The"), "{hint}");
     }
 
-    /// The reader of tables knows the units that a template lets people choose.
+    /// The reader of tables knows the units that a template offers.
     #[test]
     fn units_of_tables_are_those_of_files() {
         for template in catalogue() {

@@ -1,6 +1,5 @@
-//! Files that are written whole or not at all: they wait in a room of their own beside where they
-//! belong (`room`), then all get their names. If one can't have its name, those before it are put
-//! back as they were.
+//! Files that are written whole or not at all. They wait in a temporary folder beside their place
+//! (`room`), then all are renamed. If one rename fails, the files before it are restored.
 
 mod room;
 
@@ -14,7 +13,7 @@ use std::path::{Path, PathBuf};
 /// Why a file can't be written, and what to do.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct WriteError {
-    /// What is wrong.
+    /// The problem, in words.
     pub message: String,
     /// The file or folder.
     pub place: String,
@@ -53,7 +52,7 @@ impl std::fmt::Display for WriteError {
 
 impl std::error::Error for WriteError {}
 
-/// The folder that files go to.
+/// The folder that files are written to.
 #[derive(Debug)]
 pub struct Folder {
     path: PathBuf,
@@ -63,7 +62,7 @@ impl Folder {
     /// The folder of this path, which need not be there yet.
     ///
     /// # Errors
-    /// A file has this name or that of a folder above, or a link there leads nowhere.
+    /// A file has the name of this folder or of one above it, or a link there is broken.
     pub fn new(path: &Path) -> Result<Self, WriteError> {
         for above in path.ancestors().filter(|above| !above.as_os_str().is_empty()) {
             let Ok(found) = above.symlink_metadata() else { continue };
@@ -79,8 +78,8 @@ impl Folder {
         Ok(Self { path: path.to_owned() })
     }
 
-    /// Files to be kept together. Creates the folder if need be, and removes what killed programs
-    /// have left in it.
+    /// Begins a batch of files that are kept together. Creates the folder if needed, and removes
+    /// temporary files that killed programs left in it.
     ///
     /// # Errors
     /// The folder can't be created.
@@ -108,14 +107,14 @@ fn leads_nowhere(link: &Path) -> WriteError {
     WriteError::new(link, message, "Create what it leads to, or choose another name.")
 }
 
-/// Files that get their names together, or go.
+/// Files that get their final names together, or are removed.
 #[derive(Debug)]
 pub struct Batch {
     folder: PathBuf,
     room: Room,
-    /// What the files in the room are to be called.
+    /// The final paths of the files in the room.
     paths: Vec<PathBuf>,
-    /// Whether the disk must have each file before it gets its name.
+    /// Whether each file is flushed to the disk before it gets its final name.
     lasts: bool,
 }
 
@@ -142,10 +141,10 @@ impl Batch {
         Ok(())
     }
 
-    /// Gives all files their names.
+    /// Gives all files their final names.
     ///
     /// # Errors
-    /// A file can't have its name. Then all is as it was before.
+    /// A file can't get its final name. Then all files are as they were before.
     pub fn keep(self) -> Result<(), WriteError> {
         let mut naming = hold();
         self.back_up()?;
@@ -156,8 +155,8 @@ impl Batch {
             }
         }
         self.room.goes_with(&mut naming, Vec::new());
-        // The name is the folder's. Where a folder can't be opened as a file, its system sees to
-        // it.
+        // The folder holds the name, so it is flushed too. Systems that can't open a folder as a
+        // file flush it themselves.
         #[cfg(unix)]
         if self.lasts {
             File::open(&self.folder)
@@ -167,8 +166,8 @@ impl Batch {
         Ok(())
     }
 
-    /// Keeps what the files take the place of. A single file needs none of it: it gets its name, or
-    /// does not.
+    /// Keeps copies of the files that the new files replace. A single file needs none, since its
+    /// rename succeeds or changes nothing.
     fn back_up(&self) -> Result<(), WriteError> {
         if self.paths.len() < 2 {
             return Ok(());
@@ -176,7 +175,7 @@ impl Batch {
         for (n, path) in self.paths.iter().enumerate() {
             if path.symlink_metadata().is_ok() {
                 let old = self.room.old_file(n);
-                // Not every disk has a second name for a file.
+                // Not every file system has hard links.
                 fs::hard_link(path, &old)
                     .or_else(|_| fs::copy(path, &old).map(drop))
                     .map_err(|error| not_replaced(path, &error))?;
@@ -185,11 +184,11 @@ impl Batch {
         Ok(())
     }
 
-    /// Puts back what the first `count` files have taken the place of.
+    /// Restores the files that the first `count` new files have replaced.
     fn put_back(&self, count: usize) {
         for (n, path) in self.paths[..count].iter().enumerate() {
             let old = self.room.old_file(n);
-            // What can't be put back stays new: it is whole, too.
+            // A file that can't be restored stays new: it is complete, too.
             let _ = if old.exists() { fs::rename(old, path) } else { fs::remove_file(path) };
         }
     }
@@ -217,8 +216,8 @@ fn not_replaced(path: &Path, error: &io::Error) -> WriteError {
     WriteError::new(path, "the file there may not be replaced", hint)
 }
 
-/// Writes one file, into a folder that is there. Where a link has its name, the link stays and what
-/// it leads to is written; a device or a pipe gets the bytes.
+/// Writes one file, into an existing folder. If its name is a link, the link stays and its target
+/// is written; a device or a pipe gets the bytes.
 ///
 /// # Errors
 /// It can't be written, or a folder or a read-only file has its name.
@@ -233,8 +232,8 @@ pub fn write_one(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
     write_single(&target, bytes, false)
 }
 
-/// [`write_one`], of a file and no link, and waits until the disk has it, so that it outlasts a
-/// loss of power.
+/// Writes one file as [`write_one`] does, but without following links, and waits until the disk has
+/// the file, so that it survives a loss of power.
 ///
 /// # Errors
 /// As [`write_one`].

@@ -1,16 +1,16 @@
-//! Files beside a design that it takes points or triangles from. A design may come from a stranger,
-//! so they lie in its own folder or below, and nowhere else.
+//! Files that a design takes points or triangles from. A design may be untrusted, so they must lie
+//! in its own folder or below it.
 
 use crate::names::shown;
 use crate::reading::InputError;
 use std::path::{Path, PathBuf};
 
-/// What a design names by a path.
+/// A kind of file that a design names by a path.
 #[derive(Clone, Copy)]
 pub(super) struct Kind {
-    /// What messages call it.
+    /// The word for it in messages.
     pub(super) word: &'static str,
-    /// Which files it may be.
+    /// The accepted files, as messages name them.
     pub(super) files: &'static str,
 }
 
@@ -30,7 +30,7 @@ pub(super) fn file_beside(
         );
         error(message, &hint)
     };
-    // Every system refuses these paths, so that a design means the same on each.
+    // Refused on every operating system, so that a design means the same on each.
     let parts = || path.split('/');
     let odd = |c: char| c.is_control() || c == '\\' || c == ':';
     if path.contains(odd) || parts().any(|part| part.is_empty() || part == "..") {
@@ -40,13 +40,13 @@ pub(super) fn file_beside(
         let message = format!("there is no {word} {}", shown(path));
         error(message, "Check the path; it begins at the design's folder.")
     };
-    // Links are followed before the question is asked.
+    // Resolves links first, so that no link leads out of the folder.
     let home = folder.canonicalize().map_err(missing)?;
     let file = home.join(Path::new(path)).canonicalize().map_err(missing)?;
     if !file.starts_with(&home) {
         return Err(leaves());
     }
-    // A pipe or a device would wait, or never end.
+    // Reading a pipe or a device may block or never end.
     if !file.is_file() {
         return Err(error(format!("{} is no file", shown(path)), &format!("Name {files}.")));
     }

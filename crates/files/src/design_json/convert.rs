@@ -30,7 +30,7 @@ use sheetwright::math::{Point3, Vec3};
 use sheetwright::triangulate::Goal;
 use std::collections::BTreeMap;
 
-/// A design has this many panels, and a panel this many uses of curves, at the most.
+/// The most panels of a design, and the most uses of curves of a panel.
 const MAX_PANELS: usize = MAX_CURVES;
 
 pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, InputError> {
@@ -69,7 +69,8 @@ pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, In
             vary.push(own);
         }
     }
-    // What is said of one panel belongs to it, wherever it stands.
+    // Entries for none or several panels come first, then those for one panel in the order of the
+    // panels, so that the result does not depend on where the file has them.
     let place = |vary: &Vary| match vary.panels.as_slice() {
         [only] => 1 + panels.iter().position(|panel| panel.name == *only).unwrap_or_default(),
         _ => 0,
@@ -101,7 +102,7 @@ fn curves(
             KindName::Polyline => Some(CurveKind::Polyline),
             KindName::Spline => Some(CurveKind::Spline),
             KindName::BSpline => Some(CurveKind::BSpline),
-            // More or fewer samples than there are points are those of a spline through them.
+            // With a number of samples set, the samples lie on a spline through the points.
             KindName::Samples if source.options.samples.is_some() => Some(CurveKind::Spline),
             KindName::Samples => None,
         };
@@ -274,7 +275,8 @@ impl PanelReader<'_> {
         let holes = match shape {
             PanelShape::Loops { holes, .. } => holes.len(),
             PanelShape::Rails(_) | PanelShape::Mesh(_) => 0,
-            // How many holes a join has is known when it is joined; a point too many cuts nothing.
+            // The number of holes of a join is known only after joining; surplus points cut
+            // nothing.
             PanelShape::Join(_) => places.len(),
         };
         if places.len() > holes {
@@ -364,8 +366,8 @@ impl PanelReader<'_> {
         Ok(uses)
     }
 
-    /// The curves of a loop. A seam is run there and back, but a loop that is nothing else encloses
-    /// no sheet.
+    /// The curves of a loop. A seam is in it once in each direction. A loop of seams alone encloses
+    /// no sheet and is refused.
     fn loop_of(&self, names: Vec<String>, field: &str) -> Result<Vec<CurveUse>, InputError> {
         let uses = self.uses(names, field)?;
         let mut balance: BTreeMap<&str, i64> = BTreeMap::new();

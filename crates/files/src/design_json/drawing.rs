@@ -217,7 +217,7 @@ mod tests {
                 format!(r#"{{"sheetwright":1,"units":"{units}","curves":{{}},"panels":[]}}"#);
             let (design, drawing) = read_drawn(text.as_bytes(), "a.sheet.json", None).unwrap();
             assert_eq!(drawing.grid_mm, mm, "{units}");
-            // What the hand has set stays, whether or not it is round.
+            // A grid that the user has set stays, whether or not it is round.
             for grid_mm in [mm, 50.0, 50.8] {
                 let drawing = Drawing { grid_mm, ..drawing.clone() };
                 let bytes = write_drawn(&design, &drawing);

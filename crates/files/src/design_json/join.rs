@@ -1,4 +1,4 @@
-//! Panels that join others: the fields that say so, and what the names of the others must be.
+//! Panels that join others: their fields, and the checks of the names of the joined panels.
 
 use super::grammar::{PanelFile, SmoothName, WithinFile};
 use super::source::Source;
@@ -10,10 +10,11 @@ use sheetwright::boundary::{Continuity, MAX_SAMPLES, Within};
 use sheetwright::design::{CurveUse, DesignCurve, DesignPanel, Join, PanelShape};
 use std::collections::BTreeMap;
 
-/// A panel joins this many at the most: they are tried in turn until all hang together.
+/// The most panels of a join: joining tries them in turn until all are connected.
 const MAX_PARTS: usize = 100;
 
-/// The join that the panel at `path` of a file is; `None` if it is none.
+/// The join that the fields of a panel describe; `None` for a panel that is no join. `path` is the
+/// panel's JSON path.
 pub(super) fn join(
     file: &PanelFile,
     units: Units,
@@ -84,8 +85,8 @@ pub(super) fn join(
     Ok(Some(PanelShape::Join(Join { parts: parts.clone(), smooth, within, keep_parts })))
 }
 
-/// How many points the curves of a panel have, each counted as often as it is used: the kernel
-/// builds it anew each time.
+/// The number of points of all curves of a panel. A curve counts once per use, since the kernel
+/// builds it anew at each use.
 pub(super) fn points_of(shape: &PanelShape, known: &BTreeMap<&str, &DesignCurve>) -> usize {
     let uses: Vec<&CurveUse> = match shape {
         PanelShape::Rails(rails) => rails.iter().collect(),
@@ -95,7 +96,8 @@ pub(super) fn points_of(shape: &PanelShape, known: &BTreeMap<&str, &DesignCurve>
     uses.iter().filter_map(|u| known.get(u.name.as_str())).map(|c| c.points.len()).sum()
 }
 
-/// Refuses joins of panels that are not there, twice there, or joins themselves.
+/// Refuses joins of panels that do not exist, that the join names twice, or that are joins
+/// themselves.
 pub(super) fn check_joins(
     panels: &[DesignPanel],
     curves: &BTreeMap<&str, &DesignCurve>,

@@ -1,4 +1,4 @@
-//! The materials of a design: those that it brings along, and the one that it is made from.
+//! The materials that a design defines, and the material of its sheet.
 
 use super::source::Source;
 use crate::json::Named;
@@ -9,13 +9,13 @@ use crate::reading::InputError;
 use sheetwright::design::Design;
 use sheetwright::material::Material;
 
-/// The name of a material without a title that stands in the place of a name.
+/// The name of a material without a title that `material` gives as an object instead of a name.
 const OWN: &str = "own";
-/// A design brings this many materials along at the most.
+/// The most materials that a design defines.
 const MAX_MATERIALS: usize = 1000;
 
-/// The material that a design is made from, and all that it brings along. One that stands in the
-/// place of a name is the last of them.
+/// Returns the material of the sheet, and all materials that the design defines. If `material` is
+/// an object instead of a name, its material is the last of them.
 pub(super) fn read(
     choice: Option<MaterialChoice>,
     list: Named<MaterialFile>,
@@ -54,9 +54,9 @@ pub(super) fn read(
     Ok((chosen, own))
 }
 
-/// The name of the material that a design is made from, and the materials that its file brings
-/// along. A material that the design names, and that stands neither among its own nor in the
-/// catalogue, is the last of them, under a name that none of them has.
+/// Returns the name of the material of the sheet, and the materials that the file defines. If
+/// neither the design nor the catalogue defines the material of the sheet, it is the last of them,
+/// under an unused name.
 pub(super) fn written(design: &Design) -> (Option<String>, Vec<Material>) {
     let mut own = design.materials.clone();
     let Some(chosen) = &design.material else { return (None, own) };
@@ -123,7 +123,7 @@ mod tests {
             }
             assert_eq!(again(&design), design);
         }
-        // What the caller asks for is one of them, or of the catalogue.
+        // The caller may set one of them, or one of the catalogue.
         for (asked, found) in [("B-PLY", "b-ply"), ("steel-1MM", "steel-1mm")] {
             let design = read_with(&format!(r#""material": "paper", {own}"#), Some(asked)).unwrap();
             assert_eq!(design.material.as_ref().unwrap().name, found);

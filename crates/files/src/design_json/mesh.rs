@@ -1,4 +1,4 @@
-//! Panels whose surface is a mesh: the fields that say so, and the meshes beside a design.
+//! Panels whose surface is a mesh: their fields, and the mesh files of a design.
 
 use super::beside::{Kind, file_beside};
 use super::grammar::{AimName, MeshFile, PanelFile, TrianglesFile, Triple};
@@ -25,7 +25,7 @@ pub(super) struct Meshes<'a> {
     source: &'a Source<'a>,
     units: Units,
     read: BTreeMap<PathBuf, Vec<Group>>,
-    /// How many more bytes the meshes of the design may have together.
+    /// The bytes left for the other mesh files of the design.
     bytes_left: u64,
 }
 
@@ -34,7 +34,8 @@ impl<'a> Meshes<'a> {
         Self { source, units, read: BTreeMap::new(), bytes_left: MAX_INPUT_BYTES }
     }
 
-    /// The mesh that the panel at `path` of the file is; `None` if it is none.
+    /// The mesh that the fields of a panel describe; `None` for a panel that is no mesh. `path` is
+    /// the panel's JSON path.
     pub(super) fn shape(
         &mut self,
         file: &mut PanelFile,
@@ -156,7 +157,7 @@ impl<'a> Meshes<'a> {
             let hint = "Name a file that ends in .obj, .stl, .ply or .glb.";
             return Err(self.source.error(at, message, hint));
         };
-        // The resolved path is of no use to whoever wrote the design.
+        // Errors show the path as the design has it, not the resolved one.
         let bytes = read_whole(file)
             .map_err(|error| InputError { place: Some(name.to_owned()), ..error })?;
         let size = bytes.len() as u64;
@@ -186,7 +187,7 @@ impl<'a> Meshes<'a> {
             }
             builder.polygon(corners, at)?;
         }
-        // One group was begun, so one comes out, unless there is no triangle, which is refused.
+        // One group is begun, so `built` returns one, or refuses a mesh without triangles.
         let built = builder.built()?;
         let triangles = built.into_iter().next().map(|group| group.triangles().1);
         let mut triangles = triangles.unwrap_or_default();
@@ -195,7 +196,7 @@ impl<'a> Meshes<'a> {
     }
 }
 
-/// The fields of a panel that is a mesh, as they stand in its file.
+/// The fields of a panel that is a mesh, as the text of its file.
 pub(super) fn fields(mesh: &PanelMesh) -> Vec<String> {
     let Triangles { positions, triangles, left_out } = &*mesh.triangles;
     let given = TrianglesFile {

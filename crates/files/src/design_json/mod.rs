@@ -47,7 +47,7 @@ pub(crate) fn read(
     let place = display_name(name);
     let mut file = parse(text, place)?;
     let source = Source { name, place, folder, options };
-    // Making passes over how it is drawn, but not over what is wrong there.
+    // `make` ignores the field `drawing`, but refuses errors in it.
     drawing::read(file.drawing.take(), file.units, &source)?;
     convert::design(file, &source)
 }
@@ -56,7 +56,7 @@ pub(crate) fn read(
 /// below.
 ///
 /// # Errors
-/// Bytes that are no design that this version takes.
+/// Bytes that are no design, or a design that this version can't read.
 pub fn read_drawn(
     bytes: &[u8],
     name: &str,
@@ -70,7 +70,7 @@ pub fn read_drawn(
     Ok((convert::design(file, &source)?, drawing))
 }
 
-/// A design and how it is drawn as the bytes of its file. It reads back equal.
+/// The bytes of the file of a design and its drawing. Both read back equal.
 pub fn write_drawn(design: &Design, drawing: &Drawing) -> Vec<u8> {
     write::write_with(design, drawing::file_of(drawing).as_ref())
 }
@@ -78,7 +78,7 @@ pub fn write_drawn(design: &Design, drawing: &Drawing) -> Vec<u8> {
 fn parse(text: &str, place: &str) -> Result<DesignFile, InputError> {
     let mut json = serde_json::Deserializer::from_str(text);
     let Object(file) = serde_path_to_error::deserialize(&mut json).map_err(|error| {
-        // Fields of a later version are not known here, which is not what is wrong with it.
+        // A design of another version may have unknown fields; the error then names the version.
         other_version(text, place).unwrap_or_else(|| {
             let path = error.path().to_string();
             not_a_design(place, &path, error.inner())
@@ -88,7 +88,7 @@ fn parse(text: &str, place: &str) -> Result<DesignFile, InputError> {
     Ok(file)
 }
 
-/// The error for a design of another version, if that is what the text is.
+/// The error for a design of another version; `None` if the text is no such design.
 fn other_version(text: &str, place: &str) -> Option<InputError> {
     #[derive(Deserialize)]
     struct Versioned {
@@ -108,7 +108,7 @@ fn wrong_version(version: u64, place: &str) -> Option<InputError> {
     })
 }
 
-/// What serde says, in our words.
+/// The error of serde in the words of this program.
 fn not_a_design(place: &str, path: &str, error: &serde_json::Error) -> InputError {
     let text = error.to_string();
     let at = format!(" at line {} column {}", error.line(), error.column());
@@ -119,10 +119,10 @@ fn not_a_design(place: &str, path: &str, error: &serde_json::Error) -> InputErro
         column => format!("{place}:{}:{column}", error.line()),
     };
     let place = match path {
-        // At the top there is no path, and none where a key could not be read; serde_path_to_error
-        // says so with a dot and a question mark.
+        // There is no path at the top level or where a key is unreadable; serde_path_to_error gives
+        // a dot or a question mark there.
         "" | "." | "?" => place,
-        // A path repeats names of the file, of any length.
+        // A path contains names of the file, which may be of any length.
         path if path.len() > 200 => place,
         path => format!("{place}: {}", path.escape_debug()),
     };
@@ -176,7 +176,8 @@ fn in_our_words(text: &str) -> (String, String) {
     (text.to_owned(), GRAMMAR_HINT.to_owned())
 }
 
-/// What serde found: `string "12,5"`, `integer `5``, `map`, `sequence`, `null`.
+/// The value that serde found, in words. `found` is in serde's notation: `string "12,5"`, `integer
+/// `5``, `map`, `sequence`, `null`.
 fn found_in_words(found: &str) -> String {
     match found {
         "map" => "an object".to_owned(),

@@ -3,7 +3,7 @@
 use crate::reading::{InputError, ReadOptions};
 use std::path::Path;
 
-/// Where a design comes from, and what the caller sets instead of it.
+/// The origin of a design, and the settings of the caller that replace its own.
 pub(super) struct Source<'a> {
     /// The file's name, or `-`.
     pub(super) name: &'a str,
@@ -11,7 +11,7 @@ pub(super) struct Source<'a> {
     pub(super) place: &'a str,
     /// The folder of its tables.
     pub(super) folder: Option<&'a Path>,
-    /// What the caller sets.
+    /// The settings of the caller.
     pub(super) options: &'a ReadOptions,
 }
 

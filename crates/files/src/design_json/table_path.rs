@@ -1,5 +1,5 @@
-//! Points that a design takes from a table beside it. A design may come from a stranger, so its
-//! tables lie in its own folder or below, and nowhere else.
+//! Points that a design takes from a table beside it. A design may be untrusted, so its tables must
+//! lie in its own folder or below it.
 
 use super::beside::{Kind, file_beside};
 use super::source::Source;
@@ -18,7 +18,7 @@ pub(super) struct Tables<'a> {
     source: &'a Source<'a>,
     units: Units,
     read: BTreeMap<PathBuf, Vec<TableCurve>>,
-    /// How many more bytes the tables of the design may have together.
+    /// The bytes left for the other tables of the design.
     bytes_left: u64,
 }
 
@@ -27,7 +27,7 @@ impl<'a> Tables<'a> {
         Self { source, units, read: BTreeMap::new(), bytes_left: MAX_INPUT_BYTES }
     }
 
-    /// The points of a curve of a table. `path` is the JSON path of the curve that asks.
+    /// The points of a curve of a table. `path` is the JSON path of the curve in the design.
     pub(super) fn points(
         &mut self,
         table: &str,
@@ -80,7 +80,7 @@ impl<'a> Tables<'a> {
         path: &str,
     ) -> Result<Vec<TableCurve>, InputError> {
         let bytes = read_whole(file).map_err(|error| InputError {
-            // The resolved path is of no use to whoever wrote the design.
+            // Errors show the path as the design has it, not the resolved one.
             place: Some(table.to_owned()),
             ..error
         })?;
@@ -95,7 +95,7 @@ impl<'a> Tables<'a> {
     }
 }
 
-/// All curves of a table inside a folder. `place` is what messages about its path begin with.
+/// All curves of a table inside a folder. Messages about its path begin with `place`.
 pub(crate) fn table_beside(
     folder: &Path,
     table: &str,

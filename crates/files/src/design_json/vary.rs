@@ -1,4 +1,4 @@
-//! What may move, from a design's file and back.
+//! The field `vary`, which says what may move: from a design's file and back.
 
 use super::grammar::{MovedByName, VaryFile};
 use super::source::Source;
@@ -10,12 +10,12 @@ use sheetwright::design::VaryGoal;
 use sheetwright::design::{DesignCurve, DesignPanel, MovedBy, Vary};
 use sheetwright::math::{from_deg, to_deg};
 
-/// Angles that may be asked for, degrees.
+/// The largest warp angle that can be set as a goal, degrees.
 pub(crate) const MOST_WARP_DEG: f64 = 90.0;
 pub(crate) const WARP_HINT: &str = "Set an angle above 0° and up to 90°.";
 const DISTANCE_HINT: &str = "Write a distance of 0 or more, in the units of the design.";
 
-/// What a design says of what may move: as a whole, and panel by panel.
+/// Reads the field `vary` of a design and of its panels.
 pub(super) struct VaryReader<'a> {
     pub(super) units: Units,
     pub(super) curves: &'a [DesignCurve],
@@ -23,7 +23,8 @@ pub(super) struct VaryReader<'a> {
 }
 
 impl VaryReader<'_> {
-    /// `path` is where it stands; `of_panel` the panel that it stands in, if it does.
+    /// `path` is its JSON path; `of_panel` is the panel that contains it, `None` for the design's
+    /// own.
     pub(super) fn read(
         &self,
         file: VaryFile,
@@ -100,7 +101,7 @@ impl VaryReader<'_> {
     }
 }
 
-/// As it stands in a file in millimetres: beside the panels, or in one of them.
+/// The field `vary` of a file in millimetres: of a panel if `in_panel`, else of the design.
 pub(super) fn written(vary: &Vary, in_panel: bool) -> VaryFile {
     let some = |list: &Vec<String>| (!list.is_empty()).then(|| list.clone());
     VaryFile {
@@ -120,7 +121,7 @@ pub(super) fn written(vary: &Vary, in_panel: bool) -> VaryFile {
     }
 }
 
-/// The shortest number of degrees that is these radians.
+/// Degrees from radians, with the fewest decimals that convert back to the same radians.
 fn plain_deg(angle: f64) -> f64 {
     let deg = to_deg(angle);
     let short = |digits: usize| format!("{deg:.digits$}").parse::<f64>().ok();

@@ -1,4 +1,4 @@
-//! A kernel design as JSON, a curve a block, a point a line and a panel a line.
+//! A kernel design as JSON: one block per curve, one line per point and per panel.
 
 use super::drawing::DrawingFile;
 use super::grammar::{GoalName, KindName, MethodName, SmoothName};
@@ -11,20 +11,19 @@ use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape};
 use sheetwright::triangulate::Goal;
 
-/// A design as the bytes of its file, in millimetres, with every default written out but for what
-/// few designs ask for (`goal`, `run_on`, `cut`, `vary`, `match_seams`). It reads back equal.
+/// The bytes of a design's file, in millimetres. They have every default except those of rare
+/// fields (`goal`, `run_on`, `cut`, `vary`, `match_seams`), and read back equal.
 pub fn write_design(design: &Design) -> Vec<u8> {
     write_with(design, None)
 }
 
-/// A design as the bytes of its file, in millimetres, with how it is drawn where that is not as
-/// usual.
+/// The bytes of a design's file, in millimetres, with its drawing where that differs from the
+/// default.
 pub(super) fn write_with(design: &Design, drawing: Option<&DrawingFile>) -> Vec<u8> {
     write(design, drawing, Units::Millimetres, curve)
 }
 
-/// A design as the bytes of its file, the points of all curves left in a table beside it, in these
-/// units.
+/// The bytes of a design's file, in `units`. The points of all curves stay in the table `table`.
 pub(crate) fn write_design_of_table(design: &Design, table: &str, units: Units) -> Vec<u8> {
     write(design, None, units, |curve| {
         format!(
@@ -132,7 +131,7 @@ fn panel(panel: &DesignPanel, vary: Option<String>) -> String {
                 Continuity::G2 => SmoothName::G2,
             };
             fields.push(format!("\"smooth\": {}", json(&smooth)));
-            // Where nothing is made smooth, a way within which it would be is refused.
+            // Readers refuse `within` where nothing is made smooth.
             if smooth != SmoothName::None {
                 fields.push(match join.within {
                     Within::Mm(mm) => format!("\"within\": {}", json(&mm)),

@@ -9,25 +9,25 @@ use sheetwright::math::Point3;
 use sheetwright::mesh::MAX_TRIANGLES;
 use std::collections::BTreeMap;
 
-/// What a group of a file is called that has no name a file could have.
+/// The name of a group whose own name can't be the name of a file.
 const UNNAMED: &str = "mesh";
-/// A file has this many groups at the most; each becomes a panel.
+/// The most groups of a file; each becomes a panel.
 const MAX_GROUPS: usize = 1000;
-/// Names of groups are no longer than this, bytes: the number of a piece has to fit behind.
+/// The most bytes of a group's name: the number of a part must fit behind it.
 const MAX_GROUP_NAME: usize = 80;
 
-/// A group as it comes out.
+/// A finished group.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Built {
     pub(crate) name: String,
     pub(crate) positions: Vec<Point3>,
-    /// By positions of the group.
+    /// Each by the indices of its corners in `positions`.
     pub(crate) triangles: Vec<[usize; 3]>,
-    /// Triangles of the file that have two corners in one place.
+    /// The number of its triangles that are left out because two corners coincide.
     pub(crate) left_out: usize,
 }
 
-/// Triangles of a group, by the points of the file.
+/// A group with triangles by the indices of the file's points.
 #[derive(Clone, Debug, Default)]
 struct Group {
     name: String,
@@ -51,10 +51,10 @@ pub(crate) struct Builder {
     unit_mm: f64,
     points: Vec<Point3>,
     groups: Vec<Group>,
-    /// The groups by their names in the file.
+    /// The indices of the groups, by their names in the file.
     known: BTreeMap<String, usize>,
     triangles: usize,
-    /// The group that polygons belong to.
+    /// The index of the group that the next polygon belongs to.
     at: usize,
     welded: bool,
 }
@@ -74,18 +74,18 @@ impl Builder {
         }
     }
 
-    /// Corners with the same coordinates to the last bit are one: for formats that give every
-    /// triangle corners of its own, or more than one point where normals differ.
+    /// Makes corners with equal coordinates, to the last bit, one. For formats that give every
+    /// triangle corners of its own, or a corner several points where normals differ.
     pub(crate) fn weld(&mut self) {
         self.welded = true;
     }
 
-    /// How many points there are.
+    /// The number of points so far.
     pub(crate) fn points(&self) -> usize {
         self.points.len()
     }
 
-    /// A point in the unit of the file; `where_from` says where it stands.
+    /// Adds a point, in the unit of the file; `where_from` gives its place for errors.
     pub(crate) fn point(
         &mut self,
         [x, y, z]: [f64; 3],
@@ -100,7 +100,7 @@ impl Builder {
                 "Check the units and the numbers.",
             ));
         }
-        // Three corners a triangle, where nothing is welded yet.
+        // Before welding, every triangle may have three points of its own.
         if self.points.len() == 3 * MAX_TRIANGLES {
             return Err(too_many(where_from()));
         }
@@ -109,7 +109,7 @@ impl Builder {
         Ok(())
     }
 
-    /// Whatever follows belongs to a new group of this name.
+    /// Begins a new group of this name; the next polygons belong to it.
     pub(crate) fn begin(
         &mut self,
         name: &str,
@@ -129,7 +129,7 @@ impl Builder {
         Ok(())
     }
 
-    /// Whatever follows belongs to the group of this name, which may have been begun before.
+    /// Continues the group of this name, or begins it; the next polygons belong to it.
     pub(crate) fn go_on(
         &mut self,
         name: &str,
@@ -146,7 +146,7 @@ impl Builder {
         Ok(())
     }
 
-    /// A polygon by the numbers of its points, which are all there.
+    /// Adds a polygon by the indices of its points, all of which must exist.
     pub(crate) fn polygon(
         &mut self,
         corners: &[usize],
@@ -171,18 +171,17 @@ impl Builder {
         Ok(())
     }
 
-    /// The groups that have triangles, each with the points that its own use. What was left out of
-    /// groups of which nothing is left is counted with the first.
+    /// The groups that have triangles, each with the points that its triangles use. The first group
+    /// also counts the triangles left out of groups that end up empty.
     pub(crate) fn built(mut self) -> Result<Vec<Built>, InputError> {
-        // A file whose every triangle has corners of its own can't mean that nothing hangs
-        // together.
+        // In a file whose triangles share no point, equal coordinates must mean one point.
         let mut used = vec![false; self.points.len()];
         let corners = self.groups.iter().flat_map(|group| group.triangles.iter().flatten());
         let shared = corners.into_iter().any(|&corner| std::mem::replace(&mut used[corner], true));
         if self.welded || !shared {
             weld(&self.points, &mut self.groups);
         }
-        // Only now is it known which triangles have two corners in one place.
+        // Only after welding is it known which triangles have coinciding corners.
         let Self { place, points, mut groups, stem, .. } = self;
         groups.iter_mut().for_each(Group::leave_out);
         let (mut kept, lost): (Vec<Group>, Vec<Group>) =
@@ -196,7 +195,7 @@ impl Builder {
     }
 }
 
-/// Names the first of the points that lie on one spot wherever any of them is used.
+/// Replaces each corner by the first point with equal coordinates.
 fn weld(points: &[Point3], groups: &mut [Group]) {
     let mut first: BTreeMap<[u64; 3], usize> = BTreeMap::new();
     let of: Vec<usize> = points

@@ -1,8 +1,8 @@
 //! glTF in one binary file (`.glb`, version 2): the triangles of every node, where the node puts
 //! them.
 //!
-//! Normals and colours force such files to give a corner more than one point; those with the same
-//! coordinates, to the last bit, are one again.
+//! Such files give a corner several points where normals or colours differ; the reader makes points
+//! with equal coordinates, to the last bit, one again.
 
 use super::build::Builder;
 use super::scan::{Cursor, cut_off};
@@ -14,7 +14,7 @@ use sheetwright::mesh::MAX_TRIANGLES;
 
 const DAMAGED: &str = "The file is damaged: export it again.";
 const EXPORT: &str = "Export it as one .glb file without compression, or as OBJ, PLY or STL.";
-/// Types of the chunks and of what accessors hold, as the standard numbers them.
+/// The standard's numbers for types of chunks and for types of the numbers in accessors.
 const JSON_CHUNK: u32 = 0x4e4f_534a;
 const BINARY_CHUNK: u32 = 0x004e_4942;
 const U8: u32 = 5121;
@@ -105,7 +105,7 @@ struct Buffer {
     uri: Option<String>,
 }
 
-/// Three columns and where the origin comes to.
+/// An affine map: three columns and the image of the origin.
 #[derive(Clone, Copy)]
 struct Transform([Vec3; 4]);
 
@@ -138,13 +138,13 @@ impl Transform {
         self.way(p) + self.0[3]
     }
 
-    /// First the inner one, then this one.
+    /// The composed map: first `inner`, then this one.
     fn after(&self, inner: &Self) -> Self {
         let [x, y, z, origin] = inner.0;
         Self([self.way(x), self.way(y), self.way(z), self.point(origin)])
     }
 
-    /// Whether it makes a left hand of a right one.
+    /// Whether it reverses orientation, as a mirror does.
     fn mirrors(&self) -> bool {
         let [x, y, z, _] = self.0;
         x.cross(y).dot(z) < 0.0
@@ -166,7 +166,7 @@ pub(super) fn read(bytes: &[u8], place: &str, builder: &mut Builder) -> Result<(
             )
         })?;
     if let Some(name) = document.extensions_required.first() {
-        // Units, lights and materials change no shape, but they are never required for it either.
+        // Extensions for units, lights and materials change no shape, but files never require them.
         let message = format!("the file needs the extension '{name}', which is not supported");
         return Err(InputError::at(place, message, EXPORT));
     }
@@ -187,7 +187,7 @@ pub(super) fn read(bytes: &[u8], place: &str, builder: &mut Builder) -> Result<(
     Ok(())
 }
 
-/// The description and the numbers.
+/// The JSON chunk, which describes the file, and the binary chunk with its numbers.
 fn chunks<'a>(bytes: &'a [u8], place: &str) -> Result<(&'a [u8], &'a [u8]), InputError> {
     let mut cursor = Cursor::new(bytes, 0);
     if bytes.is_empty() {
@@ -204,7 +204,7 @@ fn chunks<'a>(bytes: &'a [u8], place: &str) -> Result<(&'a [u8], &'a [u8]), Inpu
         return Err(InputError::at(place, message, EXPORT));
     }
     let mut found: [Option<&[u8]>; 2] = [None, None];
-    // The whole length is not needed: every chunk has its own.
+    // Skips the total length, since every chunk states its own.
     u32_of(&mut cursor).ok_or_else(|| cut_off(place, "the header"))?;
     while cursor.left() > 0 {
         let at = format!("{place}, byte {}", cursor.at());
@@ -234,12 +234,13 @@ impl File<'_> {
         InputError::at(at, "the file refers to it, and it is missing", DAMAGED)
     }
 
-    /// The nodes of the scene with where they are put, those that are named first coming first.
+    /// The nodes of the scene, each with its map into the scene, in the order of the lists of
+    /// nodes.
     fn placed(&self) -> Result<Vec<(usize, Transform)>, InputError> {
         let Document { nodes, scenes, scene, .. } = self.document;
         let mut roots: Vec<usize> = match scenes.get(scene.unwrap_or(0)) {
             Some(scene) => scene.nodes.clone(),
-            // Without a scene, whatever is nobody's child is a root.
+            // Without a scene, every node without a parent is a root.
             None => {
                 let mut is_child = vec![false; nodes.len()];
                 let children = nodes.iter().flat_map(|node| &node.children);
@@ -324,8 +325,8 @@ impl File<'_> {
         Ok(())
     }
 
-    /// The numbers of an accessor, row by row, and how many rows there are: all of them lie within
-    /// the file.
+    /// A function from the index of a row of an accessor to its numbers, and the number of rows.
+    /// Checks first that all rows lie within the file.
     fn rows<const N: usize>(
         &self,
         accessor: usize,
@@ -386,7 +387,7 @@ impl File<'_> {
                     U32 => row.array().map(|b| f64::from(u32::from_le_bytes(b))),
                     _ => row.array().map(|b| f64::from(f32::from_le_bytes(b))),
                 };
-                // All rows were seen to lie within.
+                // The checks above found all rows within the file.
                 value.unwrap_or(f64::NAN)
             })
         };

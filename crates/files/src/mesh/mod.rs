@@ -1,14 +1,13 @@
-//! Meshes from elsewhere: OBJ, STL, PLY and glTF binary, one module a format.
+//! Readers of meshes: OBJ, STL, PLY and glTF binary, one module per format.
 //!
 //! Every reader hands its polygons to a [`Builder`], which sorts them into groups, splits those
-//! with more than three corners, welds where the format can't say which corners are one, and leaves
-//! out what is no triangle. What remains is for the kernel to judge: whether it is a surface at
-//! all.
+//! with more than three corners, welds corners where the format does not share them, and leaves out
+//! triangles with coinciding corners. The kernel checks whether the rest is a surface.
 //!
-//! The readers are our own lines. The crates that were tried (tobj 4.0, stl_io 0.8, ply-rs-bw 2.0,
-//! gltf 1.4) name no line or offset of what is broken, tobj splits a polygon that is not convex
-//! into triangles that overlap, ply-rs-bw takes the memory that a header of 100 bytes asks for, and
-//! gltf reads an accessor that leaves its buffer as none at all.
+//! The readers use no crate. The crates that were tried (tobj 4.0, stl_io 0.8, ply-rs-bw 2.0, gltf
+//! 1.4) give no line or offset of an error; tobj splits a polygon that is not convex into triangles
+//! that overlap; ply-rs-bw allocates any size that a header states; and gltf reads an accessor that
+//! leaves its buffer as an absent one.
 
 mod build;
 mod glb;
@@ -32,13 +31,13 @@ use std::collections::BTreeSet;
 /// Formats of meshes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MeshFormat {
-    /// Wavefront OBJ, `*.obj`: a panel a group.
+    /// Wavefront OBJ, `*.obj`: one panel per group.
     Obj,
-    /// STL, `*.stl`, as text or binary: a panel a solid.
+    /// STL, `*.stl`, as text or binary: one panel per solid.
     Stl,
     /// PLY, `*.ply`, as text or binary of either order: one panel.
     Ply,
-    /// glTF in one binary file, `*.glb`: a panel a node with a mesh.
+    /// glTF in one binary file, `*.glb`: one panel per node with a mesh.
     Glb,
 }
 
@@ -62,7 +61,7 @@ impl MeshFormat {
     }
 }
 
-/// What to do about a file that has no surface in it.
+/// The hint for a file without a surface.
 const NO_SURFACE: &str =
     "Export the surface as a mesh of triangles or polygons; curves and points can't be laid flat.";
 
@@ -75,14 +74,14 @@ pub(crate) const fn aim_name(aim: Aim) -> &'static str {
     }
 }
 
-/// Samples of a panel that is a mesh, for which they mean nothing.
+/// The number of samples of a panel that is a mesh, where it has no meaning.
 pub(crate) const NO_SAMPLES: usize = 0;
 
-/// The mesh in some bytes, a panel a group and no material. `name` is the name of the file they are
-/// from, or `-`.
+/// The mesh in some bytes as a design: one panel per group, no material. `name` is the name of
+/// their file, or `-`.
 ///
 /// # Errors
-/// Bytes that are no mesh of this format, or too large a one.
+/// Bytes that are no mesh of this format, or a mesh above the limits.
 pub(crate) fn read(
     format: MeshFormat,
     bytes: &[u8],
@@ -101,7 +100,7 @@ pub(crate) fn read(
 /// The groups of a mesh in some bytes, each with a name of its own.
 ///
 /// # Errors
-/// Bytes that are no mesh of this format, or too large a one.
+/// Bytes that are no mesh of this format, or a mesh above the limits.
 pub(crate) fn groups(
     format: MeshFormat,
     bytes: &[u8],
@@ -133,14 +132,14 @@ impl Built {
     }
 }
 
-/// The name, with a number where another group has it.
+/// The name; with a number behind it if another group has it.
 fn of_its_own(name: String, taken: &mut BTreeSet<String>) -> String {
     let numbered = (2..).map(|n| format!("{name} {n}"));
     let mut names = std::iter::once(name.clone()).chain(numbered);
     names.find(|name| taken.insert(folded(name))).unwrap_or(name)
 }
 
-/// The error for more triangles than are taken.
+/// The error for a mesh above the limit of points or triangles.
 fn too_many(place: impl Into<String>) -> InputError {
     InputError::at(
         place,

@@ -5,9 +5,9 @@ use super::scan::{coordinates, lines, quoted, words};
 use crate::reading::InputError;
 use std::borrow::Cow;
 
-/// Reads the groups. A face may name points that come after it, so that faces are looked at last.
+/// Reads the groups. A face may name later points, so faces are resolved last.
 pub(super) fn read(bytes: &[u8], place: &str, builder: &mut Builder) -> Result<(), InputError> {
-    // A mark of the encoding, as some editors put it before a text.
+    // The byte order mark that some editors write.
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let mut faces: Vec<Face> = Vec::new();
     let mut corners: Vec<usize> = Vec::new();
@@ -67,21 +67,22 @@ pub(super) fn read(bytes: &[u8], place: &str, builder: &mut Builder) -> Result<(
     Ok(())
 }
 
-/// A face of the file: its corners stand in one list of all.
+/// A face of the file; one common list holds the corners of all faces.
 struct Face {
     line: usize,
     group: usize,
     count: usize,
 }
 
-/// What the panel of a group is called: most programs write the object alone, or the same name as
+/// The name of the panel of a group. Most programs write the object alone, or the same name as
 /// object and as group, or `default` and `off` for no group.
 fn panel_name(object: &str, group: &str) -> String {
     let is_none = |name: &str| ["", "default", "off"].contains(&name);
     if is_none(group) { object.to_owned() } else { group.to_owned() }
 }
 
-/// The number of a point from 0, by `7`, `7/1`, `7//3`, or counted back from the last as `-1`.
+/// The index of a point, from 0, of a corner in the notation `7`, `7/1`, `7//3`, or `-1`, which
+/// counts back from the last of `points`.
 fn corner(word: &[u8], points: usize) -> Option<usize> {
     let number = word.split(|&byte| byte == b'/').next()?;
     let number: i64 = std::str::from_utf8(number).ok()?.parse().ok()?;
@@ -100,7 +101,8 @@ fn no_corner(word: &[u8], place: &str) -> InputError {
     )
 }
 
-/// The lines of the file, those that end in `\` joined with the next; each under its first number.
+/// The lines of the file, those that end in `\` joined with the next; each with the number of its
+/// first line.
 fn whole_lines(bytes: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, [u8]>)> {
     let mut lines = lines(bytes);
     std::iter::from_fn(move || {

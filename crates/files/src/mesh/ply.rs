@@ -7,7 +7,7 @@ use super::{NO_SURFACE, too_many};
 use crate::reading::InputError;
 use sheetwright::mesh::MAX_TRIANGLES;
 
-/// A header has this many lines at the most: a dozen are usual.
+/// The most lines of a header; a dozen are usual.
 const MAX_HEADER_LINES: usize = 1000;
 /// Names of the list of a face's corners.
 const CORNERS: [&[u8]; 2] = [b"vertex_indices", b"vertex_index"];
@@ -59,7 +59,7 @@ impl Scalar {
 
 struct Property {
     name: Vec<u8>,
-    /// The type of the count, of a list.
+    /// The type of the count if the property is a list; else `None`.
     count: Option<Scalar>,
     scalar: Scalar,
 }
@@ -87,7 +87,7 @@ pub(super) fn read(bytes: &[u8], place: &str, builder: &mut Builder) -> Result<(
     // Faces may come before the points that they name.
     let mut faces: Vec<(String, Vec<usize>)> = Vec::new();
     for element in &elements {
-        // What is promised but can't be there is refused before anything is kept.
+        // Refuses a count that the remaining bytes can't hold, before anything is stored.
         let least: usize = match values.encoding {
             Encoding::Text => element.properties.len(),
             _ => element.properties.iter().map(|p| p.count.unwrap_or(p.scalar).size()).sum(),
@@ -247,7 +247,7 @@ impl<'a> Values<'a> {
         (length > 0).then(|| self.cursor.take(length)).flatten()
     }
 
-    /// In text, a row begins on a line of its own; this is for messages alone.
+    /// In text, moves on to the line of the next row, for messages alone.
     fn next_row(&mut self) {
         if self.encoding == Encoding::Text {
             self.skip_blanks();
@@ -261,10 +261,10 @@ impl<'a> Values<'a> {
         self.cursor.take(blanks);
     }
 
-    /// Where reading has come to.
+    /// The current position, for messages.
     fn at(&self) -> String {
         match self.encoding {
-            // The line after the header was not begun by `next_line`.
+            // `line` counts finished lines, so the current one is the next.
             Encoding::Text => format!("{}:{}", self.place, self.line + 1),
             _ => format!("{}, byte {}", self.place, self.cursor.at()),
         }
@@ -297,7 +297,7 @@ impl<'a> Values<'a> {
         value.ok_or_else(|| cut_off(&self.at(), "its elements"))
     }
 
-    /// The next bytes, the lowest first.
+    /// The next bytes, the least significant first.
     fn ordered<const N: usize>(&mut self, little: bool) -> Option<[u8; N]> {
         let mut bytes: [u8; N] = self.cursor.array()?;
         if !little {
@@ -306,7 +306,7 @@ impl<'a> Values<'a> {
         Some(bytes)
     }
 
-    /// A number that counts something: of corners, or a point.
+    /// A whole number: a count of corners, or the index of a point.
     fn whole(&mut self, scalar: Scalar) -> Result<usize, InputError> {
         let value = self.number(scalar)?;
         if value.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&value) {

@@ -1,16 +1,16 @@
 //! Polygons with more than three corners become triangles.
 //!
-//! A quadrilateral is divided along its shorter diagonal, unless it is not convex there. One with
-//! more corners is looked at along its mean normal (Newell's), and corners that stick out and hold
-//! no other corner are cut off one after the other, those with the shortest cut first. What can't
-//! be divided so, because it crosses itself, becomes a fan.
+//! A quadrilateral is divided along its shorter diagonal, unless that lies outside. A polygon with
+//! more corners is projected along its mean normal (Newell's). Its ears, convex corners whose
+//! triangle contains no other corner, are cut off one by one, those with the shortest cut first. A
+//! polygon that can't be divided in this way, because it crosses itself, becomes a fan.
 
 use sheetwright::math::{Point2, Point3, Vec3, unit};
 use sheetwright::predicate::orientation;
 use std::cmp::Ordering;
 
-/// A polygon with more corners is divided as a fan: cutting corners off takes the cube of their
-/// number.
+/// The most corners of a polygon that is divided by cutting off ears, whose time grows with the
+/// cube of that number; a larger polygon becomes a fan.
 const MOST_CORNERS: usize = 200;
 
 /// The triangles of a polygon, which has three corners or more.
@@ -28,7 +28,8 @@ fn fan(ring: &[usize]) -> Vec<[usize; 3]> {
 
 fn by_ears(points: &[Point3], ring: &[usize]) -> Option<Vec<[usize; 3]>> {
     let at = |n: usize| points[ring[n]];
-    // Twice the area vector, about the first corner so that far-away polygons lose no digits.
+    // Twice the area vector, relative to the first corner so that polygons far from the origin lose
+    // no digits.
     let normal: Vec3 = (1..ring.len() - 1).map(|n| (at(n) - at(0)).cross(at(n + 1) - at(0))).sum();
     let normal = unit(normal)?;
     let across = if normal.x.abs() < 0.6 { Vec3::X } else { Vec3::Y };
@@ -55,7 +56,7 @@ fn by_ears(points: &[Point3], ring: &[usize]) -> Option<Vec<[usize; 3]>> {
     Some(triangles)
 }
 
-/// Whether a corner sticks out, and its triangle holds no other corner.
+/// Whether a corner is an ear: convex, with no other corner in its triangle.
 fn is_ear(flat: &[Point2], left: &[usize], ear: [usize; 3]) -> bool {
     let [a, b, c] = ear.map(|n| flat[n]);
     let turns_left = |p, q, r| orientation(p, q, r) == Ordering::Greater;

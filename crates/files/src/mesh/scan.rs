@@ -1,12 +1,12 @@
-//! What the readers of text and of bytes share: lines with their numbers, numbers, and a cursor
-//! over bytes that knows where it is.
+//! Shared by the readers of text and of bytes: lines with their numbers, numbers, and a cursor over
+//! bytes that knows its offset.
 
 use crate::names::shown;
 use crate::reading::InputError;
 
 /// The lines of a file, from 1, without their ends: `\n`, `\r\n` or, as old files have it, `\r`.
 pub(super) fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, &[u8])> {
-    // Where there are line feeds, a carriage return beside one is blank like any other.
+    // In a file with line feeds, a carriage return counts as a blank.
     let end = if bytes.contains(&b'\n') { b'\n' } else { b'\r' };
     bytes.split(move |&byte| byte == end).enumerate().map(|(n, line)| (n + 1, line))
 }
@@ -16,7 +16,7 @@ pub(super) fn words(line: &[u8]) -> impl Iterator<Item = &[u8]> {
     line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty())
 }
 
-/// What stands there, for a message.
+/// A word of the file in quotation marks, for a message.
 pub(super) fn quoted(word: &[u8]) -> String {
     shown(&String::from_utf8_lossy(word))
 }
@@ -67,12 +67,12 @@ impl<'a> Cursor<'a> {
         Self { bytes, at }
     }
 
-    /// How many bytes were read, from the beginning of the file.
+    /// The offset of the next byte from the beginning of the file.
     pub(super) fn at(&self) -> usize {
         self.at
     }
 
-    /// How many bytes are left.
+    /// The number of bytes left.
     pub(super) fn left(&self) -> usize {
         self.rest().len()
     }
@@ -82,7 +82,7 @@ impl<'a> Cursor<'a> {
         &self.bytes[self.at.min(self.bytes.len())..]
     }
 
-    /// The next bytes; nothing if there are not so many.
+    /// The next `count` bytes; `None` if fewer are left.
     pub(super) fn take(&mut self, count: usize) -> Option<&'a [u8]> {
         let end = self.at.checked_add(count)?;
         let taken = self.bytes.get(self.at..end)?;

@@ -1,5 +1,5 @@
-//! STL, as text or binary. Every triangle has corners of its own: those with the same coordinates,
-//! to the last bit, are one.
+//! STL, as text or binary. Every triangle has corners of its own; the reader makes corners with
+//! equal coordinates, to the last bit, one.
 
 use super::build::Builder;
 use super::scan::{Cursor, coordinates, cut_off, lines, quoted, words};
@@ -7,9 +7,10 @@ use super::{NO_SURFACE, too_many};
 use crate::reading::InputError;
 use sheetwright::mesh::MAX_TRIANGLES;
 
-/// A header of any bytes, and the number of triangles.
+/// The length of the header, bytes, which may have any content; the number of triangles follows.
 const HEADER: usize = 80;
-/// A triangle: a normal and three corners of 32-bit floats, and two bytes for anything.
+/// The length of a triangle, bytes: a normal and three corners of 32-bit floats, and two bytes
+/// without a fixed meaning.
 const FACET: usize = 50;
 const NORMAL: usize = 12;
 
@@ -25,13 +26,13 @@ pub(super) fn read(bytes: &[u8], place: &str, builder: &mut Builder) -> Result<(
     }
 }
 
-/// How many triangles a binary file says that it has.
+/// The number of triangles that a binary file states.
 fn promised(bytes: &[u8]) -> Option<usize> {
     let mut cursor = Cursor::new(bytes, HEADER);
     cursor.array().map(|count| u32::from_le_bytes(count) as usize)
 }
 
-/// Whether it begins as text does, and has none of what no text has.
+/// Whether the input is text: it begins with `solid`, and its first 1024 bytes have no zero byte.
 fn is_text(bytes: &[u8]) -> bool {
     const LOOKED_AT: usize = 1024;
     let beginning = &bytes[..bytes.len().min(LOOKED_AT)];
@@ -72,10 +73,10 @@ fn binary(bytes: &[u8], place: &str, builder: &mut Builder) -> Result<(), InputE
     Ok(())
 }
 
-/// Only what counts is looked at: the names of solids, and the corners of each loop.
+/// Reads the names of solids and the corners of each loop, and skips the rest.
 fn text(bytes: &[u8], place: &str, builder: &mut Builder) -> Result<(), InputError> {
     let mut of_facet: Vec<usize> = Vec::new();
-    // The line that a facet begins in which has not ended.
+    // The first line of the facet that has not ended yet.
     let mut open: Option<usize> = None;
     for (number, line) in lines(bytes) {
         let at = || format!("{place}:{number}");

@@ -1,7 +1,7 @@
 use super::*;
 use crate::Units;
 
-/// The groups of a mesh by name, and what the mesh is called.
+/// A mesh: its name, and its groups.
 #[derive(Debug, PartialEq)]
 struct Groups {
     name: String,
@@ -82,7 +82,7 @@ fn names_that_no_file_could_have_are_made_fit_and_told_apart() {
 
 #[test]
 fn a_group_of_which_nothing_is_left_is_no_panel_and_is_counted() {
-    // As named by one number, and as lying on one spot where every triangle has corners of its own.
+    // Corners shared by number, and by coordinates where every triangle has corners of its own.
     let by_number = "v 0 0 0\nv 1 0 0\nv 0 1 0\no a\nf 1 2 1\no b\nf 1 2 3\nf 3 2 1\n";
     let by_place = "v 0 0 0\nv 1 0 0\nv 1 0 0\no a\nf 1 2 3\n\
                     v 0 0 0\nv 1 0 0\nv 0 1 0\no b\nf 4 5 6\n";
@@ -195,7 +195,7 @@ fn broken_stl_is_refused_by_line_or_byte() {
     }
 }
 
-/// A square with a colour a point, faces before points, and an element that is nobody's business.
+/// A square with a colour per point, faces before points, and an element that the reader skips.
 fn ply(encoding: &str) -> Vec<u8> {
     let mut bytes = format!(
         "ply\r\nformat {encoding} 1.0\ncomment by hand\nelement face 1\nproperty uchar flag\n\
@@ -394,7 +394,7 @@ fn broken_glb_is_refused_by_its_part() {
 fn a_file_in_which_no_corner_is_shared_is_welded() {
     let soup = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3\nf 4 5 6\n";
     assert_eq!(sizes(&obj(soup).unwrap()), [("shape", 4, 2)]);
-    // One that shares corners somewhere means what it says elsewhere.
+    // A file that shares some points by number has no other shared points.
     let cut = format!("{soup}v 4 0 0\nf 2 7 3\n");
     assert_eq!(sizes(&obj(&cut).unwrap()), [("shape", 7, 3)]);
 }

@@ -1,8 +1,8 @@
-//! Where the names and marks of a piece stand on its sheets: no joint of two sheets cuts one.
+//! Places the names and marks of a piece on its sheets so that no joint of two sheets cuts one.
 //!
-//! A text that a joint would cut moves by the least way into one of the sheets that it lies on, off
-//! the lines that are cut if it was off them, and becomes smaller only where no sheet has room for
-//! it.
+//! A text that a joint would cut moves by the shortest way into one of the sheets that it lies on,
+//! if possible clear of the lines to cut. It becomes smaller only where a sheet has no room for it
+//! at full size.
 
 use super::tiling::Tiling;
 use crate::stroke_font::strokes;
@@ -10,10 +10,10 @@ use sheetwright::math::{Point2, Vec2};
 use sheetwright::pattern::{PatternLabel, Piece, Role};
 use sheetwright::predicate::Box2;
 
-/// Between a text and a joint, mm.
+/// The least distance between a text and a joint, mm.
 const AWAY_MM: f64 = 1.0;
 
-/// The texts that are drawn on the sheets of a piece, where they stand.
+/// The texts to draw on the sheets of a piece, with their final places and sizes.
 pub(super) fn labels(piece: &Piece, tiling: &Tiling) -> Vec<PatternLabel> {
     let drawn = piece.labels.iter().filter(|label| label.role != Role::Note);
     drawn.map(|label| off_joints(label, piece, tiling)).collect()
@@ -44,7 +44,7 @@ fn off_joints(label: &PatternLabel, piece: &Piece, tiling: &Tiling) -> PatternLa
             }
         }
     }
-    // Those of full size first, and of them the nearest.
+    // The largest first, and of equal sizes the nearest.
     tried.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.total_cmp(&b.1)));
     let is_free = |label: &PatternLabel| around(label).is_some_and(|it| !is_cut(piece, &it));
     let free = tried.iter().position(|tried| is_free(&tried.2));
@@ -52,14 +52,14 @@ fn off_joints(label: &PatternLabel, piece: &Piece, tiling: &Tiling) -> PatternLa
     tried.into_iter().nth(best).map_or_else(|| label.clone(), |(_, _, moved)| moved)
 }
 
-/// A cell without its edge, along which the joints run.
+/// A cell without a margin, since the joints run along its edge.
 fn inner(cell: Box2) -> Box2 {
     let away = Vec2::splat(AWAY_MM);
     Box2 { min: cell.min + away, max: cell.max + -away }
 }
 
 fn holds(cell: &Box2, other: &Box2) -> bool {
-    /// Rounding of a sum, mm.
+    /// The tolerance for the rounding of a sum, mm.
     const EPS: f64 = 1e-9;
     cell.min.x - EPS <= other.min.x
         && cell.min.y - EPS <= other.min.y
@@ -67,7 +67,7 @@ fn holds(cell: &Box2, other: &Box2) -> bool {
         && other.max.y <= cell.max.y + EPS
 }
 
-/// The ways into a cell: the shortest, and the shortest along the text.
+/// The displacements of a text into a cell, mm: the shortest, and the shortest along the text.
 fn ways(cell: &Box2, stands: &Box2, along: Vec2) -> Vec<Vec2> {
     let into = |low: f64, high: f64, least: f64, most: f64| {
         if low < least {

@@ -1,9 +1,8 @@
 //! Patterns as PDF, true to scale, tiled to sheets of paper.
 //!
 //! First comes an overview: every piece with its sheets, and a square of 100 mm to measure. Then
-//! come the sheets, piece after piece. A piece that would take more sheets than anyone tapes
-//! together is drawn on one page instead, to a smaller scale that is stated, with a table of
-//! offsets to mark it out by.
+//! come the sheets, piece after piece. A piece above the limit of sheets is drawn on one page
+//! instead, to a smaller scale that the page states, with a table of offsets for marking it out.
 
 mod labels;
 mod offsets;
@@ -37,7 +36,7 @@ impl Paper {
     /// Every size.
     pub const ALL: [Self; 2] = [Self::A4, Self::Letter];
 
-    /// How people ask for it.
+    /// Its name in commands.
     pub const fn name(self) -> &'static str {
         match self {
             Self::A4 => "a4",
@@ -50,7 +49,7 @@ impl Paper {
         Self::ALL.into_iter().find(|paper| paper.name() == name)
     }
 
-    /// How it is printed on its sheets.
+    /// Its name on printed sheets.
     const fn title(self) -> &'static str {
         match self {
             Self::A4 => "A4",
@@ -67,16 +66,16 @@ impl Paper {
     }
 }
 
-/// How many sheets a piece may take before it is drawn smaller instead.
+/// The most sheets of a piece; a piece that takes more is drawn to a smaller scale.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct MaxSheets(usize);
 
 impl MaxSheets {
-    /// So many sheets fit into one PDF, those of all pieces together: a file of some 22 MB, as many
-    /// sheets as 40 reams have.
+    /// The most sheets of one PDF, of all pieces together: a file of about 22 MB, and 40 reams of
+    /// paper.
     pub const MOST: Self = Self(20_000);
 
-    /// From 1 to [`MaxSheets::MOST`] sheets; nothing for other numbers.
+    /// From 1 to [`MaxSheets::MOST`] sheets; `None` for other numbers.
     pub fn new(sheets: usize) -> Option<Self> {
         (1..=Self::MOST.0).contains(&sheets).then_some(Self(sheets))
     }
@@ -95,7 +94,7 @@ impl Default for MaxSheets {
     }
 }
 
-/// How patterns come to paper.
+/// How patterns are laid out on paper.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PdfOptions {
     /// The size of a sheet. Default: A4.
@@ -104,8 +103,8 @@ pub struct PdfOptions {
     pub max_sheets: MaxSheets,
 }
 
-/// How hard pages are compressed, of 10: sheets repeat much, so they become about a quarter of
-/// their size at every level.
+/// The level of compression of pages, up to 10. Sheets repeat much, so they shrink to about a
+/// quarter at every level.
 const COMPRESSION: u8 = 6;
 
 /// A written PDF.
@@ -113,7 +112,7 @@ const COMPRESSION: u8 = 6;
 pub struct WrittenPdf {
     /// The file.
     pub bytes: Vec<u8>,
-    /// The panels that it shows smaller than they are.
+    /// The panels that it shows to a smaller scale.
     pub reduced: Vec<Reduced>,
 }
 
@@ -122,13 +121,13 @@ pub struct WrittenPdf {
 pub struct Reduced {
     /// Its number among the panels, from 0.
     pub panel: usize,
-    /// About how many sheets it would take: those that its bounding rectangle takes. If so many are
-    /// allowed, it is tiled, unless the file is full.
+    /// An upper bound on the sheets that it takes at 1:1: those that cover its bounding rectangle.
+    /// With this limit it is tiled, unless the file is full.
     pub sheets: usize,
-    /// The scale, as 400 of 1:400.
+    /// The denominator of the scale, such as 400 for 1:400.
     pub scale: f64,
-    /// Whether its sheets would be few enough, but those of the panels before it leave it no room
-    /// among [`MaxSheets::MOST`].
+    /// Whether it is within the limit of sheets of a piece, but the panels before it leave too few
+    /// of the [`MaxSheets::MOST`] sheets of the file.
     pub file_full: bool,
 }
 
@@ -152,13 +151,13 @@ pub(crate) fn way_to_sheets(sheets: usize, is_full: bool) -> Option<String> {
     (sheets <= MaxSheets::MOST.get()).then_some(way)
 }
 
-/// How a piece comes to paper.
+/// How a piece is laid out on paper.
 enum Plan {
     Tiled(Tiling),
     Reduced(Reduced),
 }
 
-/// The PDF of all pieces of a design. `docs/outputs.md` says what a reader may rely on.
+/// The PDF of all pieces of a design. `docs/outputs.md` specifies it for readers.
 pub fn write_pdf(made: &Made, options: &PdfOptions) -> WrittenPdf {
     let pieces: Vec<&Piece> = made.parts.iter().map(|part| &part.piece).collect();
     write_pieces(&made.name, &pieces, options)
@@ -193,7 +192,7 @@ pub(crate) fn write_pieces(title: &str, pieces: &[&Piece], options: &PdfOptions)
     WrittenPdf { bytes: document(title, pages), reduced: reduced.collect() }
 }
 
-/// The pages of a piece, drawn when they are asked for.
+/// The pages of a piece, each drawn when the iterator reaches it.
 fn pages<'a>(
     piece: &'a Piece,
     plan: &'a Plan,
@@ -205,7 +204,7 @@ fn pages<'a>(
     }
 }
 
-/// The file that holds the pages, which are taken one after the other.
+/// The PDF file of the pages, which it takes one after the other.
 fn document(title: &str, pages: impl Iterator<Item = PdfPage>) -> Vec<u8> {
     let mut free = 1..;
     let mut id = || Ref::new(free.next().unwrap_or(i32::MAX));

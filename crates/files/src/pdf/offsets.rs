@@ -14,17 +14,17 @@ use sheetwright::predicate::Box2;
 
 /// The drawing is no higher than this, mm; the rest of the page is for the table.
 const DRAWING_MM: f64 = 90.0;
-/// Around the piece in its frame, mm on the page.
+/// The gap between the piece and its frame, mm on the page.
 const AIR_MM: f64 = 2.0;
-/// From one row of the table to the next, mm.
+/// The height of a row of the table, mm.
 const ROW_MM: f64 = 4.3;
-/// So many stations there are at the most.
+/// The least step between stations is the length of the piece divided by this.
 const MAX_STATIONS: f64 = 30.0;
 /// Where the outline turns by more than this, degrees, its corner is listed.
 const CORNER_DEG: f64 = 15.0;
-/// So many corners are listed at the most: as many as there are rows.
+/// The most corners in the list: as many as the table has rows.
 const MAX_CORNERS: usize = 30;
-/// Heights nearer to one another than this are one, mm: half of the last digit.
+/// Heights that differ by less than this are listed as one, mm: half of the last printed digit.
 const SAME_HEIGHT_MM: f64 = 0.05;
 
 fn around(piece: &Piece) -> Box2 {
@@ -32,8 +32,8 @@ fn around(piece: &Piece) -> Box2 {
         .unwrap_or(Box2 { min: Point2::default(), max: Point2::default() })
 }
 
-/// The scale to which a piece is drawn, as 400 of 1:400: the largest that fits of those that
-/// people draw to.
+/// The denominator of the scale of the drawing, such as 400 for 1:400: the largest usual scale at
+/// which the piece fits.
 pub(super) fn scale(piece: &Piece, paper: Paper) -> f64 {
     let box_of = around(piece);
     let size = box_of.max - box_of.min;
@@ -42,7 +42,8 @@ pub(super) fn scale(piece: &Piece, paper: Paper) -> f64 {
     round_up((size.x / room.x).max(size.y / room.y), &[1.0, 2.0, 2.5, 4.0, 5.0])
 }
 
-/// The least of `steps` times a power of ten that is not below x; the first step for x below it.
+/// The least product of one of `steps` and a power of ten that is not below `x`, and at least the
+/// first step.
 fn round_up(x: f64, steps: &[f64]) -> f64 {
     let powers = std::iter::successors(Some(1.0), |power| Some(power * 10.0));
     // Every finite number is below the last of them.
@@ -87,7 +88,7 @@ pub(super) fn page(piece: &Piece, reduced: &Reduced, paper: Paper) -> PdfPage {
     page
 }
 
-/// The places of the stations along x: every whole `step`, and the end.
+/// The x of the stations, mm: every multiple of `step`, and the end.
 fn stations(from: f64, to: f64, step: f64) -> Vec<f64> {
     let first = (from / step).ceil();
     let whole = (0..=MAX_STATIONS as u32).map(|n| (first + f64::from(n)) * step);
@@ -114,7 +115,7 @@ fn heights<'a>(loops: impl Iterator<Item = &'a [Point2]>, x: f64) -> Vec<f64> {
     heights
 }
 
-/// The corners of the outline that are no points of a smooth curve.
+/// The points where a loop turns by more than `CORNER_DEG`, mm.
 fn corners(outline: &[Point2]) -> Vec<Point2> {
     let m = outline.len();
     let turns = |n: &usize| {
@@ -146,7 +147,7 @@ fn table(page: &mut PdfPage, piece: &Piece, stations: &[f64], top: f64, reduced:
     page.text(Point2::new(end(6.0), first_row), "edges at y", head);
     page.text(Point2::new(right_column, first_row), "corners at x, y", head);
     let number = Type::new(8.5).at(Anchor::End);
-    // What does not fit beside the corners is counted; the edge of a plank has two heights.
+    // Counts the heights that do not fit beside the corners; most stations of a plank have two.
     let fit = ((right_column - end(0.0)) / 20.0) as usize - 1;
     for (n, &x) in stations.iter().enumerate() {
         let y = first_row - ROW_MM * (n + 1) as f64;

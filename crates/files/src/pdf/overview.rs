@@ -1,4 +1,4 @@
-//! The first pages: what there is, how to put it together, and whether it was printed right.
+//! The first pages: a list of the pieces, instructions, and a square that checks the printed scale.
 
 use super::page::{Anchor, PdfPage, Pen, Type};
 use super::piece::{Detail, PaperView, draw};
@@ -16,12 +16,12 @@ const CHECK_MM: f64 = 100.0;
 const DRAWING_MM: f64 = 110.0;
 /// Pieces of one sheet are drawn no higher than this, mm: there is no grid to read off.
 const ONE_SHEET_MM: f64 = 55.0;
-/// Above the drawing of a piece, for its name and size, mm.
+/// The height above the drawing of a piece for its name and size, mm.
 const CAPTION_MM: f64 = 12.0;
-/// Between two pieces, mm.
+/// The gap between two pieces, mm.
 const GAP_MM: f64 = 6.0;
 
-/// The drawing of one piece: what it shows and how large it becomes.
+/// The drawing of one piece: the part that it shows, mm, and the denominator of its scale.
 struct Block {
     shown: Box2,
     scale: f64,
@@ -54,7 +54,7 @@ pub(super) fn pages(title: &str, pieces: &[&Piece], plans: &[Plan], paper: Paper
     let blocks: Vec<Block> =
         pieces.iter().zip(plans).map(|(piece, plan)| Block::new(piece, plan, width_mm)).collect();
 
-    // Where every block goes comes first: the captions name the pages that follow them.
+    // Places all blocks first, since the captions name the pages that follow them.
     let first_top = size.y - MARGIN_MM - 18.0 - CHECK_MM - 10.0;
     let mut places: Vec<(usize, f64)> = Vec::new();
     let (mut on_page, mut top) = (0, first_top);
@@ -83,7 +83,7 @@ pub(super) fn pages(title: &str, pieces: &[&Piece], plans: &[Plan], paper: Paper
     pages
 }
 
-/// The head of the first page: title, check square, legend and what to do.
+/// The head of the first page: title, check square, legend and instructions.
 fn first(page: &mut PdfPage, title: &str, paper: Paper) {
     let size = page.size();
     let (left, top) = (MARGIN_MM, size.y - MARGIN_MM);
@@ -185,7 +185,7 @@ fn piece_block(
     draw(page, piece, &[], &view, Detail::Lines);
 }
 
-/// The cells of the sheets with their names, which stand where no line of the piece runs.
+/// Draws the cells of the sheets, and their names clear of the lines of the piece if possible.
 fn grid(page: &mut PdfPage, piece: &Piece, tiling: &Tiling, view: &PaperView) {
     let lines = lines_of_cells(piece, tiling);
     for &sheet in &tiling.sheets {
@@ -200,8 +200,8 @@ fn grid(page: &mut PdfPage, piece: &Piece, tiling: &Tiling, view: &PaperView) {
     }
 }
 
-/// The size of the letters of a sheet's name, and where it begins in the cell: in the largest size
-/// and at the first place where no line runs through it, else where the fewest do.
+/// The letter size of a sheet's name, pt, and the place where it begins in the cell: the largest
+/// size and the first place that no line crosses, else those that the fewest lines cross.
 fn name_place(name: &str, cell: Box2, lines: &[[Point2; 2]]) -> (f64, Point2) {
     let room = cell.max - cell.min;
     let largest_pt = (room.y * 1.6).min(room.x * 3.6 / name.len() as f64).min(8.0);
@@ -217,7 +217,7 @@ fn name_place(name: &str, cell: Box2, lines: &[[Point2; 2]]) -> (f64, Point2) {
     tries.min_by_key(crossings).unwrap_or((largest_pt, cell.min))
 }
 
-/// Between the name of a sheet and a line, mm.
+/// The least gap between the name of a sheet and a line, mm.
 const NAME_AIR_MM: f64 = 0.3;
 
 /// Width and height of the name of a sheet, mm.
@@ -226,8 +226,8 @@ fn name_box(name: &str, size_pt: f64) -> Vec2 {
     Vec2::new(width(&encoded(name)) * mm, 0.72 * mm)
 }
 
-/// Where the name of a sheet may begin in its cell: the corners, the middles of the sides, the
-/// middle; on a line where there is no other room.
+/// The places where the name of a sheet may begin in its cell, the best first: the corners, the
+/// middles of the sides, the middle.
 fn places(cell: Box2, size: Vec2) -> impl Iterator<Item = Point2> {
     let low = cell.min + Vec2::splat(0.5);
     let high = cell.max + -(size + Vec2::splat(0.5));

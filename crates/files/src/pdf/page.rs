@@ -10,7 +10,7 @@ pub(super) const REGULAR: Name<'static> = Name(b"F1");
 /// The name of Helvetica Bold on a page.
 pub(super) const BOLD: Name<'static> = Name(b"F2");
 
-/// A length of a PDF, 1/72 inch, from mm. Coordinates of PDF hold about seven digits, which is
+/// A length in PDF points, 1/72 inch, from mm. PDF coordinates have about seven digits, which is
 /// 1e-5 mm on a page.
 pub(super) fn points(mm: f64) -> f32 {
     (mm * (72.0 / 25.4)) as f32
@@ -33,13 +33,13 @@ impl Pen {
     pub(super) const NOTE: Self = Self { width_mm: 0.1, grey: 0.7, dash_mm: None };
     /// Crosses, check squares and scale bars.
     pub(super) const MARK: Self = Self { width_mm: 0.15, grey: 0.0, dash_mm: None };
-    /// The frame of what a page shows.
+    /// The frame of the part that a page shows.
     pub(super) const FRAME: Self = Self { width_mm: 0.1, grey: 0.6, dash_mm: None };
     /// Where sheets meet.
     pub(super) const SEAM: Self = Self { width_mm: 0.1, grey: 0.5, dash_mm: Some([0.5, 1.5]) };
 }
 
-/// Which point of a text lies at the place that is given.
+/// The point of a text that lies at the given place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Anchor {
     Start,
@@ -79,7 +79,7 @@ impl Type {
 pub(super) struct PdfPage {
     size: Vec2,
     content: Content,
-    /// The pen that the reader of the page has in hand.
+    /// The pen that the page's content has set last.
     pen: Option<Pen>,
 }
 
@@ -87,7 +87,7 @@ impl PdfPage {
     /// An empty page of a size, mm.
     pub(super) fn new(size: Vec2) -> Self {
         let mut content = Content::new();
-        // Mitred corners would grow points where an outline turns sharply.
+        // Mitred joins would draw spikes where an outline turns sharply.
         content
             .set_line_join(pdf_writer::types::LineJoinStyle::RoundJoin)
             .set_line_cap(pdf_writer::types::LineCapStyle::RoundCap);
@@ -153,7 +153,7 @@ impl PdfPage {
         );
     }
 
-    /// Draws what `draw` draws within a rectangle only.
+    /// Calls `draw`, and clips its drawing to a rectangle.
     pub(super) fn clipped(&mut self, to: Box2, draw: impl FnOnce(&mut Self)) {
         let pen = self.pen;
         self.content.save_state();
@@ -164,7 +164,8 @@ impl PdfPage {
         self.pen = pen;
     }
 
-    /// Writes a line of text; its base line begins, has its middle or ends at `at`.
+    /// Writes a line of text. `at` is the start, the middle or the end of its base line, as `set`
+    /// says.
     pub(super) fn text(&mut self, at: Point2, text: &str, set: Type) {
         let encoded = encoded(text);
         // Bold letters are wider than those of the table, by less than a tenth.
@@ -207,7 +208,7 @@ mod tests {
             page.line(at(0.0, 1.0), at(1.0, 1.0), Pen::CUT);
             page.line(at(0.0, 2.0), at(1.0, 2.0), Pen::SCORE);
         });
-        // What was in hand before the clip is in hand again.
+        // After the clip, the pen from before it is set again.
         page.line(at(0.0, 3.0), at(1.0, 3.0), Pen::CUT);
         page.line(at(0.0, 4.0), at(1.0, 4.0), Pen::SCORE);
         let (_, content) = page.finish();

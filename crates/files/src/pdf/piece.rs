@@ -6,7 +6,8 @@ use sheetwright::math::{Point2, Vec2};
 use sheetwright::pattern::{PathKind, PatternLabel, Piece, Role};
 use sheetwright::predicate::Box2;
 
-/// No pen draws farther from its line on the page, mm: the widest is 0.35 mm wide.
+/// An upper bound on the distance that a pen draws from its line, mm on the page: the widest line
+/// is 0.35 mm wide.
 const WIDEST_MM: f64 = 1.0;
 
 /// A part of the plane of a piece and where it lies on a page.
@@ -16,7 +17,7 @@ pub(super) struct PaperView {
     pub(super) shown: Box2,
     /// Where its lower left corner lies on the page, mm.
     pub(super) corner: Point2,
-    /// The scale, as 400 of 1:400.
+    /// The denominator of the scale, such as 400 for 1:400.
     pub(super) scale: f64,
 }
 
@@ -74,7 +75,7 @@ pub(super) fn draw(
     });
 }
 
-/// The runs of a line whose edges may be seen in a view, on the page.
+/// The runs of edges of a line that may be visible in a view, in coordinates of the page.
 fn visible(line: &[Point2], closed: bool, view: &PaperView) -> Vec<Vec<Point2>> {
     let count = if closed { line.len() } else { line.len().saturating_sub(1) };
     let wide = Vec2::splat(WIDEST_MM * view.scale);
@@ -105,16 +106,16 @@ mod tests {
         let shown = Box2 { min: at(100.0, 100.0), max: at(200.0, 200.0) };
         let view = PaperView { shown, corner: at(10.0, 10.0), scale: 1.0 };
         let runs = |line: &[Point2]| visible(line, false, &view).len();
-        // Beside a corner, though its box has part of the view.
+        // It passes a corner of the view, although its bounding box overlaps the view.
         assert_eq!(runs(&[at(0.0, 250.0), at(180.0, 0.0)]), 1);
         assert_eq!(runs(&[at(0.0, 150.0), at(150.0, 0.0)]), 0);
-        // Half of its width is seen.
+        // Half of its width is visible.
         assert_eq!(runs(&[at(0.0, 99.9), at(300.0, 99.9)]), 1);
         // Within half a pen of the frame on the page, at a smaller scale.
         let small = PaperView { scale: 400.0, ..view };
         let beside = |y: f64| visible(&[at(0.0, y), at(300.0, y)], false, &small).len();
         assert_eq!((beside(100.0 - 0.1 * 400.0), beside(100.0 - 2.0 * 400.0)), (1, 0));
-        // An outline of which two of four sides are seen.
+        // An outline with two visible sides of four.
         let outline = [at(50.0, 50.0), at(150.0, 50.0), at(150.0, 150.0), at(50.0, 150.0)];
         assert_eq!(
             visible(&outline, true, &view),

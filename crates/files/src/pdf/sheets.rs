@@ -44,7 +44,7 @@ fn page(piece: &Piece, labels: &[PatternLabel], tiling: &Tiling, sheet: PaperShe
     page
 }
 
-/// Names the sheet, says what it shows, and draws the scale bar.
+/// Draws the name of the sheet, the range of the piece that it shows, and the scale bar.
 pub(super) fn header(page: &mut PdfPage, piece: &str, sheet: &str, place: &str, view: &PaperView) {
     let size = page.size();
     let top = size.y - MARGIN_MM;

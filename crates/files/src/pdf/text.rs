@@ -1,7 +1,7 @@
 //! Text in the fonts that every PDF reader has: their encoding and their widths.
 
-/// A text as WinAnsi has it. Letters that it does not have lose their marks, signs are written
-/// out, and what is left becomes a question mark.
+/// A text in the encoding WinAnsi. Letters outside it lose their accents, signs are written out,
+/// and other characters become question marks.
 pub(super) fn encoded(text: &str) -> Vec<u8> {
     let mut out = Vec::with_capacity(text.len());
     for character in text.chars() {
@@ -13,7 +13,7 @@ pub(super) fn encoded(text: &str) -> Vec<u8> {
     out
 }
 
-/// The width of an encoded text of Helvetica of 1 pt, pt.
+/// The width of an encoded text in Helvetica of size 1 pt, in pt.
 pub(super) fn width(encoded: &[u8]) -> f64 {
     let thousandths = |b: &u8| {
         let from_space = usize::from(*b).checked_sub(0x20);
@@ -100,7 +100,8 @@ fn stand_in(character: char) -> &'static str {
     }
 }
 
-/// The width of what [`WIDTHS`] does not list, thousandths of the size: that of most letters.
+/// The width of characters that [`WIDTHS`] does not list, thousandths of the size: that of most
+/// letters.
 const OTHERS: u16 = 556;
 
 /// The widths of Helvetica from the space to the tilde, thousandths of the size.

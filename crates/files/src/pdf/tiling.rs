@@ -1,5 +1,5 @@
 //! How a piece is divided into sheets of paper: a grid of rows A, B, … from the top and columns 1,
-//! 2, … from the left, upright or lying, whichever takes fewer.
+//! 2, … from the left, portrait or landscape, the one with fewer sheets.
 
 use super::Paper;
 use sheetwright::math::{Point2, Vec2};
@@ -7,23 +7,24 @@ use sheetwright::pattern::Piece;
 use sheetwright::predicate::Box2;
 use std::ops::Range;
 
-/// Printers leave the edge of a sheet blank, few more than this, mm.
+/// The margin of a sheet, mm: few printers leave a wider edge blank.
 pub(super) const MARGIN_MM: f64 = 10.0;
 /// The strip above the window for the name of the sheet and the scale bar, mm.
 pub(super) const HEADER_MM: f64 = 16.0;
 /// How far the windows of neighbours overlap, mm.
 pub(super) const OVERLAP_MM: f64 = 10.0;
-/// At least this much of the window lies around the piece, mm, so that no line lies on its edge.
+/// The least gap between the piece and the edge of the windows, mm, so that no line lies on the
+/// edge.
 const AIR_MM: f64 = 1.0;
 
 /// How a piece is divided into sheets.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Tiling {
-    /// Width and height of a sheet as it is printed, upright or lying, mm.
+    /// Width and height of a sheet as printed, portrait or landscape, mm.
     pub(super) page: Vec2,
     /// The lower left corner of the window of the lower left sheet, mm.
     origin: Point2,
-    /// How many columns and rows of sheets there are.
+    /// The numbers of columns and rows of sheets.
     pub(super) columns: usize,
     pub(super) rows: usize,
     /// The sheets that have a part of the piece, row after row.
@@ -54,10 +55,10 @@ impl PaperSheet {
     }
 }
 
-/// The sheets that a piece takes, on paper upright or lying, whichever takes fewer.
+/// The sheets that a piece takes, portrait or landscape, the one with fewer sheets.
 ///
 /// # Errors
-/// About how many, if they are more than `most`. So many would always be enough.
+/// An upper bound on the number of sheets, if they are more than `most`.
 pub(super) fn tiling(piece: &Piece, paper: Paper, most: usize) -> Result<Tiling, usize> {
     let upright = paper.size_mm();
     let candidates =
@@ -80,10 +81,11 @@ fn on_page(piece: &Piece, page: Vec2, most: usize) -> Result<Tiling, usize> {
         .unwrap_or(Box2 { min: Point2::default(), max: Point2::default() });
     let step = window(page) - Vec2::splat(OVERLAP_MM);
     let need = around.max - around.min + Vec2::splat(2.0 * AIR_MM - OVERLAP_MM);
-    // Conversion saturates, so that no size runs over.
+    // The conversion saturates, so that no size overflows.
     let count = |need: f64, step: f64| (need / step).ceil().max(1.0) as usize;
     let (columns, rows) = (count(need.x, step.x), count(need.y, step.y));
-    // Pieces lie in the rectangle of least area around them, so few leave most of it empty.
+    // A piece lies in its bounding rectangle of least area and seldom leaves most of it empty. So a
+    // grid of 20 times the limit is refused before its cells are checked.
     let grid = columns.saturating_mul(rows);
     if grid > most.saturating_mul(20) {
         return Err(grid);
@@ -100,7 +102,7 @@ fn on_page(piece: &Piece, page: Vec2, most: usize) -> Result<Tiling, usize> {
 }
 
 impl Tiling {
-    /// What a sheet shows of the piece, mm.
+    /// The part of the piece that a sheet shows, mm.
     pub(super) fn window(&self, sheet: PaperSheet) -> Box2 {
         let window = window(self.page);
         let step = window - Vec2::splat(OVERLAP_MM);
@@ -130,7 +132,7 @@ impl Tiling {
     }
 
     /// The sheets whose cells have a point of the piece: those that its outline or a hole passes
-    /// through, and those whose middle lies inside. Edges look at the cells about them alone.
+    /// through, and those whose middle lies inside. Each edge checks only the cells near it.
     fn touched<'a>(&self, loops: impl Iterator<Item = &'a [Point2]>) -> Vec<PaperSheet> {
         let middle = |sheet| {
             let cell = self.cell(sheet);
@@ -139,8 +141,9 @@ impl Tiling {
         let columns: Vec<f64> =
             (0..self.columns).map(|column| middle(PaperSheet { row: 0, column }).x).collect();
         let mut passed = vec![false; self.rows * self.columns];
-        // Whether an odd number of edges crosses the middle of a row between the middles of two
-        // columns, the first one left of the middle of column 0.
+        // For each row, whether an odd number of edges crosses its middle line between the middles
+        // of two neighbouring columns; the first entry is for the part left of the middle of column
+        // 0.
         let width = self.columns + 1;
         let mut odd = vec![false; self.rows * width];
         for (a, b) in loops.flat_map(edges) {
@@ -170,7 +173,7 @@ impl Tiling {
         sheets
     }
 
-    /// The columns whose cells a box may have a point of.
+    /// The columns whose cells a box may overlap.
     fn columns_about(&self, around: Box2) -> Range<usize> {
         let step = window(self.page).x - OVERLAP_MM;
         about(
@@ -180,21 +183,21 @@ impl Tiling {
         )
     }
 
-    /// The rows whose cells a box may have a point of.
+    /// The rows whose cells a box may overlap.
     fn rows_about(&self, around: Box2) -> Range<usize> {
         let step = window(self.page).y - OVERLAP_MM;
         let top = self.origin.y + self.rows as f64 * step;
         about((top - around.max.y) / step, (top - around.min.y) / step, self.rows)
     }
 
-    /// The sheets whose cells a box may have a point of.
+    /// The sheets whose cells a box may overlap.
     pub(super) fn sheets_about(&self, around: Box2) -> impl Iterator<Item = PaperSheet> + use<> {
         let columns = self.columns_about(around);
         let rows = self.rows_about(around);
         rows.flat_map(move |row| columns.clone().map(move |column| PaperSheet { row, column }))
     }
 
-    /// The cells of the sheets that a box reaches into.
+    /// The cells of the sheets that a box overlaps.
     pub(super) fn cells_about(&self, around: Box2) -> Vec<Box2> {
         let sheets = self.sheets_about(around).filter(|&sheet| self.has(sheet));
         let reach = |cell: &Box2| {
@@ -228,10 +231,11 @@ fn edges(outline: &[Point2]) -> impl Iterator<Item = (Point2, Point2)> + '_ {
     (0..outline.len()).map(|n| (outline[n], outline[(n + 1) % outline.len()]))
 }
 
-/// The cells of a row or column of `count` between two places, in cells from its beginning, and
-/// one more on either side: cells begin half an overlap later than windows.
+/// The indices of the cells between two places of a row or column of `count` cells, and one more on
+/// either side, since cells begin half an overlap later than windows. Places are in cells from the
+/// beginning.
 fn about(from: f64, to: f64, count: usize) -> Range<usize> {
-    // Conversion saturates, so that what lies outside is cut off.
+    // The conversion saturates, which clips places outside.
     let first = ((from - 1.0).floor() as usize).min(count);
     first..((to + 2.0).ceil() as usize).min(count)
 }

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 
 /// The width of every picture of a panel, in its own units. A page shows it at 350 to 560 pixels.
 pub(super) const WIDTH: f64 = 480.0;
-/// Room round what a picture shows.
+/// The margin of a picture, in its units.
 pub(super) const MARGIN: f64 = 16.0;
 
 /// A drawing with a size of its own; its look comes from the classes of the style sheet.
@@ -16,7 +16,7 @@ pub struct Picture {
     pub width: f64,
     /// Height in its own units.
     pub height: f64,
-    /// What it shows, for those who do not see it.
+    /// Its description, for screen readers.
     pub title: String,
     /// SVG elements.
     body: String,
@@ -32,8 +32,8 @@ impl Picture {
         self.element("", "")
     }
 
-    /// A file of its own, with the style sheet and a sheet of paper behind: where it is shown, the
-    /// page may be light while the reader's theme is dark.
+    /// A complete SVG file, with the style sheet and a background of paper, since its page may be
+    /// light while the reader's theme is dark.
     pub fn standalone(&self) -> String {
         let size = format!(r#" width="{}" height="{}""#, number(self.width), number(self.height));
         let paper = rectangle("paper", Point2::default(), Vec2::new(self.width, self.height));
@@ -96,7 +96,7 @@ pub(super) fn number(x: f64) -> String {
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
-/// Text as it may stand in an element or in a quoted attribute.
+/// Text escaped for an element or a quoted attribute.
 pub(super) fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
@@ -105,7 +105,7 @@ pub(super) fn escaped(text: &str) -> String {
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
-            // No place in XML, even escaped.
+            // XML does not allow control characters, even escaped.
             c if c.is_control() => out.push(' '),
             c => out.push(c),
         }
@@ -149,9 +149,9 @@ impl PathData {
     }
 }
 
-/// A line with fewer points, of which none that is left out lies farther than `off` from it.
+/// A line with fewer points: every point left out lies within `off` of it.
 pub(super) fn simplified(points: &[Point2], off: f64) -> Vec<Point2> {
-    /// Points that are left out one after the other, at the most: each looks at all of them.
+    /// The most consecutive points left out, since each new point checks all of them.
     const RUN: usize = 50;
     let Some((&first, rest)) = points.split_first() else { return Vec::new() };
     let mut kept = vec![first];

@@ -13,20 +13,21 @@ use sheetwright::rung::Rung;
 use sheetwright::sheet::steps_of;
 use std::collections::BTreeSet;
 
-/// Room left and right of the pattern; the chart of warp has the same, so that the two line up.
+/// The margins left and right of the pattern; the chart of warp has equal ones, so that the two
+/// line up.
 pub(super) const LEFT: f64 = 66.0;
 pub(super) const RIGHT: f64 = 34.0;
 pub(super) const TOP: f64 = 32.0;
 pub(super) const FOOT: f64 = 66.0;
-/// Edges with a letter, at the most: the longest.
+/// The most edges with a letter; the longest have one.
 const LETTERED: usize = 8;
-/// An edge of several sides is measured from corner to corner: where the outline turns by more than
-/// this, degrees.
+/// The least turn of the outline at a corner, degrees. An edge of several sides is measured from
+/// corner to corner.
 const CORNER_DEG: f64 = 10.0;
-/// How far a letter stands from its edge, and how far letters stay apart.
+/// The distance of a letter from its edge, and the least distance between letters.
 const LETTER_AWAY: f64 = 15.0;
 const LETTER_APART: f64 = 22.0;
-/// How far the middle of a letter stays from lines to cut: its circle is 9.5 in radius.
+/// The least distance of a letter's middle from lines to cut; its circle has a radius of 9.5.
 const LETTER_CLEAR: f64 = 11.0;
 
 /// A stretch of an edge with a letter in the picture, or a side of a seam.
@@ -41,7 +42,7 @@ pub(super) struct Tagged<'a> {
     at: Point2,
 }
 
-/// Where the pattern lies in the picture: pixels a millimetre.
+/// The scale of the pattern in the picture, in units of the picture per millimetre.
 pub(super) fn scale_of(piece: &Piece) -> f64 {
     (WIDTH - LEFT - RIGHT) / piece.size.x.max(1e-12)
 }
@@ -284,7 +285,8 @@ impl EdgeStretch {
 }
 
 /// Places in the picture for a letter that belongs to a line of the pattern: beside its middle,
-/// right of it, which is outside where it is the outline, or else left; then nearer to its ends.
+/// first right of it, which is outside for the outline, then left; then nearer to its ends. The
+/// best place comes first.
 pub(super) fn beside(piece: &Piece, line: &[Point2]) -> Vec<Point2> {
     let length: f64 = line.windows(2).map(|pair| pair[0].distance(pair[1])).sum();
     let shares = [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8];
@@ -293,7 +295,8 @@ pub(super) fn beside(piece: &Piece, line: &[Point2]) -> Vec<Point2> {
     places.map(|(along, right)| place_beside(piece, line, along, right)).collect()
 }
 
-/// The place in the picture so far along a line of the pattern, mm, and so far right of it.
+/// The place in the picture at `along_mm`, mm, along a line of the pattern, and at `right`, in
+/// units of the picture, to its right.
 fn place_beside(piece: &Piece, line: &[Point2], along_mm: f64, right: f64) -> Point2 {
     let mut left = along_mm;
     let (mut middle, mut along) = (line[0], Vec2::X);
@@ -330,7 +333,7 @@ pub(super) struct Tags {
 }
 
 impl Tags {
-    /// None yet, in the picture of a piece.
+    /// No letters yet, for the picture of a piece.
     pub(super) fn of(piece: &Piece) -> Self {
         let placed = |line: &[Point2]| -> Vec<Point2> {
             line.iter().map(|&p| in_picture(piece, p)).collect()
@@ -344,7 +347,7 @@ impl Tags {
         Self { lines, taken: Vec::new(), height }
     }
 
-    /// How much room a letter has at a place: up to 1, which is enough.
+    /// The room for a letter at a place as a share of its need, at most 1.
     fn room(&self, at: Point2) -> f64 {
         let other = self.taken.iter().map(|other| other.distance(at) / LETTER_APART);
         let line = self.lines.iter().map(|line| distance(at, *line) / LETTER_CLEAR);

@@ -52,7 +52,8 @@ pub(super) struct Row<'a> {
     pub(super) values: Vec<String>,
 }
 
-/// All panels in the short form: how many have which verdict, and a table, the worst first.
+/// All panels in the short form: the number of panels with each verdict, and a table, the worst
+/// first.
 pub(super) fn short(labels: &[&str], rows: Vec<Row<'_>>) -> Markup {
     let mut order: Vec<usize> = (0..rows.len()).collect();
     order.sort_by_key(|&n| std::cmp::Reverse(severity(rows[n].checked)));
@@ -91,7 +92,7 @@ pub(super) fn short(labels: &[&str], rows: Vec<Row<'_>>) -> Markup {
     }
 }
 
-/// How many panels have which verdict, the best first.
+/// The number of panels with each verdict, the best verdict first.
 fn counts(rows: &[Row<'_>]) -> Markup {
     let all = [
         (Verdict::Bends, "bend"),

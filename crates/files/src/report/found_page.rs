@@ -1,4 +1,4 @@
-//! What `report.html` shows of a part whose surface was found.
+//! The section of `report.html` for a part whose surface was found.
 
 use super::flat_picture::{Tagged, edges, outline_length, ruled_picture};
 use super::moved_picture::{enlarged, moved_picture};
@@ -19,7 +19,7 @@ use sheetwright::pattern::seam_mark;
 use sheetwright::triangulate::Goal;
 use std::collections::BTreeSet;
 
-/// A warp that is shown as none, degrees: half of the last digit that is printed.
+/// A smaller warp is shown as none, degrees: half of the last printed digit.
 const NO_WARP_DEG: f64 = 0.005;
 
 /// A part with its boundary.
@@ -29,7 +29,7 @@ pub(super) struct FoundPage<'a> {
 }
 
 impl FoundPage<'_> {
-    /// The pictures, with what there is to see.
+    /// The pictures with their captions.
     pub(super) fn figures(&self) -> Markup {
         let (part, material) = (self.page.part, self.page.material());
         html! {
@@ -120,7 +120,7 @@ impl FoundPage<'_> {
 
     fn flat_caption(&self) -> Markup {
         let (panel, edges) = (self.page.part, edges(self.page.part));
-        // Both sides of a seam are one length.
+        // Both sides of a seam are equally long, and listed once.
         let mut seen = BTreeSet::new();
         html! {
             figcaption {
@@ -149,13 +149,13 @@ impl FoundPage<'_> {
         }
     }
 
-    /// The name of an edge, how long it is, and what it is joined to.
+    /// The name of an edge, its length, and the parts that it is joined to.
     fn edge_text(&self, tagged: &Tagged<'_>) -> String {
         let length = millimetres(tagged.length_mm);
         tagged.edge.map_or_else(|| length.clone(), |edge| self.page.edge_text(edge, &length))
     }
 
-    /// Whether the warp of some ruling is above the limit only by what may come from the sampling.
+    /// Whether the warp of some ruling exceeds the limit by no more than the error of its sampling.
     fn is_unsure(&self) -> bool {
         let limit = from_deg(warp_limit_deg(self.page.material()));
         let is_so = |r: &RungMeasures| r.warp > limit && r.warp_beyond_sampling() <= limit;

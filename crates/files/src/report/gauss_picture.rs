@@ -1,8 +1,8 @@
 //! The Gauss image: the directions that the surface faces along its rungs, as points on a sphere.
 //!
-//! Along a ruling of a developable surface the tangent plane stays the same, so that both ends of
-//! a rung have one normal and the image is a curve. What warps spreads it to a ribbon, as wide as
-//! the warp angle.
+//! Along a ruling of a developable surface the tangent plane stays the same, so that both ends of a
+//! rung have one normal and the image is a curve. Warp spreads it to a ribbon, as wide as the warp
+//! angle.
 
 use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, line, round_below, scale_bar, text};
 use super::rulings::{RUNG_CLASSES, rung_classes};
@@ -19,30 +19,30 @@ use std::collections::BTreeMap;
 
 const HEIGHT: f64 = 236.0;
 const RADIUS: f64 = 102.0;
-/// Beside the sphere, the image is enlarged if no normal is farther from its middle than this,
-/// degrees, so that an angle looks the same all over it,
+/// The largest spread of an image that is also drawn enlarged, beside the sphere, degrees. The
+/// spread is the largest angle of a normal to the middle; within this limit an angle has nearly one
+/// size all over the image.
 const WIDEST: f64 = 60.0;
-/// and if some normal is farther from it than this: below it, everything faces one way.
+/// The least spread of an enlarged image, degrees: below it, all normals face one way.
 const NARROWEST: f64 = 0.05;
-/// Rungs drawn, at the most.
+/// The most rungs drawn.
 const RUNGS: usize = 70;
-/// Sides of a mesh drawn, at the most.
+/// The most sides of a mesh drawn.
 const MESH_SIDES: usize = 4000;
 /// The class of those sides.
 const NET: &str = "net";
-/// Up to so many different sides, lines between directions are as thick as a curve, and dots mark
-/// up to so many directions.
+/// The most distinct sides of a mesh drawn with thick lines and with dots at their directions.
 const FEW: usize = 160;
-/// Creases that turn by more than this, degrees, part two directions.
+/// Creases that turn by more than this, degrees, separate two directions.
 const SHARP_DEG: f64 = 30.0;
-/// Lines shorter than this in the picture are not seen.
+/// Lines shorter than this in the picture are not visible.
 const SEEN: f64 = 0.05;
 /// Points of a curve that lie closer than this in the picture are left out.
 const APART: f64 = 0.5;
 
-/// The Gauss image of a part, on the sphere and enlarged: of its rungs, or of a mesh, where two
-/// triangles meet, the directions that they face, joined. `None` where no rung has normals, and no
-/// triangles meet.
+/// The Gauss image of a part, on the sphere and enlarged. It shows the normals along the rungs of a
+/// found surface, and the sides of a mesh as lines between the directions at their ends. `None` if
+/// no rung has normals, or no triangles of the mesh meet.
 pub fn gauss_picture(part: &Part, material: Option<&Material>) -> Option<Picture> {
     let image = match &part.origin {
         Origin::Found(found) => Image::of(part, found, material),
@@ -69,7 +69,7 @@ fn pictured(image: &Image, name: &str) -> Picture {
     Picture::new(WIDTH, HEIGHT, title, body)
 }
 
-/// The directions that a panel faces, and how they are seen: from the middle of all.
+/// The directions that a panel faces, and the view of them from their middle.
 struct Image {
     view: View,
     /// Runs of rungs, each with the normals on both sides of the strip.
@@ -132,7 +132,8 @@ impl Image {
         normals.map(|&n| angle_between(n, self.view.toward)).fold(0.0, f64::max)
     }
 
-    /// Rungs, then the two sides of every strip; what is not `visible` lies behind the sphere.
+    /// Draws the rungs, then the two sides of every strip. Directions that are not `visible` lie
+    /// behind the sphere and are left out.
     fn draw(&self, place: impl Fn(Vec3) -> Point2, visible: impl Fn(Vec3) -> bool) -> String {
         let mut body = String::new();
         // Strips whose rungs all face one way.
@@ -177,7 +178,7 @@ impl Image {
         body + &dots
     }
 
-    /// Where the ends of the rungs of a class lie, as far as both are visible.
+    /// The ends of the rungs of a class in the picture, of rungs with both ends visible.
     fn ends_of(
         &self,
         class: &str,
@@ -197,7 +198,7 @@ impl Image {
         let place = |n: Vec3| {
             let flat = self.view.direction(n).to_vec();
             let length = flat.length();
-            // At the middle itself every direction is as good.
+            // At the middle itself the direction is arbitrary.
             let way = if length > 0.0 { flat / length } else { flat };
             let deg = to_deg(angle_between(n, self.view.toward));
             Point2::new(centre.x + scale * deg * way.x, centre.y - scale * deg * way.y)
@@ -218,8 +219,8 @@ impl Image {
     }
 }
 
-/// The lines between directions of a mesh, each once: thin ones of a net, and dots with thick ones
-/// where there are so few that they would be lost among the circles of the ball.
+/// The lines between directions of a mesh, each once: the thin lines of a net, or, up to [`FEW`]
+/// lines, thick lines with dots, which stand out from the circles of the ball.
 fn net(sides: Vec<[Point2; 2]>) -> String {
     let rounded = |p: Point2| [p.x, p.y].map(|x| (x / SEEN).round() as i64);
     let mut places: BTreeMap<[i64; 2], Point2> = BTreeMap::new();
@@ -245,9 +246,10 @@ fn net(sides: Vec<[Point2; 2]>) -> String {
 }
 
 /// The sides of a mesh as they lie on the ball: each joins the directions that the mesh faces at
-/// its two ends. A direction at a vertex is the mean of the triangles round it, weighed by their
-/// areas, up to sharp creases, where it has one on either side, which are joined too. The
-/// directions of single triangles would jump from side to side, and their lines be a tangle.
+/// its two ends. The direction at a vertex is the mean of the triangles around it, weighted by
+/// their areas. On a sharp crease a vertex has one direction on either side, and a line joins the
+/// two. The directions of single triangles would jump from side to side, and their lines would be a
+/// tangle.
 fn sides_on_ball(mesh: &Mesh, areas: &[Vec3]) -> Vec<[Vec3; 2]> {
     let corner = |t: TriangleIndex, v: VertexIndex| {
         3 * t.get() + mesh.triangles()[t.get()].iter().position(|&c| c == v).unwrap_or(0)
@@ -294,7 +296,7 @@ fn sphere(view: &View, centre: Point2) -> (String, String) {
         for n in from..=to {
             let at = point(from_deg(10.0 * f64::from(n)));
             let p = view.direction(at);
-            // What lies behind is left out.
+            // Points behind the ball are left out.
             if at.dot(view.toward) >= 0.0 {
                 run.push(Point2::new(centre.x + RADIUS * p.x, centre.y - RADIUS * p.y));
             } else if run.len() > 1 {

@@ -1,4 +1,4 @@
-//! A mesh laid flat, coloured by how much lengths differ.
+//! A mesh laid flat, coloured by the relative length error.
 
 use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, line, rectangle, round_below, text};
 use super::flat_picture::{FOOT, LEFT, RIGHT, TOP, Tags, beside, dimensions};
@@ -19,7 +19,7 @@ const LEGEND: f64 = 58.0;
 /// Below this the colour map has one colour: nothing that a workshop could measure.
 pub(super) const NO_ERROR: f64 = 1e-9;
 
-/// The largest error that the colour map shows where this is the largest: a round number above it.
+/// The top of the colour map for a largest error `most`: a round number that is not below it.
 pub(super) fn heat_top(most: f64) -> f64 {
     let round = round_below(most.max(NO_ERROR));
     [1.0, 1.5, 2.0, 2.5].into_iter().map(|n| n * round).find(|&top| top >= most).unwrap_or(most)
@@ -106,7 +106,7 @@ fn seam_tags(panel: &Part, given: &Given) -> String {
     body
 }
 
-/// The colours with the errors that they stand for; a line marks what the material takes.
+/// The colours with their errors; a line marks the limit of the material.
 fn scale_of_colours(top: f64, limit: f64, y: f64) -> String {
     let (left, width) = (LEFT, WIDTH - LEFT - RIGHT);
     let step = width / HEATS as f64;

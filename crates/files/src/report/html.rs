@@ -69,12 +69,12 @@ pub fn report_html(
     )
 }
 
-/// What a browser may load for the page: its own style sheet, and nothing else. No text of a design
-/// can run or fetch anything.
+/// The content security policy: a browser loads the page's own style sheet, and nothing else. No
+/// text of a design can run or fetch anything.
 const POLICY: &str =
     "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'";
 
-/// The page of a design: what its body shows, with the head that every report has.
+/// The page of a design: `body` with the head that every report has.
 fn document(name: &str, body: Markup) -> Vec<u8> {
     let page = html! {
         (DOCTYPE)
@@ -231,7 +231,7 @@ impl PartPage<'_> {
     }
 }
 
-/// The card of a panel, by its number from 1, which leads to its part of the page.
+/// The card of a panel, which links to its section of the page; `number` counts from 1.
 fn card(number: usize, name: &str, checked: &Checked) -> Markup {
     html! {
         li class={ "card " (severity(checked).name()) } {

@@ -1,4 +1,4 @@
-//! What `report.html` shows of a mesh: how far flattening stretches it, and where.
+//! The section of `report.html` for a mesh: how far flattening stretches it, and where.
 
 use super::heat_picture::{NO_ERROR, heat_picture};
 use super::page::{Number, PartPage, table};
@@ -22,7 +22,7 @@ pub(super) struct MeshPage<'a> {
 }
 
 impl MeshPage<'_> {
-    /// The pictures, with what there is to see.
+    /// The pictures with their captions.
     pub(super) fn figures(&self) -> Markup {
         let (part, material) = (self.page.part, self.page.material());
         let heat = part.measures.distortion.as_ref();

@@ -1,4 +1,4 @@
-//! The report: `report.json` for scripts, `report.html` for people.
+//! The report: `report.json` for scripts, `report.html` for readers.
 //!
 //! The page is one file that works offline: no scripts, no fonts, no references. Its pictures are
 //! drawn here rather than by a plotting crate, because one and the same picture has to follow the
@@ -45,8 +45,8 @@ use sheetwright::make::{Origin, Part};
 use sheetwright::material::Material;
 use sheetwright::measure::Measures;
 
-/// The flat pattern of a part, seen from the side that the surface faces; of a mesh, each triangle
-/// coloured by how much lengths differ.
+/// The flat pattern of a part, seen from the side that the surface faces; for a mesh, with each
+/// triangle coloured by its largest relative length error.
 pub fn flat_picture(part: &Part, material: Option<&Material>) -> Picture {
     match (&part.origin, &part.measures.distortion) {
         (Origin::Given(given), Some(distortion)) => {

@@ -1,4 +1,4 @@
-//! Where a boundary was moved to, larger than it is.
+//! The displacement of a moved boundary, enlarged.
 
 use super::canvas::{PathData, Picture, WIDTH, line, round_below};
 use super::space_picture::Fit;
@@ -9,16 +9,17 @@ use sheetwright::math::{Point2, Point3};
 
 /// The largest displacement is drawn at most this long, as a share of the size of the panel.
 const LONGEST: f64 = 0.08;
-/// Arrows on a panel, at the most.
+/// The most arrows on a panel.
 const ARROWS: usize = 60;
 
-/// How many times larger than they are displacements are drawn: a round number, 1 at the least.
+/// The factor that enlarges displacements in the picture: a round number, at least 1.
 pub(super) fn enlarged(change: &Change) -> f64 {
     let size = size_of(change.moved.iter().map(|[from, _]| *from));
     round_below((LONGEST * size / change.moved_max_mm()).max(1.0))
 }
 
-/// The boundary before, and where it was moved to, with the way enlarged; `None` if nothing moved.
+/// The boundary before and after it was moved, with enlarged displacements; `None` if nothing
+/// moved.
 pub fn moved_picture(part: &Part) -> Option<Picture> {
     let change = part.change().filter(|change| change.moved_max_mm() > 0.0)?;
     let times = enlarged(change);

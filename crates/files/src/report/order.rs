@@ -1,19 +1,20 @@
-//! In which order the triangles of a picture are drawn, so that what is nearer lies over what is
-//! farther.
+//! The order in which the triangles of a picture are drawn, so that nearer ones lie over farther
+//! ones.
 //!
-//! No rule by one number a triangle, such as the depth of its middle, is right for long triangles
-//! that lie across one another. So the order is sorted from what must lie over what, as Newell,
-//! Newell and Sancha do (1972), with the depth buffer for their tests: a triangle that shows in a
-//! cell is drawn after each other one that covers it. Triangles that show nowhere are left out.
-//! Where triangles lie over one another in a ring, or pass through one another, one of them is
-//! drawn all the same, and the cells that come out wrong by it are drawn last, one by one.
+//! An order by one number per triangle, such as the depth of its middle, is wrong for long
+//! triangles that lie across one another. So the order comes from pairs of triangles of which one
+//! must lie over the other, as Newell, Newell and Sancha do (1972). The depth buffer gives these
+//! pairs: the triangle that shows in a cell is drawn after every other one that covers the cell.
+//! Triangles that show nowhere are left out. Triangles that overlap in a cycle, or pass through one
+//! another, have no right order. Then one of them is drawn all the same, and the cells that this
+//! makes wrong are drawn last, one by one.
 
 use super::raster::Raster;
 use sheetwright::math::Point2;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Depths that differ by less than this share of those of the whole picture are one.
+/// Depths that differ by less than this share of the depth range of the picture count as equal.
 const SAME: f64 = 1e-3;
 
 /// How the facets of a picture are drawn.
@@ -36,7 +37,7 @@ pub(super) fn order(raster: &Raster<'_>) -> Order {
     for n in (0..raster.width * raster.height).filter_map(|cell| raster.top(cell)) {
         shows[n] = true;
     }
-    // Who is drawn before whom.
+    // Pairs of facets, of which the first is drawn before the second.
     let mut pairs: Vec<(u32, u32)> = Vec::new();
     let mut hidden = false;
     let depths = || raster.facets.iter().flat_map(|facet| facet.near);
@@ -67,8 +68,8 @@ pub(super) fn order(raster: &Raster<'_>) -> Order {
     Order::Of(list, wrong)
 }
 
-/// Whether a facet that covers the middle of no cell shows somewhere, by some places on it. Depths
-/// that differ by less than `same` are one.
+/// Whether a facet that covers the middle of no cell shows at one of some places on it. Depths that
+/// differ by less than `same` count as equal.
 fn thin(raster: &Raster<'_>, n: usize, same: f64, pairs: &mut Vec<(u32, u32)>) -> bool {
     let facet = &raster.facets[n];
     let mut shows = false;
@@ -88,7 +89,7 @@ fn thin(raster: &Raster<'_>, n: usize, same: f64, pairs: &mut Vec<(u32, u32)>) -
     shows
 }
 
-/// Some places along the middle of a thin triangle.
+/// Four places along the middle of a thin triangle.
 fn along([a, b, c]: [Point2; 3]) -> [Point2; 4] {
     let sides = [(a, b, c), (b, c, a), (c, a, b)];
     let shortest = sides.into_iter().min_by(|s, t| s.0.distance(s.1).total_cmp(&t.0.distance(t.1)));
@@ -97,7 +98,7 @@ fn along([a, b, c]: [Point2; 3]) -> [Point2; 4] {
 }
 
 /// The facets that show, each after those that it must lie over, else from far to near; and whether
-/// some could not be.
+/// a cycle breaks this order.
 fn sorted(raster: &Raster<'_>, shows: &[bool], pairs: &[(u32, u32)]) -> (Vec<usize>, bool) {
     let mut by_depth: Vec<usize> = (0..shows.len()).filter(|&n| shows[n]).collect();
     let mean: Vec<f64> = raster.facets.iter().map(|facet| facet.mean_near()).collect();
@@ -136,7 +137,7 @@ fn sorted(raster: &Raster<'_>, shows: &[bool], pairs: &[(u32, u32)]) -> (Vec<usi
     (list, is_broken)
 }
 
-/// The cells where something is drawn over what is nearest.
+/// The cells where another facet is drawn over the nearest one.
 fn wrong_cells(raster: &Raster<'_>, list: &[usize]) -> Vec<bool> {
     let mut place = vec![0; raster.facets.len()];
     list.iter().enumerate().for_each(|(n, &facet)| place[facet] = n);
@@ -157,7 +158,8 @@ mod tests {
 
     const SIZE: Vec2 = Vec2::new(40.0, 40.0);
 
-    /// A bar from one place to another, 4 wide, as two triangles, near at its ends as is said.
+    /// A bar from one place to another, 4 wide, as two triangles; `near` is the nearness of its
+    /// ends.
     fn bar(from: [f64; 2], to: [f64; 2], near: [f64; 2]) -> [Facet; 2] {
         let [a, b] = [from, to].map(|[x, y]| Point2::new(x, y));
         let along = b - a;
@@ -170,7 +172,8 @@ mod tests {
         ]
     }
 
-    /// How many cells show what they should when the facets are drawn, and how many do not.
+    /// The number of cells that show the nearest facet when the facets are drawn, and of those that
+    /// do not.
     fn right_and_wrong(facets: &[Facet]) -> [usize; 2] {
         let raster = Raster::new(SIZE, 2.0, facets);
         let Order::Of(list, patch) = order(&raster) else { panic!("something hides something") };

@@ -1,5 +1,5 @@
-//! A part with all that its section of `report.html` shows, and what sections of found surfaces and
-//! of meshes have in common.
+//! A part with the data of its section of `report.html`, and code that the sections of found
+//! surfaces and of meshes share.
 
 use super::gauss_picture::gauss_picture;
 use super::space_picture::space_picture;
@@ -9,7 +9,7 @@ use sheetwright::edge::Edge;
 use sheetwright::make::{Made, Part};
 use sheetwright::material::Material;
 
-/// A part with all that its section of the page shows.
+/// A part with the data of its section of the page.
 pub(super) struct PartPage<'a> {
     pub(super) made: &'a Made,
     /// From 1.
@@ -49,7 +49,7 @@ impl PartPage<'_> {
         }
     }
 
-    /// The name of an edge, how long it is, and what it is joined to.
+    /// The name of an edge, its length, and the parts that it is joined to.
     pub(super) fn edge_text(&self, edge: &Edge, length: &str) -> String {
         let mates = edge.mates.iter().map(|mate| &self.made.parts[mate.part].name[..]);
         let mates: Vec<&str> = mates.collect();

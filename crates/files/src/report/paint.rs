@@ -1,5 +1,5 @@
-//! Painting surfaces as they are seen: shaded triangles, and those parts of lines that none of them
-//! hides.
+//! Painting the visible parts of surfaces: shaded triangles, and the parts of lines that no
+//! triangle hides.
 
 use super::canvas::{PathData, simplified};
 use super::order::{Order, order};
@@ -9,33 +9,35 @@ use super::view::View;
 use sheetwright::math::{Point2, Vec2, Vec3, unit};
 use std::collections::BTreeMap;
 
-/// More triangles are drawn in cells: by then they are smaller than their lines are thick.
+/// The most triangles drawn as paths. More are drawn in cells, since they are smaller than the
+/// thickness of their lines.
 pub(super) const MOST_PATHS: usize = 12_000;
 /// Cells per unit of the picture, which is about a pixel of a page.
 const PER_UNIT: f64 = 1.0;
-/// The least difference of brightness that the shades are spread over: below it a surface is so
-/// flat that it may look so.
+/// The least range of brightness over which the shades are spread. A surface with a smaller range
+/// is nearly flat, and may look flat.
 const LEAST_CONTRAST: f64 = 0.18;
-/// What is added to the number of a shade of the side that the surface does not face.
+/// The offset of the numbers of the shades of the back side.
 const BACK: u16 = 100;
 
-/// Triangles that are painted, and what of lines they leave to be seen.
+/// Painted triangles, and the visibility of lines among them.
 pub(super) struct Scene<'a> {
     raster: Raster<'a>,
     order: Option<Order>,
-    /// What hides a line lies nearer than the line by more than this.
+    /// A triangle hides a line only if it is nearer by more than this.
     enough: f64,
 }
 
 impl<'a> Scene<'a> {
-    /// Facets in a picture of a size. What lies behind others by less than `enough` is seen.
+    /// Facets in a picture of a size. A line that lies behind a facet by less than `enough` is
+    /// visible.
     pub(super) fn new(size: Vec2, facets: &'a [Facet], enough: f64) -> Self {
         let raster = Raster::new(size, PER_UNIT, facets);
         let order = (facets.len() <= MOST_PATHS).then(|| order(&raster));
         Self { raster, order, enough }
     }
 
-    /// Whether nothing hides anything, so that every line is seen all along.
+    /// Whether no facet hides anything, so that every line is visible all along.
     pub(super) fn is_plain(&self) -> bool {
         self.order == Some(Order::Any)
     }
@@ -72,20 +74,19 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// The pieces of a line that are seen.
+    /// The visible pieces of a line.
     pub(super) fn visible(&self, ends: [Point2; 2], near: [f64; 2]) -> Vec<[Point2; 2]> {
         self.visible_on(ends, near, [true; 2])
     }
 
-    /// The pieces that are seen of a line where a surface turns from the eye: its own steep facets
-    /// do not hide it.
+    /// The visible pieces of a silhouette line, where a surface turns away from the eye: the steep
+    /// facets of that surface do not hide it.
     pub(super) fn visible_turn(&self, ends: [Point2; 2], near: [f64; 2]) -> Vec<[Point2; 2]> {
         const STEEP: f64 = 8.0;
         self.visible_beyond(ends, near, [true; 2], STEEP * self.enough)
     }
 
-    /// The pieces that are seen of a line that lies on the front of a surface, on its back, or on
-    /// both.
+    /// The visible pieces of a line that lies on the front of a surface, on its back, or on both.
     pub(super) fn visible_on(
         &self,
         ends: [Point2; 2],
@@ -110,7 +111,7 @@ impl<'a> Scene<'a> {
     }
 }
 
-/// Whether a shade is one of the side that the surface faces.
+/// Whether a shade belongs to the front side of a surface.
 pub(super) fn is_front(shade: u16) -> bool {
     shade < BACK
 }
@@ -121,17 +122,18 @@ pub(super) fn shade_name(shade: u16) -> String {
     format!("{side}{n}")
 }
 
-/// A shade of few, for surfaces that change from cell to cell: fewer make the page smaller.
+/// A shade rounded to one of a few, for surfaces that change from cell to cell: fewer shades make
+/// the page smaller.
 pub(super) fn coarse_shade(shade: u16) -> u16 {
-    /// So many shades become one.
+    /// The number of shades that become one.
     const TOGETHER: u16 = 4;
     shade / TOGETHER * TOGETHER + TOGETHER / 2
 }
 
-/// The shades of faces, given by the area vectors of those of each panel: the side that is seen of
-/// each, and how bright it is.
+/// The shades of the faces of each panel, from their area vectors. A shade gives the visible side
+/// of a face and its brightness.
 pub(super) fn shades_of(view: &View, areas: &[Vec<Vec3>]) -> Vec<Vec<u16>> {
-    // A lamp above the left shoulder.
+    // The lamp is above the viewer's left shoulder.
     let lamp = unit(view.toward * 0.75 + view.up * 0.55 - view.right * 0.45).unwrap_or(Vec3::Z);
     let light = |area: &Vec3| {
         let normal = unit(*area).unwrap_or(view.toward);
@@ -152,7 +154,7 @@ pub(super) fn shades_of(view: &View, areas: &[Vec<Vec3>]) -> Vec<Vec<u16>> {
     lit.iter().map(|list| list.iter().map(shade).collect()).collect()
 }
 
-/// Steps that follow one another as one line, as far as it can be told from one with fewer points.
+/// Joins consecutive steps to lines, without points whose absence is not visible.
 pub(super) fn joined(pieces: impl Iterator<Item = [Point2; 2]>) -> Vec<Vec<Point2>> {
     const SEEN: f64 = 0.15;
     let mut runs: Vec<Vec<Point2>> = Vec::new();

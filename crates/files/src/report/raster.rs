@@ -1,28 +1,29 @@
 //! Which triangle of a picture lies nearest, cell by cell.
 //!
 //! The depth buffer of Catmull (1974): every triangle goes into the cells whose middles it covers,
-//! and each cell keeps the nearest. It takes time as the triangles have cells, however many there
-//! are. It says in which order triangles are drawn ([`order`](super::order)), which parts of lines
-//! are hidden, and it is the picture itself where there are so many triangles that a path for each
-//! would make the page large.
+//! and each cell keeps the nearest. Its time is proportional to the number of cells that the
+//! triangles cover. It gives the order in which triangles are drawn ([`order`](super::order)) and
+//! the hidden parts of lines. It is the picture itself where a path for each triangle would make
+//! the page large.
 
 use super::canvas::number;
 use sheetwright::math::{Point2, Vec2};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-/// Whether a line is seen is asked at least every so often, in units of the picture.
+/// The largest distance between places where the visibility of a line is checked, in units of the
+/// picture, up to [`MOST_PIECES`] places.
 const PIECE: f64 = 2.0;
-/// At the most so many times a line.
+/// The most places where the visibility of a line is checked.
 const MOST_PIECES: f64 = 256.0;
-/// Where a line begins or ceases to be seen is halved so often.
+/// The bisection steps that locate a change of the visibility of a line.
 const HALVINGS: usize = 4;
 
 /// A triangle as it lies in a picture.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Facet {
     pub(super) corners: [Point2; 3],
-    /// How near to the eye its corners are.
+    /// The nearness of its corners to the eye.
     pub(super) near: [f64; 3],
     /// The number of its class.
     pub(super) class: u16,
@@ -34,7 +35,7 @@ impl Facet {
         (b - a).perp_dot(c - a)
     }
 
-    /// The least and the most of how near it is.
+    /// Its least and its greatest nearness.
     fn span(&self) -> [f64; 2] {
         let [a, b, c] = self.near;
         [a.min(b).min(c), a.max(b).max(c)]
@@ -44,7 +45,8 @@ impl Facet {
         self.near.iter().sum::<f64>() / 3.0
     }
 
-    /// How much nearer it becomes per unit to the right and downwards. Zero if it is seen edge on.
+    /// The gradient of its nearness, per unit to the right and downwards; zero if it is seen edge
+    /// on.
     fn slope(&self) -> Vec2 {
         let whole = self.doubled_area();
         if whole == 0.0 {
@@ -55,7 +57,7 @@ impl Facet {
         Vec2::new(up_b * ac.y - up_c * ab.y, up_c * ab.x - up_b * ac.x) / whole
     }
 
-    /// How near its plane is at a place, no nearer and no farther than the triangle itself.
+    /// The nearness of its plane at a place, limited to the range of the triangle's own.
     pub(super) fn near_at(&self, at: Point2) -> f64 {
         let [least, most] = self.span();
         if self.doubled_area() == 0.0 {
@@ -68,9 +70,9 @@ impl Facet {
 /// A line as it lies in a picture.
 pub(super) struct Line<'a> {
     pub(super) ends: [Point2; 2],
-    /// How near to the eye its ends are.
+    /// The nearness of its ends to the eye.
     pub(super) near: [f64; 2],
-    /// What hides it lies nearer by more than this.
+    /// A facet hides it only if it is nearer by more than this.
     pub(super) enough: f64,
     /// Whether it may lie on facets of a class.
     pub(super) belongs: &'a dyn Fn(u16) -> bool,
@@ -97,7 +99,8 @@ pub(super) struct Raster<'a> {
 const NONE: u32 = u32::MAX;
 
 impl<'a> Raster<'a> {
-    /// Facets, at the most 2³² − 1, in a picture of a size with so many cells per unit.
+    /// The raster of facets, at most 2³² − 1, in a picture of a size with `per_unit` cells per
+    /// unit.
     pub(super) fn new(size: Vec2, per_unit: f64, facets: &'a [Facet]) -> Self {
         let range = |size: f64, along: fn(&Point2) -> f64| {
             let corners = || facets.iter().flat_map(|facet| &facet.corners).map(along);
@@ -143,7 +146,7 @@ impl<'a> Raster<'a> {
         Point2::new(at(self.left + column), at(self.above + row))
     }
 
-    /// Where a place of the picture lies, in cells from the middle of the first.
+    /// A place of the picture, in cells from the middle of the first cell.
     fn in_cells(&self, p: Point2) -> Point2 {
         let along = |x: f64, first: usize| self.per_unit * x - first as f64 - 0.5;
         Point2::new(along(p.x, self.left), along(p.y, self.above))
@@ -183,7 +186,7 @@ impl<'a> Raster<'a> {
         self.covers[n]
     }
 
-    /// Whether nothing may hide anything: every facet covers cells, and all of them others.
+    /// Whether no facet can hide anything: every facet covers cells, and no cell is covered twice.
     pub(super) fn is_plain(&self) -> bool {
         !self.overlaps && self.covers.iter().all(|&covers| covers)
     }
@@ -195,9 +198,9 @@ impl<'a> Raster<'a> {
         self.top(cell(at.y, self.height) * self.width + cell(at.x, self.width))
     }
 
-    /// Whether something lies before a place by more than `enough`. What shows in the cell is asked
-    /// for its plane there; a steep one is not sure to within a cell. Where that leaves a doubt,
-    /// what the line does not `belong` to hides it.
+    /// Whether the facet that shows at a place of a line hides it. The facet is certain to hide it
+    /// if its plane is nearer by more than `enough` and the depth range of a steep plane within a
+    /// cell. Within that margin, only a facet to which the line does not belong hides it.
     fn is_hidden(&self, at: Point2, line: &Line<'_>, near: f64) -> bool {
         self.top_at(at).is_some_and(|n| {
             let facet = &self.facets[n];
@@ -239,12 +242,12 @@ impl<'a> Raster<'a> {
         found.iter().map(|ends| ends.map(at)).collect()
     }
 
-    /// All cells as one element a class: rows of equal cells are rectangles.
+    /// All cells as one element per class: rows of equal cells are rectangles.
     pub(super) fn elements(&self, name: impl Fn(u16) -> String) -> String {
         self.elements_where(|_| true, name)
     }
 
-    /// Some of the cells as one element a class.
+    /// Some of the cells as one element per class.
     pub(super) fn elements_where(
         &self,
         wanted: impl Fn(usize) -> bool,
@@ -278,8 +281,8 @@ impl<'a> Raster<'a> {
     }
 }
 
-/// A side of a facet, in cells, from its lower to its upper end, so that both facets of a side say
-/// the same of it.
+/// A side of a facet, in cells, from its lower to its upper end, so that both facets of a side
+/// compute equal places on it.
 struct FacetSide {
     from: Point2,
     slope: f64,
@@ -290,21 +293,21 @@ impl FacetSide {
         Self { from: low, slope: (high.x - low.x) / (high.y - low.y) }
     }
 
-    /// Where it is at a height between those of its ends. Never asked of a level one.
+    /// Its x at a height between those of its ends. The side must not be level.
     fn at(&self, y: f64) -> f64 {
         self.from.x + self.slope * (y - self.from.y)
     }
 }
 
-/// The least whole number that is not below another, at least 0.
+/// The least whole number that is not below `x`, at least 0.
 fn whole_from(x: f64) -> usize {
-    // Conversion cuts off, and saturates at 0.
+    // The conversion truncates, and saturates at 0.
     let whole = x as usize;
     if (whole as f64) < x { whole + 1 } else { whole }
 }
 
-/// Where between two places, of which the first is seen or not and the other is the opposite, that
-/// turns.
+/// The place between two where visibility changes, by bisection. `from_seen` is the visibility of
+/// the first; the second has the opposite.
 fn halved(seen: impl Fn(f64) -> bool, [mut from, mut to]: [f64; 2], from_seen: bool) -> f64 {
     for _ in 0..HALVINGS {
         let middle = 0.5 * (from + to);

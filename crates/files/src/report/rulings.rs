@@ -61,7 +61,7 @@ pub(super) fn rung_classes(
     classes
 }
 
-/// The class of a rung that the sheet takes; `None` where it is flat.
+/// The class of a rung within the limits of the sheet; `None` where it is flat.
 fn class_within(rung: &RungMeasures) -> Option<&'static str> {
     if rung.is_fold {
         Some("score")
@@ -72,8 +72,8 @@ fn class_within(rung: &RungMeasures) -> Option<&'static str> {
     }
 }
 
-/// At most `most` of some rungs, in equal steps of an even number: along a strip rungs lean one way
-/// and the other in turn, and those drawn lean one way.
+/// At most `most` of some rungs, in equal, even steps: along a strip rungs alternately lean one way
+/// and the other, so those drawn all lean one way.
 fn alike(rungs: &[usize], most: usize) -> Vec<usize> {
     if rungs.len() <= most {
         return rungs.to_vec();

@@ -107,7 +107,7 @@ pub(super) struct Drawn {
     pub(super) solid: Solid,
     /// Where its points lie in the picture.
     pub(super) points: Vec<Point2>,
-    /// How near to the eye they are.
+    /// Their nearness to the eye, mm.
     near: Vec<f64>,
 }
 
@@ -126,7 +126,7 @@ impl Drawn {
         })
     }
 
-    /// Where the ends of a line lie, and how near they are.
+    /// The ends of a line in the picture, and their nearness to the eye, mm.
     pub(super) fn line(&self, ends: [usize; 2]) -> ([Point2; 2], [f64; 2]) {
         (ends.map(|n| self.points[n]), ends.map(|n| self.near[n]))
     }
@@ -143,7 +143,8 @@ impl Drawn {
         of_class.map(|(hinge, _)| (hinge.0, sides(hinge, shades)))
     }
 
-    /// Where the surface turns from the eye: the sides between its front and its back.
+    /// The silhouette, where the surface turns away from the eye: the sides between its front and
+    /// its back.
     pub(super) fn turns<'a>(&'a self, shades: &'a [u16]) -> impl Iterator<Item = [usize; 2]> + 'a {
         let turning = self.solid.hinges.iter().filter(|hinge| sides(hinge, shades) == [true; 2]);
         turning.map(|(ends, _)| *ends)

@@ -15,12 +15,12 @@ use sheetwright::math::{Point2, Vec2, Vec3};
 const FOOT: f64 = 96.0;
 /// The surface is drawn no higher than this.
 const MOST_HEIGHT: f64 = 330.0;
-/// Of several panels, the middles of rulings stand at least this far apart: narrow panels would
-/// become dark with them.
+/// The least distance between the middles of rulings in a picture of several panels: closer rulings
+/// would make narrow panels dark.
 const APART_OF_SEVERAL: f64 = 9.0;
-/// With more panels, outlines are thin.
+/// The most panels with thick outlines.
 const MOST_THICK: usize = 12;
-/// What lies behind a surface by less than this, in units of the picture, lies on it.
+/// A line behind a surface by less than this, in units of the picture, counts as on it.
 const LIES_ON: f64 = 1.0;
 
 /// The surface of a part in space, shaded, with rulings or creases; rulings that warp more than the
@@ -81,7 +81,8 @@ fn outlines(parts: &[Drawn], shades: &[Vec<u16>], scene: &Scene<'_>) -> String {
             let pieces = lines.flat_map(|(ends, near)| scene.visible(ends, near));
             joined(pieces).into_iter().for_each(|run| path.line(run));
         };
-        // A ring of the border is no line of a sheet that is cut open.
+        // The loops of a sheet that is cut open include the sides of the cuts, so its border is
+        // drawn step by step.
         if scene.is_plain() && part.solid.cuts.is_empty() {
             for of_loop in &part.solid.loops {
                 border.ring(of_loop.iter().map(|&n| part.points[n]));
@@ -164,7 +165,7 @@ impl Fit {
         )
     }
 
-    /// A length in the picture, in space, mm.
+    /// A length in space, mm, from one in the picture.
     pub(super) fn millimetres(&self, length: f64) -> f64 {
         length / self.scale
     }
@@ -178,7 +179,7 @@ impl Fit {
     }
 }
 
-/// Where x, y and z point.
+/// Draws the directions of x, y and z.
 fn triad(view: &View, at: Point2) -> String {
     const ARM: f64 = 26.0;
     const NAME_AWAY: f64 = 10.0;

@@ -3,7 +3,8 @@
 use sheetwright::index::SampleIndex;
 use sheetwright::surface::Connectivity;
 
-/// A rung of a strip: its number, and its ends with that on the strip's one side first.
+/// A rung of a strip: its number, and its ends, of which the first always lies on one side of the
+/// strip.
 pub(super) type StripRung = (usize, [SampleIndex; 2]);
 
 /// All rungs in strips: from one triangle that ends a strip (it has one rung, or three) to the
@@ -14,7 +15,7 @@ pub(super) fn strips(connectivity: &Connectivity) -> Vec<Vec<StripRung>> {
     let through = |triangle: usize| of_triangles[triangle].len() == 2;
     let mut seen = vec![false; hinges.len()];
     let mut found = Vec::new();
-    // Strips that have an end are begun there; what is left after them runs in a ring.
+    // Strips that have an end begin there; the remaining strips are rings.
     for ends_only in [true, false] {
         for first in 0..hinges.len() {
             let triangles = hinges[first].triangles.map(|t| t.get());

@@ -1,11 +1,11 @@
 //! The look of the page and of its pictures: all colours and letter sizes, light and dark.
 //!
-//! Blue stands for what is well, orange for what is not: colours that people with any kind of
-//! colour vision tell apart; words, dashes and thickness say the same again.
+//! Blue means good, orange means a problem: readers with any kind of colour vision can tell these
+//! colours apart. Words, dashes and thickness repeat the distinction.
 
 use std::fmt::Write as _;
 
-/// Brightnesses that a surface is drawn in.
+/// The number of levels of brightness of a surface.
 pub(super) const SHADES: usize = 24;
 
 /// Dark and light end of the shades of a side, red, green and blue.
@@ -42,7 +42,7 @@ pub(super) fn picture_style() -> String {
     shades(&mut css, &DARK);
     heats(&mut css, &DARK_HEAT);
     css.push('}');
-    // Paper is white whatever the screen is.
+    // Paper is white, also with a dark theme.
     css.push_str("@media print{");
     css.push_str(PICTURE_PRINT);
     shades(&mut css, &LIGHT);

@@ -204,7 +204,7 @@ fn pictures_are_well_formed_and_every_class_has_a_rule() {
     }
 }
 
-/// Whatever is drawn lies in its picture, and every number is one.
+/// Every drawn point lies in its picture, and every number is finite.
 #[test]
 fn pictures_stay_in_their_frames() {
     for made in all() {
@@ -256,7 +256,7 @@ fn a_page_refers_to_nothing_outside_itself() {
     }
 }
 
-/// Before anything that a browser could fetch or run.
+/// The policy comes before anything that a browser could fetch or run.
 #[test]
 fn a_page_lets_a_browser_do_nothing_but_show_it() {
     let page = html(&concave());
@@ -265,7 +265,7 @@ fn a_page_lets_a_browser_do_nothing_but_show_it() {
     assert!(page.contains(r#"content="default-src 'none'; style-src 'unsafe-inline';"#));
 }
 
-/// Of a design of many panels the page is a table, whichever way it is asked for.
+/// The page of a design of many panels is a table, by default and by option.
 #[test]
 fn the_short_form_shows_every_panel_in_a_few_kilobytes() {
     let mut made = facade(101);

@@ -1,4 +1,4 @@
-//! The verdict of a part and what was found, as the page shows them.
+//! The verdict and the findings of a part, as the page shows them.
 
 use super::wording::verdict_word;
 use crate::words::{finding_place, finding_text};

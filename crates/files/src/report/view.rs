@@ -1,4 +1,4 @@
-//! From where a surface is seen, so that its shape reads.
+//! The choice of a view that shows the shape of a surface well.
 
 use sheetwright::boundary::size_of;
 use sheetwright::index::TriangleIndex;
@@ -10,12 +10,12 @@ use sheetwright::math::{Point2, Point3, Vec3, cos, from_deg, sin, unit};
 pub(super) struct View {
     pub(super) right: Vec3,
     pub(super) up: Vec3,
-    /// From what is seen to the eye.
+    /// The unit direction from the surface to the eye.
     pub(super) toward: Vec3,
 }
 
 impl View {
-    /// The view of an eye that lies that way.
+    /// The view from an eye in the direction `toward`.
     pub(super) fn from(toward: Vec3) -> Self {
         let toward = unit(toward).unwrap_or(Vec3::Z);
         // Seen from right above, y is up.
@@ -34,28 +34,28 @@ impl View {
         self.direction(point.to_vec())
     }
 
-    /// How near to the eye a point lies, mm.
+    /// The nearness of a point to the eye, mm: its coordinate along `toward`.
     pub(super) fn nearness(&self, point: Point3) -> f64 {
         point.to_vec().dot(self.toward)
     }
 }
 
-/// Steps round the horizon from which a surface is looked at.
+/// The number of directions round the horizon that are tried.
 const AZIMUTHS: u32 = 24;
-/// Heights above the horizon from which it is looked at, degrees, and what speaks against each.
+/// The elevations above the horizon that are tried, degrees, each with its penalty.
 const ELEVATIONS: [(f64, f64); 5] =
     [(20.0, 0.0), (35.0, 0.0), (55.0, 0.1), (75.0, 0.2), (-25.0, 0.25)];
-/// How much of the surface should look at the eye: head on (1) it seems flat, edge on (0) it can't
-/// be seen.
+/// The best share of the surface's area that faces the eye: head on (1) it looks flat, edge on (0)
+/// it is invisible.
 const FACING: f64 = 0.78;
-/// How much of the panel's length should be seen: in full, a tube looks like a plate.
+/// The best visible share of the panel's length: in full length, a tube looks like a plate.
 const LENGTH: f64 = 0.9;
 
-/// The view is chosen by so many triangles, or one a panel if they are more.
+/// The choice of a view uses about this many triangles, or one per panel if there are more panels.
 const LOOKED_AT: usize = 20_000;
 
-/// The view of some parts, from the side that they face: chosen among some dozens so that most of
-/// them is seen, aslant, nearly at full length and with little of their back.
+/// The view of some parts, from the side that they face: the best of some dozens. It shows most of
+/// them, at an angle, nearly in full length and with little of their back.
 pub(super) fn view_of(parts: &[Part]) -> View {
     let mut areas: Vec<Vec3> = Vec::new();
     let mut long = Vec3::ZERO;
@@ -70,13 +70,14 @@ pub(super) fn view_of(parts: &[Part]) -> View {
             Origin::Given(_) => part.piece.size.length(),
         };
         let of_part = longest_direction(mesh.positions(), &part.flat.points) * size;
-        // The first part says which way is right.
+        // The first part decides which way is right.
         long += if of_part.dot(long) < 0.0 { -of_part } else { of_part };
     }
     best_view(&areas, long)
 }
 
-/// The view of triangles with these area vectors, the whole being longest that way.
+/// The best view of triangles with these area vectors; `long` is the direction of their greatest
+/// length.
 fn best_view(areas: &[Vec3], long: Vec3) -> View {
     let long = unit(long).unwrap_or(Vec3::X);
     let mut best: Option<(f64, View)> = None;
@@ -87,7 +88,7 @@ fn best_view(areas: &[Vec3], long: Vec3) -> View {
             let toward = Vec3::new(level * cos(azimuth), level * sin(azimuth), height);
             let view = View::from(toward);
             let score = score(&view, areas, long) - against;
-            // Equal views are told apart by rounding alone: a margin makes the first of them win.
+            // Equally good views differ by rounding alone: a margin makes the first of them win.
             if best.is_none_or(|(most, _)| score > most + 1e-9) {
                 best = Some((score, view));
             }
@@ -104,12 +105,12 @@ fn score(view: &View, areas: &[Vec3], long: Vec3) -> f64 {
     let along = view.direction(long);
     let facing = 1.0 - (front - FACING).abs();
     let length = 1.0 - (along.to_vec().length() - LENGTH).abs();
-    // What lies left on the pattern should lie left here.
+    // The left side of the pattern should be on the left here.
     2.0 * facing - 1.5 * back + 1.5 * length + 0.5 * along.x
 }
 
-/// Where the flat pattern's x, its longer side, points in space: the sum over all samples of the
-/// way to them in space, times how far right of the mean they lie on the pattern.
+/// The direction in space of the flat pattern's x, its longer side: the sum over all samples of
+/// their vector in space times their x on the pattern, relative to the mean.
 fn longest_direction(space: &[Point3], flat: &[Point2]) -> Vec3 {
     let mean = flat.iter().map(|p| p.x).sum::<f64>() / flat.len() as f64;
     let Some(&first) = space.first() else { return Vec3::X };

@@ -1,4 +1,4 @@
-//! The warp along the panel: one bar a rung, over the place where it lies on the pattern.
+//! The warp along the panel: one bar per rung, at the place of the rung on the pattern.
 
 use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, line, rectangle, round_below, text};
 use super::flat_picture::{LEFT, RIGHT, scale_of};
@@ -15,13 +15,13 @@ const FOOT: f64 = 50.0;
 const LIMIT_SHARE: f64 = 0.78;
 /// Bars stand on a grid of columns of this width; rungs in one column share its highest bar.
 const COLUMN: f64 = 2.0;
-/// Up to so many rungs, each bar has a head.
+/// The most rungs whose bars have heads.
 const HEADS: usize = 60;
 /// A band lower than this has no room for its name.
 const BAND_FOR_TEXT: f64 = 20.0;
 
 /// The warp angle of every rung over its middle's place along the flat pattern, against the
-/// material's limit. What is above it but may come from the sampling looks unsure, as the verdict
+/// material's limit. A bar above it that may come from the sampling looks unsure, as the verdict
 /// is. `None` without rungs.
 pub fn warp_chart(panel: &Part, material: Option<&Material>) -> Option<Picture> {
     if panel.measures.rungs.is_empty() {
@@ -64,7 +64,7 @@ fn middle(panel: &Part, rung: usize) -> Point2 {
     a.lerp(b, 0.5)
 }
 
-/// What a column shows.
+/// The bar of a column.
 #[derive(Clone, Copy)]
 struct Bar {
     /// The highest head of its rungs.
@@ -84,7 +84,7 @@ struct Chart<'a> {
 }
 
 impl Chart<'_> {
-    /// What the places span, mm.
+    /// The length of the range of places, mm.
     fn span(&self) -> f64 {
         let size = self.panel.piece.size;
         if self.across { size.y } else { size.x }
@@ -115,7 +115,7 @@ impl Chart<'_> {
         self.panel.measures.rungs[rung].warp_beyond_sampling() > from_deg(self.limit)
     }
 
-    /// The worst of them.
+    /// The rung with the largest warp among those above the limit; `None` if there are none.
     fn worst_over(&self) -> Option<usize> {
         let rungs = &self.panel.measures.rungs;
         (0..rungs.len())
@@ -123,7 +123,7 @@ impl Chart<'_> {
             .reduce(|best, n| if rungs[n].warp > rungs[best].warp { n } else { best })
     }
 
-    /// How a bar looks.
+    /// The class of a bar.
     fn class_of(&self, bar: &Bar) -> &'static str {
         if bar.is_over {
             "over"

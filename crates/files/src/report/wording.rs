@@ -90,7 +90,7 @@ pub(super) fn length_short(mm: f64) -> String {
     }
 }
 
-/// An area, in the unit that leaves three digits or so.
+/// An area, in the unit that gives about three digits.
 pub(super) fn area(mm2: f64) -> String {
     let with_digits = |x: f64, unit: &str| {
         let decimals = if x < 10.0 {
@@ -122,7 +122,7 @@ pub(super) fn per_cent(share: f64) -> String {
     if share < 1e-8 { "none".to_owned() } else { format!("{}\u{a0}%", decimal(100.0 * share, 4)) }
 }
 
-/// A share in per cent with two digits that count, or three.
+/// A share in per cent with two or three significant digits.
 pub(super) fn plain_per_cent(share: f64) -> String {
     let percent = 100.0 * share;
     let shifted = std::iter::successors(Some(percent.abs()), |x| Some(x * 10.0));
@@ -144,12 +144,12 @@ pub(super) fn refold(error_mm: f64) -> String {
     }
 }
 
-/// A bend radius; a flat panel has none.
+/// A bend radius; `flat` from 10 km on.
 pub(super) fn radius(mm: f64) -> String {
     if mm.is_finite() && mm < 1e7 { millimetres(mm) } else { "flat".to_owned() }
 }
 
-/// A solid angle: `0.013 sr`; what is small, with its power of ten.
+/// A solid angle: `0.013 sr`; below 0.001 sr with its power of ten.
 pub(super) fn steradians(area_sr: f64) -> String {
     let number = if area_sr < 1e-3 { scientific(area_sr) } else { decimal(area_sr, 3) };
     format!("{number}\u{a0}sr")

@@ -1,9 +1,9 @@
 //! The room of a batch: a folder `.sheetwright-…` beside where its files go.
 //!
-//! Files wait there under numbers until all are written, each closed as soon as it is. A lock on
-//! the file `lock` says that the batch is alive; the system lets go of it when the program ends,
-//! however it ends. So a room whose lock can be had was left by a program that was killed, and the
-//! next batch in the same folder removes it. Two programs at once leave each other's rooms alone.
+//! Files wait there under numbers until all are written; each is closed as soon as it is written. A
+//! lock on the file `lock` shows that the batch is alive; the system releases it when the program
+//! ends in any way. So a room whose lock is free was left by a killed program, and the next batch
+//! in the same folder removes it. Two programs at once do not touch each other's rooms.
 
 use std::fs::{self, File, TryLockError};
 use std::io;
@@ -12,37 +12,37 @@ use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// How the names of temporary folders begin.
+/// The prefix of the names of temporary folders.
 pub const TEMPORARY: &str = ".sheetwright-";
 /// The file whose lock says that a room is in use.
 const LOCK: &str = "lock";
-/// Files that wait for their names.
+/// The prefix of new files that wait for their final names.
 const NEW: &str = "new-";
-/// What was there before, until all files have their names.
+/// The prefix of replaced files, which are kept until all new files have their final names.
 const OLD: &str = "old-";
-/// Names that are tried for a room, at the most; each is taken by another batch of this process, or
-/// of a process of this number on another computer.
+/// The most names tried for a room. Another batch of this process, or of a process of this number
+/// on another computer, may have taken a name.
 const TRIES: usize = 10_000;
 
-/// What a program that is stopped has to remove: the rooms in use, and the folders made for them.
-/// A thread holds it while it creates, writes or renames files.
+/// The rooms in use, and the folders made for them, which a program removes when it is stopped. A
+/// thread holds the lock while it creates, writes or renames files.
 static OPEN: Mutex<Vec<Open>> = Mutex::new(Vec::new());
 
 struct Open {
     room: PathBuf,
-    /// Folders that were not there before, the innermost first.
+    /// Folders that did not exist before, the innermost first.
     created: Vec<PathBuf>,
 }
 
-/// Keeps the files of all batches as they are, as long as it lives.
+/// While it lives, no other thread changes the files of any batch.
 pub(super) struct Hold(MutexGuard<'static, Vec<Open>>);
 
 pub(super) fn hold() -> Hold {
     Hold(OPEN.lock().unwrap_or_else(PoisonError::into_inner))
 }
 
-/// Removes what unfinished batches have written, once a batch that is about to be kept is kept. No
-/// file is written afterwards: the program is to end.
+/// Removes the files of unfinished batches, after a batch that is being renamed is complete. It
+/// blocks all later writes: call it just before the program ends.
 pub fn give_up() {
     let Hold(open) = hold();
     for Open { room, created } in open.iter() {
@@ -53,7 +53,7 @@ pub fn give_up() {
     mem::forget(open);
 }
 
-/// The room of one batch. It goes when it is dropped, with all that waits in it.
+/// The room of one batch. Dropping it removes it, with all files that wait in it.
 #[derive(Debug)]
 pub(super) struct Room {
     path: PathBuf,
@@ -61,7 +61,7 @@ pub(super) struct Room {
 }
 
 impl Room {
-    /// A room in a folder that is there; no sweep removes it as long as it lives.
+    /// A room in an existing folder; no sweep removes it as long as it lives.
     pub(super) fn new(hold: &mut Hold, folder: &Path) -> io::Result<Self> {
         for n in 0..TRIES {
             let path = folder.join(format!("{TEMPORARY}{}-{n}", process::id()));
@@ -71,7 +71,7 @@ impl Room {
                     return Ok(Self { path, lock: Some(lock) });
                 }
                 Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
-                // Swept before it was locked.
+                // Another batch swept the room before it was locked.
                 Err(error) if error.kind() == io::ErrorKind::NotFound && folder.is_dir() => {}
                 Err(error) => {
                     remove(&path);
@@ -82,18 +82,18 @@ impl Room {
         Err(io::Error::new(io::ErrorKind::AlreadyExists, "no name is left for a temporary folder"))
     }
 
-    /// Where the file of this number waits.
+    /// The path where the file of this number waits.
     pub(super) fn new_file(&self, n: usize) -> PathBuf {
         self.path.join(format!("{NEW}{n}"))
     }
 
-    /// Where what the file of this number takes the place of is kept.
+    /// The path that keeps the file which the new file of this number replaces.
     pub(super) fn old_file(&self, n: usize) -> PathBuf {
         self.path.join(format!("{OLD}{n}"))
     }
 
-    /// These folders, the innermost first, were made for the room and go with it, where nothing
-    /// else is in them.
+    /// Registers folders, the innermost first, that were made for the room. They are removed with
+    /// it if they are empty.
     pub(super) fn goes_with(&self, hold: &mut Hold, created: Vec<PathBuf>) {
         if let Some(open) = hold.0.iter_mut().find(|open| open.room == self.path) {
             open.created = created;
@@ -104,7 +104,7 @@ impl Room {
 impl Drop for Room {
     fn drop(&mut self) {
         let mut hold = hold();
-        // Some systems remove no folder of an open file.
+        // Some systems can't remove a folder with an open file.
         self.lock = None;
         remove(&self.path);
         hold.0.retain(|open| {
@@ -134,7 +134,8 @@ fn sweep_room(room: &Path) {
     match File::options().write(true).open(room.join(LOCK)) {
         // The lock is held until all is gone, so that a batch that has just made the room sees it.
         Ok(lock) if lock.try_lock().is_ok() => remove(room),
-        // Empty, it was left before it had its lock; or it gets it now, and the batch tries again.
+        // An empty room was left before it had its lock, or is about to get it: then its batch
+        // tries again.
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
             let _ = fs::remove_dir(room);
         }
@@ -183,7 +184,7 @@ fn remove(room: &Path) {
     let _ = fs::remove_dir(room);
 }
 
-/// Removes folders, the innermost first. One that something else has come into stays.
+/// Removes folders, the innermost first. Folders that are not empty stay.
 pub(super) fn remove_empty(folders: &[PathBuf]) {
     for folder in folders {
         let _ = fs::remove_dir(folder);

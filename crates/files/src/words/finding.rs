@@ -1,4 +1,4 @@
-//! What was found, in sentences, with what to do.
+//! Findings in sentences, with advice.
 
 use super::moved::{keeps_from_bending, listed, movement, not_needed, ran_on};
 use super::place::point;
@@ -8,7 +8,7 @@ use sheetwright::math::{Point3, to_deg};
 use sheetwright::measure::SHARP_CREASE_DEG;
 use sheetwright::tolerance::Tolerance;
 
-/// What is so, in words with units, and what to do: a sentence or more for each kind.
+/// A finding in words with units, and advice: one sentence or more for each kind.
 pub fn finding_text(finding: &Finding) -> String {
     use FindingKind as Kind;
     match &finding.kind {
@@ -192,31 +192,31 @@ pub fn finding_text(finding: &Finding) -> String {
     }
 }
 
-/// What is to be done where a written file is wrong.
+/// The advice where a written file is wrong.
 const FAULT: &str = "Do not cut the pattern. This is a fault of the program: please report it.";
 
 fn degrees(angle: f64) -> String {
     format!("{:.1}°", to_deg(angle))
 }
 
-/// A number with this many decimals that show two digits of it, and no more than nine.
+/// The number of decimals that shows two significant digits of `x`, at most nine.
 fn decimals_of(x: f64) -> usize {
     let shifted = std::iter::successors(Some(x), |x| Some(x * 10.0));
     shifted.take(9).take_while(|x| *x < 10.0).count()
 }
 
-/// A share in per cent, with two digits that count.
+/// A share in per cent, with two significant digits.
 fn percent(share: f64) -> String {
     let percent = 100.0 * share;
     format!("{percent:.*} %", decimals_of(percent))
 }
 
-/// A length with two digits that count, down to a picometre.
+/// A length with two significant digits, down to a picometre.
 fn short(mm: f64) -> String {
     format!("{mm:.*}", decimals_of(mm))
 }
 
-/// One thing, or how many of them.
+/// `one` for a count of 1, else the count and `more`.
 fn counted(count: usize, one: &str, more: &str) -> String {
     if count == 1 { one.to_owned() } else { format!("{count} {more}") }
 }

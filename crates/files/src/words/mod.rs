@@ -1,7 +1,7 @@
 //! Findings in words: what was found, where, and what to do, written once for reports, the command
 //! and the editor.
 //!
-//! The kernel gives kinds with their numbers and places; numbers come to units and digits here.
+//! The kernel gives kinds with their numbers and places; units and digits are chosen here.
 
 mod finding;
 mod moved;

@@ -42,7 +42,7 @@ pub(super) fn not_needed(
     format!(": {twist}, {tell}.{}", keeps_from_bending(Some(hindrance)))
 }
 
-/// What keeps a panel from bending although its warp angles reach the goal, as a sentence.
+/// Why a panel does not bend although its warp angles reach the goal, as a sentence.
 pub(super) fn keeps_from_bending(hindrance: Option<Hindrance>) -> &'static str {
     match hindrance {
         None => "",

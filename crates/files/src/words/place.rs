@@ -55,7 +55,7 @@ fn listed(numbers: &[SampleIndex]) -> String {
     numbers.iter().map(|&n| number(n).to_string()).collect::<Vec<_>>().join(", ")
 }
 
-/// ` and 3 more` and `what` they are; empty where all of `count` are `shown`.
+/// ` and 3 more`, with `what` behind it; empty where all of `count` are `shown`.
 fn and_more(count: usize, shown: usize, what: &str) -> String {
     match count.saturating_sub(shown) {
         0 => String::new(),
@@ -69,7 +69,7 @@ fn samples(numbers: &[SampleIndex]) -> String {
     format!("sample{s} {shown}{}", and_more(numbers.len(), SHOWN, ""))
 }
 
-/// How many ranges are left out.
+/// The number of ranges that are left out, in words.
 fn and_more_ranges(count: usize) -> String {
     let what = if count == SHOWN + 1 { " range" } else { " ranges" };
     and_more(count, SHOWN, what)
