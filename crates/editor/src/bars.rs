@@ -233,8 +233,11 @@ fn hint(editor: &Editor) -> &'static str {
             "Hold the button and draw; or click corner by corner and press Enter. Esc ends."
         }
         Tool::Calibrate => "Click two places on the picture that are a known distance apart.",
-        Tool::Select if editor.document().design.curves.is_empty() => {
+        Tool::Select if editor.document().is_undrawn() => {
             "Press D to draw, or take a template from the start page."
+        }
+        Tool::Select if editor.document().design.curves.is_empty() => {
+            "Click a panel on the pattern to set how its mesh is laid flat. Press D to draw."
         }
         Tool::Select if !editor.selection().points.is_empty() => {
             "Drag on the plan to move, in space to lift. Del removes, C makes a corner."

@@ -44,7 +44,7 @@ pub(crate) fn banner_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut 
 /// Why there is no verdict.
 fn waiting(editor: &Editor) -> &'static str {
     let design = &editor.document().design;
-    if design.curves.is_empty() {
+    if editor.document().is_undrawn() {
         "Nothing is drawn yet"
     } else if design.panels.is_empty() {
         "No outline bounds a panel yet"
@@ -104,7 +104,7 @@ fn ink(theme: &Theme, panel: &ShownPanel) -> Color32 {
 pub(crate) fn verdicts_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
     ui.add_space(4.0);
     ui.heading("Will it bend?");
-    if editor.shown().is_empty() && !editor.document().design.curves.is_empty() {
+    if editor.shown().is_empty() && !editor.document().is_undrawn() {
         let text = match editor.document().design.panels.is_empty() {
             true => why_no_panel(editor.document()),
             false => "Working it out…".to_owned(),

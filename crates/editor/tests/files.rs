@@ -9,7 +9,7 @@ use egui_kittest::kittest::Queryable;
 use hands::{Hands, picture, round};
 use sheetwright::check::Place;
 use sheetwright::design::PanelShape;
-use sheetwright::math::from_deg;
+use sheetwright::math::{Point2, from_deg};
 use sheetwright_editor::command::Command;
 use sheetwright_editor::document::{Document, Edit, Selection};
 use sheetwright_editor::editor::{FileWish, Opened, Page};
@@ -164,6 +164,21 @@ fn a_mesh_is_a_panel_that_is_shown_set_and_saved_as_a_design() {
     let editor = hands.app().editor();
     let back = Document::read("box.sheet.json", &editor.bytes()).unwrap();
     assert_eq!(&back, editor.document());
+    // It can be brought into sight, saved and exported; it has no curves that could move.
+    assert!(hands.sees("Click a panel on the pattern"));
+    hands.run(Command::Fit);
+    let pane = hands.app().plan();
+    assert!(
+        pane.on_screen(Point2::new(0.0, 0.0)).distance(pane.on_screen(Point2::new(90.0, 0.0)))
+            > 200.0
+    );
+    assert!(hands.app().editor().why_not(Command::Vary).is_some());
+    hands.run(Command::SaveAs);
+    hands.settle();
+    let saved = hands.disk.lock().unwrap().saved.clone();
+    assert_eq!(Document::read("box.sheet.json", &saved).as_ref(), Ok(&back));
+    hands.run(Command::Export);
+    assert_eq!(hands.app().editor().page, Page::Export);
 }
 
 #[test]

@@ -39,10 +39,14 @@ impl Default for Document {
 pub const FARTHEST_MM: f64 = 0.1 * MAX_COORDINATE_MM;
 
 impl Document {
-    /// Whether there is nothing on it that could be lost: no curve and no picture.
+    /// Whether there is nothing on it that could be lost: no curve, no panel and no picture.
     pub fn is_blank(&self) -> bool {
-        let Design { curves, panels, .. } = &self.design;
-        curves.is_empty() && panels.is_empty() && self.drawing.reference.is_none()
+        self.is_undrawn() && self.drawing.reference.is_none()
+    }
+
+    /// Whether it has nothing to show in space: no curve and no panel.
+    pub fn is_undrawn(&self) -> bool {
+        self.design.curves.is_empty() && self.design.panels.is_empty()
     }
 
     /// What lies further out than [`FARTHEST_MM`]: a curve by its name, or the picture.

@@ -10,6 +10,8 @@ use crate::room::{Room, WindowPart};
 use sheetwright::check::Place;
 
 const NOTHING_DRAWN: &str = "Nothing is drawn yet.";
+const NO_CURVE: &str = "There is no curve: a mesh has no handles.";
+const NO_PANEL: &str = "There is no panel yet: close an outline first.";
 const SELECT_A_HANDLE: &str = "Select a handle first.";
 const SELECT_A_CURVE: &str = "Select a curve or a handle first.";
 
@@ -18,19 +20,20 @@ impl Editor {
     pub fn why_not(&self, command: Command) -> Option<&'static str> {
         let document = self.document();
         let needs = |is_there: bool, why: &'static str| (!is_there).then_some(why);
+        let is_drawn = !document.is_undrawn();
         let has_curves = !document.design.curves.is_empty();
+        let has_panels = !document.design.panels.is_empty();
         let has_points = !self.selection.points.is_empty();
         let has_curve = has_points || self.selection.curve.is_some();
         match command {
             Command::Undo => needs(self.history.steps_back() > 0, "There is nothing to take back."),
             Command::Redo => needs(self.history.steps_forth() > 0, "Nothing was taken back."),
-            Command::Save | Command::SaveAs | Command::SelectAll | Command::Fit => {
-                needs(has_curves, NOTHING_DRAWN)
-            }
-            Command::Export | Command::Vary => needs(has_curves, NOTHING_DRAWN).or_else(|| {
-                let has_panels = !document.design.panels.is_empty();
-                needs(has_panels, "There is no panel yet: close an outline first.")
-            }),
+            Command::Save | Command::SaveAs | Command::Fit => needs(is_drawn, NOTHING_DRAWN),
+            Command::SelectAll => needs(has_curves, NO_CURVE),
+            Command::Export => needs(is_drawn, NOTHING_DRAWN).or(needs(has_panels, NO_PANEL)),
+            Command::Vary => needs(is_drawn, NOTHING_DRAWN)
+                .or(needs(has_curves, NO_CURVE))
+                .or(needs(has_panels, NO_PANEL)),
             Command::ToggleCorner | Command::ToggleStraight => needs(has_points, SELECT_A_HANDLE),
             Command::Delete | Command::Join | Command::Reverse => needs(has_curve, SELECT_A_CURVE),
             Command::RemoveReference | Command::CalibrateReference => {

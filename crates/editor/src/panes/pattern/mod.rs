@@ -26,6 +26,7 @@ use eframe::egui::{
     StrokeKind, Ui, UiBuilder, Vec2, WidgetInfo, vec2,
 };
 use sheetwright::check::Place;
+use sheetwright::design::Design;
 use sheetwright::math::{Point2, Vec2 as Way, pow};
 use sheetwright_files::Units;
 use view::{PatternView, box_of};
@@ -383,9 +384,11 @@ fn words(ui: &Ui, scene: &Scene<'_>, rect: Rect) {
         response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &text));
         ui.painter().galley(rect.min + vec2(14.0, 12.0), galley, theme.verdicts[2]);
     } else if scene.panels.is_empty() {
-        let text = match scene.document.design.curves.is_empty() {
-            true => "Draw a closed outline on the plan to see its pattern here.".to_owned(),
-            false => why_no_panel(scene.document),
+        let Design { curves, panels, .. } = &scene.document.design;
+        let text = match (curves.is_empty(), panels.is_empty()) {
+            (true, true) => "Draw a closed outline on the plan to see its pattern here.".to_owned(),
+            (true, false) => "Working it out…".to_owned(),
+            (false, _) => why_no_panel(scene.document),
         };
         let galley = ui.painter().layout(text.clone(), font, theme.faint, rect.width() - 40.0);
         let at = Align2::CENTER_CENTER.anchor_size(rect.center(), galley.size());

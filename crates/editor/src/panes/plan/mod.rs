@@ -109,7 +109,7 @@ impl PlanPane {
         let is_busy = self.drag.is_some() || !self.stroke.is_empty() || !self.corners.is_empty();
         let resized = self.fitted.is_some_and(|size| is_resized(size, pane.size()));
         if self.fitted.is_none() || resized && !self.is_by_hand && !is_busy {
-            self.view.fit(pane, view::places(scene.document));
+            self.view.fit(pane, view::extent(scene.document));
             self.fitted = Some(pane.size());
             self.is_by_hand = false;
         }
@@ -464,10 +464,7 @@ impl PlanPane {
         if let Some(area) = boxed {
             canvas.lasso(area);
         }
-        if scene.document.design.curves.is_empty()
-            && self.stroke.is_empty()
-            && self.corners.is_empty()
-        {
+        if scene.document.is_undrawn() && self.stroke.is_empty() && self.corners.is_empty() {
             canvas.invitation(self.tool);
         }
         let is_on_curve = curve.is_some();

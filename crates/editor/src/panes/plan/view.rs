@@ -2,6 +2,7 @@
 
 use crate::document::Document;
 use eframe::egui::{Pos2, Rect, Vec2, pos2};
+use sheetwright::design::PanelShape;
 use sheetwright::math::Point2;
 
 /// A view of the plan: y runs upwards there and downwards on the screen.
@@ -82,6 +83,16 @@ pub(super) fn places(document: &Document) -> impl Iterator<Item = Point2> + '_ {
     let plan = document.drawing.plan;
     let points = document.design.curves.iter().flat_map(|curve| &curve.points);
     points.map(move |point| plan.flat(point.at))
+}
+
+/// All points of all curves and meshes of a document, as the plan shows them.
+pub(super) fn extent(document: &Document) -> impl Iterator<Item = Point2> + '_ {
+    let plan = document.drawing.plan;
+    let meshes = document.design.panels.iter().filter_map(|panel| match &panel.shape {
+        PanelShape::Mesh(mesh) => Some(&mesh.triangles.positions),
+        _ => None,
+    });
+    places(document).chain(meshes.flatten().map(move |&p| plan.flat(p)))
 }
 
 /// The distance of grid lines that are easy to tell apart: that of the document, times 1, 2, 5, 10

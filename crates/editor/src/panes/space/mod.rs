@@ -442,7 +442,7 @@ fn labels(ui: &Ui, scene: &Scene<'_>, view: SurfaceView, camera: &Camera, rect: 
 
 /// What to do where there is nothing yet.
 fn empty(ui: &Ui, scene: &Scene<'_>, rect: Rect) {
-    if scene.document.design.curves.is_empty() && scene.panels.is_empty() {
+    if scene.document.is_undrawn() {
         let text = "What you draw on the plan stands here in space.";
         let font = FontId::proportional(14.0);
         ui.painter().text(rect.center(), Align2::CENTER_CENTER, text, font, scene.theme.faint);
