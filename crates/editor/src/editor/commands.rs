@@ -29,7 +29,7 @@ impl Editor {
             Command::Undo => needs(self.history.steps_back() > 0, "There is nothing to take back."),
             Command::Redo => needs(self.history.steps_forth() > 0, "Nothing was taken back."),
             Command::Save | Command::SaveAs | Command::Fit => needs(is_drawn, NOTHING_DRAWN),
-            Command::SelectAll => needs(has_curves, NO_CURVE),
+            Command::SelectAll => needs(is_drawn, NOTHING_DRAWN).or(needs(has_curves, NO_CURVE)),
             Command::Export => needs(is_drawn, NOTHING_DRAWN).or(needs(has_panels, NO_PANEL)),
             Command::Vary => needs(is_drawn, NOTHING_DRAWN)
                 .or(needs(has_curves, NO_CURVE))
