@@ -10,7 +10,7 @@ use sheetwright::math::from_deg;
 use sheetwright::template::catalogue;
 use sheetwright_files::{
     Format, InputFormat, MaxSheets, MeshFormat, MeshSettings, OutputOptions, Paper, PdfOptions,
-    ReadOptions, ReportForm, Units, VarySettings, known_materials,
+    ReadOptions, ReportForm, Units, VarySettings, catalogue_names, known_materials,
 };
 use std::ffi::OsStr;
 use std::path::PathBuf;
@@ -298,8 +298,14 @@ pub(crate) struct SourceArgs {
     #[arg(long, value_name = "UNITS", ignore_case = true, value_parser = units_parser())]
     units: Option<Units>,
     /// The material of the sheet, in place of the design's: one of the design's own materials, or
-    /// one of the catalogue, which docs/files.md lists
-    #[arg(long, value_name = "NAME", value_parser = Name { known: material_values })]
+    /// one of the catalogue, which docs/materials.md lists
+    #[arg(
+        long,
+        value_name = "NAME",
+        value_parser = Name { known: material_values },
+        hide_possible_values = true,
+        long_help = material_help()
+    )]
     material: Option<String>,
     #[command(flatten)]
     vary: VaryArgs,
@@ -444,6 +450,15 @@ struct Name {
 
 fn template_values() -> Vec<PossibleValue> {
     catalogue().iter().map(|one| PossibleValue::new(one.name).help(one.title)).collect()
+}
+
+/// The help of `--material`: a line of names by group, not one for each.
+fn material_help() -> String {
+    format!(
+        "The material of the sheet, in place of the design's: one of the design's own materials, \
+         or one of the catalogue, which docs/materials.md describes: {}",
+        catalogue_names()
+    )
 }
 
 fn material_values() -> Vec<PossibleValue> {

@@ -98,7 +98,7 @@ fn units_aims_and_materials_are_taken_from_the_call() {
         assert_eq!(report["material"], "paper");
         let panel = &report["panels"][0];
         assert_eq!(panel["aim"], aim);
-        assert_eq!(panel["stretch_limit"], 0.001);
+        assert_eq!(panel["stretch_limit"], 0.01);
         let area = panel["area_space_mm2"].as_f64().unwrap();
         assert!((area / (60000.0 * 25.4 * 25.4) - 1.0).abs() < 1e-12);
     }

@@ -19,7 +19,7 @@ use sheetwright::check::Verdict;
 use sheetwright::design::{DesignPanel, PanelMesh, PanelShape};
 use sheetwright::flatten::Aim;
 use sheetwright::math::{Point2, from_deg, to_deg};
-use sheetwright_files::{Units, known_materials};
+use sheetwright_files::{Units, known_materials, material_group};
 use std::ops::RangeInclusive;
 
 /// Where things may lie, mm.
@@ -165,7 +165,12 @@ fn panel_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
                 }
             };
             choose(ui, design.material.is_none(), "Not named", None);
+            let mut group = None;
             for material in known_materials(&design.materials) {
+                let of = material_group(&material.name);
+                if group.replace(of) != Some(of) {
+                    ui.separator();
+                }
                 let is_it = design.material.as_ref() == Some(material);
                 choose(ui, is_it, &material.title, Some(&material.name));
             }

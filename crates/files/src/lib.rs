@@ -56,7 +56,7 @@ pub use drawing::{Drawing, Mirror, Plan, Reference};
 pub use dxf::{read_dxf, write_dxf};
 pub use hint::{hint_for, hint_in_design, remedy_for};
 pub use input::{InputFormat, read_bytes, read_input};
-pub use materials::{known_materials, material_named};
+pub use materials::{catalogue_names, known_materials, material_group, material_named};
 pub use mesh::MeshFormat;
 pub use messages::{PanelTimes, error_json, findings_json, timing_json};
 pub use names::{shown, visible};

@@ -4,60 +4,40 @@
 //! come from the catalogue for templates and parameters, and from the lists below for parameters
 //! and for the trade and American names of materials.
 
-use crate::materials::{known_materials, material_named};
+use crate::materials::{catalogue_names, known_materials, material_group, material_named};
 use crate::names::{did_you_mean, folded, nearest, shown};
 use sheetwright::material::Material;
 use sheetwright::template::{Parameter, Template, catalogue};
 
 /// The most templates that a hint names.
 const MOST_NAMED: usize = 4;
+/// The most materials that a hint suggests; above, it suggests the first of each group.
+const MOST_MEANT: usize = 8;
+/// The most materials of a design that a hint names.
+const MOST_OWN: usize = 20;
 
-/// Synonyms of materials, by the first part of the material's name.
-const MATERIAL_WORDS: [(&str, &[&str]); 9] = [
-    (
-        "steel",
-        &[
-            "galvanised",
-            "galvanized",
-            "galv",
-            "gi",
-            "zinc",
-            "zintec",
-            "stainless",
-            "inox",
-            "iron",
-            "tin",
-            "tinplate",
-            "corten",
-            "metal",
-            "sheetmetal",
-        ],
-    ),
+/// Synonyms of materials, by their group, the first part of the material's name.
+const MATERIAL_WORDS: [(&str, &[&str]); 20] = [
     ("aluminium", &["aluminum", "alu", "dural", "alloy", "metal", "sheetmetal"]),
-    ("plywood", &["ply", "wood", "okoume", "birch", "marine", "veneer", "mdf", "hardboard"]),
-    ("polypropylene", &["pp", "plastic", "polyprop", "pvc", "petg", "styrene", "acrylic"]),
-    (
-        "canvas",
-        &[
-            "fabric",
-            "cloth",
-            "sail",
-            "sailcloth",
-            "textile",
-            "cotton",
-            "nylon",
-            "polyester",
-            "ripstop",
-            "dacron",
-            "tarp",
-            "tarpaulin",
-            "denim",
-        ],
-    ),
-    ("leather", &["hide", "suede", "cowhide"]),
-    ("cardboard", &["board", "greyboard", "grayboard", "chipboard", "pasteboard", "millboard"]),
+    ("brass", &["metal"]),
+    ("canvas", &["fabric", "cloth", "textile", "cotton", "tarp", "tarpaulin", "denim", "linen"]),
     ("card", &["cardstock", "bristol", "manila"]),
+    ("cardboard", &["board", "greyboard", "grayboard", "chipboard", "pasteboard", "millboard"]),
+    ("copper", &["metal"]),
+    ("eva", &["foam", "foamie"]),
+    ("felt", &["wool"]),
+    ("galvanised", &["galvanized", "galv", "gi", "zinc", "zintec", "metal", "sheetmetal"]),
+    ("leather", &["hide", "suede", "cowhide"]),
+    ("mdf", &["hdf", "hardboard", "fibreboard", "fiberboard", "masonite"]),
     ("paper", &["kraft", "tissue", "parchment"]),
+    ("pet", &["petg", "plastic"]),
+    ("plywood", &["ply", "wood", "okoume", "birch", "marine"]),
+    ("polypropylene", &["pp", "plastic", "polyprop", "pvc", "styrene", "acrylic"]),
+    ("ripstop", &["nylon", "spinnaker", "parachute", "fabric", "cloth"]),
+    ("sailcloth", &["sail", "dacron", "polyester", "fabric", "cloth"]),
+    ("stainless", &["inox", "304", "metal"]),
+    ("steel", &["iron", "tin", "tinplate", "corten", "mild", "metal", "sheetmetal"]),
+    ("veneer", &["wood"]),
 ];
 
 /// The usual word in the name of a parameter, and its synonyms.
@@ -87,22 +67,33 @@ pub(crate) fn material_meant(wanted: &str, own: &[Material]) -> Result<Material,
 fn material_hint(wanted: &str, own: &[Material]) -> String {
     let known: Vec<&str> = known_materials(own).iter().map(|m| &m.name[..]).collect();
     let words = words_of(wanted);
-    let is_called = |stem: &str, others: &[&str]| {
-        words.iter().any(|word| word == stem || others.contains(&word.as_str()))
+    let is_called = |group: &str, others: &[&str]| {
+        words.iter().any(|word| word == group || others.contains(&word.as_str()))
     };
-    let stems: Vec<&str> = MATERIAL_WORDS
+    let groups: Vec<&str> = MATERIAL_WORDS
         .iter()
-        .filter(|(stem, others)| is_called(stem, others))
-        .map(|(stem, _)| *stem)
+        .filter(|(group, others)| is_called(group, others))
+        .map(|(group, _)| *group)
         .collect();
-    let stem_of = |name: &str| name.split('-').next().unwrap_or_default().to_owned();
-    let meant: Vec<&str> =
-        known.iter().copied().filter(|name| stems.contains(&stem_of(name).as_str())).collect();
-    if meant.is_empty() || nearest(wanted, known.iter().copied()).is_some() {
-        return did_you_mean(wanted, &known);
+    let mut meant: Vec<&str> =
+        known.iter().copied().filter(|name| groups.contains(&material_group(name))).collect();
+    if meant.len() > MOST_MEANT {
+        meant.dedup_by_key(|name| material_group(name));
     }
-    // A synonym that resembles no name.
-    format!("Did you mean {}? {}", one_of(&meant), did_you_mean("", &known))
+    // One word for a group means all of it; with a thickness, the nearest name.
+    let is_a_group = words.len() == 1 && !meant.is_empty();
+    let near = nearest(wanted, known.iter().copied()).filter(|_| !is_a_group);
+    let question = match (near, one_of(&meant)) {
+        (Some(name), _) => format!("Did you mean {}? ", shown(name)),
+        (None, meant) if meant.is_empty() => meant,
+        (None, meant) => format!("Did you mean {meant}? "),
+    };
+    let mut listed: Vec<String> = own.iter().take(MOST_OWN).map(|m| shown(&m.name)).collect();
+    if own.len() > MOST_OWN {
+        listed.push(format!("{} more of the design", own.len() - MOST_OWN));
+    }
+    listed.push(catalogue_names());
+    format!("{question}Known here: {}.", listed.join("; "))
 }
 
 /// A question that suggests templates for an unknown name; empty without a suggestion.
@@ -246,12 +237,24 @@ mod tests {
     #[test]
     fn other_words_lead_to_materials() {
         for (wanted, meant) in [
-            ("galvanised", "'steel-1mm' or 'steel-5mm'"),
-            ("Galvanized steel", "'steel-1mm' or 'steel-5mm'"),
-            ("aluminum", "'aluminium-1mm', 'aluminium-2mm' or 'aluminium-4mm'"),
-            ("plastic", "'polypropylene-0.8mm'"),
-            ("sailcloth", "'canvas'"),
-            ("stainless 2mm", "'steel-1mm' or 'steel-5mm'"),
+            (
+                "galvanised",
+                "'galvanised-26ga', 'galvanised-24ga', 'galvanised-22ga', 'galvanised-20ga' or \
+                 'galvanised-18ga'",
+            ),
+            ("Galvanized steel", "'galvanised-26ga' or 'steel-0.8mm'"),
+            ("steel-1m", "'steel-1mm'"),
+            ("inox", "'stainless-0.8mm', 'stainless-1mm', 'stainless-1.5mm' or 'stainless-2mm'"),
+            ("plastic", "'pet-0.5mm', 'pet-1mm', 'polypropylene-0.5mm' or 'polypropylene-0.8mm'"),
+            ("foam", "'eva-2mm', 'eva-5mm' or 'eva-10mm'"),
+            ("nylon", "'ripstop'"),
+            ("dacron", "'sailcloth'"),
+            ("fabric", "'canvas', 'ripstop' or 'sailcloth'"),
+            (
+                "metal",
+                "'aluminium-1mm', 'brass-0.5mm', 'copper-0.6mm', 'galvanised-26ga', \
+                 'stainless-0.8mm' or 'steel-0.8mm'",
+            ),
         ] {
             let said = material_hint(wanted, &[]);
             assert!(said.starts_with(&format!("Did you mean {meant}? Known here: ")), "{said}");

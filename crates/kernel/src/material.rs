@@ -36,8 +36,62 @@ pub struct Material {
     pub bend_radius_mm: Sourced,
     /// The largest warp angle that it takes, degrees.
     pub warp_limit_deg: Sourced,
-    /// The largest strain within its plane, in tension and compression, as a share.
+    /// The largest strain within its plane, in tension and compression, as a share. Of a metal: the
+    /// yield stress over Young's modulus.
     pub stretch_limit: Sourced,
+    /// Young's modulus, N/mm². Of plywood and veneer: the mean of along and across the grain.
+    pub modulus_n_per_mm2: Option<Sourced>,
+    /// Poisson's number: the share of a strain by which the sheet narrows crosswise.
+    pub poisson: Option<Sourced>,
+    /// The strain of the outer fibre from which the sheet keeps its bend, as a share. `None` if it
+    /// springs back until it breaks, as plywood does, or if it is unknown.
+    pub yield_strain: Option<Sourced>,
+    /// Mass per volume, kg/m³.
+    pub density_kg_per_m3: Option<Sourced>,
+    /// Where the neutral fibre of a bend lies.
+    pub k_factors: Option<KFactors>,
+    /// Bending along and across the grain, of a sheet for which that differs. `bend_radius_mm` and
+    /// `modulus_n_per_mm2` are those of the verdict.
+    pub grain: Option<Grain>,
+}
+
+/// K-factors by the ANSI convention: the depth of the neutral fibre below the inner face, over the
+/// thickness.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KFactors {
+    /// The K-factors of several bends, by increasing radius; at least one.
+    pub rows: Vec<KFactor>,
+    /// As in [`Sourced`].
+    pub source: String,
+}
+
+/// The K-factor of one bend.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct KFactor {
+    /// The inner radius of the bend over the thickness.
+    pub radius_per_thickness: f64,
+    /// The depth of the neutral fibre over the thickness: 0 at the inner face, 0.5 in the middle.
+    pub k: f64,
+}
+
+/// How a sheet bends in two directions: along and across the grain of its face. The direction is
+/// that which becomes curved. A tube bent across the grain has the fibres of its face parallel to
+/// its axis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Grain {
+    /// The fibres of the face become curved.
+    pub along: GrainBending,
+    /// The fibres of the face stay straight.
+    pub across: GrainBending,
+}
+
+/// How a sheet bends in one direction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GrainBending {
+    /// Young's modulus in bending, N/mm².
+    pub modulus_n_per_mm2: Sourced,
+    /// The smallest bend radius, mm.
+    pub bend_radius_mm: Sourced,
 }
 
 /// The largest warp angle of an unknown sheet, degrees: metal shipbuilding \[ZB18\]. A warp angle
@@ -84,6 +138,12 @@ mod tests {
             bend_radius_mm: Sourced::assumed(bend_radius_mm),
             warp_limit_deg: Sourced::assumed(12.0),
             stretch_limit: Sourced::assumed(0.02),
+            modulus_n_per_mm2: None,
+            poisson: None,
+            yield_strain: None,
+            density_kg_per_m3: None,
+            k_factors: None,
+            grain: None,
         }
     }
 

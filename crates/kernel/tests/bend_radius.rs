@@ -60,6 +60,12 @@ fn the_verdict_goes_by_the_tightest_end() {
         bend_radius_mm: Sourced::assumed(290.0),
         warp_limit_deg: Sourced::assumed(6.0),
         stretch_limit: Sourced::assumed(1e-3),
+        modulus_n_per_mm2: None,
+        poisson: None,
+        yield_strain: None,
+        density_kg_per_m3: None,
+        k_factors: None,
+        grain: None,
     });
     for shape in pierced().iter().filter(|shape| shape.name.starts_with("patch")) {
         for m in [200, 400] {

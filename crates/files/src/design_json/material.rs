@@ -40,7 +40,7 @@ pub(super) fn read(
         }
         Some(MaterialChoice::Own(file)) => {
             let name = file.title.clone().unwrap_or_else(|| OWN.to_owned());
-            let chosen = material(name, file, "material", &refuse)?;
+            let chosen = material(name, *file, "material", &refuse)?;
             if own.iter().any(|other| other.name == chosen.name) {
                 let message =
                     format!("`materials` has one of the name {} too", shown(&chosen.name));
@@ -75,6 +75,7 @@ pub(super) fn written(design: &Design) -> (Option<String>, Vec<Material>) {
 mod tests {
     use super::*;
     use crate::input::{InputFormat, read_bytes};
+    use crate::materials::known_materials;
     use crate::reading::ReadOptions;
     use crate::write_design;
     use sheetwright::material::Sourced;
@@ -131,7 +132,86 @@ mod tests {
         }
         let error = read_with(&own, Some("c-play")).unwrap_err();
         assert_eq!(error.to_string(), "the material 'c-play' is not known");
-        assert!(error.hint.contains("Known here: 'b-ply', 'a-ply', 'paper', "), "{}", error.hint);
+        assert!(
+            error.hint.contains("Known here: 'b-ply'; 'a-ply'; 'paper'; alu"),
+            "{}",
+            error.hint
+        );
+    }
+
+    const FULL: &str = r#"{"thickness_mm": 4, "bend_radius_mm": 385, "modulus_n_per_mm2": 6400,
+        "poisson": {"value": 0.1, "source": "tested"}, "yield_strain": 0.002,
+        "density_kg_per_m3": 660, "k_factors": {"table": [[1, 0.38], [3, 0.43]], "source": "bent"},
+        "grain": {"along": {"modulus_n_per_mm2": 11800, "bend_radius_mm": 960},
+                  "across": {"modulus_n_per_mm2": {"value": 1040, "source": "sag"},
+                             "bend_radius_mm": 385}}}"#;
+
+    #[test]
+    fn every_field_is_read_and_written_back() {
+        let design = read(&format!(r#""material": {FULL}"#)).unwrap();
+        let sourced = |value, source: &str| Some(Sourced { value, source: source.to_owned() });
+        let found = design.material.as_ref().unwrap();
+        assert_eq!(found.modulus_n_per_mm2, sourced(6400.0, "assumed"));
+        assert_eq!(found.poisson, sourced(0.1, "tested"));
+        assert_eq!(found.yield_strain, sourced(0.002, "assumed"));
+        assert_eq!(found.density_kg_per_m3, sourced(660.0, "assumed"));
+        let k = found.k_factors.as_ref().unwrap();
+        let rows: Vec<[f64; 2]> = k.rows.iter().map(|k| [k.radius_per_thickness, k.k]).collect();
+        assert_eq!((&rows[..], &k.source[..]), (&[[1.0, 0.38], [3.0, 0.43]][..], "bent"));
+        let grain = found.grain.as_ref().unwrap();
+        assert_eq!(Some(grain.across.modulus_n_per_mm2.clone()), sourced(1040.0, "sag"));
+        assert_eq!(grain.along.bend_radius_mm, Sourced::assumed(960.0));
+        assert_eq!(again(&design), design);
+        // K-factors without a source, and a material without any of these.
+        for own in [&FULL.replace(r#", "source": "bent""#, ""), PLY] {
+            let design = read(&format!(r#""material": {own}"#)).unwrap();
+            assert_eq!(again(&design), design);
+            let text = String::from_utf8(write_design(&design)).unwrap();
+            assert!(!text.contains("null") && text.contains("poisson") == (own != PLY), "{text}");
+        }
+        // All of the catalogue, written as the design's own.
+        for material in known_materials(&[]) {
+            let mine = Material { name: "mine".to_owned(), ..material.clone() };
+            let design = Design { material: Some(mine), ..design.clone() };
+            assert_eq!(again(&design).material, design.material, "{}", material.name);
+        }
+    }
+
+    #[test]
+    fn errors_of_optional_fields_know_their_path() {
+        for (from, to, path, message) in [
+            ("6400", "3e6", "modulus_n_per_mm2", "the number 3000000 N/mm² is out"),
+            ("0.1,", "0.5,", "poisson", "the number 0.5 is out"),
+            (r#""tested""#, r#""""#, "poisson.source", "the source is empty"),
+            ("0.002", "0", "yield_strain", "the number 0 is out"),
+            ("660", "0.66", "density_kg_per_m3", "the number 0.66 kg/m³ is out"),
+            ("[[1, 0.38], [3, 0.43]]", "[]", "k_factors.table", "the table of K-factors has 0"),
+            ("0.43", "0.7", "k_factors.table[1]", "the K-factor 0.7 is out"),
+            ("[1, 0.38]", "[-1, 0.38]", "k_factors.table[0]", "the radius over thickness -1 is"),
+            ("[3, 0.43]", "[1, 0.43]", "k_factors.table[1]", "the radius 1 follows"),
+            (r#""bent""#, r#"" ""#, "k_factors.source", "the source is empty"),
+            ("960", "0", "grain.along.bend_radius_mm", "the number 0 mm is out"),
+            ("1040", "-1", "grain.across.modulus_n_per_mm2", "the number -1 N/mm² is"),
+        ] {
+            assert_eq!(FULL.matches(from).count(), 1, "{from}");
+            let error = read(&format!(r#""material": {}"#, FULL.replace(from, to))).unwrap_err();
+            assert_eq!(error.place, Some(format!("d.sheet.json: material.{path}")), "{to}");
+            assert!(error.message.starts_with(message), "{to}: {}", error.message);
+            assert!(!error.hint.is_empty(), "{to}");
+        }
+        for (from, to, said) in [
+            ("\"along\"", "\"with\"", "the field 'with' is not known"),
+            ("\"table\"", "\"tabel\"", "the field 'tabel' is not known"),
+            ("[3, 0.43]", "[3]", "material.k_factors.table"),
+            (
+                r#"{"table": [[1, 0.38], [3, 0.43]], "source": "bent"}"#,
+                "[[[1, 0.38]]]",
+                "an object",
+            ),
+        ] {
+            let error = read(&format!(r#""material": {}"#, FULL.replace(from, to))).unwrap_err();
+            assert!(error.to_string().contains(said), "{to}: {error}");
+        }
     }
 
     #[test]

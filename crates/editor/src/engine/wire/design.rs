@@ -8,11 +8,28 @@ use sheetwright::design::{
     Triangles, Vary, VaryGoal,
 };
 use sheetwright::flatten::Aim;
-use sheetwright::material::{Material, Sourced};
+use sheetwright::material::{Grain, GrainBending, KFactor, KFactors, Material, Sourced};
 use sheetwright::triangulate::Goal;
 
 fields!(Design { name, material, materials, curves, panels, vary, match_seams });
-fields!(Material { name, title, thickness_mm, bend_radius_mm, warp_limit_deg, stretch_limit });
+fields!(Material {
+    name,
+    title,
+    thickness_mm,
+    bend_radius_mm,
+    warp_limit_deg,
+    stretch_limit,
+    modulus_n_per_mm2,
+    poisson,
+    yield_strain,
+    density_kg_per_m3,
+    k_factors,
+    grain
+});
+fields!(KFactors { rows, source });
+fields!(KFactor { radius_per_thickness, k });
+fields!(Grain { along, across });
+fields!(GrainBending { modulus_n_per_mm2, bend_radius_mm });
 fields!(Sourced { value, source });
 fields!(DesignCurve { name, kind, closed, points });
 fields!(CurvePoint { at, corner, move_mm });

@@ -6,7 +6,7 @@ use sheetwright::design::{
     CurveUse, Design, DesignPanel, Join, MovedBy, PanelShape, Vary, VaryGoal,
 };
 use sheetwright::make::make;
-use sheetwright::material::{Material, Sourced};
+use sheetwright::material::{Grain, GrainBending, KFactor, KFactors, Material, Sourced};
 use sheetwright::template::{catalogue, template};
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::findings::one_of_each;
@@ -38,6 +38,10 @@ fn odd_design() -> Design {
     let mut design = template("cone").unwrap().defaults().design().unwrap();
     design.material = sheetwright_files::material_named("card-0.3mm", &[]);
     let source = "measured".to_owned();
+    let bending = |modulus, radius| GrainBending {
+        modulus_n_per_mm2: Sourced::assumed(modulus),
+        bend_radius_mm: Sourced::assumed(radius),
+    };
     design.materials = vec![Material {
         name: "my-ply".to_owned(),
         title: "ply from the shed, 4 mm".to_owned(),
@@ -45,6 +49,15 @@ fn odd_design() -> Design {
         bend_radius_mm: Sourced::assumed(300.0),
         warp_limit_deg: Sourced::assumed(5.0),
         stretch_limit: Sourced::assumed(1e-3),
+        modulus_n_per_mm2: Some(Sourced::assumed(6_400.0)),
+        poisson: Some(Sourced::assumed(0.1)),
+        yield_strain: None,
+        density_kg_per_m3: Some(Sourced::assumed(660.0)),
+        k_factors: Some(KFactors {
+            rows: vec![KFactor { radius_per_thickness: 1.0, k: 0.38 }],
+            source: "bent in the shed".to_owned(),
+        }),
+        grain: Some(Grain { along: bending(11_800.0, 960.0), across: bending(1_040.0, 300.0) }),
     }];
     design.match_seams = true;
     design.curves[0].points[0].at.x = -0.0;
