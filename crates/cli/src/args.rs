@@ -6,6 +6,7 @@ use clap_complete::Shell;
 use sheetwright::boundary::PlaneChoice;
 use sheetwright::design::PanelMethod;
 use sheetwright::flatten::Aim;
+use sheetwright::make::Judging;
 use sheetwright::math::from_deg;
 use sheetwright::template::catalogue;
 use sheetwright_files::{
@@ -287,6 +288,9 @@ pub(crate) struct SourceArgs {
     /// how far it may be from the best possible
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     effort: Option<f64>,
+    /// What the verdict comes from
+    #[arg(long, value_enum, ignore_case = true, value_name = "HOW", default_value = "exact")]
+    verdict: VerdictArg,
     /// Which triangulations are searched
     #[arg(long, value_enum, ignore_case = true, value_name = "METHOD")]
     method: Option<MethodArg>,
@@ -346,6 +350,13 @@ impl SourceArgs {
         is_glb && self.units.is_none()
     }
 
+    pub(crate) fn judging(&self) -> Judging {
+        match self.verdict {
+            VerdictArg::Quick => Judging::Quick,
+            VerdictArg::Exact => Judging::Exact,
+        }
+    }
+
     pub(crate) fn options(&self) -> ReadOptions {
         ReadOptions {
             samples: self.samples,
@@ -370,6 +381,14 @@ impl SourceArgs {
             mesh: MeshSettings::default(),
         }
     }
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum VerdictArg {
+    /// A formula: true within a factor of two, for many panels
+    Quick,
+    /// An elastic sheet, computed for each panel
+    Exact,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]

@@ -12,7 +12,7 @@ pub(crate) fn run(args: &CheckArgs, voice: Voice) -> Result<bool, Failure> {
     let design = source::design(&args.source, &args.mesh)?;
     note_options(&design, &args.source, &args.mesh, voice);
     let mut watcher = Watcher::new(voice);
-    let made = made(&design, &mut watcher, &source::name(&args.source))?;
+    let made = made(&design, args.source.judging(), &mut watcher, &source::name(&args.source))?;
     let panels = checked_of(&made);
     print(&if voice.json {
         findings_json(&made.name, &names_of(&made), &panels, None)

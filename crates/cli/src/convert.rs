@@ -65,7 +65,7 @@ pub(crate) fn run(args: &ConvertArgs, voice: Voice) -> Result<bool, Failure> {
             if single && design.panels_to_make().len() > 1 {
                 return Err(for_one_panel(ending, &args.out));
             }
-            let made = made(&design, &mut watcher, &place)?;
+            let made = made(&design, args.source.judging(), &mut watcher, &place)?;
             let names = names_of(&made);
             // A mesh may turn out to be several parts.
             if single && names.len() > 1 {

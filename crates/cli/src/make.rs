@@ -8,7 +8,7 @@ use crate::voice::{Voice, found_errors, in_words, print};
 use crate::watcher::Watcher;
 use sheetwright::check::Checked;
 use sheetwright::design::{Design, DesignPanel, PanelShape};
-use sheetwright::make::{Made, make};
+use sheetwright::make::{Judging, Made, make_judged};
 use sheetwright_files::whole::Folder;
 use sheetwright_files::{
     Format, OutputOptions, Outputs, ReportForm, findings_json, output_files, timing_json,
@@ -32,6 +32,7 @@ pub(crate) fn run(args: &MakeArgs, voice: Voice) -> Result<bool, Failure> {
     note_options(&design, &args.source, &args.mesh, voice);
     let job = Job {
         input: &source::name(&args.source),
+        judging: args.source.judging(),
         out: &args.out,
         formats: &formats,
         options: args.options(),
@@ -77,6 +78,8 @@ pub(crate) fn note_options(design: &Design, source: &SourceArgs, mesh: &MeshArgs
 pub(crate) struct Job<'a> {
     /// How messages name the input.
     pub(crate) input: &'a str,
+    /// What its verdicts come from.
+    pub(crate) judging: Judging,
     /// The folder for the files.
     pub(crate) out: &'a Path,
     /// The formats to write.
@@ -99,7 +102,7 @@ impl Job<'_> {
         // What can't be written to is said before anybody waits.
         let folder = Folder::new(self.out)?;
         let mut watcher = Watcher::new(voice);
-        let made = made(design, &mut watcher, self.input)?;
+        let made = made(design, self.judging, &mut watcher, self.input)?;
         let outputs = files(&made, formats, self.options, &mut watcher, self.input)?;
         let mut names: Vec<String> = outputs.files.iter().map(|file| file.name.clone()).collect();
 
@@ -137,8 +140,13 @@ impl Job<'_> {
 }
 
 /// Makes a design; `place` is what it was read from.
-pub(crate) fn made(design: &Design, watcher: &mut Watcher, place: &str) -> Result<Made, Failure> {
-    let made = make(design, watcher);
+pub(crate) fn made(
+    design: &Design,
+    judging: Judging,
+    watcher: &mut Watcher,
+    place: &str,
+) -> Result<Made, Failure> {
+    let made = make_judged(design, judging, watcher);
     watcher.end();
     made.map_err(|error| Failure::of_make(&error, design, place))
 }

@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::make::Job;
 use crate::remedies::{CATALOGUE, TEMPLATE_CALL};
 use crate::voice::{Voice, print, print_as_it_is};
+use sheetwright::make::Judging;
 use sheetwright::template::template;
 use sheetwright_files::whole::write_one;
 use sheetwright_files::{
@@ -33,7 +34,8 @@ pub(crate) fn run(args: &NewArgs, voice: Voice) -> Result<bool, Failure> {
         // Tables need not lie in the folder of the patterns: the design there has their points.
         let beside = Some((format!("{}.sheet.json", new.design.name), write_design(&new.design)));
         let options = OutputOptions::default();
-        let job = Job { input: name, out, formats: &Format::DEFAULT, options, beside };
+        let (formats, judging) = (&Format::DEFAULT, Judging::Exact);
+        let job = Job { input: name, judging, out, formats, options, beside };
         return job.run(&new.design, start, voice);
     }
     let bytes = new.bytes();

@@ -74,7 +74,8 @@ pub(crate) fn in_words(names: &[&str], panels: &[Checked]) -> String {
             Verdict::Bends => "bends",
             Verdict::BendsAndFolds => "bends, with sharp folds",
             Verdict::BendsWithForce => "bends with some force",
-            Verdict::Undecided => "can't tell yet",
+            Verdict::Roll => "must be rolled or formed",
+            Verdict::Undecided => "can't tell",
             Verdict::WillNotBend => "will not bend",
         };
         text.push_str(&format!("{name}: {verdict}\n"));

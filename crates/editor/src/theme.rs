@@ -168,7 +168,7 @@ impl Theme {
     /// The colour of a verdict.
     pub fn verdict(&self, verdict: Verdict) -> Color32 {
         match verdict {
-            Verdict::Bends | Verdict::BendsAndFolds => self.verdicts[0],
+            Verdict::Bends | Verdict::Roll | Verdict::BendsAndFolds => self.verdicts[0],
             Verdict::BendsWithForce | Verdict::Undecided => self.verdicts[1],
             Verdict::WillNotBend => self.verdicts[2],
         }

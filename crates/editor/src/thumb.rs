@@ -9,7 +9,7 @@ use eframe::egui::{
 };
 use sheetwright::design::Design;
 use sheetwright::draw::coarse::coarse;
-use sheetwright::make::make;
+use sheetwright::make::{Judging, make_judged};
 use sheetwright::math::{Vec3, unit};
 use sheetwright::watch::Unwatched;
 use std::collections::BTreeMap;
@@ -100,7 +100,7 @@ impl Thumb {
     fn new(design: &Design) -> Option<Self> {
         let mut design = coarse(design, SAMPLES);
         design.vary.clear();
-        let made = make(&design, &mut Unwatched).ok()?;
+        let made = make_judged(&design, Judging::Quick, &mut Unwatched).ok()?;
         // Seen from the front, the right and above.
         let right = unit(Vec3::new(0.82, 0.57, 0.0))?;
         let away = unit(Vec3::new(-0.5, 0.72, -0.48))?;

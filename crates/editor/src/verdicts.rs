@@ -90,6 +90,7 @@ pub(crate) fn said_of(verdict: Option<Verdict>, count: usize) -> &'static str {
         Some(Verdict::WillNotBend) => ("will not bend", "will not bend"),
         Some(Verdict::Undecided) => ("is undecided", "are undecided"),
         Some(Verdict::BendsWithForce) => ("bends with force", "bend with force"),
+        Some(Verdict::Roll) => ("must be rolled", "must be rolled"),
         Some(Verdict::BendsAndFolds) => ("bends and folds", "bend and fold"),
         Some(Verdict::Bends) => ("bends", "bend"),
     };
@@ -250,7 +251,7 @@ fn finding_ui(ui: &mut Ui, theme: &Theme, n: usize, finding: &Finding, acts: &mu
 
 fn sign(verdict: Verdict) -> &'static str {
     match verdict {
-        Verdict::Bends | Verdict::BendsAndFolds => "●",
+        Verdict::Bends | Verdict::Roll | Verdict::BendsAndFolds => "●",
         Verdict::BendsWithForce => "▲",
         Verdict::Undecided => "?",
         Verdict::WillNotBend => "■",

@@ -17,8 +17,11 @@ fn panels_bend_in_their_usual_sheet() {
         assert_eq!(name, template.sheet, "{}", template.name);
         for panel in &make(&design, &mut Unwatched).unwrap().parts {
             let (name, findings) = (&panel.name, &panel.checked.findings);
-            assert_eq!(panel.checked.verdict, Verdict::Bends, "{}: {name}", template.name);
-            assert!(findings.is_empty(), "{}: {name}: {findings:?}", template.name);
+            // Plywood of 9 mm is bent round the ramp with force.
+            let is_ramp = template.name == "ramp" && panel.name == "surface";
+            let wanted = if is_ramp { Verdict::BendsWithForce } else { Verdict::Bends };
+            assert_eq!(panel.checked.verdict, wanted, "{}: {name}", template.name);
+            assert!(findings.is_empty() || is_ramp, "{}: {name}: {findings:?}", template.name);
         }
     }
     assert_eq!(count, 8);

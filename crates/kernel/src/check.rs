@@ -7,6 +7,7 @@ mod origin;
 mod place;
 mod remedy;
 mod severity;
+mod strain;
 mod stretching;
 
 pub use finding::{Checked, Finding, Verdict};
@@ -20,6 +21,7 @@ pub(crate) use origin::{
     BoundaryMoved, moved, ran_on, rounded_corner, smoothed_joints, stayed_straight, turned_round,
 };
 
+use crate::elastic::Predicted;
 use crate::flatten::Flattened;
 use crate::material::Material;
 use crate::measure::Measures;
@@ -31,9 +33,9 @@ use sheetwright_geometry::math::Point3;
 use sheetwright_geometry::tolerance::Tolerance;
 use sheetwright_optimum::triangulate::Triangulation;
 
-/// Up to this share of its limit, a sheet takes its shape without force; above it, with force. Half
-/// of the limit: a choice, not a measurement, so that a warning comes well before the limit.
-pub const EASY_SHARE: f64 = 0.5;
+/// Up to this share of its limit, a sheet takes its shape without force; above it, with force. A
+/// third: a choice, not a measurement, so that a warning comes well before the limit.
+pub const EASY_SHARE: f64 = 1.0 / 3.0;
 
 /// A part with everything that its check needs.
 #[derive(Clone, Copy, Debug)]
@@ -44,6 +46,8 @@ pub struct Subject<'a> {
     pub flat: &'a Flattened,
     /// Its measures.
     pub measures: &'a Measures,
+    /// The strain that it is predicted to have; `None` of a mesh.
+    pub predicted: Option<&'a Predicted>,
     /// Its material, if one is named.
     pub material: Option<&'a Material>,
     /// The boundary or the mesh that it came from.
@@ -88,6 +92,19 @@ pub fn check(part: &Subject<'_>) -> Checked {
         }
         CheckedFrom::Mesh(origin) => stretching::findings(&stretching::Panel { part, origin }),
     })
+}
+
+/// Checks the strain of a part anew, once a better prediction of it is known.
+pub(crate) fn check_strain(
+    checked: &mut Checked,
+    predicted: &Predicted,
+    measures: &Measures,
+    material: Option<&Material>,
+) {
+    let mut found = strain::findings(predicted);
+    found.extend(bending::folds(measures, material));
+    found.extend(strain::not_needed(measures));
+    checked.predicted_again(found);
 }
 
 /// The finding that a written pattern does not fold back onto its surface; `None` if it does.

@@ -63,9 +63,9 @@ pub mod quads;
 
 pub mod measure;
 
-pub mod elastic;
-
 pub mod material;
+
+pub mod elastic;
 
 pub mod design;
 

@@ -103,6 +103,14 @@ pub const DEFAULT_WARP_LIMIT_DEG: f64 = 6.0;
 /// [`sheetwright_geometry::tolerance::Tolerance::MOST_STRETCH`].
 pub const DEFAULT_STRETCH_LIMIT: f64 = 1e-3;
 
+/// The thickness of an unknown sheet, as a share of the side of a square with its area: a
+/// millimetre for a square metre. Assumed, so that the verdict on a shape does not depend on its
+/// unit.
+pub const DEFAULT_THICKNESS: f64 = 1e-3;
+
+/// Poisson's number of an unknown sheet: between wood and metal, 0.3. Strains hardly depend on it.
+const DEFAULT_POISSON: f64 = 0.3;
+
 /// A sheet whose smallest bend radius exceeds this many thicknesses is taken to break when it is
 /// folded: between solid board (10) and plywood (96), nearer to the board.
 const MOST_THICKNESSES: f64 = 10.0;
@@ -124,6 +132,63 @@ pub fn warp_limit_deg(material: Option<&Material>) -> f64 {
 /// without one.
 pub fn stretch_limit(material: Option<&Material>) -> f64 {
     material.map_or(DEFAULT_STRETCH_LIMIT, |m| m.stretch_limit.value)
+}
+
+/// What a sheet is and takes, for the prediction of its strain: the material's numbers, or the
+/// defaults without one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limits {
+    /// The title of the material, if one is named.
+    pub sheet: Option<String>,
+    /// Thickness, mm.
+    pub thickness_mm: f64,
+    /// Young's modulus, N/mm², if it is known.
+    pub modulus_n_per_mm2: Option<f64>,
+    /// Poisson's number.
+    pub poisson: f64,
+    /// The largest strain within its plane, as a share.
+    pub strain: f64,
+    /// The largest strain of the outer fibre, as a share: that at the smallest bend radius. `None`
+    /// without a material.
+    pub outer_fibre: Option<f64>,
+    /// The strain of the outer fibre from which it keeps its bend, as a share, if it does so.
+    pub yields: Option<f64>,
+}
+
+impl Limits {
+    /// Those of a material, or of an unknown one for a part of this area, mm².
+    pub fn of(material: Option<&Material>, area_mm2: f64) -> Self {
+        let unknown_mm = DEFAULT_THICKNESS * area_mm2.sqrt();
+        let thickness_mm = material.map_or(unknown_mm, |m| m.thickness_mm.value);
+        let value = |number: &Option<Sourced>| number.as_ref().map(|number| number.value);
+        let poisson = material.and_then(|m| value(&m.poisson));
+        Self {
+            sheet: material.map(|m| m.title.clone()),
+            thickness_mm,
+            modulus_n_per_mm2: material.and_then(|m| value(&m.modulus_n_per_mm2)),
+            poisson: poisson.unwrap_or(DEFAULT_POISSON),
+            strain: stretch_limit(material),
+            outer_fibre: material.map(|m| 0.5 * thickness_mm / m.bend_radius_mm.value),
+            yields: material.and_then(|m| value(&m.yield_strain)),
+        }
+    }
+
+    /// Those of a sheet of the same material in another thickness, mm, which bends to as many times
+    /// its thickness.
+    pub fn in_thickness(&self, thickness_mm: f64) -> Self {
+        Self { thickness_mm, ..self.clone() }
+    }
+
+    /// The strain of the outer fibre, as a share, where the sheet has this curvature, 1/mm.
+    pub fn outer_fibre_at(&self, curvature: f64) -> f64 {
+        0.5 * self.thickness_mm * curvature
+    }
+
+    /// How much of what it takes a strain in the plane and a curvature, 1/mm, use: 1 is the limit.
+    pub fn use_of(&self, strain: f64, curvature: f64) -> f64 {
+        let bent = self.outer_fibre.map_or(0.0, |limit| self.outer_fibre_at(curvature) / limit);
+        (strain / self.strain).max(bent)
+    }
 }
 
 #[cfg(test)]

@@ -5,8 +5,10 @@ use sheetwright::boundary::{Boundary, PlaneChoice, samples_from_points, supporti
 use sheetwright::check::{CheckedFrom, Subject, Verdict, check};
 use sheetwright::cost::{DEFAULT_FOLD, PriceOptions, Prices};
 use sheetwright::curve::CurvePoint;
+use sheetwright::elastic::predict;
 use sheetwright::flatten::{Flattened, unroll};
 use sheetwright::index::SampleIndex;
+use sheetwright::material::Limits;
 use sheetwright::math::{Point2, Point3, angle_between, to_deg};
 use sheetwright::measure::{CutFrom, Measures, area_flat, measures};
 use sheetwright::predicate::signed_area_doubled;
@@ -218,16 +220,24 @@ fn coarse_samples_are_not_taken_for_twist() {
         for m in [12, 24, 48, 100, 400] {
             let (boundary, _) = blob.boundary(m);
             let solved = solved(&boundary, PlaneChoice::Auto, DEFAULT_FOLD);
+            let (sheet, flat, measures) =
+                (Sheet::whole(&solved.surface), &solved.flat, &solved.measures);
+            let limits = Limits::of(None, measures.area_flat_mm2);
+            let predicted = predict(&sheet, flat, measures, &limits, &mut Unwatched);
             let checked = check(&Subject {
                 from: CheckedFrom::Boundary(&boundary, &solved.triangulation),
-                sheet: &Sheet::whole(&solved.surface),
-                flat: &solved.flat,
-                measures: &solved.measures,
+                sheet: &sheet,
+                flat,
+                measures,
+                predicted: predicted.as_ref(),
                 material: None,
             });
-            let warp = to_deg(solved.measures.warp_max);
-            let wanted = if warp > 6.0 { Verdict::Undecided } else { Verdict::Bends };
-            assert_eq!(checked.verdict, wanted, "{} {m}: {warp}° {checked:?}", blob.name);
+            // A ring of 24 sides has corners that a sheet takes with force.
+            let is_fine = match m {
+                ..48 => checked.verdict != Verdict::WillNotBend,
+                _ => checked.verdict == Verdict::Bends,
+            };
+            assert!(is_fine, "{} {m}: {checked:?}", blob.name);
         }
     }
 }

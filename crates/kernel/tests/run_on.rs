@@ -6,7 +6,7 @@ use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
     CurveUse, Design, DesignCurve, DesignPanel, Join, PanelMethod, PanelShape,
 };
-use sheetwright::make::{Part, make};
+use sheetwright::make::{Judging, Part, make, make_judged};
 use sheetwright::math::{Point3, cos, from_deg, sin, to_deg};
 use sheetwright::sample::PanelCause;
 use sheetwright::watch::Unwatched;
@@ -42,7 +42,8 @@ fn design(rails: [DesignCurve; 2], method: PanelMethod, run_on: bool) -> Design 
 }
 
 fn made(rails: [DesignCurve; 2], method: PanelMethod, run_on: bool) -> Part {
-    make(&design(rails, method, run_on), &mut Unwatched).unwrap().parts.remove(0)
+    let design = design(rails, method, run_on);
+    make_judged(&design, Judging::Quick, &mut Unwatched).unwrap().parts.remove(0)
 }
 
 fn off_cylinder(p: Point3) -> f64 {

@@ -4,6 +4,7 @@ use sheetwright::check::{
     Bend, BorderSide, Finding, FindingKind as Kind, Hindrance, Movement, Place, SeamCause,
     SeamPlace, TooTight,
 };
+use sheetwright::elastic::Basis;
 use sheetwright::fair::Ended;
 use sheetwright::index::SampleIndex;
 use sheetwright::math::{Point3, from_deg};
@@ -35,7 +36,23 @@ fn rungs(numbers: &[usize]) -> Place {
 }
 
 fn of_surfaces() -> Vec<Finding> {
-    let (largest, limit, sharpest) = (from_deg(9.04), from_deg(6.0), from_deg(31.0));
+    let sharpest = from_deg(31.0);
+    let too_large = |basis| Kind::StrainTooLarge {
+        strain: 2.1e-3,
+        limit: 1.2e-3,
+        sheet: sheet(),
+        thickest_mm: Some(0.634),
+        basis,
+    };
+    let force = |outer_fibre, moment_n| Kind::NeedsForce {
+        strain: 5.1e-4,
+        limit: 1.2e-3,
+        outer_fibre,
+        sheet: sheet(),
+        moment_n,
+        basis: Basis::Computed,
+    };
+    let worst = || Place::Points { at: vec![Point3::new(12.0, -3.5, 0.3)] };
     let (stiff, too_tight) = (
         Some("plywood, 3 mm".to_owned()),
         TooTight { sheet: "plywood, 3 mm".to_owned(), limit_mm: 290.0, needed_mm: 12.5 },
@@ -44,12 +61,34 @@ fn of_surfaces() -> Vec<Finding> {
     let seam = |number: usize| SeamPlace { number, ends: Some(samples([number, number + 7])) };
     let apexes = |count: usize| Place::Samples { numbers: samples([2, 4, 8])[..count].to_vec() };
     let mut all = vec![
+        Finding::new(too_large(Basis::Computed), worst()),
+        Finding::new(too_large(Basis::NoRest), Place::Whole),
+        Finding::new(force([Some(2e-3), Some(0.5)], Some(83.0)), worst()),
+        Finding::new(force([Some(4e-3), Some(5e-3)], None), worst()),
+        Finding::of_whole(Kind::Roll {
+            radius_mm: 161.0,
+            from_mm: 417.0,
+            sheet: "mild steel, 1 mm".to_owned(),
+        }),
         Finding::new(
-            Kind::WarpTooLarge { largest, count: 5, of: 40, limit, sheet: None },
-            rungs(&[0, 1, 2, 4, 6, 7, 9, 11, 13, 15, 16]),
+            Kind::CantTell {
+                strain: [9.4e-4, 1.3e-3],
+                limit: 1.2e-3,
+                sheet: None,
+                basis: Basis::Computed,
+            },
+            worst(),
         ),
-        Finding::new(Kind::WarpHigh { largest, limit, sheet: sheet() }, rungs(&[3])),
-        Finding::new(Kind::CoarseSamples { largest }, rungs(&[3, 4])),
+        Finding::new(
+            Kind::CantTell {
+                strain: [9e-4, 4.4e-3],
+                limit: 1.2e-3,
+                sheet: sheet(),
+                basis: Basis::NoNet,
+            },
+            Place::Whole,
+        ),
+        Finding::new(Kind::FoldsNotNeeded { count: 2, sharpest }, rungs(&[3, 4])),
         Finding::new(
             Kind::RadiusTooSmall { least_mm: 0.4, limit_mm: 1.0, sheet: "card".to_owned() },
             rungs(&[3, 5]),
@@ -174,7 +213,7 @@ fn of_boundaries() -> Vec<Finding> {
         Kind::RanOn { bulges_mm: [None; 2], bends: None },
         Kind::StayedStraight { cause: "the rails cross".to_owned() },
         Kind::TurnedRound { panels: vec!["b".to_owned(), "c".to_owned()], first: "a".to_owned() },
-        Kind::Moved { movement, ended: Ended::Converged, hindrance: Some(Hindrance::Warp) },
+        Kind::Moved { movement, ended: Ended::Converged, hindrance: Some(Hindrance::Strain) },
         not_moved(false, None),
         not_moved(true, Some(Hindrance::Radius)),
         not_moved(false, Some(Hindrance::Other)),

@@ -166,6 +166,7 @@ mod tests {
                             assert!(marks.flat_spots.len() >= numbers.len());
                             samples += 1;
                         }
+                        Place::Points { at } => assert_eq!(marks.spots.len(), at.len()),
                         place => panic!("{}: {place:?}", template.name),
                     }
                 }

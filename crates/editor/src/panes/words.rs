@@ -69,7 +69,8 @@ pub fn verdict(verdict: Verdict) -> &'static str {
         Verdict::Bends => "bends",
         Verdict::BendsAndFolds => "bends and folds",
         Verdict::BendsWithForce => "bends with force",
-        Verdict::Undecided => "undecided",
+        Verdict::Roll => "must be rolled",
+        Verdict::Undecided => "can't tell",
         Verdict::WillNotBend => "will not bend",
     }
 }

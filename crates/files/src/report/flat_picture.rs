@@ -317,7 +317,7 @@ fn place_beside(piece: &Piece, line: &[Point2], along_mm: f64, right: f64) -> Po
 }
 
 /// Where a point of the pattern lies in the picture.
-fn in_picture(piece: &Piece, p: Point2) -> Point2 {
+pub(super) fn in_picture(piece: &Piece, p: Point2) -> Point2 {
     let scale = scale_of(piece);
     let bottom = TOP + scale * piece.size.y;
     Point2::new(LEFT + scale * p.x, bottom - scale * p.y)

@@ -98,7 +98,8 @@ fn counts(rows: &[Row<'_>]) -> Markup {
         (Verdict::Bends, "bend"),
         (Verdict::BendsAndFolds, "bend and fold"),
         (Verdict::BendsWithForce, "bend with force"),
-        (Verdict::Undecided, "can't be told yet"),
+        (Verdict::Roll, "must be rolled or formed"),
+        (Verdict::Undecided, "can't be told"),
         (Verdict::WillNotBend, "will not bend"),
     ];
     let with = |verdict| rows.iter().filter(|row| row.checked.verdict == verdict).count();

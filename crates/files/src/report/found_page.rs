@@ -1,16 +1,18 @@
 //! The section of `report.html` for a part whose surface was found.
 
 use super::flat_picture::{Tagged, edges, outline_length, ruled_picture};
+use super::heat_picture::strain_picture;
 use super::moved_picture::{enlarged, moved_picture};
 use super::page::{Number, PartPage, table};
 use super::view::box_of;
 use super::warp_chart::warp_chart;
 use super::wording::{
-    area, decimal, degrees, millimetres, millimetres_fine, radius, refold, scientific, steradians,
-    verdict_word,
+    area, decimal, degrees, millimetres, millimetres_fine, plain_per_cent, radius, refold,
+    scientific, steradians, verdict_word,
 };
 use super::worst_rung;
 use maud::{Markup, PreEscaped, html};
+use sheetwright::elastic::Predicted;
 use sheetwright::make::{Found, Part};
 use sheetwright::material::warp_limit_deg;
 use sheetwright::math::{from_deg, to_deg};
@@ -39,6 +41,12 @@ impl FoundPage<'_> {
                     figure.second {
                         (PreEscaped(ruled_picture(part, material).inline()))
                         (self.flat_caption())
+                    }
+                    @if let Some(picture) = strain_picture(part) {
+                        figure.third {
+                            (PreEscaped(picture.inline()))
+                            figcaption { (self.strain_caption()) }
+                        }
                     }
                     @if let Some(chart) = warp_chart(part, material) {
                         figure.third {
@@ -155,6 +163,23 @@ impl FoundPage<'_> {
         tagged.edge.map_or_else(|| length.clone(), |edge| self.page.edge_text(edge, &length))
     }
 
+    fn strain_caption(&self) -> Markup {
+        html! {
+            strong { "Strain. " }
+            "How much the sheet stretches or shrinks within its plane when it is held along its \
+             edges in its shape. "
+            @if let Some(predicted) = &self.page.part.predicted {
+                "95 % of its area stays below " (plain_per_cent(predicted.strain))
+                ", on which the verdict rests; the sheet takes "
+                (plain_per_cent(predicted.limits.strain)) ". The ring marks the largest."
+                @if let Some(sheet) = &predicted.at_rest {
+                    " Its middle leaves the surface by up to "
+                    (millimetres_fine(sheet.distance_max_mm)) "."
+                }
+            }
+        }
+    }
+
     /// Whether the warp of some ruling exceeds the limit by no more than the error of its sampling.
     fn is_unsure(&self) -> bool {
         let limit = from_deg(warp_limit_deg(self.page.material()));
@@ -203,6 +228,27 @@ impl FoundPage<'_> {
             ("Fold price ν", format!("{}", found.fold)),
             ("Price, total", scientific(found.triangulation.price)),
             ("Twist, total", scientific(measures.twist_total)),
+            ("Strain, at 95 % of the area", self.strain_number(|p| plain_per_cent(p.strain))),
+            (
+                "Strain that the sheet takes",
+                self.strain_number(|p| plain_per_cent(p.limits.strain)),
+            ),
+            ("Strain of the outer fibre", self.strain_number(|p| plain_per_cent(p.outer_fibre()))),
+            (
+                "Moment to hold an edge",
+                self.strain_number(|p| {
+                    p.hold_moment_n().map_or("not known".to_owned(), |m| {
+                        format!("{}\u{a0}N·m/m", decimal(m, if m < 10.0 { 1 } else { 0 }))
+                    })
+                }),
+            ),
+            (
+                "Distance at rest from the surface",
+                self.strain_number(|p| {
+                    let at_rest = p.at_rest.as_ref();
+                    at_rest.map_or("not known".to_owned(), |s| millimetres_fine(s.distance_max_mm))
+                }),
+            ),
             ("Largest crease", degrees(to_deg(measures.crease_max))),
             ("Tightest bend radius", radius(measures.bend_radius_min_mm)),
             ("Area of the Gauss image", steradians(measures.gauss_area_sr)),
@@ -212,6 +258,10 @@ impl FoundPage<'_> {
             ("Length error, mean", scientific(measures.length_error_mean)),
             ("Refold error", self.refold_number()),
         ]
+    }
+
+    fn strain_number(&self, of: impl Fn(&Predicted) -> String) -> String {
+        self.page.part.predicted.as_ref().map_or_else(|| "none".to_owned(), of)
     }
 
     fn refold_number(&self) -> String {

@@ -1,7 +1,8 @@
-//! A mesh laid flat, coloured by the relative length error.
+//! A pattern whose triangles are coloured: a mesh by the relative length error, and a panel by the
+//! strain that its sheet has in its shape.
 
 use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, line, rectangle, round_below, text};
-use super::flat_picture::{FOOT, LEFT, RIGHT, TOP, Tags, beside, dimensions};
+use super::flat_picture::{FOOT, LEFT, RIGHT, TOP, Tags, beside, dimensions, in_picture, scale_of};
 use super::paint::MOST_PATHS;
 use super::raster::{Facet, Raster};
 use super::style::HEATS;
@@ -33,59 +34,121 @@ pub(super) fn heat_picture(
     distortion: &Distortion,
     material: Option<&Material>,
 ) -> Picture {
-    let size = panel.piece.size;
-    let scale = (WIDTH - LEFT - RIGHT) / size.x.max(1e-12);
-    let bottom = TOP + scale * size.y;
-    let place = |p: Point2| Point2::new(LEFT + scale * p.x, bottom - scale * p.y);
     let mesh = panel.sheet.mesh();
-    let top = heat_top(distortion.length_error_max);
-    let exact = distortion.length_error_max < NO_ERROR;
-    let heat = |t: usize| {
+    let share = |t: usize| {
         let sides = mesh.topology().edges_of(TriangleIndex::new(t));
         let error = sides.map(|n| distortion.length_errors[n].abs());
-        let error = error.into_iter().fold(0.0, f64::max);
-        let step = (error / top * HEATS as f64) as usize;
-        if exact { 0 } else { step.min(HEATS - 1) as u16 }
+        error.into_iter().fold(0.0, f64::max)
     };
-    let corners = |t: usize| mesh.triangles()[t].map(|v| place(panel.flat.points[v.get()]));
-    let name = |class: u16| format!("k{class}");
     let count = mesh.triangles().len();
-    let mut body = if count > MOST_PATHS {
-        let facet = |t| Facet { corners: corners(t), near: [0.0; 3], class: heat(t) };
-        let facets: Vec<Facet> = (0..count).map(facet).collect();
-        Raster::new(Vec2::new(WIDTH, bottom + 1.0), 1.0, &facets).elements(name)
-    } else {
-        let mut fills: BTreeMap<u16, PathData> = BTreeMap::new();
-        (0..count).for_each(|t| fills.entry(heat(t)).or_default().ring(corners(t)));
-        fills.iter().map(|(class, path)| path.element(&name(*class))).collect()
+    let corners = |t: &[VertexIndex; 3]| t.map(|v| panel.flat.points[v.get()]);
+    let heat = Heat {
+        panel,
+        triangles: mesh.triangles().iter().map(corners).collect(),
+        shares: (0..count).map(share).collect(),
+        worst: distortion.worst_edge().map(|n| {
+            let [a, b] = mesh.edges()[n].ends.map(|v| panel.flat.points[v.get()]);
+            a.lerp(b, 0.5)
+        }),
+        title: format!("{} laid flat, coloured by the error of its lengths", panel.name),
+        meaning: "difference of lengths, flat against space",
+        nothing: "No length differs: it lies flat exactly.",
+        limit: stretch_limit(material),
     };
-    for (class, kinds) in [
-        ("score", &[PathKind::Crease][..]),
-        ("tick", &[PathKind::SeamTick]),
-        ("cut", &[PathKind::Outline, PathKind::Hole]),
-    ] {
-        let mut path = PathData::default();
-        for line in panel.piece.paths.iter().filter(|path| kinds.contains(&path.kind)) {
-            let points = line.points.iter().map(|&p| place(p));
-            if line.closed { path.ring(points) } else { path.line(points) }
+    heat.drawn(&seam_tags(panel, given))
+}
+
+/// The pattern of a panel as its sheet rests in its shape, coloured by the strain in the plane;
+/// `None` where no sheet was computed.
+pub(super) fn strain_picture(panel: &Part) -> Option<Picture> {
+    let predicted = panel.predicted.as_ref()?;
+    let sheet = predicted.at_rest.as_ref()?;
+    let triangles: Vec<[Point2; 3]> =
+        sheet.triangles.iter().map(|t| t.map(|n| sheet.flat[n])).collect();
+    let worst = (0..triangles.len()).max_by(|&a, &b| sheet.strains[a].total_cmp(&sheet.strains[b]));
+    let middle = |[a, b, c]: [Point2; 3]| a + ((b - a) + (c - a)) / 3.0;
+    let heat = Heat {
+        panel,
+        worst: worst.map(|n| middle(triangles[n])),
+        triangles,
+        shares: sheet.strains.clone(),
+        title: format!("{} laid flat, coloured by its strain in its shape", panel.name),
+        meaning: "strain within the plane of the sheet, in its shape",
+        nothing: "The sheet is not strained.",
+        limit: predicted.limits.strain,
+    };
+    Some(heat.drawn(""))
+}
+
+/// A pattern whose triangles are coloured by a share.
+struct Heat<'a> {
+    panel: &'a Part,
+    /// The triangles on the pattern, mm, each with its share.
+    triangles: Vec<[Point2; 3]>,
+    shares: Vec<f64>,
+    /// Where the share is largest, mm.
+    worst: Option<Point2>,
+    title: String,
+    /// The meaning of the share, below the colours.
+    meaning: &'static str,
+    /// The words in place of the colours where no share is above [`NO_ERROR`].
+    nothing: &'static str,
+    /// The share that the sheet takes.
+    limit: f64,
+}
+
+impl Heat<'_> {
+    /// The picture, with tags.
+    fn drawn(&self, tags: &str) -> Picture {
+        let size = self.panel.piece.size;
+        let scale = scale_of(&self.panel.piece);
+        let bottom = TOP + scale * size.y;
+        let place = |p: Point2| in_picture(&self.panel.piece, p);
+        let most = self.shares.iter().copied().fold(0.0, f64::max);
+        let top = heat_top(most);
+        let exact = most < NO_ERROR;
+        let class = |t: usize| {
+            let step = (self.shares[t] / top * HEATS as f64) as usize;
+            if exact { 0 } else { step.min(HEATS - 1) as u16 }
+        };
+        let corners = |t: usize| self.triangles[t].map(place);
+        let name = |class: u16| format!("k{class}");
+        let count = self.triangles.len();
+        let mut body = if count > MOST_PATHS {
+            let facet = |t| Facet { corners: corners(t), near: [0.0; 3], class: class(t) };
+            let facets: Vec<Facet> = (0..count).map(facet).collect();
+            Raster::new(Vec2::new(WIDTH, bottom + 1.0), 1.0, &facets).elements(name)
+        } else {
+            let mut fills: BTreeMap<u16, PathData> = BTreeMap::new();
+            (0..count).for_each(|t| fills.entry(class(t)).or_default().ring(corners(t)));
+            fills.iter().map(|(class, path)| path.element(&name(*class))).collect()
+        };
+        for (class, kinds) in [
+            ("score", &[PathKind::Crease][..]),
+            ("tick", &[PathKind::SeamTick]),
+            ("cut", &[PathKind::Outline, PathKind::Hole]),
+        ] {
+            let mut path = PathData::default();
+            for line in self.panel.piece.paths.iter().filter(|path| kinds.contains(&path.kind)) {
+                let points = line.points.iter().map(|&p| place(p));
+                if line.closed { path.ring(points) } else { path.line(points) }
+            }
+            body += &path.element(class);
         }
-        body += &path.element(class);
+        body += tags;
+        if let (Some(worst), false) = (self.worst, exact) {
+            body += &circle("here", place(worst), 8.0);
+        }
+        body += &dimensions(size, scale, bottom);
+        let legend = bottom + FOOT + 4.0;
+        body += &if exact {
+            let at = Point2::new(0.5 * WIDTH, legend + 16.0);
+            text("", Anchor::Middle, at, self.nothing)
+        } else {
+            scale_of_colours(top, self.limit, self.meaning, legend)
+        };
+        Picture::new(WIDTH, bottom + FOOT + LEGEND, self.title.clone(), body)
     }
-    body += &seam_tags(panel, given);
-    if let (Some(worst), false) = (distortion.worst_edge(), exact) {
-        let [a, b] = mesh.edges()[worst].ends.map(|v| place(panel.flat.points[v.get()]));
-        body += &circle("here", a.lerp(b, 0.5), 8.0);
-    }
-    body += &dimensions(size, scale, bottom);
-    let legend = bottom + FOOT + 4.0;
-    body += &if exact {
-        let at = Point2::new(0.5 * WIDTH, legend + 16.0);
-        text("", Anchor::Middle, at, "No length differs: it lies flat exactly.")
-    } else {
-        scale_of_colours(top, stretch_limit(material), legend)
-    };
-    let title = format!("{} laid flat, coloured by the error of its lengths", panel.name);
-    Picture::new(WIDTH, bottom + FOOT + LEGEND, title, body)
 }
 
 /// The marks of seams and joints beside their sides, where there is room.
@@ -107,7 +170,7 @@ fn seam_tags(panel: &Part, given: &Given) -> String {
 }
 
 /// The colours with their errors; a line marks the limit of the material.
-fn scale_of_colours(top: f64, limit: f64, y: f64) -> String {
+fn scale_of_colours(top: f64, limit: f64, meaning: &str, y: f64) -> String {
     let (left, width) = (LEFT, WIDTH - LEFT - RIGHT);
     let step = width / HEATS as f64;
     let mut body = String::new();
@@ -124,7 +187,7 @@ fn scale_of_colours(top: f64, limit: f64, y: f64) -> String {
         body += &text("", anchor, at, &label);
     }
     let what = Point2::new(left + 0.5 * width, y + 48.0);
-    body += &text("quiet", Anchor::Middle, what, "difference of lengths, flat against space");
+    body += &text("quiet", Anchor::Middle, what, meaning);
     if limit < top {
         let x = left + limit / top * width;
         body += &line("limit", &[Point2::new(x, y - 5.0), Point2::new(x, y + 19.0)]);

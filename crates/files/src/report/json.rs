@@ -9,6 +9,7 @@ use serde::Serialize;
 use serde_json::Result;
 use sheetwright::check::{Checked, Verdict};
 use sheetwright::edge::{Edge, EdgePlace};
+use sheetwright::elastic::{Basis, Predicted};
 use sheetwright::make::{Change, Found, Given, Made, Origin, Part};
 use sheetwright::material::{stretch_limit, warp_limit_deg};
 use sheetwright::math::to_deg;
@@ -85,6 +86,36 @@ struct PanelReport<'a> {
     /// The largest warp angle that is accepted, degrees: the material's, or the default without
     /// one.
     warp_limit_deg: f64,
+    /// The strain within its plane that 95 % of the sheet stays below, in its shape. Without unit;
+    /// null for a mesh.
+    strain_p95: Option<f64>,
+    /// The least and the greatest that this may be.
+    strain_range: Option<[f64; 2]>,
+    /// The strain within its plane that the sheet takes: the material's, or the default without
+    /// one.
+    strain_limit: f64,
+    /// How the strain was found: `computed` on an elastic sheet, or by a formula: `quick`, `no-net`
+    /// where the outline can't be divided into triangles, `no-rest` where the sheet found no rest.
+    #[schemars(extend("enum" = [Some("computed"), Some("quick"), Some("no-net"), Some("no-rest"), None::<&str>]))]
+    strain_by: Option<&'static str>,
+    /// The strain of the outer fibre that 95 % of the sheet stays below. Without unit.
+    outer_fibre: Option<f64>,
+    /// The strain of the outer fibre that the sheet takes, at the smallest bend radius of its
+    /// material; null without one.
+    outer_fibre_limit: Option<f64>,
+    /// The thickness that the strain was predicted for, mm: the material's, or a thousandth of the
+    /// side of a square with the area of the panel.
+    thickness_mm: Option<f64>,
+    /// The moment that holds an edge, N·m for each metre; null where Young's modulus is unknown.
+    hold_moment_n: Option<f64>,
+    /// The load across the sheet that holds its border, N for each metre, within a factor of 1.5.
+    hold_load_n_per_m: Option<f64>,
+    /// The largest distance of the sheet at rest from the surface, mm; null where none was
+    /// computed.
+    rest_distance_mm: Option<f64>,
+    /// The thickest sheet of its kind that takes the shape, mm; null unless this one does not and
+    /// such a sheet was found.
+    thickest_mm: Option<f64>,
     /// The smallest radius that the sheet is bent to, mm; null for a flat panel, and for a mesh,
     /// where it is not measured.
     bend_radius_min_mm: Option<f64>,
@@ -388,6 +419,17 @@ fn of_part<'a>(
         warp_max_deg: None,
         warp_mean_deg: None,
         warp_limit_deg: warp_limit_deg(made.material.as_ref()),
+        strain_p95: None,
+        strain_range: None,
+        strain_limit: stretch_limit(made.material.as_ref()),
+        strain_by: None,
+        outer_fibre: None,
+        outer_fibre_limit: None,
+        thickness_mm: None,
+        hold_moment_n: None,
+        hold_load_n_per_m: None,
+        rest_distance_mm: None,
+        thickest_mm: None,
         bend_radius_min_mm: None,
         gauss_area_sr: measures.gauss_area_sr,
         length_error_max: measures.length_error_max,
@@ -415,6 +457,16 @@ fn of_part<'a>(
         quads: None,
         verdict: checked.verdict.name(),
         findings: of_findings(checked),
+    }
+}
+
+/// The name of how a strain was found.
+fn basis_name(basis: Basis) -> &'static str {
+    match basis {
+        Basis::Computed => "computed",
+        Basis::Screen => "quick",
+        Basis::NoNet => "no-net",
+        Basis::NoRest => "no-rest",
     }
 }
 
@@ -456,6 +508,7 @@ fn of_found<'a>(
 ) -> PanelReport<'a> {
     let measures = &part.measures;
     let change = found.change.as_ref();
+    let predicted = part.predicted.as_ref();
     PanelReport {
         method: found.method.name(),
         goal: Some(found.goal.name()),
@@ -468,6 +521,16 @@ fn of_found<'a>(
         twist_total: Some(measures.twist_total),
         warp_max_deg: Some(to_deg(measures.warp_max)),
         warp_mean_deg: Some(to_deg(measures.warp_mean)),
+        strain_p95: predicted.map(|p| p.strain),
+        strain_range: predicted.map(|p| p.strain_range),
+        strain_by: predicted.map(|p| basis_name(p.basis)),
+        outer_fibre: predicted.map(Predicted::outer_fibre),
+        outer_fibre_limit: predicted.and_then(|p| p.limits.outer_fibre),
+        thickness_mm: predicted.map(|p| p.limits.thickness_mm),
+        hold_moment_n: predicted.and_then(Predicted::hold_moment_n),
+        hold_load_n_per_m: predicted.and_then(Predicted::hold_load_n_per_mm).map(|n| 1e3 * n),
+        rest_distance_mm: predicted.and_then(|p| Some(p.at_rest.as_ref()?.distance_max_mm)),
+        thickest_mm: predicted.and_then(|p| p.thickest_mm),
         bend_radius_min_mm: finite(measures.bend_radius_min_mm),
         self_intersects: Some(measures.self_crossing.is_some()),
         moved_max_mm: change.map_or(0.0, Change::moved_max_mm),

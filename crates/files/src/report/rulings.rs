@@ -63,9 +63,9 @@ pub(super) fn rung_classes(
 
 /// The class of a rung within the limits of the sheet; `None` where it is flat.
 fn class_within(rung: &RungMeasures) -> Option<&'static str> {
-    if rung.is_fold {
+    if rung.is_scored {
         Some("score")
-    } else if to_deg(rung.crease.abs()) > SHARP_CREASE_DEG {
+    } else if !rung.is_fold && to_deg(rung.crease.abs()) > SHARP_CREASE_DEG {
         Some("turn")
     } else {
         rung.bends().then_some("r")

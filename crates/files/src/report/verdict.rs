@@ -9,7 +9,9 @@ use sheetwright::check::{Checked, Finding, Place, Severity, Verdict};
 pub(super) fn severity(checked: &Checked) -> Severity {
     let of_verdict = match checked.verdict {
         Verdict::Bends => Severity::Note,
-        Verdict::BendsAndFolds | Verdict::BendsWithForce | Verdict::Undecided => Severity::Warning,
+        Verdict::BendsWithForce | Verdict::Roll | Verdict::BendsAndFolds | Verdict::Undecided => {
+            Severity::Warning
+        }
         Verdict::WillNotBend => Severity::Error,
     };
     checked.findings.iter().map(Finding::severity).fold(of_verdict, Severity::max)

@@ -8,7 +8,8 @@ pub fn verdict_word(verdict: Verdict) -> &'static str {
         Verdict::Bends => "Bends",
         Verdict::BendsAndFolds => "Bends and folds",
         Verdict::BendsWithForce => "Bends with force",
-        Verdict::Undecided => "Can't tell yet",
+        Verdict::Roll => "Roll or form it",
+        Verdict::Undecided => "Can't tell",
         Verdict::WillNotBend => "Will not bend",
     }
 }
@@ -22,7 +23,7 @@ pub fn verdict_sentence(verdict: Verdict, is_mesh: bool) -> &'static str {
         Verdict::BendsAndFolds if is_mesh => {
             "The sheet takes this shape with its creases folded along scored lines."
         }
-        Verdict::BendsWithForce | Verdict::Undecided if is_mesh => {
+        Verdict::BendsWithForce | Verdict::Roll | Verdict::Undecided if is_mesh => {
             "The sheet must stretch to take this shape. The stretch is within the limit."
         }
         Verdict::Bends => "The sheet takes this shape by bending alone.",
@@ -32,8 +33,9 @@ pub fn verdict_sentence(verdict: Verdict, is_mesh: bool) -> &'static str {
         Verdict::BendsWithForce => {
             "The sheet takes this shape when it is clamped. It must stretch a little."
         }
+        Verdict::Roll => "The sheet takes this shape when it is rolled or formed, and keeps it.",
         Verdict::Undecided => {
-            "The samples are too coarse to tell bending from twist. Use more samples."
+            "The sheet must stretch by about as much as it takes: no one can tell whether it bends."
         }
         Verdict::WillNotBend => "The sheet does not take this shape.",
     }

@@ -4,6 +4,7 @@ use super::moved::{keeps_from_bending, listed, movement, not_needed, ran_on};
 use super::place::point;
 use crate::pdf::way_to_sheets;
 use sheetwright::check::{Finding, FindingKind, SeamCause, TooTight};
+use sheetwright::elastic::Basis;
 use sheetwright::math::{Point3, to_deg};
 use sheetwright::measure::SHARP_CREASE_DEG;
 use sheetwright::tolerance::Tolerance;
@@ -12,28 +13,40 @@ use sheetwright::tolerance::Tolerance;
 pub fn finding_text(finding: &Finding) -> String {
     use FindingKind as Kind;
     match &finding.kind {
-        Kind::WarpTooLarge { largest, count, of, limit, sheet } => format!(
-            "The surface twists by up to {} along its rulings; the limit for {} is {}. {} \
-             the limit. Move the boundary there, or divide the panel.",
-            degrees(*largest),
-            or_any_sheet(sheet),
-            degrees(*limit),
-            match count {
-                1 => format!("1 of {of} rulings exceeds"),
-                count => format!("{count} of {of} rulings exceed"),
-            }
+        Kind::StrainTooLarge { strain, limit, sheet, thickest_mm, basis } => format!(
+            "{}. {}.{} Move the boundary, divide the panel, or choose a sheet that stretches \
+             more.",
+            must_strain(*strain, *basis),
+            takes(sheet.as_ref(), *limit),
+            thickest_mm.map_or(String::new(), |mm| format!(
+                " In {} mm it would take the shape.",
+                short_down(mm)
+            ))
         ),
-        Kind::WarpHigh { largest, limit, sheet } => format!(
-            "The surface twists by up to {} along its rulings, so bending needs force. The limit \
-             for {} is {}.",
-            degrees(*largest),
-            or_any_sheet(sheet),
-            degrees(*limit)
+        Kind::NeedsForce { .. } => needs_force(&finding.kind),
+        Kind::Roll { radius_mm, from_mm, sheet } => format!(
+            "The bend radius falls to {radius_mm:.0} mm. Below {from_mm:.0} mm, {sheet} keeps \
+             its bend: roll or form it. Bent by hand it springs back in part."
         ),
-        Kind::CoarseSamples { largest } => format!(
-            "Along its rungs the surface turns by up to {}. The samples are too coarse to tell \
-             bending from twist. Use more samples.",
-            degrees(*largest)
+        Kind::CantTell { strain, limit, sheet, basis } => format!(
+            "The sheet must stretch by {} to {}, {}. {}, which lies between.",
+            percent(strain[0]),
+            percent(strain[1]),
+            match basis {
+                Basis::Computed | Basis::Screen => "by two computations that disagree",
+                Basis::NoNet =>
+                    "by a formula: its outline can't be divided into triangles, so no sheet was \
+                     computed",
+                Basis::NoRest => "by a formula: the computed sheet did not come to rest",
+            },
+            takes(sheet.as_ref(), *limit)
+        ),
+        Kind::FoldsNotNeeded { count, sharpest } => format!(
+            "The surface that fits best has {count} sharp {} of up to {}, which the sheet does \
+             not need: it bends smoothly there. The pattern does not mark {} to be scored.",
+            if *count == 1 { "fold" } else { "folds" },
+            degrees(*sharpest),
+            if *count == 1 { "it" } else { "them" }
         ),
         Kind::RadiusTooSmall { least_mm, limit_mm, sheet } => format!(
             "The smallest bend radius of the panel is {least_mm:.1} mm; the limit for {sheet} is \
@@ -216,6 +229,13 @@ fn short(mm: f64) -> String {
     format!("{mm:.*}", decimals_of(mm))
 }
 
+/// A length with two significant digits, rounded down.
+fn short_down(mm: f64) -> String {
+    let decimals = decimals_of(mm);
+    let step = (0..decimals).fold(1.0, |step, _| step / 10.0);
+    format!("{:.*}", decimals, (mm / step).floor() * step)
+}
+
 /// `one` for a count of 1, else the count and `more`.
 fn counted(count: usize, one: &str, more: &str) -> String {
     if count == 1 { one.to_owned() } else { format!("{count} {more}") }
@@ -287,6 +307,43 @@ fn cut_open(why: SeamCause) -> &'static str {
         SeamCause::Closed => "The panel is closed, so it is cut open",
         SeamCause::Darts => "To stretch less, the panel is cut",
     }
+}
+
+/// By how much the sheet must stretch to take its shape; a sentence without its end.
+fn must_strain(strain: f64, basis: Basis) -> String {
+    let how = match basis {
+        Basis::Computed => "must",
+        Basis::Screen => "probably must",
+        Basis::NoNet | Basis::NoRest => "must, by a formula that is true within a factor of 2.2,",
+    };
+    format!("To take this shape, the sheet {how} stretch by {} within its plane", percent(strain))
+}
+
+fn needs_force(kind: &FindingKind) -> String {
+    let FindingKind::NeedsForce { strain, limit, outer_fibre, sheet, moment_n, basis } = kind
+    else {
+        return String::new();
+    };
+    // The larger of both shares decides.
+    let bend = match outer_fibre {
+        [Some(bent), Some(most)] if bent / most > strain / limit => Some((*bent, *most)),
+        _ => None,
+    };
+    let why = match bend {
+        Some((bent, most)) => format!(
+            "Its outer fibre stretches by {}; the limit for {} is {}",
+            percent(bent),
+            or_any_sheet(sheet),
+            percent(most)
+        ),
+        None => {
+            format!("{}. {}", must_strain(*strain, *basis), takes(sheet.as_ref(), *limit))
+        }
+    };
+    let hold = moment_n.map_or(String::new(), |moment| {
+        format!(" To hold it takes a moment of about {} N·m for each metre of edge.", short(moment))
+    });
+    format!("Bending needs force. {why}.{hold}")
 }
 
 fn must_stretch(largest: f64) -> String {

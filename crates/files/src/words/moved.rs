@@ -46,7 +46,9 @@ pub(super) fn not_needed(
 pub(super) fn keeps_from_bending(hindrance: Option<Hindrance>) -> &'static str {
     match hindrance {
         None => "",
-        Some(Hindrance::Warp) => " The limit for the sheet is smaller: set a smaller angle.",
+        Some(Hindrance::Strain) => {
+            " The sheet must stretch too much all the same: set a smaller angle."
+        }
         Some(Hindrance::Radius) => {
             " The bend radius keeps the panel from bending, and moving for less twist does not \
              change it. Choose a thinner sheet, or draw the curves rounder."

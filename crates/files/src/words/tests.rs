@@ -55,10 +55,20 @@ fn a_finding_reads_well() {
         said.collect::<Vec<_>>()
     };
     assert_eq!(
-        said("warp-too-large"),
-        ["The surface twists by up to 9.0° along its rulings; the limit for a sheet of no named \
-          material is 6.0°. 5 of 40 rulings exceed the limit. Move the boundary there, or divide \
-          the panel. (rungs 1–3, 5, 7–8, 10, 12, 14 and 1 more range)"]
+        said("strain-too-large")[0],
+        "To take this shape, the sheet must stretch by 0.21 % within its plane. The limit for mild \
+         steel, 1 mm is 0.12 %. In 0.63 mm it would take the shape. Move the boundary, divide the \
+         panel, or choose a sheet that stretches more. (at (12.0, -3.5, 0.3) mm)"
+    );
+    assert_eq!(
+        said("needs-force"),
+        [
+            "Bending needs force. To take this shape, the sheet must stretch by 0.051 % within its \
+             plane. The limit for mild steel, 1 mm is 0.12 %. To hold it takes a moment of about 83 \
+             N·m for each metre of edge. (at (12.0, -3.5, 0.3) mm)",
+            "Bending needs force. Its outer fibre stretches by 0.40 %; the limit for mild steel, 1 \
+             mm is 0.50 %. (at (12.0, -3.5, 0.3) mm)"
+        ]
     );
     assert_eq!(
         said("stretch-too-large")[0],

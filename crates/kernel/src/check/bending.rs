@@ -1,12 +1,12 @@
 //! Findings on a surface that was found: does the sheet follow it by bending?
 
-use super::EASY_SHARE;
-use super::{Finding, FindingKind, Place, SeamCause, Subject, TooTight, overlap, seams, title};
-use crate::material::warp_limit_deg;
-use crate::measure::{RungMeasures, SHARP_CREASE_DEG};
+use super::{Finding, FindingKind, Place, SeamCause, Subject, TooTight};
+use super::{overlap, seams, strain, title};
+use crate::material::Material;
+use crate::measure::{Measures, RungMeasures, SHARP_CREASE_DEG};
 use crate::sheet::Seam;
 use sheetwright_geometry::boundary::Boundary;
-use sheetwright_geometry::math::{Vec3, from_deg, to_deg};
+use sheetwright_geometry::math::{Vec3, to_deg};
 use sheetwright_optimum::triangulate::Triangulation;
 
 /// Length errors below it, as a share of the size over the shortest side, are rounding: an exact
@@ -22,51 +22,21 @@ pub(super) struct Panel<'a> {
 
 /// The findings on it.
 pub(super) fn findings(panel: &Panel<'_>) -> Vec<Finding> {
-    let checks: [fn(&Panel<'_>) -> Option<Finding>; 13] = [
-        warp,
-        coarse_samples,
+    let checks: [fn(&Panel<'_>) -> Option<Finding>; 11] = [
         bend_radius,
         points,
         crossing,
         |panel: &Panel<'_>| overlap(panel.part),
         forced_rungs,
-        folds,
+        |panel: &Panel<'_>| folds(panel.part.measures, panel.part.material),
         bend_lines,
         length_error,
         open_windows,
         |panel: &Panel<'_>| seams(panel.part, SeamCause::NotFlat),
         not_proven,
     ];
-    checks.iter().filter_map(|check| check(panel)).collect()
-}
-
-fn warp(panel: &Panel<'_>) -> Option<Finding> {
-    let limit = from_deg(warp_limit_deg(panel.part.material));
-    let rungs = &panel.part.measures.rungs;
-    let sheet = title(panel.part.material);
-    let beyond = |bound: f64| move |r: &RungMeasures| r.warp_beyond_sampling() > bound;
-    let largest =
-        |bound: f64| rungs.iter().filter(|r| beyond(bound)(r)).map(|r| r.warp).reduce(f64::max);
-    if let Some(largest) = largest(limit) {
-        let count = rungs.iter().filter(|r| beyond(limit)(r)).count();
-        let of = rungs.len();
-        let kind = FindingKind::WarpTooLarge { largest, count, of, limit, sheet };
-        return Some(Finding::new(kind, Place::rungs(rungs, beyond(limit))));
-    }
-    let easy = EASY_SHARE * limit;
-    let kind = FindingKind::WarpHigh { largest: largest(easy)?, limit, sheet };
-    Some(Finding::new(kind, Place::rungs(rungs, beyond(easy))))
-}
-
-fn coarse_samples(panel: &Panel<'_>) -> Option<Finding> {
-    let limit = from_deg(warp_limit_deg(panel.part.material));
-    let rungs = &panel.part.measures.rungs;
-    let told = |r: &RungMeasures| r.warp <= limit || r.warp_beyond_sampling() > 0.0;
-    // Not beside an error: twist beyond the limit is certain then.
-    let known = rungs.iter().any(|r| r.warp_beyond_sampling() > limit);
-    let kind = FindingKind::CoarseSamples { largest: panel.part.measures.warp_max };
-    (!known && !rungs.iter().all(told))
-        .then(|| Finding::new(kind, Place::rungs(rungs, |r| !told(r))))
+    let predicted = panel.part.predicted.map(strain::findings).unwrap_or_default();
+    predicted.into_iter().chain(checks.iter().filter_map(|check| check(panel))).collect()
 }
 
 fn bend_radius(panel: &Panel<'_>) -> Option<Finding> {
@@ -130,13 +100,13 @@ fn not_proven(panel: &Panel<'_>) -> Option<Finding> {
     is_open.then(|| Finding::of_whole(FindingKind::NotProven { gap, cut_short }))
 }
 
-fn folds(panel: &Panel<'_>) -> Option<Finding> {
-    let rungs = &panel.part.measures.rungs;
-    let sharpest = rungs.iter().filter(|r| r.is_fold).map(|r| r.crease.abs()).reduce(f64::max)?;
-    let count = rungs.iter().filter(|r| r.is_fold).count();
-    let stiff = title(panel.part.material.filter(|m| !m.folds()));
-    let kind = FindingKind::Folds { count, sharpest, stiff };
-    Some(Finding::new(kind, Place::rungs(rungs, |r| r.is_fold)))
+/// The finding on the folds that the sheet needs.
+pub(super) fn folds(measures: &Measures, material: Option<&Material>) -> Option<Finding> {
+    let scored = measures.rungs.iter().filter(|r| r.is_scored);
+    let sharpest = scored.clone().map(|r| r.crease.abs()).reduce(f64::max)?;
+    let stiff = title(material.filter(|m| !m.folds()));
+    let kind = FindingKind::Folds { count: scored.count(), sharpest, stiff };
+    Some(Finding::new(kind, Place::rungs(&measures.rungs, |r| r.is_scored)))
 }
 
 fn bend_lines(panel: &Panel<'_>) -> Option<Finding> {

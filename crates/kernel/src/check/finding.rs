@@ -47,11 +47,13 @@ impl Finding {
 pub enum Verdict {
     /// It takes its shape by bending alone.
     Bends,
-    /// It takes its shape by bending and by sharp folds along scored lines.
-    BendsAndFolds,
     /// It takes its shape with some force: it must stretch a little.
     BendsWithForce,
-    /// The sampling is too coarse to tell bending from twist.
+    /// It takes its shape when it is rolled or formed, and keeps it.
+    Roll,
+    /// It takes its shape by bending and by sharp folds along scored lines.
+    BendsAndFolds,
+    /// The strain is too close to the limit to tell.
     Undecided,
     /// It does not take its shape.
     WillNotBend,
@@ -60,29 +62,29 @@ pub enum Verdict {
 impl Verdict {
     /// The verdict that follows from findings.
     fn of(findings: &[Finding]) -> Self {
-        let has = |is_it: fn(&FindingKind) -> bool| findings.iter().any(|f| is_it(&f.kind));
+        use FindingKind as Kind;
+        let has = |is_it: fn(&Kind) -> bool| findings.iter().any(|f| is_it(&f.kind));
         if has(|kind| kind.is_of_bending() && kind.severity() == Severity::Error) {
             Self::WillNotBend
-        } else if has(|kind| matches!(kind, FindingKind::CoarseSamples { .. })) {
+        } else if has(|kind| matches!(kind, Kind::CantTell { .. })) {
             Self::Undecided
-        } else if has(|kind| {
-            matches!(kind, FindingKind::WarpHigh { .. } | FindingKind::StretchHigh { .. })
-        }) {
-            Self::BendsWithForce
-        } else if has(|kind| {
-            matches!(kind, FindingKind::Folds { .. } | FindingKind::Creases { .. })
-        }) {
+        } else if has(|kind| matches!(kind, Kind::Folds { .. } | Kind::Creases { .. })) {
             Self::BendsAndFolds
+        } else if has(|kind| matches!(kind, Kind::Roll { .. })) {
+            Self::Roll
+        } else if has(|kind| matches!(kind, Kind::NeedsForce { .. } | Kind::StretchHigh { .. })) {
+            Self::BendsWithForce
         } else {
             Self::Bends
         }
     }
 
     /// Every verdict, the best first.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 6] = [
         Self::Bends,
-        Self::BendsAndFolds,
         Self::BendsWithForce,
+        Self::Roll,
+        Self::BendsAndFolds,
         Self::Undecided,
         Self::WillNotBend,
     ];
@@ -91,6 +93,7 @@ impl Verdict {
     pub fn name(self) -> &'static str {
         match self {
             Self::Bends => "bends",
+            Self::Roll => "roll",
             Self::BendsAndFolds => "bends-and-folds",
             Self::BendsWithForce => "bends-with-force",
             Self::Undecided => "undecided",

@@ -3,6 +3,7 @@
 
 use super::remedy::Remedy;
 use super::severity::Severity;
+use crate::elastic::Basis;
 use crate::fair::Ended;
 use sheetwright_geometry::math::Point3;
 use sheetwright_geometry::tolerance::Tolerance;
@@ -12,32 +13,62 @@ use sheetwright_geometry::tolerance::Tolerance;
 /// `sheet` is the title of the material.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FindingKind {
-    /// Rulings twist by more than the limit of the sheet.
-    WarpTooLarge {
-        /// The largest warp angle that the sampling does not explain.
-        largest: f64,
-        /// How many rungs are above the limit.
+    /// The sheet must stretch by more than its limit.
+    StrainTooLarge {
+        /// The strain in the plane that 95 % of the area stays below.
+        strain: f64,
+        /// The strain that the sheet takes.
+        limit: f64,
+        /// The sheet, if one is named.
+        sheet: Option<String>,
+        /// The thickest sheet of its kind that takes the shape, mm, if one does and it was looked
+        /// for.
+        thickest_mm: Option<f64>,
+        /// How the strain was found.
+        basis: Basis,
+    },
+    /// The sheet takes its shape with force.
+    NeedsForce {
+        /// The strain in the plane that 95 % of the area stays below.
+        strain: f64,
+        /// The strain that the sheet takes.
+        limit: f64,
+        /// The strain of the outer fibre that 95 % of the area stays below, and that which the
+        /// sheet takes, if that is known.
+        outer_fibre: [Option<f64>; 2],
+        /// The sheet, if one is named.
+        sheet: Option<String>,
+        /// The moment that holds a metre of edge, N·m/m, if the stiffness is known.
+        moment_n: Option<f64>,
+        /// How the strain was found.
+        basis: Basis,
+    },
+    /// The sheet keeps its bend: it is rolled or formed.
+    Roll {
+        /// The radius that 95 % of the area stays above, mm.
+        radius_mm: f64,
+        /// The radius from which the sheet keeps its bend, mm.
+        from_mm: f64,
+        /// The sheet.
+        sheet: String,
+    },
+    /// The strain is too close to the limit to tell whether the sheet takes its shape.
+    CantTell {
+        /// The strain in the plane is between these.
+        strain: [f64; 2],
+        /// The strain that the sheet takes.
+        limit: f64,
+        /// The sheet, if one is named.
+        sheet: Option<String>,
+        /// How the strain was found.
+        basis: Basis,
+    },
+    /// The best surface has sharp folds that the sheet does not need.
+    FoldsNotNeeded {
+        /// How many.
         count: usize,
-        /// How many rungs there are.
-        of: usize,
-        /// The warp angle that the sheet takes.
-        limit: f64,
-        /// The sheet, if one is named.
-        sheet: Option<String>,
-    },
-    /// Rulings twist so much that the sheet needs force.
-    WarpHigh {
-        /// The largest warp angle that the sampling does not explain.
-        largest: f64,
-        /// The warp angle that the sheet takes.
-        limit: f64,
-        /// The sheet, if one is named.
-        sheet: Option<String>,
-    },
-    /// The sampling is too coarse to tell bending from twist.
-    CoarseSamples {
-        /// The largest warp angle.
-        largest: f64,
+        /// The largest crease.
+        sharpest: f64,
     },
     /// The bend radius is below the limit of the sheet.
     RadiusTooSmall {
@@ -332,8 +363,8 @@ pub struct Movement {
 /// What keeps a panel from bending although its warp angles reach the goal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Hindrance {
-    /// The limit of the sheet is below the goal.
-    Warp,
+    /// The strain, which the warp angle alone does not tell.
+    Strain,
     /// Its bend radius.
     Radius,
     /// Something else that was found.
@@ -346,7 +377,7 @@ impl FindingKind {
         let unless =
             |is_fine: bool, bad: Severity, fine: Severity| if is_fine { fine } else { bad };
         match self {
-            Self::WarpTooLarge { .. }
+            Self::StrainTooLarge { .. }
             | Self::RadiusTooSmall { .. }
             | Self::SelfCrossing
             | Self::Overlap
@@ -354,8 +385,9 @@ impl FindingKind {
             | Self::Flipped { .. }
             | Self::Refold { .. }
             | Self::NotReadBack { .. } => Severity::Error,
-            Self::WarpHigh { .. }
-            | Self::CoarseSamples { .. }
+            Self::NeedsForce { .. }
+            | Self::Roll { .. }
+            | Self::CantTell { .. }
             | Self::RungWithoutPlane { .. }
             | Self::WindowGap { .. }
             | Self::StretchHigh { .. }
@@ -367,6 +399,7 @@ impl FindingKind {
             Self::BetterWithoutPlane { .. }
             | Self::NotProven { .. }
             | Self::BendLines { .. }
+            | Self::FoldsNotNeeded { .. }
             | Self::Seams { .. }
             | Self::Stretch { .. }
             | Self::TrianglesLeftOut { .. }
@@ -379,7 +412,7 @@ impl FindingKind {
             | Self::QuadsOffBoundary { .. }
             | Self::PdfReduced { .. } => Severity::Note,
             Self::Points { too_tight, .. } => {
-                unless(too_tight.is_none(), Severity::Error, Severity::Note)
+                unless(too_tight.is_none(), Severity::Warning, Severity::Note)
             }
             Self::Folds { stiff, .. } | Self::Creases { stiff, .. } => {
                 unless(stiff.is_none(), Severity::Error, Severity::Warning)
@@ -398,9 +431,11 @@ impl FindingKind {
     /// A name that scripts may rely on.
     pub fn code(&self) -> &'static str {
         match self {
-            Self::WarpTooLarge { .. } => "warp-too-large",
-            Self::WarpHigh { .. } => "warp-high",
-            Self::CoarseSamples { .. } => "coarse-samples",
+            Self::StrainTooLarge { .. } => "strain-too-large",
+            Self::NeedsForce { .. } => "needs-force",
+            Self::Roll { .. } => "roll",
+            Self::CantTell { .. } => "cant-tell",
+            Self::FoldsNotNeeded { .. } => "fold-not-needed",
             Self::RadiusTooSmall { .. } => "radius-too-small",
             Self::Points { .. } => "point",
             Self::SelfCrossing => "self-crossing",
@@ -464,9 +499,8 @@ impl FindingKind {
     pub(super) fn is_of_bending(&self) -> bool {
         matches!(
             self,
-            Self::WarpTooLarge { .. }
+            Self::StrainTooLarge { .. }
                 | Self::RadiusTooSmall { .. }
-                | Self::Points { .. }
                 | Self::SelfCrossing
                 | Self::Folds { .. }
                 | Self::Creases { .. }

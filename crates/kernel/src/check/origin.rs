@@ -137,8 +137,8 @@ fn hindrance(checked: &Checked) -> Option<Hindrance> {
     };
     if checked.verdict != Verdict::WillNotBend {
         None
-    } else if has(|kind| matches!(kind, FindingKind::WarpTooLarge { .. })) {
-        Some(Hindrance::Warp)
+    } else if has(|kind| matches!(kind, FindingKind::StrainTooLarge { .. })) {
+        Some(Hindrance::Strain)
     } else if has(|kind| matches!(kind, FindingKind::RadiusTooSmall { .. })) {
         Some(Hindrance::Radius)
     } else {

@@ -103,6 +103,11 @@ impl Energy {
         self.elements.iter().map(|element| element.at.area).collect()
     }
 
+    /// The energy, N·mm, below which a sheet is as good as not strained: strains of 1e-9.
+    pub(super) fn negligible(&self) -> f64 {
+        1e-18 * self.stiffness.membrane_n_per_mm * self.areas().iter().sum::<f64>()
+    }
+
     /// The larger principal curvature of every triangle, without its sign, 1/mm.
     pub(super) fn curvatures(&self, positions: &[Point3]) -> Vec<f64> {
         self.elements.iter().map(|element| element.curvature(positions)).collect()

@@ -6,10 +6,10 @@ use super::element::{Nodes, values};
 use crate::flatten::Flattened;
 use crate::sheet::Sheet;
 use sheetwright_geometry::index::VertexIndex;
-use sheetwright_geometry::math::{Point2, Point3, atan2, from_deg};
+use sheetwright_geometry::math::{Point2, Point3, Vec3, atan2, from_deg, unit};
 use spade::handles::FixedVertexHandle;
 use spade::{AngleLimit, ConstrainedDelaunayTriangulation, RefinementParameters, Triangulation};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The outline has a corner where it turns by more than this, degrees: a node stands there.
 const CORNER_DEG: f64 = 20.0;
@@ -31,6 +31,8 @@ pub(super) struct Net {
     pub(super) on_border: Vec<bool>,
     /// Its triangles.
     pub(super) elements: Vec<Nodes>,
+    /// Its border: loops of corners and middles in turn, the net to the left.
+    pub(super) border: Vec<Vec<usize>>,
     /// The triangle of the sheet that the middle of each triangle lies in.
     pub(super) over: Vec<usize>,
 }
@@ -51,27 +53,39 @@ struct OnBorder {
 }
 
 impl Net {
-    /// A net of about so many triangles; `None` where the outline can't be divided so, as where the
-    /// pattern overlaps itself.
+    /// A net of about so many triangles in all, each component of the sheet by itself; `None` where
+    /// an outline can't be divided so, as where the pattern overlaps itself.
     pub(super) fn new(sheet: &Sheet, flat: &Flattened, triangles: usize) -> Option<Self> {
         let area = crate::measure::area_flat(sheet, flat);
         // An equilateral triangle with a side s has an area of √3/4 s².
         let side_mm = (4.0 * area / (3.0f64.sqrt() * triangles as f64)).sqrt();
-        if flat.overlap.is_some() || !side_mm.is_finite() || side_mm <= 0.0 {
+        if !side_mm.is_finite() || side_mm <= 0.0 {
             return None;
         }
-        let loops: Vec<Vec<OnBorder>> =
-            sheet.loops().iter().map(|line| divided(sheet, flat, line, side_mm)).collect();
-        let mut net = Self::inside(&loops, area / triangles as f64, triangles)?;
+        let mut net = Self {
+            flat: Vec::new(),
+            space: Vec::new(),
+            on_border: Vec::new(),
+            elements: Vec::new(),
+            border: Vec::new(),
+            over: Vec::new(),
+        };
+        for component in sheet.mesh().components() {
+            let lines = component.loops.iter().map(|&n| &sheet.loops()[n]);
+            let loops: Vec<Vec<OnBorder>> =
+                lines.map(|line| divided(sheet, flat, line, side_mm)).collect();
+            net.fill(&loops, area / triangles as f64, triangles)?;
+        }
         net.lay_on(sheet, flat);
         Some(net)
     }
 
-    /// The net inside loops of corners and middles in turn.
-    fn inside(loops: &[Vec<OnBorder>], area: f64, triangles: usize) -> Option<Self> {
+    /// Adds the triangles inside loops of corners and middles in turn.
+    fn fill(&mut self, loops: &[Vec<OnBorder>], area: f64, triangles: usize) -> Option<()> {
         let mut delaunay = ConstrainedDelaunayTriangulation::<spade::Point2<f64>>::new();
         let mut middles: BTreeMap<[usize; 2], OnBorder> = BTreeMap::new();
         let mut corners: BTreeMap<usize, OnBorder> = BTreeMap::new();
+        let mut around: Vec<Vec<FixedVertexHandle>> = Vec::new();
         for of_loop in loops {
             let mut handles: Vec<FixedVertexHandle> = Vec::new();
             for corner in of_loop.iter().step_by(2) {
@@ -92,6 +106,7 @@ impl Net {
                 delaunay.add_constraint(from, to);
                 middles.insert(key(from.index(), to.index()), of_loop[2 * n + 1]);
             }
+            around.push(handles);
         }
         let refined = delaunay.refine(
             RefinementParameters::new()
@@ -101,15 +116,8 @@ impl Net {
                 .with_max_allowed_area(1.5 * area)
                 .with_max_additional_vertices(MOST_TIMES * triangles),
         );
-        let outer: std::collections::BTreeSet<usize> =
+        let outer: BTreeSet<usize> =
             refined.excluded_faces.iter().map(|face| face.index()).collect();
-        let mut net = Self {
-            flat: Vec::new(),
-            space: Vec::new(),
-            on_border: Vec::new(),
-            elements: Vec::new(),
-            over: Vec::new(),
-        };
         let mut nodes: BTreeMap<usize, usize> = BTreeMap::new();
         let mut of_sides: BTreeMap<[usize; 2], usize> = BTreeMap::new();
         for face in delaunay.inner_faces().filter(|face| !outer.contains(&face.fix().index())) {
@@ -119,19 +127,27 @@ impl Net {
                 let known = corners.get(vertex).copied();
                 element[k] = *nodes
                     .entry(*vertex)
-                    .or_insert_with(|| net.add(known, Point2::new(at.x, at.y)));
+                    .or_insert_with(|| self.add(known, Point2::new(at.x, at.y)));
             }
             for k in 0..3 {
                 let side = key(vertices[k].0, vertices[(k + 1) % 3].0);
                 let (a, b) = (element[k], element[(k + 1) % 3]);
                 element[3 + k] = *of_sides.entry(side).or_insert_with(|| {
-                    let middle = net.flat[a].lerp(net.flat[b], 0.5);
-                    net.add(middles.get(&side).copied(), middle)
+                    let middle = self.flat[a].lerp(self.flat[b], 0.5);
+                    self.add(middles.get(&side).copied(), middle)
                 });
             }
-            net.elements.push(element);
+            self.elements.push(element);
         }
-        (!net.elements.is_empty()).then_some(net)
+        for handles in &around {
+            let mut of_loop = Vec::new();
+            for (from, to) in handles.iter().zip(handles.iter().cycle().skip(1)) {
+                of_loop.push(*nodes.get(&from.index())?);
+                of_loop.push(*of_sides.get(&key(from.index(), to.index()))?);
+            }
+            self.border.push(of_loop);
+        }
+        Some(())
     }
 
     fn add(&mut self, known: Option<OnBorder>, at: Point2) -> usize {
@@ -161,6 +177,20 @@ impl Net {
             Point2::default() + sum.fold(sheetwright_geometry::math::Vec2::ZERO, |a, b| a + b)
         };
         self.over = self.elements.iter().map(|nodes| located(&places, middle(nodes)).0).collect();
+    }
+
+    /// The unit normal of the sheet at every corner node of the border, where the nodes lie at
+    /// these positions; zero elsewhere.
+    pub(super) fn border_normals(&self, positions: &[Point3]) -> Vec<Vec3> {
+        let mut normals = vec![Vec3::ZERO; positions.len()];
+        for nodes in &self.elements {
+            let [a, b, c] = [nodes[0], nodes[1], nodes[2]].map(|n| positions[n]);
+            let normal = (b - a).cross(c - a);
+            for &n in nodes.iter().take(3).filter(|&&n| self.on_border[n]) {
+                normals[n] += normal;
+            }
+        }
+        normals.into_iter().map(|sum| unit(sum).unwrap_or(Vec3::ZERO)).collect()
     }
 
     /// The sides that two triangles share.

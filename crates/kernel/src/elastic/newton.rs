@@ -15,8 +15,9 @@ use sheetwright_geometry::math::{Point3, Vec3};
 use sheetwright_geometry::watch::Watch;
 use std::collections::BTreeMap;
 
-/// A step that would lower the energy by less than this share of it is the last.
-const AT_REST: f64 = 1e-9;
+/// A step that would lower the energy by less than this share of it is the last. Strains are then
+/// within 1e-3 of those at rest.
+const AT_REST: f64 = 1e-7;
 /// A step is halved so often at the most.
 const MOST_HALVINGS: usize = 30;
 /// Of the fall that a step promises, so much must come true.
@@ -136,7 +137,7 @@ pub(super) fn rest(
         let [step] = factor.solve([&down]);
         let fall = product(&down, &step);
         let value = energy.value(&positions);
-        if fall <= AT_REST * value.abs() {
+        if fall <= AT_REST * value.abs() + energy.negligible() {
             if is_whole {
                 return Ok(Rest { positions, is_stable: true, steps });
             }

@@ -1,5 +1,6 @@
 //! Panels that are bounded by curves: the surface that fits them best is found.
 
+use super::judged::screen;
 use super::part::{Found, Origin, Part};
 use super::unrestricted::Known;
 use super::{MakeCause, MakeError};
@@ -69,11 +70,14 @@ fn make_as_asked(
     watch.begin(&[&panel.name], Stage::Check);
     let prices = Prices::new(&boundary, plane.as_ref(), options.price);
     let measures = measures(CutFrom::Surface(&surface, &prices), &sheet, &flat);
+    let material = design.material.as_ref();
+    let predicted = sheet.has_rungs().then(|| screen(&sheet, &measures, material));
     let mut checked = check(&Subject {
         sheet: &sheet,
         flat: &flat,
         measures: &measures,
-        material: design.material.as_ref(),
+        predicted: predicted.as_ref(),
+        material,
         from: CheckedFrom::Boundary(&boundary, &triangulation),
     });
     for curve in used(design, &panel.shape).filter(|c| c.kind == Some(CurveKind::Spline)) {
@@ -106,7 +110,7 @@ fn make_as_asked(
         surface,
         change: None,
     };
-    known.ask(panel, &found, checked.verdict, options);
+    known.ask(panel, &found, options);
     let (name, origin) = (panel.name.clone(), Origin::Found(Box::new(found)));
     Ok(Part {
         name: name.clone(),
@@ -114,6 +118,7 @@ fn make_as_asked(
         sheet,
         flat,
         measures,
+        predicted,
         checked,
         piece,
         edges,

@@ -8,16 +8,17 @@
 //!    once, where making a panel afresh looks for such a bound first. (The table itself is not
 //!    kept: samples are spread evenly over a smooth stretch of an outline, so when its length
 //!    changes, all of them move.)
-//! 3. Whether a panel that does not bend would bend better without its plane takes a search of its
-//!    own (`unrestricted`), and neither its surface nor its pattern depends on that. While a
-//!    handle is dragged, the question waits until the hand rests.
+//! 3. An elastic sheet (`judged`), and whether a panel that does not bend would bend better without
+//!    its plane (`unrestricted`), take a search of their own, and no surface depends on them. While
+//!    a handle is dragged, a formula gives the verdict, and both wait until the hand rests.
 //!
 //! Once the hand rests, the outcome is that of [`super::make`] for this design, bit by bit; only if
 //! memory is short, a bound from before may make a table fit that does not fit afresh.
 
 use super::cleaned::Cleaned;
 use super::unrestricted::Known;
-use super::{Made, MakeCause, MakeError, Maker, Part, find_mates, join_meshes};
+use super::{Made, MakeCause, MakeError, Maker, Part};
+use super::{find_mates, is_screened, join_meshes, settle};
 use crate::design::{Design, DesignCurve, DesignPanel, PanelShape, used};
 use crate::material::Material;
 use sheetwright_geometry::curve::CurvePoint;
@@ -95,7 +96,8 @@ impl LivePanel {
     }
 
     fn is_open(&self) -> bool {
-        self.made.is_ok() && self.known.as_ref().is_some_and(Known::is_open)
+        let Ok(parts) = &self.made else { return false };
+        parts.iter().any(is_screened) || self.known.as_ref().is_some_and(Known::is_open)
     }
 }
 
@@ -180,10 +182,10 @@ impl Live {
     }
 
     /// Takes another design in place of this one and makes the panels that depend on the change:
-    /// surface, pattern, measures, verdict and findings. One finding of a panel that does not bend
-    /// is left to [`Self::settle`]: whether it bends better without its plane. This saves up to
-    /// half of the time while a handle is dragged. Returns the numbers, among [`Self::panels`], of
-    /// the panels that were made anew or that failed.
+    /// surface, pattern, measures, findings, and a verdict by a formula. Two things are left to
+    /// [`Self::settle`]: the verdict by an elastic sheet, with the folds that this needs, and
+    /// whether a panel that does not bend would bend better without its plane. Returns the
+    /// numbers, among [`Self::panels`], of the panels that were made anew or that failed.
     ///
     /// If the watcher asks to stop, the panels that were not made yet keep their former parts and
     /// are made by the next call; [`LivePanel::is_current`] is false for them.
@@ -192,7 +194,7 @@ impl Live {
         self.make_changed(watch)
     }
 
-    /// Looks for the findings that [`Self::follow`] and [`Self::move_point`] have left; call it
+    /// Looks for what [`Self::follow`] and [`Self::move_point`] have left; call it
     /// when the hand rests. Returns the numbers of the panels that changed. If the watcher asks to
     /// stop, the next call looks for the rest; [`LivePanel::is_settled`] is true for finished
     /// panels.
@@ -205,7 +207,7 @@ impl Live {
             let (Ok(made), Some(known)) = (&mut panel.made, &mut panel.known) else { continue };
             let [part] = &mut made[..] else { continue };
             watch.begin(&[&panel.name], Stage::Check);
-            match known.answer(part, watch) {
+            match settle(part, known, self.design.material.as_ref(), watch) {
                 Ok(false) => continue,
                 Ok(true) => {}
                 Err(_) if known.is_open() => continue,

@@ -244,6 +244,7 @@ fn make_part(
         sheet: &sheet,
         flat: &flat,
         measures: &measures,
+        predicted: None,
         material,
         from: CheckedFrom::Mesh(MeshOrigin {
             mesh: &mesh,
@@ -263,7 +264,8 @@ fn make_part(
     let piece = Piece::undrawn(name);
     let (panel, name) = (panel.to_owned(), name.to_owned());
     let (edges, origin) = (Vec::new(), Origin::Given(Box::new(given)));
-    Ok(Part { name, panel, sheet, flat, measures, checked, piece, edges, origin })
+    let predicted = None;
+    Ok(Part { name, panel, sheet, flat, measures, predicted, checked, piece, edges, origin })
 }
 
 /// A joint by the vertices of the sheet as it is cut.

@@ -8,6 +8,7 @@ mod cleaned;
 mod error;
 mod found;
 mod joined;
+mod judged;
 mod live;
 mod mesh;
 mod part;
@@ -26,6 +27,7 @@ use crate::sample::{Matched, Sampler, matched};
 use cleaned::{Cleaned, cleaned};
 use found::make_found;
 use joined::{find_mates, join_meshes};
+use judged::{is_screened, judge};
 use mesh::make_mesh;
 use sheetwright_geometry::watch::Watch;
 use unrestricted::Known;
@@ -44,22 +46,43 @@ pub struct Made {
     pub moved: Option<Design>,
 }
 
+/// What a verdict comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Judging {
+    /// A formula, true within a factor of two: "probably".
+    Quick,
+    /// An elastic sheet, some hundredths of a second for each part.
+    Exact,
+}
+
 /// Makes a design: the surface, the flat pattern, the measures and the verdict of every part.
 ///
 /// # Errors
 /// The first panel or curve that can't be made, and why.
 pub fn make(design: &Design, watch: &mut dyn Watch) -> Result<Made, MakeError> {
+    make_judged(design, Judging::Exact, watch)
+}
+
+/// Makes a design as [`make`] does, with verdicts that come from a formula or an elastic sheet.
+///
+/// # Errors
+/// The first panel or curve that can't be made, and why.
+pub fn make_judged(
+    design: &Design,
+    judging: Judging,
+    watch: &mut dyn Watch,
+) -> Result<Made, MakeError> {
     if design.panels.is_empty() {
         return Err(MakeError::of_design(MakeCause::NoPanels));
     }
     let varied = varied_design(design, watch)?;
     let made_from = varied.as_ref().map_or(design, |varied| &varied.after);
-    let mut parts = make_panels(made_from, |_| true, watch)?;
+    let mut parts = make_panels(made_from, |_| true, judging, watch)?;
     let mut moved = None;
     if let Some(varied) = varied {
         let shifts = &varied.shifts;
         let is_shifted = |panel: &DesignPanel| shifts.contains_key(&panel.name);
-        for before in make_panels(&varied.before, is_shifted, watch)? {
+        for before in make_panels(&varied.before, is_shifted, judging, watch)? {
             let part = parts.iter_mut().find(|part| part.name == before.name);
             if let (Some(part), Some(shift)) = (part, shifts.get(&before.name)) {
                 let change = Change::new(before, shift);
@@ -116,9 +139,26 @@ impl<'a> Maker<'a> {
     }
 }
 
+/// Looks for what was left open when a part was made: the strain of an elastic sheet, and whether
+/// it bends better without its plane. Returns whether the part changed. Where it is stopped, the
+/// rest stays open.
+fn settle(
+    part: &mut Part,
+    known: &mut Known,
+    material: Option<&Material>,
+    watch: &mut dyn Watch,
+) -> Result<bool, MakeCause> {
+    let was_screened = is_screened(part);
+    if was_screened && judge(part, material, watch) {
+        return Ok(false);
+    }
+    Ok(known.answer(part, watch)? || was_screened)
+}
+
 fn make_panels(
     design: &Design,
     wanted: impl Fn(&DesignPanel) -> bool,
+    judging: Judging,
     watch: &mut dyn Watch,
 ) -> Result<Vec<Part>, MakeError> {
     let maker = Maker::new(design);
@@ -131,7 +171,11 @@ fn make_panels(
         let mut made = maker.make(number, panel, &mut known, watch)?;
         if let (Some(known), [part]) = (&mut known, &mut made[..]) {
             let failed = |cause: MakeCause| MakeError::of_panel(&panel.name, cause);
-            known.answer(part, watch).map_err(failed)?;
+            match judging {
+                Judging::Quick => known.answer(part, watch),
+                Judging::Exact => settle(part, known, design.material.as_ref(), watch),
+            }
+            .map_err(failed)?;
         }
         parts.extend(made);
     }

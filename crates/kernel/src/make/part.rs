@@ -4,6 +4,7 @@ use super::Rebuilt;
 use crate::check::{BoundaryMoved, Checked};
 use crate::design::{PanelMethod, VaryGoal};
 use crate::edge::Edge;
+use crate::elastic::Predicted;
 use crate::fair::{self, Shift};
 use crate::flatten::{Aim, Ended, Flattened};
 use crate::measure::Measures;
@@ -29,6 +30,8 @@ pub struct Part {
     pub flat: Flattened,
     /// Its measures.
     pub measures: Measures,
+    /// The strain that it is predicted to have in its shape; `None` of a mesh, and of one triangle.
+    pub predicted: Option<Predicted>,
     /// The verdict and its findings.
     pub checked: Checked,
     /// The pattern to cut.

@@ -11,9 +11,11 @@ use super::MakeCause;
 use super::part::{Found, Origin, Part};
 use crate::check::{Verdict, better_without_plane};
 use crate::design::DesignPanel;
+use crate::material::DEFAULT_WARP_LIMIT_DEG;
 use crate::measure::crosses_itself;
 use crate::surface::{Connectivity, Surface};
 use sheetwright_geometry::boundary::{Boundary, PlaneChoice};
+use sheetwright_geometry::math::to_deg;
 use sheetwright_geometry::watch::Watch;
 use sheetwright_optimum::triangulate::{
     Cheapest, Goal, Method, TriangulateError, TriangulateOptions, Triangulation, cheaper_than,
@@ -62,23 +64,16 @@ impl Known {
     }
 
     /// Opens the question for a panel that was made with these options, if it is one: who asks for
-    /// a plane gets it, and what bends needs no other surface.
-    pub(super) fn ask(
-        &mut self,
-        panel: &DesignPanel,
-        found: &Found,
-        verdict: Verdict,
-        options: TriangulateOptions,
-    ) {
-        let is_asked = panel.plane == PlaneChoice::Auto
-            && found.plane.is_some()
-            && found.boundary.holes() < 2
-            && verdict != Verdict::Bends;
+    /// a plane gets it.
+    pub(super) fn ask(&mut self, panel: &DesignPanel, found: &Found, options: TriangulateOptions) {
+        let is_asked =
+            panel.plane == PlaneChoice::Auto && found.plane.is_some() && found.boundary.holes() < 2;
         self.open = is_asked.then_some(options);
     }
 
-    /// Answers the question, if it is open, and adds what was found to the findings of the panel.
-    /// Returns whether there was something. Where it is stopped, the question stays open.
+    /// Answers the question, if it is open, and adds what was found to the findings of the panel:
+    /// what bends with little twist needs no other surface. Returns whether there was something.
+    /// Where it is stopped, the question stays open.
     pub(super) fn answer(
         &mut self,
         made: &mut Part,
@@ -86,6 +81,10 @@ impl Known {
     ) -> Result<bool, MakeCause> {
         let Origin::Found(found) = &made.origin else { return Ok(false) };
         let Some(options) = self.open.take() else { return Ok(false) };
+        let twists_little = to_deg(made.measures.warp_max) <= DEFAULT_WARP_LIMIT_DEG;
+        if twists_little && matches!(made.checked.verdict, Verdict::Bends | Verdict::Roll) {
+            return Ok(false);
+        }
         let price = self.better_without_plane(&found.boundary, &options, watch);
         if price == Err(TriangulateError::Stopped.into()) {
             self.open = Some(options);

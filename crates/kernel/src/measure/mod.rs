@@ -67,6 +67,9 @@ pub struct RungMeasures {
     /// Whether the crease is a fold: above [`SHARP_CREASE_DEG`], and more than twice as large as
     /// those of the rungs around it together, so that no finer sampling would divide it.
     pub is_fold: bool,
+    /// Whether the sheet needs the fold, so that the pattern has it scored. Until an elastic sheet
+    /// is computed, every fold counts as needed.
+    pub is_scored: bool,
     /// The radius that the sheet is rolled to at the end of the rung where it is rolled more
     /// tightly, mm; infinite where flat. Folds and apexes are none of it.
     pub bend_radius_mm: f64,
@@ -253,6 +256,7 @@ fn rungs_and_apexes(surface: &Surface, prices: &Prices) -> (Vec<RungMeasures>, V
                     .max(sharpest_at[low.get()].max(sharpest_at[high.get()])),
                 crease: creases[n],
                 is_fold: is_fold[n],
+                is_scored: is_fold[n],
                 bend_radius_mm: radii_mm[low.get()].min(radii_mm[high.get()]),
                 normals: planes.map_or([Vec3::ZERO; 2], |p| p.at_ends),
                 middle: surface.position(low).lerp(surface.position(high), 0.5),

@@ -238,9 +238,9 @@ fn rungs(
     let left: Vec<(&[VertexIndex; 2], &RungMeasures)> =
         sheet.rung_ends().iter().zip(&measures.rungs).filter(is_left).collect();
     let role = |rung: &RungMeasures| {
-        if rung.is_fold {
+        if rung.is_scored {
             Role::Score
-        } else if to_deg(rung.crease.abs()) > SHARP_CREASE_DEG {
+        } else if !rung.is_fold && to_deg(rung.crease.abs()) > SHARP_CREASE_DEG {
             Role::Engrave
         } else {
             Role::Note

@@ -5,13 +5,16 @@ use sheetwright::check::{
     Bend, BorderSide, Finding, FindingKind, Hindrance, Movement, Place, SeamCause, SeamPlace,
     TooTight,
 };
+use sheetwright::elastic::Basis;
 use sheetwright::fair::Ended;
 
 fields!(Finding { kind, place });
 variants!(FindingKind {
-    WarpTooLarge { largest, count, of, limit, sheet },
-    WarpHigh { largest, limit, sheet },
-    CoarseSamples { largest },
+    StrainTooLarge { strain, limit, sheet, thickest_mm, basis },
+    NeedsForce { strain, limit, outer_fibre, sheet, moment_n, basis },
+    Roll { radius_mm, from_mm, sheet },
+    CantTell { strain, limit, sheet, basis },
+    FoldsNotNeeded { count, sharpest },
     RadiusTooSmall { least_mm, limit_mm, sheet },
     Points { count, turn, too_tight },
     SelfCrossing {},
@@ -72,4 +75,5 @@ fields!(Movement { curves, moved_max_mm, moved_total_mm, size_mm, warp, twist })
 fields!(BorderSide { corners, samples });
 fields!(SeamPlace { number, ends });
 kinds!(SeamCause { NotFlat, Closed, Darts });
-kinds!(Hindrance { Warp, Radius, Other });
+kinds!(Hindrance { Strain, Radius, Other });
+kinds!(Basis { Computed, Screen, NoNet, NoRest });

@@ -31,7 +31,7 @@ fields!(ShownRung { ends, flat_ends, warp_deg, is_unsure, crease_deg, normals })
 fields!(Piece { name, paths, labels, size });
 fields!(PatternPath { role, kind, points, closed });
 fields!(PatternLabel { kind, role, at, along, height_mm, text });
-kinds!(Verdict { Bends, BendsAndFolds, BendsWithForce, Undecided, WillNotBend });
+kinds!(Verdict { Bends, BendsWithForce, Roll, BendsAndFolds, Undecided, WillNotBend });
 kinds!(Role { Cut, Score, Engrave, Note });
 kinds!(LabelKind { Name, Edge, Mark, Length });
 

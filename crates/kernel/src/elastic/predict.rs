@@ -1,0 +1,265 @@
+//! What a real sheet does whose surface was found: the strain that decides the verdict.
+//!
+//! 1. Folds that the boundary itself has, since it turns in space where the pattern does not, are
+//!    needed. An elastic sheet that is scored there is computed. Folds that it does not smooth are
+//!    needed, too: it turns sharply there all the same, and is computed with them scored.
+//! 2. If it stretches by more than its limit and the surface has further folds, the sheet is
+//!    computed with all of them scored. They are needed if that helps.
+//! 3. Where the strain comes near to the limit, finer nets are asked as well; if the limit still
+//!    lies between what they give and what they tend to, nobody can tell.
+//! 4. Of a sheet that does not take its shape, the thickest one that does is looked for.
+//! 5. A sheet whose pattern overlaps itself has no net; it is computed in pieces.
+//! 6. Where no sheet can be computed, a formula estimates the strain, with its doubt.
+
+use super::{Basis, Elastic, ElasticError, ElasticOptions, Predicted, Stiffness};
+use super::{elastic, estimate};
+use crate::flatten::Flattened;
+use crate::material::Limits;
+use crate::measure::Measures;
+use crate::mesh::Cut;
+use crate::sheet::{Sheet, cut_along};
+use sheetwright_geometry::boundary::size_of;
+use sheetwright_geometry::index::VertexIndex;
+use sheetwright_geometry::math::{Vec2, angle_between, atan2, to_deg};
+use sheetwright_geometry::watch::Watch;
+
+/// The nets, by about how many triangles they have. A finer one is asked only while the limit lies
+/// in the range that the strain may have.
+const NETS: [usize; 3] = [350, 800, 1600];
+/// Angles up to it, radians, are rounding: the sheet is flat.
+const FLAT: f64 = 1e-9;
+/// A fold is needed where the boundary turns in space by so much more or less than on the pattern,
+/// degrees.
+const KINK_DEG: f64 = 5.0;
+/// Sheet is computed as if it were at least so thick, as a share of its size: rounding hides the
+/// stiffness of thinner sheet, which bends no worse.
+const THINNEST: f64 = 1e-5;
+/// A sheet whose pattern overlaps itself is cut into so many pieces.
+const PIECES: [usize; 5] = [2, 3, 4, 6, 10];
+/// At so many places of a fold it is asked whether the sheet at rest has smoothed it.
+const FOLD_PLACES: usize = 7;
+/// Thinner sheet is looked for down to this share of the thickness.
+const THINNEST_SHARE: f64 = 1.0 / 64.0;
+/// The thickest sheet is known within this factor.
+const THICKNESS_STEP: f64 = 1.1;
+
+/// Predicts the strain of a sheet whose surface was found and that takes so much, and the folds
+/// that it needs. `None` where the watcher asks to stop.
+pub fn predict(
+    sheet: &Sheet,
+    flat: &Flattened,
+    measures: &Measures,
+    limits: &Limits,
+    watch: &mut dyn Watch,
+) -> Option<Predicted> {
+    if measures.warp_max <= FLAT && measures.crease_max <= FLAT {
+        return Some(Predicted::flat(limits.clone()));
+    }
+    let judge = Judge { sheet, flat, measures, limits };
+    let folds = judge.folds(|_| true);
+    let needed = judge.folds(|rung| judge.is_demanded(rung));
+    let mut predicted = judge.best(&needed, watch);
+    let unsmoothed = predicted.as_ref().map_or(Vec::new(), |found| judge.unsmoothed(found));
+    if !unsmoothed.is_empty() {
+        let all = judge.folds(|rung| needed.contains(&rung) || unsmoothed.contains(&rung));
+        predicted = judge.best(&all, watch);
+    }
+    let takes =
+        |p: &Result<Predicted, ElasticError>| p.as_ref().is_ok_and(|p| p.usage_range()[0] <= 1.0);
+    let has_more = |p: &Predicted| p.scored.len() < folds.len();
+    if !takes(&predicted) && predicted.as_ref().is_ok_and(has_more) {
+        let folded = judge.best(&folds, watch);
+        if takes(&folded) || folded == Err(ElasticError::Stopped) {
+            predicted = folded;
+        }
+    }
+    let is_taken = takes(&predicted);
+    let predicted = match predicted {
+        Err(ElasticError::Stopped) => return None,
+        Err(error) => {
+            let basis = if error == ElasticError::NoNet { Basis::NoNet } else { Basis::NoRest };
+            let found = estimate(sheet, measures, limits.thickness_mm);
+            let estimated = Predicted::estimated(limits.clone(), basis, found);
+            Predicted { scored: folds, ..estimated }
+        }
+        Ok(predicted) if is_taken => predicted,
+        Ok(predicted) => {
+            let thickest_mm = judge.thickest_mm(&predicted.scored, watch);
+            Predicted { thickest_mm, ..predicted }
+        }
+    };
+    (!watch.stop()).then_some(predicted)
+}
+
+struct Judge<'a> {
+    sheet: &'a Sheet,
+    flat: &'a Flattened,
+    measures: &'a Measures,
+    limits: &'a Limits,
+}
+
+impl Judge<'_> {
+    /// The folds for which `is_so`, by their rungs, but for those that are cut.
+    fn folds(&self, is_so: impl Fn(usize) -> bool) -> Vec<usize> {
+        let is_fold = |n: &usize| self.measures.rungs[*n].is_fold && is_so(*n);
+        (0..self.measures.rungs.len()).filter(is_fold).collect()
+    }
+
+    /// Whether the boundary has the fold, at one of its ends at least: there the boundary turns in
+    /// space by another angle than on the pattern, and by far more so than at the samples beside
+    /// it. No smooth sheet does that.
+    fn is_demanded(&self, rung: usize) -> bool {
+        let ends = self.sheet.rung_ends()[rung];
+        ends.into_iter().any(|end| {
+            let [before, here, after] = [-1, 0, 1].map(|step| self.kink(end, step));
+            here > KINK_DEG && here > 2.0 * (before + after)
+        })
+    }
+
+    /// By how much the border turns in space more or less than on the pattern, degrees, at a vertex
+    /// so many steps after another.
+    fn kink(&self, from: VertexIndex, steps: isize) -> f64 {
+        let (sheet, flat) = (self.sheet, self.flat);
+        let of_loop = sheet.loops().iter().find_map(|line| {
+            line.iter().position(|&v| v == from).map(|at| (line, at as isize + steps))
+        });
+        let Some((line, at)) = of_loop else { return 0.0 };
+        let vertex = |n: isize| line[n.rem_euclid(line.len() as isize) as usize];
+        let [a, b, c] = [at - 1, at, at + 1].map(vertex);
+        let space = |v: VertexIndex| sheet.mesh().position(v);
+        let point = |v: VertexIndex| flat.points[v.get()];
+        let in_space = angle_between(space(b) - space(a), space(c) - space(b));
+        let (came, goes) = (point(b) - point(a), point(c) - point(b));
+        let on_pattern = came.perp_dot(goes).abs();
+        let on_pattern = atan2(on_pattern, came.dot(goes));
+        to_deg((in_space - on_pattern).abs())
+    }
+
+    /// The folds that the sheet at rest has not smoothed: it turns by more than half of their angle
+    /// from one side to the other within the length of a side of the net.
+    fn unsmoothed(&self, predicted: &Predicted) -> Vec<usize> {
+        let Some(sheet) = &predicted.at_rest else { return Vec::new() };
+        let area: f64 = sheet.areas_mm2.iter().sum();
+        let side_mm = (area / sheet.triangles.len() as f64).sqrt();
+        self.folds(|rung| {
+            let [a, b] = self.sheet.rung_ends()[rung].map(|v| self.flat.points[v.get()]);
+            let along = b - a;
+            let across = Vec2::new(-along.y, along.x) * (0.5 * side_mm / along.length());
+            let turns = (1..=FOLD_PLACES).filter_map(|n| {
+                let at = a + along * (n as f64 / (FOLD_PLACES + 1) as f64);
+                let [left, right] = [at + across, at + across * -1.0].map(|p| sheet.normal_at(p));
+                Some(angle_between(left?, right?))
+            });
+            let turns: Vec<f64> = turns.collect();
+            let crease = self.measures.rungs[rung].crease.abs();
+            let sharp = turns.iter().filter(|&&turn| turn > 0.5 * crease).count();
+            !predicted.scored.contains(&rung) && 2 * sharp > turns.len()
+        })
+    }
+
+    /// The prediction for a sheet that is scored along these rungs, in pieces if need be.
+    fn best(&self, scored: &[usize], watch: &mut dyn Watch) -> Result<Predicted, ElasticError> {
+        match self.predicted(scored, watch) {
+            Err(ElasticError::NoNet) => self.in_pieces(scored, watch),
+            predicted => predicted,
+        }
+    }
+
+    /// The prediction for a sheet that is scored along these rungs.
+    fn predicted(
+        &self,
+        scored: &[usize],
+        watch: &mut dyn Watch,
+    ) -> Result<Predicted, ElasticError> {
+        let mut predicted: Option<Predicted> = None;
+        for triangles in NETS {
+            let options = ElasticOptions { triangles, ..ElasticOptions::default() };
+            let at_rest = match self.at_rest(self.limits, scored, &options, watch) {
+                Ok(at_rest) => at_rest,
+                Err(ElasticError::NoNet | ElasticError::NoRest) if predicted.is_some() => break,
+                Err(error) => return Err(error),
+            };
+            let next = match &predicted {
+                None => Predicted::computed(self.limits.clone(), at_rest),
+                Some(coarser) => coarser.refined(at_rest),
+            };
+            let [least, most] = next.usage_range();
+            predicted = Some(next);
+            if least > 1.0 || most <= 1.0 {
+                break;
+            }
+        }
+        let predicted = predicted.ok_or(ElasticError::NoNet)?;
+        Ok(Predicted { scored: scored.to_vec(), ..predicted })
+    }
+
+    /// The prediction for a sheet whose pattern overlaps itself: cut along some rungs, evenly, into
+    /// as few pieces as have a net. That it is held along these too hardly strains it.
+    fn in_pieces(
+        &self,
+        scored: &[usize],
+        watch: &mut dyn Watch,
+    ) -> Result<Predicted, ElasticError> {
+        let rungs = self.measures.rungs.len();
+        for pieces in PIECES {
+            let mut cut = scored.to_vec();
+            let smooth = |n: &usize| !self.measures.rungs[*n].is_fold;
+            cut.extend((1..pieces).map(|n| n * rungs / pieces).filter(smooth));
+            cut.sort_unstable();
+            cut.dedup();
+            let predicted = self.predicted(&cut, watch);
+            if predicted != Err(ElasticError::NoNet) {
+                return predicted.map(|found| Predicted { scored: scored.to_vec(), ..found });
+            }
+        }
+        Err(ElasticError::NoNet)
+    }
+
+    fn at_rest(
+        &self,
+        limits: &Limits,
+        scored: &[usize],
+        options: &ElasticOptions,
+        watch: &mut dyn Watch,
+    ) -> Result<Elastic, ElasticError> {
+        let Self { sheet, flat, .. } = *self;
+        let size_mm = size_of(sheet.mesh().positions().iter().copied());
+        let thickness_mm = limits.thickness_mm.max(THINNEST * size_mm);
+        // Without a modulus, strains are those of any other: they depend on the thickness alone.
+        let modulus = limits.modulus_n_per_mm2.unwrap_or(1.0);
+        let stiffness = Stiffness::new(thickness_mm, modulus, limits.poisson);
+        if scored.is_empty() {
+            return elastic(sheet, flat, stiffness, options, watch);
+        }
+        let ends = scored.iter().map(|&n| sheet.rung_ends()[n]);
+        let topology = sheet.mesh().topology();
+        let cut: Cut = ends.filter_map(|[a, b]| topology.edge_between(a, b)).collect();
+        let cut = cut_along(sheet.mesh(), &cut).map_err(|_| ElasticError::NoNet)?;
+        let vertices = (0..cut.mesh().positions().len()).map(VertexIndex::new);
+        let points = vertices.map(|v| flat.points[cut.origin(v).get()]).collect();
+        elastic(&cut, &Flattened { points, overlap: None }, stiffness, options, watch)
+    }
+
+    /// The thickest sheet of its kind that takes the shape, mm, to two digits.
+    fn thickest_mm(&self, scored: &[usize], watch: &mut dyn Watch) -> Option<f64> {
+        let whole = self.limits.thickness_mm;
+        let mut takes = |thickness_mm: f64| {
+            let limits = self.limits.in_thickness(thickness_mm);
+            let at_rest = self.at_rest(&limits, scored, &ElasticOptions::default(), watch);
+            at_rest.is_ok_and(|s| limits.use_of(s.strain(), s.curvature()) <= 1.0)
+        };
+        let (mut takes_mm, mut refuses_mm) = (THINNEST_SHARE * whole, whole);
+        if !takes(takes_mm) {
+            return None;
+        }
+        while refuses_mm / takes_mm > THICKNESS_STEP {
+            let middle = (takes_mm * refuses_mm).sqrt();
+            if takes(middle) {
+                takes_mm = middle;
+            } else {
+                refuses_mm = middle;
+            }
+        }
+        Some(takes_mm)
+    }
+}

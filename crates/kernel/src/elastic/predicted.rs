@@ -1,0 +1,133 @@
+//! What is predicted of a sheet: how far it must stretch and bend to take its shape, beside what it
+//! takes.
+
+use super::{DOUBT, Elastic, Estimate};
+use crate::material::Limits;
+
+/// The strain on one coarse net is at least that of fine nets over the first factor, and at most
+/// that times the second: coarse nets read high beside points.
+const DOUBT_OF_ONE: [f64; 2] = [1.25, 1.5];
+
+/// How a strain was found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Basis {
+    /// An elastic sheet was computed.
+    Computed,
+    /// A formula estimated it, and an elastic sheet is to follow.
+    Screen,
+    /// A formula estimated it, since the outline can't be divided into triangles, as where the
+    /// pattern overlaps itself.
+    NoNet,
+    /// A formula estimated it, since the elastic sheet did not come to rest.
+    NoRest,
+}
+
+/// The strain that a sheet is predicted to have in its shape.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Predicted {
+    /// What the sheet takes.
+    pub limits: Limits,
+    /// How the strain was found.
+    pub basis: Basis,
+    /// The strain in the plane that 95 % of the area stays below, without unit.
+    pub strain: f64,
+    /// The least and the greatest that this may be.
+    pub strain_range: [f64; 2],
+    /// The curvature that 95 % of the area stays below, 1/mm.
+    pub curvature: f64,
+    /// The folds that it needs, by their rungs, in increasing order.
+    pub scored: Vec<usize>,
+    /// The sheet at rest, if it was computed and is not flat.
+    pub at_rest: Option<Elastic>,
+    /// The thickest sheet of its kind that takes the shape, mm, if this one does not and such a
+    /// sheet was found.
+    pub thickest_mm: Option<f64>,
+}
+
+impl Predicted {
+    /// That of a sheet that stays flat.
+    pub fn flat(limits: Limits) -> Self {
+        let flat = Estimate { strain: 0.0, curvature: 0.0 };
+        Self::estimated(limits, Basis::Computed, flat)
+    }
+
+    /// That of a sheet at rest on one net.
+    pub fn computed(limits: Limits, at_rest: Elastic) -> Self {
+        let (strain, curvature) = (at_rest.strain(), at_rest.curvature());
+        Self {
+            limits,
+            basis: Basis::Computed,
+            strain,
+            strain_range: [strain / DOUBT_OF_ONE[1], strain * DOUBT_OF_ONE[0]],
+            curvature,
+            scored: Vec::new(),
+            at_rest: Some(at_rest),
+            thickest_mm: None,
+        }
+    }
+
+    /// That of this sheet at rest on a finer net. The strain lies among those of both nets and the
+    /// limit that they tend to, if the error falls with the length of the sides.
+    pub fn refined(&self, at_rest: Elastic) -> Self {
+        let finer = Self::computed(self.limits.clone(), at_rest);
+        let side = |p: &Self| {
+            let triangles = p.at_rest.as_ref().map_or(1, |sheet| sheet.triangles.len());
+            1.0 / (triangles as f64).sqrt()
+        };
+        let (long, short) = (side(self), side(&finer));
+        if long <= short {
+            return finer;
+        }
+        let further = (finer.strain - self.strain) * short / (long - short);
+        let tends_to = (finer.strain + further).max(0.0);
+        let all = [self.strain, finer.strain, tends_to];
+        let strain_range =
+            [all.into_iter().fold(f64::INFINITY, f64::min), all.into_iter().fold(0.0, f64::max)];
+        Self { strain_range, ..finer }
+    }
+
+    /// That of a formula.
+    pub fn estimated(limits: Limits, basis: Basis, estimate: Estimate) -> Self {
+        let Estimate { strain, curvature } = estimate;
+        Self {
+            limits,
+            basis,
+            strain,
+            strain_range: [strain / DOUBT, strain * DOUBT],
+            curvature,
+            scored: Vec::new(),
+            at_rest: None,
+            thickest_mm: None,
+        }
+    }
+
+    /// The strain of the outer fibre that 95 % of the area stays below, without unit.
+    pub fn outer_fibre(&self) -> f64 {
+        self.limits.outer_fibre_at(self.curvature)
+    }
+
+    /// How much it uses of what the sheet takes: 1 is the limit.
+    pub fn usage(&self) -> f64 {
+        self.limits.use_of(self.strain, self.curvature)
+    }
+
+    /// The least and the greatest that this may be.
+    pub fn usage_range(&self) -> [f64; 2] {
+        self.strain_range.map(|strain| self.limits.use_of(strain, self.curvature))
+    }
+
+    /// The moment that holds an edge, per length, N (N·m/m): the bending stiffness times the
+    /// curvature. `None` where Young's modulus is unknown.
+    pub fn hold_moment_n(&self) -> Option<f64> {
+        let Limits { thickness_mm: t, poisson, modulus_n_per_mm2, .. } = self.limits;
+        let stiffness = modulus_n_per_mm2? * t * t * t / (12.0 * (1.0 - poisson * poisson));
+        Some(stiffness * self.curvature)
+    }
+
+    /// The load across the sheet that holds its border, N/mm, within a factor of 1.5. `None` where
+    /// Young's modulus is unknown, or no sheet was computed.
+    pub fn hold_load_n_per_mm(&self) -> Option<f64> {
+        self.limits.modulus_n_per_mm2?;
+        self.at_rest.as_ref().map(|sheet| sheet.load_n_per_mm)
+    }
+}

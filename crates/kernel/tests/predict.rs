@@ -1,0 +1,199 @@
+//! What real sheets do: verdicts on strips, brackets and saddles whose strain is known from an
+//! independent simulation, and how well the formula screens.
+
+#![allow(clippy::unwrap_used)] // tests panic
+
+use sheetwright::check::{FindingKind, Verdict};
+use sheetwright::curve::{CurveKind, CurvePoint};
+use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelShape};
+use sheetwright::elastic::{Basis, DOUBT};
+use sheetwright::make::{Judging, Part, make, make_judged};
+use sheetwright::material::{Material, Sourced};
+use sheetwright::math::{Point3, cos, from_deg, sin};
+use sheetwright::pattern::Role;
+use sheetwright::watch::Unwatched;
+use std::f64::consts::TAU;
+
+/// Mild steel of a thickness, mm, as the independent simulation took it.
+fn steel(thickness_mm: f64) -> Material {
+    Material {
+        name: "steel".into(),
+        title: format!("steel, {thickness_mm} mm"),
+        thickness_mm: Sourced::assumed(thickness_mm),
+        bend_radius_mm: Sourced::assumed(thickness_mm),
+        warp_limit_deg: Sourced::assumed(6.0),
+        stretch_limit: Sourced::assumed(1.2e-3),
+        modulus_n_per_mm2: Some(Sourced::assumed(210_000.0)),
+        poisson: Some(Sourced::assumed(0.3)),
+        yield_strain: Some(Sourced::assumed(1.2e-3)),
+        density_kg_per_m3: None,
+        k_factors: None,
+        grain: None,
+    }
+}
+
+/// A strip between two rails of points, 100 samples on each.
+fn strip(rails: [Vec<Point3>; 2], kind: CurveKind, material: Option<Material>) -> Design {
+    let names = ["low", "high"];
+    let curves = rails.into_iter().zip(names).map(|(points, name)| DesignCurve {
+        name: name.into(),
+        kind: Some(kind),
+        closed: false,
+        points: points.into_iter().map(CurvePoint::smooth).collect(),
+    });
+    let on = |name: &str| CurveUse { name: name.into(), reversed: false };
+    Design {
+        name: "strip".into(),
+        curves: curves.collect(),
+        panels: vec![DesignPanel::new("strip", PanelShape::Rails(names.map(on)), 100)],
+        material,
+        ..Design::default()
+    }
+}
+
+/// A strip of 1200 x 300 mm that is twisted by an angle, its rails on a helicoid.
+fn twisted(deg: f64, material: Option<Material>) -> Design {
+    let rail = |side: f64| {
+        let at = |i: usize| {
+            let (share, angle) = (i as f64 / 24.0, from_deg(deg) * i as f64 / 24.0);
+            Point3::new(1200.0 * share, 150.0 * side * cos(angle), 150.0 * side * sin(angle))
+        };
+        (0..25).map(at).collect()
+    };
+    strip([rail(-1.0), rail(1.0)], CurveKind::Spline, material)
+}
+
+fn made(design: &Design) -> Part {
+    make(design, &mut Unwatched).unwrap().parts.remove(0)
+}
+
+fn scored(part: &Part) -> usize {
+    part.piece.paths.iter().filter(|path| path.role == Role::Score).count()
+}
+
+#[test]
+fn twisted_strips_need_no_fold_until_they_stretch_too_much() {
+    // Strains in per cent, of an independent simulation.
+    for (deg, known) in [(5.0, 0.008), (10.0, 0.020), (20.0, 0.047), (45.0, 0.115)] {
+        let part = made(&twisted(deg, Some(steel(1.0))));
+        let strain = 100.0 * part.predicted.as_ref().unwrap().strain;
+        assert!(strain / known < 1.3 && known / strain < 1.3, "{deg}: {strain}");
+        assert_ne!(part.checked.verdict, Verdict::WillNotBend, "{deg}");
+        assert!(part.measures.rungs.iter().any(|rung| rung.is_fold), "{deg}");
+        assert_eq!(scored(&part), 0, "{deg}");
+        let is_spare = |kind: &FindingKind| matches!(kind, FindingKind::FoldsNotNeeded { .. });
+        assert!(part.checked.findings.iter().any(|finding| is_spare(&finding.kind)), "{deg}");
+    }
+    let part = made(&twisted(90.0, Some(steel(1.0))));
+    assert_eq!(part.checked.verdict, Verdict::BendsAndFolds);
+    assert!(scored(&part) > 0);
+}
+
+#[test]
+fn a_bracket_needs_the_fold_that_its_boundary_has() {
+    let rail = |y: f64| {
+        [[0.0, 0.0], [100.0, 0.0], [100.0, 100.0]].map(|[x, z]| Point3::new(x, y, z)).to_vec()
+    };
+    for material in [None, Some(steel(0.1)), Some(steel(1.0))] {
+        let design = strip([rail(0.0), rail(150.0)], CurveKind::Polyline, material);
+        let part = made(&design);
+        assert_eq!(part.checked.verdict, Verdict::BendsAndFolds);
+        assert_eq!(scored(&part), 1);
+        let strain = part.predicted.as_ref().unwrap().strain;
+        assert!(strain < 1e-9, "{strain}");
+    }
+}
+
+/// Two rails that wave out of step.
+fn wavy(height: f64, phase: f64, material: Option<Material>) -> Design {
+    let rail = |z: f64, phase: f64| {
+        let at = |i: usize| {
+            let x = 1000.0 * i as f64 / 24.0;
+            Point3::new(x, height * sin(0.0063 * x + phase), z)
+        };
+        (0..25).map(at).collect()
+    };
+    strip([rail(0.0, 0.0), rail(250.0, phase)], CurveKind::Spline, material)
+}
+
+#[test]
+fn the_thickness_decides_and_the_thickest_sheet_is_named() {
+    let thin = made(&wavy(80.0, 1.2, Some(steel(1.0))));
+    let thick = made(&wavy(80.0, 1.2, Some(steel(5.0))));
+    assert_ne!(thin.checked.verdict, Verdict::WillNotBend);
+    assert_eq!(thick.checked.verdict, Verdict::WillNotBend);
+    let predicted = thick.predicted.as_ref().unwrap();
+    let thickest_mm = predicted.thickest_mm.unwrap();
+    assert!(thickest_mm > 1.0 && thickest_mm < 5.0, "{thickest_mm}");
+    let there = made(&wavy(80.0, 1.2, Some(steel(0.9 * thickest_mm))));
+    assert_ne!(there.checked.verdict, Verdict::WillNotBend);
+    // The moment goes with the third power of the thickness.
+    let moments = [&thin, &thick].map(|part| part.predicted.as_ref().unwrap().hold_moment_n());
+    let ratio = moments[1].unwrap() / moments[0].unwrap();
+    assert!((ratio / 125.0 - 1.0).abs() < 0.1, "{ratio}");
+}
+
+#[test]
+fn metal_keeps_a_bend_beyond_its_yield() {
+    let arc = |z: f64, radius: f64| {
+        let at = |i: usize| {
+            let angle = TAU / 4.0 * i as f64 / 24.0;
+            Point3::new(radius * cos(angle), radius * sin(angle), z)
+        };
+        (0..25).map(at).collect::<Vec<_>>()
+    };
+    let bent = |radius: f64| {
+        let rails = [arc(0.0, radius), arc(300.0, radius)];
+        made(&strip(rails, CurveKind::Spline, Some(steel(1.0))))
+    };
+    // Its outer fibre yields below 1/2 mm / 0.12 % = 417 mm.
+    assert_eq!(bent(500.0).checked.verdict, Verdict::Bends);
+    let rolled = bent(300.0);
+    assert_eq!(rolled.checked.verdict, Verdict::Roll);
+    let from_mm = rolled.checked.findings.iter().find_map(|finding| match finding.kind {
+        FindingKind::Roll { from_mm, .. } => Some(from_mm),
+        _ => None,
+    });
+    assert!((from_mm.unwrap() - 416.7).abs() < 0.1);
+}
+
+#[test]
+fn the_verdict_on_an_unknown_sheet_does_not_depend_on_the_unit() {
+    let of = |scale: f64| {
+        let mut design = wavy(60.0, 0.8, None);
+        for point in design.curves.iter_mut().flat_map(|curve| &mut curve.points) {
+            point.at = Point3::from_vec(point.at.to_vec() * scale);
+        }
+        let part = made(&design);
+        (part.checked.verdict, part.predicted.unwrap().strain)
+    };
+    let (verdict, strain) = of(1.0);
+    // By powers of two, rounding stays and so does the net; else it is another one.
+    for (scale, most) in [(1.0 / 1024.0, 1.0 + 1e-6), (1024.0, 1.0 + 1e-6), (25.4, 1.5)] {
+        let (other, scaled) = of(scale);
+        assert_eq!(other, verdict);
+        assert!(scaled / strain < most && strain / scaled < most, "{scale}: {scaled} {strain}");
+    }
+}
+
+#[test]
+fn the_formula_screens_within_its_doubt() {
+    let mut within = 0;
+    let mut all = 0;
+    for height in [20.0, 40.0, 60.0] {
+        for phase in [0.35, 0.8, 1.2] {
+            for thickness_mm in [0.5, 1.0, 2.0] {
+                let design = wavy(height, phase, Some(steel(thickness_mm)));
+                let quick = make_judged(&design, Judging::Quick, &mut Unwatched).unwrap();
+                let quick = quick.parts[0].predicted.as_ref().unwrap();
+                assert_eq!(quick.basis, Basis::Screen);
+                let exact = made(&design).predicted.unwrap();
+                assert_eq!(exact.basis, Basis::Computed);
+                let factor = quick.strain / exact.strain;
+                all += 1;
+                within += usize::from(factor < DOUBT && factor > 1.0 / DOUBT);
+            }
+        }
+    }
+    assert!(10 * within >= 9 * all, "{within} of {all}");
+}
