@@ -192,8 +192,9 @@ impl FoundPage<'_> {
         html! {
             strong { "Warp. " }
             "The angle by which the sheet twists from one end of each ruling to the other: the \
-             smaller, the easier it bends. The dashed line is the limit of "
-            (self.page.material().map_or("any sheet", |m| &m.title)) "."
+             smaller, the easier it bends. The dashed line is what thick plate takes of "
+            (self.page.material().map_or("any sheet", |m| &m.title))
+            "; thin sheet takes more, so the verdict rests on the strain. "
             @if self.is_unsure() {
                 " Dashed bars may be bending from one sample to the next instead of twist: more \
                  samples would tell."

@@ -114,7 +114,7 @@ font-family:system-ui,-apple-system,'Segoe UI',Roboto,'Helvetica Neue',Arial,san
 .pic .axis{stroke:var(--quiet);stroke-width:1.1}\
 .pic .tag{fill:var(--paper);stroke:var(--quiet);stroke-width:1}\
 .pic .ring{fill:none;stroke:var(--bad);stroke-width:2}\
-.pic .force{fill:var(--force)}.pic .beyond{fill:var(--beyond)}\
+.pic .beyond{fill:var(--beyond)}\
 .pic .limit{stroke:var(--bad);stroke-width:1.8;stroke-dasharray:8 4}\
 .pic path.bar{fill:none;stroke:var(--bar);stroke-width:1.5;stroke-linecap:butt;vector-effect:none}\
 .pic path.over{stroke:var(--bad);stroke-width:2}\

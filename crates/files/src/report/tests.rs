@@ -393,11 +393,11 @@ fn the_same_design_gives_the_same_bytes() {
 fn charts_show_the_limit_and_what_is_beyond_it() {
     let page = html(&quarter());
     assert!(page.contains(r#"<path class="limit""#) && page.contains(">limit 6.0°<"));
-    assert!(page.contains("The dashed line is the limit of plywood, 4 mm."));
+    assert!(page.contains("what thick plate takes of plywood, 4 mm; thin"));
     assert!(!page.contains("bar over"));
     let mut unnamed = quarter();
     unnamed.material = None;
-    assert!(html(&unnamed).contains("the limit of any sheet."));
+    assert!(html(&unnamed).contains("what thick plate takes of any sheet; thin"));
     // The ramp warps beyond it: its worst ruling stands out in space, flat and on the chart.
     let page = html(&helicoid());
     assert!(page.contains("bar over"));

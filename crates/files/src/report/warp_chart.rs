@@ -3,7 +3,6 @@
 use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, line, rectangle, round_below, text};
 use super::flat_picture::{LEFT, RIGHT, scale_of};
 use super::wording::decimal;
-use sheetwright::check::EASY_SHARE;
 use sheetwright::make::Part;
 use sheetwright::material::{Material, warp_limit_deg};
 use sheetwright::math::{Point2, Vec2, from_deg, to_deg};
@@ -21,8 +20,8 @@ const HEADS: usize = 60;
 const BAND_FOR_TEXT: f64 = 20.0;
 
 /// The warp angle of every rung over its middle's place along the flat pattern, against the
-/// material's limit. A bar above it that may come from the sampling looks unsure, as the verdict
-/// is. `None` without rungs.
+/// material's limit. A bar above it that may come from the sampling looks unsure. `None` without
+/// rungs.
 pub fn warp_chart(panel: &Part, material: Option<&Material>) -> Option<Picture> {
     if panel.measures.rungs.is_empty() {
         return None;
@@ -31,8 +30,8 @@ pub fn warp_chart(panel: &Part, material: Option<&Material>) -> Option<Picture> 
     let most = to_deg(panel.measures.warp_max);
     let top = (limit / LIMIT_SHARE).max(1.08 * most);
     let chart = Chart { panel, limit, top, across: runs_across(panel) };
-    let [bands, names] = chart.bands();
-    let mut body = bands + &chart.axes() + &chart.bars() + &names;
+    let [band, name] = chart.band();
+    let mut body = band + &chart.axes() + &chart.bars() + &name;
     body += &chart.limit_line();
     if let Some(worst) = chart.worst_over() {
         body += &circle("ring", chart.place(worst), 6.0);
@@ -134,24 +133,16 @@ impl Chart<'_> {
         }
     }
 
-    /// The bands, and their names, which lie over everything.
-    fn bands(&self) -> [String; 2] {
+    /// The band above what thick plate takes, and its name, which lies over everything.
+    fn band(&self) -> [String; 2] {
         let (right, left) = (WIDTH - RIGHT, LEFT);
-        let easy = EASY_SHARE * self.limit;
-        let (mut body, mut names) = (String::new(), String::new());
-        for (class, from, to, name) in [
-            ("force", easy, self.limit, "needs force"),
-            ("beyond", self.limit, self.top, "too much"),
-        ] {
-            let (low, high) = (self.y(from), self.y(to));
-            let size = Vec2::new(right - left, low - high);
-            body += &rectangle(class, Point2::new(left, high), size);
-            if size.y >= BAND_FOR_TEXT {
-                let at = Point2::new(left + 7.0, 0.5 * (low + high) + 5.0);
-                names += &text("halo band", Anchor::Start, at, name);
-            }
-        }
-        [body, names]
+        let (low, high) = (self.y(self.limit), self.y(self.top));
+        let size = Vec2::new(right - left, low - high);
+        let body = rectangle("beyond", Point2::new(left, high), size);
+        let at = Point2::new(left + 7.0, 0.5 * (low + high) + 5.0);
+        let has_room = size.y >= BAND_FOR_TEXT;
+        let name = text("halo band", Anchor::Start, at, "too much for thick plate");
+        [body, if has_room { name } else { String::new() }]
     }
 
     fn axes(&self) -> String {

@@ -17,7 +17,7 @@ pub fn finding_text(finding: &Finding) -> String {
             "{}. {}.{} Move the boundary, divide the panel, or choose a sheet that stretches \
              more.",
             must_strain(*strain, *basis),
-            takes(sheet.as_ref(), *limit),
+            takes_fine(sheet.as_ref(), *limit),
             thickest_mm.map_or(String::new(), |mm| format!(
                 " In {} mm it would take the shape.",
                 short_down(mm)
@@ -30,8 +30,8 @@ pub fn finding_text(finding: &Finding) -> String {
         ),
         Kind::CantTell { strain, limit, sheet, basis } => format!(
             "The sheet must stretch by {} to {}, {}. {}, which lies between.",
-            percent(strain[0]),
-            percent(strain[1]),
+            percent_fine(strain[0]),
+            percent_fine(strain[1]),
             match basis {
                 Basis::Computed | Basis::Screen => "by two computations that disagree",
                 Basis::NoNet =>
@@ -39,7 +39,7 @@ pub fn finding_text(finding: &Finding) -> String {
                      computed",
                 Basis::NoRest => "by a formula: the computed sheet did not come to rest",
             },
-            takes(sheet.as_ref(), *limit)
+            takes_fine(sheet.as_ref(), *limit)
         ),
         Kind::FoldsNotNeeded { count, sharpest } => format!(
             "The surface that fits best has {count} sharp {} of up to {}, which the sheet does \
@@ -224,6 +224,12 @@ fn percent(share: f64) -> String {
     format!("{percent:.*} %", decimals_of(percent))
 }
 
+/// A share in per cent, with three significant digits, for what is compared with a limit.
+fn percent_fine(share: f64) -> String {
+    let percent = 100.0 * share;
+    format!("{percent:.*} %", decimals_of(percent) + 1)
+}
+
 /// A length with two significant digits, down to a picometre.
 fn short(mm: f64) -> String {
     format!("{mm:.*}", decimals_of(mm))
@@ -316,7 +322,8 @@ fn must_strain(strain: f64, basis: Basis) -> String {
         Basis::Screen => "probably must",
         Basis::NoNet | Basis::NoRest => "must, by a formula that is true within a factor of 2.2,",
     };
-    format!("To take this shape, the sheet {how} stretch by {} within its plane", percent(strain))
+    let strain = percent_fine(strain);
+    format!("To take this shape, the sheet {how} stretch by {strain} within its plane")
 }
 
 fn needs_force(kind: &FindingKind) -> String {
@@ -337,7 +344,7 @@ fn needs_force(kind: &FindingKind) -> String {
             percent(most)
         ),
         None => {
-            format!("{}. {}", must_strain(*strain, *basis), takes(sheet.as_ref(), *limit))
+            format!("{}. {}", must_strain(*strain, *basis), takes_fine(sheet.as_ref(), *limit))
         }
     };
     let hold = moment_n.map_or(String::new(), |moment| {
@@ -358,6 +365,13 @@ fn takes(sheet: Option<&String>, limit: f64) -> String {
     match sheet {
         Some(sheet) => format!("The limit for {sheet} is {}", percent(limit)),
         None => format!("The limit without a named material is {}", percent(limit)),
+    }
+}
+
+fn takes_fine(sheet: Option<&String>, limit: f64) -> String {
+    match sheet {
+        Some(sheet) => format!("The limit for {sheet} is {}", percent_fine(limit)),
+        None => format!("The limit without a named material is {}", percent_fine(limit)),
     }
 }
 

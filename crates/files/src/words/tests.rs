@@ -56,15 +56,15 @@ fn a_finding_reads_well() {
     };
     assert_eq!(
         said("strain-too-large")[0],
-        "To take this shape, the sheet must stretch by 0.21 % within its plane. The limit for mild \
-         steel, 1 mm is 0.12 %. In 0.63 mm it would take the shape. Move the boundary, divide the \
+        "To take this shape, the sheet must stretch by 0.210 % within its plane. The limit for mild \
+         steel, 1 mm is 0.120 %. In 0.63 mm it would take the shape. Move the boundary, divide the \
          panel, or choose a sheet that stretches more. (at (12.0, -3.5, 0.3) mm)"
     );
     assert_eq!(
         said("needs-force"),
         [
-            "Bending needs force. To take this shape, the sheet must stretch by 0.051 % within its \
-             plane. The limit for mild steel, 1 mm is 0.12 %. To hold it takes a moment of about 83 \
+            "Bending needs force. To take this shape, the sheet must stretch by 0.0510 % within its \
+             plane. The limit for mild steel, 1 mm is 0.120 %. To hold it takes a moment of about 83 \
              N·m for each metre of edge. (at (12.0, -3.5, 0.3) mm)",
             "Bending needs force. Its outer fibre stretches by 0.40 %; the limit for mild steel, 1 \
              mm is 0.50 %. (at (12.0, -3.5, 0.3) mm)"
