@@ -3,6 +3,7 @@
 
 use serde_json::{Map, Value};
 use sheetwright::boundary::PlaneChoice;
+use sheetwright::check::Verdict;
 use sheetwright::make::{Made, Part, make};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
@@ -99,6 +100,28 @@ fn the_facts_of_every_boundary_hold() {
         let problems = differences(&report["panels"][0], &facts);
         let problems = problems.into_iter().chain(always(&made, &outputs));
         wrong.extend(problems.map(|what| format!("{name}: {what}")));
+    }
+    assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
+}
+
+/// A verdict may become "can't tell" with other samples, or be told then, and no more.
+#[test]
+fn verdicts_stay_with_twice_the_samples() {
+    let mut wrong = Vec::new();
+    for entry in entries(&["csv", "sheet.json"]) {
+        let name = name_of(&entry);
+        let plane = facts_of(&entry).contains_key("plane").then_some(PlaneChoice::None);
+        let verdict = |samples: usize| {
+            let options = ReadOptions { plane, samples: Some(samples), ..ReadOptions::default() };
+            let made = make(&read_input(&entry, &options).unwrap(), &mut Unwatched).unwrap();
+            made.parts[0].checked.verdict
+        };
+        let verdicts = [100, 200, 400].map(verdict);
+        let mut told = verdicts.into_iter().filter(|&verdict| verdict != Verdict::Undecided);
+        let first = told.next();
+        if told.any(|verdict| Some(verdict) != first) {
+            wrong.push(format!("{name}: {verdicts:?}"));
+        }
     }
     assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
 }
