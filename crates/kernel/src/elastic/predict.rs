@@ -23,9 +23,9 @@ use sheetwright_geometry::index::VertexIndex;
 use sheetwright_geometry::math::{Vec2, angle_between, atan2, to_deg};
 use sheetwright_geometry::watch::Watch;
 
-/// The nets, by about how many triangles they have. A finer one is asked only while the limit lies
-/// in the range that the strain may have.
-const NETS: [usize; 3] = [350, 800, 1600];
+/// The nets: about how many triangles each has, and how many steps it may take at the most. A finer
+/// one is asked only while the limit lies in the range that the strain may have.
+const NETS: [[usize; 2]; 3] = [[350, 40], [800, 30], [1600, 24]];
 /// Angles up to it, radians, are rounding: the sheet is flat.
 const FLAT: f64 = 1e-9;
 /// A fold is needed where the boundary turns in space by so much more or less than on the pattern,
@@ -41,7 +41,7 @@ const FOLD_PLACES: usize = 7;
 /// Thinner sheet is looked for down to this share of the thickness.
 const THINNEST_SHARE: f64 = 1.0 / 64.0;
 /// The thickest sheet is known within this factor.
-const THICKNESS_STEP: f64 = 1.1;
+const THICKNESS_STEP: f64 = 1.15;
 
 /// Predicts the strain of a sheet whose surface was found and that takes so much, and the folds
 /// that it needs. `None` where the watcher asks to stop.
@@ -84,8 +84,9 @@ pub fn predict(
         }
         Ok(predicted) if is_taken => predicted,
         Ok(predicted) => {
+            // What does not take the shape at all shows every fold.
             let thickest_mm = judge.thickest_mm(&predicted.scored, watch);
-            Predicted { thickest_mm, ..predicted }
+            Predicted { thickest_mm, scored: folds, ..predicted }
         }
     };
     (!watch.stop()).then_some(predicted)
@@ -172,8 +173,8 @@ impl Judge<'_> {
         watch: &mut dyn Watch,
     ) -> Result<Predicted, ElasticError> {
         let mut predicted: Option<Predicted> = None;
-        for triangles in NETS {
-            let options = ElasticOptions { triangles, ..ElasticOptions::default() };
+        for [triangles, most_steps] in NETS {
+            let options = ElasticOptions { triangles, most_steps };
             let at_rest = match self.at_rest(self.limits, scored, &options, watch) {
                 Ok(at_rest) => at_rest,
                 Err(ElasticError::NoNet | ElasticError::NoRest) if predicted.is_some() => break,
