@@ -15,7 +15,6 @@ use crate::scene::Act;
 use crate::theme::Theme;
 use eframe::egui::{self, ComboBox, Id, RichText, Ui};
 use sheetwright::boundary::PlaneChoice;
-use sheetwright::check::Verdict;
 use sheetwright::design::{DesignPanel, PanelMesh, PanelShape};
 use sheetwright::flatten::Aim;
 use sheetwright::math::{Point2, from_deg, to_deg};
@@ -64,9 +63,10 @@ fn selected_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>)
         section(ui, "Rung", |ui| {
             ui.label(format!("Rung {} of {}", rung + 1, shown.rungs.len()));
             let twist = decimal(at.warp_deg, 2);
-            ui.label(format!("Twist {twist}° of {}°", shown.warp_limit_deg));
-            if at.is_unsure && shown.verdict == Verdict::Undecided {
-                let text = "The samples are too coarse to tell: this may be bending alone.";
+            let plate = shown.warp_limit_deg;
+            ui.label(format!("Twist {twist}° (thick plate takes {plate}°)"));
+            if at.is_unsure && at.warp_deg > plate {
+                let text = "The samples are coarse: this may be bending alone.";
                 ui.label(RichText::new(text).color(theme.faint));
             }
             ui.label(format!("Bend {}°", decimal(at.crease_deg, 2)));

@@ -173,7 +173,7 @@ fn made_ui(
     ui.label(RichText::new(size).color(theme.faint));
     if let Some(worst) = shown.worst_rung() {
         let twist = format!(
-            "Largest twist {:.1}°, limit {}°",
+            "Largest twist {:.1}° (thick plate takes {}°)",
             shown.rungs[worst].warp_deg, shown.warp_limit_deg
         );
         let hint = twist_hint(&shown.rungs[worst], shown.warp_max_deg);

@@ -4,8 +4,6 @@
 //! with its source; the catalogue gives the source of every one.
 
 mod convert;
-#[cfg(test)]
-mod documented;
 mod file;
 
 use crate::json::{Named, Object};

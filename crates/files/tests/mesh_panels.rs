@@ -100,7 +100,7 @@ fn a_design_holds_panels_of_both_kinds() {
         assert!(!text(&outputs, name).is_empty());
     }
     let page = text(&outputs, "report.html");
-    for words in ["3 panels of ", "bend radius from", "stretch up to", "Warp, largest", "Seams"] {
+    for words in ["3 panels of ", "bend radius ", "Limits: strain ", "Warp, largest", "Seams"] {
         assert!(page.contains(words), "{words}");
     }
     // An edge that has the name of the part that it meets says it once.

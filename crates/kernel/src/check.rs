@@ -101,10 +101,7 @@ pub(crate) fn check_strain(
     measures: &Measures,
     material: Option<&Material>,
 ) {
-    let mut found = strain::findings(predicted);
-    found.extend(bending::folds(measures, material));
-    found.extend(strain::not_needed(measures));
-    checked.predicted_again(found);
+    checked.predicted_again(strain::findings(Some(predicted), measures, material));
 }
 
 /// The finding that a written pattern does not fold back onto its surface; `None` if it does.

@@ -106,7 +106,11 @@ pub const DEFAULT_STRETCH_LIMIT: f64 = 1e-3;
 /// The thickness of an unknown sheet, as a share of the side of a square with its area: a
 /// millimetre for a square metre. Assumed, so that the verdict on a shape does not depend on its
 /// unit.
-pub const DEFAULT_THICKNESS: f64 = 1e-3;
+const THICKNESS_BY_SIDE: f64 = 1e-3;
+
+/// The most thickness of an unknown sheet, as a share of the radius that it is bent to: who makes a
+/// narrow tube takes a sheet that can be bent so. Its outer fibre stretches by 1 % then. Assumed.
+const THICKNESS_BY_RADIUS: f64 = 0.02;
 
 /// Poisson's number of an unknown sheet: between wood and metal, 0.3. Strains hardly depend on it.
 const DEFAULT_POISSON: f64 = 0.3;
@@ -156,9 +160,10 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// Those of a material, or of an unknown one for a part of this area, mm².
-    pub fn of(material: Option<&Material>, area_mm2: f64) -> Self {
-        let unknown_mm = DEFAULT_THICKNESS * area_mm2.sqrt();
+    /// Those of a material, or of an unknown one for a part of this area, mm², and this curvature,
+    /// 1/mm.
+    pub fn of(material: Option<&Material>, area_mm2: f64, curvature: f64) -> Self {
+        let unknown_mm = (THICKNESS_BY_SIDE * area_mm2.sqrt()).min(THICKNESS_BY_RADIUS / curvature);
         let thickness_mm = material.map_or(unknown_mm, |m| m.thickness_mm.value);
         let value = |number: &Option<Sourced>| number.as_ref().map(|number| number.value);
         let poisson = material.and_then(|m| value(&m.poisson));

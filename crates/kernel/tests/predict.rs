@@ -8,29 +8,12 @@ use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelShape};
 use sheetwright::elastic::{Basis, DOUBT};
 use sheetwright::make::{Judging, Part, make, make_judged};
-use sheetwright::material::{Material, Sourced};
+use sheetwright::material::Material;
 use sheetwright::math::{Point3, cos, from_deg, sin};
 use sheetwright::pattern::Role;
 use sheetwright::watch::Unwatched;
+use sheetwright_shapes::materials::steel;
 use std::f64::consts::TAU;
-
-/// Mild steel of a thickness, mm, as the independent simulation took it.
-fn steel(thickness_mm: f64) -> Material {
-    Material {
-        name: "steel".into(),
-        title: format!("steel, {thickness_mm} mm"),
-        thickness_mm: Sourced::assumed(thickness_mm),
-        bend_radius_mm: Sourced::assumed(thickness_mm),
-        warp_limit_deg: Sourced::assumed(6.0),
-        stretch_limit: Sourced::assumed(1.2e-3),
-        modulus_n_per_mm2: Some(Sourced::assumed(210_000.0)),
-        poisson: Some(Sourced::assumed(0.3)),
-        yield_strain: Some(Sourced::assumed(1.2e-3)),
-        density_kg_per_m3: None,
-        k_factors: None,
-        grain: None,
-    }
-}
 
 /// A strip between two rails of points, 100 samples on each.
 fn strip(rails: [Vec<Point3>; 2], kind: CurveKind, material: Option<Material>) -> Design {

@@ -1,7 +1,7 @@
 //! Every template at its defaults, at the ends of its ranges and at random.
 #![allow(clippy::unwrap_used, clippy::print_stdout)] // tests panic and print what they measured
 
-use sheetwright::check::{Finding, FindingKind, Severity};
+use sheetwright::check::Severity;
 use sheetwright::curve::CurvePoint;
 use sheetwright::design::Design;
 use sheetwright::make::{Judging, make_judged};
@@ -12,19 +12,14 @@ use sheetwright::template::{
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::random::Random;
 
-/// Makes a design; the first finding that is an error, in words. A sheet of no named material may
-/// stretch too much at the ends of the ranges, which a formula does not tell for sure.
+/// Makes a design; the first finding that is an error, in words.
 fn error_in(design: &Design, judging: Judging) -> Option<String> {
     let made = match make_judged(design, judging, &mut Unwatched) {
         Ok(made) => made,
         Err(error) => return Some(format!("can't be made: {error}")),
     };
     made.parts.iter().find_map(|panel| {
-        let is_error = |f: &&Finding| {
-            let is_strain = matches!(f.kind, FindingKind::StrainTooLarge { .. });
-            f.severity() == Severity::Error && !(is_strain && judging == Judging::Quick)
-        };
-        let error = panel.checked.findings.iter().find(is_error)?;
+        let error = panel.checked.findings.iter().find(|f| f.severity() == Severity::Error)?;
         Some(format!("{}: {error:?}", panel.name))
     })
 }
@@ -77,7 +72,9 @@ fn every_template_makes_at_its_defaults_and_at_the_ends_of_its_ranges() {
                         println!("{}: {name}={value:?}: refused: {error}", template.name);
                     }
                     Ok(design) => {
-                        if let Some(error) = error_in(&design, Judging::Quick) {
+                        // What the formula refuses, the elastic sheet judges.
+                        let error = error_in(&design, Judging::Quick);
+                        if let Some(error) = error.and_then(|_| error_in(&design, Judging::Exact)) {
                             wrong.push(format!("{}: {name}={value:?}: {error}", template.name));
                         }
                     }
@@ -85,6 +82,11 @@ fn every_template_makes_at_its_defaults_and_at_the_ends_of_its_ranges() {
             }
         }
     }
+    // Its meridian turns back by 169° within 10 mm: no sheet takes that.
+    let squeezed = "revolution: height=Number(10.0): gore-1: Finding { kind: StrainTooLarge";
+    let (known, wrong): (Vec<_>, Vec<_>) =
+        wrong.into_iter().partition(|error: &String| error.starts_with(squeezed));
+    assert_eq!(known.len(), 1);
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 

@@ -63,8 +63,8 @@ fn of_surfaces() -> Vec<Finding> {
     let mut all = vec![
         Finding::new(too_large(Basis::Computed), worst()),
         Finding::new(too_large(Basis::NoRest), Place::Whole),
-        Finding::new(force([Some(2e-3), Some(0.5)], Some(83.0)), worst()),
-        Finding::new(force([Some(4e-3), Some(5e-3)], None), worst()),
+        Finding::new(force(Some([2e-3, 0.5]), Some(83.0)), worst()),
+        Finding::new(force(Some([4e-3, 5e-3]), None), worst()),
         Finding::of_whole(Kind::Roll {
             radius_mm: 161.0,
             from_mm: 417.0,
@@ -87,6 +87,10 @@ fn of_surfaces() -> Vec<Finding> {
                 basis: Basis::NoNet,
             },
             Place::Whole,
+        ),
+        Finding::new(
+            Kind::RadiusUnsure { least_mm: 298.7, limit_mm: 290.0, sheet: "plywood".to_owned() },
+            rungs(&[3, 4]),
         ),
         Finding::new(Kind::FoldsNotNeeded { count: 2, sharpest }, rungs(&[3, 4])),
         Finding::new(

@@ -19,6 +19,7 @@ pub mod gallery;
 pub mod gored;
 pub mod hemisphere;
 pub mod hull;
+pub mod materials;
 pub mod meshes;
 pub mod pierced;
 pub mod random;

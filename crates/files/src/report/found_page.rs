@@ -246,8 +246,7 @@ impl FoundPage<'_> {
             (
                 "Distance at rest from the surface",
                 self.strain_number(|p| {
-                    let at_rest = p.at_rest.as_ref();
-                    at_rest.map_or("not known".to_owned(), |s| millimetres_fine(s.distance_max_mm))
+                    p.rest_distance_mm().map_or("not known".to_owned(), millimetres_fine)
                 }),
             ),
             ("Largest crease", degrees(to_deg(measures.crease_max))),

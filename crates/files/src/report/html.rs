@@ -14,7 +14,7 @@ use crate::words::finding_text;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use sheetwright::check::Checked;
 use sheetwright::make::{Made, Origin};
-use sheetwright::material::{stretch_limit, warp_limit_deg};
+use sheetwright::material::stretch_limit;
 use sheetwright::math::to_deg;
 
 /// `report.html` of a made design. `refold_error_mm` and `checked` have one entry for each part; a
@@ -105,28 +105,13 @@ fn subtitle(made: &Made) -> String {
         (n, true) => format!("{n} mesh panels"),
     };
     let stretch = plain_per_cent(stretch_limit(made.material.as_ref()));
-    let mut limits = Vec::new();
     match &made.material {
         Some(m) => {
-            if meshes < count {
-                let warp = decimal(m.warp_limit_deg.value, 1);
-                let radius = millimetres(m.bend_radius_mm.value);
-                limits.push(format!("warp up to {warp}°, bend radius from {radius}"));
-            }
-            if meshes > 0 {
-                limits.push(format!("stretch up to {stretch}"));
-            }
-            format!("{panels} of {}. Limits: {}", m.title, limits.join(", "))
+            let radius = millimetres(m.bend_radius_mm.value);
+            format!("{panels} of {}. Limits: strain {stretch}, bend radius {radius}", m.title)
         }
         None => {
-            if meshes < count {
-                let warp = decimal(warp_limit_deg(None), 1);
-                limits.push(format!("warp up to {warp}°, any bend radius"));
-            }
-            if meshes > 0 {
-                limits.push(format!("stretch up to {stretch}"));
-            }
-            format!("{panels}, no material named. Limits: {}", limits.join(", "))
+            format!("{panels}, no material named. Limit: strain {stretch}")
         }
     }
 }
@@ -137,7 +122,7 @@ struct Column {
     value: fn(&PartPage<'_>) -> Option<String>,
 }
 
-const COLUMNS: [Column; 9] = [
+const COLUMNS: [Column; 10] = [
     Column {
         label: "Flat size",
         value: |page| {
@@ -146,6 +131,10 @@ const COLUMNS: [Column; 9] = [
         },
     },
     Column { label: "Area", value: |page| Some(area(page.part.measures.area_flat_mm2)) },
+    Column {
+        label: "Strain",
+        value: |page| page.part.predicted.as_ref().map(|p| plain_per_cent(p.strain)),
+    },
     Column {
         label: "Warp, largest / mean",
         value: |page| {

@@ -103,8 +103,9 @@ struct PanelReport<'a> {
     /// The strain of the outer fibre that the sheet takes, at the smallest bend radius of its
     /// material; null without one.
     outer_fibre_limit: Option<f64>,
-    /// The thickness that the strain was predicted for, mm: the material's, or a thousandth of the
-    /// side of a square with the area of the panel.
+    /// The thickness that the strain was predicted for, mm: the material's; without one, a
+    /// thousandth of the side of a square with the area of the panel, at most a fiftieth of its
+    /// bend radius.
     thickness_mm: Option<f64>,
     /// The moment that holds an edge, N·m for each metre; null where Young's modulus is unknown.
     hold_moment_n: Option<f64>,
@@ -529,7 +530,7 @@ fn of_found<'a>(
         thickness_mm: predicted.map(|p| p.limits.thickness_mm),
         hold_moment_n: predicted.and_then(Predicted::hold_moment_n),
         hold_load_n_per_m: predicted.and_then(Predicted::hold_load_n_per_mm).map(|n| 1e3 * n),
-        rest_distance_mm: predicted.and_then(|p| Some(p.at_rest.as_ref()?.distance_max_mm)),
+        rest_distance_mm: predicted.and_then(Predicted::rest_distance_mm),
         thickest_mm: predicted.and_then(|p| p.thickest_mm),
         bend_radius_min_mm: finite(measures.bend_radius_min_mm),
         self_intersects: Some(measures.self_crossing.is_some()),

@@ -17,7 +17,7 @@ pub fn finding_text(finding: &Finding) -> String {
             "{}. {}.{} Move the boundary, divide the panel, or choose a sheet that stretches \
              more.",
             must_strain(*strain, *basis),
-            takes_fine(sheet.as_ref(), *limit),
+            takes(sheet.as_ref(), &percent_fine(*limit)),
             thickest_mm.map_or(String::new(), |mm| format!(
                 " In {} mm it would take the shape.",
                 short_down(mm)
@@ -39,7 +39,7 @@ pub fn finding_text(finding: &Finding) -> String {
                      computed",
                 Basis::NoRest => "by a formula: the computed sheet did not come to rest",
             },
-            takes_fine(sheet.as_ref(), *limit)
+            takes(sheet.as_ref(), &percent_fine(*limit))
         ),
         Kind::FoldsNotNeeded { count, sharpest } => format!(
             "The surface that fits best has {count} sharp {} of up to {}, which the sheet does \
@@ -51,6 +51,10 @@ pub fn finding_text(finding: &Finding) -> String {
         Kind::RadiusTooSmall { least_mm, limit_mm, sheet } => format!(
             "The smallest bend radius of the panel is {least_mm:.1} mm; the limit for {sheet} is \
              {limit_mm:.1} mm. Choose a thinner sheet, or draw the boundary rounder."
+        ),
+        Kind::RadiusUnsure { least_mm, limit_mm, sheet } => format!(
+            "The samples are too coarse to tell how tightly the sheet is bent: by them to \
+             {least_mm:.1} mm, where the limit for {sheet} is {limit_mm:.1} mm. Use more samples."
         ),
         Kind::Points { count, turn, too_tight } => points(*count == 1, *turn, too_tight.as_ref()),
         Kind::SelfCrossing => "The surface passes through itself in space. Choose a supporting \
@@ -114,11 +118,11 @@ pub fn finding_text(finding: &Finding) -> String {
         Kind::StretchTooLarge { largest, limit, sheet, cut, has_creases, .. } => format!(
             "{} {}. {}, or choose a sheet that stretches more.",
             must_stretch(*largest),
-            takes(sheet.as_ref(), *limit),
+            takes(sheet.as_ref(), &percent(*limit)),
             divided(*cut, *has_creases)
         ),
         Kind::StretchHigh { largest, limit, sheet } => {
-            format!("{} {}.", must_stretch(*largest), takes(sheet.as_ref(), *limit))
+            format!("{} {}.", must_stretch(*largest), takes(sheet.as_ref(), &percent(*limit)))
         }
         Kind::Stretch { largest } => must_stretch(*largest),
         Kind::BorderNotTrue { largest } => format!(
@@ -333,7 +337,7 @@ fn needs_force(kind: &FindingKind) -> String {
     };
     // The larger of both shares decides.
     let bend = match outer_fibre {
-        [Some(bent), Some(most)] if bent / most > strain / limit => Some((*bent, *most)),
+        Some([bent, most]) if bent / most > strain / limit => Some((*bent, *most)),
         _ => None,
     };
     let why = match bend {
@@ -344,7 +348,11 @@ fn needs_force(kind: &FindingKind) -> String {
             percent(most)
         ),
         None => {
-            format!("{}. {}", must_strain(*strain, *basis), takes_fine(sheet.as_ref(), *limit))
+            format!(
+                "{}. {}",
+                must_strain(*strain, *basis),
+                takes(sheet.as_ref(), &percent_fine(*limit))
+            )
         }
     };
     let hold = moment_n.map_or(String::new(), |moment| {
@@ -361,17 +369,11 @@ fn must_stretch(largest: f64) -> String {
     )
 }
 
-fn takes(sheet: Option<&String>, limit: f64) -> String {
+/// The limit of a sheet, in per cent; a sentence without its end.
+fn takes(sheet: Option<&String>, limit: &str) -> String {
     match sheet {
-        Some(sheet) => format!("The limit for {sheet} is {}", percent(limit)),
-        None => format!("The limit without a named material is {}", percent(limit)),
-    }
-}
-
-fn takes_fine(sheet: Option<&String>, limit: f64) -> String {
-    match sheet {
-        Some(sheet) => format!("The limit for {sheet} is {}", percent_fine(limit)),
-        None => format!("The limit without a named material is {}", percent_fine(limit)),
+        Some(sheet) => format!("The limit for {sheet} is {limit}"),
+        None => format!("The limit without a named material is {limit}"),
     }
 }
 

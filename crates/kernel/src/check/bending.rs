@@ -1,9 +1,8 @@
 //! Findings on a surface that was found: does the sheet follow it by bending?
 
 use super::{Finding, FindingKind, Place, SeamCause, Subject, TooTight};
-use super::{overlap, seams, strain, title};
-use crate::material::Material;
-use crate::measure::{Measures, RungMeasures, SHARP_CREASE_DEG};
+use super::{overlap, seams, strain};
+use crate::measure::{RungMeasures, SHARP_CREASE_DEG};
 use crate::sheet::Seam;
 use sheetwright_geometry::boundary::Boundary;
 use sheetwright_geometry::math::{Vec3, to_deg};
@@ -22,33 +21,20 @@ pub(super) struct Panel<'a> {
 
 /// The findings on it.
 pub(super) fn findings(panel: &Panel<'_>) -> Vec<Finding> {
-    let checks: [fn(&Panel<'_>) -> Option<Finding>; 11] = [
-        bend_radius,
+    let checks: [fn(&Panel<'_>) -> Option<Finding>; 9] = [
         points,
         crossing,
         |panel: &Panel<'_>| overlap(panel.part),
         forced_rungs,
-        |panel: &Panel<'_>| folds(panel.part.measures, panel.part.material),
         bend_lines,
         length_error,
         open_windows,
         |panel: &Panel<'_>| seams(panel.part, SeamCause::NotFlat),
         not_proven,
     ];
-    let predicted = panel.part.predicted.map(strain::findings).unwrap_or_default();
-    predicted.into_iter().chain(checks.iter().filter_map(|check| check(panel))).collect()
-}
-
-fn bend_radius(panel: &Panel<'_>) -> Option<Finding> {
-    let material = panel.part.material?;
-    let (least_mm, limit_mm) =
-        (panel.part.measures.bend_radius_min_mm, material.bend_radius_mm.value);
-    (least_mm < limit_mm).then(|| {
-        let sheet = material.title.clone();
-        let kind = FindingKind::RadiusTooSmall { least_mm, limit_mm, sheet };
-        let tight = |r: &RungMeasures| r.bend_radius_mm < limit_mm;
-        Finding::new(kind, Place::rungs(&panel.part.measures.rungs, tight))
-    })
+    let Subject { predicted, measures, material, .. } = *panel.part;
+    let strained = strain::findings(predicted, measures, material);
+    strained.into_iter().chain(checks.iter().filter_map(|check| check(panel))).collect()
 }
 
 /// A point where the sheet turns by less than this, degrees, is rounded off and hardly seen.
@@ -98,15 +84,6 @@ fn not_proven(panel: &Panel<'_>) -> Option<Finding> {
     let is_open = gap.map_or(panel.boundary.holes() > 0, |gap| gap > 0.0);
     let cut_short = panel.triangulation.cut_short;
     is_open.then(|| Finding::of_whole(FindingKind::NotProven { gap, cut_short }))
-}
-
-/// The finding on the folds that the sheet needs.
-pub(super) fn folds(measures: &Measures, material: Option<&Material>) -> Option<Finding> {
-    let scored = measures.rungs.iter().filter(|r| r.is_scored);
-    let sharpest = scored.clone().map(|r| r.crease.abs()).reduce(f64::max)?;
-    let stiff = title(material.filter(|m| !m.folds()));
-    let kind = FindingKind::Folds { count: scored.count(), sharpest, stiff };
-    Some(Finding::new(kind, Place::rungs(&measures.rungs, |r| r.is_scored)))
 }
 
 fn bend_lines(panel: &Panel<'_>) -> Option<Finding> {

@@ -66,7 +66,7 @@ impl Verdict {
         let has = |is_it: fn(&Kind) -> bool| findings.iter().any(|f| is_it(&f.kind));
         if has(|kind| kind.is_of_bending() && kind.severity() == Severity::Error) {
             Self::WillNotBend
-        } else if has(|kind| matches!(kind, Kind::CantTell { .. })) {
+        } else if has(|kind| matches!(kind, Kind::CantTell { .. } | Kind::RadiusUnsure { .. })) {
             Self::Undecided
         } else if has(|kind| matches!(kind, Kind::Folds { .. } | Kind::Creases { .. })) {
             Self::BendsAndFolds

@@ -35,7 +35,7 @@ pub enum FindingKind {
         limit: f64,
         /// The strain of the outer fibre that 95 % of the area stays below, and that which the
         /// sheet takes, if that is known.
-        outer_fibre: [Option<f64>; 2],
+        outer_fibre: Option<[f64; 2]>,
         /// The sheet, if one is named.
         sheet: Option<String>,
         /// The moment that holds a metre of edge, N·m/m, if the stiffness is known.
@@ -73,6 +73,15 @@ pub enum FindingKind {
     /// The bend radius is below the limit of the sheet.
     RadiusTooSmall {
         /// The smallest bend radius, mm.
+        least_mm: f64,
+        /// The smallest bend radius that the sheet takes, mm.
+        limit_mm: f64,
+        /// The sheet.
+        sheet: String,
+    },
+    /// The samples are too coarse to measure how tightly the sheet is bent.
+    RadiusUnsure {
+        /// The smallest bend radius that was measured, mm.
         least_mm: f64,
         /// The smallest bend radius that the sheet takes, mm.
         limit_mm: f64,
@@ -388,6 +397,7 @@ impl FindingKind {
             Self::NeedsForce { .. }
             | Self::Roll { .. }
             | Self::CantTell { .. }
+            | Self::RadiusUnsure { .. }
             | Self::RungWithoutPlane { .. }
             | Self::WindowGap { .. }
             | Self::StretchHigh { .. }
@@ -434,7 +444,7 @@ impl FindingKind {
             Self::StrainTooLarge { .. } => "strain-too-large",
             Self::NeedsForce { .. } => "needs-force",
             Self::Roll { .. } => "roll",
-            Self::CantTell { .. } => "cant-tell",
+            Self::CantTell { .. } | Self::RadiusUnsure { .. } => "cant-tell",
             Self::FoldsNotNeeded { .. } => "fold-not-needed",
             Self::RadiusTooSmall { .. } => "radius-too-small",
             Self::Points { .. } => "point",

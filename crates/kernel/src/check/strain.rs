@@ -1,38 +1,50 @@
-//! Findings on the strain that a sheet is predicted to have: the verdict.
+//! Findings on how far a sheet stretches and bends in its shape: the verdict.
 
-use super::{Checked, EASY_SHARE, Finding, FindingKind, Place};
+use super::{Checked, EASY_SHARE, Finding, FindingKind, Place, title};
 use crate::elastic::{Basis, Elastic, Predicted};
-use crate::measure::Measures;
+use crate::material::Material;
+use crate::measure::{Measures, RungMeasures};
+use sheetwright_geometry::math::from_deg;
 
-/// The findings on a prediction.
-pub(super) fn findings(predicted: &Predicted) -> Vec<Finding> {
+/// The findings that follow from a prediction and from the measures of a surface that was found.
+pub(super) fn findings(
+    predicted: Option<&Predicted>,
+    measures: &Measures,
+    material: Option<&Material>,
+) -> Vec<Finding> {
+    let found = [
+        predicted.and_then(roll),
+        predicted.and_then(stretch),
+        material.and_then(|material| radius(measures, material)),
+        folds(measures, material),
+        folds_not_needed(measures),
+    ];
+    found.into_iter().flatten().collect()
+}
+
+/// The finding on how much of what it takes the sheet uses.
+fn stretch(predicted: &Predicted) -> Option<Finding> {
     let Predicted { limits, basis, strain, strain_range, .. } = predicted;
     let (limit, sheet) = (limits.strain, limits.sheet.clone());
     let (basis, strain) = (*basis, *strain);
-    let worst = || {
-        let at = predicted.at_rest.as_ref().map(Elastic::worst_places);
-        at.map_or(Place::Whole, |at| Place::Points { at })
-    };
-    let [least, most] = predicted.usage_range();
+    let [least, most] = strain_range.map(|strain| strain / limit);
     // While the hand drags, the middle of the range decides: a hint in the right colour.
     let is_screen = basis == Basis::Screen;
-    let is_beyond = if is_screen { predicted.usage() > 1.0 } else { least > 1.0 };
-    let mut found = Vec::new();
-    if is_beyond && strain > limit {
+    let is_beyond = if is_screen { strain > limit } else { least > 1.0 };
+    let kind = if is_beyond {
         let thickest_mm = predicted.thickest_mm;
-        let kind = FindingKind::StrainTooLarge { strain, limit, sheet, thickest_mm, basis };
-        found.push(Finding::new(kind, worst()));
-    } else if most > 1.0 && !is_screen && !is_beyond {
-        let kind = FindingKind::CantTell { strain: *strain_range, limit, sheet, basis };
-        found.push(Finding::new(kind, worst()));
+        FindingKind::StrainTooLarge { strain, limit, sheet, thickest_mm, basis }
+    } else if most > 1.0 && !is_screen {
+        FindingKind::CantTell { strain: *strain_range, limit, sheet, basis }
     } else if predicted.usage() > EASY_SHARE {
-        let outer_fibre = [limits.outer_fibre.map(|_| predicted.outer_fibre()), limits.outer_fibre];
+        let outer_fibre = limits.outer_fibre.map(|limit| [predicted.outer_fibre(), limit]);
         let moment_n = predicted.hold_moment_n();
-        let kind = FindingKind::NeedsForce { strain, limit, outer_fibre, sheet, moment_n, basis };
-        found.push(Finding::new(kind, worst()));
-    }
-    found.extend(roll(predicted));
-    found
+        FindingKind::NeedsForce { strain, limit, outer_fibre, sheet, moment_n, basis }
+    } else {
+        return None;
+    };
+    let at = predicted.at_rest.as_ref().map(Elastic::most_strained);
+    Some(Finding::new(kind, at.map_or(Place::Whole, |at| Place::Points { at })))
 }
 
 /// The finding that the sheet keeps its bend.
@@ -44,17 +56,40 @@ fn roll(predicted: &Predicted) -> Option<Finding> {
     Some(Finding::of_whole(FindingKind::Roll { radius_mm: 1.0 / curvature, from_mm, sheet }))
 }
 
-/// The findings on folds: those that the sheet needs, and those that it does not.
-pub(super) fn not_needed(measures: &Measures) -> Option<Finding> {
-    let is_spare = |n: &usize| {
-        let rung = &measures.rungs[*n];
-        rung.is_fold && !rung.is_scored
-    };
-    let numbers: Vec<usize> = (0..measures.rungs.len()).filter(is_spare).collect();
-    let creases = numbers.iter().map(|&n| measures.rungs[n].crease.abs());
-    let sharpest = creases.reduce(f64::max)?;
-    let kind = FindingKind::FoldsNotNeeded { count: numbers.len(), sharpest };
-    Some(Finding::new(kind, Place::Rungs { numbers }))
+/// The finding that the sheet is bent more tightly than it takes; or, of a sheet that does not
+/// fold, that nobody can tell, since rulings turn so much from one sample to the next that samples
+/// may miss a tight end.
+fn radius(measures: &Measures, material: &Material) -> Option<Finding> {
+    let (limit_mm, sheet) = (material.bend_radius_mm.value, material.title.clone());
+    let least_mm = measures.bend_radius_min_mm;
+    if least_mm < limit_mm {
+        let kind = FindingKind::RadiusTooSmall { least_mm, limit_mm, sheet };
+        let tight = |r: &RungMeasures| r.bend_radius_mm < limit_mm;
+        return Some(Finding::new(kind, Place::rungs(&measures.rungs, tight)));
+    }
+    let limit = from_deg(material.warp_limit_deg.value);
+    let is_coarse = |r: &RungMeasures| r.warp > limit && r.warp_beyond_sampling() == 0.0;
+    let is_unsure = !material.folds() && measures.rungs.iter().any(is_coarse);
+    let kind = FindingKind::RadiusUnsure { least_mm, limit_mm, sheet };
+    is_unsure.then(|| Finding::new(kind, Place::rungs(&measures.rungs, is_coarse)))
+}
+
+/// The finding on the folds that the sheet needs.
+fn folds(measures: &Measures, material: Option<&Material>) -> Option<Finding> {
+    let scored = measures.rungs.iter().filter(|r| r.is_scored);
+    let sharpest = scored.clone().map(|r| r.crease.abs()).reduce(f64::max)?;
+    let stiff = title(material.filter(|m| !m.folds()));
+    let kind = FindingKind::Folds { count: scored.count(), sharpest, stiff };
+    Some(Finding::new(kind, Place::rungs(&measures.rungs, |r| r.is_scored)))
+}
+
+/// The finding on the folds that it does not need.
+fn folds_not_needed(measures: &Measures) -> Option<Finding> {
+    let is_spare = |r: &RungMeasures| r.is_fold && !r.is_scored;
+    let spare = measures.rungs.iter().filter(|r| is_spare(r));
+    let sharpest = spare.clone().map(|r| r.crease.abs()).reduce(f64::max)?;
+    let kind = FindingKind::FoldsNotNeeded { count: spare.count(), sharpest };
+    Some(Finding::new(kind, Place::rungs(&measures.rungs, is_spare)))
 }
 
 impl FindingKind {
@@ -66,6 +101,8 @@ impl FindingKind {
                 | Self::NeedsForce { .. }
                 | Self::Roll { .. }
                 | Self::CantTell { .. }
+                | Self::RadiusTooSmall { .. }
+                | Self::RadiusUnsure { .. }
                 | Self::Folds { .. }
                 | Self::FoldsNotNeeded { .. }
         )
@@ -74,11 +111,9 @@ impl FindingKind {
 
 impl Checked {
     /// Replaces the findings that follow from a prediction by these, and the verdict.
-    pub(crate) fn predicted_again(&mut self, found: Vec<Finding>) {
-        self.findings.retain(|finding| !finding.kind.is_predicted());
-        // The worst first, and of those that are as bad, what was predicted.
-        let others = std::mem::replace(&mut self.findings, found);
-        self.findings.extend(others);
-        *self = Self::of(std::mem::take(&mut self.findings));
+    pub(super) fn predicted_again(&mut self, found: Vec<Finding>) {
+        let others = std::mem::take(&mut self.findings);
+        let kept = others.into_iter().filter(|finding| !finding.kind.is_predicted());
+        *self = Self::of(found.into_iter().chain(kept).collect());
     }
 }

@@ -18,23 +18,23 @@
 //! a scored fold is a cut that is held where the surface has it.
 //!
 //! While a hand drags there is no time for all that; then a formula estimates the strain within a
-//! factor of two (`estimate`).
+//! factor of two (`screen`).
 //!
 //! One membrane place a triangle is on purpose: with three, thin sheets lock, and strains come out
 //! several times too large.
 
 mod element;
 mod energy;
-mod estimate;
 mod net;
 mod newton;
 mod predict;
 mod predicted;
+mod screen;
 
 pub use energy::Stiffness;
-pub use estimate::{DOUBT, Estimate, estimate};
 pub use predict::predict;
 pub use predicted::{Basis, Predicted};
+pub use screen::{DOUBT, screen};
 
 use crate::flatten::Flattened;
 use crate::sheet::Sheet;
@@ -171,7 +171,7 @@ impl Elastic {
 
     /// Where the strain in the plane is largest, in space, mm: at most three places that are apart
     /// by a tenth of the size of the sheet, the worst first.
-    pub fn worst_places(&self) -> Vec<Point3> {
+    pub fn most_strained(&self) -> Vec<Point3> {
         let apart = 0.1 * size_of(self.positions.iter().copied());
         let mut order: Vec<usize> = (0..self.strains.len()).collect();
         order.sort_by(|&a, &b| self.strains[b].total_cmp(&self.strains[a]).then(a.cmp(&b)));
@@ -211,7 +211,7 @@ impl Elastic {
     }
 }
 
-/// So many places of the largest strain are named.
+/// So many places are named.
 const MOST_PLACES: usize = 3;
 
 /// The share of the area, or of the border, that decides: a point takes none of it.

@@ -11,8 +11,8 @@
 //! 5. A sheet whose pattern overlaps itself has no net; it is computed in pieces.
 //! 6. Where no sheet can be computed, a formula estimates the strain, with its doubt.
 
+use super::elastic;
 use super::{Basis, Elastic, ElasticError, ElasticOptions, Predicted, Stiffness};
-use super::{elastic, estimate};
 use crate::flatten::Flattened;
 use crate::material::Limits;
 use crate::measure::Measures;
@@ -43,15 +43,16 @@ const THINNEST_SHARE: f64 = 1.0 / 64.0;
 /// The thickest sheet is known within this factor.
 const THICKNESS_STEP: f64 = 1.15;
 
-/// Predicts the strain of a sheet whose surface was found and that takes so much, and the folds
-/// that it needs. `None` where the watcher asks to stop.
+/// Predicts the strain of a sheet whose surface was found, and the folds that it needs, where a
+/// formula has `screened` it. `None` where the watcher asks to stop.
 pub fn predict(
     sheet: &Sheet,
     flat: &Flattened,
     measures: &Measures,
-    limits: &Limits,
+    screened: &Predicted,
     watch: &mut dyn Watch,
 ) -> Option<Predicted> {
+    let limits = &screened.limits;
     if measures.warp_max <= FLAT && measures.crease_max <= FLAT {
         return Some(Predicted::flat(limits.clone()));
     }
@@ -78,9 +79,7 @@ pub fn predict(
         Err(ElasticError::Stopped) => return None,
         Err(error) => {
             let basis = if error == ElasticError::NoNet { Basis::NoNet } else { Basis::NoRest };
-            let found = estimate(sheet, measures, limits.thickness_mm);
-            let estimated = Predicted::estimated(limits.clone(), basis, found);
-            Predicted { scored: folds, ..estimated }
+            Predicted { basis, ..screened.clone() }
         }
         Ok(predicted) if is_taken => predicted,
         Ok(predicted) => {
@@ -241,7 +240,8 @@ impl Judge<'_> {
         elastic(&cut, &Flattened { points, overlap: None }, stiffness, options, watch)
     }
 
-    /// The thickest sheet of its kind that takes the shape, mm, to two digits.
+    /// The thickest sheet of its kind that takes the shape, mm: as thick as some that does, and by
+    /// less than 15 % thinner than some that does not.
     fn thickest_mm(&self, scored: &[usize], watch: &mut dyn Watch) -> Option<f64> {
         let whole = self.limits.thickness_mm;
         let mut takes = |thickness_mm: f64| {

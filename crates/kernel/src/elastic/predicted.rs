@@ -1,7 +1,7 @@
 //! What is predicted of a sheet: how far it must stretch and bend to take its shape, beside what it
 //! takes.
 
-use super::{DOUBT, Elastic, Estimate};
+use super::Elastic;
 use crate::material::Limits;
 
 /// The strain on one coarse net is at least that of fine nets over the first factor, and at most
@@ -47,22 +47,27 @@ pub struct Predicted {
 impl Predicted {
     /// That of a sheet that stays flat.
     pub fn flat(limits: Limits) -> Self {
-        let flat = Estimate { strain: 0.0, curvature: 0.0 };
-        Self::estimated(limits, Basis::Computed, flat)
+        Self {
+            limits,
+            basis: Basis::Computed,
+            strain: 0.0,
+            strain_range: [0.0; 2],
+            curvature: 0.0,
+            scored: Vec::new(),
+            at_rest: None,
+            thickest_mm: None,
+        }
     }
 
     /// That of a sheet at rest on one net.
     pub fn computed(limits: Limits, at_rest: Elastic) -> Self {
         let (strain, curvature) = (at_rest.strain(), at_rest.curvature());
         Self {
-            limits,
-            basis: Basis::Computed,
             strain,
             strain_range: [strain / DOUBT_OF_ONE[1], strain * DOUBT_OF_ONE[0]],
             curvature,
-            scored: Vec::new(),
             at_rest: Some(at_rest),
-            thickest_mm: None,
+            ..Self::flat(limits)
         }
     }
 
@@ -86,21 +91,6 @@ impl Predicted {
         Self { strain_range, ..finer }
     }
 
-    /// That of a formula.
-    pub fn estimated(limits: Limits, basis: Basis, estimate: Estimate) -> Self {
-        let Estimate { strain, curvature } = estimate;
-        Self {
-            limits,
-            basis,
-            strain,
-            strain_range: [strain / DOUBT, strain * DOUBT],
-            curvature,
-            scored: Vec::new(),
-            at_rest: None,
-            thickest_mm: None,
-        }
-    }
-
     /// The strain of the outer fibre that 95 % of the area stays below, without unit.
     pub fn outer_fibre(&self) -> f64 {
         self.limits.outer_fibre_at(self.curvature)
@@ -114,6 +104,13 @@ impl Predicted {
     /// The least and the greatest that this may be.
     pub fn usage_range(&self) -> [f64; 2] {
         self.strain_range.map(|strain| self.limits.use_of(strain, self.curvature))
+    }
+
+    /// The largest distance of the sheet at rest from the surface, mm; `None` where it was not
+    /// computed.
+    pub fn rest_distance_mm(&self) -> Option<f64> {
+        let is_flat = self.basis == Basis::Computed;
+        self.at_rest.as_ref().map(|sheet| sheet.distance_max_mm).or(is_flat.then_some(0.0))
     }
 
     /// The moment that holds an edge, per length, N (N·m/m): the bending stiffness times the

@@ -1,6 +1,5 @@
 //! Panels that are bounded by curves: the surface that fits them best is found.
 
-use super::judged::screen;
 use super::part::{Found, Origin, Part};
 use super::unrestricted::Known;
 use super::{MakeCause, MakeError};
@@ -10,6 +9,7 @@ use crate::check::{
 };
 use crate::design::{DesignPanel, PanelShape, used};
 use crate::edge::edges_of_boundary;
+use crate::elastic::screen;
 use crate::flatten::lay_flat;
 use crate::measure::{CutFrom, measures};
 use crate::pattern::{PatternOptions, piece, seam_marks};

@@ -14,6 +14,7 @@ variants!(FindingKind {
     NeedsForce { strain, limit, outer_fibre, sheet, moment_n, basis },
     Roll { radius_mm, from_mm, sheet },
     CantTell { strain, limit, sheet, basis },
+    RadiusUnsure { least_mm, limit_mm, sheet },
     FoldsNotNeeded { count, sharpest },
     RadiusTooSmall { least_mm, limit_mm, sheet },
     Points { count, turn, too_tight },

@@ -1,7 +1,8 @@
 //! The table of the catalogue in `docs/materials.md`, made from the catalogue.
+#![allow(clippy::unwrap_used)] // Whatever fails here is a failed test.
 
-use super::known_materials;
 use sheetwright::material::{ASSUMED, KFactors, Material, Sourced};
+use sheetwright_files::known_materials;
 use std::collections::BTreeSet;
 
 /// Begins and ends the part of the page that is made.
@@ -58,7 +59,8 @@ fn grain_row(m: &Material) -> Option<String> {
 
 /// Every source of the catalogue once, sorted, but for assumptions.
 fn sources() -> BTreeSet<String> {
-    let file: serde_json::Value = serde_json::from_str(include_str!("../materials.json")).unwrap();
+    let file: serde_json::Value =
+        serde_json::from_str(include_str!("../src/materials.json")).unwrap();
     fn collect(value: &serde_json::Value, found: &mut BTreeSet<String>) {
         for (field, value) in value.as_object().into_iter().flatten() {
             match value.as_str() {
@@ -90,7 +92,7 @@ fn made() -> String {
     text
 }
 
-/// `SHEETWRIGHT_REWRITE=1 cargo test -p sheetwright-files documented` writes it anew.
+/// `SHEETWRIGHT_REWRITE=1 cargo test -p sheetwright-files --test materials_page` writes it anew.
 #[test]
 fn the_table_in_the_docs_is_that_of_the_catalogue() {
     let path = format!("{}/../../docs/materials.md", env!("CARGO_MANIFEST_DIR"));
@@ -105,6 +107,6 @@ fn the_table_in_the_docs_is_that_of_the_catalogue() {
     assert!(
         kept == page,
         "docs/materials.md differs from the catalogue; write it anew with SHEETWRIGHT_REWRITE=1 \
-         cargo test -p sheetwright-files documented"
+         cargo test -p sheetwright-files --test materials_page"
     );
 }
