@@ -9,6 +9,7 @@ use sheetwright::flatten::Aim;
 use sheetwright::make::Judging;
 use sheetwright::math::from_deg;
 use sheetwright::template::catalogue;
+use sheetwright::triangulate::WhichSurface;
 use sheetwright_files::{
     Format, InputFormat, MaxSheets, MeshFormat, MeshSettings, OutputOptions, Paper, PdfOptions,
     ReadOptions, ReportForm, Units, VarySettings, catalogue_names, known_materials,
@@ -294,6 +295,9 @@ pub(crate) struct SourceArgs {
     /// Which triangulations are searched
     #[arg(long, value_enum, ignore_case = true, value_name = "METHOD")]
     method: Option<MethodArg>,
+    /// Which surface is made where two fit a boundary about as well
+    #[arg(long, value_enum, ignore_case = true, value_name = "SIDE")]
+    side: Option<SideArg>,
     /// Whether the surface lies over a plane onto which the boundary projects without crossing
     /// itself [default: as the design says, or auto]
     #[arg(long, value_enum, ignore_case = true, value_name = "PLANE")]
@@ -367,6 +371,10 @@ impl SourceArgs {
                 MethodArg::Bridge => PanelMethod::Bridge,
                 MethodArg::Rails => PanelMethod::Rails,
             }),
+            which: self.side.map(|side| match side {
+                SideArg::Cheapest => WhichSurface::Cheapest,
+                SideArg::Other => WhichSurface::Other,
+            }),
             plane: self.plane.map(|plane| match plane {
                 PlaneArg::Auto => PlaneChoice::Auto,
                 PlaneArg::None => PlaneChoice::None,
@@ -389,6 +397,14 @@ enum VerdictArg {
     Quick,
     /// An elastic sheet, computed for each panel
     Exact,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum SideArg {
+    /// The one with the lower price
+    Cheapest,
+    /// The other one
+    Other,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]

@@ -22,6 +22,7 @@ pub(crate) const LONG_REPORT: &str =
 pub(crate) fn option(remedy: Remedy) -> String {
     match remedy {
         Remedy::Effort => "--effort sets it: 10 is ten times the default.".to_owned(),
+        Remedy::OtherSurface => "--side other makes it.".to_owned(),
         Remedy::Darts => "--darts cuts it there.".to_owned(),
         Remedy::SplitCreases => "--split-creases 30 divides it at creases above 30°.".to_owned(),
         Remedy::Units => "--units sets them.".to_owned(),

@@ -18,6 +18,7 @@ use sheetwright::boundary::PlaneChoice;
 use sheetwright::design::{DesignPanel, PanelMesh, PanelShape};
 use sheetwright::flatten::Aim;
 use sheetwright::math::{Point2, from_deg, to_deg};
+use sheetwright::triangulate::WhichSurface;
 use sheetwright_files::{Units, known_materials, material_group};
 use std::ops::RangeInclusive;
 
@@ -213,6 +214,17 @@ fn panel_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
              surface may wrap round or hang over.",
         ).changed() {
             to.plane = if lies_over { PlaneChoice::Auto } else { PlaneChoice::None };
+        }
+        let mut is_other = to.which == WhichSurface::Other;
+        if ui
+            .checkbox(&mut is_other, "The other surface, where two fit")
+            .on_hover_text(
+                "A closed curve may bound two surfaces that bend about as well. A message says so \
+             where it does.",
+            )
+            .changed()
+        {
+            to.which = if is_other { WhichSurface::Other } else { WhichSurface::Cheapest };
         }
         if matches!(to.shape, PanelShape::Rails(_)) {
             ui.checkbox(&mut to.run_on, "Rails run on beyond the ends");

@@ -7,6 +7,7 @@ use sheetwright::design::VaryGoal;
 use sheetwright::design::{PanelMesh, PanelMethod, Vary};
 use sheetwright::flatten::Aim;
 use sheetwright::math::from_deg;
+use sheetwright::triangulate::WhichSurface;
 use std::fmt;
 use std::fs::File;
 use std::io::{self, Read};
@@ -125,6 +126,8 @@ pub struct ReadOptions {
     pub effort: Option<f64>,
     /// Which triangulations are searched. Default: as the design says.
     pub method: Option<PanelMethod>,
+    /// Which surface is meant where two fit a boundary about as well. Default: as the design says.
+    pub which: Option<WhichSurface>,
     /// The supporting plane of every panel. Default: as the design says, or `auto`.
     pub plane: Option<PlaneChoice>,
     /// The unit of a curve table or a mesh. Default: millimetres. A design states its own.

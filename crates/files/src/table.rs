@@ -322,6 +322,8 @@ pub(crate) fn read_as_design(
         method: options.method.unwrap_or_default(),
         goal: Goal::Price,
         run_on: false,
+        which: options.which.unwrap_or_default(),
+        near: Vec::new(),
         plane: options.plane.unwrap_or_default(),
         fold: options.fold.unwrap_or(PriceOptions::default().fold),
         effort: options.effort.unwrap_or(1.0),

@@ -10,7 +10,7 @@ use sheetwright::make::{Made, Part, make};
 use sheetwright::math::{Point2, Point3, Vec2};
 use sheetwright::pattern::{LabelKind, PathKind, PatternLabel, PatternPath, Piece, Role};
 use sheetwright::rung::Rung;
-use sheetwright::triangulate::Goal;
+use sheetwright::triangulate::{Goal, WhichSurface};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
     Format, MaxSheets, OutputError, Paper, PatternReadError, PdfOptions, ReadPattern, Reduced,
@@ -49,6 +49,8 @@ fn hull(scale: f64) -> Made {
         fold: 0.1,
         effort: 1.0,
         cut: Vec::new(),
+        which: WhichSurface::Cheapest,
+        near: Vec::new(),
     });
     let design = Design {
         name: "hull".into(),

@@ -10,6 +10,8 @@
 
 pub mod math;
 
+pub mod triangle;
+
 pub mod predicate;
 
 pub mod tolerance;

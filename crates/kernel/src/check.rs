@@ -9,14 +9,16 @@ mod remedy;
 mod severity;
 mod strain;
 mod stretching;
+mod verdict;
 
-pub use finding::{Checked, Finding, Verdict};
+pub use finding::{Checked, Finding};
 pub use kind::{Bend, FindingKind, Hindrance, Movement, SeamCause, TooTight};
 pub use place::{BorderSide, Place, SeamPlace};
 pub use remedy::Remedy;
 pub use severity::Severity;
+pub use verdict::Verdict;
 
-pub(crate) use bending::better_without_plane;
+pub(crate) use bending::{better_without_plane, no_other_surface, two_surfaces};
 pub(crate) use origin::{
     BoundaryMoved, moved, ran_on, rounded_corner, smoothed_joints, stayed_straight, turned_round,
 };

@@ -32,7 +32,7 @@
 #![forbid(unsafe_code)]
 
 pub use sheetwright_geometry::{
-    boundary, curve, disjoint, index, math, predicate, tolerance, watch,
+    boundary, curve, disjoint, index, math, predicate, tolerance, triangle, watch,
 };
 pub use sheetwright_optimum::{cost, rung, triangulate};
 

@@ -41,8 +41,16 @@ pub fn cheapest(
     plane: Option<&SupportingPlane>,
     options: PriceOptions,
 ) -> Option<Optimum> {
-    let prices = Prices::new(boundary, plane, options);
-    let sides = Sides::new(boundary, plane, &prices);
+    cheapest_of(boundary, plane, &Prices::new(boundary, plane, options))
+}
+
+/// [`cheapest`] by these prices, which may have hints.
+pub fn cheapest_of(
+    boundary: &Boundary,
+    plane: Option<&SupportingPlane>,
+    prices: &Prices,
+) -> Option<Optimum> {
+    let sides = Sides::new(boundary, plane, prices);
     best(boundary, &sides, |a, b| a + b, |corners, means| prices.triangle(corners, means))
 }
 

@@ -7,7 +7,7 @@ use sheetwright_geometry::boundary::{Boundary, samples_from_points};
 use sheetwright_geometry::curve::CurvePoint;
 use sheetwright_geometry::math::{Point3, cos, sin};
 use sheetwright_geometry::watch::Unwatched;
-use sheetwright_optimum::cost::{PriceOptions, TwistForm};
+use sheetwright_optimum::cost::{Hint, HintKind, PriceOptions, Prices, TwistForm};
 use sheetwright_optimum::specification;
 use sheetwright_optimum::triangulate::{Goal, TriangulateOptions, triangulate};
 use sheetwright_shapes::family::Family;
@@ -118,4 +118,33 @@ fn the_worst_rung_is_that_of_the_plain_table() {
             assert_eq!(found.largest_twist, least, "{} {m}", family.name());
         }
     }
+}
+
+#[test]
+fn with_hints_too_the_triangles_are_those_of_the_plain_table() {
+    let mut changed = 0;
+    for (m, form) in
+        [(61, TwistForm::Normalised), (200, TwistForm::Normalised), (61, TwistForm::Printed)]
+    {
+        for kind in [HintKind::Near, HintKind::Away] {
+            let boundary = Family::Wavy.boundary(m);
+            let price = PriceOptions { form, ..PriceOptions::default() };
+            let size = boundary.size();
+            let hint = |[x, y, z]: [f64; 3]| Hint { at: Point3::new(x, y, z), kind };
+            let hints = vec![hint([0.0, 0.0, 0.02 * size]), hint([0.1 * size, 0.05 * size, 0.0])];
+            let prices = Prices::new(&boundary, None, price).with_hints(&hints, &boundary);
+            let plain = specification::cheapest_of(&boundary, None, &prices).unwrap();
+            let options = TriangulateOptions { price, hints, ..TriangulateOptions::default() };
+            let found = triangulate(&boundary, None, &options, &mut Unwatched).unwrap();
+            let same: Vec<[usize; 3]> =
+                found.triangles.iter().map(|corners| corners.map(|corner| corner.get())).collect();
+            assert_eq!(found.price.to_bits(), plain.price.to_bits(), "{m} {kind:?}");
+            assert_eq!(same, plain.triangles, "{m} {kind:?}");
+            let free = TriangulateOptions { price, ..TriangulateOptions::default() };
+            let free = triangulate(&boundary, None, &free, &mut Unwatched).unwrap();
+            changed += usize::from(found.triangles != free.triangles);
+            assert!(free.price <= found.price_without_hints());
+        }
+    }
+    assert!(changed >= 4, "{changed}");
 }

@@ -2,7 +2,7 @@
 
 use sheetwright::check::{
     Bend, BorderSide, Finding, FindingKind as Kind, Hindrance, Movement, Place, SeamCause,
-    SeamPlace, TooTight,
+    SeamPlace, TooTight, Verdict,
 };
 use sheetwright::elastic::Basis;
 use sheetwright::fair::Ended;
@@ -120,6 +120,9 @@ fn of_surfaces() -> Vec<Finding> {
     ];
     all.extend(whole([
         Kind::BetterWithoutPlane { with: 4.0, without: 1.0 },
+        Kind::TwoSurfaces { apart_mm: 12.5, is_one_pattern: false, other: Verdict::BendsWithForce },
+        Kind::TwoSurfaces { apart_mm: 2.5, is_one_pattern: true, other: Verdict::Bends },
+        Kind::NoOtherSurface,
         Kind::NotProven { gap: Some(0.0125), cut_short: true },
         Kind::NotProven { gap: None, cut_short: false },
         Kind::LengthError { largest: 0.00004, closes_holes: true },

@@ -2,7 +2,7 @@
 
 use super::grammar::{
     CurveFile, DesignFile, GoalName, KindName, MethodName, PanelFile, PlaneFile, PlaneName,
-    PointFile, Triple, VaryFile,
+    PointFile, SideName, Triple, VaryFile,
 };
 use super::join::{check_joins, join, points_of};
 use super::material;
@@ -27,7 +27,7 @@ use sheetwright::design::{
     PanelMethod, PanelShape, RAIL_SAMPLES, Vary,
 };
 use sheetwright::math::{Point3, Vec3};
-use sheetwright::triangulate::Goal;
+use sheetwright::triangulate::{Goal, WhichSurface};
 use std::collections::BTreeMap;
 
 /// The most panels of a design, and the most uses of curves of a panel.
@@ -261,6 +261,11 @@ impl PanelReader<'_> {
             name: file.name,
             samples: self.samples(file.samples, &shape)?,
             cut: self.cut(&file.cut.unwrap_or_default(), &shape)?,
+            near: self.points("near", &file.near.unwrap_or_default())?,
+            which: options.which.unwrap_or(match file.side {
+                None | Some(SideName::Cheapest) => WhichSurface::Cheapest,
+                Some(SideName::Other) => WhichSurface::Other,
+            }),
             shape,
             method,
             goal,
@@ -288,8 +293,13 @@ impl PanelReader<'_> {
             };
             return Err(self.error(".cut", message, hint));
         }
+        self.points("cut", places)
+    }
+
+    /// The points of a field of the panel, mm.
+    fn points(&self, field: &str, places: &[Triple]) -> Result<Vec<Point3>, InputError> {
         let point = |(n, place): (usize, &Triple)| {
-            let path = || format!("{}.cut[{n}]", self.path);
+            let path = || format!("{}.{field}[{n}]", self.path);
             point_mm(&place.0, self.units, self.source, &path)
         };
         places.iter().enumerate().map(point).collect()

@@ -253,6 +253,14 @@ pub(super) struct PanelFile {
     #[serde(default)]
     #[schemars(with = "Option<Vec<[f64; 3]>>")]
     pub(super) cut: Option<Vec<Triple>>,
+    /// Which surface is meant where two fit the boundary about as well. Default: cheapest.
+    #[serde(default)]
+    pub(super) side: Option<SideName>,
+    /// Points `[x, y, z]` that the surface should pass near: they choose between surfaces that fit
+    /// the boundary about as well. Default: none.
+    #[serde(default)]
+    #[schemars(with = "Option<Vec<[f64; 3]>>")]
+    pub(super) near: Option<Vec<Triple>>,
     /// What of this panel may move so that it bends better, and how far.
     #[serde(default)]
     #[schemars(with = "Option<VaryFile>")]
@@ -269,6 +277,16 @@ pub(super) enum MethodName {
     Bridge,
     /// Those whose every rung joins the two rails.
     Rails,
+}
+
+/// Which of two surfaces that fit a boundary about as well.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum SideName {
+    /// The one with the lower price.
+    Cheapest,
+    /// The other.
+    Other,
 }
 
 /// The surface of a panel as triangles.

@@ -100,6 +100,8 @@ impl<'a> Meshes<'a> {
             ("fold", file.fold.is_some()),
             ("effort", file.effort.is_some()),
             ("cut", file.cut.is_some()),
+            ("side", file.side.is_some()),
+            ("near", file.near.is_some()),
             ("vary", file.vary.is_some()),
         ];
         let Some((field, _)) = given.into_iter().find(|(_, given)| *given) else { return Ok(()) };

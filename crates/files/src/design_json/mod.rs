@@ -220,7 +220,7 @@ mod tests {
     use sheetwright::curve::CurveKind;
     use sheetwright::design::{CurveUse, MovedBy, PanelMethod, PanelShape, Vary};
     use sheetwright::math::{Point3, from_deg};
-    use sheetwright::triangulate::Goal;
+    use sheetwright::triangulate::{Goal, WhichSurface};
 
     const DINGHY: &str = r#"{
   "sheetwright": 1, "name": "dinghy", "units": "m", "material": "plywood-4mm", "match_seams": true,
@@ -233,7 +233,8 @@ mod tests {
   "panels": [
     { "name": "bottom", "rails": ["keel", "-chine"], "method": "rails", "goal": "worst-warp", "run_on": true, "fold": 0,
       "vary": { "warp_deg": 5.6, "limit": 0.02, "curves": ["keel"], "by": "samples" } },
-    { "name": "lid", "boundary": ["-rim"], "holes": [["rim"]], "samples": 50, "plane": [0, 0, 1], "cut": [[0.5, 0, 0]] }
+    { "name": "lid", "boundary": ["-rim"], "holes": [["rim"]], "samples": 50, "plane": [0, 0, 1], "cut": [[0.5, 0, 0]],
+      "side": "other", "near": [[0.5, 0.5, 0.1]] }
   ]
 }"#;
 
@@ -331,6 +332,8 @@ mod tests {
         assert!(bottom.run_on && !lid.run_on);
         assert_eq!((bottom.samples, lid.samples), (200, 50));
         assert_eq!((bottom.cut.len(), lid.cut[0]), (0, Point3::new(500.0, 0.0, 0.0)));
+        assert_eq!((bottom.which, lid.which), (WhichSurface::Cheapest, WhichSurface::Other));
+        assert_eq!((bottom.near.len(), lid.near[0]), (0, Point3::new(500.0, 500.0, 100.0)));
         assert_eq!(keel.points.iter().map(|p| p.move_mm).collect::<Vec<_>>(), [0.0, 0.0, 10.0]);
         assert!(design.match_seams);
         let of_lid = Vary {
@@ -368,6 +371,7 @@ mod tests {
             fold: Some(2.0),
             effort: Some(20.0),
             method: Some(PanelMethod::Bridge),
+            which: Some(WhichSurface::Other),
             units: None,
             material: Some("Leather-2mm".to_owned()),
             vary: VarySettings { warp_deg: Some(3.0), limit_mm: Some(7.0), budget_mm: None },
@@ -378,7 +382,7 @@ mod tests {
         assert_eq!(design.material.as_ref().map(|m| &m.name[..]), Some("leather-2mm"));
         for panel in &design.panels {
             assert_eq!((panel.samples, panel.fold, panel.effort), (77, 2.0, 20.0));
-            assert_eq!(panel.method, PanelMethod::Bridge);
+            assert_eq!((panel.method, panel.which), (PanelMethod::Bridge, WhichSurface::Other));
         }
         for vary in &design.vary {
             assert_eq!(vary.limit_mm, Some(7.0));

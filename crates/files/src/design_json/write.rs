@@ -1,7 +1,7 @@
 //! A kernel design as JSON: one block per curve, one line per point and per panel.
 
 use super::drawing::DrawingFile;
-use super::grammar::{GoalName, KindName, MethodName, SmoothName};
+use super::grammar::{GoalName, KindName, MethodName, SideName, SmoothName};
 use super::{VERSION, material, mesh, vary};
 use crate::json::json;
 use crate::materials::file_of;
@@ -9,7 +9,7 @@ use crate::units::Units;
 use sheetwright::boundary::{Continuity, PlaneChoice, Within};
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape};
-use sheetwright::triangulate::Goal;
+use sheetwright::triangulate::{Goal, WhichSurface};
 
 /// The bytes of a design's file, in millimetres. They have every default except those of rare
 /// fields (`goal`, `run_on`, `cut`, `vary`, `match_seams`), and read back equal.
@@ -166,9 +166,15 @@ fn panel(panel: &DesignPanel, vary: Option<String>) -> String {
     if panel.effort != 1.0 {
         fields.push(format!("\"effort\": {}", json(&panel.effort)));
     }
-    if !panel.cut.is_empty() {
-        let cut: Vec<[f64; 3]> = panel.cut.iter().map(|p| [p.x, p.y, p.z]).collect();
-        fields.push(format!("\"cut\": {}", json(&cut)));
+    for (name, points) in [("cut", &panel.cut), ("near", &panel.near)] {
+        if !points.is_empty() {
+            let points: Vec<[f64; 3]> = points.iter().map(|p| [p.x, p.y, p.z]).collect();
+            fields.push(format!("\"{name}\": {}", json(&points)));
+        }
+    }
+    match panel.which {
+        WhichSurface::Cheapest => {}
+        WhichSurface::Other => fields.push(format!("\"side\": {}", json(&SideName::Other))),
     }
     fields.extend(vary.map(|vary| format!("\"vary\": {vary}")));
     format!("    {{ {} }}", fields.join(", "))

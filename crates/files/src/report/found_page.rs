@@ -4,6 +4,7 @@ use super::flat_picture::{Tagged, edges, outline_length, ruled_picture};
 use super::heat_picture::strain_picture;
 use super::moved_picture::{enlarged, moved_picture};
 use super::page::{Number, PartPage, table};
+use super::space_picture::space_picture;
 use super::view::box_of;
 use super::warp_chart::warp_chart;
 use super::wording::{
@@ -61,12 +62,47 @@ impl FoundPage<'_> {
         }
     }
 
+    /// The other surface that fits the boundary about as well, if there is one.
+    pub(super) fn other_surface(&self) -> Markup {
+        let Some(other) = &self.found.other else { return html! {} };
+        let both = [self.page.part, &other.part];
+        let tightest = |part: &Part| part.measures.bend_radius_min_mm;
+        let size = |part: &Part| {
+            let size = part.piece.size;
+            format!("{} × {}", millimetres(size.x), millimetres(size.y))
+        };
+        let rows = [
+            ("Verdict", both.map(|p| verdict_word(p.checked.verdict).to_owned())),
+            ("Largest warp", both.map(|p| degrees(to_deg(p.measures.warp_max)))),
+            ("Tightest radius", both.map(|p| radius(tightest(p)))),
+            ("Flat size", both.map(size)),
+        ]
+        .map(|(name, values)| (name, values.to_vec()));
+        html! {
+            h3 { "The other surface through this boundary" }
+            p {
+                "It fits about as well and lies up to " (millimetres(other.apart_mm))
+                " away. The pattern is that of the first: decide which is meant before you cut."
+            }
+            div.figures {
+                div.column {
+                    figure {
+                        (PreEscaped(space_picture(&other.part, self.page.material()).inline()))
+                        figcaption { strong { "The other surface in space." } }
+                    }
+                }
+                div.column { (table(None, "", &["This one", "The other"], rows.into_iter())) }
+            }
+        }
+    }
+
     /// Verdict, warp and price before and after the boundary was moved, if it was.
     pub(super) fn before_and_after(&self) -> Markup {
         let (panel, material) = (self.page.part, self.page.material());
         let Some(change) = panel.change() else { return html! {} };
         let before: &Part = &change.before;
-        let price = |part: &Part| part.found().map_or(f64::NAN, |f| f.triangulation.price);
+        let price =
+            |part: &Part| part.found().map_or(f64::NAN, |f| f.triangulation.price_without_hints());
         let rows = [
             ("Verdict", [before, panel].map(|p| verdict_word(p.checked.verdict).to_owned())),
             ("Largest warp", [before, panel].map(|p| degrees(to_deg(p.measures.warp_max)))),
@@ -227,7 +263,7 @@ impl FoundPage<'_> {
             ("Minimised", goal.to_owned()),
             ("Best possible", optimal),
             ("Fold price ν", format!("{}", found.fold)),
-            ("Price, total", scientific(found.triangulation.price)),
+            ("Price, total", scientific(found.triangulation.price_without_hints())),
             ("Twist, total", scientific(measures.twist_total)),
             ("Strain, at 95 % of the area", self.strain_number(|p| plain_per_cent(p.strain))),
             (

@@ -194,7 +194,10 @@ impl PartPage<'_> {
         let (figures, numbers) = match &self.part.origin {
             Origin::Found(found) => {
                 let page = FoundPage { page: self, found };
-                (html! { (page.figures()) (page.before_and_after()) }, page.numbers())
+                (
+                    html! { (page.figures()) (page.other_surface()) (page.before_and_after()) },
+                    page.numbers(),
+                )
             }
             Origin::Given(given) => {
                 let page = MeshPage { page: self, given };

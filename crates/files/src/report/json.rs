@@ -518,7 +518,7 @@ fn of_found<'a>(
         samples: found.boundary.len(),
         rungs: Some(found.surface.connectivity().hinges().len()),
         fold: Some(found.fold),
-        price_total: Some(found.triangulation.price),
+        price_total: Some(found.triangulation.price_without_hints()),
         twist_total: Some(measures.twist_total),
         warp_max_deg: Some(to_deg(measures.warp_max)),
         warp_mean_deg: Some(to_deg(measures.warp_mean)),
@@ -562,7 +562,7 @@ fn of_quads(quads: &PanelQuads) -> QuadsReport {
 
 fn of_before(before: &Part) -> Option<BeforeReport> {
     Some(BeforeReport {
-        price_total: before.found()?.triangulation.price,
+        price_total: before.found()?.triangulation.price_without_hints(),
         twist_total: before.measures.twist_total,
         warp_max_deg: to_deg(before.measures.warp_max),
         warp_mean_deg: to_deg(before.measures.warp_mean),

@@ -3,7 +3,7 @@
 use super::moved::{keeps_from_bending, listed, movement, not_needed, ran_on};
 use super::place::point;
 use crate::pdf::way_to_sheets;
-use sheetwright::check::{Finding, FindingKind, SeamCause, TooTight};
+use sheetwright::check::{Finding, FindingKind, SeamCause, TooTight, Verdict};
 use sheetwright::elastic::Basis;
 use sheetwright::math::{Point3, to_deg};
 use sheetwright::measure::SHARP_CREASE_DEG;
@@ -74,6 +74,19 @@ pub fn finding_text(finding: &Finding) -> String {
              better: its price is {:.0} % of this one. To get it, set the plane to \"none\".",
             100.0 * without / with
         ),
+        Kind::TwoSurfaces { apart_mm, is_one_pattern: true, .. } => format!(
+            "Two surfaces fit this boundary about as well, up to {apart_mm:.1} mm apart, with one \
+             pattern: the sheet goes either way."
+        ),
+        Kind::TwoSurfaces { apart_mm, other, .. } => format!(
+            "Two surfaces fit this boundary about as well, up to {apart_mm:.1} mm apart, and the \
+             pattern is that of one. The other {}. Only you know which is meant: set the side to \
+             \"other\", or name a point that the surface passes near.",
+            phrase(*other)
+        ),
+        Kind::NoOtherSurface => "No other surface fits this boundary about as well: this is the \
+                                 only one. Leave the side out."
+            .to_owned(),
         Kind::NotProven { gap, cut_short } => not_proven(*gap, *cut_short),
         Kind::Folds { count, sharpest, stiff } => format!(
             "The surface has {count} sharp {} of up to {}, where it can't bend smoothly. {}",
@@ -407,4 +420,16 @@ fn reduced(sheets: usize, scale: f64, most: usize, is_full: bool) -> String {
          pattern.pdf shows it at 1:{scale}, with a table of offsets for marking it out. {way} SVG \
          and DXF are true to scale."
     )
+}
+
+/// What the other of two surfaces does.
+fn phrase(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Bends => "bends",
+        Verdict::BendsWithForce => "bends with force",
+        Verdict::Roll => "must be rolled",
+        Verdict::BendsAndFolds => "bends and folds",
+        Verdict::Undecided => "may bend or not",
+        Verdict::WillNotBend => "will not bend",
+    }
 }

@@ -1,6 +1,6 @@
 //! Findings on a surface that was found: does the sheet follow it by bending?
 
-use super::{Finding, FindingKind, Place, SeamCause, Subject, TooTight};
+use super::{Finding, FindingKind, Place, SeamCause, Subject, TooTight, Verdict};
 use super::{overlap, seams, strain};
 use crate::measure::{RungMeasures, SHARP_CREASE_DEG};
 use crate::sheet::Seam;
@@ -76,6 +76,17 @@ fn forced_rungs(panel: &Panel<'_>) -> Option<Finding> {
 /// The finding that a surface which need not lie over the supporting plane has a much lower price.
 pub(crate) fn better_without_plane(with: f64, without: f64) -> Finding {
     Finding::of_whole(FindingKind::BetterWithoutPlane { with, without })
+}
+
+/// The finding that another surface fits the boundary about as well, so far apart, mm, with this
+/// verdict, and with the pattern of the first or one of its own.
+pub(crate) fn two_surfaces(apart_mm: f64, is_one_pattern: bool, other: Verdict) -> Finding {
+    Finding::of_whole(FindingKind::TwoSurfaces { apart_mm, is_one_pattern, other })
+}
+
+/// The finding that the other surface was asked for and there is none.
+pub(crate) fn no_other_surface() -> Finding {
+    Finding::of_whole(FindingKind::NoOtherSurface)
 }
 
 fn not_proven(panel: &Panel<'_>) -> Option<Finding> {

@@ -5,6 +5,7 @@ use super::kind::FindingKind;
 use super::place::Place;
 use super::remedy::Remedy;
 use super::severity::Severity;
+use super::verdict::Verdict;
 
 /// A finding: its kind and its place.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,23 +43,6 @@ impl Finding {
     }
 }
 
-/// Will it bend?
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
-    /// It takes its shape by bending alone.
-    Bends,
-    /// It takes its shape with some force: it must stretch a little.
-    BendsWithForce,
-    /// It takes its shape when it is rolled or formed, and keeps it.
-    Roll,
-    /// It takes its shape by bending and by sharp folds along scored lines.
-    BendsAndFolds,
-    /// The strain is too close to the limit to tell.
-    Undecided,
-    /// It does not take its shape.
-    WillNotBend,
-}
-
 impl Verdict {
     /// The verdict that follows from findings.
     fn of(findings: &[Finding]) -> Self {
@@ -78,16 +62,6 @@ impl Verdict {
             Self::Bends
         }
     }
-
-    /// Every verdict, the best first.
-    pub const ALL: [Self; 6] = [
-        Self::Bends,
-        Self::BendsWithForce,
-        Self::Roll,
-        Self::BendsAndFolds,
-        Self::Undecided,
-        Self::WillNotBend,
-    ];
 
     /// Its name in reports.
     pub fn name(self) -> &'static str {

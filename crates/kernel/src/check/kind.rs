@@ -3,6 +3,7 @@
 
 use super::remedy::Remedy;
 use super::severity::Severity;
+use super::verdict::Verdict;
 use crate::elastic::Basis;
 use crate::fair::Ended;
 use sheetwright_geometry::math::Point3;
@@ -113,6 +114,17 @@ pub enum FindingKind {
         /// The price without it.
         without: f64,
     },
+    /// Another surface fits the boundary about as well.
+    TwoSurfaces {
+        /// How far both are apart, mm.
+        apart_mm: f64,
+        /// Whether both have one pattern, so that the sheet goes either way.
+        is_one_pattern: bool,
+        /// The verdict on the other one.
+        other: Verdict,
+    },
+    /// The other surface was asked for, and there is none.
+    NoOtherSurface,
     /// A better surface may exist.
     NotProven {
         /// The largest share by which its price may be lower, if that is known.
@@ -399,6 +411,7 @@ impl FindingKind {
             | Self::CantTell { .. }
             | Self::RadiusUnsure { .. }
             | Self::RungWithoutPlane { .. }
+            | Self::NoOtherSurface
             | Self::WindowGap { .. }
             | Self::StretchHigh { .. }
             | Self::BorderNotTrue { .. }
@@ -421,6 +434,9 @@ impl FindingKind {
             | Self::NotMoved { .. }
             | Self::QuadsOffBoundary { .. }
             | Self::PdfReduced { .. } => Severity::Note,
+            Self::TwoSurfaces { is_one_pattern, .. } => {
+                unless(*is_one_pattern, Severity::Warning, Severity::Note)
+            }
             Self::Points { too_tight, .. } => {
                 unless(too_tight.is_none(), Severity::Warning, Severity::Note)
             }
@@ -452,6 +468,8 @@ impl FindingKind {
             Self::Overlap => "overlap",
             Self::RungWithoutPlane { .. } => "rung-without-plane",
             Self::BetterWithoutPlane { .. } => "better-without-plane",
+            Self::TwoSurfaces { .. } => "two-surfaces",
+            Self::NoOtherSurface => "no-other-surface",
             Self::NotProven { .. } => "not-proven",
             Self::Folds { .. } | Self::Creases { .. } => "folds",
             Self::BendLines { .. } => "bend-lines",
@@ -485,6 +503,9 @@ impl FindingKind {
             helps.map(|(_, remedy)| *remedy).collect()
         };
         match self {
+            Self::TwoSurfaces { is_one_pattern, .. } => {
+                listed(&[(!is_one_pattern, Remedy::OtherSurface)])
+            }
             Self::NotProven { cut_short, .. } => listed(&[(*cut_short, Remedy::Effort)]),
             Self::StretchTooLarge { cut, has_darts, has_creases, .. } => listed(&[
                 (cut.is_some() && !has_darts, Remedy::Darts),

@@ -6,6 +6,8 @@
 pub enum Remedy {
     /// A greater effort: more work for the search in a panel with holes.
     Effort,
+    /// The other of two surfaces that fit a boundary about as well.
+    OtherSurface,
     /// Cuts of a mesh from its border to the points that would stretch most.
     Darts,
     /// Dividing a mesh along its sharp creases.

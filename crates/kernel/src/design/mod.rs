@@ -17,7 +17,7 @@ use sheetwright_geometry::boundary::PlaneChoice;
 use sheetwright_geometry::curve::{CurveKind, CurvePoint};
 use sheetwright_geometry::math::Point3;
 use sheetwright_optimum::cost::DEFAULT_FOLD;
-use sheetwright_optimum::triangulate::Goal;
+use sheetwright_optimum::triangulate::{Goal, WhichSurface};
 use std::collections::BTreeSet;
 
 /// A curve of a design, under its name.
@@ -121,6 +121,11 @@ pub struct DesignPanel {
     /// Where the pattern is to be cut open if it must be, mm: along the rungs from loop to loop
     /// whose middles lie nearest. Empty: where the cuts are shortest.
     pub cut: Vec<Point3>,
+    /// Which surface is meant where two fit the boundary about as well.
+    pub which: WhichSurface,
+    /// Points that the surface should pass near, mm: they choose between surfaces that fit the
+    /// boundary about as well.
+    pub near: Vec<Point3>,
 }
 
 impl DesignPanel {
@@ -138,6 +143,8 @@ impl DesignPanel {
             fold: DEFAULT_FOLD,
             effort: 1.0,
             cut: Vec::new(),
+            which: WhichSurface::Cheapest,
+            near: Vec::new(),
         }
     }
 }

@@ -1,24 +1,19 @@
 //! Panels that are bounded by curves: the surface that fits them best is found.
 
+use super::MakeError;
+use super::laid::{Laid, Setting};
 use super::part::{Found, Origin, Part};
 use super::unrestricted::Known;
-use super::{MakeCause, MakeError};
 use crate::check::{
-    CheckedFrom, Subject, check, ran_on, rounded_corner, smoothed_joints, stayed_straight,
-    turned_round,
+    no_other_surface, ran_on, rounded_corner, smoothed_joints, stayed_straight, turned_round,
 };
 use crate::design::{DesignPanel, PanelShape, used};
 use crate::edge::edges_of_boundary;
-use crate::elastic::screen;
-use crate::flatten::lay_flat;
-use crate::measure::{CutFrom, measures};
 use crate::pattern::{PatternOptions, piece, seam_marks};
 use crate::sample::{PanelCause, Prepared, Sampler, outline, prepare};
-use crate::surface::{Connectivity, Surface};
 use sheetwright_geometry::curve::CurveKind;
 use sheetwright_geometry::watch::{Stage, Watch};
-use sheetwright_optimum::cost::Prices;
-use sheetwright_optimum::triangulate::triangulate_near;
+use sheetwright_optimum::triangulate::{WhichSurface, triangulate_near};
 
 /// Makes one panel. `known` holds its triangulation from the last time it was made, and then the
 /// new one, with a question that may be open.
@@ -59,27 +54,16 @@ fn make_as_asked(
     let triangulation = cheapest.triangulation.clone();
     let next = Known::next(known.take(), cheapest);
     let known = known.insert(next);
-    let connectivity = Connectivity::new(boundary.loops(), triangulation.triangles.clone())
-        .map_err(|e| MakeError::of_panel(&panel.name, MakeCause::Surface(e)))?;
-    let surface = Surface::new(connectivity, boundary.positions());
-
-    watch.begin(&[&panel.name], Stage::Flatten);
-    let (sheet, flat) = lay_flat(&surface, &panel.cut, watch)
-        .map_err(|e| MakeError::of_panel(&panel.name, MakeCause::Flatten(e)))?;
-
-    watch.begin(&[&panel.name], Stage::Check);
-    let prices = Prices::new(&boundary, plane.as_ref(), options.price);
-    let measures = measures(CutFrom::Surface(&surface, &prices), &sheet, &flat);
+    let cut = &panel.cut;
     let material = design.material.as_ref();
-    let predicted = sheet.has_rungs().then(|| screen(&sheet, &measures, material));
-    let mut checked = check(&Subject {
-        sheet: &sheet,
-        flat: &flat,
-        measures: &measures,
-        predicted: predicted.as_ref(),
-        material,
-        from: CheckedFrom::Boundary(&boundary, &triangulation),
-    });
+    let setting =
+        Setting { boundary: &boundary, plane: plane.as_ref(), options: &options, material };
+    let failed = |cause| MakeError::of_panel(&panel.name, cause);
+    let laid = setting.laid(&panel.name, &triangulation, cut, watch).map_err(failed)?;
+    let Laid { surface, sheet, flat, measures, predicted, mut checked } = laid;
+    if panel.which == WhichSurface::Other && !triangulation.is_other {
+        checked.add(no_other_surface());
+    }
     for curve in used(design, &panel.shape).filter(|c| c.kind == Some(CurveKind::Spline)) {
         if let Some(finding) = rounded_corner(&curve.name, &curve.points, curve.closed) {
             checked.add(finding);
@@ -109,6 +93,7 @@ fn make_as_asked(
         triangulation,
         surface,
         change: None,
+        other: None,
     };
     known.ask(panel, &found, options);
     let (name, origin) = (panel.name.clone(), Origin::Found(Box::new(found)));

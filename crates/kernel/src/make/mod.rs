@@ -9,15 +9,17 @@ mod error;
 mod found;
 mod joined;
 mod judged;
+mod laid;
 mod live;
 mod mesh;
+mod other;
 mod part;
 mod rebuilt;
 mod unrestricted;
 
 pub use error::{MakeCause, MakeError};
 pub use live::{Live, LivePanel};
-pub use part::{Change, Found, Given, Joint, Origin, Part};
+pub use part::{Change, Found, Given, Joint, Origin, Other, Part};
 pub use rebuilt::Rebuilt;
 
 use crate::design::{Design, DesignPanel, PanelShape};
@@ -139,9 +141,9 @@ impl<'a> Maker<'a> {
     }
 }
 
-/// Looks for what was left open when a part was made: the strain of an elastic sheet, and whether
-/// it bends better without its plane. Returns whether the part changed. Where it is stopped, the
-/// rest stays open.
+/// Looks for what was left open when a part was made: the strain of an elastic sheet, whether it
+/// bends better without its plane, and whether another surface fits its boundary. Returns whether
+/// the part changed. Where it is stopped, the rest stays open.
 fn settle(
     part: &mut Part,
     known: &mut Known,
@@ -152,7 +154,7 @@ fn settle(
     if was_screened && judge(part, material, watch) {
         return Ok(false);
     }
-    Ok(known.answer(part, watch)? || was_screened)
+    Ok(known.answer(part, Judging::Exact, material, watch)? || was_screened)
 }
 
 fn make_panels(
@@ -162,6 +164,7 @@ fn make_panels(
     watch: &mut dyn Watch,
 ) -> Result<Vec<Part>, MakeError> {
     let maker = Maker::new(design);
+    let material = design.material.as_ref();
     let mut parts: Vec<Part> = Vec::new();
     for (number, panel) in design.panels_to_make().into_iter().enumerate() {
         if !wanted(panel) {
@@ -172,8 +175,8 @@ fn make_panels(
         if let (Some(known), [part]) = (&mut known, &mut made[..]) {
             let failed = |cause: MakeCause| MakeError::of_panel(&panel.name, cause);
             match judging {
-                Judging::Quick => known.answer(part, watch),
-                Judging::Exact => settle(part, known, design.material.as_ref(), watch),
+                Judging::Quick => known.answer(part, judging, material, watch),
+                Judging::Exact => settle(part, known, material, watch),
             }
             .map_err(failed)?;
         }

@@ -72,6 +72,18 @@ pub struct Found {
     pub surface: Surface,
     /// How its boundary was moved, if it was to be.
     pub change: Option<Change>,
+    /// The other surface that fits its boundary about as well, if it was looked for and there is
+    /// one.
+    pub other: Option<Other>,
+}
+
+/// The other surface that fits a boundary about as well.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Other {
+    /// The part that it makes, judged as this one is; its edges have no names.
+    pub part: Box<Part>,
+    /// How far both surfaces are apart, mm.
+    pub apart_mm: f64,
 }
 
 /// The mesh of a part, and how it was laid flat.

@@ -7,19 +7,20 @@
 //! handle rests. The last answer bounds the search, as the last triangulation bounds that with the
 //! plane.
 
-use super::MakeCause;
+use super::other::add_other;
 use super::part::{Found, Origin, Part};
+use super::{Judging, MakeCause};
 use crate::check::{Verdict, better_without_plane};
 use crate::design::DesignPanel;
-use crate::material::DEFAULT_WARP_LIMIT_DEG;
+use crate::material::{DEFAULT_WARP_LIMIT_DEG, Material};
 use crate::measure::crosses_itself;
 use crate::surface::{Connectivity, Surface};
 use sheetwright_geometry::boundary::{Boundary, PlaneChoice};
 use sheetwright_geometry::math::to_deg;
 use sheetwright_geometry::watch::Watch;
 use sheetwright_optimum::triangulate::{
-    Cheapest, Goal, Method, TriangulateError, TriangulateOptions, Triangulation, cheaper_than,
-    if_it_fits, triangulate,
+    Cheapest, Goal, Method, TriangulateError, TriangulateOptions, Triangulation, WhichSurface,
+    cheaper_than, if_it_fits, triangulate,
 };
 
 /// A surface without the plane is reported if its price is below this share of that with the plane.
@@ -39,6 +40,8 @@ pub(super) struct Known {
     /// The options of its triangulation while the question is open: whether it bends better without
     /// its plane.
     open: Option<TriangulateOptions>,
+    /// Those options while it is open whether another surface fits its boundary.
+    open_other: Option<TriangulateOptions>,
 }
 
 impl Known {
@@ -51,7 +54,7 @@ impl Known {
             cheapest.also_without_plane = Some(false);
         }
         let free = before.and_then(|known| known.free);
-        Self { cheapest, free, was_answered, open: None }
+        Self { cheapest, free, was_answered, open: None, open_other: None }
     }
 
     pub(super) fn cheapest(&self) -> &Cheapest {
@@ -60,25 +63,42 @@ impl Known {
 
     /// Whether [`Self::answer`] has something to look for.
     pub(super) fn is_open(&self) -> bool {
-        self.open.is_some()
+        self.open.is_some() || self.open_other.is_some()
     }
 
-    /// Opens the question for a panel that was made with these options, if it is one: who asks for
-    /// a plane gets it.
+    /// Opens both questions for a panel that was made with these options, if they are any: who asks
+    /// for a plane gets it.
     pub(super) fn ask(&mut self, panel: &DesignPanel, found: &Found, options: TriangulateOptions) {
-        let is_asked =
-            panel.plane == PlaneChoice::Auto && found.plane.is_some() && found.boundary.holes() < 2;
-        self.open = is_asked.then_some(options);
+        let is_asked = panel.plane == PlaneChoice::Auto
+            && panel.which == WhichSurface::Cheapest
+            && found.plane.is_some()
+            && found.boundary.holes() < 2;
+        self.open = is_asked.then(|| options.clone());
+        self.open_other = Some(options);
     }
 
-    /// Answers the question, if it is open, and adds what was found to the findings of the panel:
-    /// what bends with little twist needs no other surface. Returns whether there was something.
-    /// Where it is stopped, the question stays open.
+    /// Answers the questions that are open, and adds what was found to the findings of the panel.
+    /// Returns whether there was something. Where it is stopped, a question stays open.
     pub(super) fn answer(
         &mut self,
         made: &mut Part,
+        judging: Judging,
+        material: Option<&Material>,
         watch: &mut dyn Watch,
     ) -> Result<bool, MakeCause> {
+        let mut changed = self.answer_plane(made, watch)?;
+        if let Some(options) = self.open_other.take() {
+            let added = add_other(made, &options, judging, material, watch);
+            if added == Err(TriangulateError::Stopped.into()) {
+                self.open_other = Some(options);
+            }
+            changed |= added?;
+        }
+        Ok(changed)
+    }
+
+    /// Answers the question of the plane: what bends with little twist needs no other surface.
+    fn answer_plane(&mut self, made: &mut Part, watch: &mut dyn Watch) -> Result<bool, MakeCause> {
         let Origin::Found(found) = &made.origin else { return Ok(false) };
         let Some(options) = self.open.take() else { return Ok(false) };
         let twists_little = to_deg(made.measures.warp_max) <= DEFAULT_WARP_LIMIT_DEG;

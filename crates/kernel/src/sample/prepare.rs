@@ -7,7 +7,9 @@ use super::source::{Sampled, Sourced};
 use super::steps::StepSource;
 use crate::design::{DesignPanel, PanelMethod, PanelShape};
 use sheetwright_geometry::boundary::{Boundary, Joined, SupportingPlane, supporting_plane};
+use sheetwright_geometry::math::Point3;
 use sheetwright_geometry::watch::Watch;
+use sheetwright_optimum::cost::{Hint, HintKind};
 use sheetwright_optimum::triangulate::{
     DEFAULT_WORK, Method, TriangulateOptions, refuse, with_holes_facing,
 };
@@ -57,6 +59,9 @@ pub(crate) fn prepare(
     let mut options =
         TriangulateOptions { method, goal: panel.goal, ..TriangulateOptions::default() };
     options.price.fold = panel.fold;
+    options.which = panel.which;
+    let near = |&at: &Point3| Hint { at, kind: HintKind::Near };
+    options.hints = panel.near.iter().map(near).collect();
     options.work_limit = (panel.effort * DEFAULT_WORK as f64) as u64;
     // Before the boundary is looked at, which takes its time for a long one.
     let lengths: Vec<usize> = sampled.loops.iter().map(Vec::len).collect();

@@ -26,23 +26,30 @@
 //! price of a triangulation is Π = Σ_rungs w + ν Σ_triangles Σ_{its rungs} (1 − n · N). A triangle
 //! without area has no normal and counts as turned over, 2 a rung.
 //!
+//! **Hints.** Where two surfaces through a boundary cost about as much, a person says by a point
+//! which one is meant, see [`Hint`]: every rung that passes the point at another height costs more.
+//!
 //! **Exact sums.** Every price is rounded to a multiple of [`QUANTUM`]. Sums of such multiples are
 //! exact in f64 below [`EXACT_BELOW`]. So the price of a triangulation does not depend on the order
 //! of its sum, ties are exact, and every method that finds the optimum finds the same number.
 
+mod hints;
 mod planes;
 mod slopes;
 mod strip;
 
+pub use hints::{Hint, HintKind};
 pub use planes::RungPlanes;
 pub(crate) use planes::{cross, dot};
 pub use slopes::{Piece, SampleSlope, SlopedRung};
 pub(crate) use strip::{Aligned, Fan, FarEnds, LANES, Lanes, Strip};
 
+use hints::Hints;
 use planes::{End, smooth, special};
-use sheetwright_geometry::boundary::{Boundary, SupportingPlane};
+use sheetwright_geometry::boundary::{Boundary, SupportingPlane, size_of};
 use sheetwright_geometry::curve::Sample;
 use sheetwright_geometry::math::{Vec3, unit};
+use std::sync::Arc;
 
 /// All prices are multiples of this, 2⁻⁴⁴. As a twist it is a warp angle of 2·10⁻⁵ degrees, above
 /// the rounding of 1 − n·n (2⁻⁵²) and below any angle that can be measured on a sheet.
@@ -107,6 +114,8 @@ pub struct Prices {
     special_cosines_squared: Vec<f64>,
     options: PriceOptions,
     facing: Vec3,
+    /// Which places rungs should pass near, or keep away from.
+    hints: Option<Arc<Hints>>,
 }
 
 impl Prices {
@@ -165,7 +174,7 @@ impl Prices {
         let next = |i: usize| if i + 1 == order.len() { 0 } else { i + 1 };
         let after = |i: usize| if is_cut(order[i], order[next(i)]) { NONE } else { next(i) };
         let after = (0..order.len()).map(after).collect();
-        Self { numbers, after, ..Self::of_ends(ends, self.options, self.facing) }
+        Self { numbers, after, ..self.of_some(ends) }
     }
 
     /// The prices of the closed polygon that walks the samples of `order`, taken for a loop in
@@ -173,8 +182,7 @@ impl Prices {
     /// folds at the cuts, and the prices of triangles may differ in their last bit. Tables of these
     /// prices are filled many times as fast.
     pub(crate) fn chain_in_order(&self, order: &[usize]) -> Self {
-        let ends = order.iter().map(|&i| self.ends[i]).collect();
-        Self::of_ends(ends, self.options, self.facing)
+        self.of_some(order.iter().map(|&i| self.ends[i]).collect())
     }
 
     /// Whether two samples that follow one another on a chain are the ends of a cut.
@@ -202,11 +210,17 @@ impl Prices {
             ends[i].edge_out = edge;
             ends[(i + 1) % m].edge_in = edge;
         }
-        let mut thinned = Self::of_ends(ends, self.options, self.facing);
+        let mut thinned = self.of_some(ends);
         if !self.numbers.is_empty() {
             thinned.numbers = kept.iter().map(|&i| self.numbers[i]).collect();
         }
         thinned
+    }
+
+    /// The prices of other members of the boundary, with these options and hints.
+    fn of_some(&self, ends: Vec<End>) -> Self {
+        let hints = self.hints.clone();
+        Self { hints, ..Self::of_ends(ends, self.options, self.facing) }
     }
 
     fn of_ends(ends: Vec<End>, options: PriceOptions, facing: Vec3) -> Self {
@@ -222,7 +236,15 @@ impl Prices {
             numbers: Vec::new(),
             options,
             facing,
+            hints: None,
         }
+    }
+
+    /// These prices, with a price for every rung that passes a hint as it should not. The distances
+    /// that count follow the size of the boundary.
+    pub fn with_hints(self, hints: &[Hint], boundary: &Boundary) -> Self {
+        let hints = Hints::new(hints, self.facing, size_of(boundary.positions()));
+        Self { hints: hints.map(Arc::new), ..self }
     }
 
     /// How many samples there are.
@@ -282,12 +304,21 @@ impl Prices {
     }
 
     /// The price of the rung between samples `i` < `j` without its folds, a multiple of
-    /// [`QUANTUM`], from its planes.
+    /// [`QUANTUM`], from its planes: its twist, and the price of the hints that it passes.
     pub fn rung(&self, i: usize, j: usize, planes: &RungPlanes) -> f64 {
-        quantised(match self.options.form {
+        let twist = match self.options.form {
             TwistForm::Normalised => planes.twist,
             TwistForm::Printed => self.printed_twist(i, j),
-        })
+        };
+        quantised(twist) + self.of_hints(i, j)
+    }
+
+    /// The price of the hints that the rung between two samples passes, a multiple of [`QUANTUM`].
+    pub(crate) fn of_hints(&self, i: usize, j: usize) -> f64 {
+        let Some(hints) = &self.hints else { return 0.0 };
+        // In the order of the boundary, so that rounding does not depend on the chain.
+        let (i, j) = if self.number(i) < self.number(j) { (i, j) } else { (j, i) };
+        hints.price(self.ends[i].position, self.ends[j].position)
     }
 
     /// Equation (1) as printed: the cross products divided by the length of the rung alone. At a

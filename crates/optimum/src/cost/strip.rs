@@ -112,6 +112,22 @@ impl Prices {
         if special != [false; LANES] || self.options.form == TwistForm::Printed {
             self.special_lanes(i, to, wanted, &special, strip);
         }
+        if self.hints.is_some() {
+            self.add_hints(i, to, &special, strip);
+        }
+    }
+
+    /// Adds to `strip` the price of hints; special rungs, all as [`TwistForm::Printed`], have it
+    /// already. A function of its own, so that it does not slow down the many boundaries without
+    /// hints.
+    #[inline(never)]
+    fn add_hints(&self, i: usize, to: &FarEnds, special: &[bool; LANES], strip: &mut Strip) {
+        if self.options.form == TwistForm::Printed {
+            return;
+        }
+        for n in (0..to.count).filter(|&n| !special[n] && to.first + n > i) {
+            strip.prices[n] += self.of_hints(i, to.first + n);
+        }
     }
 
     /// Writes to `strip` those of the rungs from sample `i` that are special; all as

@@ -8,12 +8,11 @@
 //! their orientation.
 
 use super::holes::{Tally, Work};
+use super::part::Part;
 use super::{Terms, TriangulateError, TriangulateOptions, holes};
-use crate::cost::PriceOptions;
-use crate::cost::Prices;
+use crate::cost::{PriceOptions, Prices};
 use crate::rung::Visibility;
-use sheetwright_geometry::boundary::Boundary;
-use sheetwright_geometry::boundary::SupportingPlane;
+use sheetwright_geometry::boundary::{Boundary, SupportingPlane};
 use sheetwright_geometry::predicate::signed_area_doubled;
 use sheetwright_geometry::watch::Watch;
 
@@ -42,7 +41,7 @@ pub fn with_holes_facing(
         return Ok(wrong.fold(boundary.clone(), |turned, hole| turned.with_hole_turned(hole)));
     }
     // Progress is reported for the search that follows, not for this one.
-    let watch = &mut Silent(watch);
+    let watch = &mut Part::silent(watch);
     let mut few = boundary.thinned(FEW);
     let mut turned = vec![false; boundary.holes() + 1];
     let tally = Tally::default();
@@ -113,13 +112,4 @@ fn with_terms<T>(
     let prices = Prices::new(boundary, None, price);
     let visibility = Visibility::new(boundary, None);
     what(&Terms::new(&prices, &visibility, true))
-}
-
-/// Passes on stopping, and no progress.
-struct Silent<'w>(&'w mut dyn Watch);
-
-impl Watch for Silent<'_> {
-    fn stop(&self) -> bool {
-        self.0.stop()
-    }
 }

@@ -16,16 +16,20 @@ mod hole_orientation;
 mod holes;
 mod memory;
 mod optimal;
+mod other;
 mod part;
 mod plane_check;
 mod rails;
 
 pub use hole_orientation::with_holes_facing;
 pub use optimal::memory_needed;
+pub use other::{OtherSurface, WhichSurface, other_surface};
 pub use plane_check::Cheapest;
 pub use plane_check::cheaper_than;
 
-use crate::cost::{EXACT_BELOW, FarEnds, LANES, MAX_FOLD, PriceOptions, Prices, Strip, TwistForm};
+use crate::cost::{
+    EXACT_BELOW, FarEnds, Hint, LANES, MAX_FOLD, PriceOptions, Prices, Strip, TwistForm,
+};
 use crate::rung::{Rung, Visibility};
 use optimal::warm_start;
 use part::Part;
@@ -84,6 +88,10 @@ pub struct TriangulateOptions {
     pub goal: Goal,
     /// How they are priced.
     pub price: PriceOptions,
+    /// Which places the surface should pass near, or keep away from. Default: none.
+    pub hints: Vec<Hint>,
+    /// Which of two surfaces is meant, where two cost about as much. Default: the cheaper.
+    pub which: WhichSurface,
     /// Limit of the memory of tables, bytes. Default 4 GiB: `Optimal` up to 15,000 samples without
     /// holes, and many more where the boundary is near to a developable surface. Lowered where the
     /// system has less.
@@ -105,6 +113,8 @@ impl Default for TriangulateOptions {
             method: Method::Optimal,
             goal: Goal::Price,
             price: PriceOptions::default(),
+            hints: Vec::new(),
+            which: WhichSurface::Cheapest,
             memory_limit: 4 << 30,
             work_limit: DEFAULT_WORK,
         }
@@ -119,10 +129,15 @@ pub struct Triangulation {
     /// Its triangles, corners counter-clockwise as seen from the side that the surface faces, the
     /// lowest first (on one loop: in its order); m + 2 h − 2 of them, in increasing order.
     pub triangles: Vec<[SampleIndex; 3]>,
-    /// Π, without unit; below [`EXACT_BELOW`] an exact multiple of [`crate::cost::QUANTUM`].
+    /// Π and the price of hints, without unit; below [`EXACT_BELOW`] an exact multiple of
+    /// [`crate::cost::QUANTUM`].
     pub price: f64,
+    /// What hints alone cost, a part of the price.
+    pub hints: f64,
+    /// Whether it is the other of two surfaces that cost about as much, see [`other_surface`].
+    pub is_other: bool,
     /// The price of its dearest rung alone: its largest twist, without unit, a multiple of
-    /// [`crate::cost::QUANTUM`]; 0 for a triangle.
+    /// [`crate::cost::QUANTUM`]; 0 for a triangle. Hints count.
     pub largest_twist: f64,
     /// Whether this is proven optimal among all triangulations that the supporting plane admits:
     /// none is cheaper or, if the goal is the worst warp, has a smaller largest twist, or an equal
@@ -144,6 +159,11 @@ pub struct Triangulation {
 }
 
 impl Triangulation {
+    /// Π, without unit: the price without that of hints.
+    pub fn price_without_hints(&self) -> f64 {
+        self.price - self.hints
+    }
+
     /// The relative optimality gap, (price − lower bound) / price, 0 ..= 1: 0 where the
     /// triangulation is proven optimal; `None` where no bound is known.
     pub fn gap(&self) -> Option<f64> {
@@ -250,6 +270,34 @@ pub fn triangulate_near(
     known: Option<&Cheapest>,
     watch: &mut dyn Watch,
 ) -> Result<Cheapest, TriangulateError> {
+    if options.which == WhichSurface::Cheapest {
+        return cheapest_near(boundary, plane, options, known, watch);
+    }
+    let first = cheapest_near(boundary, plane, options, None, watch)?;
+    let other = other_surface(boundary, plane, options, &first.triangulation, watch)?;
+    Ok(other.map_or(first, |other| Cheapest {
+        triangulation: Triangulation { is_other: true, ..other.triangulation },
+        also_without_plane: None,
+    }))
+}
+
+/// The cheapest triangulation of a boundary, whichever of two surfaces is meant.
+fn cheapest(
+    boundary: &Boundary,
+    plane: Option<&SupportingPlane>,
+    options: &TriangulateOptions,
+    watch: &mut dyn Watch,
+) -> Result<Triangulation, TriangulateError> {
+    Ok(cheapest_near(boundary, plane, options, None, watch)?.triangulation)
+}
+
+fn cheapest_near(
+    boundary: &Boundary,
+    plane: Option<&SupportingPlane>,
+    options: &TriangulateOptions,
+    known: Option<&Cheapest>,
+    watch: &mut dyn Watch,
+) -> Result<Cheapest, TriangulateError> {
     let lengths: Vec<usize> = boundary.loops().iter().map(ExactSizeIterator::len).collect();
     refuse(&lengths, options)?;
     let memory_limit = memory::obtainable(options.memory_limit, needed(&lengths, options));
@@ -257,7 +305,7 @@ pub fn triangulate_near(
     refuse(&lengths, options)?;
     // Some methods begin again; their progress does not.
     let watch = &mut Part::new(watch, 0.0..1.0);
-    let prices = Prices::new(boundary, plane, options.price);
+    let prices = Prices::new(boundary, plane, options.price).with_hints(&options.hints, boundary);
     let known = known.filter(|known| warm_start::is_of(&known.triangulation, &lengths));
     // Exact visibility takes time, so looser tests come first.
     let nothing_asked = Visibility::everything();
@@ -555,6 +603,12 @@ impl<'a> Terms<'a> {
     }
 }
 
+/// The part of the price of a rung that hints are.
+fn of_hints(terms: &Terms<'_>, rung: &Rung) -> f64 {
+    let [i, j] = rung.ends().map(SampleIndex::get);
+    if terms.prices.planes(i, j).is_some() { terms.prices.of_hints(i, j) } else { 0.0 }
+}
+
 /// Orders the triangles, lists their rungs and sums their price anew.
 fn outcome(terms: &Terms<'_>, found: Found, method: Method) -> Triangulation {
     let mut triangles = found.triangles;
@@ -589,6 +643,7 @@ fn outcome(terms: &Terms<'_>, found: Found, method: Method) -> Triangulation {
         side.mean == Vec3::ZERO && terms.prices.planes(i, j).is_none()
     };
     let forced_rungs = rungs.iter().zip(&sides).filter(without_plane).count();
+    let hints = rungs.iter().map(|rung| of_hints(terms, rung)).sum();
     let of_rungs: f64 = sides.iter().map(|side| side.price).sum();
     let mean = |a: usize, b: usize| {
         let found = rungs.binary_search(&Rung::new(a, b));
@@ -606,6 +661,8 @@ fn outcome(terms: &Terms<'_>, found: Found, method: Method) -> Triangulation {
         rungs,
         triangles: triangles.iter().map(|t| t.map(SampleIndex::new)).collect(),
         price,
+        hints,
+        is_other: false,
         largest_twist,
         proven_optimal,
         lower_bound: if method == Method::Optimal { lower_bound.min(price) } else { 0.0 },

@@ -75,7 +75,7 @@ pub fn cheaper_than(
     known: Option<&Triangulation>,
     watch: &mut dyn Watch,
 ) -> Result<Option<Triangulation>, TriangulateError> {
-    let prices = Prices::new(boundary, None, options.price);
+    let prices = Prices::new(boundary, None, options.price).with_hints(&options.hints, boundary);
     let everything = Visibility::everything();
     let limit_bytes = obtainable(options.memory_limit, memory_needed(boundary.len()));
     let terms = Terms::new(&prices, &everything, false).within(limit_bytes);

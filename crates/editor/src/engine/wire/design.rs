@@ -9,7 +9,7 @@ use sheetwright::design::{
 };
 use sheetwright::flatten::Aim;
 use sheetwright::material::{Grain, GrainBending, KFactor, KFactors, Material, Sourced};
-use sheetwright::triangulate::Goal;
+use sheetwright::triangulate::{Goal, WhichSurface};
 
 fields!(Design { name, material, materials, curves, panels, vary, match_seams });
 fields!(Material {
@@ -33,7 +33,20 @@ fields!(GrainBending { modulus_n_per_mm2, bend_radius_mm });
 fields!(Sourced { value, source });
 fields!(DesignCurve { name, kind, closed, points });
 fields!(CurvePoint { at, corner, move_mm });
-fields!(DesignPanel { name, shape, samples, method, goal, plane, run_on, fold, effort, cut });
+fields!(DesignPanel {
+    name,
+    shape,
+    samples,
+    method,
+    goal,
+    plane,
+    run_on,
+    fold,
+    effort,
+    cut,
+    which,
+    near
+});
 fields!(CurveUse { name, reversed });
 fields!(Join { parts, smooth, within, keep_parts });
 fields!(Vary { panels, curves, goal, limit_mm, budget_mm, by, leave_developable });
@@ -43,6 +56,7 @@ kinds!(Aim { Mean, Max, Seams });
 kinds!(CurveKind { Polyline, Spline, BSpline });
 kinds!(PanelMethod { Optimal, Bridge, Rails });
 kinds!(Goal { Price, WorstWarp });
+kinds!(WhichSurface { Cheapest, Other });
 kinds!(MovedBy { Points, Samples });
 kinds!(Continuity { G0, G1, G2 });
 

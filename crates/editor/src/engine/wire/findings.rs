@@ -22,6 +22,8 @@ variants!(FindingKind {
     Overlap {},
     RungWithoutPlane { count },
     BetterWithoutPlane { with, without },
+    TwoSurfaces { apart_mm, is_one_pattern, other },
+    NoOtherSurface {},
     NotProven { gap, cut_short },
     Folds { count, sharpest, stiff },
     Creases { count, sharpest, stiff },

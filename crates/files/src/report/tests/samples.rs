@@ -7,7 +7,7 @@ use sheetwright::design::{
 };
 use sheetwright::make::{Made, make};
 use sheetwright::math::{Point3, cos, from_deg, sin};
-use sheetwright::triangulate::Goal;
+use sheetwright::triangulate::{Goal, WhichSurface};
 use sheetwright::watch::Unwatched;
 
 pub(super) const ODD_NAME: &str = "<b>\"&é";
@@ -29,6 +29,8 @@ fn panel(name: &str, shape: PanelShape, samples: usize) -> DesignPanel {
         fold: 0.1,
         effort: 1.0,
         cut: Vec::new(),
+        which: WhichSurface::Cheapest,
+        near: Vec::new(),
     }
 }
 
