@@ -327,6 +327,10 @@ struct VaryArgs {
     /// Move the curves as little as possible so that no warp angle is above this one, in degrees
     #[arg(long, value_name = "DEG", value_parser = warp_deg)]
     vary_warp: Option<f64>,
+    /// Move the curves as little as possible so that the sheet stretches by no more than this share
+    /// of what it takes (80%)
+    #[arg(long, value_name = "SHARE", value_parser = strain_share, conflicts_with = "vary_warp")]
+    vary_strain: Option<f64>,
     /// The longest way that a sample may move: in mm, or with a unit (2mm, 1/8in)
     #[arg(long, value_name = "LENGTH", value_parser = distance_mm)]
     vary_limit: Option<f64>,
@@ -338,6 +342,11 @@ struct VaryArgs {
 fn warp_deg(given: &str) -> Result<f64, String> {
     let deg = sheetwright_files::warp_deg(given);
     deg.ok_or_else(|| "give an angle above 0 and up to 90".to_owned())
+}
+
+fn strain_share(given: &str) -> Result<f64, String> {
+    let share = sheetwright_files::strain_share(given);
+    share.ok_or_else(|| "give a share from 5% to 100%".to_owned())
 }
 
 fn distance_mm(given: &str) -> Result<f64, String> {
@@ -385,6 +394,7 @@ impl SourceArgs {
                 limit_mm: self.vary.vary_limit,
                 budget_mm: self.vary.vary_budget,
                 warp_deg: self.vary.vary_warp,
+                strain: self.vary.vary_strain,
             },
             mesh: MeshSettings::default(),
         }

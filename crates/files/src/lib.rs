@@ -66,7 +66,7 @@ pub use pdf::{MaxSheets, Paper, PdfOptions, Reduced, WrittenPdf, write_pdf};
 pub use quads::{PanelQuads, write_quads};
 pub use quantity::{
     distance_mm, length_in, length_text, read_angle, read_length, read_lengths, read_number,
-    step_text, warp_deg,
+    step_text, strain_share, warp_deg,
 };
 pub use read_back::{PatternReadError, ReadPattern};
 pub use reading::{

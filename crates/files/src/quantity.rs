@@ -13,7 +13,7 @@
 //! refused, since a wrong guess would be a factor of 1000. Fields of the editor, settings of
 //! templates and options of the command all read quantities here.
 
-use crate::design_json::MOST_WARP_DEG;
+use crate::design_json::{MOST_WARP_DEG, strain_shares};
 use crate::table::in_range_mm;
 use crate::units::Units;
 
@@ -153,6 +153,17 @@ pub fn distance_mm(text: &str) -> Option<f64> {
 /// A goal for the warp angle, degrees; `None` if the text is no angle above 0° and up to 90°.
 pub fn warp_deg(text: &str) -> Option<f64> {
     angle(text).ok().filter(|deg| *deg > 0.0 && *deg <= MOST_WARP_DEG)
+}
+
+/// A goal for the strain, as a share of what the sheet takes, from a percentage or a number (80%,
+/// 0.8); `None` if it is below 5 % or above 100 %.
+pub fn strain_share(text: &str) -> Option<f64> {
+    let text = text.trim();
+    let share = match text.strip_suffix('%') {
+        Some(per_cent) => per_cent.trim().parse::<f64>().ok()? / 100.0,
+        None => text.parse().ok()?,
+    };
+    strain_shares().contains(&share).then_some(share)
 }
 
 /// A length, mm.

@@ -63,6 +63,9 @@ pub struct VarySettings {
     pub budget_mm: Option<f64>,
     /// The largest warp angle to be reached, degrees.
     pub warp_deg: Option<f64>,
+    /// The goal, the largest strain as a share of what the sheet takes, 0.05 ..= 1; it takes the
+    /// place of a goal for the warp angle.
+    pub strain: Option<f64>,
 }
 
 impl VarySettings {
@@ -80,6 +83,9 @@ impl VarySettings {
             one.budget_mm = self.budget_mm.or(one.budget_mm);
             if let Some(deg) = self.warp_deg {
                 one.goal = VaryGoal::Warp { largest: from_deg(deg) };
+            }
+            if let Some(share) = self.strain {
+                one.goal = VaryGoal::Strain { share };
             }
         }
         vary

@@ -22,6 +22,7 @@ pub(crate) use bending::{better_without_plane, no_other_surface, two_surfaces};
 pub(crate) use origin::{
     BoundaryMoved, moved, ran_on, rounded_corner, smoothed_joints, stayed_straight, turned_round,
 };
+pub(crate) use strain::strain_not_reached;
 
 use crate::elastic::Predicted;
 use crate::flatten::Flattened;

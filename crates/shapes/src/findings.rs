@@ -123,6 +123,7 @@ fn of_surfaces() -> Vec<Finding> {
         Kind::TwoSurfaces { apart_mm: 12.5, is_one_pattern: false, other: Verdict::BendsWithForce },
         Kind::TwoSurfaces { apart_mm: 2.5, is_one_pattern: true, other: Verdict::Bends },
         Kind::NoOtherSurface,
+        Kind::StrainNotReached { wanted: 0.8, reached: 1.25 },
         Kind::NotProven { gap: Some(0.0125), cut_short: true },
         Kind::NotProven { gap: None, cut_short: false },
         Kind::LengthError { largest: 0.00004, closes_holes: true },

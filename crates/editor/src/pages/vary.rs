@@ -23,22 +23,41 @@ use std::ops::RangeInclusive;
 /// Angles that may be reached, degrees.
 const ANGLES: RangeInclusive<f64> = 0.1..=90.0;
 
+/// Shares of the strain that the sheet takes that may be reached, per cent.
+const PER_CENTS: RangeInclusive<f64> = 5.0..=100.0;
+/// The share that is aimed at unless another is typed: the rest is for what a workshop adds.
+const USUAL_PER_CENT: f64 = 80.0;
+
 /// What is asked for.
 #[derive(Clone, Debug)]
 pub struct VaryPage {
     held: Vec<String>,
-    reach_angle: bool,
-    /// What was typed; else the twist that the sheet takes, and what is usual in the units.
+    aim: Aim,
+    /// What was typed; else [`USUAL_PER_CENT`], the twist that the sheet takes, and what is usual in the units.
+    per_cent: Option<f64>,
     angle_deg: Option<f64>,
     limit_mm: Option<f64>,
     was_limited: bool,
+}
+
+/// What moving is for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Aim {
+    /// No more strain than a share of what the sheet takes.
+    #[default]
+    Strain,
+    /// No more twist than an angle.
+    Angle,
+    /// As little twist as can be.
+    Least,
 }
 
 impl Default for VaryPage {
     fn default() -> Self {
         Self {
             held: Vec::new(),
-            reach_angle: false,
+            aim: Aim::default(),
+            per_cent: None,
             angle_deg: None,
             limit_mm: None,
             was_limited: true,
@@ -93,19 +112,29 @@ impl VaryPage {
 
     fn ask_ui(&mut self, ui: &mut Ui, editor: &Editor, theme: &Theme, out: &mut Option<VaryAct>) {
         let document = editor.document();
-        ui.label("Points may move a little so that the sheet twists less.");
+        ui.label("Points may move a little so that the sheet bends.");
         ui.add_space(6.0);
-        ui.radio_value(&mut self.reach_angle, false, "As little twist as these limits allow");
-        ui.radio_value(
-            &mut self.reach_angle,
-            true,
-            "Reach an angle, and move no more than that takes",
-        );
+        let aims = [
+            (Aim::Strain, "Until the sheet stretches no more than it takes"),
+            (Aim::Angle, "Until it twists no more than an angle"),
+            (Aim::Least, "As little twist as these limits allow"),
+        ];
+        for (aim, title) in aims {
+            ui.radio_value(&mut self.aim, aim, title);
+        }
         let field = |label| Field { theme, of: Id::unique("vary"), label };
+        let per_cent = self.per_cent.unwrap_or(USUAL_PER_CENT);
         let angle_deg = self.angle_deg.unwrap_or(warp_limit_deg(document.design.material.as_ref()));
-        if self.reach_angle {
-            let typed = field("Largest twist").angle(ui, angle_deg, ANGLES);
-            self.angle_deg = typed.or(self.angle_deg);
+        match self.aim {
+            Aim::Strain => {
+                let typed = field("Per cent of that").number(ui, per_cent, PER_CENTS);
+                self.per_cent = typed.or(self.per_cent);
+            }
+            Aim::Angle => {
+                let typed = field("Largest twist").angle(ui, angle_deg, ANGLES);
+                self.angle_deg = typed.or(self.angle_deg);
+            }
+            Aim::Least => {}
         }
         ui.checkbox(&mut self.was_limited, "Nothing moves farther than");
         let units = document.drawing.units;
@@ -131,15 +160,16 @@ impl VaryPage {
         let names = document.design.curves.iter().map(|curve| curve.name.as_str());
         let curves: Vec<String> = names.filter(is_free).map(str::to_owned).collect();
         ui.add_space(8.0);
-        let is_refused = self.reach_angle && field("Largest twist").is_refused(ui)
+        let is_refused = self.aim == Aim::Strain && field("Per cent of that").is_refused(ui)
+            || self.aim == Aim::Angle && field("Largest twist").is_refused(ui)
             || self.was_limited && field("Distance").is_refused(ui);
         let can = !curves.is_empty() && editor.work().is_none() && !is_refused;
         ui.add_enabled_ui(can, |ui| {
             if main_button(ui, theme, "Try it").clicked() {
-                let goal = if self.reach_angle {
-                    VaryGoal::Warp { largest: from_deg(angle_deg) }
-                } else {
-                    VaryGoal::Price
+                let goal = match self.aim {
+                    Aim::Strain => VaryGoal::Strain { share: 0.01 * per_cent },
+                    Aim::Angle => VaryGoal::Warp { largest: from_deg(angle_deg) },
+                    Aim::Least => VaryGoal::Price,
                 };
                 let limit_mm = self.was_limited.then_some(limit_mm);
                 *out = Some(VaryAct::Move(Box::new(Vary {

@@ -79,6 +79,11 @@ pub(super) struct VaryFile {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 90))]
     pub(super) warp_deg: Option<f64>,
+    /// The largest strain to be reached, as a share of what the sheet takes, by displacements that
+    /// are small. Not beside `warp_deg`. Default: none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 0.05, max = 1))]
+    pub(super) strain: Option<f64>,
     /// The curves that may move. Default: all those of the panels.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) curves: Option<Vec<String>>,

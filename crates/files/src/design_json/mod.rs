@@ -16,7 +16,7 @@ mod vary;
 mod write;
 
 pub(crate) use table_path::table_beside;
-pub(crate) use vary::MOST_WARP_DEG;
+pub(crate) use vary::{MOST_WARP_DEG, strain_shares};
 pub use write::write_design;
 pub(crate) use write::write_design_of_table;
 
@@ -374,7 +374,11 @@ mod tests {
             which: Some(WhichSurface::Other),
             units: None,
             material: Some("Leather-2mm".to_owned()),
-            vary: VarySettings { warp_deg: Some(3.0), limit_mm: Some(7.0), budget_mm: None },
+            vary: VarySettings {
+                warp_deg: Some(3.0),
+                limit_mm: Some(7.0),
+                ..VarySettings::default()
+            },
             mesh: crate::MeshSettings::default(),
         };
         let design =

@@ -9,11 +9,19 @@ use crate::units::Units;
 use sheetwright::design::VaryGoal;
 use sheetwright::design::{DesignCurve, DesignPanel, MovedBy, Vary};
 use sheetwright::math::{from_deg, to_deg};
+use std::ops::RangeInclusive;
 
 /// The largest warp angle that can be set as a goal, degrees.
 pub(crate) const MOST_WARP_DEG: f64 = 90.0;
 pub(crate) const WARP_HINT: &str = "Set an angle above 0° and up to 90°.";
+pub(crate) const STRAIN_HINT: &str = "Set a share of what the sheet takes, from 0.05 to 1: 0.8.";
 const DISTANCE_HINT: &str = "Write a distance of 0 or more, in the units of the design.";
+
+/// The shares of the strain of the sheet that can be set as a goal: less than a twentieth is below
+/// what a prediction tells.
+pub(crate) fn strain_shares() -> RangeInclusive<f64> {
+    0.05..=1.0
+}
 
 /// Reads the field `vary` of a design and of its panels.
 pub(super) struct VaryReader<'a> {
@@ -76,8 +84,20 @@ impl VaryReader<'_> {
                 return Err(error(".panels", message, hint.to_owned()));
             }
         };
+        if let (Some(_), Some(_)) = (file.warp_deg, file.strain) {
+            let message = "`vary` has two goals, `warp_deg` and `strain`".to_owned();
+            return Err(error("", message, "Keep one of the two.".to_owned()));
+        }
+        let strain = file.strain.map(|share| {
+            if strain_shares().contains(&share) {
+                Ok(VaryGoal::Strain { share })
+            } else {
+                let message = format!("the share of the strain is {share}");
+                Err(error(".strain", message, STRAIN_HINT.to_owned()))
+            }
+        });
         let goal = match file.warp_deg {
-            None => VaryGoal::Price,
+            None => strain.transpose()?.unwrap_or(VaryGoal::Price),
             Some(deg) if deg > 0.0 && deg <= MOST_WARP_DEG => {
                 VaryGoal::Warp { largest: from_deg(deg) }
             }
@@ -108,8 +128,12 @@ pub(super) fn written(vary: &Vary, in_panel: bool) -> VaryFile {
         budget: vary.budget_mm,
         limit: vary.limit_mm,
         warp_deg: match vary.goal {
-            VaryGoal::Price => None,
+            VaryGoal::Price | VaryGoal::Strain { .. } => None,
             VaryGoal::Warp { largest } => Some(plain_deg(largest)),
+        },
+        strain: match vary.goal {
+            VaryGoal::Strain { share } => Some(share),
+            VaryGoal::Price | VaryGoal::Warp { .. } => None,
         },
         curves: some(&vary.curves),
         panels: if in_panel { None } else { some(&vary.panels) },

@@ -103,8 +103,12 @@ impl FoundPage<'_> {
         let before: &Part = &change.before;
         let price =
             |part: &Part| part.found().map_or(f64::NAN, |f| f.triangulation.price_without_hints());
+        let strain = |part: &Part| {
+            part.predicted.as_ref().map_or_else(|| "–".to_owned(), |p| plain_per_cent(p.strain))
+        };
         let rows = [
             ("Verdict", [before, panel].map(|p| verdict_word(p.checked.verdict).to_owned())),
+            ("Strain", [before, panel].map(strain)),
             ("Largest warp", [before, panel].map(|p| degrees(to_deg(p.measures.warp_max)))),
             ("Mean warp", [before, panel].map(|p| degrees(to_deg(p.measures.warp_mean)))),
             ("Twist, total", [before, panel].map(|p| scientific(p.measures.twist_total))),

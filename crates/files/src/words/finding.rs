@@ -74,6 +74,12 @@ pub fn finding_text(finding: &Finding) -> String {
              better: its price is {:.0} % of this one. To get it, set the plane to \"none\".",
             100.0 * without / with
         ),
+        Kind::StrainNotReached { wanted, reached } => format!(
+            "The strain is {:.0} % of what the sheet takes, and the goal of {:.0} % is not reached \
+             within the limits. Let the boundary move farther, or choose a thinner sheet.",
+            100.0 * reached,
+            100.0 * wanted
+        ),
         Kind::TwoSurfaces { apart_mm, is_one_pattern: true, .. } => format!(
             "Two surfaces fit this boundary about as well, up to {apart_mm:.1} mm apart, with one \
              pattern: the sheet goes either way."

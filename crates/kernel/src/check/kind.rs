@@ -114,6 +114,13 @@ pub enum FindingKind {
         /// The price without it.
         without: f64,
     },
+    /// Moving the boundary does not bring the strain within the share that was wanted.
+    StrainNotReached {
+        /// The wanted share of the strain that the sheet takes.
+        wanted: f64,
+        /// The share that is left.
+        reached: f64,
+    },
     /// Another surface fits the boundary about as well.
     TwoSurfaces {
         /// How far both are apart, mm.
@@ -412,6 +419,7 @@ impl FindingKind {
             | Self::RadiusUnsure { .. }
             | Self::RungWithoutPlane { .. }
             | Self::NoOtherSurface
+            | Self::StrainNotReached { .. }
             | Self::WindowGap { .. }
             | Self::StretchHigh { .. }
             | Self::BorderNotTrue { .. }
@@ -468,6 +476,7 @@ impl FindingKind {
             Self::Overlap => "overlap",
             Self::RungWithoutPlane { .. } => "rung-without-plane",
             Self::BetterWithoutPlane { .. } => "better-without-plane",
+            Self::StrainNotReached { .. } => "strain-not-reached",
             Self::TwoSurfaces { .. } => "two-surfaces",
             Self::NoOtherSurface => "no-other-surface",
             Self::NotProven { .. } => "not-proven",

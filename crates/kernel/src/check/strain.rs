@@ -117,3 +117,9 @@ impl Checked {
         *self = Self::of(found.into_iter().chain(kept).collect());
     }
 }
+
+/// The finding that moving the boundary leaves more strain than wanted, both as shares of what the
+/// sheet takes.
+pub(crate) fn strain_not_reached(wanted: f64, reached: f64) -> Finding {
+    Finding::of_whole(FindingKind::StrainNotReached { wanted, reached })
+}

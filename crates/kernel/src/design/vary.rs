@@ -10,6 +10,12 @@ pub enum VaryGoal {
         /// The angle, radians; positive.
         largest: f64,
     },
+    /// No more predicted strain than a share of what the sheet takes, and of that the smallest
+    /// displacements that were found.
+    Strain {
+        /// The share, above 0 and up to 1.
+        share: f64,
+    },
 }
 
 /// Whether points of curves move, or samples.

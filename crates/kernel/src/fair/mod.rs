@@ -202,26 +202,27 @@ pub fn vary_moving(
         Err(NoState::Stopped) => return Err(VaryError::Stopped),
     };
     let within = match options.goal {
-        VaryGoal::Price => start.price == 0.0,
+        VaryGoal::Price | VaryGoal::Strain { .. } => start.price == 0.0,
         VaryGoal::Warp { largest } => start.warp_asked() <= largest,
     };
     let warp_max_before = start.warp_max();
     let before: Vec<Boundary> = start.panels.iter().map(|p| p.boundary.clone()).collect();
     let before_asked = start.warp_asked();
     let mut way = Way { moving, options, prices: vec![start.price], twists: vec![start.twist] };
-    let (state, ended) =
-        if within || (options.leave_developable && start.panels.iter().all(sampling::explains)) {
-            (start, Ended::NothingToDo)
-        } else {
-            let start = going_on(&mut way, start, known, limit, watch);
-            match options.goal {
-                VaryGoal::Price => least_price(&mut way, start, limit, watch),
-                VaryGoal::Warp { largest } => {
-                    let angles = [largest, before_asked];
-                    reach::reach(&mut way, start, limit, angles, watch)
-                }
+    let (state, ended) = if within
+        || (options.leave_developable && start.panels.iter().all(sampling::explains))
+    {
+        (start, Ended::NothingToDo)
+    } else {
+        let start = going_on(&mut way, start, known, limit, watch);
+        match options.goal {
+            VaryGoal::Price | VaryGoal::Strain { .. } => least_price(&mut way, start, limit, watch),
+            VaryGoal::Warp { largest } => {
+                let angles = [largest, before_asked];
+                reach::reach(&mut way, start, limit, angles, watch)
             }
-        };
+        }
+    };
     Ok(varied(&before, state, ended, way, warp_max_before))
 }
 
@@ -240,7 +241,9 @@ fn going_on(
     limit.project(&mut known);
     let Ok(state) = State::new(way.moving, known, Some(&start), watch) else { return start };
     let is_better = match way.options.goal {
-        VaryGoal::Price => state.price < start.price && state.twist <= start.twist,
+        VaryGoal::Price | VaryGoal::Strain { .. } => {
+            state.price < start.price && state.twist <= start.twist
+        }
         VaryGoal::Warp { .. } => state.warp_asked() < start.warp_asked(),
     };
     if is_better {
@@ -308,6 +311,8 @@ impl Way<'_> {
 fn refuse_options(limit: &Limit, options: &VaryOptions) -> Result<(), VaryError> {
     let goal_is_angle = match options.goal {
         VaryGoal::Price => true,
+        // It takes an elastic sheet: `make` looks for the angle that it comes to.
+        VaryGoal::Strain { .. } => false,
         VaryGoal::Warp { largest } => largest.is_finite() && largest > 0.0,
     };
     let fair = options.fairness.is_finite() && options.fairness >= 0.0;

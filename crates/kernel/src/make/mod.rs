@@ -15,6 +15,7 @@ mod mesh;
 mod other;
 mod part;
 mod rebuilt;
+mod strained;
 mod unrestricted;
 
 pub use error::{MakeCause, MakeError};
@@ -32,6 +33,7 @@ use joined::{find_mates, join_meshes};
 use judged::{is_screened, judge};
 use mesh::make_mesh;
 use sheetwright_geometry::watch::Watch;
+use strained::aimed_by_angles;
 use unrestricted::Known;
 
 /// A design with everything that was derived from it.
@@ -77,8 +79,9 @@ pub fn make_judged(
     if design.panels.is_empty() {
         return Err(MakeError::of_design(MakeCause::NoPanels));
     }
+    let (design, wanted) = &aimed_by_angles(design, judging, watch)?;
     let varied = varied_design(design, watch)?;
-    let made_from = varied.as_ref().map_or(design, |varied| &varied.after);
+    let made_from = varied.as_ref().map_or(&**design, |varied| &varied.after);
     let mut parts = make_panels(made_from, |_| true, judging, watch)?;
     let mut moved = None;
     if let Some(varied) = varied {
@@ -99,6 +102,7 @@ pub fn make_judged(
         let is_moved = shifts.values().any(|shift| shift.is_moved());
         moved = is_moved.then_some(varied.after);
     }
+    wanted.iter().for_each(|wanted| wanted.say_missed(&mut parts));
     join_meshes(&mut parts.iter_mut().collect::<Vec<_>>());
     find_mates(&mut parts);
     let (name, material) = (design.name.clone(), design.material.clone());

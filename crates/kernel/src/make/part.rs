@@ -212,7 +212,7 @@ impl Change {
             ended: &self.ended,
             wanted: match self.goal {
                 VaryGoal::Warp { largest } => Some(largest),
-                VaryGoal::Price => None,
+                VaryGoal::Price | VaryGoal::Strain { .. } => None,
             },
             curves: &self.curves,
             moved_max_mm: self.moved_max_mm(),

@@ -124,6 +124,10 @@ impl Wire for VaryGoal {
                 out.push(1);
                 largest.put(out);
             }
+            Self::Strain { share } => {
+                out.push(2);
+                share.put(out);
+            }
         }
     }
 
@@ -131,6 +135,7 @@ impl Wire for VaryGoal {
         Some(match u8::take(from)? {
             0 => Self::Price,
             1 => Self::Warp { largest: f64::take(from)? },
+            2 => Self::Strain { share: f64::take(from)? },
             _ => return None,
         })
     }

@@ -24,6 +24,7 @@ variants!(FindingKind {
     BetterWithoutPlane { with, without },
     TwoSurfaces { apart_mm, is_one_pattern, other },
     NoOtherSurface {},
+    StrainNotReached { wanted, reached },
     NotProven { gap, cut_short },
     Folds { count, sharpest, stiff },
     Creases { count, sharpest, stiff },
