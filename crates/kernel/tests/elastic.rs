@@ -10,6 +10,7 @@ use sheetwright::math::{Point2, Point3, cos, sin};
 use sheetwright::sheet::Sheet;
 use sheetwright::surface::{Connectivity, Surface};
 use sheetwright::watch::Unwatched;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// A strip of quadrilaterals between two rails of as many points, each divided into triangles.
 fn strip(low: Vec<Point3>, high: Vec<Point3>) -> Surface {
@@ -37,43 +38,52 @@ fn steel(thickness_mm: f64, poisson: f64) -> Stiffness {
     Stiffness::new(thickness_mm, 210_000.0, poisson)
 }
 
-/// A quarter of a cylinder of this radius and height, mm.
-fn cylinder(radius: f64, height: f64) -> Surface {
-    let rail = |z: f64| -> Vec<Point3> {
+/// A piece of a cylinder of this radius and height, mm, over this angle, radians.
+fn cylinder(radius: f64, height: f64, turn: f64) -> Surface {
+    frustum([radius; 2], height, turn)
+}
+
+/// A piece of a frustum between circles of these radii, mm, over this angle, radians.
+fn frustum(radii: [f64; 2], height: f64, turn: f64) -> Surface {
+    let rail = |radius: f64, z: f64| -> Vec<Point3> {
         let at = |i: usize| {
-            let a = std::f64::consts::FRAC_PI_2 * i as f64 / 199.0;
+            let a = turn * i as f64 / 199.0;
             Point3::new(radius * cos(a), radius * sin(a), z)
         };
         (0..200).map(at).collect()
     };
-    strip(rail(0.0), rail(height))
+    let [low, high] = radii;
+    strip(rail(low, 0.0), rail(high, height))
 }
 
 #[test]
 fn a_cylinder_has_the_energy_of_theory_and_hardly_stretches() {
-    let (radius, height) = (400.0, 300.0);
-    let surface = cylinder(radius, height);
-    let thickness_mm = 0.5;
+    let (radius, height, thickness_mm) = (400.0, 300.0, 0.5);
     let plate = steel(thickness_mm, 0.0);
-    let arc = std::f64::consts::FRAC_PI_2 * radius;
-    let theory = 0.5 * plate.bending_n_mm / (radius * radius) * arc * height;
-    // The straight edges are free to turn, and beside them the sheet bends less: like a beam on
-    // an elastic ground, at each edge by at most what a length of √(t R) / ⁴√3 would store.
-    let least = 1.0 - 2.0 * (thickness_mm * radius).sqrt() / 3_f64.sqrt().sqrt() / arc;
-    let mut strains = Vec::new();
-    for triangles in [350, 1400] {
-        let found = at_rest(&surface, plate, triangles);
-        let energy = found.bending_n_mm + found.stretching_n_mm;
-        let share = energy / theory;
-        assert!((least..1.005).contains(&share), "{share}");
-        assert!(found.is_stable);
-        strains.push(found.strain_at(0.95));
-        let curvature = found.curvature_at(0.5) * radius;
-        assert!((curvature - 1.0).abs() < 0.05, "{curvature}");
+    for turn in [FRAC_PI_2, PI] {
+        let surface = cylinder(radius, height, turn);
+        let arc = turn * radius;
+        let theory = 0.5 * plate.bending_n_mm / (radius * radius) * arc * height;
+        // The straight edges are free to turn, and beside them the sheet bends less: like a beam
+        // on an elastic ground, at each edge by at most what a length of √(t R) / ⁴√3 would store.
+        let least = 1.0 - 2.0 * (thickness_mm * radius).sqrt() / 3_f64.sqrt().sqrt() / arc;
+        let mut strains = Vec::new();
+        for triangles in [350, 1400] {
+            let found = at_rest(&surface, plate, triangles);
+            let energy = found.bending_n_mm + found.stretching_n_mm;
+            let share = energy / theory;
+            assert!((least..1.005).contains(&share), "{share}");
+            // Over half a turn, both edges together store little of the whole.
+            assert!(turn < PI || (share - 1.0).abs() < 0.025, "{share}");
+            assert!(found.is_stable);
+            strains.push(found.strain_at(0.95));
+            let curvature = found.curvature_at(0.5) * radius;
+            assert!((curvature - 1.0).abs() < 0.05, "{curvature}");
+        }
+        // Theory has up to 0.11 t / 2R beside straight edges.
+        let bound = 0.15 * 0.5 * thickness_mm / radius;
+        assert!(strains.iter().all(|&strain| strain < bound), "{strains:?}");
     }
-    // Theory has up to 0.11 t / 2R beside straight edges.
-    let bound = 0.15 * 0.5 * thickness_mm / radius;
-    assert!(strains.iter().all(|&strain| strain < bound), "{strains:?}");
 }
 
 #[test]
@@ -142,6 +152,22 @@ fn a_sheet_far_away_is_strained_as_one_at_the_origin() {
     assert!((share - 1.0).abs() < 1e-6, "{share}");
     let moved = there.positions.iter().zip(&here.positions);
     assert!(moved.clone().all(|(b, a)| (b.x - far - a.x).abs() < 1e-3), "{moved:?}");
+}
+
+#[test]
+fn strains_converge_on_a_cylinder_a_cone_and_a_helicoid() {
+    // Thick enough for the net to show the strip beside the edges that is strained, √(t R) wide.
+    let plate = steel(5.0, 0.3);
+    for (name, surface) in [
+        ("cylinder", cylinder(400.0, 300.0, FRAC_PI_2)),
+        ("cone", frustum([450.0, 250.0], 300.0, FRAC_PI_2)),
+        ("helicoid", helicoid(1200.0, 300.0, 0.35)),
+    ] {
+        let [coarse, fine, finest] = [200, 500, 1250].map(|n| at_rest(&surface, plate, n).strain());
+        let [first, second] = [(fine - coarse).abs(), (finest - fine).abs()];
+        assert!(second < first, "{name}: {coarse} {fine} {finest}");
+        assert!(second < 0.05 * finest, "{name}: {coarse} {fine} {finest}");
+    }
 }
 
 #[test]

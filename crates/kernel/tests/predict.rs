@@ -4,46 +4,31 @@
 #![allow(clippy::unwrap_used)] // tests panic
 
 use sheetwright::check::{FindingKind, Verdict};
-use sheetwright::curve::{CurveKind, CurvePoint};
-use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelShape};
+use sheetwright::curve::CurveKind;
+use sheetwright::design::Design;
 use sheetwright::elastic::{Basis, DOUBT};
 use sheetwright::make::{Judging, Part, make, make_judged};
 use sheetwright::material::Material;
-use sheetwright::math::{Point3, cos, from_deg, sin};
+use sheetwright::math::{Point3, cos, sin};
 use sheetwright::pattern::Role;
 use sheetwright::watch::Unwatched;
+use sheetwright_shapes::bent;
 use sheetwright_shapes::materials::steel;
 use std::f64::consts::TAU;
 
-/// A strip between two rails of points, 100 samples on each.
+/// A strip between two rails of points, of a material.
 fn strip(rails: [Vec<Point3>; 2], kind: CurveKind, material: Option<Material>) -> Design {
-    let names = ["low", "high"];
-    let curves = rails.into_iter().zip(names).map(|(points, name)| DesignCurve {
-        name: name.into(),
-        kind: Some(kind),
-        closed: false,
-        points: points.into_iter().map(CurvePoint::smooth).collect(),
-    });
-    let on = |name: &str| CurveUse { name: name.into(), reversed: false };
-    Design {
-        name: "strip".into(),
-        curves: curves.collect(),
-        panels: vec![DesignPanel::new("strip", PanelShape::Rails(names.map(on)), 100)],
-        material,
-        ..Design::default()
-    }
+    Design { material, ..bent::strip("strip", rails, kind) }
 }
 
-/// A strip of 1200 x 300 mm that is twisted by an angle, its rails on a helicoid.
+/// A strip that is twisted by an angle, of a material.
 fn twisted(deg: f64, material: Option<Material>) -> Design {
-    let rail = |side: f64| {
-        let at = |i: usize| {
-            let (share, angle) = (i as f64 / 24.0, from_deg(deg) * i as f64 / 24.0);
-            Point3::new(1200.0 * share, 150.0 * side * cos(angle), 150.0 * side * sin(angle))
-        };
-        (0..25).map(at).collect()
-    };
-    strip([rail(-1.0), rail(1.0)], CurveKind::Spline, material)
+    Design { material, ..bent::twisted(deg) }
+}
+
+/// A strip whose rails wave out of step, of a material.
+fn wavy(height: f64, phase: f64, material: Option<Material>) -> Design {
+    Design { material, ..bent::wavy(height, phase) }
 }
 
 fn made(design: &Design) -> Part {
@@ -85,18 +70,6 @@ fn a_bracket_needs_the_fold_that_its_boundary_has() {
         let strain = part.predicted.as_ref().unwrap().strain;
         assert!(strain < 1e-9, "{strain}");
     }
-}
-
-/// Two rails that wave out of step.
-fn wavy(height: f64, phase: f64, material: Option<Material>) -> Design {
-    let rail = |z: f64, phase: f64| {
-        let at = |i: usize| {
-            let x = 1000.0 * i as f64 / 24.0;
-            Point3::new(x, height * sin(0.0063 * x + phase), z)
-        };
-        (0..25).map(at).collect()
-    };
-    strip([rail(0.0, 0.0), rail(250.0, phase)], CurveKind::Spline, material)
 }
 
 #[test]

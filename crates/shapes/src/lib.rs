@@ -4,12 +4,14 @@
 //! with holes, [`family`] the curve families that programs of this field are compared on,
 //! [`hemisphere`] the pieces of a gored hemisphere, [`gored`] the losses of gores against a sphere,
 //! [`transition`] the classical square-to-round duct, [`three_cones`] a sheet that branches,
-//! [`random`] a generator of numbers and boundaries, [`hull`] the planks of a published hull,
+//! [`random`] a generator of numbers and boundaries, [`bent`] panels on both sides of what a sheet
+//! takes, [`hull`] the planks of a published hull,
 //! [`drag`] handles and how a hand drags them, [`gallery`] the shapes of the gallery, [`pierced`]
 //! random boundaries with holes, [`domain`] the definition of a triangulation of such a boundary,
 //! and [`findings`] a finding of each kind.
 #![allow(clippy::expect_used)] // nothing comes from outside: a shape that fails is a fault of ours
 
+pub mod bent;
 pub mod developable;
 pub mod domain;
 pub mod drag;

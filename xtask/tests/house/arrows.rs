@@ -163,7 +163,8 @@ fn check_arrows(inside: &Path, text: &str, module: &str, order: &BTreeMap<String
     arrows
 }
 
-/// What must stay absent from the crates that compute.
+/// What must stay absent from the crates that compute: threads but in the one file that judges
+/// parts with them, where the feature `rayon` is on.
 #[test]
 fn pure_crates_keep_to_themselves() {
     let absent = [
@@ -182,8 +183,12 @@ fn pure_crates_keep_to_themselves() {
     for path in sources.iter().flat_map(|source| rust_files(source)) {
         let text = std::fs::read_to_string(&path).unwrap();
         let code = text.split("#[cfg(test)]").next().unwrap();
+        let has_threads = path.ends_with("make/together.rs");
         for line in code.lines().filter(|line| !line.trim_start().starts_with("//")) {
             for (word, reason) in absent {
+                if has_threads && word.starts_with("thread::") {
+                    continue;
+                }
                 assert!(!line.contains(word), "{}: a pure crate {reason}: {line}", path.display());
             }
         }

@@ -16,6 +16,7 @@ mod other;
 mod part;
 mod rebuilt;
 mod strained;
+mod together;
 mod unrestricted;
 
 pub use error::{MakeCause, MakeError};
@@ -32,8 +33,9 @@ use found::make_found;
 use joined::{find_mates, join_meshes};
 use judged::{is_screened, judge};
 use mesh::make_mesh;
-use sheetwright_geometry::watch::Watch;
+use sheetwright_geometry::watch::{Stage, Watch};
 use strained::aimed_by_angles;
+use together::judge_all;
 use unrestricted::Known;
 
 /// A design with everything that was derived from it.
@@ -170,21 +172,26 @@ fn make_panels(
     let maker = Maker::new(design);
     let material = design.material.as_ref();
     let mut parts: Vec<Part> = Vec::new();
+    // The parts with a question that may be open, by their numbers.
+    let mut open: Vec<(usize, Known)> = Vec::new();
     for (number, panel) in design.panels_to_make().into_iter().enumerate() {
         if !wanted(panel) {
             continue;
         }
         let mut known = None;
-        let mut made = maker.make(number, panel, &mut known, watch)?;
-        if let (Some(known), [part]) = (&mut known, &mut made[..]) {
-            let failed = |cause: MakeCause| MakeError::of_panel(&panel.name, cause);
-            match judging {
-                Judging::Quick => known.answer(part, judging, material, watch),
-                Judging::Exact => settle(part, known, material, watch),
-            }
-            .map_err(failed)?;
-        }
+        let made = maker.make(number, panel, &mut known, watch)?;
+        open.extend(known.map(|known| (parts.len(), known)));
         parts.extend(made);
+    }
+    if judging == Judging::Exact {
+        let names: Vec<String> = parts.iter().map(|part| part.panel.clone()).collect();
+        watch.begin(&names.iter().map(|name| &name[..]).collect::<Vec<_>>(), Stage::Check);
+        judge_all(&mut parts, material, watch);
+    }
+    for (number, mut known) in open {
+        let part = &mut parts[number];
+        let answered = known.answer(part, judging, material, watch);
+        answered.map_err(|cause| MakeError::of_panel(&part.panel, cause))?;
     }
     Ok(parts)
 }

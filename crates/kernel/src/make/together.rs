@@ -1,0 +1,151 @@
+//! Parts judged by several threads: each part by itself, so that neither their number nor the
+//! order in which parts are taken changes a bit. Without the feature `rayon`, or where the system
+//! starts no threads, the caller's thread judges them all.
+
+use super::judged::{is_screened, judge};
+use super::part::Part;
+use crate::material::Material;
+use sheetwright_geometry::watch::Watch;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::thread;
+
+/// The most threads that help: each takes the memory of a computed sheet.
+const MOST_HELPERS: usize = 15;
+
+/// Judges all parts that a formula has screened. Where it is stopped, the rest stays as it is.
+pub(super) fn judge_all(parts: &mut [Part], material: Option<&Material>, watch: &mut dyn Watch) {
+    let helpers = if cfg!(feature = "rayon") {
+        thread::available_parallelism().map_or(0, |threads| threads.get() - 1)
+    } else {
+        0
+    };
+    judge_with(helpers.min(MOST_HELPERS), parts, material, watch);
+}
+
+/// Judges them with so many threads beside the one that calls.
+fn judge_with(
+    helpers: usize,
+    parts: &mut [Part],
+    material: Option<&Material>,
+    watch: &mut dyn Watch,
+) {
+    let count = parts.iter().filter(|part| is_screened(part)).count();
+    let queue = Mutex::new(parts.iter_mut().filter(|part| is_screened(part)));
+    let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();
+    let stopped = AtomicBool::new(false);
+    let help = || {
+        while let Some(part) = next() {
+            judge(part, material, &mut Helper(&stopped));
+        }
+    };
+    thread::scope(|scope| {
+        for _ in 0..helpers.min(count.saturating_sub(1)) {
+            if thread::Builder::new().spawn_scoped(scope, help).is_err() {
+                break;
+            }
+        }
+        let mut leader = Leader { watch, stopped: &stopped };
+        while let Some(part) = next() {
+            judge(part, material, &mut leader);
+        }
+    });
+}
+
+/// The watch of the thread that calls: what it hears goes for all.
+struct Leader<'a> {
+    watch: &'a mut dyn Watch,
+    stopped: &'a AtomicBool,
+}
+
+impl Watch for Leader<'_> {
+    fn progress(&mut self, done: f64) {
+        self.watch.progress(done);
+    }
+
+    fn stop(&self) -> bool {
+        let is_stopped = self.watch.stop();
+        if is_stopped {
+            self.stopped.store(true, Ordering::Relaxed);
+        }
+        is_stopped
+    }
+}
+
+/// The watch of a thread that helps.
+struct Helper<'a>(&'a AtomicBool);
+
+impl Watch for Helper<'_> {
+    fn stop(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)] // tests panic
+
+    use super::*;
+    use crate::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelShape};
+    use crate::make::{Judging, make_judged};
+    use sheetwright_geometry::curve::{CurveKind, CurvePoint};
+    use sheetwright_geometry::math::{Point3, sin};
+    use sheetwright_geometry::watch::Unwatched;
+
+    /// Seven strips side by side between rails that wave more and more.
+    fn strips() -> Vec<Part> {
+        let rail = |n: usize| {
+            let at = |i: usize| {
+                let x = 50.0 * i as f64;
+                Point3::new(x, 100.0 * n as f64, 3.0 * n as f64 * sin(0.02 * x + 0.1 * n as f64))
+            };
+            (0..12).map(|i| CurvePoint::smooth(at(i))).collect()
+        };
+        let curve = |n: usize| DesignCurve {
+            name: format!("rail {n}"),
+            kind: Some(CurveKind::Spline),
+            closed: false,
+            points: rail(n),
+        };
+        let on = |n: usize| CurveUse { name: format!("rail {n}"), reversed: false };
+        let panel =
+            |n: usize| DesignPanel::new(format!("{n}"), PanelShape::Rails([on(n), on(n + 1)]), 40);
+        let design = Design {
+            name: "strips".into(),
+            curves: (0..8).map(curve).collect(),
+            panels: (0..7).map(panel).collect(),
+            ..Design::default()
+        };
+        make_judged(&design, Judging::Quick, &mut Unwatched).unwrap().parts
+    }
+
+    #[test]
+    fn threads_change_no_bit() {
+        let judged = |helpers: usize| {
+            let mut parts = strips();
+            judge_with(helpers, &mut parts, None, &mut Unwatched);
+            parts
+        };
+        let alone = judged(0);
+        assert!(alone.iter().all(|part| !is_screened(part)));
+        for helpers in [1, 3, 20] {
+            assert_eq!(judged(helpers), alone, "{helpers}");
+        }
+    }
+
+    /// Stops all work from the start.
+    struct Stopped;
+
+    impl Watch for Stopped {
+        fn stop(&self) -> bool {
+            true
+        }
+    }
+
+    #[test]
+    fn what_is_stopped_stays_screened() {
+        let mut parts = strips();
+        judge_with(0, &mut parts, None, &mut Stopped);
+        assert_eq!(parts, strips());
+    }
+}
