@@ -18,12 +18,21 @@ pub enum SurfaceView {
     LengthError,
     /// The normals of the sheet on a sphere.
     Gauss,
+    /// How much the sheet stretches in its shape.
+    Strain,
 }
 
 impl SurfaceView {
     /// Every view.
-    pub const ALL: [Self; 6] =
-        [Self::Shaded, Self::Wireframe, Self::Rungs, Self::Warp, Self::LengthError, Self::Gauss];
+    pub const ALL: [Self; 7] = [
+        Self::Shaded,
+        Self::Wireframe,
+        Self::Rungs,
+        Self::Strain,
+        Self::Warp,
+        Self::LengthError,
+        Self::Gauss,
+    ];
 
     /// What people call it.
     pub fn name(self) -> &'static str {
@@ -34,6 +43,7 @@ impl SurfaceView {
             Self::Warp => "Twist",
             Self::LengthError => "Length error",
             Self::Gauss => "Gauss image",
+            Self::Strain => "Strain",
         }
     }
 
@@ -45,6 +55,7 @@ impl SurfaceView {
             Self::Rungs => "The straight lines across the sheet.",
             Self::Warp => "Where the sheet twists, in degrees.",
             Self::LengthError => "Where the pattern is longer or shorter than the sheet.",
+            Self::Strain => "Where the sheet stretches in its shape, on which the verdict rests.",
             Self::Gauss => {
                 "The directions that the sheet faces, on a sphere: a line if it bends freely."
             }
@@ -60,6 +71,7 @@ impl SurfaceView {
             Self::Warp => Key::Num4,
             Self::LengthError => Key::Num5,
             Self::Gauss => Key::Num6,
+            Self::Strain => Key::Num0,
         }
     }
 }

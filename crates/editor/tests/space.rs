@@ -315,6 +315,18 @@ fn legends_say_their_units_and_the_limit() {
     harness.state_mut().view = SurfaceView::LengthError;
     harness.run();
     harness.get_by_label_contains("Legend: Lengths: exact");
+    harness.state_mut().view = SurfaceView::Strain;
+    harness.run();
+    let legend = harness.get_by_label_contains("Legend: % of strain, 95 % below 0.0");
+    let name = legend.accesskit_node().value().unwrap_or_default();
+    assert!(name.contains("limit 0.3 %"), "{name}");
+    // Before the elastic sheet is there, no colour claims anything.
+    for panel in &mut harness.state_mut().panels {
+        panel.made.as_mut().unwrap().strain = None;
+    }
+    harness.state_mut().version += 1;
+    harness.run();
+    harness.get_by_label_contains("Legend: Strain: not known yet");
     // The Gauss image tells twist by its width, not by colours.
     harness.state_mut().view = SurfaceView::Gauss;
     harness.run();

@@ -2,6 +2,7 @@
 
 use super::Refusal;
 use sheetwright::check::{Finding, FindingKind, Place, Verdict};
+use sheetwright::elastic::Predicted;
 use sheetwright::index::VertexIndex;
 use sheetwright::make::{Origin, Part};
 use sheetwright::material::{Material, warp_limit_deg};
@@ -90,6 +91,40 @@ pub struct Shown {
     pub area_flat_mm2: f64,
     /// The largest relative length error.
     pub length_error_max: f64,
+    /// How much the sheet stretches in its shape, once that is computed.
+    pub strain: Option<ShownStrain>,
+}
+
+/// The sheet as it rests in its shape, by a net of triangles, and how much each is strained.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShownStrain {
+    /// Where the nodes lie flat, mm.
+    pub flat: Vec<Point2>,
+    /// Where they lie in space, mm.
+    pub positions: Vec<Point3>,
+    /// The triangles, by nodes, counter-clockwise from where the surface faces.
+    pub triangles: Vec<[u32; 3]>,
+    /// The strain of every triangle in its plane, as a share.
+    pub strains: Vec<f64>,
+    /// The strain that 95 % of the area stays below, on which the verdict rests.
+    pub decides: f64,
+    /// The strain that the material takes.
+    pub limit: f64,
+}
+
+impl ShownStrain {
+    /// Of a sheet that was computed; a flat one is not strained and has no net.
+    fn new(predicted: &Predicted) -> Option<Self> {
+        let sheet = predicted.at_rest.as_ref()?;
+        Some(Self {
+            flat: sheet.flat.clone(),
+            positions: sheet.positions.clone(),
+            triangles: sheet.triangles.iter().map(|t| t.map(|n| n as u32)).collect(),
+            strains: sheet.strains.clone(),
+            decides: predicted.strain,
+            limit: predicted.limits.strain,
+        })
+    }
 }
 
 /// A rung.
@@ -148,6 +183,7 @@ impl Shown {
             gauss_area_sr: panel.measures.gauss_area_sr,
             area_flat_mm2: panel.measures.area_flat_mm2,
             length_error_max: panel.measures.length_error_max,
+            strain: panel.predicted.as_ref().and_then(ShownStrain::new),
         }
     }
 

@@ -164,6 +164,8 @@ mod tests {
                 rested.verdict = moving.verdict;
                 rested.findings.clone_from(&moving.findings);
                 rested.piece = moving.piece.clone();
+                assert!(moving.strain.is_none());
+                rested.strain = None;
                 assert_eq!(moving, rested);
             }
         }

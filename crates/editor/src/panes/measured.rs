@@ -1,6 +1,6 @@
 //! What is measured on sheets, as the pattern and space colour and mark it.
 
-use crate::engine::shown::{Shown, ShownRung};
+use crate::engine::shown::{Shown, ShownRung, ShownStrain};
 use crate::scene::Scene;
 use crate::theme::Theme;
 use crate::views::SurfaceView;
@@ -22,6 +22,8 @@ pub(crate) enum Quantity {
     Warp(f64),
     /// The relative length error along sides.
     LengthError(f64),
+    /// The strain in the plane of the sheet at rest, as a share; more is shown as the largest.
+    Strain(f64),
 }
 
 impl Quantity {
@@ -36,6 +38,7 @@ impl Quantity {
                 Some(Self::Warp(most(|shown| shown.warp_limit_deg.max(twist_max(shown)))))
             }
             SurfaceView::LengthError => Some(Self::LengthError(most(|s| s.length_error_max))),
+            SurfaceView::Strain => Some(Self::Strain(most(strain_top))),
             _ => None,
         }
     }
@@ -43,12 +46,30 @@ impl Quantity {
     /// Where a value is on the scale, 0 ..= 1.
     pub(crate) fn share(self, value: f64) -> f64 {
         let most = match self {
-            Self::Warp(most) => most,
+            Self::Warp(most) | Self::Strain(most) => most,
             Self::LengthError(most) if most < EXACT => return 0.0,
             Self::LengthError(most) => most,
         };
         if most > 0.0 { (value / most).clamp(0.0, 1.0) } else { 0.0 }
     }
+}
+
+/// The strain that decides of a panel, or its limit where that is larger; 0 where it is unknown.
+fn strain_top(shown: &Shown) -> f64 {
+    shown.strain.as_ref().map_or(0.0, |strain| strain.decides.max(strain.limit))
+}
+
+/// The triangles of the sheet at rest, if that is what colours the panel, each with its place on
+/// the scale.
+pub(crate) fn strained(
+    shown: &Shown,
+    by: Option<Quantity>,
+) -> Option<(&ShownStrain, impl Iterator<Item = ([u32; 3], f64)>)> {
+    let (Some(quantity @ Quantity::Strain(_)), Some(strain)) = (by, &shown.strain) else {
+        return None;
+    };
+    let shares = strain.strains.iter().map(move |&value| quantity.share(value));
+    Some((strain, strain.triangles.iter().copied().zip(shares)))
 }
 
 /// How much of a colour shows where the sampling may explain it: the sheet's own shines through.
@@ -118,7 +139,8 @@ pub(crate) fn rungs_by_ends(shown: &Shown) -> BTreeMap<[u32; 2], usize> {
 pub(crate) fn values(shown: &Shown, by: Option<Quantity>) -> Vec<[f32; 3]> {
     let none = [-1.0; 3];
     match by {
-        None => vec![none; shown.triangles.len()],
+        // Strain has triangles of its own.
+        None | Some(Quantity::Strain(_)) => vec![none; shown.triangles.len()],
         Some(quantity @ Quantity::Warp(_)) => {
             let rungs = rungs_by_ends(shown);
             let of_rung = |rung: &ShownRung| match is_pale(rung) {

@@ -50,6 +50,18 @@ pub fn degrees(deg: f64) -> String {
     format!("{}°", decimal(deg, if deg.abs() < 9.95 { 1 } else { 0 }))
 }
 
+/// A strain in per cent: two figures below one per cent.
+pub fn per_cent(share: f64) -> String {
+    let percent = 100.0 * share;
+    let decimals = match percent {
+        x if x < 0.01 => 4,
+        x if x < 0.1 => 3,
+        x if x < 10.0 => 2,
+        _ => 0,
+    };
+    format!("{} %", decimal(percent, decimals))
+}
+
 /// A share as people read it: in per cent, in parts of a thousand, or as exact.
 pub fn error(share: f64) -> String {
     if share < super::measured::EXACT {

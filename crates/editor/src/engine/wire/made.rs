@@ -1,7 +1,7 @@
 //! What was made of a panel.
 
 use super::{Wire, fields, kinds};
-use crate::engine::shown::{Shown, ShownPanel, ShownRung};
+use crate::engine::shown::{Shown, ShownPanel, ShownRung, ShownStrain};
 use sheetwright::check::Verdict;
 use sheetwright::index::{SampleIndex, VertexIndex};
 use sheetwright::pattern::{LabelKind, PathKind, PatternLabel, PatternPath, Piece, Role};
@@ -25,8 +25,10 @@ fields!(Shown {
     bend_radius_min_mm,
     gauss_area_sr,
     area_flat_mm2,
-    length_error_max
+    length_error_max,
+    strain
 });
+fields!(ShownStrain { flat, positions, triangles, strains, decides, limit });
 fields!(ShownRung { ends, flat_ends, warp_deg, is_unsure, crease_deg, normals });
 fields!(Piece { name, paths, labels, size });
 fields!(PatternPath { role, kind, points, closed });

@@ -5,7 +5,7 @@ use super::view::{PatternView, Placed, box_of};
 use crate::engine::shown::Shown;
 use crate::panes::marks::{Marks, SPOT};
 use crate::panes::measured::worst_colour;
-use crate::panes::measured::{PALE, Quantity, UNSURE, twist, values, worst};
+use crate::panes::measured::{PALE, Quantity, UNSURE, strained, twist, values, worst};
 use crate::panes::tag::tag;
 use crate::panes::words::{degrees, length};
 use crate::scene::Scene;
@@ -103,16 +103,7 @@ fn sheet(painter: &Painter, shown: &Shown, look: &Look<'_>, theme: &Theme, chose
     let at = |n: u32| look.seen(shown.flat.get(n as usize).copied().unwrap_or_default());
     let mut mesh = Mesh::default();
     let plain = theme.paper.lerp_to_gamma(theme.sheet[0], 0.45);
-    if let Some(by) = look.by {
-        let colour = |value: f32| match value {
-            value if value < 0.0 => None,
-            value if value < UNSURE => Some(mapped(f64::from(value))),
-            value => Some(plain.lerp_to_gamma(mapped(f64::from(value - UNSURE)), PALE)),
-        };
-        for (triangle, values) in shown.flat_triangles.iter().zip(values(shown, Some(by))) {
-            measured(&mut mesh, triangle.map(at), values.map(colour));
-        }
-    } else {
+    let plain_sheet = |mesh: &mut Mesh| {
         let fill = if chosen { plain.lerp_to_gamma(theme.accent, 0.16) } else { plain };
         for &p in &shown.flat {
             mesh.colored_vertex(look.seen(p), fill);
@@ -122,6 +113,24 @@ fn sheet(painter: &Painter, shown: &Shown, look: &Look<'_>, theme: &Theme, chose
             if a < count && b < count && c < count {
                 mesh.add_triangle(a, b, c);
             }
+        }
+    };
+    if let Some((strain, triangles)) = strained(shown, look.by) {
+        for (triangle, share) in triangles {
+            let at = |n: u32| strain.flat.get(n as usize).copied().unwrap_or_default();
+            let corners = triangle.map(|n| look.seen(at(n)));
+            measured(&mut mesh, corners, [Some(mapped(share)); 3]);
+        }
+    } else if let Some(Quantity::Strain(_)) | None = look.by {
+        plain_sheet(&mut mesh);
+    } else if let Some(by) = look.by {
+        let colour = |value: f32| match value {
+            value if value < 0.0 => None,
+            value if value < UNSURE => Some(mapped(f64::from(value))),
+            value => Some(plain.lerp_to_gamma(mapped(f64::from(value - UNSURE)), PALE)),
+        };
+        for (triangle, values) in shown.flat_triangles.iter().zip(values(shown, Some(by))) {
+            measured(&mut mesh, triangle.map(at), values.map(colour));
         }
     }
     painter.add(Shape::mesh(mesh));

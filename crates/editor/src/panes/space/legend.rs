@@ -1,8 +1,8 @@
 //! What the colours of a sheet mean: a scale with its unit, and the limit of the material on it.
 
-use crate::engine::shown::Shown;
+use crate::engine::shown::{Shown, ShownStrain};
 use crate::panes::measured::{EXACT, NO_TWIST, PALE, Quantity, twist_max, unsure_max};
-use crate::panes::words::{degrees, error};
+use crate::panes::words::{degrees, error, per_cent};
 use crate::scene::Scene;
 use crate::theme::{Theme, mapped};
 use eframe::egui::accesskit::Role;
@@ -53,6 +53,27 @@ impl Legend {
                     note: if unsure > 0.0 { note } else { String::new() },
                     ends: ["0°".to_owned(), degrees(top)],
                     mark: (top > 0.0).then(|| (limit / top, format!("limit {}", degrees(limit)))),
+                    coloured: true,
+                }
+            }
+            Quantity::Strain(top) if top <= 0.0 => Self {
+                title: "Strain: not known yet".to_owned(),
+                note: String::new(),
+                ends: ["it is computed when the hand rests".to_owned(), String::new()],
+                mark: None,
+                coloured: false,
+            },
+            Quantity::Strain(top) => {
+                let of = |of: fn(&ShownStrain) -> f64| {
+                    let known = panels().filter_map(|shown| shown.strain.as_ref());
+                    known.map(of).fold(0.0, f64::max)
+                };
+                let (limit, decides) = (of(|s| s.limit), of(|s| s.decides));
+                Self {
+                    title: format!("% of strain, 95 % below {}", per_cent(decides)),
+                    note: String::new(),
+                    ends: ["0 %".to_owned(), format!("{} or more", per_cent(top))],
+                    mark: Some((limit / top, format!("limit {}", per_cent(limit)))),
                     coloured: true,
                 }
             }

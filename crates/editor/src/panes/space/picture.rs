@@ -216,7 +216,7 @@ impl Built {
         let mm_per_pixel = camera.height_mm / f64::from(pixels[1].max(1.0));
         let with = |v: Vec3, w: f64| [v.x as f32, v.y as f32, v.z as f32, w as f32];
         let (shading, covered) = match view {
-            SurfaceView::Warp | SurfaceView::LengthError => (0.35, 1.0),
+            SurfaceView::Warp | SurfaceView::LengthError | SurfaceView::Strain => (0.35, 1.0),
             SurfaceView::Wireframe => (0.0, 0.0),
             SurfaceView::Gauss => (0.7, 0.0),
             _ => (1.0, 0.0),
@@ -276,7 +276,7 @@ fn on_sheet(lines: &mut Lines, shown: &Shown, is_worst: bool, view: SurfaceView,
         SurfaceView::Warp | SurfaceView::LengthError => {
             Some(Pen::new(theme.paper, 1.0, 1.0).faded(0.18))
         }
-        SurfaceView::Shaded | SurfaceView::Gauss => None,
+        SurfaceView::Shaded | SurfaceView::Gauss | SurfaceView::Strain => None,
     };
     if let Some(pen) = pen {
         // Of many rungs close to one another some stand for all.

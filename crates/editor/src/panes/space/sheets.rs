@@ -7,11 +7,12 @@
 //! many rungs end, that has a normal for each of them.
 
 use super::gpu::SheetVertex;
-use crate::engine::shown::Shown;
+use crate::engine::shown::{Shown, ShownStrain};
 use crate::panes::measured::{
-    Quantity, folds, rungs_by_ends, sides, sorted, triangle_normals, values,
+    Quantity, folds, rungs_by_ends, sides, sorted, strained, triangle_normals, values,
 };
 use sheetwright::math::{Point3, Vec3, unit};
+use std::collections::BTreeMap;
 
 /// The triangles of a panel, in mm about an origin.
 pub(super) fn vertices(
@@ -20,6 +21,9 @@ pub(super) fn vertices(
     origin: Point3,
     marked: bool,
 ) -> Vec<SheetVertex> {
+    if let Some((strain, triangles)) = strained(shown, by) {
+        return at_rest(strain, triangles, origin, if marked { 1.0 } else { 0.0 });
+    }
     let rungs = rungs_by_ends(shown);
     let folds = folds(shown);
     let normals = triangle_normals(shown);
@@ -51,6 +55,37 @@ pub(super) fn vertices(
             let at = shown.positions.get(corner as usize).copied().unwrap_or_default();
             let place = (at - origin).as_vec3().to_array();
             all.push(SheetVertex { place, normals: packed, values, mark });
+        }
+    }
+    all
+}
+
+/// The triangles of a sheet at rest, each in the colour of its share.
+fn at_rest(
+    strain: &ShownStrain,
+    triangles: impl Iterator<Item = ([u32; 3], f64)>,
+    origin: Point3,
+    mark: f32,
+) -> Vec<SheetVertex> {
+    let at = |n: u32| strain.positions.get(n as usize).copied().unwrap_or_default();
+    let normal = |t: &[u32; 3]| {
+        let [a, b, c] = t.map(at);
+        unit((b - a).cross(c - a)).unwrap_or(Vec3::ZERO)
+    };
+    let mut bent: BTreeMap<[u32; 2], Vec3> = BTreeMap::new();
+    for triangle in &strain.triangles {
+        for side in sides(*triangle) {
+            *bent.entry(sorted(side)).or_insert(Vec3::ZERO) += normal(triangle);
+        }
+    }
+    let mut all = Vec::with_capacity(3 * strain.triangles.len());
+    for (triangle, share) in triangles {
+        let own = normal(&triangle);
+        let of_side = |side| bent.get(&sorted(side)).and_then(|sum| unit(*sum)).unwrap_or(own);
+        let normals = sides(triangle).map(|side| pack(of_side(side), 1.0));
+        for corner in triangle {
+            let place = (at(corner) - origin).as_vec3().to_array();
+            all.push(SheetVertex { place, normals, values: [share as f32; 3], mark });
         }
     }
     all
