@@ -5,6 +5,7 @@ use super::heat_picture::strain_picture;
 use super::moved_picture::{enlarged, moved_picture};
 use super::page::{Number, PartPage, table};
 use super::space_picture::space_picture;
+use super::strain_in_space::strain_in_space;
 use super::view::box_of;
 use super::warp_chart::warp_chart;
 use super::wording::{
@@ -46,6 +47,9 @@ impl FoundPage<'_> {
                     @if let Some(picture) = strain_picture(part) {
                         figure.third {
                             (PreEscaped(picture.inline()))
+                            @if let Some(in_space) = strain_in_space(part) {
+                                (PreEscaped(in_space.inline()))
+                            }
                             figcaption { (self.strain_caption()) }
                         }
                     }
@@ -211,7 +215,8 @@ impl FoundPage<'_> {
             @if let Some(predicted) = &self.page.part.predicted {
                 "95 % of its area stays below " (plain_per_cent(predicted.strain))
                 ", on which the verdict rests; the sheet takes "
-                (plain_per_cent(predicted.limits.strain)) ". The ring marks the largest."
+                (plain_per_cent(predicted.limits.strain)) ". Rings name the largest, on the pattern and \
+                 in space."
                 @if let Some(sheet) = &predicted.at_rest {
                     " Its middle leaves the surface by up to "
                     (millimetres_fine(sheet.distance_max_mm)) "."

@@ -26,6 +26,38 @@ pub(super) fn heat_top(most: f64) -> f64 {
     [1.0, 1.5, 2.0, 2.5].into_iter().map(|n| n * round).find(|&top| top >= most).unwrap_or(most)
 }
 
+/// The step of the colour map up to `top` for a share.
+pub(super) fn heat_class(share: f64, top: f64) -> u16 {
+    ((share / top * HEATS as f64) as usize).min(HEATS - 1) as u16
+}
+
+/// Rings round places of a picture, each with its words beside it, but where they would lie on
+/// those of an earlier one.
+pub(super) fn named(places: impl Iterator<Item = (Point2, String)>) -> String {
+    const RING: f64 = 8.0;
+    /// About how wide a letter is, and how high a line.
+    const LETTER: Vec2 = Vec2::new(7.5, 16.0);
+    let mut body = String::new();
+    let mut taken: Vec<[Point2; 2]> = Vec::new();
+    for (at, words) in places {
+        body += &circle("here", at, RING);
+        let (away, width) = (RING + 4.0, LETTER.x * words.chars().count() as f64);
+        let is_left = at.x + away + width > WIDTH;
+        let (anchor, way) = if is_left { (Anchor::End, -1.0) } else { (Anchor::Start, 1.0) };
+        let left = at.x + way * away - if is_left { width } else { 0.0 };
+        let room = [Point2::new(left, at.y), Point2::new(left + width, at.y + LETTER.y)];
+        let is_free = |[low, high]: &[Point2; 2]| {
+            high.x < room[0].x || low.x > room[1].x || high.y < room[0].y || low.y > room[1].y
+        };
+        if taken.iter().all(is_free) {
+            let word = Point2::new(at.x + way * away, at.y + 4.5);
+            body += &text("halo", anchor, word, &words);
+            taken.push(room);
+        }
+    }
+    body
+}
+
 /// The pattern of a mesh, each triangle coloured by the largest relative length error of its sides,
 /// with the legend below.
 pub(super) fn heat_picture(
@@ -46,9 +78,9 @@ pub(super) fn heat_picture(
         panel,
         triangles: mesh.triangles().iter().map(corners).collect(),
         shares: (0..count).map(share).collect(),
-        worst: distortion.worst_edge().map(|n| {
+        worst: distortion.worst_edge().map_or(Vec::new(), |n| {
             let [a, b] = mesh.edges()[n].ends.map(|v| panel.flat.points[v.get()]);
-            a.lerp(b, 0.5)
+            vec![(a.lerp(b, 0.5), distortion.length_errors[n].abs())]
         }),
         title: format!("{} laid flat, coloured by the error of its lengths", panel.name),
         meaning: "difference of lengths, flat against space",
@@ -65,11 +97,11 @@ pub(super) fn strain_picture(panel: &Part) -> Option<Picture> {
     let sheet = predicted.at_rest.as_ref()?;
     let triangles: Vec<[Point2; 3]> =
         sheet.triangles.iter().map(|t| t.map(|n| sheet.flat[n])).collect();
-    let worst = (0..triangles.len()).max_by(|&a, &b| sheet.strains[a].total_cmp(&sheet.strains[b]));
     let middle = |[a, b, c]: [Point2; 3]| a + ((b - a) + (c - a)) / 3.0;
+    let worst = sheet.most_strained_triangles().into_iter();
     let heat = Heat {
         panel,
-        worst: worst.map(|n| middle(triangles[n])),
+        worst: worst.map(|n| (middle(triangles[n]), sheet.strains[n])).collect(),
         triangles,
         shares: sheet.strains.clone(),
         title: format!("{} laid flat, coloured by its strain in its shape", panel.name),
@@ -86,8 +118,8 @@ struct Heat<'a> {
     /// The triangles on the pattern, mm, each with its share.
     triangles: Vec<[Point2; 3]>,
     shares: Vec<f64>,
-    /// Where the share is largest, mm.
-    worst: Option<Point2>,
+    /// Where the share is largest, mm, each place with its share.
+    worst: Vec<(Point2, f64)>,
     title: String,
     /// The meaning of the share, below the colours.
     meaning: &'static str,
@@ -107,10 +139,7 @@ impl Heat<'_> {
         let most = self.shares.iter().copied().fold(0.0, f64::max);
         let top = heat_top(most);
         let exact = most < NO_ERROR;
-        let class = |t: usize| {
-            let step = (self.shares[t] / top * HEATS as f64) as usize;
-            if exact { 0 } else { step.min(HEATS - 1) as u16 }
-        };
+        let class = |t: usize| if exact { 0 } else { heat_class(self.shares[t], top) };
         let corners = |t: usize| self.triangles[t].map(place);
         let name = |class: u16| format!("k{class}");
         let count = self.triangles.len();
@@ -136,8 +165,9 @@ impl Heat<'_> {
             body += &path.element(class);
         }
         body += tags;
-        if let (Some(worst), false) = (self.worst, exact) {
-            body += &circle("here", place(worst), 8.0);
+        if !exact {
+            body +=
+                &named(self.worst.iter().map(|&(at, share)| (place(at), plain_per_cent(share))));
         }
         body += &dimensions(size, scale, bottom);
         let legend = bottom + FOOT + 4.0;

@@ -23,6 +23,7 @@ mod raster;
 mod rulings;
 mod solid;
 mod space_picture;
+mod strain_in_space;
 mod strips;
 mod style;
 mod verdict;

@@ -19,6 +19,8 @@ const PER_UNIT: f64 = 1.0;
 const LEAST_CONTRAST: f64 = 0.18;
 /// The offset of the numbers of the shades of the back side.
 const BACK: u16 = 100;
+/// The offset of the numbers of the steps of the colour map.
+const HEAT: u16 = 200;
 
 /// Painted triangles, and the visibility of lines among them.
 pub(super) struct Scene<'a> {
@@ -116,10 +118,18 @@ pub(super) fn is_front(shade: u16) -> bool {
     shade < BACK
 }
 
+/// The shade of a facet in a step of the colour map.
+pub(super) fn heat_shade(class: u16) -> u16 {
+    HEAT + class
+}
+
 /// The class of a shade.
 pub(super) fn shade_name(shade: u16) -> String {
-    let (side, n) = if is_front(shade) { ('f', shade) } else { ('b', shade - BACK) };
-    format!("{side}{n}")
+    match shade {
+        HEAT.. => format!("k{}", shade - HEAT),
+        BACK.. => format!("b{}", shade - BACK),
+        _ => format!("f{shade}"),
+    }
 }
 
 /// A shade rounded to one of a few, for surfaces that change from cell to cell: fewer shades make

@@ -21,7 +21,7 @@ const APART_OF_SEVERAL: f64 = 9.0;
 /// The most panels with thick outlines.
 const MOST_THICK: usize = 12;
 /// A line behind a surface by less than this, in units of the picture, counts as on it.
-const LIES_ON: f64 = 1.0;
+pub(super) const LIES_ON: f64 = 1.0;
 
 /// The surface of a part in space, shaded, with rulings or creases; rulings that warp more than the
 /// sheet takes stand out.

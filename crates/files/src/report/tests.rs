@@ -523,3 +523,26 @@ fn pictures_in_a_row_are_one_file() {
     assert_eq!(document.root_element().attribute("width"), Some("976"));
     assert_eq!(document.descendants().filter(|n| n.has_tag_name("style")).count(), 1);
 }
+
+#[test]
+fn strain_in_space_has_the_colours_and_the_places_of_that_on_the_pattern() {
+    let path =
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/square-to-round.sheet.json");
+    let mut design = crate::read_input(&path, &crate::ReadOptions::default()).unwrap();
+    design.panels[0].samples = 60;
+    let made = make(&design, &mut Unwatched).unwrap();
+    let flat = heat_picture::strain_picture(&made.parts[0]).unwrap().inline();
+    let space = strain_in_space::strain_in_space(&made.parts[0]).unwrap().inline();
+    let rings = |picture: &str| picture.matches(r#"class="here""#).count();
+    assert_eq!((rings(&flat), rings(&space)), (3, 3));
+    let sheet = made.parts[0].predicted.as_ref().unwrap().at_rest.as_ref().unwrap();
+    let most = wording::plain_per_cent(sheet.strain_at(1.0));
+    assert!(flat.contains(&most) && space.contains(&most), "{most}");
+    // Scales agree: the darkest colour on the pattern is in space, too.
+    let darkest = (0..style::HEATS).rev().find(|n| flat.contains(&format!(r#"class="k{n}" d"#)));
+    assert!(space.contains(&format!(r#"class="k{}" d"#, darkest.unwrap())));
+    // A sheet that stays flat has nothing to name.
+    assert!(strain_in_space::strain_in_space(&concave().parts[0]).is_none());
+    let page = html(&made);
+    assert!(page.contains("in space, coloured by its strain"));
+}

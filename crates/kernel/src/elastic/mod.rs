@@ -169,25 +169,36 @@ impl Elastic {
         self.curvature_at(DECIDES)
     }
 
-    /// Where the strain in the plane is largest, in space, mm: at most three places that are apart
-    /// by a tenth of the size of the sheet, the worst first.
+    /// Where the strain in the plane is largest, in space, mm: the middles of the triangles of
+    /// [`Self::most_strained_triangles`].
     pub fn most_strained(&self) -> Vec<Point3> {
+        self.most_strained_triangles().into_iter().map(|n| self.middle(n)).collect()
+    }
+
+    /// The triangles whose strain in the plane is largest: at most three that are apart by a tenth
+    /// of the size of the sheet, the worst first.
+    pub fn most_strained_triangles(&self) -> Vec<usize> {
         let apart = 0.1 * size_of(self.positions.iter().copied());
         let mut order: Vec<usize> = (0..self.strains.len()).collect();
         order.sort_by(|&a, &b| self.strains[b].total_cmp(&self.strains[a]).then(a.cmp(&b)));
         let bound = self.strain();
-        let mut places: Vec<Point3> = Vec::new();
+        let mut places: Vec<usize> = Vec::new();
         for n in order.into_iter().take_while(|&n| self.strains[n] >= bound) {
-            let [a, b, c] = self.triangles[n].map(|v| self.positions[v]);
-            let middle = a + ((b - a) + (c - a)) / 3.0;
-            if places.iter().all(|place| place.distance(middle) > apart) {
-                places.push(middle);
+            let middle = self.middle(n);
+            if places.iter().all(|&place| self.middle(place).distance(middle) > apart) {
+                places.push(n);
             }
             if places.len() == MOST_PLACES {
                 break;
             }
         }
         places
+    }
+
+    /// The middle of a triangle in space, mm.
+    pub fn middle(&self, triangle: usize) -> Point3 {
+        let [a, b, c] = self.triangles[triangle].map(|v| self.positions[v]);
+        a + ((b - a) + (c - a)) / 3.0
     }
 
     /// The normal of the sheet at rest at a point of the flat sheet, mm; `None` beside it.
