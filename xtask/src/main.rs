@@ -1,6 +1,7 @@
 //! Chores of the project: `cargo xtask` lists them.
 #![allow(clippy::print_stdout, clippy::print_stderr)] // a program for the terminal
 
+mod bending;
 mod compare;
 mod composites;
 mod figures;
@@ -17,6 +18,8 @@ mod web;
 use std::process::ExitCode;
 
 const HELP: &str = "Chores of the project:
+  cargo xtask bend-peers   what bench/peers/bend calls: DIR for panels that CalculiX computes
+  cargo xtask bending      writes docs/bending-measured.md: verdicts beside finer nets and more samples
   cargo xtask compare      compares two folders that outputs wrote: BEFORE AFTER
   cargo xtask composites   writes docs/composites.md and examples/three-cones.sheet.json
   cargo xtask figures      writes docs/pictures/: the hull, the three cones, moved curves, meshes
@@ -34,6 +37,8 @@ const HELP: &str = "Chores of the project:
 fn main() -> ExitCode {
     let chore = std::env::args().nth(1).unwrap_or_default();
     let done = match chore.as_str() {
+        "bend-peers" => bending::write_held(),
+        "bending" => bending::write(),
         "compare" => compare::run().map_err(Into::into),
         "composites" => composites::write(),
         "figures" => figures::write(),
