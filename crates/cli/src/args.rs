@@ -8,6 +8,7 @@ use sheetwright::design::PanelMethod;
 use sheetwright::flatten::Aim;
 use sheetwright::make::Judging;
 use sheetwright::math::from_deg;
+use sheetwright::mesh::Skin;
 use sheetwright::template::catalogue;
 use sheetwright::triangulate::WhichSurface;
 use sheetwright_files::{
@@ -177,6 +178,9 @@ pub(crate) struct MeshArgs {
     /// Cut a mesh that would stretch too much, from its border to the points that stretch most
     #[arg(long)]
     pub(crate) darts: bool,
+    /// Lay one skin flat alone of a plate that comes as a closed mesh with two
+    #[arg(long, value_enum, ignore_case = true, value_name = "SKIN")]
+    pub(crate) skin: Option<SkinArg>,
 }
 
 impl MeshArgs {
@@ -189,17 +193,22 @@ impl MeshArgs {
             }),
             split_creases: self.split_creases.map(from_deg),
             darts: self.darts,
+            skin: self.skin.map(|skin| match skin {
+                SkinArg::Outer => Skin::Outer,
+                SkinArg::Inner => Skin::Inner,
+            }),
         }
     }
 
     /// The first option for meshes that is given, as it is written.
     pub(crate) fn given(&self) -> Option<String> {
-        match (self.aim, self.split_creases, self.darts) {
-            (Some(aim), _, _) => Some(format!("--aim {}", aim.name())),
-            (None, Some(_), _) => Some("--split-creases".to_owned()),
-            (None, None, true) => Some("--darts".to_owned()),
-            (None, None, false) => None,
-        }
+        let given = [
+            self.aim.map(|aim| format!("--aim {}", aim.name())),
+            self.split_creases.map(|_| "--split-creases".to_owned()),
+            self.darts.then(|| "--darts".to_owned()),
+            self.skin.map(|_| "--skin".to_owned()),
+        ];
+        given.into_iter().flatten().next()
     }
 }
 
@@ -463,6 +472,14 @@ enum MethodArg {
     Bridge,
     /// Triangulations in which every rung joins the two rails, for panels with rails
     Rails,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum SkinArg {
+    /// The larger skin, which lies outside where the plate bends one way
+    Outer,
+    /// The smaller skin
+    Inner,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]

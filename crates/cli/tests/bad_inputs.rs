@@ -116,6 +116,15 @@ fn generated(recipe: &str, folder: &Path) -> Option<String> {
             let uses = vec!["\"rim\""; count(uses)];
             fs::write(&path, design(&list.join(","), &uses.join(","))).unwrap();
         }
+        ["groups", groups, _] => fs::write(&path, "g\n".repeat(count(groups))).unwrap(),
+        ["nodes", nodes, _] => {
+            let json = format!("{{\"nodes\":[{}{{}}]}}", "{},".repeat(count(nodes) - 1));
+            let mut bytes = b"glTF\x02\0\0\0\0\0\0\0".to_vec();
+            bytes.extend((json.len() as u32).to_le_bytes());
+            bytes.extend(b"JSON");
+            bytes.extend(json.bytes());
+            fs::write(&path, bytes).unwrap();
+        }
         ["bytes", bytes, _] => {
             fs::File::create(&path).unwrap().set_len(count(bytes) as u64).unwrap();
         }

@@ -5,7 +5,7 @@ use crate::mesh::MeshFormat;
 use crate::names::shown;
 use crate::reading::{
     EFFORTS, InputError, ReadOptions, TAKEN, VarySettings, display_name, read_whole, refuse_folder,
-    refuse_large, text_of,
+    refuse_large, text_of, without_utf16,
 };
 use crate::{design_json, mesh, table};
 use sheetwright::boundary::MAX_SAMPLES;
@@ -58,12 +58,16 @@ impl InputFormat {
         if is_binary_stl(bytes) {
             return Some(Self::Mesh(MeshFormat::Stl));
         }
-        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-        let text = String::from_utf8_lossy(&bytes[..bytes.len().min(SHOWS)]).to_lowercase();
+        let bytes = without_utf16(&bytes[..bytes.len().min(SHOWS)]);
+        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
+        let text = String::from_utf8_lossy(bytes).to_lowercase();
         let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty());
         let first = lines.clone().next()?;
         if first.starts_with('{') {
             return Some(Self::Design);
+        }
+        if first == "ply" {
+            return Some(Self::Mesh(MeshFormat::Ply));
         }
         if first == "solid" || first.starts_with("solid ") {
             return Some(Self::Mesh(MeshFormat::Stl));
@@ -225,6 +229,8 @@ mod tests {
             (b"solid part\n facet", mesh(MeshFormat::Stl)),
             (&stl, mesh(MeshFormat::Stl)),
             (b"ply\nformat ascii 1.0", mesh(MeshFormat::Ply)),
+            (b"\xff\xfep\0l\0y\0\n\0", mesh(MeshFormat::Ply)),
+            (b"\xfe\xff\0v\0 \x001\0 \x002\0 \x003", mesh(MeshFormat::Obj)),
             (b"glTF\x02\0\0\0", mesh(MeshFormat::Glb)),
             (b"# made by\nmtllib a.mtl\no box\nv 0 0 0\n", mesh(MeshFormat::Obj)),
             (b"1,2,3\n4,5,6\n", None),

@@ -7,7 +7,9 @@ use sheetwright::design::VaryGoal;
 use sheetwright::design::{PanelMesh, PanelMethod, Vary};
 use sheetwright::flatten::Aim;
 use sheetwright::math::from_deg;
+use sheetwright::mesh::Skin;
 use sheetwright::triangulate::WhichSurface;
+use std::borrow::Cow;
 use std::fmt;
 use std::fs::File;
 use std::io::{self, Read};
@@ -102,6 +104,8 @@ pub struct MeshSettings {
     /// Whether parts that would stretch too much are cut from their border to the points of the
     /// largest stretch: `true` cuts, `false` leaves it to the panel.
     pub darts: bool,
+    /// The skin that is laid flat of plates that come as closed meshes with two.
+    pub skin: Option<Skin>,
 }
 
 impl MeshSettings {
@@ -111,6 +115,7 @@ impl MeshSettings {
             aim: self.aim.unwrap_or(mesh.aim),
             split_creases: self.split_creases.or(mesh.split_creases),
             darts: self.darts || mesh.darts,
+            skin: self.skin.or(mesh.skin),
             ..mesh
         }
     }
@@ -136,7 +141,8 @@ pub struct ReadOptions {
     pub which: Option<WhichSurface>,
     /// The supporting plane of every panel. Default: as the design says, or `auto`.
     pub plane: Option<PlaneChoice>,
-    /// The unit of a curve table or a mesh. Default: millimetres. A design states its own.
+    /// The unit of a curve table or a mesh. Default: of a mesh, the one that a comment in it names;
+    /// else millimetres. A design states its own.
     pub units: Option<Units>,
     /// The name of the material of the sheet, one of the design's own or of the catalogue.
     /// Default: as the design says; none for tables and meshes.
@@ -228,6 +234,19 @@ fn unreadable(place: &str, error: &io::Error) -> InputError {
         _ => (format!("the file can't be read: {error}"), "Check the path and the disk."),
     };
     InputError::at(place, message, hint)
+}
+
+/// Text that is encoded as UTF-16, by its byte order mark, in UTF-8; other bytes as they are. What
+/// is no character becomes the replacement character.
+pub(crate) fn without_utf16(bytes: &[u8]) -> Cow<'_, [u8]> {
+    let (rest, of): (_, fn([u8; 2]) -> u16) = match bytes {
+        [0xff, 0xfe, rest @ ..] => (rest, u16::from_le_bytes),
+        [0xfe, 0xff, rest @ ..] => (rest, u16::from_be_bytes),
+        _ => return Cow::Borrowed(bytes),
+    };
+    let units = rest.chunks_exact(2).map(|pair| of([pair[0], pair[1]]));
+    let text = char::decode_utf16(units).map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER));
+    Cow::Owned(text.collect::<String>().into_bytes())
 }
 
 /// The text of some bytes, without the byte order mark that some editors write.

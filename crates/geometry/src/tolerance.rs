@@ -20,6 +20,15 @@ impl Tolerance {
     pub const CHAIN: Self = Self(1e-6);
     /// A written pattern that folds back onto its surface within this share of the size is right.
     pub const REFOLD: Self = Self(1e-6);
+    /// Points of a mesh within this share of its size lie in one place, if the triangles there are
+    /// ten times as large: six digits, as many programs write them, are off by up to 5e-6 of a
+    /// number, and both of two points are. (In a metre, a hundredth of a millimetre: no shop cuts a
+    /// slot as narrow.)
+    pub const JOINED: Self = Self(1e-5);
+    /// A triangle of a mesh that is lower than this share of the size of the mesh, and tapers to
+    /// both ends, only fills the line along its longest side: coordinates of 32 bits are off by
+    /// 6e-8 of the size, so that the normal of such a triangle has one digit.
+    pub const FILLER: Self = Self(1e-6);
 
     /// Sides of a cut this near to one another on the pattern, as a share of the size, meet up to
     /// rounding: lengths are exact to some 13 digits, and their errors add up along the way round.

@@ -28,7 +28,7 @@ use crate::elastic::Predicted;
 use crate::flatten::Flattened;
 use crate::material::Material;
 use crate::measure::Measures;
-use crate::mesh::{Mesh, Specks};
+use crate::mesh::{Healing, Mesh, Specks};
 use crate::sheet::Sheet;
 use sheetwright_geometry::boundary::Boundary;
 use sheetwright_geometry::index::VertexIndex;
@@ -81,6 +81,10 @@ pub struct MeshOrigin<'a> {
     pub left_out: usize,
     /// Parts of it that were left out because they are too small to be sheet.
     pub specks: Option<Specks>,
+    /// What was wrong with the triangles of its file, and is healed.
+    pub healings: &'a [Healing],
+    /// What was found of two skins, if it was looked for or found.
+    pub skins: Option<&'a FindingKind>,
     /// Points in which parts of it met that have no side in common there.
     pub contacts: usize,
     /// The number of cuts from the border to points inside that the design or the caller sets.

@@ -8,6 +8,7 @@ use sheetwright::elastic::Basis;
 use sheetwright::fair::Ended;
 use sheetwright::index::SampleIndex;
 use sheetwright::math::{Point3, from_deg};
+use sheetwright::mesh::{Damage, Skin};
 use sheetwright::rung::Rung;
 
 /// A finding of each kind, and two of kinds with two sentences.
@@ -162,14 +163,30 @@ fn of_meshes() -> Vec<Finding> {
             mesh_seams(3),
         ),
         Finding::new(Kind::PartsLeftOut { count: 1 }, at.clone()),
-        Finding::new(Kind::PartsLeftOut { count: 2 }, at),
+        Finding::new(Kind::PartsLeftOut { count: 2 }, at.clone()),
     ];
+    let damages = [
+        Damage::Filler,
+        Damage::Doubled,
+        Damage::Seam,
+        Damage::OnSide,
+        Damage::Branch,
+        Damage::Turned,
+        Damage::InsideOut,
+    ];
+    let healed =
+        damages.into_iter().flat_map(|damage| [1, 12].map(|count| Kind::Healed { damage, count }));
+    all.extend(healed.map(|kind| Finding::new(kind, at.clone())));
     all.extend(whole([
         Kind::Creases { count: 4, sharpest: from_deg(31.0), stiff: None },
         Kind::BorderNotTrue { largest: 0.0001 },
         Kind::Flipped { count: 1 },
         Kind::TrianglesLeftOut { count: 1 },
         Kind::PointContacts { count: 2 },
+        Kind::TwoSkins { count: 1, thickness_mm: 3.0, laid: None },
+        Kind::TwoSkins { count: 1, thickness_mm: 3.0, laid: Some(Skin::Outer) },
+        Kind::TwoSkins { count: 2, thickness_mm: 3.0, laid: Some(Skin::Inner) },
+        Kind::NotTwoSkins,
     ]));
     all
 }

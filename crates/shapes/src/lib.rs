@@ -1,7 +1,8 @@
 //! Boundaries of known surfaces, with their developments: for tests, benchmarks and figures.
 //!
 //! [`developable`] has surfaces whose development is known in closed form, [`rings`] such surfaces
-//! with holes, [`family`] the curve families that programs of this field are compared on,
+//! with holes, [`damage`] meshes as other programs damage them, [`family`] the curve families that
+//! programs of this field are compared on,
 //! [`hemisphere`] the pieces of a gored hemisphere, [`gored`] the losses of gores against a sphere,
 //! [`transition`] the classical square-to-round duct, [`three_cones`] a sheet that branches,
 //! [`random`] a generator of numbers and boundaries, [`bent`] panels on both sides of what a sheet
@@ -12,6 +13,7 @@
 #![allow(clippy::expect_used)] // nothing comes from outside: a shape that fails is a fault of ours
 
 pub mod bent;
+pub mod damage;
 pub mod developable;
 pub mod domain;
 pub mod drag;

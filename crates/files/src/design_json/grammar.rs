@@ -226,6 +226,10 @@ pub(super) struct PanelFile {
     /// border to its worst points. Default: false.
     #[serde(default)]
     pub(super) darts: Option<bool>,
+    /// Which skin of a plate is laid flat that comes as a closed mesh with two. Default: all of the
+    /// mesh.
+    #[serde(default)]
+    pub(super) skin: Option<SkinName>,
     /// Samples of the outer loop, or of each rail. Default: 400 of a loop, 200 of a rail.
     #[serde(default)]
     #[schemars(range(min = 2, max = 1_000_000))]
@@ -323,6 +327,16 @@ pub(super) struct TrianglesFile {
 #[allow(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference over")]
 fn is_none_left_out(count: &usize) -> bool {
     *count == 0
+}
+
+/// One of the two skins of a plate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum SkinName {
+    /// The larger one, which lies outside where the plate bends one way.
+    Outer,
+    /// The other.
+    Inner,
 }
 
 /// What flattening makes small.

@@ -1,7 +1,7 @@
 //! Panels whose surface is a mesh: their fields, and the mesh files of a design.
 
 use super::beside::{Kind, file_beside};
-use super::grammar::{AimName, MeshFile, PanelFile, TrianglesFile, Triple};
+use super::grammar::{AimName, MeshFile, PanelFile, SkinName, TrianglesFile, Triple};
 use super::source::Source;
 use crate::json::json;
 use crate::mesh::{Builder, MeshFormat, groups};
@@ -11,6 +11,7 @@ use crate::units::Units;
 use sheetwright::design::{PanelMesh, PanelShape, Triangles};
 use sheetwright::flatten::Aim;
 use sheetwright::math::{from_deg, to_deg};
+use sheetwright::mesh::Skin;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -48,6 +49,7 @@ impl<'a> Meshes<'a> {
                 (".aim", file.aim.is_some()),
                 (".split_creases_deg", file.split_creases_deg.is_some()),
                 (".darts", file.darts.is_some()),
+                (".skin", file.skin.is_some()),
             ];
             if let Some((field, _)) = given.into_iter().find(|(_, given)| *given) {
                 let hint = "Add \"mesh\": \"hood.stl\", or leave this field out.";
@@ -81,6 +83,10 @@ impl<'a> Meshes<'a> {
             },
             split_creases: split_creases.transpose()?,
             darts: file.darts.unwrap_or(false),
+            skin: file.skin.map(|skin| match skin {
+                SkinName::Outer => Skin::Outer,
+                SkinName::Inner => Skin::Inner,
+            }),
         };
         Ok(Some(PanelShape::Mesh(self.source.options.mesh.applied(mesh))))
     }
@@ -218,5 +224,10 @@ pub(super) fn fields(mesh: &PanelMesh) -> Vec<String> {
     if mesh.darts {
         fields.push("\"darts\": true".to_owned());
     }
+    let skin = mesh.skin.map(|skin| match skin {
+        Skin::Outer => SkinName::Outer,
+        Skin::Inner => SkinName::Inner,
+    });
+    fields.extend(skin.map(|skin| format!("\"skin\": {}", json(&skin))));
     fields
 }

@@ -1,12 +1,11 @@
 //! From the polygons of a file to the triangles of its groups.
 
-use super::polygon::split;
+use super::polygon::{MOST_CORNERS, split};
 use super::{NO_SURFACE, too_many};
 use crate::names::made_for_files;
 use crate::reading::InputError;
-use sheetwright::curve::MAX_COORDINATE_MM;
 use sheetwright::math::Point3;
-use sheetwright::mesh::MAX_TRIANGLES;
+use sheetwright::mesh::{MAX_MESH_COORDINATE_MM, MAX_TRIANGLES};
 use std::collections::BTreeMap;
 
 /// The name of a group whose own name can't be the name of a file.
@@ -92,11 +91,11 @@ impl Builder {
         where_from: impl Fn() -> String,
     ) -> Result<(), InputError> {
         let point = Point3::new(x * self.unit_mm, y * self.unit_mm, z * self.unit_mm);
-        let fits = [point.x, point.y, point.z].iter().all(|c| c.abs() <= MAX_COORDINATE_MM);
+        let fits = [point.x, point.y, point.z].iter().all(|c| c.abs() <= MAX_MESH_COORDINATE_MM);
         if !fits {
             return Err(InputError::at(
                 where_from(),
-                "a coordinate is not a finite number within ±1e9 mm",
+                "a coordinate is not a finite number within ±1e11 mm",
                 "Check the units and the numbers.",
             ));
         }
@@ -162,7 +161,14 @@ impl Builder {
             group.left_out += 1;
             return Ok(());
         }
-        let triangles = split(&self.points, &ring);
+        let Some(triangles) = split(&self.points, &ring) else {
+            let count = ring.len();
+            let message = format!(
+                "the face has {count} corners and is not convex; the limit is {MOST_CORNERS}"
+            );
+            let hint = "Divide it, or export it as triangles.";
+            return Err(InputError::at(where_from(), message, hint));
+        };
         self.triangles += triangles.len();
         if self.triangles > MAX_TRIANGLES {
             return Err(too_many(where_from()));

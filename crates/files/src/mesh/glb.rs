@@ -8,9 +8,12 @@ use super::build::Builder;
 use super::scan::{Cursor, cut_off};
 use super::{NO_SURFACE, too_many};
 use crate::reading::InputError;
-use serde::Deserialize;
+use serde::de::{Error, IgnoredAny, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer};
 use sheetwright::math::Vec3;
 use sheetwright::mesh::MAX_TRIANGLES;
+use std::fmt;
+use std::marker::PhantomData;
 
 const DAMAGED: &str = "The file is damaged: export it again.";
 const EXPORT: &str = "Export it as one .glb file without compression, or as OBJ, PLY or STL.";
@@ -24,18 +27,29 @@ const F32: u32 = 5126;
 const TRIANGLES: u32 = 4;
 const STRIP: u32 = 5;
 const FAN: u32 = 6;
+/// The most entries of a list, and the most bytes of the JSON: in memory, an entry may take a
+/// hundred times the bytes that it has in the file.
+const MOST_ENTRIES: usize = 100_000;
+const MOST_JSON: usize = 64 << 20;
 
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase", default)]
 #[derive(Default)]
 struct Document {
     scene: Option<usize>,
+    #[serde(deserialize_with = "limited")]
     scenes: Vec<Scene>,
+    #[serde(deserialize_with = "limited")]
     nodes: Vec<Node>,
+    #[serde(deserialize_with = "limited")]
     meshes: Vec<GltfMesh>,
+    #[serde(deserialize_with = "limited")]
     accessors: Vec<Accessor>,
+    #[serde(deserialize_with = "limited")]
     buffer_views: Vec<BufferView>,
+    #[serde(deserialize_with = "limited")]
     buffers: Vec<Buffer>,
+    #[serde(deserialize_with = "limited")]
     extensions_required: Vec<String>,
 }
 
@@ -61,6 +75,7 @@ struct Node {
 #[serde(default)]
 struct GltfMesh {
     name: String,
+    #[serde(deserialize_with = "limited")]
     primitives: Vec<Primitive>,
 }
 
@@ -87,7 +102,7 @@ struct Accessor {
     component_type: u32,
     count: usize,
     r#type: String,
-    sparse: Option<serde_json::Value>,
+    sparse: Option<IgnoredAny>,
 }
 
 #[derive(Deserialize, Default)]
@@ -103,6 +118,30 @@ struct BufferView {
 #[serde(default)]
 struct Buffer {
     uri: Option<String>,
+}
+
+/// A list of at most [`MOST_ENTRIES`].
+fn limited<'de, D: Deserializer<'de>, T: Deserialize<'de>>(from: D) -> Result<Vec<T>, D::Error> {
+    struct Limited<T>(PhantomData<T>);
+    impl<'de, T: Deserialize<'de>> Visitor<'de> for Limited<T> {
+        type Value = Vec<T>;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            write!(f, "a list of at most {MOST_ENTRIES} entries")
+        }
+
+        fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Vec<T>, A::Error> {
+            let mut found = Vec::new();
+            while let Some(entry) = list.next_element()? {
+                if found.len() == MOST_ENTRIES {
+                    return Err(A::Error::custom(format!("more than {MOST_ENTRIES} entries")));
+                }
+                found.push(entry);
+            }
+            Ok(found)
+        }
+    }
+    from.deserialize_seq(Limited(PhantomData))
 }
 
 /// An affine map: three columns and the image of the origin.
@@ -154,6 +193,10 @@ impl Transform {
 pub(super) fn read(bytes: &[u8], place: &str, builder: &mut Builder) -> Result<(), InputError> {
     builder.weld();
     let (json, binary) = chunks(bytes, place)?;
+    if json.len() > MOST_JSON {
+        let message = format!("the JSON of the file is larger than {} MiB", MOST_JSON >> 20);
+        return Err(InputError::at(place, message, EXPORT));
+    }
     let mut deserializer = serde_json::Deserializer::from_slice(json);
     let document: Document =
         serde_path_to_error::deserialize(&mut deserializer).map_err(|error| {
@@ -360,6 +403,9 @@ impl File<'_> {
             _ => 4,
         };
         let stride = view.byte_stride.unwrap_or(N * size);
+        if stride < N * size {
+            return Err(outside("its numbers lie on top of one another"));
+        }
         let bytes = view
             .byte_offset
             .checked_add(view.byte_length)

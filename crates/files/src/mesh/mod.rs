@@ -18,7 +18,7 @@ mod scan;
 mod stl;
 
 use crate::names::folded;
-use crate::reading::{InputError, ReadOptions, display_name, stem};
+use crate::reading::{InputError, ReadOptions, display_name, stem, without_utf16};
 use crate::units::Units;
 pub(crate) use build::Builder;
 use build::Built;
@@ -109,6 +109,8 @@ pub(crate) fn groups(
 ) -> Result<Vec<(String, Triangles)>, InputError> {
     let place = display_name(name);
     let mut builder = Builder::new(place, &stem(name), units.in_mm());
+    // Of a binary file, no header begins with the mark of UTF-16.
+    let bytes = &*without_utf16(bytes);
     match format {
         MeshFormat::Obj => obj::read(bytes, place, &mut builder)?,
         MeshFormat::Stl => stl::read(bytes, place, &mut builder)?,

@@ -1,4 +1,5 @@
-//! Wavefront OBJ: `v` and `f`, in groups by `o` and `g`. Everything else is passed over.
+//! Wavefront OBJ: `v` and `f`, in groups by `o` and `g`. Everything else is passed over; a name is
+//! kept once a face follows.
 
 use super::build::Builder;
 use super::scan::{coordinates, lines, quoted, words};
@@ -12,6 +13,7 @@ pub(super) fn read(bytes: &[u8], place: &str, builder: &mut Builder) -> Result<(
     let mut faces: Vec<Face> = Vec::new();
     let mut corners: Vec<usize> = Vec::new();
     let mut names: Vec<String> = vec![String::new()];
+    let mut next_name: Option<String> = None;
     let mut object = String::new();
     let mut points = 0;
     for (number, line) in whole_lines(bytes) {
@@ -35,12 +37,13 @@ pub(super) fn read(bytes: &[u8], place: &str, builder: &mut Builder) -> Result<(
                     };
                     return Err(InputError::at(at(), message, "A face has three corners or more."));
                 }
+                names.extend(next_name.take());
                 faces.push(Face { line: number, group: names.len() - 1, count });
             }
             Some(keyword @ (b"o" | b"g")) => {
                 let name = words.map(String::from_utf8_lossy).collect::<Vec<_>>().join(" ");
                 let group = if keyword == b"g" { name.as_str() } else { "" };
-                names.push(panel_name(if keyword == b"g" { &object } else { &name }, group));
+                next_name = Some(panel_name(if keyword == b"g" { &object } else { &name }, group));
                 if keyword == b"o" {
                     object = name;
                 }

@@ -1,5 +1,9 @@
 //! PLY, as text or binary of either byte order: the elements `vertex` and `face`; others are passed
 //! over.
+//!
+//! Old programs wrote their names into the header without the word `comment`: before the first
+//! element, lines that begin with no word of a header are comments. Others wrote more numbers a row
+//! than the header says: in text with a line for each row, the rest of a line is passed over.
 
 use super::build::Builder;
 use super::scan::{Cursor, cut_off, number, quoted, words};
@@ -70,10 +74,17 @@ struct Element {
     properties: Vec<Property>,
 }
 
+/// A face; one common list holds the corners of all faces.
+struct Face {
+    /// The line that it ends on, or the byte after it.
+    at: usize,
+    count: usize,
+}
+
 pub(super) fn read(bytes: &[u8], place: &str, builder: &mut Builder) -> Result<(), InputError> {
-    let mut values =
-        Values { cursor: Cursor::new(bytes, 0), encoding: Encoding::Text, place, line: 0 };
+    let mut values = Values::new(bytes, place);
     let elements = header(&mut values)?;
+    values.look_at_rows(elements.iter().map(|element| element.count));
     let has = |name: &[u8]| elements.iter().any(|element| element.name == name);
     if !has(b"vertex") || !has(b"face") {
         let message = if has(b"tristrips") {
@@ -85,7 +96,8 @@ pub(super) fn read(bytes: &[u8], place: &str, builder: &mut Builder) -> Result<(
         return Err(InputError::at(place, message, hint));
     }
     // Faces may come before the points that they name.
-    let mut faces: Vec<(String, Vec<usize>)> = Vec::new();
+    let mut faces: Vec<Face> = Vec::new();
+    let mut corners: Vec<u32> = Vec::new();
     for element in &elements {
         // Refuses a count that the remaining bytes can't hold, before anything is stored.
         let least: usize = match values.encoding {
@@ -125,7 +137,7 @@ pub(super) fn read(bytes: &[u8], place: &str, builder: &mut Builder) -> Result<(
         for _ in 0..element.count {
             values.next_row();
             let mut point = [0.0; 3];
-            let mut ring = Vec::new();
+            let first = corners.len();
             for (n, property) in element.properties.iter().enumerate() {
                 let Some(count) = property.count else {
                     let value = values.number(property.scalar)?;
@@ -137,32 +149,36 @@ pub(super) fn read(bytes: &[u8], place: &str, builder: &mut Builder) -> Result<(
                 let count = values.whole(count)?;
                 for _ in 0..count {
                     if Some(n) == list && element.name == b"face" {
-                        ring.push(values.whole(property.scalar)?);
+                        corners.push(values.whole(property.scalar)?);
                     } else {
                         values.number(property.scalar)?;
                     }
                 }
             }
+            let at = values.number_of_row();
             if element.name == b"vertex" {
-                let at = values.at();
-                builder.point(point, || at.clone())?;
+                builder.point(point, || values.row(at))?;
             } else if element.name == b"face" {
-                faces.push((values.at(), ring));
+                faces.push(Face { at, count: corners.len() - first });
             }
+            values.end_row();
         }
     }
-    for (at, ring) in faces {
+    let mut corners = corners.into_iter();
+    for Face { at, count } in faces {
+        let at = || values.row(at);
+        let ring: Vec<usize> = corners.by_ref().take(count).map(|n| n as usize).collect();
         let points = builder.points();
         if let Some(beyond) = ring.iter().find(|&&corner| corner >= points) {
             let message =
                 format!("the face names point {beyond}; there are {points}, counted from 0");
-            return Err(InputError::at(at, message, AGAIN));
+            return Err(InputError::at(at(), message, AGAIN));
         }
         if ring.len() < 3 {
             let message = format!("the face has {} corners", ring.len());
-            return Err(InputError::at(at, message, "A face has three corners or more."));
+            return Err(InputError::at(at(), message, "A face has three corners or more."));
         }
-        builder.polygon(&ring, || at.clone())?;
+        builder.polygon(&ring, at)?;
     }
     Ok(())
 }
@@ -223,11 +239,17 @@ fn header(values: &mut Values<'_>) -> Result<Vec<Element>, InputError> {
                 values.encoding = encoding.ok_or_else(missing)?;
                 return Ok(elements);
             }
+            // A comment, as old programs write them.
+            _ if elements.is_empty() && !is_word_of_headers(list[0]) => {}
             _ => return Err(unknown()),
         }
     }
     let message = format!("the header has more than {MAX_HEADER_LINES} lines");
     Err(InputError::at(values.place, message, AGAIN))
+}
+
+fn is_word_of_headers(word: &[u8]) -> bool {
+    [&b"format"[..], b"element", b"property", b"end_header"].contains(&word)
 }
 
 /// The values of the body, one after the other.
@@ -237,9 +259,36 @@ struct Values<'a> {
     place: &'a str,
     /// The line, from 1, in text.
     line: usize,
+    /// Whether each row is a line of its own, in text.
+    rows_are_lines: bool,
 }
 
 impl<'a> Values<'a> {
+    fn new(bytes: &'a [u8], place: &'a str) -> Self {
+        let cursor = Cursor::new(bytes, 0);
+        Self { cursor, encoding: Encoding::Text, place, line: 0, rows_are_lines: false }
+    }
+
+    /// Looks whether each of so many rows has a line of its own. In some files rows stand behind
+    /// one another on a line.
+    fn look_at_rows(&mut self, counts: impl Iterator<Item = usize>) {
+        if self.encoding == Encoding::Text {
+            let rows = counts.fold(0, usize::saturating_add);
+            let lines = self.cursor.rest().split(|&byte| byte == b'\n');
+            let lines = lines.filter(|line| !line.trim_ascii().is_empty()).count();
+            self.rows_are_lines = lines >= rows;
+        }
+    }
+
+    /// Passes over what is left of a row's line.
+    fn end_row(&mut self) {
+        if self.rows_are_lines {
+            let rest = self.cursor.rest();
+            let left = rest.iter().position(|&byte| byte == b'\n').unwrap_or(rest.len());
+            self.cursor.take(left);
+        }
+    }
+
     fn next_line(&mut self) -> Option<&'a [u8]> {
         let rest = self.cursor.rest();
         let length = rest.iter().position(|&byte| byte == b'\n').map_or(rest.len(), |n| n + 1);
@@ -263,10 +312,23 @@ impl<'a> Values<'a> {
 
     /// The current position, for messages.
     fn at(&self) -> String {
+        self.row(self.number_of_row())
+    }
+
+    /// The current line in text, else the current byte.
+    fn number_of_row(&self) -> usize {
         match self.encoding {
             // `line` counts finished lines, so the current one is the next.
-            Encoding::Text => format!("{}:{}", self.place, self.line + 1),
-            _ => format!("{}, byte {}", self.place, self.cursor.at()),
+            Encoding::Text => self.line + 1,
+            _ => self.cursor.at(),
+        }
+    }
+
+    /// The position that [`Self::number_of_row`] tells.
+    fn row(&self, number: usize) -> String {
+        match self.encoding {
+            Encoding::Text => format!("{}:{number}", self.place),
+            _ => format!("{}, byte {number}", self.place),
         }
     }
 
@@ -307,10 +369,10 @@ impl<'a> Values<'a> {
     }
 
     /// A whole number: a count of corners, or the index of a point.
-    fn whole(&mut self, scalar: Scalar) -> Result<usize, InputError> {
+    fn whole(&mut self, scalar: Scalar) -> Result<u32, InputError> {
         let value = self.number(scalar)?;
         if value.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&value) {
-            return Ok(value as usize);
+            return Ok(value as u32);
         }
         let message = format!("{value} is no count");
         Err(InputError::at(self.at(), message, AGAIN))

@@ -115,11 +115,11 @@ fn broken_obj_is_refused_by_line() {
         ("v 1 2 1,5\n".to_owned(), "shape.obj:1: '1,5' is no number"),
         (
             "\nv 1 2 nan\n".to_owned(),
-            "shape.obj:2: a coordinate is not a finite number within ±1e9 mm",
+            "shape.obj:2: a coordinate is not a finite number within ±1e11 mm",
         ),
         (
-            "v 1 2 1e10\n".to_owned(),
-            "shape.obj:1: a coordinate is not a finite number within ±1e9 mm",
+            "v 1 2 1e12\n".to_owned(),
+            "shape.obj:1: a coordinate is not a finite number within ±1e11 mm",
         ),
         (SQUARE.to_owned(), "shape.obj: the mesh has no triangle"),
         (String::new(), "shape.obj: the mesh has no triangle"),
@@ -178,7 +178,7 @@ fn broken_stl_is_refused_by_line_or_byte() {
     for (bytes, said) in [
         (bytes[..170].to_vec(), "shape.stl, byte 170: the file ends after 1 of 2 triangles"),
         (many, "shape.stl, byte 184: the file ends after 2 of 4294967295 triangles"),
-        (nan, "shape.stl, byte 84: a coordinate is not a finite number within ±1e9 mm"),
+        (nan, "shape.stl, byte 84: a coordinate is not a finite number within ±1e11 mm"),
         (bytes[..30].to_vec(), "shape.stl: the file ends within the header"),
         (cut.into_bytes(), "shape.stl:2: the file ends within a facet"),
         (
@@ -250,7 +250,10 @@ fn broken_ply_is_refused() {
             "shape.ply:1: a PLY file begins with the line 'ply', and this one does not",
         ),
         (b"ply\nformat ascii 1.0\n".to_vec(), "shape.ply: the file ends within the header"),
-        (b"ply\nelements 7\n".to_vec(), "shape.ply:2: 'elements 7' is no line of a PLY header"),
+        (
+            b"ply\nelement face 1\nelements 7\n".to_vec(),
+            "shape.ply:3: 'elements 7' is no line of a PLY header",
+        ),
         (
             b"ply\nproperty float x\n".to_vec(),
             "shape.ply:2: 'property float x' is no line of a PLY header",

@@ -1,5 +1,6 @@
 //! Findings in sentences, with advice.
 
+use super::healed::{healed, two_skins};
 use super::moved::{keeps_from_bending, listed, movement, not_needed, ran_on};
 use super::place::point;
 use crate::pdf::way_to_sheets;
@@ -165,6 +166,11 @@ pub fn finding_text(finding: &Finding) -> String {
                 "parts of the mesh are left out: each is"
             )
         ),
+        Kind::Healed { damage, count } => healed(*damage, *count),
+        Kind::TwoSkins { count, thickness_mm, laid } => two_skins(*count, *thickness_mm, *laid),
+        Kind::NotTwoSkins => "One skin of a plate was to be laid flat alone, and the mesh is no \
+                              closed plate with two skins. All of it is laid flat."
+            .to_owned(),
         Kind::PointContacts { count } => format!(
             "Parts of the mesh meet only in {}, which can't hold them together. They are \
              separated there.",

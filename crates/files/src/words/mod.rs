@@ -4,6 +4,7 @@
 //! The kernel gives kinds with their numbers and places; units and digits are chosen here.
 
 mod finding;
+mod healed;
 mod moved;
 mod place;
 #[cfg(test)]

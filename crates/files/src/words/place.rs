@@ -117,7 +117,9 @@ fn points(at: &[Point3], kind: &FindingKind) -> String {
     let places = places.join(" and ");
     match kind {
         FindingKind::Overlap => format!("the border {places}"),
-        FindingKind::PartsLeftOut { count } if *count > 1 => format!("the first {places}"),
+        FindingKind::PartsLeftOut { count } | FindingKind::Healed { count, .. } if *count > 1 => {
+            format!("the first {places}")
+        }
         _ => places,
     }
 }

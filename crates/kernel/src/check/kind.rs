@@ -6,6 +6,7 @@ use super::severity::Severity;
 use super::verdict::Verdict;
 use crate::elastic::Basis;
 use crate::fair::Ended;
+use crate::mesh::{Damage, Skin};
 use sheetwright_geometry::math::Point3;
 use sheetwright_geometry::tolerance::Tolerance;
 
@@ -234,6 +235,24 @@ pub enum FindingKind {
         /// How many.
         count: usize,
     },
+    /// The triangles of a file were damaged, and are healed.
+    Healed {
+        /// What was wrong.
+        damage: Damage,
+        /// In how many places.
+        count: usize,
+    },
+    /// A mesh is a plate with two skins, or several.
+    TwoSkins {
+        /// How many plates.
+        count: usize,
+        /// How far the skins of the first are apart, mm.
+        thickness_mm: f64,
+        /// The skin that is laid flat alone, if one is.
+        laid: Option<Skin>,
+    },
+    /// One skin was to be laid flat, and a mesh is no plate with two.
+    NotTwoSkins,
     /// Parts of a mesh meet only in points.
     PointContacts {
         /// In how many.
@@ -422,6 +441,7 @@ impl FindingKind {
             | Self::StrainNotReached { .. }
             | Self::WindowGap { .. }
             | Self::StretchHigh { .. }
+            | Self::NotTwoSkins
             | Self::BorderNotTrue { .. }
             | Self::RoundedCorner { .. }
             | Self::StayedStraight { .. }
@@ -435,6 +455,8 @@ impl FindingKind {
             | Self::Stretch { .. }
             | Self::TrianglesLeftOut { .. }
             | Self::PartsLeftOut { .. }
+            | Self::Healed { .. }
+            | Self::TwoSkins { .. }
             | Self::PointContacts { .. }
             | Self::JointsSmoothed { .. }
             | Self::TurnedRound { .. }
@@ -490,6 +512,8 @@ impl FindingKind {
             Self::BorderNotTrue { .. } => "border-not-true",
             Self::Flipped { .. } => "flipped",
             Self::TrianglesLeftOut { .. } | Self::PartsLeftOut { .. } => "left-out",
+            Self::Healed { .. } => "healed",
+            Self::TwoSkins { .. } | Self::NotTwoSkins => "two-skins",
             Self::PointContacts { .. } => "point-contact",
             Self::RoundedCorner { .. } => "rounded-corner",
             Self::JointsSmoothed { .. } => "joint-smoothed",
@@ -521,6 +545,7 @@ impl FindingKind {
                 (*has_creases, Remedy::SplitCreases),
             ]),
             Self::Creases { stiff, .. } => listed(&[(stiff.is_some(), Remedy::SplitCreases)]),
+            Self::TwoSkins { laid: None, .. } => vec![Remedy::OneSkin],
             Self::PdfReduced { sheets, most, is_full, .. } => {
                 listed(&[(sheets <= most && !is_full, Remedy::Sheets(*sheets))])
             }

@@ -12,6 +12,8 @@ pub enum Remedy {
     Darts,
     /// Dividing a mesh along its sharp creases.
     SplitCreases,
+    /// Laying one of two skins flat alone.
+    OneSkin,
     /// Another unit of the coordinates, for a file that does not state its own.
     Units,
     /// A larger number of sheets of paper for a pattern: this one.

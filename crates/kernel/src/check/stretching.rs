@@ -5,7 +5,7 @@ use super::{
 };
 use crate::material::stretch_limit;
 use crate::measure::Distortion;
-use crate::mesh::{Specks, crease_angles};
+use crate::mesh::{Healing, Specks, crease_angles};
 use crate::pattern::SCORED_CREASE_DEG;
 use sheetwright_geometry::math::to_deg;
 
@@ -33,7 +33,9 @@ pub(super) fn findings(panel: &Panel<'_>) -> Vec<Finding> {
         specks,
         contacts,
     ];
-    checks.iter().filter_map(|check| check(panel)).collect()
+    let healed = panel.origin.healings.iter().map(healing);
+    let skins = panel.origin.skins.map(|kind| Finding::of_whole(kind.clone()));
+    checks.iter().filter_map(|check| check(panel)).chain(healed).chain(skins).collect()
 }
 
 fn stretch(panel: &Panel<'_>) -> Option<Finding> {
@@ -108,6 +110,10 @@ fn left_out(panel: &Panel<'_>) -> Option<Finding> {
 fn specks(panel: &Panel<'_>) -> Option<Finding> {
     let Specks { parts: count, first } = panel.origin.specks?;
     Some(Finding::new(FindingKind::PartsLeftOut { count }, Place::at(first)))
+}
+
+fn healing(&Healing { damage, count, first }: &Healing) -> Finding {
+    Finding::new(FindingKind::Healed { damage, count }, Place::at(first))
 }
 
 fn contacts(panel: &Panel<'_>) -> Option<Finding> {

@@ -1,6 +1,7 @@
 //! A panel whose surface is given as a mesh.
 
 use crate::flatten::Aim;
+use crate::mesh::Skin;
 use sheetwright_geometry::index::VertexIndex;
 use sheetwright_geometry::math::Point3;
 use std::sync::Arc;
@@ -28,13 +29,16 @@ pub struct PanelMesh {
     /// Whether parts that would stretch by more than the limit of the material are cut from their
     /// border to the points that stretch most. Default: they are not.
     pub darts: bool,
+    /// The skin that is laid flat of a plate that comes as a closed mesh with two. Default: all of
+    /// the mesh.
+    pub skin: Option<Skin>,
 }
 
 impl PanelMesh {
     /// A mesh that is laid flat with the defaults.
     pub fn new(triangles: Triangles) -> Self {
         let triangles = Arc::new(triangles);
-        Self { triangles, aim: Aim::Mean, split_creases: None, darts: false }
+        Self { triangles, aim: Aim::Mean, split_creases: None, darts: false, skin: None }
     }
 }
 
@@ -44,7 +48,7 @@ impl PartialEq for PanelMesh {
         let same_triangles =
             Arc::ptr_eq(&self.triangles, &other.triangles) || self.triangles == other.triangles;
         same_triangles
-            && (self.aim, self.split_creases, self.darts)
-                == (other.aim, other.split_creases, other.darts)
+            && (self.aim, self.split_creases, self.darts, self.skin)
+                == (other.aim, other.split_creases, other.darts, other.skin)
     }
 }

@@ -1,45 +1,80 @@
-//! The meshes of a design without the parts that are too small to be sheet.
+//! The meshes of a design healed, and without the parts that are too small to be sheet. The design
+//! keeps them as they came.
 
 use crate::design::{Design, PanelShape, Triangles};
-use crate::mesh::{Specks, WithoutSpecks, without_specks};
+use crate::mesh::{Healed, Healing, Specks, WithoutSpecks, healed, without_specks};
 use sheetwright_geometry::boundary::size_of;
 use std::sync::Arc;
 
-/// The triangles of a panel that are used, and the parts of its mesh that were left out.
+/// The triangles of a panel that are used, the parts of its mesh that were left out, and what was
+/// healed.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Cleaned {
     pub(super) triangles: Arc<Triangles>,
     pub(super) specks: Option<Specks>,
+    pub(super) healings: Vec<Healing>,
 }
 
-/// The triangles of each panel that is to be made, without parts that are too small; `None` for a
-/// panel that is no mesh, or of which no triangle is left. Parts left out of such a panel are
+/// The meshes of a design as they were cleaned last. While a handle is dragged, no mesh changes, and
+/// a large one takes longer to heal than a frame.
+#[derive(Clone, Debug, Default)]
+pub(super) struct LastCleaned {
+    from: Vec<Option<Arc<Triangles>>>,
+    cleaned: Vec<Option<Cleaned>>,
+}
+
+impl LastCleaned {
+    /// [`cleaned`] of a design, at once where no mesh is another one than last time.
+    pub(super) fn of(&mut self, design: &Design) -> Vec<Option<Cleaned>> {
+        let from: Vec<Option<Arc<Triangles>>> = meshes(design).map(|mesh| mesh.cloned()).collect();
+        let is_one = |(a, b): (&Option<Arc<Triangles>>, &Option<Arc<Triangles>>)| match (a, b) {
+            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+            (None, None) => true,
+            _ => false,
+        };
+        if from.len() != self.from.len() || !from.iter().zip(&self.from).all(is_one) {
+            *self = Self { from, cleaned: cleaned(design) };
+        }
+        self.cleaned.clone()
+    }
+}
+
+/// The triangles of each panel that is to be made, healed and without parts that are too small;
+/// `None` for a panel that is no mesh, or of which no triangle is left. Parts left out of such a panel are
 /// counted with the first panel that is kept. If no mesh has a triangle left, all stay as they are
 /// and fail in `make` with their own errors.
 pub(super) fn cleaned(design: &Design) -> Vec<Option<Cleaned>> {
-    let panels = design.panels_to_make();
-    let meshes = panels.into_iter().map(|panel| match &panel.shape {
+    cleaned_of(&meshes(design).collect::<Vec<_>>())
+}
+
+/// The mesh of each panel that is to be made, if it is one.
+fn meshes(design: &Design) -> impl Iterator<Item = Option<&Arc<Triangles>>> {
+    design.panels_to_make().into_iter().map(|panel| match &panel.shape {
         PanelShape::Mesh(mesh) => Some(&mesh.triangles),
         _ => None,
-    });
-    cleaned_of(&meshes.collect::<Vec<_>>())
+    })
 }
 
 fn cleaned_of(meshes: &[Option<&Arc<Triangles>>]) -> Vec<Option<Cleaned>> {
     let all = || meshes.iter().copied().flatten();
     let size = size_of(all().flat_map(|mesh| mesh.positions.iter().copied()));
-    let whole = |mesh: &Arc<Triangles>| Cleaned { triangles: mesh.clone(), specks: None };
+    let whole = |mesh: &Arc<Triangles>| Cleaned {
+        triangles: mesh.clone(),
+        specks: None,
+        healings: Vec::new(),
+    };
     let one = |mesh: &Arc<Triangles>| match without_specks(&mesh.positions, &mesh.triangles, size) {
         None => whole(mesh),
         Some(WithoutSpecks { positions, triangles, specks }) => {
             let left = Triangles { positions, triangles, left_out: mesh.left_out };
-            Cleaned { triangles: Arc::new(left), specks: Some(specks) }
+            let (triangles, specks) = (Arc::new(left), Some(specks));
+            Cleaned { triangles, specks, healings: Vec::new() }
         }
     };
     let mut kept: Vec<Option<Cleaned>> = Vec::with_capacity(meshes.len());
     let (mut lost, mut lost_triangles) = (None::<Specks>, 0);
     for mesh in meshes {
-        let left = mesh.map(one);
+        let left = mesh.map(one).map(with_healing);
         let is_lost = |left: &Cleaned| left.triangles.triangles.is_empty() && left.specks.is_some();
         if let Some(gone) = left.as_ref().filter(|left| is_lost(left)) {
             lost_triangles += gone.triangles.left_out;
@@ -55,6 +90,17 @@ fn cleaned_of(meshes: &[Option<&Arc<Triangles>>]) -> Vec<Option<Cleaned>> {
         first.specks = both(first.specks, lost);
     }
     kept
+}
+
+/// The triangles healed, if they need it.
+fn with_healing(mut cleaned: Cleaned) -> Cleaned {
+    let Triangles { positions, triangles, left_out } = &*cleaned.triangles;
+    if let Some(Healed { positions, triangles, healings }) = healed(positions, triangles) {
+        let left_out = *left_out;
+        cleaned.triangles = Arc::new(Triangles { positions, triangles, left_out });
+        cleaned.healings = healings;
+    }
+    cleaned
 }
 
 /// The parts left out of two meshes, in total.

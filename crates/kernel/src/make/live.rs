@@ -15,7 +15,7 @@
 //! Once the hand rests, the outcome is that of [`super::make`] for this design, bit by bit; only if
 //! memory is short, a bound from before may make a table fit that does not fit afresh.
 
-use super::cleaned::Cleaned;
+use super::cleaned::{Cleaned, LastCleaned};
 use super::unrestricted::Known;
 use super::{Made, MakeCause, MakeError, Maker, Part};
 use super::{find_mates, is_screened, join_meshes, settle};
@@ -68,6 +68,7 @@ use sheetwright_optimum::triangulate::TriangulateError;
 pub struct Live {
     design: Design,
     panels: Vec<LivePanel>,
+    meshes: LastCleaned,
 }
 
 /// A panel of a design that is being edited.
@@ -248,7 +249,7 @@ impl Live {
 
     fn make_changed(&mut self, watch: &mut dyn Watch) -> Vec<usize> {
         let design = &self.design;
-        let maker = Maker::new(design);
+        let maker = Maker::new(design, self.meshes.of(design));
         let mut before: Vec<Option<LivePanel>> = self.panels.drain(..).map(Some).collect();
         let (mut panels, mut changed) = (Vec::new(), Vec::new());
         for (n, panel) in design.panels_to_make().into_iter().enumerate() {

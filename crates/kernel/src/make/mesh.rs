@@ -7,13 +7,14 @@
 use super::cleaned::Cleaned;
 use super::part::{Given, Joint, Origin, Part};
 use super::rebuilt::rebuilt;
+use super::skins::with_skin;
 use super::{MakeCause, MakeError};
-use crate::check::{CheckedFrom, MeshOrigin, Subject, check};
+use crate::check::{CheckedFrom, FindingKind, MeshOrigin, Subject, check};
 use crate::design::{Design, DesignPanel, PanelMesh};
 use crate::flatten::{Aim, RelaxOptions, Relaxed, relax};
 use crate::material::{Material, stretch_limit};
 use crate::measure::{CutFrom, Distortion, cut_suggestion, distortion, measures};
-use crate::mesh::{Cut, Mesh, MeshError, Specks, cut_to_disk, separated};
+use crate::mesh::{Cut, Healing, Mesh, MeshError, Specks, cut_to_disk, separated};
 use crate::pattern::Piece;
 use crate::sheet::{Seam, Sheet, cut_along, split_along_creases};
 use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
@@ -67,6 +68,8 @@ struct MeshPiece {
     mesh: Mesh,
     left_out: usize,
     specks: Option<Specks>,
+    healings: Vec<Healing>,
+    skins: Option<FindingKind>,
     contacts: usize,
     joints: Vec<PieceJoint>,
 }
@@ -104,7 +107,9 @@ fn pieces_of(cleaned: &Cleaned, settings: &PanelMesh) -> Result<Vec<MeshPiece>, 
         apart.origin.windows(2).filter(|pair| pair[0] == pair[1]).map(|pair| pair[0]).collect();
     let positions: Vec<Point3> = apart.origin.iter().map(|v| given.positions[v.get()]).collect();
     let at = |v: VertexIndex| positions[v.get()];
-    let whole = Mesh::new(positions.clone(), apart.triangles).map_err(|error| bad(error, &at))?;
+    let whole = Mesh::new(positions.clone(), apart.triangles)
+        .and_then(|whole| with_skin(whole, settings.skin));
+    let (whole, mut skins) = whole.map_err(|error| bad(error, &at))?;
     let divided = settings.split_creases.map(|crease| split_along_creases(&whole, crease));
     let divided = divided.transpose().map_err(|error| bad(error, &|v| whole.position(v)))?;
     let (mesh, seams) = match &divided {
@@ -129,6 +134,8 @@ fn pieces_of(cleaned: &Cleaned, settings: &PanelMesh) -> Result<Vec<MeshPiece>, 
             mesh: alone,
             left_out: if first { given.left_out } else { 0 },
             specks: cleaned.specks.filter(|_| first),
+            healings: if first { cleaned.healings.clone() } else { Vec::new() },
+            skins: skins.take(),
             contacts: if first { contacts.len() } else { 0 },
             joints: std::mem::take(&mut joints[n]),
         });
@@ -228,7 +235,7 @@ fn make_part(
     settings: &PanelMesh,
     watch: &mut dyn Watch,
 ) -> Result<Part, MakeCause> {
-    let MeshPiece { mesh, left_out, specks, contacts, joints } = piece;
+    let MeshPiece { mesh, left_out, specks, healings, skins, contacts, joints } = piece;
     watch.begin(&[name], Stage::Flatten);
     let limit = stretch_limit(material);
     let (laid, darts) = laid_well(&mesh, settings, limit, watch)?;
@@ -253,6 +260,8 @@ fn make_part(
             flipped,
             left_out,
             specks,
+            healings: &healings,
+            skins: skins.as_ref(),
             contacts,
             darts,
         }),

@@ -15,6 +15,7 @@ mod mesh;
 mod other;
 mod part;
 mod rebuilt;
+mod skins;
 mod strained;
 mod together;
 mod unrestricted;
@@ -120,8 +121,8 @@ struct Maker<'a> {
 }
 
 impl<'a> Maker<'a> {
-    fn new(design: &'a Design) -> Self {
-        Self { design, matched: matched(design), meshes: cleaned(design) }
+    fn new(design: &'a Design, meshes: Vec<Option<Cleaned>>) -> Self {
+        Self { design, matched: matched(design), meshes }
     }
 
     fn sampler(&self) -> Sampler<'_> {
@@ -169,7 +170,7 @@ fn make_panels(
     judging: Judging,
     watch: &mut dyn Watch,
 ) -> Result<Vec<Part>, MakeError> {
-    let maker = Maker::new(design);
+    let maker = Maker::new(design, cleaned(design));
     let material = design.material.as_ref();
     let mut parts: Vec<Part> = Vec::new();
     // The parts with a question that may be open, by their numbers.

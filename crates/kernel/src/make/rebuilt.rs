@@ -2,14 +2,14 @@
 //! far the mesh lies from it. Where it lies near, the panel is developable but for noise, and a
 //! design of its border is the better input: it unrolls exactly.
 
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, nearest_in};
 use crate::surface::{Connectivity, Surface};
 use sheetwright_geometry::boundary::{
     Boundary, PlaneChoice, samples_from_points, supporting_plane,
 };
-use sheetwright_geometry::curve::CurvePoint;
+use sheetwright_geometry::curve::{CurvePoint, MAX_COORDINATE_MM};
 use sheetwright_geometry::index::TriangleIndex;
-use sheetwright_geometry::math::{Point3, angle_between, from_deg};
+use sheetwright_geometry::math::{Point3, Vec3, angle_between, from_deg};
 use sheetwright_geometry::triangle::nearest_in_triangle;
 use sheetwright_geometry::watch::Watch;
 use sheetwright_optimum::triangulate::{TriangulateOptions, triangulate};
@@ -20,6 +20,9 @@ const MOST_SAMPLES: usize = 1200;
 const CORNER_DEG: f64 = 30.0;
 /// The most points of the mesh whose distance is measured.
 const MOST_POINTS: usize = 5000;
+
+/// A border farther from the origin than this share of the range of boundaries is shifted.
+const FAR: f64 = 0.1;
 
 /// The surface of a border beside the mesh that it is from.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,7 +45,12 @@ pub(super) fn rebuilt(mesh: &Mesh, watch: &mut dyn Watch) -> Option<Rebuilt> {
     {
         return None;
     }
-    let at: Vec<Point3> = border.iter().map(|&v| mesh.position(v)).collect();
+    // A mesh far from the origin is shifted there meanwhile.
+    let first = mesh.position(border[0]).to_vec();
+    let is_far = first.abs().max_element() > FAR * MAX_COORDINATE_MM;
+    let shift = if is_far { first } else { Vec3::ZERO };
+    let at: Vec<Point3> =
+        border.iter().map(|&v| Point3::from_vec(mesh.position(v).to_vec() - shift)).collect();
     let m = at.len();
     let points: Vec<CurvePoint> = (0..m)
         .map(|i| {
@@ -59,7 +67,8 @@ pub(super) fn rebuilt(mesh: &Mesh, watch: &mut dyn Watch) -> Option<Rebuilt> {
     let options = TriangulateOptions::default();
     let found = triangulate(&boundary, plane.as_ref(), &options, watch).ok()?;
     let connectivity = Connectivity::new(boundary.loops(), found.triangles).ok()?;
-    let surface = Surface::new(connectivity, boundary.positions());
+    let back = boundary.positions().into_iter().map(|p| p + shift).collect();
+    let surface = Surface::new(connectivity, back);
     let (distance_max_mm, distance_mean_mm) = distances(mesh, &surface);
     Some(Rebuilt { surface, distance_max_mm, distance_mean_mm })
 }

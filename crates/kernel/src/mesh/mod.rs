@@ -10,14 +10,21 @@ mod corners;
 mod crease;
 mod cut;
 mod error;
+mod heal;
+mod nearest;
+mod skins;
 mod specks;
 mod topology;
+mod tree;
 mod ways;
 
 pub(crate) use corners::separated;
 pub use crease::crease_angles;
 pub use cut::{Cut, angle_defects, cut_through, cut_to_disk, worst_points};
 pub use error::MeshError;
+pub use heal::{Damage, Healed, Healing, healed};
+pub(crate) use nearest::nearest_in;
+pub use skins::{Skin, Skins, two_skins};
 pub use specks::Specks;
 pub(crate) use specks::{WithoutSpecks, without_specks};
 pub use topology::{Component, MeshEdge, Topology};
@@ -32,6 +39,10 @@ use sheetwright_geometry::tolerance::MIN_SIZE_MM;
 /// The most triangles that a mesh may have: two million take about a gigabyte on their way to a
 /// pattern.
 pub const MAX_TRIANGLES: usize = 2_000_000;
+
+/// No vertex of a mesh from a file lies farther out, mm: what is measured from the centre of the
+/// Earth, in metres, reaches 6.4e9 mm, where doubles lie 1e-6 mm apart; here, 1.5e-5 mm.
+pub const MAX_MESH_COORDINATE_MM: f64 = 1e11;
 
 /// A triangle is without area if its least height is below this share of its longest side: a
 /// thousand times the height that rounding to 16 digits gives to three points on a line.

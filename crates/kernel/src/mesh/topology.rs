@@ -68,13 +68,14 @@ pub struct Topology {
 
 /// A side of one triangle.
 #[derive(Clone, Copy)]
-struct HalfEdge {
-    ends: [VertexIndex; 2],
-    triangle: u32,
+pub(super) struct HalfEdge {
+    /// Its ends, the lower vertex first.
+    pub(super) ends: [VertexIndex; 2],
+    pub(super) triangle: u32,
     /// The corner of the triangle at which it begins, 0 ..= 2.
-    at: u8,
+    pub(super) at: u8,
     /// Whether the triangle runs from the lower vertex to the higher.
-    upwards: bool,
+    pub(super) upwards: bool,
 }
 
 impl Topology {
@@ -196,7 +197,7 @@ impl Topology {
 }
 
 /// Every side as every triangle has it, in increasing order of ends, then of triangles.
-fn sorted_sides(triangles: &[[VertexIndex; 3]]) -> Vec<HalfEdge> {
+pub(super) fn sorted_sides(triangles: &[[VertexIndex; 3]]) -> Vec<HalfEdge> {
     let mut sides: Vec<HalfEdge> = Vec::with_capacity(3 * triangles.len());
     for (n, corners) in triangles.iter().enumerate() {
         for at in 0..3 {
@@ -210,15 +211,18 @@ fn sorted_sides(triangles: &[[VertexIndex; 3]]) -> Vec<HalfEdge> {
 }
 
 /// The sides that belong together.
-fn groups(sides: &[HalfEdge]) -> impl Iterator<Item = &[HalfEdge]> {
+pub(super) fn groups(sides: &[HalfEdge]) -> impl Iterator<Item = &[HalfEdge]> {
     sides.chunk_by(|a, b| a.ends == b.ends)
 }
 
 /// The neighbours of a triangle at its three sides, and whether each runs the same way round.
-type Neighbours = [Option<(u32, bool)>; 3];
+pub(super) type Neighbours = [Option<(u32, bool)>; 3];
 
 /// The neighbours of each triangle.
-fn neighbours(sides: &[HalfEdge], triangles: usize) -> Result<Vec<Neighbours>, MeshError> {
+pub(super) fn neighbours(
+    sides: &[HalfEdge],
+    triangles: usize,
+) -> Result<Vec<Neighbours>, MeshError> {
     let mut found = vec![[None; 3]; triangles];
     for group in groups(sides) {
         match *group {
@@ -272,7 +276,7 @@ fn check_fans(
 }
 
 /// The piece of every triangle, and whether the triangle is to be turned round.
-fn facing(
+pub(super) fn facing(
     triangles: &[[VertexIndex; 3]],
     neighbours: &[Neighbours],
 ) -> Result<(Vec<usize>, Vec<bool>), MeshError> {

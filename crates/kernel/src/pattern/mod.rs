@@ -233,6 +233,10 @@ fn rungs(
     options: &PatternOptions,
     tick_mm: f64,
 ) -> Vec<PatternPath> {
+    // A seam of a mesh may end where it begins, which no rung does.
+    if !sheet.has_rungs() {
+        return Vec::new();
+    }
     let cut: Vec<Rung> = sheet.seams().iter().map(|seam| sheet.seam_rung(seam)).collect();
     let is_left = |(_, rung): &(&[VertexIndex; 2], &RungMeasures)| !cut.contains(&rung.rung);
     let left: Vec<(&[VertexIndex; 2], &RungMeasures)> =

@@ -7,6 +7,7 @@ use sheetwright::check::{
 };
 use sheetwright::elastic::Basis;
 use sheetwright::fair::Ended;
+use sheetwright::mesh::{Damage, Skin};
 
 fields!(Finding { kind, place });
 variants!(FindingKind {
@@ -39,6 +40,9 @@ variants!(FindingKind {
     Flipped { count },
     TrianglesLeftOut { count },
     PartsLeftOut { count },
+    Healed { damage, count },
+    TwoSkins { count, thickness_mm, laid },
+    NotTwoSkins {},
     PointContacts { count },
     RoundedCorner { curve, turn },
     JointsSmoothed { count, deviation_mm },
@@ -79,5 +83,7 @@ fields!(Movement { curves, moved_max_mm, moved_total_mm, size_mm, warp, twist })
 fields!(BorderSide { corners, samples });
 fields!(SeamPlace { number, ends });
 kinds!(SeamCause { NotFlat, Closed, Darts });
+kinds!(Skin { Outer, Inner });
+kinds!(Damage { Filler, Doubled, Seam, OnSide, Branch, Turned, InsideOut });
 kinds!(Hindrance { Strain, Radius, Other });
 kinds!(Basis { Computed, Screen, NoNet, NoRest });
