@@ -311,9 +311,19 @@ pub(crate) struct SourceArgs {
     /// itself [default: as the design says, or auto]
     #[arg(long, value_enum, ignore_case = true, value_name = "PLANE")]
     plane: Option<PlaneArg>,
-    /// The unit of a curve table or a mesh [default: mm]; a design states its own
+    /// The unit of a curve table or a mesh [default: mm; of a mesh that would be smaller than 5 mm:
+    /// m]; a design states its own
     #[arg(long, value_name = "UNITS", ignore_case = true, value_parser = units_parser())]
-    units: Option<Units>,
+    pub(crate) units: Option<Units>,
+    /// The largest extent of the whole design along x, y or z, in mm or with a unit (300mm, 1ft):
+    /// all its lengths change by one factor
+    #[arg(long, value_name = "LENGTH", value_parser = size_mm,
+        conflicts_with_all = ["scale", "vary_limit", "vary_budget"])]
+    pub(crate) size: Option<f64>,
+    /// The factor by which all lengths of the design change
+    #[arg(long, value_name = "FACTOR", value_parser = scale,
+        conflicts_with_all = ["vary_limit", "vary_budget"])]
+    pub(crate) scale: Option<f64>,
     /// The material of the sheet, in place of the design's: one of the design's own materials, or
     /// one of the catalogue, which docs/materials.md lists
     #[arg(
@@ -358,20 +368,22 @@ fn strain_share(given: &str) -> Result<f64, String> {
     share.ok_or_else(|| "give a share from 5% to 100%".to_owned())
 }
 
+fn size_mm(given: &str) -> Result<f64, String> {
+    let mm = sheetwright_files::size_mm(given);
+    mm.ok_or_else(|| "give a length above 0, such as 300, 300mm or 12in".to_owned())
+}
+
+fn scale(given: &str) -> Result<f64, String> {
+    let factor = given.parse().ok().filter(|factor| (1e-6..=1e6).contains(factor));
+    factor.ok_or_else(|| "give a factor from 0.000001 to 1000000, such as 2 or 0.5".to_owned())
+}
+
 fn distance_mm(given: &str) -> Result<f64, String> {
     let mm = sheetwright_files::distance_mm(given);
     mm.ok_or_else(|| "give a length of 0 or more, such as 2, 2mm or 1/8in".to_owned())
 }
 
 impl SourceArgs {
-    /// Whether the input is glTF, whose standard says metres, and no unit is given.
-    pub(crate) fn is_glb_without_units(&self) -> bool {
-        let ending = self.input.extension().and_then(|e| e.to_str()).unwrap_or_default();
-        let is_glb =
-            ending.eq_ignore_ascii_case("glb") || matches!(self.from, Some(StdinFormat::Glb));
-        is_glb && self.units.is_none()
-    }
-
     pub(crate) fn judging(&self) -> Judging {
         match self.verdict {
             VerdictArg::Quick => Judging::Quick,

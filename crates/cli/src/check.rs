@@ -9,8 +9,8 @@ use crate::watcher::Watcher;
 use sheetwright_files::findings_json;
 
 pub(crate) fn run(args: &CheckArgs, voice: Voice) -> Result<bool, Failure> {
-    let design = source::design(&args.source, &args.mesh)?;
-    note_options(&design, &args.source, &args.mesh, voice);
+    let design = source::design(&args.source, &args.mesh, voice)?;
+    note_options(&design, &args.mesh, voice);
     let mut watcher = Watcher::new(voice);
     let made = made(&design, args.source.judging(), &mut watcher, &source::name(&args.source))?;
     let panels = checked_of(&made);

@@ -46,8 +46,8 @@ impl Target {
 
 pub(crate) fn run(args: &ConvertArgs, voice: Voice) -> Result<bool, Failure> {
     let target = Target::of(&args.out)?;
-    let design = source::design(&args.source, &args.mesh)?;
-    note_options(&design, &args.source, &args.mesh, voice);
+    let design = source::design(&args.source, &args.mesh, voice)?;
+    note_options(&design, &args.mesh, voice);
     match target {
         Target::Table => {
             write_one(&args.out, &table(&design, &args.out)?)?;

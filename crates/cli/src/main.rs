@@ -9,6 +9,7 @@ mod new;
 mod pages;
 mod remedies;
 mod signals;
+mod size;
 mod source;
 mod voice;
 mod watcher;

@@ -1,6 +1,6 @@
 //! `sheetwright make`: every file of a design or a mesh.
 
-use crate::args::{MakeArgs, MeshArgs, SourceArgs};
+use crate::args::{MakeArgs, MeshArgs};
 use crate::failure::Failure;
 use crate::remedies::LONG_REPORT;
 use crate::source;
@@ -27,9 +27,9 @@ pub(crate) fn run(args: &MakeArgs, voice: Voice) -> Result<bool, Failure> {
         })
         .collect();
     let start = Instant::now();
-    let design = source::design(&args.source, &args.mesh)?;
+    let design = source::design(&args.source, &args.mesh, voice)?;
     refuse_unmade(&design, &formats)?;
-    note_options(&design, &args.source, &args.mesh, voice);
+    note_options(&design, &args.mesh, voice);
     let job = Job {
         input: &source::name(&args.source),
         judging: args.source.judging(),
@@ -59,18 +59,12 @@ pub(crate) fn refuse_unmade(design: &Design, formats: &[Format]) -> Result<(), F
     }
 }
 
-/// Notes an option that has no effect, and a unit that may be missing.
-pub(crate) fn note_options(design: &Design, source: &SourceArgs, mesh: &MeshArgs, voice: Voice) {
+/// Notes an option that has no effect.
+pub(crate) fn note_options(design: &Design, mesh: &MeshArgs, voice: Voice) {
     if let (false, Some(given)) = (design.panels.iter().any(is_mesh), mesh.given()) {
         voice.note(&format!(
             "note: {given} has no effect: no panel is a mesh, and the others are laid flat exactly"
         ));
-    }
-    if source.is_glb_without_units() {
-        voice.note(
-            "note: the standard of glTF says metres, and this file is read in millimetres; \
-             --units m reads it in metres",
-        );
     }
 }
 

@@ -2,20 +2,41 @@
 
 use crate::args::{MeshArgs, SourceArgs};
 use crate::failure::{Failure, INPUT_ENDINGS, for_all};
+use crate::size::sized;
+use crate::voice::Voice;
 use sheetwright::design::Design;
-use sheetwright_files::{InputFormat, ReadOptions, read_bytes, read_input, read_limited};
-use std::io;
+use sheetwright_files::{
+    InputFormat, ReadOptions, Units, read_bytes, read_input, read_limited, units_said,
+};
+use std::fs::File;
+use std::io::{self, Read as _};
 use std::path::Path;
 
 const STDIN: &str = "standard input";
+/// The bytes at the beginning of a file in which a comment may name its unit.
+const LOOKED_AT: u64 = 1 << 14;
 
 /// The design that the input holds, with its meshes laid flat as these arguments say.
-pub(crate) fn design(args: &SourceArgs, mesh: &MeshArgs) -> Result<Design, Failure> {
+pub(crate) fn design(args: &SourceArgs, mesh: &MeshArgs, voice: Voice) -> Result<Design, Failure> {
+    let Read { format, said, design } = read(args, mesh)?;
+    sized(design, format, said, args, voice)
+}
+
+/// An input, its format, and the unit that it names if it is a mesh.
+struct Read {
+    format: InputFormat,
+    said: Option<Units>,
+    design: Design,
+}
+
+fn read(args: &SourceArgs, mesh: &MeshArgs) -> Result<Read, Failure> {
     let options = ReadOptions { mesh: mesh.settings(), ..args.options() };
     match (args.input == Path::new("-"), args.from) {
         (true, Some(from)) => {
             let bytes = read_limited(io::stdin().lock(), STDIN)?;
-            Ok(read_bytes(from.format(), &bytes, "-", None, &options)?)
+            let format = from.format();
+            let design = read_bytes(format, &bytes, "-", None, &options)?;
+            Ok(Read { format, said: units_said(&bytes), design })
         }
         (true, None) => {
             let bytes = read_limited(io::stdin().lock(), STDIN)?;
@@ -26,7 +47,8 @@ pub(crate) fn design(args: &SourceArgs, mesh: &MeshArgs) -> Result<Design, Failu
                 let hint = "Name the format: add --from csv, json, obj, stl, ply or glb.";
                 Failure::new(message, hint).at(STDIN)
             })?;
-            Ok(read_bytes(format, &bytes, "-", None, &options)?)
+            let design = read_bytes(format, &bytes, "-", None, &options)?;
+            Ok(Read { format, said: units_said(&bytes), design })
         }
         (false, Some(_)) => {
             let message = "--from is for standard input";
@@ -36,8 +58,20 @@ pub(crate) fn design(args: &SourceArgs, mesh: &MeshArgs) -> Result<Design, Failu
             ))
         }
         (false, None) if args.input.is_dir() => Err(folder(&args.input)),
-        (false, None) => Ok(read_input(&args.input, &options)?),
+        (false, None) => {
+            let design = read_input(&args.input, &options)?;
+            Ok(Read { format: InputFormat::of(&args.input)?, said: said_in(&args.input), design })
+        }
     }
+}
+
+/// The unit that a mesh file names.
+fn said_in(path: &Path) -> Option<Units> {
+    // A pipe, which was read before, has nothing left.
+    path.metadata().ok()?.is_file().then_some(())?;
+    let mut beginning = Vec::new();
+    File::open(path).ok()?.take(LOOKED_AT).read_to_end(&mut beginning).ok()?;
+    units_said(&beginning)
 }
 
 /// The refusal of a folder, with what makes all that is in it, for the kind of files that is there.

@@ -173,3 +173,112 @@ fn the_same_mesh_gives_the_same_bytes() {
         }
     }
 }
+
+/// The number of a field of the first panel of a report.
+fn number(folder: &Path, field: &str) -> f64 {
+    report(folder)["panels"][0][field].as_f64().unwrap()
+}
+
+#[test]
+fn a_size_and_a_scale_change_all_lengths() {
+    let (_kept, desk) = desk();
+    let area = |call: &str| {
+        let (_, noted) = says(&desk, &format!("make {call} --out out"), 0);
+        (number(&desk.join("out"), "area_flat_mm2"), noted)
+    };
+    let (found, noted) = area("box.obj --size 300mm");
+    assert!((found - 540_000.0).abs() < 1e-6, "{found}");
+    assert!(noted.contains("note: all lengths are 3 times those of the file"), "{noted}");
+    let (found, noted) = area("box.obj --units cm --scale 0.5");
+    assert!((found - 1_500_000.0).abs() < 1e-5 && !noted.contains("times those"), "{found}");
+    // The largest extent is that of all groups together: 90 mm along x.
+    let (found, _) = area("groups.obj --size 9");
+    assert!((found - 36.0).abs() < 1e-9, "{found}");
+    // Other inputs have a size, too.
+    fs::write(desk.join("leaf.csv"), "x,y,z\n0,0,0\n20,0,0\n20,10,0\n0,10,0\n").unwrap();
+    let (found, _) = area("leaf.csv --size 1m");
+    assert!((found - 500_000.0).abs() < 1e-6, "{found}");
+    for (options, words) in [
+        ("--size 0", "give a length above 0"),
+        ("--size big", "give a length above 0"),
+        ("--scale 0", "give a factor"),
+        ("--scale 2 --size 10", "cannot be used with"),
+        ("--scale 2 --vary-limit 1", "cannot be used with"),
+    ] {
+        let (_, said) = says(&desk, &format!("check leaf.csv {options}"), 2);
+        assert!(said.contains(words), "{options}: {said}");
+    }
+}
+
+#[test]
+fn a_mesh_that_would_be_too_small_is_read_in_metres() {
+    let (_kept, desk) = desk();
+    let tent = "v 0 0 0\nv 1.8 0 0\nv 1.8 1.2 0\nv 0 1.2 0\nf 1 2 3 4\n";
+    fs::write(desk.join("tent.obj"), tent).unwrap();
+    for (options, area, note) in [
+        ("", 2.16e6, "the file names no unit, and 1.8 mm would be small for a sheet"),
+        ("--scale 2", 8.64e6, "it is read in metres; --units mm reads it in millimetres"),
+        ("--units mm", 2.16, ""),
+        ("--size 18mm", 216.0, "all lengths are 10 times"),
+    ] {
+        let (_, noted) = says(&desk, &format!("make tent.obj {options} --out out"), 0);
+        let found = number(&desk.join("out"), "area_flat_mm2");
+        assert!((found / area - 1.0).abs() < 1e-12, "{options}: {found}");
+        assert!(noted.contains(note), "{options}: {noted}");
+        assert_eq!(noted.contains("in metres"), area > 1e6, "{options}: {noted}");
+    }
+}
+
+#[test]
+fn a_unit_in_a_comment_is_believed() {
+    let (_kept, desk) = desk();
+    let lid = "# File units = inches\nv 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n";
+    fs::write(desk.join("lid.obj"), lid).unwrap();
+    for (options, area, note) in [
+        ("", 2.0 * 25.4 * 25.4, "note: this file is read in inches, as a comment in it says"),
+        ("--units mm", 2.0, ""),
+    ] {
+        let (_, noted) = says(&desk, &format!("make lid.obj {options} --out out"), 0);
+        let found = number(&desk.join("out"), "area_flat_mm2");
+        assert!((found / area - 1.0).abs() < 1e-12, "{options}: {found}");
+        assert!(noted.contains(note) && !noted.contains("in metres"), "{options}: {noted}");
+    }
+}
+
+#[test]
+fn one_skin_of_a_plate_is_laid_flat_alone() {
+    let (_kept, desk) = desk();
+    let plate = BOX.replace("100\n", "3\n");
+    fs::write(desk.join("plate.obj"), plate).unwrap();
+    let (said, _) = says(&desk, "check plate.obj", 0);
+    assert!(said.contains("The mesh is a plate with two skins, 3.00 mm apart"), "{said}");
+    assert!(said.contains("--skin outer lays the outer one flat."), "{said}");
+    for skin in ["outer", "inner"] {
+        let (said, _) = says(&desk, &format!("make plate.obj --skin {skin} --out out"), 0);
+        assert!(said.starts_with("box: bends\n"), "{said}");
+        assert!(said.contains(&format!("The {skin} skin alone is laid flat.")), "{said}");
+        assert!((number(&desk.join("out"), "area_flat_mm2") - 10_000.0).abs() < 1e-6);
+    }
+    // The design keeps both skins, and which of them is laid flat.
+    says(&desk, "convert plate.obj plate.sheet.json --skin inner", 0);
+    let text = fs::read_to_string(desk.join("plate.sheet.json")).unwrap();
+    assert!(text.contains("\"skin\": \"inner\""), "{text}");
+    let (said, _) = says(&desk, "check plate.sheet.json", 0);
+    assert!(said.contains("The inner skin alone is laid flat."), "{said}");
+    let (said, _) = says(&desk, "check box.obj --skin outer", 0);
+    assert!(said.contains("warning: One skin of a plate was to be laid flat alone"), "{said}");
+}
+
+#[test]
+fn what_is_healed_is_said_and_the_design_keeps_the_mesh_as_it_came() {
+    let (_kept, desk) = desk();
+    let quads = "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nv 10 0 0\nv 10 0 10\nv 10 10 10\nv 10 10 0\n\
+                 f 1 2 3 4\nf 5 6 7 8\n";
+    fs::write(desk.join("quads.obj"), quads).unwrap();
+    let (said, _) = says(&desk, "check quads.obj", 0);
+    let note = "note: 2 points of the file lie where others do, at sides that they share. They count \
+                as one, so that the mesh hangs together there. (the first at (10.0, ";
+    assert!(said.contains(note), "{said}");
+    says(&desk, "convert quads.obj quads.sheet.json", 0);
+    assert_eq!(says(&desk, "check quads.sheet.json", 0).0, said);
+}

@@ -57,7 +57,7 @@ pub use dxf::{read_dxf, write_dxf};
 pub use hint::{hint_for, hint_in_design, remedy_for};
 pub use input::{InputFormat, read_bytes, read_input};
 pub use materials::{catalogue_names, known_materials, material_group, material_named};
-pub use mesh::MeshFormat;
+pub use mesh::{MeshFormat, units_said};
 pub use messages::{PanelTimes, error_json, findings_json, timing_json};
 pub use names::{shown, visible};
 pub use obj::write_obj;
@@ -66,7 +66,7 @@ pub use pdf::{MaxSheets, Paper, PdfOptions, Reduced, WrittenPdf, write_pdf};
 pub use quads::{PanelQuads, write_quads};
 pub use quantity::{
     distance_mm, length_in, length_text, read_angle, read_length, read_lengths, read_number,
-    step_text, strain_share, warp_deg,
+    size_mm, step_text, strain_share, warp_deg,
 };
 pub use read_back::{PatternReadError, ReadPattern};
 pub use reading::{

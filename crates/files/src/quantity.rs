@@ -150,6 +150,11 @@ pub fn distance_mm(text: &str) -> Option<f64> {
     in_range_mm(mm, Units::Millimetres).filter(|mm| *mm >= 0.0)
 }
 
+/// A size, mm; `None` if the text is no length above 0 and within range.
+pub fn size_mm(text: &str) -> Option<f64> {
+    distance_mm(text).filter(|mm| *mm > 0.0)
+}
+
 /// A goal for the warp angle, degrees; `None` if the text is no angle above 0° and up to 90°.
 pub fn warp_deg(text: &str) -> Option<f64> {
     angle(text).ok().filter(|deg| *deg > 0.0 && *deg <= MOST_WARP_DEG)

@@ -45,6 +45,13 @@ impl Units {
         Self::ALL.into_iter().find(|unit| unit.name() == name)
     }
 
+    /// The unit that a mesh is meant in whose file names none, by its largest extent as a number:
+    /// metres from 0.01 up to 5, else millimetres. What is shorter than 5 mm is no sheet, and what
+    /// is shorter than 10 mm in metres is none either.
+    pub fn meant(extent: f64) -> Self {
+        if (0.01..5.0).contains(&extent) { Self::Metres } else { Self::Millimetres }
+    }
+
     /// One of it, mm.
     pub fn in_mm(self) -> f64 {
         match self {
@@ -102,6 +109,21 @@ mod tests {
             let found = units.round_step_mm(mm);
             assert!((found - step).abs() < 1e-9, "{units:?} {mm}: {found}");
             assert_eq!(units.round_step_mm(found), found);
+        }
+    }
+
+    #[test]
+    fn what_would_be_too_small_for_a_sheet_is_meant_in_metres() {
+        for (extent, units) in [
+            (0.0, Units::Millimetres),
+            (0.003, Units::Millimetres),
+            (0.3, Units::Metres),
+            (2.0, Units::Metres),
+            (5.0, Units::Millimetres),
+            (300.0, Units::Millimetres),
+            (f64::NAN, Units::Millimetres),
+        ] {
+            assert_eq!(Units::meant(extent), units, "{extent}");
         }
     }
 

@@ -14,6 +14,7 @@ mod glb;
 mod obj;
 mod ply;
 mod polygon;
+mod said;
 mod scan;
 mod stl;
 
@@ -22,6 +23,7 @@ use crate::reading::{InputError, ReadOptions, display_name, stem, without_utf16}
 use crate::units::Units;
 pub(crate) use build::Builder;
 use build::Built;
+pub use said::units_said;
 use sheetwright::design::{Design, DesignPanel, PanelMesh, PanelShape, Triangles};
 use sheetwright::flatten::Aim;
 use sheetwright::index::VertexIndex;
@@ -88,7 +90,8 @@ pub(crate) fn read(
     name: &str,
     options: &ReadOptions,
 ) -> Result<Design, InputError> {
-    let groups = groups(format, bytes, name, options.units.unwrap_or_default())?;
+    let units = options.units.or_else(|| units_said(bytes)).unwrap_or_default();
+    let groups = groups(format, bytes, name, units)?;
     let panel = |(name, triangles): (String, Triangles)| {
         let mesh = options.mesh.applied(PanelMesh::new(triangles));
         DesignPanel::new(name, PanelShape::Mesh(mesh), NO_SAMPLES)

@@ -4,6 +4,7 @@
 mod failure;
 mod join;
 mod mesh;
+mod scale;
 mod shorthand;
 mod vary;
 
