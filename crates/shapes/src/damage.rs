@@ -69,9 +69,9 @@ pub fn open(random: &mut Random) -> Mesh {
     })
 }
 
-/// A random closed prism with 3 to 5 sides, cut off askew at the top, each of random cells; its ends
-/// are fans. No two of its edges are as long, so that the shortest cuts through its corners are
-/// known, and cut open it lies flat exactly.
+/// A random closed prism with 3 to 5 sides, cut off askew at the top, each of random cells; its
+/// ends are fans. No two of its edges are as long, so that the shortest cuts through its corners
+/// are known, and cut open it lies flat exactly.
 pub fn closed(random: &mut Random) -> Mesh {
     let (sides, rows) = (3 + random.below(3), 1 + random.below(3));
     let (radius, height) = (random.between(20.0, 200.0), random.between(20.0, 300.0));

@@ -5,15 +5,14 @@
 //! with equal coordinates, to the last bit, one again.
 
 use super::build::Builder;
+use super::limited::limited;
 use super::scan::{Cursor, cut_off};
 use super::{NO_SURFACE, too_many};
 use crate::reading::InputError;
-use serde::de::{Error, IgnoredAny, SeqAccess, Visitor};
-use serde::{Deserialize, Deserializer};
+use serde::Deserialize;
+use serde::de::IgnoredAny;
 use sheetwright::math::Vec3;
 use sheetwright::mesh::MAX_TRIANGLES;
-use std::fmt;
-use std::marker::PhantomData;
 
 const DAMAGED: &str = "The file is damaged: export it again.";
 const EXPORT: &str = "Export it as one .glb file without compression, or as OBJ, PLY or STL.";
@@ -27,9 +26,8 @@ const F32: u32 = 5126;
 const TRIANGLES: u32 = 4;
 const STRIP: u32 = 5;
 const FAN: u32 = 6;
-/// The most entries of a list, and the most bytes of the JSON: in memory, an entry may take a
-/// hundred times the bytes that it has in the file.
-const MOST_ENTRIES: usize = 100_000;
+/// The most bytes of the JSON: in memory, an entry may take ten times the bytes that it has in the
+/// file.
 const MOST_JSON: usize = 64 << 20;
 
 #[derive(Deserialize)]
@@ -118,30 +116,6 @@ struct BufferView {
 #[serde(default)]
 struct Buffer {
     uri: Option<String>,
-}
-
-/// A list of at most [`MOST_ENTRIES`].
-fn limited<'de, D: Deserializer<'de>, T: Deserialize<'de>>(from: D) -> Result<Vec<T>, D::Error> {
-    struct Limited<T>(PhantomData<T>);
-    impl<'de, T: Deserialize<'de>> Visitor<'de> for Limited<T> {
-        type Value = Vec<T>;
-
-        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-            write!(f, "a list of at most {MOST_ENTRIES} entries")
-        }
-
-        fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Vec<T>, A::Error> {
-            let mut found = Vec::new();
-            while let Some(entry) = list.next_element()? {
-                if found.len() == MOST_ENTRIES {
-                    return Err(A::Error::custom(format!("more than {MOST_ENTRIES} entries")));
-                }
-                found.push(entry);
-            }
-            Ok(found)
-        }
-    }
-    from.deserialize_seq(Limited(PhantomData))
 }
 
 /// An affine map: three columns and the image of the origin.

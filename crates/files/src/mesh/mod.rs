@@ -11,6 +11,7 @@
 
 mod build;
 mod glb;
+mod limited;
 mod obj;
 mod ply;
 mod polygon;

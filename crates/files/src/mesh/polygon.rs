@@ -4,8 +4,8 @@
 //! more corners is projected along its mean normal (Newell's). Its ears, convex corners whose
 //! triangle contains no other corner, are cut off one by one, those with the shortest cut first. A
 //! polygon may pass through a corner twice, as where a bridge leads to a hole or a slit begins; and
-//! go out to a point and straight back, which has no area and is left out. One that can't be divided
-//! in this way, because it crosses itself, becomes a fan.
+//! go out to a point and straight back, which has no area and is left out. One that can't be
+//! divided in this way, because it crosses itself, becomes a fan.
 
 use sheetwright::math::{Point2, Point3, Vec3, unit};
 use sheetwright::predicate::orientation;

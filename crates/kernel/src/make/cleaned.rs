@@ -15,8 +15,8 @@ pub(super) struct Cleaned {
     pub(super) healings: Vec<Healing>,
 }
 
-/// The meshes of a design as they were cleaned last. While a handle is dragged, no mesh changes, and
-/// a large one takes longer to heal than a frame.
+/// The meshes of a design as they were cleaned last. While a handle is dragged, no mesh changes,
+/// and a large one takes longer to heal than a frame.
 #[derive(Clone, Debug, Default)]
 pub(super) struct LastCleaned {
     from: Vec<Option<Arc<Triangles>>>,
@@ -40,9 +40,9 @@ impl LastCleaned {
 }
 
 /// The triangles of each panel that is to be made, healed and without parts that are too small;
-/// `None` for a panel that is no mesh, or of which no triangle is left. Parts left out of such a panel are
-/// counted with the first panel that is kept. If no mesh has a triangle left, all stay as they are
-/// and fail in `make` with their own errors.
+/// `None` for a panel that is no mesh, or of which no triangle is left. Parts left out of such a
+/// panel are counted with the first panel that is kept. If no mesh has a triangle left, all stay as
+/// they are and fail in `make` with their own errors.
 pub(super) fn cleaned(design: &Design) -> Vec<Option<Cleaned>> {
     cleaned_of(&meshes(design).collect::<Vec<_>>())
 }

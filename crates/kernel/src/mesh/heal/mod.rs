@@ -11,9 +11,9 @@
 //! 4. where more than two triangles share a side, the mesh is parted ([`parted`]);
 //! 5. triangles and closed components that face the wrong way are turned round ([`turned`]).
 //!
-//! No vertex moves by more than [`Tolerance::JOINED`] of the size of the mesh, and a mesh that needs
-//! none of this stays as it is. What is meant to be apart comes as several meshes, each healed
-//! alone. A surface with one side only can't be healed; `Mesh::new` refuses it.
+//! No vertex moves by more than [`Tolerance::JOINED`] of the size of the mesh, and a mesh that
+//! needs none of this stays as it is. What is meant to be apart comes as several meshes, each
+//! healed alone. A surface with one side only can't be healed; `Mesh::new` refuses it.
 
 mod doubled;
 mod fillers;
