@@ -2,7 +2,7 @@
 //! far the mesh lies from it. Where it lies near, the panel is developable but for noise, and a
 //! design of its border is the better input: it unrolls exactly.
 
-use crate::mesh::{Mesh, nearest_in};
+use crate::mesh::Mesh;
 use crate::surface::{Connectivity, Surface};
 use sheetwright_geometry::boundary::{
     Boundary, PlaneChoice, samples_from_points, supporting_plane,

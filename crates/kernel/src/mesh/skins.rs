@@ -7,12 +7,12 @@
 //! and everywhere as far, the mesh is such a plate. Round a sharp bend, the nearest point of the
 //! other skin is the bend itself, at most √2 thicknesses away.
 
-use super::nearest::nearest_in;
 use super::tree::{Extent, Tree};
 use super::{Component, Mesh};
 use sheetwright_geometry::disjoint::DisjointSets;
 use sheetwright_geometry::index::TriangleIndex;
 use sheetwright_geometry::math::{Point3, Vec3, unit};
+use sheetwright_geometry::triangle::nearest_in_triangle;
 
 /// A plate is at least twenty times as wide as it is thick. What is thicker is a body.
 const MOST_THICKNESS: f64 = 0.05;
@@ -114,7 +114,7 @@ fn behind(corners: &[[Point3; 3]], normals: &[Vec3], reach: f64) -> Vec<Behind> 
                 if normal.dot(normals[other]) > FACES_AWAY {
                     return;
                 }
-                let there = nearest_in(corners[other], here);
+                let there = nearest_in_triangle(corners[other], here);
                 let distance = here.distance(there);
                 let is_first = found.1.is_none_or(|(least, n)| (distance, other) < (least, n));
                 if distance <= found.0 && is_first && (there - here).dot(normal) < 0.0 {
