@@ -2,19 +2,23 @@
 //! MESH.obj`; without a file, a surface of its own, as fine as `--cells N` says, which `--write
 //! FILE` only writes.
 //!
+//! `--closed N` instead times how a closed scan of 12 N² triangles is cut, flattened and judged.
+//!
 //! A line for each way: its name, seconds (the least of three runs, one thread), the mean and the
 //! largest relative length error (every side counting the same), triangles turned over, steps, and
 //! how it ended. The time is all from a validated mesh to the pattern with its overlap looked for;
 //! reading and validating are told apart. `bench/peers/flatten` puts other programs beside it.
 #![allow(clippy::print_stdout, clippy::unwrap_used)] // it prints; what fails should stop it
 
+use sheetwright::design::{Design, DesignPanel, PanelMesh, PanelShape, Triangles};
 use sheetwright::flatten::{Aim, RelaxOptions, relax};
 use sheetwright::index::VertexIndex;
+use sheetwright::make::make;
 use sheetwright::math::Point3;
 use sheetwright::measure::distortion;
 use sheetwright::mesh::Mesh;
 use sheetwright::watch::Unwatched;
-use sheetwright_shapes::meshes::bumpy;
+use sheetwright_shapes::meshes::{bumpy, bumpy_ball};
 use std::time::Instant;
 
 const RUNS: usize = 3;
@@ -26,6 +30,7 @@ fn main() {
     while let Some(argument) = arguments.next() {
         match argument.as_str() {
             "--cells" => cells = arguments.next().unwrap().parse().unwrap(),
+            "--closed" => return closed(arguments.next().unwrap().parse().unwrap()),
             "--write" => return write_obj(&arguments.next().unwrap(), &bumpy(cells)),
             _ => file = Some(argument),
         }
@@ -73,6 +78,23 @@ fn main() {
             if flat.flat.overlap.is_some() { " overlaps" } else { "" }
         );
     }
+}
+
+/// Prints the seconds that making a closed, bumpy ball of 12 `cells`² triangles takes, the least of
+/// three runs.
+fn closed(cells: usize) {
+    let mesh = bumpy_ball(cells, 0.05);
+    let (positions, triangles) = (mesh.positions().to_vec(), mesh.triangles().to_vec());
+    let mesh = PanelMesh::new(Triangles { positions, triangles, left_out: 0 });
+    let panel = DesignPanel::new("ball", PanelShape::Mesh(mesh), 100);
+    let design = Design { panels: vec![panel], ..Design::default() };
+    let mut least = f64::INFINITY;
+    for _ in 0..RUNS {
+        let start = Instant::now();
+        make(&design, &mut Unwatched).unwrap();
+        least = least.min(start.elapsed().as_secs_f64());
+    }
+    println!("closed, {} triangles: {least:.2} s", 12 * cells * cells);
 }
 
 fn write_obj(path: &str, mesh: &Mesh) {

@@ -123,3 +123,52 @@ pub fn bumpy(cells: usize) -> Mesh {
         Point3::new(radius * sin(x), y, radius * cos(x))
     })
 }
+
+/// A closed mesh about the origin: the six sides of a cube of `cells` × `cells` blown up to the
+/// distance that `radius` tells for a unit direction, mm; it is asked once a vertex.
+pub fn ball(cells: usize, mut radius: impl FnMut(Point3) -> f64) -> Mesh {
+    let mut numbers = std::collections::BTreeMap::new();
+    let mut positions = Vec::new();
+    let mut triangles = Vec::new();
+    let side = |n: usize| {
+        let share = 2.0 * n as f64 / cells as f64 - 1.0;
+        let angle = std::f64::consts::FRAC_PI_4 * share;
+        sin(angle) / cos(angle)
+    };
+    for (axis, far) in (0..6).map(|n| (n / 2, n % 2)) {
+        let mut vertex = |i: usize, j: usize| {
+            let mut at = [0; 3];
+            (at[axis], at[(axis + 1) % 3], at[(axis + 2) % 3]) = (far * cells, i, j);
+            *numbers.entry(at).or_insert_with(|| {
+                let way = at.map(side);
+                let length = way.iter().map(|x| x * x).sum::<f64>().sqrt();
+                let [x, y, z] = way.map(|x| x / length);
+                let way = Point3::new(x, y, z);
+                positions.push(Point3::from_vec(way.to_vec() * radius(way)));
+                VertexIndex::new(positions.len() - 1)
+            })
+        };
+        for i in 0..cells {
+            for j in 0..cells {
+                let [a, b] = [vertex(i, j), vertex(i + 1, j)];
+                let [c, d] = [vertex(i + 1, j + 1), vertex(i, j + 1)];
+                let halves =
+                    if (i + j) % 2 == 0 { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] };
+                let outwards =
+                    |[a, b, c]: [VertexIndex; 3]| if far == 1 { [a, b, c] } else { [a, c, b] };
+                triangles.extend(halves.map(outwards));
+            }
+        }
+    }
+    Mesh::new(positions, triangles).expect("a ball is a mesh")
+}
+
+/// A ball of 100 mm with bumps of 5 mm, as rough as a scan: each vertex is off by up to `rough`
+/// mm. It has 12 `cells`² triangles.
+pub fn bumpy_ball(cells: usize, rough: f64) -> Mesh {
+    let mut random = Random::new(7);
+    ball(cells, |p| {
+        let bumps = sin(5.0 * p.x + 1.0) * sin(4.0 * p.y) * cos(3.0 * p.z + 0.5);
+        100.0 + 5.0 * bumps + random.between(-rough, rough)
+    })
+}

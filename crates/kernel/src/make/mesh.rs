@@ -1,10 +1,11 @@
 //! Panels that come as a mesh: divided into parts, cut where they must be, and laid flat.
 //!
 //! Each connected component of a mesh becomes a part. A part that is closed or has a handle is cut
-//! open; one with holes or open at both ends is laid flat as it is, and cut from border to border
-//! where that leaves less than half of the error.
+//! open as far as that serves (`opened`); one with holes or open at both ends is laid flat as it
+//! is, and cut from border to border where that leaves less than half of the error.
 
 use super::cleaned::Cleaned;
+use super::opened::opened;
 use super::part::{Given, Joint, Origin, Part};
 use super::rebuilt::rebuilt;
 use super::skins::with_skin;
@@ -14,7 +15,7 @@ use crate::design::{Design, DesignPanel, PanelMesh};
 use crate::flatten::{Aim, RelaxOptions, Relaxed, relax};
 use crate::material::{Material, stretch_limit};
 use crate::measure::{CutFrom, Distortion, cut_suggestion, distortion, measures};
-use crate::mesh::{Cut, Healing, Mesh, MeshError, Specks, cut_to_disk, separated};
+use crate::mesh::{Cut, Healing, Mesh, MeshError, Specks, separated};
 use crate::pattern::Piece;
 use crate::sheet::{Seam, Sheet, cut_along, split_along_creases};
 use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
@@ -27,6 +28,12 @@ use std::collections::BTreeSet;
 const MUCH_LESS: f64 = 0.5;
 /// The most points that a part is cut to: after each cut it is laid flat again.
 const MOST_DARTS: usize = 12;
+
+/// The most steps of flattening times vertices: a scan of 100,000 triangles takes some seconds.
+/// Steps after the first few hardly lower its errors.
+const MOST_WORK: usize = 400_000;
+/// So many steps are taken in any case.
+const LEAST_STEPS: usize = 8;
 
 /// The most parts of a mesh.
 const MAX_MESH_PARTS: usize = 1000;
@@ -192,7 +199,9 @@ struct Laid {
 fn lay(mesh: &Mesh, cut: &Cut, aim: Aim, watch: &mut dyn Watch) -> Result<Laid, MakeCause> {
     let sheet =
         cut_along(mesh, cut).map_err(|error| MakeCause::Mesh { error, places: Vec::new() })?;
-    let relaxing = RelaxOptions { aim, ..RelaxOptions::default() };
+    let RelaxOptions { most_steps, .. } = RelaxOptions::default();
+    let most_steps = (MOST_WORK / sheet.mesh().positions().len()).clamp(LEAST_STEPS, most_steps);
+    let relaxing = RelaxOptions { aim, most_steps };
     let relaxed = relax(sheet.mesh(), &relaxing, watch).map_err(MakeCause::Relax)?;
     let distortion = distortion(sheet.mesh(), &relaxed.flat.points);
     Ok(Laid { sheet, relaxed, distortion })
@@ -208,13 +217,14 @@ fn laid_well(
     let aim = settings.aim;
     let piece = &mesh.components()[0];
     let needs_cut = piece.is_closed() || piece.handles() > 0;
-    let mut cut = if needs_cut { cut_to_disk(mesh) } else { Cut::new() };
+    let may_be_closed = needs_cut || piece.is_disk();
+    let mut cut = if may_be_closed { opened(mesh, watch) } else { Cut::new() };
     let mut closed = lay(mesh, &cut, aim, watch);
     if !needs_cut && !piece.is_disk() && is_poor(&closed, limit) && !watch.stop() {
-        let opened = cut_to_disk(mesh);
-        let open = lay(mesh, &opened, aim, watch);
+        let more = opened(mesh, watch);
+        let open = lay(mesh, &more, aim, watch);
         if is_better(&open, &closed) {
-            (cut, closed) = (opened, open);
+            (cut, closed) = (more, open);
         }
     }
     let mut laid = closed?;

@@ -12,6 +12,7 @@ mod judged;
 mod laid;
 mod live;
 mod mesh;
+mod opened;
 mod other;
 mod part;
 mod rebuilt;

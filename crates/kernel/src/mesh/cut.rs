@@ -14,7 +14,7 @@
 //! angle defect, the Gauss curvature that sits in the vertex).
 
 use super::Mesh;
-use super::ways::Ways;
+use super::ways::{Search, Ways};
 use sheetwright_geometry::disjoint::DisjointSets;
 use sheetwright_geometry::index::VertexIndex;
 use sheetwright_geometry::math::{angle_between, from_deg};
@@ -67,6 +67,10 @@ pub fn cut_to_disk(mesh: &Mesh) -> Cut {
             points = ends(mesh).to_vec();
         }
         cut_through(mesh, &mut cut, &points);
+        // A cut along one side opens nothing.
+        if cut.len() < 2 {
+            cut_through(mesh, &mut cut, &[farthest(mesh, &points)]);
+        }
     }
     cut
 }
@@ -145,27 +149,33 @@ pub fn cut_through(mesh: &Mesh, cut: &mut Cut, points: &[VertexIndex]) {
     }
     let mut left: BTreeSet<VertexIndex> =
         points.iter().copied().filter(|v| !reached[v.get()]).collect();
-    while !left.is_empty() {
-        let sources: Vec<VertexIndex> =
-            (0..reached.len()).filter(|&v| reached[v]).map(VertexIndex::new).collect();
-        let ways = Ways::from(mesh, &sources, |v| left.contains(&v));
-        let Some(found) = ways.found else { break };
-        for n in ways.back(edges, found) {
+    let sources: Vec<VertexIndex> =
+        (0..reached.len()).filter(|&v| reached[v]).map(VertexIndex::new).collect();
+    let mut search = Search::new(mesh, &sources);
+    while let Some(found) = search.next(|v| left.contains(&v)) {
+        let way: Vec<usize> = search.ways.back(edges, found).collect();
+        search.add(found);
+        left.remove(&found);
+        for n in way {
             cut.insert(n);
-            edges[n].ends.iter().for_each(|end| reached[end.get()] = true);
+            for end in edges[n].ends {
+                search.add(end);
+                left.remove(&end);
+            }
         }
-        left.retain(|v| !reached[v.get()]);
     }
 }
 
 /// Two points that lie far apart: the farthest from the first vertex, and the farthest from that.
 fn ends(mesh: &Mesh) -> [VertexIndex; 2] {
-    let farthest = |from: VertexIndex| {
-        let ways = Ways::from(mesh, &[from], |_| false);
-        let far = |v: usize| if ways.length[v].is_finite() { ways.length[v] } else { 0.0 };
-        let best = (0..ways.length.len()).reduce(|a, b| if far(b) > far(a) { b } else { a });
-        VertexIndex::new(best.unwrap_or(0))
-    };
-    let one = farthest(VertexIndex::new(0));
-    [one, farthest(one)]
+    let one = farthest(mesh, &[VertexIndex::new(0)]);
+    [one, farthest(mesh, &[one])]
+}
+
+/// The vertex that lies farthest from some, along sides.
+fn farthest(mesh: &Mesh, from: &[VertexIndex]) -> VertexIndex {
+    let ways = Ways::from(mesh, from, |_| false);
+    let far = |v: usize| if ways.length[v].is_finite() { ways.length[v] } else { 0.0 };
+    let best = (0..ways.length.len()).reduce(|a, b| if far(b) > far(a) { b } else { a });
+    VertexIndex::new(best.unwrap_or(0))
 }

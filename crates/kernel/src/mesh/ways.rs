@@ -40,37 +40,9 @@ impl Ways {
         sources: &[VertexIndex],
         is_goal: impl Fn(VertexIndex) -> bool,
     ) -> Self {
-        let edges = mesh.edges();
-        let lengths = mesh.lengths();
-        let at = Around::of(mesh);
-        let count = mesh.positions().len();
-        let mut ways =
-            Self { length: vec![f64::INFINITY; count], by: vec![None; count], found: None };
-        let mut next = BinaryHeap::new();
-        for &source in sources {
-            ways.length[source.get()] = 0.0;
-            next.push(Reached(0.0, source));
-        }
-        while let Some(Reached(length, vertex)) = next.pop() {
-            if length > ways.length[vertex.get()] {
-                continue;
-            }
-            if is_goal(vertex) {
-                ways.found = Some(vertex);
-                break;
-            }
-            for &n in at.edges(vertex) {
-                let [a, b] = edges[n].ends;
-                let other = if a == vertex { b } else { a };
-                let longer = length + lengths[n];
-                if longer < ways.length[other.get()] {
-                    ways.length[other.get()] = longer;
-                    ways.by[other.get()] = Some(n);
-                    next.push(Reached(longer, other));
-                }
-            }
-        }
-        ways
+        let mut search = Search::new(mesh, sources);
+        search.ways.found = search.next(is_goal);
+        search.ways
     }
 
     /// The vertices of the way back from a vertex, itself the first.
@@ -97,6 +69,61 @@ impl Ways {
             vertex = if a == vertex { b } else { a };
             Some(n)
         })
+    }
+}
+
+/// A search for shortest ways that goes on where it stopped, with more sources if need be.
+pub(crate) struct Search<'a> {
+    edges: &'a [MeshEdge],
+    lengths: Vec<f64>,
+    at: Around,
+    next: BinaryHeap<Reached>,
+    pub(super) ways: Ways,
+}
+
+impl<'a> Search<'a> {
+    pub(super) fn new(mesh: &'a Mesh, sources: &[VertexIndex]) -> Self {
+        let count = mesh.positions().len();
+        let mut search = Self {
+            edges: mesh.edges(),
+            lengths: mesh.lengths(),
+            at: Around::of(mesh),
+            next: BinaryHeap::new(),
+            ways: Ways { length: vec![f64::INFINITY; count], by: vec![None; count], found: None },
+        };
+        sources.iter().for_each(|&source| search.add(source));
+        search
+    }
+
+    /// Takes a vertex as a source from now on.
+    pub(super) fn add(&mut self, source: VertexIndex) {
+        self.ways.length[source.get()] = 0.0;
+        self.ways.by[source.get()] = None;
+        self.next.push(Reached(0.0, source));
+    }
+
+    /// The nearest vertex for which `is_goal`, once all nearer ones are reached; ways to all where
+    /// there is none.
+    pub(super) fn next(&mut self, is_goal: impl Fn(VertexIndex) -> bool) -> Option<VertexIndex> {
+        while let Some(Reached(length, vertex)) = self.next.pop() {
+            if length > self.ways.length[vertex.get()] {
+                continue;
+            }
+            if is_goal(vertex) {
+                return Some(vertex);
+            }
+            for &n in self.at.edges(vertex) {
+                let [a, b] = self.edges[n].ends;
+                let other = if a == vertex { b } else { a };
+                let longer = length + self.lengths[n];
+                if longer < self.ways.length[other.get()] {
+                    self.ways.length[other.get()] = longer;
+                    self.ways.by[other.get()] = Some(n);
+                    self.next.push(Reached(longer, other));
+                }
+            }
+        }
+        None
     }
 }
 

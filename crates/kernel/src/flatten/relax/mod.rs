@@ -211,6 +211,20 @@ pub fn relax_lengths(
     Ok(Relaxed { flat, flipped, ended, steps: run.steps })
 }
 
+/// How much a conformal flat form of a mesh of one piece, whose border keeps its lengths, scales
+/// at every vertex: the size of the logarithm of the factor, 0 on the border. `None` where no such
+/// form is found.
+///
+/// # Errors
+/// See [`RelaxError`].
+pub(crate) fn conformal_scales(mesh: &Mesh) -> Result<Option<Vec<f64>>, RelaxError> {
+    check(mesh.topology())?;
+    let lengths = mesh.lengths();
+    let shapes = shapes(mesh.topology(), &lengths)
+        .map_err(|triangle| RelaxError::NoTriangle { triangle })?;
+    start::scales(mesh.topology(), &lengths, &shapes)
+}
+
 /// The largest and the smallest stretch of a triangle, without unit: how much longer its directions
 /// are in the plane than in space. The smallest is negative where it is turned over; both are 1
 /// where its lengths are kept. `None` where the lengths, in the order of its sides from the first

@@ -20,7 +20,7 @@ use super::RelaxError;
 use super::shape::{Shape, flipped, goes_round_once};
 use crate::mesh::Topology;
 use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
-use sheetwright_geometry::math::sparse::{Factor, Plan, TooLarge};
+use sheetwright_geometry::math::sparse::{Factor, Plan, TooLarge, elimination_order};
 use sheetwright_geometry::math::{Point2, Vec2, cos, sin};
 use std::f64::consts::{FRAC_1_PI, PI, TAU};
 
@@ -65,6 +65,28 @@ pub(super) fn start(
         return Ok(Some(points));
     }
     Ok(disk.in_circle(&plan, lengths)?.filter(is_embedded))
+}
+
+/// How much the conformal form scales at every vertex: |u|, 0 on the border. `None` where rounding
+/// or very obtuse triangles leave no factor.
+pub(super) fn scales(
+    topology: &Topology,
+    lengths: &[f64],
+    shapes: &[Shape],
+) -> Result<Option<Vec<f64>>, RelaxError> {
+    let disk = Disk::new(topology, lengths, shapes)?;
+    let order = elimination_order(disk.pairs_inner(), &disk.pairs).map_err(too_large)?;
+    let plan = Plan::<1>::new(&order, &disk.pairs).map_err(too_large)?;
+    let (Some(factor), _) = disk.laplacian(&plan, half_cotangents)? else { return Ok(None) };
+    let minus_u = disk.minus_u(&factor, &disk.turn());
+    let of = |inner: &Option<usize>| inner.map_or(0.0, |inner| minus_u[inner][0].abs());
+    Ok(Some(disk.inner[..topology.vertices()].iter().map(of).collect()))
+}
+
+/// Half the cotangent of the angle opposite to each side.
+fn half_cotangents(shape: &Shape) -> [f64; 3] {
+    let [a, b, c] = shape.cotangents();
+    [0.5 * c, 0.5 * a, 0.5 * b]
 }
 
 fn too_large(_: TooLarge) -> RelaxError {
@@ -163,15 +185,21 @@ impl<'a> Disk<'a> {
         plan: &Plan<1>,
         lengths: &[f64],
     ) -> Result<Option<Vec<Point2>>, RelaxError> {
-        // Half the cotangent of the angle opposite to each side.
-        let half_cotangents = |shape: &Shape| {
-            let [a, b, c] = shape.cotangents();
-            [0.5 * c, 0.5 * a, 0.5 * b]
-        };
         let (Some(factor), across) = self.laplacian(plan, half_cotangents)? else {
             return Ok(None);
         };
-        // The exterior angle at the border; inside, the angle that is missing.
+        let mut turn = self.turn();
+        let minus_u = self.minus_u(&factor, &turn);
+        for &(inner, v, w) in &across {
+            // (A·u) at the border, with u = 0 there.
+            turn[v] += w * minus_u[inner][0];
+        }
+        let outline = self.outline(lengths, &turn);
+        Ok(outline.map(|outline| self.harmonic(&factor, &across, &outline)))
+    }
+
+    /// The exterior angle at the border; inside, the angle that is missing.
+    fn turn(&self) -> Vec<f64> {
         let mut turn = vec![TAU; self.vertices];
         for &v in &self.border {
             turn[v] = PI;
@@ -181,6 +209,11 @@ impl<'a> Disk<'a> {
                 turn[*v] -= angle;
             }
         }
+        turn
+    }
+
+    /// −u at every inner vertex, with u = 0 on the border.
+    fn minus_u(&self, factor: &Factor<'_, 1>, turn: &[f64]) -> Vec<[f64; 1]> {
         let mut missing = vec![[0.0]; self.pairs_inner()];
         for (v, inner) in self.inner.iter().enumerate() {
             if let Some(inner) = inner {
@@ -188,12 +221,7 @@ impl<'a> Disk<'a> {
             }
         }
         let [minus_u] = factor.solve([&missing]);
-        for &(inner, v, w) in &across {
-            // (A·u) at the border, with u = 0 there.
-            turn[v] += w * minus_u[inner][0];
-        }
-        let outline = self.outline(lengths, &turn);
-        Ok(outline.map(|outline| self.harmonic(&factor, &across, &outline)))
+        minus_u
     }
 
     fn pairs_inner(&self) -> usize {
