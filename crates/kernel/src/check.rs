@@ -36,10 +36,6 @@ use sheetwright_geometry::math::Point3;
 use sheetwright_geometry::tolerance::Tolerance;
 use sheetwright_optimum::triangulate::Triangulation;
 
-/// Up to this share of its limit, a sheet takes its shape without force; above it, with force. A
-/// third: a choice, not a measurement, so that a warning comes well before the limit.
-pub const EASY_SHARE: f64 = 1.0 / 3.0;
-
 /// A part with everything that its check needs.
 #[derive(Clone, Copy, Debug)]
 pub struct Subject<'a> {
@@ -49,7 +45,7 @@ pub struct Subject<'a> {
     pub flat: &'a Flattened,
     /// Its measures.
     pub measures: &'a Measures,
-    /// The strain that it is predicted to have; `None` of a mesh.
+    /// The strain that it is predicted to have; `None` of one triangle that was found.
     pub predicted: Option<&'a Predicted>,
     /// Its material, if one is named.
     pub material: Option<&'a Material>,

@@ -103,6 +103,10 @@ pub const DEFAULT_WARP_LIMIT_DEG: f64 = 6.0;
 /// [`sheetwright_geometry::tolerance::Tolerance::MOST_STRETCH`].
 pub const DEFAULT_STRETCH_LIMIT: f64 = 1e-3;
 
+/// Up to this share of its limit, a sheet takes its shape without force; above it, with force. A
+/// third: a choice, not a measurement, so that a warning comes well before the limit.
+pub const EASY_SHARE: f64 = 1.0 / 3.0;
+
 /// The thickness of an unknown sheet, as a share of the side of a square with its area: a
 /// millimetre for a square metre. Assumed, so that the verdict on a shape does not depend on its
 /// unit.

@@ -51,6 +51,7 @@ fn spikes_that_stand_side_by_side_are_cut_through_and_on() {
         let part = made(&spiked(spikes, height));
         assert!(!part.sheet.mesh().loops().is_empty());
         assert!(factor(&part) < 6.0, "{spikes:?} {height}: {}", factor(&part));
+        assert!(part.predicted.unwrap().strain < 0.5, "{spikes:?} {height}");
     }
 }
 

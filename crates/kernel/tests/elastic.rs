@@ -106,6 +106,25 @@ fn a_plate_that_is_pressed_together_buckles_the_same_way_each_time() {
     assert_eq!(found(), buckled);
 }
 
+#[test]
+fn a_pattern_that_is_too_small_is_fitted_to_its_sheet() {
+    // A plate whose pattern is 0.2 % too short one way and 0.1 % the other.
+    let line = |y: f64| (0..40).map(|i| Point3::new(300.0 * i as f64 / 39.0, y, 0.0)).collect();
+    let plate = Sheet::whole(&strip(line(0.0), line(200.0)));
+    let points = plate.mesh().positions().iter().map(|p| Point2::new(0.998 * p.x, 0.999 * p.y));
+    let flat = Flattened { points: points.collect(), overlap: None };
+    let found = |fits: usize| {
+        let options = ElasticOptions { fits, fitted: 1e-6, ..ElasticOptions::default() };
+        elastic(&plate, &flat, steel(1.0, 0.3), &options, &mut Unwatched).unwrap()
+    };
+    let strained = found(0).strain();
+    assert!((strained / 0.002 - 1.0).abs() < 0.01, "{strained}");
+    let fitted = found(3);
+    assert!(fitted.strain() < 1e-5, "{}", fitted.strain());
+    let far = |way: f64| fitted.moves.iter().map(|m| m.length()).fold(way, f64::max);
+    assert!((0.2..0.5).contains(&far(0.0)), "{}", far(0.0));
+}
+
 /// A strip whose rails lie on a helicoid: `turn` radians in all.
 fn helicoid(length: f64, width: f64, turn: f64) -> Surface {
     let rail = |side: f64| -> Vec<Point3> {

@@ -136,23 +136,16 @@ fn of_surfaces() -> Vec<Finding> {
 
 fn of_meshes() -> Vec<Finding> {
     let (a, b) = (Point3::new(-0.01, 2.0, 3.25), Point3::new(7.0, 8.0, 9.0));
-    let (largest, limit, at) = (0.0123, 0.001, Place::Points { at: vec![a] });
-    let stretch = |cut, has_darts, has_creases| Kind::StretchTooLarge {
-        largest,
-        limit,
-        sheet: sheet(),
-        cut,
-        has_darts,
-        has_creases,
-    };
+    let at = Place::Points { at: vec![a] };
+    let divide = |cut, has_darts, has_creases| Kind::Divide { cut, has_darts, has_creases };
     let mesh_seams = |count: usize| Place::Seams {
         seams: (0..count).map(|number| SeamPlace { number, ends: None }).collect(),
     };
     let mut all = vec![
-        Finding::new(stretch(Some([a, b]), false, true), at.clone()),
-        Finding::new(stretch(None, true, false), Place::Whole),
-        Finding::new(Kind::StretchHigh { largest: 0.0007, limit, sheet: None }, at.clone()),
-        Finding::new(Kind::Stretch { largest: 0.0001 }, at.clone()),
+        Finding::new(divide(Some([a, b]), false, true), at.clone()),
+        Finding::new(divide(None, true, false), Place::Whole),
+        Finding::new(Kind::Stretch { stretch: 2.5, shrink: 0.047 }, at.clone()),
+        Finding::new(Kind::Stretch { stretch: f64::INFINITY, shrink: 0.0 }, at.clone()),
         Finding::new(Kind::Overlap, Place::Points { at: vec![a, b] }),
         Finding::new(
             Kind::Seams { count: 1, length_mm: 55.0, why: SeamCause::Closed },

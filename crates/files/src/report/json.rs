@@ -86,8 +86,7 @@ struct PanelReport<'a> {
     /// The largest warp angle that is accepted, degrees: the material's, or the default without
     /// one.
     warp_limit_deg: f64,
-    /// The strain within its plane that 95 % of the sheet stays below, in its shape. Without unit;
-    /// null for a mesh.
+    /// The strain within its plane that 95 % of the sheet stays below, in its shape. Without unit.
     strain_p95: Option<f64>,
     /// The least and the greatest that this may be.
     strain_range: Option<[f64; 2]>,
@@ -95,8 +94,9 @@ struct PanelReport<'a> {
     /// one.
     strain_limit: f64,
     /// How the strain was found: `computed` on an elastic sheet, or by a formula: `quick`, `no-net`
-    /// where the outline can't be divided into triangles, `no-rest` where the sheet found no rest.
-    #[schemars(extend("enum" = [Some("computed"), Some("quick"), Some("no-net"), Some("no-rest"), None::<&str>]))]
+    /// where the outline can't be divided into triangles, `no-rest` where the sheet found no rest;
+    /// `pattern` by the triangles of a mesh for which no sheet was computed.
+    #[schemars(extend("enum" = [Some("computed"), Some("quick"), Some("no-net"), Some("no-rest"), Some("pattern"), None::<&str>]))]
     strain_by: Option<&'static str>,
     /// The strain of the outer fibre that 95 % of the sheet stays below. Without unit.
     outer_fibre: Option<f64>,
@@ -403,6 +403,7 @@ fn of_part<'a>(
     checked: &'a Checked,
 ) -> PanelReport<'a> {
     let (sheet, measures) = (&part.sheet, &part.measures);
+    let predicted = part.predicted.as_ref();
     PanelReport {
         name: &part.name,
         method: "mesh",
@@ -420,17 +421,17 @@ fn of_part<'a>(
         warp_max_deg: None,
         warp_mean_deg: None,
         warp_limit_deg: warp_limit_deg(made.material.as_ref()),
-        strain_p95: None,
-        strain_range: None,
+        strain_p95: predicted.map(|p| p.strain),
+        strain_range: predicted.map(|p| p.strain_range),
         strain_limit: stretch_limit(made.material.as_ref()),
-        strain_by: None,
-        outer_fibre: None,
-        outer_fibre_limit: None,
-        thickness_mm: None,
-        hold_moment_n: None,
-        hold_load_n_per_m: None,
-        rest_distance_mm: None,
-        thickest_mm: None,
+        strain_by: predicted.map(|p| basis_name(p.basis)),
+        outer_fibre: predicted.map(Predicted::outer_fibre),
+        outer_fibre_limit: predicted.and_then(|p| p.limits.outer_fibre),
+        thickness_mm: predicted.map(|p| p.limits.thickness_mm),
+        hold_moment_n: predicted.and_then(Predicted::hold_moment_n),
+        hold_load_n_per_m: predicted.and_then(Predicted::hold_load_n_per_mm).map(|n| 1e3 * n),
+        rest_distance_mm: predicted.and_then(Predicted::rest_distance_mm),
+        thickest_mm: predicted.and_then(|p| p.thickest_mm),
         bend_radius_min_mm: None,
         gauss_area_sr: measures.gauss_area_sr,
         length_error_max: measures.length_error_max,
@@ -468,6 +469,7 @@ fn basis_name(basis: Basis) -> &'static str {
         Basis::Screen => "quick",
         Basis::NoNet => "no-net",
         Basis::NoRest => "no-rest",
+        Basis::Pattern => "pattern",
     }
 }
 
@@ -509,7 +511,6 @@ fn of_found<'a>(
 ) -> PanelReport<'a> {
     let measures = &part.measures;
     let change = found.change.as_ref();
-    let predicted = part.predicted.as_ref();
     PanelReport {
         method: found.method.name(),
         goal: Some(found.goal.name()),
@@ -522,16 +523,6 @@ fn of_found<'a>(
         twist_total: Some(measures.twist_total),
         warp_max_deg: Some(to_deg(measures.warp_max)),
         warp_mean_deg: Some(to_deg(measures.warp_mean)),
-        strain_p95: predicted.map(|p| p.strain),
-        strain_range: predicted.map(|p| p.strain_range),
-        strain_by: predicted.map(|p| basis_name(p.basis)),
-        outer_fibre: predicted.map(Predicted::outer_fibre),
-        outer_fibre_limit: predicted.and_then(|p| p.limits.outer_fibre),
-        thickness_mm: predicted.map(|p| p.limits.thickness_mm),
-        hold_moment_n: predicted.and_then(Predicted::hold_moment_n),
-        hold_load_n_per_m: predicted.and_then(Predicted::hold_load_n_per_mm).map(|n| 1e3 * n),
-        rest_distance_mm: predicted.and_then(Predicted::rest_distance_mm),
-        thickest_mm: predicted.and_then(|p| p.thickest_mm),
         bend_radius_min_mm: finite(measures.bend_radius_min_mm),
         self_intersects: Some(measures.self_crossing.is_some()),
         moved_max_mm: change.map_or(0.0, Change::moved_max_mm),

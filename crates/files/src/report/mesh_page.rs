@@ -4,7 +4,8 @@ use super::heat_picture::{NO_ERROR, heat_picture};
 use super::page::{Number, PartPage, table};
 use super::view::box_of;
 use super::wording::{
-    area, decimal, degrees, millimetres, millimetres_fine, per_cent, refold, steradians,
+    area, decimal, degrees, millimetres, millimetres_fine, per_cent, plain_per_cent, refold,
+    steradians,
 };
 use crate::mesh::aim_name;
 use maud::{Markup, PreEscaped, html};
@@ -84,6 +85,13 @@ impl MeshPage<'_> {
             @if measures.length_error_max > stretch_limit(material) {
                 " The dashed line in the scale is the limit of "
                 (material.map_or("a sheet of no named material", |m| &m.title)) "."
+            }
+            @if let Some(predicted) = &part.predicted {
+                " In its shape, 95 % of the area of the sheet stretches or shrinks by less than "
+                (plain_per_cent(predicted.strain)) ", on which the verdict rests."
+                @if let Some(distance) = predicted.rest_distance_mm().filter(|mm| *mm > 0.0) {
+                    " It lies up to " (millimetres_fine(distance)) " off the surface."
+                }
             }
             @if seams.len() == 1 {
                 " Join the two sides that are marked " b { (seam_mark(0)) } "."
@@ -168,6 +176,13 @@ impl MeshPage<'_> {
             rows.push(("Length error, by area", per_cent(distortion.length_error_mean_by_area)));
             rows.push(("Stretch, most", decimal(distortion.stretch_max, 6)));
             rows.push(("Stretch, least", decimal(distortion.stretch_min, 6)));
+        }
+        if let Some(predicted) = &self.page.part.predicted {
+            rows.push(("Strain, at 95 % of the area", plain_per_cent(predicted.strain)));
+            rows.push(("Strain that the sheet takes", plain_per_cent(predicted.limits.strain)));
+            if let Some(distance) = predicted.rest_distance_mm() {
+                rows.push(("The sheet leaves the surface by", millimetres_fine(distance)));
+            }
         }
         if let Some(rebuilt) = &self.given.rebuilt {
             rows.push(("From its border, largest", millimetres_fine(rebuilt.distance_max_mm)));

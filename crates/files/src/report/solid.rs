@@ -9,8 +9,8 @@ use sheetwright::index::{SampleIndex, TriangleIndex, VertexIndex};
 use sheetwright::make::{Found, Given, Origin, Part};
 use sheetwright::material::Material;
 use sheetwright::math::{Point2, Point3, Vec3, from_deg};
+use sheetwright::mesh::SCORED_CREASE_DEG;
 use sheetwright::mesh::crease_angles;
-use sheetwright::pattern::SCORED_CREASE_DEG;
 use sheetwright::sheet::Sheet;
 use std::collections::BTreeSet;
 

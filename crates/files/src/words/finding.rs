@@ -15,14 +15,17 @@ pub fn finding_text(finding: &Finding) -> String {
     use FindingKind as Kind;
     match &finding.kind {
         Kind::StrainTooLarge { strain, limit, sheet, thickest_mm, basis } => format!(
-            "{}. {}.{} Move the boundary, divide the panel, or choose a sheet that stretches \
-             more.",
+            "{}. {}.{} {}, or choose a sheet that stretches more.",
             must_strain(*strain, *basis),
             takes(sheet.as_ref(), &percent_fine(*limit)),
             thickest_mm.map_or(String::new(), |mm| format!(
                 " In {} mm it would take the shape.",
                 short_down(mm)
-            ))
+            )),
+            match basis {
+                Basis::Pattern => "Divide the panel",
+                _ => "Move the boundary, divide the panel",
+            }
         ),
         Kind::NeedsForce { .. } => needs_force(&finding.kind),
         Kind::Roll { radius_mm, from_mm, sheet } => format!(
@@ -39,6 +42,7 @@ pub fn finding_text(finding: &Finding) -> String {
                     "by a formula: its outline can't be divided into triangles, so no sheet was \
                      computed",
                 Basis::NoRest => "by a formula: the computed sheet did not come to rest",
+                Basis::Pattern => "by the lengths of the pattern: no sheet could be computed",
             },
             takes(sheet.as_ref(), &percent_fine(*limit))
         ),
@@ -135,16 +139,10 @@ pub fn finding_text(finding: &Finding) -> String {
             counted(*count, "a seam", "seams"),
             if *count == 1 { "long" } else { "in total" }
         ),
-        Kind::StretchTooLarge { largest, limit, sheet, cut, has_creases, .. } => format!(
-            "{} {}. {}, or choose a sheet that stretches more.",
-            must_stretch(*largest),
-            takes(sheet.as_ref(), &percent(*limit)),
-            divided(*cut, *has_creases)
-        ),
-        Kind::StretchHigh { largest, limit, sheet } => {
-            format!("{} {}.", must_stretch(*largest), takes(sheet.as_ref(), &percent(*limit)))
+        Kind::Divide { cut, has_creases, .. } => {
+            format!("{}.", divided(*cut, *has_creases))
         }
-        Kind::Stretch { largest } => must_stretch(*largest),
+        Kind::Stretch { stretch, shrink } => must_stretch(*stretch, *shrink),
         Kind::BorderNotTrue { largest } => format!(
             "The border can't keep its lengths: they differ by up to {}. Cut the panel open, or \
              divide it.",
@@ -347,7 +345,7 @@ fn cut_open(why: SeamCause) -> &'static str {
 /// By how much the sheet must stretch to take its shape; a sentence without its end.
 fn must_strain(strain: f64, basis: Basis) -> String {
     let how = match basis {
-        Basis::Computed => "must",
+        Basis::Computed | Basis::Pattern => "must",
         Basis::Screen => "probably must",
         Basis::NoNet | Basis::NoRest => "must, by a formula that is true within a factor of 2.2,",
     };
@@ -386,12 +384,17 @@ fn needs_force(kind: &FindingKind) -> String {
     format!("Bending needs force. {why}.{hold}")
 }
 
-fn must_stretch(largest: f64) -> String {
-    format!(
-        "Laid flat, lengths differ from those on the surface by up to {}: the sheet must stretch \
-         by that much.",
-        percent(largest)
-    )
+fn must_stretch(stretch: f64, shrink: f64) -> String {
+    if stretch.is_infinite() {
+        return "From the pattern to the surface, no stretch is enough: a triangle of the pattern \
+                has no area, or lies upside down."
+            .to_owned();
+    }
+    let ways = [("grow", stretch), ("shrink", shrink)].into_iter();
+    let seen = ways.filter(|(_, share)| *share > 1e-6);
+    let said: Vec<String> =
+        seen.map(|(way, share)| format!("{way} by up to {}", percent(share))).collect();
+    format!("From the pattern to the surface, lengths {}.", said.join(" and "))
 }
 
 /// The limit of a sheet, in per cent; a sentence without its end.
@@ -412,7 +415,7 @@ fn divided(cut: Option<[Point3; 2]>, has_creases: bool) -> String {
         advice.push("divide it along its sharp creases".to_owned());
     }
     advice.push("divide it into more panels in the program that exported it".to_owned());
-    first_up(&advice.join(", "))
+    first_up(&advice.join(", or "))
 }
 
 fn reduced(sheets: usize, scale: f64, most: usize, is_full: bool) -> String {

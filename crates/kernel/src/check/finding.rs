@@ -56,7 +56,7 @@ impl Verdict {
             Self::BendsAndFolds
         } else if has(|kind| matches!(kind, Kind::Roll { .. })) {
             Self::Roll
-        } else if has(|kind| matches!(kind, Kind::NeedsForce { .. } | Kind::StretchHigh { .. })) {
+        } else if has(|kind| matches!(kind, Kind::NeedsForce { .. })) {
             Self::BendsWithForce
         } else {
             Self::Bends

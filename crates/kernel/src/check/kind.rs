@@ -186,14 +186,8 @@ pub enum FindingKind {
         /// Why the pattern has seams.
         why: SeamCause,
     },
-    /// A mesh must stretch by more than the limit of the sheet.
-    StretchTooLarge {
-        /// The largest relative length error.
-        largest: f64,
-        /// The share by which the sheet stretches.
-        limit: f64,
-        /// The sheet, if one is named.
-        sheet: Option<String>,
+    /// A mesh that does not take its shape may do so when it is cut or divided.
+    Divide {
         /// A cut that would help: its end inside, and that on the border.
         cut: Option<[Point3; 2]>,
         /// Whether cuts to the worst points were made.
@@ -201,19 +195,12 @@ pub enum FindingKind {
         /// Whether the mesh has sharp creases along which it may be divided.
         has_creases: bool,
     },
-    /// A mesh must stretch so much that the sheet needs force.
-    StretchHigh {
-        /// The largest relative length error.
-        largest: f64,
-        /// The share by which the sheet stretches.
-        limit: f64,
-        /// The sheet, if one is named.
-        sheet: Option<String>,
-    },
-    /// A mesh must stretch a little.
+    /// Triangles of a mesh have other lengths on the pattern than in space.
     Stretch {
-        /// The largest relative length error.
-        largest: f64,
+        /// By how much the sheet stretches from the pattern to the shape, where that is most.
+        stretch: f64,
+        /// By how much it shrinks, where that is most.
+        shrink: f64,
     },
     /// The border of a mesh does not keep its lengths, as the aim demands.
     BorderNotTrue {
@@ -428,7 +415,6 @@ impl FindingKind {
             | Self::RadiusTooSmall { .. }
             | Self::SelfCrossing
             | Self::Overlap
-            | Self::StretchTooLarge { .. }
             | Self::Flipped { .. }
             | Self::Refold { .. }
             | Self::NotReadBack { .. } => Severity::Error,
@@ -440,8 +426,8 @@ impl FindingKind {
             | Self::NoOtherSurface
             | Self::StrainNotReached { .. }
             | Self::WindowGap { .. }
-            | Self::StretchHigh { .. }
             | Self::NotTwoSkins
+            | Self::Divide { .. }
             | Self::BorderNotTrue { .. }
             | Self::RoundedCorner { .. }
             | Self::StayedStraight { .. }
@@ -507,8 +493,7 @@ impl FindingKind {
             Self::LengthError { .. } | Self::Stretch { .. } => "length-error",
             Self::WindowGap { .. } => "window-gap",
             Self::Seams { .. } => "seam",
-            Self::StretchTooLarge { .. } => "stretch-too-large",
-            Self::StretchHigh { .. } => "stretch",
+            Self::Divide { .. } => "divide",
             Self::BorderNotTrue { .. } => "border-not-true",
             Self::Flipped { .. } => "flipped",
             Self::TrianglesLeftOut { .. } | Self::PartsLeftOut { .. } => "left-out",
@@ -540,7 +525,7 @@ impl FindingKind {
                 listed(&[(!is_one_pattern, Remedy::OtherSurface)])
             }
             Self::NotProven { cut_short, .. } => listed(&[(*cut_short, Remedy::Effort)]),
-            Self::StretchTooLarge { cut, has_darts, has_creases, .. } => listed(&[
+            Self::Divide { cut, has_darts, has_creases, .. } => listed(&[
                 (cut.is_some() && !has_darts, Remedy::Darts),
                 (*has_creases, Remedy::SplitCreases),
             ]),
@@ -569,7 +554,6 @@ impl FindingKind {
                 | Self::SelfCrossing
                 | Self::Folds { .. }
                 | Self::Creases { .. }
-                | Self::StretchTooLarge { .. }
         )
     }
 }

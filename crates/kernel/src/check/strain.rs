@@ -1,8 +1,8 @@
 //! Findings on how far a sheet stretches and bends in its shape: the verdict.
 
-use super::{Checked, EASY_SHARE, Finding, FindingKind, Place, title};
+use super::{Checked, Finding, FindingKind, Place, title};
 use crate::elastic::{Basis, Elastic, Predicted};
-use crate::material::Material;
+use crate::material::{EASY_SHARE, Material};
 use crate::measure::{Measures, RungMeasures};
 use sheetwright_geometry::math::from_deg;
 

@@ -1,12 +1,10 @@
-//! Findings on a mesh that was laid flat: how much must the sheet stretch?
+//! Findings on a mesh that was laid flat: how much must the sheet stretch, and where would a cut
+//! help?
 
-use super::{
-    EASY_SHARE, Finding, FindingKind, MeshOrigin, Place, SeamCause, Subject, overlap, seams, title,
-};
-use crate::material::stretch_limit;
+use super::{Finding, FindingKind, MeshOrigin, Place, SeamCause, Subject};
+use super::{overlap, seams, strain, title};
 use crate::measure::Distortion;
-use crate::mesh::{Healing, Specks, crease_angles};
-use crate::pattern::SCORED_CREASE_DEG;
+use crate::mesh::{Healing, SCORED_CREASE_DEG, Specks, crease_angles};
 use sheetwright_geometry::math::to_deg;
 
 /// The border is true up to this share of a length.
@@ -22,7 +20,8 @@ pub(super) struct Panel<'a> {
 
 /// The findings on it.
 pub(super) fn findings(panel: &Panel<'_>) -> Vec<Finding> {
-    let checks: [fn(&Panel<'_>) -> Option<Finding>; 9] = [
+    let checks: [fn(&Panel<'_>) -> Option<Finding>; 10] = [
+        divide,
         stretch,
         border,
         |panel: &Panel<'_>| overlap(panel.part),
@@ -33,38 +32,43 @@ pub(super) fn findings(panel: &Panel<'_>) -> Vec<Finding> {
         specks,
         contacts,
     ];
+    let Subject { predicted, measures, material, .. } = *panel.part;
+    let strained = strain::findings(predicted, measures, material);
     let healed = panel.origin.healings.iter().map(healing);
     let skins = panel.origin.skins.map(|kind| Finding::of_whole(kind.clone()));
-    checks.iter().filter_map(|check| check(panel)).chain(healed).chain(skins).collect()
+    let checked = checks.iter().filter_map(|check| check(panel));
+    strained.into_iter().chain(checked).chain(healed).chain(skins).collect()
 }
 
+/// The finding on how far the lengths of the pattern are from those in space.
 fn stretch(panel: &Panel<'_>) -> Option<Finding> {
-    let largest = panel.part.measures.length_error_max;
-    let limit = stretch_limit(panel.part.material);
-    let sheet = title(panel.part.material);
+    let distortion = panel.part.measures.distortion.as_ref()?;
+    let [stretch, shrink] = distortion.to_shape();
     // True for NaN, too.
-    let kind = if largest.is_nan() || largest > limit {
-        FindingKind::StretchTooLarge {
-            largest,
-            limit,
-            sheet,
-            cut: panel.origin.suggested_cut,
-            has_darts: panel.origin.darts > 0,
-            has_creases: sharp_creases(panel).next().is_some(),
-        }
-    } else if largest > EASY_SHARE * limit {
-        FindingKind::StretchHigh { largest, limit, sheet }
-    } else if largest > UNSEEN {
-        FindingKind::Stretch { largest }
-    } else {
-        return None;
-    };
+    let is_unseen = stretch <= UNSEEN && shrink <= UNSEEN;
+    let kind = FindingKind::Stretch { stretch, shrink };
+    (!is_unseen).then(|| Finding::new(kind, worst(panel)))
+}
+
+/// Where its lengths differ most from those in space.
+fn worst(panel: &Panel<'_>) -> Place {
     let mesh = panel.part.sheet.mesh();
-    let worst = panel.part.measures.distortion.as_ref().and_then(Distortion::worst_edge).map(|n| {
+    let worst = panel.part.measures.distortion.as_ref().and_then(Distortion::worst_edge);
+    worst.map_or(Place::Whole, |n| {
         let [a, b] = mesh.edges()[n].ends.map(|v| mesh.position(v));
         Place::at(a.lerp(b, 0.5))
-    });
-    Some(Finding::new(kind, worst.unwrap_or_default()))
+    })
+}
+
+/// The finding on what would let a sheet that does not take its shape do so.
+fn divide(panel: &Panel<'_>) -> Option<Finding> {
+    let predicted = panel.part.predicted?;
+    let kind = FindingKind::Divide {
+        cut: panel.origin.suggested_cut,
+        has_darts: panel.origin.darts > 0,
+        has_creases: sharp_creases(panel).next().is_some(),
+    };
+    (predicted.usage_range()[0] > 1.0).then(|| Finding::new(kind, worst(panel)))
 }
 
 fn border(panel: &Panel<'_>) -> Option<Finding> {

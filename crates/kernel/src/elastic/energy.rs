@@ -6,6 +6,7 @@
 //! have no continuous slope, so jumps of the slope across sides are weighed in by the C0 interior
 //! penalty method \[BrennerSung2005\].
 
+use super::band::Band;
 use super::element::{CENTROID, Derivatives, Nodes, Place};
 use super::net::{InnerSide, Net};
 use sheetwright_geometry::math::{Point3, Vec2, Vec3};
@@ -51,6 +52,8 @@ pub(super) struct Energy {
     elements: Vec<Element>,
     /// The bending form: pairs of nodes, the lower first, with half of the entries of both.
     bending: BTreeMap<[usize; 2], f64>,
+    /// What keeps it near the surface, if it has points inside its border.
+    band: Option<Band>,
 }
 
 /// How the stress enters the curvatures of the energy.
@@ -85,7 +88,24 @@ impl Energy {
         for side in net.inner_sides() {
             add_jumps(&mut bending, net, &stiffness, &side)?;
         }
-        Some(Self { stiffness, elements, bending })
+        Some(Self { stiffness, elements, bending, band: None })
+    }
+
+    /// That of a sheet which is kept within a distance of the surface, mm.
+    pub(super) fn within(self, net: &Net, half_mm: f64) -> Self {
+        let band = Band::new(net, &self.areas(), self.stiffness.membrane_n_per_mm, half_mm);
+        Self { band: Some(band), ..self }
+    }
+
+    /// The energy of what keeps the sheet near the surface, N·mm.
+    pub(super) fn band_value(&self, positions: &[Point3]) -> f64 {
+        self.band.as_ref().map_or(0.0, |band| band.value(positions))
+    }
+
+    /// The largest distance of a node that is kept near the surface from it, mm; `None` where none
+    /// is.
+    pub(super) fn farthest_mm(&self, positions: &[Point3]) -> Option<f64> {
+        self.band.as_ref().map(|band| band.farthest_mm(positions))
     }
 
     /// The pairs of different nodes that act on one another, the lower first.
@@ -124,7 +144,7 @@ impl Energy {
                 0.5 * element.at.area * (0..3).map(|k| stress[k] * strain[k]).sum::<f64>()
             })
             .sum();
-        membrane + self.bending_value(positions)
+        membrane + self.bending_value(positions) + self.band_value(positions)
     }
 
     /// The energy of bending alone, N·mm.
@@ -161,6 +181,9 @@ impl Energy {
                 slopes[b] += positions[a].to_vec() * value;
             }
         }
+        if let Some(band) = &self.band {
+            band.add_slopes(positions, &mut slopes);
+        }
         slopes
     }
 
@@ -177,6 +200,9 @@ impl Energy {
                 pair,
                 std::array::from_fn(|r| std::array::from_fn(|c| if r == c { value } else { 0.0 })),
             );
+        }
+        if let Some(band) = &self.band {
+            band.blocks(positions, &mut add);
         }
         for element in &self.elements {
             let [fx, fy] = element.tangents(positions);

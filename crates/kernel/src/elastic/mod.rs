@@ -14,6 +14,11 @@
 //! 4. What comes out is the strain of every triangle and its curvature, how far the sheet lies from
 //!    the ruled surface, how stable it is, and what holds its border.
 //!
+//! A mesh that has points inside its border tells more of the surface than its border: there the
+//! sheet is kept within a band about it (`band`), as wide as sheet leaves ruled surfaces.
+//!
+//! A pattern that was laid flat by lengths of sides may be fitted to the sheet at rest (`fit`).
+//!
 //! A sheet that is cut into several components is computed piece by piece, each held all round. So
 //! a scored fold is a cut that is held where the surface has it.
 //!
@@ -23,15 +28,21 @@
 //! One membrane place a triangle is on purpose: with three, thin sheets lock, and strains come out
 //! several times too large.
 
+mod band;
 mod element;
 mod energy;
+mod fit;
+mod given;
 mod net;
 mod newton;
+mod outline;
+mod places;
 mod predict;
 mod predicted;
 mod screen;
 
 pub use energy::Stiffness;
+pub use given::predict_given;
 pub use predict::predict;
 pub use predicted::{Basis, Predicted};
 pub use screen::{DOUBT, screen};
@@ -41,32 +52,43 @@ use crate::sheet::Sheet;
 use energy::{Energy, largest_principal};
 use net::Net;
 use newton::{Rest, rest};
+use outline::Outline;
+use places::Places;
 use sheetwright_geometry::boundary::size_of;
-use sheetwright_geometry::math::{Point2, Point3, Vec3};
+use sheetwright_geometry::math::{Point2, Point3, Vec2, Vec3};
 use sheetwright_geometry::watch::Watch;
 use std::fmt;
 
 /// How a sheet is computed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ElasticOptions {
     /// About how many triangles the flat outline is divided into. Default: 350. On a wavy strip of
     /// 1 m, the strain is then within 10 % of that of 2,800 triangles.
     pub triangles: usize,
     /// Steps of Newton's method at the most. Default: 60; the sheets of the tests take 4 to 11.
     pub most_steps: usize,
+    /// Of a mesh that has points inside its border: the largest distance from it, mm, at which the
+    /// sheet may lie freely; it is pressed back beyond. Default: none, the border alone holds it.
+    pub band_mm: Option<f64>,
+    /// How often the pattern is fitted to the sheet at rest at the most. Default: 0.
+    pub fits: usize,
+    /// The pattern is fitted until the strain that decides is no more than this, without unit.
+    pub fitted: f64,
 }
 
 impl Default for ElasticOptions {
     fn default() -> Self {
-        Self { triangles: 350, most_steps: 60 }
+        Self { triangles: 350, most_steps: 60, band_mm: None, fits: 0, fitted: 0.0 }
     }
 }
 
 /// A sheet at rest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Elastic {
-    /// Where the nodes lie flat, mm.
+    /// Where the nodes lie flat, mm, once the pattern is fitted.
     pub flat: Vec<Point2>,
+    /// How far each node was moved to fit the pattern to the sheet, mm.
+    pub moves: Vec<Vec2>,
     /// Where they lie in space at rest, mm.
     pub positions: Vec<Point3>,
     /// The corners of every triangle, by its nodes, counter-clockwise as seen from the side that
@@ -80,7 +102,8 @@ pub struct Elastic {
     pub curvatures: Vec<f64>,
     /// The triangle of the surface below the middle of every triangle, by its number.
     pub over: Vec<usize>,
-    /// The largest distance of a node from where it lies on the ruled surface, mm.
+    /// The largest distance of a node from where it lies on the ruled surface, mm; of a mesh that
+    /// has points inside its border, across the surface alone.
     pub distance_max_mm: f64,
     /// The force that holds the border across the sheet, per length, N/mm: 95 % of the border
     /// takes less. Within a factor of 1.5 of that of finer nets.
@@ -132,30 +155,111 @@ pub fn elastic(
     options: &ElasticOptions,
     watch: &mut dyn Watch,
 ) -> Result<Elastic, ElasticError> {
-    let mut net = Net::new(sheet, flat, options.triangles).ok_or(ElasticError::NoNet)?;
+    let outline = options.band_mm.map_or(Outline::Sampled, |_| Outline::Coarse);
+    let mut net = Net::new(sheet, flat, options.triangles, outline).ok_or(ElasticError::NoNet)?;
     // The bending form takes differences of products of positions: near to the origin, few digits
     // are lost.
     let away = net.space[0].to_vec();
     net.space.iter_mut().for_each(|p| *p += -away);
-    let energy = Energy::new(&net, stiffness).ok_or(ElasticError::NoNet)?;
-    let Rest { positions, is_stable, steps } = rest(&net, &energy, options.most_steps, watch)?;
+    let Settled { energy, at_rest, moves } = settled(&mut net, stiffness, options, watch)?;
+    let Rest { positions, is_stable, steps } = at_rest;
     let moved = positions.iter().zip(&net.space).map(|(now, before)| now.distance(*before));
     let bending_n_mm = energy.bending_value(&positions);
     Ok(Elastic {
         areas_mm2: energy.areas(),
         strains: energy.strains(&positions).into_iter().map(largest_principal).collect(),
         curvatures: energy.curvatures(&positions),
-        distance_max_mm: moved.fold(0.0, f64::max),
+        distance_max_mm: energy
+            .farthest_mm(&positions)
+            .unwrap_or_else(|| moved.fold(0.0, f64::max)),
         load_n_per_mm: load_n_per_mm(&net, &energy, &positions),
-        stretching_n_mm: energy.value(&positions) - bending_n_mm,
+        stretching_n_mm: energy.value(&positions) - bending_n_mm - energy.band_value(&positions),
         bending_n_mm,
         is_stable,
         steps,
         triangles: net.elements.iter().map(|nodes| [nodes[0], nodes[1], nodes[2]]).collect(),
         over: net.over,
+        moves,
         flat: net.flat,
         positions: positions.into_iter().map(|p| p + away).collect(),
     })
+}
+
+/// A sheet at rest, and how far the pattern was moved for it at every node, mm.
+struct Settled {
+    energy: Energy,
+    at_rest: Rest,
+    moves: Vec<Vec2>,
+}
+
+impl Settled {
+    /// The place of rest next below where the nodes begin.
+    fn new(
+        net: &Net,
+        stiffness: Stiffness,
+        begin: Vec<Point3>,
+        options: &ElasticOptions,
+        watch: &mut dyn Watch,
+    ) -> Result<Self, ElasticError> {
+        let energy = Energy::new(net, stiffness).ok_or(ElasticError::NoNet)?;
+        let energy = match options.band_mm {
+            Some(half_mm) => energy.within(net, half_mm),
+            None => energy,
+        };
+        let at_rest = rest(net, &energy, begin, options.most_steps, watch)?;
+        Ok(Self { energy, at_rest, moves: vec![Vec2::ZERO; net.flat.len()] })
+    }
+
+    /// The strain that decides.
+    fn strain(&self) -> f64 {
+        let strains = self.energy.strains(&self.at_rest.positions).into_iter();
+        let strains: Vec<f64> = strains.map(largest_principal).collect();
+        at_share(&strains, &self.energy.areas(), DECIDES)
+    }
+}
+
+/// The sheet at rest, and its pattern fitted to it as often as `options` say while strain falls.
+fn settled(
+    net: &mut Net,
+    stiffness: Stiffness,
+    options: &ElasticOptions,
+    watch: &mut dyn Watch,
+) -> Result<Settled, ElasticError> {
+    let mut now = Settled::new(net, stiffness, net.space.clone(), options, watch)?;
+    for _ in 0..options.fits {
+        let strain = now.strain();
+        if strain <= options.fitted {
+            break;
+        }
+        let Some(moves) = fit::displacement(net, &now.energy, &now.at_rest.positions) else {
+            break;
+        };
+        let flat = net.flat.iter().zip(&moves).map(|(&p, &way)| p + way).collect();
+        let before = std::mem::replace(&mut net.flat, flat);
+        let begin = now.at_rest.positions.clone();
+        match Settled::new(net, stiffness, begin, options, watch) {
+            Err(ElasticError::Stopped) => return Err(ElasticError::Stopped),
+            Ok(mut next) if next.strain() < strain => {
+                next.moves = now.moves.iter().zip(moves).map(|(&sum, way)| sum + way).collect();
+                next.at_rest.steps += now.at_rest.steps;
+                now = next;
+            }
+            _ => {
+                net.flat = before;
+                break;
+            }
+        }
+    }
+    Ok(now)
+}
+
+/// The curvature that 95 % of the area of a surface stays below, 1/mm, on a net of the default
+/// size; `None` where there is no net.
+fn curvature_of_surface(sheet: &Sheet, flat: &Flattened) -> Option<f64> {
+    let triangles = ElasticOptions::default().triangles;
+    let net = Net::new(sheet, flat, triangles, Outline::Coarse)?;
+    let energy = Energy::new(&net, Stiffness::new(1.0, 1.0, 0.3))?;
+    Some(at_share(&energy.curvatures(&net.space), &energy.areas(), DECIDES))
 }
 
 impl Elastic {
@@ -199,6 +303,21 @@ impl Elastic {
     pub fn middle(&self, triangle: usize) -> Point3 {
         let [a, b, c] = self.triangles[triangle].map(|v| self.positions[v]);
         a + ((b - a) + (c - a)) / 3.0
+    }
+
+    /// Where points of the pattern go, mm, if the pattern was fitted to the sheet; else `None`.
+    pub(crate) fn fitted(&self, points: &[Point2]) -> Option<Vec<Point2>> {
+        if self.moves.iter().all(|way| *way == Vec2::ZERO) {
+            return None;
+        }
+        let before = |n: usize| self.flat[n] + self.moves[n] * -1.0;
+        let places = Places::new(self.triangles.iter().map(|t| t.map(before)));
+        let fitted = |&p: &Point2| {
+            let (t, weights) = places.located(p);
+            let of = self.triangles[t].iter().zip(weights);
+            of.fold(p, |sum, (n, weight)| sum + self.moves[*n] * weight)
+        };
+        Some(points.iter().map(fitted).collect())
     }
 
     /// The normal of the sheet at rest at a point of the flat sheet, mm; `None` beside it.

@@ -3,18 +3,16 @@
 //! as curved as the outline.
 
 use super::element::{Nodes, values};
+use super::outline::{OnBorder, Outline, divided};
+use super::places::Places;
 use crate::flatten::Flattened;
 use crate::sheet::Sheet;
-use sheetwright_geometry::index::VertexIndex;
-use sheetwright_geometry::math::{Point2, Point3, Vec3, atan2, from_deg, unit};
+use sheetwright_geometry::index::TriangleIndex;
+use sheetwright_geometry::math::{Point2, Point3, Vec3, unit};
 use spade::handles::FixedVertexHandle;
 use spade::{AngleLimit, ConstrainedDelaunayTriangulation, RefinementParameters, Triangulation};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The outline has a corner where it turns by more than this, degrees: a node stands there.
-const CORNER_DEG: f64 = 20.0;
-/// A loop has so many nodes at the least.
-const LEAST_ON_LOOP: usize = 6;
 /// Circles round triangles have a radius of so many times their shortest side at the most: angles
 /// of 25° and more, but at narrow corners of the outline.
 const RADIUS_BY_SIDE: f64 = 1.18;
@@ -27,6 +25,8 @@ pub(super) struct Net {
     pub(super) flat: Vec<Point2>,
     /// Where its nodes lie on the surface that the sheet was unrolled from, mm.
     pub(super) space: Vec<Point3>,
+    /// Where that surface faces at each inner node; zero on the border.
+    pub(super) facing: Vec<Vec3>,
     /// Whether each node lies on the border.
     pub(super) on_border: Vec<bool>,
     /// Its triangles.
@@ -45,17 +45,15 @@ pub(super) struct InnerSide {
     pub(super) ends: [usize; 2],
 }
 
-/// A point of the border, flat and in space.
-#[derive(Clone, Copy)]
-struct OnBorder {
-    flat: Point2,
-    space: Point3,
-}
-
 impl Net {
     /// A net of about so many triangles in all, each component of the sheet by itself; `None` where
     /// an outline can't be divided so, as where the pattern overlaps itself.
-    pub(super) fn new(sheet: &Sheet, flat: &Flattened, triangles: usize) -> Option<Self> {
+    pub(super) fn new(
+        sheet: &Sheet,
+        flat: &Flattened,
+        triangles: usize,
+        outline: Outline,
+    ) -> Option<Self> {
         let area = crate::measure::area_flat(sheet, flat);
         // An equilateral triangle with a side s has an area of √3/4 s².
         let side_mm = (4.0 * area / (3.0f64.sqrt() * triangles as f64)).sqrt();
@@ -65,6 +63,7 @@ impl Net {
         let mut net = Self {
             flat: Vec::new(),
             space: Vec::new(),
+            facing: Vec::new(),
             on_border: Vec::new(),
             elements: Vec::new(),
             border: Vec::new(),
@@ -73,7 +72,7 @@ impl Net {
         for component in sheet.mesh().components() {
             let lines = component.loops.iter().map(|&n| &sheet.loops()[n]);
             let loops: Vec<Vec<OnBorder>> =
-                lines.map(|line| divided(sheet, flat, line, side_mm)).collect();
+                lines.map(|line| divided(sheet, flat, line, side_mm, outline)).collect();
             net.fill(&loops, area / triangles as f64, triangles)?;
         }
         net.lay_on(sheet, flat);
@@ -160,15 +159,17 @@ impl Net {
     /// Lays the inner nodes on the surface: where they lie in the triangles of the sheet.
     fn lay_on(&mut self, sheet: &Sheet, flat: &Flattened) {
         let triangles = sheet.mesh().triangles();
-        let places: Vec<[Point2; 3]> =
-            triangles.iter().map(|t| t.map(|v| flat.points[v.get()])).collect();
+        let places = Places::new(triangles.iter().map(|t| t.map(|v| flat.points[v.get()])));
+        self.facing = vec![Vec3::ZERO; self.flat.len()];
         for n in 0..self.flat.len() {
             if !self.on_border[n] {
-                let (t, weights) = located(&places, self.flat[n]);
+                let (t, weights) = places.located(self.flat[n]);
                 let corners = triangles[t].map(|v| sheet.mesh().position(v).to_vec());
                 self.space[n] = Point3::from_vec(
                     corners[0] * weights[0] + corners[1] * weights[1] + corners[2] * weights[2],
                 );
+                let normal = sheet.mesh().area_vector(TriangleIndex::new(t));
+                self.facing[n] = unit(normal).unwrap_or(Vec3::ZERO);
             }
         }
         let middle = |nodes: &Nodes| {
@@ -176,7 +177,7 @@ impl Net {
             let sum = (0..6).map(|k| self.flat[nodes[k]].to_vec() * weights[k]);
             Point2::default() + sum.fold(sheetwright_geometry::math::Vec2::ZERO, |a, b| a + b)
         };
-        self.over = self.elements.iter().map(|nodes| located(&places, middle(nodes)).0).collect();
+        self.over = self.elements.iter().map(|nodes| places.located(middle(nodes)).0).collect();
     }
 
     /// The unit normal of the sheet at every corner node of the border, where the nodes lie at
@@ -214,61 +215,4 @@ impl Net {
 
 fn key(a: usize, b: usize) -> [usize; 2] {
     [a.min(b), a.max(b)]
-}
-
-/// The triangle that a point lies in, or nearest to, and its barycentric coordinates there.
-fn located(triangles: &[[Point2; 3]], p: Point2) -> (usize, [f64; 3]) {
-    let mut best = (f64::NEG_INFINITY, 0, [1.0, 0.0, 0.0]);
-    for (n, &[a, b, c]) in triangles.iter().enumerate() {
-        let whole = (b - a).perp_dot(c - a);
-        let weights = [(b - p).perp_dot(c - p), (c - p).perp_dot(a - p), (a - p).perp_dot(b - p)]
-            .map(|w| w / whole);
-        let least = weights.into_iter().fold(f64::INFINITY, f64::min);
-        if least > best.0 {
-            best = (least, n, weights);
-        }
-    }
-    (best.1, best.2)
-}
-
-/// A loop of the border as corners and middles in turn, about `side_mm` from corner to corner, with
-/// one wherever the outline turns sharply. Both lie on the outline, by its length.
-fn divided(sheet: &Sheet, flat: &Flattened, line: &[VertexIndex], side_mm: f64) -> Vec<OnBorder> {
-    let point =
-        |v: VertexIndex| OnBorder { flat: flat.points[v.get()], space: sheet.mesh().position(v) };
-    let m = line.len();
-    let at = |n: usize| point(line[n % m]);
-    let is_corner = |n: &usize| {
-        let (before, here, after) = (at(n + m - 1).flat, at(*n).flat, at(n + 1).flat);
-        let (came, goes) = (here - before, after - here);
-        atan2(came.perp_dot(goes), came.dot(goes)).abs() > from_deg(CORNER_DEG)
-    };
-    let mut corners: Vec<usize> = (0..m).filter(is_corner).collect();
-    let least = LEAST_ON_LOOP.div_ceil(corners.len().max(1));
-    if corners.is_empty() {
-        corners.push(0);
-    }
-    let mut found = Vec::new();
-    for (k, &from) in corners.iter().enumerate() {
-        let to = if k + 1 < corners.len() { corners[k + 1] } else { corners[0] + m };
-        let lengths: Vec<f64> = (from..to).map(|n| at(n).flat.distance(at(n + 1).flat)).collect();
-        let whole: f64 = lengths.iter().sum();
-        let count = ((whole / side_mm).round() as usize).max(least).max(1);
-        let mut walked = 0.0;
-        let mut n = 0;
-        for step in 0..2 * count {
-            let wanted = whole * step as f64 / (2 * count) as f64;
-            while n + 1 < lengths.len() && walked + lengths[n] <= wanted {
-                walked += lengths[n];
-                n += 1;
-            }
-            let share = ((wanted - walked) / lengths[n]).clamp(0.0, 1.0);
-            let (a, b) = (at(from + n), at(from + n + 1));
-            found.push(OnBorder {
-                flat: a.flat.lerp(b.flat, share),
-                space: a.space.lerp(b.space, share),
-            });
-        }
-    }
-    found
 }

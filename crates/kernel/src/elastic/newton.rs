@@ -98,15 +98,16 @@ impl Free {
     }
 }
 
-/// The place of rest next below the surface.
+/// The place of rest next below where the nodes begin.
 pub(super) fn rest(
     net: &Net,
     energy: &Energy,
+    begin: Vec<Point3>,
     most_steps: usize,
     watch: &mut dyn Watch,
 ) -> Result<Rest, ElasticError> {
     let free = Free::new(net, energy);
-    let mut positions = net.space.clone();
+    let mut positions = begin;
     if free.nodes.is_empty() {
         return Ok(Rest { positions, is_stable: true, steps: 0 });
     }

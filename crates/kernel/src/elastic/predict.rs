@@ -27,7 +27,7 @@ use sheetwright_geometry::watch::Watch;
 /// one is asked only while the limit lies in the range that the strain may have.
 const NETS: [[usize; 2]; 3] = [[350, 40], [800, 30], [1600, 24]];
 /// Angles up to it, radians, are rounding: the sheet is flat.
-const FLAT: f64 = 1e-9;
+pub(super) const FLAT: f64 = 1e-9;
 /// A fold is needed where the boundary turns in space by so much more or less than on the pattern,
 /// degrees.
 const KINK_DEG: f64 = 5.0;
@@ -84,7 +84,9 @@ pub fn predict(
         Ok(predicted) if is_taken => predicted,
         Ok(predicted) => {
             // What does not take the shape at all shows every fold.
-            let thickest_mm = judge.thickest_mm(&predicted.scored, watch);
+            let options = ElasticOptions::default();
+            let at_rest = |l: &Limits| judge.at_rest(l, &predicted.scored, &options, watch);
+            let thickest_mm = thickest_mm(limits, at_rest);
             Predicted { thickest_mm, scored: folds, ..predicted }
         }
     };
@@ -171,25 +173,8 @@ impl Judge<'_> {
         scored: &[usize],
         watch: &mut dyn Watch,
     ) -> Result<Predicted, ElasticError> {
-        let mut predicted: Option<Predicted> = None;
-        for [triangles, most_steps] in NETS {
-            let options = ElasticOptions { triangles, most_steps };
-            let at_rest = match self.at_rest(self.limits, scored, &options, watch) {
-                Ok(at_rest) => at_rest,
-                Err(ElasticError::NoNet | ElasticError::NoRest) if predicted.is_some() => break,
-                Err(error) => return Err(error),
-            };
-            let next = match &predicted {
-                None => Predicted::computed(self.limits.clone(), at_rest),
-                Some(coarser) => coarser.refined(at_rest),
-            };
-            let [least, most] = next.usage_range();
-            predicted = Some(next);
-            if least > 1.0 || most <= 1.0 {
-                break;
-            }
-        }
-        let predicted = predicted.ok_or(ElasticError::NoNet)?;
+        let predicted =
+            by_nets(self.limits, |options| self.at_rest(self.limits, scored, options, watch))?;
         Ok(Predicted { scored: scored.to_vec(), ..predicted })
     }
 
@@ -224,10 +209,7 @@ impl Judge<'_> {
     ) -> Result<Elastic, ElasticError> {
         let Self { sheet, flat, .. } = *self;
         let size_mm = size_of(sheet.mesh().positions().iter().copied());
-        let thickness_mm = limits.thickness_mm.max(THINNEST * size_mm);
-        // Without a modulus, strains are those of any other: they depend on the thickness alone.
-        let modulus = limits.modulus_n_per_mm2.unwrap_or(1.0);
-        let stiffness = Stiffness::new(thickness_mm, modulus, limits.poisson);
+        let stiffness = stiffness_of(limits, size_mm);
         if scored.is_empty() {
             return elastic(sheet, flat, stiffness, options, watch);
         }
@@ -239,28 +221,64 @@ impl Judge<'_> {
         let points = vertices.map(|v| flat.points[cut.origin(v).get()]).collect();
         elastic(&cut, &Flattened { points, overlap: None }, stiffness, options, watch)
     }
+}
 
-    /// The thickest sheet of its kind that takes the shape, mm: as thick as some that does, and by
-    /// less than 15 % thinner than some that does not.
-    fn thickest_mm(&self, scored: &[usize], watch: &mut dyn Watch) -> Option<f64> {
-        let whole = self.limits.thickness_mm;
-        let mut takes = |thickness_mm: f64| {
-            let limits = self.limits.in_thickness(thickness_mm);
-            let at_rest = self.at_rest(&limits, scored, &ElasticOptions::default(), watch);
-            at_rest.is_ok_and(|s| limits.use_of(s.strain(), s.curvature()) <= 1.0)
+/// The prediction for a sheet by one net, or by finer ones as well while the limit lies in the
+/// range that its strain may have.
+pub(super) fn by_nets(
+    limits: &Limits,
+    mut at_rest: impl FnMut(&ElasticOptions) -> Result<Elastic, ElasticError>,
+) -> Result<Predicted, ElasticError> {
+    let mut predicted: Option<Predicted> = None;
+    for [triangles, most_steps] in NETS {
+        let options = ElasticOptions { triangles, most_steps, ..ElasticOptions::default() };
+        let at_rest = match at_rest(&options) {
+            Ok(at_rest) => at_rest,
+            Err(ElasticError::NoNet | ElasticError::NoRest) if predicted.is_some() => break,
+            Err(error) => return Err(error),
         };
-        let (mut takes_mm, mut refuses_mm) = (THINNEST_SHARE * whole, whole);
-        if !takes(takes_mm) {
-            return None;
+        let next = match &predicted {
+            None => Predicted::computed(limits.clone(), at_rest),
+            Some(coarser) => coarser.refined(at_rest),
+        };
+        let [least, most] = next.usage_range();
+        predicted = Some(next);
+        if least > 1.0 || most <= 1.0 {
+            break;
         }
-        while refuses_mm / takes_mm > THICKNESS_STEP {
-            let middle = (takes_mm * refuses_mm).sqrt();
-            if takes(middle) {
-                takes_mm = middle;
-            } else {
-                refuses_mm = middle;
-            }
-        }
-        Some(takes_mm)
     }
+    predicted.ok_or(ElasticError::NoNet)
+}
+
+/// The thickest sheet of its kind that takes the shape, mm: as thick as some that does, and by less
+/// than 15 % thinner than some that does not.
+pub(super) fn thickest_mm(
+    limits: &Limits,
+    mut at_rest: impl FnMut(&Limits) -> Result<Elastic, ElasticError>,
+) -> Option<f64> {
+    let whole = limits.thickness_mm;
+    let mut takes = |thickness_mm: f64| {
+        let limits = limits.in_thickness(thickness_mm);
+        at_rest(&limits).is_ok_and(|s| limits.use_of(s.strain(), s.curvature()) <= 1.0)
+    };
+    let (mut takes_mm, mut refuses_mm) = (THINNEST_SHARE * whole, whole);
+    if !takes(takes_mm) {
+        return None;
+    }
+    while refuses_mm / takes_mm > THICKNESS_STEP {
+        let middle = (takes_mm * refuses_mm).sqrt();
+        if takes(middle) {
+            takes_mm = middle;
+        } else {
+            refuses_mm = middle;
+        }
+    }
+    Some(takes_mm)
+}
+
+/// The stiffness of a sheet of this size, mm. Without a modulus, strains are those of any other:
+/// they depend on the thickness alone.
+pub(super) fn stiffness_of(limits: &Limits, size_mm: f64) -> Stiffness {
+    let thickness_mm = limits.thickness_mm.max(THINNEST * size_mm);
+    Stiffness::new(thickness_mm, limits.modulus_n_per_mm2.unwrap_or(1.0), limits.poisson)
 }

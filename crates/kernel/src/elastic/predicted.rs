@@ -8,6 +8,11 @@ use crate::material::Limits;
 /// that times the second: coarse nets read high beside points.
 const DOUBT_OF_ONE: [f64; 2] = [1.25, 1.5];
 
+/// An elastic sheet has at least the strain of the triangles of the pattern over the first factor,
+/// by which a twisted strip is relieved where it leaves the surface, and at most that times the
+/// second.
+const PATTERN_DOUBT: [f64; 2] = [4.0, 1.25];
+
 /// How a strain was found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Basis {
@@ -20,6 +25,9 @@ pub enum Basis {
     NoNet,
     /// A formula estimated it, since the elastic sheet did not come to rest.
     NoRest,
+    /// The triangles of a mesh tell it, by their stretches from the pattern to the shape: they are
+    /// stretched too far, or no sheet could be computed.
+    Pattern,
 }
 
 /// The strain that a sheet is predicted to have in its shape.
@@ -57,6 +65,13 @@ impl Predicted {
             at_rest: None,
             thickest_mm: None,
         }
+    }
+
+    /// That of a mesh whose triangles must stretch by this to come from the pattern to their shape:
+    /// what 95 % of the area stays below. A sheet that leaves the surface a little stretches less.
+    pub fn of_pattern(limits: Limits, strain: f64) -> Self {
+        let strain_range = [strain / PATTERN_DOUBT[0], strain * PATTERN_DOUBT[1]];
+        Self { basis: Basis::Pattern, strain, strain_range, ..Self::flat(limits) }
     }
 
     /// That of a sheet at rest on one net.

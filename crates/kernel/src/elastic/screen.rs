@@ -26,6 +26,13 @@ pub fn screen(sheet: &Sheet, measures: &Measures, material: Option<&Material>) -
     let squares: f64 =
         of_rungs(|rung| rung.warp * rung.warp).zip(&weights).map(|(w, a)| w * a).sum();
     let warp_squared = if whole > 0.0 { squares / whole } else { 0.0 };
+    let scored = (0..measures.rungs.len()).filter(|&n| measures.rungs[n].is_fold).collect();
+    Predicted { scored, ..by_formula(limits, curvature, warp_squared) }
+}
+
+/// What the formula predicts of a sheet with this curvature, 1/mm, and this mean square of the
+/// warp, by area, square radians.
+pub(super) fn by_formula(limits: Limits, curvature: f64, warp_squared: f64) -> Predicted {
     let strain = limits.outer_fibre_at(curvature) / 12.0 + warp_squared / 24.0;
     Predicted {
         limits,
@@ -33,7 +40,7 @@ pub fn screen(sheet: &Sheet, measures: &Measures, material: Option<&Material>) -
         strain,
         strain_range: [strain / DOUBT, strain * DOUBT],
         curvature,
-        scored: (0..measures.rungs.len()).filter(|&n| measures.rungs[n].is_fold).collect(),
+        scored: Vec::new(),
         at_rest: None,
         thickest_mm: None,
     }

@@ -13,7 +13,7 @@ pub use lay::lay_flat;
 pub use refold::{RefoldError, refold};
 pub use relax::{Aim, Ended, RelaxError, RelaxOptions, Relaxed, relax, relax_lengths};
 
-pub(crate) use relax::{conformal_scales, triangle_stretches};
+pub(crate) use relax::{conformal_scales, laid_at, triangle_stretches};
 pub use unroll::unroll;
 
 use sheetwright_geometry::math::Point2;

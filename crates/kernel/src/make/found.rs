@@ -1,7 +1,7 @@
 //! Panels that are bounded by curves: the surface that fits them best is found.
 
 use super::MakeError;
-use super::laid::{Laid, Setting};
+use super::candidate::{Candidate, Setting};
 use super::part::{Found, Origin, Part};
 use super::unrestricted::Known;
 use crate::check::{
@@ -59,8 +59,8 @@ fn make_as_asked(
     let setting =
         Setting { boundary: &boundary, plane: plane.as_ref(), options: &options, material };
     let failed = |cause| MakeError::of_panel(&panel.name, cause);
-    let laid = setting.laid(&panel.name, &triangulation, cut, watch).map_err(failed)?;
-    let Laid { surface, sheet, flat, measures, predicted, mut checked } = laid;
+    let candidate = setting.candidate(&panel.name, &triangulation, cut, watch).map_err(failed)?;
+    let Candidate { surface, sheet, flat, measures, predicted, mut checked } = candidate;
     if panel.which == WhichSurface::Other && !triangulation.is_other {
         checked.add(no_other_surface());
     }

@@ -5,16 +5,18 @@
 //! is, and cut from border to border where that leaves less than half of the error.
 
 use super::cleaned::Cleaned;
+use super::laid::Laid;
 use super::opened::opened;
 use super::part::{Given, Joint, Origin, Part};
 use super::rebuilt::rebuilt;
 use super::skins::with_skin;
+use super::truest::truest;
 use super::{MakeCause, MakeError};
 use crate::check::{CheckedFrom, FindingKind, MeshOrigin, Subject, check};
 use crate::design::{Design, DesignPanel, PanelMesh};
 use crate::flatten::{Aim, RelaxOptions, Relaxed, relax};
 use crate::material::{Material, stretch_limit};
-use crate::measure::{CutFrom, Distortion, cut_suggestion, distortion, measures};
+use crate::measure::{CutFrom, cut_suggestion, distortion, measures};
 use crate::mesh::{Cut, Healing, Mesh, MeshError, Specks, separated};
 use crate::pattern::Piece;
 use crate::sheet::{Seam, Sheet, cut_along, split_along_creases};
@@ -189,13 +191,6 @@ fn joints_of(mesh: &Mesh, seams: &[Seam]) -> Vec<Vec<PieceJoint>> {
     joints
 }
 
-/// A sheet, laid flat.
-struct Laid {
-    sheet: Sheet,
-    relaxed: Relaxed,
-    distortion: Distortion,
-}
-
 fn lay(mesh: &Mesh, cut: &Cut, aim: Aim, watch: &mut dyn Watch) -> Result<Laid, MakeCause> {
     let sheet =
         cut_along(mesh, cut).map_err(|error| MakeCause::Mesh { error, places: Vec::new() })?;
@@ -250,6 +245,7 @@ fn make_part(
     let limit = stretch_limit(material);
     let (laid, darts) = laid_well(&mesh, settings, limit, watch)?;
     watch.begin(&[name], Stage::Check);
+    let (laid, predicted) = truest(laid, settings.aim, material, watch)?;
     let Relaxed { flat, flipped, ended, .. } = laid.relaxed;
     let sheet = laid.sheet.laid_at(&flat.points);
     let suggested_cut = cut_suggestion(sheet.mesh(), &laid.distortion, limit).and_then(|cut| {
@@ -261,7 +257,7 @@ fn make_part(
         sheet: &sheet,
         flat: &flat,
         measures: &measures,
-        predicted: None,
+        predicted: Some(&predicted),
         material,
         from: CheckedFrom::Mesh(MeshOrigin {
             mesh: &mesh,
@@ -283,7 +279,7 @@ fn make_part(
     let piece = Piece::undrawn(name);
     let (panel, name) = (panel.to_owned(), name.to_owned());
     let (edges, origin) = (Vec::new(), Origin::Given(Box::new(given)));
-    let predicted = None;
+    let predicted = Some(predicted);
     Ok(Part { name, panel, sheet, flat, measures, predicted, checked, piece, edges, origin })
 }
 

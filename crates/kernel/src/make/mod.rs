@@ -4,6 +4,7 @@
 //! A panel that is bounded by curves becomes one part (`found`), a mesh one or several
 //! (`mesh`). Joined edges and their marks, which depend on other parts, come last (`joined`).
 
+mod candidate;
 mod cleaned;
 mod error;
 mod found;
@@ -19,6 +20,7 @@ mod rebuilt;
 mod skins;
 mod strained;
 mod together;
+mod truest;
 mod unrestricted;
 
 pub use error::{MakeCause, MakeError};

@@ -6,8 +6,8 @@
 //!
 //! It takes searches of its own, so the question waits until a dragged handle rests.
 
+use super::candidate::{Candidate, Setting};
 use super::judged::judge;
-use super::laid::{Laid, Setting};
 use super::part::{Found, Origin, Other, Part};
 use super::{Judging, MakeCause};
 use crate::check::{Verdict, two_surfaces};
@@ -41,8 +41,8 @@ pub(super) fn add_other(
         return Ok(false);
     };
     let setting = Setting { boundary, plane, options, material };
-    let laid = setting.laid(&part.name, &triangulation, &[], watch)?;
-    let Laid { surface, sheet, flat, measures, predicted, checked } = laid;
+    let candidate = setting.candidate(&part.name, &triangulation, &[], watch)?;
+    let Candidate { surface, sheet, flat, measures, predicted, checked } = candidate;
     let piece = piece(&part.name, &sheet, &flat, &[], &measures, &[], &PatternOptions::default());
     let origin = Found { surface, triangulation, change: None, other: None, ..(**found).clone() };
     let mut other = Part {

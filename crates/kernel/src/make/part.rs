@@ -30,7 +30,7 @@ pub struct Part {
     pub flat: Flattened,
     /// Its measures.
     pub measures: Measures,
-    /// The strain that it is predicted to have in its shape; `None` of a mesh, and of one triangle.
+    /// The strain that it is predicted to have in its shape; `None` of one triangle that was found.
     pub predicted: Option<Predicted>,
     /// The verdict and its findings.
     pub checked: Checked,

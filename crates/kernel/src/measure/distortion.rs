@@ -41,11 +41,39 @@ impl Distortion {
         (0..self.length_errors.len()).reduce(|best, n| if size(n) > size(best) { n } else { best })
     }
 
+    /// By how much the sheet must stretch, and by how much it must shrink, where that is most, to
+    /// come from the pattern to the shape of its triangles. Shares; infinite where a triangle is
+    /// turned over.
+    pub fn to_shape(&self) -> [f64; 2] {
+        [stretched(self.stretch_min), (1.0 - 1.0 / self.stretch_max).max(0.0)]
+    }
+
+    /// The larger of both that 95 % of the area of the mesh stays below.
+    pub fn strain_p95(&self, mesh: &Mesh) -> f64 {
+        let of = |&[most, least]: &[f64; 2]| stretched(least).max(1.0 - 1.0 / most);
+        let mut strains: Vec<(f64, usize)> =
+            self.stretches.iter().map(of).enumerate().map(|(n, s)| (s, n)).collect();
+        strains.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let area = |n: usize| mesh.area_vector(TriangleIndex::new(n)).length();
+        let wanted = 0.95 * (0..strains.len()).map(area).sum::<f64>();
+        let mut below = 0.0;
+        let found = strains.iter().find(|(_, n)| {
+            below += area(*n);
+            below >= wanted
+        });
+        found.or(strains.last()).map_or(0.0, |(strain, _)| *strain)
+    }
+
     /// The strain of a triangle: by which share it is stretched or squeezed where that is most.
     pub fn strain(&self, triangle: TriangleIndex) -> f64 {
         let [most, least] = self.stretches[triangle.get()];
         (most - 1.0).max(1.0 - least)
     }
+}
+
+/// By how much a direction must stretch that is so many times as long on the pattern, a share.
+fn stretched(least: f64) -> f64 {
+    if least > 0.0 { (1.0 / least - 1.0).max(0.0) } else { f64::INFINITY }
 }
 
 /// The distortion of a mesh whose vertices lie at these points of the plane.

@@ -18,7 +18,7 @@ mod tree;
 mod ways;
 
 pub(crate) use corners::separated;
-pub use crease::crease_angles;
+pub use crease::{SCORED_CREASE_DEG, crease_angles};
 pub use cut::{Cut, angle_defects, cut_through, cut_to_disk, worst_points};
 pub use error::MeshError;
 pub use heal::{Damage, Healed, Healing, healed};

@@ -1,13 +1,9 @@
 //! The sharp creases of a mesh, to be scored.
 
-use crate::mesh::{Mesh, crease_angles};
+use crate::mesh::{Mesh, SCORED_CREASE_DEG, crease_angles};
 use sheetwright_geometry::index::VertexIndex;
 use sheetwright_geometry::math::from_deg;
 use std::collections::BTreeMap;
-
-/// Creases above this angle, degrees, are scored: below it they may be the facets that a smooth
-/// bend was divided into; a circle has as much of a turn at each of fourteen sides.
-pub const SCORED_CREASE_DEG: f64 = 25.0;
 
 /// The sharp creases as ways along sides, each as long as can be without branching.
 pub(super) fn creases(sheet: &Mesh) -> Vec<Vec<VertexIndex>> {

@@ -5,7 +5,6 @@ mod dimension;
 mod edge_names;
 mod seam;
 
-pub use crease::SCORED_CREASE_DEG;
 pub use seam::{EdgeMark, seam_mark, seam_marks};
 
 pub(crate) use seam::joint_mark;

@@ -33,9 +33,8 @@ variants!(FindingKind {
     LengthError { largest, closes_holes },
     WindowGap { widest_mm },
     Seams { count, length_mm, why },
-    StretchTooLarge { largest, limit, sheet, cut, has_darts, has_creases },
-    StretchHigh { largest, limit, sheet },
-    Stretch { largest },
+    Divide { cut, has_darts, has_creases },
+    Stretch { stretch, shrink },
     BorderNotTrue { largest },
     Flipped { count },
     TrianglesLeftOut { count },
@@ -86,4 +85,4 @@ kinds!(SeamCause { NotFlat, Closed, Darts });
 kinds!(Skin { Outer, Inner });
 kinds!(Damage { Filler, Doubled, Seam, OnSide, Branch, Turned, InsideOut });
 kinds!(Hindrance { Strain, Radius, Other });
-kinds!(Basis { Computed, Screen, NoNet, NoRest });
+kinds!(Basis { Computed, Screen, NoNet, NoRest, Pattern });

@@ -204,10 +204,8 @@ pub fn relax_lengths(
     if ended == Ended::Least && inner.is_squeezed(&form.points) {
         ended = Ended::Squeezed;
     }
-    let points = posed(&form.points, &(0..form.points.len()));
     watch.progress(1.0);
-    let flipped = flipped(topology, &points);
-    let flat = Flattened { overlap: overlap(topology, &points), points };
+    let (flat, flipped) = laid_at(topology, &form.points);
     Ok(Relaxed { flat, flipped, ended, steps: run.steps })
 }
 
@@ -223,6 +221,14 @@ pub(crate) fn conformal_scales(mesh: &Mesh) -> Result<Option<Vec<f64>>, RelaxErr
     let shapes = shapes(mesh.topology(), &lengths)
         .map_err(|triangle| RelaxError::NoTriangle { triangle })?;
     start::scales(mesh.topology(), &lengths, &shapes)
+}
+
+/// A mesh that is laid at these points, mm, turned into its rectangle; and how many of its
+/// triangles do not run counter-clockwise there.
+pub(crate) fn laid_at(topology: &Topology, points: &[Point2]) -> (Flattened, usize) {
+    let points = posed(points, &(0..points.len()));
+    let flipped = flipped(topology, &points);
+    (Flattened { overlap: overlap(topology, &points), points }, flipped)
 }
 
 /// The largest and the smallest stretch of a triangle, without unit: how much longer its directions

@@ -1,0 +1,201 @@
+//! One verdict for one surface: however it was divided into triangles, and whether it came as a
+//! mesh or as curves.
+
+#![allow(clippy::unwrap_used)] // tests panic
+
+use sheetwright::check::{FindingKind, Verdict};
+use sheetwright::curve::{CurveKind, CurvePoint};
+use sheetwright::design::{
+    CurveUse, Design, DesignCurve, DesignPanel, PanelMesh, PanelShape, Triangles,
+};
+use sheetwright::elastic::Basis;
+use sheetwright::index::VertexIndex;
+use sheetwright::make::{Part, make};
+use sheetwright::material::Material;
+use sheetwright::math::{Point3, cos, from_deg, sin};
+use sheetwright::watch::Unwatched;
+use sheetwright_shapes::materials::steel;
+use sheetwright_shapes::meshes::{cap, cone};
+use sheetwright_shapes::random::Random;
+
+/// A mesh as it is made alone.
+fn made(
+    positions: Vec<Point3>,
+    triangles: Vec<[VertexIndex; 3]>,
+    material: Option<Material>,
+) -> Part {
+    let mesh = PanelMesh::new(Triangles { positions, triangles, left_out: 0 });
+    let panel = DesignPanel::new("mesh", PanelShape::Mesh(mesh), 100);
+    let design = Design { panels: vec![panel], material, ..Design::default() };
+    make(&design, &mut Unwatched).unwrap().parts.remove(0)
+}
+
+/// How the cells of a grid are cut.
+#[derive(Clone, Copy, Debug)]
+enum Cut {
+    Forth,
+    Back,
+    InTurn,
+}
+
+/// A grid in two triangles a cell.
+fn grid(
+    [columns, rows]: [usize; 2],
+    cut: Cut,
+    mut at: impl FnMut(f64, f64) -> Point3,
+) -> (Vec<Point3>, Vec<[VertexIndex; 3]>) {
+    let mut place = |k: usize| {
+        let (i, j) = (k / (rows + 1), k % (rows + 1));
+        at(i as f64 / columns as f64, j as f64 / rows as f64)
+    };
+    let positions = (0..(columns + 1) * (rows + 1)).map(&mut place).collect();
+    let mut triangles = Vec::new();
+    for i in 0..columns {
+        for j in 0..rows {
+            let corner = |i: usize, j: usize| VertexIndex::new(i * (rows + 1) + j);
+            let [a, b, c, d] =
+                [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
+            let is_forth = match cut {
+                Cut::Forth => true,
+                Cut::Back => false,
+                Cut::InTurn => (i + j) % 2 == 0,
+            };
+            triangles.extend(if is_forth {
+                [[a, b, c], [a, c, d]]
+            } else {
+                [[a, b, d], [b, c, d]]
+            });
+        }
+    }
+    (positions, triangles)
+}
+
+/// A strip of 1000 × 300 mm that is twisted by an angle.
+fn helicoid(deg: f64) -> impl Fn(f64, f64) -> Point3 {
+    move |along, across| {
+        let (angle, side) = (from_deg(deg) * along, 300.0 * (across - 0.5));
+        Point3::new(1000.0 * along, side * cos(angle), side * sin(angle))
+    }
+}
+
+/// A panel between two rails.
+fn between(rails: [Vec<Point3>; 2], material: Option<Material>) -> Part {
+    let names = ["low", "high"];
+    let curves = rails.into_iter().zip(names).map(|(points, name)| DesignCurve {
+        name: name.into(),
+        kind: Some(CurveKind::Spline),
+        closed: false,
+        points: points.into_iter().map(CurvePoint::smooth).collect(),
+    });
+    let on = |name: &str| CurveUse { name: name.into(), reversed: false };
+    let design = Design {
+        curves: curves.collect(),
+        panels: vec![DesignPanel::new("strip", PanelShape::Rails(names.map(on)), 100)],
+        material,
+        ..Design::default()
+    };
+    make(&design, &mut Unwatched).unwrap().parts.remove(0)
+}
+
+fn strain(part: &Part) -> f64 {
+    part.predicted.as_ref().unwrap().strain
+}
+
+fn verdict(part: &Part) -> Verdict {
+    part.checked.verdict
+}
+
+/// Strips in 1, 2, 10 and 16 rows that are twisted by an angle.
+fn twisted(deg: f64, material: Option<&Material>) -> Vec<Part> {
+    let at = helicoid(deg);
+    let rows = [
+        ([32, 1], Cut::Back),
+        ([32, 2], Cut::Back),
+        ([32, 2], Cut::InTurn),
+        ([32, 10], Cut::Forth),
+        ([60, 16], Cut::InTurn),
+    ];
+    let strip = |(cells, cut)| {
+        let (positions, triangles) = grid(cells, cut, &at);
+        let part = made(positions, triangles, material.cloned());
+        assert_eq!(part.predicted.as_ref().unwrap().basis, Basis::Computed);
+        part
+    };
+    rows.into_iter().map(strip).collect()
+}
+
+#[test]
+fn a_twisted_strip_is_judged_alike_however_it_was_divided() {
+    let steel = steel(1.0);
+    for part in twisted(10.0, Some(&steel)) {
+        assert_eq!(verdict(&part), Verdict::Bends, "{}", strain(&part));
+    }
+    let at = helicoid(10.0);
+    let rail = |side: f64| (0..25).map(|i| at(f64::from(i) / 24.0, side)).collect();
+    assert_eq!(verdict(&between([rail(0.0), rail(1.0)], Some(steel))), Verdict::Bends);
+    // By 60°, thin sheet has several places of rest; in none it bends without force.
+    let parts = twisted(60.0, None);
+    assert!(parts.iter().all(|part| verdict(part) != Verdict::Bends));
+    let strains: Vec<f64> = parts.iter().map(strain).collect();
+    assert!(strains.iter().all(|&strain| strain > 3e-4 && strain < 2e-3), "{strains:?}");
+    // From ten rows on, and as a strip that is free within, it is the same but for little.
+    let alike = [strains[0], strains[3], strains[4]];
+    let [least, most] = [f64::min, f64::max].map(|of| alike.into_iter().reduce(of).unwrap());
+    assert!(most < 1.7 * least, "{strains:?}");
+}
+
+/// A cap of a sphere of 1 m to so many degrees from its pole.
+fn dome(deg: f64) -> Part {
+    let mesh = cap(from_deg(deg), 10, 40);
+    let scaled = mesh.positions().iter().map(|p| Point3::from_vec(p.to_vec() * 1000.0));
+    made(scaled.collect(), mesh.triangles().to_vec(), Some(steel(1.0)))
+}
+
+#[test]
+fn a_shallow_dome_bends_and_a_deep_one_does_not_though_their_borders_are_flat() {
+    // They are as high as 0.9, 5.3 and 18 % of their width.
+    let [shallow, deep, deeper] = [2.0, 12.0, 40.0].map(dome);
+    assert_eq!(verdict(&shallow), Verdict::Bends);
+    assert_eq!(verdict(&deep), Verdict::WillNotBend);
+    assert_eq!(verdict(&deeper), Verdict::WillNotBend);
+    assert!(strain(&shallow) < strain(&deep) && strain(&deep) < strain(&deeper));
+    // Both lengths are said: what grows and what shrinks.
+    let said = deeper.checked.findings.iter().find_map(|finding| match finding.kind {
+        FindingKind::Stretch { stretch, shrink } => Some([stretch, shrink]),
+        _ => None,
+    });
+    let distortion = deeper.measures.distortion.as_ref().unwrap();
+    let wanted = [1.0 / distortion.stretch_min - 1.0, 1.0 - 1.0 / distortion.stretch_max];
+    assert_eq!(said.unwrap(), wanted);
+}
+
+/// A grid of cells on a saddle of a size of 400 mm, as high as this at its corners, mm.
+fn saddle(height: f64) -> Part {
+    let (positions, triangles) = grid([20, 20], Cut::InTurn, |x, y| {
+        let (x, y) = (2.0 * x - 1.0, 2.0 * y - 1.0);
+        Point3::new(200.0 * x, 200.0 * y, height * x * y)
+    });
+    made(positions, triangles, Some(steel(1.0)))
+}
+
+#[test]
+fn gentle_saddles_bend_and_steep_ones_do_not() {
+    assert_eq!(verdict(&saddle(3.0)), Verdict::Bends);
+    assert_eq!(verdict(&saddle(100.0)), Verdict::WillNotBend);
+}
+
+#[test]
+fn cylinders_and_cones_bend_with_noise_and_without() {
+    for noise in [0.0, 0.05, 0.2] {
+        let mut random = Random::new(3);
+        let (positions, triangles) = grid([50, 40], Cut::InTurn, |x, y| {
+            let radius = 600.0 + random.between(-noise, noise);
+            Point3::new(radius * cos(x), radius * sin(x), 400.0 * y)
+        });
+        let part = made(positions, triangles, Some(steel(1.0)));
+        assert_eq!(verdict(&part), Verdict::Bends, "{noise} {}", strain(&part));
+    }
+    let cone = cone(600.0, 1200.0, 1.0, 24, 12);
+    let part = made(cone.positions().to_vec(), cone.triangles().to_vec(), Some(steel(1.0)));
+    assert_eq!(verdict(&part), Verdict::Bends, "{}", strain(&part));
+}
