@@ -4,6 +4,7 @@
 //! with holes, [`damage`] meshes as other programs damage them, [`family`] the curve families that
 //! programs of this field are compared on,
 //! [`hemisphere`] the pieces of a gored hemisphere, [`gored`] the losses of gores against a sphere,
+//! [`solids`] bodies of flat faces, [`low_poly`] an animal and a helmet of some hundred facets,
 //! [`transition`] the classical square-to-round duct, [`three_cones`] a sheet that branches,
 //! [`random`] a generator of numbers and boundaries, [`bent`] panels on both sides of what a sheet
 //! takes, [`hull`] the planks of a published hull,
@@ -23,11 +24,13 @@ pub mod gallery;
 pub mod gored;
 pub mod hemisphere;
 pub mod hull;
+pub mod low_poly;
 pub mod materials;
 pub mod meshes;
 pub mod pierced;
 pub mod random;
 pub mod rings;
+pub mod solids;
 pub mod three_cones;
 mod trace;
 pub mod transition;
