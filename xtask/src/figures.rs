@@ -1,11 +1,13 @@
 //! The pictures of the README and the docs, made from the examples.
 
+use sheetwright::design::{Design, DesignPanel, PanelMesh, PanelShape, Triangles};
 use sheetwright::make::{Made, make};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
     Picture, ReadOptions, VarySettings, design_picture, flat_picture, gauss_picture, moved_picture,
     read_input, side_by_side, space_picture, stacked, warp_chart,
 };
+use sheetwright_shapes::low_poly;
 use std::error::Error;
 
 /// Samples of each rail: enough for a smooth picture, few enough for a small file.
@@ -21,6 +23,7 @@ pub(crate) fn write() -> Result<(), Box<dyn Error>> {
         ("three-cones.svg", three_cones()?),
         ("vary.svg", vary()?),
         ("meshes.svg", meshes()?),
+        ("nets.svg", nets()?),
     ] {
         let path = crate::root().join("docs/pictures").join(name);
         std::fs::write(&path, picture.standalone())?;
@@ -92,4 +95,29 @@ fn meshes() -> Result<Picture, Box<dyn Error>> {
         rows.push(side_by_side(title, &pictures));
     }
     Ok(stacked("Meshes in space, and laid flat, coloured by how much lengths differ", &rows))
+}
+
+/// Two paper models, and their nets.
+fn nets() -> Result<Picture, Box<dyn Error>> {
+    let models = [
+        ("A bear of 588 facets", low_poly::animal(), Some([275.0, 172.0])),
+        ("A helmet of 404 facets", low_poly::helmet(), None),
+    ];
+    let mut rows = Vec::new();
+    for (title, model, pieces_within_mm) in models {
+        let mesh = model.mesh();
+        let (positions, triangles) = (mesh.positions().to_vec(), mesh.triangles().to_vec());
+        let given = Triangles { positions, triangles, left_out: 0 };
+        let facets = Some(true);
+        let shape = PanelMesh { facets, pieces_within_mm, ..PanelMesh::new(given) };
+        let panel = DesignPanel::new("net", PanelShape::Mesh(shape), 0);
+        let made = make(&Design { panels: vec![panel], ..Design::default() }, &mut Unwatched)?;
+        let mut parts: Vec<Picture> =
+            made.parts.iter().map(|part| flat_picture(part, made.material.as_ref())).collect();
+        parts.truncate(1);
+        let mut pictures = vec![design_picture(&made)];
+        pictures.append(&mut parts);
+        rows.push(side_by_side(title, &pictures));
+    }
+    Ok(stacked("Models of facets in space, and their nets", &rows))
 }

@@ -49,6 +49,7 @@ Examples:
   sheetwright make tent.obj --out build --units m --aim seams
       Meshes (.obj, .stl, .ply, .glb): one panel for each group, both sides of a seam equally long
   sheetwright make box.stl --out build --split-creases 30
+  sheetwright make bear.obj --out build --facets --pieces-within a4
   sheetwright make dinghy.sheet.json --out build --vary-warp 6 --vary-limit 5mm
       Moves the curves as little as needed for a warp of 6°, and writes the moved curves";
 
@@ -181,6 +182,41 @@ pub(crate) struct MeshArgs {
     /// Lay one skin flat alone of a plate that comes as a closed mesh with two
     #[arg(long, value_enum, ignore_case = true, value_name = "SKIN")]
     pub(crate) skin: Option<SkinArg>,
+    /// Fold a mesh between its facets and stretch nothing, as a paper model is made; --facets=off
+    /// never does [default: where a coarse mesh would not bend as one surface]
+    #[arg(long, value_enum, ignore_case = true, value_name = "HOW", num_args = 0..=1,
+        require_equals = true, default_missing_value = "on")]
+    pub(crate) facets: Option<FacetsArg>,
+    /// No piece of a mesh that is folded is larger than this: the name of a paper, on one sheet of
+    /// which it is printed, or a width and a height in mm, such as 280x200
+    #[arg(long, value_name = "SIZE", value_parser = piece_size)]
+    pub(crate) pieces_within: Option<PieceSize>,
+}
+
+/// Whether facets are folded.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum FacetsArg {
+    /// They are
+    On,
+    /// They are not
+    Off,
+}
+
+/// The largest size of a piece, mm.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct PieceSize([f64; 2]);
+
+fn piece_size(given: &str) -> Result<PieceSize, String> {
+    let given = given.to_lowercase();
+    if let Some(paper) = Paper::from_name(&given) {
+        return Ok(PieceSize(paper.whole_piece_mm()));
+    }
+    let lengths = given.split_once(['x', '×']);
+    let size = lengths.and_then(|(width, height)| {
+        let mm = |text: &str| sheetwright_files::distance_mm(text).filter(|&mm| mm > 0.0);
+        Some(PieceSize([mm(width.trim())?, mm(height.trim())?]))
+    });
+    size.ok_or_else(|| "give a4, letter, or a width and a height such as 280x200".to_owned())
 }
 
 impl MeshArgs {
@@ -197,18 +233,23 @@ impl MeshArgs {
                 SkinArg::Outer => Skin::Outer,
                 SkinArg::Inner => Skin::Inner,
             }),
+            facets: self.facets.map(|facets| matches!(facets, FacetsArg::On)),
+            pieces_within_mm: self.pieces_within.map(|PieceSize(size)| size),
         }
     }
 
     /// The first option for meshes that is given, as it is written.
     pub(crate) fn given(&self) -> Option<String> {
-        let given = [
-            self.aim.map(|aim| format!("--aim {}", aim.name())),
-            self.split_creases.map(|_| "--split-creases".to_owned()),
-            self.darts.then(|| "--darts".to_owned()),
-            self.skin.map(|_| "--skin".to_owned()),
+        let aim = self.aim.map(|aim| format!("--aim {}", aim.name()));
+        let others = [
+            ("--split-creases", self.split_creases.is_some()),
+            ("--darts", self.darts),
+            ("--skin", self.skin.is_some()),
+            ("--facets", self.facets.is_some()),
+            ("--pieces-within", self.pieces_within.is_some()),
         ];
-        given.into_iter().flatten().next()
+        let other = others.iter().find(|(_, is_given)| *is_given);
+        aim.or_else(|| other.map(|(name, _)| (*name).to_owned()))
     }
 }
 

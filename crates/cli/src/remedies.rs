@@ -26,6 +26,8 @@ pub(crate) fn option(remedy: Remedy) -> String {
         Remedy::Darts => "--darts cuts it there.".to_owned(),
         Remedy::SplitCreases => "--split-creases 30 divides it at creases above 30°.".to_owned(),
         Remedy::OneSkin => "--skin outer lays the outer one flat.".to_owned(),
+        Remedy::Facets => "--facets folds it so.".to_owned(),
+        Remedy::NoFacets => "--facets=off lays it flat as a smooth surface.".to_owned(),
         Remedy::Units => "--units sets them.".to_owned(),
         Remedy::Sheets(count) => format!("--max-sheets {count} allows them."),
     }

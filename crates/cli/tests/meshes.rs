@@ -116,7 +116,7 @@ fn options_that_help_are_named_by_the_command_and_not_on_the_page() {
     let pyramid = "v -50 -50 0\nv 50 -50 0\nv 50 50 0\nv -50 50 0\nv 0 0 80\n\
         f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";
     fs::write(desk.join("tip.obj"), pyramid).unwrap();
-    let (said, _) = says(&desk, "make tip.obj --out out --formats report", 1);
+    let (said, _) = says(&desk, "make tip.obj --out out --formats report --facets=off", 1);
     let options = "(at (-25.0, -25.0, 40.0) mm) --darts cuts it there. --split-creases 30 divides";
     assert!(said.contains(options), "{said}");
     for name in ["report.html", "report.json"] {
@@ -126,6 +126,32 @@ fn options_that_help_are_named_by_the_command_and_not_on_the_page() {
     }
     let (said, _) = says(&desk, "check tip.obj --darts", 0);
     assert!(!said.contains("--"), "{said}");
+}
+
+#[test]
+fn facets_are_folded_into_pieces_that_fit_the_paper() {
+    let (_kept, desk) = desk();
+    // The pyramid's facets are meant.
+    let pyramid = "v -50 -50 0\nv 50 -50 0\nv 50 50 0\nv -50 50 0\nv 0 0 80\n\
+        f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";
+    fs::write(desk.join("tip.obj"), pyramid).unwrap();
+    let (said, _) = says(&desk, "check tip.obj", 0);
+    assert!(said.contains("its facets are meant") && said.contains("--facets=off lays"), "{said}");
+    let (said, _) = says(&desk, "check tip.obj --facets", 0);
+    assert!(said.contains("3 mountain folds of up to") && !said.contains("--"), "{said}");
+    let all = "make box.obj --out net --facets=on --pieces-within a4";
+    says(&desk, all, 0);
+    let report = report(&desk.join("net"));
+    let panels = report["panels"].as_array().unwrap();
+    assert!(panels.len() > 1);
+    for panel in panels {
+        assert!(panel["length_error_max"].as_f64().unwrap() < 1e-9);
+        assert_eq!(panel["overlaps"], false);
+    }
+    let svg = fs::read_to_string(desk.join("net/box-1.svg")).unwrap();
+    assert!(svg.contains("class=\"fold mountain\" stroke-dasharray"), "{svg}");
+    let (said, _) = says(&desk, "check box.obj --pieces-within 3", 2);
+    assert!(said.is_empty());
 }
 
 #[test]

@@ -257,6 +257,14 @@ fn mesh_ui<'a>(ui: &mut Ui, field: &impl Fn(&'a str) -> Field<'a>, mesh: &mut Pa
     {
         mesh.split_creases = Some(from_deg(deg));
     }
+    let titles =
+        [(None, "Folded where meant"), (Some(true), "Folded"), (Some(false), "Not folded")];
+    let title = titles.iter().find(|(facets, _)| *facets == mesh.facets).map_or("", |t| t.1);
+    ComboBox::from_label("Facets").selected_text(title).width(150.0).show_ui(ui, |ui| {
+        for (facets, title) in titles {
+            ui.selectable_value(&mut mesh.facets, facets, title);
+        }
+    });
     ui.checkbox(&mut mesh.darts, "Cut to the worst points").on_hover_text(
         "Where the mesh would stretch by more than the limit of the sheet, cut it from its border.",
     );

@@ -106,6 +106,10 @@ pub struct MeshSettings {
     pub darts: bool,
     /// The skin that is laid flat of plates that come as closed meshes with two.
     pub skin: Option<Skin>,
+    /// Whether facets are folded and nothing is stretched; `None` leaves it to the panel.
+    pub facets: Option<bool>,
+    /// The width and height of a rectangle that no piece of facets exceeds, mm.
+    pub pieces_within_mm: Option<[f64; 2]>,
 }
 
 impl MeshSettings {
@@ -116,6 +120,8 @@ impl MeshSettings {
             split_creases: self.split_creases.or(mesh.split_creases),
             darts: self.darts || mesh.darts,
             skin: self.skin.or(mesh.skin),
+            facets: self.facets.or(mesh.facets),
+            pieces_within_mm: self.pieces_within_mm.or(mesh.pieces_within_mm),
             ..mesh
         }
     }

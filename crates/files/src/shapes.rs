@@ -21,6 +21,9 @@ pub(crate) enum What {
     Hole,
     Rung(Rung),
     Crease,
+    Fold {
+        mountain: bool,
+    },
     RulingTick,
     SeamTick,
     Dimension,
@@ -53,6 +56,7 @@ pub(crate) fn shapes(piece: &Piece) -> Vec<Shape> {
                 PathKind::Hole => What::Hole,
                 PathKind::Rung(rung) => What::Rung(rung),
                 PathKind::Crease => What::Crease,
+                PathKind::Fold { mountain } => What::Fold { mountain },
                 PathKind::RulingTick => What::RulingTick,
                 PathKind::SeamTick => What::SeamTick,
                 PathKind::Dimension => What::Dimension,

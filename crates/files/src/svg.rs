@@ -22,6 +22,10 @@ const IN_INKSCAPE: &str = "path{-inkscape-stroke:hairline}";
 /// machines ignore it, as CSS requires, and use [`LINE_MM`].
 const ON_SCREENS: &str = "@supports (vector-effect:non-scaling-stroke){@media screen{\
 path{vector-effect:non-scaling-stroke;stroke-width:1px}}}";
+/// Mountain folds are dashed on paper, as paper models have them; machines follow the whole line.
+const MOUNTAIN: &str = "stroke-dasharray=\"3 1.5\"";
+/// Valley folds are drawn with dashes and dots.
+const VALLEY: &str = "stroke-dasharray=\"4 1.5 0.3 1.5\"";
 /// The gap between the drawing and the edge of the page, mm.
 const EDGE_MM: f64 = 5.0;
 
@@ -87,6 +91,8 @@ fn named(shape: &Shape) -> String {
             format!("class=\"rung\" data-rung=\"{low} {high}\"")
         }
         What::Crease => "class=\"crease\"".to_owned(),
+        What::Fold { mountain: true } => format!("class=\"fold mountain\" {MOUNTAIN}"),
+        What::Fold { mountain: false } => format!("class=\"fold valley\" {VALLEY}"),
         What::RulingTick => "class=\"tick\"".to_owned(),
         What::SeamTick => "class=\"seam-tick\"".to_owned(),
         What::Dimension => "class=\"dimension\"".to_owned(),

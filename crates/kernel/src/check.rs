@@ -29,6 +29,7 @@ use crate::flatten::Flattened;
 use crate::material::Material;
 use crate::measure::Measures;
 use crate::mesh::{Healing, Mesh, Specks};
+use crate::nets::Coarseness;
 use crate::sheet::Sheet;
 use sheetwright_geometry::boundary::Boundary;
 use sheetwright_geometry::index::VertexIndex;
@@ -85,6 +86,16 @@ pub struct MeshOrigin<'a> {
     pub contacts: usize,
     /// The number of cuts from the border to points inside that the design or the caller sets.
     pub darts: usize,
+    /// The net that it is a piece of; `None` of a mesh that is laid flat as a surface.
+    pub net: Option<NetOrigin>,
+}
+
+/// A piece of a net of facets.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NetOrigin {
+    /// How coarse the mesh is, if it is folded by itself since its facets are meant; told of its
+    /// first piece alone.
+    pub meant: Option<Coarseness>,
 }
 
 /// Checks a part.

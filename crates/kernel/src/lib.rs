@@ -59,6 +59,8 @@ pub mod sheet;
 
 pub mod flatten;
 
+pub mod nets;
+
 pub mod quads;
 
 pub mod measure;

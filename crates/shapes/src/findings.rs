@@ -155,6 +155,10 @@ fn of_meshes() -> Vec<Finding> {
             Kind::Seams { count: 3, length_mm: 55.0, why: SeamCause::Darts },
             mesh_seams(3),
         ),
+        Finding::new(
+            Kind::Seams { count: 40, length_mm: 900.0, why: SeamCause::Facets },
+            mesh_seams(40),
+        ),
         Finding::new(Kind::PartsLeftOut { count: 1 }, at.clone()),
         Finding::new(Kind::PartsLeftOut { count: 2 }, at.clone()),
     ];
@@ -172,6 +176,10 @@ fn of_meshes() -> Vec<Finding> {
     all.extend(healed.map(|kind| Finding::new(kind, at.clone())));
     all.extend(whole([
         Kind::Creases { count: 4, sharpest: from_deg(31.0), stiff: None },
+        Kind::FoldedFacets { mountains: 41, valleys: 1, sharpest: from_deg(84.0), stiff: None },
+        Kind::FoldedFacets { mountains: 1, valleys: 0, sharpest: from_deg(84.0), stiff: sheet() },
+        Kind::FacetsMeant { facets: 450, turn: from_deg(22.0) },
+        Kind::FacetsFew { facets: 450 },
         Kind::BorderNotTrue { largest: 0.0001 },
         Kind::Flipped { count: 1 },
         Kind::TrianglesLeftOut { count: 1 },

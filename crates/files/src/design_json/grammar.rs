@@ -230,6 +230,15 @@ pub(super) struct PanelFile {
     /// mesh.
     #[serde(default)]
     pub(super) skin: Option<SkinName>,
+    /// Whether a mesh is folded between its facets, and stretched nowhere, as a paper model is; false
+    /// lays it flat as a smooth surface. Default: it is folded where it would not bend as one
+    /// surface, its facets are 2,000 or fewer, and they turn sharply.
+    #[serde(default)]
+    pub(super) facets: Option<bool>,
+    /// The width and height of a rectangle that no piece of a folded mesh exceeds, in the units of
+    /// the design. Default: no limit.
+    #[serde(default)]
+    pub(super) pieces_within: Option<[f64; 2]>,
     /// Samples of the outer loop, or of each rail. Default: 400 of a loop, 200 of a rail.
     #[serde(default)]
     #[schemars(range(min = 2, max = 1_000_000))]

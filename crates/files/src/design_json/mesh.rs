@@ -50,6 +50,8 @@ impl<'a> Meshes<'a> {
                 (".split_creases_deg", file.split_creases_deg.is_some()),
                 (".darts", file.darts.is_some()),
                 (".skin", file.skin.is_some()),
+                (".facets", file.facets.is_some()),
+                (".pieces_within", file.pieces_within.is_some()),
             ];
             if let Some((field, _)) = given.into_iter().find(|(_, given)| *given) {
                 let hint = "Add \"mesh\": \"hood.stl\", or leave this field out.";
@@ -74,6 +76,15 @@ impl<'a> Meshes<'a> {
                 self.source.error(&at(".split_creases_deg"), message, hint)
             })
         });
+        let within = file.pieces_within.map(|size| {
+            let size = size.map(|length| length * self.units.in_mm());
+            let is_size = size.iter().all(|&mm| mm > 0.0 && mm.is_finite());
+            is_size.then_some(size).ok_or_else(|| {
+                let message = "the size of pieces is not above 0";
+                let hint = "Write the width and the height of a piece, such as [275, 170].";
+                self.source.error(&at(".pieces_within"), message, hint)
+            })
+        });
         let mesh = PanelMesh {
             triangles,
             aim: match file.aim {
@@ -87,6 +98,8 @@ impl<'a> Meshes<'a> {
                 SkinName::Outer => Skin::Outer,
                 SkinName::Inner => Skin::Inner,
             }),
+            facets: file.facets,
+            pieces_within_mm: within.transpose()?,
         };
         Ok(Some(PanelShape::Mesh(self.source.options.mesh.applied(mesh))))
     }
@@ -229,5 +242,11 @@ pub(super) fn fields(mesh: &PanelMesh) -> Vec<String> {
         Skin::Inner => SkinName::Inner,
     });
     fields.extend(skin.map(|skin| format!("\"skin\": {}", json(&skin))));
+    if let Some(facets) = mesh.facets {
+        fields.push(format!("\"facets\": {facets}"));
+    }
+    if let Some(size) = mesh.pieces_within_mm {
+        fields.push(format!("\"pieces_within\": {}", json(&size)));
+    }
     fields
 }

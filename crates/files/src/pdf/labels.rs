@@ -7,7 +7,7 @@
 use super::tiling::Tiling;
 use crate::stroke_font::strokes;
 use sheetwright::math::{Point2, Vec2};
-use sheetwright::pattern::{PatternLabel, Piece, Role};
+use sheetwright::pattern::{LabelKind, PatternLabel, Piece, Role};
 use sheetwright::predicate::Box2;
 
 /// The least distance between a text and a joint, mm.
@@ -15,7 +15,9 @@ const AWAY_MM: f64 = 1.0;
 
 /// The texts to draw on the sheets of a piece, with their final places and sizes.
 pub(super) fn labels(piece: &Piece, tiling: &Tiling) -> Vec<PatternLabel> {
-    let drawn = piece.labels.iter().filter(|label| label.role != Role::Note);
+    let is_drawn =
+        |label: &&PatternLabel| label.role != Role::Note || label.kind == LabelKind::Angle;
+    let drawn = piece.labels.iter().filter(is_drawn);
     drawn.map(|label| off_joints(label, piece, tiling)).collect()
 }
 
@@ -103,7 +105,7 @@ mod tests {
     use super::super::{Paper, tiling};
     use super::*;
     use sheetwright::math::from_deg;
-    use sheetwright::pattern::{LabelKind, PathKind, PatternPath};
+    use sheetwright::pattern::{PathKind, PatternPath};
 
     fn piece(size: Vec2, labels: Vec<PatternLabel>) -> Piece {
         let corners = [(0.0, 0.0), (size.x, 0.0), (size.x, size.y), (0.0, size.y)];

@@ -49,6 +49,11 @@ impl Paper {
         Self::ALL.into_iter().find(|paper| paper.name() == name)
     }
 
+    /// The largest piece that one sheet of it shows whole, mm, the longer side first.
+    pub fn whole_piece_mm(self) -> [f64; 2] {
+        tiling::whole_mm(self)
+    }
+
     /// Its name on printed sheets.
     const fn title(self) -> &'static str {
         match self {

@@ -22,21 +22,24 @@ pub(super) struct Pen {
     width_mm: f64,
     /// 0 is black, 1 is white.
     grey: f32,
-    /// Lengths of a dash and of a gap, mm.
-    dash_mm: Option<[f64; 2]>,
+    /// Lengths of a dash and of a gap in turn, mm; none of a solid line.
+    dash_mm: &'static [f64],
 }
 
 impl Pen {
-    pub(super) const CUT: Self = Self { width_mm: 0.35, grey: 0.0, dash_mm: None };
-    pub(super) const SCORE: Self = Self { width_mm: 0.25, grey: 0.0, dash_mm: Some([3.0, 1.5]) };
-    pub(super) const ENGRAVE: Self = Self { width_mm: 0.2, grey: 0.25, dash_mm: None };
-    pub(super) const NOTE: Self = Self { width_mm: 0.1, grey: 0.7, dash_mm: None };
+    pub(super) const CUT: Self = Self { width_mm: 0.35, grey: 0.0, dash_mm: &[] };
+    pub(super) const SCORE: Self = Self { width_mm: 0.25, grey: 0.0, dash_mm: &[3.0, 1.5] };
+    /// A fold towards the viewer; one away from the viewer is drawn as every score.
+    pub(super) const VALLEY: Self =
+        Self { width_mm: 0.25, grey: 0.0, dash_mm: &[4.0, 1.5, 0.3, 1.5] };
+    pub(super) const ENGRAVE: Self = Self { width_mm: 0.2, grey: 0.25, dash_mm: &[] };
+    pub(super) const NOTE: Self = Self { width_mm: 0.1, grey: 0.7, dash_mm: &[] };
     /// Crosses, check squares and scale bars.
-    pub(super) const MARK: Self = Self { width_mm: 0.15, grey: 0.0, dash_mm: None };
+    pub(super) const MARK: Self = Self { width_mm: 0.15, grey: 0.0, dash_mm: &[] };
     /// The frame of the part that a page shows.
-    pub(super) const FRAME: Self = Self { width_mm: 0.1, grey: 0.6, dash_mm: None };
+    pub(super) const FRAME: Self = Self { width_mm: 0.1, grey: 0.6, dash_mm: &[] };
     /// Where sheets meet.
-    pub(super) const SEAM: Self = Self { width_mm: 0.1, grey: 0.5, dash_mm: Some([0.5, 1.5]) };
+    pub(super) const SEAM: Self = Self { width_mm: 0.1, grey: 0.5, dash_mm: &[0.5, 1.5] };
 }
 
 /// The point of a text that lies at the given place.
@@ -109,7 +112,7 @@ impl PdfPage {
         }
         self.pen = Some(pen);
         self.content.set_line_width(points(pen.width_mm)).set_stroke_gray(pen.grey);
-        self.content.set_dash_pattern(pen.dash_mm.into_iter().flatten().map(points), 0.0);
+        self.content.set_dash_pattern(pen.dash_mm.iter().copied().map(points), 0.0);
     }
 
     /// Draws polylines.

@@ -63,6 +63,7 @@ pub(super) fn draw(
             }
             for path in piece.paths.iter().filter(|path| path.role == role) {
                 if path.kind != PathKind::Dimension {
+                    let pen = if path.kind == PathKind::VALLEY { Pen::VALLEY } else { pen };
                     page.lines(&visible(&path.points, path.closed, view), pen);
                 }
             }

@@ -76,6 +76,14 @@ fn window(page: Vec2) -> Vec2 {
     page - Vec2::new(2.0 * MARGIN_MM, 2.0 * MARGIN_MM + HEADER_MM)
 }
 
+/// The largest piece that one sheet shows whole, mm, the longer side first. Pieces lie on their
+/// longer side, so the sheet lies on its side too.
+pub(super) fn whole_mm(paper: Paper) -> [f64; 2] {
+    let upright = paper.size_mm();
+    let size = window(Vec2::new(upright.y, upright.x)) - Vec2::splat(2.0 * AIR_MM);
+    [size.x, size.y]
+}
+
 fn on_page(piece: &Piece, page: Vec2, most: usize) -> Result<Tiling, usize> {
     let around = Box2::of_points(piece.outline().iter().copied())
         .unwrap_or(Box2 { min: Point2::default(), max: Point2::default() });

@@ -215,7 +215,12 @@ pub(super) fn edges(panel: &Part) -> Vec<Tagged<'_>> {
         for steps in seam.steps() {
             let side = EdgeStretch::new(panel, &way_along(&steps));
             let at = tags.place(&side.places);
-            sides.push(Tagged { letter: seam_mark(n), edge: None, length_mm: side.length_mm, at });
+            sides.push(Tagged {
+                letter: seam_mark(panel.sheet.first_seam() + n),
+                edge: None,
+                length_mm: side.length_mm,
+                at,
+            });
         }
     }
     let mut stretches: Vec<(usize, EdgeStretch)> =

@@ -153,7 +153,7 @@ impl Heat<'_> {
             fills.iter().map(|(class, path)| path.element(&name(*class))).collect()
         };
         for (class, kinds) in [
-            ("score", &[PathKind::Crease][..]),
+            ("score", &[PathKind::Crease, PathKind::MOUNTAIN, PathKind::VALLEY][..]),
             ("tick", &[PathKind::SeamTick]),
             ("cut", &[PathKind::Outline, PathKind::Hole]),
         ] {

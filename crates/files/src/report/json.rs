@@ -384,7 +384,7 @@ fn of_seams(part: &Part) -> Vec<SeamReport> {
     let of_seam = |(n, seam): (usize, &Seam)| {
         let ends = part.found().map(|_| part.sheet.seam_rung(seam).ends().map(|s| s.get() + 1));
         SeamReport {
-            mark: seam_mark(n),
+            mark: seam_mark(part.sheet.first_seam() + n),
             length_mm: seam.length_mm,
             sides_mm: seam.sides_flat_mm(&part.flat.points),
             from_sample: ends.map(|[from, _]| from),

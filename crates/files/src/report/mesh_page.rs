@@ -70,6 +70,7 @@ impl MeshPage<'_> {
         let (part, material) = (self.page.part, self.page.material());
         let (measures, seams) = (&part.measures, part.sheet.seams());
         let by_area = measures.distortion.as_ref().map(|d| d.length_error_mean_by_area);
+        let first = part.sheet.first_seam();
         html! {
             strong { "Laid flat. " }
             @if measures.length_error_max < NO_ERROR {
@@ -94,10 +95,10 @@ impl MeshPage<'_> {
                 }
             }
             @if seams.len() == 1 {
-                " Join the two sides that are marked " b { (seam_mark(0)) } "."
+                " Join the two sides that are marked " b { (seam_mark(first)) } "."
             } @else if !seams.is_empty() {
-                " Join the sides that have the same mark, " b { (seam_mark(0)) } " to "
-                b { (seam_mark(seams.len() - 1)) } "."
+                " Join the sides that have the same mark, " b { (seam_mark(first)) } " to "
+                b { (seam_mark(first + seams.len() - 1)) } "."
             }
             (self.edges())
         }
@@ -124,7 +125,8 @@ impl MeshPage<'_> {
         let labels = ["In space", "One side, flat", "Other side, flat"];
         let rows = part.sheet.seams().iter().enumerate().map(|(n, seam)| {
             let [one, other] = seam.sides_flat_mm(&part.flat.points);
-            (seam_mark(n), [seam.length_mm, one, other].map(millimetres_fine).to_vec())
+            let mark = seam_mark(part.sheet.first_seam() + n);
+            (mark, [seam.length_mm, one, other].map(millimetres_fine).to_vec())
         });
         html! {
             @if !part.sheet.seams().is_empty() {

@@ -8,6 +8,7 @@ use sheetwright::check::{Finding, FindingKind, SeamCause, TooTight, Verdict};
 use sheetwright::elastic::Basis;
 use sheetwright::math::{Point3, to_deg};
 use sheetwright::measure::SHARP_CREASE_DEG;
+use sheetwright::nets::{MEANT_DEG, MOST_FACETS};
 use sheetwright::tolerance::Tolerance;
 
 /// A finding in words with units, and advice: one sentence or more for each kind.
@@ -117,6 +118,25 @@ pub fn finding_text(finding: &Finding) -> String {
                 Some(sheet) => format!("{} does not fold; divide the mesh there.", first_up(sheet)),
                 None => "The pattern marks them to be scored.".to_owned(),
             }
+        ),
+        Kind::FoldedFacets { mountains, valleys, sharpest, stiff } => format!(
+            "The net has {} of up to {}. {}",
+            folds(*mountains, *valleys),
+            degrees(*sharpest),
+            match stiff {
+                Some(sheet) => format!("{} does not fold.", first_up(sheet)),
+                None if *valleys == 0 => "The pattern has them dashed.".to_owned(),
+                None => "The pattern dashes mountains; valleys have dashes and dots.".to_owned(),
+            }
+        ),
+        Kind::FacetsMeant { facets, turn } => format!(
+            "As one surface the mesh would not bend. It has {facets} facets, of {MOST_FACETS} at \
+             the most, and along half of the lines between them it turns by {} or more, which is \
+             above {MEANT_DEG:.0}°: its facets are meant, and are folded.",
+            degrees(*turn)
+        ),
+        Kind::FacetsFew { facets } => format!(
+            "Folded between its {facets} facets, the mesh takes its shape without stretching."
         ),
         Kind::BendLines { count, sharpest } => bend_lines(*count, *sharpest),
         Kind::LengthError { largest, closes_holes: true } => format!(
@@ -334,11 +354,23 @@ fn bend_lines(count: usize, sharpest: f64) -> String {
     format!("{lines} More samples spread the bend over more rulings.")
 }
 
+/// The folds of a net, of which there is one.
+fn folds(mountains: usize, valleys: usize) -> String {
+    let mountain = counted(mountains, "1 mountain fold", "mountain folds");
+    let valley = counted(valleys, "1 valley fold", "valley folds");
+    match (mountains, valleys) {
+        (_, 0) => mountain,
+        (0, _) => valley,
+        _ => format!("{mountain} and {valley}"),
+    }
+}
+
 fn cut_open(why: SeamCause) -> &'static str {
     match why {
         SeamCause::NotFlat => "In one piece the panel does not lie flat, so it is cut open",
         SeamCause::Closed => "The panel is closed, so it is cut open",
         SeamCause::Darts => "To stretch less, the panel is cut",
+        SeamCause::Facets => "So that its facets lie flat, the net is cut open",
     }
 }
 

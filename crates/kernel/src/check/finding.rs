@@ -52,7 +52,9 @@ impl Verdict {
             Self::WillNotBend
         } else if has(|kind| matches!(kind, Kind::CantTell { .. } | Kind::RadiusUnsure { .. })) {
             Self::Undecided
-        } else if has(|kind| matches!(kind, Kind::Folds { .. } | Kind::Creases { .. })) {
+        } else if has(|kind| {
+            matches!(kind, Kind::Folds { .. } | Kind::Creases { .. } | Kind::FoldedFacets { .. })
+        }) {
             Self::BendsAndFolds
         } else if has(|kind| matches!(kind, Kind::Roll { .. })) {
             Self::Roll

@@ -158,6 +158,29 @@ pub enum FindingKind {
         /// The sheet that does not fold; `None` where it folds.
         stiff: Option<String>,
     },
+    /// The net of a mesh is folded between its facets.
+    FoldedFacets {
+        /// Along how many lines.
+        mountains: usize,
+        /// Along how many lines.
+        valleys: usize,
+        /// The largest fold, radians.
+        sharpest: f64,
+        /// The sheet that does not fold; `None` where it folds.
+        stiff: Option<String>,
+    },
+    /// The facets of a mesh are meant, so that it is folded without being asked for.
+    FacetsMeant {
+        /// How many there are.
+        facets: usize,
+        /// The angle by which it turns at half of the length of the lines between them, radians.
+        turn: f64,
+    },
+    /// A mesh would not bend as one surface, and has few facets, which can be folded.
+    FacetsFew {
+        /// How many there are.
+        facets: usize,
+    },
     /// The sheet bends at single rulings so much that they are bend lines.
     BendLines {
         /// How many.
@@ -366,6 +389,8 @@ pub enum SeamCause {
     Closed,
     /// Cuts let it stretch less.
     Darts,
+    /// It is folded between its facets.
+    Facets,
 }
 
 /// How a panel bends.
@@ -436,6 +461,8 @@ impl FindingKind {
             Self::BetterWithoutPlane { .. }
             | Self::NotProven { .. }
             | Self::BendLines { .. }
+            | Self::FacetsMeant { .. }
+            | Self::FacetsFew { .. }
             | Self::FoldsNotNeeded { .. }
             | Self::Seams { .. }
             | Self::Stretch { .. }
@@ -458,6 +485,9 @@ impl FindingKind {
             }
             Self::Folds { stiff, .. } | Self::Creases { stiff, .. } => {
                 unless(stiff.is_none(), Severity::Error, Severity::Warning)
+            }
+            Self::FoldedFacets { stiff, .. } => {
+                unless(stiff.is_none(), Severity::Error, Severity::Note)
             }
             // Closing holes changes lengths by less than cutting does, mostly.
             Self::LengthError { largest, closes_holes } => {
@@ -489,6 +519,8 @@ impl FindingKind {
             Self::NoOtherSurface => "no-other-surface",
             Self::NotProven { .. } => "not-proven",
             Self::Folds { .. } | Self::Creases { .. } => "folds",
+            Self::FoldedFacets { .. } => "folds",
+            Self::FacetsMeant { .. } | Self::FacetsFew { .. } => "facets",
             Self::BendLines { .. } => "bend-lines",
             Self::LengthError { .. } | Self::Stretch { .. } => "length-error",
             Self::WindowGap { .. } => "window-gap",
@@ -529,6 +561,8 @@ impl FindingKind {
                 (cut.is_some() && !has_darts, Remedy::Darts),
                 (*has_creases, Remedy::SplitCreases),
             ]),
+            Self::FacetsMeant { .. } => vec![Remedy::NoFacets],
+            Self::FacetsFew { .. } => vec![Remedy::Facets],
             Self::Creases { stiff, .. } => listed(&[(stiff.is_some(), Remedy::SplitCreases)]),
             Self::TwoSkins { laid: None, .. } => vec![Remedy::OneSkin],
             Self::PdfReduced { sheets, most, is_full, .. } => {
@@ -554,6 +588,7 @@ impl FindingKind {
                 | Self::SelfCrossing
                 | Self::Folds { .. }
                 | Self::Creases { .. }
+                | Self::FoldedFacets { .. }
         )
     }
 }

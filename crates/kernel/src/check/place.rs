@@ -79,7 +79,7 @@ impl Place {
         let seams = sheet.seams().iter().enumerate().filter(|(_, seam)| is_so(seam));
         let place = |(number, seam): (usize, &Seam)| {
             let ends = sheet.has_rungs().then(|| sheet.seam_rung(seam).ends());
-            SeamPlace { number, ends }
+            SeamPlace { number: sheet.first_seam() + number, ends }
         };
         Self::Seams { seams: seams.map(place).collect() }
     }

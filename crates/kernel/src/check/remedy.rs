@@ -14,6 +14,10 @@ pub enum Remedy {
     SplitCreases,
     /// Laying one of two skins flat alone.
     OneSkin,
+    /// Folding a mesh between its facets.
+    Facets,
+    /// Laying a mesh flat as a smooth surface, not folding it between its facets.
+    NoFacets,
     /// Another unit of the coordinates, for a file that does not state its own.
     Units,
     /// A larger number of sheets of paper for a pattern: this one.

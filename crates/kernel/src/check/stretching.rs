@@ -5,6 +5,8 @@ use super::{Finding, FindingKind, MeshOrigin, Place, SeamCause, Subject};
 use super::{overlap, seams, strain, title};
 use crate::measure::Distortion;
 use crate::mesh::{Healing, SCORED_CREASE_DEG, Specks, crease_angles};
+use crate::nets::Coarseness;
+use crate::pattern::fold_counts;
 use sheetwright_geometry::math::to_deg;
 
 /// The border is true up to this share of a length.
@@ -20,20 +22,25 @@ pub(super) struct Panel<'a> {
 
 /// The findings on it.
 pub(super) fn findings(panel: &Panel<'_>) -> Vec<Finding> {
-    let checks: [fn(&Panel<'_>) -> Option<Finding>; 10] = [
+    let checks: [fn(&Panel<'_>) -> Option<Finding>; 11] = [
         divide,
         stretch,
         border,
         |panel: &Panel<'_>| overlap(panel.part),
         flipped,
-        folds,
+        |panel: &Panel<'_>| {
+            if panel.origin.net.is_some() { net_folds(panel) } else { folds(panel) }
+        },
+        facets_meant,
         |panel: &Panel<'_>| seams(panel.part, why_cut(panel)),
         left_out,
         specks,
         contacts,
     ];
     let Subject { predicted, measures, material, .. } = *panel.part;
-    let strained = strain::findings(predicted, measures, material);
+    let is_net = panel.origin.net.is_some();
+    let strained =
+        if is_net { Vec::new() } else { strain::findings(predicted, measures, material) };
     let healed = panel.origin.healings.iter().map(healing);
     let skins = panel.origin.skins.map(|kind| Finding::of_whole(kind.clone()));
     let checked = checks.iter().filter_map(|check| check(panel));
@@ -96,8 +103,25 @@ fn folds(panel: &Panel<'_>) -> Option<Finding> {
     Some(Finding::of_whole(FindingKind::Creases { count: sharp.len(), sharpest, stiff }))
 }
 
+/// The folds of a piece of a net.
+fn net_folds(panel: &Panel<'_>) -> Option<Finding> {
+    let [mountains, valleys] = fold_counts(panel.part.sheet.mesh(), &panel.part.flat.points);
+    let sharpest = panel.part.measures.crease_max;
+    let stiff = title(panel.part.material.filter(|m| !m.folds()));
+    let kind = FindingKind::FoldedFacets { mountains, valleys, sharpest, stiff };
+    (mountains + valleys > 0).then(|| Finding::of_whole(kind))
+}
+
+/// The rule by which a mesh is folded without being asked for.
+fn facets_meant(panel: &Panel<'_>) -> Option<Finding> {
+    let Coarseness { facets, median_turn: turn } = panel.origin.net?.meant?;
+    Some(Finding::of_whole(FindingKind::FacetsMeant { facets, turn }))
+}
+
 fn why_cut(panel: &Panel<'_>) -> SeamCause {
-    if panel.origin.mesh.loops().is_empty() {
+    if panel.origin.net.is_some() {
+        SeamCause::Facets
+    } else if panel.origin.mesh.loops().is_empty() {
         SeamCause::Closed
     } else if panel.origin.darts > 0 {
         SeamCause::Darts

@@ -32,13 +32,27 @@ pub struct PanelMesh {
     /// The skin that is laid flat of a plate that comes as a closed mesh with two. Default: all of
     /// the mesh.
     pub skin: Option<Skin>,
+    /// Whether its facets are folded and nothing is stretched, as a paper model is made. Default:
+    /// where the mesh would not bend as one surface, and its facets are coarse
+    /// ([`crate::nets::Coarseness::is_meant`]).
+    pub facets: Option<bool>,
+    /// The width and height of a rectangle that no piece of facets exceeds, mm. Default: no limit.
+    pub pieces_within_mm: Option<[f64; 2]>,
 }
 
 impl PanelMesh {
     /// A mesh that is laid flat with the defaults.
     pub fn new(triangles: Triangles) -> Self {
         let triangles = Arc::new(triangles);
-        Self { triangles, aim: Aim::Mean, split_creases: None, darts: false, skin: None }
+        Self {
+            triangles,
+            aim: Aim::Mean,
+            split_creases: None,
+            darts: false,
+            skin: None,
+            facets: None,
+            pieces_within_mm: None,
+        }
     }
 }
 
@@ -47,8 +61,10 @@ impl PartialEq for PanelMesh {
         // Copies of a design are compared at every move of a handle.
         let same_triangles =
             Arc::ptr_eq(&self.triangles, &other.triangles) || self.triangles == other.triangles;
-        same_triangles
-            && (self.aim, self.split_creases, self.darts, self.skin)
-                == (other.aim, other.split_creases, other.darts, other.skin)
+        let settings = |mesh: &Self| {
+            let Self { aim, split_creases, darts, skin, facets, pieces_within_mm, .. } = mesh;
+            (*aim, *split_creases, *darts, *skin, *facets, *pieces_within_mm)
+        };
+        same_triangles && settings(self) == settings(other)
     }
 }

@@ -7,13 +7,16 @@ mod opened;
 mod pose;
 mod refold;
 mod relax;
+mod unfold;
 mod unroll;
 
 pub use lay::lay_flat;
 pub use refold::{RefoldError, refold};
 pub use relax::{Aim, Ended, RelaxError, RelaxOptions, Relaxed, relax, relax_lengths};
 
+pub(crate) use pose::fits_in;
 pub(crate) use relax::{conformal_scales, laid_at, triangle_stretches};
+pub use unfold::unfold;
 pub use unroll::unroll;
 
 use sheetwright_geometry::math::Point2;

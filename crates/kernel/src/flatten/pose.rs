@@ -11,12 +11,32 @@ use std::ops::Range;
 
 /// The points turned and moved, not mirrored, so that those of the loop lie as told above.
 pub(super) fn posed(points: &[Point2], of_loop: &Range<usize>) -> Vec<Point2> {
-    let hull = convex_hull(&points[of_loop.clone()]);
-    let turned = |along: Vec2| {
-        let across = along.perp();
-        move |p: &Point2| Point2::new(p.to_vec().dot(along), p.to_vec().dot(across))
-    };
-    let mut best: Option<(f64, Vec2)> = None;
+    let along = least_rectangle(&points[of_loop.clone()]).1;
+    let laid: Vec<Point2> = points.iter().map(turned(along)).collect();
+    let origin = Box2::of_points(laid[of_loop.clone()].iter().copied())
+        .map_or(Vec2::ZERO, |b| b.min.to_vec());
+    laid.into_iter().map(|p| p + -origin).collect()
+}
+
+/// Whether points that are laid so lie within a rectangle of this width and height, mm, either way
+/// round.
+pub(crate) fn fits_in(points: &[Point2], [width, height]: [f64; 2]) -> bool {
+    let size = least_rectangle(points).0;
+    let rounding = 1e-9 * (width + height);
+    size.x <= width.max(height) + rounding && size.y <= width.min(height) + rounding
+}
+
+/// A point by its coordinates along a direction and across it.
+fn turned(along: Vec2) -> impl Fn(&Point2) -> Point2 {
+    let across = along.perp();
+    move |p: &Point2| Point2::new(p.to_vec().dot(along), p.to_vec().dot(across))
+}
+
+/// The size of the rectangle of least area around some points, its longer side first, mm, and the
+/// direction of that side.
+fn least_rectangle(points: &[Point2]) -> (Vec2, Vec2) {
+    let hull = convex_hull(points);
+    let mut best: Option<(Vec2, Vec2)> = None;
     // The corners that lie farthest along, across and back.
     let mut farthest = [0; 3];
     for (n, corner) in hull.iter().enumerate() {
@@ -29,16 +49,15 @@ pub(super) fn posed(points: &[Point2], of_loop: &Range<usize>) -> Vec<Point2> {
         let Some(around) = Box2::of_points(touched.map(|p| turned(along)(&p))) else { continue };
         let size = around.max - around.min;
         // Equal areas, as the sides of a rectangle give, must not be told apart by rounding.
-        if best.is_none_or(|(least, _)| size.x * size.y < least * (1.0 - 1e-9)) {
-            let longer = if size.x >= size.y { along } else { -along.perp() };
-            best = Some((size.x * size.y, longer));
+        if best.is_none_or(|(b, _)| size.x * size.y < b.x * b.y * (1.0 - 1e-9)) {
+            best = Some(if size.x >= size.y {
+                (size, along)
+            } else {
+                (Vec2::new(size.y, size.x), -along.perp())
+            });
         }
     }
-    let along = best.map_or(Vec2::X, |(_, along)| along);
-    let laid: Vec<Point2> = points.iter().map(turned(along)).collect();
-    let origin = Box2::of_points(laid[of_loop.clone()].iter().copied())
-        .map_or(Vec2::ZERO, |b| b.min.to_vec());
-    laid.into_iter().map(|p| p + -origin).collect()
+    best.unwrap_or((Vec2::ZERO, Vec2::X))
 }
 
 /// From corner to corner of a hull, as far as they lie farther and farther along; corners are

@@ -29,6 +29,7 @@ pub(super) fn join_meshes(parts: &mut [&mut Part]) {
         let part = &mut *parts[number];
         part.edges = edges;
         let joints = part.given().map_or(&[][..], |given| &given.joints);
+        let is_net = part.given().is_some_and(|given| given.is_net);
         let mark = |joint: &Joint| EdgeMark {
             mark: joint.mark.clone(),
             steps: joint.steps.clone(),
@@ -36,7 +37,9 @@ pub(super) fn join_meshes(parts: &mut [&mut Part]) {
         };
         let mut marks = seam_marks(&part.sheet);
         marks.extend(joints.iter().map(mark));
-        let options = PatternOptions::default();
+        // A net has a mark at every side, and no room for lengths.
+        marks.iter_mut().for_each(|mark| mark.first &= !is_net);
+        let options = PatternOptions { is_net, ..PatternOptions::default() };
         part.piece = piece(
             &part.name,
             &part.sheet,

@@ -2,9 +2,11 @@
 //!
 //! Each connected component of a mesh becomes a part. A part that is closed or has a handle is cut
 //! open as far as that serves (`opened`); one with holes or open at both ends is laid flat as it
-//! is, and cut from border to border where that leaves less than half of the error.
+//! is, and cut from border to border where that leaves less than half of the error. Where facets
+//! are folded, the mesh is divided into the pieces of a net instead ([`super::facets`]).
 
 use super::cleaned::Cleaned;
+use super::facets::{self, Folding, NetPiece};
 use super::laid::Laid;
 use super::opened::opened;
 use super::part::{Given, Joint, Origin, Part};
@@ -12,7 +14,7 @@ use super::rebuilt::rebuilt;
 use super::skins::with_skin;
 use super::truest::truest;
 use super::{MakeCause, MakeError};
-use crate::check::{CheckedFrom, FindingKind, MeshOrigin, Subject, check};
+use crate::check::{CheckedFrom, FindingKind, MeshOrigin, NetOrigin, Subject, check};
 use crate::design::{Design, DesignPanel, PanelMesh};
 use crate::flatten::{Aim, RelaxOptions, Relaxed, relax};
 use crate::material::{Material, stretch_limit};
@@ -49,8 +51,36 @@ pub(super) fn make_mesh(
     cleaned: &Cleaned,
     watch: &mut dyn Watch,
 ) -> Result<Vec<Part>, MakeError> {
-    let pieces =
-        pieces_of(cleaned, settings).map_err(|cause| MakeError::of_panel(&panel.name, cause))?;
+    let failed = |cause| MakeError::of_panel(&panel.name, cause);
+    let whole = Whole::of(cleaned, settings).map_err(failed)?;
+    let folded = |meant, watch: &mut dyn Watch| {
+        let net = facets::divided(&whole.mesh, settings, meant, watch).map_err(failed)?;
+        let pieces = pieces_of(cleaned, &whole, Some(net)).map_err(failed)?;
+        make_parts(design, panel, settings, pieces, watch)
+    };
+    if settings.facets == Some(true) {
+        return folded(None, watch);
+    }
+    let divided = whole.divided(settings).map_err(failed)?.map(|sheet| (sheet, Vec::new()));
+    let pieces = pieces_of(cleaned, &whole, divided).map_err(failed)?;
+    let mut smooth = make_parts(design, panel, settings, pieces, watch);
+    match facets::folding(settings, design.material.as_ref(), &whole.mesh, &smooth) {
+        Some(Folding::Meant(coarse)) if !watch.stop() => folded(Some(coarse), watch),
+        Some(Folding::Offered(coarse)) => {
+            smooth.iter_mut().for_each(|parts| facets::offer(parts, coarse));
+            smooth
+        }
+        _ => smooth,
+    }
+}
+
+fn make_parts(
+    design: &Design,
+    panel: &DesignPanel,
+    settings: &PanelMesh,
+    pieces: Vec<MeshPiece>,
+    watch: &mut dyn Watch,
+) -> Result<Vec<Part>, MakeError> {
     let material = design.material.as_ref();
     let names = names(design, panel, pieces.len());
     let made = names.into_iter().zip(pieces).map(|(name, piece)| {
@@ -81,6 +111,8 @@ struct MeshPiece {
     skins: Option<FindingKind>,
     contacts: usize,
     joints: Vec<PieceJoint>,
+    /// What it is as a piece of a net; `None` of a surface.
+    net: Option<NetPiece>,
 }
 
 /// A joint of a piece, by corners of its triangles: those at which each step starts and ends.
@@ -90,40 +122,75 @@ struct PieceJoint {
     steps: Vec<(usize, [usize; 2])>,
 }
 
-fn pieces_of(cleaned: &Cleaned, settings: &PanelMesh) -> Result<Vec<MeshPiece>, MakeCause> {
-    let given = &*cleaned.triangles;
-    let bad = |error: MeshError, at: &dyn Fn(VertexIndex) -> Point3| {
-        let corners = |t: TriangleIndex| given.triangles.get(t.get()).copied();
-        let places = match error {
-            MeshError::NotManifold { from, to } | MeshError::NotOrientable { from, to } => {
-                vec![at(from), at(to)]
-            }
-            MeshError::Degenerate { triangle } => corners(triangle)
-                .map(|t| t.iter().map(|v| given.positions[v.get()]).collect())
-                .unwrap_or_default(),
-            _ => Vec::new(),
-        };
-        MakeCause::Mesh { error, places }
-    };
-    let known = |v: &VertexIndex| v.get() < given.positions.len();
-    if let Some(n) = given.triangles.iter().position(|corners| !corners.iter().all(known)) {
-        let error = MeshError::BadCorner { triangle: TriangleIndex::new(n) };
-        return Err(MakeCause::Mesh { error, places: Vec::new() });
+/// The mesh of a panel before it is divided.
+struct Whole {
+    mesh: Mesh,
+    /// In how many points parts met that have no side in common there.
+    contacts: usize,
+    /// The finding on its two skins, if it is a plate that has them or if one was asked for.
+    skins: Option<FindingKind>,
+}
+
+impl Whole {
+    fn of(cleaned: &Cleaned, settings: &PanelMesh) -> Result<Self, MakeCause> {
+        let given = &*cleaned.triangles;
+        let known = |v: &VertexIndex| v.get() < given.positions.len();
+        if let Some(n) = given.triangles.iter().position(|corners| !corners.iter().all(known)) {
+            let error = MeshError::BadCorner { triangle: TriangleIndex::new(n) };
+            return Err(MakeCause::Mesh { error, places: Vec::new() });
+        }
+        // Parts that meet in a point are no error: they are separated there.
+        let apart = separated(&given.triangles, |_| false);
+        let contacts: BTreeSet<VertexIndex> =
+            apart.origin.windows(2).filter(|pair| pair[0] == pair[1]).map(|pair| pair[0]).collect();
+        let positions: Vec<Point3> =
+            apart.origin.iter().map(|v| given.positions[v.get()]).collect();
+        let triangles = apart.triangles.clone();
+        let (mesh, skins) = Mesh::new(positions.clone(), triangles)
+            .and_then(|whole| with_skin(whole, settings.skin))
+            .map_err(|error| bad(error, &positions, &apart.triangles))?;
+        Ok(Self { mesh, contacts: contacts.len(), skins })
     }
-    // Parts that meet in a point are no error: they are separated there.
-    let apart = separated(&given.triangles, |_| false);
-    let contacts: BTreeSet<VertexIndex> =
-        apart.origin.windows(2).filter(|pair| pair[0] == pair[1]).map(|pair| pair[0]).collect();
-    let positions: Vec<Point3> = apart.origin.iter().map(|v| given.positions[v.get()]).collect();
-    let at = |v: VertexIndex| positions[v.get()];
-    let whole = Mesh::new(positions.clone(), apart.triangles)
-        .and_then(|whole| with_skin(whole, settings.skin));
-    let (whole, mut skins) = whole.map_err(|error| bad(error, &at))?;
-    let divided = settings.split_creases.map(|crease| split_along_creases(&whole, crease));
-    let divided = divided.transpose().map_err(|error| bad(error, &|v| whole.position(v)))?;
+
+    /// The mesh divided along its creases, if settings say so.
+    fn divided(&self, settings: &PanelMesh) -> Result<Option<Sheet>, MakeCause> {
+        let divided = settings.split_creases.map(|crease| split_along_creases(&self.mesh, crease));
+        divided.transpose().map_err(|error| self.bad(error))
+    }
+
+    fn bad(&self, error: MeshError) -> MakeCause {
+        bad(error, self.mesh.positions(), self.mesh.triangles())
+    }
+}
+
+/// An error of a mesh with the places that it names.
+fn bad(error: MeshError, positions: &[Point3], triangles: &[[VertexIndex; 3]]) -> MakeCause {
+    let at = |v: &VertexIndex| positions.get(v.get()).copied();
+    let places = match error {
+        MeshError::NotManifold { from, to } | MeshError::NotOrientable { from, to } => {
+            [from, to].iter().filter_map(at).collect()
+        }
+        MeshError::Degenerate { triangle } => {
+            triangles.get(triangle.get()).into_iter().flatten().filter_map(at).collect()
+        }
+        _ => Vec::new(),
+    };
+    MakeCause::Mesh { error, places }
+}
+
+/// The pieces of a mesh that hang together: as it is, or as it was divided, with the net of each
+/// piece if that was into a net.
+fn pieces_of(
+    cleaned: &Cleaned,
+    whole: &Whole,
+    divided: Option<(Sheet, Vec<NetPiece>)>,
+) -> Result<Vec<MeshPiece>, MakeCause> {
+    let given = &*cleaned.triangles;
+    let (divided, nets) = divided.unzip();
+    let mut nets = nets.into_iter().flatten();
     let (mesh, seams) = match &divided {
         Some(sheet) => (sheet.mesh(), sheet.seams()),
-        None => (&whole, &[][..]),
+        None => (&whole.mesh, &[][..]),
     };
     let count = mesh.components().len();
     if count > MAX_MESH_PARTS {
@@ -135,7 +202,8 @@ fn pieces_of(cleaned: &Cleaned, settings: &PanelMesh) -> Result<Vec<MeshPiece>, 
         let alone = if count == 1 {
             mesh.clone()
         } else {
-            mesh.part(&piece.triangles).map_err(|error| bad(error, &|v| mesh.position(v)))?.0
+            let part = mesh.part(&piece.triangles);
+            part.map_err(|error| bad(error, mesh.positions(), mesh.triangles()))?.0
         };
         // Findings on the whole mesh go to its first part.
         let first = n == 0;
@@ -144,9 +212,10 @@ fn pieces_of(cleaned: &Cleaned, settings: &PanelMesh) -> Result<Vec<MeshPiece>, 
             left_out: if first { given.left_out } else { 0 },
             specks: cleaned.specks.filter(|_| first),
             healings: if first { cleaned.healings.clone() } else { Vec::new() },
-            skins: skins.take(),
-            contacts: if first { contacts.len() } else { 0 },
+            skins: whole.skins.clone().filter(|_| first),
+            contacts: if first { whole.contacts } else { 0 },
             joints: std::mem::take(&mut joints[n]),
+            net: nets.next(),
         });
     }
     Ok(pieces)
@@ -240,12 +309,26 @@ fn make_part(
     settings: &PanelMesh,
     watch: &mut dyn Watch,
 ) -> Result<Part, MakeCause> {
-    let MeshPiece { mesh, left_out, specks, healings, skins, contacts, joints } = piece;
+    let MeshPiece { mesh, left_out, specks, healings, skins, contacts, joints, net } = piece;
     watch.begin(&[name], Stage::Flatten);
     let limit = stretch_limit(material);
-    let (laid, darts) = laid_well(&mesh, settings, limit, watch)?;
+    let (laid, darts) = match &net {
+        Some(net) => {
+            let (sheet, relaxed) = net.laid(&mesh)?;
+            let distortion = distortion(sheet.mesh(), &relaxed.flat.points);
+            (Laid { sheet, relaxed, distortion }, 0)
+        }
+        None => laid_well(&mesh, settings, limit, watch)?,
+    };
     watch.begin(&[name], Stage::Check);
-    let (laid, predicted) = truest(laid, settings.aim, material, watch)?;
+    let (laid, predicted) = match &net {
+        // Between its folds, a net stays flat.
+        Some(_) => (laid, None),
+        None => {
+            let (laid, predicted) = truest(laid, settings.aim, material, watch)?;
+            (laid, Some(predicted))
+        }
+    };
     let Relaxed { flat, flipped, ended, .. } = laid.relaxed;
     let sheet = laid.sheet.laid_at(&flat.points);
     let suggested_cut = cut_suggestion(sheet.mesh(), &laid.distortion, limit).and_then(|cut| {
@@ -257,7 +340,7 @@ fn make_part(
         sheet: &sheet,
         flat: &flat,
         measures: &measures,
-        predicted: Some(&predicted),
+        predicted: predicted.as_ref(),
         material,
         from: CheckedFrom::Mesh(MeshOrigin {
             mesh: &mesh,
@@ -270,16 +353,18 @@ fn make_part(
             skins: skins.as_ref(),
             contacts,
             darts,
+            net: net.as_ref().map(|net| NetOrigin { meant: net.meant }),
         }),
     });
     let joints = joints.into_iter().map(|joint| on_sheet(joint, &sheet)).collect();
-    let rebuilt = settings.split_creases.and_then(|_| rebuilt(&mesh, watch));
-    let given = Given { mesh, aim: settings.aim, ended, flipped, joints, rebuilt };
+    let rebuilt =
+        settings.split_creases.filter(|_| net.is_none()).and_then(|_| rebuilt(&mesh, watch));
+    let is_net = net.is_some();
+    let given = Given { mesh, aim: settings.aim, ended, flipped, joints, rebuilt, is_net };
     // What it is joined to is not known yet, nor how its edges are called.
     let piece = Piece::undrawn(name);
     let (panel, name) = (panel.to_owned(), name.to_owned());
     let (edges, origin) = (Vec::new(), Origin::Given(Box::new(given)));
-    let predicted = Some(predicted);
     Ok(Part { name, panel, sheet, flat, measures, predicted, checked, piece, edges, origin })
 }
 

@@ -7,6 +7,7 @@
 mod candidate;
 mod cleaned;
 mod error;
+mod facets;
 mod found;
 mod joined;
 mod judged;

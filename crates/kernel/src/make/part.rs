@@ -102,6 +102,8 @@ pub struct Given {
     /// The optimal surface of its border alone, if meshes are divided along creases and there is
     /// one.
     pub rebuilt: Option<Rebuilt>,
+    /// Whether it is a piece of a net, folded between facets and stretched nowhere.
+    pub is_net: bool,
 }
 
 /// A line along which a part of a mesh is joined to another, where the mesh was divided.

@@ -3,10 +3,13 @@
 mod crease;
 mod dimension;
 mod edge_names;
+mod fold;
 mod seam;
 
+pub use fold::FOLDED_DEG;
 pub use seam::{EdgeMark, seam_mark, seam_marks};
 
+pub(crate) use fold::fold_counts;
 pub(crate) use seam::joint_mark;
 
 use crate::edge::Edge;
@@ -58,12 +61,24 @@ pub enum PathKind {
     Rung(Rung),
     /// A sharp crease of a mesh.
     Crease,
+    /// A fold between two facets of a net, seen from the side that the mesh faces.
+    Fold {
+        /// Whether it is a mountain, folded away from the viewer; else a valley.
+        mountain: bool,
+    },
     /// A tick at the end of a ruling, inside the outline: a straightedge is laid from tick to tick.
     RulingTick,
     /// A tick in the middle of a side of a seam, which meets that of the other side.
     SeamTick,
     /// A line of a dimension.
     Dimension,
+}
+
+impl PathKind {
+    /// A fold away from the viewer.
+    pub const MOUNTAIN: Self = Self::Fold { mountain: true };
+    /// A fold towards the viewer.
+    pub const VALLEY: Self = Self::Fold { mountain: false };
 }
 
 /// A polyline of a pattern.
@@ -90,6 +105,8 @@ pub enum LabelKind {
     Mark,
     /// A length with its unit, or the thing that has it.
     Length,
+    /// The angle of a fold.
+    Angle,
 }
 
 /// A line of text of a pattern.
@@ -156,11 +173,14 @@ pub(crate) struct PatternOptions {
     /// How many rulings get ticks, at the most. Default 24, as in the classical triangulation of
     /// ducts.
     pub(crate) ruling_ticks: usize,
+    /// Whether it is a net of facets: its folds are told apart, with their angles, and edges have
+    /// marks instead of names. Default: it is not.
+    pub(crate) is_net: bool,
 }
 
 impl Default for PatternOptions {
     fn default() -> Self {
-        Self { ruling_ticks: 24 }
+        Self { ruling_ticks: 24, is_net: false }
     }
 }
 
@@ -188,7 +208,10 @@ pub(crate) fn piece(
     let tick_mm = (TICK_SHARE * shorter).clamp(2.0, 10.0);
     let height_mm = (LABEL_SHARE * shorter).clamp(2.0, 25.0);
     paths.extend(rungs(sheet, flat, measures, options, tick_mm));
-    if !sheet.has_rungs() {
+    let folds = if options.is_net { fold::folds(sheet.mesh(), &flat.points) } else { Vec::new() };
+    if options.is_net {
+        paths.extend(folds.iter().map(fold::Fold::path));
+    } else if !sheet.has_rungs() {
         paths.extend(crease::creases(sheet.mesh()).into_iter().map(|chain| PatternPath {
             role: Role::Score,
             kind: PathKind::Crease,
@@ -200,9 +223,13 @@ pub(crate) fn piece(
     paths.extend(mark_paths);
     let (dimension_paths, dimension_labels) = dimension::overall(size, height_mm);
     paths.extend(dimension_paths);
-    let mut labels = vec![name_label(name, sheet, flat, height_mm)];
+    let mut labels = vec![name_label(name, sheet, flat, height_mm, options.is_net)];
     labels.extend(mark_labels);
-    labels.extend(edge_names::labels(edges, &flat.points, tick_mm, height_mm));
+    if options.is_net {
+        labels.extend(folds.iter().filter_map(|fold| fold.label(height_mm)));
+    } else {
+        labels.extend(edge_names::labels(edges, &flat.points, tick_mm, height_mm));
+    }
     labels.extend(dimension_labels);
     Piece { name: name.to_owned(), paths, labels, size }
 }
@@ -292,7 +319,14 @@ const LABEL_PLACES: usize = 60;
 
 /// The name of the panel, where the piece is widest: of the middles of some rungs and triangles,
 /// the one that lies farthest from the outline.
-fn name_label(name: &str, sheet: &Sheet, flat: &Flattened, height_mm: f64) -> PatternLabel {
+/// On a net, whose facets are small, its letters are low enough for it to lie inside.
+fn name_label(
+    name: &str,
+    sheet: &Sheet,
+    flat: &Flattened,
+    height_mm: f64,
+    is_net: bool,
+) -> PatternLabel {
     let at = |v: VertexIndex| flat.points[v.get()];
     let mesh = sheet.mesh();
     let is_rung = |edge: &&MeshEdge| sheet.has_rungs() && !edge.is_border();
@@ -307,7 +341,14 @@ fn name_label(name: &str, sheet: &Sheet, flat: &Flattened, height_mm: f64) -> Pa
     let places: Vec<Point2> = rungs.chain(triangles).collect();
     let border = mesh.edges().iter().filter(|edge| edge.is_border());
     let border: Vec<[Point2; 2]> = border.map(|edge| edge.ends.map(at)).collect();
-    label_at(name, &places, &border, height_mm)
+    let label = label_at(name, &places, &border, height_mm);
+    if !is_net {
+        return label;
+    }
+    let clear = border.iter().map(|&edge| segment_distance(label.at, edge));
+    let room_mm = 2.0 * clear.fold(f64::INFINITY, f64::min);
+    let fits_mm = room_mm / name.chars().count().max(1) as f64;
+    PatternLabel { height_mm: height_mm.min(fits_mm).max(2.0), ..label }
 }
 
 /// A name at that of some places which lies farthest from some edges.

@@ -44,7 +44,8 @@ pub struct EdgeMark {
 pub fn seam_marks(sheet: &Sheet) -> Vec<EdgeMark> {
     let of_seam = |(n, seam): (usize, &Seam)| {
         let sides = seam.steps().into_iter().zip([true, false]);
-        sides.map(move |(steps, first)| EdgeMark { mark: seam_mark(n), steps, first })
+        let mark = move || seam_mark(sheet.first_seam() + n);
+        sides.map(move |(steps, first)| EdgeMark { mark: mark(), steps, first })
     };
     sheet.seams().iter().enumerate().flat_map(of_seam).collect()
 }

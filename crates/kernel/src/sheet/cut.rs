@@ -11,14 +11,42 @@ use std::collections::BTreeSet;
 /// # Errors
 /// See [`MeshError`]; a cut along sides of a valid mesh has none.
 pub fn cut_along(mesh: &Mesh, cut: &Cut) -> Result<Sheet, MeshError> {
+    cut_along_chains(mesh, cut, &chains(mesh, cut))
+}
+
+/// The sheet of a mesh that is cut along lines of vertices, each of which is a seam; no two have a
+/// side in common.
+///
+/// # Errors
+/// See [`MeshError`]; a cut along sides of a valid mesh has none.
+pub(crate) fn cut_along_lines(mesh: &Mesh, lines: &[&[VertexIndex]]) -> Result<Sheet, MeshError> {
+    let chain = |line: &&[VertexIndex]| -> Vec<(usize, bool)> {
+        let side = |pair: &[VertexIndex]| {
+            let n = mesh.topology().edge_between(pair[0], pair[1])?;
+            Some((n, pair[0] < pair[1]))
+        };
+        line.windows(2).filter_map(side).collect()
+    };
+    let chains: Vec<Vec<(usize, bool)>> = lines.iter().map(chain).collect();
+    let cut = chains.iter().flatten().map(|&(n, _)| n).collect();
+    cut_along_chains(mesh, &cut, &chains)
+}
+
+/// The sheet of a mesh that is cut along some of its sides, which are those of the chains: each a
+/// seam, its sides with whether they are run from their lower ends.
+fn cut_along_chains(
+    mesh: &Mesh,
+    cut: &Cut,
+    chains: &[Vec<(usize, bool)>],
+) -> Result<Sheet, MeshError> {
     let edges = mesh.edges();
     let is_cut = |ends: [VertexIndex; 2]| {
         mesh.topology().edge_between(ends[0], ends[1]).is_some_and(|n| cut.contains(&n))
     };
     let apart = separated(mesh.triangles(), is_cut);
     let positions = apart.origin.iter().map(|&v| mesh.position(v)).collect();
-    let seams: Vec<[Vec<VertexIndex>; 2]> = chains(mesh, cut)
-        .into_iter()
+    let seams: Vec<[Vec<VertexIndex>; 2]> = chains
+        .iter()
         .map(|chain| {
             let side = |left: bool| -> Vec<VertexIndex> {
                 let mut vertices = Vec::with_capacity(chain.len() + 1);

@@ -9,6 +9,7 @@ mod cut;
 mod split;
 
 pub use cut::cut_along;
+pub(crate) use cut::cut_along_lines;
 pub use split::split_along_creases;
 
 use crate::mesh::Mesh;
@@ -59,6 +60,7 @@ pub struct Sheet {
     mesh: Mesh,
     origin: Vec<VertexIndex>,
     seams: Vec<Seam>,
+    first_seam: usize,
     rung_ends: Vec<[VertexIndex; 2]>,
 }
 
@@ -84,7 +86,7 @@ impl Sheet {
             Seam { sides, length_mm, gap_mm: 0.0 }
         };
         let seams = seams.into_iter().map(seam).collect();
-        Self { mesh, origin, seams, rung_ends: Vec::new() }
+        Self { mesh, origin, seams, first_seam: 0, rung_ends: Vec::new() }
     }
 
     /// The sheet with rungs, by their ends.
@@ -131,6 +133,17 @@ impl Sheet {
     /// Its seams, in the order of their marks.
     pub fn seams(&self) -> &[Seam] {
         &self.seams
+    }
+
+    /// The number that the mark of its first seam shows, counted from 0: seams of the pieces of one
+    /// net are counted on from piece to piece.
+    pub fn first_seam(&self) -> usize {
+        self.first_seam
+    }
+
+    /// The sheet whose first seam has this number.
+    pub(crate) fn with_first_seam(self, first_seam: usize) -> Self {
+        Self { first_seam, ..self }
     }
 
     /// Where the rungs of a found surface begin and end on the sheet, in their order; of a rung

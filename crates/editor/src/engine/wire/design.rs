@@ -51,7 +51,7 @@ fields!(CurveUse { name, reversed });
 fields!(Join { parts, smooth, within, keep_parts });
 fields!(Vary { panels, curves, goal, limit_mm, budget_mm, by, leave_developable });
 fields!(Triangles { positions, triangles, left_out });
-fields!(PanelMesh { triangles, aim, split_creases, darts, skin });
+fields!(PanelMesh { triangles, aim, split_creases, darts, skin, facets, pieces_within_mm });
 kinds!(Aim { Mean, Max, Seams });
 kinds!(CurveKind { Polyline, Spline, BSpline });
 kinds!(PanelMethod { Optimal, Bridge, Rails });

@@ -29,6 +29,9 @@ variants!(FindingKind {
     NotProven { gap, cut_short },
     Folds { count, sharpest, stiff },
     Creases { count, sharpest, stiff },
+    FoldedFacets { mountains, valleys, sharpest, stiff },
+    FacetsMeant { facets, turn },
+    FacetsFew { facets },
     BendLines { count, sharpest },
     LengthError { largest, closes_holes },
     WindowGap { widest_mm },
@@ -81,7 +84,7 @@ fields!(Bend { warp, radius_mm });
 fields!(Movement { curves, moved_max_mm, moved_total_mm, size_mm, warp, twist });
 fields!(BorderSide { corners, samples });
 fields!(SeamPlace { number, ends });
-kinds!(SeamCause { NotFlat, Closed, Darts });
+kinds!(SeamCause { NotFlat, Closed, Darts, Facets });
 kinds!(Skin { Outer, Inner });
 kinds!(Damage { Filler, Doubled, Seam, OnSide, Branch, Turned, InsideOut });
 kinds!(Hindrance { Strain, Radius, Other });

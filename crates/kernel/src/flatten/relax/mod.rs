@@ -254,7 +254,7 @@ fn check(topology: &Topology) -> Result<(), RelaxError> {
 }
 
 /// Two edges of the border that tell where the pattern overlaps itself.
-fn overlap(topology: &Topology, points: &[Point2]) -> Option<(usize, usize)> {
+pub(super) fn overlap(topology: &Topology, points: &[Point2]) -> Option<(usize, usize)> {
     let vertices: Vec<usize> = topology.loops().iter().flatten().map(|v| v.get()).collect();
     let border: Vec<Point2> = vertices.iter().map(|&v| points[v]).collect();
     let mut end = 0;

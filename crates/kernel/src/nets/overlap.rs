@@ -1,0 +1,72 @@
+//! Whether two facets that are laid in the plane overlap.
+//!
+//! Predicates are exact; one tolerance makes them careful. Facets that share a vertex of the net
+//! touch there and no more. Others must keep apart: where two sides come nearer than [`APART`] of
+//! the size they count as overlapping, so that rounding, which is ten thousand times smaller, can't
+//! decide, nor does the pattern touch itself when it is laid out again from its lengths.
+
+use sheetwright_geometry::math::Point2;
+use sheetwright_geometry::predicate::segments_touch;
+use std::cmp::Ordering;
+
+/// Sides that share no vertex are apart by this share of the size of the mesh, and sides that share
+/// one by an angle of so many radians. A cutter can't part lines nearer than that.
+pub(super) const APART: f64 = 1e-9;
+
+/// A side of a facet in the plane: its ends, and the vertices of the net that they are.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Side {
+    pub(super) ends: [Point2; 2],
+    pub(super) vertices: [u32; 2],
+}
+
+/// Whether two sides of facets touch or cross elsewhere than at a vertex that they share.
+pub(super) fn meet(a: &Side, b: &Side, apart_mm: f64) -> bool {
+    let shared = |n: usize, k: usize| a.vertices[n] == b.vertices[k];
+    let pairs = [(0, 0), (0, 1), (1, 0), (1, 1)];
+    let mut common = pairs.into_iter().filter(|&(n, k)| shared(n, k));
+    match (common.next(), common.next()) {
+        // They are the two sides of a fold.
+        (Some(_), Some(_)) => false,
+        (Some((n, k)), None) => {
+            let (from, to) = (a.ends[n], a.ends[1 - n]);
+            let (u, v) = (to - from, b.ends[1 - k] - b.ends[k]);
+            u.dot(v) > 0.0 && u.perp_dot(v).abs() <= APART * u.length() * v.length()
+        }
+        _ => {
+            let [[p, q], [r, s]] = [a.ends, b.ends];
+            is_near_box(a, b, apart_mm)
+                && (segments_touch(p, q, r, s)
+                    || [(p, [r, s]), (q, [r, s]), (r, [p, q]), (s, [p, q])]
+                        .into_iter()
+                        .any(|(point, line)| distance(point, line) <= apart_mm))
+        }
+    }
+}
+
+fn is_near_box(a: &Side, b: &Side, apart_mm: f64) -> bool {
+    let [[p, q], [r, s]] = [a.ends, b.ends];
+    p.x.min(q.x) <= r.x.max(s.x) + apart_mm
+        && r.x.min(s.x) <= p.x.max(q.x) + apart_mm
+        && p.y.min(q.y) <= r.y.max(s.y) + apart_mm
+        && r.y.min(s.y) <= p.y.max(q.y) + apart_mm
+}
+
+fn distance(p: Point2, [a, b]: [Point2; 2]) -> f64 {
+    let along = b - a;
+    let share = (p - a).dot(along) / along.length_squared();
+    p.distance(a.lerp(b, if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 }))
+}
+
+/// Whether a point lies inside a facet with these sides, as far as no side runs through it: how
+/// often a ray crosses them.
+pub(super) fn is_inside(point: Point2, sides: &[Side]) -> bool {
+    let crosses = |side: &&Side| {
+        let [a, b] = side.ends;
+        (a.y <= point.y) != (b.y <= point.y) && {
+            let (low, high) = if a.y < b.y { (a, b) } else { (b, a) };
+            sheetwright_geometry::predicate::orientation(low, high, point) == Ordering::Greater
+        }
+    };
+    sides.iter().filter(crosses).count() % 2 == 1
+}

@@ -1,0 +1,192 @@
+//! Nets of known bodies: exact, without overlap, in as few pieces as other programs make.
+
+use sheetwright::check::{FindingKind, Severity, Verdict};
+use sheetwright::design::{Design, DesignPanel, PanelMesh, PanelShape, Triangles};
+use sheetwright::flatten::refold;
+use sheetwright::index::VertexIndex;
+use sheetwright::make::{Made, Part, make};
+use sheetwright::math::Point3;
+use sheetwright::mesh::Mesh;
+use sheetwright::pattern::{LabelKind, PathKind, Role};
+use sheetwright::watch::Unwatched;
+use sheetwright_shapes::low_poly::{animal, helmet, models};
+use sheetwright_shapes::solids::{closed_cone, icosphere, prism};
+use std::collections::BTreeMap;
+
+fn triangles(mesh: &Mesh) -> Triangles {
+    let (positions, triangles) = (mesh.positions().to_vec(), mesh.triangles().to_vec());
+    Triangles { positions, triangles, left_out: 0 }
+}
+
+fn made_as(settings: PanelMesh) -> Made {
+    let panel = DesignPanel::new("net", PanelShape::Mesh(settings), 0);
+    make(&Design { panels: vec![panel], ..Design::default() }, &mut Unwatched).unwrap()
+}
+
+fn folded(mesh: &Mesh) -> Made {
+    made_as(PanelMesh { facets: Some(true), ..PanelMesh::new(triangles(mesh)) })
+}
+
+/// What holds of every piece of a net: all lengths are true, it does not overlap, it folds up onto
+/// the mesh, and it takes folds and nothing else.
+fn check_piece(name: &str, part: &Part, size_mm: f64) {
+    assert!(part.measures.length_error_max < 1e-9, "{name}: {}", part.measures.length_error_max);
+    assert_eq!(part.flat.overlap, None, "{name}");
+    let off_mm = refold(&part.sheet, &part.flat.points, &part.sheet.rungs()).unwrap();
+    assert!(off_mm < 1e-9 * size_mm, "{name}: {off_mm} mm");
+    assert!(
+        part.checked.findings.iter().all(|f| f.severity() == Severity::Note),
+        "{name}: {:?}",
+        part.checked.findings
+    );
+    let folds = part.piece.paths.iter().filter(|path| path.role == Role::Score);
+    assert!(folds.clone().all(|path| matches!(path.kind, PathKind::Fold { .. })), "{name}");
+    let verdict = if folds.count() == 0 { Verdict::Bends } else { Verdict::BendsAndFolds };
+    assert_eq!(part.checked.verdict, verdict, "{name}");
+}
+
+/// How often each mark stands on the pieces.
+fn marks(made: &Made) -> BTreeMap<String, usize> {
+    let mut marks = BTreeMap::new();
+    for label in made.parts.iter().flat_map(|part| &part.piece.labels) {
+        if label.kind == LabelKind::Mark {
+            *marks.entry(label.text.clone()).or_insert(0) += 1;
+        }
+    }
+    marks
+}
+
+#[test]
+fn bodies_of_facets_fold_up_from_one_piece_without_stretching() {
+    // Blender's Export Paper Model makes 20 pieces of the animal, 2 of the helmet and one of each
+    // other body (`bench/peers/nets`).
+    for (name, model) in models() {
+        let mesh = model.mesh();
+        let size_mm = mesh.positions().iter().map(|p| p.to_vec().length()).fold(0.0, f64::max);
+        let made = folded(&mesh);
+        assert_eq!(made.parts.len(), 1, "{name}");
+        made.parts.iter().for_each(|part| check_piece(&name, part, size_mm));
+        assert!(marks(&made).values().all(|&count| count == 2), "{name}: every mark has a mate");
+    }
+}
+
+#[test]
+fn only_vertices_that_are_not_flat_are_cut_and_faces_stay_whole() {
+    // A cube each of whose faces is four by four squares, each square two triangles.
+    let mut positions: Vec<Point3> = Vec::new();
+    let mut list = Vec::new();
+    let mut number = |p: Point3| -> VertexIndex {
+        let known = positions.iter().position(|q| q.distance(p) < 1e-9);
+        VertexIndex::new(known.unwrap_or_else(|| {
+            positions.push(p);
+            positions.len() - 1
+        }))
+    };
+    for axis in 0..3 {
+        for end in [0.0, 40.0] {
+            for (i, j) in (0..4).flat_map(|i| (0..4).map(move |j| (i, j))) {
+                let corner = [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(di, dj)| {
+                    let mut at = [end; 3];
+                    at[(axis + 1) % 3] = 10.0 * f64::from(i + di);
+                    at[(axis + 2) % 3] = 10.0 * f64::from(j + dj);
+                    number(Point3::new(at[0], at[1], at[2]))
+                });
+                let [a, b, c, d] = corner;
+                list.extend(if end > 0.0 {
+                    [[a, b, c], [a, c, d]]
+                } else {
+                    [[a, c, b], [a, d, c]]
+                });
+            }
+        }
+    }
+    let cube = Mesh::new(positions, list).unwrap();
+    let made = folded(&cube);
+    let [part] = &made.parts[..] else { panic!("{} pieces", made.parts.len()) };
+    check_piece("cube", part, 70.0);
+    let folds = part.piece.paths.iter().filter(|path| path.role == Role::Score);
+    assert!(folds.clone().all(|path| path.kind == PathKind::MOUNTAIN));
+    let lengths: Vec<f64> = folds.map(|path| path.points[0].distance(path.points[1])).collect();
+    assert!(lengths.len() == 5 && lengths.iter().all(|mm| (mm - 40.0).abs() < 1e-9));
+    // Seven edges are cut, each a seam of its own.
+    assert_eq!(part.sheet.seams().len(), 7);
+    assert!(part.sheet.seams().iter().all(|seam| (seam.length_mm - 40.0).abs() < 1e-9));
+}
+
+#[test]
+fn a_valley_is_told_from_a_mountain() {
+    // A gutter: three strips, the middle one below, seen from above.
+    let at = |x: f64, z: f64| [Point3::new(x, 0.0, z), Point3::new(x, 90.0, z)];
+    let rails = [at(0.0, 0.0), at(20.0, -15.0), at(40.0, -15.0), at(60.0, 0.0), at(80.0, -15.0)];
+    let positions = rails.concat();
+    let strip = |n: usize| {
+        let [a, b, c, d] = [2 * n, 2 * n + 1, 2 * n + 2, 2 * n + 3].map(VertexIndex::new);
+        [[a, c, b], [b, c, d]]
+    };
+    let mesh = Mesh::new(positions, (0..4).flat_map(strip).collect()).unwrap();
+    let made = folded(&mesh);
+    let [part] = &made.parts[..] else { panic!("{} pieces", made.parts.len()) };
+    let count = |kind| part.piece.paths.iter().filter(|path| path.kind == kind).count();
+    assert_eq!((count(PathKind::MOUNTAIN), count(PathKind::VALLEY)), (1, 2));
+    let angles = part.piece.labels.iter().filter(|label| label.kind == LabelKind::Angle);
+    let mut angles: Vec<&str> = angles.map(|label| label.text.as_str()).collect();
+    angles.sort_unstable();
+    assert_eq!(angles, ["37°", "37°", "74°"]);
+}
+
+#[test]
+fn no_piece_is_larger_than_it_may_be_and_every_edge_that_meets_another_has_its_mark() {
+    for (name, model) in [("animal", animal()), ("helmet", helmet()), ("prism", prism(64, 80.0))] {
+        let within = [150.0, 110.0];
+        let settings = PanelMesh {
+            facets: Some(true),
+            pieces_within_mm: Some(within),
+            ..PanelMesh::new(triangles(&model.mesh()))
+        };
+        let made = made_as(settings);
+        assert!(made.parts.len() > 1, "{name}");
+        for part in &made.parts {
+            check_piece(name, part, 250.0);
+            let size = part.piece.size;
+            assert!(size.x <= within[0] + 1e-6 && size.y <= within[1] + 1e-6, "{name}: {size}");
+        }
+        let marks = marks(&made);
+        assert!(marks.values().all(|&count| count == 2), "{name}");
+        // Marks of slits and of joints together are those of all cut lines.
+        let cuts: usize = made
+            .parts
+            .iter()
+            .map(|part| 2 * part.sheet.seams().len() + part.given().unwrap().joints.len())
+            .sum();
+        assert_eq!(cuts, 2 * marks.len(), "{name}");
+    }
+}
+
+#[test]
+fn facets_are_folded_unasked_where_they_are_coarse_and_the_mesh_would_not_bend() {
+    let as_given = |mesh: &Mesh| made_as(PanelMesh::new(triangles(mesh)));
+    let is_meant = |made: &Made| {
+        let findings = made.parts.iter().flat_map(|part| &part.checked.findings);
+        let is_it = |kind: &FindingKind| matches!(kind, FindingKind::FacetsMeant { .. });
+        findings.filter(|finding| is_it(&finding.kind)).count()
+    };
+    // Told once for all pieces.
+    for (name, model) in [("animal", animal()), ("ball of 80", icosphere(1))] {
+        let made = as_given(&model.mesh());
+        assert_eq!(is_meant(&made), 1, "{name}");
+        assert!(made.parts.iter().all(|part| part.measures.length_error_max < 1e-9), "{name}");
+    }
+    // A fine ball samples a smooth one; a cone lies flat as a surface.
+    for (name, model) in [("ball of 1280", icosphere(3)), ("cone", closed_cone(64, 80.0))] {
+        assert_eq!(is_meant(&as_given(&model.mesh())), 0, "{name}");
+    }
+    // Where it may be meant, a note says so.
+    let made = as_given(&helmet().mesh());
+    let few = FindingKind::FacetsFew { facets: 404 };
+    assert!(made.parts[0].checked.findings.iter().any(|finding| finding.kind == few));
+    // Asked not to, none is folded.
+    let off = PanelMesh { facets: Some(false), ..PanelMesh::new(triangles(&animal().mesh())) };
+    let made = made_as(off);
+    assert_eq!(is_meant(&made), 0);
+    assert!(made.parts.iter().any(|part| part.measures.length_error_max > 0.01));
+}
