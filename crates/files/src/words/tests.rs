@@ -111,7 +111,8 @@ fn a_finding_reads_well() {
             "S1 from sample 1 to 8, S2 from sample 2 to 9, S3 from sample 3 to 10, S4 from sample 4 \
              to 11, S5 from sample 5 to 12, S6 from sample 6 to 13 and 2 more",
             "S1",
-            "S1 to S3"
+            "S1 to S3",
+            "S1 to S40"
         ]
     );
     assert_eq!(places("rounded-corner"), ["point 3 and 1 more of 'rim'"]);
