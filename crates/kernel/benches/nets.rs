@@ -2,7 +2,8 @@
 //! sheetwright --bench nets`; `-- --write DIR` writes the models as OBJ files instead, for
 //! `bench/peers/nets`, which puts Blender's Export Paper Model beside it.
 //!
-//! A line for each model, and for one that is larger: its facets, pieces, seconds (one thread), and its name.
+//! A line for each model, and for one that is larger: its facets, pieces, seconds (one thread), and
+//! its name.
 #![allow(clippy::print_stdout, clippy::unwrap_used)] // it prints; what fails should stop it
 
 use sheetwright::nets::{NetOptions, net};

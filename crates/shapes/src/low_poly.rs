@@ -121,7 +121,7 @@ impl Cage {
         for p in &mut self.points {
             let (x, y, z) = (p.x.abs(), p.y, p.z);
             let way = Vec3::new(0.0, sin(0.31 * x + 0.17 * z), sin(0.23 * y + 0.29 * x + 1.0));
-            *p = *p + way * by_mm;
+            *p += way * by_mm;
         }
         self
     }

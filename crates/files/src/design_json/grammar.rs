@@ -230,8 +230,8 @@ pub(super) struct PanelFile {
     /// mesh.
     #[serde(default)]
     pub(super) skin: Option<SkinName>,
-    /// Whether a mesh is folded between its facets, and stretched nowhere, as a paper model is; false
-    /// lays it flat as a smooth surface. Default: it is folded where it would not bend as one
+    /// Whether a mesh is folded between its facets, and stretched nowhere, as a paper model is;
+    /// false lays it flat as a smooth surface. Default: it is folded where it would not bend as one
     /// surface, its facets are 2,000 or fewer, and they turn sharply.
     #[serde(default)]
     pub(super) facets: Option<bool>,

@@ -31,7 +31,7 @@ pub(super) struct Fold {
 }
 
 /// The crease at a side that is folded, radians; `None` of one that is flat or on the border.
-fn fold_at(mesh: &Mesh, edge: &MeshEdge) -> Option<f64> {
+pub(super) fn fold_at(mesh: &Mesh, edge: &MeshEdge) -> Option<f64> {
     let [Some(a), Some(b)] = edge.triangles else { return None };
     let crease = mesh.crease(edge.ends, [a, b]);
     (crease.abs() > from_deg(FOLDED_DEG)).then_some(crease)

@@ -339,7 +339,10 @@ fn name_label(
         a + ((b - a) + (c - a)) / 3.0
     });
     let places: Vec<Point2> = rungs.chain(triangles).collect();
-    let border = mesh.edges().iter().filter(|edge| edge.is_border());
+    // On a net, a name crosses no fold.
+    let is_line =
+        |edge: &&MeshEdge| edge.is_border() || (is_net && fold::fold_at(mesh, edge).is_some());
+    let border = mesh.edges().iter().filter(is_line);
     let border: Vec<[Point2; 2]> = border.map(|edge| edge.ends.map(at)).collect();
     let label = label_at(name, &places, &border, height_mm);
     if !is_net {
@@ -348,7 +351,7 @@ fn name_label(
     let clear = border.iter().map(|&edge| segment_distance(label.at, edge));
     let room_mm = 2.0 * clear.fold(f64::INFINITY, f64::min);
     let fits_mm = room_mm / name.chars().count().max(1) as f64;
-    PatternLabel { height_mm: height_mm.min(fits_mm).max(2.0), ..label }
+    PatternLabel { height_mm: height_mm.min(fits_mm).max(1.5), ..label }
 }
 
 /// A name at that of some places which lies farthest from some edges.

@@ -13,6 +13,9 @@ use sheetwright_geometry::math::{Point2, Vec2, unit2};
 const HEIGHT_SHARE: f64 = 0.12;
 /// Marks are smaller than the name of the piece.
 const BESIDE_NAME: f64 = 0.6;
+/// The middle of a mark lies as far from its tick as its letters times this share of their height:
+/// a little more than half of a letter with its gap.
+const HALF_LETTER: f64 = 0.6;
 /// Smaller letters can't be engraved.
 const LEAST_MM: f64 = 1.5;
 
@@ -132,7 +135,8 @@ impl SeamSide {
         };
         // Beside the tick, with its feet on the seam, so that the marks of both sides stand
         // foot to foot when it is joined.
-        let beside = middle + along * (1.2 * height_mm) + inside * (0.4 * height_mm);
+        let half_mm = HALF_LETTER * mark.chars().count() as f64 * height_mm;
+        let beside = middle + along * half_mm + inside * (0.4 * height_mm);
         let label = |kind: LabelKind, role: Role, at: Point2, text: String| PatternLabel {
             kind,
             role,

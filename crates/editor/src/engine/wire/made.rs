@@ -35,7 +35,7 @@ fields!(PatternPath { role, kind, points, closed });
 fields!(PatternLabel { kind, role, at, along, height_mm, text });
 kinds!(Verdict { Bends, BendsWithForce, Roll, BendsAndFolds, Undecided, WillNotBend });
 kinds!(Role { Cut, Score, Engrave, Note });
-kinds!(LabelKind { Name, Edge, Mark, Length });
+kinds!(LabelKind { Name, Edge, Mark, Length, Angle });
 
 impl Wire for PathKind {
     fn put(&self, out: &mut Vec<u8>) {
@@ -47,6 +47,8 @@ impl Wire for PathKind {
             Self::RulingTick => 4,
             Self::SeamTick => 5,
             Self::Dimension => 6,
+            Self::Fold { mountain: true } => 7,
+            Self::Fold { mountain: false } => 8,
         });
         if let Self::Rung(rung) = self {
             rung.put(out);
@@ -62,6 +64,8 @@ impl Wire for PathKind {
             4 => Self::RulingTick,
             5 => Self::SeamTick,
             6 => Self::Dimension,
+            7 => Self::MOUNTAIN,
+            8 => Self::VALLEY,
             _ => return None,
         })
     }
