@@ -15,18 +15,23 @@ const SAMPLES: usize = 120;
 /// Samples of each rail where it is moved: as many as the docs speak of.
 const SAMPLES_MOVED: usize = 200;
 
-/// Writes every picture.
+/// Makes a picture.
+type Draw = fn() -> Result<Picture, Box<dyn Error>>;
+
+/// Writes every picture, or those with a word in their names that is given.
 pub(crate) fn write() -> Result<(), Box<dyn Error>> {
-    for (name, picture) in [
-        ("hull.svg", hull()?),
-        ("hull-moved.svg", hull_moved()?),
-        ("three-cones.svg", three_cones()?),
-        ("vary.svg", vary()?),
-        ("meshes.svg", meshes()?),
-        ("nets.svg", nets()?),
-    ] {
+    let word = std::env::args().nth(2).unwrap_or_default();
+    let pictures: [(&str, Draw); 6] = [
+        ("hull.svg", hull),
+        ("hull-moved.svg", hull_moved),
+        ("three-cones.svg", three_cones),
+        ("vary.svg", vary),
+        ("meshes.svg", meshes),
+        ("nets.svg", nets),
+    ];
+    for (name, draw) in pictures.into_iter().filter(|(name, _)| name.contains(&word)) {
         let path = crate::root().join("docs/pictures").join(name);
-        std::fs::write(&path, picture.standalone())?;
+        std::fs::write(&path, draw()?.standalone())?;
         println!("wrote {}", path.display());
     }
     Ok(())

@@ -22,7 +22,8 @@ const HELP: &str = "Chores of the project:
   cargo xtask bending      writes docs/bending-measured.md: verdicts beside finer nets and more samples
   cargo xtask compare      compares two folders that outputs wrote: BEFORE AFTER
   cargo xtask composites   writes docs/composites.md and examples/three-cones.sheet.json
-  cargo xtask figures      writes docs/pictures/: the hull, the three cones, moved curves, meshes
+  cargo xtask figures      writes docs/pictures/: the hull, the three cones, moved curves, meshes, nets;
+                           with a word, those with it in their names
   cargo xtask fold-price   writes docs/fold-price.md: what the fold price costs and what it buys
   cargo xtask gallery      writes docs/gallery.md, its pictures and examples/gallery/
   cargo xtask measured     writes docs/measured.md: gores against the sphere, a duct against tradition

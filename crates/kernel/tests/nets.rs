@@ -1,5 +1,7 @@
 //! Nets of known bodies: exact, without overlap, in as few pieces as other programs make.
 
+#![allow(clippy::unwrap_used, reason = "a test that can't go on fails")]
+
 use sheetwright::check::{FindingKind, Severity, Verdict};
 use sheetwright::design::{Design, DesignPanel, PanelMesh, PanelShape, Triangles};
 use sheetwright::flatten::refold;
