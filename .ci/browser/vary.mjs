@@ -49,6 +49,7 @@ try {
   await settled(page);
   const before = await twists(page);
   await press(page, "button", /^Make it bend/);
+  await press(page, "radio", /^As little twist/);
   await press(page, "button", /^Try it$/);
   await pressAt(page, await the(page, "button", /^Stop$/));
   await settled(page);

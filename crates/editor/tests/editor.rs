@@ -139,6 +139,8 @@ fn points_move_so_that_the_sheet_bends_and_are_accepted_or_dropped() {
     for accept in [false, true] {
         hands.key(Modifiers::NONE, Key::V);
         assert_eq!(hands.app().editor().page, Page::Vary);
+        hands.harness.run_steps(3);
+        hands.click("As little twist as these limits allow");
         hands.click("Try it");
         hands.settle();
         let varied = hands.app().editor().varied().unwrap().as_ref().unwrap();

@@ -495,7 +495,7 @@ fn make_it_bend_has_the_numbers_of_the_cards_and_the_units_of_the_design() {
     hands.run(Command::Vary);
     hands.harness.run_steps(3);
     assert_eq!(field(&hands, "Distance").unwrap().1, "0.04 ft");
-    hands.click("Reach an angle, and move no more than that takes");
+    hands.click("Until it twists no more than an angle");
     let takes = hands.app().editor().shown()[0].made.as_ref().unwrap().warp_limit_deg;
     assert_eq!(field(&hands, "Largest twist").unwrap().1, format!("{takes}°"));
     hands.click("As little twist as these limits allow");

@@ -4,12 +4,13 @@
 #![allow(clippy::unwrap_used)] // tests panic
 
 use serde_json::Value;
+use sheetwright::check::Verdict;
 use sheetwright::design::{Design, PanelShape};
 use sheetwright::make::{Made, Origin, make};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
-    Format, InputFormat, Outputs, PdfOptions, ReadOptions, hint_for, output_files, read_bytes,
-    read_input, write_design,
+    Format, InputFormat, MeshSettings, Outputs, PdfOptions, ReadOptions, hint_for, output_files,
+    read_bytes, read_input, write_design,
 };
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -220,4 +221,17 @@ fn meshes_are_not_joined_nor_moved() {
     let design = with(r#"], "vary": { "limit": 5 }"#).unwrap();
     let made = made(&design);
     assert!(made.parts[1].change().is_some() && made.parts[0].change().is_none());
+}
+
+#[test]
+fn a_mesh_with_a_handle_is_cut_open_where_its_facets_are_not_folded() {
+    let torus = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../corpus/good/mesh-torus.obj");
+    let mesh = MeshSettings { facets: Some(false), ..MeshSettings::default() };
+    let options = ReadOptions { mesh, ..ReadOptions::default() };
+    let made = make(&read_input(&torus, &options).unwrap(), &mut Unwatched).unwrap();
+    let [part] = &made.parts[..] else { panic!("{}", made.parts.len()) };
+    // Its loops cut it into a disk; each ends where it begins.
+    assert_eq!((part.sheet.loops().len(), part.sheet.mesh().euler()), (1, 1));
+    assert!(part.sheet.seams().len() >= 2);
+    assert_eq!(part.checked.verdict, Verdict::WillNotBend);
 }

@@ -33,7 +33,8 @@ const USUAL_PER_CENT: f64 = 80.0;
 pub struct VaryPage {
     held: Vec<String>,
     aim: Aim,
-    /// What was typed; else [`USUAL_PER_CENT`], the twist that the sheet takes, and what is usual in the units.
+    /// What was typed; else [`USUAL_PER_CENT`], the twist that the sheet takes, and what is usual
+    /// in the units.
     per_cent: Option<f64>,
     angle_deg: Option<f64>,
     limit_mm: Option<f64>,

@@ -22,7 +22,7 @@ use super::{
 use crate::flatten::Flattened;
 use crate::material::{EASY_SHARE, Limits, Material};
 use crate::measure::{Distortion, area_flat};
-use crate::mesh::{SCORED_CREASE_DEG, crease_angles};
+use crate::mesh::{Mesh, SCORED_CREASE_DEG, crease_angles};
 use crate::sheet::{Sheet, split_along_creases};
 use sheetwright_geometry::boundary::size_of;
 use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
@@ -93,6 +93,24 @@ pub fn predict_given(
     }
 }
 
+/// Estimates the strain of a sheet whose surface is a mesh without computing one: that of the
+/// triangles of the pattern, and of a strip by the formula of `screen`.
+pub fn screen_given(
+    sheet: &Sheet,
+    flat: &Flattened,
+    distortion: &Distortion,
+    material: Option<&Material>,
+) -> Predicted {
+    let area = area_flat(sheet, flat);
+    let strain = distortion.strain_p95(sheet.mesh());
+    if sheet.mesh().topology().on_border().contains(&false) {
+        return Predicted::of_pattern(Limits::of(material, area, 0.0), strain);
+    }
+    let curvature = curvature_of_surface(sheet, flat).unwrap_or(0.0);
+    let limits = Limits::of(material, area, curvature);
+    by_formula(limits, curvature, warp_squared(sheet.mesh()))
+}
+
 /// The sheet cut along the sharp creases that divide it; `None` where it falls into many pieces.
 fn folded<'a>(
     sheet: &'a Sheet,
@@ -110,15 +128,20 @@ fn folded<'a>(
     }
 }
 
-/// What the formula predicts of a strip, whose lengths the pattern keeps: its facing turns from end
-/// to end of a side between its triangles by the warp.
+/// What the formula predicts of a strip, whose lengths the pattern keeps.
 fn strip_by_formula(
     sheet: &Sheet,
     limits: Limits,
     curvature: f64,
     error: ElasticError,
 ) -> Predicted {
-    let mesh = sheet.mesh();
+    let basis = if error == ElasticError::NoNet { Basis::NoNet } else { Basis::NoRest };
+    Predicted { basis, ..by_formula(limits, curvature, warp_squared(sheet.mesh())) }
+}
+
+/// The mean square of the warp of a strip, radians²: its facing turns by the warp from end to end
+/// of a side between two of its triangles.
+fn warp_squared(mesh: &Mesh) -> f64 {
     let mut facing = vec![Vec3::ZERO; mesh.positions().len()];
     for (n, corners) in mesh.triangles().iter().enumerate() {
         let normal = mesh.area_vector(TriangleIndex::new(n));
@@ -132,7 +155,5 @@ fn strip_by_formula(
         squares += area * warp * warp;
         whole += area;
     }
-    let warp_squared = if whole > 0.0 { squares / whole } else { 0.0 };
-    let basis = if error == ElasticError::NoNet { Basis::NoNet } else { Basis::NoRest };
-    Predicted { basis, ..by_formula(limits, curvature, warp_squared) }
+    if whole > 0.0 { squares / whole } else { 0.0 }
 }

@@ -42,7 +42,7 @@ mod predicted;
 mod screen;
 
 pub use energy::Stiffness;
-pub use given::predict_given;
+pub use given::{predict_given, screen_given};
 pub use predict::predict;
 pub use predicted::{Basis, Predicted};
 pub use screen::{DOUBT, screen};

@@ -98,14 +98,18 @@ pub(super) enum Folding {
 }
 
 /// What is done about the facets of a mesh that was laid flat as a surface, in the parts `smooth`;
-/// `None` where settings say how it is laid flat, the sheet does not fold, or the mesh bends.
+/// `None` where settings say how it is laid flat, the sheet does not fold, the mesh bends, or it is
+/// a strip.
 pub(super) fn folding(
     settings: &PanelMesh,
     material: Option<&Material>,
     whole: &Mesh,
     smooth: &Result<Vec<Part>, MakeError>,
 ) -> Option<Folding> {
+    // A strip lies flat exactly as a surface: what is asked for is how it bends.
+    let has_inside = whole.topology().on_border().contains(&false);
     let is_open = settings.facets.is_none()
+        && has_inside
         && settings.split_creases.is_none()
         && !settings.darts
         && settings.aim == Aim::Mean;

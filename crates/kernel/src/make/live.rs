@@ -17,7 +17,7 @@
 
 use super::cleaned::{Cleaned, LastCleaned};
 use super::unrestricted::Known;
-use super::{Made, MakeCause, MakeError, Maker, Part};
+use super::{Judging, Made, MakeCause, MakeError, Maker, Part};
 use super::{find_mates, is_screened, join_meshes, settle};
 use crate::design::{Design, DesignCurve, DesignPanel, PanelShape, used};
 use crate::material::Material;
@@ -249,7 +249,7 @@ impl Live {
 
     fn make_changed(&mut self, watch: &mut dyn Watch) -> Vec<usize> {
         let design = &self.design;
-        let maker = Maker::new(design, self.meshes.of(design));
+        let maker = Maker::new(design, self.meshes.of(design), Judging::Exact);
         let mut before: Vec<Option<LivePanel>> = self.panels.drain(..).map(Some).collect();
         let (mut panels, mut changed) = (Vec::new(), Vec::new());
         for (n, panel) in design.panels_to_make().into_iter().enumerate() {

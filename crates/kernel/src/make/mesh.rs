@@ -13,9 +13,10 @@ use super::part::{Given, Joint, Origin, Part};
 use super::rebuilt::rebuilt;
 use super::skins::with_skin;
 use super::truest::truest;
-use super::{MakeCause, MakeError};
+use super::{Judging, MakeCause, MakeError};
 use crate::check::{CheckedFrom, FindingKind, MeshOrigin, NetOrigin, Subject, check};
 use crate::design::{Design, DesignPanel, PanelMesh};
+use crate::elastic::screen_given;
 use crate::flatten::{Aim, RelaxOptions, Relaxed, relax};
 use crate::material::{Material, stretch_limit};
 use crate::measure::{CutFrom, cut_suggestion, distortion, measures};
@@ -49,6 +50,7 @@ pub(super) fn make_mesh(
     panel: &DesignPanel,
     settings: &PanelMesh,
     cleaned: &Cleaned,
+    judging: Judging,
     watch: &mut dyn Watch,
 ) -> Result<Vec<Part>, MakeError> {
     let failed = |cause| MakeError::of_panel(&panel.name, cause);
@@ -56,15 +58,18 @@ pub(super) fn make_mesh(
     let folded = |meant, watch: &mut dyn Watch| {
         let net = facets::divided(&whole.mesh, settings, meant, watch).map_err(failed)?;
         let pieces = pieces_of(cleaned, &whole, Some(net)).map_err(failed)?;
-        make_parts(design, panel, settings, pieces, watch)
+        make_parts(design, panel, settings, pieces, judging, watch)
     };
     if settings.facets == Some(true) {
         return folded(None, watch);
     }
     let divided = whole.divided(settings).map_err(failed)?.map(|sheet| (sheet, Vec::new()));
     let pieces = pieces_of(cleaned, &whole, divided).map_err(failed)?;
-    let mut smooth = make_parts(design, panel, settings, pieces, watch);
+    let mut smooth = make_parts(design, panel, settings, pieces, judging, watch);
+    // A plate with two skins is sheet that bends, however coarse it came.
+    let is_plate = whole.skins.is_some();
     match facets::folding(settings, design.material.as_ref(), &whole.mesh, &smooth) {
+        _ if is_plate => smooth,
         Some(Folding::Meant(coarse)) if !watch.stop() => folded(Some(coarse), watch),
         Some(Folding::Offered(coarse)) => {
             smooth.iter_mut().for_each(|parts| facets::offer(parts, coarse));
@@ -79,12 +84,13 @@ fn make_parts(
     panel: &DesignPanel,
     settings: &PanelMesh,
     pieces: Vec<MeshPiece>,
+    judging: Judging,
     watch: &mut dyn Watch,
 ) -> Result<Vec<Part>, MakeError> {
     let material = design.material.as_ref();
     let names = names(design, panel, pieces.len());
     let made = names.into_iter().zip(pieces).map(|(name, piece)| {
-        let made = make_part([&panel.name, &name], piece, material, settings, watch);
+        let made = make_part([&panel.name, &name], piece, material, (settings, judging), watch);
         made.map_err(|cause| MakeError::of_panel(&name, cause))
     });
     made.collect()
@@ -306,7 +312,7 @@ fn make_part(
     [panel, name]: [&str; 2],
     piece: MeshPiece,
     material: Option<&Material>,
-    settings: &PanelMesh,
+    (settings, judging): (&PanelMesh, Judging),
     watch: &mut dyn Watch,
 ) -> Result<Part, MakeCause> {
     let MeshPiece { mesh, left_out, specks, healings, skins, contacts, joints, net } = piece;
@@ -324,6 +330,11 @@ fn make_part(
     let (laid, predicted) = match &net {
         // Between its folds, a net stays flat.
         Some(_) => (laid, None),
+        None if judging == Judging::Quick => {
+            let Laid { sheet, relaxed, distortion } = &laid;
+            let predicted = screen_given(sheet, &relaxed.flat, distortion, material);
+            (laid, Some(predicted))
+        }
         None => {
             let (laid, predicted) = truest(laid, settings.aim, material, watch)?;
             (laid, Some(predicted))

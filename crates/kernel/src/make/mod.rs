@@ -39,6 +39,7 @@ use joined::{find_mates, join_meshes};
 use judged::{is_screened, judge};
 use mesh::make_mesh;
 use sheetwright_geometry::watch::{Stage, Watch};
+use sheetwright_optimum::triangulate::TriangulateError;
 use strained::aimed_by_angles;
 use together::judge_all;
 use unrestricted::Known;
@@ -122,11 +123,13 @@ struct Maker<'a> {
     matched: Matched,
     /// The meshes of the panels that are to be made.
     meshes: Vec<Option<Cleaned>>,
+    /// What the verdicts on meshes come from; those on boundaries come later.
+    judging: Judging,
 }
 
 impl<'a> Maker<'a> {
-    fn new(design: &'a Design, meshes: Vec<Option<Cleaned>>) -> Self {
-        Self { design, matched: matched(design), meshes }
+    fn new(design: &'a Design, meshes: Vec<Option<Cleaned>>, judging: Judging) -> Self {
+        Self { design, matched: matched(design), meshes, judging }
     }
 
     fn sampler(&self) -> Sampler<'_> {
@@ -148,7 +151,7 @@ impl<'a> Maker<'a> {
         };
         *known = None;
         let Some(mesh) = &self.meshes[number] else { return Ok(Vec::new()) };
-        make_mesh(self.design, panel, settings, mesh, watch)
+        make_mesh(self.design, panel, settings, mesh, self.judging, watch)
     }
 }
 
@@ -165,7 +168,11 @@ fn settle(
     if was_screened && judge(part, material, watch) {
         return Ok(false);
     }
-    Ok(known.answer(part, Judging::Exact, material, watch)? || was_screened)
+    match known.answer(part, Judging::Exact, material, watch) {
+        // It was judged, whatever else stays open.
+        Err(stopped) if was_screened && stopped == TriangulateError::Stopped.into() => Ok(true),
+        answered => Ok(answered? || was_screened),
+    }
 }
 
 fn make_panels(
@@ -174,7 +181,7 @@ fn make_panels(
     judging: Judging,
     watch: &mut dyn Watch,
 ) -> Result<Vec<Part>, MakeError> {
-    let maker = Maker::new(design, cleaned(design));
+    let maker = Maker::new(design, cleaned(design), judging);
     let material = design.material.as_ref();
     let mut parts: Vec<Part> = Vec::new();
     // The parts with a question that may be open, by their numbers.
