@@ -1,21 +1,21 @@
 //! Nets: a mesh of flat facets laid flat by folds alone, as a paper model is.
 //!
-//! A facet is a flat face: triangles that lie in one plane and hang together ([`facets`]). Two
+//! A facet is a flat face: triangles that lie in one plane and hang together (`facets`). Two
 //! facets meet along a *hinge*, a straight line. Every hinge is folded or cut. A piece, whose
 //! facets hang together by folds, lies flat without stretching if every vertex that is not flat is
 //! reached by a cut. So the folds of a piece form a tree of facets (of the *dual graph*), and each
 //! tree has an exact net. Which tree is a matter of taste and of one limit: the net must not
 //! overlap itself.
 //!
-//! 1. Pieces *grow* ([`grow`]): all hinges are tried in an order, and a hinge is folded if the
+//! 1. Pieces *grow* (`grow`): all hinges are tried in an order, and a hinge is folded if the
 //!    pieces on its two sides, laid beside one another, do not overlap. Every piece is free of
 //!    overlap at all times, so none is ever parted. Kruskal's algorithm with this extra condition
 //!    is what makers' programs do (Blender's Export Paper Model).
-//! 2. Several orders are tried ([`order`]): long hinges first, as \[StraubPrautzsch2011\] advise;
+//! 2. Several orders are tried (`order`): long hinges first, as \[StraubPrautzsch2011\] advise;
 //!    flat ones first; and each vertex's edge that climbs most steeply in some direction last
 //!    (\[Schlickenrieder1997\]), after which a convex body nearly always comes out in one piece.
 //!    The fewest pieces win; among equals, the net whose cuts are short and out of sight.
-//! 3. What remains in several pieces is *mended* ([`mend`]): a small piece is taken apart, together
+//! 3. What remains in several pieces is *mended* (`mend`): a small piece is taken apart, together
 //!    with facets around it, and grown again in another order; the result is kept if there are
 //!    fewer pieces, or if more facets are in large ones; \[Takahashi2011\] do so by a genetic
 //!    algorithm.
