@@ -444,7 +444,11 @@ fn work_that_is_stopped_is_taken_up_again() {
         let first = live.settle(&mut StopAt::new(1 + asked * n / 5));
         assert!(!live.panels().iter().all(LivePanel::is_settled), "{n}");
         let rest = live.settle(&mut Unwatched);
-        assert_eq!([first, rest].concat(), changed, "{n}");
+        // A panel may change twice: it is judged, then the other surface is found.
+        let mut both = [first, rest].concat();
+        both.sort_unstable();
+        both.dedup();
+        assert_eq!(both, changed, "{n}");
         check(&live, &format!("stopped at {n} when at rest"));
     }
     let stopped = Live::new(live.design().clone(), &mut StopAt::new(1));
