@@ -57,8 +57,8 @@ fn roll(predicted: &Predicted) -> Option<Finding> {
 }
 
 /// The finding that the sheet is bent more tightly than it takes; or, of a sheet that does not
-/// fold, that nobody can tell, since rulings turn so much from one sample to the next that samples
-/// may miss a tight end.
+/// fold, that the samples can't tell: rulings turn so much from one to the next that a tight end
+/// may lie between two.
 fn radius(measures: &Measures, material: &Material) -> Option<Finding> {
     let (limit_mm, sheet) = (material.bend_radius_mm.value, material.title.clone());
     let least_mm = measures.bend_radius_min_mm;
