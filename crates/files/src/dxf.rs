@@ -5,21 +5,12 @@
 //! and 50 crates to the program, and panics on a date out of range. The tests read the written
 //! files with that crate.
 
+use crate::preset::{LAYERS, Layer, layers};
 use crate::read_back::{Lines, MAX_BYTES, PatternReadError, ReadPattern, pattern};
 use crate::shapes::{digits, extent, shapes};
 use sheetwright::math::Point2;
-use sheetwright::pattern::{Piece, Role};
+use sheetwright::pattern::Piece;
 use std::fmt::{Display, Write as _};
-
-/// The colours of the layers as AutoCAD numbers them: red, blue, black or white, grey.
-const fn colour_number(role: Role) -> u8 {
-    match role {
-        Role::Cut => 1,
-        Role::Score => 5,
-        Role::Engrave => 7,
-        Role::Note => 8,
-    }
-}
 
 /// The DXF file of a piece. `docs/outputs.md` specifies it for readers.
 pub fn write_dxf(piece: &Piece) -> Vec<u8> {
@@ -38,13 +29,14 @@ pub fn write_dxf(piece: &Piece) -> Vec<u8> {
             pairs.place(corner);
         }
     });
-    pairs.section("TABLES", tables);
+    let layers: Vec<&Layer> = layers(&shapes).collect();
+    pairs.section("TABLES", |pairs| tables(pairs, &layers));
     pairs.section("BLOCKS", |_| {});
     pairs.section("ENTITIES", |pairs| {
-        for role in Role::ALL {
-            for shape in shapes.iter().filter(|s| s.role == role) {
+        for layer in &layers {
+            for shape in layer.shapes(&shapes) {
                 for line in &shape.lines {
-                    pairs.polyline(role, line, shape.closed);
+                    pairs.polyline(layer.name, line, shape.closed);
                 }
             }
         }
@@ -53,7 +45,7 @@ pub fn write_dxf(piece: &Piece) -> Vec<u8> {
     pairs.0.into_bytes()
 }
 
-fn tables(pairs: &mut Pairs) {
+fn tables(pairs: &mut Pairs, layers: &[&Layer]) {
     pairs.table("LTYPE", 1, |pairs| {
         pairs.put(0, "LTYPE");
         pairs.put(2, "CONTINUOUS");
@@ -63,9 +55,9 @@ fn tables(pairs: &mut Pairs) {
         pairs.put(73, 0);
         pairs.put(40, "0.0");
     });
-    pairs.table("LAYER", 1 + Role::ALL.len(), |pairs| {
+    pairs.table("LAYER", 1 + layers.len(), |pairs| {
         let layer_0 = ("0", 7);
-        let layers = Role::ALL.map(|role| (role.name(), colour_number(role)));
+        let layers = layers.iter().map(|layer| (layer.name, layer.number));
         for (name, colour) in std::iter::once(layer_0).chain(layers) {
             pairs.put(0, "LAYER");
             // FreeCAD 0.20 reads no name of a layer that stands before the flags.
@@ -107,8 +99,7 @@ impl Pairs {
         self.put(30, "0.0");
     }
 
-    fn polyline(&mut self, role: Role, points: &[Point2], closed: bool) {
-        let layer = role.name();
+    fn polyline(&mut self, layer: &str, points: &[Point2], closed: bool) {
         self.put(0, "POLYLINE");
         self.put(8, layer);
         self.put(66, 1);
@@ -148,7 +139,8 @@ fn ascii(text: &str) -> String {
 }
 
 /// Reads back the outline, the holes and the rungs of a pattern that [`write_dxf`] wrote: the
-/// closed polylines on `cut`, and the segments on the other layers between its corners.
+/// closed polylines on `net`, or on `cut` where there is no net, and the segments on the other
+/// layers between their corners.
 ///
 /// # Errors
 /// See [`PatternReadError`]. Another release than 12 and other entities than polylines are refused.
@@ -166,16 +158,9 @@ pub(crate) fn dxf_lines(bytes: &[u8]) -> Result<Lines, PatternReadError> {
     let polylines = polylines(&mut Reader { lines: text.lines(), line: 0 })?;
     let mut found = Lines::default();
     for Polyline { layer, points, closed } in polylines {
-        match (Role::ALL.into_iter().find(|role| role.name() == layer), &points[..]) {
-            (Some(Role::Cut), _) if closed => found.cuts.push(points),
-            (Some(Role::Cut), _) => {
-                return Err(PatternReadError::Unexpected("open line to cut".to_owned()));
-            }
-            (Some(_), &[from, to]) if !closed => found.segments.push([from, to]),
-            (Some(_), _) => {}
-            (None, _) => {
-                return Err(PatternReadError::Unexpected(format!("layer '{layer}'")));
-            }
+        match LAYERS.iter().find(|known| known.name == layer) {
+            Some(layer) => found.add(layer, points, closed),
+            None => return Err(PatternReadError::Unexpected(format!("layer '{layer}'"))),
         }
     }
     Ok(found)

@@ -32,6 +32,7 @@ mod names;
 mod obj;
 mod output;
 mod pdf;
+mod preset;
 mod quads;
 mod quantity;
 mod read_back;

@@ -1,6 +1,7 @@
 //! Reads the outline, the holes and the rungs back from a written pattern, by the positions of its
 //! lines.
 
+use crate::preset::Layer;
 use sheetwright::math::Point2;
 use sheetwright::predicate::{Box2, orientation, signed_area_doubled};
 use sheetwright::rung::Rung;
@@ -12,6 +13,8 @@ pub(crate) const MAX_BYTES: usize = 256 << 20;
 /// The end of a rung lies on a point of the outline if it is nearer than this share of the size
 /// of the outline. The files give both in the same digits; this is for rounding alone.
 const SAME_POINT: f64 = 1e-11;
+/// A notch begins on the edge if it is nearer than this share of the size of the outline.
+const ON_LINE: f64 = 1e-9;
 
 /// The flat pattern that a file holds.
 #[derive(Clone, Debug, PartialEq)]
@@ -85,29 +88,70 @@ impl std::error::Error for PatternReadError {}
 /// The lines of a file, not yet told apart into outline, holes and rungs.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Lines {
-    /// The closed lines to cut, in the order of the file, mm.
+    /// The closed lines to cut, in the order of the file, mm: the outline, holes, drilled holes.
     pub(crate) cuts: Vec<Vec<Point2>>,
+    /// The open lines to cut, mm: notches.
+    pub(crate) slits: Vec<Vec<Point2>>,
+    /// The outline and the holes of the finished piece, where the cut lies off them, mm.
+    pub(crate) net: Vec<Vec<Point2>>,
     /// The segments that may be rungs, mm.
     pub(crate) segments: Vec<[Point2; 2]>,
 }
 
 impl Lines {
-    fn points_mut(&mut self) -> impl Iterator<Item = &mut Point2> {
-        self.cuts.iter_mut().flatten().chain(self.segments.iter_mut().flatten())
+    /// Adds a line of a layer.
+    pub(crate) fn add(&mut self, layer: &Layer, points: Vec<Point2>, closed: bool) {
+        match (closed, &points[..]) {
+            (true, _) if layer.is_cut() => self.cuts.push(points),
+            (true, _) if layer.is_optional() => self.net.push(points),
+            (false, _) if layer.is_cut() => self.slits.push(points),
+            (false, &[from, to]) => self.segments.push([from, to]),
+            _ => {}
+        }
     }
 
-    fn check_finite(&self) -> Result<(), PatternReadError> {
-        let mut points = self.cuts.iter().flatten().chain(self.segments.iter().flatten());
-        let finite = points.all(|p| p.x.is_finite() && p.y.is_finite());
-        if finite { Ok(()) } else { Err(PatternReadError::NotFinite) }
+    /// The outline and the holes of the finished piece, as lines to cut, and the segments that may
+    /// be its rungs.
+    fn checked(self) -> Result<Self, PatternReadError> {
+        let lines = self.cuts.iter().chain(&self.slits).chain(&self.net).flatten();
+        let mut points = lines.chain(self.segments.iter().flatten());
+        if !points.all(|p| p.x.is_finite() && p.y.is_finite()) {
+            return Err(PatternReadError::NotFinite);
+        }
+        let off_the_edge = |slit: &&Vec<Point2>| !self.cuts.iter().any(|cut| begins_on(slit, cut));
+        if self.slits.iter().find(off_the_edge).is_some() {
+            return Err(PatternReadError::Unexpected(
+                "open line to cut that begins on no closed one".to_owned(),
+            ));
+        }
+        let cuts = if self.net.is_empty() { self.cuts } else { self.net };
+        Ok(Self { cuts, segments: self.segments, ..Self::default() })
     }
+}
+
+/// Whether an end of an open line lies on a closed one.
+fn begins_on(open: &[Point2], closed: &[Point2]) -> bool {
+    let (Some(around), Some(first), Some(last)) =
+        (Box2::of_points(closed.iter().copied()), open.first(), open.last())
+    else {
+        return false;
+    };
+    let near_mm = ON_LINE * around.min.distance(around.max);
+    let edges = || closed.iter().zip(closed.iter().cycle().skip(1));
+    [first, last].into_iter().any(|&end| {
+        edges().any(|(&a, &b)| {
+            let along = b - a;
+            let share = (end - a).dot(along) / along.length_squared();
+            let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 };
+            end.distance(a.lerp(b, share)) <= near_mm
+        })
+    })
 }
 
 /// The pattern of some lines. A segment is a rung if both its ends lie on corners of the outline;
 /// dimensions and letters lie elsewhere.
 pub(crate) fn pattern(lines: Lines) -> Result<ReadPattern, PatternReadError> {
-    lines.check_finite()?;
-    let Lines { mut cuts, mut segments } = lines;
+    let Lines { mut cuts, mut segments, .. } = lines.checked()?;
     let count = cuts.len();
     let area = |line: &Vec<Point2>| signed_area_doubled(line);
     let largest = (0..count)
@@ -151,23 +195,23 @@ pub(crate) fn pattern(lines: Lines) -> Result<ReadPattern, PatternReadError> {
 /// so that the box around all of them has its lower left corner at that of `laid`. Returns those of
 /// the `wanted` rungs, by numbers of corners, that a segment draws.
 pub(crate) fn overlapping_pattern(
-    mut lines: Lines,
+    lines: Lines,
     laid: &[Point2],
     wanted: &[Rung],
 ) -> Result<ReadPattern, PatternReadError> {
-    lines.check_finite()?;
-    let read = Box2::of_points(lines.cuts.iter().flatten().copied());
+    let Lines { cuts: mut loops, mut segments, .. } = lines.checked()?;
+    let read = Box2::of_points(loops.iter().flatten().copied());
     let around = read.zip(Box2::of_points(laid.iter().copied()));
     let Some((read, laid)) = around else {
-        return Err(PatternReadError::Outlines(lines.cuts.len()));
+        return Err(PatternReadError::Outlines(loops.len()));
     };
     let to_laid = laid.min - read.min;
-    for point in lines.points_mut() {
+    for point in loops.iter_mut().flatten().chain(segments.iter_mut().flatten()) {
         *point = *point + to_laid;
     }
-    let corners = lines.cuts.concat();
+    let corners = loops.concat();
     let near_mm = SAME_POINT * laid.min.distance(laid.max);
-    let ends = lines.segments.iter().flat_map(|&[a, b]| [[a, b], [b, a]]);
+    let ends = segments.iter().flat_map(|&[a, b]| [[a, b], [b, a]]);
     let mut by_x: Vec<[Point2; 2]> = ends.collect();
     by_x.sort_by(|a, b| a[0].x.total_cmp(&b[0].x));
     let is_drawn = |rung: &&Rung| {
@@ -181,8 +225,8 @@ pub(crate) fn overlapping_pattern(
             .any(|[a, b]| a.distance(from) <= near_mm && b.distance(to) <= near_mm)
     };
     let rungs = wanted.iter().filter(is_drawn).copied().collect();
-    let outline = lines.cuts.remove(0);
-    Ok(ReadPattern { outline, holes: lines.cuts, rungs })
+    let outline = loops.remove(0);
+    Ok(ReadPattern { outline, holes: loops, rungs })
 }
 
 /// The corners of closed lines, searchable by position.
@@ -253,9 +297,27 @@ mod tests {
         let outline = points(&[(1.0, 2.0), (5.0, 2.0), (5.0, 4.0), (1.0, 4.0)]);
         let segment = |a: (f64, f64), b: (f64, f64)| [a, b].map(|(x, y)| Point2::new(x, y));
         let segments = vec![segment((5.0, 4.0), (1.0, 2.0)), segment((1.0, 4.0), (5.0, 2.5))];
-        let read = pattern(Lines { cuts: vec![outline], segments }).unwrap();
+        let read = pattern(Lines { cuts: vec![outline], segments, ..Lines::default() }).unwrap();
         assert_eq!(read.rungs, [Rung::new(0, 2)]);
         assert_eq!(read.outline[0], Point2::default());
+    }
+
+    #[test]
+    fn the_finished_piece_is_the_net_and_drilled_holes_are_none_of_its_holes() {
+        let square =
+            |low: f64, high: f64| points(&[(low, low), (high, low), (high, high), (low, high)]);
+        let slit = points(&[(-1.0, 1.0), (0.5, 1.0)]);
+        let lines = Lines {
+            cuts: vec![square(-1.0, 5.0), square(1.0, 1.1)],
+            slits: vec![slit],
+            net: vec![square(0.0, 4.0)],
+            segments: vec![[Point2::new(0.0, 0.0), Point2::new(4.0, 4.0)]],
+        };
+        let read = pattern(lines.clone()).unwrap();
+        assert_eq!((&read.outline, read.holes.len()), (&square(0.0, 4.0), 0));
+        assert_eq!(read.rungs, [Rung::new(0, 2)]);
+        let astray = Lines { slits: vec![points(&[(2.0, 2.0), (3.0, 2.0)])], ..lines };
+        assert!(matches!(pattern(astray), Err(PatternReadError::Unexpected(_))));
     }
 
     #[test]
@@ -277,14 +339,15 @@ mod tests {
         ]);
         let at = |i: usize| outline[i];
         let segments = vec![[at(0), at(10)], [at(5), at(7)], [at(11), at(1)], [at(6), at(4)]];
-        let read = pattern(Lines { cuts: vec![outline.clone()], segments }).unwrap();
+        let lines = Lines { cuts: vec![outline.clone()], segments, ..Lines::default() };
+        let read = pattern(lines).unwrap();
         let expected = [Rung::new(0, 10), Rung::new(1, 11), Rung::new(4, 6), Rung::new(5, 7)];
         assert_eq!(read.rungs, expected);
     }
 
     #[test]
     fn one_outline_is_wanted() {
-        let of = |cuts: Vec<Vec<Point2>>| pattern(Lines { cuts, segments: Vec::new() });
+        let of = |cuts: Vec<Vec<Point2>>| pattern(Lines { cuts, ..Lines::default() });
         assert_eq!(of(vec![]), Err(PatternReadError::Outlines(0)));
         let square = points(&[(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]);
         assert_eq!(of(vec![square.clone(), square]), Err(PatternReadError::Outlines(2)));
@@ -302,7 +365,8 @@ mod tests {
         let moved = |line: &[Point2]| line.iter().map(|&p| p + away).collect::<Vec<Point2>>();
         let segments = vec![[laid[1], laid[5]], [laid[5], laid[2]]];
         let segments = segments.into_iter().map(|ends| ends.map(|p| p + away)).collect();
-        let lines = Lines { cuts: vec![moved(&outline), moved(&hole)], segments };
+        let cuts = vec![moved(&outline), moved(&hole)];
+        let lines = Lines { cuts, segments, ..Lines::default() };
         assert_eq!(pattern(lines.clone()), Err(PatternReadError::Outlines(2)));
         let wanted = [Rung::new(1, 5), Rung::new(2, 4), Rung::new(5, 6)];
         let read = overlapping_pattern(lines, &laid, &wanted).unwrap();

@@ -1,13 +1,13 @@
 //! Reads written patterns back and folds them up again.
 
 use crate::dxf::dxf_lines;
-use crate::read_back::{PatternReadError, ReadPattern, overlapping_pattern, pattern};
+use crate::read_back::{Lines, PatternReadError, ReadPattern, overlapping_pattern, pattern};
 use crate::svg::{svg_lines, write_svg};
 use sheetwright::check::{Finding, refolding};
 use sheetwright::flatten::{RefoldError, refold};
 use sheetwright::make::{Found, Origin, Part};
 use sheetwright::math::Point2;
-use sheetwright::pattern::Piece;
+use sheetwright::pattern::{PathKind, PatternPath, Piece};
 use sheetwright::rung::Rung;
 use sheetwright::tolerance::Tolerance;
 use std::fmt;
@@ -121,7 +121,7 @@ fn read_back_error_mm(
     let mut worst = 0.0f64;
     for pattern in read_patterns(piece, overlaps.then_some(&[][..]), svg, dxf)? {
         let lines = std::iter::once(&pattern.outline).chain(&pattern.holes);
-        let mut laid = piece.loops();
+        let mut laid = piece.net_loops();
         for line in lines {
             let of_piece = laid.next().filter(|laid| laid.len() == line.len());
             let of_piece = of_piece.ok_or(RefoldFileError::Lines)?;
@@ -154,15 +154,30 @@ fn read_patterns(
     if files.is_empty() {
         files.push(svg_lines(&write_svg(piece)));
     }
-    let laid: Vec<Point2> = piece.loops().flatten().copied().collect();
+    let laid: Vec<Point2> = piece.net_loops().flatten().copied().collect();
     let read = files.into_iter().map(|lines| {
-        let read = lines.and_then(|lines| match overlapping {
+        let lines = without_drilled(lines.map_err(RefoldFileError::Read)?, piece)?;
+        let read = match overlapping {
             Some(rungs) => overlapping_pattern(lines, &laid, rungs),
             None => pattern(lines),
-        });
+        };
         read.map_err(RefoldFileError::Read)
     });
     read.collect()
+}
+
+/// The lines of a file without the drilled holes of its piece, which are the last to be cut. All
+/// its lines to cut and of its net must be there.
+fn without_drilled(mut lines: Lines, piece: &Piece) -> Result<Lines, RefoldFileError> {
+    let count = |is: fn(&PatternPath) -> bool| piece.paths.iter().filter(|path| is(path)).count();
+    let cuts = count(|path| path.closed && path.role.is_cut());
+    let slits = count(|path| !path.closed && path.role.is_cut());
+    let net = count(|path| path.kind == PathKind::Net);
+    if (lines.cuts.len(), lines.slits.len(), lines.net.len()) != (cuts, slits, net) {
+        return Err(RefoldFileError::Lines);
+    }
+    lines.cuts.truncate(piece.loops().count());
+    Ok(lines)
 }
 
 /// The refold error of the pattern in memory, mm, of a part with windows, whose closing may change

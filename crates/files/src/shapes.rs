@@ -19,6 +19,9 @@ const CAPTION_MM: f64 = 8.0;
 pub(crate) enum What {
     Outline,
     Hole,
+    Net,
+    Drill,
+    Notch,
     Rung(Rung),
     Crease,
     Fold {
@@ -54,6 +57,9 @@ pub(crate) fn shapes(piece: &Piece) -> Vec<Shape> {
             what: match path.kind {
                 PathKind::Outline => What::Outline,
                 PathKind::Hole => What::Hole,
+                PathKind::Net => What::Net,
+                PathKind::Drill { .. } => What::Drill,
+                PathKind::Notch => What::Notch,
                 PathKind::Rung(rung) => What::Rung(rung),
                 PathKind::Crease => What::Crease,
                 PathKind::Fold { mountain } => What::Fold { mountain },

@@ -4,10 +4,11 @@
 //! drawing keeps its size in every program. Nothing is transformed, nothing is filled, and letters
 //! are strokes, so that no program looks for a font.
 
+use crate::preset::{LAYERS, layers};
 use crate::read_back::{Lines, MAX_BYTES, PatternReadError, ReadPattern, pattern};
 use crate::shapes::{Shape, What, digits, extent, shapes};
 use sheetwright::math::Point2;
-use sheetwright::pattern::{Piece, Role};
+use sheetwright::pattern::Piece;
 use std::fmt::Write as _;
 use svgtypes::{Length, LengthUnit, SimplePathSegment, SimplifyingPathParser, ViewBox};
 
@@ -29,17 +30,6 @@ const VALLEY: &str = "stroke-dasharray=\"4 1.5 0.3 1.5\"";
 /// The gap between the drawing and the edge of the page, mm.
 const EDGE_MM: f64 = 5.0;
 
-/// The colours of the roles, for programs that assign operations by colour. By the widest custom
-/// red is cut, blue scored and black engraved; grey has no operation.
-const fn colour(role: Role) -> &'static str {
-    match role {
-        Role::Cut => "#ff0000",
-        Role::Score => "#0000ff",
-        Role::Engrave => "#000000",
-        Role::Note => "#999999",
-    }
-}
-
 /// The SVG file of a piece. `docs/outputs.md` specifies it for readers.
 pub fn write_svg(piece: &Piece) -> Vec<u8> {
     let shapes = shapes(piece);
@@ -50,6 +40,8 @@ pub fn write_svg(piece: &Piece) -> Vec<u8> {
     let height = digits(top - (around.min.y - EDGE_MM).floor());
     let place = |p: &Point2| format!("{},{}", digits(p.x - left), digits(top - p.y));
     let name = escaped(&piece.name);
+    let groups: Vec<String> =
+        layers(&shapes).map(|layer| format!("{} ({})", layer.name, layer.words)).collect();
     let mut svg = format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
          <svg xmlns=\"http://www.w3.org/2000/svg\" \
@@ -57,14 +49,15 @@ pub fn write_svg(piece: &Piece) -> Vec<u8> {
          width=\"{width}mm\" height=\"{height}mm\" viewBox=\"0 0 {width} {height}\">\n\
          <title>{name}</title>\n\
          <desc>Flat pattern of {name}, {:.1} × {:.1} mm, by Sheetwright. Units: mm, true scale. \
-         Groups: cut (red), score (blue), engrave (black), note (grey, for people alone).</desc>\n\
+         Groups: {}.</desc>\n\
          <style>{IN_INKSCAPE}</style>\n\
          <style>{ON_SCREENS}</style>\n",
-        piece.size.x, piece.size.y
+        piece.size.x,
+        piece.size.y,
+        groups.join(", ")
     );
-    for role in Role::ALL {
-        let id = role.name();
-        let stroke = colour(role);
+    for layer in layers(&shapes) {
+        let (id, stroke) = (layer.name, layer.colour);
         // Writing to a string does not fail.
         let _ = writeln!(
             svg,
@@ -72,7 +65,7 @@ pub fn write_svg(piece: &Piece) -> Vec<u8> {
              stroke=\"{stroke}\" stroke-width=\"{LINE_MM}\" stroke-linecap=\"round\" \
              stroke-linejoin=\"round\">"
         );
-        for shape in shapes.iter().filter(|s| s.role == role && !s.lines.is_empty()) {
+        for shape in layer.shapes(&shapes).filter(|s| !s.lines.is_empty()) {
             let _ = writeln!(svg, "<path {} d=\"{}\"/>", named(shape), drawn(shape, place));
         }
         svg.push_str("</g>\n");
@@ -86,6 +79,9 @@ fn named(shape: &Shape) -> String {
     match &shape.what {
         What::Outline => "id=\"outline\" class=\"outline\"".to_owned(),
         What::Hole => "class=\"hole\"".to_owned(),
+        What::Net => "class=\"net\"".to_owned(),
+        What::Drill => "class=\"drill\"".to_owned(),
+        What::Notch => "class=\"notch\"".to_owned(),
         What::Rung(rung) => {
             let [low, high] = rung.ends().map(|s| s.get());
             format!("class=\"rung\" data-rung=\"{low} {high}\"")
@@ -128,8 +124,8 @@ fn escaped(text: &str) -> String {
 }
 
 /// Reads back the outline, the holes and the rungs of a pattern that [`write_svg`] wrote: the
-/// closed paths of `cut`, and the segments of the other groups between its corners. Ignores the
-/// names of the paths. `width`, `height` and `viewBox` give the unit.
+/// closed paths of `net`, or of `cut` where there is no net, and the segments of the other groups
+/// between their corners. Ignores the names of the paths. `width`, `height` and `viewBox` give the unit.
 ///
 /// # Errors
 /// See [`PatternReadError`]. Transforms and curves are refused, since a pattern has none.
@@ -158,21 +154,17 @@ pub(crate) fn svg_lines(bytes: &[u8]) -> Result<Lines, PatternReadError> {
         )));
     }
     let mut found = Lines::default();
-    for role in Role::ALL {
-        let group = root
-            .children()
-            .find(|n| n.has_tag_name("g") && n.attribute("id") == Some(role.name()))
-            .ok_or(PatternReadError::Missing(role.name()))?;
+    for layer in &LAYERS {
+        let mut groups = root.children().filter(|n| n.has_tag_name("g"));
+        let Some(group) = groups.find(|n| n.attribute("id") == Some(layer.name)) else {
+            if layer.is_optional() {
+                continue;
+            }
+            return Err(PatternReadError::Missing(layer.name));
+        };
         for path in group.descendants().filter(|n| n.has_tag_name("path")) {
             for (points, closed) in lines(path.attribute("d").unwrap_or_default(), unit_mm)? {
-                match (role, &points[..]) {
-                    (Role::Cut, _) if closed => found.cuts.push(points),
-                    (Role::Cut, _) => {
-                        return Err(PatternReadError::Unexpected("open line to cut".to_owned()));
-                    }
-                    (_, &[from, to]) if !closed => found.segments.push([from, to]),
-                    _ => {}
-                }
+                found.add(layer, points, closed);
             }
         }
     }

@@ -248,6 +248,7 @@ fn gores_are_one_part_and_sides_of_a_boat_are_mirror_images() {
     let mut holed = gores[0].clone();
     let mut hole = holed.paths[0].clone();
     hole.kind = sheetwright::pattern::PathKind::Hole;
+    hole.role = sheetwright::pattern::Role::Inner;
     holed.paths.push(hole);
     assert!(!alike(&gores[0], &holed, 0.01));
 }

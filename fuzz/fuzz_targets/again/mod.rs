@@ -62,7 +62,7 @@ fn piece(read: &ReadPattern) -> Piece {
         path(Role::Note, PathKind::Rung(rung), ends.to_vec(), false)
     });
     let outline = path(Role::Cut, PathKind::Outline, read.outline.clone(), true);
-    let hole = |hole: &Vec<Point2>| path(Role::Cut, PathKind::Hole, hole.clone(), true);
+    let hole = |hole: &Vec<Point2>| path(Role::Inner, PathKind::Hole, hole.clone(), true);
     let paths = std::iter::once(outline).chain(read.holes.iter().map(hole)).chain(rungs).collect();
     Piece { name: "again".to_owned(), paths, labels: Vec::new(), size: Default::default() }
 }

@@ -242,7 +242,7 @@ fn places(cell: Box2, size: Vec2) -> impl Iterator<Item = Point2> {
 /// The lines that the overview draws, by the sheets whose cells they may pass.
 fn lines_of_cells(piece: &Piece, tiling: &Tiling) -> BTreeMap<PaperSheet, Vec<[Point2; 2]>> {
     let mut found: BTreeMap<PaperSheet, Vec<[Point2; 2]>> = BTreeMap::new();
-    let drawn = piece.paths.iter().filter(|p| matches!(p.role, Role::Cut | Role::Score));
+    let drawn = piece.paths.iter().filter(|p| p.role.is_cut() || p.role == Role::Score);
     for path in drawn {
         let count = path.points.len() - usize::from(!path.closed);
         for n in 0..count {

@@ -55,8 +55,11 @@ pub(super) fn draw(
         for (role, pen) in [
             (Role::Note, Pen::NOTE),
             (Role::Engrave, Pen::ENGRAVE),
+            (Role::Net, Pen::SCORE),
             (Role::Score, Pen::SCORE),
             (Role::Cut, Pen::CUT),
+            (Role::Inner, Pen::CUT),
+            (Role::Drill, Pen::CUT),
         ] {
             if detail == Detail::Lines && matches!(role, Role::Note | Role::Engrave) {
                 continue;

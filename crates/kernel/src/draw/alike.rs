@@ -56,7 +56,7 @@ pub fn alike(a: &Piece, b: &Piece, within_mm: f64) -> bool {
 
 /// The corners of cut and scored lines besides the outline.
 fn rest(piece: &Piece) -> Vec<(Role, Point2)> {
-    let counts = |role: Role| matches!(role, Role::Cut | Role::Score);
+    let counts = |role: Role| role.is_cut() || role == Role::Score;
     let paths = piece.paths.iter().filter(|p| p.kind != PathKind::Outline && counts(p.role));
     paths.flat_map(|path| path.points.iter().map(|&p| (path.role, p))).collect()
 }

@@ -25,10 +25,17 @@ use sheetwright_optimum::rung::Rung;
 /// The work along a path, by a machine or by hand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Role {
-    /// Cut through.
+    /// Cut through along the outline, when everything else is done.
     Cut,
+    /// Cut through inside the outline: holes.
+    Inner,
+    /// Drill, or cut round: small round holes for stitches, rivets and pins.
+    Drill,
     /// Score or crease: a sharp fold.
     Score,
+    /// The outline and the holes of the finished piece, where trims have moved the cut off them:
+    /// sewn, glued or folded along.
+    Net,
     /// Mark lightly on the piece: names, lines to bend along, ruling ticks.
     Engrave,
     /// To read only: rungs, dimensions, reference squares. No machine follows these.
@@ -37,13 +44,22 @@ pub enum Role {
 
 impl Role {
     /// Every role, in the order in which files list them.
-    pub const ALL: [Self; 4] = [Self::Cut, Self::Score, Self::Engrave, Self::Note];
+    pub const ALL: [Self; 7] =
+        [Self::Cut, Self::Inner, Self::Drill, Self::Score, Self::Net, Self::Engrave, Self::Note];
 
-    /// The name that files give to its group or layer.
+    /// Whether the sheet is cut through along it.
+    pub fn is_cut(self) -> bool {
+        matches!(self, Self::Cut | Self::Inner | Self::Drill)
+    }
+
+    /// Its name.
     pub fn name(self) -> &'static str {
         match self {
             Self::Cut => "cut",
+            Self::Inner => "inner",
+            Self::Drill => "drill",
             Self::Score => "score",
+            Self::Net => "net",
             Self::Engrave => "engrave",
             Self::Note => "note",
         }
@@ -51,12 +67,23 @@ impl Role {
 }
 
 /// The meaning of a path.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PathKind {
-    /// The outline of the piece; its points are the vertices of its loop on the sheet, in order.
+    /// The outline as it is cut. Where the piece has no net, its points are the vertices of its
+    /// loop on the sheet, in order.
     Outline,
-    /// A hole of the piece, clockwise; likewise.
+    /// A hole as it is cut, clockwise; likewise.
     Hole,
+    /// The outline or a hole of the finished piece, closed: its points are the vertices of its loop
+    /// on the sheet, in order. A piece has none, or one for each of its loops, the outline first.
+    Net,
+    /// A round hole, as a closed polygon around it, clockwise.
+    Drill {
+        /// Its diameter, mm.
+        diameter_mm: f64,
+    },
+    /// An open line that is cut into the edge.
+    Notch,
     /// A rung, by samples of the sheet, from its lower sample to its higher one.
     Rung(Rung),
     /// A sharp crease of a mesh.
@@ -154,9 +181,26 @@ impl Piece {
             .map_or(&[], |path| &path.points)
     }
 
-    /// The points of each closed line that is cut, mm: the outline, and then the holes.
+    /// The points of the outline and then of the holes as they are cut, mm, without drilled holes.
     pub fn loops(&self) -> impl Iterator<Item = &[Point2]> {
         let is_loop = |path: &&PatternPath| matches!(path.kind, PathKind::Outline | PathKind::Hole);
+        self.paths.iter().filter(is_loop).map(|path| &path.points[..])
+    }
+
+    /// Whether trims have moved the cut off the outline or a hole of the finished piece.
+    pub fn has_net(&self) -> bool {
+        self.paths.iter().any(|path| path.kind == PathKind::Net)
+    }
+
+    /// The points of the outline and then of the holes of the finished piece, mm: the loops of the
+    /// sheet.
+    pub fn net_loops(&self) -> impl Iterator<Item = &[Point2]> {
+        let has_net = self.has_net();
+        let is_loop = move |path: &&PatternPath| match path.kind {
+            PathKind::Net => has_net,
+            PathKind::Outline | PathKind::Hole => !has_net,
+            _ => false,
+        };
         self.paths.iter().filter(is_loop).map(|path| &path.points[..])
     }
 
@@ -245,8 +289,11 @@ fn loops(sheet: &Sheet, flat: &Flattened) -> Vec<PatternPath> {
         loops.sort_by(|a, b| area(b).total_cmp(&area(a)));
     }
     let path = |(n, points): (usize, Vec<Point2>)| {
-        let kind = if n == 0 { PathKind::Outline } else { PathKind::Hole };
-        PatternPath { role: Role::Cut, kind, points, closed: true }
+        let (role, kind) = match n {
+            0 => (Role::Cut, PathKind::Outline),
+            _ => (Role::Inner, PathKind::Hole),
+        };
+        PatternPath { role, kind, points, closed: true }
     };
     loops.into_iter().enumerate().map(path).collect()
 }

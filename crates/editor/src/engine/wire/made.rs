@@ -34,7 +34,7 @@ fields!(Piece { name, paths, labels, size });
 fields!(PatternPath { role, kind, points, closed });
 fields!(PatternLabel { kind, role, at, along, height_mm, text });
 kinds!(Verdict { Bends, BendsWithForce, Roll, BendsAndFolds, Undecided, WillNotBend });
-kinds!(Role { Cut, Score, Engrave, Note });
+kinds!(Role { Cut, Inner, Drill, Score, Net, Engrave, Note });
 kinds!(LabelKind { Name, Edge, Mark, Length, Angle });
 
 impl Wire for PathKind {
@@ -49,9 +49,14 @@ impl Wire for PathKind {
             Self::Dimension => 6,
             Self::Fold { mountain: true } => 7,
             Self::Fold { mountain: false } => 8,
+            Self::Net => 9,
+            Self::Drill { .. } => 10,
+            Self::Notch => 11,
         });
-        if let Self::Rung(rung) = self {
-            rung.put(out);
+        match self {
+            Self::Rung(rung) => rung.put(out),
+            Self::Drill { diameter_mm } => diameter_mm.put(out),
+            _ => {}
         }
     }
 
@@ -66,6 +71,9 @@ impl Wire for PathKind {
             6 => Self::Dimension,
             7 => Self::MOUNTAIN,
             8 => Self::VALLEY,
+            9 => Self::Net,
+            10 => Self::Drill { diameter_mm: f64::take(from)? },
+            11 => Self::Notch,
             _ => return None,
         })
     }

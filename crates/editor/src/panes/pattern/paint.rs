@@ -182,8 +182,8 @@ fn paths(painter: &Painter, shown: &Shown, look: &Look<'_>, theme: &Theme) {
                     _ => Stroke::new(1.0, theme.rung.gamma_multiply(0.4)),
                 }
             }
-            (_, Role::Cut) => Stroke::new(2.0, cut),
-            (_, Role::Score) => Stroke::new(1.6, score),
+            (_, Role::Cut | Role::Inner | Role::Drill) => Stroke::new(2.0, cut),
+            (_, Role::Score | Role::Net) => Stroke::new(1.6, score),
             (_, Role::Engrave) => Stroke::new(1.2, engrave),
             (_, Role::Note) => Stroke::new(1.0, theme.faint),
         };
@@ -235,8 +235,8 @@ fn letters(painter: &Painter, label: &PatternLabel, look: &Look<'_>, theme: &The
     let ink = match label.role {
         // The dark end of the map is dark in every look.
         Role::Engrave if look.by.is_some() && !theme.is_dark => theme.paper,
-        Role::Cut => theme.roles[0],
-        Role::Score => theme.roles[1],
+        Role::Cut | Role::Inner | Role::Drill => theme.roles[0],
+        Role::Score | Role::Net => theme.roles[1],
         Role::Engrave => theme.roles[2],
         Role::Note => theme.roles[3],
     };
