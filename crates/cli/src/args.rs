@@ -13,7 +13,7 @@ use sheetwright::template::catalogue;
 use sheetwright::triangulate::WhichSurface;
 use sheetwright_files::{
     Format, InputFormat, MaxSheets, MeshFormat, MeshSettings, OutputOptions, Paper, PdfOptions,
-    ReadOptions, ReportForm, Units, VarySettings, catalogue_names, known_materials,
+    ReadOptions, ReportForm, Units, VarySettings, catalogue_names, known_materials, trade_names,
 };
 use std::ffi::OsStr;
 use std::path::PathBuf;
@@ -375,6 +375,14 @@ pub(crate) struct SourceArgs {
         long_help = material_help()
     )]
     material: Option<String>,
+    /// The trade that it is made for: what is done along its edges, such as tabs, holes or
+    /// allowances [default: as the design says, or bare outlines]; docs/trims.md lists them
+    #[arg(long = "for", value_name = "TRADE", value_parser = PossibleValuesParser::new(trade_names()))]
+    trade: Option<String>,
+    /// The width of an allowance along all edges, in mm or with a unit (10mm, 3/8in), in place of
+    /// other strips
+    #[arg(long, value_name = "LENGTH", value_parser = size_mm)]
+    allowance: Option<f64>,
     #[command(flatten)]
     vary: VaryArgs,
 }
@@ -459,6 +467,8 @@ impl SourceArgs {
                 strain: self.vary.vary_strain,
             },
             mesh: MeshSettings::default(),
+            trade: self.trade.clone(),
+            allowance_mm: self.allowance,
         }
     }
 }

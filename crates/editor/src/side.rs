@@ -5,7 +5,7 @@
 //! name, so that what is typed never lands in another.
 
 use crate::command::Command;
-use crate::document::edit::why_unbound;
+use crate::document::edit::{allowance_mm, why_unbound};
 use crate::document::{Document, Drawing, FARTHEST_MM, Mirror, Plan};
 use crate::document::{Edit, PointRef, curves_of};
 use crate::editor::Editor;
@@ -19,11 +19,13 @@ use sheetwright::design::{DesignPanel, PanelMesh, PanelShape};
 use sheetwright::flatten::Aim;
 use sheetwright::math::{Point2, from_deg, to_deg};
 use sheetwright::triangulate::WhichSurface;
-use sheetwright_files::{Units, known_materials, material_group};
+use sheetwright_files::{Units, known_materials, material_group, trade_names, trade_title};
 use std::ops::RangeInclusive;
 
 /// Where things may lie, mm.
 const PLACES: RangeInclusive<f64> = -FARTHEST_MM..=FARTHEST_MM;
+/// How wide an allowance may be, mm.
+const ALLOWANCES: RangeInclusive<f64> = 0.0..=1000.0;
 /// How far lines of a grid may be apart, mm.
 const GRIDS: RangeInclusive<f64> = 0.01..=1e6;
 /// Creases above this angle, degrees, divide a mesh where a person has not said which.
@@ -137,6 +139,12 @@ fn curve_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, n: usize, acts: &mut Ve
     if let Some(name) = (Field { theme, of, label: "Name of curve" }).name(ui, &curve.name) {
         acts.push(Act::Edit(Edit::RenameCurve { curve: n, name }));
     }
+    let width_mm = allowance_mm(design, &curve.name);
+    let units = document.drawing.units;
+    let field = Field { theme, of, label: "Allowance" };
+    if let Some(width_mm) = field.length(ui, width_mm, units, ALLOWANCES) {
+        acts.push(Act::Edit(Edit::SetAllowance { curve: n, width_mm }));
+    }
     let state = if curve.closed { "closed" } else { "open" };
     ui.label(RichText::new(format!("{} points, {state}", curve.points.len())).color(theme.faint));
     let uses = |panel: &&DesignPanel| curves_of(panel).iter().any(|u| u.name == curve.name);
@@ -174,6 +182,18 @@ fn panel_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
                 }
                 let is_it = design.material.as_ref() == Some(material);
                 choose(ui, is_it, &material.title, Some(&material.name));
+            }
+        });
+        let trade = design.trade.as_deref();
+        let shown = trade.unwrap_or("Bare outlines");
+        ComboBox::from_label("Made for").selected_text(shown).width(150.0).show_ui(ui, |ui| {
+            for name in std::iter::once(None).chain(trade_names().into_iter().map(Some)) {
+                let label = ui.selectable_label(trade == name, name.unwrap_or("Bare outlines"));
+                let title = name.and_then(trade_title);
+                let label = title.map_or(label.clone(), |title| label.on_hover_text(title));
+                if label.clicked() && trade != name {
+                    acts.push(Act::Edit(Edit::SetTrade(name.map(str::to_owned))));
+                }
             }
         });
     });

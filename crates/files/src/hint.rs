@@ -11,6 +11,7 @@ use sheetwright::mesh::MeshError;
 use sheetwright::sample::PanelCause;
 use sheetwright::surface::ConnectivityError;
 use sheetwright::triangulate::TriangulateError;
+use sheetwright::trim::TrimFault;
 
 const FAULT: &str = "This is a fault of the program: please report it with the input.";
 
@@ -31,6 +32,29 @@ pub fn hint_for(error: &MakeError) -> String {
                 .to_owned()
         }
         MakeCause::Relax(error) => relaxing(*error).to_owned(),
+        MakeCause::Trim(fault) => trimming(fault).to_owned(),
+    }
+}
+
+/// What to do about a trim that can't be made.
+fn trimming(fault: &TrimFault) -> &'static str {
+    match fault {
+        TrimFault::NoSuchEdge { .. } => {
+            "Name one of these, or write all, free, joined, cuts or holes."
+        }
+        TrimFault::NoMate { .. } => {
+            "Leave this edge out, or let the panel beside it use one curve with this one."
+        }
+        TrimFault::TooWide { .. } => "Make it narrower than the part.",
+        TrimFault::TooDense { .. } => "Make the pitch larger than the diameter.",
+        TrimFault::OverTheLine { .. } => "Set an inset of the radius or more.",
+        TrimFault::TooDeep { .. } => {
+            "Make it shallower, add an allowance there, or choose a form that stands out: v-out or \
+             castle."
+        }
+        TrimFault::Parted { .. } => {
+            "Make sockets and knobs smaller, or the distance between them larger."
+        }
     }
 }
 

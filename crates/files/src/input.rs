@@ -7,6 +7,7 @@ use crate::reading::{
     EFFORTS, InputError, ReadOptions, TAKEN, VarySettings, display_name, read_whole, refuse_folder,
     refuse_large, text_of, without_utf16,
 };
+use crate::units::Units;
 use crate::{design_json, mesh, table};
 use sheetwright::boundary::MAX_SAMPLES;
 use sheetwright::cost::MAX_FOLD;
@@ -136,6 +137,15 @@ pub fn read_bytes(
     };
     if let Some(material) = material_asked_for(options, &design.materials)? {
         design.material = Some(material);
+    }
+    if format != InputFormat::Design {
+        let thickness_mm = design.material.as_ref().map(|material| material.thickness_mm.value);
+        let trade = options.trade.as_deref();
+        let read = design_json::trims_of(trade, Vec::new(), Units::Millimetres, thickness_mm);
+        let refused = |(_, message, hint)| InputError { message, place: None, hint };
+        design.trims = read.map_err(refused)?;
+        design.trims.extend(options.allowance());
+        design.trade.clone_from(&options.trade);
     }
     Ok(design)
 }

@@ -52,7 +52,7 @@ mod words;
 
 pub use archive::zipped;
 pub use catalogue::{catalogue_json, catalogue_text, parameter_table, template_text};
-pub use design_json::{read_drawn, write_design, write_drawn};
+pub use design_json::{read_drawn, trade_names, trade_title, trims_for, write_design, write_drawn};
 pub use drawing::{Drawing, Mirror, Plan, Reference};
 pub use dxf::{read_dxf, write_dxf};
 pub use hint::{hint_for, hint_in_design, remedy_for};

@@ -13,9 +13,18 @@
 //! refused, since a wrong guess would be a factor of 1000. Fields of the editor, settings of
 //! templates and options of the command all read quantities here.
 
-use crate::design_json::{MOST_WARP_DEG, strain_shares};
 use crate::table::in_range_mm;
 use crate::units::Units;
+use std::ops::RangeInclusive;
+
+/// The largest warp angle that can be set as a goal, degrees.
+pub(crate) const MOST_WARP_DEG: f64 = 90.0;
+
+/// The shares of the strain of the sheet that can be set as a goal: less than a twentieth is below
+/// what a prediction tells.
+pub(crate) fn strain_shares() -> RangeInclusive<f64> {
+    0.05..=1.0
+}
 
 /// Examples of lengths, for messages.
 pub(crate) const LENGTH_EXAMPLES: &str = "400, 400mm, 40cm, 0.4m, 15 3/4in or 1' 4\"";

@@ -180,7 +180,8 @@ pub(crate) fn pattern(lines: Lines) -> Result<ReadPattern, PatternReadError> {
         .iter()
         .filter_map(|&[from, to]| {
             let (a, b) = (corners.at(from, to)?, corners.at(to, from)?);
-            (a != b).then(|| Rung::new(a, b))
+            // A fold along an edge runs between neighbours, which no rung joins.
+            (a != b && !corners.beside[a].contains(&b)).then(|| Rung::new(a, b))
         })
         .collect();
     rungs.sort_unstable();

@@ -3,7 +3,7 @@
 
 use crate::units::Units;
 use sheetwright::boundary::PlaneChoice;
-use sheetwright::design::VaryGoal;
+use sheetwright::design::{Allowance, Corner, Trim, TrimKind, TrimOn, VaryGoal};
 use sheetwright::design::{PanelMesh, PanelMethod, Vary};
 use sheetwright::flatten::Aim;
 use sheetwright::math::from_deg;
@@ -157,6 +157,20 @@ pub struct ReadOptions {
     pub vary: VarySettings,
     /// How meshes are laid flat. Default: as the design says.
     pub mesh: MeshSettings,
+    /// The trade that the design is made for, by name. Default: as the design says.
+    pub trade: Option<String>,
+    /// The width of an allowance along all edges, mm, in place of other strips. Default: as the
+    /// trims of the design say.
+    pub allowance_mm: Option<f64>,
+}
+
+impl ReadOptions {
+    /// The allowance along all edges that the caller asks for.
+    pub(crate) fn allowance(&self) -> Option<Trim> {
+        let allowance = |mm: f64| Allowance { width: [mm; 2], corner: Corner::ByLength };
+        let trim = |mm: f64| Trim::new([TrimOn::All], TrimKind::Allowance(allowance(mm)));
+        self.allowance_mm.map(trim)
+    }
 }
 
 /// How messages name the input.

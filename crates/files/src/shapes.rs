@@ -22,6 +22,8 @@ pub(crate) enum What {
     Net,
     Drill,
     Notch,
+    /// A tick inside an edge, to match edges by.
+    TrimTick,
     Rung(Rung),
     Crease,
     Fold {
@@ -60,6 +62,8 @@ pub(crate) fn shapes(piece: &Piece) -> Vec<Shape> {
                 PathKind::Net => What::Net,
                 PathKind::Drill { .. } => What::Drill,
                 PathKind::Notch => What::Notch,
+                PathKind::TrimFold { mountain } => What::Fold { mountain },
+                PathKind::TrimTick => What::TrimTick,
                 PathKind::Rung(rung) => What::Rung(rung),
                 PathKind::Crease => What::Crease,
                 PathKind::Fold { mountain } => What::Fold { mountain },

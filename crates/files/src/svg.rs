@@ -82,6 +82,7 @@ fn named(shape: &Shape) -> String {
         What::Net => "class=\"net\"".to_owned(),
         What::Drill => "class=\"drill\"".to_owned(),
         What::Notch => "class=\"notch\"".to_owned(),
+        What::TrimTick => "class=\"tick\"".to_owned(),
         What::Rung(rung) => {
             let [low, high] = rung.ends().map(|s| s.get());
             format!("class=\"rung\" data-rung=\"{low} {high}\"")

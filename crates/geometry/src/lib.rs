@@ -14,6 +14,8 @@ pub mod triangle;
 
 pub mod predicate;
 
+pub mod region;
+
 pub mod tolerance;
 
 pub mod index;

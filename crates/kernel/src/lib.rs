@@ -79,6 +79,8 @@ pub mod edge;
 
 pub mod pattern;
 
+pub mod trim;
+
 pub mod check;
 
 pub mod make;

@@ -10,6 +10,7 @@ use sheetwright::index::SampleIndex;
 use sheetwright::math::{Point3, from_deg};
 use sheetwright::mesh::{Damage, Skin};
 use sheetwright::rung::Rung;
+use sheetwright::trim::TrimNote;
 
 /// A finding of each kind, and two of kinds with two sentences.
 pub fn one_of_each() -> Vec<Finding> {
@@ -248,6 +249,10 @@ fn of_boundaries() -> Vec<Finding> {
 }
 
 fn of_files() -> Vec<Finding> {
+    let edge = || "fox-1/J3".to_owned();
+    let no_room =
+        TrimNote::NoRoomForTabs { edge: edge(), mate: "fox-2/J3".to_owned(), covered: 0.2 };
+    let left_out = TrimNote::HolesLeftOut { edge: edge(), left_out: 2, of: 30 };
     let reduced =
         |sheets, is_full| Kind::PdfReduced { sheets, scale: 400.0, most: 20_000, is_full };
     whole([
@@ -259,6 +264,11 @@ fn of_files() -> Vec<Finding> {
         reduced(2500, false),
         reduced(2500, true),
         reduced(30_000, false),
+        Kind::Trimmed { note: no_room },
+        Kind::Trimmed { note: left_out },
+        Kind::Trimmed { note: TrimNote::Closes { of_net: 1, of_cut: 0 } },
+        Kind::Trimmed { note: TrimNote::NotProved { outside_mm2: 0.25 } },
+        Kind::Trimmed { note: TrimNote::Overlaps },
     ])
     .collect()
 }

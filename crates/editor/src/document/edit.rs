@@ -4,7 +4,9 @@
 use super::{Document, Edit, Mirror, Plan, PointRef, Selection, curves_of};
 use crate::words::sentence;
 use sheetwright::curve::{CurveKind, CurvePoint};
-use sheetwright::design::{CurveUse, Design, DesignCurve, PanelShape};
+use sheetwright::design::{
+    Allowance, Corner, CurveUse, Design, DesignCurve, PanelShape, Trim, TrimKind, TrimOn,
+};
 use sheetwright::draw::edit::{
     EditError, curve_leg, free_name, insert_point, nearest, remove_point, set_corner, straighten,
 };
@@ -15,7 +17,7 @@ use sheetwright::draw::round::circle;
 use sheetwright::draw::settle::{point_at, settled};
 use sheetwright::draw::stroke::{StrokeOptions, stroke};
 use sheetwright::math::{Point2, Point3};
-use sheetwright_files::material_named;
+use sheetwright_files::{material_named, trims_for};
 
 /// What came of an edit.
 pub struct Edited {
@@ -73,6 +75,26 @@ pub fn edited(document: &Document, edit: &Edit) -> Outcome {
             *of = (**to).clone();
             Ok(Edited::of(next))
         }
+        Edit::SetTrade(name) => {
+            let mut next = document.clone();
+            retrimmed(&mut next.design, name.as_deref(), thickness_mm(&document.design))?;
+            next.design.trade.clone_from(name);
+            Ok(Edited::of(next))
+        }
+        Edit::SetAllowance { curve, width_mm } => {
+            let mut next = document.clone();
+            let Some(curve) = next.design.curves.get(*curve) else {
+                return Err("The curve is gone.".to_owned());
+            };
+            let on = allowance_on(&curve.name);
+            let trims = &mut next.design.trims;
+            trims.retain(|trim| !is_allowance(trim, &on));
+            if *width_mm > 0.0 {
+                let kind = Allowance { width: [*width_mm; 2], corner: Corner::ByLength };
+                trims.push(Trim::new([on], TrimKind::Allowance(kind)));
+            }
+            Ok(Edited::of(next))
+        }
         Edit::SetMaterial(name) => {
             let mut next = document.clone();
             next.design.material = match name {
@@ -82,11 +104,50 @@ pub fn edited(document: &Document, edit: &Edit) -> Outcome {
                     Some(found.ok_or_else(|| format!("There is no material {name}."))?)
                 }
             };
+            // Some widths are thicknesses of the sheet.
+            let trade = next.design.trade.clone();
+            retrimmed(&mut next.design, trade.as_deref(), thickness_mm(&document.design))?;
             Ok(Edited::of(next))
         }
         Edit::SetDrawing(drawing) => {
             Ok(Edited::of(Document { drawing: (**drawing).clone(), ..document.clone() }))
         }
+    }
+}
+
+fn thickness_mm(design: &Design) -> Option<f64> {
+    design.material.as_ref().map(|material| material.thickness_mm.value)
+}
+
+/// Gives a design the trims of a trade in place of those that it has from one; `before_mm` is the
+/// thickness of the sheet for which it has them.
+fn retrimmed(
+    design: &mut Design,
+    trade: Option<&str>,
+    before_mm: Option<f64>,
+) -> Result<(), String> {
+    let now_mm = thickness_mm(design);
+    let trims = trims_for(design, trade, [before_mm, now_mm]);
+    design.trims = trims.ok_or_else(|| "There is no such trade.".to_owned())?;
+    Ok(())
+}
+
+/// Where the allowance along a curve stands: on its edge of every panel.
+fn allowance_on(curve: &str) -> TrimOn {
+    TrimOn::Edge { part: None, edge: curve.to_owned() }
+}
+
+fn is_allowance(trim: &Trim, on: &TrimOn) -> bool {
+    trim.on == std::slice::from_ref(on) && matches!(trim.kind, TrimKind::Allowance(_))
+}
+
+/// The width of the allowance along a curve, mm, that [`Edit::SetAllowance`] has set; else 0.
+pub fn allowance_mm(design: &Design, curve: &str) -> f64 {
+    let on = allowance_on(curve);
+    let own = design.trims.iter().find(|trim| is_allowance(trim, &on));
+    match own.map(|trim| &trim.kind) {
+        Some(TrimKind::Allowance(allowance)) => allowance.width[0],
+        _ => 0.0,
     }
 }
 

@@ -58,6 +58,15 @@ pub enum Edit {
     },
     /// The sheet is another, by its name; or none is named.
     SetMaterial(Option<String>),
+    /// The trade that the design is made for, by name.
+    SetTrade(Option<String>),
+    /// The width of the allowance along a curve, mm; 0 for none.
+    SetAllowance {
+        /// The number of the curve.
+        curve: usize,
+        /// The width.
+        width_mm: f64,
+    },
     /// How the design is drawn.
     SetDrawing(Box<Drawing>),
 }

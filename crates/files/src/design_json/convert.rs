@@ -9,9 +9,11 @@ use super::material;
 use super::mesh::Meshes;
 use super::source::Source;
 use super::table_path::Tables;
+use super::trims;
 use super::vary::VaryReader;
 use super::wrong_version;
 use crate::json::Object;
+use crate::materials::material_named;
 use crate::mesh::NO_SAMPLES;
 use crate::names::{
     did_you_mean, folded, refused_anywhere, refused_for_curve, refused_for_file, shown,
@@ -78,7 +80,14 @@ pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, In
     vary.sort_by_key(place);
     let vary = source.options.vary.applied(vary);
     let match_seams = file.match_seams;
-    Ok(Design { name, material, materials, curves, panels, vary, match_seams })
+    let trade = source.options.trade.clone().or(file.trade);
+    // The material that the caller names takes the place of the design's own.
+    let asked = source.options.material.as_ref();
+    let asked = asked.and_then(|name| material_named(name, &materials));
+    let thickness_mm = asked.as_ref().or(material.as_ref()).map(|sheet| sheet.thickness_mm.value);
+    let mut trims = trims::read(trade.as_deref(), file.trims, file.units, thickness_mm, source)?;
+    trims.extend(source.options.allowance());
+    Ok(Design { name, material, materials, curves, panels, vary, match_seams, trade, trims })
 }
 
 fn curves(

@@ -3,6 +3,7 @@
 //! The doc comments of these types are the descriptions in docs/schema/design.schema.json.
 
 use super::drawing::DrawingFile;
+use super::trims::{TrimFile, Written};
 use crate::json::{Called, Named, Object};
 use crate::materials::{MaterialChoice, MaterialFile};
 use crate::table::MAX_ROWS;
@@ -54,6 +55,15 @@ pub(super) struct DesignFile {
     /// a seam are equally long. They do in any case where something moves. Default: false.
     #[serde(default)]
     pub(super) match_seams: bool,
+    /// The trade that it is made for: what is done along its edges by default. docs/trims.md
+    /// lists them. Default: none, bare outlines.
+    #[serde(default, rename = "for")]
+    pub(super) trade: Option<String>,
+    /// What is done along its edges. One with the `kind` and the `on` of a trim of its trade
+    /// replaces fields of that.
+    #[serde(default)]
+    #[schemars(with = "Option<Vec<TrimFile>>")]
+    pub(super) trims: Vec<Written>,
     /// How it is drawn in the editor. Nothing in it changes what is made.
     #[serde(default)]
     #[schemars(with = "Option<DrawingFile>")]

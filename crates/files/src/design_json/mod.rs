@@ -12,11 +12,13 @@ mod material;
 mod mesh;
 mod source;
 mod table_path;
+mod trims;
 mod vary;
 mod write;
 
 pub(crate) use table_path::table_beside;
-pub(crate) use vary::{MOST_WARP_DEG, strain_shares};
+pub(crate) use trims::trims_of;
+pub use trims::{trade_names, trade_title, trims_for};
 pub use write::write_design;
 pub(crate) use write::write_design_of_table;
 
@@ -380,6 +382,8 @@ mod tests {
                 ..VarySettings::default()
             },
             mesh: crate::MeshSettings::default(),
+            trade: None,
+            allowance_mm: None,
         };
         let design =
             read_bytes(InputFormat::Design, DINGHY.as_bytes(), "d.json", None, &options).unwrap();

@@ -3,25 +3,17 @@
 use super::grammar::{MovedByName, VaryFile};
 use super::source::Source;
 use crate::names::{did_you_mean, shown};
+use crate::quantity::{MOST_WARP_DEG, strain_shares};
 use crate::reading::InputError;
 use crate::table::in_range_mm;
 use crate::units::Units;
 use sheetwright::design::VaryGoal;
 use sheetwright::design::{DesignCurve, DesignPanel, MovedBy, Vary};
 use sheetwright::math::{from_deg, to_deg};
-use std::ops::RangeInclusive;
 
-/// The largest warp angle that can be set as a goal, degrees.
-pub(crate) const MOST_WARP_DEG: f64 = 90.0;
 pub(crate) const WARP_HINT: &str = "Set an angle above 0° and up to 90°.";
 pub(crate) const STRAIN_HINT: &str = "Set a share of what the sheet takes, from 0.05 to 1: 0.8.";
 const DISTANCE_HINT: &str = "Write a distance of 0 or more, in the units of the design.";
-
-/// The shares of the strain of the sheet that can be set as a goal: less than a twentieth is below
-/// what a prediction tells.
-pub(crate) fn strain_shares() -> RangeInclusive<f64> {
-    0.05..=1.0
-}
 
 /// Reads the field `vary` of a design and of its panels.
 pub(super) struct VaryReader<'a> {

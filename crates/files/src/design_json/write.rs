@@ -2,7 +2,7 @@
 
 use super::drawing::DrawingFile;
 use super::grammar::{GoalName, KindName, MethodName, SideName, SmoothName};
-use super::{VERSION, material, mesh, vary};
+use super::{VERSION, material, mesh, trims, vary};
 use crate::json::json;
 use crate::materials::file_of;
 use crate::units::Units;
@@ -69,6 +69,13 @@ fn write(
     };
     let panels: Vec<String> = design.panels.iter().map(of_panel).collect();
     fields.push(format!("  \"panels\": [\n{}\n  ]", panels.join(",\n")));
+    let thickness_mm = design.material.as_ref().map(|material| material.thickness_mm.value);
+    let (trade, own) = trims::written(design.trade.as_deref(), &design.trims, thickness_mm);
+    fields.extend(trade.map(|trade| format!("  \"for\": {}", json(&trade))));
+    if !own.is_empty() {
+        let own: Vec<String> = own.iter().map(|trim| format!("    {}", json(trim))).collect();
+        fields.push(format!("  \"trims\": [\n{}\n  ]", own.join(",\n")));
+    }
     fields.extend(drawing.map(|drawing| format!("  \"drawing\": {}", json(drawing))));
     format!("{{\n{}\n}}\n", fields.join(",\n")).into_bytes()
 }

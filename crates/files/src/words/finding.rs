@@ -3,6 +3,7 @@
 use super::healed::{healed, two_skins};
 use super::moved::{keeps_from_bending, listed, movement, not_needed, ran_on};
 use super::place::point;
+use super::trims::trimmed;
 use crate::pdf::way_to_sheets;
 use sheetwright::check::{Finding, FindingKind, SeamCause, TooTight, Verdict};
 use sheetwright::elastic::Basis;
@@ -15,6 +16,7 @@ use sheetwright::tolerance::Tolerance;
 pub fn finding_text(finding: &Finding) -> String {
     use FindingKind as Kind;
     match &finding.kind {
+        Kind::Trimmed { note } => trimmed(note),
         Kind::StrainTooLarge { strain, limit, sheet, thickest_mm, basis } => format!(
             "{}. {}.{} {}, or choose a sheet that stretches more.",
             must_strain(*strain, *basis),

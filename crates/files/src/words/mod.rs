@@ -9,6 +9,7 @@ mod moved;
 mod place;
 #[cfg(test)]
 mod tests;
+mod trims;
 
 pub use finding::finding_text;
 pub use place::finding_place;

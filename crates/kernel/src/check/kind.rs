@@ -7,6 +7,7 @@ use super::verdict::Verdict;
 use crate::elastic::Basis;
 use crate::fair::Ended;
 use crate::mesh::{Damage, Skin};
+use crate::trim::TrimNote;
 use sheetwright_geometry::math::Point3;
 use sheetwright_geometry::tolerance::Tolerance;
 
@@ -367,6 +368,11 @@ pub enum FindingKind {
         /// Whether the panels before it leave too few sheets.
         is_full: bool,
     },
+    /// Something is to be said about what is done along the edges.
+    Trimmed {
+        /// What.
+        note: TrimNote,
+    },
 }
 
 /// A sheet that can't be rolled so tightly.
@@ -477,6 +483,8 @@ impl FindingKind {
             | Self::NotMoved { .. }
             | Self::QuadsOffBoundary { .. }
             | Self::PdfReduced { .. } => Severity::Note,
+            Self::Trimmed { note: TrimNote::NotProved { .. } } => Severity::Error,
+            Self::Trimmed { .. } => Severity::Warning,
             Self::TwoSurfaces { is_one_pattern, .. } => {
                 unless(*is_one_pattern, Severity::Warning, Severity::Note)
             }
@@ -543,6 +551,7 @@ impl FindingKind {
             Self::QuadsOffBoundary { .. } => "quads-off-boundary",
             Self::QuadsNotPlanar { .. } => "quads-not-planar",
             Self::PdfReduced { .. } => "pdf-reduced",
+            Self::Trimmed { .. } => "trim",
         }
     }
 

@@ -6,11 +6,16 @@ mod join;
 mod mesh;
 mod scale;
 mod shorthand;
+mod trim;
 mod vary;
 
 pub use failure::Failure;
 pub use join::Join;
 pub use mesh::{PanelMesh, Triangles};
+pub use trim::{
+    Allowance, Corner, Fingers, Flange, Hem, Holes, NotchForm, Notches, Places, Puzzle, Tabs,
+    Ticks, Trim, TrimKind, TrimOn,
+};
 pub use vary::{MovedBy, Vary, VaryGoal};
 
 use crate::material::Material;
@@ -170,6 +175,10 @@ pub struct Design {
     /// them gives it, so that both sides of a seam have the same samples. They do in any case where
     /// something moves.
     pub match_seams: bool,
+    /// The trade that its trims are taken from, by name, if they are.
+    pub trade: Option<String>,
+    /// What is done along edges, in order, that of its trade first.
+    pub trims: Vec<Trim>,
 }
 
 impl Design {

@@ -1,9 +1,10 @@
 //! Which edges are joined to one another, and how much their lengths differ.
 //!
 //! Two edges on one curve are mates where they have a stretch of it in common. Where both have the
-//! same samples, that is the steps that they share, bit by bit. Where they were sampled apart, the
-//! ends of each are looked for on the other, at the point that lies nearest.
+//! same samples, that is the steps that they share, bit by bit. Where they were sampled apart, it
+//! is what `shared` finds.
 
+use super::shared::{Shared, lengths, shared};
 use super::{Edge, EdgePlace, EdgeSource, PartEdges};
 use crate::sample::StepPlace;
 use sheetwright_geometry::boundary::size_of;
@@ -30,8 +31,27 @@ impl Placed {
         Self { at, space, flat, steps }
     }
 
-    fn is_loop(&self) -> bool {
-        self.space.first() == self.space.last()
+    /// The length on the pattern, mm, from one length in space to another, which may go on beyond
+    /// the end of a closed edge.
+    fn flat_mm(&self, [from, to]: [f64; 2]) -> f64 {
+        let space = lengths(&self.space);
+        let steps = self.flat.windows(2).map(|p| p[0].distance(p[1]));
+        let flat: Vec<f64> = std::iter::once(0.0)
+            .chain(steps.scan(0.0, |sum, step| {
+                *sum += step;
+                Some(*sum)
+            }))
+            .collect();
+        let [whole, whole_flat] = [&space, &flat].map(|lengths| lengths[lengths.len() - 1]);
+        let at = |along: f64| {
+            let rounds = if along > whole || along < 0.0 { (along / whole).floor() } else { 0.0 };
+            let rest = along - rounds * whole;
+            let n = space[1..].partition_point(|&length| length < rest).min(space.len() - 2);
+            let step = space[n + 1] - space[n];
+            let share = if step > 0.0 { ((rest - space[n]) / step).clamp(0.0, 1.0) } else { 0.0 };
+            rounds * whole_flat + flat[n] + share * (flat[n + 1] - flat[n])
+        };
+        (at(to) - at(from)).abs()
     }
 }
 
@@ -65,13 +85,16 @@ pub(crate) fn join_mates(parts: &mut [PartEdges<'_>]) {
     edges.for_each(|edge| edge.mates.sort_unstable());
 }
 
-/// The group of edges among which mates are found: edges of one curve, one cut or two meshes.
+/// The group of edges among which mates are found: edges of one curve, one cut or two meshes, and
+/// the ends of strips.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 enum Group {
     Curve(usize),
     /// A cut of a part, both by their numbers.
     Cut(usize, usize),
     Meshes,
+    /// Ends of strips, which meet where a strip is closed.
+    Ends,
 }
 
 impl Group {
@@ -80,14 +103,16 @@ impl Group {
             EdgeSource::Curve(number) => Some(Self::Curve(number)),
             EdgeSource::Cut { number, .. } => Some(Self::Cut(at.part, number)),
             EdgeSource::Part { .. } => Some(Self::Meshes),
-            EdgeSource::Start | EdgeSource::End | EdgeSource::Border => None,
+            EdgeSource::Start | EdgeSource::End => Some(Self::Ends),
+            EdgeSource::Border => None,
         }
     }
 }
 
-/// The pairs of a group that may be mates: all on one curve; of meshes those with a common step.
+/// The pairs of a group that may be mates: all on one curve; of meshes and of ends those with a
+/// common step.
 fn pairs(group: &Group, list: &[Placed]) -> BTreeSet<[usize; 2]> {
-    if *group != Group::Meshes {
+    if matches!(group, Group::Curve(_) | Group::Cut(..)) {
         return (0..list.len()).flat_map(|n| (0..n).map(move |k| [k, n])).collect();
     }
     let mut at_step: BTreeMap<&StepPlace, Vec<usize>> = BTreeMap::new();
@@ -105,59 +130,14 @@ fn pairs(group: &Group, list: &[Placed]) -> BTreeSet<[usize; 2]> {
 /// `least_mm`.
 fn in_common(a: &Placed, b: &Placed, least_mm: f64) -> Option<[f64; 2]> {
     let (few, many) = if a.steps.len() < b.steps.len() { (a, b) } else { (b, a) };
-    let shared: BTreeSet<&StepPlace> =
+    let steps: BTreeSet<&StepPlace> =
         few.steps.keys().filter(|step| many.steps.contains_key(*step)).collect();
-    if !shared.is_empty() {
-        return Some([a, b].map(|edge| shared.iter().map(|step| edge.steps[*step]).sum()));
+    if !steps.is_empty() {
+        return Some([a, b].map(|edge| steps.iter().map(|step| edge.steps[*step]).sum()));
     }
-    let lengths = [along(a, b, least_mm)?, along(b, a, least_mm)?];
-    Some(lengths)
-}
-
-/// The length on the pattern, mm, of the part of an edge that another edge on its curve has in
-/// common with it.
-fn along(own: &Placed, other: &Placed, least_mm: f64) -> Option<f64> {
-    let lengths = |points: &mut dyn Iterator<Item = f64>| -> Vec<f64> {
-        let mut sum = 0.0;
-        let summed = points.map(|step| {
-            sum += step;
-            sum
-        });
-        std::iter::once(0.0).chain(summed).collect()
-    };
-    let space = lengths(&mut own.space.windows(2).map(|p| p[0].distance(p[1])));
-    let flat = lengths(&mut own.flat.windows(2).map(|p| p[0].distance(p[1])));
-    let whole = [space[space.len() - 1], flat[flat.len() - 1]];
-    if other.is_loop() {
-        return Some(whole[1]);
-    }
-    let places = [other.space.first()?, other.space.last()?].map(|p| nearest(&own.space, *p));
-    let at = |lengths: &[f64]| {
-        let [a, b] = places.map(|(n, t)| lengths[n] + t * (lengths[n + 1] - lengths[n]));
-        (b - a).abs()
-    };
-    let (mut in_space, mut on_pattern) = (at(&space), at(&flat));
-    if own.is_loop() {
-        // Of the two ways round, the one that is nearer to the length of the other.
-        let wanted: f64 = other.space.windows(2).map(|p| p[0].distance(p[1])).sum();
-        if (whole[0] - in_space - wanted).abs() < (in_space - wanted).abs() {
-            (in_space, on_pattern) = (whole[0] - in_space, whole[1] - on_pattern);
-        }
-    }
-    (in_space > least_mm).then_some(on_pattern)
-}
-
-/// The place on a polyline of two points or more that lies nearest to a point: the step, and the
-/// share of it.
-fn nearest(line: &[Point3], p: Point3) -> (usize, f64) {
-    let on_step = |n: usize| {
-        let way = line[n + 1] - line[n];
-        let share = (p - line[n]).dot(way) / way.length_squared();
-        let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 };
-        (p.distance(line[n].lerp(line[n + 1], share)), n, share)
-    };
-    let found = (0..line.len() - 1).map(on_step).reduce(|a, b| if b.0 < a.0 { b } else { a });
-    found.map_or((0, 0.0), |(_, n, share)| (n, share))
+    let Shared { first, second } = shared(&a.space, &b.space)?;
+    let is_enough = first[1] - first[0] > least_mm;
+    is_enough.then(|| [a.flat_mm(first), b.flat_mm(second)])
 }
 
 #[cfg(test)]

@@ -10,10 +10,12 @@ mod border;
 mod mates;
 mod of_boundary;
 mod of_mesh;
+mod shared;
 
 pub(crate) use mates::join_mates;
 pub(crate) use of_boundary::edges_of_boundary;
 pub(crate) use of_mesh::{MeshBorder, edges_of_meshes};
+pub(crate) use shared::{Shared, lengths, shared};
 
 use sheetwright_geometry::math::{Point2, Point3};
 
@@ -73,7 +75,8 @@ pub struct Edge {
 }
 
 impl Edge {
-    fn new(
+    /// An edge along these vertices, without mates.
+    pub(crate) fn new(
         name: String,
         source: EdgeSource,
         run: Vec<usize>,

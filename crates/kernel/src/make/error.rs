@@ -6,6 +6,7 @@ use crate::flatten::{FlattenError, RelaxError};
 use crate::mesh::MeshError;
 use crate::sample::{PanelCause, PanelError};
 use crate::surface::ConnectivityError;
+use crate::trim::TrimFault;
 use sheetwright_geometry::math::Point3;
 use sheetwright_optimum::triangulate::TriangulateError;
 use std::fmt;
@@ -42,6 +43,8 @@ pub enum MakeCause {
     },
     /// A mesh that can't be laid flat.
     Relax(RelaxError),
+    /// A trim that can't be made.
+    Trim(TrimFault),
 }
 
 impl From<PanelCause> for MakeCause {
@@ -84,6 +87,7 @@ impl fmt::Display for MakeCause {
                 write!(f, "the mesh has {found} separate parts; the limit is {most}")
             }
             Self::Relax(error) => write!(f, "{error}"),
+            Self::Trim(fault) => write!(f, "{fault}"),
         }
     }
 }

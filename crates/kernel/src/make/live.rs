@@ -18,7 +18,7 @@
 use super::cleaned::{Cleaned, LastCleaned};
 use super::unrestricted::Known;
 use super::{Judging, Made, MakeCause, MakeError, Maker, Part};
-use super::{find_mates, is_screened, join_meshes, settle};
+use super::{find_mates, is_screened, join_meshes, settle, trim_parts};
 use crate::design::{Design, DesignCurve, DesignPanel, PanelShape, used};
 use crate::material::Material;
 use sheetwright_geometry::curve::CurvePoint;
@@ -243,8 +243,35 @@ impl Live {
         let panels = self.panels.iter().map(|panel| panel.made.clone());
         let mut parts = panels.collect::<Result<Vec<_>, _>>()?.concat();
         find_mates(&mut parts);
+        trim_parts(&mut parts, &self.design.trims)?;
         let (name, material) = (self.design.name.clone(), self.design.material.clone());
         Ok(Made { name, material, parts, moved: None })
+    }
+
+    /// The parts of each panel, or why they can't be made, in the order of [`Self::panels`], with
+    /// the trims of the design as far as its panels can be made.
+    pub fn trimmed(&self) -> Vec<Result<Vec<Part>, MakeError>> {
+        let mut panels: Vec<Result<Vec<Part>, MakeError>> =
+            self.panels.iter().map(|panel| panel.made.clone()).collect();
+        if self.design.trims.is_empty() {
+            return panels;
+        }
+        let made = panels.iter().filter_map(|made| made.as_ref().ok());
+        let mut parts = made.flatten().cloned().collect::<Vec<_>>();
+        find_mates(&mut parts);
+        let refused = trim_parts(&mut parts, &self.design.trims).err();
+        let mut parts = parts.into_iter();
+        for made in panels.iter_mut().filter_map(|made| made.as_mut().ok()) {
+            *made = parts.by_ref().take(made.len()).collect();
+        }
+        if let Some(error) = refused {
+            let is_it = |panel: &&LivePanel| error.panel == panel.name;
+            let at = self.panels.iter().position(|panel| is_it(&panel)).unwrap_or(0);
+            if let Some(panel) = panels.get_mut(at) {
+                *panel = Err(error);
+            }
+        }
+        panels
     }
 
     fn make_changed(&mut self, watch: &mut dyn Watch) -> Vec<usize> {

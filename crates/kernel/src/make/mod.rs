@@ -21,6 +21,7 @@ mod rebuilt;
 mod skins;
 mod strained;
 mod together;
+mod trimmed;
 mod truest;
 mod unrestricted;
 
@@ -42,6 +43,7 @@ use sheetwright_geometry::watch::{Stage, Watch};
 use sheetwright_optimum::triangulate::TriangulateError;
 use strained::aimed_by_angles;
 use together::judge_all;
+use trimmed::trim_parts;
 use unrestricted::Known;
 
 /// A design with everything that was derived from it.
@@ -113,6 +115,7 @@ pub fn make_judged(
     wanted.iter().for_each(|wanted| wanted.say_missed(&mut parts));
     join_meshes(&mut parts.iter_mut().collect::<Vec<_>>());
     find_mates(&mut parts);
+    trim_parts(&mut parts, &design.trims)?;
     let (name, material) = (design.name.clone(), design.material.clone());
     Ok(Made { name, material, parts, moved })
 }

@@ -25,7 +25,7 @@ pub(super) fn overall(size: Vec2, height_mm: f64) -> (Vec<PatternPath>, Vec<Patt
         line(at(left - tick, size.y), at(left + tick, size.y)),
     ];
     let label = |at: Point2, along: Vec2, length: f64| PatternLabel {
-        kind: LabelKind::Length,
+        kind: LabelKind::Overall,
         role: Role::Note,
         at,
         along,

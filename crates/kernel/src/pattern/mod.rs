@@ -5,6 +5,7 @@ mod dimension;
 mod edge_names;
 mod fold;
 mod seam;
+mod trims;
 
 pub use fold::FOLDED_DEG;
 pub use seam::{EdgeMark, seam_mark, seam_marks};
@@ -84,6 +85,13 @@ pub enum PathKind {
     },
     /// An open line that is cut into the edge.
     Notch,
+    /// A line along which an edge is folded: a hem, a flange or a tab.
+    TrimFold {
+        /// Whether it is a mountain, folded away from the viewer; else a valley.
+        mountain: bool,
+    },
+    /// A tick inside an edge, to match edges by.
+    TrimTick,
     /// A rung, by samples of the sheet, from its lower sample to its higher one.
     Rung(Rung),
     /// A sharp crease of a mesh.
@@ -132,6 +140,10 @@ pub enum LabelKind {
     Mark,
     /// A length with its unit, or the thing that has it.
     Length,
+    /// The width or the height of the piece.
+    Overall,
+    /// A number or an angle of a trim.
+    Trim,
     /// The angle of a fold.
     Angle,
 }

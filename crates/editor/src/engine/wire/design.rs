@@ -1,17 +1,38 @@
 //! A design, bit by bit as it is drawn, also while it is none that a file could hold.
 
-use super::{Wire, fields, kinds};
+use super::{Wire, fields, kinds, variants};
 use sheetwright::boundary::{Continuity, PlaneChoice, Within};
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
-    CurveUse, Design, DesignCurve, DesignPanel, Join, MovedBy, PanelMesh, PanelMethod, PanelShape,
-    Triangles, Vary, VaryGoal,
+    Allowance, Corner, CurveUse, Design, DesignCurve, DesignPanel, Fingers, Flange, Hem, Holes,
+    Join, MovedBy, NotchForm, Notches, PanelMesh, PanelMethod, PanelShape, Places, Puzzle, Tabs,
+    Ticks, Triangles, Trim, TrimKind, TrimOn, Vary, VaryGoal,
 };
 use sheetwright::flatten::Aim;
 use sheetwright::material::{Grain, GrainBending, KFactor, KFactors, Material, Sourced};
 use sheetwright::triangulate::{Goal, WhichSurface};
 
-fields!(Design { name, material, materials, curves, panels, vary, match_seams });
+fields!(Design { name, material, materials, curves, panels, vary, match_seams, trade, trims });
+fields!(Trim { on, span, kind });
+variants!(TrimOn { All {}, Free {}, Joined {}, Cuts {}, Holes {}, Edge { part, edge } });
+fields!(Allowance { width, corner });
+fields!(Hem { width, turn });
+fields!(Flange { width, angle, relief });
+fields!(Tabs { width, angle, tolerance });
+fields!(Holes { pitch, end_pitch, end_length, ends, inset, diameter });
+fields!(Notches { at, form, depth, width, count, gap });
+fields!(Ticks { at, length, numbered });
+fields!(Fingers { width, depth, clearance });
+fields!(Puzzle { pitch, width, clearance });
+kinds!(Corner {
+    ByLength,
+    ByIntersection,
+    FirstEdgeSymmetry,
+    SecondEdgeSymmetry,
+    FirstEdgeRightAngle,
+    SecondEdgeRightAngle
+});
+kinds!(NotchForm { Slit, T, V, VOut, U, Castle });
 fields!(Material {
     name,
     title,
@@ -59,6 +80,61 @@ kinds!(Goal { Price, WorstWarp });
 kinds!(WhichSurface { Cheapest, Other });
 kinds!(MovedBy { Points, Samples });
 kinds!(Continuity { G0, G1, G2 });
+
+impl Wire for TrimKind {
+    fn put(&self, out: &mut Vec<u8>) {
+        match self {
+            Self::Allowance(kind) => tagged(0, kind, out),
+            Self::Hem(kind) => tagged(1, kind, out),
+            Self::Flange(kind) => tagged(2, kind, out),
+            Self::Tabs(kind) => tagged(3, kind, out),
+            Self::Holes(kind) => tagged(4, kind, out),
+            Self::Notches(kind) => tagged(5, kind, out),
+            Self::Ticks(kind) => tagged(6, kind, out),
+            Self::Fingers(kind) => tagged(7, kind, out),
+            Self::Puzzle(kind) => tagged(8, kind, out),
+        }
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        Some(match u8::take(from)? {
+            0 => Self::Allowance(Wire::take(from)?),
+            1 => Self::Hem(Wire::take(from)?),
+            2 => Self::Flange(Wire::take(from)?),
+            3 => Self::Tabs(Wire::take(from)?),
+            4 => Self::Holes(Wire::take(from)?),
+            5 => Self::Notches(Wire::take(from)?),
+            6 => Self::Ticks(Wire::take(from)?),
+            7 => Self::Fingers(Wire::take(from)?),
+            8 => Self::Puzzle(Wire::take(from)?),
+            _ => return None,
+        })
+    }
+}
+
+fn tagged(tag: u8, value: &impl Wire, out: &mut Vec<u8>) {
+    out.push(tag);
+    value.put(out);
+}
+
+impl Wire for Places {
+    fn put(&self, out: &mut Vec<u8>) {
+        match self {
+            Self::Shares(shares) => tagged(0, shares, out),
+            Self::Lengths(lengths) => tagged(1, lengths, out),
+            Self::Every(every) => tagged(2, every, out),
+        }
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        Some(match u8::take(from)? {
+            0 => Self::Shares(Wire::take(from)?),
+            1 => Self::Lengths(Wire::take(from)?),
+            2 => Self::Every(Wire::take(from)?),
+            _ => return None,
+        })
+    }
+}
 
 impl Wire for PanelShape {
     fn put(&self, out: &mut Vec<u8>) {

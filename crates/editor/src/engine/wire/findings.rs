@@ -8,6 +8,7 @@ use sheetwright::check::{
 use sheetwright::elastic::Basis;
 use sheetwright::fair::Ended;
 use sheetwright::mesh::{Damage, Skin};
+use sheetwright::trim::TrimNote;
 
 fields!(Finding { kind, place });
 variants!(FindingKind {
@@ -58,7 +59,15 @@ variants!(FindingKind {
     NotReadBack { cause },
     QuadsOffBoundary { off_mm },
     QuadsNotPlanar { uneven_mm, off_mm },
-    PdfReduced { sheets, scale, most, is_full }
+    PdfReduced { sheets, scale, most, is_full },
+    Trimmed { note }
+});
+variants!(TrimNote {
+    NoRoomForTabs { edge, mate, covered },
+    HolesLeftOut { edge, left_out, of },
+    Closes { of_net, of_cut },
+    NotProved { outside_mm2 },
+    Overlaps {}
 });
 variants!(Place {
     Whole {},

@@ -35,7 +35,7 @@ fields!(PatternPath { role, kind, points, closed });
 fields!(PatternLabel { kind, role, at, along, height_mm, text });
 kinds!(Verdict { Bends, BendsWithForce, Roll, BendsAndFolds, Undecided, WillNotBend });
 kinds!(Role { Cut, Inner, Drill, Score, Net, Engrave, Note });
-kinds!(LabelKind { Name, Edge, Mark, Length, Angle });
+kinds!(LabelKind { Name, Edge, Mark, Length, Angle, Overall, Trim });
 
 impl Wire for PathKind {
     fn put(&self, out: &mut Vec<u8>) {
@@ -52,6 +52,9 @@ impl Wire for PathKind {
             Self::Net => 9,
             Self::Drill { .. } => 10,
             Self::Notch => 11,
+            Self::TrimFold { mountain: true } => 12,
+            Self::TrimFold { mountain: false } => 13,
+            Self::TrimTick => 14,
         });
         match self {
             Self::Rung(rung) => rung.put(out),
@@ -74,6 +77,9 @@ impl Wire for PathKind {
             9 => Self::Net,
             10 => Self::Drill { diameter_mm: f64::take(from)? },
             11 => Self::Notch,
+            12 => Self::TrimFold { mountain: true },
+            13 => Self::TrimFold { mountain: false },
+            14 => Self::TrimTick,
             _ => return None,
         })
     }

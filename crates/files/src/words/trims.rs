@@ -1,0 +1,31 @@
+//! What is said about trims.
+
+use sheetwright::trim::TrimNote;
+
+/// A note on the trims of a part, in words.
+pub(super) fn trimmed(note: &TrimNote) -> String {
+    match note {
+        TrimNote::NoRoomForTabs { edge, mate, covered } => format!(
+            "There is room for full tabs along {:.0} % of the joint of {edge} with {mate}, on either \
+             side. Make the tabs narrower, or glue it edge to edge.",
+            100.0 * covered
+        ),
+        TrimNote::HolesLeftOut { edge, left_out, of } => format!(
+            "{left_out} of {of} holes along {edge} are left out, on both sides of the joint: they \
+             would reach over an edge or into another hole. Move the holes nearer to the edge, or \
+             farther from its ends."
+        ),
+        TrimNote::Closes { of_net, of_cut } => format!(
+            "What is added beyond the edges closes a hole or a gap of the part: the part has \
+             {of_net} {}, the line to cut goes round {of_cut}. Make it narrower there.",
+            if *of_net == 1 { "hole" } else { "holes" }
+        ),
+        TrimNote::NotProved { outside_mm2 } => format!(
+            "{outside_mm2:.3} mm² of the part lie outside the line to cut: don't cut it. This is a \
+             fault of the program; please report it with the design."
+        ),
+        TrimNote::Overlaps => "The pattern overlaps itself, so that nothing was added along its \
+                               edges. Mend the overlap first."
+            .to_owned(),
+    }
+}

@@ -1,0 +1,245 @@
+//! What is done along edges after a part was laid flat: allowances, hems, flanges, tabs, holes,
+//! notches, ticks and joints.
+//!
+//! 1. `chosen` finds the edges that each trim of a design stands on. Of trims that move the cut
+//!    line, the last one on a span of an edge holds.
+//! 2. `margin` makes strips beyond the net line, with the corners that `corner` constructs.
+//! 3. What stands on joined edges is placed once, at shares of the length that both have in common
+//!    (`edge::shared`), and made on both: `tabs` on one side of each joint, `joints`, `holes` and
+//!    `notches`.
+//! 4. `cut` takes the union of the net and all that is added, without what is taken away, in exact
+//!    arithmetic, and proves that the net lies inside.
+//!
+//! The net line is kept beside the cut line. The idea that one trait of an edge draws both halves
+//! of a joint is that of boxes.py; that seams are placed at equal shares of both edges is that of
+//! GarmentCode [KorostelevaSorkine2023].
+
+mod chosen;
+mod corner;
+mod cut;
+mod fault;
+mod holes;
+mod joints;
+mod margin;
+mod notches;
+mod paired;
+mod part;
+mod places;
+mod stretch;
+mod tabs;
+
+#[cfg(test)]
+mod tests;
+
+pub use cut::TrimNote;
+pub use fault::TrimFault;
+
+pub(crate) use cut::Trimmed;
+pub(crate) use part::TrimPart;
+
+use crate::design::{Trim, TrimKind};
+use crate::edge::EdgePlace;
+use chosen::chosen;
+use cut::Making;
+use margin::{Bordered, Margin, MarginForm, folds};
+use paired::{Pair, pairs};
+use sheetwright_geometry::math::Point2;
+use stretch::Stretch;
+
+/// A fault, with the number of the part that it is about.
+pub(crate) type Faulted = (Option<usize>, TrimFault);
+
+/// The trims of some parts, in their order.
+///
+/// # Errors
+/// The first trim that can't be made.
+pub(crate) fn trimmed(parts: &[TrimPart<'_>], trims: &[Trim]) -> Result<Vec<Trimmed>, Faulted> {
+    let mut work = Work::new(parts, trims)?;
+    work.add_margins()?;
+    work.join()?;
+    work.mark()?;
+    work.cut()
+}
+
+/// The trims that move the cut line of an edge: the number of each, and its span.
+type Moving = Vec<(usize, [f64; 2])>;
+
+/// Parts while they are trimmed.
+struct Work<'a> {
+    parts: &'a [TrimPart<'a>],
+    trims: &'a [Trim],
+    /// The edges that each trim stands on, and whether they were named.
+    on: Vec<Vec<(EdgePlace, bool)>>,
+    /// The edges of each part on its pattern.
+    stretches: Vec<Vec<Stretch>>,
+    /// The net lines of each part.
+    nets: Vec<Vec<Vec<Point2>>>,
+    /// What moves the cut line of each edge of each part.
+    moving: Vec<Vec<Moving>>,
+    /// The strips along each edge of each part.
+    margins: Vec<Vec<Vec<Margin>>>,
+    made: Vec<Making>,
+}
+
+impl<'a> Work<'a> {
+    fn new(parts: &'a [TrimPart<'a>], trims: &'a [Trim]) -> Result<Self, Faulted> {
+        let on = trims.iter().map(|trim| chosen(parts, &trim.on));
+        let on: Vec<Vec<(EdgePlace, bool)>> =
+            on.collect::<Result<_, _>>().map_err(|fault| (None, fault))?;
+        let moving = parts.iter().map(|part| vec![Moving::new(); part.edges.len()]).collect();
+        let mut work = Self {
+            parts,
+            trims,
+            on,
+            stretches: parts.iter().map(TrimPart::stretches).collect(),
+            nets: parts.iter().map(TrimPart::net).collect(),
+            moving,
+            margins: parts.iter().map(|part| vec![Vec::new(); part.edges.len()]).collect(),
+            made: parts.iter().map(|_| Making::default()).collect(),
+        };
+        for (number, trim) in trims.iter().enumerate().filter(|(_, trim)| trim.kind.moves_the_cut())
+        {
+            work.claim(number, trim)?;
+        }
+        Ok(work)
+    }
+
+    /// Notes that a trim moves the cut line of its edges, in place of those before it. What joins
+    /// two edges claims both.
+    fn claim(&mut self, number: usize, trim: &Trim) -> Result<(), Faulted> {
+        let joins = is_joint(&trim.kind);
+        for &(place, is_named) in &self.on[number] {
+            let edge = &self.parts[place.part].edges[place.edge];
+            if joins && edge.mates.is_empty() {
+                if is_named {
+                    let (what, edge) = (trim.kind.name(), self.parts[place.part].called(edge));
+                    return Err((Some(place.part), TrimFault::NoMate { what, edge }));
+                }
+                continue;
+            }
+            let mates = edge.mates.iter().copied().filter(|_| joins);
+            for place in std::iter::once(place).chain(mates) {
+                let moving = &mut self.moving[place.part][place.edge];
+                let span = if joins { [0.0, 1.0] } else { trim.span };
+                moving.retain(|(_, [from, to])| *to <= span[0] || span[1] <= *from);
+                moving.push((number, span));
+            }
+        }
+        Ok(())
+    }
+
+    /// The strips of allowances, hems and flanges.
+    fn add_margins(&mut self) -> Result<(), Faulted> {
+        for (part, of_part) in self.parts.iter().enumerate() {
+            for (edge, moving) in self.moving[part].iter().enumerate() {
+                for &(trim, span) in moving {
+                    let Some((width, form)) = strip(&self.trims[trim].kind) else { continue };
+                    let width_mm = width[0].max(width[1]);
+                    let part_mm = of_part.shorter_mm();
+                    if width_mm > part_mm {
+                        let what = self.trims[trim].kind.name();
+                        let edge = of_part.called(&of_part.edges[edge]);
+                        let fault = TrimFault::TooWide { what, edge, width_mm, part_mm };
+                        return Err((Some(part), fault));
+                    }
+                    let length = self.stretches[part][edge].length();
+                    let span = span.map(|share| share * length);
+                    self.margins[part][edge].push(Margin { span, width, trim, form });
+                }
+            }
+        }
+        for (part, of_part) in self.parts.iter().enumerate() {
+            let (loops, relief) = (of_part.loops(), self.relief());
+            self.set_back_flanges(part, &loops, relief);
+            let bordered = Bordered {
+                stretches: &self.stretches[part],
+                loops: &loops,
+                margins: &self.margins[part],
+                relief,
+            };
+            let strips = bordered.made();
+            let made = &mut self.made[part];
+            made.added.extend(strips.added);
+            made.removed.extend(strips.removed);
+            for (stretch, margins) in self.stretches[part].iter().zip(&self.margins[part]) {
+                for margin in margins {
+                    let (paths, labels) = folds(stretch, margin);
+                    made.paths.extend(paths);
+                    made.labels.extend(labels);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The largest relief of the flanges of a design, mm.
+    fn relief(&self) -> f64 {
+        let of_flange = |trim: &Trim| match trim.kind {
+            TrimKind::Flange(flange) => flange.relief,
+            _ => 0.0,
+        };
+        self.trims.iter().map(of_flange).fold(0.0, f64::max)
+    }
+
+    /// Where two flanges meet at a corner, both end a little before it.
+    fn set_back_flanges(&mut self, part: usize, loops: &[Vec<usize>], relief: f64) {
+        let ends_in_flange = |margins: &[Margin], at: f64| {
+            let at_end =
+                |m: &&Margin| matches!(m.form, MarginForm::Flange(_)) && m.span.contains(&at);
+            margins.iter().position(|margin| at_end(&margin))
+        };
+        let mut moved: Vec<(usize, usize, usize)> = Vec::new();
+        for edges in loops {
+            for (n, &after) in edges.iter().enumerate() {
+                let before = edges[(n + edges.len() - 1) % edges.len()];
+                let length = self.stretches[part][before].length();
+                let of_before = ends_in_flange(&self.margins[part][before], length);
+                let of_after = ends_in_flange(&self.margins[part][after], 0.0);
+                // Where the corner goes in, they part along its middle (`margin`).
+                let ends = [(before, length), (after, 0.0)];
+                let [arrives, leaves] =
+                    ends.map(|(edge, at)| self.stretches[part][edge].at(at).along);
+                let sticks_out = before != after && arrives.perp_dot(leaves) > 0.0;
+                if let (Some(first), Some(second), true) = (of_before, of_after, sticks_out) {
+                    moved.extend([(before, first, 1), (after, second, 0)]);
+                }
+            }
+        }
+        for (edge, margin, end) in moved {
+            let span = &mut self.margins[part][edge][margin].span;
+            let most = 0.25 * (span[1] - span[0]);
+            span[end] += if end == 0 { relief.min(most) } else { -relief.min(most) };
+        }
+    }
+
+    /// The pairs of edges on which a trim is made once for both, and the edges that it stands on
+    /// alone.
+    fn pairs(&self, trim: usize) -> Vec<Pair> {
+        pairs(self.parts, &self.on[trim])
+    }
+
+    fn cut(self) -> Result<Vec<Trimmed>, Faulted> {
+        let made = self.made.into_iter().zip(&self.nets).enumerate();
+        made.map(|(part, (made, net))| made.cut(net).map_err(|fault| (Some(part), fault))).collect()
+    }
+}
+
+/// Whether it joins two edges.
+fn is_joint(kind: &TrimKind) -> bool {
+    matches!(kind, TrimKind::Tabs(_) | TrimKind::Fingers(_) | TrimKind::Puzzle(_))
+}
+
+/// The strip of a trim: its widths, mm, and its form.
+fn strip(kind: &TrimKind) -> Option<([f64; 2], MarginForm)> {
+    match *kind {
+        TrimKind::Allowance(allowance) => {
+            Some((allowance.width, MarginForm::Allowance(allowance.corner)))
+        }
+        TrimKind::Hem(hem) => {
+            let fold = if hem.turn > 0.0 { hem.width } else { 0.0 };
+            Some(([hem.width + hem.turn; 2], MarginForm::Hem(fold)))
+        }
+        TrimKind::Flange(flange) => Some(([flange.width; 2], MarginForm::Flange(flange.angle))),
+        _ => None,
+    }
+}

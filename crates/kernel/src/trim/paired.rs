@@ -1,0 +1,278 @@
+//! What stands on two joined edges at once: tabs, joints, holes, notches and ticks.
+
+use super::cut::TrimNote;
+use super::holes::{distance_mm, drilled};
+use super::joints::{Jointed, fingers, puzzle};
+use super::notches::{notched, ticked};
+use super::part::TrimPart;
+use super::places::{of_holes, of_marks};
+use super::stretch::{Spot, Stretch};
+use super::tabs::{Side, Tab, tabs};
+use super::{Faulted, TrimFault, Work, is_joint};
+use crate::design::{Holes, Tabs, TrimKind};
+use crate::edge::{EdgePlace, Shared, shared};
+use crate::pattern::{PathKind, PatternPath, Role};
+use sheetwright_geometry::math::{Point2, Point3};
+
+/// Two joined edges, or one that a trim stands on alone.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pair {
+    /// The edge that the trim stands on.
+    first: EdgePlace,
+    /// The edge that it is joined to, with whether the trim stands on that, too.
+    second: Option<(EdgePlace, bool)>,
+    /// What both share; of one edge, its whole length.
+    shared: Shared,
+}
+
+/// The pairs of the edges that a trim stands on: each joint once.
+pub(super) fn pairs(parts: &[TrimPart<'_>], on: &[(EdgePlace, bool)]) -> Vec<Pair> {
+    let space = |place: EdgePlace| -> Vec<Point3> {
+        let part = &parts[place.part];
+        part.edges[place.edge].run.iter().map(|&v| part.space[v]).collect()
+    };
+    let is_on = |place: EdgePlace| on.iter().any(|&(other, _)| other == place);
+    let mut pairs = Vec::new();
+    for &(first, _) in on {
+        let edge = &parts[first.part].edges[first.edge];
+        let whole = [0.0, edge.length_space_mm];
+        if edge.mates.is_empty() {
+            let shared = Shared { first: whole, second: whole };
+            pairs.push(Pair { first, second: None, shared });
+        }
+        for &mate in &edge.mates {
+            // Of two edges that the trim stands on, the first one speaks for both.
+            if is_on(mate) && mate < first {
+                continue;
+            }
+            let Some(shared) = shared(&space(first), &space(mate)) else { continue };
+            pairs.push(Pair { first, second: Some((mate, is_on(mate))), shared });
+        }
+    }
+    pairs
+}
+
+impl Pair {
+    /// The edges of it.
+    fn places(&self) -> impl Iterator<Item = EdgePlace> {
+        std::iter::once(self.first).chain(self.second.map(|(mate, _)| mate))
+    }
+}
+
+impl Work<'_> {
+    fn stretch(&self, place: EdgePlace) -> &Stretch {
+        &self.stretches[place.part][place.edge]
+    }
+
+    fn edge_name(&self, place: EdgePlace) -> String {
+        let part = &self.parts[place.part];
+        part.called(&part.edges[place.edge])
+    }
+
+    /// The length along each edge of a pair at a share of what they have in common.
+    fn lengths_at(pair: &Pair, share: f64) -> [f64; 2] {
+        [pair.shared.first, pair.shared.second].map(|[from, to]| from + share * (to - from))
+    }
+
+    /// The places on both edges of a pair at a share of what they have in common.
+    fn spots(&self, pair: &Pair, share: f64) -> Vec<(EdgePlace, f64, Spot)> {
+        let lengths = Self::lengths_at(pair, share);
+        let spot = |(place, along): (EdgePlace, f64)| (place, along, self.stretch(place).at(along));
+        pair.places().zip(lengths).map(spot).collect()
+    }
+
+    /// Tabs, fingers and puzzle joints.
+    pub(super) fn join(&mut self) -> Result<(), Faulted> {
+        let trims = self.trims;
+        for (number, trim) in trims.iter().enumerate().filter(|(_, trim)| is_joint(&trim.kind)) {
+            for pair in self.pairs(number) {
+                let Some((mate, is_on_both)) = pair.second else { continue };
+                let holds = |place: EdgePlace| {
+                    let moving = &self.moving[place.part][place.edge];
+                    moving.iter().any(|&(moved_by, _)| moved_by == number)
+                };
+                if !holds(pair.first) || !holds(mate) {
+                    continue;
+                }
+                let stretches = [self.stretch(pair.first), self.stretch(mate)];
+                let jointed = match &trim.kind {
+                    TrimKind::Tabs(tabs) => {
+                        self.add_tabs(&pair, [pair.first, mate], is_on_both, tabs);
+                        continue;
+                    }
+                    TrimKind::Fingers(kind) => fingers(stretches, &pair.shared, kind),
+                    TrimKind::Puzzle(kind) => puzzle(stretches, &pair.shared, kind),
+                    _ => continue,
+                };
+                self.add_joint([pair.first, mate], jointed);
+            }
+        }
+        Ok(())
+    }
+
+    fn add_joint(&mut self, places: [EdgePlace; 2], jointed: Jointed) {
+        let Jointed { added, removed } = jointed;
+        for (place, (added, removed)) in places.into_iter().zip(added.into_iter().zip(removed)) {
+            self.made[place.part].added.extend(added);
+            self.made[place.part].carved.extend(removed);
+        }
+    }
+
+    /// Tabs on that side of a joint that has more room for them, or on the one that was named.
+    fn add_tabs(&mut self, pair: &Pair, places: [EdgePlace; 2], may_choose: bool, kind: &Tabs) {
+        let side = |place: EdgePlace| Side {
+            stretch: self.stretch(place),
+            net: &self.nets[place.part],
+            beyond: &self.made[place.part].added,
+        };
+        let [first, mate] = places;
+        let Shared { first: of_first, second: of_mate } = pair.shared;
+        // Run forwards along the mate.
+        let turned = if of_mate[0] <= of_mate[1] {
+            Shared { first: of_mate, second: of_first }
+        } else {
+            Shared { first: [of_mate[1], of_mate[0]], second: [of_first[1], of_first[0]] }
+        };
+        let on_first = tabs(&side(first), &side(mate), &pair.shared, kind);
+        let mut best: (EdgePlace, (Vec<Tab>, f64)) = (first, on_first);
+        if may_choose {
+            let on_mate = tabs(&side(mate), &side(first), &turned, kind);
+            if on_mate.1 > best.1.1 {
+                best = (mate, on_mate);
+            }
+        }
+        let (place, (tabs, covered)) = best;
+        if covered < 0.5 {
+            let [edge, mate] = places.map(|place| self.edge_name(place));
+            self.made[first.part].notes.push(TrimNote::NoRoomForTabs { edge, mate, covered });
+        }
+        let made = &mut self.made[place.part];
+        for Tab { fold, polygon } in tabs {
+            made.added.push(polygon);
+            made.paths.push(PatternPath {
+                role: Role::Score,
+                kind: PathKind::TrimFold { mountain: true },
+                points: fold,
+                closed: false,
+            });
+        }
+    }
+
+    /// Holes, notches and ticks.
+    pub(super) fn mark(&mut self) -> Result<(), Faulted> {
+        let trims = self.trims;
+        for (number, trim) in trims.iter().enumerate() {
+            let [from, to] = trim.span;
+            let within = |share: f64| from + share * (to - from);
+            let mut ticks = 0;
+            for pair in self.pairs(number) {
+                let length = (to - from) * (pair.shared.first[1] - pair.shared.first[0]);
+                match &trim.kind {
+                    TrimKind::Holes(holes) => {
+                        self.check_holes(&pair, holes)?;
+                        let whole = to - from == 1.0;
+                        let is_loop = whole && self.stretch(pair.first).is_loop();
+                        let shares = of_holes(holes, length, is_loop);
+                        let shares: Vec<f64> = shares.into_iter().map(within).collect();
+                        self.add_holes(&pair, &shares, holes);
+                    }
+                    TrimKind::Notches(notches) => {
+                        for share in of_marks(&notches.at, length).into_iter().map(within) {
+                            for (place, along, spot) in self.spots(&pair, share) {
+                                let margin = self.margin_at(place, along);
+                                if notches.depth > margin + 1e-9 && !notches.form.is_outward() {
+                                    let edge = self.edge_name(place);
+                                    let depth_mm = notches.depth;
+                                    let margin_mm = margin;
+                                    let fault = TrimFault::TooDeep { edge, depth_mm, margin_mm };
+                                    return Err((Some(place.part), fault));
+                                }
+                                let notched = notched(spot, margin, notches);
+                                let made = &mut self.made[place.part];
+                                made.added.extend(notched.added);
+                                made.removed.extend(notched.removed);
+                                made.paths.extend(notched.paths);
+                            }
+                        }
+                    }
+                    TrimKind::Ticks(kind) => {
+                        for share in of_marks(&kind.at, length).into_iter().map(within) {
+                            ticks += 1;
+                            for (place, _, spot) in self.spots(&pair, share) {
+                                let number = kind.numbered.then_some(ticks);
+                                let (path, label) = ticked(spot, kind.length, number);
+                                let made = &mut self.made[place.part];
+                                made.paths.push(path);
+                                made.labels.extend(label);
+                            }
+                        }
+                    }
+                    _ => {}
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The width of the strip beyond an edge, mm; 0 without one.
+    fn margin_at(&self, place: EdgePlace, along: f64) -> f64 {
+        let margins = &self.margins[place.part][place.edge];
+        margins.iter().find_map(|margin| margin.width_at(along)).unwrap_or(0.0)
+    }
+
+    fn check_holes(&self, pair: &Pair, holes: &Holes) -> Result<(), Faulted> {
+        let (part, edge) = (Some(pair.first.part), self.edge_name(pair.first));
+        let (pitch_mm, diameter_mm) = (holes.pitch.min(holes.end_pitch), holes.diameter);
+        if pitch_mm <= diameter_mm {
+            return Err((part, TrimFault::TooDense { edge, pitch_mm, diameter_mm }));
+        }
+        let (inset_mm, radius_mm) = (holes.inset, 0.5 * holes.diameter);
+        if inset_mm < radius_mm {
+            return Err((part, TrimFault::OverTheLine { edge, inset_mm, radius_mm }));
+        }
+        Ok(())
+    }
+
+    /// Holes at these shares on both edges of a pair. One that would reach over the net line, or
+    /// into another hole, is left out on both.
+    fn add_holes(&mut self, pair: &Pair, shares: &[f64], holes: &Holes) {
+        let radius = 0.5 * holes.diameter;
+        let mut left_out = 0;
+        for &share in shares {
+            let spots = self.spots(pair, share);
+            let centres: Vec<(usize, Point2)> = spots
+                .iter()
+                .map(|(place, _, spot)| (place.part, spot.beside(0.0, -holes.inset)))
+                .collect();
+            // Where three parts meet on one curve, the third has the holes of the first two.
+            let known = |&(part, at): &(usize, Point2)| {
+                self.made[part].holes.iter().any(|&(other, _)| at.distance(other) < 1e-3)
+            };
+            let fits = |&(part, at): &(usize, Point2)| {
+                distance_mm(at, &self.nets[part]) >= radius
+                    && self.made[part]
+                        .holes
+                        .iter()
+                        .all(|&(other, of_other)| at.distance(other) >= radius + of_other)
+            };
+            let fits: Vec<bool> =
+                centres.iter().map(|centre| known(centre) || fits(centre)).collect();
+            if fits.contains(&false) {
+                left_out += 1;
+                continue;
+            }
+            for centre in
+                centres.iter().filter(|centre| !known(centre)).copied().collect::<Vec<_>>()
+            {
+                let (part, at) = centre;
+                self.made[part].holes.push((at, radius));
+                self.made[part].paths.push(drilled(at, holes.diameter));
+            }
+        }
+        if left_out > 0 {
+            let edge = self.edge_name(pair.first);
+            let of = shares.len();
+            self.made[pair.first.part].notes.push(TrimNote::HolesLeftOut { edge, left_out, of });
+        }
+    }
+}

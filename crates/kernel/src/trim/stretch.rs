@@ -1,0 +1,117 @@
+//! An edge on the flat pattern, with places along it by their lengths in space.
+
+use crate::edge::{Edge, lengths};
+use sheetwright_geometry::math::{Point2, Point3, Vec2, unit2};
+
+/// An edge of a flat piece, the sheet to its left.
+pub(super) struct Stretch {
+    points: Vec<Point2>,
+    /// The length in space to each point, mm.
+    lengths: Vec<f64>,
+    is_loop: bool,
+}
+
+/// A place on an edge.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Spot {
+    /// Where it lies.
+    pub(super) at: Point2,
+    /// The unit direction of the edge there.
+    pub(super) along: Vec2,
+}
+
+impl Spot {
+    /// The unit direction away from the sheet.
+    pub(super) fn outwards(&self) -> Vec2 {
+        -self.along.perp()
+    }
+
+    /// The point so far ahead along the edge, and so far outwards, mm.
+    pub(super) fn beside(&self, ahead: f64, outwards: f64) -> Point2 {
+        self.at + self.along * ahead + self.outwards() * outwards
+    }
+}
+
+impl Stretch {
+    pub(super) fn new(edge: &Edge, space: &[Point3], flat: &[Point2]) -> Self {
+        let in_space: Vec<Point3> = edge.run.iter().map(|&v| space[v]).collect();
+        Self {
+            points: edge.run.iter().map(|&v| flat[v]).collect(),
+            lengths: lengths(&in_space),
+            is_loop: edge.is_loop(),
+        }
+    }
+
+    /// How long it is in space, mm.
+    pub(super) fn length(&self) -> f64 {
+        self.lengths[self.lengths.len() - 1]
+    }
+
+    pub(super) fn is_loop(&self) -> bool {
+        self.is_loop
+    }
+
+    /// Its points on the pattern, each with the length to it.
+    pub(super) fn points(&self) -> impl Iterator<Item = (f64, Point2)> + '_ {
+        self.lengths.iter().copied().zip(self.points.iter().copied())
+    }
+
+    /// Its ends are gone over where it is closed, and kept to where it is open.
+    fn within(&self, along: f64) -> f64 {
+        let whole = self.length();
+        if !self.is_loop || (0.0..=whole).contains(&along) {
+            along
+        } else {
+            along.rem_euclid(whole)
+        }
+    }
+
+    /// The place at a length from its beginning.
+    pub(super) fn at(&self, along: f64) -> Spot {
+        let along = self.within(along);
+        let last = self.points.len() - 2;
+        let n = self.lengths[1..].partition_point(|&length| length < along).min(last);
+        let step = self.lengths[n + 1] - self.lengths[n];
+        let share =
+            if step > 0.0 { ((along - self.lengths[n]) / step).clamp(0.0, 1.0) } else { 0.0 };
+        // Exact at both ends, so that places there are corners of the net line.
+        let at = match share {
+            0.0 => self.points[n],
+            1.0 => self.points[n + 1],
+            share => self.points[n].lerp(self.points[n + 1], share),
+        };
+        let way =
+            (n..=last).chain((0..n).rev()).find_map(|n| unit2(self.points[n + 1] - self.points[n]));
+        Spot { at, along: way.unwrap_or(Vec2::X) }
+    }
+
+    /// The points from one length to a larger one, both ends included.
+    pub(super) fn part(&self, [from, to]: [f64; 2]) -> Vec<Point2> {
+        let whole = self.length();
+        let mut line = vec![self.at(from).at];
+        for round in 0..=i32::from(self.is_loop) {
+            let before = f64::from(round) * whole;
+            let inner = self.lengths.iter().zip(&self.points);
+            let inner = inner.filter(|&(&along, _)| from < along + before && along + before < to);
+            line.extend(inner.map(|(_, &point)| point));
+        }
+        line.push(self.at(to).at);
+        line.dedup();
+        line
+    }
+}
+
+/// A polyline moved to its right by a distance, mm, with its corners where the moved sides meet.
+pub(super) fn moved_out(line: &[Point2], by_mm: f64) -> Vec<Point2> {
+    let ways: Vec<Vec2> = line.windows(2).filter_map(|step| unit2(step[1] - step[0])).collect();
+    let (Some(&first), Some(&last)) = (ways.first(), ways.last()) else { return line.to_vec() };
+    let count = line.len();
+    let moved = |(n, &p): (usize, &Point2)| {
+        let before = if n == 0 { first } else { ways[(n - 1).min(ways.len() - 1)] };
+        let after = if n + 1 == count { last } else { ways[n.min(ways.len() - 1)] };
+        // The sum of the normals over one plus the cosine of the turn reaches both moved sides.
+        let mean = (-before.perp() - after.perp()) * (1.0 / (1.0 + before.dot(after)).max(0.2));
+        p + mean * by_mm
+    };
+    line.iter().enumerate().map(moved).collect()
+}

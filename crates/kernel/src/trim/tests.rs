@@ -1,0 +1,406 @@
+//! Trims on outlines that are known, and on random ones.
+
+use super::{TrimFault, TrimNote, TrimPart, Trimmed, trimmed};
+use crate::design::{
+    Allowance, Corner, Fingers, Flange, Hem, Holes, NotchForm, Notches, Places, Puzzle, Tabs,
+    Ticks, Trim, TrimKind, TrimOn,
+};
+use crate::edge::{Edge, EdgePlace, EdgeSource};
+use crate::pattern::PathKind;
+use sheetwright_geometry::math::{Point2, Point3, Vec2, cos, from_deg, sin};
+use sheetwright_geometry::predicate::{first_crossing, signed_area_doubled};
+use sheetwright_geometry::region::Region;
+use sheetwright_shapes::random::Random;
+
+/// A flat part whose edges are the sides of its loops.
+struct Flat {
+    name: String,
+    edges: Vec<Edge>,
+    space: Vec<Point3>,
+    flat: Vec<Point2>,
+}
+
+impl Flat {
+    fn new(name: &str, loops: &[Vec<Point2>]) -> Self {
+        let flat: Vec<Point2> = loops.iter().flatten().copied().collect();
+        let space: Vec<Point3> = flat.iter().map(|p| Point3::new(p.x, p.y, 0.0)).collect();
+        let (mut edges, mut start) = (Vec::new(), 0);
+        for line in loops {
+            let m = line.len();
+            for n in 0..m {
+                let run = vec![start + n, start + (n + 1) % m];
+                let (name, source) = (format!("e{}", edges.len()), EdgeSource::Border);
+                edges.push(Edge::new(name, source, run, &space, &flat));
+            }
+            start += m;
+        }
+        Self { name: name.to_owned(), edges, space, flat }
+    }
+
+    fn seen(&self) -> TrimPart<'_> {
+        let Self { name, edges, space, flat } = self;
+        TrimPart { name, panel: name, edges, space, flat }
+    }
+}
+
+fn trim(parts: &[Flat], trims: &[Trim]) -> Result<Vec<Trimmed>, TrimFault> {
+    let seen: Vec<TrimPart<'_>> = parts.iter().map(Flat::seen).collect();
+    trimmed(&seen, trims).map_err(|(_, fault)| fault)
+}
+
+fn points(list: &[(f64, f64)]) -> Vec<Point2> {
+    list.iter().map(|&(x, y)| Point2::new(x, y)).collect()
+}
+
+fn rectangle(width: f64, height: f64) -> Vec<Point2> {
+    points(&[(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)])
+}
+
+fn allowance(width: f64, corner: Corner) -> TrimKind {
+    TrimKind::Allowance(Allowance { width: [width; 2], corner })
+}
+
+fn on_all(kind: TrimKind) -> Trim {
+    Trim::new([TrimOn::All], kind)
+}
+
+fn on(edges: &[&str], kind: TrimKind) -> Trim {
+    let named = |edge: &&str| {
+        let (part, edge) =
+            edge.split_once('/').map_or((None, *edge), |(part, edge)| (Some(part), edge));
+        TrimOn::Edge { part: part.map(str::to_owned), edge: edge.to_owned() }
+    };
+    Trim::new(edges.iter().map(named), kind)
+}
+
+fn cut(trimmed: &Trimmed) -> &Region {
+    trimmed.cut.as_ref().unwrap()
+}
+
+fn loops(region: &Region) -> Vec<Vec<Point2>> {
+    std::iter::once(&region.outline).chain(&region.holes).cloned().collect()
+}
+
+/// Whether the region has these corners and no other.
+fn has_corners(region: &Region, wanted: &[(f64, f64)]) -> bool {
+    let near = |p: &Point2, &(x, y): &(f64, f64)| p.distance(Point2::new(x, y)) < 1e-7;
+    region.outline.len() == wanted.len()
+        && wanted.iter().all(|w| region.outline.iter().any(|p| near(p, w)))
+}
+
+/// The distance between two segments that do not cross.
+fn apart(a: [Point2; 2], b: [Point2; 2]) -> f64 {
+    let off = |p: Point2, [from, to]: [Point2; 2]| {
+        let share = (p - from).dot(to - from) / (to - from).length_squared();
+        p.distance(from.lerp(to, share.clamp(0.0, 1.0)))
+    };
+    off(a[0], b).min(off(a[1], b)).min(off(b[0], a)).min(off(b[1], a))
+}
+
+fn sides(line: &[Point2]) -> impl Iterator<Item = [Point2; 2]> + '_ {
+    (0..line.len()).map(|n| [line[n], line[(n + 1) % line.len()]])
+}
+
+fn assert_sound(net: &[Vec<Point2>], made: &Trimmed, what: &str) {
+    let unproved = |note: &TrimNote| matches!(note, TrimNote::NotProved { .. });
+    assert!(!made.notes.iter().any(unproved), "{what}: {:?}", made.notes);
+    // The outline and a hole may touch in a point, where a gap is just closed.
+    for line in loops(cut(made)) {
+        assert_eq!(first_crossing(&line), None, "{what}: the cut line crosses itself: {line:?}");
+    }
+    assert!(cut(made).area_mm2() > 0.0 && !net.is_empty());
+}
+
+/// A closed line around a point, of a random form: round, jagged, or thin as a needle.
+fn random_line(random: &mut Random, size: f64) -> Vec<Point2> {
+    let count = 3 + random.below(12);
+    let squeeze = [1.0, 0.3, 0.02][random.below(3)];
+    let jag = [0.0, 0.4, 0.9][random.below(3)];
+    let turn = from_deg(random.between(0.0, 360.0));
+    let corner = |n: usize, r: f64| {
+        let angle = from_deg(360.0 * (n as f64) / count as f64);
+        let (x, y) = (r * cos(angle), squeeze * r * sin(angle));
+        Point2::new(x * cos(turn) - y * sin(turn), x * sin(turn) + y * cos(turn))
+    };
+    (0..count).map(|n| corner(n, size * random.between(1.0 - jag, 1.0))).collect()
+}
+
+#[test]
+fn the_cut_line_keeps_its_distance_from_random_outlines() {
+    let mut random = Random::new(40);
+    let mut closed = 0;
+    for n in 0..3000 {
+        let mut net = vec![random_line(&mut random, 100.0)];
+        if n % 3 == 0 {
+            let scale = random.between(0.05, 0.3);
+            let hole = net[0].iter().rev().map(|p| Point2::default() + p.to_vec() * scale);
+            let hole: Vec<Point2> = hole.collect();
+            net.push(hole);
+        }
+        if signed_area_doubled(&net[0]) <= 0.0 {
+            continue;
+        }
+        let flat = [Flat::new("a", &net)];
+        let shorter = flat[0].seen().shorter_mm();
+        let width = shorter * random.between(0.001, 0.999);
+        let made = trim(&flat, &[on_all(allowance(width, Corner::ByLength))]).unwrap();
+        let what = format!("outline {n}, {width} mm");
+        assert_sound(&net, &made[0], &what);
+        closed += made[0].notes.len();
+        let of_cut = loops(cut(&made[0]));
+        for side in of_cut.iter().flat_map(|line| sides(line)) {
+            for of_net in net.iter().flat_map(|line| sides(line)) {
+                let off = apart(side, of_net);
+                assert!(off >= width - 1e-6, "{what}: {off} mm between {side:?} and {of_net:?}");
+            }
+        }
+    }
+    assert!((100..2900).contains(&closed), "{closed} notes on holes and gaps that are closed");
+}
+
+#[test]
+fn every_style_of_corner_is_sound_on_random_outlines() {
+    let mut random = Random::new(41);
+    let styles = [
+        Corner::ByIntersection,
+        Corner::FirstEdgeSymmetry,
+        Corner::SecondEdgeSymmetry,
+        Corner::FirstEdgeRightAngle,
+        Corner::SecondEdgeRightAngle,
+    ];
+    for n in 0..1000 {
+        let net = vec![random_line(&mut random, 100.0)];
+        if signed_area_doubled(&net[0]) <= 0.0 {
+            continue;
+        }
+        let flat = [Flat::new("a", &net)];
+        let most = flat[0].seen().shorter_mm();
+        let mut width = || most * random.between(0.01, 0.5);
+        let kind =
+            |width: [f64; 2], corner: Corner| TrimKind::Allowance(Allowance { width, corner });
+        let trims: Vec<Trim> = (0..net[0].len())
+            .map(|edge| on(&[&format!("e{edge}")], kind([width(), width()], styles[n % 5])))
+            .collect();
+        let made = trim(&flat, &trims).unwrap();
+        assert_sound(&net, &made[0], &format!("outline {n}, {:?}", styles[n % 5]));
+    }
+}
+
+#[test]
+fn corners_are_those_of_pattern_makers() {
+    // A right angle, 10 mm beyond the first edge (below) and 20 mm beyond the second (right).
+    let of = |corner: Corner, net: Vec<Point2>| {
+        let trims = [on(&["e0"], allowance(10.0, corner)), on(&["e1"], allowance(20.0, corner))];
+        trim(&[Flat::new("a", &[net])], &trims).unwrap().remove(0)
+    };
+    let square = |corner: Corner| of(corner, rectangle(100.0, 100.0));
+    let common = [(0.0, -10.0), (0.0, 0.0), (0.0, 100.0), (120.0, 100.0)];
+    let with = |points: &[(f64, f64)]| -> Vec<(f64, f64)> {
+        // The corner at the origin lies on a straight line.
+        let rest = common.iter().filter(|p| **p != (0.0, 0.0)).copied();
+        points.iter().copied().chain(rest).collect()
+    };
+    let tip = with(&[(120.0, -10.0)]);
+    let by_length = square(Corner::ByLength);
+    assert!(has_corners(cut(&by_length), &tip), "{:?}", by_length.cut);
+    let straight = with(&[(100.0, -10.0), (120.0, 0.0)]);
+    assert!(has_corners(cut(&square(Corner::ByIntersection)), &straight));
+    // At a right angle, a mirror and a right angle are the tip.
+    for corner in [
+        Corner::FirstEdgeSymmetry,
+        Corner::SecondEdgeSymmetry,
+        Corner::FirstEdgeRightAngle,
+        Corner::SecondEdgeRightAngle,
+    ] {
+        let made = square(corner);
+        assert!(has_corners(cut(&made), &tip), "{corner:?}: {:?}", made.cut);
+    }
+    // At 45°, the first edge's allowance, folded over, ends along the second's cut line.
+    let net = points(&[(0.0, 0.0), (100.0, 0.0), (0.0, 100.0)]);
+    let made = of(Corner::FirstEdgeSymmetry, net);
+    let root = 20.0 * 2f64.sqrt();
+    let found =
+        cut(&made).outline.iter().any(|p| p.distance(Point2::new(100.0 + root, 0.0)) < 1e-6);
+    let mirrored = Point2::new(100.0 + root - 10.0, -10.0);
+    assert!(found && cut(&made).outline.iter().any(|p| p.distance(mirrored) < 1e-6), "{made:?}");
+}
+
+#[test]
+fn a_needle_is_cut_off_and_an_edge_alone_ends_squarely() {
+    let needle = points(&[(0.0, 0.0), (200.0, 0.0), (0.0, 20.0)]);
+    let made = trim(&[Flat::new("a", &[needle])], &[on_all(allowance(10.0, Corner::ByLength))]);
+    let made = made.unwrap().remove(0);
+    let right = cut(&made).outline.iter().map(|p| p.x).fold(0.0, f64::max);
+    assert!((220.0..=226.0).contains(&right), "the tip is cut off at 25 mm: {right}");
+    let one = trim(
+        &[Flat::new("a", &[rectangle(50.0, 30.0)])],
+        &[on(&["e0"], allowance(8.0, Corner::ByLength))],
+    );
+    let wanted = [(0.0, -8.0), (50.0, -8.0), (50.0, 30.0), (0.0, 30.0)];
+    assert!(has_corners(cut(&one.unwrap()[0]), &wanted));
+}
+
+#[test]
+fn hems_and_flanges_have_their_folds() {
+    let flat = [Flat::new("a", &[rectangle(100.0, 60.0)])];
+    let hem = TrimKind::Hem(Hem { width: 20.0, turn: 10.0 });
+    let made = trim(&flat, &[on(&["e0"], hem)]).unwrap().remove(0);
+    let folds: Vec<&Vec<Point2>> = made.paths.iter().map(|path| &path.points).collect();
+    assert_eq!(folds[0], &points(&[(0.0, 0.0), (100.0, 0.0)]));
+    assert_eq!(folds[1], &points(&[(0.0, -20.0), (100.0, -20.0)]));
+    assert!((cut(&made).area_mm2() - 100.0 * 90.0).abs() < 1e-6);
+
+    // Four flanges of a tray keep 2 mm from its corners.
+    let flange = TrimKind::Flange(Flange { width: 25.0, angle: from_deg(90.0), relief: 2.0 });
+    let made = trim(&flat, &[on_all(flange.clone())]).unwrap().remove(0);
+    assert_eq!(made.paths.len(), 4);
+    let area = 100.0 * 60.0 + 25.0 * 2.0 * (96.0 + 56.0);
+    assert!((cut(&made).area_mm2() - area).abs() < 1e-6);
+
+    // At a corner that goes in, they part along its middle, and do not overlap.
+    let corner = points(&[(0., 0.), (100., 0.), (100., 100.), (60., 100.), (60., 60.), (0., 60.)]);
+    let made = trim(&[Flat::new("l", &[corner])], &[on_all(flange)]).unwrap().remove(0);
+    let middle = Point2::new(50.0, 70.0);
+    let lines = loops(cut(&made));
+    let nearest = lines
+        .iter()
+        .flat_map(|l| sides(l))
+        .map(|s| apart(s, [middle, middle + Vec2::new(1e-9, 0.0)]));
+    let nearest = nearest.fold(f64::INFINITY, f64::min);
+    assert!((nearest - 1.0).abs() < 1e-6, "a gap of 2 mm: {nearest}");
+}
+
+/// Two rectangles beside one another, joined along the right side of the first.
+fn joined(height: f64) -> [Flat; 2] {
+    let mut left = Flat::new("left", &[rectangle(100.0, height)]);
+    let mut right = Flat::new("right", &[rectangle(40.0, height)]);
+    for p in &mut right.space {
+        p.x += 100.0;
+    }
+    left.edges[1].mates = vec![EdgePlace { part: 1, edge: 3 }];
+    right.edges[3].mates = vec![EdgePlace { part: 0, edge: 1 }];
+    [left, right]
+}
+
+fn tabs(width: f64) -> TrimKind {
+    TrimKind::Tabs(Tabs { width, angle: from_deg(45.0), tolerance: 0.3 })
+}
+
+#[test]
+fn a_joint_has_tabs_on_one_side_and_they_hide() {
+    let parts = joined(60.0);
+    let made = trim(&parts, &[Trim::new([TrimOn::Joined], tabs(8.0))]).unwrap();
+    let with_tabs = made.iter().filter(|part| part.cut.is_some()).count();
+    assert_eq!(with_tabs, 1);
+    assert_eq!(made[0].paths.len(), 1);
+    // Named, the other side has them.
+    let named = trim(&parts, &[on(&["right/e3"], tabs(8.0))]).unwrap();
+    assert!(named[0].cut.is_none() && named[1].cut.is_some());
+    let area = 40.0 * 60.0 + 8.0 * (60.0 - 8.0);
+    assert!((cut(&named[1]).area_mm2() - area).abs() < 1e-6);
+    // A neighbour that is narrower than the tab: the tab gets narrower, too.
+    let mut narrow = joined(60.0);
+    narrow[1].flat = points(&[(0.0, 0.0), (5.0, 0.0), (5.0, 60.0), (0.0, 60.0)]);
+    let made = trim(&narrow, &[on(&["left/e1"], tabs(8.0))]).unwrap();
+    let depth = cut(&made[0]).outline.iter().map(|p| p.x).fold(0.0, f64::max) - 100.0;
+    assert!((2.0..5.0).contains(&depth), "{depth}");
+    assert_eq!(
+        trim(&parts, &[on(&["left/e0"], tabs(8.0))]).err(),
+        Some(TrimFault::NoMate { what: "tabs", edge: "left/e0".to_owned() })
+    );
+}
+
+#[test]
+fn holes_meet_on_both_sides_of_a_joint() {
+    let parts = joined(605.0);
+    let holes = Holes {
+        pitch: 100.0,
+        end_pitch: 50.0,
+        end_length: 100.0,
+        ends: 20.0,
+        inset: 10.0,
+        diameter: 1.5,
+    };
+    let made = trim(&parts, &[Trim::new([TrimOn::Joined], TrimKind::Holes(holes))]).unwrap();
+    let centres = |part: &Trimmed| -> Vec<Point2> {
+        let drilled = part.paths.iter().filter(|p| matches!(p.kind, PathKind::Drill { .. }));
+        drilled.map(|p| p.points[0].lerp(p.points[12], 0.5)).collect()
+    };
+    let [left, right] = [0, 1].map(|n| centres(&made[n]));
+    assert_eq!(left.len(), right.len());
+    assert!(left.len() >= 8 && made.iter().all(|part| part.cut.is_none()));
+    for (a, b) in left.iter().zip(&right) {
+        assert!((a.x - 90.0).abs() < 1e-9 && (b.x - 10.0).abs() < 1e-9);
+        assert!((a.y - b.y).abs() < 1e-9, "they meet");
+    }
+    let dense = Holes { pitch: 1.0, end_pitch: 1.0, ..holes };
+    assert_eq!(
+        trim(&parts, &[on_all(TrimKind::Holes(dense))]).err(),
+        Some(TrimFault::TooDense { edge: "left/e0".to_owned(), pitch_mm: 1.0, diameter_mm: 1.5 })
+    );
+}
+
+#[test]
+fn notches_stand_in_the_allowance_and_meet() {
+    let parts = joined(60.0);
+    let notches = |form: NotchForm, depth: f64| {
+        let at = Places::Shares(vec![0.5]);
+        TrimKind::Notches(Notches { at, form, depth, width: 4.0, count: 2, gap: 6.0 })
+    };
+    let with = |kind: TrimKind| {
+        let joined = Trim::new([TrimOn::Joined], kind);
+        trim(&parts, &[on_all(allowance(10.0, Corner::ByLength)), joined])
+    };
+    let whole =
+        cut(&trim(&parts, &[on_all(allowance(10.0, Corner::ByLength))]).unwrap()[1]).area_mm2();
+    let slits = with(notches(NotchForm::Slit, 5.0)).unwrap();
+    assert_eq!(slits[0].paths.len(), 2);
+    assert_eq!(slits[0].paths[0].points[0].x, 110.0);
+    assert_eq!(slits[0].paths[0].points[1].x, 105.0);
+    for (form, more) in [(NotchForm::V, -20.0), (NotchForm::VOut, 20.0), (NotchForm::Castle, 40.0)]
+    {
+        let made = with(notches(form, 5.0)).unwrap();
+        let differs = cut(&made[1]).area_mm2() - whole;
+        assert!((differs - more).abs() < 1e-6, "{form:?}: {differs}");
+    }
+    let deep = TrimFault::TooDeep { edge: "left/e1".into(), depth_mm: 12.0, margin_mm: 10.0 };
+    assert_eq!(with(notches(NotchForm::V, 12.0)).err(), Some(deep));
+}
+
+#[test]
+fn ticks_are_numbered_through_the_design() {
+    let parts = joined(60.0);
+    let ticks = TrimKind::Ticks(Ticks { at: Places::Every(20.0), length: 3.0, numbered: true });
+    let made = trim(&parts, &[Trim::new([TrimOn::Joined], ticks)]).unwrap();
+    let texts = |part: &Trimmed| part.labels.iter().map(|l| l.text.clone()).collect::<Vec<_>>();
+    assert_eq!(texts(&made[0]), ["1", "2", "3"]);
+    assert_eq!(texts(&made[1]), ["1", "2", "3"]);
+}
+
+#[test]
+fn fingers_and_knobs_fit_into_the_other_side() {
+    let parts = joined(60.0);
+    let fingers = TrimKind::Fingers(Fingers { width: 12.0, depth: 3.0, clearance: 0.0 });
+    let made = trim(&parts, &[Trim::new([TrimOn::Joined], fingers)]).unwrap();
+    let more = |n: usize, plain: f64| cut(&made[n]).area_mm2() - plain;
+    let sum = more(0, 6000.0) + more(1, 2400.0);
+    assert!((sum - 180.0).abs() < 1e-6, "together they fill the joint: {sum}");
+    let knobs = TrimKind::Puzzle(Puzzle { pitch: 20.0, width: 10.0, clearance: 0.2 });
+    let made = trim(&parts, &[Trim::new([TrimOn::Joined], knobs)]).unwrap();
+    let [left, right] = [0, 1].map(|n| cut(&made[n]).area_mm2());
+    assert!(left > 6000.0 && right < 2400.0 && left + right < 8400.0, "{left}, {right}");
+}
+
+#[test]
+fn what_cannot_be_made_is_said() {
+    let flat = [Flat::new("a", &[rectangle(50.0, 30.0)])];
+    let wide = trim(&flat, &[on_all(allowance(31.0, Corner::ByLength))]);
+    assert!(matches!(wide.err(), Some(TrimFault::TooWide { part_mm, .. }) if part_mm == 30.0));
+    let unknown = trim(&flat, &[on(&["chine"], allowance(3.0, Corner::ByLength))]).err().unwrap();
+    let text = unknown.to_string();
+    assert_eq!(text, "no edge is called 'chine'; there are a/e0, a/e1, a/e2, a/e3");
+    // The later trim on an edge holds.
+    let two = [on_all(allowance(3.0, Corner::ByLength)), on_all(allowance(5.0, Corner::ByLength))];
+    let made = trim(&flat, &two).unwrap();
+    assert!((cut(&made[0]).area_mm2() - 60.0 * 40.0).abs() < 1e-6);
+}
