@@ -4,7 +4,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, StringValueParser, Type
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use sheetwright::boundary::PlaneChoice;
-use sheetwright::design::PanelMethod;
+use sheetwright::design::{Design, PanelMethod};
 use sheetwright::flatten::Aim;
 use sheetwright::make::Judging;
 use sheetwright::math::from_deg;
@@ -12,8 +12,9 @@ use sheetwright::mesh::Skin;
 use sheetwright::template::catalogue;
 use sheetwright::triangulate::WhichSurface;
 use sheetwright_files::{
-    Format, InputFormat, MaxSheets, MeshFormat, MeshSettings, OutputOptions, Paper, PdfOptions,
-    ReadOptions, ReportForm, Units, VarySettings, catalogue_names, known_materials, trade_names,
+    DxfRelease, Format, InputFormat, MaxSheets, MeshFormat, MeshSettings, OffsetOptions,
+    OutputOptions, Paper, PdfOptions, Preset, ReadOptions, ReportForm, Units, VarySettings,
+    catalogue_names, known_materials, trade_names,
 };
 use std::ffi::OsStr;
 use std::path::PathBuf;
@@ -49,6 +50,7 @@ Examples:
   sheetwright make tent.obj --out build --units m --aim seams
       Meshes (.obj, .stl, .ply, .glb): one panel for each group, both sides of a seam equally long
   sheetwright make box.stl --out build --split-creases 30
+  sheetwright make dinghy.sheet.json --out build --preset lightburn --formats svg,report
   sheetwright make bear.obj --out build --facets --pieces-within a4
   sheetwright make dinghy.sheet.json --out build --vary-warp 6 --vary-limit 5mm
       Moves the curves as little as needed for a warp of 6°, and writes the moved curves";
@@ -127,7 +129,7 @@ pub(crate) struct MakeArgs {
     pub(crate) out: PathBuf,
     #[command(flatten)]
     pub(crate) mesh: MeshArgs,
-    /// The formats to write, separated by commas [default: all but quads and step]
+    /// The formats to write, separated by commas [default: obj, svg, dxf, pdf and report]
     #[arg(long, value_name = "LIST", value_delimiter = ',', ignore_case = true,
         value_parser = format_parser())]
     pub(crate) formats: Vec<Format>,
@@ -137,16 +139,18 @@ pub(crate) struct MakeArgs {
     pub(crate) report: Option<ReportArg>,
     #[command(flatten)]
     pub(crate) pdf: PdfArgs,
+    #[command(flatten)]
+    pub(crate) files: FileArgs,
 }
 
 impl MakeArgs {
-    pub(crate) fn options(&self) -> OutputOptions {
+    pub(crate) fn options(&self, design: &Design) -> OutputOptions {
         let report = match self.report {
             None => ReportForm::Auto,
             Some(ReportArg::Short) => ReportForm::Short,
             Some(ReportArg::Long) => ReportForm::Long,
         };
-        OutputOptions { pdf: self.pdf.options(), report }
+        OutputOptions { pdf: self.pdf.options(), report, ..self.files.options(design) }
     }
 }
 
@@ -283,14 +287,77 @@ pub(crate) struct NewArgs {
 pub(crate) struct ConvertArgs {
     #[command(flatten)]
     pub(crate) source: SourceArgs,
-    /// The file to write: .sheet.json (design), .csv (table), .obj, .step, .pdf, .html or .json
-    /// (report), or, of a single panel, .svg or .dxf
+    /// The file to write: .sheet.json (design), .csv (table), .obj, .step, .fold, .pdf, .html or
+    /// .json (report), or, of a single panel, .svg or .dxf
     #[arg(value_name = "OUT")]
     pub(crate) out: PathBuf,
     #[command(flatten)]
     pub(crate) mesh: MeshArgs,
     #[command(flatten)]
     pub(crate) pdf: PdfArgs,
+    #[command(flatten)]
+    pub(crate) files: FileArgs,
+}
+
+/// What patterns are written for.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Files for machines and by hand")]
+pub(crate) struct FileArgs {
+    /// What SVG and DXF files are written for: layers, colours and their order [default: as the
+    /// design says, or generic]
+    #[arg(long, value_name = "NAME", ignore_case = true, hide_possible_values = true,
+        value_parser = Name { known: preset_values }, long_help = preset_help())]
+    preset: Option<String>,
+    /// The release of DXF files: r12, which every program reads, or r2000, which says that the unit
+    /// is the millimetre [default: as the preset wants it, r12 mostly]
+    #[arg(long, value_name = "RELEASE", ignore_case = true, value_parser = dxf_parser())]
+    dxf: Option<DxfRelease>,
+    /// The distance of the stations in offsets.csv, in mm or with a unit (100mm, 6in) [default: a
+    /// round one for 10 to 20 stations]
+    #[arg(long, value_name = "LENGTH", value_parser = pitch_mm)]
+    stations: Option<f64>,
+    /// Write offsets.csv in feet, inches and eighths, such as 2-3-5
+    #[arg(long)]
+    feet: bool,
+}
+
+impl FileArgs {
+    /// The options for a design, which may name a preset.
+    pub(crate) fn options(&self, design: &Design) -> OutputOptions {
+        let of_design = OutputOptions::of(design);
+        let given = self.preset.as_deref().and_then(|name| Preset::from_name(&name.to_lowercase()));
+        OutputOptions {
+            preset: given.unwrap_or(of_design.preset),
+            dxf: self.dxf,
+            offsets: OffsetOptions { pitch_mm: self.stations, feet: self.feet },
+            ..of_design
+        }
+    }
+}
+
+fn preset_values() -> Vec<PossibleValue> {
+    Preset::all().iter().map(|preset| PossibleValue::new(preset.name).help(preset.about)).collect()
+}
+
+fn preset_help() -> String {
+    let rows = Preset::all().iter().map(|preset| format!("  {:<11} {}", preset.name, preset.about));
+    format!(
+        "What SVG and DXF files are written for: layers, colours and their order [default: as the \
+         design says, or generic]\n{}",
+        rows.collect::<Vec<_>>().join("\n")
+    )
+}
+
+fn dxf_parser() -> impl TypedValueParser<Value = DxfRelease> {
+    let names = DxfRelease::ALL.map(DxfRelease::name);
+    PossibleValuesParser::new(names).try_map(|name| {
+        DxfRelease::from_name(&name.to_lowercase()).ok_or("this release is not known")
+    })
+}
+
+fn pitch_mm(given: &str) -> Result<f64, String> {
+    let mm = sheetwright_files::distance_mm(given).filter(|&mm| mm >= 0.01);
+    mm.ok_or_else(|| "give a length of at least 0.01 mm, such as 100, 100mm or 6in".to_owned())
 }
 
 /// How patterns are laid out on paper.

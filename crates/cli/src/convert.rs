@@ -9,7 +9,7 @@ use crate::watcher::Watcher;
 use sheetwright::curve::CurveKind;
 use sheetwright::design::Design;
 use sheetwright_files::whole::write_one;
-use sheetwright_files::{Format, findings_json, write_design, write_table};
+use sheetwright_files::{Format, OutputOptions, findings_json, write_design, write_table};
 use std::path::Path;
 
 /// What a file is turned into.
@@ -30,6 +30,7 @@ impl Target {
             "csv" => Ok(Self::Table),
             "obj" => Ok(Self::Made(Format::Obj, ".obj")),
             "step" | "stp" => Ok(Self::Made(Format::Step, ".step")),
+            "fold" => Ok(Self::Made(Format::Fold, ".fold")),
             "pdf" => Ok(Self::Made(Format::Pdf, ".pdf")),
             "html" => Ok(Self::Made(Format::Report, ".html")),
             "json" => Ok(Self::Made(Format::Report, ".json")),
@@ -37,7 +38,7 @@ impl Target {
             "dxf" => Ok(Self::Made(Format::Dxf, ".dxf")),
             _ => Err(Failure::new(
                 "the ending of the name is no format that can be written",
-                "End it in .sheet.json, .csv, .obj, .step, .pdf, .html, .json, .svg or .dxf.",
+                "End it in .sheet.json, .csv, .obj, .step, .fold, .pdf, .html, .json, .svg or .dxf.",
             )
             .at(path.display().to_string())),
         }
@@ -71,7 +72,7 @@ pub(crate) fn run(args: &ConvertArgs, voice: Voice) -> Result<bool, Failure> {
             if single && names.len() > 1 {
                 return Err(for_one_panel(ending, &args.out));
             }
-            let options = (&args.pdf.options()).into();
+            let options = OutputOptions { pdf: args.pdf.options(), ..args.files.options(&design) };
             let outputs = files(&made, &[format], options, &mut watcher, &place)?;
 
             let file = outputs.files.iter().find(|file| file.name.ends_with(ending));

@@ -35,7 +35,7 @@ pub(crate) fn run(args: &MakeArgs, voice: Voice) -> Result<bool, Failure> {
         judging: args.source.judging(),
         out: &args.out,
         formats: &formats,
-        options: args.options(),
+        options: args.options(&design),
         beside: None,
     };
     job.run(&design, start, voice)

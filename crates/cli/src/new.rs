@@ -33,7 +33,7 @@ pub(crate) fn run(args: &NewArgs, voice: Voice) -> Result<bool, Failure> {
     if let Some(out) = &args.make {
         // Tables need not lie in the folder of the patterns: the design there has their points.
         let beside = Some((format!("{}.sheet.json", new.design.name), write_design(&new.design)));
-        let options = OutputOptions::default();
+        let options = OutputOptions::of(&new.design);
         let (formats, judging) = (&Format::DEFAULT, Judging::Exact);
         let job = Job { input: name, judging, out, formats, options, beside };
         return job.run(&new.design, start, voice);

@@ -17,10 +17,12 @@
 //! ```
 
 mod archive;
+mod astm;
 mod catalogue;
 mod design_json;
 mod drawing;
 mod dxf;
+mod fold;
 mod hint;
 mod input;
 mod json;
@@ -30,6 +32,7 @@ mod mesh;
 mod messages;
 mod names;
 mod obj;
+mod offsets;
 mod output;
 mod pdf;
 mod preset;
@@ -51,10 +54,12 @@ pub mod whole;
 mod words;
 
 pub use archive::zipped;
+pub use astm::write_astm;
 pub use catalogue::{catalogue_json, catalogue_text, parameter_table, template_text};
 pub use design_json::{read_drawn, trade_names, trade_title, trims_for, write_design, write_drawn};
 pub use drawing::{Drawing, Mirror, Plan, Reference};
-pub use dxf::{read_dxf, write_dxf};
+pub use dxf::{read_dxf, write_dxf, write_dxf_for};
+pub use fold::write_fold;
 pub use hint::{hint_for, hint_in_design, remedy_for};
 pub use input::{InputFormat, read_bytes, read_input};
 pub use materials::{catalogue_names, known_materials, material_group, material_named};
@@ -62,8 +67,10 @@ pub use mesh::{MeshFormat, units_said};
 pub use messages::{PanelTimes, error_json, findings_json, timing_json};
 pub use names::{shown, visible};
 pub use obj::write_obj;
+pub use offsets::{OffsetOptions, write_offsets};
 pub use output::{Format, OutputError, OutputFile, OutputOptions, Outputs, output_files};
 pub use pdf::{MaxSheets, Paper, PdfOptions, Reduced, WrittenPdf, write_pdf};
+pub use preset::{DxfRelease, Preset};
 pub use quads::{PanelQuads, write_quads};
 pub use quantity::{
     distance_mm, length_in, length_text, read_angle, read_length, read_lengths, read_number,
@@ -73,14 +80,14 @@ pub use read_back::{PatternReadError, ReadPattern};
 pub use reading::{
     InputError, MAX_INPUT_BYTES, MeshSettings, ReadOptions, VarySettings, read_limited,
 };
-pub use refold::{RefoldFileError, refold_error_mm};
+pub use refold::{PatternFiles, RefoldFileError, refold_error_mm, refold_files_error_mm};
 pub use report::{
     Picture, ReportForm, design_picture, flat_picture, gauss_picture, moved_picture, quads_picture,
     report_html, report_json, report_schema, side_by_side, space_picture, stacked,
     verdict_sentence, verdict_word, warp_chart,
 };
 pub use step::write_step;
-pub use svg::{read_svg, write_svg};
+pub use svg::{read_svg, write_svg, write_svg_for};
 pub use table::{MAX_CURVES, MAX_ROWS, TableCurve, read_table, write_table};
 pub use template_call::{NewDesign, design_from_template, new_design};
 pub use units::Units;

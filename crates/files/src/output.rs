@@ -1,19 +1,24 @@
 //! All files of a made design.
 
+use crate::astm::write_astm;
 use crate::design_json::write_design_of_table;
-use crate::dxf::write_dxf;
+use crate::dxf::write_dxf_for;
+use crate::fold::write_fold;
 use crate::names::{folded, refused_for_file};
 use crate::obj::write_obj;
-use crate::pdf::{PdfOptions, Reduced, WrittenPdf, write_pieces};
+use crate::offsets::{OffsetOptions, write_offsets};
+use crate::pdf::{PdfOptions, Reduced, write_pieces};
+use crate::preset::{DxfRelease, Preset};
 use crate::quads::{PanelQuads, write_quads};
-use crate::refold::{RefoldFileError, refold_error_mm, refold_finding};
+use crate::refold::{PatternFiles, RefoldFileError, refold_files_error_mm, refold_finding};
 use crate::report::{ReportForm, report_html, report_json};
 use crate::step::write_step;
-use crate::svg::write_svg;
+use crate::svg::write_svg_for;
 use crate::table::write_table;
 use crate::units::Units;
 use sheetwright::check::{Checked, Finding, FindingKind};
-use sheetwright::make::Made;
+use sheetwright::design::Design;
+use sheetwright::make::{Made, Part};
 use sheetwright::pattern::Piece;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -33,33 +38,206 @@ pub enum Format {
     Quads,
     /// `surface.step`: the panels as smooth surfaces for CAD.
     Step,
+    /// `pattern.fold`: the patterns with their folds, for origami programs.
+    Fold,
+    /// `pattern-astm.dxf`: the patterns for cutters of cloth and leather.
+    Astm,
+    /// `offsets.csv`: where the edges of each pattern lie at stations along a base line.
+    Offsets,
     /// `report.json` and `report.html`.
     Report,
 }
 
+/// What there is to know of a format: a new one is a row of [`ROWS`].
+struct Row {
+    format: Format,
+    /// Its name in commands and designs.
+    name: &'static str,
+    /// What people call it, and what it is for.
+    about: (&'static str, &'static str),
+    /// Whether it is written unless formats are named.
+    by_default: bool,
+    /// Whether it needs rulings, which meshes do not have.
+    needs_rulings: bool,
+    /// Its files.
+    files: &'static [(FileName, Writer)],
+}
+
+/// What a file is called.
+enum FileName {
+    /// After its part, with this ending.
+    OfPart(&'static str),
+    /// There is one, of this name.
+    Whole(&'static str),
+}
+
+/// What writes a file.
+enum Writer {
+    Piece(fn(&Piece, &OutputOptions) -> Vec<u8>),
+    Design(fn(&mut Run<'_>) -> Result<Vec<u8>, OutputError>),
+}
+
+use FileName::{OfPart, Whole};
+
+/// Every format, in the order in which files are written. The report comes last, since it says what
+/// was found in the others.
+const ROWS: [Row; 10] = [
+    Row {
+        format: Format::Obj,
+        name: "obj",
+        about: ("Surface (OBJ)", "The sheet in space, for other 3D programs."),
+        by_default: true,
+        needs_rulings: false,
+        files: &[(Whole("surface.obj"), Writer::Design(|run| Ok(write_obj(run.made))))],
+    },
+    Row {
+        format: Format::Svg,
+        name: "svg",
+        about: ("Pattern (SVG)", "For laser cutters, plotters and drawing programs."),
+        by_default: true,
+        needs_rulings: false,
+        files: &[(
+            OfPart(".svg"),
+            Writer::Piece(|piece, options| write_svg_for(piece, options.preset)),
+        )],
+    },
+    Row {
+        format: Format::Dxf,
+        name: "dxf",
+        about: ("Pattern (DXF)", "For CAD and machines that read no SVG."),
+        by_default: true,
+        needs_rulings: false,
+        files: &[(
+            OfPart(".dxf"),
+            Writer::Piece(|piece, options| write_dxf_for(piece, options.preset, options.release())),
+        )],
+    },
+    Row {
+        format: Format::Pdf,
+        name: "pdf",
+        about: ("Pattern to print (PDF)", "True to scale on sheets of paper, to tape together."),
+        by_default: true,
+        needs_rulings: false,
+        files: &[(Whole("pattern.pdf"), Writer::Design(|run| Ok(run.pdf())))],
+    },
+    Row {
+        format: Format::Quads,
+        name: "quads",
+        about: ("Flat facets (OBJ)", "Planar quadrilaterals, for folding and glazing."),
+        by_default: false,
+        needs_rulings: true,
+        files: &[(Whole("quads.obj"), Writer::Design(|run| Ok(write_quads(&run.named_quads()))))],
+    },
+    Row {
+        format: Format::Step,
+        name: "step",
+        about: ("Smooth surface (STEP)", "For CAD programs."),
+        by_default: false,
+        needs_rulings: true,
+        files: &[(
+            Whole("surface.step"),
+            Writer::Design(|run| {
+                let named = run.named_quads();
+                let smooth: Vec<_> =
+                    named.iter().map(|(name, quads)| (*name, &quads.smooth)).collect();
+                Ok(write_step(&smooth))
+            }),
+        )],
+    },
+    Row {
+        format: Format::Fold,
+        name: "fold",
+        about: ("Folds (FOLD)", "The pattern with the angle of every fold, for origami programs."),
+        by_default: false,
+        needs_rulings: false,
+        files: &[(Whole("pattern.fold"), Writer::Design(|run| Ok(write_fold(run.made))))],
+    },
+    Row {
+        format: Format::Astm,
+        name: "astm",
+        about: ("Pieces for cutters (ASTM)", "For machines that cut cloth and leather."),
+        by_default: false,
+        needs_rulings: false,
+        files: &[(Whole("pattern-astm.dxf"), Writer::Design(|run| Ok(write_astm(run.made))))],
+    },
+    Row {
+        format: Format::Offsets,
+        name: "offsets",
+        about: ("Offsets (CSV)", "Where the edges lie along a base line, to mark out by hand."),
+        by_default: false,
+        needs_rulings: false,
+        files: &[(
+            Whole("offsets.csv"),
+            Writer::Design(|run| {
+                let pieces = run.made.parts.iter().map(|part| &part.piece);
+                Ok(write_offsets(pieces, &run.options.offsets))
+            }),
+        )],
+    },
+    Row {
+        format: Format::Report,
+        name: "report",
+        about: ("Report", "The verdict, the pictures and all numbers, as a page and as data."),
+        by_default: true,
+        needs_rulings: false,
+        files: &[
+            (
+                Whole("report.json"),
+                Writer::Design(|run| {
+                    let (panels, errors_mm) = (&run.panels, &run.errors_mm);
+                    Ok(report_json(run.made, errors_mm, panels, &run.in_quads)?)
+                }),
+            ),
+            (
+                Whole("report.html"),
+                Writer::Design(|run| {
+                    let (panels, form) = (&run.panels, run.options.report);
+                    Ok(report_html(run.made, &run.errors_mm, panels, form))
+                }),
+            ),
+        ],
+    },
+];
+
+/// The formats of the rows of which this holds; they are `N`.
+const fn formats_of<const N: usize>(defaults_alone: bool) -> [Format; N] {
+    let mut formats = [Format::Report; N];
+    let (mut n, mut row) = (0, 0);
+    while row < ROWS.len() && n < N {
+        if ROWS[row].by_default || !defaults_alone {
+            formats[n] = ROWS[row].format;
+            n += 1;
+        }
+        row += 1;
+    }
+    formats
+}
+
 impl Format {
     /// Every format, in the order in which files are written.
-    pub const ALL: [Self; 7] =
-        [Self::Obj, Self::Svg, Self::Dxf, Self::Pdf, Self::Quads, Self::Step, Self::Report];
+    pub const ALL: [Self; ROWS.len()] = formats_of(false);
     /// The formats that are written by default.
-    pub const DEFAULT: [Self; 5] = [Self::Obj, Self::Svg, Self::Dxf, Self::Pdf, Self::Report];
+    pub const DEFAULT: [Self; 5] = formats_of(true);
+
+    fn row(self) -> &'static Row {
+        static STATIC_ROWS: [Row; ROWS.len()] = ROWS;
+        // Rows and formats have one order, which a test holds.
+        &STATIC_ROWS[self as usize]
+    }
 
     /// Whether the format needs rulings, which meshes do not have.
-    pub const fn needs_rulings(self) -> bool {
-        matches!(self, Self::Quads | Self::Step)
+    pub fn needs_rulings(self) -> bool {
+        self.row().needs_rulings
     }
 
     /// Its name in commands and designs.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Obj => "obj",
-            Self::Svg => "svg",
-            Self::Dxf => "dxf",
-            Self::Pdf => "pdf",
-            Self::Quads => "quads",
-            Self::Step => "step",
-            Self::Report => "report",
-        }
+    pub fn name(self) -> &'static str {
+        self.row().name
+    }
+
+    /// What people call it, and what it is for.
+    pub fn about(self) -> (&'static str, &'static str) {
+        self.row().about
     }
 
     /// The format of a name.
@@ -69,12 +247,42 @@ impl Format {
 }
 
 /// How the files of a design are written.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OutputOptions {
     /// How patterns are laid out on paper.
     pub pdf: PdfOptions,
     /// How much `report.html` shows. Default: all of up to 100 panels, a table of more.
     pub report: ReportForm,
+    /// What SVG and DXF files are written for. Default: the generic preset.
+    pub preset: &'static Preset,
+    /// The release of DXF files. Default: that of the preset.
+    pub dxf: Option<DxfRelease>,
+    /// The stations of the table of offsets.
+    pub offsets: OffsetOptions,
+}
+
+impl Default for OutputOptions {
+    fn default() -> Self {
+        Self {
+            pdf: PdfOptions::default(),
+            report: ReportForm::default(),
+            preset: Preset::generic(),
+            dxf: None,
+            offsets: OffsetOptions::default(),
+        }
+    }
+}
+
+impl OutputOptions {
+    /// The default options for a design, with the preset that it names.
+    pub fn of(design: &Design) -> Self {
+        let named = design.preset.as_deref().and_then(Preset::from_name);
+        Self { preset: named.unwrap_or(Preset::generic()), ..Self::default() }
+    }
+
+    fn release(&self) -> DxfRelease {
+        self.dxf.unwrap_or(self.preset.dxf)
+    }
 }
 
 /// The default options with this paper.
@@ -161,61 +369,21 @@ pub fn output_files(
     formats: &[Format],
     options: impl Into<OutputOptions>,
 ) -> Result<Outputs, OutputError> {
-    let OutputOptions { pdf, report } = options.into();
-    let pieces: Vec<&Piece> = made.parts.iter().map(|part| &part.piece).collect();
     check_names(made.parts.iter().map(|part| &part.name[..]))?;
-    let patterns = Patterns::written(&made.name, &pieces, formats, &pdf);
-    let asked = |format: Format| formats.contains(&format);
-    let needs_quads = asked(Format::Quads) || asked(Format::Step);
-    let in_quads: Vec<Option<PanelQuads>> = made
-        .parts
-        .iter()
-        .map(|part| part.found().filter(|_| needs_quads).map(PanelQuads::new))
-        .collect();
-
-    let mut panels = Vec::with_capacity(made.parts.len());
-    let mut errors_mm = Vec::with_capacity(made.parts.len());
-    for (n, part) in made.parts.iter().enumerate() {
-        let mut checked = part.checked.clone();
-        let (svg, dxf) = patterns.of(n);
-        match refold_error_mm(part, svg, dxf) {
-            Ok(error_mm) => {
-                checked.findings.extend(refold_finding(part, error_mm));
-                errors_mm.push(error_mm);
-            }
-            Err(error) => {
-                checked.findings.push(not_refolded(&error));
-                errors_mm.push(f64::NAN);
-            }
+    let mut run = Run::new(made, formats, options.into());
+    for format in Format::ALL.into_iter().filter(|format| formats.contains(format)) {
+        if format == Format::Report {
+            run.prove();
         }
-        checked.findings.extend(in_quads[n].as_ref().and_then(PanelQuads::finding));
-        panels.push(patterns.noted(n, checked));
+        run.write(format)?;
     }
-
-    let surface = asked(Format::Obj).then(|| write_obj(made));
-    let mut files = patterns.files(surface);
-    let named: Vec<(&str, &PanelQuads)> = made
-        .parts
-        .iter()
-        .zip(&in_quads)
-        .filter_map(|(part, quads)| Some((part.name.as_str(), quads.as_ref()?)))
-        .collect();
-    if asked(Format::Quads) {
-        files.push(file("quads.obj", write_quads(&named)));
-    }
-    if asked(Format::Step) {
-        let smooth: Vec<_> = named.iter().map(|(name, quads)| (*name, &quads.smooth)).collect();
-        files.push(file("surface.step", write_step(&smooth)));
-    }
-    if asked(Format::Report) {
-        files.push(file("report.json", report_json(made, &errors_mm, &panels, &in_quads)?));
-        files.push(file("report.html", report_html(made, &errors_mm, &panels, report)));
-    }
+    run.prove();
     if let Some(moved) = &made.moved {
-        files.push(file(MOVED_TABLE, write_table(&moved.curves)));
+        run.files.push(file(MOVED_TABLE, write_table(&moved.curves)));
         let design = write_design_of_table(moved, MOVED_TABLE, Units::Millimetres);
-        files.push(file("moved.sheet.json", design));
+        run.files.push(file("moved.sheet.json", design));
     }
+    let Run { files, panels, errors_mm, .. } = run;
     Ok(Outputs { files, panels, refold_error_mm: errors_mm })
 }
 
@@ -223,51 +391,99 @@ fn file(name: impl Into<String>, bytes: Vec<u8>) -> OutputFile {
     OutputFile { name: name.into(), bytes }
 }
 
-/// The files of the patterns of all parts.
-struct Patterns {
-    svg: Vec<OutputFile>,
-    dxf: Vec<OutputFile>,
-    pdf: Option<WrittenPdf>,
+/// The files so far, and what writers have to tell one another.
+struct Run<'a> {
+    made: &'a Made,
+    options: OutputOptions,
+    files: Vec<OutputFile>,
+    /// The number of the first file of the patterns in a format; the parts follow one another.
+    patterns: BTreeMap<Format, usize>,
+    in_quads: Vec<Option<PanelQuads>>,
+    /// The parts that the PDF draws to a smaller scale.
+    reduced: Vec<Reduced>,
+    /// What was found, and the refold errors; empty until they are known.
+    panels: Vec<Checked>,
+    errors_mm: Vec<f64>,
 }
 
-impl Patterns {
-    fn written(title: &str, pieces: &[&Piece], formats: &[Format], pdf: &PdfOptions) -> Self {
-        let of_pieces = |format: Format, write: fn(&Piece) -> Vec<u8>| -> Vec<OutputFile> {
-            let asked = formats.contains(&format);
-            let pieces = pieces.iter().filter(|_| asked);
-            pieces.map(|p| file(format!("{}.{}", p.name, format.name()), write(p))).collect()
-        };
+impl<'a> Run<'a> {
+    fn new(made: &'a Made, formats: &[Format], options: OutputOptions) -> Self {
+        let needs_quads = formats.iter().any(|format| format.needs_rulings());
+        let quads = |part: &Part| part.found().filter(|_| needs_quads).map(PanelQuads::new);
         Self {
-            svg: of_pieces(Format::Svg, write_svg),
-            dxf: of_pieces(Format::Dxf, write_dxf),
-            pdf: formats.contains(&Format::Pdf).then(|| write_pieces(title, pieces, pdf)),
+            made,
+            options,
+            files: Vec::new(),
+            patterns: BTreeMap::new(),
+            in_quads: made.parts.iter().map(quads).collect(),
+            reduced: Vec::new(),
+            panels: Vec::new(),
+            errors_mm: Vec::new(),
         }
     }
 
-    /// The SVG and the DXF of a piece, where they are among the formats.
-    fn of(&self, n: usize) -> (Option<&[u8]>, Option<&[u8]>) {
-        fn bytes_of(files: &[OutputFile], n: usize) -> Option<&[u8]> {
-            files.get(n).map(|file| &file.bytes[..])
+    fn write(&mut self, format: Format) -> Result<(), OutputError> {
+        for (name, writer) in format.row().files {
+            match (name, writer) {
+                (OfPart(ending), Writer::Piece(write)) => {
+                    self.patterns.insert(format, self.files.len());
+                    let pieces = self.made.parts.iter().map(|part| &part.piece);
+                    let named = pieces.map(|piece| {
+                        file(format!("{}{ending}", piece.name), write(piece, &self.options))
+                    });
+                    self.files.extend(named);
+                }
+                (Whole(name), Writer::Design(write)) => {
+                    let bytes = write(self)?;
+                    self.files.push(file(*name, bytes));
+                }
+                // A file of a part comes from its piece, one of the design from the design.
+                (OfPart(_), Writer::Design(_)) | (Whole(_), Writer::Piece(_)) => {}
+            }
         }
-        (bytes_of(&self.svg, n), bytes_of(&self.dxf, n))
+        Ok(())
     }
 
-    /// The findings on a panel, including those on its sheets of paper, the worst first.
-    fn noted(&self, n: usize, mut checked: Checked) -> Checked {
-        let reduced = self.pdf.iter().flat_map(|pdf| &pdf.reduced).find(|r| r.panel == n);
-        checked.findings.extend(reduced.map(Reduced::finding));
-        checked.sort();
-        checked
+    fn pdf(&mut self) -> Vec<u8> {
+        let pieces: Vec<&Piece> = self.made.parts.iter().map(|part| &part.piece).collect();
+        let pdf = write_pieces(&self.made.name, &pieces, &self.options.pdf);
+        self.reduced = pdf.reduced;
+        pdf.bytes
     }
 
-    /// All of them, after the surface.
-    fn files(self, surface: Option<Vec<u8>>) -> Vec<OutputFile> {
-        let mut files: Vec<OutputFile> =
-            surface.into_iter().map(|bytes| file("surface.obj", bytes)).collect();
-        files.extend(self.svg);
-        files.extend(self.dxf);
-        files.extend(self.pdf.map(|pdf| file("pattern.pdf", pdf.bytes)));
-        files
+    fn named_quads(&self) -> Vec<(&str, &PanelQuads)> {
+        let parts = self.made.parts.iter().zip(&self.in_quads);
+        parts.filter_map(|(part, quads)| Some((part.name.as_str(), quads.as_ref()?))).collect()
+    }
+
+    /// Reads the patterns back, once, and notes what was found.
+    fn prove(&mut self) {
+        for n in self.panels.len()..self.made.parts.len() {
+            let part = &self.made.parts[n];
+            let pattern = |format: Format| {
+                let first = self.patterns.get(&format)?;
+                Some(&self.files.get(first + n)?.bytes[..])
+            };
+            let (svg, dxf) = (pattern(Format::Svg), pattern(Format::Dxf));
+            let files = PatternFiles { svg, dxf, preset: self.options.preset };
+            let mut checked = part.checked.clone();
+            let error_mm = match refold_files_error_mm(part, &files) {
+                Ok(error_mm) => {
+                    checked.findings.extend(refold_finding(part, error_mm));
+                    error_mm
+                }
+                Err(error) => {
+                    checked.findings.push(not_refolded(&error));
+                    f64::NAN
+                }
+            };
+            checked.findings.extend(self.in_quads[n].as_ref().and_then(PanelQuads::finding));
+            let reduced = self.reduced.iter().find(|reduced| reduced.panel == n);
+            checked.findings.extend(reduced.map(Reduced::finding));
+            checked.sort();
+            self.errors_mm.push(error_mm);
+            self.panels.push(checked);
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 //! lines.
 
 use crate::preset::Layer;
+use crate::shapes::{FileLine, Form};
 use sheetwright::math::Point2;
 use sheetwright::predicate::{Box2, orientation, signed_area_doubled};
 use sheetwright::rung::Rung;
@@ -45,7 +46,7 @@ pub enum PatternReadError {
     NotText,
     /// The file is no XML, with the parser's message.
     Xml(String),
-    /// The file is no DXF of release 12.
+    /// The file is no DXF of release 12 or 2000.
     Dxf {
         /// The line, from 1.
         line: usize,
@@ -85,10 +86,18 @@ impl fmt::Display for PatternReadError {
 
 impl std::error::Error for PatternReadError {}
 
+/// A line of a file.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct ReadLine {
+    /// The layer or the group that it is on.
+    pub(crate) layer: &'static Layer,
+    pub(crate) line: FileLine,
+}
+
 /// The lines of a file, not yet told apart into outline, holes and rungs.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Lines {
-    /// The closed lines to cut, in the order of the file, mm: the outline, holes, drilled holes.
+    /// The closed lines to cut, mm: the outline and the holes.
     pub(crate) cuts: Vec<Vec<Point2>>,
     /// The open lines to cut, mm: notches.
     pub(crate) slits: Vec<Vec<Point2>>,
@@ -99,15 +108,19 @@ pub(crate) struct Lines {
 }
 
 impl Lines {
-    /// Adds a line of a layer.
-    pub(crate) fn add(&mut self, layer: &Layer, points: Vec<Point2>, closed: bool) {
-        match (closed, &points[..]) {
-            (true, _) if layer.is_cut() => self.cuts.push(points),
-            (true, _) if layer.is_optional() => self.net.push(points),
-            (false, _) if layer.is_cut() => self.slits.push(points),
-            (false, &[from, to]) => self.segments.push([from, to]),
-            _ => {}
+    /// The lines of a file by their layers and how they run. Circles are drilled holes.
+    pub(crate) fn of_layers(read: Vec<ReadLine>) -> Self {
+        let mut lines = Self::default();
+        for ReadLine { layer, line } in read {
+            match (line.form, &line.points[..]) {
+                (Form::Closed, _) if layer.is_cut() => lines.cuts.push(line.points),
+                (Form::Closed, _) if layer.is_optional() => lines.net.push(line.points),
+                (Form::Open, _) if layer.is_cut() => lines.slits.push(line.points),
+                (Form::Open, &[from, to]) => lines.segments.push([from, to]),
+                _ => {}
+            }
         }
+        lines
     }
 
     /// The outline and the holes of the finished piece, as lines to cut, and the segments that may
@@ -304,7 +317,7 @@ mod tests {
     }
 
     #[test]
-    fn the_finished_piece_is_the_net_and_drilled_holes_are_none_of_its_holes() {
+    fn the_finished_piece_is_the_net_and_notches_begin_on_the_cut() {
         let square =
             |low: f64, high: f64| points(&[(low, low), (high, low), (high, high), (low, high)]);
         let slit = points(&[(-1.0, 1.0), (0.5, 1.0)]);

@@ -1,13 +1,18 @@
 //! Reads written patterns back and folds them up again.
 
 use crate::dxf::dxf_lines;
-use crate::read_back::{Lines, PatternReadError, ReadPattern, overlapping_pattern, pattern};
-use crate::svg::{svg_lines, write_svg};
+use crate::preset::{Layer, Preset};
+use crate::read_back::{
+    Lines, PatternReadError, ReadLine, ReadPattern, overlapping_pattern, pattern,
+};
+use crate::shapes::{FileLine, Form, Shape, What, shapes};
+use crate::svg::{svg_lines, write_svg_for};
 use sheetwright::check::{Finding, refolding};
 use sheetwright::flatten::{RefoldError, refold};
 use sheetwright::make::{Found, Origin, Part};
 use sheetwright::math::Point2;
-use sheetwright::pattern::{PathKind, PatternPath, Piece};
+use sheetwright::pattern::{PatternPath, Piece, Role};
+use sheetwright::predicate::Box2;
 use sheetwright::rung::Rung;
 use sheetwright::tolerance::Tolerance;
 use std::fmt;
@@ -17,9 +22,9 @@ use std::fmt;
 pub enum RefoldFileError {
     /// It can't be read.
     Read(PatternReadError),
-    /// Its outline and holes are not those of the panel.
+    /// Its lines are not those of the panel.
     Lines,
-    /// A point of its outline or of a hole is not where it was laid.
+    /// A point is not where it was laid.
     Moved {
         /// By how much, mm.
         by_mm: f64,
@@ -33,10 +38,7 @@ impl fmt::Display for RefoldFileError {
         match self {
             Self::Read(error) => write!(f, "the written pattern can't be read: {error}"),
             Self::Lines => {
-                write!(
-                    f,
-                    "the outline or the holes of the written pattern differ from those of the panel"
-                )
+                write!(f, "the lines of the written pattern differ from those of the panel")
             }
             Self::Moved { by_mm } => {
                 write!(f, "the written pattern has a point that is {by_mm:.6} mm off")
@@ -61,11 +63,34 @@ pub fn refold_error_mm(
     svg: Option<&[u8]>,
     dxf: Option<&[u8]>,
 ) -> Result<f64, RefoldFileError> {
+    let preset = Preset::generic();
+    refold_files_error_mm(part, &PatternFiles { svg, dxf, preset })
+}
+
+/// The files of a pattern that were written.
+#[derive(Clone, Copy, Debug)]
+pub struct PatternFiles<'a> {
+    /// The bytes of its SVG.
+    pub svg: Option<&'a [u8]>,
+    /// The bytes of its DXF.
+    pub dxf: Option<&'a [u8]>,
+    /// The preset that both are written for.
+    pub preset: &'static Preset,
+}
+
+/// As [`refold_error_mm`], for the files of any preset.
+///
+/// # Errors
+/// See [`refold_error_mm`].
+pub fn refold_files_error_mm(
+    part: &Part,
+    files: &PatternFiles<'_>,
+) -> Result<f64, RefoldFileError> {
     match &part.origin {
-        Origin::Found(found) => folded_error_mm(part, found, svg, dxf),
+        Origin::Found(found) => folded_error_mm(part, found, files),
         Origin::Given(_) => {
             let overlaps = part.flat.overlap.is_some();
-            let by_mm = read_back_error_mm(&part.piece, overlaps, svg, dxf)?;
+            let by_mm = read_back_error_mm(&part.piece, overlaps, files)?;
             let is_off = by_mm > Tolerance::REFOLD.length_mm(part.piece.size.length());
             if is_off { Err(RefoldFileError::Moved { by_mm }) } else { Ok(by_mm) }
         }
@@ -75,19 +100,18 @@ pub fn refold_error_mm(
 fn folded_error_mm(
     part: &Part,
     found: &Found,
-    svg: Option<&[u8]>,
-    dxf: Option<&[u8]>,
+    files: &PatternFiles<'_>,
 ) -> Result<f64, RefoldFileError> {
     let rungs = part.sheet.rungs();
     let overlapping = part.flat.overlap.map(|_| &rungs[..]);
-    let read = read_patterns(&part.piece, overlapping, svg, dxf)?;
-    read.iter().try_fold(0.0, |worst: f64, pattern| {
+    let read = read_patterns(&part.piece, overlapping, files)?;
+    read.iter().try_fold(0.0, |worst: f64, (pattern, off_mm)| {
         let lines = std::iter::once(&pattern.outline).chain(&pattern.holes).map(Vec::len);
         if !lines.eq(part.sheet.loops().iter().map(Vec::len)) {
             return Err(RefoldFileError::Lines);
         }
         let off = |(read, laid): (&Point2, &Point2)| read.distance(*laid);
-        let by_mm = pattern.points().iter().zip(&part.flat.points).map(off).fold(0.0, f64::max);
+        let by_mm = pattern.points().iter().zip(&part.flat.points).map(off).fold(*off_mm, f64::max);
         let error_mm = refold(&part.sheet, &pattern.points(), &pattern.rungs)
             .map_err(RefoldFileError::Fold)?;
         // Closing windows allows a larger refold error, which must not hide a moved point.
@@ -115,11 +139,11 @@ pub(crate) fn refold_finding(part: &Part, error_mm: f64) -> Option<Finding> {
 fn read_back_error_mm(
     piece: &Piece,
     overlaps: bool,
-    svg: Option<&[u8]>,
-    dxf: Option<&[u8]>,
+    files: &PatternFiles<'_>,
 ) -> Result<f64, RefoldFileError> {
     let mut worst = 0.0f64;
-    for pattern in read_patterns(piece, overlaps.then_some(&[][..]), svg, dxf)? {
+    for (pattern, off_mm) in read_patterns(piece, overlaps.then_some(&[][..]), files)? {
+        worst = worst.max(off_mm);
         let lines = std::iter::once(&pattern.outline).chain(&pattern.holes);
         let mut laid = piece.net_loops();
         for line in lines {
@@ -137,47 +161,93 @@ fn read_back_error_mm(
 
 /// The patterns of the files of a piece, read back. For a pattern that overlaps itself,
 /// `overlapping` has the rungs to look for, since its lines alone do not tell outline, holes and
-/// rungs apart.
+/// rungs apart. Rungs that the preset does not draw as lines are those of the piece. With each
+/// pattern comes how far its other lines are off, mm.
 fn read_patterns(
     piece: &Piece,
     overlapping: Option<&[Rung]>,
-    svg: Option<&[u8]>,
-    dxf: Option<&[u8]>,
-) -> Result<Vec<ReadPattern>, RefoldFileError> {
-    let mut files = Vec::new();
-    if let Some(svg) = svg {
-        files.push(svg_lines(svg));
-    }
-    if let Some(dxf) = dxf {
-        files.push(dxf_lines(dxf));
-    }
-    if files.is_empty() {
-        files.push(svg_lines(&write_svg(piece)));
+    files: &PatternFiles<'_>,
+) -> Result<Vec<(ReadPattern, f64)>, RefoldFileError> {
+    let preset = files.preset;
+    let mut read: Vec<Result<Vec<ReadLine>, PatternReadError>> = Vec::new();
+    read.extend(files.svg.map(|bytes| svg_lines(bytes, preset)));
+    read.extend(files.dxf.map(|bytes| dxf_lines(bytes, preset)));
+    if read.is_empty() {
+        read.push(svg_lines(&write_svg_for(piece, preset), preset));
     }
     let laid: Vec<Point2> = piece.net_loops().flatten().copied().collect();
-    let read = files.into_iter().map(|lines| {
-        let lines = without_drilled(lines.map_err(RefoldFileError::Read)?, piece)?;
+    let shapes = shapes(piece);
+    let is_hidden = |path: &&PatternPath| !preset.draws_lines(path.role);
+    let hidden = piece.paths.iter().filter(is_hidden).filter_map(PatternPath::rung);
+    let hidden: Vec<Rung> = hidden.collect();
+    let pattern_of = |lines: Result<Vec<ReadLine>, PatternReadError>| {
+        let (lines, off_mm) = sorted(&lines.map_err(RefoldFileError::Read)?, &shapes, preset)?;
         let read = match overlapping {
             Some(rungs) => overlapping_pattern(lines, &laid, rungs),
             None => pattern(lines),
         };
-        read.map_err(RefoldFileError::Read)
-    });
-    read.collect()
+        let mut read = read.map_err(RefoldFileError::Read)?;
+        read.rungs.extend(&hidden);
+        read.rungs.sort_unstable();
+        read.rungs.dedup();
+        Ok((read, off_mm))
+    };
+    read.into_iter().map(pattern_of).collect()
 }
 
-/// The lines of a file without the drilled holes of its piece, which are the last to be cut. All
-/// its lines to cut and of its net must be there.
-fn without_drilled(mut lines: Lines, piece: &Piece) -> Result<Lines, RefoldFileError> {
-    let count = |is: fn(&PatternPath) -> bool| piece.paths.iter().filter(|path| is(path)).count();
-    let cuts = count(|path| path.closed && path.role.is_cut());
-    let slits = count(|path| !path.closed && path.role.is_cut());
-    let net = count(|path| path.kind == PathKind::Net);
-    if (lines.cuts.len(), lines.slits.len(), lines.net.len()) != (cuts, slits, net) {
+/// The lines of a file, each with the shape that it draws, told apart into outline, holes, net and
+/// segments, in the order of the piece. Every line of the piece must be there, on its layer and in
+/// the order of the preset, and nothing else. Also how far lines are off that are not folded up,
+/// mm.
+fn sorted(
+    read: &[ReadLine],
+    shapes: &[Shape],
+    preset: &Preset,
+) -> Result<(Lines, f64), RefoldFileError> {
+    let drawn: Vec<(&Layer, &Shape, FileLine)> = preset.lines(shapes).collect();
+    let is_like = |(read, (layer, _, line)): (&ReadLine, &(&Layer, &Shape, FileLine))| {
+        read.layer == *layer && read.line.is_like(line)
+    };
+    if read.len() != drawn.len() || !read.iter().zip(&drawn).all(is_like) {
         return Err(RefoldFileError::Lines);
     }
-    lines.cuts.truncate(piece.loops().count());
-    Ok(lines)
+    let mut lines = Lines::default();
+    for what in [What::Outline, What::Hole, What::Net] {
+        let of_kind = read.iter().zip(&drawn).filter(|(_, (_, shape, _))| shape.what == what);
+        let points = of_kind.map(|(read, _)| read.line.points.clone());
+        if what == What::Net { &mut lines.net } else { &mut lines.cuts }.extend(points);
+    }
+    let corner = |points: &mut dyn Iterator<Item = Point2>| {
+        Box2::of_points(points).map_or(Point2::default(), |around| around.min)
+    };
+    let to_piece = corner(&mut drawn.iter().flat_map(|(.., line)| line.points.iter().copied()))
+        - corner(&mut read.iter().flat_map(|read| read.line.points.iter().copied()));
+    if !preset.shows(Role::Net) {
+        // The net of the piece, where the file would have it.
+        let net = shapes.iter().filter(|shape| shape.what == What::Net).flat_map(|s| &s.lines);
+        let moved = |line: &Vec<Point2>| line.iter().map(|p| *p + -to_piece).collect();
+        lines.net.extend(net.map(moved));
+    }
+    let has_net = !lines.net.is_empty();
+    let mut off_mm = 0.0f64;
+    for (read, (layer, shape, line)) in read.iter().zip(&drawn) {
+        if let (Form::Open, false, &[from, to]) =
+            (read.line.form, layer.is_cut(), &read.line.points[..])
+        {
+            lines.segments.push([from, to]);
+        }
+        let is_folded = match shape.what {
+            What::Outline | What::Hole => !has_net,
+            What::Net => true,
+            What::Rung(_) => layer.filled_mm.is_none(),
+            _ => false,
+        };
+        if !is_folded {
+            let off = read.line.off_mm(line, to_piece);
+            off_mm = if off > off_mm || off.is_nan() { off } else { off_mm };
+        }
+    }
+    Ok((lines, off_mm))
 }
 
 /// The refold error of the pattern in memory, mm, of a part with windows, whose closing may change

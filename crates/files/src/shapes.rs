@@ -2,7 +2,7 @@
 //! square of 100 mm by which a shop checks the scale.
 
 use crate::stroke_font::strokes;
-use sheetwright::math::{Point2, Vec2};
+use sheetwright::math::{Point2, Vec2, unit2};
 use sheetwright::pattern::{LabelKind, PathKind, PatternLabel, Piece, Role};
 use sheetwright::predicate::Box2;
 use sheetwright::rung::Rung;
@@ -20,7 +20,11 @@ pub(crate) enum What {
     Outline,
     Hole,
     Net,
-    Drill,
+    /// A round hole.
+    Drill {
+        centre: Point2,
+        radius_mm: f64,
+    },
     Notch,
     /// A tick inside an edge, to match edges by.
     TrimTick,
@@ -49,6 +53,82 @@ pub(crate) struct Shape {
     pub(crate) closed: bool,
 }
 
+/// A line as a file has it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct FileLine {
+    /// Its corners, mm; of a circle, its centre.
+    pub(crate) points: Vec<Point2>,
+    pub(crate) form: Form,
+}
+
+/// How a line of a file runs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Form {
+    Open,
+    /// From the last corner to the first one, too.
+    Closed,
+    /// A whole circle.
+    Circle {
+        radius_mm: f64,
+    },
+}
+
+impl FileLine {
+    pub(crate) fn polyline(points: Vec<Point2>, closed: bool) -> Self {
+        Self { points, form: if closed { Form::Closed } else { Form::Open } }
+    }
+
+    pub(crate) fn circle(centre: Point2, radius_mm: f64) -> Self {
+        Self { points: vec![centre], form: Form::Circle { radius_mm } }
+    }
+
+    /// A closed line that runs along an open one and back.
+    pub(crate) fn there_and_back(line: &[Point2]) -> Self {
+        let back = line.iter().rev().skip(1).take(line.len().saturating_sub(2));
+        Self::polyline(line.iter().chain(back).copied().collect(), true)
+    }
+
+    /// A rectangle along each side of a line, so that the line is as wide as this when all are
+    /// filled.
+    pub(crate) fn areas(line: &[Point2], closed: bool, width_mm: f64) -> Vec<Self> {
+        let sides = line.len() - usize::from(!closed && line.len() > 1);
+        let area = |n: usize| {
+            let (from, to) = (line[n], line[(n + 1) % line.len()]);
+            // A dot has no direction.
+            let along = unit2(to - from).unwrap_or(Vec2::X) * (0.5 * width_mm);
+            let across = along.perp();
+            let (before, beyond) = (from + -along, to + along);
+            let corners = [before + -across, beyond + -across, beyond + across, before + across];
+            Self::polyline(corners.to_vec(), true)
+        };
+        (0..sides).map(area).collect()
+    }
+
+    /// The number of corners and the form, without sizes: what two lines have in common that are
+    /// to be one.
+    pub(crate) fn is_like(&self, other: &Self) -> bool {
+        let same = std::mem::discriminant(&self.form) == std::mem::discriminant(&other.form);
+        same && self.points.len() == other.points.len()
+    }
+
+    /// How far it is from a line that is like it and moved by `to_other`, mm.
+    pub(crate) fn off_mm(&self, other: &Self, to_other: Vec2) -> f64 {
+        let off = |(a, b): (&Point2, &Point2)| (*a + to_other).distance(*b);
+        let corners = self.points.iter().zip(&other.points).map(off);
+        let radii = match (self.form, other.form) {
+            (Form::Circle { radius_mm: a }, Form::Circle { radius_mm: b }) => (a - b).abs(),
+            _ => 0.0,
+        };
+        corners.fold(radii, |worst, off| if off > worst || off.is_nan() { off } else { worst })
+    }
+}
+
+/// The mean of the corners of a closed line.
+fn middle(points: &[Point2]) -> Point2 {
+    let sum: Vec2 = points.iter().map(|p| p.to_vec()).sum();
+    Point2::default() + sum * (1.0 / points.len().max(1) as f64)
+}
+
 /// Everything that a file of the piece shows, in the coordinates of the piece.
 pub(crate) fn shapes(piece: &Piece) -> Vec<Shape> {
     let mut shapes: Vec<Shape> = piece
@@ -60,7 +140,9 @@ pub(crate) fn shapes(piece: &Piece) -> Vec<Shape> {
                 PathKind::Outline => What::Outline,
                 PathKind::Hole => What::Hole,
                 PathKind::Net => What::Net,
-                PathKind::Drill { .. } => What::Drill,
+                PathKind::Drill { diameter_mm } => {
+                    What::Drill { centre: middle(&path.points), radius_mm: 0.5 * diameter_mm }
+                }
                 PathKind::Notch => What::Notch,
                 PathKind::TrimFold { mountain } => What::Fold { mountain },
                 PathKind::TrimTick => What::TrimTick,
@@ -112,8 +194,8 @@ fn reference(corner: Point2) -> [Shape; 2] {
 }
 
 /// The box around all lines, mm.
-pub(crate) fn extent(shapes: &[Shape]) -> Box2 {
-    let points = shapes.iter().flat_map(|shape| shape.lines.iter().flatten().copied());
+pub(crate) fn extent<'a>(shapes: impl IntoIterator<Item = &'a Shape>) -> Box2 {
+    let points = shapes.into_iter().flat_map(|shape| shape.lines.iter().flatten().copied());
     Box2::of_points(points).unwrap_or(Box2 { min: Point2::default(), max: Point2::default() })
 }
 

@@ -4,9 +4,9 @@
 //! drawing keeps its size in every program. Nothing is transformed, nothing is filled, and letters
 //! are strokes, so that no program looks for a font.
 
-use crate::preset::{LAYERS, layers};
-use crate::read_back::{Lines, MAX_BYTES, PatternReadError, ReadPattern, pattern};
-use crate::shapes::{Shape, What, digits, extent, shapes};
+use crate::preset::{Layer, Preset};
+use crate::read_back::{Lines, MAX_BYTES, PatternReadError, ReadLine, ReadPattern, pattern};
+use crate::shapes::{FileLine, Form, Shape, What, digits, extent, shapes};
 use sheetwright::math::Point2;
 use sheetwright::pattern::Piece;
 use std::fmt::Write as _;
@@ -32,16 +32,22 @@ const EDGE_MM: f64 = 5.0;
 
 /// The SVG file of a piece. `docs/outputs.md` specifies it for readers.
 pub fn write_svg(piece: &Piece) -> Vec<u8> {
+    write_svg_for(piece, Preset::generic())
+}
+
+/// The SVG file of a piece as a preset has it.
+pub fn write_svg_for(piece: &Piece, preset: &Preset) -> Vec<u8> {
     let shapes = shapes(piece);
-    let around = extent(&shapes);
+    let layers = preset.layers(&shapes);
+    let around = extent(shapes.iter().filter(|shape| preset.shows(shape.role)));
     // Whole millimetres, so that only the last bits of coordinates are rounded.
     let (left, top) = ((around.min.x - EDGE_MM).floor(), (around.max.y + EDGE_MM).ceil());
     let width = digits((around.max.x + EDGE_MM).ceil() - left);
     let height = digits(top - (around.min.y - EDGE_MM).floor());
-    let place = |p: &Point2| format!("{},{}", digits(p.x - left), digits(top - p.y));
+    let place = |p: &Point2| [digits(p.x - left), digits(top - p.y)];
     let name = escaped(&piece.name);
     let groups: Vec<String> =
-        layers(&shapes).map(|layer| format!("{} ({})", layer.name, layer.words)).collect();
+        layers.iter().map(|layer| format!("{} ({})", layer.name, layer.words)).collect();
     let mut svg = format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
          <svg xmlns=\"http://www.w3.org/2000/svg\" \
@@ -56,22 +62,33 @@ pub fn write_svg(piece: &Piece) -> Vec<u8> {
         piece.size.y,
         groups.join(", ")
     );
-    for layer in layers(&shapes) {
-        let (id, stroke) = (layer.name, layer.colour);
+    for layer in layers {
+        let id = layer.name;
         // Writing to a string does not fail.
         let _ = writeln!(
             svg,
-            "<g id=\"{id}\" inkscape:groupmode=\"layer\" inkscape:label=\"{id}\" fill=\"none\" \
-             stroke=\"{stroke}\" stroke-width=\"{LINE_MM}\" stroke-linecap=\"round\" \
-             stroke-linejoin=\"round\">"
+            "<g id=\"{id}\" inkscape:groupmode=\"layer\" inkscape:label=\"{id}\" {}>",
+            painted(layer)
         );
         for shape in layer.shapes(&shapes).filter(|s| !s.lines.is_empty()) {
-            let _ = writeln!(svg, "<path {} d=\"{}\"/>", named(shape), drawn(shape, place));
+            svg.push_str(&drawn(shape, &preset.drawn(layer, shape), place));
         }
         svg.push_str("</g>\n");
     }
     svg.push_str("</svg>\n");
     svg.into_bytes()
+}
+
+/// The attributes that say how the lines of a layer look.
+fn painted(layer: &Layer) -> String {
+    let colour = layer.colour;
+    if layer.filled_mm.is_some() {
+        return format!("fill=\"{colour}\" stroke=\"none\"");
+    }
+    format!(
+        "fill=\"none\" stroke=\"{colour}\" stroke-width=\"{LINE_MM}\" stroke-linecap=\"round\" \
+         stroke-linejoin=\"round\""
+    )
 }
 
 /// The attributes that name the kind of a shape.
@@ -80,7 +97,7 @@ fn named(shape: &Shape) -> String {
         What::Outline => "id=\"outline\" class=\"outline\"".to_owned(),
         What::Hole => "class=\"hole\"".to_owned(),
         What::Net => "class=\"net\"".to_owned(),
-        What::Drill => "class=\"drill\"".to_owned(),
+        What::Drill { .. } => "class=\"drill\"".to_owned(),
         What::Notch => "class=\"notch\"".to_owned(),
         What::TrimTick => "class=\"tick\"".to_owned(),
         What::Rung(rung) => {
@@ -98,13 +115,20 @@ fn named(shape: &Shape) -> String {
     }
 }
 
-fn drawn(shape: &Shape, place: impl Fn(&Point2) -> String) -> String {
-    let lines = shape.lines.iter().map(|line| {
-        let points: Vec<String> = line.iter().map(&place).collect();
-        let close = if shape.closed { " Z" } else { "" };
+/// The element of a shape that these lines draw.
+fn drawn(shape: &Shape, lines: &[FileLine], place: impl Fn(&Point2) -> [String; 2]) -> String {
+    let name = named(shape);
+    if let [FileLine { points, form: Form::Circle { radius_mm } }] = lines {
+        let [x, y] = place(&points[0]);
+        let r = digits(*radius_mm);
+        return format!("<circle {name} cx=\"{x}\" cy=\"{y}\" r=\"{r}\"/>\n");
+    }
+    let lines = lines.iter().map(|line| {
+        let points: Vec<String> = line.points.iter().map(|p| place(p).join(",")).collect();
+        let close = if line.form == Form::Closed { " Z" } else { "" };
         format!("M{}{close}", points.join(" L"))
     });
-    lines.collect::<Vec<_>>().join(" ")
+    format!("<path {name} d=\"{}\"/>\n", lines.collect::<Vec<_>>().join(" "))
 }
 
 /// A text escaped for XML; a visible mark replaces characters that XML does not allow.
@@ -124,19 +148,19 @@ fn escaped(text: &str) -> String {
     out
 }
 
-/// Reads back the outline, the holes and the rungs of a pattern that [`write_svg`] wrote: the
-/// closed paths of `net`, or of `cut` where there is no net, and the segments of the other groups
-/// between their corners. Ignores the names of the paths. `width`, `height` and `viewBox` give the unit.
+/// Reads back the outline, the holes and the rungs of a pattern that [`write_svg`] wrote, or
+/// [`write_svg_for`] for the generic preset: the closed paths of `net`, or of `cut` where there is
+/// no net, and the segments of the other groups between their corners. Ignores the names of the
+/// paths. `width`, `height` and `viewBox` give the unit.
 ///
 /// # Errors
 /// See [`PatternReadError`]. Transforms and curves are refused, since a pattern has none.
 pub fn read_svg(bytes: &[u8]) -> Result<ReadPattern, PatternReadError> {
-    pattern(svg_lines(bytes)?)
+    pattern(Lines::of_layers(svg_lines(bytes, Preset::generic())?))
 }
 
-/// The lines of a pattern that [`write_svg`] wrote, not yet told apart into outline, holes and
-/// rungs.
-pub(crate) fn svg_lines(bytes: &[u8]) -> Result<Lines, PatternReadError> {
+/// The lines of a pattern that [`write_svg_for`] wrote, in the order of the layers.
+pub(crate) fn svg_lines(bytes: &[u8], preset: &Preset) -> Result<Vec<ReadLine>, PatternReadError> {
     if bytes.len() > MAX_BYTES {
         return Err(PatternReadError::TooLarge);
     }
@@ -154,8 +178,8 @@ pub(crate) fn svg_lines(bytes: &[u8]) -> Result<Lines, PatternReadError> {
             node.tag_name().name()
         )));
     }
-    let mut found = Lines::default();
-    for layer in &LAYERS {
+    let mut found = Vec::new();
+    for layer in preset.all_layers() {
         let mut groups = root.children().filter(|n| n.has_tag_name("g"));
         let Some(group) = groups.find(|n| n.attribute("id") == Some(layer.name)) else {
             if layer.is_optional() {
@@ -163,10 +187,13 @@ pub(crate) fn svg_lines(bytes: &[u8]) -> Result<Lines, PatternReadError> {
             }
             return Err(PatternReadError::Missing(layer.name));
         };
-        for path in group.descendants().filter(|n| n.has_tag_name("path")) {
-            for (points, closed) in lines(path.attribute("d").unwrap_or_default(), unit_mm)? {
-                found.add(layer, points, closed);
-            }
+        for node in group.descendants() {
+            let lines = match node.tag_name().name() {
+                "path" => lines(node.attribute("d").unwrap_or_default(), unit_mm)?,
+                "circle" => vec![circle(node, unit_mm)?],
+                _ => continue,
+            };
+            found.extend(lines.into_iter().map(|line| ReadLine { layer, line }));
         }
     }
     Ok(found)
@@ -197,16 +224,30 @@ fn unit_mm(root: roxmltree::Node<'_, '_>) -> Result<f64, PatternReadError> {
     if agree && across > 0.0 && across.is_finite() { Ok(across) } else { Err(units) }
 }
 
-/// The polylines of path data with y turned upwards, mm, and whether each is closed.
-fn lines(data: &str, unit_mm: f64) -> Result<Vec<(Vec<Point2>, bool)>, PatternReadError> {
+/// A circle with y turned upwards.
+fn circle(node: roxmltree::Node<'_, '_>, unit_mm: f64) -> Result<FileLine, PatternReadError> {
+    let length = |name: &str| {
+        let number = node.attribute(name).and_then(|text| text.parse::<f64>().ok());
+        let wrong = || PatternReadError::Unexpected(format!("circle without '{name}'"));
+        number.map(|number| number * unit_mm).ok_or_else(wrong)
+    };
+    Ok(FileLine::circle(Point2::new(length("cx")?, -length("cy")?), length("r")?))
+}
+
+/// The polylines of path data with y turned upwards.
+fn lines(data: &str, unit_mm: f64) -> Result<Vec<FileLine>, PatternReadError> {
     let at = |x: f64, y: f64| Point2::new(x * unit_mm, -y * unit_mm);
-    let mut lines: Vec<(Vec<Point2>, bool)> = Vec::new();
+    let mut lines: Vec<FileLine> = Vec::new();
     for segment in SimplifyingPathParser::from(data) {
         let segment = segment.map_err(|_| PatternReadError::Unexpected("such path".to_owned()))?;
         match (segment, lines.last_mut()) {
-            (SimplePathSegment::MoveTo { x, y }, _) => lines.push((vec![at(x, y)], false)),
-            (SimplePathSegment::LineTo { x, y }, Some((points, false))) => points.push(at(x, y)),
-            (SimplePathSegment::ClosePath, Some((_, closed))) => *closed = true,
+            (SimplePathSegment::MoveTo { x, y }, _) => {
+                lines.push(FileLine::polyline(vec![at(x, y)], false));
+            }
+            (SimplePathSegment::LineTo { x, y }, Some(line)) if line.form == Form::Open => {
+                line.points.push(at(x, y));
+            }
+            (SimplePathSegment::ClosePath, Some(line)) => line.form = Form::Closed,
             _ => return Err(PatternReadError::Unexpected("curve".to_owned())),
         }
     }

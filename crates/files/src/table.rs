@@ -348,7 +348,7 @@ pub fn write_table(curves: &[DesignCurve]) -> Vec<u8> {
     table.push_str(if corners { ",corner" } else { "" });
     table.push_str(if moves { ",move\n" } else { "\n" });
     for curve in curves {
-        let name = quoted(&guarded(&curve.name));
+        let name = name_cell(&curve.name);
         for point in &curve.points {
             let [x, y, z] = [point.at.x, point.at.y, point.at.z].map(number);
             table.push_str(&format!("{name},{x},{y},{z}"));
@@ -377,6 +377,11 @@ fn looks_like_a_formula(name: &str) -> bool {
 /// The name of a curve as a table holds it: no spreadsheet that opens the table runs it.
 fn guarded(name: &str) -> String {
     if looks_like_a_formula(name) { format!("{AS_TEXT}{name}") } else { name.to_owned() }
+}
+
+/// A name as a cell of a table.
+pub(crate) fn name_cell(name: &str) -> String {
+    quoted(&guarded(name))
 }
 
 /// The inverse of [`guarded`].

@@ -331,9 +331,27 @@ fn the_same_design_gives_the_same_bytes() {
             "pattern.pdf",
             "quads.obj",
             "surface.step",
+            "pattern.fold",
+            "pattern-astm.dxf",
+            "offsets.csv",
             "report.json",
             "report.html"
         ]
+    );
+}
+
+#[test]
+fn formats_stand_in_the_order_of_their_table() {
+    let mut sorted = Format::ALL;
+    sorted.sort();
+    assert_eq!(sorted, Format::ALL);
+    for (n, format) in Format::ALL.into_iter().enumerate() {
+        assert_eq!(format as usize, n);
+        assert_eq!(Format::from_name(format.name()), Some(format));
+    }
+    assert_eq!(
+        Format::DEFAULT,
+        [Format::Obj, Format::Svg, Format::Dxf, Format::Pdf, Format::Report]
     );
 }
 

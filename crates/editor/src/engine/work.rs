@@ -10,7 +10,7 @@ use sheetwright::design::Design;
 use sheetwright::make::{Live, LivePanel, Made, MakeError, Part, make};
 use sheetwright::material::Material;
 use sheetwright::watch::Watch;
-use sheetwright_files::{Format, OutputFile, PdfOptions, hint_for, output_files};
+use sheetwright_files::{Format, OutputFile, OutputOptions, hint_for, output_files};
 use web_time::Instant;
 
 /// One who works.
@@ -90,7 +90,7 @@ fn files(
     watch: &mut dyn Watch,
 ) -> Result<Vec<OutputFile>, Refusal> {
     let made = make(design, watch).map_err(|error| refusal(&error))?;
-    let outputs = output_files(&made, formats, &PdfOptions::default())
+    let outputs = output_files(&made, formats, OutputOptions::of(design))
         .map_err(|error| Refusal::new(&error, "Give the panels other names."))?;
     Ok(outputs.files)
 }

@@ -19,23 +19,6 @@ impl Default for ExportPage {
     }
 }
 
-/// What a format is for, in words.
-fn purpose(format: Format) -> (&'static str, &'static str) {
-    match format {
-        Format::Obj => ("Surface (OBJ)", "The sheet in space, for other 3D programs."),
-        Format::Svg => ("Pattern (SVG)", "For laser cutters, plotters and drawing programs."),
-        Format::Dxf => ("Pattern (DXF)", "For CAD and machines that read no SVG."),
-        Format::Pdf => {
-            ("Pattern to print (PDF)", "True to scale on sheets of paper, to tape together.")
-        }
-        Format::Quads => ("Flat facets (OBJ)", "Planar quadrilaterals, for folding and glazing."),
-        Format::Step => ("Smooth surface (STEP)", "For CAD programs."),
-        Format::Report => {
-            ("Report", "The verdict, the pictures and all numbers, as a page and as data.")
-        }
-    }
-}
-
 impl ExportPage {
     /// Shows the page: whether it stays open, and the formats if they are to be written now.
     pub fn ui(
@@ -62,7 +45,7 @@ impl ExportPage {
                 ui.add_space(6.0);
             }
             for format in Format::ALL {
-                let (name, what) = purpose(format);
+                let (name, what) = format.about();
                 let mut is_chosen = self.formats.contains(&format);
                 if ui.checkbox(&mut is_chosen, name).changed() {
                     self.formats.retain(|other| *other != format);

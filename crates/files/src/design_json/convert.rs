@@ -18,6 +18,7 @@ use crate::mesh::NO_SAMPLES;
 use crate::names::{
     did_you_mean, folded, refused_anywhere, refused_for_curve, refused_for_file, shown,
 };
+use crate::preset::Preset;
 use crate::reading::{EFFORTS, InputError, stem};
 use crate::table::{MAX_CURVES, RANGE_HINT, in_range_mm};
 use crate::units::Units;
@@ -87,7 +88,31 @@ pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, In
     let thickness_mm = asked.as_ref().or(material.as_ref()).map(|sheet| sheet.thickness_mm.value);
     let mut trims = trims::read(trade.as_deref(), file.trims, file.units, thickness_mm, source)?;
     trims.extend(source.options.allowance());
-    Ok(Design { name, material, materials, curves, panels, vary, match_seams, trade, trims })
+    let preset = preset(file.preset, source)?;
+    Ok(Design {
+        name,
+        material,
+        materials,
+        curves,
+        panels,
+        vary,
+        match_seams,
+        trade,
+        trims,
+        preset,
+    })
+}
+
+/// The name of a preset, if there is such a one.
+fn preset(name: Option<String>, source: &Source<'_>) -> Result<Option<String>, InputError> {
+    let known: Vec<&str> = Preset::all().iter().map(|preset| preset.name).collect();
+    match name {
+        Some(name) if !known.contains(&name.as_str()) => {
+            let message = format!("there is no preset {}", shown(&name));
+            Err(source.error("preset", message, did_you_mean(&name, &known)))
+        }
+        name => Ok(name),
+    }
 }
 
 fn curves(

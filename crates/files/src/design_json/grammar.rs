@@ -64,6 +64,10 @@ pub(super) struct DesignFile {
     #[serde(default)]
     #[schemars(with = "Option<Vec<TrimFile>>")]
     pub(super) trims: Vec<Written>,
+    /// The preset that its SVG and DXF files are written for: `generic`, `lightburn`, `glowforge`,
+    /// `cricut`, `silhouette`, `plotter` or `wazer`. Default: generic.
+    #[serde(default)]
+    pub(super) preset: Option<String>,
     /// How it is drawn in the editor. Nothing in it changes what is made.
     #[serde(default)]
     #[schemars(with = "Option<DrawingFile>")]

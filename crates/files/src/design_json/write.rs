@@ -12,7 +12,8 @@ use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelMetho
 use sheetwright::triangulate::{Goal, WhichSurface};
 
 /// The bytes of a design's file, in millimetres. They have every default except those of rare
-/// fields (`goal`, `run_on`, `cut`, `vary`, `match_seams`), and read back equal.
+/// fields (`goal`, `run_on`, `cut`, `vary`, `match_seams`,
+/// `preset`), and read back equal.
 pub fn write_design(design: &Design) -> Vec<u8> {
     write_with(design, None)
 }
@@ -63,6 +64,7 @@ fn write(
     if design.match_seams {
         fields.push("  \"match_seams\": true".to_owned());
     }
+    fields.extend(design.preset.iter().map(|name| format!("  \"preset\": {}", json(name))));
     let of_panel = |p: &DesignPanel| {
         let own = design.vary.iter().find(|vary| vary.panels == [p.name.as_str()]);
         panel(p, own.map(|vary| json(&vary::written(vary, true))))

@@ -179,6 +179,9 @@ pub struct Design {
     pub trade: Option<String>,
     /// What is done along edges, in order, that of its trade first.
     pub trims: Vec<Trim>,
+    /// The name of the preset that its patterns are written for, if it names one: what that is,
+    /// writers know.
+    pub preset: Option<String>,
 }
 
 impl Design {

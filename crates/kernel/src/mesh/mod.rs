@@ -167,7 +167,7 @@ impl Mesh {
     /// The angle between two triangles that share a side, radians in −π ..= π: positive where the
     /// mesh bends away from the side that it faces. The first triangle lies to the left of the side
     /// as its `ends` run.
-    pub(crate) fn crease(&self, ends: [VertexIndex; 2], triangles: [TriangleIndex; 2]) -> f64 {
+    pub fn crease(&self, ends: [VertexIndex; 2], triangles: [TriangleIndex; 2]) -> f64 {
         let [from, to] = ends.map(|v| self.position(v));
         signed_crease(triangles.map(|t| self.area_vector(t)), to - from)
     }

@@ -129,6 +129,13 @@ pub struct PatternPath {
     pub closed: bool,
 }
 
+impl PatternPath {
+    /// The rung that it is, if it is one.
+    pub fn rung(&self) -> Option<Rung> {
+        if let PathKind::Rung(rung) = self.kind { Some(rung) } else { None }
+    }
+}
+
 /// The meaning of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LabelKind {

@@ -12,7 +12,18 @@ use sheetwright::flatten::Aim;
 use sheetwright::material::{Grain, GrainBending, KFactor, KFactors, Material, Sourced};
 use sheetwright::triangulate::{Goal, WhichSurface};
 
-fields!(Design { name, material, materials, curves, panels, vary, match_seams, trade, trims });
+fields!(Design {
+    name,
+    material,
+    materials,
+    curves,
+    panels,
+    vary,
+    match_seams,
+    trade,
+    trims,
+    preset
+});
 fields!(Trim { on, span, kind });
 variants!(TrimOn { All {}, Free {}, Joined {}, Cuts {}, Holes {}, Edge { part, edge } });
 fields!(Allowance { width, corner });
