@@ -306,8 +306,8 @@ pub(crate) struct FileArgs {
     /// What SVG and DXF files are written for: layers, colours and their order [default: as the
     /// design says, or generic]
     #[arg(long, value_name = "NAME", ignore_case = true, hide_possible_values = true,
-        value_parser = Name { known: preset_values }, long_help = preset_help())]
-    preset: Option<String>,
+        value_parser = preset_parser(), long_help = preset_help())]
+    preset: Option<&'static Preset>,
     /// The release of DXF files: r12, which every program reads, or r2000, which says that the unit
     /// is the millimetre [default: as the preset wants it, r12 mostly]
     #[arg(long, value_name = "RELEASE", ignore_case = true, value_parser = dxf_parser())]
@@ -325,9 +325,8 @@ impl FileArgs {
     /// The options for a design, which may name a preset.
     pub(crate) fn options(&self, design: &Design) -> OutputOptions {
         let of_design = OutputOptions::of(design);
-        let given = self.preset.as_deref().and_then(|name| Preset::from_name(&name.to_lowercase()));
         OutputOptions {
-            preset: given.unwrap_or(of_design.preset),
+            preset: self.preset.unwrap_or(of_design.preset),
             dxf: self.dxf,
             offsets: OffsetOptions { pitch_mm: self.stations, feet: self.feet },
             ..of_design
@@ -335,8 +334,11 @@ impl FileArgs {
     }
 }
 
-fn preset_values() -> Vec<PossibleValue> {
-    Preset::all().iter().map(|preset| PossibleValue::new(preset.name).help(preset.about)).collect()
+fn preset_parser() -> impl TypedValueParser<Value = &'static Preset> {
+    let value = |preset: &Preset| PossibleValue::new(preset.name).help(preset.about);
+    let values: Vec<PossibleValue> = Preset::all().iter().map(value).collect();
+    PossibleValuesParser::new(values)
+        .try_map(|name| Preset::from_name(&name.to_lowercase()).ok_or("this preset is not known"))
 }
 
 fn preset_help() -> String {

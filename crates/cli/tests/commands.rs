@@ -182,6 +182,38 @@ fn times_stand_in_a_file_of_their_own() {
 }
 
 #[test]
+fn files_are_for_the_machine_that_is_named() {
+    let of_design = TWO_PANELS.replacen("{ ", "{ \"preset\": \"wazer\", ", 1);
+    let desk = Desk::new(&[("two.sheet.json", TWO_PANELS), ("jet.sheet.json", &of_design)]);
+    let written =
+        |folder: &str, name: &str| fs::read_to_string(desk.path(folder).join(name)).unwrap();
+    desk.says("make jet.sheet.json --out jet", 0);
+    assert!(!written("jet", "one.svg").contains("id=\"note\""));
+    assert!(written("jet", "one.dxf").contains("AC1015"), "WAZER wants a unit");
+    // The call comes before the design.
+    desk.says("make jet.sheet.json --out laser --preset LightBurn --dxf r12", 0);
+    assert!(written("laser", "one.svg").contains("#f36926"));
+    assert!(written("laser", "one.dxf").contains("AC1009"));
+    // The design that comes back names it still.
+    desk.says("convert jet.sheet.json again.sheet.json", 0);
+    assert!(written(".", "again.sheet.json").contains("\"preset\": \"wazer\""));
+    let (_, said) = desk.says("make two.sheet.json --out no --preset lightbrun", 2);
+    assert!(said.contains("lightbrun") && said.contains("'lightburn'"), "{said}");
+
+    desk.says(
+        "make two.sheet.json --out hand --formats offsets,fold,astm --stations 1in --feet",
+        0,
+    );
+    let hand = ["offsets.csv", "pattern-astm.dxf", "pattern.fold"];
+    assert_eq!(names_in(&desk.path("hand")), hand);
+    assert!(written("hand", "offsets.csv").lines().nth(2).unwrap().starts_with("one,0-1-0,"));
+    desk.says("convert two.sheet.json two.fold", 0);
+    assert_eq!(written(".", "two.fold"), written("hand", "pattern.fold"));
+    let (_, said) = desk.says("make two.sheet.json --out no --stations 0", 2);
+    assert!(said.contains("at least 0.01 mm"), "{said}");
+}
+
+#[test]
 fn an_existing_folder_keeps_what_is_not_written() {
     let desk = Desk::new(&[("square.csv", SQUARE)]);
     fs::create_dir(desk.path("out")).unwrap();
