@@ -90,9 +90,10 @@ pub fn refold_files_error_mm(
         Origin::Found(found) => folded_error_mm(part, found, files),
         Origin::Given(_) => {
             let overlaps = part.flat.overlap.is_some();
-            let by_mm = read_back_error_mm(&part.piece, overlaps, files)?;
+            let [error_mm, others_mm] = read_back_error_mm(&part.piece, overlaps, files)?;
+            let by_mm = error_mm.max(others_mm);
             let is_off = by_mm > Tolerance::REFOLD.length_mm(part.piece.size.length());
-            if is_off { Err(RefoldFileError::Moved { by_mm }) } else { Ok(by_mm) }
+            if is_off { Err(RefoldFileError::Moved { by_mm }) } else { Ok(error_mm) }
         }
     }
 }
@@ -131,8 +132,8 @@ pub(crate) fn refold_finding(part: &Part, error_mm: f64) -> Option<Finding> {
 }
 
 /// The largest distance of the points of the outline and holes, read back, from the flat pattern,
-/// mm: over the given files, or of an SVG in memory. `overlaps` says whether the pattern is known
-/// to overlap itself.
+/// mm: over the given files, or of an SVG in memory. Then that of other lines from where the piece
+/// has them. `overlaps` says whether the pattern is known to overlap itself.
 ///
 /// # Errors
 /// A file that can't be read, or has other lines than the piece.
@@ -140,10 +141,10 @@ fn read_back_error_mm(
     piece: &Piece,
     overlaps: bool,
     files: &PatternFiles<'_>,
-) -> Result<f64, RefoldFileError> {
-    let mut worst = 0.0f64;
+) -> Result<[f64; 2], RefoldFileError> {
+    let (mut worst, mut others_mm) = (0.0f64, 0.0f64);
     for (pattern, off_mm) in read_patterns(piece, overlaps.then_some(&[][..]), files)? {
-        worst = worst.max(off_mm);
+        others_mm = others_mm.max(off_mm);
         let lines = std::iter::once(&pattern.outline).chain(&pattern.holes);
         let mut laid = piece.net_loops();
         for line in lines {
@@ -156,7 +157,7 @@ fn read_back_error_mm(
             return Err(RefoldFileError::Lines);
         }
     }
-    Ok(worst)
+    Ok([worst, others_mm])
 }
 
 /// The patterns of the files of a piece, read back. For a pattern that overlaps itself,
@@ -244,7 +245,7 @@ fn sorted(
         };
         if !is_folded {
             let off = read.line.off_mm(line, to_piece);
-            off_mm = if off > off_mm || off.is_nan() { off } else { off_mm };
+            off_mm = if off.is_nan() { f64::INFINITY } else { off_mm.max(off) };
         }
     }
     Ok((lines, off_mm))
