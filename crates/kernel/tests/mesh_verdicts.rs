@@ -17,6 +17,7 @@ use sheetwright::watch::Unwatched;
 use sheetwright_shapes::materials::steel;
 use sheetwright_shapes::meshes::{cap, cone};
 use sheetwright_shapes::random::Random;
+use std::f64::consts::TAU;
 
 /// A mesh as it is made alone.
 fn made(
@@ -198,4 +199,23 @@ fn cylinders_and_cones_bend_with_noise_and_without() {
     let cone = cone(600.0, 1200.0, 1.0, 24, 12);
     let part = made(cone.positions().to_vec(), cone.triangles().to_vec(), Some(steel(1.0)));
     assert_eq!(verdict(&part), Verdict::Bends, "{}", strain(&part));
+}
+
+/// A ribbon of this length, 1 mm wide, wound round a cylinder of 20 mm, turn beside turn.
+fn ribbon(length: f64) -> Part {
+    let (positions, triangles) = grid([length as usize, 1], Cut::Forth, |along, across| {
+        let angle = along * length / 20.0;
+        Point3::new(20.0 * cos(angle), 20.0 * sin(angle), across + 1.2 * angle / TAU)
+    });
+    made(positions, triangles, Some(steel(0.1)))
+}
+
+#[test]
+fn a_ribbon_too_long_for_a_net_is_judged_by_its_creases() {
+    let (short, long) = (ribbon(1000.0), ribbon(15_000.0));
+    let bases = [&short, &long].map(|part| part.predicted.as_ref().unwrap().basis);
+    assert_eq!(bases, [Basis::Computed, Basis::NoNet]);
+    let radii = [&short, &long].map(|part| 1.0 / part.predicted.as_ref().unwrap().curvature);
+    assert!(radii.iter().all(|radius| (radius / 20.0 - 1.0).abs() < 0.1), "{radii:?}");
+    assert_eq!([&short, &long].map(verdict), [Verdict::Roll; 2]);
 }

@@ -17,7 +17,8 @@
 use super::predict::{FLAT, by_nets, stiffness_of, thickest_mm};
 use super::screen::by_formula;
 use super::{
-    Basis, Elastic, ElasticError, ElasticOptions, Predicted, curvature_of_surface, elastic,
+    Basis, DECIDES, Elastic, ElasticError, ElasticOptions, Predicted, at_share,
+    curvature_of_surface, elastic,
 };
 use crate::flatten::Flattened;
 use crate::material::{EASY_SHARE, Limits, Material};
@@ -64,7 +65,7 @@ pub fn predict_given(
     let Some((folded, flat)) = folded else {
         return Some(Predicted::of_pattern(limits_at(0.0), strain));
     };
-    let curvature = curvature_of_surface(&folded, &flat).unwrap_or(0.0);
+    let curvature = curvature_of(&folded, &flat);
     let limits = limits_at(curvature);
     let size_mm = size_of(folded.mesh().positions().iter().copied());
     let on_border = folded.mesh().topology().on_border();
@@ -106,7 +107,7 @@ pub fn screen_given(
     if sheet.mesh().topology().on_border().contains(&false) {
         return Predicted::of_pattern(Limits::of(material, area, 0.0), strain);
     }
-    let curvature = curvature_of_surface(sheet, flat).unwrap_or(0.0);
+    let curvature = curvature_of(sheet, flat);
     let limits = Limits::of(material, area, curvature);
     by_formula(limits, curvature, warp_squared(sheet.mesh()))
 }
@@ -126,6 +127,25 @@ fn folded<'a>(
             Some((Cow::Owned(folded), Cow::Owned(Flattened { points, overlap: None })))
         }
     }
+}
+
+/// The curvature that 95 % of the area of a surface stays below, 1/mm: on a net, or by its creases
+/// where there is none. Of two triangles that meet in a crease, it turns by the angle over half of
+/// the width of both, which is their area over the length of the crease.
+fn curvature_of(sheet: &Sheet, flat: &Flattened) -> f64 {
+    curvature_of_surface(sheet, flat).unwrap_or_else(|| {
+        let mesh = sheet.mesh();
+        let (mut curvatures, mut areas) = (Vec::new(), Vec::new());
+        for (edge, turn) in mesh.edges().iter().zip(crease_angles(mesh)) {
+            let [Some(a), Some(b)] = edge.triangles else { continue };
+            let area = mesh.area_vector(a).length() + mesh.area_vector(b).length();
+            let [from, to] = edge.ends.map(|v| mesh.position(v));
+            let bent = if turn > from_deg(SCORED_CREASE_DEG) { 0.0 } else { turn };
+            curvatures.push(bent * from.distance(to) / area);
+            areas.push(area);
+        }
+        at_share(&curvatures, &areas, DECIDES)
+    })
 }
 
 /// What the formula predicts of a strip, whose lengths the pattern keeps.

@@ -1,13 +1,16 @@
 //! The net of quadratic triangles that an elastic sheet is computed on: a Delaunay triangulation of
 //! the flat outline, refined inside until it is fine enough \[Ruppert1995\], whose border sides are
 //! as curved as the outline.
+//!
+//! Of a needle there is no net: sides that fit its area are far longer than it is wide, and the
+//! more of them its outline takes, the longer the needle is.
 
 use super::element::{Nodes, values};
 use super::outline::{OnBorder, Outline, divided};
 use super::places::Places;
 use crate::flatten::Flattened;
 use crate::sheet::Sheet;
-use sheetwright_geometry::index::TriangleIndex;
+use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
 use sheetwright_geometry::math::{Point2, Point3, Vec3, unit};
 use spade::handles::FixedVertexHandle;
 use spade::{AngleLimit, ConstrainedDelaunayTriangulation, RefinementParameters, Triangulation};
@@ -18,6 +21,10 @@ use std::collections::{BTreeMap, BTreeSet};
 const RADIUS_BY_SIDE: f64 = 1.18;
 /// A net has so many times the triangles that are asked for at the most.
 const MOST_TIMES: usize = 8;
+/// The outline is as long as so many sides for each triangle that is asked for at the most. The
+/// outline of a strip 100 times as long as wide takes less than one for each, of one 10,000 times
+/// as long seven.
+const MOST_SIDES: f64 = 8.0;
 
 /// A net over a flat sheet.
 pub(super) struct Net {
@@ -47,7 +54,7 @@ pub(super) struct InnerSide {
 
 impl Net {
     /// A net of about so many triangles in all, each component of the sheet by itself; `None` where
-    /// an outline can't be divided so, as where the pattern overlaps itself.
+    /// an outline can't be divided so, as where the pattern overlaps itself or is a needle.
     pub(super) fn new(
         sheet: &Sheet,
         flat: &Flattened,
@@ -58,6 +65,9 @@ impl Net {
         // An equilateral triangle with a side s has an area of √3/4 s².
         let side_mm = (4.0 * area / (3.0f64.sqrt() * triangles as f64)).sqrt();
         if !side_mm.is_finite() || side_mm <= 0.0 {
+            return None;
+        }
+        if outline_mm(sheet, flat) > MOST_SIDES * triangles as f64 * side_mm {
             return None;
         }
         let mut net = Self {
@@ -215,4 +225,47 @@ impl Net {
 
 fn key(a: usize, b: usize) -> [usize; 2] {
     [a.min(b), a.max(b)]
+}
+
+/// The length of all loops of the pattern, mm.
+fn outline_mm(sheet: &Sheet, flat: &Flattened) -> f64 {
+    let around = |line: &Vec<VertexIndex>| -> f64 {
+        let next = line.iter().cycle().skip(1);
+        let point = |v: &VertexIndex| flat.points[v.get()];
+        line.iter().zip(next).map(|(a, b)| point(a).distance(point(b))).sum()
+    };
+    sheet.loops().iter().map(around).sum()
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)] // tests panic
+mod tests {
+    use super::*;
+    use crate::mesh::{Cut, Mesh};
+    use crate::sheet::cut_along;
+
+    /// The net of 350 triangles of a flat strip of this length and width, mm, in two triangles.
+    fn net_of(length: f64, width: f64) -> Option<Net> {
+        let flat = [[0.0, 0.0], [length, 0.0], [length, width], [0.0, width]];
+        let positions = flat.iter().map(|[x, y]| Point3::new(*x, *y, 0.0)).collect();
+        let triangles = [[0, 1, 2], [0, 2, 3]].map(|t| t.map(VertexIndex::new)).to_vec();
+        let mesh = Mesh::new(positions, triangles).unwrap();
+        let sheet = cut_along(&mesh, &Cut::new()).unwrap();
+        let points = flat.iter().map(|[x, y]| Point2::new(*x, *y)).collect();
+        Net::new(&sheet, &Flattened { points, overlap: None }, 350, Outline::Sampled)
+    }
+
+    #[test]
+    fn a_net_takes_bounded_work_however_narrow_the_outline_is() {
+        for exponent in 0..8 {
+            let length = (0..exponent).fold(10.0, |length, _| 10.0 * length);
+            let net = net_of(length, 10.0);
+            // Strips up to 10 m × 1 mm have one.
+            assert_eq!(net.is_some(), exponent <= 4, "{length} mm");
+            let Some(net) = net else { continue };
+            // Corners and middles of at most so many sides, and triangles inside.
+            assert!(net.border[0].len() <= 2 * 8 * 350, "{}", net.border[0].len());
+            assert!(net.elements.len() <= 2 * (8 + 8) * 350, "{}", net.elements.len());
+        }
+    }
 }
