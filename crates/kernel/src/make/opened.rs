@@ -6,9 +6,12 @@
 //! (`flatten::conformal_scales`). The cut goes on to the vertex of the largest scale, by the
 //! shortest way, until the scale is small or no longer gets smaller. A surface whose border is so
 //! small that it is nearly closed is cut likewise.
+//!
+//! Where all that bends a mesh is a few corners, as of a solid with flat or rolled sides, the cut goes
+//! through all of them. Nothing is left to stretch then, and a shorter cut saves little.
 
 use crate::flatten::conformal_scales;
-use crate::mesh::{Cut, Mesh, cut_through, cut_to_disk};
+use crate::mesh::{Cut, Mesh, cut_through, cut_to_disk, worst_points};
 use crate::sheet::cut_along;
 use sheetwright_geometry::index::VertexIndex;
 use sheetwright_geometry::watch::Watch;
@@ -22,6 +25,11 @@ const NEARLY_CLOSED: f64 = LN_10;
 const MOST_ROUNDS: usize = 12;
 /// A longer cut is worth it only if the scale without it is larger by this factor.
 const WORTH: f64 = 1.1;
+/// So few corners are all cut through: as many as those of a prism over an octagon.
+const FEW: usize = 16;
+/// A vertex is a corner if its angles miss a full turn by more than this, radians: coordinates of
+/// six digits make a tenth of it.
+const CORNER: f64 = 1e-4;
 
 /// The cut of a mesh of one component that is closed or has handles, or, if it has a border, is
 /// nearly closed; none for another disk.
@@ -41,7 +49,12 @@ pub(super) fn opened(mesh: &Mesh, watch: &mut dyn Watch) -> Cut {
     let least = tried.iter().map(|(_, scale)| *scale).fold(f64::INFINITY, f64::min);
     let is_as_good = |(_, scale): &(Cut, f64)| *scale <= SMALL.max(WORTH * least);
     let best = tried.iter().position(is_as_good);
-    best.map_or(cut, |n| tried.swap_remove(n).0)
+    let mut cut = best.map_or(cut, |n| tried.swap_remove(n).0);
+    let corners = worst_points(mesh, CORNER);
+    if !is_disk && corners.len() <= FEW {
+        cut_through(mesh, &mut cut, &corners);
+    }
+    cut
 }
 
 /// The vertex of the mesh at which the conformal form of its sheet scales most, and the logarithm
