@@ -11,6 +11,10 @@ use sheetwright_geometry::watch::Watch;
 /// Both sides of a hinge lie on one another if their ends are nearer than this share of the size:
 /// what rounding to six digits leaves round a flat vertex. Lengths are then off by no more.
 const TOGETHER: f64 = 1e-6;
+/// They are nearer than this share of the hinge as well: beside something large, rounding is more than
+/// small facets are long. A surface of 2,000 facets that closed up all round would miss a full turn by
+/// 0.0125 at one of its vertices at the least, so that each piece keeps a border.
+const TOGETHER_OF_HINGE: f64 = 1e-3;
 
 /// Hinges between two looks at the watcher.
 const HINGES_A_LOOK: usize = 256;
@@ -333,7 +337,8 @@ impl<'a> Pieces<'a> {
 
     /// Whether the two sides of a hinge lie on one another.
     fn is_closed(&self, one: [Point2; 2], other: [Point2; 2]) -> bool {
-        let near_mm = TOGETHER * self.facets.size_mm;
+        let hinge_mm = one[0].distance(one[1]);
+        let near_mm = (TOGETHER * self.facets.size_mm).min(TOGETHER_OF_HINGE * hinge_mm);
         one.iter().zip(other).all(|(p, q)| p.distance(q) <= near_mm)
     }
 
