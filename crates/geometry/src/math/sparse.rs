@@ -6,11 +6,11 @@
 //! graph and block size; [`Matrix::factor`], the numbers.
 //!
 //! Of the crate `faer` only the orders and places of a simplicial factor and its triangular
-//! solutions are used, which are scalar. The numbers of the factor are computed here (`factor`): plain
-//! products, differences, quotients and square roots, in an order that the graph alone decides, so
-//! that the bits are the same on every platform. The crate's supernodal factorisation multiplies dense
-//! blocks in vector registers of the processor's width, with fused multiply-adds where there are any,
-//! which changes bits.
+//! solutions are used, which are scalar. The numbers of the factor are computed here (`factor`):
+//! plain products, differences, quotients and square roots, in an order that the graph alone
+//! decides, so that the bits are the same on every platform. The crate's supernodal factorisation
+//! multiplies dense blocks in vector registers of the processor's width, with fused multiply-adds
+//! where there are any, which changes bits.
 
 mod factor;
 

@@ -7,8 +7,8 @@
 //! shortest way, until the scale is small or no longer gets smaller. A surface whose border is so
 //! small that it is nearly closed is cut likewise.
 //!
-//! Where all that bends a mesh is a few corners, as of a solid with flat or rolled sides, the cut goes
-//! through all of them. Nothing is left to stretch then, and a shorter cut saves little.
+//! Where all that bends a mesh is a few corners, as of a solid with flat or rolled sides, the cut
+//! goes through all of them. Nothing is left to stretch then, and a shorter cut saves little.
 
 use crate::flatten::conformal_scales;
 use crate::mesh::{Cut, Mesh, cut_through, cut_to_disk, worst_points};

@@ -11,9 +11,9 @@ use sheetwright_geometry::watch::Watch;
 /// Both sides of a hinge lie on one another if their ends are nearer than this share of the size:
 /// what rounding to six digits leaves round a flat vertex. Lengths are then off by no more.
 const TOGETHER: f64 = 1e-6;
-/// They are nearer than this share of the hinge as well: beside something large, rounding is more than
-/// small facets are long. A surface of 2,000 facets that closed up all round would miss a full turn by
-/// 0.0125 at one of its vertices at the least, so that each piece keeps a border.
+/// They are nearer than this share of the hinge as well: beside something large, rounding is more
+/// than small facets are long. A surface of 2,000 facets that closed up all round would miss a full
+/// turn by 0.0125 radians at one of its vertices at the least, so that each piece keeps a border.
 const TOGETHER_OF_HINGE: f64 = 1e-3;
 
 /// Hinges between two looks at the watcher.

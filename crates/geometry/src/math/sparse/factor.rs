@@ -1,12 +1,12 @@
 //! The numbers of a factor L·Lᵀ of a matrix of B × B blocks, row of blocks after row of blocks.
 //!
 //! A row of L solves a triangular system. Its unknowns are the columns that the tree of elimination
-//! reaches from the row's entries, each subtracted from what is left of the row (up-looking Cholesky
-//! \[Davis2006, section 4.7\]). Two things make that two to three times as fast:
+//! reaches from the row's entries, each subtracted from what is left of the row (up-looking
+//! Cholesky \[Davis2006, section 4.7\]). Two things make that two to three times as fast:
 //!
 //! 1. The B rows of a node reach the same columns, so they are computed together.
-//! 2. Columns that follow one another and have the same rows below them are subtracted together, four
-//!    at a time, so that what is left of a row is loaded and stored once for them.
+//! 2. Columns that follow one another and have the same rows below them are subtracted together,
+//!    four at a time, so that what is left of a row is loaded and stored once for them.
 //!
 //! Neither changes a bit: for each entry, the same products are subtracted in the same order.
 
@@ -39,8 +39,8 @@ impl Columns<'_> {
     }
 }
 
-/// The factor of the matrix with these entries in its upper triangle, whose entries lie where `lower`
-/// says, the diagonal first in each column; `None` unless the matrix is positive definite.
+/// The factor of the matrix with these entries in its upper triangle, whose entries lie where
+/// `lower` says, the diagonal first in each column; `None` unless the matrix is positive definite.
 ///
 /// # Errors
 /// [`TooLarge`].
@@ -110,8 +110,8 @@ impl<const B: usize> Rows<'_, B> {
         }
     }
 
-    /// How many of the columns reached, from the first on, follow one another and have the same rows
-    /// below them.
+    /// How many of the columns reached, from the first on, follow one another and have the same
+    /// rows below them.
     fn width(&self, reached: &[u32]) -> usize {
         let follows = |pair: &&[u32]| {
             let [a, b] = [pair[0] as usize, pair[1] as usize];
@@ -170,8 +170,8 @@ impl<const B: usize> Rows<'_, B> {
         }
     }
 
-    /// Solves for the entries in the node's own columns; whether they are those of a positive definite
-    /// matrix.
+    /// Solves for the entries in the node's own columns; whether they are those of a positive
+    /// definite matrix.
     fn finish(&mut self, k: usize) -> bool {
         let corner = &mut self.corner;
         for r in 0..B {
@@ -214,8 +214,9 @@ impl Reach {
         Ok(Self { path: Vec::new(), order: filled(0, n)?, seen: filled(u32::MAX, n)? })
     }
 
-    /// Those of row `k`, whose entries up to the diagonal are `above`, in an order in which they can be
-    /// solved: up the tree of elimination from each entry; of two branches, the later comes first.
+    /// Those of row `k`, whose entries up to the diagonal are `above`, in an order in which they
+    /// can be solved: up the tree of elimination from each entry; of two branches, the later comes
+    /// first.
     fn of(&mut self, k: usize, above: &[u32], lower: &Columns<'_>) -> &[u32] {
         let row = k as u32;
         let mut top = self.order.len();
