@@ -26,6 +26,8 @@ pub(super) struct Facet {
     pub(super) border: Vec<[usize; 2]>,
     /// A point inside, mm.
     pub(super) inside: Point2,
+    /// About half of its width, mm: twice its area over the length of its border.
+    pub(super) width_mm: f64,
     /// Its unit normal.
     pub(super) normal: Vec3,
     /// Its hinges.
@@ -169,7 +171,9 @@ fn facet(mesh: &Mesh, triangles: Vec<usize>, of_triangle: &[usize]) -> Facet {
     }
     let [a, b, c] = corners(triangles[0]).map(|v| points[place(v)]);
     let inside = a + ((b - a) + (c - a)) / 3.0;
-    Facet { vertices, points, border, inside, normal, hinges: Vec::new() }
+    let around: f64 = border.iter().map(|side| points[side[0]].distance(points[side[1]])).sum();
+    let width_mm = 2.0 * area.length() / around;
+    Facet { vertices, points, border, inside, width_mm, normal, hinges: Vec::new() }
 }
 
 /// The lines along which two facets meet, each as long as it goes straight on between the same two.

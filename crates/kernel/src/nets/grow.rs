@@ -1,6 +1,6 @@
 //! Pieces of a net, and how two of them become one.
 
-use super::facets::Facets;
+use super::facets::{Facets, Hinge};
 use super::order::seam_cost;
 use super::overlap::{APART, Side, is_inside, meet};
 use crate::flatten::fits_in;
@@ -11,10 +11,11 @@ use sheetwright_geometry::watch::Watch;
 /// Both sides of a hinge lie on one another if their ends are nearer than this share of the size:
 /// what rounding to six digits leaves round a flat vertex. Lengths are then off by no more.
 const TOGETHER: f64 = 1e-6;
-/// They are nearer than this share of the hinge as well: beside something large, rounding is more
-/// than small facets are long. A surface of 2,000 facets that closed up all round would miss a full
-/// turn by 0.0125 radians at one of its vertices at the least, so that each piece keeps a border.
-const TOGETHER_OF_HINGE: f64 = 1e-3;
+/// They are nearer than this share of the hinge and of the widths of its facets as well: beside
+/// something large, rounding is more than small facets are long. A surface of 2,000 facets that
+/// closed up all round would miss a full turn by 0.0125 radians at one of its vertices at least, so
+/// each piece keeps a border.
+const TOGETHER_OF_FACET: f64 = 1e-3;
 
 /// Hinges between two looks at the watcher.
 const HINGES_A_LOOK: usize = 256;
@@ -205,7 +206,7 @@ impl<'a> Pieces<'a> {
                 }
                 let places = &hinge.places[side];
                 let own = [places[0], places[places.len() - 1]].map(|k| laid.points[k]);
-                if self.is_closed(own, self.ends(n, 1 - side)) {
+                if self.is_closed(n, own, self.ends(n, 1 - side)) {
                     closed.push((n, side));
                 }
             }
@@ -328,7 +329,7 @@ impl<'a> Pieces<'a> {
         // Round a flat vertex, facets hang together the other way round, and nothing opened.
         for &n in hinges {
             let [a, b] = self.facets.hinges[n].facets.map(|f| self.of_facet[f]);
-            if a == b && self.is_closed(self.ends(n, 0), self.ends(n, 1)) {
+            if a == b && self.is_closed(n, self.ends(n, 0), self.ends(n, 1)) {
                 self.folded[n] = true;
                 self.name_vertices(a);
             }
@@ -336,9 +337,11 @@ impl<'a> Pieces<'a> {
     }
 
     /// Whether the two sides of a hinge lie on one another.
-    fn is_closed(&self, one: [Point2; 2], other: [Point2; 2]) -> bool {
-        let hinge_mm = one[0].distance(one[1]);
-        let near_mm = (TOGETHER * self.facets.size_mm).min(TOGETHER_OF_HINGE * hinge_mm);
+    fn is_closed(&self, hinge: usize, one: [Point2; 2], other: [Point2; 2]) -> bool {
+        let Hinge { facets, length_mm, .. } = &self.facets.hinges[hinge];
+        let widths = facets.map(|f| self.facets.list[f].width_mm);
+        let narrow_mm = widths.into_iter().fold(*length_mm, f64::min);
+        let near_mm = (TOGETHER * self.facets.size_mm).min(TOGETHER_OF_FACET * narrow_mm);
         one.iter().zip(other).all(|(p, q)| p.distance(q) <= near_mm)
     }
 
