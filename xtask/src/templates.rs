@@ -34,7 +34,9 @@ Lengths are in mm or have a unit: `400mm`, `40cm`, `0.4m`, `15 3/4in`, `1' 4\"`;
 around the last two. A comma may be the decimal point (`250,5`), and sums and differences are worked out
 (`200+50`); `1,250` is refused, since it could mean thousands. Angles are in degrees. Lists of lengths have
 commas between them, or semicolons. Every template also takes `material=NAME`
-([the list](materials.md)), and the verdict then knows how tightly that sheet bends.
+([the list](materials.md)), and the verdict then knows how tightly that sheet bends. With a material it takes
+`dimensions=inside`, `mean` or `outside` as well: sizes are then those of that face of the sheet, and the pattern
+is that of the neutral fibre. Without it, sizes are those of the surface, as of a sheet without thickness.
 
 A table is a [curve table](files.md#curve-table-csv) in the folder of the design that is written; the
 design takes its points from there, and follows when the table is corrected.

@@ -4,7 +4,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, StringValueParser, Type
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use sheetwright::boundary::PlaneChoice;
-use sheetwright::design::{Design, PanelMethod};
+use sheetwright::design::{BendMarks, BendRule, Design, Dimensions, PanelMethod};
 use sheetwright::flatten::Aim;
 use sheetwright::make::Judging;
 use sheetwright::math::from_deg;
@@ -12,9 +12,9 @@ use sheetwright::mesh::Skin;
 use sheetwright::template::catalogue;
 use sheetwright::triangulate::WhichSurface;
 use sheetwright_files::{
-    DxfRelease, Format, InputFormat, MaxSheets, MeshFormat, MeshSettings, OffsetOptions,
-    OutputOptions, Paper, PdfOptions, Preset, ReadOptions, ReportForm, Units, VarySettings,
-    catalogue_names, known_materials, trade_names,
+    BendSettings, BrakeSettings, DxfRelease, Format, InputFormat, MaxSheets, MeshFormat,
+    MeshSettings, OffsetOptions, OutputOptions, Paper, PdfOptions, Preset, ReadOptions, ReportForm,
+    Units, VarySettings, catalogue_names, known_materials, trade_names,
 };
 use std::ffi::OsStr;
 use std::path::PathBuf;
@@ -141,6 +141,30 @@ pub(crate) struct MakeArgs {
     pub(crate) pdf: PdfArgs,
     #[command(flatten)]
     pub(crate) files: FileArgs,
+    #[command(flatten)]
+    pub(crate) brake: BrakeArgs,
+}
+
+/// The machine that the format `brake` is for.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Press brake (--formats brake)")]
+pub(crate) struct BrakeArgs {
+    /// The opening of the die [default: eight thicknesses of the sheet]
+    #[arg(long, value_name = "LENGTH", value_parser = size_mm)]
+    die: Option<f64>,
+    /// The longest line that the brake bends [default: any]
+    #[arg(long, value_name = "LENGTH", value_parser = size_mm)]
+    brake_length: Option<f64>,
+    /// The plan is for plate rolls: the radius at each station instead of hits
+    #[arg(long, conflicts_with_all = ["die", "brake_length"])]
+    rolls: bool,
+}
+
+impl BrakeArgs {
+    fn settings(&self) -> BrakeSettings {
+        let Self { die, brake_length, rolls } = *self;
+        BrakeSettings { die_mm: die, length_mm: brake_length, rolls }
+    }
 }
 
 impl MakeArgs {
@@ -150,7 +174,8 @@ impl MakeArgs {
             Some(ReportArg::Short) => ReportForm::Short,
             Some(ReportArg::Long) => ReportForm::Long,
         };
-        OutputOptions { pdf: self.pdf.options(), report, ..self.files.options(design) }
+        let (pdf, brake) = (self.pdf.options(), self.brake.settings());
+        OutputOptions { pdf, report, brake, ..self.files.options(design) }
     }
 }
 
@@ -452,8 +477,52 @@ pub(crate) struct SourceArgs {
     /// other strips
     #[arg(long, value_name = "LENGTH", value_parser = size_mm)]
     allowance: Option<f64>,
+    /// The face of the sheet that the curves lie on: the pattern then is that of the neutral fibre
+    /// [default: as the design says, or of the surface through the curves]
+    #[arg(long, value_enum, ignore_case = true, value_name = "FACE")]
+    dimensions: Option<DimensionsArg>,
+    /// How thick the sheet is, where the dimensions are those of a face [default: as the design
+    /// says, or its material]
+    #[arg(long, value_name = "LENGTH", value_parser = thickness_mm)]
+    thickness: Option<f64>,
+    /// How many bend lines a bend is divided into: a number for each part (24), the largest angle
+    /// of a step (5deg), the farthest that the smooth surface lies from flat steps (chord=0.5mm) or
+    /// the largest width of a step (pitch=20mm) [default: as the design says, or steps of 5°, 24
+    /// lines at the most]
+    #[arg(long, value_name = "HOW", value_parser = sheetwright_files::bend_rule)]
+    bends: Option<BendRule>,
+    /// How bend lines are drawn [default: as the design says, or ticks]
+    #[arg(long, value_enum, ignore_case = true, value_name = "HOW")]
+    bend_marks: Option<BendMarksArg>,
     #[command(flatten)]
     vary: VaryArgs,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum DimensionsArg {
+    /// The inner one of its bends, as duct shops give clear sizes
+    Inside,
+    /// The middle of the sheet
+    Mean,
+    /// The outer one
+    Outside,
+}
+
+fn thickness_mm(given: &str) -> Result<f64, String> {
+    let mm = sheetwright_files::size_mm(given).filter(|mm| *mm <= 1000.0);
+    mm.ok_or_else(|| "give a thickness above 0 and up to 1 m, such as 1mm or 1/16in".to_owned())
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum BendMarksArg {
+    /// A tick at each end to engrave; the line and its text as notes
+    Ticks,
+    /// The whole line and its text, to engrave
+    Lines,
+    /// As ticks, and all rulings as notes
+    Rulings,
+    /// Not at all; folds alone
+    None,
 }
 
 /// Limits and goal of moving curves so that panels bend better. In a design without `vary`, any of
@@ -538,6 +607,21 @@ impl SourceArgs {
             mesh: MeshSettings::default(),
             trade: self.trade.clone(),
             allowance_mm: self.allowance,
+            dimensions: self.dimensions.map(|face| match face {
+                DimensionsArg::Inside => Dimensions::Inside,
+                DimensionsArg::Mean => Dimensions::Mean,
+                DimensionsArg::Outside => Dimensions::Outside,
+            }),
+            thickness_mm: self.thickness,
+            bends: BendSettings {
+                rule: self.bends,
+                marks: self.bend_marks.map(|marks| match marks {
+                    BendMarksArg::Ticks => BendMarks::Ticks,
+                    BendMarksArg::Lines => BendMarks::Lines,
+                    BendMarksArg::Rulings => BendMarks::Rulings,
+                    BendMarksArg::None => BendMarks::None,
+                }),
+            },
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The catalogue of templates: as text, as JSON and as tables of the docs.
 
-use crate::template_call::{MATERIAL, default, range};
+use crate::template_call::{DIMENSIONS, MATERIAL, default, range};
 use serde::Serialize;
 use sheetwright::template::{Kind, Parameter, Template, Value, catalogue};
 use std::fmt::Write;
@@ -24,7 +24,13 @@ pub fn catalogue_text(call: &str) -> String {
     ));
     line(
         &mut text,
-        &format!("Every template also takes {MATERIAL}=NAME, such as steel-1mm or paper."),
+        &format!("Every template also takes {MATERIAL}=NAME, such as steel-1mm or paper, and"),
+    );
+    line(
+        &mut text,
+        &format!(
+            "{DIMENSIONS}=inside, mean or outside: the face of the sheet that its sizes are of."
+        ),
     );
     for template in catalogue() {
         text.push('\n');

@@ -11,7 +11,7 @@ use crate::units::Units;
 use crate::{design_json, mesh, table};
 use sheetwright::boundary::MAX_SAMPLES;
 use sheetwright::cost::MAX_FOLD;
-use sheetwright::design::{Design, LEAST_EFFORT, MOST_EFFORT};
+use sheetwright::design::{Design, Dimensions, LEAST_EFFORT, MOST_EFFORT};
 use sheetwright::material::Material;
 use std::path::Path;
 
@@ -138,14 +138,30 @@ pub fn read_bytes(
     if let Some(material) = material_asked_for(options, &design.materials)? {
         design.material = Some(material);
     }
+    options.bends.set(&mut design);
+    design.dimensions = options.dimensions.or(design.dimensions);
+    design.thickness_mm = options.thickness_mm.or(design.thickness_mm);
     if format != InputFormat::Design {
-        let thickness_mm = design.material.as_ref().map(|material| material.thickness_mm.value);
-        let trade = options.trade.as_deref();
+        let (trade, thickness_mm) = (options.trade.as_deref(), design.sheet_thickness_mm());
         let read = design_json::trims_of(trade, Vec::new(), Units::Millimetres, thickness_mm);
         let refused = |(_, message, hint)| InputError { message, place: None, hint };
         design.trims = read.map_err(refused)?;
         design.trims.extend(options.allowance());
         design.trade.clone_from(&options.trade);
+    }
+    if let (Some(dimensions), None) = (design.dimensions, design.sheet_thickness_mm()) {
+        return Err(InputError {
+            message: format!(
+                "the dimensions are those of the {} of a sheet of which no thickness is known",
+                match dimensions {
+                    Dimensions::Inside => "inside",
+                    Dimensions::Mean => "middle",
+                    Dimensions::Outside => "outside",
+                }
+            ),
+            place: None,
+            hint: "Name a material, or give a thickness.".to_owned(),
+        });
     }
     Ok(design)
 }

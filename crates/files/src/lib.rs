@@ -18,6 +18,8 @@
 
 mod archive;
 mod astm;
+mod bend_rule;
+mod brake;
 mod catalogue;
 mod design_json;
 mod drawing;
@@ -55,6 +57,8 @@ mod words;
 
 pub use archive::zipped;
 pub use astm::write_astm;
+pub use bend_rule::bend_rule;
+pub use brake::BrakeSettings;
 pub use catalogue::{catalogue_json, catalogue_text, parameter_table, template_text};
 pub use design_json::{read_drawn, trade_names, trade_title, trims_for, write_design, write_drawn};
 pub use drawing::{Drawing, Mirror, Plan, Reference};
@@ -78,7 +82,8 @@ pub use quantity::{
 };
 pub use read_back::{PatternReadError, ReadPattern};
 pub use reading::{
-    InputError, MAX_INPUT_BYTES, MeshSettings, ReadOptions, VarySettings, read_limited,
+    BendSettings, InputError, MAX_INPUT_BYTES, MeshSettings, ReadOptions, VarySettings,
+    read_limited,
 };
 pub use refold::{PatternFiles, RefoldFileError, refold_error_mm, refold_files_error_mm};
 pub use report::{

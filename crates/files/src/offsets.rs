@@ -127,7 +127,13 @@ mod tests {
     }
 
     fn table(paths: Vec<PatternPath>, options: &OffsetOptions) -> Vec<Vec<String>> {
-        let piece = Piece { name: "a".into(), paths, labels: Vec::new(), size: Vec2::ZERO };
+        let piece = Piece {
+            name: "a".into(),
+            paths,
+            labels: Vec::new(),
+            bends: Vec::new(),
+            size: Vec2::ZERO,
+        };
         let text = String::from_utf8(write_offsets([&piece].into_iter(), options)).unwrap();
         text.lines().map(|row| row.split(',').map(str::to_owned).collect()).collect()
     }

@@ -1,6 +1,7 @@
 //! All files of a made design.
 
 use crate::astm::write_astm;
+use crate::brake::BrakeSettings;
 use crate::design_json::write_design_of_table;
 use crate::dxf::write_dxf_for;
 use crate::fold::write_fold;
@@ -16,7 +17,8 @@ use crate::step::write_step;
 use crate::svg::write_svg_for;
 use crate::table::write_table;
 use crate::units::Units;
-use sheetwright::check::{Checked, Finding, FindingKind};
+use sheetwright::bend::Hit;
+use sheetwright::check::{Checked, Finding, FindingKind, braking};
 use sheetwright::design::Design;
 use sheetwright::make::{Made, Part};
 use sheetwright::pattern::Piece;
@@ -44,6 +46,8 @@ pub enum Format {
     Astm,
     /// `offsets.csv`: where the edges of each pattern lie at stations along a base line.
     Offsets,
+    /// `brake.csv`: the plan for the press brake, or for plate rolls.
+    Brake,
     /// `report.json` and `report.html`.
     Report,
 }
@@ -81,7 +85,7 @@ use FileName::{OfPart, Whole};
 
 /// Every format, in the order in which files are written. The report comes last, since it says what
 /// was found in the others.
-const ROWS: [Row; 10] = [
+const ROWS: [Row; 11] = [
     Row {
         format: Format::Obj,
         name: "obj",
@@ -175,6 +179,14 @@ const ROWS: [Row; 10] = [
         )],
     },
     Row {
+        format: Format::Brake,
+        name: "brake",
+        about: ("Bends (CSV)", "The order, angle and place of each bend, for a press brake."),
+        by_default: false,
+        needs_rulings: false,
+        files: &[(Whole("brake.csv"), Writer::Design(|run| Ok(run.brake())))],
+    },
+    Row {
         format: Format::Report,
         name: "report",
         about: ("Report", "The verdict, the pictures and all numbers, as a page and as data."),
@@ -192,7 +204,7 @@ const ROWS: [Row; 10] = [
                 Whole("report.html"),
                 Writer::Design(|run| {
                     let (panels, form) = (&run.panels, run.options.report);
-                    Ok(report_html(run.made, &run.errors_mm, panels, form))
+                    Ok(report_html(run.made, &run.errors_mm, panels, form, run.plans.as_deref()))
                 }),
             ),
         ],
@@ -259,6 +271,8 @@ pub struct OutputOptions {
     pub dxf: Option<DxfRelease>,
     /// The stations of the table of offsets.
     pub offsets: OffsetOptions,
+    /// The machine that the plan of bends is for.
+    pub brake: BrakeSettings,
 }
 
 impl Default for OutputOptions {
@@ -269,6 +283,7 @@ impl Default for OutputOptions {
             preset: Preset::generic(),
             dxf: None,
             offsets: OffsetOptions::default(),
+            brake: BrakeSettings::default(),
         }
     }
 }
@@ -399,6 +414,8 @@ struct Run<'a> {
     /// The number of the first file of the patterns in a format; the parts follow one another.
     patterns: BTreeMap<Format, usize>,
     in_quads: Vec<Option<PanelQuads>>,
+    /// The plans for the press brake, if they are asked for.
+    plans: Option<Vec<Vec<Hit>>>,
     /// The parts that the PDF draws to a smaller scale.
     reduced: Vec<Reduced>,
     /// What was found, and the refold errors; empty until they are known.
@@ -416,6 +433,7 @@ impl<'a> Run<'a> {
             files: Vec::new(),
             patterns: BTreeMap::new(),
             in_quads: made.parts.iter().map(quads).collect(),
+            plans: formats.contains(&Format::Brake).then(|| options.brake.plans(made)),
             reduced: Vec::new(),
             panels: Vec::new(),
             errors_mm: Vec::new(),
@@ -451,6 +469,11 @@ impl<'a> Run<'a> {
         pdf.bytes
     }
 
+    fn brake(&self) -> Vec<u8> {
+        let plans = self.plans.as_deref().unwrap_or_default();
+        self.options.brake.table(self.made, plans)
+    }
+
     fn named_quads(&self) -> Vec<(&str, &PanelQuads)> {
         let parts = self.made.parts.iter().zip(&self.in_quads);
         parts.filter_map(|(part, quads)| Some((part.name.as_str(), quads.as_ref()?))).collect()
@@ -478,6 +501,8 @@ impl<'a> Run<'a> {
                 }
             };
             checked.findings.extend(self.in_quads[n].as_ref().and_then(PanelQuads::finding));
+            let plan = self.plans.iter().flat_map(|plans| braking(&plans[n]));
+            checked.findings.extend(plan);
             let reduced = self.reduced.iter().find(|reduced| reduced.panel == n);
             checked.findings.extend(reduced.map(Reduced::finding));
             checked.sort();

@@ -3,8 +3,10 @@
 
 use crate::units::Units;
 use sheetwright::boundary::PlaneChoice;
-use sheetwright::design::{Allowance, Corner, Trim, TrimKind, TrimOn, VaryGoal};
-use sheetwright::design::{PanelMesh, PanelMethod, Vary};
+use sheetwright::design::{
+    Allowance, BendMarks, BendRule, Bends, Corner, Design, Dimensions, PanelMesh, PanelMethod,
+    Trim, TrimKind, TrimOn, Vary, VaryGoal,
+};
 use sheetwright::flatten::Aim;
 use sheetwright::math::from_deg;
 use sheetwright::mesh::Skin;
@@ -127,6 +129,31 @@ impl MeshSettings {
     }
 }
 
+/// How bends are marked; these settings replace those of the design and of its panels.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BendSettings {
+    /// What decides how many bend lines there are.
+    pub rule: Option<BendRule>,
+    /// How they are drawn.
+    pub marks: Option<BendMarks>,
+}
+
+impl BendSettings {
+    /// The bends with these settings in place of their own.
+    fn applied(self, bends: Bends) -> Bends {
+        let (rule, marks) = (self.rule.unwrap_or(bends.rule), self.marks.unwrap_or(bends.marks));
+        Bends { rule, marks }
+    }
+
+    /// Sets how the bends of a design are marked.
+    pub(crate) fn set(self, design: &mut Design) {
+        design.bends = self.applied(design.bends);
+        for bends in design.panels.iter_mut().filter_map(|panel| panel.bends.as_mut()) {
+            *bends = self.applied(*bends);
+        }
+    }
+}
+
 /// The hint for an effort out of range.
 pub(crate) const EFFORTS: &str =
     "Set an effort from 0.001 to 1000; 1 is the default, up to 5 seconds for each panel.";
@@ -162,6 +189,12 @@ pub struct ReadOptions {
     /// The width of an allowance along all edges, mm, in place of other strips. Default: as the
     /// trims of the design say.
     pub allowance_mm: Option<f64>,
+    /// How bends are marked. Default: as the design says.
+    pub bends: BendSettings,
+    /// The face of the sheet that the curves lie on. Default: as the design says.
+    pub dimensions: Option<Dimensions>,
+    /// How thick the sheet is, mm. Default: as the design says, or its material.
+    pub thickness_mm: Option<f64>,
 }
 
 impl ReadOptions {

@@ -8,6 +8,7 @@ use crate::read_back::{
 use crate::shapes::{FileLine, Form, Shape, What, shapes};
 use crate::svg::{svg_lines, write_svg_for};
 use sheetwright::check::{Finding, refolding};
+use sheetwright::design::BendMarks;
 use sheetwright::flatten::{RefoldError, refold};
 use sheetwright::make::{Found, Origin, Part};
 use sheetwright::math::Point2;
@@ -52,7 +53,8 @@ impl std::error::Error for RefoldFileError {}
 
 /// The refold error of the written files of a part, mm: the largest of the given files. Without a
 /// file it writes an SVG in memory and reads that, so that the answer always rests on a file. For a
-/// found surface it folds the pattern up and compares vertices in space. A stretched pattern does
+/// found surface it folds the pattern up, along the rungs of the surface, of which the pattern must
+/// show those that it is to show, and compares vertices in space. A stretched pattern does
 /// not fold up again, so for a mesh it compares the outline and the holes with the flat pattern.
 ///
 /// # Errors
@@ -104,7 +106,8 @@ fn folded_error_mm(
     files: &PatternFiles<'_>,
 ) -> Result<f64, RefoldFileError> {
     let rungs = part.sheet.rungs();
-    let overlapping = part.flat.overlap.map(|_| &rungs[..]);
+    let shown = rungs_to_show(part);
+    let overlapping = part.flat.overlap.map(|_| &shown[..]);
     let read = read_patterns(&part.piece, overlapping, files)?;
     read.iter().try_fold(0.0, |worst: f64, (pattern, off_mm)| {
         let lines = std::iter::once(&pattern.outline).chain(&pattern.holes).map(Vec::len);
@@ -113,8 +116,12 @@ fn folded_error_mm(
         }
         let off = |(read, laid): (&Point2, &Point2)| read.distance(*laid);
         let by_mm = pattern.points().iter().zip(&part.flat.points).map(off).fold(*off_mm, f64::max);
-        let error_mm = refold(&part.sheet, &pattern.points(), &pattern.rungs)
-            .map_err(RefoldFileError::Fold)?;
+        // A bend line may lie on a rung that is not drawn as one.
+        if !shown.iter().all(|rung| pattern.rungs.binary_search(rung).is_ok()) {
+            return Err(RefoldFileError::Fold(RefoldError::Rungs));
+        }
+        let error_mm =
+            refold(&part.sheet, &pattern.points(), &rungs).map_err(RefoldFileError::Fold)?;
         // Closing windows allows a larger refold error, which must not hide a moved point.
         let allowed_mm = Tolerance::REFOLD.length_mm(found.boundary.size());
         if by_mm > allowed_mm && error_mm <= known_miss_mm(part) + allowed_mm {
@@ -123,6 +130,20 @@ fn folded_error_mm(
         // Unlike `max`, this keeps NaN.
         Ok(if error_mm > worst || error_mm.is_nan() { error_mm } else { worst })
     })
+}
+
+/// The rungs of the sheet that the pattern is to show, in increasing order: where it is scored, or
+/// all of them.
+fn rungs_to_show(part: &Part) -> Vec<Rung> {
+    if part.bends.marks == BendMarks::Rulings {
+        return part.sheet.rungs();
+    }
+    let cut: Vec<Rung> = part.sheet.seams().iter().map(|seam| part.sheet.seam_rung(seam)).collect();
+    let measured = part.sheet.rung_ends().iter().zip(&part.measures.rungs);
+    let scored = measured.filter(|(_, rung)| rung.is_scored && !cut.contains(&rung.rung));
+    let mut rungs: Vec<Rung> = scored.map(|(&[a, b], _)| Rung::new(a.get(), b.get())).collect();
+    rungs.sort_unstable();
+    rungs
 }
 
 /// The finding that the written files of a part differ from its surface; `None` if `error_mm` is

@@ -33,7 +33,10 @@ pub(crate) enum What {
     Fold {
         mountain: bool,
     },
-    RulingTick,
+    Bend {
+        up: bool,
+    },
+    BendTick,
     SeamTick,
     Dimension,
     /// A text; the lines of the shape are its strokes.
@@ -149,7 +152,8 @@ pub(crate) fn shapes(piece: &Piece) -> Vec<Shape> {
                 PathKind::Rung(rung) => What::Rung(rung),
                 PathKind::Crease => What::Crease,
                 PathKind::Fold { mountain } => What::Fold { mountain },
-                PathKind::RulingTick => What::RulingTick,
+                PathKind::Bend { up } => What::Bend { up },
+                PathKind::BendTick => What::BendTick,
                 PathKind::SeamTick => What::SeamTick,
                 PathKind::Dimension => What::Dimension,
             },

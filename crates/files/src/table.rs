@@ -324,6 +324,7 @@ pub(crate) fn read_as_design(
         run_on: false,
         which: options.which.unwrap_or_default(),
         near: Vec::new(),
+        bends: None,
         plane: options.plane.unwrap_or_default(),
         fold: options.fold.unwrap_or(PriceOptions::default().fold),
         effort: options.effort.unwrap_or(1.0),

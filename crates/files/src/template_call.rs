@@ -7,21 +7,24 @@ use crate::names::{did_you_mean, shown};
 use crate::quantity::{LENGTH_EXAMPLES, Slip, angle, length, lengths, plain};
 use crate::reading::InputError;
 use crate::units::Units;
-use sheetwright::design::Design;
+use sheetwright::design::{Design, Dimensions};
 use sheetwright::material::Material;
 use sheetwright::template::{
     Kind, NamedCurve, Parameter, Template, TemplateError, Value, Values, template,
 };
 use std::path::Path;
 
-/// The setting that every template has beside its parameters.
+/// The settings that every template has beside its parameters.
 pub(crate) const MATERIAL: &str = "material";
+/// The face of the sheet that the sizes are of.
+pub(crate) const DIMENSIONS: &str = "dimensions";
 /// The parameter for the unit of a template's table.
 const UNITS: &str = "units";
 
 /// The design that a template draws with these settings, each a text `NAME=VALUE`; other parameters
 /// have their defaults. Lengths are in millimetres unless they have a unit, angles in degrees.
-/// `material` sets the sheet of any template.
+/// `material` sets the sheet of any template, and `dimensions` the face of it that the sizes are
+/// of.
 ///
 /// # Errors
 /// An unknown template or parameter, a value that can't be read or is out of range, a setting that
@@ -77,7 +80,7 @@ fn called(name: &str, settings: &[String], folder: Option<&Path>) -> Result<NewD
     let mut seen: Vec<&str> = Vec::new();
     let mut tables: Vec<(&str, &str)> = Vec::new();
     let mut units = Units::Millimetres;
-    let mut material = None;
+    let (mut material, mut dimensions) = (None, None);
     for setting in settings {
         let Some((name, text)) = setting.split_once('=') else {
             let message = format!("the setting {} has no value", shown(setting));
@@ -94,6 +97,7 @@ fn called(name: &str, settings: &[String], folder: Option<&Path>) -> Result<NewD
             // Read when its units are known.
             Some(Kind::Table) => tables.push((name, text)),
             None if name == MATERIAL => material = Some(material_set(template, text)?),
+            None if name == DIMENSIONS => dimensions = Some(dimensions_set(template, text)?),
             _ => set(&mut values, name, text)?,
         }
         if let (UNITS, Some(unit)) = (name, Units::from_name(text)) {
@@ -108,6 +112,12 @@ fn called(name: &str, settings: &[String], folder: Option<&Path>) -> Result<NewD
     let mut design = values.design().map_err(|error| in_words(&error, template, ""))?;
     let usual = || material_named(values.usual_sheet()?, &[]);
     design.material = material.or_else(usual);
+    design.dimensions = dimensions;
+    if dimensions.is_some() && design.material.is_none() {
+        let message = "the face is that of a sheet of which no thickness is known";
+        let hint = "Set a material, too, such as material=steel-1mm.";
+        return Err(InputError::at(place(template, DIMENSIONS), message, hint));
+    }
     Ok(NewDesign { design, table })
 }
 
@@ -136,11 +146,20 @@ fn material_set(template: &Template, name: &str) -> Result<Material, InputError>
         .map_err(|(message, hint)| InputError::at(place(template, MATERIAL), message, hint))
 }
 
+fn dimensions_set(template: &Template, name: &str) -> Result<Dimensions, InputError> {
+    let found = Dimensions::ALL.into_iter().find(|face| face.name() == name);
+    found.ok_or_else(|| {
+        let message = format!("{} is no face of a sheet", shown(name));
+        let hint = "Write inside, mean or outside.";
+        InputError::at(place(template, DIMENSIONS), message, hint)
+    })
+}
+
 fn set(values: &mut Values, name: &str, text: &str) -> Result<(), InputError> {
     let template = values.template();
     let Some(parameter) = template.parameter(name) else {
         let message = format!("there is no parameter {}", shown(name));
-        let hint = parameter_hint(name, template, &[MATERIAL]);
+        let hint = parameter_hint(name, template, &[MATERIAL, DIMENSIONS]);
         return Err(InputError::at(template.name, message, hint));
     };
     let value = read(&parameter.kind, text).map_err(|slip| {

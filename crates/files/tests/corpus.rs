@@ -4,11 +4,12 @@
 use serde_json::{Map, Value};
 use sheetwright::boundary::PlaneChoice;
 use sheetwright::check::Verdict;
+use sheetwright::design::BendMarks;
 use sheetwright::make::{Made, Part, make};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
-    Format, Outputs, PatternReadError, PdfOptions, ReadOptions, ReadPattern, Units, finding_text,
-    output_files, read_dxf, read_input, read_svg,
+    BendSettings, Format, Outputs, PatternReadError, PdfOptions, ReadOptions, ReadPattern, Units,
+    finding_text, output_files, read_dxf, read_input, read_svg,
 };
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -96,7 +97,9 @@ fn the_facts_of_every_boundary_hold() {
             Some("none") => PlaneChoice::None,
             _ => panic!("{name}: {plane}"),
         });
-        let options = ReadOptions { plane, ..ReadOptions::default() };
+        // All rungs are drawn, so that files tell whether they are those of the surface.
+        let bends = BendSettings { marks: Some(BendMarks::Rulings), ..BendSettings::default() };
+        let options = ReadOptions { plane, bends, ..ReadOptions::default() };
         let made = make(&read_input(&entry, &options).unwrap(), &mut Unwatched).unwrap();
         let outputs = output_files(&made, &Format::DEFAULT, &PdfOptions::default()).unwrap();
         // Whatever the boundary, quads and a smooth surface come out, or a finding says why not.

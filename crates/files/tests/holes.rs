@@ -2,13 +2,14 @@
 #![allow(clippy::unwrap_used)] // Whatever fails here is a failed test.
 
 use serde_json::{Value, json};
+use sheetwright::design::BendMarks;
 use sheetwright::make::{Made, Part, make};
 use sheetwright::math::{Point2, Vec2, cos, sin};
 use sheetwright::triangulate::DEFAULT_WORK;
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
-    Format, InputFormat, Outputs, PdfOptions, ReadOptions, RefoldFileError, output_files,
-    read_bytes, read_dxf, read_input, read_svg, refold_error_mm, write_svg,
+    BendSettings, Format, InputFormat, Outputs, PdfOptions, ReadOptions, RefoldFileError,
+    output_files, read_bytes, read_dxf, read_input, read_svg, refold_error_mm, write_svg,
 };
 use std::f64::consts::TAU;
 
@@ -37,9 +38,11 @@ fn circle(radius: f64, centre: [f64; 3]) -> Value {
     json!({ "kind": "spline", "closed": true, "points": points })
 }
 
+/// Makes a design whose patterns show all rungs.
 fn made(design: &Value) -> Made {
     let bytes = design.to_string().into_bytes();
-    let options = ReadOptions::default();
+    let bends = BendSettings { marks: Some(BendMarks::Rulings), ..BendSettings::default() };
+    let options = ReadOptions { bends, ..ReadOptions::default() };
     let design = read_bytes(InputFormat::Design, &bytes, "d.sheet.json", None, &options).unwrap();
     make(&design, &mut Unwatched).unwrap()
 }

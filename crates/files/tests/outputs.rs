@@ -5,7 +5,9 @@ use miniz_oxide::inflate::decompress_to_vec_zlib;
 use sheetwright::boundary::PlaneChoice;
 use sheetwright::check::{Finding, Severity};
 use sheetwright::curve::{CurveKind, CurvePoint};
-use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape};
+use sheetwright::design::{
+    BendMarks, Bends, CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape,
+};
 use sheetwright::make::{Made, Part, make};
 use sheetwright::math::{Point2, Point3, Vec2};
 use sheetwright::pattern::{LabelKind, PathKind, PatternLabel, PatternPath, Piece, Role};
@@ -13,9 +15,9 @@ use sheetwright::rung::Rung;
 use sheetwright::triangulate::{Goal, WhichSurface};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
-    Format, MaxSheets, OutputError, Paper, PatternReadError, PdfOptions, ReadPattern, Reduced,
-    finding_text, output_files, read_dxf, read_svg, refold_error_mm, write_dxf, write_obj,
-    write_pdf, write_svg,
+    BrakeSettings, Format, MaxSheets, OutputError, OutputOptions, Paper, PatternReadError,
+    PdfOptions, ReadPattern, Reduced, finding_text, output_files, read_dxf, read_svg,
+    refold_error_mm, write_dxf, write_obj, write_pdf, write_svg,
 };
 
 /// The planks of the hull of `examples/ubc-fishing-vessel.csv`, a metre of it `scale` mm long.
@@ -51,6 +53,7 @@ fn hull(scale: f64) -> Made {
         cut: Vec::new(),
         which: WhichSurface::Cheapest,
         near: Vec::new(),
+        bends: Some(Bends { marks: BendMarks::Rulings, ..Bends::default() }),
     });
     let design = Design {
         name: "hull".into(),
@@ -199,7 +202,8 @@ fn random_piece(dice: &mut Dice) -> Piece {
         text: "a<b & \"c\" \u{1}\u{FFFF}]]> Łódź 板".into(),
     };
     let name = label.text.clone();
-    Piece { name, paths, labels: vec![label], size: Vec2::splat(size * n as f64) }
+    let size = Vec2::splat(size * n as f64);
+    Piece { name, paths, labels: vec![label], size, bends: Vec::new() }
 }
 
 #[test]
@@ -334,6 +338,7 @@ fn the_same_design_gives_the_same_bytes() {
             "pattern.fold",
             "pattern-astm.dxf",
             "offsets.csv",
+            "brake.csv",
             "report.json",
             "report.html"
         ]
@@ -517,4 +522,48 @@ fn readers_refuse_whatever_is_no_pattern_and_never_panic() {
             }
         }
     }
+}
+
+#[test]
+fn patterns_of_the_neutral_fibre_fold_up_to_its_surface() {
+    let settings =
+        ["width=600", "diameter=350", "material=steel-1mm", "dimensions=inside"].map(str::to_owned);
+    let design = sheetwright_files::design_from_template("square-to-round", &settings).unwrap();
+    let made = make(&design, &mut Unwatched).unwrap();
+    let found = made.parts[0].found().unwrap();
+    let moved = found.surface.positions().iter().zip(made.parts[0].sheet.mesh().positions());
+    assert!(moved.clone().all(|(drawn, neutral)| drawn.distance(*neutral) > 0.49));
+    let outputs = output_files(&made, &Format::DEFAULT, &PdfOptions::default()).unwrap();
+    assert!(outputs.refold_error_mm[0] < 1e-9, "{}", outputs.refold_error_mm[0]);
+    let codes = outputs.panels[0].findings.iter().map(|finding| finding.code());
+    assert!(codes.clone().all(|code| code != "refold" && code != "length-error"));
+}
+
+#[test]
+fn a_plan_for_the_brake_warns_in_the_table_the_report_and_the_findings() {
+    let settings = ["material=steel-1mm".to_owned()];
+    let design = sheetwright_files::design_from_template("square-to-round", &settings).unwrap();
+    let made = make(&design, &mut Unwatched).unwrap();
+    let brake = BrakeSettings { length_mm: Some(380.0), ..BrakeSettings::default() };
+    let options = OutputOptions { brake, ..OutputOptions::default() };
+    let outputs = output_files(&made, &[Format::Brake, Format::Report], options).unwrap();
+    let file = |name: &str| {
+        let file = outputs.files.iter().find(|file| file.name == name).unwrap();
+        text(&file.bytes).to_owned()
+    };
+    let table = file("brake.csv");
+    let rows: Vec<&str> = table.lines().collect();
+    assert_eq!(rows.len(), 25, "a header, and 24 hits");
+    // Lines of one corner meet in it, and the die is eight thicknesses.
+    assert!(rows[2].contains(",0.0 mm from line 1; half the die opening is 4.0 mm"), "{}", rows[2]);
+    assert!(rows[1..].iter().any(|row| row.contains("mm long; the brake is 380 mm")));
+    assert!(file("report.html").contains("Bends, in order"));
+    let codes: Vec<&str> = outputs.panels[0].findings.iter().map(|f| f.code()).collect();
+    assert!(codes.contains(&"bend-lines-close") && codes.contains(&"bend-lines-long"), "{codes:?}");
+
+    let brake = BrakeSettings { rolls: true, ..BrakeSettings::default() };
+    let options = OutputOptions { brake, ..OutputOptions::default() };
+    let rolled = output_files(&made, &[Format::Brake], options).unwrap();
+    assert!(text(&rolled.files[0].bytes).starts_with("part,station,kind,direction,x1_mm"));
+    assert!(rolled.panels[0].findings.iter().all(|f| !f.code().starts_with("bend-lines-")));
 }

@@ -1,6 +1,7 @@
 //! Findings on a part, each with its kind, its place and its severity; and the verdict.
 
 mod bending;
+mod brake;
 mod finding;
 mod kind;
 mod origin;
@@ -11,6 +12,7 @@ mod strain;
 mod stretching;
 mod verdict;
 
+pub use brake::braking;
 pub use finding::{Checked, Finding};
 pub use kind::{Bend, FindingKind, Hindrance, Movement, SeamCause, TooTight};
 pub use place::{BorderSide, Place, SeamPlace};

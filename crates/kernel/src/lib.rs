@@ -77,6 +77,8 @@ pub mod fair;
 
 pub mod edge;
 
+pub mod bend;
+
 pub mod pattern;
 
 pub mod trim;

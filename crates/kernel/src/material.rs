@@ -65,6 +65,31 @@ pub struct KFactors {
     pub source: String,
 }
 
+impl KFactors {
+    /// K at an inner radius over the thickness: between two rows in proportion, beyond the first
+    /// and the last as there, as FreeCAD's SheetMetal has it.
+    pub fn at(&self, radius_per_thickness: f64) -> f64 {
+        let after =
+            self.rows.partition_point(|row| row.radius_per_thickness < radius_per_thickness);
+        match (after.checked_sub(1).map(|n| self.rows[n]), self.rows.get(after)) {
+            (Some(from), Some(to)) => {
+                let step = to.radius_per_thickness - from.radius_per_thickness;
+                let share = (radius_per_thickness - from.radius_per_thickness) / step;
+                from.k + (to.k - from.k) * share
+            }
+            (Some(only), None) => only.k,
+            (None, Some(only)) => only.k,
+            (None, None) => 0.5,
+        }
+    }
+}
+
+/// The bend allowance, mm: how much of the flat sheet a bend takes, by an angle, radians, at an
+/// inner radius, mm, of a sheet of a thickness, mm, with this K.
+pub fn bend_allowance_mm(angle: f64, radius_mm: f64, thickness_mm: f64, k: f64) -> f64 {
+    angle.abs() * (radius_mm + k * thickness_mm)
+}
+
 /// The K-factor of one bend.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KFactor {
@@ -225,6 +250,25 @@ mod tests {
     fn what_is_bent_tightly_folds() {
         assert!(sheet(1.5, 15.0).folds());
         assert!(!sheet(3.0, 290.0).folds());
+    }
+
+    /// The example of a table and the test case in the README of FreeCAD's SheetMetal workbench.
+    #[test]
+    fn k_factors_and_allowances_are_those_of_a_worked_example() {
+        let row = |(radius_per_thickness, k)| KFactor { radius_per_thickness, k };
+        let rows = [(1.0, 0.38), (3.0, 0.43), (99.0, 0.5)].map(row).to_vec();
+        let table = KFactors { rows, source: ASSUMED.to_owned() };
+        for (ratio, k) in [(0.82, 0.38), (1.0, 0.38), (2.0, 0.405), (51.0, 0.465), (1e4, 0.5)] {
+            assert!((table.at(ratio) - k).abs() < 1e-12, "{ratio}");
+        }
+        let (thickness_mm, radius_mm, flange_mm) = (2.0, 1.64, 51.76);
+        let k = table.at(radius_mm / thickness_mm);
+        let right_angle = std::f64::consts::FRAC_PI_2;
+        let allowance_mm = bend_allowance_mm(right_angle, radius_mm, thickness_mm, k);
+        // Up to where the bend begins, and half of the bend: the mould line.
+        let leg_mm = flange_mm - radius_mm - thickness_mm;
+        assert!((leg_mm - 48.12).abs() < 1e-9);
+        assert!((leg_mm + 0.5 * allowance_mm - 50.0).abs() < 0.01);
     }
 
     #[test]

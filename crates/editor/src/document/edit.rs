@@ -77,7 +77,7 @@ pub fn edited(document: &Document, edit: &Edit) -> Outcome {
         }
         Edit::SetTrade(name) => {
             let mut next = document.clone();
-            retrimmed(&mut next.design, name.as_deref(), thickness_mm(&document.design))?;
+            retrimmed(&mut next.design, name.as_deref(), document.design.sheet_thickness_mm())?;
             next.design.trade.clone_from(name);
             Ok(Edited::of(next))
         }
@@ -106,17 +106,13 @@ pub fn edited(document: &Document, edit: &Edit) -> Outcome {
             };
             // Some widths are thicknesses of the sheet.
             let trade = next.design.trade.clone();
-            retrimmed(&mut next.design, trade.as_deref(), thickness_mm(&document.design))?;
+            retrimmed(&mut next.design, trade.as_deref(), document.design.sheet_thickness_mm())?;
             Ok(Edited::of(next))
         }
         Edit::SetDrawing(drawing) => {
             Ok(Edited::of(Document { drawing: (**drawing).clone(), ..document.clone() }))
         }
     }
-}
-
-fn thickness_mm(design: &Design) -> Option<f64> {
-    design.material.as_ref().map(|material| material.thickness_mm.value)
 }
 
 /// Gives a design the trims of a trade in place of those that it has from one; `before_mm` is the
@@ -126,7 +122,7 @@ fn retrimmed(
     trade: Option<&str>,
     before_mm: Option<f64>,
 ) -> Result<(), String> {
-    let now_mm = thickness_mm(design);
+    let now_mm = design.sheet_thickness_mm();
     let trims = trims_for(design, trade, [before_mm, now_mm]);
     design.trims = trims.ok_or_else(|| "There is no such trade.".to_owned())?;
     Ok(())

@@ -145,7 +145,8 @@ fn what_a_cutter_needs_comes_back() {
         text: text.to_owned(),
     };
     let labels = vec![label(Role::Engrave, "Rücken 板"), label(Role::Note, "100 mm")];
-    let piece = Piece { name: "Rücken 板".into(), paths, labels, size: Vec2::new(100.0, 50.0) };
+    let (name, size) = ("Rücken 板".into(), Vec2::new(100.0, 50.0));
+    let piece = Piece { name, paths, labels, bends: Vec::new(), size };
     let other = Piece { name: "R_cken__".into(), labels: Vec::new(), ..piece.clone() };
     let bytes = written("Jacke", Some("felt"), &[&piece, &other]);
     let (style, pieces) = read(&bytes);

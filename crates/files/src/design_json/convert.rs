@@ -1,5 +1,6 @@
 //! A design from its file's types to the kernel's.
 
+use super::bends;
 use super::grammar::{
     CurveFile, DesignFile, GoalName, KindName, MethodName, PanelFile, PlaneFile, PlaneName,
     PointFile, SideName, Triple, VaryFile,
@@ -9,6 +10,7 @@ use super::material;
 use super::mesh::Meshes;
 use super::source::Source;
 use super::table_path::Tables;
+use super::thickness;
 use super::trims;
 use super::vary::VaryReader;
 use super::wrong_version;
@@ -85,10 +87,14 @@ pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, In
     // The material that the caller names takes the place of the design's own.
     let asked = source.options.material.as_ref();
     let asked = asked.and_then(|name| material_named(name, &materials));
-    let thickness_mm = asked.as_ref().or(material.as_ref()).map(|sheet| sheet.thickness_mm.value);
-    let mut trims = trims::read(trade.as_deref(), file.trims, file.units, thickness_mm, source)?;
+    let of_sheet = asked.as_ref().or(material.as_ref()).map(|sheet| sheet.thickness_mm.value);
+    let thickness_mm = thickness::thickness_mm(file.thickness, file.units, source)?;
+    let reckoned_mm = source.options.thickness_mm.or(thickness_mm).or(of_sheet);
+    let mut trims = trims::read(trade.as_deref(), file.trims, file.units, reckoned_mm, source)?;
     trims.extend(source.options.allowance());
     let preset = preset(file.preset, source)?;
+    let bends = bends::read(file.bends, "bends", file.units, source)?.unwrap_or_default();
+    let dimensions = thickness::dimensions(file.dimensions);
     Ok(Design {
         name,
         material,
@@ -100,6 +106,9 @@ pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, In
         trade,
         trims,
         preset,
+        bends,
+        dimensions,
+        thickness_mm,
     })
 }
 
@@ -239,10 +248,12 @@ fn panels(
         }
         let mut file = file;
         let mesh = meshes.shape(&mut file, &path)?;
-        panels.push(match mesh {
+        let bends = bends::read(file.bends.take(), &format!("{path}.bends"), units, source)?;
+        let panel = match mesh {
             Some(mesh) => DesignPanel::new(file.name, mesh, NO_SAMPLES),
             None => PanelReader { path: &path, known: &known, units, source }.panel(file)?,
-        });
+        };
+        panels.push(DesignPanel { bends, ..panel });
     }
     check_joins(&panels, &known, &|path, message, hint| source.error(path, message, hint))?;
     Ok(panels)
@@ -296,6 +307,7 @@ impl PanelReader<'_> {
             samples: self.samples(file.samples, &shape)?,
             cut: self.cut(&file.cut.unwrap_or_default(), &shape)?,
             near: self.points("near", &file.near.unwrap_or_default())?,
+            bends: None,
             which: options.which.unwrap_or(match file.side {
                 None | Some(SideName::Cheapest) => WhichSurface::Cheapest,
                 Some(SideName::Other) => WhichSurface::Other,

@@ -2,6 +2,7 @@
 //!
 //! The doc comments of these types are the descriptions in docs/schema/design.schema.json.
 
+use super::bends::BendsFile;
 use super::drawing::DrawingFile;
 use super::trims::{TrimFile, Written};
 use crate::json::{Called, Named, Object};
@@ -68,10 +69,34 @@ pub(super) struct DesignFile {
     /// `cricut`, `silhouette`, `plotter` or `wazer`. Default: generic.
     #[serde(default)]
     pub(super) preset: Option<String>,
+    /// Which face of the sheet the curves lie on: the pattern then is that of the neutral fibre of
+    /// a sheet of this thickness. Default: that of the surface through the curves.
+    #[serde(default)]
+    pub(super) dimensions: Option<DimensionsName>,
+    /// How thick the sheet is, in the units of the design. Default: as its material.
+    #[serde(default)]
+    #[schemars(range(min = 0))]
+    pub(super) thickness: Option<f64>,
+    /// How bends are marked on the patterns of panels that do not say it themselves.
+    #[serde(default)]
+    #[schemars(with = "Option<BendsFile>")]
+    pub(super) bends: Option<Object<BendsFile>>,
     /// How it is drawn in the editor. Nothing in it changes what is made.
     #[serde(default)]
     #[schemars(with = "Option<DrawingFile>")]
     pub(super) drawing: Option<Object<DrawingFile>>,
+}
+
+/// A face of the sheet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum DimensionsName {
+    /// The inner one of its bends, as duct shops give clear sizes.
+    Inside,
+    /// The middle of the sheet.
+    Mean,
+    /// The outer one.
+    Outside,
 }
 
 /// What may move, how far, and what for. Where points have a distance `move`, only those move that
@@ -297,6 +322,10 @@ pub(super) struct PanelFile {
     #[serde(default)]
     #[schemars(with = "Option<VaryFile>")]
     pub(super) vary: Option<Object<VaryFile>>,
+    /// How its bends are marked on its pattern. Default: as the design says.
+    #[serde(default)]
+    #[schemars(with = "Option<BendsFile>")]
+    pub(super) bends: Option<Object<BendsFile>>,
 }
 
 /// Which triangulations are looked at.

@@ -3,6 +3,7 @@
 //! Reading has two steps: serde makes the file's own types ([`grammar`]) and knows lines; then
 //! [`convert`] makes the kernel's and knows JSON paths.
 
+mod bends;
 mod beside;
 mod convert;
 mod drawing;
@@ -12,10 +13,12 @@ mod material;
 mod mesh;
 mod source;
 mod table_path;
+mod thickness;
 mod trims;
 mod vary;
 mod write;
 
+pub(crate) use bends::{RuleName, rule};
 pub(crate) use table_path::table_beside;
 pub(crate) use trims::trims_of;
 pub use trims::{trade_names, trade_title, trims_for};
@@ -384,6 +387,9 @@ mod tests {
             mesh: crate::MeshSettings::default(),
             trade: None,
             allowance_mm: None,
+            bends: crate::BendSettings::default(),
+            dimensions: None,
+            thickness_mm: None,
         };
         let design =
             read_bytes(InputFormat::Design, DINGHY.as_bytes(), "d.json", None, &options).unwrap();

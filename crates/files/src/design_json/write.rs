@@ -1,8 +1,9 @@
 //! A kernel design as JSON: one block per curve, one line per point and per panel.
 
+use super::bends;
 use super::drawing::DrawingFile;
 use super::grammar::{GoalName, KindName, MethodName, SideName, SmoothName};
-use super::{VERSION, material, mesh, trims, vary};
+use super::{VERSION, material, mesh, thickness, trims, vary};
 use crate::json::json;
 use crate::materials::file_of;
 use crate::units::Units;
@@ -65,13 +66,15 @@ fn write(
         fields.push("  \"match_seams\": true".to_owned());
     }
     fields.extend(design.preset.iter().map(|name| format!("  \"preset\": {}", json(name))));
+    fields.extend(thickness::written(design));
+    fields.extend(bends::written(&design.bends).map(|bends| format!("  {bends}")));
     let of_panel = |p: &DesignPanel| {
         let own = design.vary.iter().find(|vary| vary.panels == [p.name.as_str()]);
         panel(p, own.map(|vary| json(&vary::written(vary, true))))
     };
     let panels: Vec<String> = design.panels.iter().map(of_panel).collect();
     fields.push(format!("  \"panels\": [\n{}\n  ]", panels.join(",\n")));
-    let thickness_mm = design.material.as_ref().map(|material| material.thickness_mm.value);
+    let thickness_mm = design.sheet_thickness_mm();
     let (trade, own) = trims::written(design.trade.as_deref(), &design.trims, thickness_mm);
     fields.extend(trade.map(|trade| format!("  \"for\": {}", json(&trade))));
     if !own.is_empty() {
@@ -130,6 +133,7 @@ fn panel(panel: &DesignPanel, vary: Option<String>) -> String {
         }
         PanelShape::Mesh(given) => {
             fields.extend(mesh::fields(given));
+            fields.extend(panel.bends.as_ref().map(bends::written_of_panel));
             return format!("    {{ {} }}", fields.join(", "));
         }
         PanelShape::Join(join) => {
@@ -186,5 +190,6 @@ fn panel(panel: &DesignPanel, vary: Option<String>) -> String {
         WhichSurface::Other => fields.push(format!("\"side\": {}", json(&SideName::Other))),
     }
     fields.extend(vary.map(|vary| format!("\"vary\": {vary}")));
+    fields.extend(panel.bends.as_ref().map(bends::written_of_panel));
     format!("    {{ {} }}", fields.join(", "))
 }

@@ -115,7 +115,7 @@ mod tests {
             points: corners.map(|(x, y)| Point2::new(x, y)).to_vec(),
             closed: true,
         };
-        Piece { name: "front".to_owned(), paths: vec![outline], labels, size }
+        Piece { name: "front".to_owned(), paths: vec![outline], labels, size, bends: Vec::new() }
     }
 
     fn label(text: &str, at: Point2, along: Vec2, height_mm: f64) -> PatternLabel {

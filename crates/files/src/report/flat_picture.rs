@@ -132,7 +132,7 @@ fn rungs(
 /// The ticks that are engraved at the ends of rulings and on the sides of seams.
 fn marks(panel: &Part, place: impl Fn(Point2) -> Point2) -> String {
     let mut path = PathData::default();
-    let is_tick = |kind: PathKind| matches!(kind, PathKind::RulingTick | PathKind::SeamTick);
+    let is_tick = |kind: PathKind| matches!(kind, PathKind::BendTick | PathKind::SeamTick);
     for tick in panel.piece.paths.iter().filter(|p| is_tick(p.kind)) {
         path.line(tick.points.iter().map(|&p| place(p)));
     }

@@ -1,5 +1,6 @@
 //! `report.html`: the report to read, one file that works offline.
 
+use super::brake_page::brake_plan;
 use super::form::{ReportForm, Row, short};
 use super::found_page::FoundPage;
 use super::mesh_page::MeshPage;
@@ -12,13 +13,15 @@ use super::wording::{
 };
 use crate::words::finding_text;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
+use sheetwright::bend::Hit;
 use sheetwright::check::Checked;
 use sheetwright::make::{Made, Origin};
 use sheetwright::material::stretch_limit;
 use sheetwright::math::to_deg;
 
 /// `report.html` of a made design. `refold_error_mm` and `checked` have one entry for each part; a
-/// refold error that is not finite means that the written pattern can't be read back.
+/// refold error that is not finite means that the written pattern can't be read back. `plans` has
+/// the hits of each part at the press brake, if they are to be shown.
 ///
 /// # Panics
 /// Unless both have one entry for each part.
@@ -27,6 +30,7 @@ pub fn report_html(
     refold_error_mm: &[f64],
     checked: &[Checked],
     form: ReportForm,
+    plans: Option<&[Vec<Hit>]>,
 ) -> Vec<u8> {
     assert_eq!(made.parts.len(), refold_error_mm.len(), "one refold error a part");
     assert_eq!(made.parts.len(), checked.len(), "one verdict a part");
@@ -38,6 +42,7 @@ pub fn report_html(
             part,
             refold_error_mm,
             checked,
+            plan: plans.and_then(|plans| plans.get(n)).map(|hits| &hits[..]),
         })
         .collect();
     let columns = columns(&pages);
@@ -105,13 +110,21 @@ fn subtitle(made: &Made) -> String {
         (n, true) => format!("{n} mesh panels"),
     };
     let stretch = plain_per_cent(stretch_limit(made.material.as_ref()));
+    let thick = made.parts.iter().find_map(|part| part.thick);
+    let thick = thick.map_or_else(String::new, |thick| {
+        let (face, mm) = (thick.dimensions.name(), millimetres(thick.thickness_mm));
+        format!(". Dimensions: {face}; patterns are those of the neutral fibre of {mm}")
+    });
     match &made.material {
         Some(m) => {
             let radius = millimetres(m.bend_radius_mm.value);
-            format!("{panels} of {}. Limits: strain {stretch}, bend radius {radius}", m.title)
+            format!(
+                "{panels} of {}. Limits: strain {stretch}, bend radius {radius}{thick}",
+                m.title
+            )
         }
         None => {
-            format!("{panels}, no material named. Limit: strain {stretch}")
+            format!("{panels}, no material named. Limit: strain {stretch}{thick}")
         }
     }
 }
@@ -212,6 +225,7 @@ impl PartPage<'_> {
                 p { (verdict_sentence(self.checked.verdict, is_mesh)) }
                 (findings(self.checked))
                 (figures)
+                (brake_plan(self))
                 h3 { "Numbers" }
                 dl.numbers {
                     @for (name, value) in numbers {

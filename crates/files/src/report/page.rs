@@ -4,6 +4,7 @@
 use super::gauss_picture::gauss_picture;
 use super::space_picture::space_picture;
 use maud::{Markup, PreEscaped, html};
+use sheetwright::bend::Hit;
 use sheetwright::check::Checked;
 use sheetwright::edge::Edge;
 use sheetwright::make::{Made, Part};
@@ -18,6 +19,8 @@ pub(super) struct PartPage<'a> {
     /// See [`crate::Outputs::refold_error_mm`].
     pub(super) refold_error_mm: f64,
     pub(super) checked: &'a Checked,
+    /// Its hits at the press brake, if a plan is made.
+    pub(super) plan: Option<&'a [Hit]>,
 }
 
 impl PartPage<'_> {

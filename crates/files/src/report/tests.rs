@@ -25,7 +25,7 @@ fn none(made: &Made) -> Vec<Option<PanelQuads>> {
 
 fn html(made: &Made) -> String {
     let (errors, checked) = checks(made);
-    String::from_utf8(report_html(made, &errors, &checked, ReportForm::Auto)).unwrap()
+    String::from_utf8(report_html(made, &errors, &checked, ReportForm::Auto, None)).unwrap()
 }
 
 fn json(made: &Made) -> serde_json::Value {
@@ -291,7 +291,7 @@ fn the_short_form_shows_every_panel_in_a_few_kilobytes() {
     made.parts.truncate(100);
     assert!(html(&made).contains("class=\"numbers\""));
     let (errors, checked) = checks(&made);
-    let short = report_html(&made, &errors, &checked, ReportForm::Short);
+    let short = report_html(&made, &errors, &checked, ReportForm::Short, None);
     assert!(String::from_utf8(short).unwrap().contains("Of 100 panels"));
 }
 
@@ -343,7 +343,7 @@ fn rulings_are_drawn_where_the_sheet_bends() {
 fn a_page_speaks_of_rulings_where_there_are_any() {
     for (made, bends) in [(concave(), false), (quarter(), true)] {
         let checked = [made.parts[0].checked.clone()];
-        let page = report_html(&made, &[0.0], &checked, ReportForm::Long);
+        let page = report_html(&made, &[0.0], &checked, ReportForm::Long, None);
         let page = String::from_utf8(page).unwrap();
         for words in ["The thin lines are rulings", "Lay a straightedge"] {
             assert_eq!(page.contains(words), bends, "{words}");
@@ -371,7 +371,8 @@ fn no_number_fails_to_be_one() {
     let made = quarter();
     let checked = vec![made.parts[0].checked.clone()];
     let unread =
-        String::from_utf8(report_html(&made, &[f64::NAN], &checked, ReportForm::Auto)).unwrap();
+        String::from_utf8(report_html(&made, &[f64::NAN], &checked, ReportForm::Auto, None))
+            .unwrap();
     assert!(unread.contains("not read back"));
     pages.push(unread);
     for page in pages {
@@ -433,7 +434,8 @@ fn an_error_is_not_hidden_behind_a_good_verdict() {
     checked.verdict = sheetwright::check::Verdict::Bends;
     checked.findings.retain(|f| f.code() == "overlap");
     assert_eq!(checked.findings.len(), 1);
-    let page = String::from_utf8(report_html(&made, &[0.0], &[checked], ReportForm::Auto)).unwrap();
+    let page =
+        String::from_utf8(report_html(&made, &[0.0], &[checked], ReportForm::Auto, None)).unwrap();
     assert!(page.contains("Bends, but do not cut it"));
     assert!(page.contains(r#"class="card error""#));
 }

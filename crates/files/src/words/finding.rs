@@ -248,6 +248,22 @@ pub fn finding_text(finding: &Finding) -> String {
             "The quads can't be made planar: their diagonals are up to {} mm apart.",
             short(*uneven_mm)
         ),
+        Kind::LinesClose { count, nearest_mm, least_mm } => format!(
+            "{} nearer to the one before than half the die opening, {least_mm:.1} mm: as near as \
+             {nearest_mm:.1} mm. Take a narrower die or fewer lines, or roll the sheet there.",
+            counted(*count, "A bend line comes", "bend lines come"),
+        ),
+        Kind::LinesLong { count, longest_mm, most_mm } => format!(
+            "{} longer than the brake, {most_mm:.0} mm: up to {longest_mm:.0} mm. Divide the part, \
+             or take a longer brake.",
+            counted(*count, "A bend line is", "bend lines are"),
+        ),
+        Kind::FlangeShort { count, shortest_mm, least_mm } => format!(
+            "Beyond {} the sheet reaches less far than half the die opening, {least_mm:.1} mm: as \
+             little as {shortest_mm:.1} mm. It falls into the die. Take a narrower die, or bend a \
+             wider sheet and trim it.",
+            counted(*count, "a bend line", "bend lines"),
+        ),
         Kind::PdfReduced { sheets, scale, most, is_full } => {
             reduced(*sheets, *scale, *most, *is_full)
         }
@@ -345,12 +361,12 @@ fn bend_lines(count: usize, sharpest: f64) -> String {
     let (limit, sharpest) = (format!("more than {SHARP_CREASE_DEG:.0}°"), degrees(sharpest));
     let lines = match count {
         1 => format!(
-            "The sheet bends by {limit} ({sharpest}) at one ruling. The pattern marks it as a bend \
-             line."
+            "The sheet bends by {limit} ({sharpest}) at one ruling. Bend it along the bend lines of \
+             the pattern."
         ),
         count => format!(
-            "The sheet bends by {limit} (up to {sharpest}) at {count} rulings. The pattern marks \
-             them as bend lines."
+            "The sheet bends by {limit} (up to {sharpest}) at {count} rulings. Bend it along the \
+             bend lines of the pattern."
         ),
     };
     format!("{lines} More samples spread the bend over more rulings.")

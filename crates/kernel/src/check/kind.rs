@@ -357,6 +357,33 @@ pub enum FindingKind {
         /// if no such quads were found.
         off_mm: Option<f64>,
     },
+    /// Bend lines come nearer to one another than half the die opening of the press brake.
+    LinesClose {
+        /// How many come too near to the one before.
+        count: usize,
+        /// The nearest, mm.
+        nearest_mm: f64,
+        /// Half the die opening, mm.
+        least_mm: f64,
+    },
+    /// Bend lines are longer than the press brake.
+    LinesLong {
+        /// How many.
+        count: usize,
+        /// The longest, mm.
+        longest_mm: f64,
+        /// How long the brake is, mm.
+        most_mm: f64,
+    },
+    /// Beyond its first or last bend line the sheet reaches less far than half the die opening.
+    FlangeShort {
+        /// How many such lines there are.
+        count: usize,
+        /// The shortest reach, mm.
+        shortest_mm: f64,
+        /// Half the die opening, mm.
+        least_mm: f64,
+    },
     /// The PDF shows the panel smaller than it is.
     PdfReduced {
         /// About how many sheets of paper it takes at true scale.
@@ -463,6 +490,9 @@ impl FindingKind {
             | Self::RoundedCorner { .. }
             | Self::StayedStraight { .. }
             | Self::WarpNotReached { .. }
+            | Self::LinesClose { .. }
+            | Self::LinesLong { .. }
+            | Self::FlangeShort { .. }
             | Self::QuadsNotPlanar { .. } => Severity::Warning,
             Self::BetterWithoutPlane { .. }
             | Self::NotProven { .. }
@@ -552,6 +582,9 @@ impl FindingKind {
             Self::QuadsNotPlanar { .. } => "quads-not-planar",
             Self::PdfReduced { .. } => "pdf-reduced",
             Self::Trimmed { .. } => "trim",
+            Self::LinesClose { .. } => "bend-lines-close",
+            Self::LinesLong { .. } => "bend-lines-long",
+            Self::FlangeShort { .. } => "flange-short",
         }
     }
 

@@ -3,10 +3,10 @@
 
 use super::{Finding, FindingKind, MeshOrigin, Place, SeamCause, Subject};
 use super::{overlap, seams, strain, title};
+use crate::bend::fold_counts;
 use crate::measure::Distortion;
 use crate::mesh::{Healing, SCORED_CREASE_DEG, Specks, crease_angles};
 use crate::nets::Coarseness;
-use crate::pattern::fold_counts;
 use sheetwright_geometry::math::to_deg;
 
 /// The border is true up to this share of a length.

@@ -1,6 +1,8 @@
 //! A design: all inputs as one plain value. Nothing is computed here; `sample` takes boundaries
 //! from it, `fair` moves its points, `make` derives every stage.
 
+mod bends;
+mod dimensions;
 mod failure;
 mod join;
 mod mesh;
@@ -9,6 +11,8 @@ mod shorthand;
 mod trim;
 mod vary;
 
+pub use bends::{AUTO_LINES, AUTO_STEP_DEG, BendMarks, BendRule, Bends, MOST_BEND_LINES};
+pub use dimensions::{Dimensions, Thick};
 pub use failure::Failure;
 pub use join::Join;
 pub use mesh::{PanelMesh, Triangles};
@@ -132,6 +136,8 @@ pub struct DesignPanel {
     /// Points that the surface should pass near, mm: they choose between surfaces that fit the
     /// boundary about as well.
     pub near: Vec<Point3>,
+    /// How its bends are marked; `None`: as those of the design.
+    pub bends: Option<Bends>,
 }
 
 impl DesignPanel {
@@ -151,6 +157,7 @@ impl DesignPanel {
             cut: Vec::new(),
             which: WhichSurface::Cheapest,
             near: Vec::new(),
+            bends: None,
         }
     }
 }
@@ -182,9 +189,34 @@ pub struct Design {
     /// The name of the preset that its patterns are written for, if it names one: what that is,
     /// writers know.
     pub preset: Option<String>,
+    /// How the bends of panels are marked that do not say it themselves.
+    pub bends: Bends,
+    /// Which face of the sheet the curves lie on. Default: the pattern is that of the surface
+    /// through them, however thick the sheet is.
+    pub dimensions: Option<Dimensions>,
+    /// How thick the sheet is, mm. Default: as its material.
+    pub thickness_mm: Option<f64>,
 }
 
 impl Design {
+    /// How thick the sheet is, mm, if that is known.
+    pub fn sheet_thickness_mm(&self) -> Option<f64> {
+        let of_material = self.material.as_ref().map(|material| material.thickness_mm.value);
+        self.thickness_mm.or(of_material)
+    }
+
+    /// The thickness of the sheet and the face that was drawn; `None` where one of both is not
+    /// known, and the pattern is that of the surface as it was drawn.
+    pub fn thick(&self) -> Option<Thick> {
+        let (dimensions, thickness_mm) = (self.dimensions?, self.sheet_thickness_mm()?);
+        Some(Thick { dimensions, thickness_mm })
+    }
+
+    /// How the bends of a panel are marked.
+    pub fn bends_of(&self, panel: &DesignPanel) -> Bends {
+        panel.bends.unwrap_or(self.bends)
+    }
+
     /// The panels that are made, in order: all but those that a join takes the place of.
     pub fn panels_to_make(&self) -> Vec<&DesignPanel> {
         let mut replaced: BTreeSet<&str> = BTreeSet::new();

@@ -55,9 +55,9 @@ fn make_as_asked(
     let next = Known::next(known.take(), cheapest);
     let known = known.insert(next);
     let cut = &panel.cut;
-    let material = design.material.as_ref();
+    let (material, thick) = (design.material.as_ref(), design.thick());
     let setting =
-        Setting { boundary: &boundary, plane: plane.as_ref(), options: &options, material };
+        Setting { boundary: &boundary, plane: plane.as_ref(), options: &options, material, thick };
     let failed = |cause| MakeError::of_panel(&panel.name, cause);
     let candidate = setting.candidate(&panel.name, &triangulation, cut, watch).map_err(failed)?;
     let Candidate { surface, sheet, flat, measures, predicted, mut checked } = candidate;
@@ -81,7 +81,8 @@ fn make_as_asked(
     let curve = |number: usize| design.curves[number].name.clone();
     let edges = edges_of_boundary(&sheet, &flat.points, &steps, curve);
     let marks = seam_marks(&sheet);
-    let options_of_piece = PatternOptions::default();
+    let bends = design.bends_of(panel);
+    let options_of_piece = PatternOptions { bends, is_net: false };
     let piece = piece(&panel.name, &sheet, &flat, &edges, &measures, &marks, &options_of_piece);
     let found = Found {
         method: panel.method,
@@ -106,6 +107,8 @@ fn make_as_asked(
         predicted,
         checked,
         piece,
+        thick,
+        bends,
         edges,
         origin,
     })

@@ -22,8 +22,8 @@ pub(super) fn judge(part: &mut Part, material: Option<&Material>, watch: &mut dy
     part.predicted = Some(predicted);
     if part.measures.rungs.iter().any(|rung| rung.is_fold && !rung.is_scored) {
         let marks = seam_marks(&part.sheet);
-        let Part { name, sheet, flat, edges, measures, .. } = part;
-        let options = PatternOptions::default();
+        let Part { name, sheet, flat, edges, measures, bends, .. } = part;
+        let options = PatternOptions { bends: *bends, is_net: false };
         part.piece = piece(name, sheet, flat, edges, measures, &marks, &options);
     }
     false

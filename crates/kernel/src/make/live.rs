@@ -1,8 +1,9 @@
 //! A design while it is edited: only the panels that depend on a change are made anew.
 //!
-//! 1. A panel depends on the curves that bound it, on its own settings, on the material, and on how
-//!    many samples its curves get where seams are matched; one that joins others, on those too. A
-//!    panel for which all that is as it was, to the last bit, stays as it is.
+//! 1. A panel depends on the curves that bound it, on its own settings, on the material, on the
+//!    thickness and the face that was drawn, on how its bends are marked, and on how many samples
+//!    its curves get where seams are matched; one that joins others, on those too. A panel for
+//!    which all that is as it was, to the last bit, stays as it is.
 //! 2. A panel that does change has nearly the triangulation that it had. The price of that, mended
 //!    where necessary, bounds the price of the new one, so that the table is filled below it at
 //!    once, where making a panel afresh looks for such a bound first. (The table itself is not
@@ -19,7 +20,7 @@ use super::cleaned::{Cleaned, LastCleaned};
 use super::unrestricted::Known;
 use super::{Judging, Made, MakeCause, MakeError, Maker, Part};
 use super::{find_mates, is_screened, join_meshes, settle, trim_parts};
-use crate::design::{Design, DesignCurve, DesignPanel, PanelShape, used};
+use crate::design::{Bends, Design, DesignCurve, DesignPanel, PanelShape, Thick, used};
 use crate::material::Material;
 use sheetwright_geometry::curve::CurvePoint;
 use sheetwright_geometry::math::Point3;
@@ -113,6 +114,10 @@ struct Inputs {
     /// Its mesh, if it is one.
     mesh: Option<Cleaned>,
     material: Option<Material>,
+    /// The thickness and the face that was drawn.
+    thick: Option<Thick>,
+    /// How its bends are marked.
+    bends: Bends,
 }
 
 impl Inputs {
@@ -129,7 +134,8 @@ impl Inputs {
         let given = |curve| place(curve).and_then(|number| maker.matched.get(&number).cloned());
         let divisions = curves.iter().map(given).collect();
         let mesh = maker.meshes[number].clone();
-        Self { panels, curves, divisions, mesh, material: design.material.clone() }
+        let (material, bends) = (design.material.clone(), design.bends_of(panel));
+        Self { panels, curves, divisions, mesh, material, thick: design.thick(), bends }
     }
 
     /// Whether both are alike to the last bit: 0 and −0 are not.
@@ -144,6 +150,8 @@ impl Inputs {
             && self.divisions == other.divisions
             && self.mesh == other.mesh
             && self.material == other.material
+            && self.thick == other.thick
+            && self.bends == other.bends
     }
 }
 
@@ -245,7 +253,8 @@ impl Live {
         find_mates(&mut parts);
         trim_parts(&mut parts, &self.design.trims)?;
         let (name, material) = (self.design.name.clone(), self.design.material.clone());
-        Ok(Made { name, material, parts, moved: None })
+        let thickness_mm = self.design.sheet_thickness_mm();
+        Ok(Made { name, material, thickness_mm, parts, moved: None })
     }
 
     /// The parts of each panel, or why they can't be made, in the order of [`Self::panels`], with

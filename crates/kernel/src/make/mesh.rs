@@ -15,7 +15,7 @@ use super::skins::with_skin;
 use super::truest::truest;
 use super::{Judging, MakeCause, MakeError};
 use crate::check::{CheckedFrom, FindingKind, MeshOrigin, NetOrigin, Subject, check};
-use crate::design::{Design, DesignPanel, PanelMesh};
+use crate::design::{Bends, Design, DesignPanel, PanelMesh};
 use crate::elastic::screen_given;
 use crate::flatten::{Aim, RelaxOptions, Relaxed, relax};
 use crate::material::{Material, stretch_limit};
@@ -91,6 +91,7 @@ fn make_parts(
     let names = names(design, panel, pieces.len());
     let made = names.into_iter().zip(pieces).map(|(name, piece)| {
         let made = make_part([&panel.name, &name], piece, material, (settings, judging), watch);
+        let made = made.map(|part| Part { bends: design.bends_of(panel), ..part });
         made.map_err(|cause| MakeError::of_panel(&name, cause))
     });
     made.collect()
@@ -375,8 +376,24 @@ fn make_part(
     // What it is joined to is not known yet, nor how its edges are called.
     let piece = Piece::undrawn(name);
     let (panel, name) = (panel.to_owned(), name.to_owned());
-    let (edges, origin) = (Vec::new(), Origin::Given(Box::new(given)));
-    Ok(Part { name, panel, sheet, flat, measures, predicted, checked, piece, edges, origin })
+    let (bends, edges) = (Bends::default(), Vec::new());
+    let origin = Origin::Given(Box::new(given));
+    // The pattern of a mesh is that of the mesh, however thick the sheet is.
+    let thick = None;
+    Ok(Part {
+        name,
+        panel,
+        sheet,
+        flat,
+        measures,
+        predicted,
+        checked,
+        piece,
+        thick,
+        bends,
+        edges,
+        origin,
+    })
 }
 
 /// A joint by the vertices of the sheet as it is cut.

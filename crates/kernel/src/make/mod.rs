@@ -53,6 +53,8 @@ pub struct Made {
     pub name: String,
     /// The material of the sheet, if one is named.
     pub material: Option<Material>,
+    /// How thick the sheet is, mm, if that is known.
+    pub thickness_mm: Option<f64>,
     /// Its parts, panel after panel in the order of the design, without panels that a join
     /// replaces.
     pub parts: Vec<Part>,
@@ -117,7 +119,8 @@ pub fn make_judged(
     find_mates(&mut parts);
     trim_parts(&mut parts, &design.trims)?;
     let (name, material) = (design.name.clone(), design.material.clone());
-    Ok(Made { name, material, parts, moved })
+    let thickness_mm = design.sheet_thickness_mm();
+    Ok(Made { name, material, thickness_mm, parts, moved })
 }
 
 /// The inputs that the panels of a design share.

@@ -40,10 +40,11 @@ pub(super) fn add_other(
     else {
         return Ok(false);
     };
-    let setting = Setting { boundary, plane, options, material };
+    let setting = Setting { boundary, plane, options, material, thick: part.thick };
     let candidate = setting.candidate(&part.name, &triangulation, &[], watch)?;
     let Candidate { surface, sheet, flat, measures, predicted, checked } = candidate;
-    let piece = piece(&part.name, &sheet, &flat, &[], &measures, &[], &PatternOptions::default());
+    let options = PatternOptions { bends: part.bends, is_net: false };
+    let piece = piece(&part.name, &sheet, &flat, &[], &measures, &[], &options);
     let origin = Found { surface, triangulation, change: None, other: None, ..(**found).clone() };
     let mut other = Part {
         name: part.name.clone(),
@@ -54,6 +55,8 @@ pub(super) fn add_other(
         predicted,
         checked,
         piece,
+        thick: part.thick,
+        bends: part.bends,
         edges: Vec::new(),
         origin: Origin::Found(Box::new(origin)),
     };

@@ -2,7 +2,7 @@
 
 use super::Rebuilt;
 use crate::check::{BoundaryMoved, Checked};
-use crate::design::{PanelMethod, VaryGoal};
+use crate::design::{Bends, PanelMethod, Thick, VaryGoal};
 use crate::edge::Edge;
 use crate::elastic::Predicted;
 use crate::fair::{self, Shift};
@@ -24,7 +24,7 @@ pub struct Part {
     pub name: String,
     /// The panel of the design that it is made of, by name.
     pub panel: String,
-    /// Its surface as it is cut open to lie flat.
+    /// Its surface as it is cut open to lie flat: the neutral one, where the thickness counts.
     pub sheet: Sheet,
     /// Its sheet laid flat.
     pub flat: Flattened,
@@ -36,6 +36,11 @@ pub struct Part {
     pub checked: Checked,
     /// The pattern to cut.
     pub piece: Piece,
+    /// The thickness of its sheet and the face that was drawn, where its pattern is that of the
+    /// neutral surface.
+    pub thick: Option<Thick>,
+    /// How its bends are marked on the pattern.
+    pub bends: Bends,
     /// The edges of its sheet, in the order of the loops; mates are parts of one [`super::Made`].
     pub edges: Vec<Edge>,
     /// The boundary or the mesh that it was made from.

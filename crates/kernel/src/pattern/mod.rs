@@ -1,5 +1,6 @@
 //! The flat pattern as a workshop needs it: paths with roles, marks and labels.
 
+mod bend;
 mod crease;
 mod dimension;
 mod edge_names;
@@ -7,19 +8,19 @@ mod fold;
 mod seam;
 mod trims;
 
-pub use fold::FOLDED_DEG;
 pub use seam::{EdgeMark, seam_mark, seam_marks};
 
-pub(crate) use fold::fold_counts;
 pub(crate) use seam::joint_mark;
 
+use crate::bend::{BendLine, bend_lines, fold_at};
+use crate::design::{BendMarks, Bends};
 use crate::edge::Edge;
 use crate::flatten::Flattened;
-use crate::measure::{Measures, RungMeasures, SHARP_CREASE_DEG};
+use crate::measure::{Measures, RungMeasures};
 use crate::mesh::MeshEdge;
 use crate::sheet::Sheet;
 use sheetwright_geometry::index::VertexIndex;
-use sheetwright_geometry::math::{Point2, Vec2, to_deg};
+use sheetwright_geometry::math::{Point2, Vec2};
 use sheetwright_geometry::predicate::{Box2, signed_area_doubled};
 use sheetwright_optimum::rung::Rung;
 
@@ -37,9 +38,9 @@ pub enum Role {
     /// The outline and the holes of the finished piece, where trims have moved the cut off them:
     /// sewn, glued or folded along.
     Net,
-    /// Mark lightly on the piece: names, lines to bend along, ruling ticks.
+    /// Mark lightly on the piece: names, ticks at the ends of bend lines.
     Engrave,
-    /// To read only: rungs, dimensions, reference squares. No machine follows these.
+    /// To read only: bend lines, dimensions, reference squares. No machine follows these.
     Note,
 }
 
@@ -101,8 +102,14 @@ pub enum PathKind {
         /// Whether it is a mountain, folded away from the viewer; else a valley.
         mountain: bool,
     },
-    /// A tick at the end of a ruling, inside the outline: a straightedge is laid from tick to tick.
-    RulingTick,
+    /// A bend line, from its left end to its right one.
+    Bend {
+        /// Whether the sheet is bent up along it, towards the viewer; else down.
+        up: bool,
+    },
+    /// A tick at the end of a bend line, inside the outline: a straightedge is laid from tick to
+    /// tick.
+    BendTick,
     /// A tick in the middle of a side of a seam, which meets that of the other side.
     SeamTick,
     /// A line of a dimension.
@@ -153,6 +160,8 @@ pub enum LabelKind {
     Trim,
     /// The angle of a fold.
     Angle,
+    /// The number of a bend line, its way and its angle.
+    Bend,
 }
 
 /// A line of text of a pattern.
@@ -177,19 +186,21 @@ pub struct PatternLabel {
 pub struct Piece {
     /// The name of its panel.
     pub name: String,
-    /// Its paths: the outline first, then holes, rungs and marks.
+    /// Its paths: the outline first, then holes, folds, bend lines and marks.
     pub paths: Vec<PatternPath>,
     /// Its texts.
     pub labels: Vec<PatternLabel>,
     /// Width and height of the box around the outline, whose lower left corner is the origin, mm.
     pub size: Vec2,
+    /// The lines that it is bent along, by their numbers from 1, whether they are drawn or not.
+    pub bends: Vec<BendLine>,
 }
 
 impl Piece {
     /// The piece of a part before it is drawn.
     pub(crate) fn undrawn(name: &str) -> Self {
-        let (paths, labels) = (Vec::new(), Vec::new());
-        Self { name: name.to_owned(), paths, labels, size: Vec2::ZERO }
+        let (paths, labels, bends) = (Vec::new(), Vec::new(), Vec::new());
+        Self { name: name.to_owned(), paths, labels, size: Vec2::ZERO, bends }
     }
 
     /// The points of the outline, mm.
@@ -231,20 +242,13 @@ impl Piece {
 }
 
 /// How a pattern is marked.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct PatternOptions {
-    /// How many rulings get ticks, at the most. Default 24, as in the classical triangulation of
-    /// ducts.
-    pub(crate) ruling_ticks: usize,
+    /// How its bends are.
+    pub(crate) bends: Bends,
     /// Whether it is a net of facets: its folds are told apart, with their angles, and edges have
     /// marks instead of names. Default: it is not.
     pub(crate) is_net: bool,
-}
-
-impl Default for PatternOptions {
-    fn default() -> Self {
-        Self { ruling_ticks: 24, is_net: false }
-    }
 }
 
 /// Ticks are as long as this share of the shorter side of the piece, within 2 to 10 mm.
@@ -270,10 +274,10 @@ pub(crate) fn piece(
     let shorter = size.x.min(size.y);
     let tick_mm = (TICK_SHARE * shorter).clamp(2.0, 10.0);
     let height_mm = (LABEL_SHARE * shorter).clamp(2.0, 25.0);
-    paths.extend(rungs(sheet, flat, measures, options, tick_mm));
-    let folds = if options.is_net { fold::folds(sheet.mesh(), &flat.points) } else { Vec::new() };
+    let bends = bend_lines(sheet, flat, measures, &options.bends, options.is_net);
+    paths.extend(rungs(sheet, flat, measures, options.bends.marks));
     if options.is_net {
-        paths.extend(folds.iter().map(fold::Fold::path));
+        paths.extend(bends.iter().map(fold::path));
     } else if !sheet.has_rungs() {
         paths.extend(crease::creases(sheet.mesh()).into_iter().map(|chain| PatternPath {
             role: Role::Score,
@@ -282,6 +286,19 @@ pub(crate) fn piece(
             closed: false,
         }));
     }
+    let mut bend_labels = Vec::new();
+    if !options.is_net {
+        let is_along = |path: &PatternPath, [a, b]: [Point2; 2]| {
+            path.role == Role::Score && (path.points == [a, b] || path.points == [b, a])
+        };
+        let is_scored = |line: &BendLine| {
+            let is_drawn = || paths.iter().any(|path| is_along(path, line.ends));
+            line.is_fold && (!sheet.has_rungs() || is_drawn())
+        };
+        let drawn = bend::drawn(&bends, options.bends.marks, is_scored, tick_mm, height_mm);
+        paths.extend(drawn.0);
+        bend_labels = drawn.1;
+    }
     let (mark_paths, mark_labels) = seam::drawn(marks, sheet, flat, tick_mm, height_mm);
     paths.extend(mark_paths);
     let (dimension_paths, dimension_labels) = dimension::overall(size, height_mm);
@@ -289,12 +306,13 @@ pub(crate) fn piece(
     let mut labels = vec![name_label(name, sheet, flat, height_mm, options.is_net)];
     labels.extend(mark_labels);
     if options.is_net {
-        labels.extend(folds.iter().filter_map(|fold| fold.label(height_mm)));
+        labels.extend(bends.iter().filter_map(|line| fold::label(line, height_mm)));
     } else {
+        labels.extend(bend_labels);
         labels.extend(edge_names::labels(edges, &flat.points, tick_mm, height_mm));
     }
     labels.extend(dimension_labels);
-    Piece { name: name.to_owned(), paths, labels, size }
+    Piece { name: name.to_owned(), paths, labels, size, bends }
 }
 
 /// The outline, and then the holes.
@@ -317,67 +335,32 @@ fn loops(sheet: &Sheet, flat: &Flattened) -> Vec<PatternPath> {
     loops.into_iter().enumerate().map(path).collect()
 }
 
-/// The rungs that are not cut, with ticks at the ends of some that bend.
+/// The rungs that are drawn: where the sheet is scored, and all that are not cut if they are to be
+/// shown.
 fn rungs(
     sheet: &Sheet,
     flat: &Flattened,
     measures: &Measures,
-    options: &PatternOptions,
-    tick_mm: f64,
+    marks: BendMarks,
 ) -> Vec<PatternPath> {
     // A seam of a mesh may end where it begins, which no rung does.
     if !sheet.has_rungs() {
         return Vec::new();
     }
     let cut: Vec<Rung> = sheet.seams().iter().map(|seam| sheet.seam_rung(seam)).collect();
-    let is_left = |(_, rung): &(&[VertexIndex; 2], &RungMeasures)| !cut.contains(&rung.rung);
-    let left: Vec<(&[VertexIndex; 2], &RungMeasures)> =
-        sheet.rung_ends().iter().zip(&measures.rungs).filter(is_left).collect();
-    let role = |rung: &RungMeasures| {
-        if rung.is_scored {
-            Role::Score
-        } else if !rung.is_fold && to_deg(rung.crease.abs()) > SHARP_CREASE_DEG {
-            Role::Engrave
-        } else {
-            Role::Note
-        }
+    let is_drawn = |(_, rung): &(&[VertexIndex; 2], &RungMeasures)| {
+        (rung.is_scored || marks == BendMarks::Rulings) && !cut.contains(&rung.rung)
     };
-    let path = |(ends, rung): &(&[VertexIndex; 2], &RungMeasures)| {
+    let path = |(ends, rung): (&[VertexIndex; 2], &RungMeasures)| {
         let on_sheet = Rung::new(ends[0].get(), ends[1].get());
         PatternPath {
-            role: role(rung),
+            role: if rung.is_scored { Role::Score } else { Role::Note },
             kind: PathKind::Rung(on_sheet),
             points: on_sheet.ends().map(|s| flat.points[s.get()]).to_vec(),
             closed: false,
         }
     };
-    let mut paths: Vec<PatternPath> = left.iter().map(path).collect();
-    let bends = left.iter().filter(|(_, rung)| rung.bends());
-    let bending: Vec<[Point2; 2]> =
-        bends.map(|(ends, _)| ends.map(|v| flat.points[v.get()])).collect();
-    paths.extend(ruling_ticks(&bending, options.ruling_ticks, tick_mm));
-    paths
-}
-
-/// Ticks at both ends of some rungs, spread evenly over those that bend: those whose crease turns
-/// the sheet.
-fn ruling_ticks(bending: &[[Point2; 2]], most: usize, tick_mm: f64) -> Vec<PatternPath> {
-    let count = bending.len().min(most);
-    (0..count)
-        .flat_map(|n| {
-            let [a, b] = bending[(2 * n + 1) * bending.len() / (2 * count)];
-            let length = a.distance(b);
-            // Ticks that would meet in the middle say nothing.
-            let share = (tick_mm / length).min(0.2);
-            [(a, a.lerp(b, share)), (b, b.lerp(a, share))]
-        })
-        .map(|(from, to)| PatternPath {
-            role: Role::Engrave,
-            kind: PathKind::RulingTick,
-            points: vec![from, to],
-            closed: false,
-        })
-        .collect()
+    sheet.rung_ends().iter().zip(&measures.rungs).filter(is_drawn).map(path).collect()
 }
 
 /// Places that are tried for the name, at the most.
@@ -406,8 +389,7 @@ fn name_label(
     });
     let places: Vec<Point2> = rungs.chain(triangles).collect();
     // On a net, a name crosses no fold.
-    let is_line =
-        |edge: &&MeshEdge| edge.is_border() || (is_net && fold::fold_at(mesh, edge).is_some());
+    let is_line = |edge: &&MeshEdge| edge.is_border() || (is_net && fold_at(mesh, edge).is_some());
     let border = mesh.edges().iter().filter(is_line);
     let border: Vec<[Point2; 2]> = border.map(|edge| edge.ends.map(at)).collect();
     let label = label_at(name, &places, &border, height_mm);

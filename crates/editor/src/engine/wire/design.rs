@@ -4,9 +4,10 @@ use super::{Wire, fields, kinds, variants};
 use sheetwright::boundary::{Continuity, PlaneChoice, Within};
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
-    Allowance, Corner, CurveUse, Design, DesignCurve, DesignPanel, Fingers, Flange, Hem, Holes,
-    Join, MovedBy, NotchForm, Notches, PanelMesh, PanelMethod, PanelShape, Places, Puzzle, Tabs,
-    Ticks, Triangles, Trim, TrimKind, TrimOn, Vary, VaryGoal,
+    Allowance, BendMarks, BendRule, Bends, Corner, CurveUse, Design, DesignCurve, DesignPanel,
+    Dimensions, Fingers, Flange, Hem, Holes, Join, MovedBy, NotchForm, Notches, PanelMesh,
+    PanelMethod, PanelShape, Places, Puzzle, Tabs, Ticks, Triangles, Trim, TrimKind, TrimOn, Vary,
+    VaryGoal,
 };
 use sheetwright::flatten::Aim;
 use sheetwright::material::{Grain, GrainBending, KFactor, KFactors, Material, Sourced};
@@ -22,7 +23,10 @@ fields!(Design {
     match_seams,
     trade,
     trims,
-    preset
+    preset,
+    bends,
+    dimensions,
+    thickness_mm
 });
 fields!(Trim { on, span, kind });
 variants!(TrimOn { All {}, Free {}, Joined {}, Cuts {}, Holes {}, Edge { part, edge } });
@@ -44,6 +48,9 @@ kinds!(Corner {
     SecondEdgeRightAngle
 });
 kinds!(NotchForm { Slit, T, V, VOut, U, Castle });
+kinds!(Dimensions { Inside, Mean, Outside });
+fields!(Bends { rule, marks });
+kinds!(BendMarks { Ticks, Lines, Rulings, None });
 fields!(Material {
     name,
     title,
@@ -77,7 +84,8 @@ fields!(DesignPanel {
     effort,
     cut,
     which,
-    near
+    near,
+    bends
 });
 fields!(CurveUse { name, reversed });
 fields!(Join { parts, smooth, within, keep_parts });
@@ -142,6 +150,29 @@ impl Wire for Places {
             0 => Self::Shares(Wire::take(from)?),
             1 => Self::Lengths(Wire::take(from)?),
             2 => Self::Every(Wire::take(from)?),
+            _ => return None,
+        })
+    }
+}
+
+impl Wire for BendRule {
+    fn put(&self, out: &mut Vec<u8>) {
+        match self {
+            Self::Auto => out.push(0),
+            Self::Angle(angle) => tagged(1, angle, out),
+            Self::Number(number) => tagged(2, number, out),
+            Self::Chord(mm) => tagged(3, mm, out),
+            Self::Pitch(mm) => tagged(4, mm, out),
+        }
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        Some(match u8::take(from)? {
+            0 => Self::Auto,
+            1 => Self::Angle(f64::take(from)?),
+            2 => Self::Number(usize::take(from)?),
+            3 => Self::Chord(f64::take(from)?),
+            4 => Self::Pitch(f64::take(from)?),
             _ => return None,
         })
     }

@@ -60,7 +60,10 @@ variants!(FindingKind {
     QuadsOffBoundary { off_mm },
     QuadsNotPlanar { uneven_mm, off_mm },
     PdfReduced { sheets, scale, most, is_full },
-    Trimmed { note }
+    Trimmed { note },
+    LinesClose { count, nearest_mm, least_mm },
+    LinesLong { count, longest_mm, most_mm },
+    FlangeShort { count, shortest_mm, least_mm }
 });
 variants!(TrimNote {
     NoRoomForTabs { edge, mate, covered },

@@ -2,6 +2,7 @@
 
 use super::{Wire, fields, kinds};
 use crate::engine::shown::{Shown, ShownPanel, ShownRung, ShownStrain};
+use sheetwright::bend::BendLine;
 use sheetwright::check::Verdict;
 use sheetwright::index::{SampleIndex, VertexIndex};
 use sheetwright::pattern::{LabelKind, PathKind, PatternLabel, PatternPath, Piece, Role};
@@ -30,12 +31,13 @@ fields!(Shown {
 });
 fields!(ShownStrain { flat, positions, triangles, strains, decides, limit });
 fields!(ShownRung { ends, flat_ends, warp_deg, is_unsure, crease_deg, normals });
-fields!(Piece { name, paths, labels, size });
+fields!(Piece { name, paths, labels, size, bends });
+fields!(BendLine { strip, is_fold, ends, angle, pitch_mm, along_mm, beyond_mm });
 fields!(PatternPath { role, kind, points, closed });
 fields!(PatternLabel { kind, role, at, along, height_mm, text });
 kinds!(Verdict { Bends, BendsWithForce, Roll, BendsAndFolds, Undecided, WillNotBend });
 kinds!(Role { Cut, Inner, Drill, Score, Net, Engrave, Note });
-kinds!(LabelKind { Name, Edge, Mark, Length, Angle, Overall, Trim });
+kinds!(LabelKind { Name, Edge, Mark, Length, Angle, Overall, Trim, Bend });
 
 impl Wire for PathKind {
     fn put(&self, out: &mut Vec<u8>) {
@@ -44,7 +46,7 @@ impl Wire for PathKind {
             Self::Hole => 1,
             Self::Rung(_) => 2,
             Self::Crease => 3,
-            Self::RulingTick => 4,
+            Self::BendTick => 4,
             Self::SeamTick => 5,
             Self::Dimension => 6,
             Self::Fold { mountain: true } => 7,
@@ -55,6 +57,8 @@ impl Wire for PathKind {
             Self::TrimFold { mountain: true } => 12,
             Self::TrimFold { mountain: false } => 13,
             Self::TrimTick => 14,
+            Self::Bend { up: true } => 15,
+            Self::Bend { up: false } => 16,
         });
         match self {
             Self::Rung(rung) => rung.put(out),
@@ -69,7 +73,7 @@ impl Wire for PathKind {
             1 => Self::Hole,
             2 => Self::Rung(Rung::take(from)?),
             3 => Self::Crease,
-            4 => Self::RulingTick,
+            4 => Self::BendTick,
             5 => Self::SeamTick,
             6 => Self::Dimension,
             7 => Self::MOUNTAIN,
@@ -80,6 +84,8 @@ impl Wire for PathKind {
             12 => Self::TrimFold { mountain: true },
             13 => Self::TrimFold { mountain: false },
             14 => Self::TrimTick,
+            15 => Self::Bend { up: true },
+            16 => Self::Bend { up: false },
             _ => return None,
         })
     }

@@ -3,7 +3,8 @@ use crate::engine::shown::{Shown, ShownPanel};
 use sheetwright::boundary::{Continuity, PlaneChoice, Within};
 use sheetwright::check::Finding;
 use sheetwright::design::{
-    CurveUse, Design, DesignPanel, Join, MovedBy, PanelShape, Vary, VaryGoal,
+    BendMarks, BendRule, Bends, CurveUse, Design, DesignPanel, Dimensions, Join, MovedBy,
+    PanelShape, Vary, VaryGoal,
 };
 use sheetwright::make::make;
 use sheetwright::material::{Grain, GrainBending, KFactor, KFactors, Material, Sourced};
@@ -60,6 +61,10 @@ fn odd_design() -> Design {
         grain: Some(Grain { along: bending(11_800.0, 960.0), across: bending(1_040.0, 300.0) }),
     }];
     design.match_seams = true;
+    design.bends = Bends { rule: BendRule::Angle(0.125), marks: BendMarks::Lines };
+    (design.dimensions, design.thickness_mm) = (Some(Dimensions::Outside), Some(1.5));
+    let own = Bends { rule: BendRule::Number(7), marks: BendMarks::None };
+    design.panels[0].bends = Some(own);
     design.curves[0].points[0].at.x = -0.0;
     design.curves[0].points[0].move_mm = f64::INFINITY;
     let a = |reversed| CurveUse { name: "a".to_owned(), reversed };

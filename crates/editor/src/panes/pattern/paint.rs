@@ -162,26 +162,22 @@ fn measured(mesh: &mut Mesh, corners: [Pos2; 3], sides: [Option<Color32>; 3]) {
 
 /// What is done along lines.
 fn paths(painter: &Painter, shown: &Shown, look: &Look<'_>, theme: &Theme) {
-    let (rungs, mut passed) = (shown.rungs.len(), 0);
     let has_rungs = look.has_rungs(shown);
+    let are_asked = has_rungs && look.detail == SurfaceView::Rungs;
+    if are_asked {
+        all_rungs(painter, shown, look, theme);
+    }
     let [cut, score, engrave, _] = theme.roles;
     for path in &shown.piece.paths {
         let stroke = match (path.kind, path.role) {
             (PathKind::Dimension, _) => continue,
-            (PathKind::Rung(_), Role::Note) | (PathKind::RulingTick, _) if !has_rungs => continue,
-            (PathKind::Rung(_), Role::Note) => {
-                // Of many rungs close to one another some stand for all.
-                let most = if look.by.is_some() { RUNGS / 2 } else { RUNGS };
-                passed += 1;
-                if passed % rungs.div_ceil(most).max(1) != 0 {
-                    continue;
-                }
-                match (look.by, look.detail) {
-                    (Some(_), _) => Stroke::new(1.0, theme.paper.gamma_multiply(0.2)),
-                    (_, SurfaceView::Rungs) => Stroke::new(1.0, theme.rung.gamma_multiply(0.8)),
-                    _ => Stroke::new(1.0, theme.rung.gamma_multiply(0.4)),
-                }
-            }
+            (PathKind::Rung(_), Role::Note) => continue,
+            (PathKind::Bend { .. } | PathKind::BendTick, _) if !has_rungs => continue,
+            (PathKind::Bend { .. }, Role::Note) if are_asked => continue,
+            (PathKind::Bend { .. }, Role::Note) => match look.by {
+                Some(_) => Stroke::new(1.0, theme.paper.gamma_multiply(0.3)),
+                None => Stroke::new(1.0, theme.rung.gamma_multiply(0.7)),
+            },
             (_, Role::Cut | Role::Inner | Role::Drill) => Stroke::new(2.0, cut),
             (_, Role::Score | Role::Net) => Stroke::new(1.6, score),
             (_, Role::Engrave) => Stroke::new(1.2, engrave),
@@ -193,6 +189,18 @@ fn paths(painter: &Painter, shown: &Shown, look: &Look<'_>, theme: &Theme) {
             (false, &[a, b]) => Shape::line_segment([a, b], stroke),
             (false, _) => Shape::line(points, stroke),
         });
+    }
+}
+
+/// The rungs of the surface; of many close to one another some stand for all.
+fn all_rungs(painter: &Painter, shown: &Shown, look: &Look<'_>, theme: &Theme) {
+    let at = |n: u32| look.seen(shown.flat.get(n as usize).copied().unwrap_or_default());
+    let (most, colour) = match look.by {
+        Some(_) => (RUNGS / 2, theme.paper.gamma_multiply(0.2)),
+        None => (RUNGS, theme.rung.gamma_multiply(0.8)),
+    };
+    for rung in shown.rungs.iter().step_by(shown.rungs.len().div_ceil(most).max(1)) {
+        painter.line_segment(rung.flat_ends.map(at), Stroke::new(1.0, colour));
     }
 }
 

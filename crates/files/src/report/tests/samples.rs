@@ -31,6 +31,7 @@ fn panel(name: &str, shape: PanelShape, samples: usize) -> DesignPanel {
         cut: Vec::new(),
         which: WhichSurface::Cheapest,
         near: Vec::new(),
+        bends: None,
     }
 }
 

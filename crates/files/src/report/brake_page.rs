@@ -1,0 +1,53 @@
+//! The plan for the press brake in `report.html`: a row a hit.
+
+use super::page::{PartPage, table};
+use super::wording::{decimal, degrees};
+use crate::brake::{reference, warning};
+use maud::{Markup, html};
+use sheetwright::bend::Hit;
+use sheetwright::math::{Point2, to_deg};
+
+/// The plan of a part; nothing where it is not bent, or no plan is made.
+pub(super) fn brake_plan(page: &PartPage<'_>) -> Markup {
+    let Some(hits) = page.plan.filter(|hits| !hits.is_empty()) else { return html! {} };
+    let labels = [
+        "Bend",
+        "So far",
+        "Line from – to (x, y), mm",
+        "Gauge left / right, mm",
+        "Fingers at, mm",
+        "From",
+        "Radius left / right, mm",
+        "Pitch left / right, mm",
+        "Warning",
+    ];
+    let rows = hits.iter().enumerate().map(|(n, hit)| ((n + 1).to_string(), row(page, n, hit)));
+    html! {
+        h3 { "Bends, in order" }
+        p {
+            "Up is towards the side that the pattern shows. The numbers stand on the pattern. Gauges "
+            "are square to the bend line, from each finger to the edge that is named; from the base "
+            "line, the lower side of the box around the piece, they are heights above it."
+        }
+        (table(None, "Hit", &labels, rows))
+    }
+}
+
+fn row(page: &PartPage<'_>, n: usize, hit: &Hit) -> Vec<String> {
+    let line = &hit.line;
+    let pair = |numbers: [f64; 2]| numbers.map(|mm| decimal(mm, 1)).join(" / ");
+    let place = |p: Point2| format!("{}, {}", decimal(p.x, 1), decimal(p.y, 1));
+    let way = if line.is_up() { "up" } else { "down" };
+    let smooth = |numbers: [f64; 2]| if line.is_fold { "fold".to_owned() } else { pair(numbers) };
+    vec![
+        format!("{way} {}", degrees(to_deg(line.angle.abs()))),
+        degrees(to_deg(-hit.running)),
+        format!("{} – {}", place(line.ends[0]), place(line.ends[1])),
+        pair(hit.gauges_mm),
+        pair(hit.fingers_mm),
+        reference(page.part, hit),
+        smooth(line.radius_mm()),
+        smooth(line.pitch_mm),
+        warning(n, hit),
+    ]
+}
