@@ -132,6 +132,7 @@ mod tests {
             paths,
             labels: Vec::new(),
             bends: Vec::new(),
+            corner: Point2::default(),
             size: Vec2::ZERO,
         };
         let text = String::from_utf8(write_offsets([&piece].into_iter(), options)).unwrap();

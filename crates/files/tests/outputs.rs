@@ -203,7 +203,7 @@ fn random_piece(dice: &mut Dice) -> Piece {
     };
     let name = label.text.clone();
     let size = Vec2::splat(size * n as f64);
-    Piece { name, paths, labels: vec![label], size, bends: Vec::new() }
+    Piece { name, paths, labels: vec![label], size, corner: Point2::default(), bends: Vec::new() }
 }
 
 #[test]

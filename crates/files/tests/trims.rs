@@ -314,3 +314,22 @@ fn trims_of_a_moving_design_follow_it() {
     let mut paths = without.parts.iter().flat_map(|part| &part.piece.paths);
     assert!(!paths.any(|path| is_of_trim(path.role)));
 }
+
+#[test]
+fn a_trimmed_pattern_lies_within_its_picture() {
+    let text = r#"{ "sheetwright": 1, "curves": {
+        "left": { "kind": "polyline", "points": [[0,0,0], [0,300,0]] },
+        "right": { "kind": "polyline", "points": [[200,0,0], [200,300,0]] } },
+        "panels": [{ "name": "side", "rails": ["left", "right"], "samples": 10 }],
+        "trims": [{ "on": "all", "kind": "allowance", "width": 20 }] }"#;
+    let options = ReadOptions::default();
+    let design = read_bytes(InputFormat::Design, text.as_bytes(), "d", None, &options).unwrap();
+    let made = make(&design);
+    let piece = &made.parts[0].piece;
+    assert!((piece.size.x - 340.0).abs() < 1e-6 && (piece.size.y - 240.0).abs() < 1e-6);
+    assert!(piece.corner.distance(Point2::new(-20.0, -20.0)) < 1e-6);
+    let outputs = output_files(&made, &[Format::Report], OutputOptions::default()).unwrap();
+    let json = outputs.files.iter().find(|file| file.name == "report.json").unwrap();
+    let json = String::from_utf8_lossy(&json.bytes);
+    assert!(json.contains("\"samples\": 20"), "{json}");
+}

@@ -146,7 +146,7 @@ fn what_a_cutter_needs_comes_back() {
     };
     let labels = vec![label(Role::Engrave, "Rücken 板"), label(Role::Note, "100 mm")];
     let (name, size) = ("Rücken 板".into(), Vec2::new(100.0, 50.0));
-    let piece = Piece { name, paths, labels, bends: Vec::new(), size };
+    let piece = Piece { name, paths, labels, bends: Vec::new(), corner: Point2::default(), size };
     let other = Piece { name: "R_cken__".into(), labels: Vec::new(), ..piece.clone() };
     let bytes = written("Jacke", Some("felt"), &[&piece, &other]);
     let (style, pieces) = read(&bytes);

@@ -115,7 +115,8 @@ mod tests {
             points: corners.map(|(x, y)| Point2::new(x, y)).to_vec(),
             closed: true,
         };
-        Piece { name: "front".to_owned(), paths: vec![outline], labels, size, bends: Vec::new() }
+        let (name, corner) = ("front".to_owned(), Point2::default());
+        Piece { name, paths: vec![outline], labels, size, corner, bends: Vec::new() }
     }
 
     fn label(text: &str, at: Point2, along: Vec2, height_mm: f64) -> PatternLabel {

@@ -51,7 +51,7 @@ pub(super) fn scale_of(piece: &Piece) -> f64 {
 pub(super) fn ruled_picture(panel: &Part, material: Option<&Material>) -> Picture {
     let (scale, size) = (scale_of(&panel.piece), panel.piece.size);
     let bottom = TOP + scale * size.y;
-    let place = |p: Point2| Point2::new(LEFT + scale * p.x, bottom - scale * p.y);
+    let place = |p: Point2| in_picture(&panel.piece, p);
     let mut outline = PathData::default();
     // Holes run the other way round, so that they are not filled.
     for line in panel.piece.loops() {
@@ -325,7 +325,8 @@ fn place_beside(piece: &Piece, line: &[Point2], along_mm: f64, right: f64) -> Po
 pub(super) fn in_picture(piece: &Piece, p: Point2) -> Point2 {
     let scale = scale_of(piece);
     let bottom = TOP + scale * piece.size.y;
-    Point2::new(LEFT + scale * p.x, bottom - scale * p.y)
+    let at = p - piece.corner;
+    Point2::new(LEFT + scale * at.x, bottom - scale * at.y)
 }
 
 /// The letters of a picture, which keep apart from one another and off the lines to cut.

@@ -130,7 +130,10 @@ fn thumbnail(piece: &Piece) -> Picture {
         (0.5 * (SIZE.x - scale * piece.size.x), 0.5 * (SIZE.y + scale * piece.size.y));
     let mut path = PathData::default();
     for line in piece.loops() {
-        let place = |p: &Point2| Point2::new(left + scale * p.x, bottom - scale * p.y);
+        let place = |p: &Point2| {
+            let at = *p - piece.corner;
+            Point2::new(left + scale * at.x, bottom - scale * at.y)
+        };
         path.ring(simplified(&line.iter().map(place).collect::<Vec<_>>(), SEEN));
     }
     let title = format!("{} laid flat", piece.name);

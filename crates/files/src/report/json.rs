@@ -411,7 +411,7 @@ fn of_part<'a>(
         aim: None,
         proven_optimal: None,
         gap: None,
-        samples: part.piece.loops().map(<[_]>::len).sum(),
+        samples: part.piece.net_loops().map(<[_]>::len).sum(),
         triangles: sheet.mesh().triangles().len(),
         rungs: None,
         fold: None,

@@ -94,7 +94,8 @@ impl Chart<'_> {
             return LEFT + (WIDTH - LEFT - RIGHT) / self.span().max(1e-12) * place;
         }
         // As in the picture of the pattern above it.
-        LEFT + scale_of(&self.panel.piece) * place
+        let piece = &self.panel.piece;
+        LEFT + scale_of(piece) * (place - piece.corner.x)
     }
 
     fn y(&self, deg: f64) -> f64 {

@@ -190,8 +190,10 @@ pub struct Piece {
     pub paths: Vec<PatternPath>,
     /// Its texts.
     pub labels: Vec<PatternLabel>,
-    /// Width and height of the box around the outline, whose lower left corner is the origin, mm.
+    /// Width and height of the box around the outline as it is cut, mm.
     pub size: Vec2,
+    /// The lower left corner of that box, mm: the origin, unless a trim moves the cut beyond it.
+    pub corner: Point2,
     /// The lines that it is bent along, by their numbers from 1, whether they are drawn or not.
     pub bends: Vec<BendLine>,
 }
@@ -200,7 +202,14 @@ impl Piece {
     /// The piece of a part before it is drawn.
     pub(crate) fn undrawn(name: &str) -> Self {
         let (paths, labels, bends) = (Vec::new(), Vec::new(), Vec::new());
-        Self { name: name.to_owned(), paths, labels, size: Vec2::ZERO, bends }
+        Self {
+            name: name.to_owned(),
+            paths,
+            labels,
+            size: Vec2::ZERO,
+            corner: Point2::default(),
+            bends,
+        }
     }
 
     /// The points of the outline, mm.
@@ -312,7 +321,8 @@ pub(crate) fn piece(
         labels.extend(edge_names::labels(edges, &flat.points, tick_mm, height_mm));
     }
     labels.extend(dimension_labels);
-    Piece { name: name.to_owned(), paths, labels, size, bends }
+    let corner = Point2::default();
+    Piece { name: name.to_owned(), paths, labels, size, corner, bends }
 }
 
 /// The outline, and then the holes.

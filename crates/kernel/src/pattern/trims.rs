@@ -69,6 +69,7 @@ impl Piece {
         let around = Box2::of_points(self.outline().iter().copied());
         let Some(around) = around else { return };
         self.size = around.max - around.min;
+        self.corner = around.min;
         let is_line = |path: &PatternPath| path.kind == PathKind::Dimension;
         let at = self.paths.iter().position(is_line).unwrap_or(self.paths.len());
         self.paths.retain(|path| path.kind != PathKind::Dimension);

@@ -236,12 +236,13 @@ impl Arrangement {
             let wished = wished.find(|n| slot.members.contains(n));
             let changed = most.filter(|(share, _)| *share > CHANGED).map(|(_, n)| n);
             let panel = changed.or(wished).or(slot.members.first().copied())?;
-            let size = scene.panels[panel].made.as_ref().ok()?.piece.size;
+            let piece = &scene.panels[panel].made.as_ref().ok()?.piece;
+            let of_piece = [piece.corner, piece.corner + piece.size];
             let name = match changed {
                 Some(n) => scene.panels[n].name.clone(),
                 None => name(scene, &slot.members),
             };
-            let placed = Placed::about(slot.middle, panel, size, slot.turned);
+            let placed = Placed::about(slot.middle, panel, of_piece, slot.turned);
             let free = slot.free.scaled(zoom);
             Some(ShownPart { placed, members: slot.members.clone(), name, free })
         };

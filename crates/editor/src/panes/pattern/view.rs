@@ -10,6 +10,8 @@ pub(super) struct Placed {
     pub(super) panel: usize,
     /// The lower left corner of its box on the paper, mm.
     offset: Way,
+    /// The lower left corner of its box as files have it, mm.
+    corner: Point2,
     /// Its width and height as files have it, mm.
     pub(super) size: Way,
     /// Whether it is turned by a right angle, counter-clockwise.
@@ -17,9 +19,11 @@ pub(super) struct Placed {
 }
 
 impl Placed {
-    /// A piece about a place of the paper.
-    pub(super) fn about(middle: Point2, panel: usize, size: Way, turned: bool) -> Self {
-        let placed = Self { panel, offset: Way::ZERO, size, turned };
+    /// A piece about a place of the paper, by two corners of its box, the lower left one first.
+    pub(super) fn about(middle: Point2, panel: usize, piece: [Point2; 2], turned: bool) -> Self {
+        let [corner, opposite] = piece;
+        let size = opposite - corner;
+        let placed = Self { panel, offset: Way::ZERO, corner, size, turned };
         Self { offset: middle.to_vec() - placed.box_size() * 0.5, ..placed }
     }
 
@@ -30,6 +34,7 @@ impl Placed {
 
     /// Where a place of the piece lies on the paper, mm.
     pub(super) fn on_paper(&self, p: Point2) -> Point2 {
+        let p = p + -self.corner.to_vec();
         let p = if self.turned { Point2::new(self.size.y - p.y, p.x) } else { p };
         p + self.offset
     }
@@ -37,7 +42,8 @@ impl Placed {
     /// The place of the piece at a place of the paper, mm.
     pub(super) fn on_piece(&self, p: Point2) -> Point2 {
         let p = p + -self.offset;
-        if self.turned { Point2::new(p.y, self.size.y - p.x) } else { p }
+        let p = if self.turned { Point2::new(p.y, self.size.y - p.x) } else { p };
+        p + self.corner.to_vec()
     }
 
     /// A direction on the piece, as it lies on the paper.
@@ -119,7 +125,8 @@ mod tests {
     fn a_piece_that_stands_has_its_places_where_it_lies() {
         let size = Way::new(30.0, 10.0);
         for turned in [false, true] {
-            let placed = Placed::about(Point2::new(100.0, 50.0), 0, size, turned);
+            let of_piece = [Point2::default(), Point2::default() + size];
+            let placed = Placed::about(Point2::new(100.0, 50.0), 0, of_piece, turned);
             let (low, high) =
                 (placed.on_paper(Point2::default()), placed.on_paper(Point2::default() + size));
             assert_eq!(low.lerp(high, 0.5), Point2::new(100.0, 50.0));
