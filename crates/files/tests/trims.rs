@@ -295,6 +295,7 @@ fn paper_models_have_tabs_on_one_side_of_each_joint() {
             .sum();
         let joints: usize =
             made.parts.iter().flat_map(|part| &part.edges).map(|edge| edge.mates.len()).sum();
+        assert!(tabs > 0, "{}", design.name);
         assert!(tabs * 2 >= joints, "{}: {tabs} tabs, {joints} sides of joints", design.name);
     }
 }

@@ -70,7 +70,7 @@ pub(crate) fn join_mates(parts: &mut [PartEdges<'_>]) {
     let size = size_of(groups.values().flatten().flat_map(|edge| edge.space.iter().copied()));
     let least_mm = Tolerance::CHAIN.length_mm(size);
     for (group, list) in &groups {
-        for [n, k] in pairs(group, list) {
+        for [n, k] in pairs(group, list, least_mm) {
             let (a, b) = (&list[n], &list[k]);
             let Some([of_a, of_b]) = in_common(a, b, least_mm) else { continue };
             for (own, mate) in [(a.at, b.at), (b.at, a.at)] {
@@ -109,11 +109,15 @@ impl Group {
     }
 }
 
-/// The pairs of a group that may be mates: all on one curve; of meshes and of ends those with a
-/// common step.
-fn pairs(group: &Group, list: &[Placed]) -> BTreeSet<[usize; 2]> {
-    if matches!(group, Group::Curve(_) | Group::Cut(..)) {
-        return (0..list.len()).flat_map(|n| (0..n).map(move |k| [k, n])).collect();
+/// The pairs of a group that may be mates: all on one curve; of meshes those with a common step; of
+/// ends those that lie on one another within `least_mm`.
+fn pairs(group: &Group, list: &[Placed], least_mm: f64) -> BTreeSet<[usize; 2]> {
+    match group {
+        Group::Curve(_) | Group::Cut(..) => {
+            return (0..list.len()).flat_map(|n| (0..n).map(move |k| [k, n])).collect();
+        }
+        Group::Ends => return ends_on_one_another(list, least_mm),
+        Group::Meshes => {}
     }
     let mut at_step: BTreeMap<&StepPlace, Vec<usize>> = BTreeMap::new();
     for (n, edge) in list.iter().enumerate() {
@@ -124,6 +128,29 @@ fn pairs(group: &Group, list: &[Placed]) -> BTreeSet<[usize; 2]> {
         (0..edges.len()).flat_map(pair).collect()
     };
     at_step.values().flat_map(of_step).collect()
+}
+
+/// The pairs of straight ends that lie on one another, whichever way they run.
+fn ends_on_one_another(list: &[Placed], within_mm: f64) -> BTreeSet<[usize; 2]> {
+    let ends = |n: usize| [list[n].space[0], list[n].space[list[n].space.len() - 1]];
+    let middle = |n: usize| {
+        let [a, b] = ends(n);
+        a.lerp(b, 0.5).x
+    };
+    let mut by_x: Vec<usize> = (0..list.len()).collect();
+    by_x.sort_by(|&a, &b| middle(a).total_cmp(&middle(b)).then(a.cmp(&b)));
+    let mut pairs = BTreeSet::new();
+    for (place, &n) in by_x.iter().enumerate() {
+        let [a, b] = ends(n);
+        for &k in by_x[place + 1..].iter().take_while(|&&k| middle(k) - middle(n) <= within_mm) {
+            let [c, d] = ends(k);
+            let apart = a.distance(c).max(b.distance(d)).min(a.distance(d).max(b.distance(c)));
+            if apart <= within_mm {
+                pairs.insert([n.min(k), n.max(k)]);
+            }
+        }
+    }
+    pairs
 }
 
 /// The length that two edges have in common, on the pattern of each, mm; `None` if it is not above
@@ -174,6 +201,23 @@ mod tests {
         // Both halves meet in a point, which is no common stretch.
         assert_eq!(found[1], (vec![0], Some(0.0)));
         assert_eq!(found[2], (vec![0], Some(0.0)));
+    }
+
+    #[test]
+    fn ends_that_meet_up_to_rounding_are_mates() {
+        let mut made: Vec<_> =
+            [[[0., 0.], [5., 0.]], [[5., 1e-12], [0., 0.]], [[0., 1.], [5., 1.]]]
+                .iter()
+                .map(|line| edge(line))
+                .collect();
+        for (edges, _, _) in &mut made {
+            edges[0].source = EdgeSource::End;
+        }
+        let mut parts: Vec<PartEdges<'_>> =
+            made.iter_mut().map(|(edges, space, flat)| PartEdges { edges, space, flat }).collect();
+        join_mates(&mut parts);
+        let mates: Vec<usize> = made.iter().map(|(edges, _, _)| edges[0].mates.len()).collect();
+        assert_eq!(mates, [1, 1, 0]);
     }
 
     #[test]
