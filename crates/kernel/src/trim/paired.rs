@@ -9,10 +9,13 @@ use super::places::{of_holes, of_marks};
 use super::stretch::{Spot, Stretch};
 use super::tabs::{Side, Tab, tabs};
 use super::{Faulted, TrimFault, Work, is_joint};
-use crate::design::{Holes, Tabs, TrimKind};
+use crate::design::{Holes, Notches, Tabs, Ticks, TrimKind};
 use crate::edge::{EdgePlace, Shared, shared};
 use crate::pattern::{PathKind, PatternPath, Role};
 use sheetwright_geometry::math::{Point2, Point3};
+
+/// A notch as deep as the strip is wide is not too deep for rounding, mm.
+const ROUNDING_MM: f64 = 1e-9;
 
 /// Two joined edges, or one that a trim stands on alone.
 #[derive(Clone, Copy, Debug)]
@@ -163,55 +166,70 @@ impl Work<'_> {
         let trims = self.trims;
         for (number, trim) in trims.iter().enumerate() {
             let [from, to] = trim.span;
-            let within = |share: f64| from + share * (to - from);
+            let within = |shares: Vec<f64>| -> Vec<f64> {
+                shares.into_iter().map(|share| from + share * (to - from)).collect()
+            };
             let mut ticks = 0;
             for pair in self.pairs(number) {
                 let length = (to - from) * (pair.shared.first[1] - pair.shared.first[0]);
                 match &trim.kind {
                     TrimKind::Holes(holes) => {
                         self.check_holes(&pair, holes)?;
-                        let whole = to - from == 1.0;
-                        let is_loop = whole && self.stretch(pair.first).is_loop();
-                        let shares = of_holes(holes, length, is_loop);
-                        let shares: Vec<f64> = shares.into_iter().map(within).collect();
-                        self.add_holes(&pair, &shares, holes);
+                        let is_loop = to - from == 1.0 && self.stretch(pair.first).is_loop();
+                        self.add_holes(&pair, &within(of_holes(holes, length, is_loop)), holes);
                     }
                     TrimKind::Notches(notches) => {
-                        for share in of_marks(&notches.at, length).into_iter().map(within) {
-                            for (place, along, spot) in self.spots(&pair, share) {
-                                let margin = self.margin_at(place, along);
-                                if notches.depth > margin + 1e-9 && !notches.form.is_outward() {
-                                    let edge = self.edge_name(place);
-                                    let depth_mm = notches.depth;
-                                    let margin_mm = margin;
-                                    let fault = TrimFault::TooDeep { edge, depth_mm, margin_mm };
-                                    return Err((Some(place.part), fault));
-                                }
-                                let notched = notched(spot, margin, notches);
-                                let made = &mut self.made[place.part];
-                                made.added.extend(notched.added);
-                                made.removed.extend(notched.removed);
-                                made.paths.extend(notched.paths);
-                            }
-                        }
+                        self.add_notches(&pair, &within(of_marks(&notches.at, length)), notches)?;
                     }
                     TrimKind::Ticks(kind) => {
-                        for share in of_marks(&kind.at, length).into_iter().map(within) {
-                            ticks += 1;
-                            for (place, _, spot) in self.spots(&pair, share) {
-                                let number = kind.numbered.then_some(ticks);
-                                let (path, label) = ticked(spot, kind.length, number);
-                                let made = &mut self.made[place.part];
-                                made.paths.push(path);
-                                made.labels.extend(label);
-                            }
-                        }
+                        let shares = within(of_marks(&kind.at, length));
+                        ticks += self.add_ticks(&pair, &shares, kind, ticks);
                     }
                     _ => {}
                 }
             }
         }
         Ok(())
+    }
+
+    fn add_notches(
+        &mut self,
+        pair: &Pair,
+        shares: &[f64],
+        notches: &Notches,
+    ) -> Result<(), Faulted> {
+        for &share in shares {
+            for (place, along, spot) in self.spots(pair, share) {
+                let margin_mm = self.margin_at(place, along);
+                let depth_mm = notches.depth;
+                if depth_mm > margin_mm + ROUNDING_MM && !notches.form.is_outward() {
+                    let edge = self.edge_name(place);
+                    let fault = TrimFault::TooDeep { edge, depth_mm, margin_mm };
+                    return Err((Some(place.part), fault));
+                }
+                let notched = notched(spot, margin_mm, notches);
+                let made = &mut self.made[place.part];
+                made.added.extend(notched.added);
+                made.removed.extend(notched.removed);
+                made.paths.extend(notched.paths);
+            }
+        }
+        Ok(())
+    }
+
+    /// Ticks at these shares on both edges of a pair, with numbers that follow `before`. Returns
+    /// how many places have one.
+    fn add_ticks(&mut self, pair: &Pair, shares: &[f64], kind: &Ticks, before: usize) -> usize {
+        for (n, &share) in shares.iter().enumerate() {
+            let number = kind.numbered.then_some(before + n + 1);
+            for (place, _, spot) in self.spots(pair, share) {
+                let (path, label) = ticked(spot, kind.length, number);
+                let made = &mut self.made[place.part];
+                made.paths.push(path);
+                made.labels.extend(label);
+            }
+        }
+        shares.len()
     }
 
     /// The width of the strip beyond an edge, mm; 0 without one.
