@@ -16,7 +16,7 @@ use sheetwright::material::Material;
 use sheetwright::math::Point3;
 use sheetwright_editor::command::Command;
 use sheetwright_editor::document::{Document, Draft};
-use sheetwright_editor::document::{PointRef, Selection};
+use sheetwright_editor::document::{Edit, PointRef, Selection};
 use sheetwright_editor::editor::Page;
 use sheetwright_editor::engine::shown::ShownPanel;
 use sheetwright_editor::panes::plan::Tool;
@@ -614,4 +614,28 @@ fn no_angle_is_less_than_nothing_by_nothing() {
 
 fn rungs(panel: &ShownPanel) -> usize {
     panel.made.as_ref().map_or(0, |shown| shown.rungs.len())
+}
+
+#[test]
+fn what_a_design_is_made_for_and_an_allowance_are_drawn_on_the_pattern() {
+    let mut hands = with_template("bag", Units::Millimetres);
+    let with_net = |hands: &mut Hands, edit: Edit| -> Vec<bool> {
+        hands.harness.state_mut().editor_mut().carry_out(Act::Edit(edit));
+        hands.settle();
+        let shown = hands.harness.state().editor().shown();
+        shown.iter().map(|panel| panel.made.as_ref().unwrap().piece.has_net()).collect()
+    };
+    let sewn = with_net(&mut hands, Edit::SetTrade(Some("sewing".to_owned())));
+    assert!(!sewn.is_empty() && sewn.iter().all(|has| *has));
+    let design = &hands.harness.state().editor().document().design;
+    assert_eq!((design.trade.as_deref(), design.trims.len()), (Some("sewing"), 3));
+    let mouth = design.curves.iter().position(|curve| curve.name == "mouth").unwrap();
+    let bare = with_net(&mut hands, Edit::SetTrade(None));
+    assert!(!bare.contains(&true));
+    let width_mm = 15.0;
+    let wider = with_net(&mut hands, Edit::SetAllowance { curve: mouth, width_mm });
+    assert!(wider.contains(&true));
+    let none = with_net(&mut hands, Edit::SetAllowance { curve: mouth, width_mm: 0.0 });
+    assert!(!none.contains(&true));
+    assert!(hands.harness.state().editor().document().design.trims.is_empty());
 }
