@@ -12,7 +12,7 @@
 //!
 //! The net line is kept beside the cut line. The idea that one trait of an edge draws both halves
 //! of a joint is that of boxes.py; that seams are placed at equal shares of both edges is that of
-//! GarmentCode [KorostelevaSorkine2023].
+//! GarmentCode \[KorostelevaSorkine2023\].
 
 mod chosen;
 mod corner;
