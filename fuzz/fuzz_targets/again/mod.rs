@@ -64,5 +64,12 @@ fn piece(read: &ReadPattern) -> Piece {
     let outline = path(Role::Cut, PathKind::Outline, read.outline.clone(), true);
     let hole = |hole: &Vec<Point2>| path(Role::Inner, PathKind::Hole, hole.clone(), true);
     let paths = std::iter::once(outline).chain(read.holes.iter().map(hole)).chain(rungs).collect();
-    Piece { name: "again".to_owned(), paths, labels: Vec::new(), size: Default::default(), bends: Vec::new() }
+    Piece {
+        name: "again".to_owned(),
+        paths,
+        labels: Vec::new(),
+        size: Default::default(),
+        corner: Default::default(),
+        bends: Vec::new(),
+    }
 }
