@@ -52,6 +52,7 @@ fn trimming(fault: &TrimFault) -> &'static str {
             "Make it shallower, add an allowance there, or choose a form that stands out: v-out or \
              castle."
         }
+        TrimFault::TooLarge { .. } => "Check its units, or leave its trims out.",
         TrimFault::Parted { .. } => {
             "Make sockets and knobs smaller, or the distance between them larger."
         }

@@ -151,14 +151,9 @@ fn begins_on(open: &[Point2], closed: &[Point2]) -> bool {
     };
     let near_mm = ON_LINE * around.min.distance(around.max);
     let edges = || closed.iter().zip(closed.iter().cycle().skip(1));
-    [first, last].into_iter().any(|&end| {
-        edges().any(|(&a, &b)| {
-            let along = b - a;
-            let share = (end - a).dot(along) / along.length_squared();
-            let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 };
-            end.distance(a.lerp(b, share)) <= near_mm
-        })
-    })
+    [first, last]
+        .into_iter()
+        .any(|&end| edges().any(|(&a, &b)| end.distance_to_segment([a, b]) <= near_mm))
 }
 
 /// The pattern of some lines. A segment is a rung if both its ends lie on corners of the outline;

@@ -73,14 +73,20 @@ impl Work {
 /// Points that may move stay where they are drawn until somebody asks.
 fn shown_panels(live: &Live) -> Vec<ShownPanel> {
     let material = live.design().material.as_ref();
-    let of_panel = |(panel, made): (&LivePanel, Result<Vec<Part>, MakeError>)| match made {
+    let of_panel = |panel: &LivePanel, made: &Result<Vec<Part>, MakeError>| match made {
         Ok(parts) => parts.iter().map(|part| shown(part, material)).collect(),
         Err(error) => {
-            let (name, made) = (panel.name.clone(), Err(refusal(&error)));
+            let (name, made) = (panel.name.clone(), Err(refusal(error)));
             vec![ShownPanel { name: name.clone(), panel: name, made }]
         }
     };
-    live.panels().iter().zip(live.trimmed()).flat_map(of_panel).collect()
+    let panels = live.panels().iter();
+    match live.trimmed() {
+        None => panels.flat_map(|panel| of_panel(panel, &panel.made)).collect(),
+        Some(trimmed) => {
+            panels.zip(&trimmed).flat_map(|(panel, made)| of_panel(panel, made)).collect()
+        }
+    }
 }
 
 /// The files that the command line writes of a design.

@@ -158,7 +158,7 @@ pub(super) fn simplified(points: &[Point2], off: f64) -> Vec<Point2> {
     let mut left: Vec<Point2> = Vec::new();
     for &point in rest {
         let from = kept[kept.len() - 1];
-        let is_near = |other: &Point2| distance(*other, [from, point]) <= off;
+        let is_near = |other: &Point2| other.distance_to_segment([from, point]) <= off;
         if left.len() == RUN || !left.iter().all(is_near) {
             kept.extend(left.last());
             left.clear();
@@ -167,13 +167,6 @@ pub(super) fn simplified(points: &[Point2], off: f64) -> Vec<Point2> {
     }
     kept.extend(left.last());
     kept
-}
-
-/// The distance of a place from a segment.
-pub(super) fn distance(p: Point2, [a, b]: [Point2; 2]) -> f64 {
-    let along = b - a;
-    let share = (p - a).dot(along) / along.length_squared();
-    p.distance(a.lerp(b, if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 }))
 }
 
 /// A path element through some points.
@@ -255,7 +248,9 @@ mod tests {
         let few = simplified(&points, 0.15);
         assert!(few.len() < 60 && few[0] == points[0] && few.last() == points.last());
         for &point in &points {
-            assert!(few.windows(2).any(|pair| distance(point, [pair[0], pair[1]]) <= 0.15));
+            assert!(
+                few.windows(2).any(|pair| point.distance_to_segment([pair[0], pair[1]]) <= 0.15)
+            );
         }
         assert_eq!(simplified(&points[..2], 0.15), &points[..2]);
         assert_eq!(simplified(&[], 0.15), []);

@@ -185,13 +185,7 @@ fn apart_mm(a: [Point2; 2], b: [Point2; 2]) -> f64 {
     if sides(a, b) && sides(b, a) {
         return 0.0;
     }
-    let ends = a.map(|p| from_segment_mm(p, b)).into_iter().chain(b.map(|p| from_segment_mm(p, a)));
+    let ends =
+        a.map(|p| p.distance_to_segment(b)).into_iter().chain(b.map(|p| p.distance_to_segment(a)));
     ends.fold(f64::INFINITY, f64::min)
-}
-
-/// The distance of a point from a segment, mm.
-fn from_segment_mm(p: Point2, [a, b]: [Point2; 2]) -> f64 {
-    let along = b - a;
-    let share = (p - a).dot(along) / along.length_squared();
-    p.distance(a.lerp(b, if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 }))
 }

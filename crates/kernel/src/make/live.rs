@@ -258,29 +258,30 @@ impl Live {
     }
 
     /// The parts of each panel, or why they can't be made, in the order of [`Self::panels`], with
-    /// the trims of the design as far as its panels can be made.
-    pub fn trimmed(&self) -> Vec<Result<Vec<Part>, MakeError>> {
-        let mut panels: Vec<Result<Vec<Part>, MakeError>> =
-            self.panels.iter().map(|panel| panel.made.clone()).collect();
+    /// the trims of the design as far as its panels can be made; `None` of a design without trims.
+    pub fn trimmed(&self) -> Option<Vec<Result<Vec<Part>, MakeError>>> {
         if self.design.trims.is_empty() {
-            return panels;
+            return None;
         }
-        let made = panels.iter().filter_map(|made| made.as_ref().ok());
-        let mut parts = made.flatten().cloned().collect::<Vec<_>>();
+        let made = self.panels.iter().filter_map(|panel| panel.made.as_ref().ok());
+        let mut parts: Vec<Part> = made.flatten().cloned().collect();
         find_mates(&mut parts);
         let refused = trim_parts(&mut parts, &self.design.trims).err();
+        // What is refused of no panel is said at the first.
+        let of_error = |error: &MakeError| {
+            self.panels.iter().position(|panel| panel.name == error.panel).unwrap_or(0)
+        };
+        let at = refused.as_ref().map(of_error);
         let mut parts = parts.into_iter();
-        for made in panels.iter_mut().filter_map(|made| made.as_mut().ok()) {
-            *made = parts.by_ref().take(made.len()).collect();
-        }
-        if let Some(error) = refused {
-            let is_it = |panel: &&LivePanel| error.panel == panel.name;
-            let at = self.panels.iter().position(|panel| is_it(&panel)).unwrap_or(0);
-            if let Some(panel) = panels.get_mut(at) {
-                *panel = Err(error);
+        let of_panel = |(n, panel): (usize, &LivePanel)| {
+            let made = panel.made.as_ref().map_err(Clone::clone)?;
+            let made = parts.by_ref().take(made.len()).collect();
+            match &refused {
+                Some(error) if at == Some(n) => Err(error.clone()),
+                _ => Ok(made),
             }
-        }
-        panels
+        };
+        Some(self.panels.iter().enumerate().map(of_panel).collect())
     }
 
     fn make_changed(&mut self, watch: &mut dyn Watch) -> Vec<usize> {

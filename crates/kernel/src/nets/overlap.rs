@@ -39,7 +39,7 @@ pub(super) fn meet(a: &Side, b: &Side, apart_mm: f64) -> bool {
                 && (segments_touch(p, q, r, s)
                     || [(p, [r, s]), (q, [r, s]), (r, [p, q]), (s, [p, q])]
                         .into_iter()
-                        .any(|(point, line)| distance(point, line) <= apart_mm))
+                        .any(|(point, line)| point.distance_to_segment(line) <= apart_mm))
         }
     }
 }
@@ -50,12 +50,6 @@ fn is_near_box(a: &Side, b: &Side, apart_mm: f64) -> bool {
         && r.x.min(s.x) <= p.x.max(q.x) + apart_mm
         && p.y.min(q.y) <= r.y.max(s.y) + apart_mm
         && r.y.min(s.y) <= p.y.max(q.y) + apart_mm
-}
-
-fn distance(p: Point2, [a, b]: [Point2; 2]) -> f64 {
-    let along = b - a;
-    let share = (p - a).dot(along) / along.length_squared();
-    p.distance(a.lerp(b, if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 }))
 }
 
 /// Whether a point lies inside a facet with these sides, as far as no side runs through it: how

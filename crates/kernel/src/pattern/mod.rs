@@ -406,7 +406,7 @@ fn name_label(
     if !is_net {
         return label;
     }
-    let clear = border.iter().map(|&edge| segment_distance(label.at, edge));
+    let clear = border.iter().map(|&edge| label.at.distance_to_segment(edge));
     let room_mm = 2.0 * clear.fold(f64::INFINITY, f64::min);
     let fits_mm = room_mm / name.chars().count().max(1) as f64;
     PatternLabel { height_mm: height_mm.min(fits_mm).max(1.5), ..label }
@@ -416,7 +416,7 @@ fn name_label(
 fn label_at(name: &str, places: &[Point2], edges: &[[Point2; 2]], height_mm: f64) -> PatternLabel {
     let step = places.len().div_ceil(LABEL_PLACES);
     let to_outline = |place: Point2| {
-        let distances = edges.iter().map(|&edge| segment_distance(place, edge));
+        let distances = edges.iter().map(|&edge| place.distance_to_segment(edge));
         distances.fold(f64::INFINITY, f64::min)
     };
     let middle = places
@@ -433,11 +433,4 @@ fn label_at(name: &str, places: &[Point2], edges: &[[Point2; 2]], height_mm: f64
         height_mm,
         text: name.to_owned(),
     }
-}
-
-/// The distance of a point from a segment, mm.
-fn segment_distance(p: Point2, [a, b]: [Point2; 2]) -> f64 {
-    let along = b - a;
-    let share = (p - a).dot(along) / along.length_squared();
-    p.distance(a.lerp(b, if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 }))
 }

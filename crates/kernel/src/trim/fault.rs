@@ -57,6 +57,11 @@ pub enum TrimFault {
         /// The width of the material beyond the net line there, mm.
         margin_mm: f64,
     },
+    /// A part is too large for exact cuts.
+    TooLarge {
+        /// The largest coordinate of a part that is trimmed, mm.
+        most_mm: f64,
+    },
     /// The cut lines part a piece.
     Parted {
         /// Into how many.
@@ -93,6 +98,11 @@ impl fmt::Display for TrimFault {
                 f,
                 "edge '{edge}': a notch {depth_mm:.2} mm deep reaches into the part, which has \
                  {margin_mm:.2} mm of allowance there"
+            ),
+            Self::TooLarge { most_mm } => write!(
+                f,
+                "the part is larger than {:.0} km, too large for anything along its edges",
+                1e-6 * most_mm
             ),
             Self::Parted { pieces } => {
                 write!(f, "its cut lines fall apart into {pieces} pieces")

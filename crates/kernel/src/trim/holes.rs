@@ -27,11 +27,8 @@ pub(super) fn circle(at: Point2, radius: f64, sides: u16) -> Vec<Point2> {
 
 /// The distance of a point from closed lines, mm.
 pub(super) fn distance_mm(at: Point2, lines: &[Vec<Point2>]) -> f64 {
-    let of_side = |line: &[Point2], n: usize| {
-        let (a, b) = (line[n], line[(n + 1) % line.len()]);
-        let share = (at - a).dot(b - a) / (b - a).length_squared();
-        at.distance(if share.is_finite() { a.lerp(b, share.clamp(0.0, 1.0)) } else { a })
-    };
+    let of_side =
+        |line: &[Point2], n: usize| at.distance_to_segment([line[n], line[(n + 1) % line.len()]]);
     let of_line = |line: &Vec<Point2>| {
         (0..line.len()).map(|n| of_side(line, n)).fold(f64::INFINITY, f64::min)
     };

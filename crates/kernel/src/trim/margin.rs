@@ -33,8 +33,13 @@ pub(super) enum MarginForm {
     /// It is folded back at the net line, and once more at this distance beyond it, if that is not
     /// 0, mm.
     Hem(f64),
-    /// It is bent at the net line by this angle, radians.
-    Flange(f64),
+    /// It is bent at the net line.
+    Flange {
+        /// By this angle, radians.
+        angle: f64,
+        /// How far it keeps from a corner where the next edge has a flange, too, mm.
+        relief: f64,
+    },
 }
 
 impl Margin {
@@ -47,8 +52,12 @@ impl Margin {
             .then(|| self.width[0] + share * (self.width[1] - self.width[0]))
     }
 
-    fn is_flange(&self) -> bool {
-        matches!(self.form, MarginForm::Flange(_))
+    /// The relief of a flange, mm; `None` of another strip.
+    pub(super) fn relief(&self) -> Option<f64> {
+        match self.form {
+            MarginForm::Flange { relief, .. } => Some(relief),
+            _ => None,
+        }
     }
 }
 
@@ -68,8 +77,6 @@ pub(super) struct Bordered<'a> {
     pub(super) loops: &'a [Vec<usize>],
     /// The strips along each edge.
     pub(super) margins: &'a [Vec<Margin>],
-    /// How far flanges keep from the corners between two, mm.
-    pub(super) relief: f64,
 }
 
 impl Bordered<'_> {
@@ -126,11 +133,8 @@ impl Bordered<'_> {
         if before.edge == after.edge && before.margin == after.margin {
             return corner.made(Corner::ByLength);
         }
-        if let [Some(first), Some(second)] = margins
-            && first.is_flange()
-            && second.is_flange()
-        {
-            return Cornered { added: Vec::new(), removed: corner.parted(self.relief) };
+        if let [Some(first), Some(second)] = margins.map(|margin| margin.and_then(Margin::relief)) {
+            return Cornered { added: Vec::new(), removed: corner.parted(first.max(second)) };
         }
         corner.made(style(margins))
     }
@@ -143,7 +147,7 @@ fn style([first, second]: [Option<&Margin>; 2]) -> Corner {
         // Folded back, a hem ends where the next edge does.
         MarginForm::Hem(_) if is_first => Corner::FirstEdgeSymmetry,
         MarginForm::Hem(_) => Corner::SecondEdgeSymmetry,
-        MarginForm::Flange(_) => Corner::ByLength,
+        MarginForm::Flange { .. } => Corner::ByLength,
     };
     match (first, second) {
         (Some(first), Some(second)) => {
@@ -212,7 +216,7 @@ pub(super) fn folds(stretch: &Stretch, margin: &Margin) -> (Vec<PatternPath>, Ve
             }
             (paths, Vec::new())
         }
-        MarginForm::Flange(angle) => {
+        MarginForm::Flange { angle, .. } => {
             let middle = stretch.at(0.5 * (margin.span[0] + margin.span[1]));
             let height_mm = (0.3 * margin.width[0]).clamp(1.5, 6.0);
             let is_upright =

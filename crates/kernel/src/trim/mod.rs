@@ -37,14 +37,18 @@ pub use fault::TrimFault;
 pub(crate) use cut::Trimmed;
 pub(crate) use part::TrimPart;
 
-use crate::design::{Trim, TrimKind};
+use crate::design::{Flange, Trim, TrimKind};
 use crate::edge::EdgePlace;
 use chosen::chosen;
 use cut::Making;
 use margin::{Bordered, Margin, MarginForm, folds};
 use paired::{Pair, pairs};
 use sheetwright_geometry::math::Point2;
+use sheetwright_geometry::region::MOST_MM;
 use stretch::Stretch;
+
+/// A flange is shortened by no more than this share of its length at a corner.
+const MOST_RELIEF: f64 = 0.25;
 
 /// A fault, with the number of the part that it is about.
 pub(crate) type Faulted = (Option<usize>, TrimFault);
@@ -55,6 +59,7 @@ pub(crate) type Faulted = (Option<usize>, TrimFault);
 /// The first trim that can't be made.
 pub(crate) fn trimmed(parts: &[TrimPart<'_>], trims: &[Trim]) -> Result<Vec<Trimmed>, Faulted> {
     let mut work = Work::new(parts, trims)?;
+    work.check_sizes()?;
     work.add_margins()?;
     work.join()?;
     work.mark()?;
@@ -104,6 +109,18 @@ impl<'a> Work<'a> {
         Ok(work)
     }
 
+    /// Strips, which are no wider than their part, reach no farther than its size again.
+    fn check_sizes(&self) -> Result<(), Faulted> {
+        for (part, net) in self.nets.iter().enumerate() {
+            let reaches = |p: &Point2| p.x.abs().max(p.y.abs());
+            let most_mm = net.iter().flatten().map(reaches).fold(0.0, f64::max);
+            if 4.0 * most_mm > MOST_MM {
+                return Err((Some(part), TrimFault::TooLarge { most_mm }));
+            }
+        }
+        Ok(())
+    }
+
     /// Notes that a trim moves the cut line of its edges, in place of those before it. What joins
     /// two edges claims both.
     fn claim(&mut self, number: usize, trim: &Trim) -> Result<(), Faulted> {
@@ -149,13 +166,12 @@ impl<'a> Work<'a> {
             }
         }
         for (part, of_part) in self.parts.iter().enumerate() {
-            let (loops, relief) = (of_part.loops(), self.relief());
-            self.set_back_flanges(part, &loops, relief);
+            let loops = of_part.loops();
+            self.set_back_flanges(part, &loops);
             let bordered = Bordered {
                 stretches: &self.stretches[part],
                 loops: &loops,
                 margins: &self.margins[part],
-                relief,
             };
             let strips = bordered.made();
             let made = &mut self.made[part];
@@ -172,21 +188,11 @@ impl<'a> Work<'a> {
         Ok(())
     }
 
-    /// The largest relief of the flanges of a design, mm.
-    fn relief(&self) -> f64 {
-        let of_flange = |trim: &Trim| match trim.kind {
-            TrimKind::Flange(flange) => flange.relief,
-            _ => 0.0,
-        };
-        self.trims.iter().map(of_flange).fold(0.0, f64::max)
-    }
-
     /// Where two flanges meet at a corner, both end a little before it.
-    fn set_back_flanges(&mut self, part: usize, loops: &[Vec<usize>], relief: f64) {
+    fn set_back_flanges(&mut self, part: usize, loops: &[Vec<usize>]) {
         let ends_in_flange = |margins: &[Margin], at: f64| {
-            let at_end =
-                |m: &&Margin| matches!(m.form, MarginForm::Flange(_)) && m.span.contains(&at);
-            margins.iter().position(|margin| at_end(&margin))
+            let ends_there = |m: &Margin| m.relief().is_some() && m.span.contains(&at);
+            margins.iter().position(ends_there)
         };
         let mut moved: Vec<(usize, usize, usize)> = Vec::new();
         for edges in loops {
@@ -206,9 +212,10 @@ impl<'a> Work<'a> {
             }
         }
         for (edge, margin, end) in moved {
-            let span = &mut self.margins[part][edge][margin].span;
-            let most = 0.25 * (span[1] - span[0]);
-            span[end] += if end == 0 { relief.min(most) } else { -relief.min(most) };
+            let margin = &mut self.margins[part][edge][margin];
+            let [from, to] = margin.span;
+            let by = margin.relief().unwrap_or(0.0).min(MOST_RELIEF * (to - from));
+            margin.span[end] += if end == 0 { by } else { -by };
         }
     }
 
@@ -239,7 +246,9 @@ fn strip(kind: &TrimKind) -> Option<([f64; 2], MarginForm)> {
             let fold = if hem.turn > 0.0 { hem.width } else { 0.0 };
             Some(([hem.width + hem.turn; 2], MarginForm::Hem(fold)))
         }
-        TrimKind::Flange(flange) => Some(([flange.width; 2], MarginForm::Flange(flange.angle))),
+        TrimKind::Flange(Flange { width, angle, relief }) => {
+            Some(([width; 2], MarginForm::Flange { angle, relief }))
+        }
         _ => None,
     }
 }

@@ -399,6 +399,9 @@ fn what_cannot_be_made_is_said() {
     let unknown = trim(&flat, &[on(&["chine"], allowance(3.0, Corner::ByLength))]).err().unwrap();
     let text = unknown.to_string();
     assert_eq!(text, "no edge is called 'chine'; there are a/e0, a/e1, a/e2, a/e3");
+    let far = [Flat::new("a", &[rectangle(2e9, 2e9)])];
+    let large = trim(&far, &[on_all(allowance(3.0, Corner::ByLength))]).err().unwrap();
+    assert!(large.to_string().contains("larger than 2000 km"), "{large}");
     // The later trim on an edge holds.
     let two = [on_all(allowance(3.0, Corner::ByLength)), on_all(allowance(5.0, Corner::ByLength))];
     let made = trim(&flat, &two).unwrap();
