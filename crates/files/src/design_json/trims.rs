@@ -175,3 +175,54 @@ pub(super) fn written(
     let trade = trade.filter(|_| has_all).map(str::to_owned);
     (trade, rest.iter().map(file_of).collect())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The trims of a trade as a row of the table in `docs/trims.md`.
+    fn row(name: &str, trade: &Trade) -> String {
+        let trim = |trim: &Written| {
+            let fields = trim.iter().filter(|(field, _)| !["on", "kind"].contains(&field.as_str()));
+            let said = |value: &Value| value.as_str().map_or(value.to_string(), str::to_owned);
+            let fields: Vec<String> =
+                fields.map(|(field, value)| format!("{field} {}", said(value))).collect();
+            format!("`{}` on {}: {}", said(&trim["kind"]), said(&trim["on"]), fields.join(", "))
+        };
+        let trims: Vec<String> = trade.trims.iter().map(trim).collect();
+        format!("| `{name}` | {} | {} |\n", trade.title, trims.join("; "))
+    }
+
+    /// With `SHEETWRIGHT_REWRITE=1`, writes the table anew.
+    #[test]
+    fn the_docs_have_every_trade_with_its_numbers() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/trims.md");
+        let text = std::fs::read_to_string(path).unwrap().replace('\r', "");
+        let head = "| `for` | what for | trims |\n|---|---|---|\n";
+        let (before, _) = text.split_once(head).unwrap();
+        let rows: String = trades().iter().map(|(name, trade)| row(name, trade)).collect();
+        let wanted = format!("{before}{head}{rows}");
+        if std::env::var_os("SHEETWRIGHT_REWRITE").is_some() {
+            std::fs::write(path, &wanted).unwrap();
+            return;
+        }
+        assert!(text == wanted, "docs/trims.md differs from trades.json: SHEETWRIGHT_REWRITE=1");
+    }
+
+    #[test]
+    fn every_trade_is_read() {
+        for name in trade_names() {
+            assert!(!trims_of(Some(name), Vec::new(), Units::Inches, None).unwrap().is_empty());
+            assert!(trade_title(name).is_some());
+        }
+    }
+
+    #[test]
+    fn a_trim_that_replaces_one_of_a_trade_is_in_the_units_of_the_design() {
+        let own = r#"{ "on": "joined", "kind": "allowance", "width": [1, 2] }"#;
+        let own: Written = serde_json::from_str(own).unwrap();
+        let trims = trims_of(Some("sewing"), vec![own], Units::Centimetres, None).unwrap();
+        assert_eq!(trims.len(), 3);
+        assert!(format!("{:?}", trims[0].kind).contains("width: [10.0, 20.0]"), "{trims:?}");
+    }
+}

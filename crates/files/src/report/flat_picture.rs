@@ -1,6 +1,6 @@
 //! The flat pattern: outline, rulings, folds, overall dimensions and the lengths of its edges.
 
-use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, distance, line, number, text};
+use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, line, number, text};
 use super::rulings::{APART, APART_CLASSES, MOST_RUNGS, Middles, legend, rung_classes};
 use super::wording::{millimetres, thinned};
 use sheetwright::edge::{Edge, EdgeSource};
@@ -61,6 +61,7 @@ pub(super) fn ruled_picture(panel: &Part, material: Option<&Material>) -> Pictur
     let classes = rung_classes(panel, material, MOST_RUNGS);
     body += &rungs(panel, &classes, place);
     body += &marks(panel, place);
+    body += &trims(&panel.piece, place);
     body += &outline.element("cut");
     body += &overlap(panel, place);
     body += &dimensions(size, scale, bottom);
@@ -137,6 +138,32 @@ fn marks(panel: &Part, place: impl Fn(Point2) -> Point2) -> String {
         path.line(tick.points.iter().map(|&p| place(p)));
     }
     path.element("tick")
+}
+
+/// The words for both lines of a pattern that is not cut at its edge.
+pub(super) const CUT_AND_NET: &str =
+    "The outer line is cut; the dashed one inside is the edge of the finished piece. ";
+
+/// What is done along the edges: the edge of the finished piece where it is not cut, folds, holes,
+/// notches and ticks.
+pub(super) fn trims(piece: &Piece, place: impl Fn(Point2) -> Point2) -> String {
+    let class_of = |kind: PathKind| match kind {
+        PathKind::Net => Some("net"),
+        PathKind::TrimFold { .. } => Some("score"),
+        PathKind::TrimTick => Some("tick"),
+        PathKind::Drill { .. } | PathKind::Notch => Some("cut thin"),
+        _ => None,
+    };
+    let mut body = String::new();
+    for class in ["net", "score", "tick", "cut thin"] {
+        let mut drawn = PathData::default();
+        for path in piece.paths.iter().filter(|path| class_of(path.kind) == Some(class)) {
+            let points = path.points.iter().map(|&p| place(p));
+            if path.closed { drawn.ring(points) } else { drawn.line(points) }
+        }
+        body += &drawn.element(class);
+    }
+    body
 }
 
 /// The two edges where the pattern overlaps itself.
@@ -356,7 +383,7 @@ impl Tags {
     /// The room for a letter at a place as a share of its need, at most 1.
     fn room(&self, at: Point2) -> f64 {
         let other = self.taken.iter().map(|other| other.distance(at) / LETTER_APART);
-        let line = self.lines.iter().map(|line| distance(at, *line) / LETTER_CLEAR);
+        let line = self.lines.iter().map(|line| at.distance_to_segment(*line) / LETTER_CLEAR);
         let sides = [at.x, WIDTH - at.x, at.y, self.height - at.y].map(|room| room / LETTER_CLEAR);
         other.chain(line).chain(sides).fold(1.0, f64::min)
     }

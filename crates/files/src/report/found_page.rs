@@ -1,6 +1,6 @@
 //! The section of `report.html` for a part whose surface was found.
 
-use super::flat_picture::{Tagged, edges, outline_length, ruled_picture};
+use super::flat_picture::{CUT_AND_NET, Tagged, edges, outline_length, ruled_picture};
 use super::heat_picture::strain_picture;
 use super::moved_picture::{enlarged, moved_picture};
 use super::page::{Number, PartPage, table};
@@ -177,12 +177,16 @@ impl FoundPage<'_> {
         html! {
             figcaption {
                 strong { "Laid flat. " }
-                "The outline to cut. "
+                @if panel.piece.has_net() {
+                    (CUT_AND_NET)
+                } @else {
+                    "The outline to cut. "
+                }
                 @if self.bends() {
                     "Lay a straightedge from stroke to stroke along a ruling; dashed lines are folds. "
                 }
-                "The whole outline is " (millimetres(outline_length(self.page.part)))
-                " long."
+                @if panel.piece.has_net() { "That edge is " } @else { "The whole outline is " }
+                (millimetres(outline_length(panel))) " long."
                 @if !panel.sheet.seams().is_empty() {
                     " It is cut open along " b { (seam_mark(0)) }
                     @if panel.sheet.seams().len() > 1 {

@@ -2,7 +2,9 @@
 //! strain that its sheet has in its shape.
 
 use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, line, rectangle, round_below, text};
-use super::flat_picture::{FOOT, LEFT, RIGHT, TOP, Tags, beside, dimensions, in_picture, scale_of};
+use super::flat_picture::{
+    FOOT, LEFT, RIGHT, TOP, Tags, beside, dimensions, in_picture, scale_of, trims,
+};
 use super::paint::MOST_PATHS;
 use super::raster::{Facet, Raster};
 use super::style::HEATS;
@@ -164,6 +166,7 @@ impl Heat<'_> {
             }
             body += &path.element(class);
         }
+        body += &trims(&self.panel.piece, place);
         body += tags;
         if !exact {
             body +=

@@ -1,5 +1,6 @@
 //! The section of `report.html` for a mesh: how far flattening stretches it, and where.
 
+use super::flat_picture::CUT_AND_NET;
 use super::heat_picture::{NO_ERROR, heat_picture};
 use super::page::{Number, PartPage, table};
 use super::view::box_of;
@@ -73,6 +74,7 @@ impl MeshPage<'_> {
         let first = part.sheet.first_seam();
         html! {
             strong { "Laid flat. " }
+            @if part.piece.has_net() { (CUT_AND_NET) }
             @if measures.length_error_max < NO_ERROR {
                 "Every length is that in space."
             } @else {
