@@ -344,6 +344,9 @@ pub(crate) struct FileArgs {
     /// Write offsets.csv in feet, inches and eighths, such as 2-3-5
     #[arg(long)]
     feet: bool,
+    /// Write a pattern for every part; without it, equal parts are cut from that of the first
+    #[arg(long)]
+    each_part: bool,
 }
 
 impl FileArgs {
@@ -354,6 +357,7 @@ impl FileArgs {
             preset: self.preset.unwrap_or(of_design.preset),
             dxf: self.dxf,
             offsets: OffsetOptions { pitch_mm: self.stations, feet: self.feet },
+            each_part: self.each_part,
             ..of_design
         }
     }

@@ -3,8 +3,9 @@
 //! Angles are in degrees, lengths in mm, both with three decimals. `docs/press-brake.md` says what
 //! each column is for.
 
+use crate::table::{guarded, quoted};
 use sheetwright::bend::{Brake, BrakeFault, DIE_THICKNESSES, Hit, Reference, hits};
-use sheetwright::make::{Made, Part};
+use sheetwright::make::{CutItem, Made, Part};
 use sheetwright::math::to_deg;
 use std::fmt::Write as _;
 
@@ -32,13 +33,15 @@ impl BrakeSettings {
         made.parts.iter().map(of_part).collect()
     }
 
-    /// The bytes of `brake.csv`. `plans` has the hits of each part.
-    pub(crate) fn table(&self, made: &Made, plans: &[Vec<Hit>]) -> Vec<u8> {
+    /// The bytes of `brake.csv`. `plans` has the hits of each part; those of the parts whose
+    /// patterns are cut are listed.
+    pub(crate) fn table(&self, made: &Made, plans: &[Vec<Hit>], patterns: &[CutItem]) -> Vec<u8> {
         let columns: &[Column] = if self.rolls { &ROLLS } else { &BRAKE };
         let mut out = columns.iter().map(|column| column.name).collect::<Vec<_>>().join(",");
         out.push_str("\r\n");
-        for (part, hits) in made.parts.iter().zip(plans) {
-            for (n, hit) in hits.iter().enumerate() {
+        for first in patterns.iter().map(CutItem::first) {
+            let part = &made.parts[first];
+            for (n, hit) in plans[first].iter().enumerate() {
                 let cells = columns.iter().map(|column| quoted(&(column.cell)(part, n, hit)));
                 // Writing to a string does not fail.
                 let _ = write!(out, "{}\r\n", cells.collect::<Vec<_>>().join(","));
@@ -56,7 +59,7 @@ pub(crate) struct Column {
     pub(crate) cell: fn(&Part, usize, &Hit) -> String,
 }
 
-const PART: Column = Column { name: "part", cell: |part, _, _| part.name.clone() };
+const PART: Column = Column { name: "part", cell: |part, _, _| guarded(&part.name) };
 const ORDER: Column = Column { name: "order", cell: |_, n, _| (n + 1).to_string() };
 const KIND: Column = Column {
     name: "kind",
@@ -89,7 +92,7 @@ pub(crate) const BRAKE: [Column; 21] = [
     RIGHT_X,
     RIGHT_Y,
     LENGTH,
-    Column { name: "reference", cell: |part, _, hit| reference(part, hit) },
+    Column { name: "reference", cell: |part, _, hit| guarded(&reference(part, hit)) },
     Column { name: "finger_left_mm", cell: |_, _, hit| mm(hit.fingers_mm[0]) },
     Column { name: "finger_right_mm", cell: |_, _, hit| mm(hit.fingers_mm[1]) },
     Column { name: "gauge_left_mm", cell: |_, _, hit| mm(hit.gauges_mm[0]) },
@@ -142,20 +145,11 @@ pub(crate) fn warning(n: usize, hit: &Hit) -> String {
     hit.faults.iter().map(words).collect::<Vec<_>>().join("; ")
 }
 
-fn mm(length: f64) -> String {
+pub(crate) fn mm(length: f64) -> String {
     // Adding 0 turns −0 into 0.
     format!("{:.3}", (length * 1e3).round() / 1e3 + 0.0)
 }
 
 fn deg(angle: f64) -> String {
     mm(to_deg(angle))
-}
-
-/// A cell, in quotation marks where a table needs them.
-fn quoted(text: &str) -> String {
-    if text.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text.to_owned()
-    }
 }

@@ -36,6 +36,7 @@ mod names;
 mod obj;
 mod offsets;
 mod output;
+mod parts;
 mod pdf;
 mod preset;
 mod quads;
@@ -87,8 +88,8 @@ pub use reading::{
 };
 pub use refold::{PatternFiles, RefoldFileError, refold_error_mm, refold_files_error_mm};
 pub use report::{
-    Picture, ReportForm, design_picture, flat_picture, gauss_picture, moved_picture, quads_picture,
-    report_html, report_json, report_schema, side_by_side, space_picture, stacked,
+    Picture, ReportForm, Written, design_picture, flat_picture, gauss_picture, moved_picture,
+    quads_picture, report_html, report_json, report_schema, side_by_side, space_picture, stacked,
     verdict_sentence, verdict_word, warp_chart,
 };
 pub use step::write_step;

@@ -132,6 +132,7 @@ mod tests {
             paths,
             labels: Vec::new(),
             bends: Vec::new(),
+            border: Vec::new(),
             corner: Point2::default(),
             size: Vec2::ZERO,
         };

@@ -8,11 +8,12 @@ use crate::fold::write_fold;
 use crate::names::{folded, refused_for_file};
 use crate::obj::write_obj;
 use crate::offsets::{OffsetOptions, write_offsets};
+use crate::parts::write_parts;
 use crate::pdf::{PdfOptions, Reduced, write_pieces};
 use crate::preset::{DxfRelease, Preset};
 use crate::quads::{PanelQuads, write_quads};
-use crate::refold::{PatternFiles, RefoldFileError, refold_files_error_mm, refold_finding};
-use crate::report::{ReportForm, report_html, report_json};
+use crate::refold::{PatternFiles, RefoldFileError, refold_finding, refold_piece_error_mm};
+use crate::report::{ReportForm, Written, report_html, report_json};
 use crate::step::write_step;
 use crate::svg::write_svg_for;
 use crate::table::write_table;
@@ -20,8 +21,8 @@ use crate::units::Units;
 use sheetwright::bend::Hit;
 use sheetwright::check::{Checked, Finding, FindingKind, braking};
 use sheetwright::design::Design;
-use sheetwright::make::{Made, Part};
-use sheetwright::pattern::Piece;
+use sheetwright::make::{CutItem, Made, Part};
+use sheetwright::pattern::{EqualPiece, Piece};
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -48,6 +49,8 @@ pub enum Format {
     Offsets,
     /// `brake.csv`: the plan for the press brake, or for plate rolls.
     Brake,
+    /// `parts.csv`: what is to be cut, and how often.
+    Parts,
     /// `report.json` and `report.html`.
     Report,
 }
@@ -85,7 +88,7 @@ use FileName::{OfPart, Whole};
 
 /// Every format, in the order in which files are written. The report comes last, since it says what
 /// was found in the others.
-const ROWS: [Row; 11] = [
+const ROWS: [Row; 12] = [
     Row {
         format: Format::Obj,
         name: "obj",
@@ -162,7 +165,10 @@ const ROWS: [Row; 11] = [
         about: ("Pieces for cutters (ASTM)", "For machines that cut cloth and leather."),
         by_default: false,
         needs_rulings: false,
-        files: &[(Whole("pattern-astm.dxf"), Writer::Design(|run| Ok(write_astm(run.made))))],
+        files: &[(
+            Whole("pattern-astm.dxf"),
+            Writer::Design(|run| Ok(write_astm(run.made, &run.patterns))),
+        )],
     },
     Row {
         format: Format::Offsets,
@@ -173,7 +179,7 @@ const ROWS: [Row; 11] = [
         files: &[(
             Whole("offsets.csv"),
             Writer::Design(|run| {
-                let pieces = run.made.parts.iter().map(|part| &part.piece);
+                let pieces = run.patterns.iter().map(|pattern| &pattern.piece);
                 Ok(write_offsets(pieces, &run.options.offsets))
             }),
         )],
@@ -187,6 +193,17 @@ const ROWS: [Row; 11] = [
         files: &[(Whole("brake.csv"), Writer::Design(|run| Ok(run.brake())))],
     },
     Row {
+        format: Format::Parts,
+        name: "parts",
+        about: ("Parts (CSV)", "What to cut: each pattern with its count, size and edges."),
+        by_default: false,
+        needs_rulings: false,
+        files: &[(
+            Whole("parts.csv"),
+            Writer::Design(|run| Ok(write_parts(run.made, &run.patterns))),
+        )],
+    },
+    Row {
         format: Format::Report,
         name: "report",
         about: ("Report", "The verdict, the pictures and all numbers, as a page and as data."),
@@ -195,16 +212,13 @@ const ROWS: [Row; 11] = [
         files: &[
             (
                 Whole("report.json"),
-                Writer::Design(|run| {
-                    let (panels, errors_mm) = (&run.panels, &run.errors_mm);
-                    Ok(report_json(run.made, errors_mm, panels, &run.in_quads)?)
-                }),
+                Writer::Design(|run| Ok(report_json(run.made, &run.written(), &run.in_quads)?)),
             ),
             (
                 Whole("report.html"),
                 Writer::Design(|run| {
-                    let (panels, form) = (&run.panels, run.options.report);
-                    Ok(report_html(run.made, &run.errors_mm, panels, form, run.plans.as_deref()))
+                    let (form, plans) = (run.options.report, run.plans.as_deref());
+                    Ok(report_html(run.made, &run.written(), form, plans))
                 }),
             ),
         ],
@@ -273,6 +287,9 @@ pub struct OutputOptions {
     pub offsets: OffsetOptions,
     /// The machine that the plan of bends is for.
     pub brake: BrakeSettings,
+    /// Whether each of several equal parts has a pattern of its own. Default: it is cut from the
+    /// pattern of the first.
+    pub each_part: bool,
 }
 
 impl Default for OutputOptions {
@@ -284,6 +301,7 @@ impl Default for OutputOptions {
             dxf: None,
             offsets: OffsetOptions::default(),
             brake: BrakeSettings::default(),
+            each_part: false,
         }
     }
 }
@@ -411,8 +429,10 @@ struct Run<'a> {
     made: &'a Made,
     options: OutputOptions,
     files: Vec<OutputFile>,
-    /// The number of the first file of the patterns in a format; the parts follow one another.
-    patterns: BTreeMap<Format, usize>,
+    /// The patterns to cut.
+    patterns: Vec<CutItem>,
+    /// The number of the first file of the patterns in a format; they follow one another.
+    first_files: BTreeMap<Format, usize>,
     in_quads: Vec<Option<PanelQuads>>,
     /// The plans for the press brake, if they are asked for.
     plans: Option<Vec<Vec<Hit>>>,
@@ -431,7 +451,8 @@ impl<'a> Run<'a> {
             made,
             options,
             files: Vec::new(),
-            patterns: BTreeMap::new(),
+            patterns: if options.each_part { made.cut_each() } else { made.cut_list() },
+            first_files: BTreeMap::new(),
             in_quads: made.parts.iter().map(quads).collect(),
             plans: formats.contains(&Format::Brake).then(|| options.brake.plans(made)),
             reduced: Vec::new(),
@@ -444,8 +465,8 @@ impl<'a> Run<'a> {
         for (name, writer) in format.row().files {
             match (name, writer) {
                 (OfPart(ending), Writer::Piece(write)) => {
-                    self.patterns.insert(format, self.files.len());
-                    let pieces = self.made.parts.iter().map(|part| &part.piece);
+                    self.first_files.insert(format, self.files.len());
+                    let pieces = self.patterns.iter().map(|pattern| &pattern.piece);
                     let named = pieces.map(|piece| {
                         file(format!("{}{ending}", piece.name), write(piece, &self.options))
                     });
@@ -463,15 +484,15 @@ impl<'a> Run<'a> {
     }
 
     fn pdf(&mut self) -> Vec<u8> {
-        let pieces: Vec<&Piece> = self.made.parts.iter().map(|part| &part.piece).collect();
+        let pieces: Vec<&Piece> = self.patterns.iter().map(|pattern| &pattern.piece).collect();
         let pdf = write_pieces(&self.made.name, &pieces, &self.options.pdf);
         self.reduced = pdf.reduced;
         pdf.bytes
     }
 
     fn brake(&self) -> Vec<u8> {
-        let plans = self.plans.as_deref().unwrap_or_default();
-        self.options.brake.table(self.made, plans)
+        let Some(plans) = &self.plans else { return Vec::new() };
+        self.options.brake.table(self.made, plans, &self.patterns)
     }
 
     fn named_quads(&self) -> Vec<(&str, &PanelQuads)> {
@@ -479,21 +500,32 @@ impl<'a> Run<'a> {
         parts.filter_map(|(part, quads)| Some((part.name.as_str(), quads.as_ref()?))).collect()
     }
 
-    /// Reads the patterns back, once, and notes what was found.
+    /// What was found in the parts and their written patterns.
+    fn written(&self) -> Written<'_> {
+        let Self { panels, errors_mm, patterns, .. } = self;
+        Written { patterns, checked: panels, refold_errors_mm: errors_mm }
+    }
+
+    /// Reads the patterns back, once, and notes what was found. A part that is cut from the pattern
+    /// of an equal one has that much more error as both differ.
     fn prove(&mut self) {
         for n in self.panels.len()..self.made.parts.len() {
             let part = &self.made.parts[n];
-            let pattern = |format: Format| {
-                let first = self.patterns.get(&format)?;
-                Some(&self.files.get(first + n)?.bytes[..])
+            let (pattern, instance) = self.pattern_of(n);
+            let off_mm = instance.map_or(0.0, |instance| instance.off_mm);
+            let is_first = self.patterns.get(pattern).is_some_and(|item| item.first() == n);
+            let written = |format: Format| {
+                let first = self.first_files.get(&format).filter(|_| is_first)?;
+                Some(&self.files.get(first + pattern)?.bytes[..])
             };
-            let (svg, dxf) = (pattern(Format::Svg), pattern(Format::Dxf));
+            let piece = if is_first { &self.patterns[pattern].piece } else { &part.piece };
+            let (svg, dxf) = (written(Format::Svg), written(Format::Dxf));
             let files = PatternFiles { svg, dxf, preset: self.options.preset };
             let mut checked = part.checked.clone();
-            let error_mm = match refold_files_error_mm(part, &files) {
+            let error_mm = match refold_piece_error_mm(part, piece, &files) {
                 Ok(error_mm) => {
                     checked.findings.extend(refold_finding(part, error_mm));
-                    error_mm
+                    error_mm + off_mm
                 }
                 Err(error) => {
                     checked.findings.push(not_refolded(&error));
@@ -503,12 +535,19 @@ impl<'a> Run<'a> {
             checked.findings.extend(self.in_quads[n].as_ref().and_then(PanelQuads::finding));
             let plan = self.plans.iter().flat_map(|plans| braking(&plans[n]));
             checked.findings.extend(plan);
-            let reduced = self.reduced.iter().find(|reduced| reduced.panel == n);
+            let reduced = self.reduced.iter().find(|reduced| is_first && reduced.panel == pattern);
             checked.findings.extend(reduced.map(Reduced::finding));
             checked.sort();
             self.errors_mm.push(error_mm);
             self.panels.push(checked);
         }
+    }
+
+    /// The pattern that a part is cut from, by its number, and how the part comes from it.
+    fn pattern_of(&self, part: usize) -> (usize, Option<&EqualPiece>) {
+        let instances = self.patterns.iter().map(|item| item.instance(part));
+        let mut found = instances.enumerate().filter(|(_, instance)| instance.is_some());
+        found.next().unwrap_or_default()
     }
 }
 

@@ -88,11 +88,21 @@ pub fn refold_files_error_mm(
     part: &Part,
     files: &PatternFiles<'_>,
 ) -> Result<f64, RefoldFileError> {
+    refold_piece_error_mm(part, &part.piece, files)
+}
+
+/// As [`refold_files_error_mm`], where the pattern was written with more texts than that of the
+/// part.
+pub(crate) fn refold_piece_error_mm(
+    part: &Part,
+    piece: &Piece,
+    files: &PatternFiles<'_>,
+) -> Result<f64, RefoldFileError> {
     match &part.origin {
-        Origin::Found(found) => folded_error_mm(part, found, files),
+        Origin::Found(found) => folded_error_mm(part, piece, found, files),
         Origin::Given(_) => {
             let overlaps = part.flat.overlap.is_some();
-            let [error_mm, others_mm] = read_back_error_mm(&part.piece, overlaps, files)?;
+            let [error_mm, others_mm] = read_back_error_mm(piece, overlaps, files)?;
             let by_mm = error_mm.max(others_mm);
             let is_off = by_mm > Tolerance::REFOLD.length_mm(part.piece.size.length());
             if is_off { Err(RefoldFileError::Moved { by_mm }) } else { Ok(error_mm) }
@@ -102,13 +112,14 @@ pub fn refold_files_error_mm(
 
 fn folded_error_mm(
     part: &Part,
+    piece: &Piece,
     found: &Found,
     files: &PatternFiles<'_>,
 ) -> Result<f64, RefoldFileError> {
     let rungs = part.sheet.rungs();
     let shown = rungs_to_show(part);
     let overlapping = part.flat.overlap.map(|_| &shown[..]);
-    let read = read_patterns(&part.piece, overlapping, files)?;
+    let read = read_patterns(piece, overlapping, files)?;
     read.iter().try_fold(0.0, |worst: f64, (pattern, off_mm)| {
         let lines = std::iter::once(&pattern.outline).chain(&pattern.holes).map(Vec::len);
         if !lines.eq(part.sheet.loops().iter().map(Vec::len)) {

@@ -376,7 +376,7 @@ fn looks_like_a_formula(name: &str) -> bool {
 }
 
 /// The name of a curve as a table holds it: no spreadsheet that opens the table runs it.
-fn guarded(name: &str) -> String {
+pub(crate) fn guarded(name: &str) -> String {
     if looks_like_a_formula(name) { format!("{AS_TEXT}{name}") } else { name.to_owned() }
 }
 
@@ -390,9 +390,9 @@ fn unguarded(cell: &str) -> &str {
     cell.strip_prefix(AS_TEXT).filter(|name| looks_like_a_formula(name)).unwrap_or(cell)
 }
 
-/// A cell, in quotation marks if it contains a comma or a quotation mark.
-fn quoted(text: &str) -> String {
-    if text.contains([',', '"']) {
+/// A cell, in quotation marks where a table needs them.
+pub(crate) fn quoted(text: &str) -> String {
+    if text.contains([',', '"', '\n', '\r']) {
         format!("\"{}\"", text.replace('"', "\"\""))
     } else {
         text.to_owned()

@@ -203,7 +203,15 @@ fn random_piece(dice: &mut Dice) -> Piece {
     };
     let name = label.text.clone();
     let size = Vec2::splat(size * n as f64);
-    Piece { name, paths, labels: vec![label], size, corner: Point2::default(), bends: Vec::new() }
+    Piece {
+        name,
+        paths,
+        labels: vec![label],
+        size,
+        corner: Point2::default(),
+        bends: Vec::new(),
+        border: Vec::new(),
+    }
 }
 
 #[test]
@@ -339,6 +347,7 @@ fn the_same_design_gives_the_same_bytes() {
             "pattern-astm.dxf",
             "offsets.csv",
             "brake.csv",
+            "parts.csv",
             "report.json",
             "report.html"
         ]

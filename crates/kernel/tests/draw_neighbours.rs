@@ -1,19 +1,16 @@
 //! Panels that are drawn off one another: where loops touch, which way panels face, points that are
-//! shared in space, circles, and which pieces are the same part.
+//! shared in space, and circles.
 
 #![allow(clippy::unwrap_used)] // tests panic
 
 use sheetwright::curve::{Curve, CurveKind, CurvePoint};
 use sheetwright::design::{Design, DesignCurve, PanelShape};
-use sheetwright::draw::alike::alike;
 use sheetwright::draw::loops::nesting;
 use sheetwright::draw::panels::panels_of_drawing;
 use sheetwright::draw::round::circle;
 use sheetwright::draw::settle::{point_at, settled};
 use sheetwright::make::make;
 use sheetwright::math::{Point2, Point3, cos, sin};
-use sheetwright::pattern::Piece;
-use sheetwright::template::template;
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::random::Random;
 use std::f64::consts::TAU;
@@ -216,39 +213,4 @@ fn a_circle_has_its_diameter_in_every_direction() {
         let least = places.iter().map(along).fold(f64::MAX, f64::min);
         assert!((most - least - 200.0).abs() < 1e-3, "{n}°: {}", most - least);
     }
-}
-
-fn pieces(name: &str) -> Vec<Piece> {
-    let design = template(name).unwrap().defaults().design().unwrap();
-    let made = make(&design, &mut Unwatched).unwrap();
-    made.parts.iter().map(|panel| panel.piece.clone()).collect()
-}
-
-#[test]
-fn gores_are_one_part_and_sides_of_a_boat_are_mirror_images() {
-    let gores = pieces("dome");
-    assert!(gores.len() >= 8);
-    assert!(gores.iter().all(|gore| alike(&gores[0], gore, 0.01)));
-    let strakes = pieces("dinghy");
-    for a in &strakes {
-        let like: Vec<&str> =
-            strakes.iter().filter(|b| alike(a, b, 0.01)).map(|b| b.name.as_str()).collect();
-        let stem = a.name.trim_end_matches("-port").trim_end_matches("-starboard");
-        assert!(like.iter().all(|name| name.starts_with(stem)), "{}: {like:?}", a.name);
-        assert!(like.len() == 2 || !a.name.ends_with("-port"), "{}: {like:?}", a.name);
-    }
-    // Two turned halves, and what is not the same part: one corner aside, one hole more.
-    let mut other = gores[0].clone();
-    let turn =
-        |p: &mut Point2| *p = Point2::new(12.0 - 0.6 * p.x - 0.8 * p.y, 0.8 * p.x - 0.6 * p.y);
-    other.paths.iter_mut().flat_map(|path| &mut path.points).for_each(turn);
-    assert!(alike(&gores[0], &other, 1e-6) && alike(&other, &gores[0], 1e-6));
-    other.paths[0].points[5].x += 0.05;
-    assert!(!alike(&gores[0], &other, 0.01) && alike(&gores[0], &other, 0.1));
-    let mut holed = gores[0].clone();
-    let mut hole = holed.paths[0].clone();
-    hole.kind = sheetwright::pattern::PathKind::Hole;
-    hole.role = sheetwright::pattern::Role::Inner;
-    holed.paths.push(hole);
-    assert!(!alike(&gores[0], &holed, 0.01));
 }

@@ -97,6 +97,24 @@ fn shared_curves_with_equal_samples_have_mates_of_one_length() {
     assert_eq!(names(&ends.cloned().collect::<Vec<_>>()), ["end", "start"]);
 }
 
+#[test]
+fn rings_of_an_elbow_are_joined_though_their_curves_begin_elsewhere() {
+    let elbow = of_template("elbow");
+    for n in 0..elbow.parts.len() - 1 {
+        let ring = |part: usize, end: &str| {
+            let name = format!("cut-{}{end}", part + 1);
+            let edges = &elbow.parts[part].edges;
+            (edges.iter().position(|edge| edge.name == name).unwrap(), part)
+        };
+        let ((upper, part), (lower, next)) = (ring(n, "b"), ring(n + 1, "a"));
+        let edge = &elbow.parts[part].edges[upper];
+        assert_eq!(edge.mates, [EdgePlace { part: next, edge: lower }], "{}", edge.name);
+        assert!(edge.difference_mm.unwrap() < 1e-3, "{:?}", edge.difference_mm);
+    }
+    let free = elbow.parts[0].edges.iter().find(|edge| edge.name == "cut-1a").unwrap();
+    assert!(free.mates.is_empty());
+}
+
 /// A hemisphere of 36 pieces between meridians and parallels.
 #[test]
 fn pieces_of_a_hemisphere_meet_on_every_side() {

@@ -8,9 +8,9 @@ use crate::dxf::{Pairs, ascii, real};
 use crate::obj::one_word;
 use crate::offsets::crossings;
 use crate::shapes::FileLine;
-use sheetwright::make::Made;
+use sheetwright::make::{CutItem, Made};
 use sheetwright::math::{Point2, atan2, to_deg, unit2};
-use sheetwright::pattern::{LabelKind, PathKind, PatternLabel, PatternPath, Piece, Role};
+use sheetwright::pattern::{LabelKind, PathKind, PatternLabel, PatternPath, Piece, Quantity, Role};
 use std::collections::BTreeSet;
 
 /// The layers of the standard, by what is on them.
@@ -34,22 +34,23 @@ const BLOCK_NAME: usize = 31;
 /// The arrow of the grain is as long as this share of the sheet along its line.
 const GRAIN_SHARE: f64 = 0.6;
 
-/// The ASTM file of all parts. `docs/outputs.md` specifies it for readers.
-pub fn write_astm(made: &Made) -> Vec<u8> {
+/// The ASTM file of the patterns of a made design. `docs/outputs.md` specifies it for readers.
+pub fn write_astm(made: &Made, patterns: &[CutItem]) -> Vec<u8> {
     let material = made.material.as_ref().map(|material| material.name.as_str());
-    let pieces: Vec<&Piece> = made.parts.iter().map(|part| &part.piece).collect();
+    let pieces: Vec<(&Piece, Quantity)> =
+        patterns.iter().map(|item| (&item.piece, item.quantity())).collect();
     written(&made.name, material, &pieces)
 }
 
-fn written(style: &str, material: Option<&str>, pieces: &[&Piece]) -> Vec<u8> {
+fn written(style: &str, material: Option<&str>, pieces: &[(&Piece, Quantity)]) -> Vec<u8> {
     let mut taken = BTreeSet::new();
     let blocks: Vec<String> =
-        pieces.iter().map(|piece| block_name(&piece.name, &mut taken)).collect();
+        pieces.iter().map(|(piece, _)| block_name(&piece.name, &mut taken)).collect();
     let mut pairs = Pairs::default();
     pairs.section("HEADER", |_| {});
     pairs.section("BLOCKS", |pairs| {
-        for (piece, name) in pieces.iter().zip(&blocks) {
-            block(pairs, piece, name, material);
+        for (&(piece, quantity), name) in pieces.iter().zip(&blocks) {
+            block(pairs, piece, quantity, name, material);
         }
     });
     pairs.section("ENTITIES", |pairs| {
@@ -82,7 +83,7 @@ fn block_name(name: &str, taken: &mut BTreeSet<String>) -> String {
     one_word(&name, taken)
 }
 
-fn block(pairs: &mut Pairs, piece: &Piece, name: &str, material: Option<&str>) {
+fn block(pairs: &mut Pairs, piece: &Piece, quantity: Quantity, name: &str, material: Option<&str>) {
     pairs.put(0, "BLOCK");
     pairs.put(8, BOUNDARY);
     pairs.put(2, name);
@@ -93,7 +94,7 @@ fn block(pairs: &mut Pairs, piece: &Piece, name: &str, material: Option<&str>) {
     let texts = [
         Some(format!("Piece Name: {}", piece.name)),
         Some("Size: 1".to_owned()),
-        Some("Quantity: 1".to_owned()),
+        Some(format!("Quantity: {}", quantity.count)),
         material.map(|material| format!("Fabric: {material}")),
     ];
     for (n, said) in texts.iter().flatten().enumerate() {

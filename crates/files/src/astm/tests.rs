@@ -146,9 +146,24 @@ fn what_a_cutter_needs_comes_back() {
     };
     let labels = vec![label(Role::Engrave, "Rücken 板"), label(Role::Note, "100 mm")];
     let (name, size) = ("Rücken 板".into(), Vec2::new(100.0, 50.0));
-    let piece = Piece { name, paths, labels, bends: Vec::new(), corner: Point2::default(), size };
+    let piece = Piece {
+        name,
+        paths,
+        labels,
+        bends: Vec::new(),
+        border: Vec::new(),
+        corner: Point2::default(),
+        size,
+    };
     let other = Piece { name: "R_cken__".into(), labels: Vec::new(), ..piece.clone() };
-    let bytes = written("Jacke", Some("felt"), &[&piece, &other]);
+    let bytes = written(
+        "Jacke",
+        Some("felt"),
+        &[
+            (&piece, Quantity { count: 2, mirrored: 1 }),
+            (&other, Quantity { count: 1, mirrored: 0 }),
+        ],
+    );
     let (style, pieces) = read(&bytes);
     assert_eq!((&style["Units"][..], &style["Style Name"][..]), ("METRIC", "Jacke"));
     assert_eq!(style["ASTM/D13Proposal 1 Version"], "D 6673-04");

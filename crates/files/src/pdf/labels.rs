@@ -116,7 +116,15 @@ mod tests {
             closed: true,
         };
         let (name, corner) = ("front".to_owned(), Point2::default());
-        Piece { name, paths: vec![outline], labels, size, corner, bends: Vec::new() }
+        Piece {
+            name,
+            paths: vec![outline],
+            labels,
+            size,
+            corner,
+            bends: Vec::new(),
+            border: Vec::new(),
+        }
     }
 
     fn label(text: &str, at: Point2, along: Vec2, height_mm: f64) -> PatternLabel {

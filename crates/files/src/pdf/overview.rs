@@ -6,7 +6,7 @@ use super::text::{encoded, width};
 use super::tiling::{MARGIN_MM, PaperSheet, Tiling};
 use super::{Paper, Plan, way_to_sheets};
 use sheetwright::math::{Point2, Vec2};
-use sheetwright::pattern::{Piece, Role};
+use sheetwright::pattern::{LabelKind, Piece, Role};
 use sheetwright::predicate::Box2;
 use std::collections::BTreeMap;
 
@@ -156,7 +156,12 @@ fn piece_block(
 ) {
     let width_mm = page.size().x - 2.0 * MARGIN_MM;
     let at = Point2::new(MARGIN_MM, top - 4.5);
-    page.fitted_text(at, &piece.name, Type::new(12.0).bold(), width_mm / 1.1);
+    let counted = piece.labels.iter().find(|label| label.kind == LabelKind::Quantity);
+    let title = match counted {
+        Some(quantity) => format!("{}, {}", piece.name, quantity.text),
+        None => piece.name.clone(),
+    };
+    page.fitted_text(at, &title, Type::new(12.0).bold(), width_mm / 1.1);
     let size = format!("{:.1} × {:.1} mm", piece.size.x, piece.size.y);
     let pages =
         if on.0 == on.1 { format!("page {}", on.0) } else { format!("pages {}–{}", on.0, on.1) };

@@ -7,9 +7,10 @@ use maud::{Markup, html};
 use sheetwright::bend::Hit;
 use sheetwright::math::{Point2, to_deg};
 
-/// The plan of a part; nothing where it is not bent, or no plan is made.
+/// The plan of a part; nothing where it is not bent, no plan is made, or another's is for both.
 pub(super) fn brake_plan(page: &PartPage<'_>) -> Markup {
-    let Some(hits) = page.plan.filter(|hits| !hits.is_empty()) else { return html! {} };
+    let own = page.plan.filter(|hits| !hits.is_empty() && page.is_first());
+    let Some(hits) = own else { return html! {} };
     let labels = [
         "Bend",
         "So far",

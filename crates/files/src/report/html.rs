@@ -1,8 +1,11 @@
 //! `report.html`: the report to read, one file that works offline.
 
+use super::Written;
 use super::brake_page::brake_plan;
+use super::cut_page::{cut_from, cut_list};
 use super::form::{ReportForm, Row, short};
 use super::found_page::FoundPage;
+use super::joined_page::joined_edges;
 use super::mesh_page::MeshPage;
 use super::page::{PartPage, table};
 use super::space_picture::design_picture;
@@ -19,32 +22,29 @@ use sheetwright::make::{Made, Origin};
 use sheetwright::material::stretch_limit;
 use sheetwright::math::to_deg;
 
-/// `report.html` of a made design. `refold_error_mm` and `checked` have one entry for each part; a
-/// refold error that is not finite means that the written pattern can't be read back. `plans` has
-/// the hits of each part at the press brake, if they are to be shown.
+/// `report.html` of a made design. What was written has one entry for each part; a refold error
+/// that is not finite means that the written pattern can't be read back. `plans` has the hits of
+/// each part at the press brake, if they are to be shown.
 ///
 /// # Panics
-/// Unless both have one entry for each part.
+/// Unless there is one entry for each part.
 pub fn report_html(
     made: &Made,
-    refold_error_mm: &[f64],
-    checked: &[Checked],
+    written: &Written<'_>,
     form: ReportForm,
     plans: Option<&[Vec<Hit>]>,
 ) -> Vec<u8> {
-    assert_eq!(made.parts.len(), refold_error_mm.len(), "one refold error a part");
-    assert_eq!(made.parts.len(), checked.len(), "one verdict a part");
-    let each = made.parts.iter().zip(refold_error_mm).zip(checked).enumerate();
-    let pages: Vec<PartPage<'_>> = each
-        .map(|(n, ((part, &refold_error_mm), checked))| PartPage {
-            made,
-            number: n + 1,
-            part,
-            refold_error_mm,
-            checked,
-            plan: plans.and_then(|plans| plans.get(n)).map(|hits| &hits[..]),
-        })
-        .collect();
+    written.assert_complete(made);
+    let page = |(n, part)| PartPage {
+        made,
+        number: n + 1,
+        part,
+        refold_error_mm: written.refold_errors_mm[n],
+        checked: &written.checked[n],
+        pattern: written.pattern_of(n),
+        plan: plans.and_then(|plans| plans.get(n)).map(|hits| &hits[..]),
+    };
+    let pages: Vec<PartPage<'_>> = made.parts.iter().enumerate().map(page).collect();
     let columns = columns(&pages);
     let labels: Vec<&str> = columns.iter().map(|column| column.label).collect();
     let is_short = form.is_short(pages.len());
@@ -66,10 +66,13 @@ pub fn report_html(
             }
             @if is_short {
                 (short(&labels, pages.iter().map(|page| page.row(&columns)).collect()))
+                (cut_list(made, written.patterns))
             } @else {
                 (table(Some("All panels"), "Panel", &labels, pages.iter().map(|p| (&p.part.name[..], p.values(&columns)))))
+                (cut_list(made, written.patterns))
                 @for page in &pages { (page.section()) }
             }
+            (joined_edges(made))
         },
     )
 }
@@ -224,6 +227,7 @@ impl PartPage<'_> {
                 p { (verdict(self.checked)) }
                 p { (verdict_sentence(self.checked.verdict, is_mesh)) }
                 (findings(self.checked))
+                (cut_from(self))
                 (figures)
                 (brake_plan(self))
                 h3 { "Numbers" }

@@ -1,5 +1,6 @@
 //! `report.json`: what was measured and found, for scripts.
 
+use super::Written;
 use crate::mesh::aim_name;
 use crate::quads::PanelQuads;
 use crate::words::{finding_place, finding_text};
@@ -10,7 +11,7 @@ use serde_json::Result;
 use sheetwright::check::{Checked, Verdict};
 use sheetwright::edge::{Edge, EdgePlace};
 use sheetwright::elastic::{Basis, Predicted};
-use sheetwright::make::{Change, Found, Given, Made, Origin, Part};
+use sheetwright::make::{Change, CutItem, Found, Given, Made, Origin, Part};
 use sheetwright::material::{stretch_limit, warp_limit_deg};
 use sheetwright::math::to_deg;
 use sheetwright::pattern::seam_mark;
@@ -44,8 +45,17 @@ struct Report<'a> {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "Panel")]
 struct PanelReport<'a> {
-    /// Its name; its files are called so.
+    /// Its name.
     name: &'a str,
+    /// The panel whose pattern it is cut from: its own, or that of the first of equal panels. The
+    /// files of the pattern are called so.
+    pattern: &'a str,
+    /// How many panels are cut from its pattern, itself included; 0 where it is cut from another's.
+    count: usize,
+    /// How many of those are its pattern turned over.
+    mirrored: usize,
+    /// The names of those, its own first.
+    instances: Vec<&'a str>,
     /// Which triangulations were looked at: `optimal`, `bridge` or `rails`; or `mesh` for a mesh
     /// that was flattened as it stands.
     method: &'static str,
@@ -309,9 +319,8 @@ struct FindingReport {
     r#where: String,
 }
 
-/// `report.json` of a made design. `refold_error_mm` and `checked` have one entry a part; a refold
-/// error that is not finite says that the written pattern could not be read back. So has `quads`,
-/// where they were made.
+/// `report.json` of a made design. What was written, and `quads`, have one entry a part; a refold
+/// error that is not finite says that the written pattern could not be read back.
 ///
 /// # Errors
 /// What JSON can't say; a report is numbers, texts and lists, which it can.
@@ -320,18 +329,15 @@ struct FindingReport {
 /// Unless there is one entry a part.
 pub fn report_json(
     made: &Made,
-    refold_error_mm: &[f64],
-    checked: &[Checked],
+    written: &Written<'_>,
     quads: &[Option<PanelQuads>],
 ) -> Result<Vec<u8>> {
-    assert_eq!(made.parts.len(), refold_error_mm.len(), "one refold error a part");
-    assert_eq!(made.parts.len(), checked.len(), "one verdict a part");
+    written.assert_complete(made);
     assert_eq!(made.parts.len(), quads.len(), "quads or none a part");
-    let each = made.parts.iter().zip(refold_error_mm).zip(checked.iter().zip(quads));
-    let panels = each.map(|((part, &error_mm), (checked, quads))| {
-        let common = of_part(made, part, error_mm, checked);
+    let panels = made.parts.iter().enumerate().map(|(number, part)| {
+        let common = of_part(made, number, written);
         match &part.origin {
-            Origin::Found(found) => of_found(common, part, found, quads.as_ref()),
+            Origin::Found(found) => of_found(common, part, found, quads[number].as_ref()),
             Origin::Given(given) => of_given(common, made, part, given),
         }
     });
@@ -396,16 +402,20 @@ fn of_seams(part: &Part) -> Vec<SeamReport> {
 }
 
 /// What is told of every part; what is told of a kind alone is left out.
-fn of_part<'a>(
-    made: &'a Made,
-    part: &'a Part,
-    refold_error_mm: f64,
-    checked: &'a Checked,
-) -> PanelReport<'a> {
-    let (sheet, measures) = (&part.sheet, &part.measures);
+fn of_part<'a>(made: &'a Made, number: usize, written: &Written<'_>) -> PanelReport<'a> {
+    let part = &made.parts[number];
+    let (sheet, measures, checked) = (&part.sheet, &part.measures, &written.checked[number]);
+    let item = written.pattern_of(number).map(|(item, _)| item);
+    let first = item.map_or(number, CutItem::first);
+    let own = item.filter(|_| first == number);
+    let instances = own.map_or(&[][..], |item| &item.instances);
     let predicted = part.predicted.as_ref();
     PanelReport {
         name: &part.name,
+        pattern: &made.parts[first].name,
+        count: instances.len(),
+        mirrored: own.map_or(0, |item| item.quantity().mirrored),
+        instances: instances.iter().map(|of| &made.parts[of.number].name[..]).collect(),
         method: "mesh",
         goal: None,
         aim: None,
@@ -448,7 +458,7 @@ fn of_part<'a>(
         seams: of_seams(part),
         joints: Vec::new(),
         edges: of_edges(part, &made.parts),
-        refold_error_mm: finite(refold_error_mm),
+        refold_error_mm: finite(written.refold_errors_mm[number]),
         rebuilt_distance_max_mm: None,
         rebuilt_distance_mean_mm: None,
         overlaps: part.flat.overlap.is_some(),

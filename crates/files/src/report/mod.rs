@@ -7,12 +7,14 @@
 
 mod brake_page;
 mod canvas;
+mod cut_page;
 mod flat_picture;
 mod form;
 mod found_page;
 mod gauss_picture;
 mod heat_picture;
 mod html;
+mod joined_page;
 mod json;
 mod mesh_page;
 mod moved_picture;
@@ -43,9 +45,36 @@ pub use space_picture::{design_picture, space_picture};
 pub use warp_chart::warp_chart;
 pub use wording::{verdict_sentence, verdict_word};
 
-use sheetwright::make::{Origin, Part};
+use sheetwright::check::Checked;
+use sheetwright::make::{CutItem, Made, Origin, Part};
 use sheetwright::material::Material;
 use sheetwright::measure::Measures;
+use sheetwright::pattern::EqualPiece;
+
+/// What was found when the patterns of a made design were written and read back.
+#[derive(Clone, Copy, Debug)]
+pub struct Written<'a> {
+    /// The patterns to cut.
+    pub patterns: &'a [CutItem],
+    /// The verdict of each part, and all its findings.
+    pub checked: &'a [Checked],
+    /// The refold error of each part, mm; see [`crate::Outputs::refold_error_mm`].
+    pub refold_errors_mm: &'a [f64],
+}
+
+impl<'a> Written<'a> {
+    /// # Panics
+    /// Unless there is a verdict and a refold error for each part.
+    fn assert_complete(&self, made: &Made) {
+        assert_eq!(made.parts.len(), self.refold_errors_mm.len(), "one refold error a part");
+        assert_eq!(made.parts.len(), self.checked.len(), "one verdict a part");
+    }
+
+    /// The pattern that a part is cut from, by the number of the part.
+    fn pattern_of(&self, part: usize) -> Option<(&'a CutItem, &'a EqualPiece)> {
+        self.patterns.iter().find_map(|item| Some((item, item.instance(part)?)))
+    }
+}
 
 /// The flat pattern of a part, seen from the side that the surface faces; for a mesh, with each
 /// triangle coloured by its largest relative length error.

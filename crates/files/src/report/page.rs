@@ -7,8 +7,9 @@ use maud::{Markup, PreEscaped, html};
 use sheetwright::bend::Hit;
 use sheetwright::check::Checked;
 use sheetwright::edge::Edge;
-use sheetwright::make::{Made, Part};
+use sheetwright::make::{CutItem, Made, Part};
 use sheetwright::material::Material;
+use sheetwright::pattern::EqualPiece;
 
 /// A part with the data of its section of the page.
 pub(super) struct PartPage<'a> {
@@ -19,11 +20,18 @@ pub(super) struct PartPage<'a> {
     /// See [`crate::Outputs::refold_error_mm`].
     pub(super) refold_error_mm: f64,
     pub(super) checked: &'a Checked,
+    /// The pattern that it is cut from, and how it comes from it.
+    pub(super) pattern: Option<(&'a CutItem, &'a EqualPiece)>,
     /// Its hits at the press brake, if a plan is made.
     pub(super) plan: Option<&'a [Hit]>,
 }
 
 impl PartPage<'_> {
+    /// Whether it is cut from its own pattern.
+    pub(super) fn is_first(&self) -> bool {
+        self.pattern.is_none_or(|(item, _)| item.first() + 1 == self.number)
+    }
+
     pub(super) fn material(&self) -> Option<&Material> {
         self.made.material.as_ref()
     }

@@ -167,7 +167,7 @@ color:var(--good)}\
 text-align:center;font-size:.85em;background:currentColor}\
 .verdict b i{font-style:normal;color:var(--paper)}\
 .panel{border-top:2px solid var(--rule);padding-top:26px;margin-top:34px}\
-.whole{margin:0 0 26px}.whole svg{max-width:600px}.whole figcaption{text-align:center}\
+.cuts,.joined{margin:26px 0}.cuts .sub{margin-top:8px}.whole{margin:0 0 26px}.whole svg{max-width:600px}.whole figcaption{text-align:center}\
 .figures{display:grid;grid-template-columns:minmax(0,1fr) minmax(0,1fr);gap:22px 32px;\
 align-items:start;margin-top:18px}\
 .column{display:grid;gap:26px;min-width:0}\

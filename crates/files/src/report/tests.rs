@@ -23,14 +23,27 @@ fn none(made: &Made) -> Vec<Option<PanelQuads>> {
     vec![None; made.parts.len()]
 }
 
+/// The page of a made design for which this was found.
+fn page_of(made: &Made, errors: &[f64], checked: &[Checked], form: ReportForm) -> String {
+    let patterns = &made.cut_list();
+    let written = Written { patterns, checked, refold_errors_mm: errors };
+    String::from_utf8(report_html(made, &written, form, None)).unwrap()
+}
+
 fn html(made: &Made) -> String {
     let (errors, checked) = checks(made);
-    String::from_utf8(report_html(made, &errors, &checked, ReportForm::Auto, None)).unwrap()
+    page_of(made, &errors, &checked, ReportForm::Auto)
+}
+
+fn json_text(made: &Made, errors: &[f64], checked: &[Checked]) -> String {
+    let patterns = &made.cut_list();
+    let written = Written { patterns, checked, refold_errors_mm: errors };
+    String::from_utf8(report_json(made, &written, &none(made)).unwrap()).unwrap()
 }
 
 fn json(made: &Made) -> serde_json::Value {
     let (errors, checked) = checks(made);
-    serde_json::from_slice(&report_json(made, &errors, &checked, &none(made)).unwrap()).unwrap()
+    serde_json::from_str(&json_text(made, &errors, &checked)).unwrap()
 }
 
 /// The inline pictures of a page.
@@ -83,8 +96,7 @@ const PANEL_FIELDS: [&str; 32] = [
 fn the_json_has_the_fields_of_the_contract_in_their_order() {
     let made = hull(40, "steel-5mm");
     let (errors, checked) = checks(&made);
-    let text =
-        String::from_utf8(report_json(&made, &errors, &checked, &none(&made)).unwrap()).unwrap();
+    let text = json_text(&made, &errors, &checked);
     let place =
         |field: &str| text.find(&format!("\"{field}\":")).unwrap_or_else(|| panic!("{field}"));
     let places: Vec<usize> = PANEL_FIELDS.iter().skip(1).take(23).map(|f| place(f)).collect();
@@ -124,8 +136,7 @@ fn what_has_no_number_is_null() {
     let made = concave();
     let checked = vec![made.parts[0].checked.clone()];
     let value: serde_json::Value =
-        serde_json::from_slice(&report_json(&made, &[f64::NAN], &checked, &none(&made)).unwrap())
-            .unwrap();
+        serde_json::from_str(&json_text(&made, &[f64::NAN], &checked)).unwrap();
     let panel = &value["panels"][0];
     assert!(panel["refold_error_mm"].is_null() && panel["bend_radius_min_mm"].is_null());
     assert_eq!(panel["name"], ODD_NAME);
@@ -291,8 +302,8 @@ fn the_short_form_shows_every_panel_in_a_few_kilobytes() {
     made.parts.truncate(100);
     assert!(html(&made).contains("class=\"numbers\""));
     let (errors, checked) = checks(&made);
-    let short = report_html(&made, &errors, &checked, ReportForm::Short, None);
-    assert!(String::from_utf8(short).unwrap().contains("Of 100 panels"));
+    let short = page_of(&made, &errors, &checked, ReportForm::Short);
+    assert!(short.contains("Of 100 panels"));
 }
 
 /// Bends that are too tight are seen in space and flat, with a legend; twice as wide they are none.
@@ -343,8 +354,7 @@ fn rulings_are_drawn_where_the_sheet_bends() {
 fn a_page_speaks_of_rulings_where_there_are_any() {
     for (made, bends) in [(concave(), false), (quarter(), true)] {
         let checked = [made.parts[0].checked.clone()];
-        let page = report_html(&made, &[0.0], &checked, ReportForm::Long, None);
-        let page = String::from_utf8(page).unwrap();
+        let page = page_of(&made, &[0.0], &checked, ReportForm::Long);
         for words in ["The thin lines are rulings", "Lay a straightedge"] {
             assert_eq!(page.contains(words), bends, "{words}");
         }
@@ -370,9 +380,7 @@ fn no_number_fails_to_be_one() {
     let mut pages: Vec<String> = all().iter().map(html).collect();
     let made = quarter();
     let checked = vec![made.parts[0].checked.clone()];
-    let unread =
-        String::from_utf8(report_html(&made, &[f64::NAN], &checked, ReportForm::Auto, None))
-            .unwrap();
+    let unread = page_of(&made, &[f64::NAN], &checked, ReportForm::Auto);
     assert!(unread.contains("not read back"));
     pages.push(unread);
     for page in pages {
@@ -434,8 +442,7 @@ fn an_error_is_not_hidden_behind_a_good_verdict() {
     checked.verdict = sheetwright::check::Verdict::Bends;
     checked.findings.retain(|f| f.code() == "overlap");
     assert_eq!(checked.findings.len(), 1);
-    let page =
-        String::from_utf8(report_html(&made, &[0.0], &[checked], ReportForm::Auto, None)).unwrap();
+    let page = page_of(&made, &[0.0], &[checked], ReportForm::Auto);
     assert!(page.contains("Bends, but do not cut it"));
     assert!(page.contains(r#"class="card error""#));
 }

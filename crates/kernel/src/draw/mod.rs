@@ -5,7 +5,6 @@
 //! All functions here are pure, on the plain values of a [design](crate::design): each returns the
 //! changed value, or an error in words, and never changes its arguments.
 
-pub mod alike;
 pub mod coarse;
 pub mod edit;
 pub mod join;

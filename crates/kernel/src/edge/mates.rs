@@ -2,9 +2,11 @@
 //!
 //! Two edges on one curve are mates where they have a stretch of it in common. Where both have the
 //! same samples, that is the steps that they share, bit by bit. Where they were sampled apart, it
-//! is what `shared` finds.
+//! is what `shared` finds. Edges on two curves are mates where the whole of one lies on the whole
+//! of the other (`twins`).
 
 use super::shared::{Shared, lengths, shared};
+use super::twins::twins;
 use super::{Edge, EdgePlace, EdgeSource, PartEdges};
 use crate::sample::StepPlace;
 use sheetwright_geometry::boundary::size_of;
@@ -15,6 +17,8 @@ use std::collections::{BTreeMap, BTreeSet};
 /// An edge with the places of its points.
 struct Placed {
     at: EdgePlace,
+    /// The number of the curve that it lies on, if it lies on one.
+    curve: Option<usize>,
     space: Vec<Point3>,
     flat: Vec<Point2>,
     /// The flat length of each of its steps, mm, by where it lies in space.
@@ -28,7 +32,11 @@ impl Placed {
         let steps = space.windows(2).zip(flat.windows(2));
         let steps =
             steps.map(|(s, f)| (StepPlace::between([s[0], s[1]]), f[0].distance(f[1]))).collect();
-        Self { at, space, flat, steps }
+        let curve = match edge.source {
+            EdgeSource::Curve(number) => Some(number),
+            _ => None,
+        };
+        Self { at, curve, space, flat, steps }
     }
 
     /// The length on the pattern, mm, from one length in space to another, which may go on beyond
@@ -69,20 +77,28 @@ pub(crate) fn join_mates(parts: &mut [PartEdges<'_>]) {
     }
     let size = size_of(groups.values().flatten().flat_map(|edge| edge.space.iter().copied()));
     let least_mm = Tolerance::CHAIN.length_mm(size);
-    for (group, list) in &groups {
-        for [n, k] in pairs(group, list, least_mm) {
-            let (a, b) = (&list[n], &list[k]);
-            let Some([of_a, of_b]) = in_common(a, b, least_mm) else { continue };
-            for (own, mate) in [(a.at, b.at), (b.at, a.at)] {
-                let edge = &mut parts[own.part].edges[own.edge];
-                edge.mates.push(mate);
-                let difference = (of_a - of_b).abs();
-                edge.difference_mm = Some(edge.difference_mm.unwrap_or(0.0).max(difference));
-            }
+    let of_groups = groups.iter().flat_map(|(group, list)| {
+        let pairs = pairs(group, list, least_mm).into_iter();
+        pairs.map(move |pair| pair.map(|n| &list[n]))
+    });
+    let on_curves: Vec<&Placed> =
+        groups.values().flatten().filter(|edge| edge.curve.is_some()).collect();
+    let of_twins = {
+        let lines: Vec<&[Point3]> = on_curves.iter().map(|edge| &edge.space[..]).collect();
+        let pairs = twins(&lines, least_mm).into_iter().map(|pair| pair.map(|n| on_curves[n]));
+        pairs.filter(|[a, b]| a.curve != b.curve).collect::<Vec<_>>()
+    };
+    for [a, b] in of_groups.chain(of_twins) {
+        let Some([of_a, of_b]) = in_common(a, b, least_mm) else { continue };
+        for (own, mate, shared_mm) in [(a.at, b.at, [of_a, of_b]), (b.at, a.at, [of_b, of_a])] {
+            let edge = &mut parts[own.part].edges[own.edge];
+            let place = edge.mates.partition_point(|other| *other < mate);
+            edge.mates.insert(place, mate);
+            edge.shared_mm.insert(place, shared_mm);
+            let difference = (of_a - of_b).abs();
+            edge.difference_mm = Some(edge.difference_mm.unwrap_or(0.0).max(difference));
         }
     }
-    let edges = parts.iter_mut().flat_map(|part| part.edges.iter_mut());
-    edges.for_each(|edge| edge.mates.sort_unstable());
 }
 
 /// The group of edges among which mates are found: edges of one curve, one cut or two meshes, and

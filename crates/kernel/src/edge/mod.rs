@@ -3,14 +3,16 @@
 //!
 //! An edge ends where the border passes from one curve to another, to the straight end of a strip
 //! or to a side of a cut. Edges that lie on one stretch of a curve are *mates*, also across parts
-//! and of one part with itself (a tube along its seam); so are both sides of a cut, and the edges
-//! along which two parts of meshes meet. Letters, lengths and marks of joints read this list.
+//! and of one part with itself (a tube along its seam); so are edges on two curves that lie on one
+//! another, both sides of a cut, and the edges along which two parts of meshes meet. Letters,
+//! lengths and marks of joints read this list.
 
 mod border;
 mod mates;
 mod of_boundary;
 mod of_mesh;
 mod shared;
+mod twins;
 
 pub(crate) use mates::join_mates;
 pub(crate) use of_boundary::edges_of_boundary;
@@ -67,8 +69,10 @@ pub struct Edge {
     pub length_space_mm: f64,
     /// How long it is on the pattern, mm.
     pub length_flat_mm: f64,
-    /// The edges that it is joined to; none of a free edge.
+    /// The edges that it is joined to, in order; none of a free edge.
     pub mates: Vec<EdgePlace>,
+    /// How long it and each of those is on the pattern along what both share, mm.
+    pub shared_mm: Vec<[f64; 2]>,
     /// The largest difference between its length on the pattern and that of a mate, along what both
     /// share, mm; `None` of a free edge.
     pub difference_mm: Option<f64>,
@@ -86,8 +90,9 @@ impl Edge {
         let steps = || run.windows(2);
         let length_space_mm = steps().map(|s| space[s[0]].distance(space[s[1]])).sum();
         let length_flat_mm = steps().map(|s| flat[s[0]].distance(flat[s[1]])).sum();
-        let (mates, difference_mm) = (Vec::new(), None);
-        Self { name, source, run, length_space_mm, length_flat_mm, mates, difference_mm }
+        let (mates, shared_mm) = (Vec::new(), Vec::new());
+        let difference_mm = None;
+        Self { name, source, run, length_space_mm, length_flat_mm, mates, shared_mm, difference_mm }
     }
 
     /// Whether it is a whole loop.

@@ -6,6 +6,7 @@
 
 mod candidate;
 mod cleaned;
+mod cut_list;
 mod error;
 mod facets;
 mod found;
@@ -25,6 +26,7 @@ mod trimmed;
 mod truest;
 mod unrestricted;
 
+pub use cut_list::CutItem;
 pub use error::{MakeCause, MakeError};
 pub use live::{Live, LivePanel};
 pub use part::{Change, Found, Given, Joint, Origin, Other, Part};

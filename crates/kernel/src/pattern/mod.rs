@@ -1,13 +1,17 @@
 //! The flat pattern as a workshop needs it: paths with roles, marks and labels.
 
+mod alike;
 mod bend;
 mod crease;
 mod dimension;
 mod edge_names;
 mod fold;
+mod quantity;
 mod seam;
 mod trims;
 
+pub use alike::{EqualPiece, alike, equal_pieces};
+pub use quantity::Quantity;
 pub use seam::{EdgeMark, seam_mark, seam_marks};
 
 pub(crate) use seam::joint_mark;
@@ -20,7 +24,7 @@ use crate::measure::{Measures, RungMeasures};
 use crate::mesh::MeshEdge;
 use crate::sheet::Sheet;
 use sheetwright_geometry::index::VertexIndex;
-use sheetwright_geometry::math::{Point2, Vec2};
+use sheetwright_geometry::math::{Point2, Point3, Vec2};
 use sheetwright_geometry::predicate::{Box2, signed_area_doubled};
 use sheetwright_optimum::rung::Rung;
 
@@ -148,6 +152,8 @@ impl PatternPath {
 pub enum LabelKind {
     /// The name of the piece.
     Name,
+    /// How often it is cut, under its name.
+    Quantity,
     /// The name of an edge, beside its middle.
     Edge,
     /// The mark of a seam or joint, beside the middle of a side of it.
@@ -196,19 +202,22 @@ pub struct Piece {
     pub corner: Point2,
     /// The lines that it is bent along, by their numbers from 1, whether they are drawn or not.
     pub bends: Vec<BendLine>,
+    /// Where the corners of the net's outline lie in space, mm, in their order.
+    pub border: Vec<Point3>,
 }
 
 impl Piece {
     /// The piece of a part before it is drawn.
     pub(crate) fn undrawn(name: &str) -> Self {
-        let (paths, labels, bends) = (Vec::new(), Vec::new(), Vec::new());
+        let (paths, labels) = (Vec::new(), Vec::new());
         Self {
             name: name.to_owned(),
             paths,
             labels,
             size: Vec2::ZERO,
             corner: Point2::default(),
-            bends,
+            bends: Vec::new(),
+            border: Vec::new(),
         }
     }
 
@@ -241,6 +250,12 @@ impl Piece {
             _ => false,
         };
         self.paths.iter().filter(is_loop).map(|path| &path.points[..])
+    }
+
+    /// The area of the sheet that it takes as it is cut, mm²; small round holes count.
+    pub fn area_mm2(&self) -> f64 {
+        let mut areas = self.loops().map(|line| 0.5 * signed_area_doubled(line).abs());
+        areas.next().unwrap_or(0.0) - areas.sum::<f64>()
     }
 
     /// The box around everything on the piece, paths and dimensions, mm.
@@ -276,7 +291,7 @@ pub(crate) fn piece(
     marks: &[EdgeMark],
     options: &PatternOptions,
 ) -> Piece {
-    let mut paths = loops(sheet, flat);
+    let (mut paths, border) = loops(sheet, flat);
     let outline = paths.first().map_or(&[][..], |path| &path.points);
     let size = Box2::of_points(outline.iter().copied())
         .map_or(Vec2::ZERO, |around| around.max - Point2::default());
@@ -322,27 +337,33 @@ pub(crate) fn piece(
     }
     labels.extend(dimension_labels);
     let corner = Point2::default();
-    Piece { name: name.to_owned(), paths, labels, size, corner, bends }
+    Piece { name: name.to_owned(), paths, labels, size, corner, bends, border }
 }
 
-/// The outline, and then the holes.
-fn loops(sheet: &Sheet, flat: &Flattened) -> Vec<PatternPath> {
-    let points = |line: &Vec<VertexIndex>| line.iter().map(|v| flat.points[v.get()]).collect();
-    let mut loops: Vec<Vec<Point2>> = sheet.loops().iter().map(points).collect();
+/// The outline, and then the holes; and where the corners of the outline lie in space.
+fn loops(sheet: &Sheet, flat: &Flattened) -> (Vec<PatternPath>, Vec<Point3>) {
+    let points = |line: &[VertexIndex]| -> Vec<Point2> {
+        line.iter().map(|v| flat.points[v.get()]).collect()
+    };
+    let mut loops: Vec<&[VertexIndex]> = sheet.loops().iter().map(|line| &line[..]).collect();
     // Where the surface was found, its loops stand in the order of the samples, the outline first.
     // That of a mesh holds all others, so that it encloses most.
     if !sheet.has_rungs() {
-        let area = |points: &[Point2]| signed_area_doubled(points).abs();
+        let area = |line: &[VertexIndex]| signed_area_doubled(&points(line)).abs();
         loops.sort_by(|a, b| area(b).total_cmp(&area(a)));
     }
-    let path = |(n, points): (usize, Vec<Point2>)| {
+    let space = sheet.mesh().positions();
+    let outline = loops.first().copied().unwrap_or_default();
+    let border = outline.iter().map(|v| space[v.get()]).collect();
+    let path = |(n, line): (usize, &[VertexIndex])| {
+        let points = points(line);
         let (role, kind) = match n {
             0 => (Role::Cut, PathKind::Outline),
             _ => (Role::Inner, PathKind::Hole),
         };
         PatternPath { role, kind, points, closed: true }
     };
-    loops.into_iter().enumerate().map(path).collect()
+    (loops.into_iter().enumerate().map(path).collect(), border)
 }
 
 /// The rungs that are drawn: where the sheet is scored, and all that are not cut if they are to be

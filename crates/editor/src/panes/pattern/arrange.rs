@@ -12,13 +12,9 @@ use super::pack::{CLEAR, Cell, Packed, largest};
 use super::view::{PatternView, Placed};
 use crate::scene::Scene;
 use eframe::egui::{Pos2, Vec2, vec2};
-use sheetwright::draw::alike::alike;
 use sheetwright::math::{Point2, Vec2 as Size};
+use sheetwright::pattern::{EqualPiece, equal_pieces};
 
-/// Pieces this near to one another in every corner are the same part, mm; less for small ones, as a
-/// share of their size.
-const ALIKE_MM: f64 = 0.05;
-const ALIKE_SHARE: f64 = 1e-4;
 /// The room around parts and their texts, points.
 const ROOM: f32 = 14.0;
 /// The height of a name above its part.
@@ -85,20 +81,13 @@ impl Takes {
 
 /// The parts of all panels that were made, in the order of their first.
 pub(super) fn parts(scene: &Scene<'_>) -> Vec<AlikePieces> {
-    let mut parts: Vec<AlikePieces> = Vec::new();
-    for (panel, shown) in scene.made() {
-        let size = shown.piece.size;
-        let within = ALIKE_MM.min(ALIKE_SHARE * size.max_element());
-        let is_of = |part: &&mut AlikePieces| {
-            let first = scene.panels[part.members[0]].made.as_ref();
-            first.is_ok_and(|first| alike(&first.piece, &shown.piece, within))
-        };
-        match parts.iter_mut().find(is_of) {
-            Some(part) => part.members.push(panel),
-            None => parts.push(AlikePieces { members: vec![panel], size }),
-        }
-    }
-    parts
+    let made: Vec<_> = scene.made().collect();
+    let groups = equal_pieces(made.iter().map(|(_, shown)| &shown.piece));
+    let part = |group: Vec<EqualPiece>| AlikePieces {
+        members: group.iter().map(|equal| made[equal.number].0).collect(),
+        size: made[group[0].number].1.piece.size,
+    };
+    groups.into_iter().map(part).collect()
 }
 
 /// What a part is called: the name of its only panel, or what the names of its panels begin with,

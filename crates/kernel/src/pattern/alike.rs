@@ -1,0 +1,261 @@
+//! Which pieces of a pattern are equal parts, so that one drawing serves for all.
+//!
+//! Two outlines are compared about the means of their corners. A rotation, with or without a
+//! mirror, keeps each corner's distance from there. So a corner of the second outline can match the
+//! first corner of the first outline only if the sequences of distances agree from there on. For
+//! each such corner, the rotation is found by least squares, and every corner must then lie on its
+//! partner. So must everything else that is done to the sheet: holes, folds, notches, ticks. Names
+//! and lengths may differ; what a trim writes may not.
+//!
+//! Equal outlines may still be bent to different shapes, so their borders in space are compared,
+//! too, corner by corner. Bend lines are not: where one border has two equally good surfaces, such
+//! as one and its mirror image, either serves.
+
+use super::{LabelKind, PathKind, PatternPath, Piece, Role};
+use sheetwright_geometry::math::{Point2, Point3, Vec2, Vec3, unit};
+
+/// Pieces this near to one another in every corner are equal, mm; less for small ones, as a share
+/// of their longer side.
+const ALIKE_MM: f64 = 0.05;
+const ALIKE_SHARE: f64 = 1e-4;
+/// In space, corners may lie apart by this many times as much, since three of them place the rest.
+const IN_SPACE: f64 = 4.0;
+
+/// A piece among equal ones.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EqualPiece {
+    /// Its number among all pieces.
+    pub number: usize,
+    /// Whether it is the first of them turned over.
+    pub mirrored: bool,
+    /// The largest distance of a corner from that of the first, laid on it, mm.
+    pub off_mm: f64,
+}
+
+/// The pieces in groups of equal ones, each in the order of the pieces, by its first.
+pub fn equal_pieces<'a>(pieces: impl IntoIterator<Item = &'a Piece>) -> Vec<Vec<EqualPiece>> {
+    let mut groups: Vec<(&Piece, Vec<EqualPiece>)> = Vec::new();
+    for (number, piece) in pieces.into_iter().enumerate() {
+        let within_mm = ALIKE_MM.min(ALIKE_SHARE * piece.size.max_element());
+        let equal = groups.iter_mut().find_map(|(first, group)| {
+            let alike = alike(first, piece, within_mm)?;
+            Some((group, EqualPiece { number, ..alike }))
+        });
+        match equal {
+            Some((group, equal)) => group.push(equal),
+            None => {
+                groups.push((piece, vec![EqualPiece { number, mirrored: false, off_mm: 0.0 }]));
+            }
+        }
+    }
+    groups.into_iter().map(|(_, group)| group).collect()
+}
+
+/// A motion of the plane: points about `from` are mirrored if `is_mirror`, turned, and moved to
+/// `to`.
+struct Motion {
+    from: Vec2,
+    to: Vec2,
+    is_mirror: bool,
+    /// Cosine and sine of the turn.
+    turn: Vec2,
+    /// The corner of the second outline on which the first corner of the first one lies, and so on
+    /// backwards if it is a mirror.
+    first: usize,
+    /// The largest distance of a corner from its partner, mm.
+    off_mm: f64,
+}
+
+impl Motion {
+    fn moved(&self, p: Point2) -> Point2 {
+        let way = p.to_vec() - self.from;
+        let way = if self.is_mirror { Vec2::new(way.x, -way.y) } else { way };
+        Point2::default() + (self.to + self.turn * way.x + self.turn.perp() * way.y)
+    }
+}
+
+/// How the second of two equal parts comes from the first: a motion brings everything that is done
+/// to the sheet of the one within `within_mm` of that of the other. `None` where they differ, and
+/// where their outlines have different numbers of corners.
+pub fn alike(a: &Piece, b: &Piece, within_mm: f64) -> Option<EqualPiece> {
+    let size = |piece: &Piece| {
+        let size = piece.size;
+        [size.x.max(size.y), size.x.min(size.y)]
+    };
+    let differs = |(a, b): (f64, f64)| (a - b).abs() > 2.0 * within_mm;
+    if size(a).into_iter().zip(size(b)).any(differs) {
+        return None;
+    }
+    let (of_a, of_b) = (a.net_loops().next()?, b.net_loops().next()?);
+    if of_a.len() != of_b.len() || of_a.len() < 3 {
+        return None;
+    }
+    let (work_a, work_b) = (work(a), work(b));
+    let (cut_a, cut_b) = (cut_lines(a), cut_lines(b));
+    if work_a.len() != work_b.len() || cut_a.len() != cut_b.len() {
+        return None;
+    }
+    [false, true].into_iter().find_map(|is_mirror| {
+        motions(of_a, of_b, is_mirror, within_mm).find_map(|motion| {
+            let places = work_a.iter().map(|(done, p)| (done, motion.moved(*p)));
+            let to_partner = |(done, p): (&Done<'_>, Point2)| {
+                let partners = work_b.iter().filter(|(other, _)| other == done);
+                partners.map(|(_, q)| q.distance(p)).fold(f64::INFINITY, f64::min)
+            };
+            let cuts: Vec<Vec<Point2>> =
+                cut_a.iter().map(|line| line.iter().map(|&p| motion.moved(p)).collect()).collect();
+            let off_mm = places
+                .map(to_partner)
+                .chain(corners_off_mm(&cuts, &cut_b))
+                .chain(corners_off_mm(&cut_b, &cuts))
+                .try_fold(motion.off_mm, |worst, off| (off <= within_mm).then_some(worst.max(off)));
+            let off_mm = off_mm.filter(|_| is_so_in_space(a, b, &motion, within_mm))?;
+            Some(EqualPiece { number: 0, mirrored: is_mirror, off_mm })
+        })
+    })
+}
+
+/// The outline and the holes as they are cut, where they are not those of the net.
+fn cut_lines(piece: &Piece) -> Vec<Vec<Point2>> {
+    if piece.has_net() { piece.loops().map(<[_]>::to_vec).collect() } else { Vec::new() }
+}
+
+/// How far each corner of some closed lines lies from the nearest of others, mm. Lines that were
+/// cleaned have corners of their own.
+fn corners_off_mm(lines: &[Vec<Point2>], others: &[Vec<Point2>]) -> impl Iterator<Item = f64> {
+    let to_others = |p: Point2| {
+        let sides = others
+            .iter()
+            .flat_map(|line| (0..line.len()).map(move |n| [line[n], line[(n + 1) % line.len()]]));
+        sides.map(|side| p.distance_to_segment(side)).fold(f64::INFINITY, f64::min)
+    };
+    lines.iter().flatten().map(move |&p| to_others(p))
+}
+
+/// What is done to the sheet at a place, besides cutting it.
+#[derive(Clone, Copy, PartialEq)]
+enum Done<'a> {
+    Path(PathKind),
+    Text(&'a str),
+}
+
+/// What is done to the sheet of a piece, and where.
+fn work(piece: &Piece) -> Vec<(Done<'_>, Point2)> {
+    let has_net = piece.has_net();
+    let kind = |path: &PatternPath| match path.kind {
+        PathKind::Outline | PathKind::Dimension => None,
+        PathKind::Bend { .. } | PathKind::BendTick => None,
+        PathKind::Hole if has_net => None,
+        // Rungs have their numbers, which depend on where the samples begin.
+        PathKind::Rung(_) if path.role == Role::Score => Some(PathKind::Crease),
+        PathKind::Rung(_) => None,
+        kind => Some(kind),
+    };
+    let paths = piece.paths.iter().filter_map(|path| Some((kind(path)?, path)));
+    let paths = paths.flat_map(|(kind, path)| {
+        let points = match kind {
+            PathKind::Drill { .. } => vec![Point2::default() + mean(&path.points)],
+            _ => path.points.clone(),
+        };
+        points.into_iter().map(move |p| (Done::Path(kind), p))
+    });
+    let texts = piece.labels.iter().filter(|label| label.kind == LabelKind::Trim);
+    let texts = texts.map(|label| (Done::Text(&label.text), label.at));
+    paths.chain(texts).collect()
+}
+
+/// The mean of some points.
+fn mean(points: &[Point2]) -> Vec2 {
+    points.iter().map(|p| p.to_vec()).sum::<Vec2>() * (1.0 / points.len() as f64)
+}
+
+/// The motions that bring each corner of one outline on one of another.
+fn motions(
+    a: &[Point2],
+    b: &[Point2],
+    is_mirror: bool,
+    within_mm: f64,
+) -> impl Iterator<Item = Motion> {
+    let m = a.len();
+    let (from, to) = (mean(a), mean(b));
+    let ways_a: Vec<Vec2> = a
+        .iter()
+        .map(|p| p.to_vec() - from)
+        .map(|way| if is_mirror { Vec2::new(way.x, -way.y) } else { way })
+        .collect();
+    let mut ways_b: Vec<Vec2> = b.iter().map(|p| p.to_vec() - to).collect();
+    if is_mirror {
+        // Both outlines run counter-clockwise; in a mirror, the other way.
+        ways_b.reverse();
+    }
+    (0..m).filter_map(move |shift| {
+        let pairs = || (0..m).map(|i| (ways_a[i], ways_b[(i + shift) % m]));
+        if pairs().any(|(a, b)| (a.length() - b.length()).abs() > within_mm) {
+            return None;
+        }
+        let sum: Vec2 = pairs().map(|(a, b)| Vec2::new(a.dot(b), a.perp_dot(b))).sum();
+        let turn = sum * (1.0 / sum.length());
+        let off = |(a, b): (Vec2, Vec2)| (turn * a.x + turn.perp() * a.y - b).length();
+        let off_mm = pairs().map(off).fold(0.0, f64::max);
+        let first = if is_mirror { m - 1 - shift } else { shift };
+        let motion = Motion { from, to, is_mirror, turn, first, off_mm };
+        (turn.is_finite() && off_mm <= within_mm).then_some(motion)
+    })
+}
+
+/// Whether a motion in space, mirrored where that of the plane is, brings the border of the first
+/// piece on that of the second. The outlines of the nets are compared: their corners are those of
+/// the sheet.
+fn is_so_in_space(a: &Piece, b: &Piece, motion: &Motion, within_mm: f64) -> bool {
+    let (of_a, of_b) = (&a.border, &b.border);
+    let m = of_a.len();
+    if m != of_b.len() {
+        return false;
+    }
+    let partner = |n: usize| {
+        let on = if motion.is_mirror { motion.first + m - n } else { motion.first + n };
+        of_b[on % m]
+    };
+    let Some(three) = spread(of_a) else { return true };
+    let frames = Frame::new(three.map(|n| of_a[n]), false)
+        .zip(Frame::new(three.map(partner), motion.is_mirror));
+    let Some((from, to)) = frames else { return false };
+    (0..m).all(|n| to.point(from.place(of_a[n])).distance(partner(n)) <= IN_SPACE * within_mm)
+}
+
+/// Three corners far from one another, by their numbers; `None` of a border on a line.
+fn spread(border: &[Point3]) -> Option<[usize; 3]> {
+    let farthest = |from: &dyn Fn(Point3) -> f64| {
+        let of = |n: &usize| from(border[*n]);
+        (0..border.len()).reduce(|best, n| if of(&n) > of(&best) { n } else { best })
+    };
+    let first = *border.first()?;
+    let second = farthest(&|p| p.distance(first))?;
+    let along = border[second] - first;
+    let third = farthest(&|p| along.cross(p - first).length())?;
+    (along.cross(border[third] - first).length() > 0.0).then_some([0, second, third])
+}
+
+/// A corner and three directions at right angles, the third turned about if it is a mirror.
+struct Frame {
+    origin: Point3,
+    axes: [Vec3; 3],
+}
+
+impl Frame {
+    fn new([a, b, c]: [Point3; 3], is_mirror: bool) -> Option<Self> {
+        let x = unit(b - a)?;
+        let z = unit(x.cross(c - a))?;
+        let y = z.cross(x);
+        Some(Self { origin: a, axes: [x, y, if is_mirror { -z } else { z }] })
+    }
+
+    fn place(&self, p: Point3) -> [f64; 3] {
+        self.axes.map(|axis| axis.dot(p - self.origin))
+    }
+
+    fn point(&self, place: [f64; 3]) -> Point3 {
+        let steps = self.axes.iter().zip(place).map(|(axis, along)| *axis * along);
+        steps.fold(self.origin, |p, step| p + step)
+    }
+}
