@@ -11,7 +11,7 @@ use sheetwright::predicate::signed_area_doubled;
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
     Format, InputFormat, MeshFormat, OutputOptions, ReadOptions, design_from_template,
-    output_files, read_bytes, trade_names, write_design,
+    output_files, read_bytes, trade_names, trims_for, write_design,
 };
 use std::path::Path;
 
@@ -360,4 +360,26 @@ fn a_trimmed_pattern_lies_within_its_picture() {
     let page = String::from_utf8_lossy(&page.bytes);
     assert!(page.contains("The outer line is cut; the dashed one inside is the edge"));
     assert!(page.contains("class=\"net\"") && page.contains("That edge is 1000\u{a0}mm long."));
+}
+
+/// The neutral surfaces of parts that were drawn to meet lie apart; their edges are mates still.
+#[test]
+fn edges_that_were_drawn_to_meet_are_joined_whatever_face_was_drawn() {
+    for (template, joined) in [("square-to-round", 2), ("elbow", 18), ("tent", 6)] {
+        let count = |face: Option<&str>| {
+            let mut settings = vec!["material=steel-1mm".to_owned()];
+            settings.extend(face.map(|face| format!("dimensions={face}")));
+            let mut design = design_from_template(template, &settings).unwrap();
+            design.panels.iter_mut().for_each(|panel| panel.samples = panel.samples.min(120));
+            let thickness_mm = design.sheet_thickness_mm();
+            design.trims = trims_for(&design, Some("duct"), [thickness_mm; 2]).unwrap();
+            let made = make(&design);
+            let edges = made.parts.iter().flat_map(|part| &part.edges);
+            edges.filter(|edge| !edge.mates.is_empty()).count()
+        };
+        assert_eq!(count(None), joined, "{template}");
+        for face in ["inside", "mean", "outside"] {
+            assert_eq!(count(Some(face)), joined, "{template}, {face}");
+        }
+    }
 }

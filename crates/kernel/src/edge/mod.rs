@@ -106,7 +106,7 @@ impl Edge {
 pub(crate) struct PartEdges<'a> {
     /// Its edges.
     pub(crate) edges: &'a mut Vec<Edge>,
-    /// Where the vertices of its sheet lie in space, mm.
+    /// Where the vertices of its sheet were drawn in space, mm.
     pub(crate) space: &'a [Point3],
     /// Where they lie on the pattern, mm.
     pub(crate) flat: &'a [Point2],

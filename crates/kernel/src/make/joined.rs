@@ -4,6 +4,7 @@
 use super::part::{Joint, Origin, Part};
 use crate::edge::{MeshBorder, PartEdges, edges_of_meshes, join_mates};
 use crate::pattern::{EdgeMark, PatternOptions, joint_mark, piece, seam_marks};
+use sheetwright_geometry::math::Point3;
 
 /// Numbers the joints of meshes through the design, names the edges of their parts, and draws their
 /// patterns with both. Parts of one panel stand side by side.
@@ -70,11 +71,12 @@ fn number_joints(parts: &mut [&mut Part]) {
     }
 }
 
-/// Looks for the mates of the edges of all parts of a design.
+/// Looks for the mates of the edges of all parts of a design: those that were drawn to meet.
 pub(super) fn find_mates(parts: &mut [Part]) {
-    let parts = parts.iter_mut().map(|part| PartEdges {
+    let drawn: Vec<Vec<Point3>> = parts.iter().map(Part::drawn).collect();
+    let parts = parts.iter_mut().zip(&drawn).map(|(part, space)| PartEdges {
         edges: &mut part.edges,
-        space: part.sheet.mesh().positions(),
+        space,
         flat: &part.flat.points,
     });
     join_mates(&mut parts.collect::<Vec<_>>());

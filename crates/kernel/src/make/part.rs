@@ -160,6 +160,20 @@ impl Part {
         }
     }
 
+    /// Where the vertices of its sheet were drawn, mm. The sheet itself lies apart from there where
+    /// it is a neutral surface, and so do those of parts that were drawn to meet.
+    pub(super) fn drawn(&self) -> Vec<Point3> {
+        let in_sheet = self.sheet.mesh().positions();
+        match &self.origin {
+            Origin::Given(_) => in_sheet.to_vec(),
+            Origin::Found(found) => {
+                let drawn = found.surface.positions();
+                let vertices = (0..in_sheet.len()).map(VertexIndex::new);
+                vertices.map(|v| drawn[self.sheet.origin(v).get()]).collect()
+            }
+        }
+    }
+
     /// Its triangles before it is cut, by those vertices, in the order of those of its sheet.
     pub fn triangles(&self) -> impl Iterator<Item = [usize; 3]> + '_ {
         let corners = |t: &[VertexIndex; 3]| t.map(|v| self.sheet.origin(v).get());

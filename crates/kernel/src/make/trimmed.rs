@@ -5,6 +5,7 @@ use super::part::Part;
 use crate::check::{Finding, FindingKind, Place};
 use crate::design::Trim;
 use crate::trim::{TrimNote, TrimPart, Trimmed, trimmed};
+use sheetwright_geometry::math::Point3;
 
 /// Adds the trims of a design to the patterns of its parts, whose edges have their mates, in place
 /// of those that they have. A pattern that overlaps itself has no inside to cut around, so it is
@@ -22,7 +23,9 @@ pub(super) fn trim_parts(parts: &mut [Part], trims: &[Trim]) -> Result<(), MakeE
     if trims.is_empty() {
         return Ok(());
     }
-    let seen: Vec<TrimPart<'_>> = parts.iter().map(seen).collect();
+    let drawn: Vec<Vec<Point3>> = parts.iter().map(Part::drawn).collect();
+    let seen: Vec<TrimPart<'_>> =
+        parts.iter().zip(&drawn).map(|(part, drawn)| seen(part, drawn)).collect();
     let made = trimmed(&seen, trims).map_err(|(part, fault)| match part {
         Some(part) => MakeError::of_panel(&parts[part].panel, MakeCause::Trim(fault)),
         None => MakeError::of_design(MakeCause::Trim(fault)),
@@ -41,12 +44,12 @@ pub(super) fn trim_parts(parts: &mut [Part], trims: &[Trim]) -> Result<(), MakeE
     Ok(())
 }
 
-fn seen(part: &Part) -> TrimPart<'_> {
+fn seen<'a>(part: &'a Part, drawn: &'a [Point3]) -> TrimPart<'a> {
     TrimPart {
         name: &part.name,
         panel: &part.panel,
         edges: &part.edges,
-        space: part.sheet.mesh().positions(),
+        space: drawn,
         flat: &part.flat.points,
     }
 }

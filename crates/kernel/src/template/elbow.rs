@@ -110,8 +110,13 @@ fn elbow(values: &Values) -> Drawn {
                 + Vec3::Y * (r * sin(angle))
                 + along * (side * reach)
         };
-        let (low, high) = (format!("cut-{}a", n + 1), format!("cut-{}b", n + 1));
-        sketch.along(&low, TAU, |t| rim(seam + TAU * t, -1.0, first && square));
+        // Where the seams run on from one segment to the next, both have one curve between them.
+        let is_shared = !first && values.choice("seam") != "staggered";
+        let low = if is_shared { format!("cut-{n}b") } else { format!("cut-{}a", n + 1) };
+        let high = format!("cut-{}b", n + 1);
+        if !is_shared {
+            sketch.along(&low, TAU, |t| rim(seam + TAU * t, -1.0, first && square));
+        }
         sketch.along(&high, TAU, |t| rim(seam + TAU * t, 1.0, last && square));
         sketch.strip(format!("segment-{}", n + 1), [&low, &high], SAMPLES);
     }

@@ -10,7 +10,7 @@ use super::stretch::{Spot, Stretch};
 use super::tabs::{Side, Tab, tabs};
 use super::{Faulted, TrimFault, Work, is_joint};
 use crate::design::{Holes, Notches, Tabs, Ticks, TrimKind};
-use crate::edge::{EdgePlace, Shared, shared};
+use crate::edge::{EdgePlace, Shared, lengths, shared};
 use crate::pattern::{PathKind, PatternPath, Role};
 use sheetwright_geometry::math::{Point2, Point3};
 
@@ -38,8 +38,8 @@ pub(super) fn pairs(parts: &[TrimPart<'_>], on: &[(EdgePlace, bool)]) -> Vec<Pai
     let mut pairs = Vec::new();
     for &(first, _) in on {
         let edge = &parts[first.part].edges[first.edge];
-        let whole = [0.0, edge.length_space_mm];
         if edge.mates.is_empty() {
+            let whole = [0.0, lengths(&space(first)).last().copied().unwrap_or(0.0)];
             let shared = Shared { first: whole, second: whole };
             pairs.push(Pair { first, second: None, shared });
         }

@@ -14,7 +14,7 @@ pub(crate) struct TrimPart<'a> {
     pub(crate) panel: &'a str,
     /// Its edges, in the order of the loops.
     pub(crate) edges: &'a [Edge],
-    /// Where the vertices of its sheet lie in space, mm.
+    /// Where the vertices of its sheet were drawn in space, mm.
     pub(crate) space: &'a [Point3],
     /// Where they lie on the pattern, mm.
     pub(crate) flat: &'a [Point2],
