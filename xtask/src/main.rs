@@ -12,6 +12,7 @@ mod outputs;
 mod peers;
 mod quads;
 mod templates;
+mod trades;
 mod vary;
 mod web;
 
@@ -31,6 +32,7 @@ const HELP: &str = "Chores of the project:
   cargo xtask peers        what bench/peers/run calls; writes bench/peers/README.md: our speed beside CGAL's
   cargo xtask quads        writes docs/quads.md: planar quads and smooth strips, measured
   cargo xtask templates    writes docs/templates.md and its pictures, from the catalogue
+  cargo xtask trades       writes the pictures of docs/trades/
   cargo xtask vary         writes docs/vary-compared.md: what moved curves gain, against the paper
   cargo xtask web          builds the editor for the browser into target/web, or --out DIR
 ";
@@ -50,6 +52,7 @@ fn main() -> ExitCode {
         "peers" => peers::run(),
         "quads" => quads::write(),
         "templates" => templates::write(),
+        "trades" => trades::write(),
         "vary" => vary::write(),
         "web" => web::build().map_err(Into::into),
         _ => {

@@ -42,7 +42,9 @@ A table is a [curve table](files.md#curve-table-csv) in the folder of the design
 design takes its points from there, and follows when the table is corrected.
 
 The design that is written is a file like any other: its curves have names and points to go on with.
-Shapes that are rolled into a ring are cut open at a seam; add for the joint what your trade adds.
+Shapes that are rolled into a ring are cut open at a seam. Patterns are bare outlines unless the design is
+made for a [trade](trades.md): `sheetwright new elbow --for duct` writes a design with flanges and laps, and
+`make` adds a plan of its bends.
 
 ";
 
@@ -76,6 +78,9 @@ fn page() -> String {
         let _ = writeln!(page, "![{title}, in space and laid flat]({})\n", picture_path(template));
         page.push_str(&parameter_table(template));
         let _ = writeln!(page, "\nAlso searched for as: {}.", template.words.join(", "));
+        if let Some(trade) = template.trade {
+            let _ = writeln!(page, "\nUsually made for: [`{trade}`](trades/{trade}.md).");
+        }
     }
     page
 }

@@ -77,6 +77,7 @@ Examples:
   sheetwright new cone --list                         the parameters of one template
   sheetwright new cone --set bottom=40cm --set height='15 3/4in' -o hood.sheet.json
   sheetwright new hemisphere --make build             the patterns and the report in one step
+  sheetwright new elbow --for duct --make build       with flanges, laps and a plan of bends
   sheetwright new cone --set material=steel-1mm | sheetwright check -";
 
 /// From boundary curves to the developable surface that fits them best, and its flat pattern.
@@ -129,7 +130,8 @@ pub(crate) struct MakeArgs {
     pub(crate) out: PathBuf,
     #[command(flatten)]
     pub(crate) mesh: MeshArgs,
-    /// The formats to write, separated by commas [default: obj, svg, dxf, pdf and report]
+    /// The formats to write, separated by commas [default: as the design or its trade says, or obj,
+    /// svg, dxf, pdf and report]
     #[arg(long, value_name = "LIST", value_delimiter = ',', ignore_case = true,
         value_parser = format_parser())]
     pub(crate) formats: Vec<Format>,
@@ -300,6 +302,11 @@ pub(crate) struct NewArgs {
     /// angle in degrees, a number or a choice
     #[arg(long, value_name = "NAME=VALUE")]
     pub(crate) set: Vec<String>,
+    /// The trade that it is made for: what is done along its edges, and which files are written
+    /// [default: none, bare outlines]; the list says which trade each template is usually for
+    #[arg(long = "for", value_name = "TRADE", conflicts_with = "list",
+        value_parser = PossibleValuesParser::new(trade_names()))]
+    pub(crate) trade: Option<String>,
     /// The design to write [default: standard output]
     #[arg(long, short, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
@@ -329,12 +336,12 @@ pub(crate) struct ConvertArgs {
 #[command(next_help_heading = "Files for machines and by hand")]
 pub(crate) struct FileArgs {
     /// What SVG and DXF files are written for: layers, colours and their order [default: as the
-    /// design says, or generic]
+    /// design or its trade says, or generic]
     #[arg(long, value_name = "NAME", ignore_case = true, hide_possible_values = true,
         value_parser = preset_parser(), long_help = preset_help())]
     preset: Option<&'static Preset>,
     /// The release of DXF files: r12, which every program reads, or r2000, which says that the unit
-    /// is the millimetre [default: as the preset wants it, r12 mostly]
+    /// is the millimetre [default: as the design, its trade or the preset wants it, r12 mostly]
     #[arg(long, value_name = "RELEASE", ignore_case = true, value_parser = dxf_parser())]
     dxf: Option<DxfRelease>,
     /// The distance of the stations in offsets.csv, in mm or with a unit (100mm, 6in) [default: a
@@ -350,12 +357,11 @@ pub(crate) struct FileArgs {
 }
 
 impl FileArgs {
-    /// The options for a design, which may name a preset.
+    /// The options for a design, which may say how its files are written.
     pub(crate) fn options(&self, design: &Design) -> OutputOptions {
-        let of_design = OutputOptions::of(design);
+        let of_design = OutputOptions::with_preset(design, self.preset);
         OutputOptions {
-            preset: self.preset.unwrap_or(of_design.preset),
-            dxf: self.dxf,
+            dxf: self.dxf.or(of_design.dxf),
             offsets: OffsetOptions { pitch_mm: self.stations, feet: self.feet },
             each_part: self.each_part,
             ..of_design
@@ -374,7 +380,7 @@ fn preset_help() -> String {
     let rows = Preset::all().iter().map(|preset| format!("  {:<11} {}", preset.name, preset.about));
     format!(
         "What SVG and DXF files are written for: layers, colours and their order [default: as the \
-         design says, or generic]\n{}",
+         design or its trade says, or generic]\n{}",
         rows.collect::<Vec<_>>().join("\n")
     )
 }
@@ -474,7 +480,8 @@ pub(crate) struct SourceArgs {
     )]
     material: Option<String>,
     /// The trade that it is made for: what is done along its edges, such as tabs, holes or
-    /// allowances [default: as the design says, or bare outlines]; docs/trims.md lists them
+    /// allowances, and which files are written [default: as the design says, or bare outlines];
+    /// docs/trades.md lists them
     #[arg(long = "for", value_name = "TRADE", value_parser = PossibleValuesParser::new(trade_names()))]
     trade: Option<String>,
     /// The width of an allowance along all edges, in mm or with a unit (10mm, 3/8in), in place of

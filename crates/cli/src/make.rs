@@ -11,7 +11,8 @@ use sheetwright::design::{Design, DesignPanel, PanelShape};
 use sheetwright::make::{Judging, Made, make_judged};
 use sheetwright_files::whole::Folder;
 use sheetwright_files::{
-    Format, OutputOptions, Outputs, ReportForm, findings_json, output_files, timing_json,
+    Format, OutputOptions, Outputs, ReportForm, findings_json, formats_for, output_files,
+    timing_json,
 };
 use std::path::Path;
 use std::time::Instant;
@@ -19,15 +20,12 @@ use std::time::Instant;
 const FAULT: &str = "This is a fault of the program: please report it with the input.";
 
 pub(crate) fn run(args: &MakeArgs, voice: Voice) -> Result<bool, Failure> {
-    let formats: Vec<Format> = Format::ALL
-        .into_iter()
-        .filter(|format| match &args.formats[..] {
-            [] => Format::DEFAULT.contains(format),
-            asked => asked.contains(format),
-        })
-        .collect();
     let start = Instant::now();
     let design = source::design(&args.source, &args.mesh, voice)?;
+    let formats = match &args.formats[..] {
+        [] => formats_for(&design),
+        asked => Format::ALL.into_iter().filter(|format| asked.contains(format)).collect(),
+    };
     refuse_unmade(&design, &formats)?;
     note_options(&design, &args.mesh, voice);
     let job = Job {
@@ -165,5 +163,6 @@ pub(crate) fn files(
 ) -> Result<Outputs, Failure> {
     watcher.begin_writing();
     let outputs = output_files(made, formats, options);
-    outputs.map_err(|error| Failure::new(error.to_string(), FAULT).at(place))
+    outputs
+        .map_err(|error| Failure::new(error.to_string(), error.hint().unwrap_or(FAULT)).at(place))
 }

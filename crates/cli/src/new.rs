@@ -3,14 +3,14 @@
 use crate::args::NewArgs;
 use crate::failure::Failure;
 use crate::make::Job;
-use crate::remedies::{CATALOGUE, TEMPLATE_CALL};
+use crate::remedies::{CATALOGUE, TEMPLATE_CALL, bare_outlines};
 use crate::voice::{Voice, print, print_as_it_is};
 use sheetwright::make::Judging;
 use sheetwright::template::template;
 use sheetwright_files::whole::write_one;
 use sheetwright_files::{
-    Format, InputError, OutputOptions, Units, catalogue_json, catalogue_text, design_from_template,
-    new_design, shown, template_text, write_design,
+    InputError, OutputOptions, Units, catalogue_json, catalogue_text, design_from_template,
+    formats_for, new_design, shown, template_text, write_design,
 };
 use std::path::Path;
 use std::time::Instant;
@@ -29,12 +29,17 @@ pub(crate) fn run(args: &NewArgs, voice: Voice) -> Result<bool, Failure> {
         _ => Path::new("."),
     };
     refuse_slips(name, &args.set)?;
-    let new = new_design(name, &args.set, folder).map_err(|error| refused(name, error))?;
+    let mut new = new_design(name, &args.set, folder).map_err(|error| refused(name, error))?;
+    match (&args.trade, template(name).and_then(|template| template.trade)) {
+        (Some(trade), _) => new.make_for(trade),
+        (None, Some(usual)) => voice.note(&bare_outlines(usual)),
+        (None, None) => {}
+    }
     if let Some(out) = &args.make {
         // Tables need not lie in the folder of the patterns: the design there has their points.
         let beside = Some((format!("{}.sheet.json", new.design.name), write_design(&new.design)));
         let options = OutputOptions::of(&new.design);
-        let (formats, judging) = (&Format::DEFAULT, Judging::Exact);
+        let (formats, judging) = (&formats_for(&new.design), Judging::Exact);
         let job = Job { input: name, judging, out, formats, options, beside };
         return job.run(&new.design, start, voice);
     }

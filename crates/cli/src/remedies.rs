@@ -13,10 +13,16 @@ Write a design with the defaults, then check it and make its patterns:
 or both in one step:
   sheetwright new NAME --make build
 The parameters of each template follow, with their defaults. Set one with
---set diameter=40cm; repeat --set for others.";
+--set diameter=40cm; repeat --set for others. --for TRADE adds what a
+trade does along edges, and its files.";
 /// The note on a report that is short because it has many panels.
 pub(crate) const LONG_REPORT: &str =
     "note: report.html is in its short form; --report long gives pictures of every panel";
+
+/// The note on a template without a trade: what it is usually made for.
+pub(crate) fn bare_outlines(usual: &str) -> String {
+    format!("note: patterns are bare outlines; --for {usual} adds what that trade does along edges")
+}
 
 /// The option for a remedy, as a sentence that follows the finding or hint.
 pub(crate) fn option(remedy: Remedy) -> String {

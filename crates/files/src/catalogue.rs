@@ -45,6 +45,9 @@ pub fn template_text(template: &Template) -> String {
     line(&mut text, &format!("{}: {}", template.name, template.title));
     wrapped(&mut text, "  ", template.who);
     wrapped(&mut text, "  ", &format!("Also searched for as: {}.", template.words.join(", ")));
+    if let Some(trade) = template.trade {
+        wrapped(&mut text, "  ", &format!("Usually made for: {trade}."));
+    }
     let indent = " ".repeat(COLUMN);
     for Parameter { name, meaning, kind } in template.parameters {
         let setting = format!("    {name} = {}", default(kind));
@@ -125,6 +128,9 @@ struct TemplateFile {
     title: &'static str,
     who: &'static str,
     words: &'static [&'static str],
+    /// The trade that it is usually made for.
+    #[serde(rename = "for", skip_serializing_if = "Option::is_none")]
+    trade: Option<&'static str>,
     parameters: Vec<ParameterFile>,
 }
 
@@ -172,6 +178,7 @@ pub fn catalogue_json(only: Option<&Template>) -> String {
             title: template.title,
             who: template.who,
             words: template.words,
+            trade: template.trade,
             parameters: template.parameters.iter().map(parameter_file).collect(),
         })
         .collect();

@@ -5,6 +5,7 @@ use crate::brake::BrakeSettings;
 use crate::design_json::write_design_of_table;
 use crate::dxf::write_dxf_for;
 use crate::fold::write_fold;
+use crate::format::Format;
 use crate::names::{folded, refused_for_file};
 use crate::obj::write_obj;
 use crate::offsets::{OffsetOptions, write_offsets};
@@ -17,6 +18,7 @@ use crate::report::{ReportForm, Written, report_html, report_json};
 use crate::step::write_step;
 use crate::svg::write_svg_for;
 use crate::table::write_table;
+use crate::trade::trade;
 use crate::units::Units;
 use sheetwright::bend::Hit;
 use sheetwright::check::{Checked, Finding, FindingKind, braking};
@@ -25,50 +27,6 @@ use sheetwright::make::{CutItem, Made, Part};
 use sheetwright::pattern::{EqualPiece, Piece};
 use std::collections::BTreeMap;
 use std::fmt;
-
-/// A kind of output.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Format {
-    /// `surface.obj`: the surfaces of all panels.
-    Obj,
-    /// `PANEL.svg`: the pattern of each panel.
-    Svg,
-    /// `PANEL.dxf`: the pattern of each panel, for programs that read no SVG.
-    Dxf,
-    /// `pattern.pdf`: the patterns on sheets of paper.
-    Pdf,
-    /// `quads.obj`: the panels in planar quads.
-    Quads,
-    /// `surface.step`: the panels as smooth surfaces for CAD.
-    Step,
-    /// `pattern.fold`: the patterns with their folds, for origami programs.
-    Fold,
-    /// `pattern-astm.dxf`: the patterns for cutters of cloth and leather.
-    Astm,
-    /// `offsets.csv`: where the edges of each pattern lie at stations along a base line.
-    Offsets,
-    /// `brake.csv`: the plan for the press brake, or for plate rolls.
-    Brake,
-    /// `parts.csv`: what is to be cut, and how often.
-    Parts,
-    /// `report.json` and `report.html`.
-    Report,
-}
-
-/// What there is to know of a format: a new one is a row of [`ROWS`].
-struct Row {
-    format: Format,
-    /// Its name in commands and designs.
-    name: &'static str,
-    /// What people call it, and what it is for.
-    about: (&'static str, &'static str),
-    /// Whether it is written unless formats are named.
-    by_default: bool,
-    /// Whether it needs rulings, which meshes do not have.
-    needs_rulings: bool,
-    /// Its files.
-    files: &'static [(FileName, Writer)],
-}
 
 /// What a file is called.
 enum FileName {
@@ -86,62 +44,23 @@ enum Writer {
 
 use FileName::{OfPart, Whole};
 
-/// Every format, in the order in which files are written. The report comes last, since it says what
-/// was found in the others.
-const ROWS: [Row; 12] = [
-    Row {
-        format: Format::Obj,
-        name: "obj",
-        about: ("Surface (OBJ)", "The sheet in space, for other 3D programs."),
-        by_default: true,
-        needs_rulings: false,
-        files: &[(Whole("surface.obj"), Writer::Design(|run| Ok(write_obj(run.made))))],
-    },
-    Row {
-        format: Format::Svg,
-        name: "svg",
-        about: ("Pattern (SVG)", "For laser cutters, plotters and drawing programs."),
-        by_default: true,
-        needs_rulings: false,
-        files: &[(
+/// The files of a format.
+const fn files_of(format: Format) -> &'static [(FileName, Writer)] {
+    match format {
+        Format::Obj => &[(Whole("surface.obj"), Writer::Design(|run| Ok(write_obj(run.made))))],
+        Format::Svg => &[(
             OfPart(".svg"),
             Writer::Piece(|piece, options| write_svg_for(piece, options.preset)),
         )],
-    },
-    Row {
-        format: Format::Dxf,
-        name: "dxf",
-        about: ("Pattern (DXF)", "For CAD and machines that read no SVG."),
-        by_default: true,
-        needs_rulings: false,
-        files: &[(
+        Format::Dxf => &[(
             OfPart(".dxf"),
             Writer::Piece(|piece, options| write_dxf_for(piece, options.preset, options.release())),
         )],
-    },
-    Row {
-        format: Format::Pdf,
-        name: "pdf",
-        about: ("Pattern to print (PDF)", "True to scale on sheets of paper, to tape together."),
-        by_default: true,
-        needs_rulings: false,
-        files: &[(Whole("pattern.pdf"), Writer::Design(|run| Ok(run.pdf())))],
-    },
-    Row {
-        format: Format::Quads,
-        name: "quads",
-        about: ("Flat facets (OBJ)", "Planar quadrilaterals, for folding and glazing."),
-        by_default: false,
-        needs_rulings: true,
-        files: &[(Whole("quads.obj"), Writer::Design(|run| Ok(write_quads(&run.named_quads()))))],
-    },
-    Row {
-        format: Format::Step,
-        name: "step",
-        about: ("Smooth surface (STEP)", "For CAD programs."),
-        by_default: false,
-        needs_rulings: true,
-        files: &[(
+        Format::Pdf => &[(Whole("pattern.pdf"), Writer::Design(|run| Ok(run.pdf())))],
+        Format::Quads => {
+            &[(Whole("quads.obj"), Writer::Design(|run| Ok(write_quads(&run.named_quads()))))]
+        }
+        Format::Step => &[(
             Whole("surface.step"),
             Writer::Design(|run| {
                 let named = run.named_quads();
@@ -150,69 +69,29 @@ const ROWS: [Row; 12] = [
                 Ok(write_step(&smooth))
             }),
         )],
-    },
-    Row {
-        format: Format::Fold,
-        name: "fold",
-        about: ("Folds (FOLD)", "The pattern with the angle of every fold, for origami programs."),
-        by_default: false,
-        needs_rulings: false,
-        files: &[(Whole("pattern.fold"), Writer::Design(|run| Ok(write_fold(run.made))))],
-    },
-    Row {
-        format: Format::Astm,
-        name: "astm",
-        about: ("Pieces for cutters (ASTM)", "For machines that cut cloth and leather."),
-        by_default: false,
-        needs_rulings: false,
-        files: &[(
+        Format::Fold => &[(Whole("pattern.fold"), Writer::Design(|run| Ok(write_fold(run.made))))],
+        Format::Astm => &[(
             Whole("pattern-astm.dxf"),
             Writer::Design(|run| Ok(write_astm(run.made, &run.patterns))),
         )],
-    },
-    Row {
-        format: Format::Offsets,
-        name: "offsets",
-        about: ("Offsets (CSV)", "Where the edges lie along a base line, to mark out by hand."),
-        by_default: false,
-        needs_rulings: false,
-        files: &[(
+        Format::Offsets => &[(
             Whole("offsets.csv"),
             Writer::Design(|run| {
                 let pieces = run.patterns.iter().map(|pattern| &pattern.piece);
                 Ok(write_offsets(pieces, &run.options.offsets))
             }),
         )],
-    },
-    Row {
-        format: Format::Brake,
-        name: "brake",
-        about: ("Bends (CSV)", "The order, angle and place of each bend, for a press brake."),
-        by_default: false,
-        needs_rulings: false,
-        files: &[(Whole("brake.csv"), Writer::Design(|run| Ok(run.brake())))],
-    },
-    Row {
-        format: Format::Parts,
-        name: "parts",
-        about: ("Parts (CSV)", "What to cut: each pattern with its count, size and edges."),
-        by_default: false,
-        needs_rulings: false,
-        files: &[(
+        Format::Brake => &[(Whole("brake.csv"), Writer::Design(|run| Ok(run.brake())))],
+        Format::Parts => &[(
             Whole("parts.csv"),
             Writer::Design(|run| Ok(write_parts(run.made, &run.patterns))),
         )],
-    },
-    Row {
-        format: Format::Report,
-        name: "report",
-        about: ("Report", "The verdict, the pictures and all numbers, as a page and as data."),
-        by_default: true,
-        needs_rulings: false,
-        files: &[
+        Format::Report => &[
             (
                 Whole("report.json"),
-                Writer::Design(|run| Ok(report_json(run.made, &run.written(), &run.in_quads)?)),
+                Writer::Design(|run| {
+                    Ok(report_json(run.made, &run.written(), &run.in_quads)?)
+                }),
             ),
             (
                 Whole("report.html"),
@@ -222,53 +101,6 @@ const ROWS: [Row; 12] = [
                 }),
             ),
         ],
-    },
-];
-
-/// The formats of the rows of which this holds; they are `N`.
-const fn formats_of<const N: usize>(defaults_alone: bool) -> [Format; N] {
-    let mut formats = [Format::Report; N];
-    let (mut n, mut row) = (0, 0);
-    while row < ROWS.len() && n < N {
-        if ROWS[row].by_default || !defaults_alone {
-            formats[n] = ROWS[row].format;
-            n += 1;
-        }
-        row += 1;
-    }
-    formats
-}
-
-impl Format {
-    /// Every format, in the order in which files are written.
-    pub const ALL: [Self; ROWS.len()] = formats_of(false);
-    /// The formats that are written by default.
-    pub const DEFAULT: [Self; 5] = formats_of(true);
-
-    fn row(self) -> &'static Row {
-        static STATIC_ROWS: [Row; ROWS.len()] = ROWS;
-        // Rows and formats have one order, which a test holds.
-        &STATIC_ROWS[self as usize]
-    }
-
-    /// Whether the format needs rulings, which meshes do not have.
-    pub fn needs_rulings(self) -> bool {
-        self.row().needs_rulings
-    }
-
-    /// Its name in commands and designs.
-    pub fn name(self) -> &'static str {
-        self.row().name
-    }
-
-    /// What people call it, and what it is for.
-    pub fn about(self) -> (&'static str, &'static str) {
-        self.row().about
-    }
-
-    /// The format of a name.
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|format| format.name() == name)
     }
 }
 
@@ -307,10 +139,24 @@ impl Default for OutputOptions {
 }
 
 impl OutputOptions {
-    /// The default options for a design, with the preset that it names.
+    /// The options for a design: what it says itself, then what its trade needs, then the defaults.
     pub fn of(design: &Design) -> Self {
-        let named = design.preset.as_deref().and_then(Preset::from_name);
-        Self { preset: named.unwrap_or(Preset::generic()), ..Self::default() }
+        Self::with_preset(design, None)
+    }
+
+    /// The options for a design with this preset in place of its own. The release of DXF files that
+    /// a trade needs gives way to that of a preset that is chosen.
+    pub fn with_preset(design: &Design, preset: Option<&'static Preset>) -> Self {
+        let trade = design.trade.as_deref().and_then(trade);
+        let own = || design.preset.as_deref().and_then(Preset::from_name);
+        let chosen = preset.or_else(own);
+        let release = design.dxf.as_deref().and_then(DxfRelease::from_name);
+        let of_trade = trade.filter(|_| chosen.is_none());
+        Self {
+            preset: chosen.or_else(|| trade?.preset()).unwrap_or(Preset::generic()),
+            dxf: release.or_else(|| of_trade?.dxf()),
+            ..Self::default()
+        }
     }
 
     fn release(&self) -> DxfRelease {
@@ -323,6 +169,21 @@ impl From<&PdfOptions> for OutputOptions {
     fn from(pdf: &PdfOptions) -> Self {
         Self { pdf: *pdf, ..Self::default() }
     }
+}
+
+/// The formats of the files of a design, in order: those that it names, else those that its trade
+/// needs, else the defaults.
+pub fn formats_for(design: &Design) -> Vec<Format> {
+    let own: Vec<Format> =
+        design.formats.iter().filter_map(|name| Format::from_name(name)).collect();
+    let mut formats = match design.trade.as_deref().and_then(trade) {
+        _ if !own.is_empty() => own,
+        Some(trade) => trade.formats(),
+        None => Format::DEFAULT.to_vec(),
+    };
+    formats.sort_unstable();
+    formats.dedup();
+    formats
 }
 
 /// A file that is ready to be written.
@@ -348,7 +209,7 @@ pub struct Outputs {
 }
 
 /// Why the files of a design can't be made.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum OutputError {
     /// The name of a panel can't be the name of a file.
     BadName {
@@ -361,6 +222,15 @@ pub enum OutputError {
         panel: String,
         /// The other.
         other: String,
+    },
+    /// The die of the press brake is wider than a part that is to be bent over it.
+    WideDie {
+        /// The part.
+        part: String,
+        /// The opening of the die, mm.
+        die_mm: f64,
+        /// The longer side of the part's pattern, mm.
+        part_mm: f64,
     },
     /// `report.json` can't be written.
     Report {
@@ -378,7 +248,25 @@ impl fmt::Display for OutputError {
             Self::SameName { panel, other } => {
                 write!(f, "panels '{panel}' and '{other}' would write the same file")
             }
+            Self::WideDie { part, die_mm, part_mm } => write!(
+                f,
+                "panel '{part}': its pattern is {part_mm:.1} mm long and would fall into the die, \
+                 which is {die_mm:.1} mm wide"
+            ),
             Self::Report { why } => write!(f, "report.json can't be written: {why}"),
+        }
+    }
+}
+
+impl OutputError {
+    /// What to do, where that is up to the caller.
+    pub fn hint(&self) -> Option<&'static str> {
+        match self {
+            Self::WideDie { .. } => {
+                Some("Give the opening of a die that is narrower than the part.")
+            }
+            Self::BadName { .. } | Self::SameName { .. } => Some("Give the panels other names."),
+            Self::Report { .. } => None,
         }
     }
 }
@@ -396,14 +284,19 @@ impl From<serde_json::Error> for OutputError {
 /// a table, with a design that reads them from it. Formats that need rulings leave meshes out.
 ///
 /// # Errors
-/// Panels whose names can't be names of files. A written pattern that differs is a finding.
+/// Panels whose names can't be names of files; a die that is wider than a part that is bent over
+/// it. A written pattern that differs is a finding.
 pub fn output_files(
     made: &Made,
     formats: &[Format],
     options: impl Into<OutputOptions>,
 ) -> Result<Outputs, OutputError> {
     check_names(made.parts.iter().map(|part| &part.name[..]))?;
-    let mut run = Run::new(made, formats, options.into());
+    let options = options.into();
+    if formats.contains(&Format::Brake) {
+        check_die(made, &options.brake)?;
+    }
+    let mut run = Run::new(made, formats, options);
     for format in Format::ALL.into_iter().filter(|format| formats.contains(format)) {
         if format == Format::Report {
             run.prove();
@@ -462,7 +355,7 @@ impl<'a> Run<'a> {
     }
 
     fn write(&mut self, format: Format) -> Result<(), OutputError> {
-        for (name, writer) in format.row().files {
+        for (name, writer) in files_of(format) {
             match (name, writer) {
                 (OfPart(ending), Writer::Piece(write)) => {
                     self.first_files.insert(format, self.files.len());
@@ -558,6 +451,17 @@ fn not_refolded(error: &RefoldFileError) -> Finding {
 
 /// The name of the table of moved curves; the design beside it takes its points from there.
 const MOVED_TABLE: &str = "moved.csv";
+
+/// Refuses a die that a part can't span in any direction.
+fn check_die(made: &Made, brake: &BrakeSettings) -> Result<(), OutputError> {
+    let Some(die_mm) = brake.die_mm.filter(|_| !brake.rolls) else { return Ok(()) };
+    let long_mm = |part: &Part| part.piece.size.x.max(part.piece.size.y);
+    let is_lost = |part: &&Part| !part.piece.bends.is_empty() && long_mm(part) < die_mm;
+    made.parts.iter().find(is_lost).map_or(Ok(()), |part| {
+        let (part_mm, part) = (long_mm(part), part.name.clone());
+        Err(OutputError::WideDie { part, die_mm, part_mm })
+    })
+}
 
 // Readers of designs refuse such names already; designs built by a program come here unchecked.
 fn check_names<'a>(names: impl Iterator<Item = &'a str>) -> Result<(), OutputError> {

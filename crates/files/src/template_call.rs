@@ -1,6 +1,6 @@
 //! Makes a design from the name of a template and `NAME=VALUE` texts.
 
-use crate::design_json::{table_beside, write_design, write_design_of_table};
+use crate::design_json::{table_beside, trims_for, write_design, write_design_of_table};
 use crate::materials::material_named;
 use crate::meant::{material_meant, parameter_hint, template_question};
 use crate::names::{did_you_mean, shown};
@@ -60,6 +60,14 @@ struct TableSetting {
 }
 
 impl NewDesign {
+    /// Makes it for a trade, if there is one of this name.
+    pub fn make_for(&mut self, trade: &str) {
+        let thickness_mm = self.design.sheet_thickness_mm();
+        if let Some(trims) = trims_for(&self.design, Some(trade), [thickness_mm; 2]) {
+            (self.design.trims, self.design.trade) = (trims, Some(trade.to_owned()));
+        }
+    }
+
     /// The bytes of its file. Points of a table stay there, so that the design follows when the
     /// table is corrected.
     pub fn bytes(&self) -> Vec<u8> {

@@ -97,7 +97,7 @@ fn files(
 ) -> Result<Vec<OutputFile>, Refusal> {
     let made = make(design, watch).map_err(|error| refusal(&error))?;
     let outputs = output_files(&made, formats, OutputOptions::of(design))
-        .map_err(|error| Refusal::new(&error, "Give the panels other names."))?;
+        .map_err(|error| Refusal::new(&error, error.hint().unwrap_or_default()))?;
     Ok(outputs.files)
 }
 

@@ -14,13 +14,14 @@ use super::thickness;
 use super::trims;
 use super::vary::VaryReader;
 use super::wrong_version;
+use crate::format::Format;
 use crate::json::Object;
 use crate::materials::material_named;
 use crate::mesh::NO_SAMPLES;
 use crate::names::{
     did_you_mean, folded, refused_anywhere, refused_for_curve, refused_for_file, shown,
 };
-use crate::preset::Preset;
+use crate::preset::{DxfRelease, Preset};
 use crate::reading::{EFFORTS, InputError, stem};
 use crate::table::{MAX_CURVES, RANGE_HINT, in_range_mm};
 use crate::units::Units;
@@ -92,7 +93,8 @@ pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, In
     let reckoned_mm = source.options.thickness_mm.or(thickness_mm).or(of_sheet);
     let mut trims = trims::read(trade.as_deref(), file.trims, file.units, reckoned_mm, source)?;
     trims.extend(source.options.allowance());
-    let preset = preset(file.preset, source)?;
+    let (preset, dxf) = (preset(file.preset, source)?, dxf(file.dxf, source)?);
+    let formats = formats(file.formats, source)?;
     let bends = bends::read(file.bends, "bends", file.units, source)?.unwrap_or_default();
     let dimensions = thickness::dimensions(file.dimensions);
     Ok(Design {
@@ -106,6 +108,8 @@ pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, In
         trade,
         trims,
         preset,
+        dxf,
+        formats,
         bends,
         dimensions,
         thickness_mm,
@@ -121,6 +125,31 @@ fn preset(name: Option<String>, source: &Source<'_>) -> Result<Option<String>, I
             Err(source.error("preset", message, did_you_mean(&name, &known)))
         }
         name => Ok(name),
+    }
+}
+
+/// The name of a release of DXF, if there is such a one.
+fn dxf(name: Option<String>, source: &Source<'_>) -> Result<Option<String>, InputError> {
+    match name {
+        Some(name) if DxfRelease::from_name(&name).is_none() => {
+            let known = DxfRelease::ALL.map(DxfRelease::name);
+            let message = format!("there is no release {} of DXF", shown(&name));
+            Err(source.error("dxf", message, did_you_mean(&name, &known)))
+        }
+        name => Ok(name),
+    }
+}
+
+/// The names of formats, if there are such.
+fn formats(names: Vec<String>, source: &Source<'_>) -> Result<Vec<String>, InputError> {
+    match names.iter().position(|name| Format::from_name(name).is_none()) {
+        Some(n) => {
+            let known = Format::ALL.map(Format::name);
+            let message = format!("there is no format {}", shown(&names[n]));
+            let hint = did_you_mean(&names[n], &known);
+            Err(source.error(&format!("formats[{n}]"), message, hint))
+        }
+        None => Ok(names),
     }
 }
 

@@ -56,8 +56,8 @@ pub(super) struct DesignFile {
     /// a seam are equally long. They do in any case where something moves. Default: false.
     #[serde(default)]
     pub(super) match_seams: bool,
-    /// The trade that it is made for: what is done along its edges by default. docs/trims.md
-    /// lists them. Default: none, bare outlines.
+    /// The trade that it is made for: what is done along its edges, and which files are written.
+    /// docs/trades.md lists them. Default: none, bare outlines.
     #[serde(default, rename = "for")]
     pub(super) trade: Option<String>,
     /// What is done along its edges. One with the `kind` and the `on` of a trim of its trade
@@ -66,9 +66,16 @@ pub(super) struct DesignFile {
     #[schemars(with = "Option<Vec<TrimFile>>")]
     pub(super) trims: Vec<Written>,
     /// The preset that its SVG and DXF files are written for: `generic`, `lightburn`, `glowforge`,
-    /// `cricut`, `silhouette`, `plotter` or `wazer`. Default: generic.
+    /// `cricut`, `silhouette`, `plotter` or `wazer`. Default: that of its trade, or generic.
     #[serde(default)]
     pub(super) preset: Option<String>,
+    /// The release of its DXF files: `r12` or `r2000`. Default: that of its trade, or of its preset.
+    #[serde(default)]
+    pub(super) dxf: Option<String>,
+    /// The formats that its files are written in, such as `dxf` and `report`; docs/outputs.md lists
+    /// them. Default: those of its trade, or `obj`, `svg`, `dxf`, `pdf` and `report`.
+    #[serde(default)]
+    pub(super) formats: Vec<String>,
     /// Which face of the sheet the curves lie on: the pattern then is that of the neutral fibre of
     /// a sheet of this thickness. Default: that of the surface through the curves.
     #[serde(default)]

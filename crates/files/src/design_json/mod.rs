@@ -21,7 +21,7 @@ mod write;
 pub(crate) use bends::{RuleName, rule};
 pub(crate) use table_path::table_beside;
 pub(crate) use trims::trims_of;
-pub use trims::{trade_names, trade_title, trims_for};
+pub use trims::{trims_for, usual_trim};
 pub use write::write_design;
 pub(crate) use write::write_design_of_table;
 

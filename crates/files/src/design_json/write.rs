@@ -14,7 +14,7 @@ use sheetwright::triangulate::{Goal, WhichSurface};
 
 /// The bytes of a design's file, in millimetres. They have every default except those of rare
 /// fields (`goal`, `run_on`, `cut`, `vary`, `match_seams`,
-/// `preset`), and read back equal.
+/// `preset`, `dxf`, `formats`), and read back equal.
 pub fn write_design(design: &Design) -> Vec<u8> {
     write_with(design, None)
 }
@@ -66,6 +66,10 @@ fn write(
         fields.push("  \"match_seams\": true".to_owned());
     }
     fields.extend(design.preset.iter().map(|name| format!("  \"preset\": {}", json(name))));
+    fields.extend(design.dxf.iter().map(|name| format!("  \"dxf\": {}", json(name))));
+    if !design.formats.is_empty() {
+        fields.push(format!("  \"formats\": {}", json(&design.formats)));
+    }
     fields.extend(thickness::written(design));
     fields.extend(bends::written(&design.bends).map(|bends| format!("  {bends}")));
     let of_panel = |p: &DesignPanel| {

@@ -182,13 +182,18 @@ pub struct Design {
     /// them gives it, so that both sides of a seam have the same samples. They do in any case where
     /// something moves.
     pub match_seams: bool,
-    /// The trade that its trims are taken from, by name, if they are.
+    /// The trade that it is made for, by name, if one is named: its trims, and what its files are
+    /// where the fields below leave that open.
     pub trade: Option<String>,
     /// What is done along edges, in order, that of its trade first.
     pub trims: Vec<Trim>,
     /// The name of the preset that its patterns are written for, if it names one: what that is,
     /// writers know.
     pub preset: Option<String>,
+    /// The name of the release of its DXF files, if it names one.
+    pub dxf: Option<String>,
+    /// The names of the formats that its files are written in, if it names some.
+    pub formats: Vec<String>,
     /// How the bends of panels are marked that do not say it themselves.
     pub bends: Bends,
     /// Which face of the sheet the curves lie on. Default: the pattern is that of the surface

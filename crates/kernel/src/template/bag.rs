@@ -22,6 +22,7 @@ pub(super) const BAG: Template = Template {
     ],
     parameters: &PARAMETERS,
     sheet: Some("leather-2mm"),
+    trade: Some("leather"),
     build: bag,
 };
 

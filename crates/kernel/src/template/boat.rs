@@ -36,6 +36,7 @@ pub(super) const DINGHY: Template = Template {
     ],
     parameters: &DINGHY_PARAMETERS,
     sheet: Some("plywood-6mm"),
+    trade: Some("boat"),
     build: dinghy,
 };
 
@@ -107,6 +108,7 @@ pub(super) const PRAM: Template = Template {
     ],
     parameters: &PRAM_PARAMETERS,
     sheet: Some("plywood-6mm"),
+    trade: Some("boat"),
     build: pram,
 };
 
@@ -180,6 +182,7 @@ pub(super) const KAYAK: Template = Template {
     ],
     parameters: &KAYAK_PARAMETERS,
     sheet: Some("plywood-4mm"),
+    trade: Some("boat"),
     build: kayak,
 };
 

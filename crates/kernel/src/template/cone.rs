@@ -18,6 +18,7 @@ pub(super) const CONE: Template = Template {
         count("pieces", "pieces that it is divided into, each with a seam", 1, 12, 1),
     ],
     sheet: None,
+    trade: None,
     build: |values| {
         let size = |name: &str| values.number(name);
         let (bottom, top) = (size("bottom") / 2.0, size("top") / 2.0);
@@ -38,6 +39,7 @@ pub(super) const LAMPSHADE: Template = Template {
         count("pieces", "pieces that it is divided into, each with a seam", 1, 4, 1),
     ],
     sheet: None,
+    trade: Some("card"),
     build: lampshade,
 };
 

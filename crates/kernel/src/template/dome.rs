@@ -20,6 +20,7 @@ pub(super) const DOME: Template = Template {
         count("gores", "gores", 3, 48, 12),
     ],
     sheet: None,
+    trade: None,
     build: dome,
 };
 
@@ -75,6 +76,7 @@ pub(super) const BALL: Template = Template {
         count("gores", "gores", 3, 48, 12),
     ],
     sheet: None,
+    trade: Some("paper"),
     build: ball,
 };
 
@@ -114,6 +116,7 @@ pub(super) const BALLOON: Template = Template {
         count("gores", "gores", 3, 48, 12),
     ],
     sheet: None,
+    trade: Some("sewing"),
     build: balloon,
 };
 
@@ -181,6 +184,7 @@ pub(super) const AIRSHIP: Template = Template {
         count("gores", "gores", 3, 48, 8),
     ],
     sheet: None,
+    trade: Some("sewing"),
     build: airship,
 };
 

@@ -40,6 +40,7 @@ pub(super) const SQUARE_TO_ROUND: Template = Template {
         count("pieces", "1: one seam, in the middle of a side; 2: two halves", 1, 2, 1),
     ],
     sheet: None,
+    trade: Some("duct"),
     build: square_to_round,
 };
 
@@ -126,6 +127,7 @@ pub(super) const REDUCER: Template = Template {
         count("pieces", "1: one seam, on the shortest side; 2: two halves", 1, 2, 1),
     ],
     sheet: None,
+    trade: Some("duct"),
     build: reducer,
 };
 

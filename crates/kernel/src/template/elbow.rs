@@ -38,6 +38,7 @@ pub(super) const ELBOW: Template = Template {
         Parameter { name: "seam", meaning: "where the seams run", kind: Kind::Choice(&SEAMS) },
     ],
     sheet: None,
+    trade: Some("duct"),
     build: elbow,
 };
 
@@ -157,6 +158,7 @@ pub(super) const Y_BRANCH: Template = Template {
         ),
     ],
     sheet: None,
+    trade: Some("duct"),
     build: y_branch,
 };
 

@@ -24,6 +24,7 @@ pub(super) const FACADE: Template = Template {
     ],
     parameters: &PARAMETERS,
     sheet: Some("aluminium-2mm"),
+    trade: Some("plate"),
     build: facade,
 };
 

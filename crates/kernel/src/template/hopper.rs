@@ -21,6 +21,7 @@ pub(super) const HOPPER: Template = Template {
         Parameter { name: "pieces", meaning: "how it is made", kind: Kind::Choice(&PIECES) },
     ],
     sheet: None,
+    trade: Some("duct"),
     build: hopper,
 };
 

@@ -28,6 +28,7 @@ pub(super) const HULL: Template = Template {
     ],
     parameters: &PARAMETERS,
     sheet: Some("plywood-6mm"),
+    trade: Some("boat"),
     build: hull,
 };
 

@@ -46,6 +46,9 @@ pub struct Template {
     /// The material that it is usually made of, by its name in the catalogue; `None` where that
     /// differs from maker to maker.
     pub sheet: Option<&'static str>,
+    /// The trade that it is usually made for, by its name in files; `None` where that differs from
+    /// maker to maker.
+    pub trade: Option<&'static str>,
     /// Draws it.
     build: fn(&Values) -> Drawn,
 }

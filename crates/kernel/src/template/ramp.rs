@@ -23,6 +23,7 @@ pub(super) const RAMP: Template = Template {
     ],
     parameters: &PARAMETERS,
     sheet: Some("plywood-9mm"),
+    trade: None,
     build: ramp,
 };
 

@@ -35,6 +35,7 @@ pub(super) const REVOLUTION: Template = Template {
         count("pieces", "pieces", 3, 48, 12),
     ],
     sheet: None,
+    trade: None,
     build: revolution,
 };
 
@@ -119,6 +120,7 @@ pub(super) const HEMISPHERE: Template = Template {
         count("bands", "bands from the foot to the pole", 2, 12, 3),
     ],
     sheet: None,
+    trade: Some("paper"),
     build: hemisphere,
 };
 

@@ -24,6 +24,7 @@ pub(super) const TENT: Template = Template {
     ],
     parameters: &PARAMETERS,
     sheet: Some("canvas"),
+    trade: Some("sewing"),
     build: tent,
 };
 

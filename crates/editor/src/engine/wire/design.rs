@@ -24,6 +24,8 @@ fields!(Design {
     trade,
     trims,
     preset,
+    dxf,
+    formats,
     bends,
     dimensions,
     thickness_mm
