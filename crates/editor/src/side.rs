@@ -4,6 +4,8 @@
 //! field stays where it is while somebody types into it. Each field belongs to the thing by its
 //! name, so that what is typed never lands in another.
 
+mod trims;
+
 use crate::command::Command;
 use crate::document::edit::{allowance_mm, why_unbound};
 use crate::document::{Document, Drawing, FARTHEST_MM, Mirror, Plan};
@@ -15,17 +17,22 @@ use crate::scene::Act;
 use crate::theme::Theme;
 use eframe::egui::{self, ComboBox, Id, RichText, Ui};
 use sheetwright::boundary::PlaneChoice;
-use sheetwright::design::{DesignPanel, PanelMesh, PanelShape};
+use sheetwright::design::{Design, DesignPanel, Dimensions, PanelMesh, PanelShape};
 use sheetwright::flatten::Aim;
 use sheetwright::math::{Point2, from_deg, to_deg};
 use sheetwright::triangulate::WhichSurface;
-use sheetwright_files::{Units, known_materials, material_group, trade_names, trade_title};
+use sheetwright_files::{
+    OutputOptions, Preset, Units, known_materials, material_group, trade_names, trade_title,
+};
 use std::ops::RangeInclusive;
+use trims::trims_ui;
 
 /// Where things may lie, mm.
 const PLACES: RangeInclusive<f64> = -FARTHEST_MM..=FARTHEST_MM;
 /// How wide an allowance may be, mm.
 const ALLOWANCES: RangeInclusive<f64> = 0.0..=1000.0;
+/// How thick a sheet may be, mm; 0 where it is as its material.
+const THICKNESSES: RangeInclusive<f64> = 0.0..=1000.0;
 /// How far lines of a grid may be apart, mm.
 const GRIDS: RangeInclusive<f64> = 0.01..=1e6;
 /// Creases above this angle, degrees, divide a mesh where a person has not said which.
@@ -145,6 +152,7 @@ fn curve_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, n: usize, acts: &mut Ve
     if let Some(width_mm) = field.length(ui, width_mm, units, ALLOWANCES) {
         acts.push(Act::Edit(Edit::SetAllowance { curve: n, width_mm }));
     }
+    trims_ui(ui, document, theme, n, acts);
     let state = if curve.closed { "closed" } else { "open" };
     ui.label(RichText::new(format!("{} points, {state}", curve.points.len())).color(theme.faint));
     let uses = |panel: &&DesignPanel| curves_of(panel).iter().any(|u| u.name == curve.name);
@@ -166,36 +174,10 @@ fn curve_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, n: usize, acts: &mut Ve
 fn panel_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
     let design = &editor.document().design;
     section(ui, "Sheet", |ui| {
-        let named = design.material.as_ref().map_or("Not named", |material| &material.title);
-        ComboBox::from_label("Material").selected_text(named).width(150.0).show_ui(ui, |ui| {
-            let mut choose = |ui: &mut Ui, is_it: bool, title: &str, name: Option<&str>| {
-                if ui.selectable_label(is_it, title).clicked() && !is_it {
-                    acts.push(Act::Edit(Edit::SetMaterial(name.map(str::to_owned))));
-                }
-            };
-            choose(ui, design.material.is_none(), "Not named", None);
-            let mut group = None;
-            for material in known_materials(&design.materials) {
-                let of = material_group(&material.name);
-                if group.replace(of) != Some(of) {
-                    ui.separator();
-                }
-                let is_it = design.material.as_ref() == Some(material);
-                choose(ui, is_it, &material.title, Some(&material.name));
-            }
-        });
-        let trade = design.trade.as_deref();
-        let shown = trade.unwrap_or("Bare outlines");
-        ComboBox::from_label("Made for").selected_text(shown).width(150.0).show_ui(ui, |ui| {
-            for name in std::iter::once(None).chain(trade_names().into_iter().map(Some)) {
-                let label = ui.selectable_label(trade == name, name.unwrap_or("Bare outlines"));
-                let title = name.and_then(trade_title);
-                let label = title.map_or(label.clone(), |title| label.on_hover_text(title));
-                if label.clicked() && trade != name {
-                    acts.push(Act::Edit(Edit::SetTrade(name.map(str::to_owned))));
-                }
-            }
-        });
+        material_ui(ui, design, acts);
+        thickness_ui(ui, editor.document(), theme, acts);
+        trade_ui(ui, design, acts);
+        preset_ui(ui, design, acts);
     });
     let made = design.panels_to_make();
     let name = match editor.selection().panel {
@@ -251,6 +233,87 @@ fn panel_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
         }
         if to != *panel {
             acts.push(Act::Edit(Edit::SetPanel { panel: n, to: Box::new(to) }));
+        }
+    });
+}
+
+fn material_ui(ui: &mut Ui, design: &Design, acts: &mut Vec<Act>) {
+    let named = design.material.as_ref().map_or("Not named", |material| &material.title);
+    ComboBox::from_label("Material").selected_text(named).width(150.0).show_ui(ui, |ui| {
+        let mut choose = |ui: &mut Ui, is_it: bool, title: &str, name: Option<&str>| {
+            if ui.selectable_label(is_it, title).clicked() && !is_it {
+                acts.push(Act::Edit(Edit::SetMaterial(name.map(str::to_owned))));
+            }
+        };
+        choose(ui, design.material.is_none(), "Not named", None);
+        let mut group = None;
+        for material in known_materials(&design.materials) {
+            let of = material_group(&material.name);
+            if group.replace(of) != Some(of) {
+                ui.separator();
+            }
+            let is_it = design.material.as_ref() == Some(material);
+            choose(ui, is_it, &material.title, Some(&material.name));
+        }
+    });
+}
+
+fn trade_ui(ui: &mut Ui, design: &Design, acts: &mut Vec<Act>) {
+    let trade = design.trade.as_deref();
+    let shown = trade.unwrap_or("Bare outlines");
+    ComboBox::from_label("Made for").selected_text(shown).width(150.0).show_ui(ui, |ui| {
+        for name in std::iter::once(None).chain(trade_names().into_iter().map(Some)) {
+            let label = ui.selectable_label(trade == name, name.unwrap_or("Bare outlines"));
+            let title = name.and_then(trade_title);
+            let label = title.map_or(label.clone(), |title| label.on_hover_text(title));
+            if label.clicked() && trade != name {
+                acts.push(Act::Edit(Edit::SetTrade(name.map(str::to_owned))));
+            }
+        }
+    });
+}
+
+/// How thick the sheet is, and which face of it is drawn.
+fn thickness_ui(ui: &mut Ui, document: &Document, theme: &Theme, acts: &mut Vec<Act>) {
+    let design = &document.design;
+    let mut to = (design.thickness_mm, design.dimensions);
+    let field = Field { theme, of: Id::unique("sheet"), label: "Thickness" };
+    let mm = design.sheet_thickness_mm().unwrap_or(0.0);
+    if let Some(mm) = field.length(ui, mm, document.drawing.units, THICKNESSES) {
+        let of_material = design.material.as_ref().map(|material| material.thickness_mm.value);
+        to.0 = Some(mm).filter(|&mm| mm > 0.0 && Some(mm) != of_material);
+    }
+    let title = |face: Option<Dimensions>| match face {
+        None => "As it is drawn",
+        Some(Dimensions::Inside) => "Inside",
+        Some(Dimensions::Mean) => "Middle",
+        Some(Dimensions::Outside) => "Outside",
+    };
+    let shown = title(to.1);
+    ComboBox::from_label("Drawn face").selected_text(shown).width(150.0).show_ui(ui, |ui| {
+        for face in std::iter::once(None).chain(Dimensions::ALL.map(Some)) {
+            ui.selectable_value(&mut to.1, face, title(face));
+        }
+    });
+    let (thickness_mm, dimensions) = to;
+    if to != (design.thickness_mm, design.dimensions) {
+        acts.push(Act::Edit(Edit::SetSheet { thickness_mm, dimensions }));
+    }
+}
+
+/// The machine that SVG and DXF files are written for.
+fn preset_ui(ui: &mut Ui, design: &Design, acts: &mut Vec<Act>) {
+    let preset = design.preset.as_deref();
+    let of_trade = Design { preset: None, trade: design.trade.clone(), ..Design::default() };
+    let usual = format!("Usual ({})", OutputOptions::of(&of_trade).preset.name);
+    let shown = preset.unwrap_or(&usual);
+    ComboBox::from_label("Files for").selected_text(shown).width(150.0).show_ui(ui, |ui| {
+        let all = Preset::all().iter().map(|preset| (Some(preset.name), preset.about));
+        for (name, about) in std::iter::once((None, "as its trade needs it")).chain(all) {
+            let label = ui.selectable_label(preset == name, name.unwrap_or(&usual));
+            if label.on_hover_text(about).clicked() && preset != name {
+                acts.push(Act::Edit(Edit::SetPreset(name.map(str::to_owned))));
+            }
         }
     });
 }

@@ -8,13 +8,12 @@ mod hands;
 use eframe::egui::vec2;
 use hands::{Hands, round};
 use sheetwright_editor::command::Command;
-use sheetwright_editor::document::Document;
-use sheetwright_editor::document::PointRef;
+use sheetwright_editor::document::{Document, Edit, PointRef, Selection};
 use sheetwright_editor::room::WindowPart;
 use sheetwright_editor::scene::Act;
 use sheetwright_editor::theme::Look;
 use sheetwright_editor::views::SurfaceView;
-use sheetwright_files::design_from_template;
+use sheetwright_files::{design_from_template, usual_trim};
 use std::path::{Path, PathBuf};
 
 fn keep(hands: &mut Hands, folder: &Path, name: &str) {
@@ -57,7 +56,7 @@ fn pictures_are_taken_where_somebody_asks() {
             to.z = lift;
             editor.carry_out(Act::Move(vec![(at, to)]));
             editor.carry_out(Act::Rest);
-            editor.carry_out(Act::Select(sheetwright_editor::document::Selection::of_point(at)));
+            editor.carry_out(Act::Select(Selection::of_point(at)));
         }
         hands.settle();
         keep(&mut hands, &folder, &format!("{name}-panes"));
@@ -101,5 +100,14 @@ fn pictures_are_taken_where_somebody_asks() {
             hands.move_to(at);
             keep(&mut hands, &folder, &format!("{name}-{template}-under-the-hand"));
         }
+        // What is done along a selected edge.
+        let kinds = ["hem", "holes", "notches"].into_iter();
+        let kinds = kinds.filter_map(|kind| usual_trim(kind, None)).collect();
+        let edge = Selection { curve: Some(0), ..Selection::default() };
+        let editor = hands.harness.state_mut().editor_mut();
+        editor.carry_out(Act::Edit(Edit::SetTrims { curve: 0, kinds }));
+        editor.carry_out(Act::Select(edge));
+        hands.settle();
+        keep(&mut hands, &folder, &format!("{name}-edge"));
     }
 }

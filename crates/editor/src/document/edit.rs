@@ -64,7 +64,14 @@ pub fn edited(document: &Document, edit: &Edit) -> Outcome {
             let Some(of) = next.design.panels.get_mut(*panel) else {
                 return Err("The panel is gone.".to_owned());
             };
-            of.name.clone_from(name);
+            let was = std::mem::replace(&mut of.name, name.clone());
+            for on in next.design.trims.iter_mut().flat_map(|trim| &mut trim.on) {
+                if let TrimOn::Edge { part: Some(part), .. } = on
+                    && *part == was
+                {
+                    part.clone_from(name);
+                }
+            }
             readable(next)
         }
         Edit::SetPanel { panel, to } => {
@@ -81,19 +88,17 @@ pub fn edited(document: &Document, edit: &Edit) -> Outcome {
             next.design.trade.clone_from(name);
             Ok(Edited::of(next))
         }
-        Edit::SetAllowance { curve, width_mm } => {
+        Edit::SetAllowance { curve, width_mm } => allowed(document, *curve, *width_mm),
+        Edit::SetTrims { curve, kinds } => trimmed(document, *curve, kinds),
+        Edit::SetPreset(name) => {
             let mut next = document.clone();
-            let Some(curve) = next.design.curves.get(*curve) else {
-                return Err("The curve is gone.".to_owned());
-            };
-            let on = allowance_on(&curve.name);
-            let trims = &mut next.design.trims;
-            trims.retain(|trim| !is_allowance(trim, &on));
-            if *width_mm > 0.0 {
-                let kind = Allowance { width: [*width_mm; 2], corner: Corner::ByLength };
-                trims.push(Trim::new([on], TrimKind::Allowance(kind)));
-            }
+            next.design.preset.clone_from(name);
             Ok(Edited::of(next))
+        }
+        Edit::SetSheet { thickness_mm, dimensions } => {
+            let mut next = document.clone();
+            (next.design.thickness_mm, next.design.dimensions) = (*thickness_mm, *dimensions);
+            with_sheet(document, next)
         }
         Edit::SetMaterial(name) => {
             let mut next = document.clone();
@@ -104,10 +109,7 @@ pub fn edited(document: &Document, edit: &Edit) -> Outcome {
                     Some(found.ok_or_else(|| format!("There is no material {name}."))?)
                 }
             };
-            // Some widths are thicknesses of the sheet.
-            let trade = next.design.trade.clone();
-            retrimmed(&mut next.design, trade.as_deref(), document.design.sheet_thickness_mm())?;
-            Ok(Edited::of(next))
+            with_sheet(document, next)
         }
         Edit::SetDrawing(drawing) => {
             Ok(Edited::of(Document { drawing: (**drawing).clone(), ..document.clone() }))
@@ -128,23 +130,75 @@ fn retrimmed(
     Ok(())
 }
 
-/// Where the allowance along a curve stands: on its edge of every panel.
-fn allowance_on(curve: &str) -> TrimOn {
+/// The document with another sheet than `before`: some widths are thicknesses of it.
+fn with_sheet(before: &Document, mut next: Document) -> Outcome {
+    if next.design.dimensions.is_some() && next.design.sheet_thickness_mm().is_none() {
+        return Err("Name a material or a thickness: a face is that of a sheet.".to_owned());
+    }
+    let trade = next.design.trade.clone();
+    retrimmed(&mut next.design, trade.as_deref(), before.design.sheet_thickness_mm())?;
+    Ok(Edited::of(next))
+}
+
+/// Where what is done along a curve stands: on its edge of every panel.
+fn along(curve: &str) -> TrimOn {
     TrimOn::Edge { part: None, edge: curve.to_owned() }
 }
 
-fn is_allowance(trim: &Trim, on: &TrimOn) -> bool {
-    trim.on == std::slice::from_ref(on) && matches!(trim.kind, TrimKind::Allowance(_))
+/// Whether a trim is along the whole of this edge and nowhere else, so that fields show it.
+fn is_along(trim: &Trim, on: &TrimOn) -> bool {
+    trim.on == std::slice::from_ref(on) && trim.span == [0.0, 1.0]
+}
+
+fn is_allowance(kind: &TrimKind) -> bool {
+    matches!(kind, TrimKind::Allowance(_))
 }
 
 /// The width of the allowance along a curve, mm, that [`Edit::SetAllowance`] has set; else 0.
 pub fn allowance_mm(design: &Design, curve: &str) -> f64 {
-    let on = allowance_on(curve);
-    let own = design.trims.iter().find(|trim| is_allowance(trim, &on));
-    match own.map(|trim| &trim.kind) {
-        Some(TrimKind::Allowance(allowance)) => allowance.width[0],
-        _ => 0.0,
+    let on = along(curve);
+    let own = design.trims.iter().filter(|trim| is_along(trim, &on));
+    own.fold(0.0, |width, trim| match &trim.kind {
+        TrimKind::Allowance(allowance) => allowance.width[0],
+        _ => width,
+    })
+}
+
+/// What else is done along a curve, that [`Edit::SetTrims`] has set.
+pub fn trims_along(design: &Design, curve: &str) -> Vec<TrimKind> {
+    let on = along(curve);
+    let own = design.trims.iter().filter(|trim| is_along(trim, &on) && !is_allowance(&trim.kind));
+    own.map(|trim| trim.kind.clone()).collect()
+}
+
+/// An allowance takes the place of all that moves the cut line there.
+fn allowed(document: &Document, curve: usize, width_mm: f64) -> Outcome {
+    let on = along(&curve_of(document, curve)?.name);
+    let mut next = document.clone();
+    let trims = &mut next.design.trims;
+    let has_one = width_mm > 0.0;
+    let gives_way = |kind: &TrimKind| is_allowance(kind) || (has_one && kind.moves_the_cut());
+    trims.retain(|trim| !(is_along(trim, &on) && gives_way(&trim.kind)));
+    if has_one {
+        let kind = Allowance { width: [width_mm; 2], corner: Corner::ByLength };
+        trims.push(Trim::new([on], TrimKind::Allowance(kind)));
     }
+    Ok(Edited::of(next))
+}
+
+/// What moves the cut line takes the place of an allowance, and the last of several that of the
+/// others.
+fn trimmed(document: &Document, curve: usize, kinds: &[TrimKind]) -> Outcome {
+    let on = along(&curve_of(document, curve)?.name);
+    let mut next = document.clone();
+    let trims = &mut next.design.trims;
+    let last = kinds.iter().rposition(TrimKind::moves_the_cut);
+    let stays = |trim: &Trim| is_allowance(&trim.kind) && last.is_none();
+    trims.retain(|trim| !is_along(trim, &on) || stays(trim));
+    let kept = kinds.iter().enumerate();
+    let kept = kept.filter(|(n, kind)| !kind.moves_the_cut() || last == Some(*n));
+    trims.extend(kept.map(|(_, kind)| Trim::new([on.clone()], kind.clone())));
+    Ok(Edited::of(next))
 }
 
 /// A document whose file would read back: names are refused where files refuse them.
@@ -615,7 +669,7 @@ fn renamed_curve(document: &Document, curve: usize, name: &str) -> Outcome {
         return Err(format!("There is a curve {name} already."));
     }
     let mut next = document.clone();
-    let Design { curves, panels, vary, .. } = &mut next.design;
+    let Design { curves, panels, vary, trims, .. } = &mut next.design;
     curves[curve].name = name.to_owned();
     let rename = |part: &mut CurveUse| {
         if part.name == of {
@@ -631,7 +685,12 @@ fn renamed_curve(document: &Document, curve: usize, name: &str) -> Outcome {
             PanelShape::Join(_) | PanelShape::Mesh(_) => {}
         }
     }
-    for named in vary.iter_mut().flat_map(|vary| &mut vary.curves) {
+    let of_vary = vary.iter_mut().flat_map(|vary| &mut vary.curves);
+    let of_trims = trims.iter_mut().flat_map(|trim| &mut trim.on).filter_map(|on| match on {
+        TrimOn::Edge { edge, .. } => Some(edge),
+        _ => None,
+    });
+    for named in of_vary.chain(of_trims) {
         if *named == of {
             *named = name.to_owned();
         }

@@ -1,7 +1,7 @@
 //! The edits of a document that there are; [`super::edit`] carries them out.
 
 use super::Drawing;
-use sheetwright::design::DesignPanel;
+use sheetwright::design::{DesignPanel, Dimensions, TrimKind};
 use sheetwright::math::Point2;
 
 /// A change of the document.
@@ -66,6 +66,22 @@ pub enum Edit {
         curve: usize,
         /// The width.
         width_mm: f64,
+    },
+    /// What else is done along a curve, in order.
+    SetTrims {
+        /// The number of the curve.
+        curve: usize,
+        /// What is done.
+        kinds: Vec<TrimKind>,
+    },
+    /// The preset of its SVG and DXF files, by name; `None` for that of its trade.
+    SetPreset(Option<String>),
+    /// How thick the sheet is, and which face of it is drawn.
+    SetSheet {
+        /// The thickness, mm; `None` for that of its material.
+        thickness_mm: Option<f64>,
+        /// The face; `None` where the pattern is that of what is drawn.
+        dimensions: Option<Dimensions>,
     },
     /// How the design is drawn.
     SetDrawing(Box<Drawing>),

@@ -5,18 +5,13 @@ use crate::editor::Editor;
 use crate::theme::Theme;
 use eframe::egui::{self, RichText};
 use sheetwright::check::Verdict;
-use sheetwright_files::Format;
+use sheetwright_files::{Format, formats_for};
 
 /// What is chosen.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct ExportPage {
-    formats: Vec<Format>,
-}
-
-impl Default for ExportPage {
-    fn default() -> Self {
-        Self { formats: Format::DEFAULT.to_vec() }
-    }
+    /// The formats; `None` until a person chooses, for those that the design or its trade names.
+    formats: Option<Vec<Format>>,
 }
 
 impl ExportPage {
@@ -44,21 +39,24 @@ impl ExportPage {
                 ui.label(RichText::new(text).color(theme.verdicts[2]));
                 ui.add_space(6.0);
             }
+            let of_design = formats_for(&editor.document().design);
+            let mut formats = self.formats.clone().unwrap_or(of_design);
             for format in Format::ALL {
                 let (name, what) = format.about();
-                let mut is_chosen = self.formats.contains(&format);
+                let mut is_chosen = formats.contains(&format);
                 if ui.checkbox(&mut is_chosen, name).changed() {
-                    self.formats.retain(|other| *other != format);
-                    self.formats.extend(is_chosen.then_some(format));
-                    self.formats.sort_unstable();
+                    formats.retain(|other| *other != format);
+                    formats.extend(is_chosen.then_some(format));
+                    formats.sort_unstable();
+                    self.formats = Some(formats.clone());
                 }
                 ui.indent(name, |ui| ui.label(RichText::new(what).color(theme.faint).small()));
             }
             ui.add_space(10.0);
             let text = if cfg!(target_arch = "wasm32") { "Download" } else { "Choose a folder…" };
-            ui.add_enabled_ui(!self.formats.is_empty(), |ui| {
+            ui.add_enabled_ui(!formats.is_empty(), |ui| {
                 if main_button(ui, theme, text).clicked() {
-                    wanted = Some(self.formats.clone());
+                    wanted = Some(formats.clone());
                 }
             });
             let same = "The files are those of the command line, byte by byte.";

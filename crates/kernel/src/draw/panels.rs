@@ -12,7 +12,7 @@
 
 use super::edit::{built, free_of};
 use super::loops::{Nesting, nesting};
-use crate::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelShape};
+use crate::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelShape, TrimOn};
 use sheetwright_geometry::curve::Curve;
 use sheetwright_geometry::math::{Point2, Point3};
 use sheetwright_geometry::predicate::signed_area_doubled;
@@ -312,6 +312,11 @@ pub fn without_curve(design: &Design, name: &str) -> Design {
         PanelShape::Join(_) | PanelShape::Mesh(_) => true,
     });
     changed.vary.retain_mut(|vary| left_of(&mut vary.curves, |curve| curve != name));
+    let is_left = |on: &TrimOn| !matches!(on, TrimOn::Edge { edge, .. } if edge == name);
+    changed.trims.retain_mut(|trim| {
+        trim.on.retain(is_left);
+        !trim.on.is_empty()
+    });
     without_lost_panels(changed)
 }
 
