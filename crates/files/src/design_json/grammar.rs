@@ -69,7 +69,8 @@ pub(super) struct DesignFile {
     /// `cricut`, `silhouette`, `plotter` or `wazer`. Default: that of its trade, or generic.
     #[serde(default)]
     pub(super) preset: Option<String>,
-    /// The release of its DXF files: `r12` or `r2000`. Default: that of its trade, or of its preset.
+    /// The release of its DXF files: `r12` or `r2000`. Default: that of its trade, or of its
+    /// preset.
     #[serde(default)]
     pub(super) dxf: Option<String>,
     /// The formats that its files are written in, such as `dxf` and `report`; docs/outputs.md lists

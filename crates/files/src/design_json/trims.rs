@@ -1,8 +1,8 @@
 //! The fields `trims` and `for`: what is done along edges, from a design's file and back.
 //!
 //! A trade (`for`) has a list of trims with defaults. A trim of the design with the `kind` and the
-//! `on` of one of these replaces single fields of it; others come after them. Lengths are numbers in the design's units, or texts: `"10 mm"`, or
-//! `"2 t"`, two thicknesses of the sheet.
+//! `on` of one of these replaces single fields of it; others come after them. Lengths are numbers
+//! in the design's units, or texts: `"10 mm"`, or `"2 t"`, two thicknesses of the sheet.
 
 mod form;
 mod read;
