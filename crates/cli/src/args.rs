@@ -12,9 +12,9 @@ use sheetwright::mesh::Skin;
 use sheetwright::template::catalogue;
 use sheetwright::triangulate::WhichSurface;
 use sheetwright_files::{
-    BendSettings, BrakeSettings, DxfRelease, Format, InputFormat, MaxSheets, MeshFormat,
-    MeshSettings, OffsetOptions, OutputOptions, Paper, PdfOptions, Preset, ReadOptions, ReportForm,
-    Units, VarySettings, catalogue_names, known_materials, trade_names,
+    BendSettings, BrakeSettings, DxfRelease, Format, InputFormat, MOST_TOLERANCE_MM, MaxSheets,
+    MeshFormat, MeshSettings, OffsetOptions, OutputOptions, Paper, PdfOptions, Preset, ReadOptions,
+    ReportForm, Units, VarySettings, catalogue_names, known_materials, trade_names,
 };
 use std::ffi::OsStr;
 use std::path::PathBuf;
@@ -435,6 +435,12 @@ pub(crate) struct SourceArgs {
     /// splines through their points
     #[arg(long, value_name = "N")]
     samples: Option<usize>,
+    /// As many samples as keep the outline this near to its curves, where no number is given: no
+    /// curve lies farther from it, along no edge is it shorter by more (0.05mm, 1/64in); the rows of
+    /// a table stay the samples [default: as the design says, or a ten-thousandth of the size of
+    /// each panel]
+    #[arg(long, value_name = "LENGTH", value_parser = tolerance_mm, allow_negative_numbers = true)]
+    tolerance: Option<f64>,
     /// The weight of the fold price, from 0 (twist alone) to 10
     #[arg(long, value_name = "NU", allow_negative_numbers = true)]
     fold: Option<f64>,
@@ -571,6 +577,11 @@ fn size_mm(given: &str) -> Result<f64, String> {
     mm.ok_or_else(|| "give a length above 0, such as 300, 300mm or 12in".to_owned())
 }
 
+fn tolerance_mm(given: &str) -> Result<f64, String> {
+    let mm = sheetwright_files::size_mm(given).filter(|mm| *mm <= MOST_TOLERANCE_MM);
+    mm.ok_or_else(|| "give a tolerance above 0 and up to 1 m, such as 0.05mm or 1/64in".to_owned())
+}
+
 fn scale(given: &str) -> Result<f64, String> {
     let factor = given.parse().ok().filter(|factor| (1e-6..=1e6).contains(factor));
     factor.ok_or_else(|| "give a factor from 0.000001 to 1000000, such as 2 or 0.5".to_owned())
@@ -592,6 +603,7 @@ impl SourceArgs {
     pub(crate) fn options(&self) -> ReadOptions {
         ReadOptions {
             samples: self.samples,
+            tolerance_mm: self.tolerance,
             fold: self.fold,
             effort: self.effort,
             method: self.method.map(|method| match method {

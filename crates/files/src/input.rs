@@ -4,8 +4,8 @@ use crate::meant::material_meant;
 use crate::mesh::MeshFormat;
 use crate::names::shown;
 use crate::reading::{
-    EFFORTS, InputError, ReadOptions, TAKEN, VarySettings, display_name, read_whole, refuse_folder,
-    refuse_large, text_of, without_utf16,
+    EFFORTS, InputError, ReadOptions, TAKEN, TOLERANCES, VarySettings, display_name, is_tolerance,
+    read_whole, refuse_folder, refuse_large, text_of, without_utf16,
 };
 use crate::units::Units;
 use crate::{design_json, mesh, table};
@@ -188,6 +188,11 @@ fn check_options(format: InputFormat, options: &ReadOptions) -> Result<(), Input
             "Use fewer samples; a few hundred are enough for most panels.",
         );
     }
+    if let Some(mm) = options.tolerance_mm
+        && !is_tolerance(mm)
+    {
+        return refused(format!("the tolerance of the samples is {mm} mm"), TOLERANCES);
+    }
     if let Some(fold) = options.fold
         && !(0.0..=MAX_FOLD).contains(&fold)
     {
@@ -202,9 +207,10 @@ fn check_options(format: InputFormat, options: &ReadOptions) -> Result<(), Input
         return refused(format!("the effort is {effort}"), EFFORTS);
     }
     if let InputFormat::Mesh(_) = format {
-        let ReadOptions { samples, fold, effort, method, plane, vary, .. } = options;
+        let ReadOptions { samples, tolerance_mm, fold, effort, method, plane, vary, .. } = options;
         let given = [
             ("samples", samples.is_some()),
+            ("a tolerance of samples", tolerance_mm.is_some()),
             ("a fold price", fold.is_some()),
             ("an effort", effort.is_some()),
             ("a method", method.is_some()),

@@ -86,8 +86,8 @@ pub use quantity::{
 };
 pub use read_back::{PatternReadError, ReadPattern};
 pub use reading::{
-    BendSettings, InputError, MAX_INPUT_BYTES, MeshSettings, ReadOptions, VarySettings,
-    read_limited,
+    BendSettings, InputError, MAX_INPUT_BYTES, MOST_TOLERANCE_MM, MeshSettings, ReadOptions,
+    VarySettings, read_limited,
 };
 pub use refold::{PatternFiles, RefoldFileError, refold_error_mm, refold_files_error_mm};
 pub use report::{

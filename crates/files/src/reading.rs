@@ -154,6 +154,18 @@ impl BendSettings {
     }
 }
 
+/// The largest tolerance of samples, mm: beyond it, a length has the wrong unit.
+pub const MOST_TOLERANCE_MM: f64 = 1000.0;
+
+/// Whether the polygon through samples can be held within this tolerance, mm.
+pub(crate) fn is_tolerance(mm: f64) -> bool {
+    mm > 0.0 && mm <= MOST_TOLERANCE_MM
+}
+
+/// The hint for a tolerance out of range.
+pub(crate) const TOLERANCES: &str =
+    "Set a tolerance above 0 and up to 1 m; 0.05 mm is less than most machines cut.";
+
 /// The hint for an effort out of range.
 pub(crate) const EFFORTS: &str =
     "Set an effort from 0.001 to 1000; 1 is the default, up to 5 seconds for each panel.";
@@ -164,6 +176,9 @@ pub struct ReadOptions {
     /// Samples of each outer loop or rail. A curve table becomes splines with it. Default: as the
     /// design says; the rows of a table as they are.
     pub samples: Option<usize>,
+    /// How near the polygon through the samples stays to the curves, mm, above 0 and up to
+    /// [`MOST_TOLERANCE_MM`]; a number of samples comes first. Default: as the design says.
+    pub tolerance_mm: Option<f64>,
     /// The weight ν of the fold price, 0 ..= 10. Default: as the design says.
     pub fold: Option<f64>,
     /// The limit on the work of the search in panels with holes, as a multiple of the default.

@@ -319,6 +319,7 @@ pub(crate) fn read_as_design(
             holes: curves[1..].iter().map(whole).collect(),
         },
         samples: options.samples.unwrap_or(curves[0].points.len()),
+        tolerance: None,
         method: options.method.unwrap_or_default(),
         goal: Goal::Price,
         run_on: false,

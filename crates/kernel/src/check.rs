@@ -22,7 +22,8 @@ pub use verdict::Verdict;
 
 pub(crate) use bending::{better_without_plane, no_other_surface, two_surfaces};
 pub(crate) use origin::{
-    BoundaryMoved, moved, ran_on, rounded_corner, smoothed_joints, stayed_straight, turned_round,
+    BoundaryMoved, moved, off_tolerance, ran_on, rounded_corner, smoothed_joints, stayed_straight,
+    turned_round,
 };
 pub(crate) use strain::strain_not_reached;
 

@@ -10,8 +10,9 @@
 //! next fineness would take, for which the picture stands still. What was too much is not tried
 //! again for a while.
 
-use sheetwright::design::Design;
+use sheetwright::design::{Design, DesignPanel, SampleTolerance};
 use sheetwright::draw::coarse::coarse;
+use sheetwright::sample::Counts;
 use web_time::{Duration, Instant};
 
 /// Samples of a panel at first, and at the least.
@@ -32,8 +33,10 @@ const AGAIN: Duration = Duration::from_secs(60);
 /// How fine panels are made, and how long that took.
 #[derive(Clone, Debug)]
 pub(super) struct Fineness {
-    /// The names of the panels and their samples: other panels are measured anew.
-    panels: Vec<(String, usize)>,
+    /// The names of the panels, their samples and tolerances: other panels are measured anew.
+    panels: Vec<(String, usize, Option<SampleTolerance>)>,
+    /// The numbers of samples that tolerances take.
+    counts: Counts,
     /// Samples of a panel.
     samples: usize,
     /// Whether these are all that the design asks for; `None` before the first answer with so many.
@@ -51,6 +54,7 @@ impl Default for Fineness {
     fn default() -> Self {
         Self {
             panels: Vec::new(),
+            counts: Counts::default(),
             samples: LEAST,
             is_all: None,
             first: None,
@@ -64,17 +68,20 @@ impl Default for Fineness {
 impl Fineness {
     /// The design as fine as there is time for.
     pub(super) fn apply(&mut self, design: &Design) -> Design {
-        let panels = || design.panels.iter().map(|panel| (panel.name.clone(), panel.samples));
+        let of_panel = |p: &DesignPanel| (p.name.clone(), p.samples, p.tolerance);
+        let panels = || design.panels.iter().map(of_panel);
         if !panels().eq(self.panels.iter().cloned()) {
             *self = Self { panels: panels().collect(), ..Self::default() };
         }
         // Half as many again are not worth a fineness of their own; but the least are the least.
         let most = if self.samples > LEAST { self.samples + self.samples / 2 } else { LEAST };
-        let fits = || coarse(design, most) == *design;
+        let design = self.counts.of(design);
+        let samples = |design: &Design| design.panels.iter().map(|p| p.samples).collect::<Vec<_>>();
+        let fits = || samples(&coarse(&design, most)) == samples(&design);
         if *self.is_all.get_or_insert_with(fits) && self.samples > LEAST {
-            design.clone()
+            design.into_owned()
         } else {
-            coarse(design, self.samples)
+            coarse(&design, self.samples)
         }
     }
 

@@ -8,6 +8,7 @@ use super::grammar::{
 use super::join::{check_joins, join, points_of};
 use super::material;
 use super::mesh::Meshes;
+use super::sampling::{Sampling, tolerance_mm};
 use super::source::Source;
 use super::table_path::Tables;
 use super::thickness;
@@ -29,8 +30,8 @@ use sheetwright::boundary::{MAX_SAMPLES, PlaneChoice};
 use sheetwright::cost::{MAX_FOLD, PriceOptions};
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
-    CurveUse, Design, DesignCurve, DesignPanel, LEAST_EFFORT, LOOP_SAMPLES, MOST_EFFORT,
-    PanelMethod, PanelShape, RAIL_SAMPLES, Vary,
+    CurveUse, Design, DesignCurve, DesignPanel, LEAST_EFFORT, MOST_EFFORT, PanelMethod, PanelShape,
+    Vary,
 };
 use sheetwright::math::{Point3, Vec3};
 use sheetwright::triangulate::{Goal, WhichSurface};
@@ -58,7 +59,9 @@ pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, In
     let mut list = file.panels;
     let of_panels: Vec<Option<Object<VaryFile>>> =
         list.iter_mut().map(|panel| panel.0.vary.take()).collect();
-    let panels = panels(list, &curves, file.units, source)?;
+    let tolerance = file.tolerance;
+    let tolerance = tolerance.map(|it| tolerance_mm(it, file.units, "tolerance", source));
+    let panels = panels(list, &curves, file.units, tolerance.transpose()?, source)?;
     let reader = VaryReader { units: file.units, curves: &curves, source };
     let mut vary = Vec::new();
     if let Some(Object(whole)) = file.vary {
@@ -251,6 +254,7 @@ fn panels(
     list: Vec<Object<PanelFile>>,
     curves: &[DesignCurve],
     units: Units,
+    tolerance_mm: Option<f64>,
     source: &Source<'_>,
 ) -> Result<Vec<DesignPanel>, InputError> {
     if list.len() > MAX_PANELS {
@@ -280,7 +284,8 @@ fn panels(
         let bends = bends::read(file.bends.take(), &format!("{path}.bends"), units, source)?;
         let panel = match mesh {
             Some(mesh) => DesignPanel::new(file.name, mesh, NO_SAMPLES),
-            None => PanelReader { path: &path, known: &known, units, source }.panel(file)?,
+            None => PanelReader { path: &path, known: &known, units, tolerance_mm, source }
+                .panel(file)?,
         };
         panels.push(DesignPanel { bends, ..panel });
     }
@@ -292,6 +297,8 @@ struct PanelReader<'a> {
     path: &'a str,
     known: &'a BTreeMap<&'a str, &'a DesignCurve>,
     units: Units,
+    /// The tolerance of the design, mm.
+    tolerance_mm: Option<f64>,
     source: &'a Source<'a>,
 }
 
@@ -331,24 +338,23 @@ impl PanelReader<'_> {
             Some(PlaneFile::Named(PlaneName::None)) => PlaneChoice::None,
             Some(PlaneFile::Normal([x, y, z])) => PlaneChoice::Normal(Vec3::new(x, y, z)),
         };
-        Ok(DesignPanel {
-            name: file.name,
-            samples: self.samples(file.samples, &shape)?,
+        let panel = DesignPanel {
             cut: self.cut(&file.cut.unwrap_or_default(), &shape)?,
             near: self.points("near", &file.near.unwrap_or_default())?,
-            bends: None,
             which: options.which.unwrap_or(match file.side {
                 None | Some(SideName::Cheapest) => WhichSurface::Cheapest,
                 Some(SideName::Other) => WhichSurface::Other,
             }),
-            shape,
             method,
             goal,
             run_on,
             plane: self.source.options.plane.unwrap_or(plane),
             fold: self.fold(file.fold)?,
             effort: self.effort(file.effort)?,
-        })
+            ..DesignPanel::usual(file.name, shape)
+        };
+        let given = Sampling { samples: file.samples, tolerance: file.tolerance };
+        given.of(panel, self.tolerance_mm, self.units, self.path, self.source)
     }
 
     fn cut(&self, places: &[Triple], shape: &PanelShape) -> Result<Vec<Point3>, InputError> {
@@ -474,24 +480,6 @@ impl PanelReader<'_> {
             return Err(self.error("", message, format!("The limit is {MAX_SAMPLES} points.")));
         }
         Ok(())
-    }
-
-    fn samples(&self, written: Option<u64>, shape: &PanelShape) -> Result<usize, InputError> {
-        let default = match shape {
-            PanelShape::Rails(_) => RAIL_SAMPLES,
-            _ => LOOP_SAMPLES,
-        };
-        let Some(written) = written else {
-            return Ok(self.source.options.samples.unwrap_or(default));
-        };
-        let within = usize::try_from(written).ok().filter(|&n| n <= MAX_SAMPLES);
-        let samples = within.ok_or_else(|| {
-            let message = format!("the number of samples is {written}");
-            let hint =
-                format!("The limit is {MAX_SAMPLES}; a few hundred are enough for most panels.");
-            self.error(".samples", message, hint)
-        })?;
-        Ok(self.source.options.samples.unwrap_or(samples))
     }
 
     fn fold(&self, written: Option<f64>) -> Result<f64, InputError> {

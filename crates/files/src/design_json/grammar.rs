@@ -85,6 +85,12 @@ pub(super) struct DesignFile {
     #[serde(default)]
     #[schemars(range(min = 0))]
     pub(super) thickness: Option<f64>,
+    /// The tolerance of panels that have none of their own and no number of samples, in the units
+    /// of the design. Default: a ten-thousandth of the size of the panel, with 400 samples of a
+    /// loop or 200 of a rail at the least.
+    #[serde(default)]
+    #[schemars(range(min = 0))]
+    pub(super) tolerance: Option<f64>,
     /// How bends are marked on the patterns of panels that do not say it themselves.
     #[serde(default)]
     #[schemars(with = "Option<BendsFile>")]
@@ -286,10 +292,16 @@ pub(super) struct PanelFile {
     /// the design. Default: no limit.
     #[serde(default)]
     pub(super) pieces_within: Option<[f64; 2]>,
-    /// Samples of the outer loop, or of each rail. Default: 400 of a loop, 200 of a rail.
+    /// Samples of the outer loop, or of each rail. Default: as many as the tolerance takes.
     #[serde(default)]
     #[schemars(range(min = 2, max = 1_000_000))]
     pub(super) samples: Option<u64>,
+    /// How near the polygon through its samples stays to its curves, in the units of the design,
+    /// where `samples` is not given: no curve lies farther from it, along no edge is it shorter by
+    /// more. Default: as the design says.
+    #[serde(default)]
+    #[schemars(range(min = 0))]
+    pub(super) tolerance: Option<f64>,
     /// Which triangulations are looked at. Default: optimal.
     #[serde(default)]
     pub(super) method: Option<MethodName>,

@@ -112,6 +112,7 @@ impl<'a> Meshes<'a> {
             ("holes", file.holes.is_some()),
             ("join", file.join.is_some()),
             ("samples", file.samples.is_some()),
+            ("tolerance", file.tolerance.is_some()),
             ("method", file.method.is_some()),
             ("goal", file.goal.is_some()),
             ("run_on", file.run_on.is_some()),

@@ -11,6 +11,7 @@ mod grammar;
 mod join;
 mod material;
 mod mesh;
+mod sampling;
 mod source;
 mod table_path;
 mod thickness;
@@ -369,10 +370,45 @@ mod tests {
     }
 
     #[test]
+    fn a_number_of_samples_comes_before_a_tolerance_and_that_of_a_panel_before_the_designs() {
+        use sheetwright::design::SampleTolerance;
+        let text = |top: &str, panel: &str| {
+            DINGHY
+                .replace("\"match_seams\": true,", &format!("\"match_seams\": true, {top}"))
+                .replace("\"samples\": 50", panel)
+        };
+        let lid = |top: &str, panel: &str, options: &ReadOptions| {
+            let text = text(top, panel);
+            let design =
+                read_bytes(InputFormat::Design, text.as_bytes(), "d.json", None, options).unwrap();
+            let again = read(std::str::from_utf8(&write_design(&design)).unwrap()).unwrap();
+            assert_eq!(again, design, "{text}");
+            let lid = design.panels.into_iter().find(|panel| panel.name == "lid").unwrap();
+            (lid.samples, lid.tolerance)
+        };
+        let none = ReadOptions::default();
+        let mm = |mm: f64| Some(SampleTolerance::Mm(mm));
+        let asked = ReadOptions { tolerance_mm: Some(0.25), ..ReadOptions::default() };
+        // The units are metres.
+        for (top, panel, options, expected) in [
+            ("", "\"effort\": 1", &none, (400, Some(SampleTolerance::USUAL))),
+            ("", "\"tolerance\": 0.002", &none, (100, mm(2.0))),
+            ("\"tolerance\": 0.001,", "\"effort\": 1", &none, (100, mm(1.0))),
+            ("\"tolerance\": 0.001,", "\"tolerance\": 0.002", &none, (100, mm(2.0))),
+            ("\"tolerance\": 0.001,", "\"samples\": 60", &none, (60, None)),
+            ("", "\"samples\": 60, \"tolerance\": 0.002", &none, (60, None)),
+            ("\"tolerance\": 0.001,", "\"samples\": 60", &asked, (100, mm(0.25))),
+        ] {
+            assert_eq!(lid(top, panel, options), expected, "{top} {panel}");
+        }
+    }
+
+    #[test]
     fn what_the_caller_sets_comes_first() {
         let options = ReadOptions {
             plane: Some(sheetwright::boundary::PlaneChoice::None),
             samples: Some(77),
+            tolerance_mm: Some(0.1),
             fold: Some(2.0),
             effort: Some(20.0),
             method: Some(PanelMethod::Bridge),
@@ -396,6 +432,7 @@ mod tests {
         assert_eq!(design.material.as_ref().map(|m| &m.name[..]), Some("leather-2mm"));
         for panel in &design.panels {
             assert_eq!((panel.samples, panel.fold, panel.effort), (77, 2.0, 20.0));
+            assert_eq!(panel.tolerance, None);
             assert_eq!((panel.method, panel.which), (PanelMethod::Bridge, WhichSurface::Other));
         }
         for vary in &design.vary {

@@ -9,12 +9,14 @@ use crate::materials::file_of;
 use crate::units::Units;
 use sheetwright::boundary::{Continuity, PlaneChoice, Within};
 use sheetwright::curve::{CurveKind, CurvePoint};
-use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape};
+use sheetwright::design::{
+    CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape, SampleTolerance,
+};
 use sheetwright::triangulate::{Goal, WhichSurface};
 
 /// The bytes of a design's file, in millimetres. They have every default except those of rare
-/// fields (`goal`, `run_on`, `cut`, `vary`, `match_seams`,
-/// `preset`, `dxf`, `formats`), and read back equal.
+/// fields (`goal`, `run_on`, `cut`, `vary`, `match_seams`, `preset`, `dxf`, `formats`) and of
+/// `samples`, and read back equal. A tolerance of the design stands in its panels.
 pub fn write_design(design: &Design) -> Vec<u8> {
     write_with(design, None)
 }
@@ -158,7 +160,11 @@ fn panel(panel: &DesignPanel, vary: Option<String>) -> String {
             fields.push(format!("\"keep_parts\": {}", join.keep_parts));
         }
     }
-    fields.push(format!("\"samples\": {}", panel.samples));
+    match panel.tolerance {
+        Some(SampleTolerance::Mm(mm)) => fields.push(format!("\"tolerance\": {}", json(&mm))),
+        Some(SampleTolerance::Share(_)) => {}
+        None => fields.push(format!("\"samples\": {}", panel.samples)),
+    }
     let method = match panel.method {
         PanelMethod::Optimal => MethodName::Optimal,
         PanelMethod::Bridge => MethodName::Bridge,

@@ -9,8 +9,8 @@ use super::strain_in_space::strain_in_space;
 use super::view::box_of;
 use super::warp_chart::warp_chart;
 use super::wording::{
-    area, decimal, degrees, millimetres, millimetres_fine, plain_per_cent, radius, refold,
-    scientific, steradians, verdict_word,
+    area, decimal, degrees, millimetres, millimetres_fine, millimetres_small, plain_per_cent,
+    radius, refold, scientific, steradians, verdict_word,
 };
 use super::worst_rung;
 use maud::{Markup, PreEscaped, html};
@@ -187,6 +187,7 @@ impl FoundPage<'_> {
                 }
                 @if panel.piece.has_net() { "That edge is " } @else { "The whole outline is " }
                 (millimetres(outline_length(panel))) " long."
+                (self.chords_text())
                 @if !panel.sheet.seams().is_empty() {
                     " It is cut open along " b { (seam_mark(0)) }
                     @if panel.sheet.seams().len() > 1 {
@@ -203,6 +204,22 @@ impl FoundPage<'_> {
                 }
             }
         }
+    }
+
+    /// How near the outline comes to the curves that it was drawn by.
+    fn chords_text(&self) -> String {
+        let (chords, samples) = (&self.found.chords, self.found.boundary.len());
+        let (Some(off), Some(shorter)) = (chords.distance_max_mm(), chords.shorter_max_mm()) else {
+            return String::new();
+        };
+        let [off_text, shorter_text] = [off, shorter].map(millimetres_small);
+        if off_text == shorter_text && off_text == "none" {
+            return " It runs along its curves exactly.".to_owned();
+        }
+        format!(
+            " It is a polygon through {samples} samples: its curves lie up to {off_text} from it, \
+             and along an edge it is up to {shorter_text} shorter than they are."
+        )
     }
 
     /// The name of an edge, its length, and the parts that it is joined to.
@@ -264,12 +281,20 @@ impl FoundPage<'_> {
             Some(gap) => format!("within {:.2} %", 100.0 * gap),
             None => "not proven".to_owned(),
         };
+        let chords = |mm: Option<f64>| mm.map_or("no curves".to_owned(), millimetres_small);
+        let tolerance = |mm: f64| format!("{mm}\u{a0}mm");
         let goal = match found.goal {
             Goal::Price => "price",
             Goal::WorstWarp => "worst warp, then price",
         };
         vec![
             ("Samples", found.boundary.len().to_string()),
+            ("Curves from the outline, at most", chords(found.chords.distance_max_mm())),
+            ("Outline shorter along an edge, at most", chords(found.chords.shorter_max_mm())),
+            (
+                "Tolerance of the samples",
+                found.tolerance_mm.map_or("none given".to_owned(), tolerance),
+            ),
             ("Triangles", found.surface.connectivity().triangles().len().to_string()),
             ("Rulings (rungs)", measures.rungs.len().to_string()),
             ("Method", found.method.name().to_owned()),

@@ -12,7 +12,8 @@ use super::space_picture::design_picture;
 use super::style::page_style;
 use super::verdict::{findings, severity, verdict};
 use super::wording::{
-    area, decimal, degrees, millimetres, per_cent, plain_per_cent, radius, refold, verdict_sentence,
+    area, decimal, degrees, millimetres, millimetres_small, per_cent, plain_per_cent, radius,
+    refold, verdict_sentence,
 };
 use crate::words::finding_text;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
@@ -138,7 +139,7 @@ struct Column {
     value: fn(&PartPage<'_>) -> Option<String>,
 }
 
-const COLUMNS: [Column; 10] = [
+const COLUMNS: [Column; 11] = [
     Column {
         label: "Flat size",
         value: |page| {
@@ -164,7 +165,16 @@ const COLUMNS: [Column; 10] = [
         value: |page| page.part.found().map(|_| radius(page.part.measures.bend_radius_min_mm)),
     },
     Column {
-        label: "Length error, largest",
+        label: "Outline off its curves / shorter",
+        value: |page| {
+            let chords = &page.part.found()?.chords;
+            let both = [chords.distance_max_mm()?, chords.shorter_max_mm()?];
+            let [off, shorter] = both.map(millimetres_small);
+            Some(format!("{off} / {shorter}"))
+        },
+    },
+    Column {
+        label: "Length error of flattening",
         value: |page| Some(per_cent(page.part.measures.length_error_max)),
     },
     Column {

@@ -75,6 +75,15 @@ struct PanelReport<'a> {
     gap: Option<f64>,
     /// Samples of the boundary; of a mesh, the points of the outline and the holes of its pattern.
     samples: usize,
+    /// The largest distance of the curves from the polygon through the samples, along which the
+    /// pattern is cut, mm; null for a mesh, and where the rows of a table are the samples.
+    curve_distance_max_mm: Option<f64>,
+    /// The length by which that polygon is shorter than the curves, along the edge that loses most,
+    /// mm.
+    curve_shorter_max_mm: Option<f64>,
+    /// The length that both must not exceed, mm; null where the number of samples was given, and
+    /// where the tolerance is a share of the size.
+    tolerance_mm: Option<f64>,
     /// Triangles of the surface.
     triangles: usize,
     /// Rungs: the straight lines that the surface is ruled by. Null for a mesh, as are all numbers
@@ -295,6 +304,9 @@ struct EdgeReport<'a> {
     length_space_mm: f64,
     /// How long it is on the pattern, mm.
     length_flat_mm: f64,
+    /// By how much the polygon through its samples is shorter than its curve, mm; null along a cut,
+    /// for a mesh, and where the rows of a table are the samples.
+    curve_shorter_mm: Option<f64>,
     /// The edges that it is joined to, as `PANEL/EDGE`: those on the same stretch of a curve, and
     /// the other side of a cut. Empty for a free edge.
     mates: Vec<String>,
@@ -380,6 +392,7 @@ fn of_edges<'a>(part: &'a Part, parts: &[Part]) -> Vec<EdgeReport<'a>> {
         name: &edge.name,
         length_space_mm: edge.length_space_mm,
         length_flat_mm: edge.length_flat_mm,
+        curve_shorter_mm: part.curve_shorter_mm(edge),
         mates: edge.mates.iter().map(mate).collect(),
         difference_mm: edge.difference_mm,
     };
@@ -422,6 +435,9 @@ fn of_part<'a>(made: &'a Made, number: usize, written: &Written<'_>) -> PanelRep
         proven_optimal: None,
         gap: None,
         samples: part.piece.net_loops().map(<[_]>::len).sum(),
+        curve_distance_max_mm: None,
+        curve_shorter_max_mm: None,
+        tolerance_mm: None,
         triangles: sheet.mesh().triangles().len(),
         rungs: None,
         fold: None,
@@ -527,6 +543,9 @@ fn of_found<'a>(
         proven_optimal: Some(found.triangulation.proven_optimal),
         gap: found.triangulation.gap(),
         samples: found.boundary.len(),
+        curve_distance_max_mm: found.chords.distance_max_mm(),
+        curve_shorter_max_mm: found.chords.shorter_max_mm(),
+        tolerance_mm: found.tolerance_mm,
         rungs: Some(found.surface.connectivity().hinges().len()),
         fold: Some(found.fold),
         price_total: Some(found.triangulation.price_without_hints()),

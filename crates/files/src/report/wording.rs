@@ -77,6 +77,16 @@ pub(super) fn millimetres_fine(mm: f64) -> String {
     if mm.abs() < 10.0 { format!("{}\u{a0}mm", decimal(mm, 2)) } else { millimetres(mm) }
 }
 
+/// A small length with two significant digits; `none` below a nanometre.
+pub(super) fn millimetres_small(mm: f64) -> String {
+    if mm < 1e-6 {
+        return "none".to_owned();
+    }
+    let shifted = std::iter::successors(Some(mm), |x| Some(x * 10.0));
+    let digits = shifted.take_while(|x| *x < 10.0).count();
+    format!("{}\u{a0}mm", decimal(mm, digits))
+}
+
 /// A round length, in metres from one metre on.
 pub(super) fn length_short(mm: f64) -> String {
     let plain = |x: f64| {
@@ -197,6 +207,9 @@ mod tests {
         assert_eq!(decimal(-1234567.0, 0), "−1\u{202f}234\u{202f}567");
         assert_eq!(millimetres(36_102.4), "36\u{202f}102\u{a0}mm");
         assert_eq!(millimetres(5301.0), "5301\u{a0}mm");
+        assert_eq!(millimetres_small(0.0685), "0.069\u{a0}mm");
+        assert_eq!(millimetres_small(12.3), "12\u{a0}mm");
+        assert_eq!(millimetres_small(3e-13), "none");
         assert_eq!(length_short(5000.0), "5\u{a0}m");
         assert_eq!(length_short(0.2), "0.2\u{a0}mm");
         assert_eq!(area(812_345.6), "0.812\u{a0}m²");

@@ -201,6 +201,7 @@ pub fn finding_text(finding: &Finding) -> String {
              turn. If it is a corner, mark it as one.",
             to_deg(*turn)
         ),
+        Kind::OffTolerance { .. } => off_tolerance(&finding.kind),
         Kind::JointsSmoothed { count, deviation_mm } => format!(
             "The boundary is smoothed at {} where joined panels meet. It lies up to \
              {deviation_mm:.2} mm from the boundaries of those panels.",
@@ -393,6 +394,29 @@ fn cut_open(why: SeamCause) -> &'static str {
 }
 
 /// By how much the sheet must stretch to take its shape; a sentence without its end.
+fn off_tolerance(kind: &FindingKind) -> String {
+    let FindingKind::OffTolerance {
+        distance_mm,
+        shorter_mm,
+        tolerance_mm,
+        samples,
+        is_rails,
+        is_most,
+    } = kind
+    else {
+        return String::new();
+    };
+    format!(
+        "The outline is a polygon through {samples} samples{}{}. Its curves lie up to {} mm from \
+         it, and along an edge it is up to {} mm shorter; the tolerance is {tolerance_mm} mm. Set \
+         a larger tolerance or a number of samples, or divide the panel.",
+        if *is_rails { " of each rail" } else { "" },
+        if *is_most { ", the most that a tolerance gives" } else { "" },
+        short(*distance_mm),
+        short(*shorter_mm),
+    )
+}
+
 fn must_strain(strain: f64, basis: Basis) -> String {
     let how = match basis {
         Basis::Computed | Basis::Pattern => "must",

@@ -143,9 +143,7 @@ impl Ring {
 
 /// The cubic from a sample to the next by their tangents.
 fn between(boundary: &Boundary, i: usize) -> Cubic {
-    let (a, b) = (&boundary.samples()[i], &boundary.samples()[boundary.next(i)]);
-    let chord = a.position.distance(b.position);
-    Cubic::hermite(a.position, a.tangent_out * chord, b.position, b.tangent_in * chord)
+    boundary.samples()[i].cubic_to(&boundary.samples()[boundary.next(i)])
 }
 
 /// The pieces moved so that they begin and end at these points and hang together.

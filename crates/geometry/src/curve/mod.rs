@@ -5,6 +5,7 @@
 
 mod arc_length;
 mod bspline;
+mod chord;
 mod cubic;
 mod polyline;
 mod sample;
@@ -13,6 +14,7 @@ mod spline;
 
 pub(crate) use arc_length::parameter_at;
 pub use arc_length::{NODES, length};
+pub use chord::{Chord, chord};
 pub use cubic::Cubic;
 pub use sample::{Place, Placed, chain_placed, chained_samples, divisions_of, open_placed};
 pub use sample::{Sample, SampleError, sample_chain, sample_open};

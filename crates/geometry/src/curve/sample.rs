@@ -32,6 +32,14 @@ impl Sample {
     pub fn is_corner(&self) -> bool {
         self.tangent_in != self.tangent_out
     }
+
+    /// The cubic to the next sample by the tangents of both, whose derivatives at its ends are as
+    /// long as the chord: straight where both tangents lie along the chord.
+    pub fn cubic_to(&self, next: &Self) -> Cubic {
+        let chord = self.position.distance(next.position);
+        let (leaving, arriving) = (self.tangent_out * chord, next.tangent_in * chord);
+        Cubic::hermite(self.position, leaving, next.position, arriving)
+    }
 }
 
 /// Why curves cannot be sampled.

@@ -276,6 +276,21 @@ pub enum FindingKind {
         /// The largest angle by which they turn.
         turn: f64,
     },
+    /// The polygon through the samples is farther from the curves than the tolerance.
+    OffTolerance {
+        /// How far the curves lie from it at most, mm.
+        distance_mm: f64,
+        /// By how much it is shorter along the edge that loses most, mm.
+        shorter_mm: f64,
+        /// The tolerance, mm.
+        tolerance_mm: f64,
+        /// The number of samples, of each rail or of the outline.
+        samples: usize,
+        /// Whether it is that of each rail.
+        is_rails: bool,
+        /// Whether a tolerance gives no more.
+        is_most: bool,
+    },
     /// A boundary was made smooth where joined panels meet.
     JointsSmoothed {
         /// At how many places.
@@ -488,6 +503,7 @@ impl FindingKind {
             | Self::Divide { .. }
             | Self::BorderNotTrue { .. }
             | Self::RoundedCorner { .. }
+            | Self::OffTolerance { .. }
             | Self::StayedStraight { .. }
             | Self::WarpNotReached { .. }
             | Self::LinesClose { .. }
@@ -571,6 +587,7 @@ impl FindingKind {
             Self::TwoSkins { .. } | Self::NotTwoSkins => "two-skins",
             Self::PointContacts { .. } => "point-contact",
             Self::RoundedCorner { .. } => "rounded-corner",
+            Self::OffTolerance { .. } => "off-tolerance",
             Self::JointsSmoothed { .. } => "joint-smoothed",
             Self::RanOn { .. } | Self::StayedStraight { .. } => "ran-on",
             Self::TurnedRound { .. } => "turned-round",

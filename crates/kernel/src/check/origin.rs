@@ -1,8 +1,10 @@
 //! Findings on the origin of a boundary: its curves, and how they were joined, run on and moved.
 
 use super::{Bend, Checked, Finding, FindingKind, Hindrance, Movement, Place, Severity, Verdict};
+use crate::design::{DesignPanel, PanelShape, SampleTolerance};
 use crate::fair::Ended;
 use crate::measure::{Measures, RungMeasures};
+use crate::sample::Chords;
 use sheetwright_geometry::boundary::Joined;
 use sheetwright_geometry::curve::CurvePoint;
 use sheetwright_geometry::index::SampleIndex;
@@ -31,6 +33,32 @@ pub(crate) fn rounded_corner(name: &str, points: &[CurvePoint], closed: bool) ->
     let kind = FindingKind::RoundedCorner { curve: name.to_owned(), turn };
     let numbers = rounded.iter().map(|(i, _)| *i).collect();
     Some(Finding::new(kind, Place::CurvePoints { curve: name.to_owned(), numbers }))
+}
+
+/// What a tolerance may be exceeded by without a finding, as a share: the numbers of samples were
+/// found without new ends of rails and matched seams, and between samples that have lost their
+/// places the curves are known to that.
+const TOLERANCE_SLACK: f64 = 0.01;
+
+/// The finding that the polygon through the samples of a panel lies farther from its curves, or is
+/// shorter along an edge, than its tolerance in mm; `None` if it does not.
+pub(crate) fn off_tolerance(panel: &DesignPanel, chords: &Chords) -> Option<Finding> {
+    let tolerance_mm = panel.tolerance.and_then(SampleTolerance::mm)?;
+    let (distance_mm, shorter_mm) = (chords.distance_max_mm()?, chords.shorter_max_mm()?);
+    if distance_mm.max(shorter_mm) <= tolerance_mm * (1.0 + TOLERANCE_SLACK) {
+        return None;
+    }
+    let is_rails = matches!(panel.shape, PanelShape::Rails(_));
+    let (samples, is_most) = (panel.samples, panel.samples >= panel.most_by_tolerance());
+    let kind = FindingKind::OffTolerance {
+        distance_mm,
+        shorter_mm,
+        tolerance_mm,
+        samples,
+        is_rails,
+        is_most,
+    };
+    Some(Finding::of_whole(kind))
 }
 
 /// The finding that a boundary was made smooth where the panels that it joins meet; `None` if it

@@ -8,6 +8,7 @@ mod join;
 mod mesh;
 mod scale;
 mod shorthand;
+mod tolerance;
 mod trim;
 mod vary;
 
@@ -16,6 +17,9 @@ pub use dimensions::{Dimensions, Thick};
 pub use failure::Failure;
 pub use join::Join;
 pub use mesh::{PanelMesh, Triangles};
+pub use tolerance::{
+    FEWEST_ON_LOOP, FEWEST_ON_RAIL, LOOP_SAMPLES, MOST_BY_TOLERANCE, RAIL_SAMPLES, SampleTolerance,
+};
 pub use trim::{
     Allowance, Corner, Fingers, Flange, Hem, Holes, NotchForm, Notches, Places, Puzzle, Tabs,
     Ticks, Trim, TrimKind, TrimOn,
@@ -94,11 +98,6 @@ impl PanelMethod {
     }
 }
 
-/// Samples of each rail unless a design says: a ruling every half per cent of the length, finer
-/// than hands can mark, in well under a second.
-pub const RAIL_SAMPLES: usize = 200;
-/// Samples of an outer loop unless a design says: as many as two rails have.
-pub const LOOP_SAMPLES: usize = 400;
 /// The least effort of a panel, as a multiple of the default.
 pub const LEAST_EFFORT: f64 = 0.001;
 /// The greatest effort of a panel, as a multiple of the default: up to an hour and a half.
@@ -111,9 +110,12 @@ pub struct DesignPanel {
     pub name: String,
     /// What bounds it.
     pub shape: PanelShape,
-    /// Samples of the outer loop, or of each rail. What comes next, down to `cut`, is for surfaces
-    /// that are found; a mesh brings its own settings.
+    /// Samples of the outer loop, or of each rail; with a tolerance, the fewest. What comes next,
+    /// down to `cut`, is for surfaces that are found; a mesh brings its own settings.
     pub samples: usize,
+    /// How near the polygon through its samples stays to its curves; `None`: the number of samples
+    /// is given.
+    pub tolerance: Option<SampleTolerance>,
     /// Which triangulations are looked at.
     pub method: PanelMethod,
     /// What is made as small as can be.
@@ -141,13 +143,14 @@ pub struct DesignPanel {
 }
 
 impl DesignPanel {
-    /// A panel with the defaults: the best of all triangulations by its price with the default
-    /// fold, on the best-fit plane where there is one, and straight ends.
+    /// A panel with so many samples, and else with the defaults: the best of all triangulations by
+    /// its price with the default fold, on the best-fit plane where there is one, and straight ends.
     pub fn new(name: impl Into<String>, shape: PanelShape, samples: usize) -> Self {
         Self {
             name: name.into(),
             shape,
             samples,
+            tolerance: None,
             method: PanelMethod::Optimal,
             goal: Goal::Price,
             plane: PlaneChoice::Auto,

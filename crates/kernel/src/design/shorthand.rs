@@ -1,9 +1,6 @@
 //! Designs and curves in one line, as examples and small programs write them.
 
-use super::{
-    CurveUse, Design, DesignCurve, DesignPanel, LOOP_SAMPLES, PanelMesh, PanelShape, RAIL_SAMPLES,
-    Triangles,
-};
+use super::{CurveUse, Design, DesignCurve, DesignPanel, PanelMesh, PanelShape, Triangles};
 use sheetwright_geometry::curve::{CurveKind, CurvePoint};
 use sheetwright_geometry::math::Point3;
 
@@ -32,32 +29,32 @@ impl DesignCurve {
 }
 
 impl Design {
-    /// One panel between two rails, which may run either way, with [`RAIL_SAMPLES`] on each. The
-    /// panel and the design have this name.
+    /// One panel between two rails, which may run either way, sampled by the usual
+    /// tolerance. The panel and the design have this name.
     pub fn between(name: impl Into<String>, rails: [DesignCurve; 2]) -> Self {
         let uses = rails.each_ref().map(along);
-        Self::of_panel(name.into(), PanelShape::Rails(uses), RAIL_SAMPLES, rails.into())
+        Self::of_panel(name.into(), PanelShape::Rails(uses), rails.into())
     }
 
-    /// One panel inside closed curves: its outline, with [`LOOP_SAMPLES`], and its holes. The panel
-    /// and the design have this name.
+    /// One panel inside closed curves, its outline and its holes, sampled by the usual tolerance. The
+    /// panel and the design have this name.
     pub fn inside(name: impl Into<String>, outline: DesignCurve, holes: Vec<DesignCurve>) -> Self {
         let shape = PanelShape::Loops {
             outer: vec![along(&outline)],
             holes: holes.iter().map(|hole| vec![along(hole)]).collect(),
         };
         let curves = std::iter::once(outline).chain(holes).collect();
-        Self::of_panel(name.into(), shape, LOOP_SAMPLES, curves)
+        Self::of_panel(name.into(), shape, curves)
     }
 
     /// One panel that is a mesh. The panel and the design have this name.
     pub fn of_mesh(name: impl Into<String>, triangles: Triangles) -> Self {
         let shape = PanelShape::Mesh(PanelMesh::new(triangles));
-        Self::of_panel(name.into(), shape, 0, Vec::new())
+        Self::of_panel(name.into(), shape, Vec::new())
     }
 
-    fn of_panel(name: String, shape: PanelShape, samples: usize, curves: Vec<DesignCurve>) -> Self {
-        let panels = vec![DesignPanel::new(name.clone(), shape, samples)];
+    fn of_panel(name: String, shape: PanelShape, curves: Vec<DesignCurve>) -> Self {
+        let panels = vec![DesignPanel::usual(name.clone(), shape)];
         Self { name, curves, panels, ..Self::default() }
     }
 }

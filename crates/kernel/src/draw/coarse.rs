@@ -9,7 +9,8 @@ use sheetwright_geometry::curve::Curve;
 /// number that its curves need: one at every corner, three on an outline, and the minimum of each
 /// hole. Panels with no more samples stay as they are. Where seams are matched, all panels with
 /// more get fewer in the same proportion, so that both sides of a seam still agree; a panel that
-/// shares a long curve with a finer one may then keep a few more.
+/// shares a long curve with a finer one may then keep a few more. Tolerances are dropped: the
+/// numbers that they take are to be known, by [`crate::sample::Counts`].
 ///
 /// Meshes have no samples. Points that are samples themselves stay, and joins are as fine as they
 /// ask for or their parts make them.
@@ -27,6 +28,7 @@ pub fn coarse(design: &Design, most: usize) -> Design {
         let in_proportion = (panel.samples as f64 * smallest).floor() as usize;
         let wanted = if design.match_seams { finest.min(in_proportion) } else { finest };
         panel.samples = wanted.max(least(design, panel)).min(panel.samples);
+        panel.tolerance = None;
     }
     changed
 }

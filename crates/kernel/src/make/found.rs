@@ -5,12 +5,13 @@ use super::candidate::{Candidate, Setting};
 use super::part::{Found, Origin, Part};
 use super::unrestricted::Known;
 use crate::check::{
-    no_other_surface, ran_on, rounded_corner, smoothed_joints, stayed_straight, turned_round,
+    no_other_surface, off_tolerance, ran_on, rounded_corner, smoothed_joints, stayed_straight,
+    turned_round,
 };
-use crate::design::{DesignPanel, PanelShape, used};
+use crate::design::{DesignPanel, PanelShape, SampleTolerance, used};
 use crate::edge::edges_of_boundary;
 use crate::pattern::{PatternOptions, piece, seam_marks};
-use crate::sample::{PanelCause, Prepared, Sampler, outline, prepare};
+use crate::sample::{Chords, PanelCause, Prepared, Sampler, outline, prepare};
 use sheetwright_geometry::curve::CurveKind;
 use sheetwright_geometry::watch::{Stage, Watch};
 use sheetwright_optimum::triangulate::{WhichSurface, triangulate_near};
@@ -46,6 +47,7 @@ fn make_as_asked(
     let Prepared { boundary, plane, options, sources, steps, new_ends, joined } =
         prepare(sampler, panel, watch)?;
     let outline = outline(design, &boundary, &sources);
+    let chords = Chords::new(design, &sources, &steps, boundary.loops());
 
     watch.begin(&[&panel.name], Stage::Solve);
     let before = known.as_ref().map(Known::cheapest);
@@ -69,6 +71,9 @@ fn make_as_asked(
             checked.add(finding);
         }
     }
+    if let Some(finding) = off_tolerance(panel, &chords) {
+        checked.add(finding);
+    }
     if let Some(bulges_mm) = new_ends {
         let straight = DesignPanel { run_on: false, ..panel.clone() };
         let straight = make_as_asked(sampler, &straight, &mut None, watch).ok();
@@ -90,6 +95,8 @@ fn make_as_asked(
         fold: panel.fold,
         boundary,
         outline,
+        chords,
+        tolerance_mm: panel.tolerance.and_then(SampleTolerance::mm),
         plane,
         triangulation,
         surface,

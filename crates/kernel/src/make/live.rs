@@ -2,7 +2,8 @@
 //!
 //! 1. A panel depends on the curves that bound it, on its own settings, on the material, on the
 //!    thickness and the face that was drawn, on how its bends are marked, and on how many samples
-//!    its curves get where seams are matched; one that joins others, on those too. A panel for
+//!    its curves get where seams are matched or a tolerance says; one that joins others, on those
+//!    too. A panel for
 //!    which all that is as it was, to the last bit, stays as it is.
 //! 2. A panel that does change has nearly the triangulation that it had. The price of that, mended
 //!    where necessary, bounds the price of the new one, so that the table is filled below it at
@@ -22,6 +23,7 @@ use super::{Judging, Made, MakeCause, MakeError, Maker, Part};
 use super::{find_mates, is_screened, join_meshes, settle, trim_parts};
 use crate::design::{Bends, Design, DesignCurve, DesignPanel, PanelShape, Thick, used};
 use crate::material::Material;
+use crate::sample::Counts;
 use sheetwright_geometry::curve::CurvePoint;
 use sheetwright_geometry::math::Point3;
 use sheetwright_geometry::watch::{Stage, Watch};
@@ -70,6 +72,7 @@ pub struct Live {
     design: Design,
     panels: Vec<LivePanel>,
     meshes: LastCleaned,
+    counts: Counts,
 }
 
 /// A panel of a design that is being edited.
@@ -285,7 +288,7 @@ impl Live {
     }
 
     fn make_changed(&mut self, watch: &mut dyn Watch) -> Vec<usize> {
-        let design = &self.design;
+        let design = &*self.counts.of(&self.design);
         let maker = Maker::new(design, self.meshes.of(design), Judging::Exact);
         let mut before: Vec<Option<LivePanel>> = self.panels.drain(..).map(Some).collect();
         let (mut panels, mut changed) = (Vec::new(), Vec::new());

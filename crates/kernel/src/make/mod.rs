@@ -35,7 +35,7 @@ pub use rebuilt::Rebuilt;
 use crate::design::{Design, DesignPanel, PanelShape};
 use crate::fair::varied_design;
 use crate::material::Material;
-use crate::sample::{Matched, Sampler, matched};
+use crate::sample::{Matched, Sampler, counted, matched};
 use cleaned::{Cleaned, cleaned};
 use found::make_found;
 use joined::{find_mates, join_meshes};
@@ -93,7 +93,8 @@ pub fn make_judged(
     if design.panels.is_empty() {
         return Err(MakeError::of_design(MakeCause::NoPanels));
     }
-    let (design, wanted) = &aimed_by_angles(design, judging, watch)?;
+    let design = counted(design);
+    let (design, wanted) = &aimed_by_angles(&design, judging, watch)?;
     let varied = varied_design(design, watch)?;
     let made_from = varied.as_ref().map_or(&**design, |varied| &varied.after);
     let mut parts = make_panels(made_from, |_| true, judging, watch)?;
@@ -114,7 +115,10 @@ pub fn make_judged(
             }
         }
         let is_moved = shifts.values().any(|shift| shift.is_moved());
-        moved = is_moved.then_some(varied.after);
+        // As many samples as they have now, wherever their points lie.
+        let fixed = |panel: DesignPanel| DesignPanel { tolerance: None, ..panel };
+        let panels = varied.after.panels.into_iter().map(fixed).collect();
+        moved = is_moved.then_some(Design { panels, ..varied.after });
     }
     wanted.iter().for_each(|wanted| wanted.say_missed(&mut parts));
     join_meshes(&mut parts.iter_mut().collect::<Vec<_>>());

@@ -3,13 +3,14 @@
 use super::Rebuilt;
 use crate::check::{BoundaryMoved, Checked};
 use crate::design::{Bends, PanelMethod, Thick, VaryGoal};
-use crate::edge::Edge;
+use crate::edge::{Edge, EdgeSource};
 use crate::elastic::Predicted;
 use crate::fair::{self, Shift};
 use crate::flatten::{Aim, Ended, Flattened};
 use crate::measure::Measures;
 use crate::mesh::Mesh;
 use crate::pattern::Piece;
+use crate::sample::Chords;
 use crate::sheet::Sheet;
 use crate::surface::Surface;
 use sheetwright_geometry::boundary::{Boundary, Outline, SupportingPlane};
@@ -69,6 +70,10 @@ pub struct Found {
     pub boundary: Boundary,
     /// The curves between the samples of the boundary.
     pub outline: Outline,
+    /// How far the straight steps between the samples lie from those curves.
+    pub chords: Chords,
+    /// The tolerance that its number of samples was chosen for, mm, if it is a length.
+    pub tolerance_mm: Option<f64>,
     /// The supporting plane, if there is one.
     pub plane: Option<SupportingPlane>,
     /// Its triangulation.
@@ -178,6 +183,14 @@ impl Part {
     pub fn triangles(&self) -> impl Iterator<Item = [usize; 3]> + '_ {
         let corners = |t: &[VertexIndex; 3]| t.map(|v| self.sheet.origin(v).get());
         self.sheet.mesh().triangles().iter().map(corners)
+    }
+
+    /// By how much the polygon through the samples of an edge is shorter than its curve, mm; `None`
+    /// along a cut and where no curve is known.
+    pub fn curve_shorter_mm(&self, edge: &Edge) -> Option<f64> {
+        let found = self.found().filter(|_| !matches!(edge.source, EdgeSource::Cut { .. }))?;
+        let from = edge.run.split_last().map_or(&[][..], |(_, from)| from);
+        found.chords.shorter_mm(from.iter().map(|&v| self.sheet.sample(VertexIndex::new(v)).get()))
     }
 
     /// How its boundary was moved, if it has one that was to be.

@@ -10,17 +10,35 @@ use std::collections::BTreeMap;
 
 /// The outline of a boundary whose samples are from these places of the curves.
 pub(crate) fn outline(design: &Design, boundary: &Boundary, sources: &[Sourced]) -> Outline {
-    let mut curves: BTreeMap<usize, Option<Curve>> = BTreeMap::new();
-    let pieces = (0..boundary.len()).map(|i| {
-        let (from, to) = (sources.get(i)?.leaving?, sources.get(boundary.next(i))?.arriving?);
-        let curve = curves.entry(from.curve).or_insert_with(|| {
+    let mut known = KnownCurves::of(design);
+    let pieces =
+        (0..boundary.len()).map(|i| known.between(sources.get(i)?, sources.get(boundary.next(i))?));
+    let same_mm = Tolerance::CHAIN.length_mm(boundary.size());
+    Outline::from_pieces(boundary, same_mm, pieces)
+}
+
+/// The curves of a design, built as they are needed.
+pub(super) struct KnownCurves<'a> {
+    design: &'a Design,
+    built: BTreeMap<usize, Option<Curve>>,
+}
+
+impl<'a> KnownCurves<'a> {
+    pub(super) fn of(design: &'a Design) -> Self {
+        Self { design, built: BTreeMap::new() }
+    }
+
+    /// The pieces of a curve from one sample to the next, run as the loop runs; `None` where both
+    /// are not from one curve.
+    pub(super) fn between(&mut self, from: &Sourced, to: &Sourced) -> Option<Vec<Cubic>> {
+        let (from, to) = (from.leaving?, to.arriving?);
+        let design = self.design;
+        let curve = self.built.entry(from.curve).or_insert_with(|| {
             let source = design.curves.get(from.curve)?;
             Curve::new(kind_of_part(source), &source.points, source.closed).ok()
         });
         stretch(curve.as_ref()?, from, to)
-    });
-    let same_mm = Tolerance::CHAIN.length_mm(boundary.size());
-    Outline::from_pieces(boundary, same_mm, pieces)
+    }
 }
 
 /// The pieces of a curve from one place on it to another, run as the loop runs.

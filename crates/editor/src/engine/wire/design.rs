@@ -6,8 +6,8 @@ use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
     Allowance, BendMarks, BendRule, Bends, Corner, CurveUse, Design, DesignCurve, DesignPanel,
     Dimensions, Fingers, Flange, Hem, Holes, Join, MovedBy, NotchForm, Notches, PanelMesh,
-    PanelMethod, PanelShape, Places, Puzzle, Tabs, Ticks, Triangles, Trim, TrimKind, TrimOn, Vary,
-    VaryGoal,
+    PanelMethod, PanelShape, Places, Puzzle, SampleTolerance, Tabs, Ticks, Triangles, Trim,
+    TrimKind, TrimOn, Vary, VaryGoal,
 };
 use sheetwright::flatten::Aim;
 use sheetwright::material::{Grain, GrainBending, KFactor, KFactors, Material, Sourced};
@@ -78,6 +78,7 @@ fields!(DesignPanel {
     name,
     shape,
     samples,
+    tolerance,
     method,
     goal,
     plane,
@@ -256,6 +257,23 @@ impl Wire for VaryGoal {
             0 => Self::Price,
             1 => Self::Warp { largest: f64::take(from)? },
             2 => Self::Strain { share: f64::take(from)? },
+            _ => return None,
+        })
+    }
+}
+
+impl Wire for SampleTolerance {
+    fn put(&self, out: &mut Vec<u8>) {
+        match self {
+            Self::Mm(mm) => tagged(0, mm, out),
+            Self::Share(share) => tagged(1, share, out),
+        }
+    }
+
+    fn take(from: &mut &[u8]) -> Option<Self> {
+        Some(match u8::take(from)? {
+            0 => Self::Mm(f64::take(from)?),
+            1 => Self::Share(f64::take(from)?),
             _ => return None,
         })
     }

@@ -22,6 +22,7 @@ fn panel(name: &str, shape: PanelShape, samples: usize) -> DesignPanel {
         name: name.to_owned(),
         shape,
         samples,
+        tolerance: None,
         method,
         plane,
         goal: Goal::Price,
