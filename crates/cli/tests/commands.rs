@@ -746,6 +746,53 @@ fn a_good_duct_is_told_to_bend_its_corners_in_steps() {
 }
 
 #[test]
+fn an_outline_stays_as_near_to_its_curves_as_it_is_to() {
+    let desk = Desk::new(&[("square.csv", SQUARE)]);
+    desk.says("new lampshade --set bottom=400mm --set top=400mm -o drum.sheet.json", 0);
+    let made = |call: &str| -> (Value, String) {
+        desk.says(&format!("make {call} --out out --formats report --verdict quick"), 0);
+        let report = fs::read_to_string(desk.path("out/report.json")).unwrap();
+        let report: Value = serde_json::from_str(&report).unwrap();
+        let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
+        (report["panels"][0].clone(), page)
+    };
+    let shorter = |panel: &Value| panel["curve_shorter_max_mm"].as_f64().unwrap();
+    // The number of samples of the template is given, and is kept.
+    let (panel, page) = made("drum.sheet.json");
+    assert_eq!((&panel["samples"], &panel["tolerance_mm"]), (&242.into(), &Value::Null));
+    assert!((shorter(&panel) - 0.1435).abs() < 1e-4, "{panel}");
+    assert!(
+        page.contains("a polygon through 242 samples: its curves lie up to 0.069\u{a0}mm from")
+    );
+    assert!(page.contains("up to 0.14\u{a0}mm shorter than they are"));
+    let (panel, _) = made("drum.sheet.json --tolerance 0.05mm");
+    assert!(shorter(&panel) <= 0.05 && shorter(&panel) > 0.049, "{panel}");
+    assert_eq!(panel["tolerance_mm"], 0.05);
+    let bottom = panel["edges"].as_array().unwrap().iter().find(|edge| edge["name"] == "bottom");
+    let bottom = bottom.unwrap();
+    let length = bottom["length_flat_mm"].as_f64().unwrap();
+    assert!((400.0 * std::f64::consts::PI - length - shorter(&panel)).abs() < 2e-4, "{bottom}");
+    // A number that is called for comes before a tolerance.
+    let (panel, _) = made("drum.sheet.json --tolerance 0.05mm --samples 30");
+    assert_eq!((&panel["samples"], &panel["tolerance_mm"]), (&60.into(), &Value::Null));
+    // Rows stay the samples, and have no curves.
+    let (panel, page) = made("square.csv --tolerance 0.05mm");
+    assert_eq!((&panel["samples"], &panel["curve_shorter_max_mm"]), (&4.into(), &Value::Null));
+    assert!(!page.contains("a polygon through"));
+}
+
+#[test]
+fn a_tolerance_that_is_not_reached_is_said() {
+    let desk = Desk::new(&[]);
+    desk.says("new lampshade --set bottom=400mm --set top=400mm -o drum.sheet.json", 0);
+    let (words, _) = desk.says("check drum.sheet.json --tolerance 0.0001 --verdict quick", 0);
+    let said = "  warning: The outline is a polygon through 2000 samples of each rail, the most that a \
+                tolerance gives. Its curves lie up to 0.00025 mm from it, and along an edge it is up to \
+                0.00052 mm shorter; the tolerance is 0.0001 mm. ";
+    assert!(words.contains(said), "{words}");
+}
+
+#[test]
 fn names_of_choices_are_taken_in_capitals() {
     let desk = Desk::new(&[("square.csv", SQUARE)]);
     let call = "make square.csv --out out --paper A4 --formats PDF,Svg --units MM --material Paper \

@@ -44,6 +44,7 @@ fn hull(scale: f64) -> Made {
         name: name.into(),
         shape: PanelShape::Rails([rail(a), rail(b)]),
         samples: 60,
+        tolerance: None,
         method: PanelMethod::Rails,
         goal: Goal::Price,
         run_on: false,

@@ -2,11 +2,11 @@
 //! few as that takes.
 #![allow(clippy::unwrap_used)] // tests panic
 
-use sheetwright::check::FindingKind;
+use sheetwright::check::{FindingKind, Severity};
 use sheetwright::curve::{Curve, CurveKind, CurvePoint, sample_open};
 use sheetwright::design::{
-    CurveUse, Design, DesignCurve, DesignPanel, FEWEST_ON_RAIL, MOST_BY_TOLERANCE, PanelShape,
-    SampleTolerance, Vary,
+    CurveUse, Design, DesignCurve, DesignPanel, FEWEST_ON_RAIL, MOST_BY_TOLERANCE, MOST_USUAL,
+    PanelShape, SampleTolerance, Vary,
 };
 use sheetwright::make::{Live, Part, make};
 use sheetwright::math::{Point3, cos, sin};
@@ -198,11 +198,27 @@ fn the_usual_samples_are_more_where_curves_wind_and_no_fewer() {
         let a = 0.1 * n as f64;
         Point3::new(300.0 * cos(a), 300.0 * sin(a), 5.0 * a)
     };
-    let coil: Vec<Point3> = (0..=250).map(coil).collect();
+    let coil: Vec<Point3> = (0..=88).map(coil).collect();
     let design = Design::between("coil", rails(&coil));
     let counted = Counts::default().of(&design).into_owned();
-    assert!(counted.panels[0].samples > 300, "{}", counted.panels[0].samples);
+    let samples = counted.panels[0].samples;
+    assert!(samples > 250 && samples < MOST_USUAL[0], "{samples}");
     assert_eq!(counted.panels[0].tolerance, Some(SampleTolerance::USUAL));
+    // The usual tolerance does not take ten times as long.
+    let part = make(&zigzag(), &mut Unwatched).unwrap().parts.remove(0);
+    assert_eq!(part.found().unwrap().boundary.len(), MOST_USUAL[1]);
+    let off = part.checked.findings.iter().find(|finding| is_off(finding)).unwrap();
+    assert_eq!(off.severity(), Severity::Note);
+}
+
+/// A circle of 200 mm of which every second handle of a quarter is far above or below.
+fn zigzag() -> Design {
+    let on = |n: usize| {
+        let a = TAU * n as f64 / 32.0;
+        let z = if n < 8 { [90.0, 0.0, -90.0, 0.0][n % 4] } else { 0.0 };
+        [100.0 * cos(a), 100.0 * sin(a), z]
+    };
+    Design::inside("zigzag", DesignCurve::spline("rim", (0..32).map(on)).closed(), Vec::new())
 }
 
 fn rails(points: &[Point3]) -> [DesignCurve; 2] {

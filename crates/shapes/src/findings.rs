@@ -238,14 +238,8 @@ fn of_boundaries() -> Vec<Finding> {
         Kind::RanOn { bulges_mm: [Some(1.25), None], bends: Some(bends) },
         Kind::RanOn { bulges_mm: [Some(1.25), None], bends: Some([flat, bends[0]]) },
         Kind::RanOn { bulges_mm: [None; 2], bends: None },
-        Kind::OffTolerance {
-            distance_mm: 0.00034,
-            shorter_mm: 0.00071,
-            tolerance_mm: 1e-4,
-            samples: 2000,
-            is_rails: true,
-            is_most: true,
-        },
+        off_tolerance(false),
+        off_tolerance(true),
         Kind::StayedStraight { cause: "the rails cross".to_owned() },
         Kind::TurnedRound { panels: vec!["b".to_owned(), "c".to_owned()], first: "a".to_owned() },
         Kind::Moved { movement, ended: Ended::Converged, hindrance: Some(Hindrance::Strain) },
@@ -284,4 +278,16 @@ fn of_files() -> Vec<Finding> {
         Kind::Trimmed { note: TrimNote::Overlaps },
     ])
     .collect()
+}
+
+fn off_tolerance(is_usual: bool) -> Kind {
+    Kind::OffTolerance {
+        distance_mm: 0.00034,
+        shorter_mm: 0.00071,
+        tolerance_mm: 1e-4,
+        samples: 2000,
+        is_rails: true,
+        is_usual,
+        is_most: true,
+    }
 }

@@ -87,7 +87,7 @@ pub(super) struct DesignFile {
     pub(super) thickness: Option<f64>,
     /// The tolerance of panels that have none of their own and no number of samples, in the units
     /// of the design. Default: a ten-thousandth of the size of the panel, with 400 samples of a
-    /// loop or 200 of a rail at the least.
+    /// loop or 200 of a rail at the least and twice as many at the most.
     #[serde(default)]
     #[schemars(range(min = 0))]
     pub(super) tolerance: Option<f64>,

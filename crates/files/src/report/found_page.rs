@@ -282,7 +282,7 @@ impl FoundPage<'_> {
             None => "not proven".to_owned(),
         };
         let chords = |mm: Option<f64>| mm.map_or("no curves".to_owned(), millimetres_small);
-        let tolerance = |mm: f64| format!("{mm}\u{a0}mm");
+        let tolerance = |mm: f64| millimetres_small(mm);
         let goal = match found.goal {
             Goal::Price => "price",
             Goal::WorstWarp => "worst warp, then price",
@@ -293,7 +293,7 @@ impl FoundPage<'_> {
             ("Outline shorter along an edge, at most", chords(found.chords.shorter_max_mm())),
             (
                 "Tolerance of the samples",
-                found.tolerance_mm.map_or("none given".to_owned(), tolerance),
+                found.tolerance_mm.map_or("a number is given".to_owned(), tolerance),
             ),
             ("Triangles", found.surface.connectivity().triangles().len().to_string()),
             ("Rulings (rungs)", measures.rungs.len().to_string()),

@@ -81,8 +81,7 @@ struct PanelReport<'a> {
     /// The length by which that polygon is shorter than the curves, along the edge that loses most,
     /// mm.
     curve_shorter_max_mm: Option<f64>,
-    /// The length that both must not exceed, mm; null where the number of samples was given, and
-    /// where the tolerance is a share of the size.
+    /// The length that both were to stay below, mm; null where the number of samples was given.
     tolerance_mm: Option<f64>,
     /// Triangles of the surface.
     triangles: usize,

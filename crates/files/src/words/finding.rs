@@ -401,19 +401,30 @@ fn off_tolerance(kind: &FindingKind) -> String {
         tolerance_mm,
         samples,
         is_rails,
+        is_usual,
         is_most,
     } = kind
     else {
         return String::new();
     };
+    let most = match (*is_most, *is_usual) {
+        (true, true) => ", the most that a panel gets unless it says how many",
+        (true, false) => ", the most that a tolerance gives",
+        (false, _) => "",
+    };
+    let advice = if *is_usual {
+        "a ten-thousandth of its size would be {tolerance}. Set a tolerance or a number of samples \
+         if that is too far."
+    } else {
+        "the tolerance is {tolerance}. Set a larger one or a number of samples, or divide the panel."
+    };
     format!(
-        "The outline is a polygon through {samples} samples{}{}. Its curves lie up to {} mm from \
-         it, and along an edge it is up to {} mm shorter; the tolerance is {tolerance_mm} mm. Set \
-         a larger tolerance or a number of samples, or divide the panel.",
+        "The outline is a polygon through {samples} samples{}{most}. Its curves lie up to {} mm from \
+         it, and along an edge it is up to {} mm shorter; {}",
         if *is_rails { " of each rail" } else { "" },
-        if *is_most { ", the most that a tolerance gives" } else { "" },
         short(*distance_mm),
         short(*shorter_mm),
+        advice.replace("{tolerance}", &format!("{} mm", short(*tolerance_mm))),
     )
 }
 

@@ -288,6 +288,8 @@ pub enum FindingKind {
         samples: usize,
         /// Whether it is that of each rail.
         is_rails: bool,
+        /// Whether the tolerance is the usual one, of a panel that gives none.
+        is_usual: bool,
         /// Whether a tolerance gives no more.
         is_most: bool,
     },
@@ -503,7 +505,6 @@ impl FindingKind {
             | Self::Divide { .. }
             | Self::BorderNotTrue { .. }
             | Self::RoundedCorner { .. }
-            | Self::OffTolerance { .. }
             | Self::StayedStraight { .. }
             | Self::WarpNotReached { .. }
             | Self::LinesClose { .. }
@@ -533,6 +534,9 @@ impl FindingKind {
             Self::Trimmed { .. } => Severity::Warning,
             Self::TwoSurfaces { is_one_pattern, .. } => {
                 unless(*is_one_pattern, Severity::Warning, Severity::Note)
+            }
+            Self::OffTolerance { is_usual, .. } => {
+                unless(*is_usual, Severity::Warning, Severity::Note)
             }
             Self::Points { too_tight, .. } => {
                 unless(too_tight.is_none(), Severity::Warning, Severity::Note)

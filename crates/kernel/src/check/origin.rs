@@ -41,24 +41,30 @@ pub(crate) fn rounded_corner(name: &str, points: &[CurvePoint], closed: bool) ->
 const TOLERANCE_SLACK: f64 = 0.01;
 
 /// The finding that the polygon through the samples of a panel lies farther from its curves, or is
-/// shorter along an edge, than its tolerance in mm; `None` if it does not.
-pub(crate) fn off_tolerance(panel: &DesignPanel, chords: &Chords) -> Option<Finding> {
-    let tolerance_mm = panel.tolerance.and_then(SampleTolerance::mm)?;
+/// shorter along an edge, than its tolerance in mm; `None` if it does not, and where only holes do
+/// by the usual tolerance, which does not count for them.
+pub(crate) fn off_tolerance(
+    panel: &DesignPanel,
+    chords: &Chords,
+    tolerance_mm: f64,
+) -> Option<Finding> {
     let (distance_mm, shorter_mm) = (chords.distance_max_mm()?, chords.shorter_max_mm()?);
-    if distance_mm.max(shorter_mm) <= tolerance_mm * (1.0 + TOLERANCE_SLACK) {
+    let is_rails = matches!(panel.shape, PanelShape::Rails(_));
+    let is_usual = matches!(panel.tolerance, Some(SampleTolerance::Share(_)));
+    let (samples, is_most) = (panel.samples, panel.samples >= panel.most_by_tolerance());
+    let is_within = distance_mm.max(shorter_mm) <= tolerance_mm * (1.0 + TOLERANCE_SLACK);
+    if is_within || is_usual && !is_most {
         return None;
     }
-    let is_rails = matches!(panel.shape, PanelShape::Rails(_));
-    let (samples, is_most) = (panel.samples, panel.samples >= panel.most_by_tolerance());
-    let kind = FindingKind::OffTolerance {
+    Some(Finding::of_whole(FindingKind::OffTolerance {
         distance_mm,
         shorter_mm,
         tolerance_mm,
         samples,
         is_rails,
+        is_usual,
         is_most,
-    };
-    Some(Finding::of_whole(kind))
+    }))
 }
 
 /// The finding that a boundary was made smooth where the panels that it joins meet; `None` if it

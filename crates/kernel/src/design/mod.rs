@@ -18,7 +18,8 @@ pub use failure::Failure;
 pub use join::Join;
 pub use mesh::{PanelMesh, Triangles};
 pub use tolerance::{
-    FEWEST_ON_LOOP, FEWEST_ON_RAIL, LOOP_SAMPLES, MOST_BY_TOLERANCE, RAIL_SAMPLES, SampleTolerance,
+    FEWEST_ON_LOOP, FEWEST_ON_RAIL, LOOP_SAMPLES, MOST_BY_TOLERANCE, MOST_USUAL, RAIL_SAMPLES,
+    SampleTolerance,
 };
 pub use trim::{
     Allowance, Corner, Fingers, Flange, Hem, Holes, NotchForm, Notches, Places, Puzzle, Tabs,

@@ -13,9 +13,12 @@ pub const LOOP_SAMPLES: usize = 400;
 pub const FEWEST_ON_RAIL: usize = 50;
 /// The fewest samples of an outer loop with a tolerance of its own: as many as two rails have.
 pub const FEWEST_ON_LOOP: usize = 100;
-/// The most samples that a tolerance gives, of each rail and of an outer loop: ten times as many as
-/// the usual ones, some seconds a panel.
+/// The most samples that a tolerance of its own gives, of each rail and of an outer loop: ten times
+/// as many as the usual ones, some seconds a panel.
 pub const MOST_BY_TOLERANCE: [usize; 2] = [2_000, 4_000];
+/// The most samples that the usual tolerance gives: twice as many as the fewest, about twice the
+/// time.
+pub const MOST_USUAL: [usize; 2] = [2 * RAIL_SAMPLES, 2 * LOOP_SAMPLES];
 
 /// How near the polygon through the samples of a panel stays to its curves. It bounds two lengths:
 /// the largest distance of a curve from the polygon, and the length by which the polygon is shorter
@@ -32,11 +35,11 @@ impl SampleTolerance {
     /// That of a panel for which nothing is said: 0.1 mm on a metre, less than a hand cuts.
     pub const USUAL: Self = Self::Share(1e-4);
 
-    /// The length, mm, if it is one.
-    pub fn mm(self) -> Option<f64> {
+    /// The length, mm, for an outer loop of this size.
+    pub fn mm(self, size_mm: f64) -> f64 {
         match self {
-            Self::Mm(mm) => Some(mm),
-            Self::Share(_) => None,
+            Self::Mm(mm) => mm,
+            Self::Share(share) => share * size_mm,
         }
     }
 }
@@ -62,7 +65,10 @@ impl DesignPanel {
 
     /// The most samples that its tolerance gives it.
     pub(crate) fn most_by_tolerance(&self) -> usize {
-        let [of_rail, of_loop] = MOST_BY_TOLERANCE;
+        let [of_rail, of_loop] = match self.tolerance {
+            Some(SampleTolerance::Share(_)) => MOST_USUAL,
+            _ => MOST_BY_TOLERANCE,
+        };
         if matches!(self.shape, PanelShape::Rails(_)) { of_rail } else { of_loop }
     }
 }

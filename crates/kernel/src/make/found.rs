@@ -8,7 +8,7 @@ use crate::check::{
     no_other_surface, off_tolerance, ran_on, rounded_corner, smoothed_joints, stayed_straight,
     turned_round,
 };
-use crate::design::{DesignPanel, PanelShape, SampleTolerance, used};
+use crate::design::{DesignPanel, PanelShape, used};
 use crate::edge::edges_of_boundary;
 use crate::pattern::{PatternOptions, piece, seam_marks};
 use crate::sample::{Chords, PanelCause, Prepared, Sampler, outline, prepare};
@@ -71,7 +71,8 @@ fn make_as_asked(
             checked.add(finding);
         }
     }
-    if let Some(finding) = off_tolerance(panel, &chords) {
+    let tolerance_mm = panel.tolerance.map(|tolerance| tolerance.mm(boundary.size()));
+    if let Some(finding) = tolerance_mm.and_then(|mm| off_tolerance(panel, &chords, mm)) {
         checked.add(finding);
     }
     if let Some(bulges_mm) = new_ends {
@@ -96,7 +97,7 @@ fn make_as_asked(
         boundary,
         outline,
         chords,
-        tolerance_mm: panel.tolerance.and_then(SampleTolerance::mm),
+        tolerance_mm,
         plane,
         triangulation,
         surface,

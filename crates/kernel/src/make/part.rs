@@ -72,7 +72,7 @@ pub struct Found {
     pub outline: Outline,
     /// How far the straight steps between the samples lie from those curves.
     pub chords: Chords,
-    /// The tolerance that its number of samples was chosen for, mm, if it is a length.
+    /// The tolerance that its number of samples was chosen for, mm, if it was.
     pub tolerance_mm: Option<f64>,
     /// The supporting plane, if there is one.
     pub plane: Option<SupportingPlane>,

@@ -184,14 +184,12 @@ fn trial(design: &Design, panel: &DesignPanel, samples: usize) -> Result<Trial, 
         }
         Ok(sampled) => sampled,
     };
-    let most_mm = match tolerance {
-        SampleTolerance::Mm(mm) => mm,
-        SampleTolerance::Share(share) => {
-            // Holes have the spacing of the outline.
-            sampled.loops.truncate(1);
-            share * size_of(sampled.loops.iter().flatten().map(|s| s.sample.position))
-        }
-    };
+    let outer = sampled.loops.iter().take(1).flatten();
+    let most_mm = tolerance.mm(size_of(outer.map(|s| s.sample.position)));
+    if let SampleTolerance::Share(_) = tolerance {
+        // Holes have the spacing of the outline.
+        sampled.loops.truncate(1);
+    }
     let mut begin = 0;
     let range = |samples: &Vec<_>| {
         let range = begin..begin + samples.len();

@@ -48,7 +48,7 @@ variants!(FindingKind {
     NotTwoSkins {},
     PointContacts { count },
     RoundedCorner { curve, turn },
-    OffTolerance { distance_mm, shorter_mm, tolerance_mm, samples, is_rails, is_most },
+    OffTolerance { distance_mm, shorter_mm, tolerance_mm, samples, is_rails, is_usual, is_most },
     JointsSmoothed { count, deviation_mm },
     RanOn { bulges_mm, bends },
     StayedStraight { cause },
