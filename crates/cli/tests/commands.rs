@@ -773,8 +773,8 @@ fn an_outline_stays_as_near_to_its_curves_as_it_is_to() {
     let length = bottom["length_flat_mm"].as_f64().unwrap();
     assert!((400.0 * std::f64::consts::PI - length - shorter(&panel)).abs() < 2e-4, "{bottom}");
     // A number that is called for comes before a tolerance.
-    let (panel, _) = made("drum.sheet.json --tolerance 0.05mm --samples 30");
-    assert_eq!((&panel["samples"], &panel["tolerance_mm"]), (&60.into(), &Value::Null));
+    let (panel, _) = made("drum.sheet.json --tolerance 0.05mm --samples 100");
+    assert_eq!((&panel["samples"], &panel["tolerance_mm"]), (&200.into(), &Value::Null));
     // Rows stay the samples, and have no curves.
     let (panel, page) = made("square.csv --tolerance 0.05mm");
     assert_eq!((&panel["samples"], &panel["curve_shorter_max_mm"]), (&4.into(), &Value::Null));
@@ -788,7 +788,7 @@ fn a_tolerance_that_is_not_reached_is_said() {
     let (words, _) = desk.says("check drum.sheet.json --tolerance 0.0001 --verdict quick", 0);
     let said = "  warning: The outline is a polygon through 2000 samples of each rail, the most that a \
                 tolerance gives. Its curves lie up to 0.00025 mm from it, and along an edge it is up to \
-                0.00052 mm shorter; the tolerance is 0.0001 mm. ";
+                0.00052 mm shorter; the tolerance is 0.00010 mm. ";
     assert!(words.contains(said), "{words}");
 }
 
