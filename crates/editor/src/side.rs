@@ -11,18 +11,22 @@ use crate::document::edit::{allowance_mm, why_unbound};
 use crate::document::{Document, Drawing, FARTHEST_MM, Mirror, Plan};
 use crate::document::{Edit, PointRef, curves_of};
 use crate::editor::Editor;
+use crate::engine::shown::ShownPanel;
 use crate::field::Field;
 use crate::panes::words::decimal;
 use crate::scene::Act;
 use crate::theme::Theme;
 use eframe::egui::{self, ComboBox, Id, RichText, Ui};
 use sheetwright::boundary::PlaneChoice;
-use sheetwright::design::{Design, DesignPanel, Dimensions, PanelMesh, PanelShape};
+use sheetwright::design::{
+    Design, DesignPanel, Dimensions, PanelMesh, PanelShape, SampleTolerance,
+};
 use sheetwright::flatten::Aim;
 use sheetwright::math::{Point2, from_deg, to_deg};
 use sheetwright::triangulate::WhichSurface;
 use sheetwright_files::{
-    OutputOptions, Preset, Units, known_materials, material_group, trade_names, trade_title,
+    MOST_TOLERANCE_MM, OutputOptions, Preset, Units, known_materials, material_group, trade_names,
+    trade_title,
 };
 use std::ops::RangeInclusive;
 use trims::trims_ui;
@@ -33,6 +37,10 @@ const PLACES: RangeInclusive<f64> = -FARTHEST_MM..=FARTHEST_MM;
 const ALLOWANCES: RangeInclusive<f64> = 0.0..=1000.0;
 /// How thick a sheet may be, mm; 0 where it is as its material.
 const THICKNESSES: RangeInclusive<f64> = 0.0..=1000.0;
+/// How near outlines may be held to their curves, mm: down to what a field shows.
+const TOLERANCES: RangeInclusive<f64> = 0.01..=MOST_TOLERANCE_MM;
+/// The tolerance that a panel gets first where it is to have one, mm: less than a knife cuts.
+const FIRST_TOLERANCE_MM: f64 = 0.1;
 /// How far lines of a grid may be apart, mm.
 const GRIDS: RangeInclusive<f64> = 0.01..=1e6;
 /// Creases above this angle, degrees, divide a mesh where a person has not said which.
@@ -189,6 +197,7 @@ fn panel_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
         return;
     };
     let panel = &design.panels[n];
+    let units = editor.document().drawing.units;
     section(ui, "Panel", |ui| {
         let of = Id::unique(("panel", &panel.name));
         let field = |label| Field { theme, of, label };
@@ -203,9 +212,8 @@ fn panel_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
             }
             return;
         }
-        if let Some(samples) = field("Samples").count(ui, to.samples as f64, 3.0..=100_000.0) {
-            to.samples = samples as usize;
-        }
+        let shown = editor.shown().iter().find(|shown| shown.panel == panel.name);
+        samples_ui(ui, theme, &field, &mut to, units, shown);
         if let Some(fold) = field("Fold price").number(ui, to.fold, 0.0..=10.0) {
             to.fold = fold;
         }
@@ -316,6 +324,62 @@ fn preset_ui(ui: &mut Ui, design: &Design, acts: &mut Vec<Act>) {
             }
         }
     });
+}
+
+/// How finely a panel is sampled, and how near that comes to its curves.
+fn samples_ui<'a>(
+    ui: &mut Ui,
+    theme: &Theme,
+    field: &impl Fn(&'a str) -> Field<'a>,
+    to: &mut DesignPanel,
+    units: Units,
+    shown: Option<&ShownPanel>,
+) {
+    let made = shown.and_then(|shown| shown.made.as_ref().ok());
+    let usual = DesignPanel::usual(String::new(), to.shape.clone());
+    let titles = ["Usual", "By tolerance", "A number"];
+    let at = match to.tolerance {
+        Some(SampleTolerance::Share(_)) => 0,
+        Some(SampleTolerance::Mm(_)) => 1,
+        None => 2,
+    };
+    let mut chosen = at;
+    ComboBox::from_label("Sampled").selected_text(titles[at]).width(110.0).show_ui(ui, |ui| {
+        for (n, title) in titles.into_iter().enumerate() {
+            ui.selectable_value(&mut chosen, n, title);
+        }
+    });
+    if chosen != at {
+        *to = match chosen {
+            0 => DesignPanel { samples: usual.samples, tolerance: usual.tolerance, ..to.clone() },
+            1 => to.clone().within_mm(FIRST_TOLERANCE_MM),
+            _ => DesignPanel { samples: usual.samples, tolerance: None, ..to.clone() },
+        };
+    }
+    match to.tolerance {
+        Some(SampleTolerance::Share(_)) => {}
+        Some(SampleTolerance::Mm(mm)) => {
+            if let Some(mm) = field("Tolerance").length(ui, mm, units, TOLERANCES) {
+                *to = to.clone().within_mm(mm);
+            }
+        }
+        None => {
+            if let Some(number) = field("Samples").count(ui, to.samples as f64, 3.0..=100_000.0) {
+                to.samples = number as usize;
+            }
+        }
+    }
+    // Also where nothing is made, so that no field moves.
+    let count = made.map_or_else(|| "–".to_owned(), |made| made.positions.len().to_string());
+    let label = ui.label(RichText::new(format!("{count} samples in all")).color(theme.faint));
+    if let Some([off, shorter]) = made.and_then(|made| made.chords_mm) {
+        // Down to a micrometre: a field's lengths are shown to a hundredth of a millimetre.
+        let [off, shorter] = [off, shorter].map(|mm| decimal(mm, 3));
+        label.on_hover_text(format!(
+            "The outline is a polygon through them. Its curves lie up to {off} mm from it, and \
+             along an edge it is up to {shorter} mm shorter."
+        ));
+    }
 }
 
 /// How a mesh is laid flat.

@@ -12,7 +12,7 @@ use eframe::egui::{
 use egui_kittest::kittest::{NodeT, Queryable};
 use hands::{Hands, picture};
 use sheetwright::check::{Finding, Place, Verdict};
-use sheetwright::design::Dimensions;
+use sheetwright::design::{DesignPanel, Dimensions, FEWEST_ON_LOOP, SampleTolerance};
 use sheetwright::make::make;
 use sheetwright::material::Material;
 use sheetwright::math::Point3;
@@ -294,9 +294,38 @@ fn a_refused_number_says_why_and_stays_until_it_is_right_or_esc() {
     }
     // What was accepted is refused nowhere else.
     assert!(!says(&hands, "not a number within"));
+    hands.type_into("Grid", "0");
+    assert!(says(&hands, "0 mm is out of range."));
+    let design = &hands.app().editor().document().design;
+    let to = Box::new(DesignPanel { tolerance: None, ..design.panels[0].clone() });
+    let act = Act::Edit(Edit::SetPanel { panel: 0, to });
+    hands.harness.state_mut().editor_mut().carry_out(act);
+    hands.settle();
     hands.type_into("Samples", "12.5");
     assert!(says(&hands, "12.5 is not a whole number."));
-    hands.type_into("Grid", "0");
+}
+
+#[test]
+fn a_tolerance_of_samples_is_typed_and_what_it_comes_to_is_said() {
+    let mut hands = with_handle();
+    let panel = |hands: &Hands| hands.app().editor().document().design.panels[0].clone();
+    let count =
+        |hands: &Hands| hands.app().editor().shown()[0].made.as_ref().unwrap().positions.len();
+    // What is drawn has the usual ones.
+    assert_eq!(panel(&hands).tolerance, Some(SampleTolerance::USUAL));
+    assert!(field(&hands, "Samples").is_none() && says(&hands, "400 samples in all"));
+    let to = Box::new(panel(&hands).within_mm(0.5));
+    let act = Act::Edit(Edit::SetPanel { panel: 0, to });
+    hands.harness.state_mut().editor_mut().carry_out(act);
+    hands.settle();
+    assert_eq!((panel(&hands).samples, count(&hands)), (FEWEST_ON_LOOP, FEWEST_ON_LOOP));
+    hands.type_into("Tolerance", "0.01");
+    hands.settle();
+    assert_eq!(panel(&hands).tolerance, Some(SampleTolerance::Mm(0.01)));
+    // A circle of 200 mm: π³ 200 / 6 n² is shorter by that.
+    assert!((315..330).contains(&count(&hands)), "{}", count(&hands));
+    assert!(says(&hands, &format!("{} samples in all", count(&hands))));
+    hands.type_into("Tolerance", "0");
     assert!(says(&hands, "0 mm is out of range."));
 }
 

@@ -82,16 +82,13 @@ const fn files_of(format: Format) -> &'static [(FileName, Writer)] {
             }),
         )],
         Format::Brake => &[(Whole("brake.csv"), Writer::Design(|run| Ok(run.brake())))],
-        Format::Parts => &[(
-            Whole("parts.csv"),
-            Writer::Design(|run| Ok(write_parts(run.made, &run.patterns))),
-        )],
+        Format::Parts => {
+            &[(Whole("parts.csv"), Writer::Design(|run| Ok(write_parts(run.made, &run.patterns))))]
+        }
         Format::Report => &[
             (
                 Whole("report.json"),
-                Writer::Design(|run| {
-                    Ok(report_json(run.made, &run.written(), &run.in_quads)?)
-                }),
+                Writer::Design(|run| Ok(report_json(run.made, &run.written(), &run.in_quads)?)),
             ),
             (
                 Whole("report.html"),

@@ -5,7 +5,8 @@ use super::{Document, Edit, Mirror, Plan, PointRef, Selection, curves_of};
 use crate::words::sentence;
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
-    Allowance, Corner, CurveUse, Design, DesignCurve, PanelShape, Trim, TrimKind, TrimOn,
+    Allowance, Corner, CurveUse, Design, DesignCurve, LOOP_SAMPLES, PanelShape, SampleTolerance,
+    Trim, TrimKind, TrimOn,
 };
 use sheetwright::draw::edit::{
     EditError, curve_leg, free_name, insert_point, nearest, remove_point, set_corner, straighten,
@@ -37,8 +38,6 @@ impl Edited {
 
 type Outcome = Result<Edited, String>;
 
-/// Samples of a panel that was drawn.
-const SAMPLES: usize = 400;
 /// How far a curve may be off the stroke, as a share of its length: half of what the paper allows,
 /// which people see on round shapes.
 const TOLERANCE_SHARE: f64 = 0.005;
@@ -445,9 +444,16 @@ fn crosses(curve: &DesignCurve, plan: Plan, mirror: Mirror) -> bool {
     curve.points.iter().any(side) && !curve.points.iter().all(side)
 }
 
+/// Panels that are drawn have as many samples as the usual tolerance takes.
 fn proposal(document: &Document) -> Proposal {
     let plan = document.drawing.plan;
-    panels_of_drawing(&document.design, |p| plan.flat(p), SAMPLES)
+    let mut proposal = panels_of_drawing(&document.design, |p| plan.flat(p), LOOP_SAMPLES);
+    for change in &mut proposal.changes {
+        if let PanelChange::Panel(panel) = change {
+            panel.tolerance = Some(SampleTolerance::USUAL);
+        }
+    }
+    proposal
 }
 
 /// Closed curves that bound nothing yet become panels, or holes in those that contain them.

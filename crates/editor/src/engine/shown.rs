@@ -91,6 +91,9 @@ pub struct Shown {
     pub area_flat_mm2: f64,
     /// The largest relative length error.
     pub length_error_max: f64,
+    /// The largest distance of the curves from the polygon through the samples, and by how much that
+    /// is shorter along an edge, mm, where curves are known.
+    pub chords_mm: Option<[f64; 2]>,
     /// How much the sheet stretches in its shape, once that is computed.
     pub strain: Option<ShownStrain>,
 }
@@ -183,6 +186,9 @@ impl Shown {
             gauss_area_sr: panel.measures.gauss_area_sr,
             area_flat_mm2: panel.measures.area_flat_mm2,
             length_error_max: panel.measures.length_error_max,
+            chords_mm: panel.found().and_then(|found| {
+                Some([found.chords.distance_max_mm()?, found.chords.shorter_max_mm()?])
+            }),
             strain: panel.predicted.as_ref().and_then(ShownStrain::new),
         }
     }

@@ -27,6 +27,7 @@ fields!(Shown {
     gauss_area_sr,
     area_flat_mm2,
     length_error_max,
+    chords_mm,
     strain
 });
 fields!(ShownStrain { flat, positions, triangles, strains, decides, limit });
