@@ -7,6 +7,7 @@ use sheetwright::design::{Design, PanelShape};
 use sheetwright::fair::VaryCause;
 use sheetwright::flatten::{FlattenError, RelaxError};
 use sheetwright::make::{MakeCause, MakeError};
+use sheetwright::mark::MarkFault;
 use sheetwright::mesh::MeshError;
 use sheetwright::sample::PanelCause;
 use sheetwright::surface::ConnectivityError;
@@ -33,6 +34,7 @@ pub fn hint_for(error: &MakeError) -> String {
         }
         MakeCause::Relax(error) => relaxing(*error).to_owned(),
         MakeCause::Trim(fault) => trimming(fault).to_owned(),
+        MakeCause::Mark(fault) => marking(fault).to_owned(),
     }
 }
 
@@ -56,6 +58,15 @@ fn trimming(fault: &TrimFault) -> &'static str {
         TrimFault::Parted { .. } => {
             "Make sockets and knobs smaller, or the distance between them larger."
         }
+    }
+}
+
+/// What to do about a mark that can't be made.
+fn marking(fault: &MarkFault) -> &'static str {
+    match fault {
+        MarkFault::NoSuchPart { .. } => "Name one of these, or write all.",
+        MarkFault::NoSuchEdge { .. } => "Name one of these, without its part.",
+        MarkFault::TooManyStations { .. } => "Make the pitch larger.",
     }
 }
 

@@ -39,6 +39,11 @@ pub(crate) enum What {
     BendTick,
     SeamTick,
     Dimension,
+    Station,
+    Grain,
+    OnFold,
+    Arrow,
+    Leader,
     /// A text; the lines of the shape are its strokes.
     Label(String),
     /// The reference square.
@@ -156,6 +161,11 @@ pub(crate) fn shapes(piece: &Piece) -> Vec<Shape> {
                 PathKind::BendTick => What::BendTick,
                 PathKind::SeamTick => What::SeamTick,
                 PathKind::Dimension => What::Dimension,
+                PathKind::Station => What::Station,
+                PathKind::Grain => What::Grain,
+                PathKind::OnFold => What::OnFold,
+                PathKind::Arrow => What::Arrow,
+                PathKind::Leader => What::Leader,
             },
             lines: vec![path.points.clone()],
             closed: path.closed,

@@ -112,6 +112,11 @@ fn named(shape: &Shape) -> String {
         What::BendTick => "class=\"tick\"".to_owned(),
         What::SeamTick => "class=\"seam-tick\"".to_owned(),
         What::Dimension => "class=\"dimension\"".to_owned(),
+        What::Station => "class=\"station\"".to_owned(),
+        What::Grain => "class=\"grain\"".to_owned(),
+        What::OnFold => format!("class=\"on-fold\" {VALLEY}"),
+        What::Arrow => "class=\"arrow\"".to_owned(),
+        What::Leader => "class=\"leader\"".to_owned(),
         What::Label(text) => format!("class=\"label\" data-text=\"{}\"", escaped(text)),
         What::Reference => "id=\"reference\" class=\"reference\"".to_owned(),
     }

@@ -83,6 +83,8 @@ pub mod pattern;
 
 pub mod trim;
 
+pub mod mark;
+
 pub mod check;
 
 pub mod make;

@@ -4,10 +4,12 @@ use sheetwright::check::{
     Bend, BorderSide, Finding, FindingKind as Kind, Hindrance, Movement, Place, SeamCause,
     SeamPlace, TooTight, Verdict,
 };
+use sheetwright::design::Axis;
 use sheetwright::elastic::Basis;
 use sheetwright::fair::Ended;
 use sheetwright::index::SampleIndex;
-use sheetwright::math::{Point3, from_deg};
+use sheetwright::mark::MarkNote;
+use sheetwright::math::{Point2, Point3, from_deg};
 use sheetwright::mesh::{Damage, Skin};
 use sheetwright::rung::Rung;
 use sheetwright::trim::TrimNote;
@@ -277,6 +279,7 @@ fn of_files() -> Vec<Finding> {
         Kind::Trimmed { note: TrimNote::NotProved { outside_mm2: 0.25 } },
         Kind::Trimmed { note: TrimNote::Overlaps },
     ])
+    .chain(of_marks())
     .collect()
 }
 
@@ -290,4 +293,28 @@ fn off_tolerance(is_usual: bool) -> Kind {
         is_usual,
         is_most: true,
     }
+}
+
+fn of_marks() -> impl Iterator<Item = Finding> {
+    let missed = MarkNote::StationMissed {
+        name: "frame 7".to_owned(),
+        axis: Axis::X,
+        at_mm: 5000.0,
+        reach_mm: [90.0, 3311.0],
+    };
+    let far = MarkNote::PlaceFar {
+        what: "drill".to_owned(),
+        at: Point3::new(100.0, 250.0, 30.0),
+        off_mm: 12.5,
+        within_mm: 1.0,
+    };
+    let over = |radius_mm, what: &str| MarkNote::OverTheEdge {
+        what: what.to_owned(),
+        at: Point2::new(3.0, 40.0),
+        radius_mm,
+    };
+    let square = MarkNote::SquareToPart { what: "face".to_owned() };
+    let curved = MarkNote::CurvedFold { edge: "front/hem".to_owned(), off_mm: 7.25 };
+    let notes = [missed, far, over(4.0, "drill"), over(0.0, "text"), square, curved];
+    whole(notes.map(|note| Kind::Marked { note }))
 }

@@ -18,6 +18,7 @@ const BOUNDARY: &str = "1";
 const TURN: &str = "2";
 const CURVE: &str = "3";
 const NOTCH: &str = "4";
+const MIRROR: &str = "6";
 const GRAIN: &str = "7";
 const INTERNAL: &str = "8";
 const CUT_OUT: &str = "11";
@@ -104,13 +105,11 @@ fn block(pairs: &mut Pairs, piece: &Piece, quantity: Quantity, name: &str, mater
     for path in &piece.paths {
         of_path(pairs, path);
     }
-    if let Some([from, to]) = grain(piece, middle) {
-        pairs.put(0, "LINE");
-        pairs.put(8, GRAIN);
-        pairs.place(from);
-        for (code, value) in [(11, to.x), (21, to.y), (31, 0.0)] {
-            pairs.put(code, real(value));
-        }
+    // The grain that is marked, or that along the pattern.
+    if piece.paths.iter().all(|path| path.kind != PathKind::Grain)
+        && let Some(ends) = grain(piece, middle)
+    {
+        grain_line(pairs, ends);
     }
     for label in piece.labels.iter().filter(|label| label.role != Role::Note) {
         annotation(pairs, label);
@@ -141,8 +140,23 @@ fn of_path(pairs: &mut Pairs, path: &PatternPath) {
             point(pairs, DRILL, Point2::default() + sum * (1.0 / path.points.len() as f64));
         }
         (PathKind::Notch, _) => notch(pairs, &path.points),
+        (PathKind::OnFold, _) => line(pairs, MIRROR),
+        (PathKind::Grain, _) => {
+            if let [tail, tip, ..] = path.points[..] {
+                grain_line(pairs, [tail, tip]);
+            }
+        }
         (_, Role::Note) => {}
         _ => line(pairs, INTERNAL),
+    }
+}
+
+fn grain_line(pairs: &mut Pairs, [from, to]: [Point2; 2]) {
+    pairs.put(0, "LINE");
+    pairs.put(8, GRAIN);
+    pairs.place(from);
+    for (code, value) in [(11, to.x), (21, to.y), (31, 0.0)] {
+        pairs.put(code, real(value));
     }
 }
 

@@ -89,7 +89,7 @@ fn read(bytes: &[u8]) -> (BTreeMap<String, String>, BTreeMap<String, ReadPiece>)
                 piece.grain.push([at(values, 10), at(values, 11)]);
             }
             ("POLYLINE", Some(_), None) => {
-                assert!(["1", "8", "11", "14"].contains(&layer), "{layer}");
+                assert!(["1", "6", "8", "11", "14"].contains(&layer), "{layer}");
                 polyline = Some((layer, values[&70] == "1", Vec::new()));
             }
             ("VERTEX", Some(_), Some((of, _, points))) if *of == layer => {
@@ -134,6 +134,7 @@ fn what_a_cutter_needs_comes_back() {
         path(Role::Drill, PathKind::Drill { diameter_mm: 4.0 }, drilled, true),
         path(Role::Cut, PathKind::Notch, loop_of(&[(30.0, -10.0), (30.0, -5.0)]), false),
         path(Role::Score, PathKind::Crease, loop_of(&[(0.0, 0.0), (100.0, 50.0)]), false),
+        path(Role::Note, PathKind::OnFold, loop_of(&[(0.0, 0.0), (100.0, 0.0)]), false),
         path(Role::Note, PathKind::Dimension, loop_of(&[(0.0, -20.0), (100.0, -20.0)]), false),
     ];
     let label = |role, text: &str| PatternLabel {
@@ -178,6 +179,25 @@ fn what_a_cutter_needs_comes_back() {
     assert!(read.points["13"][0].distance(Point2::new(70.0, 30.0)) < 1e-12);
     assert_eq!((read.points["4"][0], &read.depths[..]), (Point2::new(30.0, -10.0), &[5.0][..]));
     assert_eq!(read.grain, [[Point2::new(20.0, 30.0), Point2::new(80.0, 30.0)]]);
+    assert_eq!(read.open["6"], [loop_of(&[(0.0, 0.0), (100.0, 0.0)])], "on the fold");
     assert_eq!(read.open["8"], [loop_of(&[(0.0, 0.0), (100.0, 50.0)])], "no dimensions");
     assert_eq!(read.annotations, ["R\\U+00FCcken \\U+677F"]);
+}
+
+#[test]
+fn a_grain_that_is_marked_takes_the_place_of_the_usual_line() {
+    let path = |role, kind, points, closed| PatternPath { role, kind, points, closed };
+    let outline = loop_of(&[(0.0, 0.0), (100.0, 0.0), (100.0, 50.0), (0.0, 50.0)]);
+    let arrow = loop_of(&[(20.0, 10.0), (50.0, 40.0), (48.0, 39.0), (50.0, 40.0), (49.0, 38.0)]);
+    let paths = vec![
+        path(Role::Cut, PathKind::Outline, outline, true),
+        path(Role::Engrave, PathKind::Grain, arrow.clone(), false),
+        path(Role::Engrave, PathKind::Station, loop_of(&[(10.0, 0.0), (10.0, 50.0)]), false),
+    ];
+    let (name, size) = ("front".into(), Vec2::new(100.0, 50.0));
+    let (labels, bends, corner) = (Vec::new(), Vec::new(), Point2::default());
+    let piece = Piece { name, paths, labels, bends, border: Vec::new(), corner, size };
+    let (_, pieces) = read(&written("bag", None, &[(&piece, Quantity { count: 1, mirrored: 0 })]));
+    assert_eq!(pieces["front"].grain, [[arrow[0], arrow[1]]]);
+    assert_eq!(pieces["front"].open["8"], [loop_of(&[(10.0, 0.0), (10.0, 50.0)])]);
 }

@@ -6,6 +6,7 @@ use super::grammar::{
     PointFile, SideName, Triple, VaryFile,
 };
 use super::join::{check_joins, join, points_of};
+use super::marks;
 use super::material;
 use super::mesh::Meshes;
 use super::sampling::{Sampling, tolerance_mm};
@@ -96,6 +97,7 @@ pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, In
     let reckoned_mm = source.options.thickness_mm.or(thickness_mm).or(of_sheet);
     let mut trims = trims::read(trade.as_deref(), file.trims, file.units, reckoned_mm, source)?;
     trims.extend(source.options.allowance());
+    let marks = marks::read(file.marks, file.units, reckoned_mm, source)?;
     let (preset, dxf) = (preset(file.preset, source)?, dxf(file.dxf, source)?);
     let formats = formats(file.formats, source)?;
     let bends = bends::read(file.bends, "bends", file.units, source)?.unwrap_or_default();
@@ -110,6 +112,7 @@ pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, In
         match_seams,
         trade,
         trims,
+        marks,
         preset,
         dxf,
         formats,

@@ -4,6 +4,7 @@
 
 use super::bends::BendsFile;
 use super::drawing::DrawingFile;
+use super::marks::MarkFile;
 use super::trims::{TrimFile, Written};
 use crate::json::{Called, Named, Object};
 use crate::materials::{MaterialChoice, MaterialFile};
@@ -65,6 +66,10 @@ pub(super) struct DesignFile {
     #[serde(default)]
     #[schemars(with = "Option<Vec<TrimFile>>")]
     pub(super) trims: Vec<Written>,
+    /// What is marked on the faces of its parts: stations, grain, folds, holes, texts.
+    #[serde(default)]
+    #[schemars(with = "Option<Vec<MarkFile>>")]
+    pub(super) marks: Vec<Written>,
     /// The preset that its SVG and DXF files are written for: `generic`, `lightburn`, `glowforge`,
     /// `cricut`, `silhouette`, `plotter` or `wazer`. Default: that of its trade, or generic.
     #[serde(default)]

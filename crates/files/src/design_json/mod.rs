@@ -9,6 +9,7 @@ mod convert;
 mod drawing;
 mod grammar;
 mod join;
+mod marks;
 mod material;
 mod mesh;
 mod sampling;

@@ -8,14 +8,14 @@ mod form;
 mod read;
 mod write;
 
-pub(super) use form::TrimFile;
+pub(super) use form::{LengthFile, OneOrMore, TrimFile};
+pub(super) use read::{Problem, Reader, problem};
 
 use super::source::Source;
 use crate::names::{did_you_mean, shown};
 use crate::reading::InputError;
 use crate::trade::{trade, trade_names};
 use crate::units::Units;
-use read::Reader;
 use serde_json::{Map, Value};
 use sheetwright::design::{Design, Trim, TrimKind};
 use write::file_of;

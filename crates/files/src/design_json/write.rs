@@ -3,7 +3,7 @@
 use super::bends;
 use super::drawing::DrawingFile;
 use super::grammar::{GoalName, KindName, MethodName, SideName, SmoothName};
-use super::{VERSION, material, mesh, thickness, trims, vary};
+use super::{VERSION, marks, material, mesh, thickness, trims, vary};
 use crate::json::json;
 use crate::materials::file_of;
 use crate::units::Units;
@@ -86,6 +86,11 @@ fn write(
     if !own.is_empty() {
         let own: Vec<String> = own.iter().map(|trim| format!("    {}", json(trim))).collect();
         fields.push(format!("  \"trims\": [\n{}\n  ]", own.join(",\n")));
+    }
+    let marks: Vec<String> =
+        marks::written(&design.marks, units).iter().map(|m| format!("    {}", json(m))).collect();
+    if !marks.is_empty() {
+        fields.push(format!("  \"marks\": [\n{}\n  ]", marks.join(",\n")));
     }
     fields.extend(drawing.map(|drawing| format!("  \"drawing\": {}", json(drawing))));
     format!("{{\n{}\n}}\n", fields.join(",\n")).into_bytes()

@@ -15,8 +15,11 @@ const AWAY_MM: f64 = 1.0;
 
 /// The texts to draw on the sheets of a piece, with their final places and sizes.
 pub(super) fn labels(piece: &Piece, tiling: &Tiling) -> Vec<PatternLabel> {
-    let is_drawn =
-        |label: &&PatternLabel| label.role != Role::Note || label.kind == LabelKind::Angle;
+    use LabelKind::{Bend, Length, Overall};
+    // Lengths stand in the margins of other files; a text beside the piece has no other place.
+    let is_drawn = |label: &&PatternLabel| {
+        label.role != Role::Note || !matches!(label.kind, Length | Overall | Bend)
+    };
     let drawn = piece.labels.iter().filter(is_drawn);
     drawn.map(|label| off_joints(label, piece, tiling)).collect()
 }

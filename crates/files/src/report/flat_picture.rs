@@ -8,7 +8,7 @@ use sheetwright::index::VertexIndex;
 use sheetwright::make::Part;
 use sheetwright::material::Material;
 use sheetwright::math::{Point2, Vec2, angle_between, from_deg, unit2};
-use sheetwright::pattern::{PathKind, Piece, Role, seam_mark};
+use sheetwright::pattern::{LabelKind, PathKind, Piece, Role, seam_mark};
 use sheetwright::rung::Rung;
 use sheetwright::sheet::steps_of;
 use std::collections::BTreeSet;
@@ -144,13 +144,13 @@ fn marks(panel: &Part, place: impl Fn(Point2) -> Point2) -> String {
 pub(super) const CUT_AND_NET: &str =
     "The outer line is cut; the dashed one inside is the edge of the finished piece. ";
 
-/// What is done along the edges: the edge of the finished piece where it is not cut, folds, holes,
-/// notches and ticks.
+/// What is done along the edges and marked on the face: the edge of the finished piece where it is
+/// not cut, folds, holes, notches, ticks, stations and arrows.
 pub(super) fn trims(piece: &Piece, place: impl Fn(Point2) -> Point2) -> String {
     let class_of = |kind: PathKind| match kind {
         PathKind::Net => Some("net"),
-        PathKind::TrimFold { .. } => Some("score"),
-        PathKind::TrimTick => Some("tick"),
+        PathKind::TrimFold { .. } | PathKind::OnFold => Some("score"),
+        PathKind::TrimTick | PathKind::Station | PathKind::Grain | PathKind::Arrow => Some("tick"),
         PathKind::Drill { .. } | PathKind::Notch => Some("cut thin"),
         _ => None,
     };
@@ -162,6 +162,9 @@ pub(super) fn trims(piece: &Piece, place: impl Fn(Point2) -> Point2) -> String {
             if path.closed { drawn.ring(points) } else { drawn.line(points) }
         }
         body += &drawn.element(class);
+    }
+    for label in piece.labels.iter().filter(|label| label.kind == LabelKind::OnFace) {
+        body += &text("", Anchor::Middle, place(label.at), &label.text);
     }
     body
 }

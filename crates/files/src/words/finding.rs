@@ -1,6 +1,7 @@
 //! Findings in sentences, with advice.
 
 use super::healed::{healed, two_skins};
+use super::marks::marked;
 use super::moved::{keeps_from_bending, listed, movement, not_needed, ran_on};
 use super::place::point;
 use super::trims::trimmed;
@@ -17,6 +18,7 @@ pub fn finding_text(finding: &Finding) -> String {
     use FindingKind as Kind;
     match &finding.kind {
         Kind::Trimmed { note } => trimmed(note),
+        Kind::Marked { note } => marked(note),
         Kind::StrainTooLarge { strain, limit, sheet, thickest_mm, basis } => format!(
             "{}. {}.{} {}, or choose a sheet that stretches more.",
             must_strain(*strain, *basis),

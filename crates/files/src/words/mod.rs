@@ -5,6 +5,7 @@
 
 mod finding;
 mod healed;
+mod marks;
 mod moved;
 mod place;
 #[cfg(test)]

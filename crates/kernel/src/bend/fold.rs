@@ -24,13 +24,6 @@ pub(crate) struct FoldLine {
     pub(crate) crease: f64,
 }
 
-/// The crease at a side at which a net is folded, radians; `None` of one that is flat or on the
-/// border.
-pub(crate) fn fold_at(mesh: &Mesh, edge: &MeshEdge) -> Option<f64> {
-    let crease = crease(mesh, edge);
-    (crease.abs() > from_deg(FOLDED_DEG)).then_some(crease)
-}
-
 /// The folds of a sheet above this angle, radians, each as long as it goes straight on.
 pub(crate) fn folds(sheet: &Mesh, flat: &[Point2], least: f64) -> Vec<FoldLine> {
     let edges = sheet.edges();

@@ -21,7 +21,7 @@ mod strip;
 pub use fold::FOLDED_DEG;
 pub use plan::{Brake, BrakeFault, DIE_THICKNESSES, Hit, LEAST_SHARE, Reference, hits};
 
-pub(crate) use fold::{fold_at, fold_counts};
+pub(crate) use fold::fold_counts;
 pub(crate) use neutral::{k_factor, neutral_surface};
 
 use crate::design::Bends;

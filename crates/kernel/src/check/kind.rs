@@ -6,6 +6,7 @@ use super::severity::Severity;
 use super::verdict::Verdict;
 use crate::elastic::Basis;
 use crate::fair::Ended;
+use crate::mark::MarkNote;
 use crate::mesh::{Damage, Skin};
 use crate::trim::TrimNote;
 use sheetwright_geometry::math::Point3;
@@ -417,6 +418,11 @@ pub enum FindingKind {
         /// What.
         note: TrimNote,
     },
+    /// A mark on the face was not made as it was asked for.
+    Marked {
+        /// What.
+        note: MarkNote,
+    },
 }
 
 /// A sheet that can't be rolled so tightly.
@@ -531,7 +537,7 @@ impl FindingKind {
             | Self::QuadsOffBoundary { .. }
             | Self::PdfReduced { .. } => Severity::Note,
             Self::Trimmed { note: TrimNote::NotProved { .. } } => Severity::Error,
-            Self::Trimmed { .. } => Severity::Warning,
+            Self::Trimmed { .. } | Self::Marked { .. } => Severity::Warning,
             Self::TwoSurfaces { is_one_pattern, .. } => {
                 unless(*is_one_pattern, Severity::Warning, Severity::Note)
             }
@@ -603,6 +609,7 @@ impl FindingKind {
             Self::QuadsNotPlanar { .. } => "quads-not-planar",
             Self::PdfReduced { .. } => "pdf-reduced",
             Self::Trimmed { .. } => "trim",
+            Self::Marked { .. } => "mark",
             Self::LinesClose { .. } => "bend-lines-close",
             Self::LinesLong { .. } => "bend-lines-long",
             Self::FlangeShort { .. } => "flange-short",

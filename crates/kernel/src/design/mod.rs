@@ -5,6 +5,7 @@ mod bends;
 mod dimensions;
 mod failure;
 mod join;
+mod mark;
 mod mesh;
 mod scale;
 mod shorthand;
@@ -16,6 +17,7 @@ pub use bends::{AUTO_LINES, AUTO_STEP_DEG, BendMarks, BendRule, Bends, MOST_BEND
 pub use dimensions::{Dimensions, Thick};
 pub use failure::Failure;
 pub use join::Join;
+pub use mark::{Axis, Mark, MarkAt, MarkKind, MarkOn, MarkWay, StationPlaces, StationPlane};
 pub use mesh::{PanelMesh, Triangles};
 pub use tolerance::{
     FEWEST_ON_LOOP, FEWEST_ON_RAIL, LOOP_SAMPLES, MOST_BY_TOLERANCE, MOST_USUAL, RAIL_SAMPLES,
@@ -191,6 +193,8 @@ pub struct Design {
     pub trade: Option<String>,
     /// What is done along edges, in order, that of its trade first.
     pub trims: Vec<Trim>,
+    /// What is marked on the faces of its parts, in order.
+    pub marks: Vec<Mark>,
     /// The name of the preset that its patterns are written for, if it names one: what that is,
     /// writers know.
     pub preset: Option<String>,

@@ -25,8 +25,8 @@ impl Design {
         (high - low).max_element().max(0.0)
     }
 
-    /// The design with all its lengths times a factor: points, cuts, distances by which they may
-    /// move, and limits on moving. The sheet keeps its thickness, and the paper its size.
+    /// The design with all its lengths times a factor: points, cuts, places of marks, distances by
+    /// which they may move, and limits on moving. The sheet keeps its thickness, and the paper its size.
     pub fn scaled(mut self, factor: f64) -> Self {
         let place = |p: Point3| Point3::from_vec(p.to_vec() * factor);
         for point in self.curves.iter_mut().flat_map(|curve| &mut curve.points) {
@@ -37,6 +37,7 @@ impl Design {
             vary.limit_mm = vary.limit_mm.map(|mm| mm * factor);
             vary.budget_mm = vary.budget_mm.map(|mm| mm * factor);
         }
+        self.marks.iter_mut().for_each(|mark| mark.scaled(factor));
         // Panels that share triangles share them afterwards.
         let mut known: BTreeMap<*const Triangles, Arc<Triangles>> = BTreeMap::new();
         for panel in &mut self.panels {

@@ -3,6 +3,7 @@
 use crate::design::Failure;
 use crate::fair::{FairCause, FairError, VaryCause};
 use crate::flatten::{FlattenError, RelaxError};
+use crate::mark::MarkFault;
 use crate::mesh::MeshError;
 use crate::sample::{PanelCause, PanelError};
 use crate::surface::ConnectivityError;
@@ -45,6 +46,8 @@ pub enum MakeCause {
     Relax(RelaxError),
     /// A trim that can't be made.
     Trim(TrimFault),
+    /// A mark that can't be made.
+    Mark(MarkFault),
 }
 
 impl From<PanelCause> for MakeCause {
@@ -88,6 +91,7 @@ impl fmt::Display for MakeCause {
             }
             Self::Relax(error) => write!(f, "{error}"),
             Self::Trim(fault) => write!(f, "{fault}"),
+            Self::Mark(fault) => write!(f, "{fault}"),
         }
     }
 }

@@ -20,7 +20,7 @@
 use super::cleaned::{Cleaned, LastCleaned};
 use super::unrestricted::Known;
 use super::{Judging, Made, MakeCause, MakeError, Maker, Part};
-use super::{find_mates, is_screened, join_meshes, settle, trim_parts};
+use super::{find_mates, is_screened, join_meshes, mark_parts, settle, trim_parts};
 use crate::design::{Bends, Design, DesignCurve, DesignPanel, PanelShape, Thick, used};
 use crate::material::Material;
 use crate::sample::Counts;
@@ -255,21 +255,24 @@ impl Live {
         let mut parts = panels.collect::<Result<Vec<_>, _>>()?.concat();
         find_mates(&mut parts);
         trim_parts(&mut parts, &self.design.trims)?;
+        mark_parts(&mut parts, &self.design.marks)?;
         let (name, material) = (self.design.name.clone(), self.design.material.clone());
         let thickness_mm = self.design.sheet_thickness_mm();
         Ok(Made { name, material, thickness_mm, parts, moved: None })
     }
 
     /// The parts of each panel, or why they can't be made, in the order of [`Self::panels`], with
-    /// the trims of the design as far as its panels can be made; `None` of a design without trims.
+    /// the trims and marks of the design as far as its panels can be made; `None` of a design without
+    /// either.
     pub fn trimmed(&self) -> Option<Vec<Result<Vec<Part>, MakeError>>> {
-        if self.design.trims.is_empty() {
+        if self.design.trims.is_empty() && self.design.marks.is_empty() {
             return None;
         }
         let made = self.panels.iter().filter_map(|panel| panel.made.as_ref().ok());
         let mut parts: Vec<Part> = made.flatten().cloned().collect();
         find_mates(&mut parts);
-        let refused = trim_parts(&mut parts, &self.design.trims).err();
+        let trimmed = trim_parts(&mut parts, &self.design.trims);
+        let refused = trimmed.and_then(|()| mark_parts(&mut parts, &self.design.marks)).err();
         // What is refused of no panel is said at the first.
         let of_error = |error: &MakeError| {
             self.panels.iter().position(|panel| panel.name == error.panel).unwrap_or(0)

@@ -14,6 +14,7 @@ mod joined;
 mod judged;
 mod laid;
 mod live;
+mod marked;
 mod mesh;
 mod opened;
 mod other;
@@ -40,6 +41,7 @@ use cleaned::{Cleaned, cleaned};
 use found::make_found;
 use joined::{find_mates, join_meshes};
 use judged::{is_screened, judge};
+use marked::mark_parts;
 use mesh::make_mesh;
 use sheetwright_geometry::watch::{Stage, Watch};
 use sheetwright_optimum::triangulate::TriangulateError;
@@ -124,6 +126,7 @@ pub fn make_judged(
     join_meshes(&mut parts.iter_mut().collect::<Vec<_>>());
     find_mates(&mut parts);
     trim_parts(&mut parts, &design.trims)?;
+    mark_parts(&mut parts, &design.marks)?;
     let (name, material) = (design.name.clone(), design.material.clone());
     let thickness_mm = design.sheet_thickness_mm();
     Ok(Made { name, material, thickness_mm, parts, moved })

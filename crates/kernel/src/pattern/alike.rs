@@ -5,7 +5,7 @@
 //! first corner of the first outline only if the sequences of distances agree from there on. For
 //! each such corner, the rotation is found by least squares, and every corner must then lie on its
 //! partner. So must everything else that is done to the sheet: holes, folds, notches, ticks. Names
-//! and lengths may differ; what a trim writes may not.
+//! and lengths may differ; what a trim or a mark writes may not.
 //!
 //! Equal outlines may still be bent to different shapes, so their borders in space are compared,
 //! too, corner by corner. Bend lines are not: where one border has two equally good surfaces, such
@@ -91,6 +91,9 @@ pub fn alike(a: &Piece, b: &Piece, within_mm: f64) -> Option<EqualPiece> {
         return None;
     }
     let (work_a, work_b) = (work(a), work(b));
+    if texts(a) != texts(b) {
+        return None;
+    }
     let (cut_a, cut_b) = (cut_lines(a), cut_lines(b));
     if work_a.len() != work_b.len() || cut_a.len() != cut_b.len() {
         return None;
@@ -132,6 +135,14 @@ fn corners_off_mm(lines: &[Vec<Point2>], others: &[Vec<Point2>]) -> impl Iterato
     lines.iter().flatten().map(move |&p| to_others(p))
 }
 
+/// What marks on the face of a piece say, in order. Where they say it is where there is room.
+fn texts(piece: &Piece) -> Vec<&str> {
+    let of_marks = piece.labels.iter().filter(|label| label.kind == LabelKind::OnFace);
+    let mut texts: Vec<&str> = of_marks.map(|label| &label.text[..]).collect();
+    texts.sort_unstable();
+    texts
+}
+
 /// What is done to the sheet at a place, besides cutting it.
 #[derive(Clone, Copy, PartialEq)]
 enum Done<'a> {
@@ -143,7 +154,7 @@ enum Done<'a> {
 fn work(piece: &Piece) -> Vec<(Done<'_>, Point2)> {
     let has_net = piece.has_net();
     let kind = |path: &PatternPath| match path.kind {
-        PathKind::Outline | PathKind::Dimension => None,
+        PathKind::Outline | PathKind::Dimension | PathKind::Leader => None,
         PathKind::Bend { .. } | PathKind::BendTick => None,
         PathKind::Hole if has_net => None,
         // Rungs have their numbers, which depend on where the samples begin.

@@ -3,40 +3,33 @@
 //! A machine marks a tick at both ends alone unless whole lines are asked for: a line across a
 //! lampshade or a plank would be seen for ever.
 
-use super::{LabelKind, PathKind, PatternLabel, PatternPath, Role};
+use super::wish::{Instead, Wish, WishAt};
+use super::{LabelKind, PathKind, PatternPath, Role};
 use crate::bend::BendLine;
 use crate::design::BendMarks;
-use sheetwright_geometry::math::{Vec2, to_deg, unit2};
+use sheetwright_geometry::math::to_deg;
 
-/// Letters are as high as those of the piece times this, at the most.
-const BESIDE_NAME: f64 = 0.3;
-/// Letters are as high as this share of the line, at the most.
-const ALONG: f64 = 0.06;
-/// Letters are as high as this share of the way to the next line, at the most.
-const BETWEEN: f64 = 0.6;
-/// Lower letters can't be read.
-const LEAST_MM: f64 = 1.5;
-/// The middle of a text lies this share of the line from its end where there is more room.
-const FROM_END: f64 = 0.3;
+/// Shares of a line that a text stands at, nearer to its right end.
+const NEAR_RIGHT: &[f64] = &[0.7, 0.8, 0.6, 0.85, 0.5, 0.4, 0.3, 0.2];
+/// Nearer to its left end.
+const NEAR_LEFT: &[f64] = &[0.3, 0.2, 0.4, 0.15, 0.5, 0.6, 0.7, 0.8];
 /// Ticks are no longer than this share of their line: others would meet in the middle.
 const TICK_SHARE: f64 = 0.2;
 
-/// The lines, ticks and texts of bend lines. A fold that the pattern has scored is drawn there, and
-/// has a text alone. `tick_mm` is the length of a tick, `height_mm` the height of the piece's
-/// letters.
+/// The lines and ticks of bend lines. A fold that the pattern has scored is drawn there. `tick_mm`
+/// is the length of a tick.
 pub(super) fn drawn(
     lines: &[BendLine],
     marks: BendMarks,
     is_scored: impl Fn(&BendLine) -> bool,
     tick_mm: f64,
-    height_mm: f64,
-) -> (Vec<PatternPath>, Vec<PatternLabel>) {
-    let (mut paths, mut labels) = (Vec::new(), Vec::new());
+) -> Vec<PatternPath> {
+    let mut paths = Vec::new();
     if marks == BendMarks::None {
-        return (paths, labels);
+        return paths;
     }
     let role = if marks == BendMarks::Lines { Role::Engrave } else { Role::Note };
-    for (n, line) in lines.iter().enumerate() {
+    for line in lines {
         if !is_scored(line) {
             paths.push(PatternPath {
                 role,
@@ -48,9 +41,8 @@ pub(super) fn drawn(
                 paths.extend(ticks(line, tick_mm));
             }
         }
-        labels.extend(text(lines, n, role, height_mm));
     }
-    (paths, labels)
+    paths
 }
 
 /// The ticks at both ends of a line.
@@ -65,28 +57,23 @@ fn ticks(line: &BendLine, tick_mm: f64) -> impl Iterator<Item = PatternPath> {
     })
 }
 
-/// The number, the way and the angle of a line, along it; `None` where there is no room.
-fn text(lines: &[BendLine], n: usize, role: Role, height_mm: f64) -> Option<PatternLabel> {
-    let line = &lines[n];
-    // Towards the end where lines are farther apart.
-    let [left, right] = line.pitch_mm;
-    let share = if right > left { 1.0 - FROM_END } else { FROM_END };
-    let at = line.ends[0].lerp(line.ends[1], share);
-    let beside = [n.checked_sub(1), Some(n + 1)].into_iter().flatten();
-    let apart = |other: &BendLine| other.side_mm(at).abs();
-    let room = beside.filter_map(|other| lines.get(other).map(apart)).fold(f64::INFINITY, f64::min);
-    let height_mm = (BESIDE_NAME * height_mm).min(ALONG * line.length_mm()).min(BETWEEN * room);
-    let way = unit2(line.ends[1] - line.ends[0]).filter(|_| height_mm >= LEAST_MM)?;
-    let along = if way.x > 0.0 || (way.x == 0.0 && way.y > 0.0) { way } else { -way };
-    let beside: Vec2 = along.perp() * (0.25 * height_mm);
-    Some(PatternLabel {
-        kind: LabelKind::Bend,
-        role,
-        at: at + beside,
-        along,
-        height_mm,
-        text: written(n + 1, line),
-    })
+/// The number, the way and the angle of each line, along it, or its number alone: the table of bend
+/// lines has the rest.
+pub(super) fn wishes(lines: &[BendLine], marks: BendMarks) -> Vec<Wish> {
+    if marks == BendMarks::None {
+        return Vec::new();
+    }
+    let role = if marks == BendMarks::Lines { Role::Engrave } else { Role::Note };
+    let wish = |(n, line): (usize, &BendLine)| {
+        // Towards the end where lines are farther apart.
+        let [left, right] = line.pitch_mm;
+        let shares = if right > left { NEAR_RIGHT } else { NEAR_LEFT };
+        let at = WishAt::Beside { line: line.ends.to_vec(), shares, is_left: false, away_mm: 0.0 };
+        let (kind, instead) = (LabelKind::Bend, Instead::Nothing);
+        let texts = vec![written(n + 1, line), (n + 1).to_string()];
+        Wish { kind, role, texts, height_mm: None, at, instead }
+    };
+    lines.iter().enumerate().map(wish).collect()
 }
 
 /// As in `7 up 12.5°`.

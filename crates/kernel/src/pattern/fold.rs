@@ -1,17 +1,12 @@
 //! The folds of a net: mountains and valleys, with their angles.
 
-use super::{LabelKind, PathKind, PatternLabel, PatternPath, Role};
+use super::wish::{FROM_MIDDLE, Instead, Wish, WishAt};
+use super::{LabelKind, PathKind, PatternPath, Role};
 use crate::bend::BendLine;
-use sheetwright_geometry::math::{Vec2, to_deg, unit2};
+use sheetwright_geometry::math::to_deg;
 
 /// Angles below it, degrees, are not written: a hand can't fold so finely.
 const WRITTEN_DEG: f64 = 5.0;
-/// Letters of an angle are as high as those of the piece times this, at the most.
-const BESIDE_NAME: f64 = 0.3;
-/// Letters are as high as this share of the fold, at the most.
-const ALONG: f64 = 0.12;
-/// Lower letters can't be read.
-const LEAST_MM: f64 = 1.5;
 
 /// A fold as it is scored.
 pub(super) fn path(fold: &BendLine) -> PatternPath {
@@ -23,20 +18,16 @@ pub(super) fn path(fold: &BendLine) -> PatternPath {
     }
 }
 
-/// The angle of a fold beside its middle, upright as far as it can; `None` where there is no room.
-pub(super) fn label(fold: &BendLine, height_mm: f64) -> Option<PatternLabel> {
-    let [from, to] = fold.ends;
-    let height_mm = (BESIDE_NAME * height_mm).min(ALONG * from.distance(to));
-    let is_written = height_mm >= LEAST_MM && to_deg(fold.angle.abs()) >= WRITTEN_DEG;
-    let way = unit2(to - from).filter(|_| is_written)?;
-    let along = if way.x > 0.0 || (way.x == 0.0 && way.y > 0.0) { way } else { -way };
-    let beside: Vec2 = along.perp() * (0.4 * height_mm);
-    Some(PatternLabel {
+/// The angle of a fold beside its middle; `None` of one that a hand can't fold so finely.
+pub(super) fn wish(fold: &BendLine) -> Option<Wish> {
+    let angle_deg = to_deg(fold.angle.abs());
+    let (line, shares) = (fold.ends.to_vec(), FROM_MIDDLE);
+    (angle_deg >= WRITTEN_DEG).then(|| Wish {
         kind: LabelKind::Angle,
         role: Role::Note,
-        at: from.lerp(to, 0.5) + beside,
-        along,
-        height_mm,
-        text: format!("{:.0}°", to_deg(fold.angle.abs())),
+        texts: vec![format!("{angle_deg:.0}°")],
+        height_mm: None,
+        at: WishAt::Beside { line, shares, is_left: false, away_mm: 0.0 },
+        instead: Instead::Nothing,
     })
 }

@@ -6,22 +6,29 @@ mod crease;
 mod dimension;
 mod edge_names;
 mod fold;
+mod labels;
+mod placer;
 mod quantity;
+mod room;
 mod seam;
+mod text_box;
 mod trims;
+mod wish;
 
 pub use alike::{EqualPiece, alike, equal_pieces};
 pub use quantity::Quantity;
 pub use seam::{EdgeMark, seam_mark, seam_marks};
 
+pub(crate) use labels::Labelled;
+pub(crate) use room::Room;
 pub(crate) use seam::joint_mark;
+pub(crate) use wish::Wish;
 
-use crate::bend::{BendLine, bend_lines, fold_at};
+use crate::bend::{BendLine, bend_lines};
 use crate::design::{BendMarks, Bends};
 use crate::edge::Edge;
 use crate::flatten::Flattened;
 use crate::measure::{Measures, RungMeasures};
-use crate::mesh::MeshEdge;
 use crate::sheet::Sheet;
 use sheetwright_geometry::index::VertexIndex;
 use sheetwright_geometry::math::{Point2, Point3, Vec2};
@@ -118,6 +125,16 @@ pub enum PathKind {
     SeamTick,
     /// A line of a dimension.
     Dimension,
+    /// Where a station cuts the part: from edge to edge, or round.
+    Station,
+    /// An arrow along the grain: its line and then its head, in one stroke.
+    Grain,
+    /// An edge that lies on the fold of the cloth.
+    OnFold,
+    /// An arrow that says which way the part lies in space; likewise.
+    Arrow,
+    /// A line from a text beside the piece to where it belongs.
+    Leader,
 }
 
 impl PathKind {
@@ -154,7 +171,7 @@ pub enum LabelKind {
     Name,
     /// How often it is cut, under its name.
     Quantity,
-    /// The name of an edge, beside its middle.
+    /// The name of an edge, beside its middle, with what it is joined to.
     Edge,
     /// The mark of a seam or joint, beside the middle of a side of it.
     Mark,
@@ -166,8 +183,10 @@ pub enum LabelKind {
     Trim,
     /// The angle of a fold.
     Angle,
-    /// The number of a bend line, its way and its angle.
+    /// The number of a bend line, its way and its angle, or its number alone.
     Bend,
+    /// What a mark on the face says.
+    OnFace,
 }
 
 /// A line of text of a pattern.
@@ -275,11 +294,6 @@ pub(crate) struct PatternOptions {
     pub(crate) is_net: bool,
 }
 
-/// Ticks are as long as this share of the shorter side of the piece, within 2 to 10 mm.
-const TICK_SHARE: f64 = 0.05;
-/// Labels are as high as this share of the shorter side of the piece, within 2 to 25 mm.
-const LABEL_SHARE: f64 = 0.08;
-
 /// The pattern of one part with these edges. `measures` are those of its surface in space, `marks`
 /// those of its seams and of the lines along which it is joined to other parts.
 pub(crate) fn piece(
@@ -295,9 +309,7 @@ pub(crate) fn piece(
     let outline = paths.first().map_or(&[][..], |path| &path.points);
     let size = Box2::of_points(outline.iter().copied())
         .map_or(Vec2::ZERO, |around| around.max - Point2::default());
-    let shorter = size.x.min(size.y);
-    let tick_mm = (TICK_SHARE * shorter).clamp(2.0, 10.0);
-    let height_mm = (LABEL_SHARE * shorter).clamp(2.0, 25.0);
+    let [tick_mm, height_mm] = labels::sizes(size);
     let bends = bend_lines(sheet, flat, measures, &options.bends, options.is_net);
     paths.extend(rungs(sheet, flat, measures, options.bends.marks));
     if options.is_net {
@@ -310,7 +322,6 @@ pub(crate) fn piece(
             closed: false,
         }));
     }
-    let mut bend_labels = Vec::new();
     if !options.is_net {
         let is_along = |path: &PatternPath, [a, b]: [Point2; 2]| {
             path.role == Role::Score && (path.points == [a, b] || path.points == [b, a])
@@ -319,25 +330,19 @@ pub(crate) fn piece(
             let is_drawn = || paths.iter().any(|path| is_along(path, line.ends));
             line.is_fold && (!sheet.has_rungs() || is_drawn())
         };
-        let drawn = bend::drawn(&bends, options.bends.marks, is_scored, tick_mm, height_mm);
-        paths.extend(drawn.0);
-        bend_labels = drawn.1;
+        let drawn = bend::drawn(&bends, options.bends.marks, is_scored, tick_mm);
+        paths.extend(drawn);
     }
-    let (mark_paths, mark_labels) = seam::drawn(marks, sheet, flat, tick_mm, height_mm);
+    let (mark_paths, mut labels) = seam::drawn(marks, sheet, flat, tick_mm, height_mm);
     paths.extend(mark_paths);
     let (dimension_paths, dimension_labels) = dimension::overall(size, height_mm);
     paths.extend(dimension_paths);
-    let mut labels = vec![name_label(name, sheet, flat, height_mm, options.is_net)];
-    labels.extend(mark_labels);
-    if options.is_net {
-        labels.extend(bends.iter().filter_map(|line| fold::label(line, height_mm)));
-    } else {
-        labels.extend(bend_labels);
-        labels.extend(edge_names::labels(edges, &flat.points, tick_mm, height_mm));
-    }
     labels.extend(dimension_labels);
     let corner = Point2::default();
-    Piece { name: name.to_owned(), paths, labels, size, corner, bends, border }
+    let mut piece = Piece { name: name.to_owned(), paths, labels, size, corner, bends, border };
+    let (marks, is_net) = (options.bends.marks, options.is_net);
+    piece.label(&Labelled { sheet, flat: &flat.points, edges, joined: &[], marks, is_net }, &[]);
+    piece
 }
 
 /// The outline, and then the holes; and where the corners of the outline lie in space.
@@ -392,66 +397,4 @@ fn rungs(
         }
     };
     sheet.rung_ends().iter().zip(&measures.rungs).filter(is_drawn).map(path).collect()
-}
-
-/// Places that are tried for the name, at the most.
-const LABEL_PLACES: usize = 60;
-
-/// The name of the panel, where the piece is widest: of the middles of some rungs and triangles,
-/// the one that lies farthest from the outline.
-/// On a net, whose facets are small, its letters are low enough for it to lie inside.
-fn name_label(
-    name: &str,
-    sheet: &Sheet,
-    flat: &Flattened,
-    height_mm: f64,
-    is_net: bool,
-) -> PatternLabel {
-    let at = |v: VertexIndex| flat.points[v.get()];
-    let mesh = sheet.mesh();
-    let is_rung = |edge: &&MeshEdge| sheet.has_rungs() && !edge.is_border();
-    let rungs = mesh.edges().iter().filter(is_rung).map(|edge| {
-        let [a, b] = edge.ends.map(at);
-        a.lerp(b, 0.5)
-    });
-    let triangles = mesh.triangles().iter().map(|triangle| {
-        let [a, b, c] = triangle.map(at);
-        a + ((b - a) + (c - a)) / 3.0
-    });
-    let places: Vec<Point2> = rungs.chain(triangles).collect();
-    // On a net, a name crosses no fold.
-    let is_line = |edge: &&MeshEdge| edge.is_border() || (is_net && fold_at(mesh, edge).is_some());
-    let border = mesh.edges().iter().filter(is_line);
-    let border: Vec<[Point2; 2]> = border.map(|edge| edge.ends.map(at)).collect();
-    let label = label_at(name, &places, &border, height_mm);
-    if !is_net {
-        return label;
-    }
-    let clear = border.iter().map(|&edge| label.at.distance_to_segment(edge));
-    let room_mm = 2.0 * clear.fold(f64::INFINITY, f64::min);
-    let fits_mm = room_mm / name.chars().count().max(1) as f64;
-    PatternLabel { height_mm: height_mm.min(fits_mm).max(1.5), ..label }
-}
-
-/// A name at that of some places which lies farthest from some edges.
-fn label_at(name: &str, places: &[Point2], edges: &[[Point2; 2]], height_mm: f64) -> PatternLabel {
-    let step = places.len().div_ceil(LABEL_PLACES);
-    let to_outline = |place: Point2| {
-        let distances = edges.iter().map(|&edge| place.distance_to_segment(edge));
-        distances.fold(f64::INFINITY, f64::min)
-    };
-    let middle = places
-        .iter()
-        .step_by(step.max(1))
-        .map(|&place| (to_outline(place), place))
-        .reduce(|best, tried| if tried.0 > best.0 { tried } else { best })
-        .map_or(Point2::default(), |(_, place)| place);
-    PatternLabel {
-        kind: LabelKind::Name,
-        role: Role::Engrave,
-        at: middle,
-        along: Vec2::X,
-        height_mm,
-        text: name.to_owned(),
-    }
 }

@@ -1,13 +1,12 @@
 //! How often a piece is cut, under its name.
 
-use super::{LabelKind, PatternLabel, Piece};
+use super::placer::Placer;
+use super::{LabelKind, Piece, Room, Wish};
 
 /// The letters are as high as those of the name times this.
 const BESIDE_NAME: f64 = 0.6;
-/// Lower letters can't be read.
-const LEAST_MM: f64 = 1.5;
 /// The base line lies this far below that of the name, as a share of the height of its letters.
-const BELOW: f64 = 1.0;
+const BELOW: f64 = 1.2;
 
 /// How many equal parts are cut from one pattern.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,21 +31,16 @@ impl Quantity {
 impl Piece {
     /// The piece with its quantity under its name, if there are several of it.
     pub(crate) fn counted(mut self, quantity: Quantity) -> Self {
-        let name = self.labels.iter().position(|label| label.kind == LabelKind::Name);
-        if let (Some(text), Some(n)) = (quantity.text(), name) {
-            let name = &self.labels[n];
-            let height_mm = (BESIDE_NAME * name.height_mm).max(LEAST_MM);
-            let below_mm = BELOW * name.height_mm.max(height_mm);
-            let at = name.at + name.along.perp() * -below_mm;
-            let label = PatternLabel {
-                kind: LabelKind::Quantity,
-                role: name.role,
-                at,
-                along: name.along,
-                height_mm,
-                text,
-            };
-            self.labels.insert(n + 1, label);
+        let name = self.labels.iter().find(|label| label.kind == LabelKind::Name);
+        if let (Some(text), Some(name)) = (quantity.text(), name) {
+            let height_mm = BESIDE_NAME * name.height_mm;
+            let below = name.at + name.along.perp() * (-BELOW * height_mm);
+            let wish = Wish::quantity(text, below);
+            let room = Room::new(self.net_loops());
+            let mut placer = Placer::new(room, &self.paths, &self.labels, vec![below]);
+            placer.place(&wish, height_mm);
+            self.paths.extend(placer.leaders);
+            self.labels.extend(placer.labels);
         }
         self
     }

@@ -6,9 +6,11 @@ use sheetwright_geometry::predicate::Box2;
 use sheetwright_geometry::region::Region;
 
 impl PathKind {
-    /// Whether a trim drew it.
-    fn is_of_trim(self) -> bool {
-        matches!(self, Self::Drill { .. } | Self::Notch | Self::TrimFold { .. } | Self::TrimTick)
+    /// Whether a trim or a mark drew it.
+    fn is_added(self) -> bool {
+        let is_of_trim = matches!(self, Self::Notch | Self::TrimFold { .. } | Self::TrimTick);
+        let is_of_mark = matches!(self, Self::Station | Self::Grain | Self::OnFold | Self::Arrow);
+        is_of_trim || is_of_mark || matches!(self, Self::Drill { .. })
     }
 }
 
@@ -43,12 +45,12 @@ impl Piece {
         self.labels.extend(labels);
     }
 
-    /// Takes all trims away.
+    /// Takes all trims and marks away; texts stay where they are.
     pub(crate) fn untrim(&mut self) {
         let has_net = self.has_net();
         self.paths.retain(|path| {
             let is_cut = matches!(path.kind, PathKind::Outline | PathKind::Hole);
-            !(path.kind.is_of_trim() || has_net && is_cut)
+            !(path.kind.is_added() || has_net && is_cut)
         });
         self.labels.retain(|label| label.kind != LabelKind::Trim);
         if !has_net {

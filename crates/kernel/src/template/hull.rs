@@ -152,7 +152,27 @@ fn hull(values: &Values) -> Drawn {
         }
         sketch.plank(name, [&first.name, &second.name], SAMPLES);
     }
+    let stations = stations(lines);
+    if !stations.is_empty() {
+        sketch.stations(&stations);
+    }
     Ok(sketch)
+}
+
+/// Places along x at which every line has a point between its ends, in increasing order: the
+/// stations at which the offsets were taken.
+fn stations(lines: &[NamedCurve]) -> Vec<f64> {
+    let inner = |line: &NamedCurve| -> Vec<f64> {
+        let last = line.points.len() - 1;
+        line.points.iter().take(last).skip(1).map(|point| point.at.x).collect()
+    };
+    let Some((first, others)) = lines.split_first() else { return Vec::new() };
+    let others: Vec<Vec<f64>> = others.iter().map(inner).collect();
+    let is_shared = |x: &f64| others.iter().all(|line| line.contains(x));
+    let mut places: Vec<f64> = inner(first).into_iter().filter(is_shared).collect();
+    places.sort_by(f64::total_cmp);
+    places.dedup();
+    places
 }
 
 fn line(name: &str, points: &[[f64; 3]]) -> NamedCurve {
@@ -178,7 +198,7 @@ fn faces_away(first: &NamedCurve, second: &NamedCurve, from: Point3) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::design::{Design, PanelShape};
+    use crate::design::{Axis, Design, Mark, MarkKind, PanelShape, StationPlaces};
     use crate::template::{Value, template};
 
     fn drawn(lines: Vec<NamedCurve>) -> Result<Design, TemplateError> {
@@ -206,6 +226,21 @@ mod tests {
         aft.iter_mut().for_each(|line| line.points.reverse());
         let PanelShape::Rails([first, _]) = &drawn(aft).unwrap().panels[0].shape else { panic!() };
         assert_eq!(first.name, "keel");
+    }
+
+    #[test]
+    fn stations_that_all_lines_share_are_marked() {
+        assert_eq!(drawn(skiff()).unwrap().marks, []);
+        let mut lines = skiff();
+        for line in &mut lines {
+            (line.points[3].at.x, line.points[5].at.x) = (1200.0, 2200.0);
+        }
+        let marks = drawn(lines).unwrap().marks;
+        let [Mark { kind: MarkKind::Stations { axis: Axis::X, at }, .. }] = &marks[..] else {
+            panic!("{marks:?}")
+        };
+        let StationPlaces::Listed { planes } = at else { panic!("{at:?}") };
+        assert_eq!(planes.iter().map(|plane| plane.at).collect::<Vec<_>>(), [1200.0, 2200.0]);
     }
 
     #[test]

@@ -2,7 +2,10 @@
 //! which they match far more closely than a hand can cut.
 
 use super::TemplateError;
-use crate::design::{CurveUse, Design, DesignCurve, DesignPanel, Join, PanelMethod, PanelShape};
+use crate::design::{
+    Axis, CurveUse, Design, DesignCurve, DesignPanel, Join, Mark, MarkKind, MarkOn, PanelMethod,
+    PanelShape, StationPlaces, StationPlane,
+};
 use sheetwright_geometry::boundary::PlaneChoice;
 use sheetwright_geometry::curve::{CurveKind, CurvePoint};
 use sheetwright_geometry::math::Point3;
@@ -13,6 +16,7 @@ use sheetwright_optimum::cost::DEFAULT_FOLD;
 pub(super) struct Sketch {
     curves: Vec<DesignCurve>,
     panels: Vec<DesignPanel>,
+    marks: Vec<Mark>,
 }
 
 /// The result of a template's function.
@@ -75,6 +79,13 @@ impl Sketch {
             closed: false,
             points,
         });
+    }
+
+    /// Stations across x on all panels.
+    pub(super) fn stations(&mut self, places: &[f64]) {
+        let planes = places.iter().map(|&at| StationPlane { at, name: None }).collect();
+        let kind = MarkKind::Stations { axis: Axis::X, at: StationPlaces::Listed { planes } };
+        self.marks.push(Mark { on: vec![MarkOn::All], kind });
     }
 
     /// A panel between two rails, whose every rung joins the two. It needs no supporting plane: the
@@ -176,8 +187,8 @@ impl Sketch {
 
     /// The design.
     pub(super) fn design(self, name: &str) -> Design {
-        let Self { curves, panels } = self;
-        Design { name: name.to_owned(), curves, panels, ..Design::default() }
+        let Self { curves, panels, marks } = self;
+        Design { name: name.to_owned(), curves, panels, marks, ..Design::default() }
     }
 }
 

@@ -7,7 +7,7 @@ use sheetwright_geometry::math::{Point2, Vec2, cos, from_deg, sin};
 const SIDES: u16 = 24;
 
 /// A hole around a point.
-pub(super) fn drilled(at: Point2, diameter_mm: f64) -> PatternPath {
+pub(crate) fn drilled(at: Point2, diameter_mm: f64) -> PatternPath {
     PatternPath {
         role: Role::Drill,
         kind: PathKind::Drill { diameter_mm },

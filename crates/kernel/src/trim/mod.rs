@@ -35,6 +35,7 @@ pub use cut::TrimNote;
 pub use fault::TrimFault;
 
 pub(crate) use cut::Trimmed;
+pub(crate) use holes::drilled;
 pub(crate) use part::TrimPart;
 
 use crate::design::{Flange, Trim, TrimKind};

@@ -4,10 +4,11 @@ use super::{Wire, fields, kinds, variants};
 use sheetwright::boundary::{Continuity, PlaneChoice, Within};
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
-    Allowance, BendMarks, BendRule, Bends, Corner, CurveUse, Design, DesignCurve, DesignPanel,
-    Dimensions, Fingers, Flange, Hem, Holes, Join, MovedBy, NotchForm, Notches, PanelMesh,
-    PanelMethod, PanelShape, Places, Puzzle, SampleTolerance, Tabs, Ticks, Triangles, Trim,
-    TrimKind, TrimOn, Vary, VaryGoal,
+    Allowance, Axis, BendMarks, BendRule, Bends, Corner, CurveUse, Design, DesignCurve,
+    DesignPanel, Dimensions, Fingers, Flange, Hem, Holes, Join, Mark, MarkAt, MarkKind, MarkOn,
+    MarkWay, MovedBy, NotchForm, Notches, PanelMesh, PanelMethod, PanelShape, Places, Puzzle,
+    SampleTolerance, StationPlaces, StationPlane, Tabs, Ticks, Triangles, Trim, TrimKind, TrimOn,
+    Vary, VaryGoal,
 };
 use sheetwright::flatten::Aim;
 use sheetwright::material::{Grain, GrainBending, KFactor, KFactors, Material, Sourced};
@@ -23,6 +24,7 @@ fields!(Design {
     match_seams,
     trade,
     trims,
+    marks,
     preset,
     dxf,
     formats,
@@ -30,6 +32,21 @@ fields!(Design {
     dimensions,
     thickness_mm
 });
+fields!(Mark { on, kind });
+variants!(MarkOn { All {}, Part { name } });
+variants!(MarkKind {
+    Stations { axis, at },
+    Grain { way, length },
+    Fold { edge },
+    Face { text, toward, length },
+    Drill { at, diameter },
+    Text { at, text, height }
+});
+kinds!(Axis { X, Y, Z });
+variants!(StationPlaces { Listed { planes }, Every { pitch, from } });
+fields!(StationPlane { at, name });
+variants!(MarkAt { Space { at, within }, Flat { at } });
+variants!(MarkWay { Space { way }, Edge { edge }, Angle { angle } });
 fields!(Trim { on, span, kind });
 variants!(TrimOn { All {}, Free {}, Joined {}, Cuts {}, Holes {}, Edge { part, edge } });
 fields!(Allowance { width, corner });

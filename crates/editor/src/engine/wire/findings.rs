@@ -7,6 +7,7 @@ use sheetwright::check::{
 };
 use sheetwright::elastic::Basis;
 use sheetwright::fair::Ended;
+use sheetwright::mark::MarkNote;
 use sheetwright::mesh::{Damage, Skin};
 use sheetwright::trim::TrimNote;
 
@@ -62,6 +63,7 @@ variants!(FindingKind {
     QuadsNotPlanar { uneven_mm, off_mm },
     PdfReduced { sheets, scale, most, is_full },
     Trimmed { note },
+    Marked { note },
     LinesClose { count, nearest_mm, least_mm },
     LinesLong { count, longest_mm, most_mm },
     FlangeShort { count, shortest_mm, least_mm }
@@ -72,6 +74,13 @@ variants!(TrimNote {
     Closes { of_net, of_cut },
     NotProved { outside_mm2 },
     Overlaps {}
+});
+variants!(MarkNote {
+    StationMissed { name, axis, at_mm, reach_mm },
+    PlaceFar { what, at, off_mm, within_mm },
+    OverTheEdge { what, at, radius_mm },
+    SquareToPart { what },
+    CurvedFold { edge, off_mm }
 });
 variants!(Place {
     Whole {},

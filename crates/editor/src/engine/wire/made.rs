@@ -38,7 +38,7 @@ fields!(PatternPath { role, kind, points, closed });
 fields!(PatternLabel { kind, role, at, along, height_mm, text });
 kinds!(Verdict { Bends, BendsWithForce, Roll, BendsAndFolds, Undecided, WillNotBend });
 kinds!(Role { Cut, Inner, Drill, Score, Net, Engrave, Note });
-kinds!(LabelKind { Name, Quantity, Edge, Mark, Length, Angle, Overall, Trim, Bend });
+kinds!(LabelKind { Name, Quantity, Edge, Mark, Length, Angle, Overall, Trim, Bend, OnFace });
 
 impl Wire for PathKind {
     fn put(&self, out: &mut Vec<u8>) {
@@ -60,6 +60,11 @@ impl Wire for PathKind {
             Self::TrimTick => 14,
             Self::Bend { up: true } => 15,
             Self::Bend { up: false } => 16,
+            Self::Station => 17,
+            Self::Grain => 18,
+            Self::OnFold => 19,
+            Self::Arrow => 20,
+            Self::Leader => 21,
         });
         match self {
             Self::Rung(rung) => rung.put(out),
@@ -87,6 +92,11 @@ impl Wire for PathKind {
             14 => Self::TrimTick,
             15 => Self::Bend { up: true },
             16 => Self::Bend { up: false },
+            17 => Self::Station,
+            18 => Self::Grain,
+            19 => Self::OnFold,
+            20 => Self::Arrow,
+            21 => Self::Leader,
             _ => return None,
         })
     }

@@ -21,7 +21,7 @@ pub(in crate::design_json) struct TrimFile {
 /// One text, or some.
 #[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
 #[serde(untagged)]
-pub(super) enum OneOrMore {
+pub(in crate::design_json) enum OneOrMore {
     /// One.
     One(String),
     /// Some.
@@ -32,7 +32,7 @@ pub(super) enum OneOrMore {
 /// thicknesses of the sheet.
 #[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
 #[serde(untagged)]
-pub(super) enum LengthFile {
+pub(in crate::design_json) enum LengthFile {
     /// In the units of the design.
     Number(f64),
     /// With its unit.

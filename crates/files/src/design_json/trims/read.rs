@@ -19,15 +19,18 @@ const LENGTH_HINT: &str = "Write a number in the units of the design, or a text 
 const ON_HINT: &str = "Write PART/EDGE, an edge's name, or one of all, free, joined, cuts, holes; \
      or a list of these.";
 
-pub(super) struct Reader {
-    pub(super) units: Units,
-    pub(super) thickness_mm: Option<f64>,
+pub(in crate::design_json) struct Reader {
+    pub(in crate::design_json) units: Units,
+    pub(in crate::design_json) thickness_mm: Option<f64>,
 }
 
 /// What is wrong, and what to do.
-type Problem = (String, String);
+pub(in crate::design_json) type Problem = (String, String);
 
-fn problem(message: impl Into<String>, hint: impl Into<String>) -> Problem {
+pub(in crate::design_json) fn problem(
+    message: impl Into<String>,
+    hint: impl Into<String>,
+) -> Problem {
     (message.into(), hint.into())
 }
 
@@ -176,7 +179,7 @@ impl Reader {
         }
     }
 
-    fn above_0_or(
+    pub(in crate::design_json) fn above_0_or(
         &self,
         field: &str,
         length: Option<LengthFile>,
@@ -185,7 +188,11 @@ impl Reader {
         length.map_or(Ok(default_mm), |length| self.above_0(field, &length))
     }
 
-    fn above_0(&self, field: &str, length: &LengthFile) -> Result<f64, Problem> {
+    pub(in crate::design_json) fn above_0(
+        &self,
+        field: &str,
+        length: &LengthFile,
+    ) -> Result<f64, Problem> {
         let mm = self.mm(field, length)?;
         if mm > 0.0 { Ok(mm) } else { Err(problem(format!("`{field}` is 0"), LENGTH_HINT)) }
     }

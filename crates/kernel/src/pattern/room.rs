@@ -1,0 +1,139 @@
+//! The room inside the loops of a piece: which places lie inside, and how far from the lines.
+
+use sheetwright_geometry::math::{Point2, Vec2};
+use sheetwright_geometry::predicate::{Box2, orientation};
+
+/// Places of the grid that is laid over a piece, about.
+const PLACES: f64 = 240.0;
+
+/// The inside of some loops, each with the sheet to its left.
+pub(crate) struct Room {
+    sides: Vec<[Point2; 2]>,
+    around: Box2,
+}
+
+impl Room {
+    /// That inside some loops.
+    pub(crate) fn new<'a>(loops: impl IntoIterator<Item = &'a [Point2]>) -> Self {
+        let sides = loops.into_iter().flat_map(|line| {
+            let next = line.iter().cycle().skip(1);
+            line.iter().zip(next).map(|(&a, &b)| [a, b])
+        });
+        let sides: Vec<[Point2; 2]> = sides.collect();
+        let none = Box2 { min: Point2::default(), max: Point2::default() };
+        let around = Box2::of_points(sides.iter().map(|side| side[0])).unwrap_or(none);
+        Self { sides, around }
+    }
+
+    /// The box around it.
+    pub(crate) fn around(&self) -> Box2 {
+        self.around
+    }
+
+    /// Whether a point lies inside: the loops wind round it.
+    pub(crate) fn holds(&self, p: Point2) -> bool {
+        let passes = self.sides.iter().map(|&[a, b]| {
+            if a.y <= p.y && p.y < b.y && orientation(a, b, p).is_gt() {
+                1
+            } else if b.y <= p.y && p.y < a.y && orientation(a, b, p).is_lt() {
+                -1
+            } else {
+                0
+            }
+        });
+        passes.sum::<i32>() != 0
+    }
+
+    /// How far a point is from the nearest line, mm.
+    pub(crate) fn clearance(&self, p: Point2) -> f64 {
+        self.sides.iter().map(|&side| p.distance_to_segment(side)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The direction of the line that is nearest to a point.
+    pub(crate) fn nearest_way(&self, p: Point2) -> Vec2 {
+        let off = |side: &&[Point2; 2]| p.distance_to_segment(**side);
+        let nearest = self.sides.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
+        nearest.map_or(Vec2::X, |[a, b]| *b - *a)
+    }
+
+    /// How far the line through a point runs inside, mm, ahead and back; 0 for a point outside.
+    pub(crate) fn reach(&self, p: Point2, way: Vec2) -> [f64; 2] {
+        if !self.holds(p) {
+            return [0.0; 2];
+        }
+        let mut reach = [f64::INFINITY; 2];
+        for [a, b] in &self.sides {
+            let (to_a, to_b) = (*a - p, *b - p);
+            let (left_a, left_b) = (way.perp_dot(to_a), way.perp_dot(to_b));
+            if (left_a < 0.0) == (left_b < 0.0) {
+                continue;
+            }
+            let share = left_a / (left_a - left_b);
+            let along = way.dot(to_a) + share * way.dot(to_b - to_a);
+            let end = usize::from(along < 0.0);
+            reach[end] = reach[end].min(along.abs());
+        }
+        reach
+    }
+
+    /// Whether a line lies inside, without touching another.
+    pub(crate) fn holds_line(&self, line: &[Point2]) -> bool {
+        let crosses = |from: Point2, to: Point2| {
+            self.sides.iter().any(|&[a, b]| {
+                let apart = |a: Point2, b: Point2, p: Point2, q: Point2| {
+                    let (left_p, left_q) = ((b - a).perp_dot(p - a), (b - a).perp_dot(q - a));
+                    left_p * left_q > 0.0
+                };
+                !apart(a, b, from, to) && !apart(from, to, a, b)
+            })
+        };
+        line.iter().all(|&p| self.holds(p)) && !line.windows(2).any(|w| crosses(w[0], w[1]))
+    }
+
+    /// Places inside, each with its distance from the nearest line, the farthest first: those of a
+    /// grid and some more.
+    pub(crate) fn places(&self, more: impl IntoIterator<Item = Point2>) -> Vec<(f64, Point2)> {
+        let size = self.around.max - self.around.min;
+        let step = (size.x * size.y / PLACES).sqrt();
+        let [columns, rows] = [size.x, size.y].map(|length| (length / step).ceil().min(PLACES));
+        let mut tried: Vec<Point2> = more.into_iter().collect();
+        if columns.is_finite() && rows.is_finite() {
+            for row in 0..rows as u32 {
+                for column in 0..columns as u32 {
+                    let share = |n: u32, count: f64| (f64::from(n) + 0.5) / count;
+                    let at = Vec2::new(size.x * share(column, columns), size.y * share(row, rows));
+                    tried.push(self.around.min + at);
+                }
+            }
+        }
+        let inside = tried.into_iter().filter(|&p| self.holds(p));
+        let mut places: Vec<(f64, Point2)> = inside.map(|p| (self.clearance(p), p)).collect();
+        places.sort_by(|a, b| b.0.total_cmp(&a.0));
+        places
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_square_with_a_hole_has_room_around_the_hole() {
+        let p = Point2::new;
+        let square =
+            |low: f64, high: f64| vec![p(low, low), p(high, low), p(high, high), p(low, high)];
+        let mut hole = square(4.0, 6.0);
+        hole.reverse();
+        let outline = square(0.0, 10.0);
+        let room = Room::new([&outline[..], &hole[..]]);
+        assert!(room.holds(p(1.0, 1.0)) && !room.holds(p(5.0, 5.0)) && !room.holds(p(11.0, 5.0)));
+        assert_eq!(room.reach(p(2.0, 5.0), Vec2::X), [2.0, 2.0]);
+        assert_eq!(room.reach(p(2.0, 2.0), Vec2::X), [8.0, 2.0]);
+        assert!(room.holds_line(&[p(1.0, 1.0), p(9.0, 1.0)]));
+        assert!(!room.holds_line(&[p(1.0, 5.0), p(9.0, 5.0)]));
+        let places = room.places([]);
+        assert!(places.len() > 200 && places.windows(2).all(|w| w[0].0 >= w[1].0));
+        assert!((places[0].0 - 2.0).abs() < 0.5, "{places:?}");
+        assert_eq!(Room::new([]).places([]), []);
+    }
+}

@@ -1,0 +1,224 @@
+//! Texts on patterns: none covers another, each lies inside its piece or has a leader, and none is
+//! crossed by a line that is cut, scored or drawn.
+
+#![allow(clippy::unwrap_used, reason = "a test that can't go on fails")]
+
+use sheetwright::curve::{CurveKind, CurvePoint};
+use sheetwright::design::{Axis, BendRule, Design, DesignCurve, Mark, MarkKind, MarkOn};
+use sheetwright::design::{StationPlaces, Trim, TrimKind, TrimOn};
+use sheetwright::make::{Judging, Part, make_judged};
+use sheetwright::math::{Point2, Point3, Vec2, cos, sin};
+use sheetwright::pattern::{LabelKind, PathKind, PatternLabel, Role};
+use sheetwright::template::catalogue;
+use sheetwright::watch::Unwatched;
+use sheetwright_shapes::random::Random;
+use std::f64::consts::TAU;
+
+/// The corners of the box around a text: letters are two thirds of their height wide and a third
+/// apart, with tails of a third below the line and dots of a sixth above.
+fn corners(label: &PatternLabel) -> [Point2; 4] {
+    let wide = (label.text.chars().count() as f64 - 1.0 / 3.0).max(0.0) * label.height_mm;
+    let at = |x: f64, y: f64| label.at + label.along * x + label.along.perp() * y;
+    let (low, high) = (-label.height_mm / 3.0, label.height_mm * 7.0 / 6.0);
+    [at(-0.5 * wide, low), at(0.5 * wide, low), at(0.5 * wide, high), at(-0.5 * wide, high)]
+}
+
+/// Whether a rectangle and another one or a segment overlap by more than rounding: no direction of
+/// their sides parts them.
+fn overlap(a: &[Point2], b: &[Point2]) -> bool {
+    let ways = [a, b].into_iter().flat_map(|of| [of[1] - of[0], (of[1] - of[0]).perp()]);
+    let reach = |of: &[Point2], way: Vec2| {
+        let along = of.iter().map(|p| p.to_vec().dot(way));
+        along.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)))
+    };
+    ways.filter(|way| *way != Vec2::ZERO).all(|way| {
+        let ((low_a, high_a), (low_b, high_b)) = (reach(a, way), reach(b, way));
+        let rounding = 1e-9 * way.length();
+        low_a < high_b - rounding && low_b < high_a - rounding
+    })
+}
+
+fn winding(loops: &[&[Point2]], at: Point2) -> bool {
+    let mut odd = false;
+    for line in loops {
+        for (n, &a) in line.iter().enumerate() {
+            let b = line[(n + 1) % line.len()];
+            let meets = (a.y > at.y) != (b.y > at.y)
+                && at.x < a.x + (b.x - a.x) * (at.y - a.y) / (b.y - a.y);
+            odd ^= meets;
+        }
+    }
+    odd
+}
+
+/// Texts that stand where a seam or a trim has them: only what is placed is looked at.
+fn is_placed(label: &PatternLabel) -> bool {
+    !matches!(
+        label.kind,
+        LabelKind::Mark | LabelKind::Length | LabelKind::Overall | LabelKind::Trim
+    )
+}
+
+/// Checks a part; how many of its texts have leaders.
+fn check(part: &Part) -> usize {
+    let name = &part.name;
+    let loops: Vec<&[Point2]> = part.piece.net_loops().collect();
+    let boxes: Vec<[Point2; 4]> = part.piece.labels.iter().map(corners).collect();
+    let leaders: Vec<&[Point2]> = part
+        .piece
+        .paths
+        .iter()
+        .filter(|path| path.kind == PathKind::Leader)
+        .map(|path| &path.points[..])
+        .collect();
+    for (n, label) in part.piece.labels.iter().enumerate().filter(|(_, label)| is_placed(label)) {
+        for (m, other) in part.piece.labels.iter().enumerate().filter(|&(m, _)| m != n) {
+            let apart = !overlap(&boxes[n], &boxes[m]);
+            assert!(apart, "{name}: '{}' covers '{}'", label.text, other.text);
+        }
+        let middle = boxes[n][0].lerp(boxes[n][2], 0.5);
+        let has_leader = leaders.iter().any(|leader| {
+            let off = |p: Point2| {
+                let side = |k: usize| p.distance_to_segment([boxes[n][k], boxes[n][(k + 1) % 4]]);
+                (0..4).map(side).fold(f64::INFINITY, f64::min)
+            };
+            off(leader[1]) < 1e-6
+        });
+        assert!(
+            winding(&loops, middle) || has_leader,
+            "{name}: '{}' lies outside, without a leader",
+            label.text
+        );
+        for path in &part.piece.paths {
+            let is_hard = path.role != Role::Note || path.kind == PathKind::Leader;
+            if !is_hard {
+                continue;
+            }
+            let last = path.closed.then(|| [path.points[path.points.len() - 1], path.points[0]]);
+            let steps = path.points.windows(2).map(|w| [w[0], w[1]]).chain(last);
+            for step in steps {
+                assert!(
+                    !overlap(&boxes[n], &step),
+                    "{name}: {:?} crosses '{}'",
+                    path.kind,
+                    label.text
+                );
+            }
+        }
+    }
+    leaders.len()
+}
+
+fn parts(design: &Design) -> Vec<Part> {
+    make_judged(design, Judging::Quick, &mut Unwatched).unwrap().parts
+}
+
+#[test]
+fn texts_of_every_template_keep_clear() {
+    for template in catalogue() {
+        let mut design = template.defaults().design().unwrap();
+        parts(&design).iter().for_each(|part| {
+            check(part);
+        });
+        // And with much more on the parts.
+        let at = StationPlaces::Every { pitch: 0.1 * design.extent_mm(), from: 0.0 };
+        let kind = MarkKind::Stations { axis: Axis::X, at };
+        design.marks.push(Mark { on: vec![MarkOn::All], kind });
+        design.bends.rule = BendRule::Number(40);
+        parts(&design).iter().for_each(|part| {
+            check(part);
+        });
+    }
+}
+
+/// A flat star of random radii, bent round a cylinder, of about this size.
+fn random_part(random: &mut Random, size_mm: f64) -> Design {
+    let count = 3 + random.below(12);
+    let corner = |n: usize| {
+        let angle = TAU * (n as f64 + random.between(-0.3, 0.3)) / count as f64;
+        let r = size_mm * random.between(0.15, 0.5);
+        let (x, y) = (r * cos(angle), r * sin(angle));
+        let radius = 0.8 * size_mm;
+        CurvePoint {
+            at: Point3::new(radius * sin(x / radius), y, radius * cos(x / radius)),
+            corner: true,
+            move_mm: 0.0,
+        }
+    };
+    let points: Vec<CurvePoint> = (0..count).map(corner).collect();
+    let curve = |n: usize| DesignCurve {
+        name: format!("edge-{n}"),
+        kind: Some(CurveKind::Polyline),
+        closed: false,
+        points: vec![points[n], points[(n + 1) % count]],
+    };
+    let outline = DesignCurve {
+        name: "outline".to_owned(),
+        kind: Some(CurveKind::Polyline),
+        closed: true,
+        points: points.clone(),
+    };
+    let mut design = Design::inside("a part", outline, Vec::new());
+    design.panels[0].samples = 60;
+    design.curves = (0..count).map(curve).collect();
+    let along =
+        |n: usize| sheetwright::design::CurveUse { name: format!("edge-{n}"), reversed: false };
+    design.panels[0].shape = sheetwright::design::PanelShape::Loops {
+        outer: (0..count).map(along).collect(),
+        holes: Vec::new(),
+    };
+    design
+}
+
+#[test]
+fn texts_of_random_parts_keep_clear_or_have_leaders() {
+    let mut random = Random::new(40);
+    let (mut count, mut leaders, mut lost) = (0, 0, 0);
+    for round in 0..150u32 {
+        let size_mm = [8.0, 20.0, 60.0, 200.0, 1000.0][round as usize % 5];
+        let mut design = random_part(&mut random, size_mm);
+        let at = StationPlaces::Every { pitch: 0.2 * size_mm, from: 0.0 };
+        let marks = [
+            MarkKind::Stations { axis: Axis::Y, at },
+            MarkKind::Text { at: None, text: "upside".to_owned(), height: None },
+        ];
+        design.marks = marks.map(|kind| Mark { on: vec![MarkOn::All], kind }).to_vec();
+        if round % 3 == 0 {
+            let ticks = sheetwright::design::Ticks {
+                at: sheetwright::design::Places::Shares(vec![0.5]),
+                length: 0.02 * size_mm,
+                numbered: false,
+            };
+            design.trims = vec![Trim::new([TrimOn::All], TrimKind::Ticks(ticks))];
+        }
+        // Some are no boundaries.
+        let Ok(made) = make_judged(&design, Judging::Quick, &mut Unwatched) else { continue };
+        let part = &made.parts[0];
+        if part.flat.overlap.is_some() {
+            continue;
+        }
+        count += 1;
+        leaders += check(part);
+        assert!(part.piece.labels.iter().any(|label| label.kind == LabelKind::Name));
+        let says = |text: &str| part.piece.labels.iter().any(|label| label.text == text);
+        lost += usize::from(!says("upside"));
+        // Shorter edges are no longer than the letters are high.
+        let long = part.edges.iter().filter(|edge| edge.length_flat_mm > 4.0);
+        lost += long.filter(|edge| !says(&edge.name)).count();
+    }
+    assert!(count > 100 && leaders > 100, "{count} parts, {leaders} leaders");
+    assert_eq!(lost, 0);
+}
+
+#[test]
+fn letters_have_standard_heights() {
+    let standard = [20.0, 14.0, 10.0, 7.0, 5.0, 3.5, 2.5, 1.8];
+    for template in catalogue() {
+        for part in parts(&template.defaults().design().unwrap()) {
+            for label in part.piece.labels.iter().filter(|label| is_placed(label)) {
+                assert!(standard.contains(&label.height_mm), "{label:?}");
+                assert!((label.along.length() - 1.0).abs() < 1e-9 && label.along != Vec2::ZERO);
+            }
+        }
+    }
+}
