@@ -27,7 +27,7 @@ fn of_docs() -> String {
 fn read(text: &str) -> Result<Design, String> {
     let options = ReadOptions::default();
     read_bytes(InputFormat::Design, text.as_bytes(), "d.sheet.json", None, &options)
-        .map_err(|error| error.to_string())
+        .map_err(|error| format!("{error} {}", error.hint))
 }
 
 /// That design with another list of marks.

@@ -10,9 +10,12 @@ use super::part::MarkPart;
 use crate::design::{MarkKind, MarkWay};
 use crate::pattern::{PathKind, PatternPath, Role, Wish};
 use sheetwright_geometry::math::{Point2, Vec2, cos, sin, unit2};
+use sheetwright_geometry::predicate::segments_touch;
 
 /// Places that are tried for an arrow.
-const TRIED: usize = 40;
+const TRIED: usize = 120;
+/// An arrow that crosses another mark counts as so much shorter.
+const CROSSING: f64 = 0.5;
 /// An arrow keeps this share of its half from the line ahead of it, at the least.
 const SHARES: [f64; 5] = [0.9, 0.8, 0.7, 0.6, 0.4];
 /// The head is as long as this share of an arrow, and no longer than [`HEAD_MM`].
@@ -37,7 +40,7 @@ pub(super) fn mark(part: &MarkPart<'_>, kind: &MarkKind, made: &mut Marked) {
     if matches!(&way, MarkWay::Edge { edge } if part.edge(edge).is_none()) {
         return;
     }
-    let Some(points) = longest(part, &way, length) else {
+    let Some(points) = longest(part, &way, length, &made.paths) else {
         made.notes.push(MarkNote::SquareToPart { what: kind.name().to_owned() });
         if drawn == PathKind::Arrow {
             made.wishes.push(Wish::anywhere(text));
@@ -45,7 +48,7 @@ pub(super) fn mark(part: &MarkPart<'_>, kind: &MarkKind, made: &mut Marked) {
         return;
     };
     let is_needed = drawn == PathKind::Arrow;
-    made.wishes.push(Wish::beside(text, &points[..2], is_needed));
+    made.wishes.push(Wish::beside(text, [points[0], points[1]], is_needed));
     made.paths.push(PatternPath { role: Role::Engrave, kind: drawn, points, closed: false });
 }
 
@@ -63,8 +66,14 @@ fn way_at(part: &MarkPart<'_>, way: &MarkWay, at: Point2) -> Option<Vec2> {
 }
 
 /// The longest arrow of a direction that fits inside a part, up to a length, mm: its line and then
-/// its head, in one stroke. `None` where the direction is square to the part.
-fn longest(part: &MarkPart<'_>, way: &MarkWay, most_mm: f64) -> Option<Vec<Point2>> {
+/// its head, in one stroke. One that crosses no other mark is better by a factor than one that does.
+/// `None` where the direction is square to the part.
+fn longest(
+    part: &MarkPart<'_>,
+    way: &MarkWay,
+    most_mm: f64,
+    others: &[PatternPath],
+) -> Option<Vec<Point2>> {
     let mut best: Option<(f64, Vec<Point2>)> = None;
     for (_, at) in part.room.places([]).into_iter().take(TRIED) {
         let Some(way) = way_at(part, way, at) else { continue };
@@ -73,13 +82,21 @@ fn longest(part: &MarkPart<'_>, way: &MarkWay, most_mm: f64) -> Option<Vec<Point
         let of_share = |share: &f64| arrow(at, way, (2.0 * share * reach).min(most_mm));
         let fitting = SHARES.iter().map(of_share).find(|points| part.room.holds_line(points));
         let Some(points) = fitting else { continue };
-        let length = points[0].distance(points[1]);
+        let crossed = others.iter().any(|other| crosses(other, [points[0], points[1]]));
+        let length = points[0].distance(points[1]) * if crossed { CROSSING } else { 1.0 };
         // A little longer is no reason to leave the middle.
         if best.as_ref().is_none_or(|(longest, _)| length > 1.001 * longest) {
             best = Some((length, points));
         }
     }
     best.map(|(_, points)| points)
+}
+
+/// Whether a path crosses a segment.
+fn crosses(path: &PatternPath, [a, b]: [Point2; 2]) -> bool {
+    let last = path.points.last().filter(|_| path.closed).zip(path.points.first());
+    let steps = path.points.windows(2).map(|step| (step[0], step[1]));
+    steps.chain(last.map(|(p, q)| (*p, *q))).any(|(p, q)| segments_touch(a, b, p, q))
 }
 
 /// An arrow about its middle.

@@ -71,7 +71,7 @@ pub(super) fn wishes(lines: &[BendLine], marks: BendMarks) -> Vec<Wish> {
         let at = WishAt::Beside { line: line.ends.to_vec(), shares, is_left: false, away_mm: 0.0 };
         let (kind, instead) = (LabelKind::Bend, Instead::Nothing);
         let texts = vec![written(n + 1, line), (n + 1).to_string()];
-        Wish { kind, role, texts, height_mm: None, at, instead }
+        Wish { kind, role, texts, height_mm: None, at: vec![at], instead }
     };
     lines.iter().enumerate().map(wish).collect()
 }

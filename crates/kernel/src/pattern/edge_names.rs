@@ -34,7 +34,7 @@ pub(super) fn wishes(
             role: Role::Engrave,
             texts: both.into_iter().chain([name]).collect(),
             height_mm: None,
-            at: WishAt::Beside { line, shares: FROM_MIDDLE, is_left: true, away_mm: tick_mm },
+            at: vec![WishAt::Beside { line, shares: FROM_MIDDLE, is_left: true, away_mm: tick_mm }],
             instead: match edge.length_flat_mm < SHORT_MM {
                 true => Instead::Nothing,
                 false => Instead::Leader,

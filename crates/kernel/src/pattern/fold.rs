@@ -27,7 +27,7 @@ pub(super) fn wish(fold: &BendLine) -> Option<Wish> {
         role: Role::Note,
         texts: vec![format!("{angle_deg:.0}°")],
         height_mm: None,
-        at: WishAt::Beside { line, shares, is_left: false, away_mm: 0.0 },
+        at: vec![WishAt::Beside { line, shares, is_left: false, away_mm: 0.0 }],
         instead: Instead::Nothing,
     })
 }

@@ -90,7 +90,7 @@ fn named(name: String) -> Wish {
         role: Role::Engrave,
         texts: vec![name],
         height_mm: None,
-        at: WishAt::Anywhere,
+        at: vec![WishAt::Anywhere],
         instead: Instead::Leader,
     }
 }

@@ -18,8 +18,10 @@ use sheetwright_geometry::predicate::Box2;
 const HEIGHTS_MM: [f64; 8] = [20.0, 14.0, 10.0, 7.0, 5.0, 3.5, 2.5, 1.8];
 /// Room around a text, as a share of its height.
 const AROUND: f64 = 0.2;
-/// Places that are tried for a text that may stand anywhere, and for one near a point.
+/// Places that are tried for a text that may stand anywhere.
 const TRIED: usize = 80;
+/// Places that are tried for one near a point.
+const TRIED_NEAR: usize = 40;
 /// A text that may stand anywhere is written this much lower at the most to be clear of lines to
 /// read.
 const LOWER: f64 = 0.5;
@@ -131,7 +133,8 @@ impl Placer {
     /// read alone: the middle of its base line, and its direction.
     fn best(&self, wish: &Wish, letters: usize, height_mm: f64) -> [Option<(Point2, Vec2)>; 2] {
         let mut across = None;
-        for (at, along) in self.candidates(wish, height_mm) {
+        let candidates = wish.at.iter().flat_map(|at| self.candidates(at, height_mm));
+        for (at, along) in candidates {
             let text = TextBox::new(letters, at, along, height_mm).grown(AROUND * height_mm);
             match self.crossed(&text) {
                 Crossed::Clear => return [Some((at, along)), across.or(Some((at, along)))],
@@ -151,8 +154,8 @@ impl Placer {
     }
 
     /// The middles of base lines and directions that a text may have, the best first.
-    fn candidates(&self, wish: &Wish, height_mm: f64) -> Vec<(Point2, Vec2)> {
-        match &wish.at {
+    fn candidates(&self, at: &WishAt, height_mm: f64) -> Vec<(Point2, Vec2)> {
+        match at {
             WishAt::Anywhere => {
                 // Half of a text is at least this far from the outline.
                 let least_mm = (0.75 + AROUND) * height_mm;
@@ -164,7 +167,7 @@ impl Placer {
                 let mut places: Vec<Point2> = self.places.iter().map(|&(_, at)| at).collect();
                 places.sort_by(|a, b| a.distance(*point).total_cmp(&b.distance(*point)));
                 let mut found = self.level_first([*point], height_mm);
-                found.extend(self.level_first(places.into_iter().take(TRIED), height_mm));
+                found.extend(self.level_first(places.into_iter().take(TRIED_NEAR), height_mm));
                 found
             }
             WishAt::Beside { line, shares, is_left, away_mm } => {
@@ -266,7 +269,7 @@ impl Placer {
         let Box2 { min, max } = self.room.around();
         let middle = min.lerp(max, 0.5);
         let outwards = |at: Point2| (at, unit2(at - middle).unwrap_or(Vec2::X));
-        match &wish.at {
+        match &wish.at[0] {
             WishAt::Anywhere => {
                 self.places.iter().take(ANCHORS).map(|&(_, at)| outwards(at)).collect()
             }

@@ -1,7 +1,7 @@
 //! The room inside the loops of a piece: which places lie inside, and how far from the lines.
 
 use sheetwright_geometry::math::{Point2, Vec2};
-use sheetwright_geometry::predicate::{Box2, orientation};
+use sheetwright_geometry::predicate::{Box2, orientation, segments_touch};
 
 /// Places of the grid that is laid over a piece, about.
 const PLACES: f64 = 240.0;
@@ -78,15 +78,7 @@ impl Room {
 
     /// Whether a line lies inside, without touching another.
     pub(crate) fn holds_line(&self, line: &[Point2]) -> bool {
-        let crosses = |from: Point2, to: Point2| {
-            self.sides.iter().any(|&[a, b]| {
-                let apart = |a: Point2, b: Point2, p: Point2, q: Point2| {
-                    let (left_p, left_q) = ((b - a).perp_dot(p - a), (b - a).perp_dot(q - a));
-                    left_p * left_q > 0.0
-                };
-                !apart(a, b, from, to) && !apart(from, to, a, b)
-            })
-        };
+        let crosses = |from, to| self.sides.iter().any(|&[a, b]| segments_touch(a, b, from, to));
         line.iter().all(|&p| self.holds(p)) && !line.windows(2).any(|w| crosses(w[0], w[1]))
     }
 

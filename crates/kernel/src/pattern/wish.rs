@@ -14,8 +14,8 @@ pub(crate) struct Wish {
     pub(super) texts: Vec<String>,
     /// How high its letters are where there is room, mm; `None`: as those of edge names.
     pub(super) height_mm: Option<f64>,
-    /// Where it may stand.
-    pub(super) at: WishAt,
+    /// Where it may stand, the best first.
+    pub(super) at: Vec<WishAt>,
     /// Where it stands if that has no room.
     pub(super) instead: Instead,
 }
@@ -47,7 +47,7 @@ pub(super) const FROM_MIDDLE: &[f64] = &[0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8];
 const NEAR_ENDS: &[f64] = &[0.1, 0.9, 0.2, 0.8, 0.3, 0.7, 0.4, 0.6, 0.5];
 
 impl Wish {
-    fn on_face(text: String, at: WishAt, instead: Instead) -> Self {
+    fn on_face(text: String, at: Vec<WishAt>, instead: Instead) -> Self {
         let (kind, role) = (LabelKind::OnFace, Role::Engrave);
         Self { kind, role, texts: vec![text], height_mm: None, at, instead }
     }
@@ -56,31 +56,35 @@ impl Wish {
     pub(crate) fn at_ends(text: String, line: &[Point2]) -> Self {
         let (line, shares) = (line.to_vec(), NEAR_ENDS);
         let at = WishAt::Beside { line, shares, is_left: false, away_mm: 0.0 };
-        Self::on_face(text, at, Instead::Leader)
+        Self::on_face(text, vec![at], Instead::Leader)
     }
 
-    /// A text of a mark beside the middle of its line.
-    pub(crate) fn beside(text: String, line: &[Point2], is_needed: bool) -> Self {
-        let (line, shares) = (line.to_vec(), FROM_MIDDLE);
-        let at = WishAt::Beside { line, shares, is_left: false, away_mm: 0.0 };
-        Self::on_face(text, at, if is_needed { Instead::Leader } else { Instead::Nothing })
+    /// A text of an arrow, beside it; one that is needed stands near it where that has no room.
+    pub(crate) fn beside(text: String, [from, to]: [Point2; 2], is_needed: bool) -> Self {
+        let (line, shares) = (vec![from, to], FROM_MIDDLE);
+        let beside = WishAt::Beside { line, shares, is_left: false, away_mm: 0.0 };
+        if is_needed {
+            let near = WishAt::Near(from.lerp(to, 0.5));
+            return Self::on_face(text, vec![beside, near], Instead::Leader);
+        }
+        Self::on_face(text, vec![beside], Instead::Nothing)
     }
 
     /// A text of a mark inside an edge, which runs with the sheet to its left.
     pub(crate) fn inside_edge(text: String, line: &[Point2]) -> Self {
         let (line, shares) = (line.to_vec(), FROM_MIDDLE);
         let at = WishAt::Beside { line, shares, is_left: true, away_mm: 0.0 };
-        Self::on_face(text, at, Instead::Leader)
+        Self::on_face(text, vec![at], Instead::Leader)
     }
 
     /// A text of a mark where there is most room.
     pub(crate) fn anywhere(text: String) -> Self {
-        Self::on_face(text, WishAt::Anywhere, Instead::Leader)
+        Self::on_face(text, vec![WishAt::Anywhere], Instead::Leader)
     }
 
     /// A text of a mark at a point.
     pub(crate) fn near(text: String, at: Point2) -> Self {
-        Self::on_face(text, WishAt::Near(at), Instead::Leader)
+        Self::on_face(text, vec![WishAt::Near(at)], Instead::Leader)
     }
 
     /// How often a piece is cut, at a point.
