@@ -436,8 +436,8 @@ pub(crate) struct SourceArgs {
     #[arg(long, value_name = "N")]
     samples: Option<usize>,
     /// As many samples as keep the outline this near to its curves, where no number is given: no
-    /// curve lies farther from it, along no edge is it shorter by more (0.05mm, 1/64in); the rows of
-    /// a table stay the samples [default: as the design says, or a ten-thousandth of the size of
+    /// curve lies farther from it, along no edge is it shorter by more (0.05mm, 1/64in); the rows
+    /// of a table stay the samples [default: as the design says, or a ten-thousandth of the size of
     /// each panel]
     #[arg(long, value_name = "LENGTH", value_parser = tolerance_mm, allow_negative_numbers = true)]
     tolerance: Option<f64>,

@@ -91,8 +91,8 @@ pub struct Shown {
     pub area_flat_mm2: f64,
     /// The largest relative length error.
     pub length_error_max: f64,
-    /// The largest distance of the curves from the polygon through the samples, and by how much that
-    /// is shorter along an edge, mm, where curves are known.
+    /// The largest distance of the curves from the polygon through the samples, and by how much
+    /// that is shorter along an edge, mm, where curves are known.
     pub chords_mm: Option<[f64; 2]>,
     /// How much the sheet stretches in its shape, once that is computed.
     pub strain: Option<ShownStrain>,
