@@ -147,7 +147,7 @@ pub struct DesignPanel {
 
 impl DesignPanel {
     /// A panel with so many samples, and else with the defaults: the best of all triangulations by
-    /// its price with the default fold, on the best-fit plane where there is one, and straight ends.
+    /// its price with the default fold, on the best-fit plane where there is one, straight ends.
     pub fn new(name: impl Into<String>, shape: PanelShape, samples: usize) -> Self {
         Self {
             name: name.into(),

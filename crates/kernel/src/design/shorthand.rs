@@ -36,8 +36,8 @@ impl Design {
         Self::of_panel(name.into(), PanelShape::Rails(uses), rails.into())
     }
 
-    /// One panel inside closed curves, its outline and its holes, sampled by the usual tolerance. The
-    /// panel and the design have this name.
+    /// One panel inside closed curves, its outline and its holes, sampled by the usual tolerance.
+    /// The panel and the design have this name.
     pub fn inside(name: impl Into<String>, outline: DesignCurve, holes: Vec<DesignCurve>) -> Self {
         let shape = PanelShape::Loops {
             outer: vec![along(&outline)],

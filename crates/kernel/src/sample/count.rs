@@ -1,14 +1,14 @@
 //! As many samples as a tolerance takes.
 //!
-//! A polygon through samples of a smooth curve lies off it, and is shorter, by lengths that fall with
-//! the square of the number of samples: a step of length h of a curve with curvature κ lies κh²/8 off
-//! and is κ²h³/24 shorter. So from what one number of samples leaves follows, nearly, the number that
-//! is wanted. Around it the least is looked for that does while one fewer does not: what is tried
-//! next follows from the last trial, or halves what is left, by turns, so that the search ends also
-//! where the curve has wiggles narrower than a step.
+//! A polygon through samples of a smooth curve lies off it, and is shorter, by lengths that fall
+//! with the square of the number of samples: a step of length h of a curve with curvature κ lies
+//! κh²/8 off and is κ²h³/24 shorter. So from what one number of samples leaves follows, nearly,
+//! the number that is wanted. Around it the least is looked for that does while one fewer does
+//! not: what is tried next follows from the last trial, or halves what is left, by turns, so
+//! that the search ends also where the curve has wiggles narrower than a step.
 //!
-//! Panels with rails that share a rail get the larger of their numbers, so that both sides of the
-//! seam have the same samples.
+//! Panels with rails that share a rail get the larger of their numbers, so that both sides of
+//! the seam have the same samples.
 
 use super::chords::Chords;
 use super::error::{PanelCause, PanelError};
