@@ -2,9 +2,9 @@
 //! are: the pattern is cut along the steps.
 //!
 //! Between two samples of one curve the curve itself is known. Samples of joined panels and of
-//! rails that run on have lost their places; between them stands the cubic with their tangents, whose
-//! distance is that of the curve up to the square of the turn. Points that are samples themselves
-//! have no curve between them.
+//! rails that run on have lost their places; between them stands the cubic with their tangents,
+//! whose distance is that of the curve up to the square of the turn. Points that are
+//! samples themselves have no curve between them.
 
 use super::outline::KnownCurves;
 use super::source::Sourced;
