@@ -26,7 +26,8 @@ impl Design {
     }
 
     /// The design with all its lengths times a factor: points, cuts, places of marks, distances by
-    /// which they may move, and limits on moving. The sheet keeps its thickness, and the paper its size.
+    /// which they may move, and limits on moving. The sheet keeps its thickness, and the paper its
+    /// size.
     pub fn scaled(mut self, factor: f64) -> Self {
         let place = |p: Point3| Point3::from_vec(p.to_vec() * factor);
         for point in self.curves.iter_mut().flat_map(|curve| &mut curve.points) {

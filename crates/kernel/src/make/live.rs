@@ -262,8 +262,8 @@ impl Live {
     }
 
     /// The parts of each panel, or why they can't be made, in the order of [`Self::panels`], with
-    /// the trims and marks of the design as far as its panels can be made; `None` of a design without
-    /// either.
+    /// the trims and marks of the design as far as its panels can be made; `None` of a design
+    /// without either.
     pub fn trimmed(&self) -> Option<Vec<Result<Vec<Part>, MakeError>>> {
         if self.design.trims.is_empty() && self.design.marks.is_empty() {
             return None;

@@ -66,8 +66,8 @@ fn way_at(part: &MarkPart<'_>, way: &MarkWay, at: Point2) -> Option<Vec2> {
 }
 
 /// The longest arrow of a direction that fits inside a part, up to a length, mm: its line and then
-/// its head, in one stroke. One that crosses no other mark is better by a factor than one that does.
-/// `None` where the direction is square to the part.
+/// its head, in one stroke. One that crosses another mark counts as shorter. `None` where the
+/// direction is square to the part.
 fn longest(
     part: &MarkPart<'_>,
     way: &MarkWay,
