@@ -82,7 +82,11 @@ fn groups_and_their_parts_are_panels_and_creases_divide() {
         assert!((panel["area_flat_mm2"].as_f64().unwrap() - 10000.0).abs() < 1e-6);
         assert!(panel["rebuilt_distance_max_mm"].as_f64().unwrap() < 1e-9);
     }
-    assert!(desk.join("faces/box-6.svg").exists());
+    // Six squares are one pattern.
+    assert_eq!((&panels[0]["count"], &panels[5]["pattern"]), (&6.into(), &"box-1".into()));
+    assert!(desk.join("faces/box-1.svg").exists() && !desk.join("faces/box-6.svg").exists());
+    says(&desk, "make box.obj --out each --split-creases 30 --formats svg --each-part", 0);
+    assert!(desk.join("each/box-6.svg").exists());
 }
 
 #[test]

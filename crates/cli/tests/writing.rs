@@ -70,7 +70,7 @@ fn many_panels_need_few_open_files() {
     let desk = desk(200);
     let mut shell = Command::new("sh");
     shell.current_dir(desk.path()).arg("-c").arg("ulimit -n 64; exec \"$0\" \"$@\"").arg(PROGRAM);
-    shell.args(["make", "many.sheet.json", "--out", "out", "--formats", "svg"]);
+    shell.args(["make", "many.sheet.json", "--out", "out", "--formats", "svg", "--each-part"]);
     let output = shell.stdin(Stdio::null()).output().unwrap();
     assert_eq!(output.status.code(), Some(0), "{}", said(&output));
     assert_eq!(names_in(&desk.path().join("out")).len(), 200);
@@ -139,7 +139,8 @@ fn signal(child: &Child, name: &str) {
 
 /// Starts to make many panels, and waits until files are written.
 fn writing(folder: &Path) -> Child {
-    let mut make = command(folder, "make many.sheet.json --out out --formats svg --quiet");
+    let mut make =
+        command(folder, "make many.sheet.json --out out --formats svg --each-part --quiet");
     let child = make.spawn().unwrap();
     let start = Instant::now();
     while temporary(&folder.join("out")).is_empty() {

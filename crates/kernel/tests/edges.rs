@@ -98,21 +98,25 @@ fn shared_curves_with_equal_samples_have_mates_of_one_length() {
 }
 
 #[test]
-fn rings_of_an_elbow_are_joined_though_their_curves_begin_elsewhere() {
-    let elbow = of_template("elbow");
-    for n in 0..elbow.parts.len() - 1 {
-        let ring = |part: usize, end: &str| {
-            let name = format!("cut-{}{end}", part + 1);
-            let edges = &elbow.parts[part].edges;
-            (edges.iter().position(|edge| edge.name == name).unwrap(), part)
-        };
-        let ((upper, part), (lower, next)) = (ring(n, "b"), ring(n + 1, "a"));
-        let edge = &elbow.parts[part].edges[upper];
-        assert_eq!(edge.mates, [EdgePlace { part: next, edge: lower }], "{}", edge.name);
-        assert!(edge.difference_mm.unwrap() < 1e-3, "{:?}", edge.difference_mm);
-    }
-    let free = elbow.parts[0].edges.iter().find(|edge| edge.name == "cut-1a").unwrap();
-    assert!(free.mates.is_empty());
+fn edges_on_two_curves_that_lie_on_one_another_are_joined() {
+    let mut design = drawn("elbow");
+    let shared = design.curves.iter().find(|curve| curve.name == "cut-1b").unwrap();
+    design.curves.push(DesignCurve { name: "own".into(), ..shared.clone() });
+    let PanelShape::Rails(rails) = &mut design.panels[1].shape else { panic!("rails") };
+    assert_eq!(rails[0].name, "cut-1b");
+    rails[0].name = "own".into();
+    // Sampled apart.
+    (design.panels[0].samples, design.panels[1].samples) = (241, 190);
+    let elbow = make(&design, &mut Unwatched).unwrap();
+    let of = |part: usize, name: &str| {
+        let edges = &elbow.parts[part].edges;
+        let edge = edges.iter().position(|edge| edge.name == name).unwrap();
+        (&edges[edge], EdgePlace { part, edge })
+    };
+    let ((upper, at), (lower, other)) = (of(0, "cut-1b"), of(1, "own"));
+    assert_eq!((&upper.mates[..], &lower.mates[..]), (&[other][..], &[at][..]));
+    assert!(upper.difference_mm.unwrap() < 0.1, "{:?}", upper.difference_mm);
+    assert!(of(0, "cut-1a").0.mates.is_empty());
 }
 
 /// A hemisphere of 36 pieces between meridians and parallels.

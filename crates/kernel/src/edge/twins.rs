@@ -1,5 +1,5 @@
-//! Edges on two curves that lie on one another, as rings of pipes do where each pipe begins at a
-//! seam of its own.
+//! Edges on two curves that lie on one another, as where two pipes meet of which each has a curve
+//! of its own.
 //!
 //! Sampled apart, two polylines on one curve are as far from one another as their chords are from
 //! the curve. How far that is can be told from a polyline alone: a point lies four times as far

@@ -8,7 +8,7 @@ use super::Marked;
 use super::fault::MarkNote;
 use super::part::MarkPart;
 use crate::design::{MarkKind, MarkWay};
-use crate::pattern::{PathKind, PatternPath, Role, Wish};
+use crate::pattern::{PathKind, PatternPath, Role, Spot, Wish};
 use sheetwright_geometry::math::{Point2, Vec2, cos, sin, unit2};
 use sheetwright_geometry::predicate::segments_touch;
 
@@ -75,7 +75,7 @@ fn longest(
     others: &[PatternPath],
 ) -> Option<Vec<Point2>> {
     let mut best: Option<(f64, Vec<Point2>)> = None;
-    for (_, at) in part.room.places([]).into_iter().take(TRIED) {
+    for Spot { at, .. } in part.room.places([]).into_iter().take(TRIED) {
         let Some(way) = way_at(part, way, at) else { continue };
         let [ahead, back] = part.room.reach(at, way);
         let reach = ahead.min(back);

@@ -6,6 +6,8 @@ use super::{LabelKind, Role};
 use crate::edge::{Edge, EdgeSource};
 use sheetwright_geometry::math::Point2;
 
+/// Between the name of an edge and what it is joined to.
+pub(super) const JOINED_TO: &str = " = ";
 /// The name of a shorter edge, mm, stands there only where it has room: no leader tells such edges
 /// apart.
 const SHORT_MM: f64 = 4.0;
@@ -27,7 +29,7 @@ pub(super) fn wishes(
         .filter(|(edge, joined)| !is_cut(edge) && (edges.len() > 1 || joined.is_some()));
     let wish = |(edge, joined): (&Edge, Option<&str>)| {
         let name = edge.name.clone();
-        let both = joined.map(|joined| format!("{name} = {joined}"));
+        let both = joined.map(|joined| format!("{name}{JOINED_TO}{joined}"));
         let line = edge.run.iter().map(|&v| flat[v]).collect();
         Wish {
             kind: LabelKind::Edge,

@@ -20,7 +20,7 @@ pub use quantity::Quantity;
 pub use seam::{EdgeMark, seam_mark, seam_marks};
 
 pub(crate) use labels::Labelled;
-pub(crate) use room::Room;
+pub(crate) use room::{Room, Spot};
 pub(crate) use seam::joint_mark;
 pub(crate) use wish::Wish;
 

@@ -9,7 +9,7 @@
 
 use super::text_box::TextBox;
 use super::wish::{Instead, Wish, WishAt, along, upright};
-use super::{LabelKind, PathKind, PatternLabel, PatternPath, Role, Room};
+use super::{LabelKind, PathKind, PatternLabel, PatternPath, Role, Room, Spot};
 use sheetwright_geometry::math::{Point2, Vec2, cos, from_deg, sin, unit2};
 use sheetwright_geometry::predicate::Box2;
 
@@ -61,7 +61,7 @@ enum Crossed {
 pub(super) struct Placer {
     room: Room,
     /// Places inside the piece, the farthest from its lines first.
-    places: Vec<(f64, Point2)>,
+    places: Vec<Spot>,
     lines: Lines,
     boxes: Vec<TextBox>,
     /// The texts, with the places that they have.
@@ -160,14 +160,14 @@ impl Placer {
                 // Half of a text is at least this far from the outline.
                 let least_mm = (0.75 + AROUND) * height_mm;
                 let places = self.places.iter().take(TRIED);
-                let roomy = places.filter(|(clearance, _)| *clearance >= least_mm);
-                self.level_first(roomy.map(|&(_, at)| at), height_mm)
+                level_first(places.filter(|spot| spot.clearance_mm >= least_mm), height_mm)
             }
             WishAt::Near(point) => {
-                let mut places: Vec<Point2> = self.places.iter().map(|&(_, at)| at).collect();
-                places.sort_by(|a, b| a.distance(*point).total_cmp(&b.distance(*point)));
-                let mut found = self.level_first([*point], height_mm);
-                found.extend(self.level_first(places.into_iter().take(TRIED_NEAR), height_mm));
+                let off = |spot: &&Spot| spot.at.distance(*point);
+                let mut places: Vec<&Spot> = self.places.iter().collect();
+                places.sort_by(|a, b| off(a).total_cmp(&off(b)));
+                let mut found = level_first([&self.room.spot(*point)], height_mm);
+                found.extend(level_first(places.into_iter().take(TRIED_NEAR), height_mm));
                 found
             }
             WishAt::Beside { line, shares, is_left, away_mm } => {
@@ -187,24 +187,6 @@ impl Placer {
                 found
             }
         }
-    }
-
-    /// Texts about some places: level ones, then those along the nearest line of the piece, and
-    /// upright ones.
-    fn level_first(
-        &self,
-        places: impl IntoIterator<Item = Point2>,
-        height_mm: f64,
-    ) -> Vec<(Point2, Vec2)> {
-        let text = |middle, along| (TextBox::base(middle, along, height_mm), along);
-        let (mut level, mut turned) = (Vec::new(), Vec::new());
-        for middle in places {
-            let beside = unit2(self.room.nearest_way(middle)).map(upright);
-            level.push(text(middle, Vec2::X));
-            turned.extend(beside.into_iter().chain([Vec2::Y]).map(|along| text(middle, along)));
-        }
-        level.extend(turned);
-        level
     }
 
     /// Places a text beside the piece, with a line that leads to where it belongs: as near as can
@@ -271,7 +253,7 @@ impl Placer {
         let outwards = |at: Point2| (at, unit2(at - middle).unwrap_or(Vec2::X));
         match &wish.at[0] {
             WishAt::Anywhere => {
-                self.places.iter().take(ANCHORS).map(|&(_, at)| outwards(at)).collect()
+                self.places.iter().take(ANCHORS).map(|spot| outwards(spot.at)).collect()
             }
             WishAt::Near(at) => vec![outwards(*at)],
             WishAt::Beside { line, shares, is_left, .. } => {
@@ -292,6 +274,23 @@ impl Placer {
             && self.lines.crossed(text) <= Crossed::Notes
             && !self.boxes.iter().any(|other| other.overlaps(text) || other.meets(leader))
     }
+}
+
+/// Texts about some places: level ones, then those along the nearest line of the piece, and upright
+/// ones.
+fn level_first<'a>(
+    places: impl IntoIterator<Item = &'a Spot>,
+    height_mm: f64,
+) -> Vec<(Point2, Vec2)> {
+    let text = |middle, along| (TextBox::base(middle, along, height_mm), along);
+    let (mut level, mut turned) = (Vec::new(), Vec::new());
+    for spot in places {
+        let beside = unit2(spot.way).map(upright);
+        level.push(text(spot.at, Vec2::X));
+        turned.extend(beside.into_iter().chain([Vec2::Y]).map(|along| text(spot.at, along)));
+    }
+    level.extend(turned);
+    level
 }
 
 fn label(

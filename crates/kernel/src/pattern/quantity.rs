@@ -1,5 +1,6 @@
 //! How often a piece is cut, under its name.
 
+use super::edge_names::JOINED_TO;
 use super::placer::Placer;
 use super::{LabelKind, Piece, Room, Wish};
 
@@ -29,8 +30,16 @@ impl Quantity {
 }
 
 impl Piece {
-    /// The piece with its quantity under its name, if there are several of it.
+    /// The piece with its quantity under its name, if there are several of it. Its edges then say
+    /// their names alone, since each of the several is joined to others.
     pub(crate) fn counted(mut self, quantity: Quantity) -> Self {
+        if quantity.count > 1 {
+            for label in self.labels.iter_mut().filter(|label| label.kind == LabelKind::Edge) {
+                if let Some((name, _)) = label.text.split_once(JOINED_TO) {
+                    label.text = name.to_owned();
+                }
+            }
+        }
         let name = self.labels.iter().find(|label| label.kind == LabelKind::Name);
         if let (Some(text), Some(name)) = (quantity.text(), name) {
             let height_mm = BESIDE_NAME * name.height_mm;

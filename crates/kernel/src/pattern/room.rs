@@ -6,6 +6,16 @@ use sheetwright_geometry::predicate::{Box2, orientation, segments_touch};
 /// Places of the grid that is laid over a piece, about.
 const PLACES: f64 = 240.0;
 
+/// A place inside.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Spot {
+    pub(crate) at: Point2,
+    /// How far it is from the nearest line, mm.
+    pub(crate) clearance_mm: f64,
+    /// The direction of that line.
+    pub(crate) way: Vec2,
+}
+
 /// The inside of some loops, each with the sheet to its left.
 pub(crate) struct Room {
     sides: Vec<[Point2; 2]>,
@@ -44,16 +54,21 @@ impl Room {
         passes.sum::<i32>() != 0
     }
 
-    /// How far a point is from the nearest line, mm.
-    pub(crate) fn clearance(&self, p: Point2) -> f64 {
-        self.sides.iter().map(|&side| p.distance_to_segment(side)).fold(f64::INFINITY, f64::min)
+    /// A point as a place.
+    pub(crate) fn spot(&self, at: Point2) -> Spot {
+        let mut spot = Spot { at, clearance_mm: f64::INFINITY, way: Vec2::X };
+        for &side in &self.sides {
+            let off_mm = at.distance_to_segment(side);
+            if off_mm < spot.clearance_mm {
+                spot = Spot { at, clearance_mm: off_mm, way: side[1] - side[0] };
+            }
+        }
+        spot
     }
 
-    /// The direction of the line that is nearest to a point.
-    pub(crate) fn nearest_way(&self, p: Point2) -> Vec2 {
-        let off = |side: &&[Point2; 2]| p.distance_to_segment(**side);
-        let nearest = self.sides.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
-        nearest.map_or(Vec2::X, |[a, b]| *b - *a)
+    /// How far a point is from the nearest line, mm.
+    pub(crate) fn clearance(&self, p: Point2) -> f64 {
+        self.spot(p).clearance_mm
     }
 
     /// How far the line through a point runs inside, mm, ahead and back; 0 for a point outside.
@@ -82,9 +97,8 @@ impl Room {
         line.iter().all(|&p| self.holds(p)) && !line.windows(2).any(|w| crosses(w[0], w[1]))
     }
 
-    /// Places inside, each with its distance from the nearest line, the farthest first: those of a
-    /// grid and some more.
-    pub(crate) fn places(&self, more: impl IntoIterator<Item = Point2>) -> Vec<(f64, Point2)> {
+    /// Places inside, the farthest from the nearest line first: those of a grid and some more.
+    pub(crate) fn places(&self, more: impl IntoIterator<Item = Point2>) -> Vec<Spot> {
         let size = self.around.max - self.around.min;
         let step = (size.x * size.y / PLACES).sqrt();
         let [columns, rows] = [size.x, size.y].map(|length| (length / step).ceil().min(PLACES));
@@ -99,8 +113,8 @@ impl Room {
             }
         }
         let inside = tried.into_iter().filter(|&p| self.holds(p));
-        let mut places: Vec<(f64, Point2)> = inside.map(|p| (self.clearance(p), p)).collect();
-        places.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let mut places: Vec<Spot> = inside.map(|p| self.spot(p)).collect();
+        places.sort_by(|a, b| b.clearance_mm.total_cmp(&a.clearance_mm));
         places
     }
 }
@@ -124,8 +138,10 @@ mod tests {
         assert!(room.holds_line(&[p(1.0, 1.0), p(9.0, 1.0)]));
         assert!(!room.holds_line(&[p(1.0, 5.0), p(9.0, 5.0)]));
         let places = room.places([]);
-        assert!(places.len() > 200 && places.windows(2).all(|w| w[0].0 >= w[1].0));
-        assert!((places[0].0 - 2.0).abs() < 0.5, "{places:?}");
+        assert!(
+            places.len() > 200 && places.windows(2).all(|w| w[0].clearance_mm >= w[1].clearance_mm)
+        );
+        assert!((places[0].clearance_mm - 2.0).abs() < 0.5, "{places:?}");
         assert_eq!(Room::new([]).places([]), []);
     }
 }
