@@ -71,5 +71,6 @@ fn piece(read: &ReadPattern) -> Piece {
         size: Default::default(),
         corner: Default::default(),
         bends: Vec::new(),
+        border: Vec::new(),
     }
 }
