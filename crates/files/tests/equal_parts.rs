@@ -2,11 +2,12 @@
 
 #![allow(clippy::unwrap_used)] // tests panic
 
+use sheetwright::design::Design;
 use sheetwright::make::{Made, make};
 use sheetwright::pattern::LabelKind;
 use sheetwright::template::template;
 use sheetwright::watch::Unwatched;
-use sheetwright_files::{Format, OutputOptions, Outputs, output_files, read_dxf};
+use sheetwright_files::{Format, OutputOptions, Outputs, output_files, read_dxf, trims_for};
 
 fn made(name: &str) -> Made {
     let design = template(name).unwrap().defaults().design().unwrap();
@@ -75,4 +76,14 @@ fn the_table_of_parts_names_all_instances_and_what_they_join() {
     let page = text(&outputs, "report.html");
     assert!(page.contains("Joined edges") && page.contains("band-2-3 (mirrored)"));
     assert_eq!(page.matches("<td data-label=\"Joined to\">").count(), 60);
+}
+
+#[test]
+fn segments_of_an_elbow_are_cut_three_times_with_what_its_trade_adds() {
+    let design = template("elbow").unwrap().defaults().design().unwrap();
+    let trims = trims_for(&design, Some("duct"), [None, Some(1.0)]).unwrap();
+    let design = Design { thickness_mm: Some(1.0), trims, ..design };
+    let made = make(&design, &mut Unwatched).unwrap();
+    let counts = made.cut_list().iter().map(|item| item.quantity().count).collect::<Vec<_>>();
+    assert_eq!(counts.iter().max(), Some(&3), "{counts:?}");
 }

@@ -90,27 +90,24 @@ pub fn alike(a: &Piece, b: &Piece, within_mm: f64) -> Option<EqualPiece> {
     if of_a.len() != of_b.len() || of_a.len() < 3 {
         return None;
     }
-    let (work_a, work_b) = (work(a), work(b));
-    if texts(a) != texts(b) {
-        return None;
-    }
-    let (cut_a, cut_b) = (cut_lines(a), cut_lines(b));
-    if work_a.len() != work_b.len() || cut_a.len() != cut_b.len() {
+    let (spots_a, spots_b) = (spots(a), spots(b));
+    let (lines_a, lines_b) = (lines(a), lines(b));
+    if texts(a) != texts(b) || spots_a.len() != spots_b.len() || lines_a.len() != lines_b.len() {
         return None;
     }
     [false, true].into_iter().find_map(|is_mirror| {
         motions(of_a, of_b, is_mirror, within_mm).find_map(|motion| {
-            let places = work_a.iter().map(|(done, p)| (done, motion.moved(*p)));
-            let to_partner = |(done, p): (&Done<'_>, Point2)| {
-                let partners = work_b.iter().filter(|(other, _)| other == done);
-                partners.map(|(_, q)| q.distance(p)).fold(f64::INFINITY, f64::min)
+            let moved: Vec<Line> = lines_a.iter().map(|line| line.moved(&motion)).collect();
+            let to_partner = |(done, p): &(Spot<'_>, Point2)| {
+                let (to, partners) = (motion.moved(*p), spots_b.iter());
+                let partners = partners.filter(|(other, _)| other == done);
+                partners.map(|(_, q)| q.distance(to)).fold(f64::INFINITY, f64::min)
             };
-            let cuts: Vec<Vec<Point2>> =
-                cut_a.iter().map(|line| line.iter().map(|&p| motion.moved(p)).collect()).collect();
-            let off_mm = places
+            let off_mm = spots_a
+                .iter()
                 .map(to_partner)
-                .chain(corners_off_mm(&cuts, &cut_b))
-                .chain(corners_off_mm(&cut_b, &cuts))
+                .chain(corners_off_mm(&moved, &lines_b))
+                .chain(corners_off_mm(&lines_b, &moved))
                 .try_fold(motion.off_mm, |worst, off| (off <= within_mm).then_some(worst.max(off)));
             let off_mm = off_mm.filter(|_| is_so_in_space(a, b, &motion, within_mm))?;
             Some(EqualPiece { number: 0, mirrored: is_mirror, off_mm })
@@ -118,21 +115,54 @@ pub fn alike(a: &Piece, b: &Piece, within_mm: f64) -> Option<EqualPiece> {
     })
 }
 
-/// The outline and the holes as they are cut, where they are not those of the net.
-fn cut_lines(piece: &Piece) -> Vec<Vec<Point2>> {
-    if piece.has_net() { piece.loops().map(<[_]>::to_vec).collect() } else { Vec::new() }
+/// A line along which something is done to the sheet.
+struct Line {
+    kind: PathKind,
+    points: Vec<Point2>,
+    closed: bool,
 }
 
-/// How far each corner of some closed lines lies from the nearest of others, mm. Lines that were
-/// cleaned have corners of their own.
-fn corners_off_mm(lines: &[Vec<Point2>], others: &[Vec<Point2>]) -> impl Iterator<Item = f64> {
-    let to_others = |p: Point2| {
-        let sides = others
-            .iter()
-            .flat_map(|line| (0..line.len()).map(move |n| [line[n], line[(n + 1) % line.len()]]));
-        sides.map(|side| p.distance_to_segment(side)).fold(f64::INFINITY, f64::min)
+impl Line {
+    fn moved(&self, motion: &Motion) -> Self {
+        let points = self.points.iter().map(|&p| motion.moved(p)).collect();
+        Self { points, ..*self }
+    }
+
+    fn distance(&self, p: Point2) -> f64 {
+        let closing = self.points.last().zip(self.points.first()).filter(|_| self.closed);
+        let steps = self.points.windows(2).map(|step| [step[0], step[1]]);
+        let steps = steps.chain(closing.map(|(last, first)| [*last, *first]));
+        steps.map(|step| p.distance_to_segment(step)).fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// The lines along which something is done to the sheet of a piece, besides cutting its net.
+fn lines(piece: &Piece) -> Vec<Line> {
+    let has_net = piece.has_net();
+    let kind = |path: &PatternPath| match path.kind {
+        PathKind::Outline if !has_net => None,
+        PathKind::Dimension | PathKind::Leader | PathKind::Drill { .. } => None,
+        PathKind::Bend { .. } | PathKind::BendTick => None,
+        // Rungs have their numbers, which depend on where the samples begin.
+        PathKind::Rung(_) if path.role == Role::Score => Some(PathKind::Crease),
+        PathKind::Rung(_) => None,
+        kind => Some(kind),
     };
-    lines.iter().flatten().map(move |&p| to_others(p))
+    let line = |path: &PatternPath| {
+        Some(Line { kind: kind(path)?, points: path.points.clone(), closed: path.closed })
+    };
+    piece.paths.iter().filter_map(line).collect()
+}
+
+/// How far each corner of some lines lies from the nearest of others of its kind, mm. Lines that
+/// were cleaned or cut to a length may have more corners or fewer.
+fn corners_off_mm(lines: &[Line], others: &[Line]) -> impl Iterator<Item = f64> {
+    lines.iter().flat_map(move |line| {
+        line.points.iter().map(move |&p| {
+            let others = others.iter().filter(|other| other.kind == line.kind);
+            others.map(|other| other.distance(p)).fold(f64::INFINITY, f64::min)
+        })
+    })
 }
 
 /// What marks on the face of a piece say, in order. Where they say it is where there is room.
@@ -143,36 +173,24 @@ fn texts(piece: &Piece) -> Vec<&str> {
     texts
 }
 
-/// What is done to the sheet at a place, besides cutting it.
+/// What stands at a place: a drilled hole of this diameter, or a text of a trim.
 #[derive(Clone, Copy, PartialEq)]
-enum Done<'a> {
-    Path(PathKind),
+enum Spot<'a> {
+    Drill(f64),
     Text(&'a str),
 }
 
-/// What is done to the sheet of a piece, and where.
-fn work(piece: &Piece) -> Vec<(Done<'_>, Point2)> {
-    let has_net = piece.has_net();
-    let kind = |path: &PatternPath| match path.kind {
-        PathKind::Outline | PathKind::Dimension | PathKind::Leader => None,
-        PathKind::Bend { .. } | PathKind::BendTick => None,
-        PathKind::Hole if has_net => None,
-        // Rungs have their numbers, which depend on where the samples begin.
-        PathKind::Rung(_) if path.role == Role::Score => Some(PathKind::Crease),
-        PathKind::Rung(_) => None,
-        kind => Some(kind),
-    };
-    let paths = piece.paths.iter().filter_map(|path| Some((kind(path)?, path)));
-    let paths = paths.flat_map(|(kind, path)| {
-        let points = match kind {
-            PathKind::Drill { .. } => vec![Point2::default() + mean(&path.points)],
-            _ => path.points.clone(),
-        };
-        points.into_iter().map(move |p| (Done::Path(kind), p))
+/// What stands at places of a piece, and where.
+fn spots(piece: &Piece) -> Vec<(Spot<'_>, Point2)> {
+    let holes = piece.paths.iter().filter_map(|path| match path.kind {
+        PathKind::Drill { diameter_mm } => {
+            Some((Spot::Drill(diameter_mm), Point2::default() + mean(&path.points)))
+        }
+        _ => None,
     });
     let texts = piece.labels.iter().filter(|label| label.kind == LabelKind::Trim);
-    let texts = texts.map(|label| (Done::Text(&label.text), label.at));
-    paths.chain(texts).collect()
+    let texts = texts.map(|label| (Spot::Text(&label.text), label.at));
+    holes.chain(texts).collect()
 }
 
 /// The mean of some points.
