@@ -158,11 +158,7 @@ fn points_move_so_that_the_sheet_bends_and_are_accepted_or_dropped() {
 fn exported_files_are_those_of_the_command_line() {
     let mut hands = drawn();
     lift(&mut hands, 2, "35mm");
-    hands.key(Modifiers::COMMAND, Key::S);
-    hands.step();
-    hands.key(Modifiers::COMMAND, Key::E);
-    hands.click("Choose a folder…");
-    hands.settle();
+    hands.save_and_export();
     let disk = hands.disk.lock().unwrap();
     // What the command line does with the saved file.
     let options = sheetwright_files::ReadOptions::default();

@@ -55,6 +55,13 @@ impl Point3 {
         (other - self).length()
     }
 
+    /// Distance to the segment between two points, mm; to the first where both are one.
+    pub fn distance_to_segment(self, [a, b]: [Self; 2]) -> f64 {
+        let along = b - a;
+        let share = (self - a).dot(along) / along.length_squared();
+        self.distance(a.lerp(b, if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 }))
+    }
+
     /// The point that lies `t` of the way to another one: 0 here, 1 there.
     pub fn lerp(self, other: Self, t: f64) -> Self {
         self + (other - self) * t

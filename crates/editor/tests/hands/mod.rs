@@ -139,6 +139,15 @@ impl Hands {
         self.harness.step();
     }
 
+    /// Saves the document, and exports its files into a folder.
+    pub(crate) fn save_and_export(&mut self) {
+        self.key(Modifiers::COMMAND, Key::S);
+        self.step();
+        self.key(Modifiers::COMMAND, Key::E);
+        self.click("Choose a folder…");
+        self.settle();
+    }
+
     /// Frames until everything is worked out.
     pub(crate) fn settle(&mut self) {
         let start = Instant::now();

@@ -395,7 +395,7 @@ fn cut_open(why: SeamCause) -> &'static str {
     }
 }
 
-/// By how much the sheet must stretch to take its shape; a sentence without its end.
+/// How far the outline lies from its curves, beside its tolerance.
 fn off_tolerance(kind: &FindingKind) -> String {
     let FindingKind::OffTolerance {
         distance_mm,
@@ -430,6 +430,7 @@ fn off_tolerance(kind: &FindingKind) -> String {
     )
 }
 
+/// By how much the sheet must stretch to take its shape; a sentence without its end.
 fn must_strain(strain: f64, basis: Basis) -> String {
     let how = match basis {
         Basis::Computed | Basis::Pattern => "must",

@@ -34,7 +34,7 @@ pub fn chord(pieces: &[Cubic]) -> Chord {
 
 /// The largest distance of a span from a straight step, mm.
 fn farthest_mm(piece: &Cubic, step: [Point3; 2]) -> f64 {
-    let off = |t: f64| distance_mm(piece.position(t), step);
+    let off = |t: f64| piece.position(t).distance_to_segment(step);
     let at: [f64; STEPS + 1] = std::array::from_fn(|n| off(n as f64 / STEPS as f64));
     let top = (0..=STEPS).fold(0, |top, n| if at[n] > at[top] { n } else { top });
     if top == 0 || top == STEPS {
@@ -44,14 +44,6 @@ fn farthest_mm(piece: &Cubic, step: [Point3; 2]) -> f64 {
     let aside = 0.5 * (before - after) / (before + after);
     let t = (top as f64 + if aside.is_finite() { aside } else { 0.0 }) / STEPS as f64;
     at[top].max(off(t))
-}
-
-/// The distance of a point from a straight step, mm.
-fn distance_mm(p: Point3, [from, to]: [Point3; 2]) -> f64 {
-    let along = to - from;
-    let share = (p - from).dot(along) / along.length_squared();
-    let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 };
-    p.distance(from + along * share)
 }
 
 #[cfg(test)]
@@ -85,7 +77,8 @@ mod tests {
             let span =
                 Cubic { control: [p(0., 0., 0.), p(0.2, lift, 0.), p(4., 0.5, 1.), p(5., 0., 0.)] };
             let ends = [span.control[0], span.control[3]];
-            let dense = (0..=10_000).map(|n| distance_mm(span.position(f64::from(n) * 1e-4), ends));
+            let dense =
+                (0..=10_000).map(|n| span.position(f64::from(n) * 1e-4).distance_to_segment(ends));
             let dense = dense.fold(0.0, f64::max);
             let found = chord(&[span]).distance_mm;
             assert!(found <= dense * (1.0 + 1e-6) && found >= 0.999 * dense, "{found} {dense}");

@@ -29,7 +29,7 @@ impl<'a> Line<'a> {
         let off_mm = points.windows(3).filter_map(|three| {
             let [a, b] = [three[1] - three[0], three[2] - three[1]];
             let is_smooth = unit(a)?.dot(unit(b)?) > CORNER_COS;
-            is_smooth.then(|| 0.25 * distance(three[1], [three[0], three[2]]))
+            is_smooth.then(|| 0.25 * three[1].distance_to_segment([three[0], three[2]]))
         });
         Self { points, low, high, off_mm: off_mm.fold(0.0, f64::max) }
     }
@@ -37,16 +37,9 @@ impl<'a> Line<'a> {
     fn is_near(&self, other: &Self, within_mm: f64) -> bool {
         self.points.iter().all(|&p| {
             let mut steps = other.points.windows(2);
-            steps.any(|step| distance(p, [step[0], step[1]]) <= within_mm)
+            steps.any(|step| p.distance_to_segment([step[0], step[1]]) <= within_mm)
         })
     }
-}
-
-/// The distance of a point from a segment, mm.
-fn distance(p: Point3, [a, b]: [Point3; 2]) -> f64 {
-    let along = b - a;
-    let share = (p - a).dot(along) / along.length_squared();
-    p.distance(a.lerp(b, if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 }))
 }
 
 /// The pairs of polylines that lie on one another as wholes, up to `least_mm` and how far chords
