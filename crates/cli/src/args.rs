@@ -2,6 +2,7 @@
 
 mod mesh;
 mod output;
+mod sheets;
 mod source;
 mod values;
 

@@ -139,6 +139,7 @@ pub fn read_bytes(
         design.material = Some(material);
     }
     options.bends.set(&mut design);
+    options.sheets.set(&mut design);
     design.dimensions = options.dimensions.or(design.dimensions);
     design.thickness_mm = options.thickness_mm.or(design.thickness_mm);
     if format != InputFormat::Design {
@@ -207,12 +208,14 @@ fn check_options(format: InputFormat, options: &ReadOptions) -> Result<(), Input
         return refused(format!("the effort is {effort}"), EFFORTS);
     }
     if let InputFormat::Mesh(_) = format {
-        let ReadOptions { samples, tolerance_mm, fold, effort, method, plane, vary, .. } = options;
+        let ReadOptions {
+            samples, tolerance_mm, fold, effort, method, plane, vary, sheets, ..
+        } = options;
         let given = [
             ("samples", samples.is_some()),
             ("a tolerance of samples", tolerance_mm.is_some()),
             ("a fold price", fold.is_some()),
-            ("an effort", effort.is_some()),
+            ("an effort", effort.is_some() && sheets.sheets.is_empty()),
             ("a method", method.is_some()),
             ("a plane", plane.is_some()),
             ("moving", *vary != VarySettings::default()),

@@ -48,6 +48,7 @@ mod refold;
 mod report;
 mod shapes;
 mod step;
+mod stock;
 mod stroke_font;
 mod svg;
 mod table;
@@ -87,7 +88,7 @@ pub use quantity::{
 pub use read_back::{PatternReadError, ReadPattern};
 pub use reading::{
     BendSettings, InputError, MAX_INPUT_BYTES, MOST_TOLERANCE_MM, MeshSettings, ReadOptions,
-    VarySettings, read_limited,
+    SheetSettings, VarySettings, read_limited,
 };
 pub use refold::{PatternFiles, RefoldFileError, refold_error_mm, refold_files_error_mm};
 pub use report::{
@@ -96,6 +97,7 @@ pub use report::{
     verdict_sentence, verdict_word, warp_chart,
 };
 pub use step::write_step;
+pub use stock::{sheet_title, stock_sheet};
 pub use svg::{read_svg, write_svg, write_svg_for};
 pub use table::{MAX_CURVES, MAX_ROWS, TableCurve, read_table, write_table};
 pub use template_call::{NewDesign, design_from_template, new_design};

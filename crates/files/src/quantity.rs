@@ -253,7 +253,7 @@ fn finite(number: f64) -> Result<f64, Slip> {
     if number.is_finite() { Ok(number + 0.0) } else { Err(Slip::Huge) }
 }
 
-fn unit_of(name: &str) -> Option<Units> {
+pub(crate) fn unit_of(name: &str) -> Option<Units> {
     match &name.to_ascii_lowercase()[..] {
         "\"" | "″" | "”" | "''" | "inch" | "inches" => Some(Units::Inches),
         "'" | "′" | "’" | "foot" | "feet" => Some(Units::Feet),

@@ -5,7 +5,7 @@ use crate::units::Units;
 use sheetwright::boundary::PlaneChoice;
 use sheetwright::design::{
     Allowance, BendMarks, BendRule, Bends, Corner, Design, Dimensions, PanelMesh, PanelMethod,
-    Trim, TrimKind, TrimOn, Vary, VaryGoal,
+    Stock, StockSheet, Trim, TrimKind, TrimOn, Vary, VaryGoal,
 };
 use sheetwright::flatten::Aim;
 use sheetwright::math::from_deg;
@@ -170,6 +170,40 @@ pub(crate) const TOLERANCES: &str =
 pub(crate) const EFFORTS: &str =
     "Set an effort from 0.001 to 1000; 1 is the default, up to 5 seconds for each panel.";
 
+/// What the caller sets of sheets, in place of what the design says.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SheetSettings {
+    /// The sheets; none: those of the design.
+    pub sheets: Vec<StockSheet>,
+    /// The least distance between two parts, mm.
+    pub gap_mm: Option<f64>,
+    /// The least distance of a part from the edge of its sheet, mm.
+    pub margin_mm: Option<f64>,
+    /// The width that a cut takes away, mm.
+    pub kerf_mm: Option<f64>,
+    /// How much work the search may do, as a multiple of the default.
+    pub effort: Option<f64>,
+}
+
+impl SheetSettings {
+    pub(crate) fn set(&self, design: &mut Design) {
+        let Self { sheets, gap_mm, margin_mm, kerf_mm, effort } = self;
+        let is_set =
+            !sheets.is_empty() || [gap_mm, margin_mm, kerf_mm].iter().any(|it| it.is_some());
+        if !is_set && design.stock.is_none() {
+            return;
+        }
+        let stock = design.stock.get_or_insert_with(Stock::default);
+        if !sheets.is_empty() {
+            stock.sheets.clone_from(sheets);
+        }
+        stock.gap_mm = gap_mm.unwrap_or(stock.gap_mm);
+        stock.margin_mm = margin_mm.unwrap_or(stock.margin_mm);
+        stock.kerf_mm = kerf_mm.unwrap_or(stock.kerf_mm);
+        stock.effort = effort.unwrap_or(stock.effort);
+    }
+}
+
 /// The settings of the caller, which replace those of the file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ReadOptions {
@@ -210,6 +244,8 @@ pub struct ReadOptions {
     pub dimensions: Option<Dimensions>,
     /// How thick the sheet is, mm. Default: as the design says, or its material.
     pub thickness_mm: Option<f64>,
+    /// What parts are cut from. Default: as the design says.
+    pub sheets: SheetSettings,
 }
 
 impl ReadOptions {

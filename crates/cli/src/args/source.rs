@@ -1,6 +1,7 @@
 //! The input, and the options that replace its values.
 
-use super::values::{Name, size_mm};
+use super::sheets::SheetArgs;
+use super::values::{Name, distance_mm, size_mm};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use sheetwright::boundary::PlaneChoice;
@@ -38,7 +39,7 @@ pub(crate) struct SourceArgs {
     fold: Option<f64>,
     /// The limit on the search for the surface of a panel with holes, as a multiple of the default,
     /// which is up to 5 seconds; at the limit, the best surface found is used, and a finding says
-    /// how far it may be from the best possible
+    /// how far it may be from the best possible; with sheets, the work of laying parts out, too
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     effort: Option<f64>,
     /// What the verdict comes from
@@ -103,6 +104,8 @@ pub(crate) struct SourceArgs {
     /// How bend lines are drawn [default: as the design says, or ticks]
     #[arg(long, value_enum, ignore_case = true, value_name = "HOW")]
     bend_marks: Option<BendMarksArg>,
+    #[command(flatten)]
+    sheets: SheetArgs,
     #[command(flatten)]
     vary: VaryArgs,
 }
@@ -174,11 +177,6 @@ fn scale(given: &str) -> Result<f64, String> {
     factor.ok_or_else(|| "give a factor from 0.000001 to 1000000, such as 2 or 0.5".to_owned())
 }
 
-fn distance_mm(given: &str) -> Result<f64, String> {
-    let mm = sheetwright_files::distance_mm(given);
-    mm.ok_or_else(|| "give a length of 0 or more, such as 2, 2mm or 1/8in".to_owned())
-}
-
 impl SourceArgs {
     pub(crate) fn judging(&self) -> Judging {
         match self.verdict {
@@ -223,6 +221,7 @@ impl SourceArgs {
                 DimensionsArg::Outside => Dimensions::Outside,
             }),
             thickness_mm: self.thickness,
+            sheets: self.sheets.settings(self.effort),
             bends: BendSettings {
                 rule: self.bends,
                 marks: self.bend_marks.map(|marks| match marks {

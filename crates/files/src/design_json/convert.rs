@@ -12,10 +12,10 @@ use super::mesh::Meshes;
 use super::sampling::{Sampling, tolerance_mm};
 use super::source::Source;
 use super::table_path::Tables;
-use super::thickness;
 use super::trims;
 use super::vary::VaryReader;
 use super::wrong_version;
+use super::{sheets, thickness};
 use crate::format::Format;
 use crate::json::Object;
 use crate::materials::material_named;
@@ -102,6 +102,8 @@ pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, In
     let formats = formats(file.formats, source)?;
     let bends = bends::read(file.bends, "bends", file.units, source)?.unwrap_or_default();
     let dimensions = thickness::dimensions(file.dimensions);
+    let sheets = file.sheets.map(|Object(sheets)| sheets);
+    let stock = sheets::read(sheets, &panels, file.units, reckoned_mm, source)?;
     Ok(Design {
         name,
         material,
@@ -119,6 +121,7 @@ pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, In
         bends,
         dimensions,
         thickness_mm,
+        stock,
     })
 }
 

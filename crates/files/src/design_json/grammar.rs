@@ -5,6 +5,7 @@
 use super::bends::BendsFile;
 use super::drawing::DrawingFile;
 use super::marks::MarkFile;
+use super::sheets::SheetsFile;
 use super::trims::{TrimFile, Written};
 use crate::json::{Called, Named, Object};
 use crate::materials::{MaterialChoice, MaterialFile};
@@ -96,6 +97,10 @@ pub(super) struct DesignFile {
     #[serde(default)]
     #[schemars(range(min = 0))]
     pub(super) tolerance: Option<f64>,
+    /// What its parts are cut from, and how they may lie on it.
+    #[serde(default)]
+    #[schemars(with = "Option<SheetsFile>")]
+    pub(super) sheets: Option<Object<SheetsFile>>,
     /// How bends are marked on the patterns of panels that do not say it themselves.
     #[serde(default)]
     #[schemars(with = "Option<BendsFile>")]

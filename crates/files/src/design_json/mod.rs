@@ -13,6 +13,7 @@ mod marks;
 mod material;
 mod mesh;
 mod sampling;
+mod sheets;
 mod source;
 mod table_path;
 mod thickness;
@@ -427,6 +428,7 @@ mod tests {
             bends: crate::BendSettings::default(),
             dimensions: None,
             thickness_mm: None,
+            sheets: crate::SheetSettings::default(),
         };
         let design =
             read_bytes(InputFormat::Design, DINGHY.as_bytes(), "d.json", None, &options).unwrap();

@@ -3,7 +3,7 @@
 use super::bends;
 use super::drawing::DrawingFile;
 use super::grammar::{GoalName, KindName, MethodName, SideName, SmoothName};
-use super::{VERSION, marks, material, mesh, thickness, trims, vary};
+use super::{VERSION, marks, material, mesh, sheets, thickness, trims, vary};
 use crate::json::json;
 use crate::materials::file_of;
 use crate::units::Units;
@@ -92,6 +92,8 @@ fn write(
     if !marks.is_empty() {
         fields.push(format!("  \"marks\": [\n{}\n  ]", marks.join(",\n")));
     }
+    let stock = sheets::written(design.stock.as_ref(), units);
+    fields.extend(stock.map(|sheets| format!("  \"sheets\": {sheets}")));
     fields.extend(drawing.map(|drawing| format!("  \"drawing\": {}", json(drawing))));
     format!("{{\n{}\n}}\n", fields.join(",\n")).into_bytes()
 }

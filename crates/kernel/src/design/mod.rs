@@ -9,6 +9,7 @@ mod mark;
 mod mesh;
 mod scale;
 mod shorthand;
+mod stock;
 mod tolerance;
 mod trim;
 mod vary;
@@ -19,6 +20,7 @@ pub use failure::Failure;
 pub use join::Join;
 pub use mark::{Axis, Mark, MarkAt, MarkKind, MarkOn, MarkWay, StationPlaces, StationPlane};
 pub use mesh::{PanelMesh, Triangles};
+pub use stock::{SheetForm, Stock, StockSheet, Turn};
 pub use tolerance::{
     FEWEST_ON_LOOP, FEWEST_ON_RAIL, LOOP_SAMPLES, MOST_BY_TOLERANCE, MOST_USUAL, RAIL_SAMPLES,
     SampleTolerance,
@@ -209,6 +211,8 @@ pub struct Design {
     pub dimensions: Option<Dimensions>,
     /// How thick the sheet is, mm. Default: as its material.
     pub thickness_mm: Option<f64>,
+    /// What its parts are cut from, if that is said.
+    pub stock: Option<Stock>,
 }
 
 impl Design {

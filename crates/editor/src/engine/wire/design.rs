@@ -7,8 +7,8 @@ use sheetwright::design::{
     Allowance, Axis, BendMarks, BendRule, Bends, Corner, CurveUse, Design, DesignCurve,
     DesignPanel, Dimensions, Fingers, Flange, Hem, Holes, Join, Mark, MarkAt, MarkKind, MarkOn,
     MarkWay, MovedBy, NotchForm, Notches, PanelMesh, PanelMethod, PanelShape, Places, Puzzle,
-    SampleTolerance, StationPlaces, StationPlane, Tabs, Ticks, Triangles, Trim, TrimKind, TrimOn,
-    Vary, VaryGoal,
+    SampleTolerance, SheetForm, StationPlaces, StationPlane, Stock, StockSheet, Tabs, Ticks,
+    Triangles, Trim, TrimKind, TrimOn, Turn, Vary, VaryGoal,
 };
 use sheetwright::flatten::Aim;
 use sheetwright::material::{Grain, GrainBending, KFactor, KFactors, Material, Sourced};
@@ -30,8 +30,23 @@ fields!(Design {
     formats,
     bends,
     dimensions,
-    thickness_mm
+    thickness_mm,
+    stock
 });
+fields!(Stock {
+    sheets,
+    gap_mm,
+    margin_mm,
+    kerf_mm,
+    turn,
+    grain_tolerance,
+    may_turn_over,
+    together,
+    effort
+});
+fields!(StockSheet { name, form, count, cost });
+variants!(SheetForm { Rectangle { size }, Roll { width }, Outline { points } });
+variants!(Turn { Free {}, Steps { angle }, Grain {}, OneWay {} });
 fields!(Mark { on, kind });
 variants!(MarkOn { All {}, Part { name } });
 variants!(MarkKind {

@@ -21,7 +21,7 @@ pub(super) fn file_of(mark: &Mark, units: Units) -> MarkFile {
 }
 
 fn kind_file(kind: &MarkKind, units: Units) -> KindFile {
-    let some = |length: f64| Some(mm(length));
+    let some = |length: f64| Some(LengthFile::of_mm(length));
     let number = |mm: f64| mm / units.in_mm();
     match kind {
         MarkKind::Stations { axis, at } => {
@@ -60,26 +60,21 @@ fn kind_file(kind: &MarkKind, units: Units) -> KindFile {
         },
         MarkKind::Drill { at, diameter } => {
             let (at, within) = place(at, units);
-            KindFile::Drill { at, within, diameter: mm(*diameter) }
+            KindFile::Drill { at, within, diameter: LengthFile::of_mm(*diameter) }
         }
         MarkKind::Text { at, text, height } => {
             let (at, within) = at.as_ref().map(|at| place(at, units)).unzip();
-            let height = height.map(mm);
+            let height = height.map(LengthFile::of_mm);
             KindFile::Text { text: text.clone(), at, within: within.flatten(), height }
         }
     }
-}
-
-/// A size on the sheet, with its unit.
-fn mm(mm: f64) -> LengthFile {
-    LengthFile::Text(format!("{mm} mm"))
 }
 
 fn place(at: &MarkAt, units: Units) -> (PlaceFile, Option<LengthFile>) {
     let number = |mm: f64| mm / units.in_mm();
     match *at {
         MarkAt::Space { at, within } => {
-            (PlaceFile::Space([at.x, at.y, at.z].map(number)), Some(mm(within)))
+            (PlaceFile::Space([at.x, at.y, at.z].map(number)), Some(LengthFile::of_mm(within)))
         }
         MarkAt::Flat { at } => (PlaceFile::Flat([at.x, at.y].map(number)), None),
     }

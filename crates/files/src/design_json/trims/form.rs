@@ -39,6 +39,13 @@ pub(in crate::design_json) enum LengthFile {
     Text(String),
 }
 
+impl LengthFile {
+    /// A length, mm, with its unit.
+    pub(in crate::design_json) fn of_mm(mm: f64) -> Self {
+        Self::Text(format!("{mm} mm"))
+    }
+}
+
 /// One length, or one at each end.
 #[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
 #[serde(untagged)]

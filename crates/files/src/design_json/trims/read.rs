@@ -198,7 +198,11 @@ impl Reader {
     }
 
     /// A length, mm, 0 or more.
-    fn mm(&self, field: &str, length: &LengthFile) -> Result<f64, Problem> {
+    pub(in crate::design_json) fn mm(
+        &self,
+        field: &str,
+        length: &LengthFile,
+    ) -> Result<f64, Problem> {
         let mm = match length {
             LengthFile::Number(number) => in_range_mm(*number, self.units),
             LengthFile::Text(text) => match text.trim().strip_suffix(['t', 'T']) {

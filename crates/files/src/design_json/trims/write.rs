@@ -30,7 +30,7 @@ pub(super) fn file_of(trim: &Trim) -> TrimFile {
 
 fn kind_file(kind: &TrimKind) -> KindFile {
     // With its unit, so that it does not depend on that of the file.
-    let mm = |mm: f64| LengthFile::Text(format!("{mm} mm"));
+    let mm = LengthFile::of_mm;
     let some = |length: f64| Some(mm(length));
     let places = |places: &Places| match places {
         Places::Shares(shares) => (Some(shares.clone()), None, None),

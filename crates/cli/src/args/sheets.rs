@@ -1,0 +1,40 @@
+//! What parts are cut from.
+
+use super::values::distance_mm;
+use clap::Args;
+use sheetwright::design::StockSheet;
+use sheetwright_files::SheetSettings;
+
+/// What parts are cut from, in place of what the design says.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Sheets")]
+pub(crate) struct SheetArgs {
+    /// A sheet to lay parts out on: 1220x2440mm, 4x8ft, roll:1370mm, or 3x1220x2440mm where there
+    /// are only three; several may be given
+    #[arg(long, value_name = "SIZE", value_parser = sheetwright_files::stock_sheet)]
+    sheet: Vec<StockSheet>,
+    /// The least distance between two parts on a sheet [default: as the design says, or 3 mm]
+    #[arg(long, value_name = "LENGTH", value_parser = distance_mm)]
+    gap: Option<f64>,
+    /// The least distance of a part from the edge of its sheet [default: as the design says, or
+    /// 5 mm]
+    #[arg(long, value_name = "LENGTH", value_parser = distance_mm)]
+    margin: Option<f64>,
+    /// The width that a cut takes away: outlines move out by half of it, and holes in [default: as
+    /// the design says, or 0]
+    #[arg(long, value_name = "LENGTH", value_parser = distance_mm)]
+    kerf: Option<f64>,
+}
+
+impl SheetArgs {
+    /// What is set, with the effort of the whole call.
+    pub(super) fn settings(&self, effort: Option<f64>) -> SheetSettings {
+        SheetSettings {
+            sheets: self.sheet.clone(),
+            gap_mm: self.gap,
+            margin_mm: self.margin,
+            kerf_mm: self.kerf,
+            effort,
+        }
+    }
+}
