@@ -13,6 +13,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
 use output::{BrakeArgs, FileArgs, PdfArgs, ReportArg, format_parser};
+use sheets::SheetArgs;
 use sheetwright::design::Design;
 use sheetwright::template::catalogue;
 use sheetwright_files::{Format, OutputOptions, ReportForm, trade_names};
@@ -52,6 +53,8 @@ Examples:
   sheetwright make box.stl --out build --split-creases 30
   sheetwright make dinghy.sheet.json --out build --preset lightburn --formats svg,report
   sheetwright make bear.obj --out build --facets --pieces-within a4
+  sheetwright make dome.sheet.json --out build --sheet 1220x2440mm --gap 6mm
+      All parts laid out on sheets of plywood, in sheets.svg and sheets.dxf
   sheetwright make dinghy.sheet.json --out build --vary-warp 6 --vary-limit 5mm
       Moves the curves as little as needed for a warp of 6°, and writes the moved curves";
 
@@ -191,6 +194,8 @@ pub(crate) struct NewArgs {
     /// Also make the design, as `make` does: design, patterns and report go into this folder
     #[arg(long, value_name = "DIR", conflicts_with = "out")]
     pub(crate) make: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) sheets: SheetArgs,
 }
 
 #[derive(Debug, Args)]

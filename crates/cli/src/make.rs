@@ -94,7 +94,9 @@ impl Job<'_> {
         // What can't be written to is said before anybody waits.
         let folder = Folder::new(self.out)?;
         let mut watcher = Watcher::new(voice);
-        let made = made(design, self.judging, &mut watcher, self.input)?;
+        let mut made = made(design, self.judging, &mut watcher, self.input)?;
+        made.lay_out(&mut watcher);
+        watcher.end();
         let outputs = files(&made, formats, self.options, &mut watcher, self.input)?;
         let mut names: Vec<String> = outputs.files.iter().map(|file| file.name.clone()).collect();
 

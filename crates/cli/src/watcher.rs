@@ -69,7 +69,7 @@ impl Watcher {
             *match stage {
                 Stage::Sample | Stage::Solve => &mut times.solve,
                 Stage::Vary => &mut times.vary,
-                Stage::Flatten | Stage::Check => &mut times.flatten,
+                Stage::Flatten | Stage::Check | Stage::Nest => &mut times.flatten,
             } += seconds;
         }
     }
@@ -117,5 +117,6 @@ fn in_words(stage: Stage) -> &'static str {
         Stage::Vary => "moving samples",
         Stage::Flatten => "laying flat",
         Stage::Check => "checking",
+        Stage::Nest => "laying out",
     }
 }

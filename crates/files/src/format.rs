@@ -25,6 +25,8 @@ pub enum Format {
     Brake,
     /// `parts.csv`: what is to be cut, and how often.
     Parts,
+    /// `sheets.svg` and `sheets.dxf`: the parts laid out on sheets.
+    Sheets,
     /// `report.json` and `report.html`.
     Report,
 }
@@ -60,7 +62,7 @@ const fn ruled(format: Format, name: &'static str, about: (&'static str, &'stati
 /// Every format, in the order in which files are written. The report comes last, since it says what
 /// was found in the others.
 static FACTS: [Facts; COUNT] = FACTS_OF_ALL;
-const COUNT: usize = 12;
+const COUNT: usize = 13;
 const FACTS_OF_ALL: [Facts; COUNT] = [
     usual(Format::Obj, "obj", ("Surface (OBJ)", "The sheet in space, for other 3D programs.")),
     usual(
@@ -104,6 +106,11 @@ const FACTS_OF_ALL: [Facts; COUNT] = [
         Format::Parts,
         "parts",
         ("Parts (CSV)", "What to cut: each pattern with its count, size and edges."),
+    ),
+    named(
+        Format::Sheets,
+        "sheets",
+        ("Sheets (SVG, DXF)", "All parts laid out on sheets, to cut in one go."),
     ),
     usual(
         Format::Report,

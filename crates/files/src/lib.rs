@@ -47,6 +47,7 @@ mod reading;
 mod refold;
 mod report;
 mod shapes;
+mod sheets;
 mod step;
 mod stock;
 mod stroke_font;

@@ -23,7 +23,7 @@ use crate::units::Units;
 use sheetwright::bend::Hit;
 use sheetwright::check::{Checked, Finding, FindingKind, braking};
 use sheetwright::design::Design;
-use sheetwright::make::{CutItem, Made, Part};
+use sheetwright::make::{CutItem, Made, Part, beside_each_other};
 use sheetwright::pattern::{EqualPiece, Piece};
 use std::collections::BTreeMap;
 use std::fmt;
@@ -85,6 +85,19 @@ const fn files_of(format: Format) -> &'static [(FileName, Writer)] {
         Format::Parts => {
             &[(Whole("parts.csv"), Writer::Design(|run| Ok(write_parts(run.made, &run.patterns))))]
         }
+        Format::Sheets => &[
+            (
+                Whole("sheets.svg"),
+                Writer::Design(|run| Ok(write_svg_for(&run.sheets(), run.options.preset))),
+            ),
+            (
+                Whole("sheets.dxf"),
+                Writer::Design(|run| {
+                    let options = &run.options;
+                    Ok(write_dxf_for(&run.sheets(), options.preset, options.release()))
+                }),
+            ),
+        ],
         Format::Report => &[
             (
                 Whole("report.json"),
@@ -169,15 +182,19 @@ impl From<&PdfOptions> for OutputOptions {
 }
 
 /// The formats of the files of a design, in order: those that it names, else those that its trade
-/// needs, else the defaults.
+/// needs, else the defaults, and with them what is laid out on its sheets.
 pub fn formats_for(design: &Design) -> Vec<Format> {
     let own: Vec<Format> =
         design.formats.iter().filter_map(|name| Format::from_name(name)).collect();
+    let own_is_empty = own.is_empty();
     let mut formats = match design.trade.as_deref().and_then(trade) {
-        _ if !own.is_empty() => own,
+        _ if !own_is_empty => own,
         Some(trade) => trade.formats(),
         None => Format::DEFAULT.to_vec(),
     };
+    if own_is_empty && design.stock.as_ref().is_some_and(|stock| !stock.sheets.is_empty()) {
+        formats.extend([Format::Parts, Format::Sheets]);
+    }
     formats.sort_unstable();
     formats.dedup();
     formats
@@ -378,6 +395,12 @@ impl<'a> Run<'a> {
         let pdf = write_pieces(&self.made.name, &pieces, &self.options.pdf);
         self.reduced = pdf.reduced;
         pdf.bytes
+    }
+
+    /// All sheets beside each other.
+    fn sheets(&self) -> Piece {
+        let sheets = self.made.sheet_pieces(&self.made.cut_list());
+        beside_each_other(&self.made.name, &sheets)
     }
 
     fn brake(&self) -> Vec<u8> {

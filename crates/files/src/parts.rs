@@ -1,6 +1,7 @@
 //! `parts.csv`: what is to be cut, a row a pattern. `docs/outputs.md` says what each column is for.
 
 use crate::brake::mm;
+use crate::sheets::{LaidPart, laid};
 use crate::table::{guarded, quoted};
 use sheetwright::make::{CutItem, Made};
 use sheetwright::pattern::{PatternPath, Piece};
@@ -17,7 +18,14 @@ pub(crate) fn write_parts(made: &Made, patterns: &[CutItem]) -> Vec<u8> {
         "cut_length_mm",
         "instances",
         "joined_to",
+        "sheet",
+        "x_mm",
+        "y_mm",
+        "turn_deg",
+        "turned_over",
     ];
+    let list = made.cut_list();
+    let laid = made.nested.as_ref().map_or_else(Vec::new, |nested| laid(made, nested, &list));
     let mut out = columns.join(",") + "\r\n";
     for item in patterns {
         let (piece, quantity) = (&made.parts[item.first()].piece, item.quantity());
@@ -32,10 +40,32 @@ pub(crate) fn write_parts(made: &Made, patterns: &[CutItem]) -> Vec<u8> {
             guarded(&instances(made, item)),
             guarded(&joined_to(made, item)),
         ];
-        out += &cells.map(|cell| quoted(&cell)).join(",");
+        let on_sheets = on_sheets(made, item, &laid);
+        let cells = cells.iter().chain(&on_sheets).map(|cell| quoted(cell));
+        out += &cells.collect::<Vec<_>>().join(",");
         out += "\r\n";
     }
     out.into_bytes()
+}
+
+/// Where each of those parts lies, in their order: the number of the sheet, the middle of the box of
+/// the part on it, by how much it is turned, and whether it is turned over.
+fn on_sheets(made: &Made, item: &CutItem, laid: &[LaidPart]) -> [String; 5] {
+    let of_item = item.instances.iter().filter_map(|instance| {
+        let name = &made.parts[instance.number].name;
+        laid.iter().find(|it| it.name == *name)
+    });
+    let of_item: Vec<&LaidPart> = of_item.collect();
+    let all = |cell: fn(&LaidPart) -> String| -> String {
+        of_item.iter().map(|it| cell(it)).collect::<Vec<_>>().join("; ")
+    };
+    [
+        all(|it| (it.placement.sheet + 1).to_string()),
+        all(|it| mm(it.middle.x)),
+        all(|it| mm(it.middle.y)),
+        all(|it| mm(it.turn_deg())),
+        all(|it| if it.placement.is_over { "yes" } else { "no" }.to_owned()),
+    ]
 }
 
 /// The parts that are cut from a pattern, separated by semicolons.

@@ -69,7 +69,7 @@ pub(crate) struct Layer {
     pub(crate) filled_mm: Option<f64>,
 }
 
-use Role::{Cut, Drill, Engrave, Inner, Net, Note, Score};
+use Role::{Cut, Drill, Engrave, Inner, Net, Note, Score, Sheet};
 
 /// A layer of plain lines: name, roles, colours of SVG and DXF, and the colour in words.
 const fn lines(
@@ -101,6 +101,7 @@ static PRESETS: [Preset; 7] = [
             lines("net", &[Net], "#ff00ff", 6, "magenta, the edge of the finished piece"),
             lines("engrave", &[Engrave], "#000000", 7, "black"),
             lines("note", &[Note], "#999999", 8, "grey, for people alone"),
+            lines("sheet", &[Sheet], "#00a0a0", 4, "cyan, the edge of the sheet"),
         ],
         closes_cuts: false,
         dxf: R12,
@@ -115,6 +116,7 @@ static PRESETS: [Preset; 7] = [
             lines("inner", &[Drill, Inner], "#00e000", 3, "C03, green, holes"),
             lines("cut", &[Cut], "#ff0000", 1, "C02, red"),
             lines("note", &[Note], "#f36926", 32, "T1, a tool layer, which does not burn"),
+            lines("sheet", &[Sheet], "#0c96d9", 150, "T2, a tool layer, the edge of the sheet"),
         ],
         closes_cuts: false,
         dxf: R12,
@@ -262,7 +264,7 @@ impl Preset {
 impl Layer {
     /// Whether the layer is left out of files that would have nothing on it.
     pub(crate) fn is_optional(&self) -> bool {
-        self.roles == [Net]
+        self.roles == [Net] || self.roles == [Sheet]
     }
 
     /// Whether the sheet is cut through along its lines.

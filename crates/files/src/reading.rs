@@ -186,7 +186,8 @@ pub struct SheetSettings {
 }
 
 impl SheetSettings {
-    pub(crate) fn set(&self, design: &mut Design) {
+    /// Sets it on a design.
+    pub fn set(&self, design: &mut Design) {
         let Self { sheets, gap_mm, margin_mm, kerf_mm, effort } = self;
         let is_set =
             !sheets.is_empty() || [gap_mm, margin_mm, kerf_mm].iter().any(|it| it.is_some());

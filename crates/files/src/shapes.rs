@@ -44,6 +44,8 @@ pub(crate) enum What {
     OnFold,
     Arrow,
     Leader,
+    /// The edge of a sheet that parts lie on.
+    SheetEdge,
     /// A text; the lines of the shape are its strokes.
     Label(String),
     /// The reference square.
@@ -166,6 +168,7 @@ pub(crate) fn shapes(piece: &Piece) -> Vec<Shape> {
                 PathKind::OnFold => What::OnFold,
                 PathKind::Arrow => What::Arrow,
                 PathKind::Leader => What::Leader,
+                PathKind::SheetEdge => What::SheetEdge,
             },
             lines: vec![path.points.clone()],
             closed: path.closed,

@@ -62,6 +62,7 @@ pub fn write_svg_for(piece: &Piece, preset: &Preset) -> Vec<u8> {
         piece.size.y,
         groups.join(", ")
     );
+    let outlines = shapes.iter().filter(|shape| shape.what == What::Outline).count();
     for layer in layers {
         let id = layer.name;
         // Writing to a string does not fail.
@@ -71,7 +72,8 @@ pub fn write_svg_for(piece: &Piece, preset: &Preset) -> Vec<u8> {
             painted(layer)
         );
         for shape in layer.shapes(&shapes).filter(|s| !s.lines.is_empty()) {
-            svg.push_str(&drawn(shape, &preset.drawn(layer, shape), place));
+            let is_one = outlines == 1;
+            svg.push_str(&drawn(shape, is_one, &preset.drawn(layer, shape), place));
         }
         svg.push_str("</g>\n");
     }
@@ -94,7 +96,7 @@ fn painted(layer: &Layer) -> String {
 /// The attributes that name the kind of a shape.
 fn named(shape: &Shape) -> String {
     match &shape.what {
-        What::Outline => "id=\"outline\" class=\"outline\"".to_owned(),
+        What::Outline => "class=\"outline\"".to_owned(),
         What::Hole => "class=\"hole\"".to_owned(),
         What::Net => "class=\"net\"".to_owned(),
         What::Drill { .. } => "class=\"drill\"".to_owned(),
@@ -117,14 +119,23 @@ fn named(shape: &Shape) -> String {
         What::OnFold => format!("class=\"on-fold\" {VALLEY}"),
         What::Arrow => "class=\"arrow\"".to_owned(),
         What::Leader => "class=\"leader\"".to_owned(),
+        What::SheetEdge => "class=\"sheet\"".to_owned(),
         What::Label(text) => format!("class=\"label\" data-text=\"{}\"", escaped(text)),
         What::Reference => "id=\"reference\" class=\"reference\"".to_owned(),
     }
 }
 
-/// The element of a shape that these lines draw.
-fn drawn(shape: &Shape, lines: &[FileLine], place: impl Fn(&Point2) -> [String; 2]) -> String {
-    let name = named(shape);
+/// The element of a shape that these lines draw; the only outline of a file has an `id`.
+fn drawn(
+    shape: &Shape,
+    is_one: bool,
+    lines: &[FileLine],
+    place: impl Fn(&Point2) -> [String; 2],
+) -> String {
+    let name = match shape.what {
+        What::Outline if is_one => format!("id=\"outline\" {}", named(shape)),
+        _ => named(shape),
+    };
     if let [FileLine { points, form: Form::Circle { radius_mm } }] = lines {
         let [x, y] = place(&points[0]);
         let r = digits(*radius_mm);

@@ -349,6 +349,8 @@ fn the_same_design_gives_the_same_bytes() {
             "offsets.csv",
             "brake.csv",
             "parts.csv",
+            "sheets.svg",
+            "sheets.dxf",
             "report.json",
             "report.html"
         ]

@@ -22,6 +22,8 @@ pub mod index;
 
 pub mod disjoint;
 
+pub mod random;
+
 pub mod watch;
 
 pub mod curve;

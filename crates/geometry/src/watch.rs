@@ -13,6 +13,8 @@ pub enum Stage {
     Flatten,
     /// Quantities are measured and findings made.
     Check,
+    /// Parts are laid out on sheets.
+    Nest,
 }
 
 /// Watches a stage at work, and may stop it.

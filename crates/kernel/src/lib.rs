@@ -32,7 +32,7 @@
 #![forbid(unsafe_code)]
 
 pub use sheetwright_geometry::{
-    boundary, curve, disjoint, index, math, predicate, tolerance, triangle, watch,
+    boundary, curve, disjoint, index, math, predicate, random, tolerance, triangle, watch,
 };
 pub use sheetwright_optimum::{cost, rung, triangulate};
 
@@ -84,6 +84,8 @@ pub mod pattern;
 pub mod trim;
 
 pub mod mark;
+
+pub mod nest;
 
 pub mod check;
 

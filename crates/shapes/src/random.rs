@@ -4,39 +4,7 @@ use sheetwright::boundary::{Boundary, samples_from_points};
 use sheetwright::curve::CurvePoint;
 use sheetwright::math::{Point3, cos, sin};
 
-/// A small generator of pseudo-random numbers, SplitMix64: the same numbers everywhere.
-pub struct Random(u64);
-
-impl Random {
-    /// A generator that a seed determines.
-    pub fn new(seed: u64) -> Self {
-        Self(seed)
-    }
-
-    /// The next 64 bits.
-    pub fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// A number in 0 .. 1.
-    pub fn unit(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    /// A number in low .. high.
-    pub fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-
-    /// A whole number below `end`.
-    pub fn below(&mut self, end: usize) -> usize {
-        (self.bits() % end.max(1) as u64) as usize
-    }
-}
+pub use sheetwright::random::Random;
 
 /// A closed polygon of m samples about the axis z, some of them corners, of random height; its
 /// projection is star-shaped, so that it has a supporting plane. `None` if it is no boundary.

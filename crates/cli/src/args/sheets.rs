@@ -28,7 +28,7 @@ pub(crate) struct SheetArgs {
 
 impl SheetArgs {
     /// What is set, with the effort of the whole call.
-    pub(super) fn settings(&self, effort: Option<f64>) -> SheetSettings {
+    pub(crate) fn settings(&self, effort: Option<f64>) -> SheetSettings {
         SheetSettings {
             sheets: self.sheet.clone(),
             gap_mm: self.gap,

@@ -80,6 +80,7 @@ pub fn doing(panels: &[&str], stage: Stage) -> String {
         Stage::Vary => "Moving points of",
         Stage::Flatten => "Laying flat",
         Stage::Check => "Checking",
+        Stage::Nest => "Laying out",
     };
     let rest = panels.len().saturating_sub(NAMED);
     let names = panels[..panels.len() - rest].join(", ");

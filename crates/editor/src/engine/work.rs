@@ -95,7 +95,8 @@ fn files(
     formats: &[Format],
     watch: &mut dyn Watch,
 ) -> Result<Vec<OutputFile>, Refusal> {
-    let made = make(design, watch).map_err(|error| refusal(&error))?;
+    let mut made = make(design, watch).map_err(|error| refusal(&error))?;
+    made.lay_out(watch);
     let outputs = output_files(&made, formats, OutputOptions::of(design))
         .map_err(|error| Refusal::new(&error, error.hint().unwrap_or_default()))?;
     Ok(outputs.files)

@@ -8,6 +8,7 @@ use super::found_page::FoundPage;
 use super::joined_page::joined_edges;
 use super::mesh_page::MeshPage;
 use super::page::{PartPage, table};
+use super::sheets_page::sheets;
 use super::space_picture::design_picture;
 use super::style::page_style;
 use super::verdict::{findings, severity, verdict};
@@ -73,6 +74,7 @@ pub fn report_html(
                 (cut_list(made, written.patterns))
                 @for page in &pages { (page.section()) }
             }
+            (sheets(made))
             (joined_edges(made))
         },
     )

@@ -1,6 +1,7 @@
 //! `report.json`: what was measured and found, for scripts.
 
 use super::Written;
+use super::sheets_json::{SheetsReport, sheets_report};
 use crate::mesh::aim_name;
 use crate::quads::PanelQuads;
 use crate::words::{finding_place, finding_text};
@@ -38,6 +39,8 @@ struct Report<'a> {
     material: Option<&'a str>,
     /// The panels, in the order of the design.
     panels: Vec<PanelReport<'a>>,
+    /// The sheets with the parts on them, in order; null where parts are not laid out.
+    sheets: Option<SheetsReport>,
 }
 
 /// One panel.
@@ -354,7 +357,8 @@ pub fn report_json(
     });
     let panels = panels.collect();
     let (name, material) = (&made.name[..], made.material.as_ref().map(|m| &m.name[..]));
-    to_bytes(&Report { sheetwright: VERSION, name, units: "mm", material, panels })
+    let sheets = sheets_report(made);
+    to_bytes(&Report { sheetwright: VERSION, name, units: "mm", material, panels, sheets })
 }
 
 /// The JSON Schema of `report.json`.

@@ -24,6 +24,8 @@ mod paint;
 mod quads_picture;
 mod raster;
 mod rulings;
+mod sheets_json;
+mod sheets_page;
 mod solid;
 mod space_picture;
 mod strain_in_space;

@@ -108,6 +108,7 @@ font-family:system-ui,-apple-system,'Segoe UI',Roboto,'Helvetica Neue',Arial,san
 .pic .t{stroke:var(--tight);stroke-width:2;stroke-dasharray:3 4}\
 .pic .e{stroke:var(--ink);stroke-width:2}\
 .pic .cut{stroke:var(--ink);stroke-width:2}.pic .thin{stroke-width:1}\
+.pic .sheet-edge{fill:none;stroke:var(--line);stroke-width:1.5}\
 .pic .paper{fill:var(--paper)}.pic .sheet{fill:var(--tint)}\
 .pic .net{stroke:var(--ink);stroke-width:1;stroke-dasharray:4 3}\
 .pic .score{stroke:var(--line);stroke-width:1.4;stroke-dasharray:7 4}\

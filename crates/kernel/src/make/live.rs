@@ -258,7 +258,8 @@ impl Live {
         mark_parts(&mut parts, &self.design.marks)?;
         let (name, material) = (self.design.name.clone(), self.design.material.clone());
         let thickness_mm = self.design.sheet_thickness_mm();
-        Ok(Made { name, material, thickness_mm, parts, moved: None })
+        let stock = self.design.stock.clone();
+        Ok(Made { name, material, thickness_mm, parts, moved: None, stock, nested: None })
     }
 
     /// The parts of each panel, or why they can't be made, in the order of [`Self::panels`], with

@@ -16,6 +16,8 @@ mod laid;
 mod live;
 mod marked;
 mod mesh;
+mod nested;
+mod on_sheets;
 mod opened;
 mod other;
 mod part;
@@ -30,10 +32,12 @@ mod unrestricted;
 pub use cut_list::CutItem;
 pub use error::{MakeCause, MakeError};
 pub use live::{Live, LivePanel};
+pub use nested::{NestItem, Nested};
+pub use on_sheets::beside_each_other;
 pub use part::{Change, Found, Given, Joint, Origin, Other, Part};
 pub use rebuilt::Rebuilt;
 
-use crate::design::{Design, DesignPanel, PanelShape};
+use crate::design::{Design, DesignPanel, PanelShape, Stock};
 use crate::fair::varied_design;
 use crate::material::Material;
 use crate::sample::{Matched, Sampler, counted, matched};
@@ -64,6 +68,10 @@ pub struct Made {
     pub parts: Vec<Part>,
     /// The design with its points moved, if any were: making it gives these parts.
     pub moved: Option<Design>,
+    /// What its parts are cut from, if that is said.
+    pub stock: Option<Stock>,
+    /// Where they lie on it, once they are laid out.
+    pub nested: Option<Nested>,
 }
 
 /// What a verdict comes from.
@@ -129,7 +137,8 @@ pub fn make_judged(
     mark_parts(&mut parts, &design.marks)?;
     let (name, material) = (design.name.clone(), design.material.clone());
     let thickness_mm = design.sheet_thickness_mm();
-    Ok(Made { name, material, thickness_mm, parts, moved })
+    let stock = design.stock.clone();
+    Ok(Made { name, material, thickness_mm, parts, moved, stock, nested: None })
 }
 
 /// The inputs that the panels of a design share.

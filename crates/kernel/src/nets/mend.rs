@@ -4,6 +4,7 @@
 
 use super::grow::Pieces;
 use super::order::{by, seam_cost};
+use sheetwright_geometry::random::Random;
 use sheetwright_geometry::watch::Watch;
 use std::collections::VecDeque;
 
@@ -21,31 +22,9 @@ const MOST_SWAPS: usize = 2;
 /// How often all cuts are gone through.
 const ROUNDS: usize = 4;
 
-/// Random numbers, alike on every machine (splitmix64).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut x = self.0;
-        x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        x ^ (x >> 31)
-    }
-
-    fn below(&mut self, count: usize) -> usize {
-        (self.next() % count.max(1) as u64) as usize
-    }
-
-    /// In 0 .. 1.
-    fn share(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1u64 << 53) as f64
-    }
-}
-
 /// The pieces with as few of them as tries give; `None` if the watcher asks to stop.
 pub(super) fn mended<'a>(mut best: Pieces<'a>, watch: &mut dyn Watch) -> Option<Pieces<'a>> {
-    let mut random = Random(39);
+    let mut random = Random::new(39);
     let components = components(&best);
     let mut tries = 0;
     best.work = 0;
@@ -172,21 +151,21 @@ fn change(pieces: &mut Pieces<'_>, random: &mut Random, watch: &mut dyn Watch) -
         }
         from = to;
     }
-    let share = 0.3 + 0.7 * random.share();
+    let share = 0.3 + 0.7 * random.unit();
     let mut undone: Vec<usize> = Vec::new();
     for &f in &around {
         let own = pieces.of_facet[f] == piece;
         for &n in &facets.list[f].hinges {
-            if pieces.folded[n] && (own || random.share() < share) {
+            if pieces.folded[n] && (own || random.unit() < share) {
                 undone.push(n);
             }
         }
     }
     pieces.unfold(&undone);
-    let noise: Vec<f64> = facets.hinges.iter().map(|_| random.share()).collect();
+    let noise: Vec<f64> = facets.hinges.iter().map(|_| random.unit()).collect();
     let mean =
         facets.hinges.iter().map(|h| h.length_mm).sum::<f64>() / facets.hinges.len().max(1) as f64;
-    let weight = random.share();
+    let weight = random.unit();
     let order = by(facets, |n| noise[n] - weight * (facets.hinges[n].length_mm / mean).min(2.0));
     // Pieces that were not touched did not go together before.
     let mut touched = vec![false; facets.list.len()];

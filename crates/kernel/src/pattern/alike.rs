@@ -141,7 +141,9 @@ fn lines(piece: &Piece) -> Vec<Line> {
     let has_net = piece.has_net();
     let kind = |path: &PatternPath| match path.kind {
         PathKind::Outline if !has_net => None,
-        PathKind::Dimension | PathKind::Leader | PathKind::Drill { .. } => None,
+        PathKind::Dimension | PathKind::Leader | PathKind::SheetEdge | PathKind::Drill { .. } => {
+            None
+        }
         PathKind::Bend { .. } | PathKind::BendTick => None,
         // Rungs have their numbers, which depend on where the samples begin.
         PathKind::Rung(_) if path.role == Role::Score => Some(PathKind::Crease),

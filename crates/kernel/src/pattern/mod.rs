@@ -19,6 +19,8 @@ pub use alike::{EqualPiece, alike, equal_pieces};
 pub use quantity::Quantity;
 pub use seam::{EdgeMark, seam_mark, seam_marks};
 
+pub(crate) use text_box::is_text_inside;
+
 pub(crate) use labels::Labelled;
 pub(crate) use room::{Room, Spot};
 pub(crate) use seam::joint_mark;
@@ -53,12 +55,22 @@ pub enum Role {
     Engrave,
     /// To read only: bend lines, dimensions, reference squares. No machine follows these.
     Note,
+    /// The edge of the sheet that parts lie on. No machine follows it.
+    Sheet,
 }
 
 impl Role {
     /// Every role, in the order in which files list them.
-    pub const ALL: [Self; 7] =
-        [Self::Cut, Self::Inner, Self::Drill, Self::Score, Self::Net, Self::Engrave, Self::Note];
+    pub const ALL: [Self; 8] = [
+        Self::Cut,
+        Self::Inner,
+        Self::Drill,
+        Self::Score,
+        Self::Net,
+        Self::Engrave,
+        Self::Note,
+        Self::Sheet,
+    ];
 
     /// Whether the sheet is cut through along it.
     pub fn is_cut(self) -> bool {
@@ -75,6 +87,7 @@ impl Role {
             Self::Net => "net",
             Self::Engrave => "engrave",
             Self::Note => "note",
+            Self::Sheet => "sheet",
         }
     }
 }
@@ -135,6 +148,8 @@ pub enum PathKind {
     Arrow,
     /// A line from a text beside the piece to where it belongs.
     Leader,
+    /// The edge of a sheet that parts lie on.
+    SheetEdge,
 }
 
 impl PathKind {

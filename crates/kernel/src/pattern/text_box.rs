@@ -3,9 +3,9 @@
 //! A letter stands on a grid: a capital is 6 units high, letters are 4 units wide at the most and 2
 //! apart, tails go down 2 units and dots up to 7.
 
-use super::PatternLabel;
+use super::{PatternLabel, Piece};
 use sheetwright_geometry::math::{Point2, Vec2};
-use sheetwright_geometry::predicate::Box2;
+use sheetwright_geometry::predicate::{Box2, inside};
 
 /// The step from letter to letter, as a share of the height of a capital.
 const STEP: f64 = 1.0;
@@ -97,6 +97,12 @@ impl TextBox {
             (seen.x.clamp(-self.half.x, self.half.x), seen.y.clamp(-self.half.y, self.half.y));
         self.middle + self.along * x + self.along.perp() * y
     }
+}
+
+/// Whether a text stands on a piece, not beside it.
+pub(crate) fn is_text_inside(label: &PatternLabel, piece: &Piece) -> bool {
+    let outline = piece.outline();
+    TextBox::of(label).corners().into_iter().all(|corner| inside(outline, corner))
 }
 
 #[cfg(test)]

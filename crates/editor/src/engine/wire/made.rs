@@ -65,6 +65,7 @@ impl Wire for PathKind {
             Self::OnFold => 19,
             Self::Arrow => 20,
             Self::Leader => 21,
+            Self::SheetEdge => 22,
         });
         match self {
             Self::Rung(rung) => rung.put(out),
@@ -97,6 +98,7 @@ impl Wire for PathKind {
             19 => Self::OnFold,
             20 => Self::Arrow,
             21 => Self::Leader,
+            22 => Self::SheetEdge,
             _ => return None,
         })
     }

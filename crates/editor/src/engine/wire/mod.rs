@@ -269,7 +269,21 @@ fields!(Refusal { message, hint });
 fields!(OutputFile { name, bytes });
 fields!(Varied { moved, moved_max_mm, before, after });
 kinds!(Detail { Coarse, Full });
-kinds!(Format { Obj, Svg, Dxf, Pdf, Quads, Step, Fold, Astm, Offsets, Brake, Parts, Report });
+kinds!(Format {
+    Obj,
+    Svg,
+    Dxf,
+    Pdf,
+    Quads,
+    Step,
+    Fold,
+    Astm,
+    Offsets,
+    Brake,
+    Parts,
+    Sheets,
+    Report
+});
 
 impl Wire for Vec2 {
     fn put(&self, out: &mut Vec<u8>) {

@@ -181,7 +181,7 @@ fn paths(painter: &Painter, shown: &Shown, look: &Look<'_>, theme: &Theme) {
             (_, Role::Cut | Role::Inner | Role::Drill) => Stroke::new(2.0, cut),
             (_, Role::Score | Role::Net) => Stroke::new(1.6, score),
             (_, Role::Engrave) => Stroke::new(1.2, engrave),
-            (_, Role::Note) => Stroke::new(1.0, theme.faint),
+            (_, Role::Note | Role::Sheet) => Stroke::new(1.0, theme.faint),
         };
         let points: Vec<Pos2> = path.points.iter().map(|&p| look.seen(p)).collect();
         painter.add(match (path.closed, &points[..]) {
@@ -246,7 +246,7 @@ fn letters(painter: &Painter, label: &PatternLabel, look: &Look<'_>, theme: &The
         Role::Cut | Role::Inner | Role::Drill => theme.roles[0],
         Role::Score | Role::Net => theme.roles[1],
         Role::Engrave => theme.roles[2],
-        Role::Note => theme.roles[3],
+        Role::Note | Role::Sheet => theme.roles[3],
     };
     // Letters are laid out in whole sizes, so that zooming does not fill the memory with them.
     let font = FontId::proportional(size.min(96.0).round());

@@ -1,0 +1,152 @@
+//! The patterns to cut, laid out on the sheets of a design.
+
+use super::{CutItem, Made};
+use crate::design::{SheetForm, Stock, Turn};
+use crate::nest::{
+    Nest, NestForm, NestOptions, NestPart, NestSheet, Placement, Turns, first_fault, nest,
+};
+use crate::pattern::{PathKind, Piece};
+use sheetwright_geometry::math::{Point2, Vec2, atan2};
+use sheetwright_geometry::watch::{Stage, Watch};
+use std::f64::consts::{PI, TAU};
+
+/// Steps below this, radians, are any angle.
+const LEAST_STEP: f64 = TAU / 720.0;
+
+/// The patterns to cut on their sheets.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Nested {
+    /// Where each lies. The parts are [`items`](Self::items).
+    pub nest: Nest,
+    /// The pattern that each part of `nest` is, by its number in the list to cut, and whether it
+    /// is that of parts that are mirrored. Where it lies, turning it over is in `nest`, too.
+    pub items: Vec<NestItem>,
+    /// Whether the layout was proved to keep all that was asked; it always should.
+    pub is_proved: bool,
+}
+
+/// A pattern that is laid out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NestItem {
+    /// Its number in the list to cut.
+    pub item: usize,
+    /// Whether the parts are mirror images of the pattern.
+    pub is_mirrored: bool,
+}
+
+impl Made {
+    /// Lays the patterns of [`Made::cut_list`] out on the sheets of the design, if it has some.
+    pub fn lay_out(&mut self, watch: &mut dyn Watch) {
+        let Some(stock) = self.stock.as_ref().filter(|stock| !stock.sheets.is_empty()) else {
+            return;
+        };
+        let names: Vec<&str> = self.parts.iter().map(|part| &part.name[..]).collect();
+        watch.begin(&names, Stage::Nest);
+        self.nested = Some(Nested::new(self, &self.cut_list(), stock, watch));
+    }
+}
+
+impl Nested {
+    /// The patterns laid out; their quantities are those of `list`, which is of `made`.
+    fn new(made: &Made, list: &[CutItem], stock: &Stock, watch: &mut dyn Watch) -> Self {
+        let (mut items, mut parts) = (Vec::new(), Vec::new());
+        for (item, cut) in list.iter().enumerate() {
+            let group = group(made, cut, stock);
+            let quantity = cut.quantity();
+            let counts = [(false, quantity.count - quantity.mirrored), (true, quantity.mirrored)];
+            for (is_mirrored, count) in counts.into_iter().filter(|(_, count)| *count > 0) {
+                items.push(NestItem { item, is_mirrored });
+                parts.push(nest_part(&cut.piece, is_mirrored, count, group, stock));
+            }
+        }
+        let sheets: Vec<NestSheet> = stock.sheets.iter().map(nest_sheet).collect();
+        let Stock { gap_mm, margin_mm, effort, .. } = *stock;
+        let options = NestOptions { gap_mm, margin_mm, effort };
+        let mut nest = nest(&parts, &sheets, options, watch);
+        let is_proved = first_fault(&nest, &parts, &sheets, options).is_none();
+        // The mirror image of a pattern, turned over once more, is the pattern.
+        for it in &mut nest.placements {
+            it.is_over ^= items[it.part].is_mirrored;
+        }
+        Self { nest, items, is_proved }
+    }
+
+    /// The pattern that lies there, by its number in the list to cut.
+    pub fn item(&self, placement: &Placement) -> usize {
+        self.items[placement.part].item
+    }
+
+    /// The part that is cut there, by its number in the design; `list` is [`Made::cut_list`]. Those
+    /// of one pattern that are mirrored, and those that are not, are cut in their order.
+    pub fn instance(&self, list: &[CutItem], placement: &Placement) -> usize {
+        let NestItem { item, is_mirrored } = self.items[placement.part];
+        let alike = list[item].instances.iter().filter(|it| it.mirrored == is_mirrored);
+        let mut alike = alike.map(|instance| instance.number);
+        alike.nth(placement.copy).unwrap_or_else(|| list[item].first())
+    }
+}
+
+/// The group of panels that stay together that a pattern belongs to.
+fn group(made: &Made, cut: &CutItem, stock: &Stock) -> Option<usize> {
+    stock.together.iter().position(|names| {
+        cut.instances.iter().any(|it| names.contains(&made.parts[it.number].panel))
+    })
+}
+
+fn nest_sheet(sheet: &crate::design::StockSheet) -> NestSheet {
+    let form = match &sheet.form {
+        SheetForm::Rectangle { size } => NestForm::Rectangle(*size),
+        SheetForm::Roll { width } => NestForm::Roll(*width),
+        SheetForm::Outline { points } => NestForm::Outline(points.clone()),
+    };
+    NestSheet { form, count: sheet.count, cost: sheet.cost }
+}
+
+fn nest_part(
+    piece: &Piece,
+    is_mirrored: bool,
+    count: usize,
+    group: Option<usize>,
+    stock: &Stock,
+) -> NestPart {
+    // Turned over, top to bottom, and run the other way round.
+    let laid = |line: &[Point2]| -> Vec<Point2> {
+        match is_mirrored {
+            false => line.to_vec(),
+            true => line.iter().rev().map(|p| Point2::new(p.x, -p.y)).collect(),
+        }
+    };
+    let loops = piece.loops().map(laid).collect();
+    let grain = grain(piece).map(|way| if is_mirrored { Vec2::new(way.x, -way.y) } else { way });
+    NestPart { loops, count, turns: turns(grain, stock), group }
+}
+
+/// The direction of the grain arrow of a piece.
+fn grain(piece: &Piece) -> Option<Vec2> {
+    let arrow = piece.paths.iter().find(|path| path.kind == PathKind::Grain)?;
+    Some(arrow.points[1] - arrow.points[0])
+}
+
+fn turns(grain: Option<Vec2>, stock: &Stock) -> Turns {
+    let along = |way: Vec2| {
+        let angle = -atan2(way.y, way.x);
+        match stock.turn {
+            Turn::OneWay => vec![angle],
+            _ => vec![angle, angle + PI],
+        }
+    };
+    let may_turn_over = stock.may_turn_over;
+    let free = Turns { may_turn_over, ..Turns::FREE };
+    let of_grain =
+        |way: Vec2| Turns { angles: along(way), tolerance: stock.grain_tolerance, may_turn_over };
+    match (grain, stock.turn) {
+        (Some(way), _) => of_grain(way),
+        (None, Turn::Grain | Turn::OneWay) => of_grain(Vec2::X),
+        (None, Turn::Steps { angle }) if angle >= LEAST_STEP => {
+            let count = ((TAU / angle) + 1e-9) as usize;
+            let angles = (0..count.max(1)).map(|n| n as f64 * angle).collect();
+            Turns { angles, ..free }
+        }
+        (None, Turn::Steps { .. } | Turn::Free) => free,
+    }
+}

@@ -1,0 +1,143 @@
+//! A sheet with the parts on it as one drawing, for writers that know pieces.
+//!
+//! Lines keep their roles, so that a part on a sheet is cut, scored and engraved as by itself. A
+//! part that lies in a hole of another is cut before that hole, or it would fall out with it: all of
+//! its cuts count as inner ones. What a pattern has beside the part, its dimensions and texts with
+//! leaders, would lie on its neighbours and stays away.
+
+use super::nested::Nested;
+use super::{CutItem, Made};
+use crate::design::{SheetForm, StockSheet};
+use crate::nest::{Placement, UsedSheet};
+use crate::pattern::{LabelKind, PathKind, PatternLabel, PatternPath, Piece, Role, is_text_inside};
+use sheetwright_geometry::math::{Point2, Vec2};
+use sheetwright_geometry::predicate::{Box2, inside};
+
+/// The distance between two sheets that are drawn beside each other, mm.
+const BESIDE_MM: f64 = 100.0;
+/// The name of a sheet stands this high above it, and its letters are as high, mm.
+const NAME_MM: f64 = 15.0;
+
+impl Made {
+    /// Each sheet with the parts on it, in order; `list` is [`Made::cut_list`]. Empty where parts
+    /// are not laid out.
+    pub fn sheet_pieces(&self, list: &[CutItem]) -> Vec<Piece> {
+        let (Some(nested), Some(stock)) = (&self.nested, &self.stock) else { return Vec::new() };
+        let sheets = nested.nest.sheets.iter().enumerate();
+        let piece = |(n, used): (usize, &UsedSheet)| {
+            let name = |it: &Placement| &self.parts[nested.instance(list, it)].name[..];
+            sheet_piece(nested, list, n, used, &stock.sheets[used.kind], &name)
+        };
+        sheets.map(piece).collect()
+    }
+}
+
+/// Sheets beside each other, left to right, as one drawing of this name.
+pub fn beside_each_other(name: &str, sheets: &[Piece]) -> Piece {
+    let mut all = Piece::undrawn(name);
+    let mut right = 0.0;
+    for sheet in sheets {
+        let by = Vec2::new(right, 0.0);
+        let moved = |path: &PatternPath| PatternPath {
+            points: path.points.iter().map(|&p| p + by).collect(),
+            ..path.clone()
+        };
+        all.paths.extend(sheet.paths.iter().map(moved));
+        let moved = |label: &PatternLabel| PatternLabel { at: label.at + by, ..label.clone() };
+        all.labels.extend(sheet.labels.iter().map(moved));
+        right += sheet.size.x + BESIDE_MM;
+        all.size = Vec2::new(right - BESIDE_MM, all.size.y.max(sheet.size.y));
+    }
+    all
+}
+
+fn sheet_piece<'a>(
+    nested: &Nested,
+    list: &[CutItem],
+    number: usize,
+    used: &UsedSheet,
+    stock: &StockSheet,
+    name: &dyn Fn(&Placement) -> &'a str,
+) -> Piece {
+    let [width, height] = used.size;
+    let corners = match &stock.form {
+        SheetForm::Outline { points } => points.clone(),
+        SheetForm::Rectangle { .. } | SheetForm::Roll { .. } => {
+            [[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]]
+                .map(|[x, y]| Point2::new(x, y))
+                .to_vec()
+        }
+    };
+    let mut piece = Piece::undrawn(&format!("sheet-{}", number + 1));
+    piece.size = Vec2::new(width, height);
+    let placed: Vec<&Placement> =
+        nested.nest.placements.iter().filter(|it| it.sheet == number).collect();
+    let outlines: Vec<Vec<Point2>> = placed
+        .iter()
+        .map(|it| list[nested.item(it)].piece.outline().iter().map(|&p| it.lay(p)).collect())
+        .collect();
+    let depth = |n: usize| {
+        let first = outlines[n].first().copied().unwrap_or_default();
+        (0..outlines.len()).filter(|&k| k != n && inside(&outlines[k], first)).count()
+    };
+    // What lies deepest comes first.
+    let mut order: Vec<(usize, usize)> = (0..placed.len()).map(|n| (depth(n), n)).collect();
+    order.sort_by(|a, b| b.0.cmp(&a.0).then(a.1.cmp(&b.1)));
+    for (depth, n) in order {
+        let it = placed[n];
+        lay(&mut piece, &list[nested.item(it)].piece, it, name(it), depth > 0);
+    }
+    let (role, kind) = (Role::Sheet, PathKind::SheetEdge);
+    let around = Box2::of_points(corners.iter().copied());
+    piece.paths.push(PatternPath { role, kind, points: corners, closed: true });
+    if let Some(around) = around {
+        piece.labels.push(PatternLabel {
+            kind: LabelKind::Name,
+            role: Role::Note,
+            at: Point2::new(0.5 * (around.min.x + around.max.x), around.max.y + NAME_MM),
+            along: Vec2::X,
+            height_mm: NAME_MM,
+            text: piece.name.clone(),
+        });
+    }
+    piece
+}
+
+/// Draws a part where it lies under its own name: the lines of its inside first.
+fn lay(sheet: &mut Piece, part: &Piece, it: &Placement, name: &str, is_in_a_hole: bool) {
+    let is_last = |path: &PatternPath| path.kind == PathKind::Outline;
+    let kept = |path: &&PatternPath| !matches!(path.kind, PathKind::Dimension | PathKind::Leader);
+    let mut paths: Vec<PatternPath> = part
+        .paths
+        .iter()
+        .filter(kept)
+        .map(|path| PatternPath {
+            role: if is_in_a_hole && path.role == Role::Cut { Role::Inner } else { path.role },
+            points: path.points.iter().map(|&p| it.lay(p)).collect(),
+            ..path.clone()
+        })
+        .collect();
+    paths.sort_by_key(is_last);
+    sheet.paths.extend(paths);
+    let stays =
+        |label: &&PatternLabel| label.kind != LabelKind::Quantity && is_text_inside(label, part);
+    sheet.labels.extend(part.labels.iter().filter(stays).map(|label| {
+        // Letters are not mirrored: what was their top becomes their base line.
+        let lift = if it.is_over { label.height_mm } else { 0.0 };
+        PatternLabel {
+            at: it.lay(label.at + label.along.perp() * lift),
+            along: it.turned(label.along),
+            ..named(label, name)
+        }
+    }));
+}
+
+/// A label; the name of a pattern is that of the part which is cut from it, no wider than it was.
+fn named(label: &PatternLabel, name: &str) -> PatternLabel {
+    if label.kind != LabelKind::Name {
+        return label.clone();
+    }
+    let [before, now] = [label.text.chars().count(), name.chars().count()];
+    let height_mm = label.height_mm * (before as f64 / now.max(1) as f64).min(1.0);
+    PatternLabel { height_mm, text: name.to_owned(), ..label.clone() }
+}

@@ -1,0 +1,345 @@
+//! Which sheets are taken, and what lies on each.
+//!
+//! Parts go on the first open sheet that takes them; where none does, a new one is opened, of the
+//! kind that costs least for its area, offcuts first. Then the sheet with least on it is emptied:
+//! its parts are thrown on the others and separated there, and while that works, once more. The last
+//! sheet may at the end be one of a cheaper kind that takes its parts, too, and they are squeezed
+//! together, so that the rest of it can be used.
+
+use super::fill::{fits, lay_on, order};
+use super::layout::{Pose, Room};
+use super::separate::{Budget, Patience, restore, separate};
+use super::shape::Shape;
+use super::squeeze::squeeze;
+use super::state::{Item, State};
+use super::turns::Turns;
+use super::{NestForm, NestSheet, rectangle};
+use sheetwright_geometry::math::{Point2, Vec2};
+use sheetwright_geometry::predicate::signed_area_doubled;
+use sheetwright_geometry::random::Random;
+use sheetwright_geometry::region::combined;
+use std::f64::consts::TAU;
+
+const PATIENCE: Patience = Patience { rounds: 60, strikes: 2 };
+/// An attempt to do without a sheet may use this share of what is left of the budget.
+const ATTEMPT: f64 = 0.4;
+/// No layout covers more than this share of its sheets in sensible time.
+const DENSEST: f64 = 0.95;
+/// More parts than this are not separated together: their pairs would fill the memory.
+const MOST_TOGETHER: usize = 2_000;
+
+/// The kinds of sheets, each lying so that its grain runs along x.
+pub(super) struct Kinds<'a> {
+    sheets: &'a [NestSheet],
+    rooms: Vec<Option<Room>>,
+    /// The kinds, those first that are taken first.
+    order: Vec<usize>,
+}
+
+impl<'a> Kinds<'a> {
+    /// The kinds; forms lie `inset` mm inside their edges.
+    pub(super) fn new(sheets: &'a [NestSheet], inset: f64) -> Self {
+        let room = |sheet: &NestSheet| {
+            let room = match &sheet.form {
+                NestForm::Rectangle([w, h]) => rectangle([w.max(*h), w.min(*h)], inset),
+                NestForm::Roll(width) => rectangle([0.0, *width], inset),
+                NestForm::Outline(points) => outline(points, inset)?,
+            };
+            Some(room).filter(|room| room.high.y > room.low.y)
+        };
+        let mut order: Vec<usize> = (0..sheets.len()).collect();
+        let rank = |&n: &usize| {
+            let is_offcut = matches!(sheets[n].form, NestForm::Outline(_));
+            (!is_offcut, price(&sheets[n]), -area(&sheets[n]))
+        };
+        order.sort_by(|a, b| {
+            let (a, b) = (rank(a), rank(b));
+            a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.total_cmp(&b.2))
+        });
+        Self { sheets, rooms: sheets.iter().map(room).collect(), order }
+    }
+
+    fn is_roll(&self, kind: usize) -> bool {
+        matches!(self.sheets[kind].form, NestForm::Roll(_))
+    }
+
+    /// Whether a form fits on a sheet of some kind.
+    pub(super) fn fit(
+        &self,
+        shape: &Shape,
+        turns: &Turns,
+        budget: &mut Budget<'_>,
+        random: &mut Random,
+    ) -> bool {
+        let shapes = std::slice::from_ref(shape);
+        let items = [Item { shape: 0, turns: turns.clone(), group: None }];
+        let state = State::new(shapes, &items);
+        (0..self.sheets.len()).any(|kind| {
+            self.rooms[kind].as_ref().is_some_and(|room| {
+                let mut room = room.clone();
+                if self.is_roll(kind) {
+                    room.high.x = room.low.x + 2.1 * shape.radius;
+                }
+                fits(&state, 0, &room, budget, random)
+            })
+        })
+    }
+}
+
+/// The area of a sheet, mm²; of a roll, of a metre of it.
+fn area(sheet: &NestSheet) -> f64 {
+    match &sheet.form {
+        NestForm::Rectangle([w, h]) => w * h,
+        NestForm::Roll(width) => 1000.0 * width,
+        NestForm::Outline(points) => 0.5 * signed_area_doubled(points),
+    }
+}
+
+/// What a sheet costs for its area.
+fn price(sheet: &NestSheet) -> f64 {
+    sheet.cost.map_or(1.0, |cost| cost / area(sheet))
+}
+
+/// The room on an offcut: what lies `inset` mm from its edges.
+fn outline(points: &[Point2], inset: f64) -> Option<Room> {
+    let m = points.len();
+    let mut strips = Vec::new();
+    if inset > 0.0 {
+        for k in 0..m {
+            let [a, b] = [points[k], points[(k + 1) % m]];
+            let out = (b - a).normalize_or_zero().perp() * inset;
+            strips.push(vec![a + out, a + -out, b + -out, b + out]);
+            let ring = |n: usize| {
+                let angle = TAU * n as f64 / 16.0;
+                let (x, y) = (
+                    sheetwright_geometry::math::cos(angle),
+                    sheetwright_geometry::math::sin(angle),
+                );
+                a + Vec2::new(x, y) * (1.02 * inset)
+            };
+            strips.push((0..16).map(ring).collect());
+        }
+    }
+    let region = combined(&[points.to_vec()], &[], &strips).into_iter().next()?;
+    let none = (Vec2::splat(f64::INFINITY), Vec2::splat(f64::NEG_INFINITY));
+    let grow = |(low, high): (Vec2, Vec2), p: &Point2| (low.min(p.to_vec()), high.max(p.to_vec()));
+    let (low, high) = region.outline.iter().fold(none, grow);
+    Some(Room { low, high, outline: region.outline })
+}
+
+/// Which kinds the sheets of a state are of.
+pub(super) struct Laid<'a> {
+    kinds: &'a Kinds<'a>,
+    of: Vec<usize>,
+}
+
+impl<'a> Laid<'a> {
+    pub(super) fn new(kinds: &'a Kinds<'a>) -> Self {
+        Self { kinds, of: Vec::new() }
+    }
+
+    pub(super) fn kind(&self, sheet: usize) -> usize {
+        self.of[sheet]
+    }
+
+    /// Whether the sheet is higher than wide, and so was turned on its side.
+    pub(super) fn is_upright(&self, sheet: usize) -> bool {
+        matches!(self.kinds.sheets[self.of[sheet]].form, NestForm::Rectangle([w, h]) if h > w)
+    }
+
+    /// The width and height of a sheet; of a roll, what is used of it.
+    pub(super) fn size(&self, state: &State<'_>, sheet: usize) -> [f64; 2] {
+        match &self.kinds.sheets[self.of[sheet]].form {
+            NestForm::Rectangle(size) => *size,
+            NestForm::Roll(width) => [state.reach(sheet) + state.rooms[sheet].low.x, *width],
+            NestForm::Outline(points) => {
+                let most = |of: fn(&Point2) -> f64| points.iter().map(of).fold(f64::MIN, f64::max);
+                [most(|p| p.x), most(|p| p.y)]
+            }
+        }
+    }
+
+    /// Lays all parts down; returns those for which no sheet is left.
+    pub(super) fn fill(
+        &mut self,
+        state: &mut State<'_>,
+        budget: &mut Budget<'_>,
+        random: &mut Random,
+    ) -> Vec<usize> {
+        let mut left_over = Vec::new();
+        for group in order(state) {
+            let open = (0..state.rooms.len()).collect::<Vec<usize>>();
+            if open.into_iter().any(|sheet| self.lay_group(state, &group, sheet, budget, random)) {
+                continue;
+            }
+            let mut is_laid = false;
+            for &kind in &self.kinds.order {
+                let Some(room) = &self.kinds.rooms[kind] else { continue };
+                let taken = self.of.iter().filter(|&&other| other == kind).count();
+                if self.kinds.sheets[kind].count.is_some_and(|count| taken >= count) {
+                    continue;
+                }
+                let sheet = state.open(room.clone());
+                self.of.push(kind);
+                if self.lay_group(state, &group, sheet, budget, random) {
+                    is_laid = true;
+                    break;
+                }
+                state.rooms.pop();
+                state.on.pop();
+                self.of.pop();
+            }
+            if !is_laid {
+                left_over.extend(group);
+            }
+        }
+        left_over.sort_unstable();
+        left_over
+    }
+
+    /// Lays parts on a sheet, all or none; whether they were laid.
+    fn lay_group(
+        &self,
+        state: &mut State<'_>,
+        group: &[usize],
+        sheet: usize,
+        budget: &mut Budget<'_>,
+        random: &mut Random,
+    ) -> bool {
+        for (n, &item) in group.iter().enumerate() {
+            if self.kinds.is_roll(self.of[sheet]) {
+                state.rooms[sheet].high.x = state.reach(sheet) + 2.1 * state.shape(item).radius;
+            }
+            if !lay_on(state, item, sheet, budget, random) {
+                group[..n].iter().for_each(|&item| state.take_up(item));
+                return false;
+            }
+        }
+        true
+    }
+
+    /// Does without sheets where that can be, and squeezes the last.
+    pub(super) fn improve(
+        &mut self,
+        state: &mut State<'_>,
+        budget: &mut Budget<'_>,
+        random: &mut Random,
+    ) {
+        while !budget.is_over() && self.without_one(state, budget, random) {}
+        let used = |state: &State<'_>| {
+            let has_parts = |&sheet: &usize| !state.on[sheet].is_empty();
+            (0..state.rooms.len()).filter(has_parts).collect::<Vec<usize>>()
+        };
+        let by_area = |a: &usize, b: &usize| state.area(*a).total_cmp(&state.area(*b));
+        let Some(last) = used(state).into_iter().rev().min_by(by_area) else { return };
+        self.cheaper(state, last, budget, random);
+        for sheet in used(state) {
+            let is_roll = self.kinds.is_roll(self.of[sheet]);
+            let has_outline = !state.rooms[sheet].outline.is_empty();
+            let too_many = state.on[sheet].len() > MOST_TOGETHER;
+            if (is_roll || sheet == last) && !has_outline && !too_many {
+                let width = state.rooms[sheet].high.y - state.rooms[sheet].low.y;
+                squeeze(state, sheet, state.area(sheet) / width, budget, random);
+            }
+        }
+    }
+
+    /// Empties the sheet with least on it into the others; whether that could be.
+    fn without_one(
+        &self,
+        state: &mut State<'_>,
+        budget: &mut Budget<'_>,
+        random: &mut Random,
+    ) -> bool {
+        let used: Vec<usize> =
+            (0..state.rooms.len()).filter(|&sheet| !state.on[sheet].is_empty()).collect();
+        let by_area = |a: &usize, b: &usize| state.area(*a).total_cmp(&state.area(*b));
+        let Some(&least) = used.iter().rev().min_by(|a, b| by_area(a, b)) else { return false };
+        let others: Vec<usize> = used
+            .into_iter()
+            .filter(|&sheet| sheet != least && !self.kinds.is_roll(self.of[sheet]))
+            .collect();
+        let room: f64 =
+            others.iter().map(|&s| DENSEST * state.rooms[s].area() - state.area(s)).sum();
+        let count: usize = others.iter().map(|&s| state.on[s].len()).sum();
+        let moved = state.on[least].clone();
+        if others.is_empty() || room < state.area(least) || count + moved.len() > MOST_TOGETHER {
+            return false;
+        }
+        let before = state.poses.clone();
+        let groups: Vec<Vec<usize>> = order(state)
+            .into_iter()
+            .map(|group| group.into_iter().filter(|item| moved.contains(item)).collect())
+            .filter(|group: &Vec<usize>| !group.is_empty())
+            .collect();
+        for group in groups {
+            if others.iter().any(|&sheet| {
+                group.iter().for_each(|&item| state.take_up(item));
+                self.lay_group(state, &group, sheet, budget, random)
+            }) {
+                continue;
+            }
+            let sheet = others[random.below(others.len())];
+            for &item in &group {
+                let room = &state.rooms[sheet];
+                let x = random.between(room.low.x, room.high.x);
+                let y = random.between(room.low.y, room.high.y);
+                let (turn, is_over) = state.items[item].turns.any(state.shape(item), random);
+                state.lay(item, Pose { sheet, at: Point2::new(x, y), turn, is_over });
+            }
+        }
+        let rest = ((1.0 - ATTEMPT) * budget.left as f64) as i64;
+        let mut attempt = Budget { left: budget.left - rest, stop: &mut *budget.stop };
+        let loss = separate(state, &others, PATIENCE, &mut attempt, random);
+        budget.left = rest + attempt.left;
+        if loss > 0.0 {
+            restore(state, &before);
+        }
+        loss == 0.0
+    }
+
+    /// Takes a cheaper kind for a sheet if its parts fit there, too.
+    fn cheaper(
+        &mut self,
+        state: &mut State<'_>,
+        sheet: usize,
+        budget: &mut Budget<'_>,
+        random: &mut Random,
+    ) {
+        let cost = |kind: usize| {
+            let sheet = &self.kinds.sheets[kind];
+            sheet.cost.unwrap_or_else(|| area(sheet))
+        };
+        let own = self.of[sheet];
+        let parts = state.on[sheet].clone();
+        if self.kinds.is_roll(own) || parts.len() > MOST_TOGETHER {
+            return;
+        }
+        let mut kinds: Vec<usize> = (0..self.kinds.sheets.len())
+            .filter(|&kind| !self.kinds.is_roll(kind) && cost(kind) < cost(own))
+            .collect();
+        kinds.sort_by(|&a, &b| cost(a).total_cmp(&cost(b)));
+        for kind in kinds {
+            let Some(room) = self.kinds.rooms[kind].clone() else { continue };
+            let taken = self.of.iter().filter(|&&other| other == kind).count();
+            let is_left = self.kinds.sheets[kind].count.is_none_or(|count| taken < count);
+            if !is_left || DENSEST * room.area() < state.area(sheet) {
+                continue;
+            }
+            let (before, room_before) = (state.poses.clone(), state.rooms[sheet].clone());
+            state.rooms[sheet] = room;
+            parts.iter().for_each(|&item| state.take_up(item));
+            let is_laid = order(state).iter().all(|group| {
+                let own: Vec<usize> =
+                    group.iter().copied().filter(|item| parts.contains(item)).collect();
+                own.is_empty() || self.lay_group(state, &own, sheet, budget, random)
+            });
+            if is_laid {
+                self.of[sheet] = kind;
+                return;
+            }
+            state.rooms[sheet] = room_before;
+            restore(state, &before);
+        }
+    }
+}
