@@ -34,6 +34,7 @@ pub(crate) fn option(remedy: Remedy) -> String {
         Remedy::OneSkin => "--skin outer lays the outer one flat.".to_owned(),
         Remedy::Facets => "--facets folds it so.".to_owned(),
         Remedy::NoFacets => "--facets=off lays it flat as a smooth surface.".to_owned(),
+        Remedy::Divide => "--divide scarf divides it, or butt, puzzle or overlap.".to_owned(),
         Remedy::Units => "--units sets them.".to_owned(),
         Remedy::Sheets(count) => format!("--max-sheets {count} allows them."),
     }

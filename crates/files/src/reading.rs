@@ -4,8 +4,8 @@
 use crate::units::Units;
 use sheetwright::boundary::PlaneChoice;
 use sheetwright::design::{
-    Allowance, BendMarks, BendRule, Bends, Corner, Design, Dimensions, PanelMesh, PanelMethod,
-    Stock, StockSheet, Trim, TrimKind, TrimOn, Vary, VaryGoal,
+    Allowance, BendMarks, BendRule, Bends, Corner, Design, Dimensions, Divide, DivideJoint,
+    PanelMesh, PanelMethod, Stock, StockSheet, Trim, TrimKind, TrimOn, Vary, VaryGoal,
 };
 use sheetwright::flatten::Aim;
 use sheetwright::math::from_deg;
@@ -183,14 +183,18 @@ pub struct SheetSettings {
     pub kerf_mm: Option<f64>,
     /// How much work the search may do, as a multiple of the default.
     pub effort: Option<f64>,
+    /// What joins the pieces of parts that are larger than every sheet; `Some(None)`: they are not
+    /// divided.
+    pub divide: Option<Option<DivideJoint>>,
 }
 
 impl SheetSettings {
     /// Sets it on a design.
     pub fn set(&self, design: &mut Design) {
-        let Self { sheets, gap_mm, margin_mm, kerf_mm, effort } = self;
-        let is_set =
-            !sheets.is_empty() || [gap_mm, margin_mm, kerf_mm].iter().any(|it| it.is_some());
+        let Self { sheets, gap_mm, margin_mm, kerf_mm, effort, divide } = self;
+        let is_set = !sheets.is_empty()
+            || divide.is_some()
+            || [gap_mm, margin_mm, kerf_mm].iter().any(|it| it.is_some());
         if !is_set && design.stock.is_none() {
             return;
         }
@@ -202,6 +206,14 @@ impl SheetSettings {
         stock.margin_mm = margin_mm.unwrap_or(stock.margin_mm);
         stock.kerf_mm = kerf_mm.unwrap_or(stock.kerf_mm);
         stock.effort = effort.unwrap_or(stock.effort);
+        if let Some(joint) = *divide {
+            let of_design = stock.divide;
+            let with = |joint| match of_design {
+                Some(sizes) => Divide { joint, ..sizes },
+                None => Divide::by(joint),
+            };
+            stock.divide = joint.map(with);
+        }
     }
 }
 

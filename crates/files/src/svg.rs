@@ -113,6 +113,7 @@ fn named(shape: &Shape) -> String {
         What::Bend { up: false } => "class=\"bend down\"".to_owned(),
         What::BendTick => "class=\"tick\"".to_owned(),
         What::SeamTick => "class=\"seam-tick\"".to_owned(),
+        What::LapEnd => "class=\"lap-end\"".to_owned(),
         What::Dimension => "class=\"dimension\"".to_owned(),
         What::Station => "class=\"station\"".to_owned(),
         What::Grain => "class=\"grain\"".to_owned(),

@@ -14,7 +14,7 @@ mod verdict;
 
 pub use brake::braking;
 pub use finding::{Checked, Finding};
-pub use kind::{Bend, FindingKind, Hindrance, Movement, SeamCause, TooTight};
+pub use kind::{Bend, Division, FindingKind, Hindrance, Movement, SeamCause, TooTight};
 pub use place::{BorderSide, Place, SeamPlace};
 pub use remedy::Remedy;
 pub use severity::Severity;

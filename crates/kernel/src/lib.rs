@@ -85,6 +85,8 @@ pub mod trim;
 
 pub mod mark;
 
+pub mod divide;
+
 pub mod nest;
 
 pub mod check;

@@ -1,10 +1,11 @@
 //! A finding of each kind, with typical numbers and places.
 
 use sheetwright::check::{
-    Bend, BorderSide, Finding, FindingKind as Kind, Hindrance, Movement, Place, SeamCause,
-    SeamPlace, TooTight, Verdict,
+    Bend, BorderSide, Division, Finding, FindingKind as Kind, Hindrance, Movement, Place,
+    SeamCause, SeamPlace, TooTight, Verdict,
 };
-use sheetwright::design::Axis;
+use sheetwright::design::{Axis, DivideJoint};
+use sheetwright::divide::DivideFault;
 use sheetwright::elastic::Basis;
 use sheetwright::fair::Ended;
 use sheetwright::index::SampleIndex;
@@ -259,6 +260,15 @@ fn of_files() -> Vec<Finding> {
     let left_out = TrimNote::HolesLeftOut { edge: edge(), left_out: 2, of: 30 };
     let reduced =
         |sheets, is_full| Kind::PdfReduced { sheets, scale: 400.0, most: 20_000, is_full };
+    let division = Division {
+        piece: 2,
+        pieces: 4,
+        joints: 3,
+        joint: DivideJoint::Scarf,
+        lap_mm: Some(96.0),
+        length_mm: 22_140.0,
+        room_mm: [5980.0, 2380.0],
+    };
     whole([
         Kind::Refold { error_mm: 0.5, limit_mm: 1e-4 },
         Kind::NotReadBack { cause: "the written pattern can't be read: no outline".to_owned() },
@@ -273,6 +283,13 @@ fn of_files() -> Vec<Finding> {
         reduced(2500, false),
         reduced(2500, true),
         reduced(30_000, false),
+        Kind::TooLarge { size_mm: [22_140.0, 480.0], room_mm: [5980.0, 2380.0] },
+        Kind::Divided { division },
+        Kind::Divided {
+            division: Division { joints: 1, joint: DivideJoint::Butt, lap_mm: None, ..division },
+        },
+        Kind::Strap { joint: "J2".to_owned(), width_mm: 144.0 },
+        Kind::NotDivided { fault: DivideFault::NoThickness },
         Kind::Trimmed { note: no_room },
         Kind::Trimmed { note: left_out },
         Kind::Trimmed { note: TrimNote::Closes { of_net: 1, of_cut: 0 } },

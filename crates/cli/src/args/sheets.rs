@@ -1,8 +1,8 @@
 //! What parts are cut from.
 
 use super::values::distance_mm;
-use clap::Args;
-use sheetwright::design::StockSheet;
+use clap::{Args, ValueEnum};
+use sheetwright::design::{DivideJoint, StockSheet};
 use sheetwright_files::SheetSettings;
 
 /// What parts are cut from, in place of what the design says.
@@ -24,6 +24,37 @@ pub(crate) struct SheetArgs {
     /// the design says, or 0]
     #[arg(long, value_name = "LENGTH", value_parser = distance_mm)]
     kerf: Option<f64>,
+    /// What joins the pieces of a part that is larger than every sheet and so is divided [default:
+    /// as the design says, or none: it is not]
+    #[arg(long, value_enum, ignore_case = true, value_name = "JOINT")]
+    divide: Option<DivideArg>,
+}
+
+/// What joins the pieces of a divided part.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum DivideArg {
+    /// Both pieces are planed to a taper of 8 : 1 and glued over one another
+    Scarf,
+    /// Both pieces meet, with a strap behind them
+    Butt,
+    /// Knobs of each piece in sockets of the other
+    Puzzle,
+    /// Both pieces lie over one another
+    Overlap,
+    /// It is not divided
+    None,
+}
+
+impl DivideArg {
+    fn joint(self) -> Option<DivideJoint> {
+        match self {
+            Self::Scarf => Some(DivideJoint::Scarf),
+            Self::Butt => Some(DivideJoint::Butt),
+            Self::Puzzle => Some(DivideJoint::Puzzle),
+            Self::Overlap => Some(DivideJoint::Overlap),
+            Self::None => None,
+        }
+    }
 }
 
 impl SheetArgs {
@@ -35,6 +66,7 @@ impl SheetArgs {
             margin_mm: self.margin,
             kerf_mm: self.kerf,
             effort,
+            divide: self.divide.map(DivideArg::joint),
         }
     }
 }

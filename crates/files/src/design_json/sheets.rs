@@ -12,9 +12,9 @@ use crate::reading::{EFFORTS, InputError};
 use crate::stock::{MOST_OF_A_KIND, MOST_SHEET_MM};
 use crate::table::in_range_mm;
 use crate::units::Units;
-use form::{SheetFile, TurnFile, TurnWord};
+use form::{DivideFile, DivideWord, SheetFile, TurnFile, TurnWord};
 use sheetwright::design::{
-    DesignPanel, LEAST_EFFORT, MOST_EFFORT, SheetForm, Stock, StockSheet, Turn,
+    DesignPanel, Divide, DivideJoint, LEAST_EFFORT, MOST_EFFORT, SheetForm, Stock, StockSheet, Turn,
 };
 use sheetwright::math::{Point2, from_deg, to_deg};
 use sheetwright::predicate::{first_crossing, signed_area_doubled};
@@ -81,6 +81,8 @@ pub(super) fn read(
             return Err(refused(".turn", problem(format!("the step is {deg}°"), TURNS)));
         }
     };
+    let divide = file.divide.and_then(|file| read_divide(&reader, file).transpose());
+    let divide = divide.transpose().map_err(|it| refused(".divide", it))?;
     Ok(Some(Stock {
         sheets,
         gap_mm: length("gap", file.gap, usual.gap_mm)?,
@@ -91,7 +93,45 @@ pub(super) fn read(
         may_turn_over: file.turn_over,
         together: file.together,
         effort,
+        divide,
     }))
+}
+
+/// How parts are divided; `None` where they are not.
+fn read_divide(reader: &Reader, file: DivideFile) -> Result<Option<Divide>, Problem> {
+    let joint = match file.joint {
+        DivideWord::Scarf => DivideJoint::Scarf,
+        DivideWord::Butt => DivideJoint::Butt,
+        DivideWord::Puzzle => DivideJoint::Puzzle,
+        DivideWord::Overlap => DivideJoint::Overlap,
+        DivideWord::None => return Ok(None),
+    };
+    let usual = Divide::by(joint);
+    let ratio = file.ratio.unwrap_or(usual.ratio);
+    if !(1.0..=100.0).contains(&ratio) {
+        let hint = "Write 1 to 100 thicknesses, such as 8.";
+        return Err(problem(format!("the ratio is {ratio}"), hint));
+    }
+    let overlap_mm = match &file.overlap {
+        Some(overlap) => reader.above_0("overlap", overlap)?,
+        None => usual.overlap_mm,
+    };
+    Ok(Some(Divide { joint, ratio, overlap_mm }))
+}
+
+fn divide_file(divide: &Divide) -> DivideFile {
+    let usual = Divide::by(divide.joint);
+    DivideFile {
+        joint: match divide.joint {
+            DivideJoint::Scarf => DivideWord::Scarf,
+            DivideJoint::Butt => DivideWord::Butt,
+            DivideJoint::Puzzle => DivideWord::Puzzle,
+            DivideJoint::Overlap => DivideWord::Overlap,
+        },
+        ratio: (divide.ratio != usual.ratio).then_some(divide.ratio),
+        overlap: (divide.overlap_mm != usual.overlap_mm)
+            .then(|| LengthFile::of_mm(divide.overlap_mm)),
+    }
 }
 
 /// The steps that parts may turn by.
@@ -170,6 +210,7 @@ pub(super) fn written(stock: Option<&Stock>, units: Units) -> Option<String> {
         turn_over: stock.may_turn_over,
         together: stock.together.clone(),
         effort: (stock.effort != usual.effort).then_some(stock.effort),
+        divide: stock.divide.as_ref().map(divide_file),
     };
     Some(json(&file))
 }
@@ -202,7 +243,7 @@ fn sheet_file(sheet: &StockSheet, units: Units) -> SheetFile {
 #[cfg(test)]
 mod tests {
     use crate::{InputFormat, ReadOptions, read_bytes, write_design};
-    use sheetwright::design::{Design, SheetForm, Turn};
+    use sheetwright::design::{Design, Divide, DivideJoint, SheetForm, Turn};
     use sheetwright::math::from_deg;
 
     fn read(text: &str) -> Result<Design, crate::InputError> {
@@ -223,7 +264,8 @@ mod tests {
                 { "roll": "1370 mm" },
                 { "outline": [[0, 0], [0, 30], [40, 0]] } ],
               "gap": "2 t", "kerf": "0.2 mm", "turn": 90, "grain_tolerance_deg": 3,
-              "turn_over": true, "effort": 2 }"#,
+              "turn_over": true, "effort": 2,
+              "divide": { "joint": "scarf", "ratio": 12, "overlap": "5 t" } }"#,
         )
         .unwrap();
         let stock = design.stock.as_ref().unwrap();
@@ -233,6 +275,10 @@ mod tests {
         assert_eq!((points[0].x, stock.sheets[2].count), (400.0, Some(1)), "turned round");
         assert_eq!((stock.gap_mm, stock.margin_mm, stock.kerf_mm), (8.0, 5.0, 0.2));
         assert_eq!(stock.turn, Turn::Steps { angle: from_deg(90.0) });
+        let divide = Divide { ratio: 12.0, overlap_mm: 20.0, ..Divide::by(DivideJoint::Scarf) };
+        assert_eq!(stock.divide, Some(divide));
+        let none = with(r#"{ "divide": { "joint": "none" } }"#).unwrap();
+        assert_eq!(none.stock.unwrap().divide, None);
         let again = read(std::str::from_utf8(&write_design(&design)).unwrap()).unwrap();
         assert_eq!(again, design);
         assert_eq!(with(r#"{ "turn": "one-way" }"#).unwrap().stock.unwrap().turn, Turn::OneWay);
@@ -250,6 +296,8 @@ mod tests {
             (r#"{ "effort": 0 }"#, "the effort is 0"),
             (r#"{ "together": [["bow"]] }"#, "there is no panel"),
             (r#"{ "gap": -1 }"#, "gap"),
+            (r#"{ "divide": { "joint": "scarf", "ratio": 0 } }"#, "the ratio is 0"),
+            (r#"{ "divide": { "joint": "overlap", "overlap": 0 } }"#, "overlap"),
         ] {
             let error = with(sheets).unwrap_err().to_string();
             assert!(error.contains(words), "{sheets}: {error}");

@@ -130,10 +130,12 @@ fn rungs(
     body
 }
 
-/// The ticks that are engraved at the ends of rulings and on the sides of seams.
+/// The ticks that are engraved at the ends of rulings and on the sides of seams, and the ends of
+/// laps.
 fn marks(panel: &Part, place: impl Fn(Point2) -> Point2) -> String {
     let mut path = PathData::default();
-    let is_tick = |kind: PathKind| matches!(kind, PathKind::BendTick | PathKind::SeamTick);
+    let is_tick =
+        |kind: PathKind| matches!(kind, PathKind::BendTick | PathKind::SeamTick | PathKind::LapEnd);
     for tick in panel.piece.paths.iter().filter(|p| is_tick(p.kind)) {
         path.line(tick.points.iter().map(|&p| place(p)));
     }

@@ -1,5 +1,6 @@
 //! Findings in sentences, with advice.
 
+use super::divided::{by, not_divided, pieces};
 use super::healed::{healed, two_skins};
 use super::marks::marked;
 use super::moved::{keeps_from_bending, listed, movement, not_needed, ran_on};
@@ -267,6 +268,19 @@ pub fn finding_text(finding: &Finding) -> String {
              wider sheet and trim it.",
             counted(*count, "a bend line", "bend lines"),
         ),
+        Kind::TooLarge { size_mm, room_mm } => format!(
+            "It is {}, and the largest sheet takes {}. Divide it, or take a larger sheet.",
+            by(*size_mm),
+            by(*room_mm)
+        ),
+        Kind::Divided { division } => pieces(division),
+        Kind::Strap { joint, width_mm } => format!(
+            "A strap, {width_mm:.0} mm wide, that lies behind the butt joint {joint}. The line on \
+             it is where the pieces meet."
+        ),
+        Kind::NotDivided { fault } => {
+            format!("It is larger than every sheet and can't be divided: {}", not_divided(*fault))
+        }
         Kind::PdfReduced { sheets, scale, most, is_full } => {
             reduced(*sheets, *scale, *most, *is_full)
         }

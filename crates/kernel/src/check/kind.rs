@@ -4,6 +4,8 @@
 use super::remedy::Remedy;
 use super::severity::Severity;
 use super::verdict::Verdict;
+use crate::design::DivideJoint;
+use crate::divide::DivideFault;
 use crate::elastic::Basis;
 use crate::fair::Ended;
 use crate::mark::MarkNote;
@@ -413,6 +415,30 @@ pub enum FindingKind {
         /// Whether the panels before it leave too few sheets.
         is_full: bool,
     },
+    /// The part is larger than every sheet.
+    TooLarge {
+        /// Its width and height, mm.
+        size_mm: [f64; 2],
+        /// The room of the largest sheet, its longer side first, mm.
+        room_mm: [f64; 2],
+    },
+    /// The part is a piece of one that was divided, since that is larger than every sheet.
+    Divided {
+        /// How.
+        division: Division,
+    },
+    /// The part is a strap behind a butt joint of one that was divided.
+    Strap {
+        /// The mark of the joint.
+        joint: String,
+        /// How wide it is, mm.
+        width_mm: f64,
+    },
+    /// The part is larger than every sheet and can't be divided.
+    NotDivided {
+        /// Why not.
+        fault: DivideFault,
+    },
     /// Something is to be said about what is done along the edges.
     Trimmed {
         /// What.
@@ -423,6 +449,25 @@ pub enum FindingKind {
         /// What.
         note: MarkNote,
     },
+}
+
+/// How a part was divided.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Division {
+    /// The number of the piece, from 1.
+    pub piece: usize,
+    /// How many pieces there are.
+    pub pieces: usize,
+    /// How many joints.
+    pub joints: usize,
+    /// What they are.
+    pub joint: DivideJoint,
+    /// How far pieces lie over one another, mm, if they do.
+    pub lap_mm: Option<f64>,
+    /// How long the whole part is, mm.
+    pub length_mm: f64,
+    /// The room of the largest sheet, its longer side first, mm.
+    pub room_mm: [f64; 2],
 }
 
 /// A sheet that can't be rolled so tightly.
@@ -516,6 +561,8 @@ impl FindingKind {
             | Self::LinesClose { .. }
             | Self::LinesLong { .. }
             | Self::FlangeShort { .. }
+            | Self::TooLarge { .. }
+            | Self::NotDivided { .. }
             | Self::QuadsNotPlanar { .. } => Severity::Warning,
             Self::BetterWithoutPlane { .. }
             | Self::NotProven { .. }
@@ -535,6 +582,8 @@ impl FindingKind {
             | Self::Moved { .. }
             | Self::NotMoved { .. }
             | Self::QuadsOffBoundary { .. }
+            | Self::Divided { .. }
+            | Self::Strap { .. }
             | Self::PdfReduced { .. } => Severity::Note,
             Self::Trimmed { note: TrimNote::NotProved { .. } } => Severity::Error,
             Self::Trimmed { .. } | Self::Marked { .. } => Severity::Warning,
@@ -608,6 +657,9 @@ impl FindingKind {
             Self::QuadsOffBoundary { .. } => "quads-off-boundary",
             Self::QuadsNotPlanar { .. } => "quads-not-planar",
             Self::PdfReduced { .. } => "pdf-reduced",
+            Self::TooLarge { .. } => "too-large",
+            Self::Divided { .. } | Self::Strap { .. } => "divided",
+            Self::NotDivided { .. } => "not-divided",
             Self::Trimmed { .. } => "trim",
             Self::Marked { .. } => "mark",
             Self::LinesClose { .. } => "bend-lines-close",
@@ -631,6 +683,7 @@ impl FindingKind {
                 (cut.is_some() && !has_darts, Remedy::Darts),
                 (*has_creases, Remedy::SplitCreases),
             ]),
+            Self::TooLarge { .. } => vec![Remedy::Divide],
             Self::FacetsMeant { .. } => vec![Remedy::NoFacets],
             Self::FacetsFew { .. } => vec![Remedy::Facets],
             Self::Creases { stiff, .. } => listed(&[(stiff.is_some(), Remedy::SplitCreases)]),

@@ -20,6 +20,8 @@ pub enum Remedy {
     NoFacets,
     /// Another unit of the coordinates, for a file that does not state its own.
     Units,
+    /// Dividing parts that are larger than the sheet.
+    Divide,
     /// A larger number of sheets of paper for a pattern: this one.
     Sheets(usize),
 }

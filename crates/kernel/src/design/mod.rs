@@ -3,6 +3,7 @@
 
 mod bends;
 mod dimensions;
+mod divide;
 mod failure;
 mod join;
 mod mark;
@@ -16,6 +17,7 @@ mod vary;
 
 pub use bends::{AUTO_LINES, AUTO_STEP_DEG, BendMarks, BendRule, Bends, MOST_BEND_LINES};
 pub use dimensions::{Dimensions, Thick};
+pub use divide::{Divide, DivideJoint};
 pub use failure::Failure;
 pub use join::Join;
 pub use mark::{Axis, Mark, MarkAt, MarkKind, MarkOn, MarkWay, StationPlaces, StationPlane};

@@ -1,5 +1,6 @@
 //! What parts are cut from: sheets, rolls and offcuts, and how parts may lie on them.
 
+use super::Divide;
 use sheetwright_geometry::math::Point2;
 
 /// What parts are cut from, and how they may lie on it.
@@ -23,6 +24,8 @@ pub struct Stock {
     pub together: Vec<Vec<String>>,
     /// How much work the search may do, as a multiple of the default.
     pub effort: f64,
+    /// How parts that are larger than every sheet are divided, if they are.
+    pub divide: Option<Divide>,
 }
 
 impl Default for Stock {
@@ -37,6 +40,7 @@ impl Default for Stock {
             may_turn_over: false,
             together: Vec::new(),
             effort: 1.0,
+            divide: None,
         }
     }
 }

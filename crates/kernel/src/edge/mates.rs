@@ -101,14 +101,16 @@ pub(crate) fn join_mates(parts: &mut [PartEdges<'_>]) {
     }
 }
 
-/// The group of edges among which mates are found: edges of one curve, one cut or two meshes, and
-/// the ends of strips.
+/// The group of edges among which mates are found: edges of one curve, one cut or two meshes, sides
+/// of the cuts that divide parts, and the ends of strips.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 enum Group {
     Curve(usize),
     /// A cut of a part, both by their numbers.
     Cut(usize, usize),
     Meshes,
+    /// Sides of the cuts that divide parts.
+    Divisions,
     /// Ends of strips, which meet where a strip is closed.
     Ends,
 }
@@ -118,6 +120,7 @@ impl Group {
         match source {
             EdgeSource::Curve(number) => Some(Self::Curve(number)),
             EdgeSource::Cut { number, .. } => Some(Self::Cut(at.part, number)),
+            EdgeSource::Division { .. } => Some(Self::Divisions),
             EdgeSource::Part { .. } => Some(Self::Meshes),
             EdgeSource::Start | EdgeSource::End => Some(Self::Ends),
             EdgeSource::Border => None,
@@ -125,15 +128,15 @@ impl Group {
     }
 }
 
-/// The pairs of a group that may be mates: all on one curve; of meshes those with a common step; of
-/// ends those that lie on one another within `least_mm`.
+/// The pairs of a group that may be mates: all on one curve; of meshes and of divided parts those
+/// with a common step; of ends those that lie on one another within `least_mm`.
 fn pairs(group: &Group, list: &[Placed], least_mm: f64) -> BTreeSet<[usize; 2]> {
     match group {
         Group::Curve(_) | Group::Cut(..) => {
             return (0..list.len()).flat_map(|n| (0..n).map(move |k| [k, n])).collect();
         }
         Group::Ends => return ends_on_one_another(list, least_mm),
-        Group::Meshes => {}
+        Group::Meshes | Group::Divisions => {}
     }
     let mut at_step: BTreeMap<&StepPlace, Vec<usize>> = BTreeMap::new();
     for (n, edge) in list.iter().enumerate() {

@@ -4,19 +4,22 @@
 //! An edge ends where the border passes from one curve to another, to the straight end of a strip
 //! or to a side of a cut. Edges that lie on one stretch of a curve are *mates*, also across parts
 //! and of one part with itself (a tube along its seam); so are edges on two curves that lie on one
-//! another, both sides of a cut, and the edges along which two parts of meshes meet. Letters,
-//! lengths and marks of joints read this list.
+//! another, both sides of a cut, also of one that divides a part, and the edges along which two
+//! parts of meshes meet. Letters, lengths and marks of joints read this list.
 
 mod border;
 mod mates;
 mod of_boundary;
 mod of_mesh;
+mod of_piece;
 mod shared;
 mod twins;
 
+pub(crate) use border::runs;
 pub(crate) use mates::join_mates;
 pub(crate) use of_boundary::edges_of_boundary;
 pub(crate) use of_mesh::{MeshBorder, edges_of_meshes};
+pub(crate) use of_piece::{PieceStep, edges_of_piece};
 pub(crate) use shared::{Shared, lengths, shared};
 
 use sheetwright_geometry::math::{Point2, Point3};
@@ -37,12 +40,20 @@ pub enum EdgeSource {
         /// Whether it is the second side.
         second: bool,
     },
+    /// A side of a cut that divides a part that is too large: the first or the second of the cut
+    /// of this number.
+    Division {
+        /// The number of the cut in the part before it was divided, from 0.
+        number: usize,
+        /// Whether it is the second side, which is of another piece.
+        second: bool,
+    },
     /// Where a part of a mesh meets another.
     Part {
         /// The number of the other part in the design.
         with: usize,
     },
-    /// Where nothing meets a mesh.
+    /// Where nothing meets a mesh, or a strap.
     Border,
 }
 

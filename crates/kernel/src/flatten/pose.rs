@@ -10,7 +10,7 @@ use sheetwright_geometry::predicate::{Box2, orientation};
 use std::ops::Range;
 
 /// The points turned and moved, not mirrored, so that those of the loop lie as told above.
-pub(super) fn posed(points: &[Point2], of_loop: &Range<usize>) -> Vec<Point2> {
+pub(crate) fn posed(points: &[Point2], of_loop: &Range<usize>) -> Vec<Point2> {
     let along = least_rectangle(&points[of_loop.clone()]).1;
     let laid: Vec<Point2> = points.iter().map(turned(along)).collect();
     let origin = Box2::of_points(laid[of_loop.clone()].iter().copied())
@@ -24,6 +24,11 @@ pub(crate) fn fits_in(points: &[Point2], [width, height]: [f64; 2]) -> bool {
     let size = least_rectangle(points).0;
     let rounding = 1e-9 * (width + height);
     size.x <= width.max(height) + rounding && size.y <= width.min(height) + rounding
+}
+
+/// The direction of the longer side of the rectangle of least area around some points.
+pub(crate) fn long_side(points: &[Point2]) -> Vec2 {
+    least_rectangle(points).1
 }
 
 /// A point by its coordinates along a direction and across it.

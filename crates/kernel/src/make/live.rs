@@ -14,13 +14,16 @@
 //!    its plane (`unrestricted`), take a search of their own, and no surface depends on them. While
 //!    a handle is dragged, a formula gives the verdict, and both wait until the hand rests.
 //!
+//! Panels are kept whole: what depends on all of them, as the pieces that they are divided into, is
+//! made anew from them each time.
+//!
 //! Once the hand rests, the outcome is that of [`super::make`] for this design, bit by bit; only if
 //! memory is short, a bound from before may make a table fit that does not fit afresh.
 
 use super::cleaned::{Cleaned, LastCleaned};
 use super::unrestricted::Known;
 use super::{Judging, Made, MakeCause, MakeError, Maker, Part};
-use super::{find_mates, is_screened, join_meshes, mark_parts, settle, trim_parts};
+use super::{finish, is_screened, join_meshes, settle};
 use crate::design::{Bends, Design, DesignCurve, DesignPanel, PanelShape, Thick, used};
 use crate::material::Material;
 use crate::sample::Counts;
@@ -253,36 +256,34 @@ impl Live {
         }
         let panels = self.panels.iter().map(|panel| panel.made.clone());
         let mut parts = panels.collect::<Result<Vec<_>, _>>()?.concat();
-        find_mates(&mut parts);
-        trim_parts(&mut parts, &self.design.trims)?;
-        mark_parts(&mut parts, &self.design.marks)?;
+        finish(&mut parts, &self.design)?;
         let (name, material) = (self.design.name.clone(), self.design.material.clone());
         let thickness_mm = self.design.sheet_thickness_mm();
         let stock = self.design.stock.clone();
         Ok(Made { name, material, thickness_mm, parts, moved: None, stock, nested: None })
     }
 
-    /// The parts of each panel, or why they can't be made, in the order of [`Self::panels`], with
-    /// the trims and marks of the design as far as its panels can be made; `None` of a design
-    /// without either.
+    /// The parts of each panel, or why they can't be made, in the order of [`Self::panels`]:
+    /// divided as the sheets of the design ask for, and with its trims and marks, as far as its panels can
+    /// be made; `None` of a design without any of these.
     pub fn trimmed(&self) -> Option<Vec<Result<Vec<Part>, MakeError>>> {
-        if self.design.trims.is_empty() && self.design.marks.is_empty() {
+        let design = &self.design;
+        if design.trims.is_empty() && design.marks.is_empty() && design.stock.is_none() {
             return None;
         }
         let made = self.panels.iter().filter_map(|panel| panel.made.as_ref().ok());
         let mut parts: Vec<Part> = made.flatten().cloned().collect();
-        find_mates(&mut parts);
-        let trimmed = trim_parts(&mut parts, &self.design.trims);
-        let refused = trimmed.and_then(|()| mark_parts(&mut parts, &self.design.marks)).err();
+        let refused = finish(&mut parts, design).err();
         // What is refused of no panel is said at the first.
         let of_error = |error: &MakeError| {
             self.panels.iter().position(|panel| panel.name == error.panel).unwrap_or(0)
         };
         let at = refused.as_ref().map(of_error);
-        let mut parts = parts.into_iter();
+        let mut parts = parts.into_iter().peekable();
         let of_panel = |(n, panel): (usize, &LivePanel)| {
-            let made = panel.made.as_ref().map_err(Clone::clone)?;
-            let made = parts.by_ref().take(made.len()).collect();
+            panel.made.as_ref().map_err(Clone::clone)?;
+            let is_of_it = |part: &Part| part.panel == panel.name;
+            let made = std::iter::from_fn(|| parts.next_if(is_of_it)).collect();
             match &refused {
                 Some(error) if at == Some(n) => Err(error.clone()),
                 _ => Ok(made),

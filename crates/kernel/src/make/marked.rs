@@ -6,7 +6,7 @@ use super::part::Part;
 use crate::check::{Finding, FindingKind, Place};
 use crate::design::Mark;
 use crate::mark::{MarkPart, Marked, marked};
-use crate::pattern::{Labelled, Room, Wish};
+use crate::pattern::{Labelled, PatternPath, Room, Wish};
 
 /// An edge names no more edges that it is joined to.
 const NAMED: usize = 2;
@@ -41,6 +41,16 @@ pub(super) fn mark_parts(parts: &mut [Part], marks: &[Mark]) -> Result<(), MakeE
         piece.label(&Labelled { sheet, flat, edges, joined, marks, is_net }, wishes);
     }
     Ok(())
+}
+
+/// The lines of marks on parts, without being drawn there; `None` where a mark can't be made.
+pub(super) fn drawn(parts: &[Part], marks: &[Mark]) -> Option<Vec<Vec<PatternPath>>> {
+    if marks.is_empty() {
+        return None;
+    }
+    let seen: Vec<MarkPart<'_>> = parts.iter().map(seen).collect();
+    let made = marked(&seen, marks).ok()?;
+    Some(made.into_iter().map(|made| made.paths).collect())
 }
 
 fn seen(part: &Part) -> MarkPart<'_> {

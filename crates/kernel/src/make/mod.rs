@@ -2,11 +2,13 @@
 //! is edited, [`Live`].
 //!
 //! A panel that is bounded by curves becomes one part (`found`), a mesh one or several
-//! (`mesh`). Joined edges and their marks, which depend on other parts, come last (`joined`).
+//! (`mesh`). Joined edges and their marks, which depend on other parts, come last (`joined`), after
+//! parts that are larger than the sheet are divided (`divided`).
 
 mod candidate;
 mod cleaned;
 mod cut_list;
+mod divided;
 mod error;
 mod facets;
 mod found;
@@ -42,6 +44,7 @@ use crate::fair::varied_design;
 use crate::material::Material;
 use crate::sample::{Matched, Sampler, counted, matched};
 use cleaned::{Cleaned, cleaned};
+use divided::divide_parts;
 use found::make_found;
 use joined::{find_mates, join_meshes};
 use judged::{is_screened, judge};
@@ -132,13 +135,24 @@ pub fn make_judged(
     }
     wanted.iter().for_each(|wanted| wanted.say_missed(&mut parts));
     join_meshes(&mut parts.iter_mut().collect::<Vec<_>>());
-    find_mates(&mut parts);
-    trim_parts(&mut parts, &design.trims)?;
-    mark_parts(&mut parts, &design.marks)?;
+    finish(&mut parts, design)?;
     let (name, material) = (design.name.clone(), design.material.clone());
     let thickness_mm = design.sheet_thickness_mm();
     let stock = design.stock.clone();
     Ok(Made { name, material, thickness_mm, parts, moved, stock, nested: None })
+}
+
+/// What depends on all parts of a design: those that are too large are divided, edges get their
+/// mates, and patterns their trims, marks and texts.
+///
+/// # Errors
+/// The first trim or mark that can't be made.
+fn finish(parts: &mut Vec<Part>, design: &Design) -> Result<(), MakeError> {
+    let of_joints = divide_parts(parts, design);
+    find_mates(parts);
+    let trims = [&design.trims[..], &of_joints].concat();
+    trim_parts(parts, &trims)?;
+    mark_parts(parts, &design.marks)
 }
 
 /// The inputs that the panels of a design share.

@@ -136,6 +136,9 @@ pub enum PathKind {
     BendTick,
     /// A tick in the middle of a side of a seam, which meets that of the other side.
     SeamTick,
+    /// Where the other piece of a lap ends on this one, the taper of a scarf begins or a strap
+    /// ends; on a strap, where the pieces meet.
+    LapEnd,
     /// A line of a dimension.
     Dimension,
     /// Where a station cuts the part: from edge to edge, or round.
@@ -320,12 +323,26 @@ pub(crate) fn piece(
     marks: &[EdgeMark],
     options: &PatternOptions,
 ) -> Piece {
+    let bends = bend_lines(sheet, flat, measures, &options.bends, options.is_net);
+    piece_bent(name, sheet, flat, edges, measures, marks, (bends, options))
+}
+
+/// As [`piece`], with these bend lines: a piece that a part was divided into keeps those of the
+/// part.
+pub(crate) fn piece_bent(
+    name: &str,
+    sheet: &Sheet,
+    flat: &Flattened,
+    edges: &[Edge],
+    measures: &Measures,
+    marks: &[EdgeMark],
+    (bends, options): (Vec<BendLine>, &PatternOptions),
+) -> Piece {
     let (mut paths, border) = loops(sheet, flat);
     let outline = paths.first().map_or(&[][..], |path| &path.points);
     let size = Box2::of_points(outline.iter().copied())
         .map_or(Vec2::ZERO, |around| around.max - Point2::default());
     let [tick_mm, height_mm] = labels::sizes(size);
-    let bends = bend_lines(sheet, flat, measures, &options.bends, options.is_net);
     paths.extend(rungs(sheet, flat, measures, options.bends.marks));
     if options.is_net {
         paths.extend(bends.iter().map(fold::path));

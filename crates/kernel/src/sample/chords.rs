@@ -46,6 +46,18 @@ impl Chords {
         Self { steps: chords, shorter_max_mm }
     }
 
+    /// Those of a boundary whose steps lie on these, each with the share of it that it is; `None`
+    /// of a step that no curve is known of. It loses no more along an edge than this one.
+    pub(crate) fn divided(&self, steps: &[Option<(usize, f64)>]) -> Self {
+        let chord = |(step, share): (usize, f64)| {
+            let of_step = (*self.steps.get(step)?)?;
+            Some(Chord { shorter_mm: share * of_step.shorter_mm, ..of_step })
+        };
+        let steps: Vec<Option<Chord>> = steps.iter().map(|step| step.and_then(chord)).collect();
+        let lost: f64 = steps.iter().flatten().map(|chord| chord.shorter_mm).sum();
+        Self { steps, shorter_max_mm: self.shorter_max_mm.min(lost) }
+    }
+
     /// The largest distance of a curve from a step, mm; `None` where no curve is known.
     pub fn distance_max_mm(&self) -> Option<f64> {
         self.steps.iter().flatten().map(|chord| chord.distance_mm).reduce(f64::max)

@@ -5,10 +5,10 @@ use sheetwright::boundary::{Continuity, PlaneChoice, Within};
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
     Allowance, Axis, BendMarks, BendRule, Bends, Corner, CurveUse, Design, DesignCurve,
-    DesignPanel, Dimensions, Fingers, Flange, Hem, Holes, Join, Mark, MarkAt, MarkKind, MarkOn,
-    MarkWay, MovedBy, NotchForm, Notches, PanelMesh, PanelMethod, PanelShape, Places, Puzzle,
-    SampleTolerance, SheetForm, StationPlaces, StationPlane, Stock, StockSheet, Tabs, Ticks,
-    Triangles, Trim, TrimKind, TrimOn, Turn, Vary, VaryGoal,
+    DesignPanel, Dimensions, Divide, DivideJoint, Fingers, Flange, Hem, Holes, Join, Mark, MarkAt,
+    MarkKind, MarkOn, MarkWay, MovedBy, NotchForm, Notches, PanelMesh, PanelMethod, PanelShape,
+    Places, Puzzle, SampleTolerance, SheetForm, StationPlaces, StationPlane, Stock, StockSheet,
+    Tabs, Ticks, Triangles, Trim, TrimKind, TrimOn, Turn, Vary, VaryGoal,
 };
 use sheetwright::flatten::Aim;
 use sheetwright::material::{Grain, GrainBending, KFactor, KFactors, Material, Sourced};
@@ -42,8 +42,10 @@ fields!(Stock {
     grain_tolerance,
     may_turn_over,
     together,
-    effort
+    effort,
+    divide
 });
+fields!(Divide { joint, ratio, overlap_mm });
 fields!(StockSheet { name, form, count, cost });
 variants!(SheetForm { Rectangle { size }, Roll { width }, Outline { points } });
 variants!(Turn { Free {}, Steps { angle }, Grain {}, OneWay {} });
@@ -58,6 +60,7 @@ variants!(MarkKind {
     Text { at, text, height }
 });
 kinds!(Axis { X, Y, Z });
+kinds!(DivideJoint { Scarf, Butt, Puzzle, Overlap });
 variants!(StationPlaces { Listed { planes }, Every { pitch, from } });
 fields!(StationPlane { at, name });
 variants!(MarkAt { Space { at, within }, Flat { at } });

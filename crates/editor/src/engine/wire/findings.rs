@@ -2,9 +2,10 @@
 
 use super::{Wire, fields, kinds, variants};
 use sheetwright::check::{
-    Bend, BorderSide, Finding, FindingKind, Hindrance, Movement, Place, SeamCause, SeamPlace,
-    TooTight,
+    Bend, BorderSide, Division, Finding, FindingKind, Hindrance, Movement, Place, SeamCause,
+    SeamPlace, TooTight,
 };
+use sheetwright::divide::DivideFault;
 use sheetwright::elastic::Basis;
 use sheetwright::fair::Ended;
 use sheetwright::mark::MarkNote;
@@ -62,6 +63,10 @@ variants!(FindingKind {
     QuadsOffBoundary { off_mm },
     QuadsNotPlanar { uneven_mm, off_mm },
     PdfReduced { sheets, scale, most, is_full },
+    TooLarge { size_mm, room_mm },
+    Divided { division },
+    Strap { joint, width_mm },
+    NotDivided { fault },
     Trimmed { note },
     Marked { note },
     LinesClose { count, nearest_mm, least_mm },
@@ -101,6 +106,8 @@ variants!(Ended {
     Reached {},
     Closest { wanted, before, reached, resisting }
 });
+fields!(Division { piece, pieces, joints, joint, lap_mm, length_mm, room_mm });
+kinds!(DivideFault { NoThickness, Seams, NoPlace, Pinched, TooThin });
 fields!(TooTight { sheet, limit_mm, needed_mm });
 fields!(Bend { warp, radius_mm });
 fields!(Movement { curves, moved_max_mm, moved_total_mm, size_mm, warp, twist });

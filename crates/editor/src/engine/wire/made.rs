@@ -66,6 +66,7 @@ impl Wire for PathKind {
             Self::Arrow => 20,
             Self::Leader => 21,
             Self::SheetEdge => 22,
+            Self::LapEnd => 23,
         });
         match self {
             Self::Rung(rung) => rung.put(out),
@@ -99,6 +100,7 @@ impl Wire for PathKind {
             20 => Self::Arrow,
             21 => Self::Leader,
             22 => Self::SheetEdge,
+            23 => Self::LapEnd,
             _ => return None,
         })
     }

@@ -39,6 +39,41 @@ pub(in crate::design_json) struct SheetsFile {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.001, max = 1000))]
     pub(super) effort: Option<f64>,
+    /// How parts that are larger than every sheet are divided. Default: they are not.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) divide: Option<DivideFile>,
+}
+
+/// How parts that are larger than every sheet are divided.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "Divide")]
+pub(super) struct DivideFile {
+    /// What joins the pieces.
+    pub(super) joint: DivideWord,
+    /// How long the taper of a scarf is, in thicknesses. Default: 8.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 1, max = 100))]
+    pub(super) ratio: Option<f64>,
+    /// How far pieces of an overlap lie over one another. Default: 30 mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) overlap: Option<LengthFile>,
+}
+
+/// What joins the pieces of a divided part, in words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum DivideWord {
+    /// Both pieces are planed to a taper and glued over one another.
+    Scarf,
+    /// Both pieces meet, with a strap behind them.
+    Butt,
+    /// Knobs of each piece in sockets of the other.
+    Puzzle,
+    /// Both pieces lie over one another.
+    Overlap,
+    /// Parts are not divided.
+    None,
 }
 
 /// A kind of sheet: one of `size`, `roll` and `outline` says its form.

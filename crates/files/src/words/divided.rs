@@ -1,0 +1,58 @@
+//! Dividing parts that are larger than the sheet, in words.
+
+use sheetwright::check::Division;
+use sheetwright::design::DivideJoint;
+use sheetwright::divide::DivideFault;
+
+/// How a part was divided and why: `Piece 2 of 4: …`.
+pub(super) fn pieces(division: &Division) -> String {
+    let &Division { piece, pieces, joints, joint, lap_mm, length_mm, room_mm } = division;
+    let s = if joints == 1 { "" } else { "s" };
+    let joined = match joint {
+        DivideJoint::Scarf => format!("{joints} scarf{s}"),
+        DivideJoint::Butt => format!("{joints} butt joint{s} with straps"),
+        DivideJoint::Puzzle => format!("{joints} puzzle joint{s}"),
+        DivideJoint::Overlap => format!("{joints} overlap{s}"),
+    };
+    let of = lap_mm.map_or_else(String::new, |mm| format!(" of {}", length(mm)));
+    format!(
+        "Piece {piece} of {pieces}: the part is {} long and the largest sheet takes {}, so it is \
+         divided by {joined}{of}. What is said of its bending is said of the whole part.",
+        length(length_mm),
+        by(room_mm)
+    )
+}
+
+/// Why a part can't be divided, with advice.
+pub(super) fn not_divided(fault: DivideFault) -> &'static str {
+    match fault {
+        DivideFault::NoThickness => {
+            "its joints are counted in thicknesses, and no thickness is known. Name a material or \
+             a thickness."
+        }
+        DivideFault::Seams => {
+            "its pattern is cut open along seams, whose sides must stay together. Divide the panel \
+             in the design, or take a larger sheet."
+        }
+        DivideFault::NoPlace => {
+            "no straight lines leave pieces that all fit a sheet. Take a larger sheet, or divide \
+             the panel in the design."
+        }
+        DivideFault::Pinched => {
+            "a piece would hang together in a point. Divide the panel in the design."
+        }
+        DivideFault::TooThin => {
+            "a piece would be narrower than its joint. Take a larger sheet or a shorter joint."
+        }
+    }
+}
+
+/// A width and a height.
+pub(super) fn by([width, height]: [f64; 2]) -> String {
+    format!("{} × {}", length(width), length(height))
+}
+
+/// A length: in metres from two metres on, to a centimetre.
+fn length(mm: f64) -> String {
+    if mm >= 2000.0 { format!("{:.2} m", mm / 1000.0) } else { format!("{mm:.0} mm") }
+}
