@@ -12,7 +12,7 @@ use sheetwright::make::{Judging, Made, make_judged};
 use sheetwright_files::whole::Folder;
 use sheetwright_files::{
     Format, OutputOptions, Outputs, ReportForm, findings_json, formats_for, output_files,
-    timing_json,
+    sheets_sentence, timing_json,
 };
 use std::path::Path;
 use std::time::Instant;
@@ -126,6 +126,9 @@ impl Job<'_> {
             && ReportForm::Auto.is_short(outputs.panels.len());
         if is_short && formats.contains(&Format::Report) {
             voice.note(LONG_REPORT);
+        }
+        if let Some(sentence) = sheets_sentence(&made) {
+            voice.note(&sentence);
         }
         let files = if names.len() == 1 { "file" } else { "files" };
         voice.note(&format!("{} {files} written to {}", names.len(), self.out.display()));

@@ -97,6 +97,7 @@ pub use report::{
     quads_picture, report_html, report_json, report_schema, side_by_side, space_picture, stacked,
     verdict_sentence, verdict_word, warp_chart,
 };
+pub use sheets::sheets_sentence;
 pub use step::write_step;
 pub use stock::{sheet_title, stock_sheet};
 pub use svg::{read_svg, write_svg, write_svg_for};

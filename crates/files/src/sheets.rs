@@ -61,6 +61,46 @@ pub(crate) fn sheet_rows(made: &Made, nested: &Nested) -> Vec<SheetRow> {
     nested.nest.sheets.iter().enumerate().map(row).collect()
 }
 
+/// How parts lie on their sheets, in a sentence or two; `None` where they are not laid out.
+pub fn sheets_sentence(made: &Made) -> Option<String> {
+    let nested = made.nested.as_ref()?;
+    let rows = sheet_rows(made, nested);
+    let parts: usize = rows.iter().map(|row| row.parts).sum();
+    let used: f64 = rows.iter().map(|row| row.used_mm2).sum();
+    let whole: f64 = rows.iter().map(|row| row.area_mm2).sum();
+    let share = 100.0 * used / whole.max(f64::MIN_POSITIVE);
+    let several = |count: usize, one: &str| {
+        if count == 1 { format!("1 {one}") } else { format!("{count} {one}s") }
+    };
+    let mut words = format!(
+        "{} on {}, of which {share:.0} % is used",
+        several(parts, "part"),
+        several(rows.len(), "sheet")
+    );
+    let without = without_sheet(made, nested);
+    if !without.is_empty() {
+        words = format!("{words}. {without}");
+    }
+    Some(words)
+}
+
+/// Which parts lie on no sheet, in words; empty where all do.
+pub(crate) fn without_sheet(made: &Made, nested: &Nested) -> String {
+    let list = made.cut_list();
+    let names = |parts: &[usize]| -> String {
+        let name = |&part: &usize| &made.parts[list[nested.items[part].item].first()].name[..];
+        parts.iter().map(name).collect::<Vec<_>>().join(", ")
+    };
+    let mut words = Vec::new();
+    if !nested.nest.too_large.is_empty() {
+        words.push(format!("Larger than every sheet: {}.", names(&nested.nest.too_large)));
+    }
+    if !nested.nest.left_over.is_empty() {
+        words.push(format!("No sheet is left for: {}.", names(&nested.nest.left_over)));
+    }
+    words.join(" ")
+}
+
 /// A part where it lies.
 pub(crate) struct LaidPart {
     /// The pattern, by its number in the list to cut.

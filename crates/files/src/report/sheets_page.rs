@@ -3,9 +3,9 @@
 use super::canvas::{Anchor, PathData, Picture, WIDTH, text};
 use super::page::table;
 use super::wording::{area, decimal, millimetres};
-use crate::sheets::{SheetRow, sheet_rows};
+use crate::sheets::{SheetRow, sheet_rows, without_sheet};
 use maud::{Markup, PreEscaped, html};
-use sheetwright::make::{Made, Nested};
+use sheetwright::make::Made;
 use sheetwright::math::Point2;
 use sheetwright::pattern::{PathKind, Piece, Role};
 
@@ -42,7 +42,7 @@ pub(super) fn sheets(made: &Made) -> Markup {
     let used: f64 = rows.iter().map(|row| row.used_mm2).sum();
     let cost: Option<f64> = rows.iter().map(|row| row.cost).sum();
     let weight_kg = weight_kg(made, used);
-    let without = missing(made, nested, &list);
+    let without = without_sheet(made, nested);
     html! {
         section.sheets {
             h2 { "Sheets" }
@@ -78,25 +78,6 @@ pub(super) fn sheets(made: &Made) -> Markup {
 fn weight_kg(made: &Made, area_mm2: f64) -> Option<f64> {
     let density = made.material.as_ref()?.density_kg_per_m3.as_ref()?.value;
     Some(area_mm2 * made.thickness_mm? * 1e-9 * density)
-}
-
-/// Which parts lie on no sheet, in words.
-fn missing(made: &Made, nested: &Nested, list: &[sheetwright::make::CutItem]) -> String {
-    let names = |parts: &[usize]| -> String {
-        let name = |&part: &usize| {
-            let first = list[nested.items[part].item].first();
-            made.parts[first].name.clone()
-        };
-        parts.iter().map(name).collect::<Vec<_>>().join(", ")
-    };
-    let mut words = String::new();
-    if !nested.nest.too_large.is_empty() {
-        words += &format!("Larger than every sheet: {}. ", names(&nested.nest.too_large));
-    }
-    if !nested.nest.left_over.is_empty() {
-        words += &format!("No sheet is left for: {}. ", names(&nested.nest.left_over));
-    }
-    words.trim_end().to_owned()
 }
 
 /// A sheet and the parts on it.

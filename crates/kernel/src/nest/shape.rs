@@ -20,7 +20,7 @@ const COVERED: f64 = 0.92;
 const LEAST_POLE: f64 = 0.04;
 /// Points to a side of the lattice on which the middles of circles are looked for.
 const LATTICE: usize = 40;
-/// The most directions of sides that are laid along a sheet.
+/// So many of the longest sides are laid along a sheet.
 const MOST_SIDES: usize = 4;
 
 /// A circle inside a form.
@@ -251,12 +251,29 @@ fn hull(points: &[Point2]) -> Vec<Point2> {
     lower
 }
 
-/// The angles that lay the longest sides of the hull along x.
+/// The angles that lay the sides of the hull along x on which its smallest box and its lowest one
+/// stand, and the longest ones.
 fn upright(hull: &[Point2]) -> Vec<f64> {
     let m = hull.len();
     let mut sides: Vec<Vec2> = (0..m).map(|k| hull[(k + 1) % m] - hull[k]).collect();
     sides.sort_by(|a, b| b.length_squared().total_cmp(&a.length_squared()));
-    sides.iter().take(MOST_SIDES).map(|side| -atan2(side.y, side.x)).collect()
+    let box_on = |side: &Vec2| {
+        let along = side.normalize_or_zero();
+        let extent = |way: Vec2| {
+            let shares = hull.iter().map(|p| p.to_vec().dot(way));
+            let none = (f64::INFINITY, f64::NEG_INFINITY);
+            let (low, high) = shares.fold(none, |(low, high), x| (low.min(x), high.max(x)));
+            high - low
+        };
+        [extent(along) * extent(along.perp()), extent(along.perp())]
+    };
+    let boxes: Vec<[f64; 2]> = sides.iter().map(box_on).collect();
+    let least = |k: usize| (0..m).min_by(|&a, &b| boxes[a][k].total_cmp(&boxes[b][k]));
+    let mut chosen: Vec<usize> = [least(0), least(1)].into_iter().flatten().collect();
+    chosen.extend(0..MOST_SIDES.min(m));
+    chosen.sort_unstable();
+    chosen.dedup();
+    chosen.into_iter().map(|n| -atan2(sides[n].y, sides[n].x)).collect()
 }
 
 /// Circles inside a form that do not overlap, the largest first: each is the largest that fits
