@@ -226,23 +226,45 @@ def check_pdf(checks, path, panels, outlines):
 
         along = [np.vstack([points_along(loop) for loop in loops]) for loops in outlines]
         covered = [np.zeros(len(points), dtype=bool) for points in along]
+        names = [panel["name"] for panel in panels]
         sheets = set()
-        order = []
+        shared = []
         for page in pdf.pages:
-            match = SHEET.search((page.extract_text() or "").replace("\n", " "))
+            text = (page.extract_text() or "").replace("\n", " ")
+            match = SHEET.search(text)
             if not match:
+                if any(said in text for said in ("This page: ", "below, at 1:1.")):
+                    shared.append(drawn_points(page))
                 continue
-            if match["piece"] not in order:
-                order.append(match["piece"])
-            n = order.index(match["piece"])
+            n = names.index(match["piece"])
             sheet = (match["piece"], match["sheet"])
             checks.that(f"pattern.pdf, {sheet}: only once", sheet not in sheets)
             sheets.add(sheet)
             check_sheet(checks, page, match, np.vstack(outlines[n]), covered[n], along[n])
-        checks.that("pattern.pdf: every panel", len(order) == len(panels), order)
-        for panel, points in zip(panels, covered):
-            text = f"pattern.pdf, {panel['name']}: sheets cover the pattern"
-            checks.that(text, points.all(), f"{np.sum(~points)} of {len(points)} points")
+        tiled = {piece for piece, _ in sheets}
+        for panel, loops, points in zip(panels, outlines, covered):
+            text = f"pattern.pdf, {panel['name']}"
+            if panel["name"] in tiled:
+                found = f"{np.sum(~points)} of {len(points)} points"
+                checks.that(f"{text}: sheets cover the pattern", points.all(), found)
+            else:
+                places = sum(is_drawn(drawn, np.vstack(loops)) for drawn in shared)
+                checks.that(f"{text}: on a page with others", places >= 1, places)
+
+
+def is_drawn(drawn, outline):
+    """Whether the corners of an outline are among some points, moved by a vector."""
+
+    def gap(place):
+        return np.min(np.linalg.norm(drawn - place, axis=1))
+
+    probes = outline[:: max(1, len(outline) // 8)]
+    for start in drawn:
+        by = start - outline[0]
+        if all(gap(probe + by) < 0.02 for probe in probes):
+            if max(gap(corner + by) for corner in outline) < 0.02:
+                return True
+    return False
 
 
 def check_folder(checks, folder):

@@ -79,7 +79,7 @@ pub use names::{shown, visible};
 pub use obj::write_obj;
 pub use offsets::{OffsetOptions, write_offsets};
 pub use output::{OutputError, OutputFile, OutputOptions, Outputs, formats_for, output_files};
-pub use pdf::{MaxSheets, Paper, PdfOptions, Reduced, WrittenPdf, write_pdf};
+pub use pdf::{MaxSheets, Paper, PdfOptions, Reduced, RollWidth, WrittenPdf, write_pdf};
 pub use preset::{DxfRelease, Preset};
 pub use quads::{PanelQuads, write_quads};
 pub use quantity::{

@@ -424,14 +424,16 @@ fn shown(pdf: &[u8], needle: &str) -> usize {
 
 #[test]
 fn a_pdf_is_tiled_or_says_that_it_is_reduced() {
-    for paper in Paper::ALL {
+    for paper in Paper::SHEETS {
         let options = PdfOptions { paper, ..PdfOptions::default() };
         let tiled = write_pdf(&hull(20.0), &options);
         assert!(tiled.reduced.is_empty());
         assert_eq!(shown(&tiled.bytes, "Measure it both ways"), 1);
         assert!(shown(&tiled.bytes, "This sheet: topside ") > 1);
         assert_eq!(shown(&tiled.bytes, "at 1:1. Print"), shown(&tiled.bytes, "This sheet"));
-
+    }
+    for paper in [Paper::A4, Paper::Letter] {
+        let options = PdfOptions { paper, ..PdfOptions::default() };
         let made = hull(1000.0);
         let reduced = write_pdf(&made, &options);
         let panels: Vec<usize> = reduced.reduced.iter().map(|r| r.panel).collect();
@@ -444,6 +446,61 @@ fn a_pdf_is_tiled_or_says_that_it_is_reduced() {
             |n: usize| noted.panels[n].findings.iter().map(Finding::code).collect::<Vec<_>>();
         assert!((0..3).all(|n| codes(n).contains(&"pdf-reduced")));
     }
+}
+
+/// Widths and heights of the pages of a PDF, mm.
+fn page_sizes_mm(pdf: &[u8]) -> Vec<[f64; 2]> {
+    let text = String::from_utf8_lossy(pdf);
+    let boxes = text.split("/MediaBox [").skip(1).map(|rest| rest.split(']').next().unwrap());
+    let numbers = |one: &str| -> Vec<f64> {
+        one.split_whitespace().map(|word| word.parse().unwrap()).collect()
+    };
+    boxes.map(numbers).map(|box_of| [box_of[2], box_of[3]].map(|pt| pt * 25.4 / 72.0)).collect()
+}
+
+#[test]
+fn a_roll_is_as_wide_as_it_is_and_as_long_as_need_be() {
+    let paper = Paper::parse("Roll:36in").unwrap();
+    let written = write_pdf(&hull(45.0), &PdfOptions { paper, ..PdfOptions::default() });
+    let sizes = page_sizes_mm(&written.bytes);
+    assert!(sizes.len() > 1);
+    for size in &sizes {
+        assert!((size[0] - 914.4).abs() < 0.01 && size[1] <= 5000.01, "{sizes:?}");
+    }
+    // Pages that lie along the roll, and no piece in more of them than it is long.
+    assert!(sizes.iter().any(|size| size[1] > 2000.0), "{sizes:?}");
+    for given in ["roll:", "roll:100mm", "roll:9m", "a9", "projector:2"] {
+        assert!(Paper::parse(given).is_err(), "{given}");
+    }
+}
+
+#[test]
+fn a_projector_shows_all_parts_on_one_page_or_each_on_its_own() {
+    let made = hull(20.0);
+    let written = |paper| write_pdf(&made, &PdfOptions { paper, ..PdfOptions::default() }).bytes;
+    let all = written(Paper::Projector);
+    assert_eq!(page_sizes_mm(&all).len(), 1);
+    assert_eq!(shown(&all, "This page: "), 1);
+    assert_eq!(shown(&all, "the lines of the grid are 50 mm apart"), 1);
+    let each = written(Paper::ProjectorEach);
+    assert_eq!(page_sizes_mm(&each).len(), made.parts.len());
+    for part in &made.parts {
+        assert_eq!(shown(&each, &format!("This page: {} at 1:1", part.name)), 1);
+    }
+}
+
+#[test]
+fn small_parts_share_pages_and_stand_below_the_check_square_if_they_have_room() {
+    let pages = |scale: f64| {
+        let written = write_pdf(&hull(scale), &PdfOptions::default());
+        (page_sizes_mm(&written.bytes).len(), shown(&written.bytes, "They stand below, at 1:1."))
+    };
+    assert_eq!(pages(1.0), (1, 1));
+    // A list of what is on the page of all three, which is the second.
+    let written = write_pdf(&hull(3.0), &PdfOptions::default()).bytes;
+    assert_eq!(page_sizes_mm(&written).len(), 2);
+    assert_eq!(shown(&written, "Page 2: 3 parts"), 1);
+    assert_eq!(shown(&written, "(page 2)"), 3, "strings of a PDF stand in parentheses");
 }
 
 /// The texts of the findings that a PDF shows panels smaller.

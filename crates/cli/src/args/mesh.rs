@@ -56,7 +56,10 @@ fn piece_size(given: &str) -> Result<PieceSize, String> {
         let mm = |text: &str| sheetwright_files::distance_mm(text).filter(|&mm| mm > 0.0);
         Some(PieceSize([mm(width.trim())?, mm(height.trim())?]))
     });
-    size.ok_or_else(|| "give a4, letter, or a width and a height such as 280x200".to_owned())
+    size.ok_or_else(|| {
+        "give a4, letter or another size of paper, or a width and a height such as 280x200"
+            .to_owned()
+    })
 }
 
 impl MeshArgs {

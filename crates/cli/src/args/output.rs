@@ -108,9 +108,10 @@ fn pitch_mm(given: &str) -> Result<f64, String> {
 /// How patterns are laid out on paper.
 #[derive(Debug, Args)]
 pub(crate) struct PdfArgs {
-    /// The paper size of the PDF
-    #[arg(long, value_name = "PAPER", default_value = "a4", ignore_case = true,
-        value_parser = paper_parser())]
+    /// What the PDF is printed on: a4, a3, a2, a1, a0, letter, legal, tabloid; roll:914mm, pages as
+    /// wide as a roll and as long as need be; projector, all parts beside one another on one page
+    /// with a grid, or projector:each, a page for every part
+    #[arg(long, value_name = "PAPER", default_value = "a4", value_parser = Paper::parse)]
     paper: Paper,
     /// The most sheets of paper for one panel in the PDF, 1 to 20000 [default: 2000]; a larger
     /// panel is drawn to a smaller scale on one page, with a table of offsets
@@ -133,10 +134,4 @@ pub(super) fn format_parser() -> impl TypedValueParser<Value = Format> {
     let names = Format::ALL.map(Format::name);
     PossibleValuesParser::new(names)
         .try_map(|name| Format::from_name(&name.to_lowercase()).ok_or("this format is not known"))
-}
-
-fn paper_parser() -> impl TypedValueParser<Value = Paper> {
-    let names = Paper::ALL.map(Paper::name);
-    PossibleValuesParser::new(names)
-        .try_map(|name| Paper::from_name(&name.to_lowercase()).ok_or("this paper is not known"))
 }

@@ -1,38 +1,62 @@
 //! Places the names and marks of a piece on its sheets so that no joint of two sheets cuts one.
 //!
 //! A text that a joint would cut moves by the shortest way into one of the sheets that it lies on,
-//! if possible clear of the lines to cut. It becomes smaller only where a sheet has no room for it
-//! at full size.
+//! if possible clear of the lines to cut. One that lies on no sheet moves into the nearest. It
+//! becomes smaller only where a sheet has no room for it at full size. The end of a leader moves
+//! with its text.
 
+use super::drawn::{drawn_labels, text_around};
 use super::tiling::Tiling;
-use crate::stroke_font::strokes;
 use sheetwright::math::{Point2, Vec2};
-use sheetwright::pattern::{LabelKind, PatternLabel, Piece, Role};
+use sheetwright::pattern::{PathKind, PatternLabel, Piece};
 use sheetwright::predicate::Box2;
 
 /// The least distance between a text and a joint, mm.
 const AWAY_MM: f64 = 1.0;
+/// A leader ends this near to its text, as a share of the height of its letters.
+const AT_TEXT: f64 = 1.0;
 
-/// The texts to draw on the sheets of a piece, with their final places and sizes.
-pub(super) fn labels(piece: &Piece, tiling: &Tiling) -> Vec<PatternLabel> {
-    use LabelKind::{Bend, Length, Overall};
-    // Lengths stand in the margins of other files; a text beside the piece has no other place.
-    let is_drawn = |label: &&PatternLabel| {
-        label.role != Role::Note || !matches!(label.kind, Length | Overall | Bend)
-    };
-    let drawn = piece.labels.iter().filter(is_drawn);
-    drawn.map(|label| off_joints(label, piece, tiling)).collect()
+/// The piece with the texts to draw on its sheets, in their final places and sizes.
+pub(super) fn placed(piece: &Piece, tiling: &Tiling) -> Piece {
+    let mut drawn = Piece { labels: Vec::new(), ..piece.clone() };
+    for label in drawn_labels(piece) {
+        let moved = off_joints(label, piece, tiling);
+        if moved != *label {
+            lead_to(&mut drawn, piece, label, &moved);
+        }
+        drawn.labels.push(moved);
+    }
+    drawn
 }
 
-/// The box around the strokes of a text, mm.
-pub(super) fn around(label: &PatternLabel) -> Option<Box2> {
-    let lines = strokes(&label.text, label.at, label.along, label.height_mm);
-    Box2::of_points(lines.into_iter().flatten())
+/// Lets the leader of a text end at its new place.
+fn lead_to(drawn: &mut Piece, piece: &Piece, label: &PatternLabel, moved: &PatternLabel) {
+    let (Some(stood), Some(stands)) = (text_around(label), text_around(moved)) else { return };
+    let near = Vec2::splat(AT_TEXT * label.height_mm);
+    let about = Box2 { min: stood.min + -near, max: stood.max + near };
+    let leads = |end: Point2| holds(&about, &Box2 { min: end, max: end });
+    for (was, path) in piece.paths.iter().zip(&mut drawn.paths) {
+        if let (PathKind::Leader, [_, end]) = (was.kind, &was.points[..])
+            && leads(*end)
+        {
+            // The nearest point of the text's new box to where the leader begins.
+            let from = path.points[0];
+            let end = Point2::new(
+                from.x.clamp(stands.min.x, stands.max.x),
+                from.y.clamp(stands.min.y, stands.max.y),
+            );
+            path.points[1] = end;
+        }
+    }
 }
 
 fn off_joints(label: &PatternLabel, piece: &Piece, tiling: &Tiling) -> PatternLabel {
-    let Some(stands) = around(label) else { return label.clone() };
-    let cells: Vec<Box2> = tiling.cells_about(stands).into_iter().map(inner).collect();
+    let Some(stands) = text_around(label) else { return label.clone() };
+    let mut cells = tiling.cells_about(stands);
+    if cells.is_empty() {
+        cells.extend(tiling.nearest_cell(stands));
+    }
+    let cells: Vec<Box2> = cells.into_iter().map(inner).collect();
     if cells.iter().any(|cell| holds(cell, &stands)) {
         return label.clone();
     }
@@ -41,17 +65,17 @@ fn off_joints(label: &PatternLabel, piece: &Piece, tiling: &Tiling) -> PatternLa
         let (room, size) = (cell.max - cell.min, stands.max - stands.min);
         let share = (room.x / size.x).min(room.y / size.y).min(1.0);
         let smaller = PatternLabel { height_mm: share * label.height_mm, ..label.clone() };
-        let Some(stands) = around(&smaller) else { continue };
+        let Some(stands) = text_around(&smaller) else { continue };
         for way in ways(cell, &stands, label.along) {
             let moved = PatternLabel { at: label.at + way, ..smaller.clone() };
-            if around(&moved).is_some_and(|stands| holds(cell, &stands)) {
+            if text_around(&moved).is_some_and(|stands| holds(cell, &stands)) {
                 tried.push((share, way.length(), moved));
             }
         }
     }
     // The largest first, and of equal sizes the nearest.
     tried.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.total_cmp(&b.1)));
-    let is_free = |label: &PatternLabel| around(label).is_some_and(|it| !is_cut(piece, &it));
+    let is_free = |label: &PatternLabel| text_around(label).is_some_and(|it| !is_cut(piece, &it));
     let free = tried.iter().position(|tried| is_free(&tried.2));
     let best = free.unwrap_or(0);
     tried.into_iter().nth(best).map_or_else(|| label.clone(), |(_, _, moved)| moved)
@@ -108,7 +132,7 @@ mod tests {
     use super::super::{Paper, tiling};
     use super::*;
     use sheetwright::math::from_deg;
-    use sheetwright::pattern::{PathKind, PatternPath};
+    use sheetwright::pattern::{LabelKind, PatternPath, Role};
 
     fn piece(size: Vec2, labels: Vec<PatternLabel>) -> Piece {
         let corners = [(0.0, 0.0), (size.x, 0.0), (size.x, size.y), (0.0, size.y)];
@@ -149,8 +173,8 @@ mod tests {
                     let tiling = tiling::tiling(&piece, Paper::A4, 2000).unwrap_or_else(|n| {
                         panic!("{n} sheets");
                     });
-                    let drawn = labels(&piece, &tiling);
-                    let stands = around(&drawn[0]).unwrap_or_else(|| panic!("{text}"));
+                    let drawn = placed(&piece, &tiling).labels;
+                    let stands = text_around(&drawn[0]).unwrap_or_else(|| panic!("{text}"));
                     let cells = tiling.cells_about(stands);
                     assert!(cells.len() == 1 && holds(&cells[0], &stands), "{text} at {at:?}");
                     assert!(!is_cut(&piece, &stands), "{text} at {at:?}");
@@ -166,6 +190,6 @@ mod tests {
         let there = label("front", Point2::new(60.0, 50.0), Vec2::X, 10.0);
         let piece = piece(Vec2::new(120.0, 100.0), vec![there.clone()]);
         let tiling = tiling::tiling(&piece, Paper::A4, 2000).unwrap_or_else(|n| panic!("{n}"));
-        assert_eq!(labels(&piece, &tiling), [there]);
+        assert_eq!(placed(&piece, &tiling).labels, [there]);
     }
 }

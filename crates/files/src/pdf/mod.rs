@@ -1,75 +1,35 @@
-//! Patterns as PDF, true to scale, tiled to sheets of paper.
+//! Patterns as PDF, true to scale, on sheets of paper, a roll or for a projector.
 //!
 //! First comes an overview: every piece with its sheets, and a square of 100 mm to measure. Then
-//! come the sheets, piece after piece. A piece above the limit of sheets is drawn on one page
-//! instead, to a smaller scale that the page states, with a table of offsets for marking it out.
+//! come the sheets, in the order of the design: small pieces share pages, larger ones are tiled. If
+//! all pieces have room below the check square, they stand there. A piece above the limit of sheets
+//! is drawn on one page instead, to a smaller scale that the page states, with a table of offsets
+//! for marking it out.
 
+mod drawn;
 mod labels;
+mod layout;
+mod list;
 mod offsets;
 mod overview;
+mod packing;
 mod page;
+mod paper;
 mod piece;
+mod shared;
 mod sheets;
 mod text;
 mod tiling;
 
+pub use paper::{Paper, RollWidth};
+
+use layout::{Layout, Leaves, Plan};
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use page::PdfPage;
 use pdf_writer::{Filter, Finish, Name, Pdf, Rect, Ref, TextStr};
 use sheetwright::check::{Finding, FindingKind};
 use sheetwright::make::Made;
-use sheetwright::math::Vec2;
 use sheetwright::pattern::Piece;
-use tiling::Tiling;
-
-/// A size of paper.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Paper {
-    /// 210 × 297 mm.
-    #[default]
-    A4,
-    /// 8.5 × 11 inches.
-    Letter,
-}
-
-impl Paper {
-    /// Every size.
-    pub const ALL: [Self; 2] = [Self::A4, Self::Letter];
-
-    /// Its name in commands.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::A4 => "a4",
-            Self::Letter => "letter",
-        }
-    }
-
-    /// The paper of a name.
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|paper| paper.name() == name)
-    }
-
-    /// The largest piece that one sheet of it shows whole, mm, the longer side first.
-    pub fn whole_piece_mm(self) -> [f64; 2] {
-        tiling::whole_mm(self)
-    }
-
-    /// Its name on printed sheets.
-    const fn title(self) -> &'static str {
-        match self {
-            Self::A4 => "A4",
-            Self::Letter => "Letter",
-        }
-    }
-
-    /// Its width and height upright, mm.
-    const fn size_mm(self) -> Vec2 {
-        match self {
-            Self::A4 => Vec2::new(210.0, 297.0),
-            Self::Letter => Vec2::new(215.9, 279.4),
-        }
-    }
-}
 
 /// The most sheets of a piece; a piece that takes more is drawn to a smaller scale.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -100,9 +60,9 @@ impl Default for MaxSheets {
 }
 
 /// How patterns are laid out on paper.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PdfOptions {
-    /// The size of a sheet. Default: A4.
+    /// What they are printed on. Default: A4.
     pub paper: Paper,
     /// The most sheets of a piece. Default: 2,000.
     pub max_sheets: MaxSheets,
@@ -156,12 +116,6 @@ pub(crate) fn way_to_sheets(sheets: usize, is_full: bool) -> Option<String> {
     (sheets <= MaxSheets::MOST.get()).then_some(way)
 }
 
-/// How a piece is laid out on paper.
-enum Plan {
-    Tiled(Tiling),
-    Reduced(Reduced),
-}
-
 /// The PDF of all pieces of a design. `docs/outputs.md` specifies it for readers.
 pub fn write_pdf(made: &Made, options: &PdfOptions) -> WrittenPdf {
     let pieces: Vec<&Piece> = made.parts.iter().map(|part| &part.piece).collect();
@@ -170,42 +124,34 @@ pub fn write_pdf(made: &Made, options: &PdfOptions) -> WrittenPdf {
 
 /// The PDF of some pieces under a title.
 pub(crate) fn write_pieces(title: &str, pieces: &[&Piece], options: &PdfOptions) -> WrittenPdf {
-    let PdfOptions { paper, max_sheets } = *options;
-    let mut room = MaxSheets::MOST.get();
-    let mut plans = Vec::with_capacity(pieces.len());
-    for (panel, piece) in pieces.iter().enumerate() {
-        plans.push(match tiling::tiling(piece, paper, room.min(max_sheets.get())) {
-            Ok(tiling) => {
-                room -= tiling.sheets.len();
-                Plan::Tiled(tiling)
-            }
-            Err(sheets) => {
-                let scale = offsets::scale(piece, paper);
-                let file_full = sheets <= max_sheets.get();
-                Plan::Reduced(Reduced { panel, sheets, scale, file_full })
-            }
-        });
-    }
-    let overview = overview::pages(title, pieces, &plans, paper);
-    let each = pieces.iter().zip(&plans);
-    let pages =
-        overview.into_iter().chain(each.flat_map(|(piece, plan)| pages(piece, plan, paper)));
-    let reduced = plans.iter().filter_map(|plan| match plan {
-        Plan::Tiled(_) => None,
+    let layout = Layout::new(title, pieces, options, overview::first_room(options.paper));
+    // What a projector shows is looked at as it is.
+    let overview = match options.paper.is_projected() {
+        true => Vec::new(),
+        false => overview::pages(&layout),
+    };
+    let order = layout.order();
+    let leaves = order.into_iter().flat_map(|leaves| pages(&layout, leaves));
+    let bytes = document(title, overview.into_iter().chain(leaves));
+    let reduced = layout.plans.iter().filter_map(|plan| match plan {
         Plan::Reduced(reduced) => Some(*reduced),
+        Plan::Tiled(_) | Plan::Shared(_) | Plan::OnFirst => None,
     });
-    WrittenPdf { bytes: document(title, pages), reduced: reduced.collect() }
+    WrittenPdf { bytes, reduced: reduced.collect() }
 }
 
-/// The pages of a piece, each drawn when the iterator reaches it.
-fn pages<'a>(
-    piece: &'a Piece,
-    plan: &'a Plan,
-    paper: Paper,
-) -> Box<dyn Iterator<Item = PdfPage> + 'a> {
-    match plan {
+/// Some pages, each drawn when the iterator reaches it.
+fn pages<'a>(layout: &'a Layout<'_>, leaves: Leaves) -> Box<dyn Iterator<Item = PdfPage> + 'a> {
+    let one = std::iter::once;
+    let n = match leaves {
+        Leaves::Shared(n) => return Box::new(one(shared::page(layout, &layout.shared[n]))),
+        Leaves::Piece(n) => n,
+    };
+    let piece = layout.pieces[n];
+    match &layout.plans[n] {
         Plan::Tiled(tiling) => Box::new(sheets::pages(piece, tiling)),
-        Plan::Reduced(reduced) => Box::new(std::iter::once(offsets::page(piece, reduced, paper))),
+        Plan::Reduced(reduced) => Box::new(one(offsets::page(piece, reduced, layout.paper))),
+        Plan::Shared(_) | Plan::OnFirst => Box::new(std::iter::empty()),
     }
 }
 

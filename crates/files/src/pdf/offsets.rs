@@ -3,10 +3,10 @@
 //! Boat builders never had paper patterns of planks. They set off stations along a base line,
 //! measure the heights of the edges at each, and bend a batten through the points.
 
-use super::page::{Anchor, PdfPage, Pen, Type};
+use super::drawn::cut_around as around;
+use super::page::{Anchor, HEADER_MM, MARGIN_MM, PdfPage, Pen, Type};
 use super::piece::{Detail, PaperView, draw};
 use super::sheets::header;
-use super::tiling::{HEADER_MM, MARGIN_MM};
 use super::{Paper, Reduced, way_to_sheets};
 use sheetwright::math::{Point2, Vec2, angle_between, from_deg};
 use sheetwright::pattern::{LabelKind, Piece};
@@ -27,18 +27,13 @@ const MAX_CORNERS: usize = 30;
 /// Heights that differ by less than this are listed as one, mm: half of the last printed digit.
 const SAME_HEIGHT_MM: f64 = 0.05;
 
-fn around(piece: &Piece) -> Box2 {
-    Box2::of_points(piece.outline().iter().copied())
-        .unwrap_or(Box2 { min: Point2::default(), max: Point2::default() })
-}
-
 /// The denominator of the scale of the drawing, such as 400 for 1:400: the largest usual scale at
 /// which the piece fits.
 pub(super) fn scale(piece: &Piece, paper: Paper) -> f64 {
     let box_of = around(piece);
     let size = box_of.max - box_of.min;
     let room =
-        Vec2::new(paper.size_mm().x - 2.0 * MARGIN_MM, DRAWING_MM) - Vec2::splat(2.0 * AIR_MM);
+        Vec2::new(paper.overview_mm().x - 2.0 * MARGIN_MM, DRAWING_MM) - Vec2::splat(2.0 * AIR_MM);
     round_up((size.x / room.x).max(size.y / room.y), &[1.0, 2.0, 2.5, 4.0, 5.0])
 }
 
@@ -53,7 +48,7 @@ fn round_up(x: f64, steps: &[f64]) -> f64 {
 
 /// The page of a piece.
 pub(super) fn page(piece: &Piece, reduced: &Reduced, paper: Paper) -> PdfPage {
-    let mut page = PdfPage::new(paper.size_mm());
+    let mut page = PdfPage::new(paper.overview_mm());
     let size = page.size();
     let scale = reduced.scale;
     let Box2 { min, max } = around(piece);
@@ -79,7 +74,7 @@ pub(super) fn page(piece: &Piece, reduced: &Reduced, paper: Paper) -> PdfPage {
             page.text(at, &format!("{x:.0}"), Type::new(6.5).at(Anchor::Middle));
         }
     }
-    draw(&mut page, piece, &[], &view, Detail::Lines);
+    draw(&mut page, piece, &view, Detail::Lines);
     for edge in piece.labels.iter().filter(|label| label.kind == LabelKind::Edge) {
         page.text(view.place(edge.at), &edge.text, Type::new(6.5).at(Anchor::Middle));
     }

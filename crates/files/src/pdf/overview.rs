@@ -1,45 +1,69 @@
 //! The first pages: a list of the pieces, instructions, and a square that checks the printed scale.
 
-use super::page::{Anchor, PdfPage, Pen, Type};
+use super::layout::{Layout, Leaves, Plan};
+use super::list::{self, Row};
+use super::page::{Anchor, MARGIN_MM, PdfPage, Pen, Type};
+use super::paper::Paper;
 use super::piece::{Detail, PaperView, draw};
+use super::shared::{draw_parts, names};
 use super::text::{encoded, width};
-use super::tiling::{MARGIN_MM, PaperSheet, Tiling};
-use super::{Paper, Plan, way_to_sheets};
+use super::tiling::{PaperSheet, Tiling};
+use super::way_to_sheets;
 use sheetwright::math::{Point2, Vec2};
-use sheetwright::pattern::{LabelKind, Piece, Role};
+use sheetwright::pattern::{Piece, Role};
 use sheetwright::predicate::Box2;
 use std::collections::BTreeMap;
 
 /// The side of the check square, mm.
 const CHECK_MM: f64 = 100.0;
+/// The height of the title above the check square, mm.
+const TITLE_MM: f64 = 18.0;
+/// The gap below the check square, mm.
+const BELOW_MM: f64 = 10.0;
 /// Pieces are drawn no higher than this, mm, so that at least one stands on the first page.
 const DRAWING_MM: f64 = 110.0;
 /// Pieces of one sheet are drawn no higher than this, mm: there is no grid to read off.
 const ONE_SHEET_MM: f64 = 55.0;
+/// Pages of several pieces are drawn no larger than this, mm: three stand beside one another.
+const SHARED_MM: Vec2 = Vec2::new(58.0, 58.0);
 /// The height above the drawing of a piece for its name and size, mm.
 const CAPTION_MM: f64 = 12.0;
 /// The gap between two pieces, mm.
 const GAP_MM: f64 = 6.0;
 
-/// The drawing of one piece: the part that it shows, mm, and the denominator of its scale.
+/// The drawing of some leaves: the part that it shows, mm, and the denominator of its scale.
 struct Block {
+    leaves: Leaves,
     shown: Box2,
     scale: f64,
+    /// The width that it takes, mm.
+    width_mm: f64,
 }
 
 impl Block {
-    fn new(piece: &Piece, plan: &Plan, width_mm: f64) -> Self {
-        let shown = match plan {
-            Plan::Tiled(tiling) => tiling.extent(),
-            Plan::Reduced(_) => {
-                let none = Box2 { min: Point2::default(), max: Point2::default() };
-                Box2::of_points(piece.outline().iter().copied()).unwrap_or(none)
+    fn new(layout: &Layout<'_>, leaves: Leaves, width_mm: f64) -> Self {
+        let none = Box2 { min: Point2::default(), max: Point2::default() };
+        let outline = |n: usize| Box2::of_points(layout.pieces[n].outline().iter().copied());
+        let (shown, most) = match leaves {
+            Leaves::Shared(n) => {
+                let max = Point2::default() + layout.shared[n].page;
+                (Box2 { max, ..none }, SHARED_MM)
             }
+            Leaves::Piece(n) => match &layout.plans[n] {
+                Plan::Tiled(tiling) => {
+                    let one_sheet = tiling.sheets.len() == 1;
+                    let height_mm = if one_sheet { ONE_SHEET_MM } else { DRAWING_MM };
+                    (tiling.extent(), Vec2::new(width_mm, height_mm))
+                }
+                Plan::Reduced(_) | Plan::Shared(_) | Plan::OnFirst => {
+                    (outline(n).unwrap_or(none), Vec2::new(width_mm, DRAWING_MM))
+                }
+            },
         };
-        let one_sheet = matches!(plan, Plan::Tiled(tiling) if tiling.sheets.len() == 1);
-        let height_mm = if one_sheet { ONE_SHEET_MM } else { DRAWING_MM };
         let size = shown.max - shown.min;
-        Self { shown, scale: (size.x / width_mm).max(size.y / height_mm).max(1.0) }
+        let scale = (size.x / most.x).max(size.y / most.y).max(1.0);
+        let width_mm = if matches!(leaves, Leaves::Shared(_)) { most.x } else { width_mm };
+        Self { leaves, shown, scale, width_mm }
     }
 
     fn height_mm(&self) -> f64 {
@@ -47,44 +71,121 @@ impl Block {
     }
 }
 
+/// What the first page has left below its head for pieces, mm.
+pub(super) fn first_room(paper: Paper) -> Vec2 {
+    let size = paper.overview_mm();
+    let head = TITLE_MM + CHECK_MM + BELOW_MM;
+    size - Vec2::new(2.0 * MARGIN_MM, 2.0 * MARGIN_MM + head)
+}
+
 /// The pages that stand before the sheets.
-pub(super) fn pages(title: &str, pieces: &[&Piece], plans: &[Plan], paper: Paper) -> Vec<PdfPage> {
-    let size = paper.size_mm();
+pub(super) fn pages(layout: &Layout<'_>) -> Vec<PdfPage> {
+    let size = layout.paper.overview_mm();
     let width_mm = size.x - 2.0 * MARGIN_MM;
     let blocks: Vec<Block> =
-        pieces.iter().zip(plans).map(|(piece, plan)| Block::new(piece, plan, width_mm)).collect();
+        layout.order().into_iter().map(|leaves| Block::new(layout, leaves, width_mm)).collect();
 
     // Places all blocks first, since the captions name the pages that follow them.
-    let first_top = size.y - MARGIN_MM - 18.0 - CHECK_MM - 10.0;
-    let mut places: Vec<(usize, f64)> = Vec::new();
-    let (mut on_page, mut top) = (0, first_top);
-    for block in &blocks {
-        if top - block.height_mm() < MARGIN_MM - GAP_MM {
-            on_page += 1;
-            top = size.y - MARGIN_MM;
-        }
-        places.push((on_page, top));
-        top -= block.height_mm();
-    }
+    let first_top = size.y - MARGIN_MM - TITLE_MM - CHECK_MM - BELOW_MM;
+    let is_listed = |plan: &&Plan| matches!(plan, Plan::Shared(_));
+    let listed = layout.plans.iter().filter(is_listed).count();
+    let (on_page, top) = list::end(listed, first_top, size);
+    let mut flow = Flow { page: size, on_page, top, left: MARGIN_MM, high: 0.0 };
+    let places: Vec<(usize, Point2)> =
+        blocks.iter().map(|block| flow.place(block.width_mm, block.height_mm())).collect();
 
-    let mut pages: Vec<PdfPage> = (0..=on_page).map(|_| PdfPage::new(size)).collect();
-    first(&mut pages[0], title, paper);
-    let mut next_page = pages.len() + 1;
-    for (n, piece) in pieces.iter().enumerate() {
-        let (on_page, top) = places[n];
-        let take = match &plans[n] {
-            Plan::Tiled(tiling) => tiling.sheets.len(),
-            Plan::Reduced(_) => 1,
-        };
-        let on = (next_page, next_page + take - 1);
-        piece_block(&mut pages[on_page], piece, &plans[n], &blocks[n], top, on);
+    let count = flow.on_page + 1;
+    let mut pages: Vec<PdfPage> = (0..count).map(|_| PdfPage::new(size)).collect();
+    first(&mut pages[0], layout);
+    let corner = Point2::new(MARGIN_MM, MARGIN_MM);
+    draw_parts(&mut pages[0], layout, &layout.on_first, corner, 1.0, Detail::Full);
+    let mut next_page = count + 1;
+    let mut shared_on = vec![0; layout.shared.len()];
+    for (block, (on_page, at)) in blocks.iter().zip(places) {
+        let take = layout.pages(block.leaves);
+        let page = &mut pages[on_page];
+        match block.leaves {
+            Leaves::Shared(n) => {
+                shared_on[n] = next_page;
+                shared_block(page, layout, n, block, at, next_page);
+            }
+            Leaves::Piece(n) => {
+                let on = (next_page, next_page + take - 1);
+                piece_block(page, layout.pieces[n], &layout.plans[n], block, at.y, on);
+            }
+        }
         next_page += take;
     }
+    let rows = layout.plans.iter().zip(layout.pieces).filter_map(|(plan, piece)| match plan {
+        Plan::Shared(n) => Some(Row { piece, page: shared_on[*n] }),
+        Plan::Tiled(_) | Plan::Reduced(_) | Plan::OnFirst => None,
+    });
+    let rows: Vec<Row<'_>> = rows.collect();
+    list::draw(&mut pages, &rows, first_top);
     pages
 }
 
+/// Where the next block stands: blocks fill rows from left to right.
+struct Flow {
+    page: Vec2,
+    on_page: usize,
+    /// The top of the row.
+    top: f64,
+    /// Where the next block begins.
+    left: f64,
+    /// The height of the row so far.
+    high: f64,
+}
+
+impl Flow {
+    /// The page and the upper left corner of a block of this size, mm.
+    fn place(&mut self, width_mm: f64, height_mm: f64) -> (usize, Point2) {
+        const EPS: f64 = 1e-9;
+        if self.left + width_mm > self.page.x - MARGIN_MM + EPS {
+            self.end_row();
+        }
+        if self.top - height_mm < MARGIN_MM - GAP_MM {
+            self.end_row();
+            self.on_page += 1;
+            self.top = self.page.y - MARGIN_MM;
+        }
+        let at = Point2::new(self.left, self.top);
+        self.left += width_mm + GAP_MM;
+        self.high = self.high.max(height_mm);
+        (self.on_page, at)
+    }
+
+    fn end_row(&mut self) {
+        self.top -= self.high;
+        (self.left, self.high) = (MARGIN_MM, 0.0);
+    }
+}
+
+/// A page of several pieces.
+fn shared_block(
+    page: &mut PdfPage,
+    layout: &Layout<'_>,
+    number: usize,
+    block: &Block,
+    at: Point2,
+    on: usize,
+) {
+    let shared = &layout.shared[number];
+    let title = format!("Page {on}: {} parts", shared.parts.len());
+    let most_mm = block.width_mm;
+    page.fitted_text(at + Vec2::new(0.0, -4.5), &title, Type::new(10.0).bold(), most_mm / 1.1);
+    let told = names(layout, &shared.parts);
+    page.fitted_text(at + Vec2::new(0.0, -9.5), &told, Type::new(7.5), most_mm);
+    let size = (block.shown.max - block.shown.min) / block.scale;
+    let corner = at + Vec2::new(0.0, -CAPTION_MM - size.y);
+    page.rectangle(Box2 { min: corner, max: corner + size }, Pen::FRAME);
+    let window = corner + Vec2::splat(MARGIN_MM / block.scale);
+    draw_parts(page, layout, &shared.parts, window, block.scale, Detail::Lines);
+}
+
 /// The head of the first page: title, check square, legend and instructions.
-fn first(page: &mut PdfPage, title: &str, paper: Paper) {
+fn first(page: &mut PdfPage, layout: &Layout<'_>) {
+    let (title, paper) = (layout.title, layout.paper);
     let size = page.size();
     let (left, top) = (MARGIN_MM, size.y - MARGIN_MM);
     let width_mm = size.x - 2.0 * MARGIN_MM;
@@ -92,12 +193,12 @@ fn first(page: &mut PdfPage, title: &str, paper: Paper) {
     let at = Point2::new(left, top - 6.0);
     page.fitted_text(at, title, Type::new(18.0).bold(), width_mm / 1.1);
     let line = format!(
-        "Flat pattern on {} paper. Print at 100 % (\"actual size\"), never \"fit to page\".",
+        "Flat pattern on {}. Print at 100 % (\"actual size\"), never \"fit to page\".",
         paper.title()
     );
     page.text(Point2::new(left, top - 12.5), &line, Type::new(9.0));
 
-    let corner = Point2::new(left, top - 18.0 - CHECK_MM);
+    let corner = Point2::new(left, top - TITLE_MM - CHECK_MM);
     let square = Box2 { min: corner, max: corner + Vec2::splat(CHECK_MM) };
     page.rectangle(square, Pen::MARK);
     let middle = corner + Vec2::splat(0.5 * CHECK_MM);
@@ -128,22 +229,43 @@ fn first(page: &mut PdfPage, title: &str, paper: Paper) {
         page.text(Point2::new(column + 17.0, y), text, Type::new(9.0));
     }
     y -= 11.0;
-    heading(page, y, "Putting sheets together");
-    for line in [
-        "Sheets are named by row and column: B3 is",
-        "the third of the second row from the top.",
-        "Neighbours overlap by 10 mm. Lay crosses on",
-        "crosses and dotted lines on dotted lines,",
-        "against a window if need be, then tape.",
-        "Sheets that show nothing are left out.",
-        "",
-        "Paper grows and shrinks with the weather:",
-        "check long pieces by the sizes given below.",
-    ] {
+    let (title, lines): (&str, &[&str]) = match layout.on_first.len() {
+        0 => ("Putting sheets together", &TOGETHER),
+        1 => ("Part", &["It stands below, at 1:1."]),
+        _ => ("Parts", &["They stand below, at 1:1."]),
+    };
+    heading(page, y, title);
+    for line in lines {
         y -= 4.6;
         page.text(Point2::new(column, y), line, Type::new(9.0));
     }
+    // The sizes of a few pieces have room beside the check square.
+    let sized = if layout.on_first.len() <= SIZED { &layout.on_first[..] } else { &[] };
+    for placed in sized {
+        y -= 4.6;
+        let piece = layout.pieces[placed.part];
+        let size = piece.size;
+        let line = format!("{}: {:.1} × {:.1} mm", list::counted(piece), size.x, size.y);
+        let most_mm = page.size().x - MARGIN_MM - column;
+        page.fitted_text(Point2::new(column, y), &line, Type::new(9.0), most_mm);
+    }
 }
+
+/// So many pieces on the first page have their sizes there.
+const SIZED: usize = 10;
+
+/// How sheets are put together.
+const TOGETHER: [&str; 9] = [
+    "Sheets are named by row and column: B3 is",
+    "the third of the second row from the top.",
+    "Neighbours overlap by 10 mm. Lay crosses on",
+    "crosses and dotted lines on dotted lines,",
+    "against a window if need be, then tape.",
+    "Sheets that show nothing are left out.",
+    "",
+    "Paper grows and shrinks with the weather:",
+    "check long pieces by the sizes given below.",
+];
 
 /// One piece, with its sheets.
 fn piece_block(
@@ -156,11 +278,7 @@ fn piece_block(
 ) {
     let width_mm = page.size().x - 2.0 * MARGIN_MM;
     let at = Point2::new(MARGIN_MM, top - 4.5);
-    let counted = piece.labels.iter().find(|label| label.kind == LabelKind::Quantity);
-    let title = match counted {
-        Some(quantity) => format!("{}, {}", piece.name, quantity.text),
-        None => piece.name.clone(),
-    };
+    let title = list::counted(piece);
     page.fitted_text(at, &title, Type::new(12.0).bold(), width_mm / 1.1);
     let size = format!("{:.1} × {:.1} mm", piece.size.x, piece.size.y);
     let pages =
@@ -179,6 +297,8 @@ fn piece_block(
             way_to_sheets(reduced.sheets, reduced.file_full)
                 .map_or(String::new(), |way| format!(" {way}"))
         ),
+        // They have no block of their own.
+        Plan::Shared(_) | Plan::OnFirst => size,
     };
     page.fitted_text(Point2::new(MARGIN_MM, top - 9.5), &told, Type::new(9.0), width_mm);
     let height_mm = (block.shown.max.y - block.shown.min.y) / block.scale;
@@ -187,7 +307,7 @@ fn piece_block(
     if let Plan::Tiled(tiling) = plan {
         grid(page, piece, tiling, &view);
     }
-    draw(page, piece, &[], &view, Detail::Lines);
+    draw(page, piece, &view, Detail::Lines);
 }
 
 /// Draws the cells of the sheets, and their names clear of the lines of the piece if possible.

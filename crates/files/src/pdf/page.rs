@@ -5,6 +5,11 @@ use pdf_writer::{Buf, Content, Name, Str};
 use sheetwright::math::{Point2, Vec2};
 use sheetwright::predicate::Box2;
 
+/// The margin of a page, mm: few printers leave a wider edge blank.
+pub(super) const MARGIN_MM: f64 = 10.0;
+/// The strip above the window for the name of the page and the scale bar, mm.
+pub(super) const HEADER_MM: f64 = 16.0;
+
 /// The name of Helvetica on a page.
 pub(super) const REGULAR: Name<'static> = Name(b"F1");
 /// The name of Helvetica Bold on a page.
@@ -81,6 +86,8 @@ impl Type {
 /// A page that is being drawn.
 pub(super) struct PdfPage {
     size: Vec2,
+    /// Whether it is turned by a quarter when it is finished.
+    turned: bool,
     content: Content,
     /// The pen that the page's content has set last.
     pen: Option<Pen>,
@@ -94,7 +101,21 @@ impl PdfPage {
         content
             .set_line_join(pdf_writer::types::LineJoinStyle::RoundJoin)
             .set_line_cap(pdf_writer::types::LineCapStyle::RoundCap);
-        Self { size, content, pen: None }
+        Self { size, turned: false, content, pen: None }
+    }
+
+    /// An empty page of a size, mm, that is turned by a quarter when it is finished: its left side
+    /// is then below.
+    pub(super) fn turned(size: Vec2) -> Self {
+        let mut page = Self::new(size);
+        page.turned = true;
+        page.content.transform([0.0, 1.0, -1.0, 0.0, points(size.y), 0.0]);
+        page
+    }
+
+    /// An empty page of a size, mm, turned or not.
+    pub(super) fn of(size: Vec2, turned: bool) -> Self {
+        if turned { Self::turned(size) } else { Self::new(size) }
     }
 
     /// Width and height, mm.
@@ -102,8 +123,11 @@ impl PdfPage {
         self.size
     }
 
+    /// Width and height as printed, mm, and the content.
     pub(super) fn finish(self) -> (Vec2, Buf) {
-        (self.size, self.content.finish())
+        let Vec2 { x, y } = self.size;
+        let printed = if self.turned { Vec2::new(y, x) } else { self.size };
+        (printed, self.content.finish())
     }
 
     fn take(&mut self, pen: Pen) {

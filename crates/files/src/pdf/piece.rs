@@ -1,5 +1,6 @@
 //! A piece on a page: the part of it that the page shows, at a scale.
 
+use super::drawn::{drawn_labels, text_around};
 use super::page::{PdfPage, Pen};
 use crate::stroke_font::strokes;
 use sheetwright::math::{Point2, Vec2};
@@ -42,14 +43,13 @@ pub(super) enum Detail {
     Lines,
 }
 
-/// Draws the part of the piece that the view shows, with some texts.
-pub(super) fn draw(
-    page: &mut PdfPage,
-    piece: &Piece,
-    labels: &[PatternLabel],
-    view: &PaperView,
-    detail: Detail,
-) {
+/// Draws the part of the piece that the view shows, with the texts that it shows whole: others
+/// stand whole on a neighbour.
+pub(super) fn draw(page: &mut PdfPage, piece: &Piece, view: &PaperView, detail: Detail) {
+    let labels: Vec<&PatternLabel> = match detail {
+        Detail::Full => drawn_labels(piece).filter(|label| is_whole(label, view)).collect(),
+        Detail::Lines => Vec::new(),
+    };
     page.clipped(view.frame(), |page| {
         // The lines that matter most are drawn last, over the others.
         for (role, pen) in [
@@ -77,6 +77,14 @@ pub(super) fn draw(
             }
         }
     });
+}
+
+/// Whether a view shows a text whole.
+fn is_whole(label: &PatternLabel, view: &PaperView) -> bool {
+    let Box2 { min, max } = view.shown;
+    text_around(label).is_none_or(|text| {
+        min.x <= text.min.x && min.y <= text.min.y && text.max.x <= max.x && text.max.y <= max.y
+    })
 }
 
 /// The runs of edges of a line that may be visible in a view, in coordinates of the page.

@@ -4,30 +4,30 @@
 //! shows a window of the piece that overlaps its neighbours' by 10 mm; the seams run along the
 //! middle of the overlaps, and where they cross, all four sheets print the same cross.
 
-use super::labels::labels;
-use super::page::{Anchor, PdfPage, Pen, Type};
+use super::labels::placed;
+use super::page::{Anchor, MARGIN_MM, PdfPage, Pen, Type};
 use super::piece::{Detail, PaperView, draw};
-use super::tiling::{MARGIN_MM, OVERLAP_MM, PaperSheet, Tiling};
+use super::tiling::{OVERLAP_MM, PaperSheet, Tiling};
 use sheetwright::math::{Point2, Vec2};
-use sheetwright::pattern::{PatternLabel, Piece};
+use sheetwright::pattern::Piece;
 use sheetwright::predicate::Box2;
 
 /// Arms of a cross, mm.
 const CROSS_MM: f64 = 4.0;
 /// The length of the scale bar, mm.
-const BAR_MM: f64 = 100.0;
+pub(super) const BAR_MM: f64 = 100.0;
 
 /// The sheets of a piece.
 pub(super) fn pages<'a>(
     piece: &'a Piece,
     tiling: &'a Tiling,
 ) -> impl Iterator<Item = PdfPage> + 'a {
-    let labels = labels(piece, tiling);
-    tiling.sheets.iter().map(move |&sheet| page(piece, &labels, tiling, sheet))
+    let drawn = placed(piece, tiling);
+    tiling.sheets.iter().map(move |&sheet| page(&drawn, tiling, sheet))
 }
 
-fn page(piece: &Piece, labels: &[PatternLabel], tiling: &Tiling, sheet: PaperSheet) -> PdfPage {
-    let mut page = PdfPage::new(tiling.page);
+fn page(piece: &Piece, tiling: &Tiling, sheet: PaperSheet) -> PdfPage {
+    let mut page = PdfPage::of(tiling.page, tiling.turned);
     let corner = Point2::new(MARGIN_MM, MARGIN_MM);
     let view = PaperView { shown: tiling.window(sheet), corner, scale: 1.0 };
     let place = format!(
@@ -38,7 +38,7 @@ fn page(piece: &Piece, labels: &[PatternLabel], tiling: &Tiling, sheet: PaperShe
         tiling.columns
     );
     header(&mut page, &piece.name, &sheet.name(), &place, &view);
-    draw(&mut page, piece, labels, &view, Detail::Full);
+    draw(&mut page, piece, &view, Detail::Full);
     page.rectangle(view.frame(), Pen::FRAME);
     seams(&mut page, tiling, sheet, &view);
     page
@@ -66,7 +66,7 @@ pub(super) fn header(page: &mut PdfPage, piece: &str, sheet: &str, place: &str, 
 }
 
 /// A bar of 100 mm, divided into tens.
-fn scale_bar(page: &mut PdfPage, from: Point2) {
+pub(super) fn scale_bar(page: &mut PdfPage, from: Point2) {
     page.line(from, from + Vec2::new(BAR_MM, 0.0), Pen::MARK);
     for n in 0..=10 {
         let high = if n % 5 == 0 { 2.5 } else { 1.5 };

@@ -1,27 +1,25 @@
 //! How a piece is divided into sheets of paper: a grid of rows A, B, … from the top and columns 1,
 //! 2, … from the left, portrait or landscape, the one with fewer sheets.
+//!
+//! Texts beside the piece are shown in their places where that takes no more sheets; else the
+//! sheets are those of the lines to cut, and such texts move ([`super::labels`]).
 
-use super::Paper;
+use super::drawn::{cut_around, drawn_around, drawn_lines};
+use super::paper::{AIR_MM, PageSides, Paper, window};
 use sheetwright::math::{Point2, Vec2};
 use sheetwright::pattern::Piece;
 use sheetwright::predicate::Box2;
 use std::ops::Range;
 
-/// The margin of a sheet, mm: few printers leave a wider edge blank.
-pub(super) const MARGIN_MM: f64 = 10.0;
-/// The strip above the window for the name of the sheet and the scale bar, mm.
-pub(super) const HEADER_MM: f64 = 16.0;
 /// How far the windows of neighbours overlap, mm.
 pub(super) const OVERLAP_MM: f64 = 10.0;
-/// The least gap between the piece and the edge of the windows, mm, so that no line lies on the
-/// edge.
-const AIR_MM: f64 = 1.0;
-
 /// How a piece is divided into sheets.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Tiling {
     /// Width and height of a sheet as printed, portrait or landscape, mm.
     pub(super) page: Vec2,
+    /// Whether a sheet is turned by a quarter when it is finished.
+    pub(super) turned: bool,
     /// The lower left corner of the window of the lower left sheet, mm.
     origin: Point2,
     /// The numbers of columns and rows of sheets.
@@ -60,38 +58,58 @@ impl PaperSheet {
 /// # Errors
 /// An upper bound on the number of sheets, if they are more than `most`.
 pub(super) fn tiling(piece: &Piece, paper: Paper, most: usize) -> Result<Tiling, usize> {
-    let upright = paper.size_mm();
-    let candidates =
-        [upright, Vec2::new(upright.y, upright.x)].map(|page| on_page(piece, page, most));
-    let [first, second] = candidates;
+    let cut = cut_around(piece);
+    let alone = best(piece, cut, &[], paper, most);
+    let drawn = drawn_around(piece);
+    if drawn == cut {
+        return alone;
+    }
+    match (alone, best(piece, drawn, &drawn_lines(piece), paper, most)) {
+        (Ok(alone), Ok(with_texts)) if with_texts.sheets.len() <= alone.sheets.len() => {
+            Ok(with_texts)
+        }
+        (alone, _) => alone,
+    }
+}
+
+/// The sheets that show the lines to cut and some others in a box, portrait or landscape: fewest
+/// sheets, then least paper.
+fn best(
+    piece: &Piece,
+    around: Box2,
+    lines: &[Vec<Point2>],
+    paper: Paper,
+    most: usize,
+) -> Result<Tiling, usize> {
+    let on_pages = |sides| on_pages(piece, around, lines, sides, most);
+    let [first, second] = paper.pages().map(on_pages);
+    let cost = |tiling: &Tiling| {
+        let Vec2 { x, y } = tiling.page;
+        (tiling.sheets.len(), x * y)
+    };
     match (first, second) {
-        (Ok(first), Ok(second)) if second.sheets.len() < first.sheets.len() => Ok(second),
+        (Ok(first), Ok(second)) if cost(&second) < cost(&first) => Ok(second),
         (Ok(tiling), _) | (Err(_), Ok(tiling)) => Ok(tiling),
         (Err(first), Err(second)) => Err(first.min(second)),
     }
 }
 
-/// The size of the window of a page, mm.
-fn window(page: Vec2) -> Vec2 {
-    page - Vec2::new(2.0 * MARGIN_MM, 2.0 * MARGIN_MM + HEADER_MM)
-}
-
-/// The largest piece that one sheet shows whole, mm, the longer side first. Pieces lie on their
-/// longer side, so the sheet lies on its side too.
-pub(super) fn whole_mm(paper: Paper) -> [f64; 2] {
-    let upright = paper.size_mm();
-    let size = window(Vec2::new(upright.y, upright.x)) - Vec2::splat(2.0 * AIR_MM);
-    [size.x, size.y]
-}
-
-fn on_page(piece: &Piece, page: Vec2, most: usize) -> Result<Tiling, usize> {
-    let around = Box2::of_points(piece.outline().iter().copied())
-        .unwrap_or(Box2 { min: Point2::default(), max: Point2::default() });
-    let step = window(page) - Vec2::splat(OVERLAP_MM);
+fn on_pages(
+    piece: &Piece,
+    around: Box2,
+    lines: &[Vec<Point2>],
+    sides: PageSides,
+    most: usize,
+) -> Result<Tiling, usize> {
     let need = around.max - around.min + Vec2::splat(2.0 * AIR_MM - OVERLAP_MM);
     // The conversion saturates, so that no size overflows.
     let count = |need: f64, step: f64| (need / step).ceil().max(1.0) as usize;
+    let step = window(sides.largest()) - Vec2::splat(OVERLAP_MM);
     let (columns, rows) = (count(need.x, step.x), count(need.y, step.y));
+    // Where pages are as large as need be, those of a row share it equally.
+    let share = Vec2::new(need.x / columns as f64, need.y / rows as f64);
+    let page = sides.around(share + Vec2::splat(OVERLAP_MM));
+    let step = window(page) - Vec2::splat(OVERLAP_MM);
     // A piece lies in its bounding rectangle of least area and seldom leaves most of it empty. So a
     // grid of 20 times the limit is refused before its cells are checked.
     let grid = columns.saturating_mul(rows);
@@ -104,8 +122,9 @@ fn on_page(piece: &Piece, page: Vec2, most: usize) -> Result<Tiling, usize> {
     // In steps of 0.001 mm, so that the digits on the sheets are exact.
     let rounded = |x: f64| (x * 1000.0).round() / 1000.0;
     let origin = Point2::new(rounded(corner.x), rounded(corner.y));
-    let mut tiling = Tiling { page, origin, columns, rows, sheets: Vec::new() };
-    tiling.sheets = tiling.touched(piece.loops());
+    let turned = sides.turned;
+    let mut tiling = Tiling { page, turned, origin, columns, rows, sheets: Vec::new() };
+    tiling.sheets = tiling.touched(piece.loops(), lines);
     if tiling.sheets.len() > most { Err(grid) } else { Ok(tiling) }
 }
 
@@ -140,8 +159,13 @@ impl Tiling {
     }
 
     /// The sheets whose cells have a point of the piece: those that its outline or a hole passes
-    /// through, and those whose middle lies inside. Each edge checks only the cells near it.
-    fn touched<'a>(&self, loops: impl Iterator<Item = &'a [Point2]>) -> Vec<PaperSheet> {
+    /// through, those whose middle lies inside, and those that one of some other lines passes
+    /// through. Each edge checks only the cells near it.
+    fn touched<'a>(
+        &self,
+        loops: impl Iterator<Item = &'a [Point2]>,
+        lines: &[Vec<Point2>],
+    ) -> Vec<PaperSheet> {
         let middle = |sheet| {
             let cell = self.cell(sheet);
             cell.min.lerp(cell.max, 0.5)
@@ -166,6 +190,12 @@ impl Tiling {
                     passed[row * self.columns + column] |=
                         self.cell(PaperSheet { row, column }).part_inside(a, b).is_some();
                 }
+            }
+        }
+        for step in lines.iter().flat_map(|line| line.windows(2)) {
+            for sheet in self.sheets_about(Box2::of_segment(step[0], step[1])) {
+                passed[sheet.row * self.columns + sheet.column] |=
+                    self.cell(sheet).part_inside(step[0], step[1]).is_some();
             }
         }
         let mut sheets = Vec::new();
@@ -215,6 +245,17 @@ impl Tiling {
                 && around.min.y <= cell.max.y
         };
         sheets.map(|sheet| self.cell(sheet)).filter(reach).collect()
+    }
+
+    /// The cell of the sheet nearest to a box.
+    pub(super) fn nearest_cell(&self, around: Box2) -> Option<Box2> {
+        let middle = around.min.lerp(around.max, 0.5);
+        let off = |cell: &Box2| {
+            let x = middle.x.clamp(cell.min.x, cell.max.x);
+            Point2::new(x, middle.y.clamp(cell.min.y, cell.max.y)).distance(middle)
+        };
+        let cells = self.sheets.iter().map(|&sheet| self.cell(sheet));
+        cells.min_by(|a, b| off(a).total_cmp(&off(b)))
     }
 
     fn has(&self, sheet: PaperSheet) -> bool {
