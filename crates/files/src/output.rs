@@ -13,7 +13,9 @@ use crate::parts::write_parts;
 use crate::pdf::{PdfOptions, Reduced, write_pieces};
 use crate::preset::{DxfRelease, Preset};
 use crate::quads::{PanelQuads, write_quads};
-use crate::refold::{PatternFiles, RefoldFileError, refold_finding, refold_piece_error_mm};
+use crate::refold::{
+    PatternFiles, RefoldFileError, check_lines, refold_finding, refold_piece_error_mm,
+};
 use crate::report::{ReportForm, Written, report_html, report_json};
 use crate::step::write_step;
 use crate::svg::write_svg_for;
@@ -24,7 +26,7 @@ use sheetwright::bend::Hit;
 use sheetwright::check::{Checked, Finding, FindingKind, braking};
 use sheetwright::design::Design;
 use sheetwright::make::{CutItem, Made, Part, beside_each_other};
-use sheetwright::pattern::{EqualPiece, Piece};
+use sheetwright::pattern::{EqualPiece, Piece, TooNarrow};
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -132,6 +134,9 @@ pub struct OutputOptions {
     /// Whether each of several equal parts has a pattern of its own. Default: it is cut from the
     /// pattern of the first.
     pub each_part: bool,
+    /// The width of the cut that SVG and DXF files allow for, mm: outlines lie half of it outside,
+    /// and holes inside. Default: 0, for programs that see to it themselves.
+    pub kerf_mm: f64,
 }
 
 impl Default for OutputOptions {
@@ -144,6 +149,7 @@ impl Default for OutputOptions {
             offsets: OffsetOptions::default(),
             brake: BrakeSettings::default(),
             each_part: false,
+            kerf_mm: 0.0,
         }
     }
 }
@@ -165,6 +171,7 @@ impl OutputOptions {
         Self {
             preset: chosen.or_else(|| trade?.preset()).unwrap_or(Preset::generic()),
             dxf: release.or_else(|| of_trade?.dxf()),
+            kerf_mm: design.stock.as_ref().map_or(0.0, |stock| stock.kerf_mm),
             ..Self::default()
         }
     }
@@ -246,6 +253,15 @@ pub enum OutputError {
         /// The longer side of the part's pattern, mm.
         part_mm: f64,
     },
+    /// The cut of a machine is as wide as something that is to be cut.
+    Kerf {
+        /// The part.
+        part: String,
+        /// What is too narrow.
+        narrow: TooNarrow,
+        /// The width of the cut, mm.
+        kerf_mm: f64,
+    },
     /// `report.json` can't be written.
     Report {
         /// The error of the JSON writer.
@@ -267,6 +283,14 @@ impl fmt::Display for OutputError {
                 "panel '{part}': its pattern is {part_mm:.1} mm long and would fall into the die, \
                  which is {die_mm:.1} mm wide"
             ),
+            Self::Kerf { part, narrow, kerf_mm } => {
+                let what = match narrow {
+                    TooNarrow::Hole => "a hole",
+                    TooNarrow::Drill => "a round hole",
+                    TooNarrow::Gap => "a gap between two of its edges",
+                };
+                write!(f, "panel '{part}': {what} is no wider than the kerf, {kerf_mm} mm")
+            }
             Self::Report { why } => write!(f, "report.json can't be written: {why}"),
         }
     }
@@ -278,6 +302,9 @@ impl OutputError {
         match self {
             Self::WideDie { .. } => {
                 Some("Give the opening of a die that is narrower than the part.")
+            }
+            Self::Kerf { .. } => {
+                Some("Make it wider, give a narrower kerf, or let the machine's program see to it.")
             }
             Self::BadName { .. } | Self::SameName { .. } => Some("Give the panels other names."),
             Self::Report { .. } => None,
@@ -299,7 +326,7 @@ impl From<serde_json::Error> for OutputError {
 ///
 /// # Errors
 /// Panels whose names can't be names of files; a die that is wider than a part that is bent over
-/// it. A written pattern that differs is a finding.
+/// it; a hole or a gap that is no wider than the kerf. A written pattern that differs is a finding.
 pub fn output_files(
     made: &Made,
     formats: &[Format],
@@ -310,7 +337,7 @@ pub fn output_files(
     if formats.contains(&Format::Brake) {
         check_die(made, &options.brake)?;
     }
-    let mut run = Run::new(made, formats, options);
+    let mut run = Run::new(made, formats, options)?;
     for format in Format::ALL.into_iter().filter(|format| formats.contains(format)) {
         if format == Format::Report {
             run.prove();
@@ -338,6 +365,8 @@ struct Run<'a> {
     files: Vec<OutputFile>,
     /// The patterns to cut.
     patterns: Vec<CutItem>,
+    /// The patterns as a machine follows them whose cut has a width; `None`: as they are.
+    with_kerf: Option<Vec<Piece>>,
     /// The number of the first file of the patterns in a format; they follow one another.
     first_files: BTreeMap<Format, usize>,
     in_quads: Vec<Option<PanelQuads>>,
@@ -351,21 +380,31 @@ struct Run<'a> {
 }
 
 impl<'a> Run<'a> {
-    fn new(made: &'a Made, formats: &[Format], options: OutputOptions) -> Self {
+    fn new(
+        made: &'a Made,
+        formats: &[Format],
+        options: OutputOptions,
+    ) -> Result<Self, OutputError> {
+        let patterns = if options.each_part { made.cut_each() } else { made.cut_list() };
+        let is_for_machines = formats.iter().any(|it| matches!(it, Format::Svg | Format::Dxf));
+        let needs_kerf = is_for_machines && options.kerf_mm > 0.0;
+        let with_kerf = || pieces_with_kerf(made, &patterns, options.kerf_mm);
+        let with_kerf = needs_kerf.then(with_kerf).transpose()?;
         let needs_quads = formats.iter().any(|format| format.needs_rulings());
         let quads = |part: &Part| part.found().filter(|_| needs_quads).map(PanelQuads::new);
-        Self {
+        Ok(Self {
             made,
             options,
             files: Vec::new(),
-            patterns: if options.each_part { made.cut_each() } else { made.cut_list() },
+            patterns,
+            with_kerf,
             first_files: BTreeMap::new(),
             in_quads: made.parts.iter().map(quads).collect(),
             plans: formats.contains(&Format::Brake).then(|| options.brake.plans(made)),
             reduced: Vec::new(),
             panels: Vec::new(),
             errors_mm: Vec::new(),
-        }
+        })
     }
 
     fn write(&mut self, format: Format) -> Result<(), OutputError> {
@@ -373,11 +412,16 @@ impl<'a> Run<'a> {
             match (name, writer) {
                 (OfPart(ending), Writer::Piece(write)) => {
                     self.first_files.insert(format, self.files.len());
-                    let pieces = self.patterns.iter().map(|pattern| &pattern.piece);
-                    let named = pieces.map(|piece| {
+                    let named = |piece: &Piece| {
                         file(format!("{}{ending}", piece.name), write(piece, &self.options))
-                    });
-                    self.files.extend(named);
+                    };
+                    match &self.with_kerf {
+                        Some(pieces) => self.files.extend(pieces.iter().map(named)),
+                        None => {
+                            let pieces = self.patterns.iter().map(|pattern| &pattern.piece);
+                            self.files.extend(pieces.map(named));
+                        }
+                    }
                 }
                 (Whole(name), Writer::Design(write)) => {
                     let bytes = write(self)?;
@@ -435,7 +479,8 @@ impl<'a> Run<'a> {
             let (svg, dxf) = (written(Format::Svg), written(Format::Dxf));
             let files = PatternFiles { svg, dxf, preset: self.options.preset };
             let mut checked = part.checked.clone();
-            let error_mm = match refold_piece_error_mm(part, piece, &files) {
+            let cut = self.with_kerf.as_ref().filter(|_| is_first).map(|cut| &cut[pattern]);
+            let error_mm = match refolded_mm(part, piece, cut, &files) {
                 Ok(error_mm) => {
                     checked.findings.extend(refold_finding(part, error_mm));
                     error_mm + off_mm
@@ -462,6 +507,38 @@ impl<'a> Run<'a> {
         let mut found = instances.enumerate().filter(|(_, instance)| instance.is_some());
         found.next().unwrap_or_default()
     }
+}
+
+/// The refold error of a pattern, mm. Where a machine's cut has a width, the pattern is folded up
+/// without it, and the files are compared with what the machine follows.
+fn refolded_mm(
+    part: &Part,
+    piece: &Piece,
+    cut: Option<&Piece>,
+    files: &PatternFiles<'_>,
+) -> Result<f64, RefoldFileError> {
+    let Some(cut) = cut.filter(|_| files.svg.is_some() || files.dxf.is_some()) else {
+        return refold_piece_error_mm(part, piece, files);
+    };
+    check_lines(cut, files)?;
+    refold_piece_error_mm(part, piece, &PatternFiles { svg: None, dxf: None, ..*files })
+}
+
+/// The patterns as a machine follows them whose cut is so wide, mm.
+fn pieces_with_kerf(
+    made: &Made,
+    patterns: &[CutItem],
+    kerf_mm: f64,
+) -> Result<Vec<Piece>, OutputError> {
+    let with_kerf = |item: &CutItem| {
+        // Of a pattern that overlaps itself, which is an error by itself, no side is the outside.
+        if made.parts[item.first()].flat.overlap.is_some() {
+            return Ok(item.piece.clone());
+        }
+        let named = |narrow| OutputError::Kerf { part: item.piece.name.clone(), narrow, kerf_mm };
+        item.piece.with_kerf(kerf_mm).map_err(named)
+    };
+    patterns.iter().map(with_kerf).collect()
 }
 
 /// The finding that a written pattern differs from the flat pattern.

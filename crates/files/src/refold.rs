@@ -192,6 +192,18 @@ fn read_back_error_mm(
     Ok([worst, others_mm])
 }
 
+/// Checks that files have the lines of a piece, each within the tolerance of its place, whatever
+/// its outline folds up to.
+///
+/// # Errors
+/// A file that can't be read, that has other lines, or one whose lines are off.
+pub(crate) fn check_lines(piece: &Piece, files: &PatternFiles<'_>) -> Result<(), RefoldFileError> {
+    let [lines_mm, others_mm] = read_back_error_mm(piece, true, files)?;
+    let by_mm = lines_mm.max(others_mm);
+    let is_off = by_mm > Tolerance::REFOLD.length_mm(piece.size.length());
+    if is_off { Err(RefoldFileError::Moved { by_mm }) } else { Ok(()) }
+}
+
 /// The patterns of the files of a piece, read back. For a pattern that overlaps itself,
 /// `overlapping` has the rungs to look for, since its lines alone do not tell outline, holes and
 /// rungs apart. Rungs that the preset does not draw as lines are those of the piece. With each

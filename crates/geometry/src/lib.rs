@@ -16,6 +16,8 @@ pub mod predicate;
 
 pub mod region;
 
+pub mod offset;
+
 pub mod tolerance;
 
 pub mod index;

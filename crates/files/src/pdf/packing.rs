@@ -136,8 +136,7 @@ fn transposed(v: Vec2) -> Vec2 {
     Vec2::new(v.y, v.x)
 }
 
-/// The places of some parts in a room, if it has room for all, from its upper left corner: the
-/// lower right of each place, mm.
+/// The places of some parts in a room, if it has room for all, from its upper edge downwards.
 pub(super) fn in_room(parts: &[SmallPart], room: Vec2) -> Option<Vec<Placed>> {
     let placed = packed(parts, room)?;
     let at = |(at, size): (Vec2, Vec2)| Vec2::new(at.x, room.y - at.y - size.y);
@@ -200,7 +199,7 @@ impl Skyline {
     /// Lowers the steps between two places to a depth.
     fn lower(&mut self, from: f64, to: f64, depth: f64) {
         let covered = |step: &&Point2| step.x <= to;
-        let behind = self.steps.iter().filter(covered).next_back().map_or(0.0, |step| step.y);
+        let behind = self.steps.iter().rfind(covered).map_or(0.0, |step| step.y);
         let has_end = self.steps.iter().any(|step| step.x == to);
         self.steps.retain(|step| step.x < from || step.x >= to);
         let at = self.steps.partition_point(|step| step.x < from);

@@ -1,4 +1,4 @@
-//! What a pattern is printed on: sheets of a size, a roll of a width, or the picture of a projector.
+//! What a pattern is printed on: sheets of a size, a roll, or the picture of a projector.
 
 use super::page::{HEADER_MM, MARGIN_MM};
 use crate::quantity::distance_mm;
@@ -37,8 +37,8 @@ pub enum Paper {
 pub struct RollWidth(f64);
 
 impl RollWidth {
-    /// The least and the largest width, mm: the check square and the list of lines need the one, and
-    /// no plotter is wider than the other.
+    /// The least and the largest width, mm: the check square and the list of lines need the one,
+    /// and no plotter is wider than the other.
     pub const RANGE_MM: [f64; 2] = [210.0, 5000.0];
 
     /// A width within [`RollWidth::RANGE_MM`]; `None` for others.

@@ -6,6 +6,7 @@ mod crease;
 mod dimension;
 mod edge_names;
 mod fold;
+mod kerf;
 mod labels;
 mod placer;
 mod quantity;
@@ -16,6 +17,7 @@ mod trims;
 mod wish;
 
 pub use alike::{EqualPiece, alike, equal_pieces};
+pub use kerf::TooNarrow;
 pub use quantity::Quantity;
 pub use seam::{EdgeMark, seam_mark, seam_marks};
 
