@@ -326,6 +326,8 @@ pub(crate) fn read_as_design(
         which: options.which.unwrap_or_default(),
         near: Vec::new(),
         bends: None,
+        count: 1,
+        mirrored: 0,
         plane: options.plane.unwrap_or_default(),
         fold: options.fold.unwrap_or(PriceOptions::default().fold),
         effort: options.effort.unwrap_or(1.0),

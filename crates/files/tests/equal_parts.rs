@@ -7,7 +7,10 @@ use sheetwright::make::{Made, make};
 use sheetwright::pattern::LabelKind;
 use sheetwright::template::template;
 use sheetwright::watch::Unwatched;
-use sheetwright_files::{Format, OutputOptions, Outputs, output_files, read_dxf, trims_for};
+use sheetwright_files::{
+    Format, InputError, InputFormat, OutputOptions, Outputs, ReadOptions, output_files, read_bytes,
+    read_dxf, trims_for, write_design,
+};
 
 fn made(name: &str) -> Made {
     let design = template(name).unwrap().defaults().design().unwrap();
@@ -86,4 +89,53 @@ fn segments_of_an_elbow_are_cut_three_times_with_what_its_trade_adds() {
     let made = make(&design, &mut Unwatched).unwrap();
     let counts = made.cut_list().iter().map(|item| item.quantity().count).collect::<Vec<_>>();
     assert_eq!(counts.iter().max(), Some(&3), "{counts:?}");
+}
+
+/// Counts of panels go to the pattern, the lists and the files; those of equal panels add up, and
+/// what a mirrored panel wants turned over lies as the pattern does.
+#[test]
+fn a_panel_is_cut_as_often_as_it_asks_for() {
+    let mut design = template("facade").unwrap().defaults().design().unwrap();
+    for panel in &mut design.panels {
+        (panel.count, panel.mirrored) = (4, 1);
+    }
+    let made = make(&design, &mut Unwatched).unwrap();
+    let quantities = made.cut_list().iter().map(|item| item.quantity()).collect::<Vec<_>>();
+    // Each pattern is for a panel and for one that is its mirror image: 1 + 3 of 8 turned over.
+    assert!(quantities.iter().all(|it| (it.count, it.mirrored) == (8, 4)), "{quantities:?}");
+    let outputs = written(&made, false);
+    assert!(text(&outputs, "parts.csv").contains("\r\npanel-1,8,4,"));
+    assert!(text(&outputs, "pattern-astm.dxf").contains("Quantity: 8"));
+    let report: serde_json::Value = serde_json::from_str(&text(&outputs, "report.json")).unwrap();
+    assert_eq!(
+        (&report["panels"][0]["count"], &report["panels"][0]["mirrored"]),
+        (&8.into(), &4.into())
+    );
+    let each = made.cut_each();
+    assert!(each.iter().all(|it| it.quantity().text().as_deref() == Some("cut 4, 1 mirrored")));
+    assert!(text(&outputs, "report.html").contains("What to cut"));
+}
+
+fn bytes_read(bytes: &[u8]) -> Result<Design, InputError> {
+    read_bytes(InputFormat::Design, bytes, "it.sheet.json", None, &ReadOptions::default())
+}
+
+#[test]
+fn counts_are_read_written_and_checked() {
+    let read = |count: &str| {
+        let text = format!(
+            r#"{{"sheetwright": 1, "curves": {{"rim": {{"kind": "polyline", "closed": true,
+            "points": [[0, 0, 0], [50, 0, 0], [50, 30, 0], [0, 30, 0]]}}}},
+            "panels": [{{"name": "tab", "boundary": ["rim"]{count}}}]}}"#
+        );
+        bytes_read(text.as_bytes())
+    };
+    let design = read(r#", "count": 6, "mirrored": 2"#).unwrap();
+    assert_eq!((design.panels[0].count, design.panels[0].mirrored), (6, 2));
+    let again = bytes_read(&write_design(&design)).unwrap();
+    assert_eq!(again.panels, design.panels);
+    let refused = |count: &str| read(count).unwrap_err().to_string();
+    assert!(refused(r#", "count": 0"#).contains("the count is 0"));
+    let turned = refused(r#", "mirrored": 2"#);
+    assert!(turned.contains("2 are turned over, of 1 that are cut"), "{turned}");
 }

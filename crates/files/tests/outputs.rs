@@ -15,7 +15,7 @@ use sheetwright::rung::Rung;
 use sheetwright::triangulate::{Goal, WhichSurface};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
-    BrakeSettings, Format, MaxSheets, OutputError, OutputOptions, Paper, PatternReadError,
+    BrakeSettings, Format, MaxSheets, OutputError, OutputOptions, Outputs, Paper, PatternReadError,
     PdfOptions, ReadPattern, Reduced, finding_text, output_files, read_dxf, read_svg,
     refold_error_mm, write_dxf, write_obj, write_pdf, write_svg,
 };
@@ -55,6 +55,8 @@ fn hull(scale: f64) -> Made {
         which: WhichSurface::Cheapest,
         near: Vec::new(),
         bends: Some(Bends { marks: BendMarks::Rulings, ..Bends::default() }),
+        count: 1,
+        mirrored: 0,
     });
     let design = Design {
         name: "hull".into(),
@@ -501,6 +503,64 @@ fn small_parts_share_pages_and_stand_below_the_check_square_if_they_have_room() 
     assert_eq!(page_sizes_mm(&written).len(), 2);
     assert_eq!(shown(&written, "Page 2: 3 parts"), 1);
     assert_eq!(shown(&written, "(page 2)"), 3, "strings of a PDF stand in parentheses");
+}
+
+/// A machine's files follow the cut of a width; everything else is as without it, and the net is
+/// still proved.
+#[test]
+fn a_kerf_moves_the_cuts_of_files_for_machines_alone() {
+    let made = hull(20.0);
+    let formats = [Format::Svg, Format::Dxf, Format::Pdf, Format::Parts, Format::Report];
+    let files = |kerf_mm: f64| {
+        output_files(&made, &formats, OutputOptions { kerf_mm, ..Default::default() }).unwrap()
+    };
+    let (plain, with_kerf) = (files(0.0), files(0.2));
+    assert_eq!(plain.refold_error_mm, with_kerf.refold_error_mm);
+    let codes = |outputs: &Outputs| -> Vec<&'static str> {
+        outputs.panels.iter().flat_map(|panel| &panel.findings).map(Finding::code).collect()
+    };
+    assert_eq!(codes(&plain), codes(&with_kerf));
+    for (a, b) in plain.files.iter().zip(&with_kerf.files) {
+        let is_cut = a.name.ends_with(".svg") || a.name.ends_with(".dxf");
+        assert_eq!(a.bytes != b.bytes, is_cut, "{}", a.name);
+    }
+    let counted = made.cut_list();
+    for item in &counted {
+        let piece = item.piece.with_kerf(0.2).unwrap();
+        let name = format!("{}.svg", piece.name);
+        let written = with_kerf.files.iter().find(|file| file.name == name).unwrap();
+        assert_eq!(written.bytes, write_svg(&piece));
+        let off = |p: &Point2| {
+            let edges = |line: &[Point2]| -> Vec<[Point2; 2]> {
+                (0..line.len()).map(|n| [line[n], line[(n + 1) % line.len()]]).collect()
+            };
+            let old = edges(item.piece.outline());
+            old.into_iter().map(|edge| p.distance_to_segment(edge)).fold(f64::INFINITY, f64::min)
+        };
+        for off_mm in piece.outline().iter().map(off) {
+            assert!((0.1 - 1e-6..0.2 + 1e-6).contains(&off_mm), "{off_mm}");
+        }
+    }
+}
+
+#[test]
+fn a_kerf_as_wide_as_a_hole_is_refused_in_words() {
+    let mut made = hull(20.0);
+    let round = |n: u32| {
+        let angle = -f64::from(n) * std::f64::consts::TAU / 24.0;
+        let middle = made.parts[0].piece.labels[0].at;
+        middle + Vec2::new(sheetwright::math::cos(angle), sheetwright::math::sin(angle)) * 0.15
+    };
+    let (kind, points) = (PathKind::Drill { diameter_mm: 0.3 }, (0..24).map(round).collect());
+    let drill = PatternPath { role: Role::Drill, kind, points, closed: true };
+    made.parts[0].piece.paths.push(drill);
+    let options = |kerf_mm| OutputOptions { kerf_mm, ..OutputOptions::default() };
+    let refused = output_files(&made, &[Format::Svg], options(0.3)).unwrap_err();
+    let name = &made.parts[0].name;
+    let words = format!("panel '{name}': a round hole is no wider than the kerf, 0.3 mm");
+    assert_eq!(refused.to_string(), words);
+    assert!(output_files(&made, &[Format::Svg], options(0.1)).is_ok());
+    assert!(output_files(&made, &[Format::Pdf], options(0.3)).is_ok(), "not for machines");
 }
 
 /// The texts of the findings that a PDF shows panels smaller.

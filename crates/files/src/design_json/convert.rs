@@ -288,15 +288,38 @@ fn panels(
         let mut file = file;
         let mesh = meshes.shape(&mut file, &path)?;
         let bends = bends::read(file.bends.take(), &format!("{path}.bends"), units, source)?;
+        let (count, mirrored) = (file.count.unwrap_or(1), file.mirrored.unwrap_or(0));
+        check_count(count, mirrored, &path, source)?;
         let panel = match mesh {
             Some(mesh) => DesignPanel::new(file.name, mesh, NO_SAMPLES),
             None => PanelReader { path: &path, known: &known, units, tolerance_mm, source }
                 .panel(file)?,
         };
-        panels.push(DesignPanel { bends, ..panel });
+        panels.push(DesignPanel { bends, count, mirrored, ..panel });
     }
     check_joins(&panels, &known, &|path, message, hint| source.error(path, message, hint))?;
     Ok(panels)
+}
+
+/// The most of one panel that are cut.
+const MOST_OF_A_PANEL: u32 = 100_000;
+
+fn check_count(
+    count: u32,
+    mirrored: u32,
+    path: &str,
+    source: &Source<'_>,
+) -> Result<(), InputError> {
+    if !(1..=MOST_OF_A_PANEL).contains(&count) {
+        let hint = format!("Write a number from 1 to {MOST_OF_A_PANEL}.");
+        return Err(source.error(&format!("{path}.count"), format!("the count is {count}"), hint));
+    }
+    if mirrored > count {
+        let message = format!("{mirrored} are turned over, of {count} that are cut");
+        let hint = "`mirrored` says how many of `count` are turned over.";
+        return Err(source.error(&format!("{path}.mirrored"), message, hint));
+    }
+    Ok(())
 }
 
 struct PanelReader<'a> {

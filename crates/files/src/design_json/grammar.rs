@@ -356,6 +356,13 @@ pub(super) struct PanelFile {
     #[serde(default)]
     #[schemars(with = "Option<BendsFile>")]
     pub(super) bends: Option<Object<BendsFile>>,
+    /// How many of it are cut, up to 100000. Default: 1.
+    #[serde(default)]
+    #[schemars(range(min = 1, max = 100_000))]
+    pub(super) count: Option<u32>,
+    /// How many of those are turned over, as of a left and a right. Default: none.
+    #[serde(default)]
+    pub(super) mirrored: Option<u32>,
 }
 
 /// Which triangulations are looked at.

@@ -147,6 +147,7 @@ fn panel(panel: &DesignPanel, vary: Option<String>) -> String {
         PanelShape::Mesh(given) => {
             fields.extend(mesh::fields(given));
             fields.extend(panel.bends.as_ref().map(bends::written_of_panel));
+            fields.extend(counts(panel));
             return format!("    {{ {} }}", fields.join(", "));
         }
         PanelShape::Join(join) => {
@@ -208,5 +209,13 @@ fn panel(panel: &DesignPanel, vary: Option<String>) -> String {
     }
     fields.extend(vary.map(|vary| format!("\"vary\": {vary}")));
     fields.extend(panel.bends.as_ref().map(bends::written_of_panel));
+    fields.extend(counts(panel));
     format!("    {{ {} }}", fields.join(", "))
+}
+
+/// How many of a panel are cut, where that is not one as it is.
+fn counts(panel: &DesignPanel) -> impl Iterator<Item = String> {
+    let counts = [("count", panel.count, 1), ("mirrored", panel.mirrored, 0)];
+    let said = counts.into_iter().filter(|(_, number, usual)| number != usual);
+    said.map(|(name, number, _)| format!("\"{name}\": {number}"))
 }

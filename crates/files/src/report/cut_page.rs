@@ -6,9 +6,10 @@ use crate::parts::cut_length_mm;
 use maud::{Markup, html};
 use sheetwright::make::{CutItem, Made};
 
-/// The table of patterns, if several panels are cut from one.
+/// The table of patterns, if several parts are cut from one.
 pub(super) fn cut_list(made: &Made, patterns: &[CutItem]) -> Markup {
-    if patterns.len() == made.parts.len() {
+    let is_counted = patterns.iter().any(|item| item.quantity().count > 1);
+    if patterns.len() == made.parts.len() && !is_counted {
         return html! {};
     }
     let labels = ["Cut", "Flat size", "Area", "Length of cuts", "Panels"];

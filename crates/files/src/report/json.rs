@@ -53,7 +53,7 @@ struct PanelReport<'a> {
     /// The panel whose pattern it is cut from: its own, or that of the first of equal panels. The
     /// files of the pattern are called so.
     pattern: &'a str,
-    /// How many panels are cut from its pattern, itself included; 0 where it is cut from another's.
+    /// How many are cut from its pattern, itself included; 0 where it is cut from another's.
     count: usize,
     /// How many of those are its pattern turned over.
     mirrored: usize,
@@ -429,7 +429,7 @@ fn of_part<'a>(made: &'a Made, number: usize, written: &Written<'_>) -> PanelRep
     PanelReport {
         name: &part.name,
         pattern: &made.parts[first].name,
-        count: instances.len(),
+        count: own.map_or(0, |item| item.quantity().count),
         mirrored: own.map_or(0, |item| item.quantity().mirrored),
         instances: instances.iter().map(|of| &made.parts[of.number].name[..]).collect(),
         method: "mesh",

@@ -147,6 +147,10 @@ pub struct DesignPanel {
     pub near: Vec<Point3>,
     /// How its bends are marked; `None`: as those of the design.
     pub bends: Option<Bends>,
+    /// How many of it are cut: 1 or more.
+    pub count: u32,
+    /// How many of those are turned over.
+    pub mirrored: u32,
 }
 
 impl DesignPanel {
@@ -168,6 +172,8 @@ impl DesignPanel {
             which: WhichSurface::Cheapest,
             near: Vec::new(),
             bends: None,
+            count: 1,
+            mirrored: 0,
         }
     }
 }

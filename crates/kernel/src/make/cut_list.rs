@@ -1,6 +1,8 @@
-//! What is to be cut: each of several equal parts from the pattern of the first.
+//! What is to be cut: each of several equal parts from the pattern of the first, as often as the
+//! panels of all of them ask for.
 
-use super::Made;
+use super::{Made, Part};
+use crate::design::Design;
 use crate::pattern::{EqualPiece, Piece, Quantity, equal_pieces};
 
 /// A pattern, and the parts that are cut from it.
@@ -10,12 +12,14 @@ pub struct CutItem {
     pub piece: Piece,
     /// The parts, by their numbers in the design. The pattern is that of the first.
     pub instances: Vec<EqualPiece>,
+    quantity: Quantity,
 }
 
 impl CutItem {
     fn new(made: &Made, instances: Vec<EqualPiece>) -> Self {
         let piece = made.parts[instances[0].number].piece.clone();
-        Self { piece: piece.counted(quantity(&instances)), instances }
+        let quantity = quantity(made, &instances);
+        Self { piece: piece.counted(quantity), instances, quantity }
     }
 
     /// The part whose pattern it is, by its number in the design.
@@ -30,13 +34,31 @@ impl CutItem {
 
     /// How many parts are cut.
     pub fn quantity(&self) -> Quantity {
-        quantity(&self.instances)
+        self.quantity
     }
 }
 
-fn quantity(instances: &[EqualPiece]) -> Quantity {
-    let mirrored = instances.iter().filter(|instance| instance.mirrored).count();
-    Quantity { count: instances.len(), mirrored }
+/// How many are cut from a pattern for some parts. What a turned part wants turned over lies as the
+/// pattern does.
+fn quantity(made: &Made, instances: &[EqualPiece]) -> Quantity {
+    let mut all = Quantity { count: 0, mirrored: 0 };
+    for instance in instances {
+        let Quantity { count, mirrored } = made.wanted[instance.number];
+        all.count += count;
+        all.mirrored += if instance.mirrored { count - mirrored } else { mirrored };
+    }
+    all
+}
+
+/// How many of each part its panel asks for: at least one, and no more turned over than that.
+pub(super) fn wanted(design: &Design, parts: &[Part]) -> Vec<Quantity> {
+    let of_part = |part: &Part| {
+        let panel = design.panels.iter().find(|panel| panel.name == part.panel);
+        let (count, mirrored) = panel.map_or((1, 0), |panel| (panel.count, panel.mirrored));
+        let count = count.max(1);
+        Quantity { count: count as usize, mirrored: mirrored.min(count) as usize }
+    };
+    parts.iter().map(of_part).collect()
 }
 
 impl Made {

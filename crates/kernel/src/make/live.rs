@@ -21,6 +21,7 @@
 //! memory is short, a bound from before may make a table fit that does not fit afresh.
 
 use super::cleaned::{Cleaned, LastCleaned};
+use super::cut_list::wanted;
 use super::unrestricted::Known;
 use super::{Judging, Made, MakeCause, MakeError, Maker, Part};
 use super::{finish, is_screened, join_meshes, settle};
@@ -260,7 +261,8 @@ impl Live {
         let (name, material) = (self.design.name.clone(), self.design.material.clone());
         let thickness_mm = self.design.sheet_thickness_mm();
         let stock = self.design.stock.clone();
-        Ok(Made { name, material, thickness_mm, parts, moved: None, stock, nested: None })
+        let wanted = wanted(&self.design, &parts);
+        Ok(Made { name, material, thickness_mm, parts, wanted, moved: None, stock, nested: None })
     }
 
     /// The parts of each panel, or why they can't be made, in the order of [`Self::panels`]:

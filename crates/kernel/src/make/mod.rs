@@ -42,6 +42,7 @@ pub use rebuilt::Rebuilt;
 use crate::design::{Design, DesignPanel, PanelShape, Stock};
 use crate::fair::varied_design;
 use crate::material::Material;
+use crate::pattern::Quantity;
 use crate::sample::{Matched, Sampler, counted, matched};
 use cleaned::{Cleaned, cleaned};
 use divided::divide_parts;
@@ -69,6 +70,8 @@ pub struct Made {
     /// Its parts, panel after panel in the order of the design, without panels that a join
     /// replaces.
     pub parts: Vec<Part>,
+    /// How many of each part its panel asks for, and how many of those turned over.
+    pub wanted: Vec<Quantity>,
     /// The design with its points moved, if any were: making it gives these parts.
     pub moved: Option<Design>,
     /// What its parts are cut from, if that is said.
@@ -139,7 +142,8 @@ pub fn make_judged(
     let (name, material) = (design.name.clone(), design.material.clone());
     let thickness_mm = design.sheet_thickness_mm();
     let stock = design.stock.clone();
-    Ok(Made { name, material, thickness_mm, parts, moved, stock, nested: None })
+    let wanted = cut_list::wanted(design, &parts);
+    Ok(Made { name, material, thickness_mm, parts, wanted, moved, stock, nested: None })
 }
 
 /// What depends on all parts of a design: those that are too large are divided, edges get their

@@ -123,7 +123,9 @@ fields!(DesignPanel {
     cut,
     which,
     near,
-    bends
+    bends,
+    count,
+    mirrored
 });
 fields!(CurveUse { name, reversed });
 fields!(Join { parts, smooth, within, keep_parts });

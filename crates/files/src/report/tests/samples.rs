@@ -33,6 +33,8 @@ fn panel(name: &str, shape: PanelShape, samples: usize) -> DesignPanel {
         which: WhichSurface::Cheapest,
         near: Vec::new(),
         bends: None,
+        count: 1,
+        mirrored: 0,
     }
 }
 
