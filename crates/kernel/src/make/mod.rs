@@ -3,7 +3,8 @@
 //!
 //! A panel that is bounded by curves becomes one part (`found`), a mesh one or several
 //! (`mesh`). Joined edges and their marks, which depend on other parts, come last (`joined`), after
-//! parts that are larger than the sheet are divided (`divided`).
+//! parts that are larger than the sheet are divided (`divided`). The order in which a builder joins
+//! them is `joining_order`; where they lie on sheets, `nested`.
 
 mod candidate;
 mod cleaned;
@@ -13,6 +14,7 @@ mod error;
 mod facets;
 mod found;
 mod joined;
+mod joining_order;
 mod judged;
 mod laid;
 mod live;
@@ -33,6 +35,7 @@ mod unrestricted;
 
 pub use cut_list::CutItem;
 pub use error::{MakeCause, MakeError};
+pub use joining_order::{Join, JoiningStep};
 pub use live::{Live, LivePanel};
 pub use nested::{NestItem, Nested};
 pub use on_sheets::beside_each_other;
