@@ -267,6 +267,33 @@ def is_drawn(drawn, outline):
     return False
 
 
+def check_book(checks, path, panels):
+    """The book names every part, numbers its pages, and cuts no word off."""
+    with pdfplumber.open(path) as pdf:
+        texts = [page.extract_text() or "" for page in pdf.pages]
+        count = len(texts)
+        numbered = all(f"{n + 1} of {count}" in text for n, text in enumerate(texts))
+        checks.that("assembly.pdf: pages numbered", numbered, texts)
+        words = [(page, word) for page in pdf.pages for word in page.extract_words()]
+        off = [
+            word["text"]
+            for page, word in words
+            if word["x0"] < 20 or word["x1"] > page.width - 20 or word["top"] < 20 or word["bottom"] > page.height - 20
+        ]
+        checks.that("assembly.pdf: words within the pages", words and not off, off)
+        whole = "\n".join(texts)
+        for chapter in ("What to buy", "Parts", "Checks to make", "Notes"):
+            checks.that(f"assembly.pdf: {chapter}", chapter in whole)
+        joined = any(edge["mates"] for panel in panels for edge in panel["edges"])
+        checks.that("assembly.pdf: order of joining", ("Order of joining" in whole) == joined)
+        for panel in panels:
+            if panel["count"]:
+                size = panel["count"]
+                title = rf"\d+\. {re.escape(panel['name'])}" + ("" if size == 1 else f": cut {size}")
+                found = re.findall(title, whole)
+                checks.that(f"assembly.pdf, {panel['name']}: once among the parts", found, title)
+
+
 def check_folder(checks, folder):
     panels = json.loads((folder / "report.json").read_text(encoding="utf-8"))["panels"]
     outlines = []
@@ -284,6 +311,8 @@ def check_folder(checks, folder):
         outlines.extend(found[:1])
     if (folder / "surface.obj").exists():
         check_obj(checks, folder / "surface.obj", panels)
+    if (folder / "assembly.pdf").exists():
+        check_book(checks, folder / "assembly.pdf", panels)
     if (folder / "pattern.pdf").exists() and len(outlines) == len(panels):
         check_pdf(checks, folder / "pattern.pdf", panels, outlines)
 

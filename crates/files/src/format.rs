@@ -27,6 +27,8 @@ pub enum Format {
     Parts,
     /// `sheets.svg` and `sheets.dxf`: the parts laid out on sheets.
     Sheets,
+    /// `assembly.pdf`: the book that a builder works from.
+    Assembly,
     /// `report.json` and `report.html`.
     Report,
 }
@@ -62,7 +64,7 @@ const fn ruled(format: Format, name: &'static str, about: (&'static str, &'stati
 /// Every format, in the order in which files are written. The report comes last, since it says what
 /// was found in the others.
 static FACTS: [Facts; COUNT] = FACTS_OF_ALL;
-const COUNT: usize = 13;
+const COUNT: usize = 14;
 const FACTS_OF_ALL: [Facts; COUNT] = [
     usual(Format::Obj, "obj", ("Surface (OBJ)", "The sheet in space, for other 3D programs.")),
     usual(
@@ -111,6 +113,11 @@ const FACTS_OF_ALL: [Facts; COUNT] = [
         Format::Sheets,
         "sheets",
         ("Sheets (SVG, DXF)", "All parts laid out on sheets, to cut in one go."),
+    ),
+    named(
+        Format::Assembly,
+        "assembly",
+        ("Assembly book (PDF)", "What to buy, every part, the order of joining, what to measure."),
     ),
     usual(
         Format::Report,

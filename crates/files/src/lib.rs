@@ -19,6 +19,7 @@
 mod archive;
 mod astm;
 mod bend_rule;
+mod book;
 mod brake;
 mod catalogue;
 mod design_json;
@@ -48,6 +49,7 @@ mod refold;
 mod report;
 mod shapes;
 mod sheets;
+mod space;
 mod step;
 mod stock;
 mod stroke_font;
@@ -58,6 +60,7 @@ mod trade;
 mod units;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod whole;
+mod wording;
 mod words;
 
 pub use archive::zipped;
@@ -95,7 +98,7 @@ pub use refold::{PatternFiles, RefoldFileError, refold_error_mm, refold_files_er
 pub use report::{
     Picture, ReportForm, Written, design_picture, flat_picture, gauss_picture, moved_picture,
     quads_picture, report_html, report_json, report_schema, side_by_side, space_picture, stacked,
-    verdict_sentence, verdict_word, warp_chart,
+    warp_chart,
 };
 pub use sheets::sheets_sentence;
 pub use step::write_step;
@@ -105,4 +108,5 @@ pub use table::{MAX_CURVES, MAX_ROWS, TableCurve, read_table, write_table};
 pub use template_call::{NewDesign, design_from_template, new_design};
 pub use trade::{trade_names, trade_title};
 pub use units::Units;
+pub use wording::{verdict_sentence, verdict_word};
 pub use words::{finding_place, finding_text};

@@ -1,6 +1,7 @@
 //! All files of a made design.
 
 use crate::astm::write_astm;
+use crate::book::Book;
 use crate::brake::BrakeSettings;
 use crate::design_json::write_design_of_table;
 use crate::dxf::write_dxf_for;
@@ -90,16 +91,17 @@ const fn files_of(format: Format) -> &'static [(FileName, Writer)] {
         Format::Sheets => &[
             (
                 Whole("sheets.svg"),
-                Writer::Design(|run| Ok(write_svg_for(&run.sheets(), run.options.preset))),
+                Writer::Design(|run| Ok(write_svg_for(&run.sheets()?, run.options.preset))),
             ),
             (
                 Whole("sheets.dxf"),
                 Writer::Design(|run| {
                     let options = &run.options;
-                    Ok(write_dxf_for(&run.sheets(), options.preset, options.release()))
+                    Ok(write_dxf_for(&run.sheets()?, options.preset, options.release()))
                 }),
             ),
         ],
+        Format::Assembly => &[(Whole("assembly.pdf"), Writer::Design(|run| Ok(run.book())))],
         Format::Report => &[
             (
                 Whole("report.json"),
@@ -441,10 +443,21 @@ impl<'a> Run<'a> {
         pdf.bytes
     }
 
-    /// All sheets beside each other.
-    fn sheets(&self) -> Piece {
-        let sheets = self.made.sheet_pieces(&self.made.cut_list());
-        beside_each_other(&self.made.name, &sheets)
+    /// All sheets beside each other, as a machine follows them.
+    fn sheets(&self) -> Result<Piece, OutputError> {
+        let mut list = self.made.cut_list();
+        let kerf_mm = self.options.kerf_mm;
+        if kerf_mm > 0.0 {
+            let pieces = pieces_with_kerf(self.made, &list, kerf_mm)?;
+            list.iter_mut().zip(pieces).for_each(|(item, piece)| item.piece = piece);
+        }
+        Ok(beside_each_other(&self.made.name, &self.made.sheet_pieces(&list)))
+    }
+
+    fn book(&self) -> Vec<u8> {
+        let (made, patterns) = (self.made, &self.patterns[..]);
+        let (plans, paper) = (self.plans.as_deref(), self.options.pdf.paper);
+        Book { made, patterns, plans, paper }.written()
     }
 
     fn brake(&self) -> Vec<u8> {

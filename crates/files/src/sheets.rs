@@ -133,7 +133,7 @@ pub(crate) fn laid(made: &Made, nested: &Nested, list: &[CutItem]) -> Vec<LaidPa
         let (low, high) = around.map_or_else(Default::default, |it| (it.min, it.max));
         LaidPart {
             item,
-            name: made.parts[nested.instance(list, placement)].name.clone(),
+            name: made.parts[nested.instance(made, list, placement)].name.clone(),
             placement: *placement,
             middle: low.lerp(high, 0.5),
             width_mm: high.x - low.x,

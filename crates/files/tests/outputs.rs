@@ -353,6 +353,7 @@ fn the_same_design_gives_the_same_bytes() {
             "parts.csv",
             "sheets.svg",
             "sheets.dxf",
+            "assembly.pdf",
             "report.json",
             "report.html"
         ]

@@ -25,7 +25,11 @@ pub use paper::{Paper, RollWidth};
 
 use layout::{Layout, Leaves, Plan};
 use miniz_oxide::deflate::compress_to_vec_zlib;
-use page::PdfPage;
+pub(crate) use offsets::corners;
+pub(crate) use page::{Anchor, PdfPage, Pen, Type};
+pub(crate) use piece::{Detail, PaperView, draw};
+pub(crate) use text::{shortened, text_mm, wrapped};
+
 use pdf_writer::{Filter, Finish, Name, Pdf, Rect, Ref, TextStr};
 use sheetwright::check::{Finding, FindingKind};
 use sheetwright::make::Made;
@@ -156,7 +160,7 @@ fn pages<'a>(layout: &'a Layout<'_>, leaves: Leaves) -> Box<dyn Iterator<Item = 
 }
 
 /// The PDF file of the pages, which it takes one after the other.
-fn document(title: &str, pages: impl Iterator<Item = PdfPage>) -> Vec<u8> {
+pub(crate) fn document(title: &str, pages: impl Iterator<Item = PdfPage>) -> Vec<u8> {
     let mut free = 1..;
     let mut id = || Ref::new(free.next().unwrap_or(i32::MAX));
     let (catalog, tree, info, regular, bold) = (id(), id(), id(), id(), id());

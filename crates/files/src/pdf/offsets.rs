@@ -111,7 +111,7 @@ fn heights<'a>(loops: impl Iterator<Item = &'a [Point2]>, x: f64) -> Vec<f64> {
 }
 
 /// The points where a loop turns by more than `CORNER_DEG`, mm.
-fn corners(outline: &[Point2]) -> Vec<Point2> {
+pub(crate) fn corners(outline: &[Point2]) -> Vec<Point2> {
     let m = outline.len();
     let turns = |n: &usize| {
         let (before, at, after) = (outline[(n + m - 1) % m], outline[*n], outline[(n + 1) % m]);

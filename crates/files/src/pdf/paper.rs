@@ -119,6 +119,15 @@ impl Paper {
         [size.x, size.y]
     }
 
+    /// Width and height of the pages of a book, mm: those of the sheet of the same family that
+    /// every printer takes.
+    pub(crate) fn book_mm(self) -> Vec2 {
+        match self {
+            Self::Letter | Self::Legal | Self::Tabloid => Vec2::new(215.9, 279.4),
+            _ => Vec2::new(210.0, 297.0),
+        }
+    }
+
     /// Its name on printed sheets.
     pub(super) fn title(self) -> String {
         let name = match self {

@@ -13,30 +13,30 @@ const WIDEST_MM: f64 = 1.0;
 
 /// A part of the plane of a piece and where it lies on a page.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct PaperView {
+pub(crate) struct PaperView {
     /// The part, in the coordinates of the piece, mm.
-    pub(super) shown: Box2,
+    pub(crate) shown: Box2,
     /// Where its lower left corner lies on the page, mm.
-    pub(super) corner: Point2,
+    pub(crate) corner: Point2,
     /// The denominator of the scale, such as 400 for 1:400.
-    pub(super) scale: f64,
+    pub(crate) scale: f64,
 }
 
 impl PaperView {
     /// Where a point of the piece lies on the page.
-    pub(super) fn place(&self, point: Point2) -> Point2 {
+    pub(crate) fn place(&self, point: Point2) -> Point2 {
         self.corner + (point - self.shown.min) / self.scale
     }
 
     /// The rectangle of the page that shows the part.
-    pub(super) fn frame(&self) -> Box2 {
+    pub(crate) fn frame(&self) -> Box2 {
         Box2 { min: self.corner, max: self.place(self.shown.max) }
     }
 }
 
 /// How much of a piece is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Detail {
+pub(crate) enum Detail {
     /// All but dimensions, which stand in the margins of other files.
     Full,
     /// The outline and the folds.
@@ -45,7 +45,7 @@ pub(super) enum Detail {
 
 /// Draws the part of the piece that the view shows, with the texts that it shows whole: others
 /// stand whole on a neighbour.
-pub(super) fn draw(page: &mut PdfPage, piece: &Piece, view: &PaperView, detail: Detail) {
+pub(crate) fn draw(page: &mut PdfPage, piece: &Piece, view: &PaperView, detail: Detail) {
     let labels: Vec<&PatternLabel> = match detail {
         Detail::Full => drawn_labels(piece).filter(|label| is_whole(label, view)).collect(),
         Detail::Lines => Vec::new(),

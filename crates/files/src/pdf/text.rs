@@ -2,7 +2,7 @@
 
 /// A text in the encoding WinAnsi. Letters outside it lose their accents, signs are written out,
 /// and other characters become question marks.
-pub(super) fn encoded(text: &str) -> Vec<u8> {
+pub(crate) fn encoded(text: &str) -> Vec<u8> {
     let mut out = Vec::with_capacity(text.len());
     for character in text.chars() {
         match byte(character) {
@@ -13,8 +13,64 @@ pub(super) fn encoded(text: &str) -> Vec<u8> {
     out
 }
 
+/// The length of a line of text of a size, mm. Bold letters are wider by less than a tenth.
+pub(crate) fn text_mm(text: &str, size_pt: f64) -> f64 {
+    width(&encoded(text)) * size_pt * (25.4 / 72.0)
+}
+
+/// The text, or its beginning and its end with dots between them, no longer than `most_mm`: names
+/// mostly differ at their ends.
+pub(crate) fn shortened(text: &str, size_pt: f64, most_mm: f64) -> String {
+    let letters: Vec<char> = text.chars().collect();
+    let without = |left_out: usize| -> String {
+        let kept = letters.len() - left_out;
+        let (first, last) = (kept.div_ceil(2), letters.len() - kept / 2);
+        let dots = if left_out == 0 { None } else { Some('…') };
+        letters[..first]
+            .iter()
+            .copied()
+            .chain(dots)
+            .chain(letters[last..].iter().copied())
+            .collect()
+    };
+    let mut tried = (0..=letters.len()).map(without);
+    tried.find(|text| text_mm(text, size_pt) <= most_mm).unwrap_or_default()
+}
+
+/// The lines of a text that is broken between words, each no longer than `most_mm`; a word that is
+/// longer is broken.
+pub(crate) fn wrapped(text: &str, size_pt: f64, most_mm: f64) -> Vec<String> {
+    let fits = |line: &str| text_mm(line, size_pt) <= most_mm;
+    let mut lines: Vec<String> = vec![String::new()];
+    for word in text.split(' ') {
+        let line = lines.len() - 1;
+        let longer = if lines[line].is_empty() {
+            word.to_owned()
+        } else {
+            format!("{} {word}", lines[line])
+        };
+        if fits(&longer) {
+            lines[line] = longer;
+            continue;
+        }
+        if !lines[line].is_empty() {
+            lines.push(String::new());
+        }
+        for letter in word.chars() {
+            let line = lines.len() - 1;
+            let longer = format!("{}{letter}", lines[line]);
+            if fits(&longer) || lines[line].is_empty() {
+                lines[line] = longer;
+            } else {
+                lines.push(letter.to_string());
+            }
+        }
+    }
+    lines
+}
+
 /// The width of an encoded text in Helvetica of size 1 pt, in pt.
-pub(super) fn width(encoded: &[u8]) -> f64 {
+pub(crate) fn width(encoded: &[u8]) -> f64 {
     let thousandths = |b: &u8| {
         let from_space = usize::from(*b).checked_sub(0x20);
         from_space.and_then(|n| WIDTHS.get(n)).copied().unwrap_or(OTHERS)
@@ -93,6 +149,7 @@ fn stand_in(character: char) -> &'static str {
         'Ź' | 'Ż' => "Z",
         'ź' | 'ż' => "z",
         '−' | '‐' | '‑' => "-",
+        '\u{202f}' | '\u{2009}' => " ",
         '→' => "->",
         '≤' => "<=",
         '≥' => ">=",
@@ -124,6 +181,18 @@ mod tests {
         assert_eq!(encoded("Größe 5 – 6"), b"Gr\xF6\xDFe 5 \x96 6");
         assert_eq!(encoded("Łódź −1 → ≤ 板"), b"L\xF3dz -1 -> <= ?");
         assert_eq!(encoded("a\u{7}b"), b"a?b");
+    }
+
+    #[test]
+    fn long_texts_are_broken_or_lose_their_middle() {
+        assert_eq!(shortened("transom", 10.0, 100.0), "transom");
+        let short = shortened("a-very-long-name-of-a-panel-12", 10.0, 30.0);
+        assert!(short.starts_with("a-very") && short.ends_with("l-12"), "{short}");
+        assert!(text_mm(&short, 10.0) <= 30.0);
+        let lines = wrapped("one two three incomprehensibilities of a word", 10.0, 22.0);
+        assert!(lines.iter().all(|line| text_mm(line, 10.0) <= 22.0), "{lines:?}");
+        assert_eq!(lines.concat().replace(' ', ""), "onetwothreeincomprehensibilitiesofaword");
+        assert_eq!(lines[0], "one two three");
     }
 
     #[test]

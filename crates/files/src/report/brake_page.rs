@@ -1,8 +1,8 @@
 //! The plan for the press brake in `report.html`: a row a hit.
 
 use super::page::{PartPage, table};
-use super::wording::{decimal, degrees};
 use crate::brake::{reference, warning};
+use crate::wording::{decimal, degrees};
 use maud::{Markup, html};
 use sheetwright::bend::Hit;
 use sheetwright::math::{Point2, to_deg};

@@ -149,26 +149,6 @@ impl PathData {
     }
 }
 
-/// A line with fewer points: every point left out lies within `off` of it.
-pub(super) fn simplified(points: &[Point2], off: f64) -> Vec<Point2> {
-    /// The most consecutive points left out, since each new point checks all of them.
-    const RUN: usize = 50;
-    let Some((&first, rest)) = points.split_first() else { return Vec::new() };
-    let mut kept = vec![first];
-    let mut left: Vec<Point2> = Vec::new();
-    for &point in rest {
-        let from = kept[kept.len() - 1];
-        let is_near = |other: &Point2| other.distance_to_segment([from, point]) <= off;
-        if left.len() == RUN || !left.iter().all(is_near) {
-            kept.extend(left.last());
-            left.clear();
-        }
-        left.push(point);
-    }
-    kept.extend(left.last());
-    kept
-}
-
 /// A path element through some points.
 pub(super) fn line(class: &str, points: &[Point2]) -> String {
     let mut path = PathData::default();
@@ -236,24 +216,6 @@ mod tests {
     fn numbers_are_short() {
         let list = [0.0, -0.001, 1.5, 10.0, -3.256, 100.0];
         assert_eq!(list.map(number), ["0", "0", "1.5", "10", "-3.26", "100"]);
-    }
-
-    #[test]
-    fn a_simpler_line_stays_near_and_keeps_its_ends() {
-        let arc = |n: u32| {
-            let a = f64::from(n) / 300.0;
-            Point2::new(100.0 * sheetwright::math::cos(a), 100.0 * sheetwright::math::sin(a))
-        };
-        let points: Vec<Point2> = (0..900).map(arc).collect();
-        let few = simplified(&points, 0.15);
-        assert!(few.len() < 60 && few[0] == points[0] && few.last() == points.last());
-        for &point in &points {
-            assert!(
-                few.windows(2).any(|pair| point.distance_to_segment([pair[0], pair[1]]) <= 0.15)
-            );
-        }
-        assert_eq!(simplified(&points[..2], 0.15), &points[..2]);
-        assert_eq!(simplified(&[], 0.15), []);
     }
 
     #[test]

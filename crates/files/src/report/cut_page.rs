@@ -1,8 +1,8 @@
 //! What is to be cut, in `report.html`: each pattern with its count and the panels that it is for.
 
 use super::page::{PartPage, table};
-use super::wording::{area, millimetres};
 use crate::parts::cut_length_mm;
+use crate::wording::{area, millimetres};
 use maud::{Markup, html};
 use sheetwright::make::{CutItem, Made};
 

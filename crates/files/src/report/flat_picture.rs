@@ -1,8 +1,9 @@
 //! The flat pattern: outline, rulings, folds, overall dimensions and the lengths of its edges.
 
 use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, line, number, text};
-use super::rulings::{APART, APART_CLASSES, MOST_RUNGS, Middles, legend, rung_classes};
-use super::wording::{millimetres, thinned};
+use super::legend::legend;
+use crate::space::{APART, APART_CLASSES, MOST_RUNGS, Middles, rung_classes};
+use crate::wording::{millimetres, thinned};
 use sheetwright::edge::{Edge, EdgeSource};
 use sheetwright::index::VertexIndex;
 use sheetwright::make::Part;

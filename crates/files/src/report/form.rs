@@ -1,8 +1,9 @@
 //! How much `report.html` shows: of many panels a table with thumbnails, since a page with all
 //! their pictures has many megabytes and is hard to read.
 
-use super::canvas::{PathData, Picture, simplified};
+use super::canvas::{PathData, Picture};
 use super::verdict::{findings, severity, verdict};
+use crate::space::simplified;
 use maud::{Markup, PreEscaped, html};
 use sheetwright::check::{Checked, Severity, Verdict};
 use sheetwright::math::Point2;

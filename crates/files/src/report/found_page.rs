@@ -6,13 +6,13 @@ use super::moved_picture::{enlarged, moved_picture};
 use super::page::{Number, PartPage, table};
 use super::space_picture::space_picture;
 use super::strain_in_space::strain_in_space;
-use super::view::box_of;
 use super::warp_chart::warp_chart;
-use super::wording::{
+use crate::space::box_of;
+use crate::space::worst_rung;
+use crate::wording::{
     area, decimal, degrees, millimetres, millimetres_fine, millimetres_small, plain_per_cent,
     radius, refold, scientific, steradians, verdict_word,
 };
-use super::worst_rung;
 use maud::{Markup, PreEscaped, html};
 use sheetwright::elastic::Predicted;
 use sheetwright::make::{Found, Part};

@@ -5,10 +5,9 @@
 //! angle.
 
 use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, line, round_below, scale_bar, text};
-use super::rulings::{RUNG_CLASSES, rung_classes};
 use super::strips::strips;
-use super::view::View;
-use super::wording::decimal;
+use crate::space::{RUNG_CLASSES, View, rung_classes};
+use crate::wording::decimal;
 use sheetwright::disjoint::DisjointSets;
 use sheetwright::index::{TriangleIndex, VertexIndex};
 use sheetwright::make::{Found, Origin, Part};

@@ -5,10 +5,10 @@ use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, line, rectangle, r
 use super::flat_picture::{
     FOOT, LEFT, RIGHT, TOP, Tags, beside, dimensions, in_picture, scale_of, trims,
 };
-use super::paint::MOST_PATHS;
-use super::raster::{Facet, Raster};
+use super::paint::cells_element;
 use super::style::HEATS;
-use super::wording::plain_per_cent;
+use crate::space::{Facet, MOST_PATHS, Raster};
+use crate::wording::plain_per_cent;
 use sheetwright::index::{TriangleIndex, VertexIndex};
 use sheetwright::make::{Given, Part};
 use sheetwright::material::{Material, stretch_limit};
@@ -145,10 +145,12 @@ impl Heat<'_> {
         let corners = |t: usize| self.triangles[t].map(place);
         let name = |class: u16| format!("k{class}");
         let count = self.triangles.len();
-        let mut body = if count > MOST_PATHS {
+        let mut body: String = if count > MOST_PATHS {
             let facet = |t| Facet { corners: corners(t), near: [0.0; 3], class: class(t) };
             let facets: Vec<Facet> = (0..count).map(facet).collect();
-            Raster::new(Vec2::new(WIDTH, bottom + 1.0), 1.0, &facets).elements(name)
+            let raster = Raster::new(Vec2::new(WIDTH, bottom + 1.0), 1.0, &facets);
+            let rows = raster.rows_of_cells().into_iter();
+            rows.map(|(class, rows)| cells_element(&name(class), &rows)).collect()
         } else {
             let mut fills: BTreeMap<u16, PathData> = BTreeMap::new();
             (0..count).for_each(|t| fills.entry(class(t)).or_default().ring(corners(t)));

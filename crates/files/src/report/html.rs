@@ -12,7 +12,7 @@ use super::sheets_page::sheets;
 use super::space_picture::design_picture;
 use super::style::page_style;
 use super::verdict::{findings, severity, verdict};
-use super::wording::{
+use crate::wording::{
     area, decimal, degrees, millimetres, millimetres_small, per_cent, plain_per_cent, radius,
     refold, verdict_sentence,
 };

@@ -1,7 +1,7 @@
 //! The edges that are joined, in `report.html`: their lengths on the patterns, side by side.
 
 use super::page::table;
-use super::wording::decimal;
+use crate::wording::decimal;
 use maud::{Markup, html};
 use sheetwright::make::Made;
 

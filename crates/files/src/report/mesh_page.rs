@@ -3,12 +3,12 @@
 use super::flat_picture::CUT_AND_NET;
 use super::heat_picture::{NO_ERROR, heat_picture};
 use super::page::{Number, PartPage, table};
-use super::view::box_of;
-use super::wording::{
+use crate::mesh::aim_name;
+use crate::space::box_of;
+use crate::wording::{
     area, decimal, degrees, millimetres, millimetres_fine, per_cent, plain_per_cent, refold,
     steradians,
 };
-use crate::mesh::aim_name;
 use maud::{Markup, PreEscaped, html};
 use sheetwright::edge::{Edge, EdgeSource};
 use sheetwright::flatten::Aim;

@@ -16,25 +16,20 @@ mod heat_picture;
 mod html;
 mod joined_page;
 mod json;
+mod legend;
 mod mesh_page;
 mod moved_picture;
-mod order;
 mod page;
 mod paint;
 mod quads_picture;
-mod raster;
-mod rulings;
 mod sheets_json;
 mod sheets_page;
-mod solid;
 mod space_picture;
 mod strain_in_space;
 mod strips;
 mod style;
 mod verdict;
-mod view;
 mod warp_chart;
-mod wording;
 
 pub use canvas::{Picture, side_by_side, stacked};
 pub use form::ReportForm;
@@ -45,12 +40,10 @@ pub use moved_picture::moved_picture;
 pub use quads_picture::quads_picture;
 pub use space_picture::{design_picture, space_picture};
 pub use warp_chart::warp_chart;
-pub use wording::{verdict_sentence, verdict_word};
 
 use sheetwright::check::Checked;
 use sheetwright::make::{CutItem, Made, Origin, Part};
 use sheetwright::material::Material;
-use sheetwright::measure::Measures;
 use sheetwright::pattern::EqualPiece;
 
 /// What was found when the patterns of a made design were written and read back.
@@ -87,13 +80,6 @@ pub fn flat_picture(part: &Part, material: Option<&Material>) -> Picture {
         }
         _ => flat_picture::ruled_picture(part, material),
     }
-}
-
-/// The rung with the largest warp angle, by its number from 0, the first of equals; `None` without
-/// rungs.
-fn worst_rung(measures: &Measures) -> Option<usize> {
-    let rungs = &measures.rungs;
-    (0..rungs.len()).reduce(|best, n| if rungs[n].warp > rungs[best].warp { n } else { best })
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::canvas::{PathData, Picture, WIDTH, line, round_below};
 use super::space_picture::Fit;
-use super::view::view_of;
+use crate::space::view_of;
 use sheetwright::boundary::size_of;
 use sheetwright::make::{Change, Part};
 use sheetwright::math::{Point2, Point3};

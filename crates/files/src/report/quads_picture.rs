@@ -1,10 +1,9 @@
 //! A panel in planar quads, in space: shaded faces with their sides and the border.
 
 use super::canvas::{PathData, Picture, WIDTH};
-use super::paint::{Scene, joined, shades_of};
-use super::raster::Facet;
+use super::paint::fill_elements;
 use super::space_picture::Fit;
-use super::view::view_of;
+use crate::space::{Facet, LIES_ON, Scene, joined, shades_of, view_of};
 use sheetwright::make::Part;
 use sheetwright::math::{Point2, Vec2, Vec3};
 use sheetwright::quads::QuadMesh;
@@ -33,8 +32,8 @@ pub fn quads_picture(part: &Part, quads: &QuadMesh) -> Picture {
         .map(|(v, class)| Facet { corners: v.map(|v| placed[v]), near: v.map(near), class })
         .collect();
     let size = Vec2::new(WIDTH, fit.total);
-    let scene = Scene::new(size, &facets, fit.millimetres(1.0));
-    let mut body = scene.fills();
+    let scene = Scene::new(size, &facets, fit.millimetres(LIES_ON));
+    let mut body = fill_elements(&scene.fills());
     let sides = faces
         .iter()
         .flat_map(|face| (0..face.len()).map(|n| [face[n], face[(n + 1) % face.len()]]));

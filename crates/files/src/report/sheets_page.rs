@@ -2,8 +2,8 @@
 
 use super::canvas::{Anchor, PathData, Picture, WIDTH, text};
 use super::page::table;
-use super::wording::{area, decimal, millimetres};
 use crate::sheets::{SheetRow, sheet_rows, without_sheet};
+use crate::wording::{area, decimal, millimetres};
 use maud::{Markup, PreEscaped, html};
 use sheetwright::make::Made;
 use sheetwright::math::Point2;

@@ -1,12 +1,13 @@
 //! Surfaces in space: shaded triangles, rulings or creases, the boundary and the cuts.
 
 use super::canvas::{Anchor, MARGIN, PathData, Picture, WIDTH, line, round_below, scale_bar, text};
-use super::paint::{MOST_PATHS, Scene, coarse_shade, joined, shades_of};
-use super::raster::Facet;
-use super::rulings::{APART, APART_CLASSES, CREASE, CUT, Middles, RUNG_CLASSES, legend};
-use super::solid::{Drawn, Solid};
-use super::view::{View, view_of};
-use super::wording::length_short;
+use super::legend::legend;
+use super::paint::fill_elements;
+use crate::space::{
+    APART, APART_CLASSES, CREASE, CUT, Drawn, Facet, LIES_ON, MOST_PATHS, Middles, Placing,
+    RUNG_CLASSES, Scene, SeenLines, Solid, View, coarse_shade, shades_of, view_of,
+};
+use crate::wording::length_short;
 use sheetwright::make::{Made, Part};
 use sheetwright::material::Material;
 use sheetwright::math::{Point2, Vec2, Vec3};
@@ -20,8 +21,6 @@ const MOST_HEIGHT: f64 = 330.0;
 const APART_OF_SEVERAL: f64 = 9.0;
 /// The most panels with thick outlines.
 const MOST_THICK: usize = 12;
-/// A line behind a surface by less than this, in units of the picture, counts as on it.
-pub(super) const LIES_ON: f64 = 1.0;
 
 /// The surface of a part in space, shaded, with rulings or creases; rulings that warp more than the
 /// sheet takes stand out.
@@ -57,7 +56,7 @@ fn pictured(parts: &[Part], material: Option<&Material>, title: String) -> Pictu
     let facets: Vec<Facet> =
         drawn.iter().zip(&shades).flat_map(|(part, shades)| part.facets(shades)).collect();
     let scene = Scene::new(Vec2::new(WIDTH, fit.total), &facets, fit.millimetres(LIES_ON));
-    let mut body = scene.fills();
+    let mut body = fill_elements(&scene.fills());
     body += &rungs(&drawn, &shades, &scene);
     body += &outlines(&drawn, &shades, &scene);
     body += &fit.foot(&view);
@@ -76,27 +75,17 @@ fn outlines(parts: &[Drawn], shades: &[Vec<u16>], scene: &Scene<'_>) -> String {
     let (mut border, mut turns) = (PathData::default(), PathData::default());
     let (mut creases, mut cuts) = (PathData::default(), PathData::default());
     for (part, shades) in parts.iter().zip(shades) {
-        let seen = |steps: &[[usize; 2]], path: &mut PathData| {
-            let lines = steps.iter().map(|&step| part.line(step));
-            let pieces = lines.flat_map(|(ends, near)| scene.visible(ends, near));
-            joined(pieces).into_iter().for_each(|run| path.line(run));
-        };
-        // The loops of a sheet that is cut open include the sides of the cuts, so its border is
-        // drawn step by step.
-        if scene.is_plain() && part.solid.cuts.is_empty() {
-            for of_loop in &part.solid.loops {
-                border.ring(of_loop.iter().map(|&n| part.points[n]));
-            }
-        } else {
-            seen(&part.solid.border, &mut border);
+        let seen = SeenLines::of(part, shades, scene);
+        seen.rings.into_iter().for_each(|ring| border.ring(ring));
+        let open = [
+            (seen.border, &mut border),
+            (seen.turns, &mut turns),
+            (seen.creases, &mut creases),
+            (seen.cuts, &mut cuts),
+        ];
+        for (runs, path) in open {
+            runs.into_iter().for_each(|run| path.line(run));
         }
-        if !scene.is_plain() {
-            let lines = part.turns(shades).map(|ends| part.line(ends));
-            let pieces = lines.flat_map(|(ends, near)| scene.visible_turn(ends, near));
-            joined(pieces).into_iter().for_each(|run| turns.line(run));
-        }
-        seen(&part.solid.creases, &mut creases);
-        seen(&part.solid.cuts, &mut cuts);
     }
     let class = |name: &str| name.to_owned() + if parts.len() > MOST_THICK { " thin" } else { "" };
     turns.element("e thin")
@@ -136,46 +125,33 @@ fn rungs(parts: &[Drawn], shades: &[Vec<u16>], scene: &Scene<'_>) -> String {
 /// Where projected points lie in a picture that shows all of them, with the axes and the scale
 /// below.
 pub(super) struct Fit {
-    left: f64,
-    high: f64,
-    scale: f64,
-    shift: f64,
+    placing: Placing,
     /// The height of the picture.
     pub(super) total: f64,
 }
 
 impl Fit {
     pub(super) fn new<'a>(projected: impl Iterator<Item = &'a Point2>) -> Self {
-        let start = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
-        let [[left, right], [low, high]] = projected.fold(start, |bounds, p| {
-            [(bounds[0], p.x), (bounds[1], p.y)]
-                .map(|([least, most], x)| [least.min(x), most.max(x)])
-        });
-        // A plate that is seen edge on still has a scale.
-        let (width, height) = ((right - left).max(1e-12), (high - low).max(1e-12));
-        let scale = ((WIDTH - 2.0 * MARGIN) / width).min(MOST_HEIGHT / height);
-        let shift = 0.5 * (WIDTH - scale * width);
-        Self { left, high, scale, shift, total: MARGIN + scale * height + FOOT }
+        let placing = Placing::new(projected, WIDTH, MARGIN, MOST_HEIGHT);
+        Self { placing, total: placing.height - MARGIN + FOOT }
     }
 
     pub(super) fn place(&self, p: Point2) -> Point2 {
-        Point2::new(
-            self.shift + self.scale * (p.x - self.left),
-            MARGIN + self.scale * (self.high - p.y),
-        )
+        self.placing.place(p)
     }
 
     /// A length in space, mm, from one in the picture.
     pub(super) fn millimetres(&self, length: f64) -> f64 {
-        length / self.scale
+        self.placing.millimetres(length)
     }
 
     /// The axes and the scale.
     pub(super) fn foot(&self, view: &View) -> String {
-        let bar = round_below(0.3 * WIDTH / self.scale);
+        let scale = self.placing.scale();
+        let bar = round_below(0.3 * WIDTH / scale);
         let right = Point2::new(WIDTH - MARGIN, self.total - 14.0);
         triad(view, Point2::new(46.0, self.total - 42.0))
-            + &scale_bar(right, self.scale * bar, &length_short(bar))
+            + &scale_bar(right, scale * bar, &length_short(bar))
     }
 }
 

@@ -3,12 +3,10 @@
 
 use super::canvas::{PathData, Picture, WIDTH};
 use super::heat_picture::{NO_ERROR, heat_class, heat_top, named};
-use super::paint::{Scene, heat_shade, joined};
-use super::raster::Facet;
-use super::solid::{Drawn, Solid};
-use super::space_picture::{Fit, LIES_ON};
-use super::view::view_of;
-use super::wording::plain_per_cent;
+use super::paint::fill_elements;
+use super::space_picture::Fit;
+use crate::space::{Drawn, Facet, LIES_ON, Scene, Solid, heat_shade, joined, view_of};
+use crate::wording::plain_per_cent;
 use sheetwright::make::Part;
 use sheetwright::math::{Point2, Point3, Vec2};
 
@@ -34,7 +32,7 @@ pub(super) fn strain_in_space(part: &Part) -> Option<Picture> {
     };
     let facets: Vec<Facet> = sheet.triangles.iter().zip(&sheet.strains).map(facet).collect();
     let scene = Scene::new(Vec2::new(WIDTH, fit.total), &facets, fit.millimetres(LIES_ON));
-    let mut body = scene.fills();
+    let mut body = fill_elements(&scene.fills());
     let points = samples.iter().map(|&p| fit.place(p)).collect();
     let border = Drawn::new(solid, &view, points);
     let lines = border.solid.border.iter().map(|&step| border.line(step));

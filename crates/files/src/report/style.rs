@@ -3,19 +3,9 @@
 //! Blue means good, orange means a problem: readers with any kind of colour vision can tell these
 //! colours apart. Words, dashes and thickness repeat the distinction.
 
+use crate::space::{LIGHT, Ramp, SHADES, in_ramp};
 use std::fmt::Write as _;
 
-/// The number of levels of brightness of a surface.
-pub(super) const SHADES: usize = 24;
-
-/// Dark and light end of the shades of a side, red, green and blue.
-type Ramp = [[f64; 3]; 2];
-
-/// The side that the surface faces, and the other, on a light page.
-const LIGHT: [Ramp; 2] = [
-    [[104.0, 146.0, 186.0], [226.0, 238.0, 248.0]],
-    [[176.0, 146.0, 106.0], [242.0, 230.0, 210.0]],
-];
 /// The side that the surface faces, and the other, on a dark page.
 const DARK: [Ramp; 2] =
     [[[36.0, 62.0, 88.0], [122.0, 165.0, 204.0]], [[82.0, 64.0, 40.0], [178.0, 150.0, 110.0]]];
@@ -57,12 +47,11 @@ pub(super) fn page_style() -> String {
 }
 
 fn shades(css: &mut String, ramps: &[Ramp; 2]) {
-    for (side, [dark, light]) in ["f", "b"].into_iter().zip(ramps) {
+    for (side, ramp) in ["f", "b"].into_iter().zip(ramps) {
         for n in 0..SHADES {
-            let share = n as f64 / (SHADES - 1) as f64;
             let _ = write!(css, ".{side}{n}{{color:#");
-            for (from, to) in dark.iter().zip(light) {
-                let _ = write!(css, "{:02x}", (from + share * (to - from)).round() as u8);
+            for part in in_ramp(ramp, n) {
+                let _ = write!(css, "{:02x}", part.round() as u8);
             }
             css.push('}');
         }

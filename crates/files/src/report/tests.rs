@@ -545,7 +545,7 @@ fn strain_in_space_has_the_colours_and_the_places_of_that_on_the_pattern() {
     let rings = |picture: &str| picture.matches(r#"class="here""#).count();
     assert_eq!((rings(&flat), rings(&space)), (3, 3));
     let sheet = made.parts[0].predicted.as_ref().unwrap().at_rest.as_ref().unwrap();
-    let most = wording::plain_per_cent(sheet.strain_at(1.0));
+    let most = crate::wording::plain_per_cent(sheet.strain_at(1.0));
     assert!(flat.contains(&most) && space.contains(&most), "{most}");
     // Scales agree: the darkest colour on the pattern is in space, too.
     let darkest = (0..style::HEATS).rev().find(|n| flat.contains(&format!(r#"class="k{n}" d"#)));

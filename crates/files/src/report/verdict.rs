@@ -1,6 +1,6 @@
 //! The verdict and the findings of a part, as the page shows them.
 
-use super::wording::verdict_word;
+use crate::wording::verdict_word;
 use crate::words::{finding_place, finding_text};
 use maud::{Markup, html};
 use sheetwright::check::{Checked, Finding, Place, Severity, Verdict};

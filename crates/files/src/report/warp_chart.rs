@@ -2,7 +2,7 @@
 
 use super::canvas::{Anchor, PathData, Picture, WIDTH, circle, line, rectangle, round_below, text};
 use super::flat_picture::{LEFT, RIGHT, scale_of};
-use super::wording::decimal;
+use crate::wording::decimal;
 use sheetwright::make::Part;
 use sheetwright::material::{Material, warp_limit_deg};
 use sheetwright::math::{Point2, Vec2, from_deg, to_deg};

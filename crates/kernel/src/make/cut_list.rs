@@ -32,6 +32,18 @@ impl CutItem {
         self.instances.iter().find(|instance| instance.number == part)
     }
 
+    /// The part, by its number in the design, for each copy that is cut as the pattern lies, or
+    /// turned over: part after part.
+    pub fn copies(&self, made: &Made, turned_over: bool) -> Vec<usize> {
+        let of_instance = |instance: &EqualPiece| {
+            let Quantity { count, mirrored } = made.wanted[instance.number];
+            let is_other = instance.mirrored != turned_over;
+            let copies = if is_other { mirrored } else { count - mirrored };
+            std::iter::repeat_n(instance.number, copies)
+        };
+        self.instances.iter().flat_map(of_instance).collect()
+    }
+
     /// How many parts are cut.
     pub fn quantity(&self) -> Quantity {
         self.quantity

@@ -60,8 +60,12 @@ impl Nested {
             }
         }
         let sheets: Vec<NestSheet> = stock.sheets.iter().map(nest_sheet).collect();
-        let Stock { gap_mm, margin_mm, effort, .. } = *stock;
-        let options = NestOptions { gap_mm, margin_mm, effort };
+        // Cuts run half of the kerf beside the parts.
+        let options = NestOptions {
+            gap_mm: stock.gap_mm.max(stock.kerf_mm),
+            margin_mm: stock.margin_mm.max(0.5 * stock.kerf_mm),
+            effort: stock.effort,
+        };
         let mut nest = nest(&parts, &sheets, options, watch);
         let is_proved = first_fault(&nest, &parts, &sheets, options).is_none();
         // The mirror image of a pattern, turned over once more, is the pattern.
@@ -76,13 +80,11 @@ impl Nested {
         self.items[placement.part].item
     }
 
-    /// The part that is cut there, by its number in the design; `list` is [`Made::cut_list`]. Those
-    /// of one pattern that are mirrored, and those that are not, are cut in their order.
-    pub fn instance(&self, list: &[CutItem], placement: &Placement) -> usize {
+    /// The part that is cut there, by its number in the design; `list` is [`Made::cut_list`].
+    pub fn instance(&self, made: &Made, list: &[CutItem], placement: &Placement) -> usize {
         let NestItem { item, is_mirrored } = self.items[placement.part];
-        let alike = list[item].instances.iter().filter(|it| it.mirrored == is_mirrored);
-        let mut alike = alike.map(|instance| instance.number);
-        alike.nth(placement.copy).unwrap_or_else(|| list[item].first())
+        let copies = list[item].copies(made, is_mirrored);
+        copies.get(placement.copy).copied().unwrap_or_else(|| list[item].first())
     }
 }
 

@@ -25,7 +25,7 @@ impl Made {
         let (Some(nested), Some(stock)) = (&self.nested, &self.stock) else { return Vec::new() };
         let sheets = nested.nest.sheets.iter().enumerate();
         let piece = |(n, used): (usize, &UsedSheet)| {
-            let name = |it: &Placement| &self.parts[nested.instance(list, it)].name[..];
+            let name = |it: &Placement| &self.parts[nested.instance(self, list, it)].name[..];
             sheet_piece(nested, list, n, used, &stock.sheets[used.kind], &name)
         };
         sheets.map(piece).collect()

@@ -282,6 +282,7 @@ kinds!(Format {
     Brake,
     Parts,
     Sheets,
+    Assembly,
     Report
 });
 

@@ -60,7 +60,7 @@ fn grouped(digits: &str) -> String {
 }
 
 /// A number with this many decimals, its minus sign a real one.
-pub(super) fn decimal(x: f64, decimals: usize) -> String {
+pub(crate) fn decimal(x: f64, decimals: usize) -> String {
     let text = format!("{x:.decimals$}");
     let is_zero = text.chars().all(|c| "-0.".contains(c));
     let text = if is_zero { text.trim_start_matches('-') } else { &text };
@@ -68,17 +68,17 @@ pub(super) fn decimal(x: f64, decimals: usize) -> String {
 }
 
 /// A length: tenths of a millimetre below a metre, whole ones above.
-pub(super) fn millimetres(mm: f64) -> String {
+pub(crate) fn millimetres(mm: f64) -> String {
     format!("{}\u{a0}mm", decimal(mm, if mm.abs() < 1000.0 { 1 } else { 0 }))
 }
 
 /// A length that may be short: hundredths of a millimetre below ten.
-pub(super) fn millimetres_fine(mm: f64) -> String {
+pub(crate) fn millimetres_fine(mm: f64) -> String {
     if mm.abs() < 10.0 { format!("{}\u{a0}mm", decimal(mm, 2)) } else { millimetres(mm) }
 }
 
 /// A small length with two significant digits; `none` below a nanometre.
-pub(super) fn millimetres_small(mm: f64) -> String {
+pub(crate) fn millimetres_small(mm: f64) -> String {
     if mm < 1e-6 {
         return "none".to_owned();
     }
@@ -88,7 +88,7 @@ pub(super) fn millimetres_small(mm: f64) -> String {
 }
 
 /// A round length, in metres from one metre on.
-pub(super) fn length_short(mm: f64) -> String {
+pub(crate) fn length_short(mm: f64) -> String {
     let plain = |x: f64| {
         let text = format!("{x:.3}");
         grouped(text.trim_end_matches('0').trim_end_matches('.'))
@@ -103,7 +103,7 @@ pub(super) fn length_short(mm: f64) -> String {
 }
 
 /// An area, in the unit that gives about three digits.
-pub(super) fn area(mm2: f64) -> String {
+pub(crate) fn area(mm2: f64) -> String {
     let with_digits = |x: f64, unit: &str| {
         let decimals = if x < 10.0 {
             3
@@ -124,18 +124,18 @@ pub(super) fn area(mm2: f64) -> String {
 }
 
 /// An angle in degrees.
-pub(super) fn degrees(deg: f64) -> String {
+pub(crate) fn degrees(deg: f64) -> String {
     let decimals = if deg.abs() < 10.0 { 2 } else { 1 };
     format!("{}°", decimal(deg, decimals))
 }
 
 /// A relative error as a share in per cent; `none` below 1e-8, which no workshop can measure.
-pub(super) fn per_cent(share: f64) -> String {
+pub(crate) fn per_cent(share: f64) -> String {
     if share < 1e-8 { "none".to_owned() } else { format!("{}\u{a0}%", decimal(100.0 * share, 4)) }
 }
 
 /// A share in per cent with two or three significant digits.
-pub(super) fn plain_per_cent(share: f64) -> String {
+pub(crate) fn plain_per_cent(share: f64) -> String {
     let percent = 100.0 * share;
     let shifted = std::iter::successors(Some(percent.abs()), |x| Some(x * 10.0));
     let digits = shifted.take(9).take_while(|x| *x > 0.0 && *x < 10.0).count();
@@ -146,7 +146,7 @@ pub(super) fn plain_per_cent(share: f64) -> String {
 }
 
 /// The refold error: the largest distance from the surface to the pattern folded up again, mm.
-pub(super) fn refold(error_mm: f64) -> String {
+pub(crate) fn refold(error_mm: f64) -> String {
     if !error_mm.is_finite() {
         "not read back".to_owned()
     } else if error_mm < 0.001 {
@@ -157,18 +157,18 @@ pub(super) fn refold(error_mm: f64) -> String {
 }
 
 /// A bend radius; `flat` from 10 km on.
-pub(super) fn radius(mm: f64) -> String {
+pub(crate) fn radius(mm: f64) -> String {
     if mm.is_finite() && mm < 1e7 { millimetres(mm) } else { "flat".to_owned() }
 }
 
 /// A solid angle: `0.013 sr`; below 0.001 sr with its power of ten.
-pub(super) fn steradians(area_sr: f64) -> String {
+pub(crate) fn steradians(area_sr: f64) -> String {
     let number = if area_sr < 1e-3 { scientific(area_sr) } else { decimal(area_sr, 3) };
     format!("{number}\u{a0}sr")
 }
 
 /// A small or large number with its power of ten: `2.1 × 10⁻¹³`.
-pub(super) fn scientific(x: f64) -> String {
+pub(crate) fn scientific(x: f64) -> String {
     if x == 0.0 {
         return "0".to_owned();
     }
@@ -190,7 +190,7 @@ fn superscript(c: char) -> char {
 }
 
 /// About `most` of a list, evenly, the first and the last among them; all if there are no more.
-pub(super) fn thinned(list: &[usize], most: usize) -> Vec<usize> {
+pub(crate) fn thinned(list: &[usize], most: usize) -> Vec<usize> {
     if list.len() <= most || most < 2 {
         return list.to_vec();
     }

@@ -19,7 +19,7 @@ const SAME: f64 = 1e-3;
 
 /// How the facets of a picture are drawn.
 #[derive(Debug, PartialEq)]
-pub(super) enum Order {
+pub(crate) enum Order {
     /// Nothing hides anything: in any order.
     Any,
     /// From the first to the last, by their numbers; then the cells that are marked, if there are
@@ -28,7 +28,7 @@ pub(super) enum Order {
 }
 
 /// The order of all facets of a raster.
-pub(super) fn order(raster: &Raster<'_>) -> Order {
+pub(crate) fn order(raster: &Raster<'_>) -> Order {
     if raster.is_plain() {
         return Order::Any;
     }

@@ -7,16 +7,16 @@ use sheetwright::math::{Point2, Point3, Vec3, cos, from_deg, sin, unit};
 
 /// A parallel projection, world z up where that has a meaning.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct View {
-    pub(super) right: Vec3,
-    pub(super) up: Vec3,
+pub(crate) struct View {
+    pub(crate) right: Vec3,
+    pub(crate) up: Vec3,
     /// The unit direction from the surface to the eye.
-    pub(super) toward: Vec3,
+    pub(crate) toward: Vec3,
 }
 
 impl View {
     /// The view from an eye in the direction `toward`.
-    pub(super) fn from(toward: Vec3) -> Self {
+    pub(crate) fn from(toward: Vec3) -> Self {
         let toward = unit(toward).unwrap_or(Vec3::Z);
         // Seen from right above, y is up.
         let vertical = if toward.z.abs() > 0.999 { Vec3::Y } else { Vec3::Z };
@@ -25,17 +25,17 @@ impl View {
     }
 
     /// Where a direction points in the picture; y is up.
-    pub(super) fn direction(&self, way: Vec3) -> Point2 {
+    pub(crate) fn direction(&self, way: Vec3) -> Point2 {
         Point2::new(way.dot(self.right), way.dot(self.up))
     }
 
     /// Where a point lies in the picture, mm; y is up.
-    pub(super) fn project(&self, point: Point3) -> Point2 {
+    pub(crate) fn project(&self, point: Point3) -> Point2 {
         self.direction(point.to_vec())
     }
 
     /// The nearness of a point to the eye, mm: its coordinate along `toward`.
-    pub(super) fn nearness(&self, point: Point3) -> f64 {
+    pub(crate) fn nearness(&self, point: Point3) -> f64 {
         point.to_vec().dot(self.toward)
     }
 }
@@ -56,7 +56,7 @@ const LOOKED_AT: usize = 20_000;
 
 /// The view of some parts, from the side that they face: the best of some dozens. It shows most of
 /// them, at an angle, nearly in full length and with little of their back.
-pub(super) fn view_of(parts: &[Part]) -> View {
+pub(crate) fn view_of(parts: &[Part]) -> View {
     let mut areas: Vec<Vec3> = Vec::new();
     let mut long = Vec3::ZERO;
     let triangles = |part: &Part| part.sheet.mesh().triangles().len();
@@ -118,7 +118,7 @@ fn longest_direction(space: &[Point3], flat: &[Point2]) -> Vec3 {
 }
 
 /// Length, width and height of the box around a part along the axes, mm.
-pub(super) fn box_of(part: &Part) -> Vec3 {
+pub(crate) fn box_of(part: &Part) -> Vec3 {
     let points = part.sheet.mesh().positions();
     let along =
         |axis: Vec3| size_of(points.iter().map(|p| Point3::from_vec(axis * p.to_vec().dot(axis))));

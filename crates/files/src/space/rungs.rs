@@ -1,33 +1,31 @@
-//! Which rungs a picture draws, their classes, and the legend.
+//! Which rungs a picture draws, and their classes.
 
-use super::canvas::{Anchor, MARGIN, line, text};
-use super::wording::thinned;
-use super::worst_rung;
+use crate::wording::thinned;
 use sheetwright::make::Part;
 use sheetwright::material::{Material, warp_limit_deg};
 use sheetwright::math::{Point2, from_deg, to_deg};
-use sheetwright::measure::{RungMeasures, SHARP_CREASE_DEG};
-use std::collections::{BTreeMap, BTreeSet};
+use sheetwright::measure::{Measures, RungMeasures, SHARP_CREASE_DEG};
+use std::collections::BTreeMap;
 
 /// The most rungs of a class that are drawn on a panel.
-pub(super) const MOST_RUNGS: usize = 60;
+pub(crate) const MOST_RUNGS: usize = 60;
 /// The least distance between the middles of rulings on a panel, in units of the picture: closer
 /// ones would run into one another.
-pub(super) const APART: f64 = 5.0;
+pub(crate) const APART: f64 = 5.0;
 /// The classes of rungs, in the order in which they are drawn.
-pub(super) const RUNG_CLASSES: [&str; 6] = ["turn", "r", "score", "t", "x", "w"];
+pub(crate) const RUNG_CLASSES: [&str; 6] = ["turn", "r", "score", "t", "x", "w"];
 /// The classes whose middles keep that distance; the first is placed first.
-pub(super) const APART_CLASSES: [&str; 2] = ["turn", "r"];
+pub(crate) const APART_CLASSES: [&str; 2] = ["turn", "r"];
 /// The class of cuts in space: rungs along which the pattern is cut open.
-pub(super) const CUT: &str = "seam";
+pub(crate) const CUT: &str = "seam";
 /// The class of the sharp creases of a mesh, which are scored as folds are.
-pub(super) const CREASE: &str = "score";
+pub(crate) const CREASE: &str = "score";
 
 /// The class of every rung that is drawn: `w` the largest warp, if above the limit, `x` any other
 /// warp above the limit, `t` a bend radius below the limit, `score` a fold, `turn` a bend so sharp
 /// that the pattern engraves it, `r` any other along which the sheet bends: on a flat part a line
 /// would look like a bend. About `most` of each class at most.
-pub(super) fn rung_classes(
+pub(crate) fn rung_classes(
     part: &Part,
     material: Option<&Material>,
     most: usize,
@@ -72,6 +70,13 @@ fn class_within(rung: &RungMeasures) -> Option<&'static str> {
     }
 }
 
+/// The rung with the largest warp angle, by its number from 0, the first of equals; `None` without
+/// rungs.
+pub(crate) fn worst_rung(measures: &Measures) -> Option<usize> {
+    let rungs = &measures.rungs;
+    (0..rungs.len()).reduce(|best, n| if rungs[n].warp > rungs[best].warp { n } else { best })
+}
+
 /// At most `most` of some rungs, in equal, even steps: along a strip rungs alternately lean one way
 /// and the other, so those drawn all lean one way.
 fn alike(rungs: &[usize], most: usize) -> Vec<usize> {
@@ -83,14 +88,14 @@ fn alike(rungs: &[usize], most: usize) -> Vec<usize> {
 }
 
 /// The middles of the rulings that are drawn, in a grid whose squares have their least distance.
-pub(super) struct Middles {
+pub(crate) struct Middles {
     apart: f64,
     squares: BTreeMap<(i64, i64), Vec<Point2>>,
 }
 
 impl Middles {
     /// No middles; `apart` is their least distance, in units of the picture.
-    pub(super) fn apart(apart: f64) -> Self {
+    pub(crate) fn apart(apart: f64) -> Self {
         Self { apart, squares: BTreeMap::new() }
     }
 
@@ -99,47 +104,16 @@ impl Middles {
     }
 
     /// Whether no other middle is nearer than the least distance.
-    pub(super) fn is_free(&self, middle: Point2) -> bool {
+    pub(crate) fn is_free(&self, middle: Point2) -> bool {
         let (x, y) = self.square(middle);
         let around = (-1..=1).flat_map(|i| (-1..=1).map(move |k| (x + i, y + k)));
         let mut near = around.filter_map(|square| self.squares.get(&square)).flatten();
         near.all(|other| other.distance(middle) >= self.apart)
     }
 
-    pub(super) fn take(&mut self, middle: Point2) {
+    pub(crate) fn take(&mut self, middle: Point2) {
         self.squares.entry(self.square(middle)).or_default().push(middle);
     }
-}
-
-/// The meaning of the lines of a picture that are drawn in a style of their own.
-pub(super) struct Legend {
-    pub(super) body: String,
-    /// How much higher it makes the picture.
-    pub(super) height: f64,
-}
-
-/// The legend of the classes of some lines, whose upper edge is at `top`; empty if no class needs
-/// one.
-pub(super) fn legend(classes: impl Iterator<Item = &'static str>, top: f64) -> Legend {
-    const ROW: f64 = 22.0;
-    let shown: BTreeSet<&str> = classes.collect();
-    let mut legend = Legend { body: String::new(), height: 0.0 };
-    for (class, words) in [
-        ("w", "largest warp"),
-        ("x", "warp above the limit"),
-        ("t", "bend radius below the limit"),
-        ("score", "fold: score it"),
-        (CUT, "cut open on the pattern"),
-    ] {
-        if shown.contains(class) {
-            let y = top + legend.height + 0.5 * ROW;
-            legend.body += &line(class, &[Point2::new(MARGIN, y), Point2::new(MARGIN + 34.0, y)]);
-            let at = Point2::new(MARGIN + 44.0, y + 5.0);
-            legend.body += &text("", Anchor::Start, at, words);
-            legend.height += ROW;
-        }
-    }
-    legend
 }
 
 #[cfg(test)]

@@ -4,12 +4,10 @@
 //! and each cell keeps the nearest. Its time is proportional to the number of cells that the
 //! triangles cover. It gives the order in which triangles are drawn ([`order`](super::order)) and
 //! the hidden parts of lines. It is the picture itself where a path for each triangle would make
-//! the page large.
+//! the file large.
 
-use super::canvas::number;
 use sheetwright::math::{Point2, Vec2};
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 
 /// The largest distance between places where the visibility of a line is checked, in units of the
 /// picture, up to [`MOST_PIECES`] places.
@@ -21,12 +19,12 @@ const HALVINGS: usize = 4;
 
 /// A triangle as it lies in a picture.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Facet {
-    pub(super) corners: [Point2; 3],
+pub(crate) struct Facet {
+    pub(crate) corners: [Point2; 3],
     /// The nearness of its corners to the eye.
-    pub(super) near: [f64; 3],
+    pub(crate) near: [f64; 3],
     /// The number of its class.
-    pub(super) class: u16,
+    pub(crate) class: u16,
 }
 
 impl Facet {
@@ -41,7 +39,7 @@ impl Facet {
         [a.min(b).min(c), a.max(b).max(c)]
     }
 
-    pub(super) fn mean_near(&self) -> f64 {
+    pub(crate) fn mean_near(&self) -> f64 {
         self.near.iter().sum::<f64>() / 3.0
     }
 
@@ -58,7 +56,7 @@ impl Facet {
     }
 
     /// The nearness of its plane at a place, limited to the range of the triangle's own.
-    pub(super) fn near_at(&self, at: Point2) -> f64 {
+    pub(crate) fn near_at(&self, at: Point2) -> f64 {
         let [least, most] = self.span();
         if self.doubled_area() == 0.0 {
             return self.mean_near();
@@ -68,26 +66,26 @@ impl Facet {
 }
 
 /// A line as it lies in a picture.
-pub(super) struct Line<'a> {
-    pub(super) ends: [Point2; 2],
+pub(crate) struct Line<'a> {
+    pub(crate) ends: [Point2; 2],
     /// The nearness of its ends to the eye.
-    pub(super) near: [f64; 2],
+    pub(crate) near: [f64; 2],
     /// A facet hides it only if it is nearer by more than this.
-    pub(super) enough: f64,
+    pub(crate) enough: f64,
     /// Whether it may lie on facets of a class.
-    pub(super) belongs: &'a dyn Fn(u16) -> bool,
+    pub(crate) belongs: &'a dyn Fn(u16) -> bool,
 }
 
 /// The nearest facets of a picture, in the cells of the box around them.
-pub(super) struct Raster<'a> {
-    pub(super) facets: &'a [Facet],
+pub(crate) struct Raster<'a> {
+    pub(crate) facets: &'a [Facet],
     /// Cells per unit of the picture.
     per_unit: f64,
     /// The cells left of the box and above it.
     left: usize,
     above: usize,
-    pub(super) width: usize,
-    pub(super) height: usize,
+    pub(crate) width: usize,
+    pub(crate) height: usize,
     /// The nearest facet of each cell, [`NONE`] where there is none.
     top: Vec<u32>,
     /// Whether a facet covers the middle of a cell at all.
@@ -101,7 +99,7 @@ const NONE: u32 = u32::MAX;
 impl<'a> Raster<'a> {
     /// The raster of facets, at most 2³² − 1, in a picture of a size with `per_unit` cells per
     /// unit.
-    pub(super) fn new(size: Vec2, per_unit: f64, facets: &'a [Facet]) -> Self {
+    pub(crate) fn new(size: Vec2, per_unit: f64, facets: &'a [Facet]) -> Self {
         let range = |size: f64, along: fn(&Point2) -> f64| {
             let corners = || facets.iter().flat_map(|facet| &facet.corners).map(along);
             let least = corners().fold(size, f64::min);
@@ -170,29 +168,29 @@ impl<'a> Raster<'a> {
     }
 
     /// The cells of a facet.
-    pub(super) fn cells(&self, n: usize) -> impl Iterator<Item = usize> + use<> {
+    pub(crate) fn cells(&self, n: usize) -> impl Iterator<Item = usize> + use<> {
         let width = self.width;
         let rows = self.rows(&self.facets[n]);
         rows.flat_map(move |(row, from, to)| row * width + from..row * width + to)
     }
 
     /// The facet that shows in a cell.
-    pub(super) fn top(&self, cell: usize) -> Option<usize> {
+    pub(crate) fn top(&self, cell: usize) -> Option<usize> {
         Some(self.top[cell]).filter(|&n| n != NONE).map(|n| n as usize)
     }
 
     /// Whether a facet covers the middle of a cell: one that is thinner than a cell may not.
-    pub(super) fn covers(&self, n: usize) -> bool {
+    pub(crate) fn covers(&self, n: usize) -> bool {
         self.covers[n]
     }
 
     /// Whether no facet can hide anything: every facet covers cells, and no cell is covered twice.
-    pub(super) fn is_plain(&self) -> bool {
+    pub(crate) fn is_plain(&self) -> bool {
         !self.overlaps && self.covers.iter().all(|&covers| covers)
     }
 
     /// The facet that shows at a place.
-    pub(super) fn top_at(&self, at: Point2) -> Option<usize> {
+    pub(crate) fn top_at(&self, at: Point2) -> Option<usize> {
         let cell = |x: f64, count: usize| ((x + 0.5).max(0.0) as usize).min(count - 1);
         let at = self.in_cells(at);
         self.top(cell(at.y, self.height) * self.width + cell(at.x, self.width))
@@ -213,7 +211,7 @@ impl<'a> Raster<'a> {
     }
 
     /// The pieces of a line that nothing hides.
-    pub(super) fn visible(&self, line: &Line<'_>) -> Vec<[Point2; 2]> {
+    pub(crate) fn visible(&self, line: &Line<'_>) -> Vec<[Point2; 2]> {
         let ([a, b], [near_a, near_b]) = (line.ends, line.near);
         let pieces = (a.distance(b) / PIECE).ceil().clamp(1.0, MOST_PIECES);
         let seen = |share: f64| {
@@ -242,21 +240,20 @@ impl<'a> Raster<'a> {
         found.iter().map(|ends| ends.map(at)).collect()
     }
 
-    /// All cells as one element per class: rows of equal cells are rectangles.
-    pub(super) fn elements(&self, name: impl Fn(u16) -> String) -> String {
-        self.elements_where(|_| true, name)
+    /// All cells by their classes, as rows.
+    pub(crate) fn rows_of_cells(&self) -> BTreeMap<u16, Vec<CellRow>> {
+        self.rows_of_cells_where(|_| true)
     }
 
-    /// Some of the cells as one element per class.
-    pub(super) fn elements_where(
+    /// Some of the cells by their classes, as rows.
+    pub(crate) fn rows_of_cells_where(
         &self,
         wanted: impl Fn(usize) -> bool,
-        name: impl Fn(u16) -> String,
-    ) -> String {
+    ) -> BTreeMap<u16, Vec<CellRow>> {
         let class =
             |cell: usize| self.top(cell).filter(|_| wanted(cell)).map(|n| self.facets[n].class);
-        let size = |cells: usize| number(cells as f64 / self.per_unit);
-        let mut paths: BTreeMap<u16, String> = BTreeMap::new();
+        let size = |cells: usize| cells as f64 / self.per_unit;
+        let mut rows: BTreeMap<u16, Vec<CellRow>> = BTreeMap::new();
         for row in 0..self.height {
             let mut x = 0;
             while x < self.width {
@@ -265,20 +262,22 @@ impl<'a> Raster<'a> {
                     x += 1;
                 }
                 if let Some(here) = here {
-                    let (left, top) = (size(self.left + start), size(self.above + row));
-                    let (wide, high) = (size(x - start), size(1));
-                    // Writing to a string does not fail.
-                    let path = paths.entry(here).or_default();
-                    let _ = write!(path, "M{left} {top}h{wide}v{high}h-{wide}z");
+                    let corner = Point2::new(size(self.left + start), size(self.above + row));
+                    let size = Vec2::new(size(x - start), size(1));
+                    rows.entry(here).or_default().push(CellRow { corner, size });
                 }
             }
         }
-        let mut body = String::new();
-        for (class, path) in paths {
-            let _ = write!(body, r#"<path class="{} cells" d="{path}"/>"#, name(class));
-        }
-        body
+        rows
     }
+}
+
+/// Cells of one class side by side, in units of the picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct CellRow {
+    /// Its upper left corner.
+    pub(crate) corner: Point2,
+    pub(crate) size: Vec2,
 }
 
 /// A side of a facet, in cells, from its lower to its upper end, so that both facets of a side
@@ -333,11 +332,12 @@ mod tests {
             facet([[0., 0.], [2., 0.], [0., 10.]], -1.0, 3),
         ];
         let cells = Raster::new(Vec2::new(4.0, 2.0), 1.0, &facets);
-        let body = cells.elements(|class| format!("c{class}"));
-        assert_eq!(
-            body,
-            r#"<path class="c1 cells" d="M2 0h1v1h-1z"/><path class="c2 cells" d="M0 0h2v1h-2zM0 1h2v1h-2z"/>"#
-        );
+        let row =
+            |[x, y, width]: [f64; 3]| CellRow { corner: p(x, y), size: Vec2::new(width, 1.0) };
+        let rows = cells.rows_of_cells().into_iter();
+        let wanted =
+            [(1, vec![row([2., 0., 1.])]), (2, vec![row([0., 0., 2.]), row([0., 1., 2.])])];
+        assert_eq!(rows.collect::<Vec<_>>(), wanted);
         let line = |near: f64, belongs: &dyn Fn(u16) -> bool| {
             let ends = [p(0., 0.5), p(4., 0.5)];
             cells.visible(&Line { ends, near: [near; 2], enough: 0.1, belongs })
@@ -369,7 +369,7 @@ mod tests {
         assert_eq!((raster.width, raster.height), (8, 5));
         assert_eq!(raster.top_at(Point2::new(90.7, 70.2)), Some(0));
         assert_eq!(raster.top_at(Point2::new(93.9, 72.4)), None);
-        let body = raster.elements(|class| format!("c{class}"));
-        assert!(body.starts_with(r#"<path class="c7 cells" d="M90 70h"#), "{body}");
+        let rows = raster.rows_of_cells();
+        assert_eq!((rows.len(), rows[&7][0].corner), (1, Point2::new(90.0, 70.0)));
     }
 }

@@ -1,9 +1,9 @@
 //! A part as it lies in a picture of space: its triangles and its lines, whether its surface was
 //! found or given.
 
-use super::paint::is_front;
 use super::raster::Facet;
-use super::rulings::{MOST_RUNGS, rung_classes};
+use super::rungs::{MOST_RUNGS, rung_classes};
+use super::scene::is_front;
 use super::view::View;
 use sheetwright::index::{SampleIndex, TriangleIndex, VertexIndex};
 use sheetwright::make::{Found, Given, Origin, Part};
@@ -18,26 +18,26 @@ use std::collections::BTreeSet;
 type Hinge = ([usize; 2], [usize; 2]);
 
 /// The surface of a part with the lines that are drawn on it, by its points.
-pub(super) struct Solid {
-    pub(super) positions: Vec<Point3>,
+pub(crate) struct Solid {
+    pub(crate) positions: Vec<Point3>,
     triangles: Vec<[usize; 3]>,
     /// The area vectors of the triangles.
-    pub(super) areas: Vec<Vec3>,
+    pub(crate) areas: Vec<Vec3>,
     hinges: Vec<Hinge>,
     /// The loops of the border.
-    pub(super) loops: Vec<Vec<usize>>,
+    pub(crate) loops: Vec<Vec<usize>>,
     /// The steps of the border, without the sides of cuts.
-    pub(super) border: Vec<[usize; 2]>,
+    pub(crate) border: Vec<[usize; 2]>,
     /// The steps of the cuts.
-    pub(super) cuts: Vec<[usize; 2]>,
+    pub(crate) cuts: Vec<[usize; 2]>,
     /// The sharp creases of a mesh.
-    pub(super) creases: Vec<[usize; 2]>,
+    pub(crate) creases: Vec<[usize; 2]>,
     /// The class of every rung that is drawn; the rungs are the hinges of a found surface.
-    pub(super) rungs: Vec<Option<&'static str>>,
+    pub(crate) rungs: Vec<Option<&'static str>>,
 }
 
 impl Solid {
-    pub(super) fn of(part: &Part, material: Option<&Material>) -> Self {
+    pub(crate) fn of(part: &Part, material: Option<&Material>) -> Self {
         match &part.origin {
             Origin::Found(found) => Self::of_surface(part, found, material),
             Origin::Given(given) => Self::of_mesh(&part.sheet, given),
@@ -103,22 +103,22 @@ impl Solid {
 }
 
 /// A part as it lies in the picture.
-pub(super) struct Drawn {
-    pub(super) solid: Solid,
+pub(crate) struct Drawn {
+    pub(crate) solid: Solid,
     /// Where its points lie in the picture.
-    pub(super) points: Vec<Point2>,
+    pub(crate) points: Vec<Point2>,
     /// Their nearness to the eye, mm.
     near: Vec<f64>,
 }
 
 impl Drawn {
-    pub(super) fn new(solid: Solid, view: &View, points: Vec<Point2>) -> Self {
+    pub(crate) fn new(solid: Solid, view: &View, points: Vec<Point2>) -> Self {
         let near = solid.positions.iter().map(|&p| view.nearness(p)).collect();
         Self { solid, points, near }
     }
 
     /// Its triangles in their shades.
-    pub(super) fn facets<'a>(&'a self, shades: &'a [u16]) -> impl Iterator<Item = Facet> + 'a {
+    pub(crate) fn facets<'a>(&'a self, shades: &'a [u16]) -> impl Iterator<Item = Facet> + 'a {
         self.solid.triangles.iter().zip(shades).map(|(corners, &class)| Facet {
             corners: corners.map(|n| self.points[n]),
             near: corners.map(|n| self.near[n]),
@@ -127,13 +127,13 @@ impl Drawn {
     }
 
     /// The ends of a line in the picture, and their nearness to the eye, mm.
-    pub(super) fn line(&self, ends: [usize; 2]) -> ([Point2; 2], [f64; 2]) {
+    pub(crate) fn line(&self, ends: [usize; 2]) -> ([Point2; 2], [f64; 2]) {
         (ends.map(|n| self.points[n]), ends.map(|n| self.near[n]))
     }
 
     /// The rungs of a class, each with its ends and whether it lies on the front and on the back,
     /// given the shades of the triangles.
-    pub(super) fn rungs_of<'a>(
+    pub(crate) fn rungs_of<'a>(
         &'a self,
         class: &'static str,
         shades: &'a [u16],
@@ -145,7 +145,7 @@ impl Drawn {
 
     /// The silhouette, where the surface turns away from the eye: the sides between its front and
     /// its back.
-    pub(super) fn turns<'a>(&'a self, shades: &'a [u16]) -> impl Iterator<Item = [usize; 2]> + 'a {
+    pub(crate) fn turns<'a>(&'a self, shades: &'a [u16]) -> impl Iterator<Item = [usize; 2]> + 'a {
         let turning = self.solid.hinges.iter().filter(|hinge| sides(hinge, shades) == [true; 2]);
         turning.map(|(ends, _)| *ends)
     }

@@ -1,0 +1,168 @@
+//! `assembly.pdf`: the book that a builder works from. What to buy, each part, the order in which
+//! parts are joined, and what to measure. `docs/outputs.md` says what it shows.
+
+mod buy;
+mod checks;
+mod corners;
+mod flow;
+mod part_page;
+mod scene;
+mod stages;
+mod step_page;
+mod title;
+
+use crate::pdf::{Paper, PdfPage, document};
+use crate::wording::millimetres;
+use flow::Flow;
+use sheetwright::bend::Hit;
+use sheetwright::edge::{Edge, EdgePlace, EdgeSource};
+use sheetwright::index::VertexIndex;
+use sheetwright::make::{CutItem, Made, Part};
+use sheetwright::pattern::seam_mark;
+
+/// Lengths of joined edges that differ by less than this, mm, are equal to a builder.
+const EQUAL_MM: f64 = 0.05;
+
+/// What a book is about.
+pub(crate) struct Book<'a> {
+    pub(crate) made: &'a Made,
+    /// The patterns to cut.
+    pub(crate) patterns: &'a [CutItem],
+    /// The bends of each part at the press brake, if a plan for it is asked for.
+    pub(crate) plans: Option<&'a [Vec<Hit>]>,
+    pub(crate) paper: Paper,
+}
+
+impl Book<'_> {
+    /// The bytes of the file.
+    pub(crate) fn written(&self) -> Vec<u8> {
+        document(self.title(), self.pages().into_iter())
+    }
+
+    fn pages(&self) -> Vec<PdfPage> {
+        let mut flow = Flow::new(self.paper);
+        title::title_page(&mut flow, self);
+        buy::what_to_buy(&mut flow, self);
+        part_page::parts(&mut flow, self);
+        step_page::steps(&mut flow, self);
+        checks::checks(&mut flow, self);
+        title::notes(&mut flow);
+        flow.finish(self.title())
+    }
+
+    fn title(&self) -> &str {
+        if self.made.name.is_empty() { "Assembly" } else { &self.made.name }
+    }
+}
+
+/// Two edges that are joined.
+struct JoinedPair {
+    /// The parts and the edges, by their numbers.
+    places: [EdgePlace; 2],
+    /// How long both are on their patterns along what they share, mm.
+    lengths_mm: [f64; 2],
+}
+
+/// Every pair of joined edges once.
+fn joined_pairs(made: &Made) -> Vec<JoinedPair> {
+    let mut pairs = Vec::new();
+    for (part, of_part) in made.parts.iter().enumerate() {
+        for (edge, found) in of_part.edges.iter().enumerate() {
+            let own = EdgePlace { part, edge };
+            for (&mate, &lengths_mm) in found.mates.iter().zip(&found.shared_mm) {
+                if mate > own {
+                    pairs.push(JoinedPair { places: [own, mate], lengths_mm });
+                }
+            }
+        }
+    }
+    pairs
+}
+
+/// How an edge of a part is called where it meets another part: by the marks of its seam or its
+/// joints where the pattern shows those, else by its name.
+fn edge_name(part: &Part, edge: &Edge, with: usize) -> String {
+    ranges(edge_marks(part, edge, with))
+}
+
+/// The marks by which an edge is called, or its name.
+fn edge_marks(part: &Part, edge: &Edge, with: usize) -> Vec<String> {
+    if let EdgeSource::Cut { number, .. } = edge.source {
+        return vec![seam_mark(part.sheet.first_seam() + number)];
+    }
+    let joints = part.given().map_or(&[][..], |given| &given.joints);
+    let mut steps: Vec<[usize; 2]> = edge.run.windows(2).map(|step| [step[0], step[1]]).collect();
+    steps.sort_unstable();
+    let is_along =
+        |step: &[VertexIndex; 2]| steps.binary_search(&step.map(VertexIndex::get)).is_ok();
+    let of_edge = joints.iter().filter(|joint| joint.with == with);
+    let marks = of_edge.filter(|joint| joint.steps.iter().any(is_along));
+    let marks: Vec<String> = marks.map(|joint| joint.mark.clone()).collect();
+    if marks.is_empty() { vec![edge.name.clone()] } else { marks }
+}
+
+/// How the seam of two edges is called on both patterns: by the marks or the name that both have.
+/// `None` where they have other names.
+fn seam_names(made: &Made, [own, other]: [EdgePlace; 2]) -> Option<Vec<String>> {
+    let names = |place: EdgePlace, with: EdgePlace| {
+        let part = &made.parts[place.part];
+        edge_marks(part, &part.edges[place.edge], with.part)
+    };
+    let of_other = names(other, own);
+    let mut both = names(own, other);
+    both.retain(|name| of_other.contains(name));
+    (!both.is_empty()).then_some(both)
+}
+
+/// Likewise; where they have other names, that of the first.
+fn seam_or_own_names(made: &Made, places: [EdgePlace; 2]) -> Vec<String> {
+    let [own, other] = places;
+    let part = &made.parts[own.part];
+    let own_names = || edge_marks(part, &part.edges[own.edge], other.part);
+    seam_names(made, places).unwrap_or_else(own_names)
+}
+
+/// Marks such as `S1` in the order of their numbers, each once; of those that follow one another,
+/// the first and the last.
+fn ranges(mut marks: Vec<String>) -> String {
+    marks.sort_by(|a, b| (a.len(), a).cmp(&(b.len(), b)));
+    marks.dedup();
+    let parsed = |mark: &str| -> Option<(String, usize)> {
+        let letters = mark.trim_end_matches(|c: char| c.is_ascii_digit());
+        Some((letters.to_owned(), mark[letters.len()..].parse().ok()?))
+    };
+    let mut runs: Vec<(String, String)> = Vec::new();
+    let mut before: Option<(String, usize)> = None;
+    for mark in &marks {
+        let now = parsed(mark);
+        let follows = matches!((&before, &now),
+            (Some((a, n)), Some((b, m))) if a == b && n + 1 == *m);
+        match runs.last_mut().filter(|_| follows) {
+            Some(run) => run.1 = mark.clone(),
+            None => runs.push((mark.clone(), mark.clone())),
+        }
+        before = now;
+    }
+    let said = runs
+        .into_iter()
+        .map(|(first, last)| if first == last { first } else { format!("{first}–{last}") });
+    said.collect::<Vec<_>>().join(", ")
+}
+
+/// A length with the one that it is joined to, where they differ.
+fn both_lengths(own_mm: f64, other_mm: f64) -> String {
+    let length = millimetres(own_mm);
+    if (own_mm - other_mm).abs() < EQUAL_MM {
+        length
+    } else {
+        format!("{length}, the other {}", millimetres(other_mm))
+    }
+}
+
+/// A count with its noun, such as `1 part`.
+fn counted(count: usize, one: &str, many: &str) -> String {
+    if count == 1 { format!("1 {one}") } else { format!("{count} {many}") }
+}
+
+#[cfg(test)]
+mod tests;
