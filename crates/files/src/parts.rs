@@ -48,8 +48,8 @@ pub(crate) fn write_parts(made: &Made, patterns: &[CutItem]) -> Vec<u8> {
     out.into_bytes()
 }
 
-/// Where each of those parts lies, in their order: the number of the sheet, the middle of the box of
-/// the part on it, by how much it is turned, and whether it is turned over.
+/// Where each of those parts lies, in their order: the number of the sheet, the middle of the box
+/// of the part on it, by how much it is turned, and whether it is turned over.
 fn on_sheets(made: &Made, item: &CutItem, laid: &[LaidPart]) -> [String; 5] {
     let of_item = item.instances.iter().filter_map(|instance| {
         let name = &made.parts[instance.number].name;

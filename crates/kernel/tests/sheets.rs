@@ -6,7 +6,7 @@ use sheetwright::design::{
     Design, Mark, MarkKind, MarkOn, MarkWay, SheetForm, Stock, StockSheet, Turn,
 };
 use sheetwright::make::{Made, beside_each_other, make};
-use sheetwright::math::{Vec2, from_deg};
+use sheetwright::math::{Vec2, from_deg, unit2};
 use sheetwright::pattern::{LabelKind, PathKind, Piece, Role};
 use sheetwright::predicate::signed_area_doubled;
 use sheetwright::template::template;
@@ -79,7 +79,7 @@ fn grain_runs_along_the_sheet() {
             .iter()
             .flat_map(|sheet| &sheet.paths)
             .filter(|path| path.kind == PathKind::Grain)
-            .map(|path| (path.points[1] - path.points[0]).normalize().dot(along))
+            .map(|path| unit2(path.points[1] - path.points[0]).unwrap().dot(along))
             .collect();
         assert_eq!(arrows.len(), 5);
         for cos in arrows {

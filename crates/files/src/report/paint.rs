@@ -1,4 +1,5 @@
-//! What is filled in a picture of space, as SVG: triangles and cells in the classes of their shades.
+//! What is filled in a picture of space, as SVG: triangles and cells in the classes of their
+//! shades.
 
 use super::canvas::{PathData, number};
 use crate::space::{CellRow, Fill, Shade};

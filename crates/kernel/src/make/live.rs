@@ -266,8 +266,8 @@ impl Live {
     }
 
     /// The parts of each panel, or why they can't be made, in the order of [`Self::panels`]:
-    /// divided as the sheets of the design ask for, and with its trims and marks, as far as its panels can
-    /// be made; `None` of a design without any of these.
+    /// divided as the sheets of the design ask for, and with its trims and marks, as far as its
+    /// panels can be made; `None` of a design without any of these.
     pub fn trimmed(&self) -> Option<Vec<Result<Vec<Part>, MakeError>>> {
         let design = &self.design;
         if design.trims.is_empty() && design.marks.is_empty() && design.stock.is_none() {

@@ -1,9 +1,9 @@
 //! A sheet with the parts on it as one drawing, for writers that know pieces.
 //!
 //! Lines keep their roles, so that a part on a sheet is cut, scored and engraved as by itself. A
-//! part that lies in a hole of another is cut before that hole, or it would fall out with it: all of
-//! its cuts count as inner ones. What a pattern has beside the part, its dimensions and texts with
-//! leaders, would lie on its neighbours and stays away.
+//! part that lies in a hole of another is cut before that hole, or it would fall out with it: all
+//! of its cuts count as inner ones. What a pattern has beside the part, its dimensions and texts
+//! with leaders, would lie on its neighbours and stays away.
 
 use super::nested::Nested;
 use super::{CutItem, Made};

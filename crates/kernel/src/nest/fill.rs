@@ -11,8 +11,8 @@ const TRIES: Tries = Tries { anywhere: 600, near: 0, kept: 3 };
 /// Across the sheet counts this much less than along it.
 const ACROSS: f64 = 0.1;
 
-/// Lays a part on a sheet beside what lies there, where it reaches least far along it; whether there
-/// was a place.
+/// Lays a part on a sheet beside what lies there, where it reaches least far along it; whether
+/// there was a place.
 pub(super) fn lay_on(
     state: &mut State<'_>,
     item: usize,

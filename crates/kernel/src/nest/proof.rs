@@ -1,8 +1,8 @@
 //! The proof of a layout, on the parts as they are cut.
 //!
 //! Of every two parts on one sheet, no side comes nearer to a side of the other than the gap, and
-//! neither has a corner in the other; every part lies inside its sheet by the margin, along the grain
-//! where it has to; each is laid as often as it is to be cut.
+//! neither has a corner in the other; every part lies inside its sheet by the margin, along the
+//! grain where it has to; each is laid as often as it is to be cut.
 
 use super::{Nest, NestForm, NestOptions, NestPart, NestSheet, Placement};
 use sheetwright_geometry::math::{Point2, Vec2};

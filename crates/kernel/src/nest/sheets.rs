@@ -2,9 +2,9 @@
 //!
 //! Parts go on the first open sheet that takes them; where none does, a new one is opened, of the
 //! kind that costs least for its area, offcuts first. Then the sheet with least on it is emptied:
-//! its parts are thrown on the others and separated there, and while that works, once more. The last
-//! sheet may at the end be one of a cheaper kind that takes its parts, too, and they are squeezed
-//! together, so that the rest of it can be used.
+//! its parts are thrown on the others and separated there, and while that works, once more. The
+//! last sheet may at the end be one of a cheaper kind that takes its parts, too, and they are
+//! squeezed together, so that the rest of it can be used.
 
 use super::fill::{fits, lay_on, order};
 use super::layout::{Pose, Room};

@@ -26,8 +26,8 @@ impl Turns {
         self.angles.is_empty() || self.tolerance > 0.0
     }
 
-    /// An allowed angle, and whether it is turned over. Where any angle is allowed, half of them lay
-    /// a long side of the form along a side of the sheet.
+    /// An allowed angle, and whether it is turned over. Where any angle is allowed, half of them
+    /// lay a long side of the form along a side of the sheet.
     pub(super) fn any(&self, shape: &Shape, random: &mut Random) -> (f64, bool) {
         let is_over = self.may_turn_over && random.below(2) == 1;
         let turn = if !self.angles.is_empty() {

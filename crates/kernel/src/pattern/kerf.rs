@@ -1,5 +1,5 @@
-//! The line that a beam, a jet or a mill follows so that the piece keeps its size: half of the cut's
-//! width outside the outline and inside holes.
+//! The line that a beam, a jet or a mill follows so that the piece keeps its size: half of the
+//! cut's width outside the outline and inside holes.
 
 use super::{PathKind, PatternPath, Piece, Role};
 use sheetwright_geometry::math::{Point2, Vec2};

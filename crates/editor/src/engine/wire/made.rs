@@ -37,7 +37,7 @@ fields!(BendLine { strip, is_fold, ends, angle, pitch_mm, along_mm, beyond_mm })
 fields!(PatternPath { role, kind, points, closed });
 fields!(PatternLabel { kind, role, at, along, height_mm, text });
 kinds!(Verdict { Bends, BendsWithForce, Roll, BendsAndFolds, Undecided, WillNotBend });
-kinds!(Role { Cut, Inner, Drill, Score, Net, Engrave, Note });
+kinds!(Role { Cut, Inner, Drill, Score, Net, Engrave, Note, Sheet });
 kinds!(LabelKind { Name, Quantity, Edge, Mark, Length, Angle, Overall, Trim, Bend, OnFace });
 
 impl Wire for PathKind {
