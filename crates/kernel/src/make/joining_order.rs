@@ -3,7 +3,8 @@
 //! The first part is the one that is joined along the greatest length. Each next one is the part
 //! that is joined to what stands along the greatest length, so that every part has much to lie
 //! against. Parts that nothing joins to what stands begin anew, so the components of a design come
-//! one after the other. This is a maximum adjacency order: of the last two parts of a component,
+//! one after the other. The joints of a part that was divided count as longer than all others: a
+//! plank is scarfed before it is hung. This is a maximum adjacency order: of the last two parts of a component,
 //! no way of dividing the component between them cuts less length than taking the last one off
 //! (\[SW97\]), which the tests compare with all ways of dividing.
 //!
@@ -11,12 +12,15 @@
 //! equal; of equal parts, the first in the design comes first.
 
 use super::{Made, Part};
-use crate::edge::EdgePlace;
+use crate::edge::{Edge, EdgePlace, EdgeSource};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Micrometres in a millimetre.
 const UM: f64 = 1e3;
+/// By how much longer the joint of a part that was divided counts, micrometres: longer than all
+/// edges of a design, which reach 100 km at the most.
+const DIVISION_UM: u64 = 1_000_000_000_000_000;
 
 /// One part that is joined to those that stand already.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,8 +48,13 @@ impl Made {
     /// The order in which its parts are joined: each part once.
     pub fn joining_order(&self) -> Vec<JoiningStep> {
         let joined = |part: &Part| {
-            let mates = part.edges.iter().flat_map(|edge| edge.mates.iter().zip(&edge.shared_mm));
-            mates.map(|(mate, shared_mm)| (mate.part, whole_um(shared_mm[0]))).collect()
+            let of_edge = |edge: &'_ Edge| -> Vec<(usize, u64)> {
+                let is_division = matches!(edge.source, EdgeSource::Division { .. });
+                let more = if is_division { DIVISION_UM } else { 0 };
+                let mates = edge.mates.iter().zip(&edge.shared_mm);
+                mates.map(|(mate, shared)| (mate.part, more + whole_um(shared[0]))).collect()
+            };
+            part.edges.iter().flat_map(of_edge).collect()
         };
         let graph: Vec<BTreeMap<usize, u64>> =
             self.parts.iter().map(|part| summed(joined(part))).collect();

@@ -2,8 +2,9 @@
 //!
 //! Parts go on the first open sheet that takes them; where none does, a new one is opened, of the
 //! kind that costs least for its area, offcuts first. Then the sheet with least on it is emptied:
-//! its parts are thrown on the others and separated there, and while that works, once more. The
-//! last sheet may at the end be one of a cheaper kind that takes its parts, too, and they are
+//! its parts are thrown on the others and separated there, and while that works, once more. Single
+//! parts of the last sheet are thrown on the others likewise, so that more of it is left. The last
+//! sheet may at the end be one of a cheaper kind that takes its parts, too, and they are
 //! squeezed together, so that the rest of it can be used.
 
 use super::fill::{fits, lay_on, order};
@@ -23,6 +24,10 @@ use std::f64::consts::TAU;
 const PATIENCE: Patience = Patience { rounds: 60, strikes: 2 };
 /// An attempt to do without a sheet may use this share of what is left of the budget.
 const ATTEMPT: f64 = 0.4;
+/// Throwing a single part on a fuller sheet may use this share of the budget.
+const SINGLE: f64 = 0.02;
+/// So many parts in a row that find no place end that.
+const REFUSED: usize = 4;
 /// No layout covers more than this share of its sheets in sensible time.
 const DENSEST: f64 = 0.95;
 /// More parts than this are not separated together: their pairs would fill the memory.
@@ -232,6 +237,7 @@ impl<'a> Laid<'a> {
         };
         let by_area = |a: &usize, b: &usize| state.area(*a).total_cmp(&state.area(*b));
         let Some(last) = used(state).into_iter().rev().min_by(by_area) else { return };
+        self.fuller(state, last, budget, random);
         self.cheaper(state, last, budget, random);
         for sheet in used(state) {
             let is_roll = self.kinds.is_roll(self.of[sheet]);
@@ -281,11 +287,7 @@ impl<'a> Laid<'a> {
             }
             let sheet = others[random.below(others.len())];
             for &item in &group {
-                let room = &state.rooms[sheet];
-                let x = random.between(room.low.x, room.high.x);
-                let y = random.between(room.low.y, room.high.y);
-                let (turn, is_over) = state.items[item].turns.any(state.shape(item), random);
-                state.lay(item, Pose { sheet, at: Point2::new(x, y), turn, is_over });
+                self.throw(state, item, sheet, random);
             }
         }
         let rest = ((1.0 - ATTEMPT) * budget.left as f64) as i64;
@@ -296,6 +298,57 @@ impl<'a> Laid<'a> {
             restore(state, &before);
         }
         loss == 0.0
+    }
+
+    /// Throws single parts of the last sheet, the largest first, on the sheet with most room, where
+    /// they can be separated.
+    fn fuller(
+        &self,
+        state: &mut State<'_>,
+        last: usize,
+        budget: &mut Budget<'_>,
+        random: &mut Random,
+    ) {
+        let others: Vec<usize> = (0..state.rooms.len())
+            .filter(|&sheet| sheet != last && !state.on[sheet].is_empty())
+            .filter(|&sheet| !self.kinds.is_roll(self.of[sheet]))
+            .filter(|&sheet| state.on[sheet].len() < MOST_TOGETHER)
+            .collect();
+        let single = (SINGLE * budget.left as f64) as i64;
+        let mut refused = 0;
+        for item in order(state).into_iter().flatten() {
+            let is_on_last = state.poses[item].is_some_and(|pose| pose.sheet == last);
+            if !is_on_last || state.items[item].group.is_some() {
+                continue;
+            }
+            let left = |&sheet: &usize| DENSEST * state.rooms[sheet].area() - state.area(sheet);
+            let most = others.iter().max_by(|a, b| left(a).total_cmp(&left(b)));
+            let Some(&sheet) = most.filter(|most| left(most) >= state.shape(item).area) else {
+                continue;
+            };
+            if refused == REFUSED || budget.is_over() {
+                return;
+            }
+            let before = state.poses.clone();
+            self.throw(state, item, sheet, random);
+            let rest = budget.left - single.min(budget.left);
+            let mut attempt = Budget { left: budget.left - rest, stop: &mut *budget.stop };
+            let loss = separate(state, &[sheet], PATIENCE, &mut attempt, random);
+            budget.left = rest + attempt.left;
+            if loss > 0.0 {
+                restore(state, &before);
+            }
+            refused = if loss > 0.0 { refused + 1 } else { 0 };
+        }
+    }
+
+    /// Lays a part somewhere on a sheet.
+    fn throw(&self, state: &mut State<'_>, item: usize, sheet: usize, random: &mut Random) {
+        let room = &state.rooms[sheet];
+        let x = random.between(room.low.x, room.high.x);
+        let y = random.between(room.low.y, room.high.y);
+        let (turn, is_over) = state.items[item].turns.any(state.shape(item), random);
+        state.lay(item, Pose { sheet, at: Point2::new(x, y), turn, is_over });
     }
 
     /// Takes a cheaper kind for a sheet if its parts fit there, too.
