@@ -8,8 +8,9 @@
 
 use crate::theme::Theme;
 use eframe::egui::{self, Id, Key, RichText, Ui};
+use sheetwright::design::StockSheet;
 use sheetwright_files::{
-    Units, length_text, read_angle, read_length, read_lengths, read_number, step_text,
+    Units, length_text, read_angle, read_length, read_lengths, read_number, step_text, stock_sheet,
 };
 use std::ops::RangeInclusive;
 
@@ -139,6 +140,19 @@ impl Field<'_> {
             text => Ok(text.to_owned()),
         };
         self.typed(ui, name, "Type a name.", read).filter(|new| new != name)
+    }
+
+    /// Sheets, separated by commas. `Some` with the new ones when others were typed; none where the
+    /// text is empty.
+    pub(crate) fn sheets(&self, ui: &mut Ui, shown: &str) -> Option<Vec<StockSheet>> {
+        let read = |text: &str| -> Result<Vec<StockSheet>, String> {
+            let all = text.split([',', ';']).map(str::trim).filter(|text| !text.is_empty());
+            all.map(stock_sheet).collect()
+        };
+        let hint = "Type the size of a sheet, such as 1220x2440mm or 4x8ft, 3x1220x2440mm where \
+                    there are three, roll:1370mm for a roll; or several with commas between them. \
+                    Empty: parts are not laid out.";
+        self.typed(ui, shown, hint, read)
     }
 
     /// Puts the cursor into the field, once it has been shown, to type over what is there.

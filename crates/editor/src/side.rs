@@ -4,6 +4,7 @@
 //! field stays where it is while somebody types into it. Each field belongs to the thing by its
 //! name, so that what is typed never lands in another.
 
+mod sheets;
 mod trims;
 
 use crate::command::Command;
@@ -17,6 +18,7 @@ use crate::panes::words::decimal;
 use crate::scene::Act;
 use crate::theme::Theme;
 use eframe::egui::{self, ComboBox, Id, RichText, Ui};
+use sheets::sheets_ui;
 use sheetwright::boundary::PlaneChoice;
 use sheetwright::design::{
     Design, DesignPanel, Dimensions, PanelMesh, PanelShape, SampleTolerance,
@@ -186,6 +188,7 @@ fn panel_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
         thickness_ui(ui, editor.document(), theme, acts);
         trade_ui(ui, design, acts);
         preset_ui(ui, design, acts);
+        sheets_ui(ui, design, theme, acts);
     });
     let made = design.panels_to_make();
     let name = match editor.selection().panel {

@@ -102,7 +102,7 @@ pub use report::{
 };
 pub use sheets::sheets_sentence;
 pub use step::write_step;
-pub use stock::{sheet_title, stock_sheet};
+pub use stock::{sheet_title, stock_sheet, stock_text};
 pub use svg::{read_svg, write_svg, write_svg_for};
 pub use table::{MAX_CURVES, MAX_ROWS, TableCurve, read_table, write_table};
 pub use template_call::{NewDesign, design_from_template, new_design};

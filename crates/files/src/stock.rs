@@ -47,6 +47,18 @@ pub fn stock_sheet(text: &str) -> Result<StockSheet, String> {
     read().ok_or_else(|| EXAMPLES.to_owned())
 }
 
+/// A kind of sheet as it is typed; `None` of an offcut, which has corners.
+pub fn stock_text(sheet: &StockSheet) -> Option<String> {
+    let count = sheet.count.map_or_else(String::new, |count| format!("{count}x"));
+    match sheet.form {
+        SheetForm::Rectangle { size: [width, height] } => {
+            Some(format!("{count}{width}x{height}mm"))
+        }
+        SheetForm::Roll { width } => Some(format!("roll:{width}mm")),
+        SheetForm::Outline { .. } => None,
+    }
+}
+
 /// What a sheet is called: by its name, or by its size.
 pub fn sheet_title(sheet: &StockSheet) -> String {
     let mm = |mm: f64| length_text(mm, Units::Millimetres);
@@ -77,6 +89,9 @@ mod tests {
         assert_eq!(roll.form, SheetForm::Roll { width: 1371.6 });
         assert_eq!(sheet_title(&roll), "roll of 1371.6 mm");
         assert_eq!(sheet_title(&stock_sheet("4x8ft").unwrap()), "1219.2 × 2438.4 mm");
+        for text in ["1220x2440mm", "3x1219.2x2438.4mm", "roll:1370mm"] {
+            assert_eq!(stock_text(&stock_sheet(text).unwrap()).unwrap(), text);
+        }
         for text in ["", "1220", "0x3", "1x2x3x4", "axb", "roll:", "2kmx3", "1.5x3x4", "9e9x1"] {
             assert!(stock_sheet(text).is_err(), "{text}");
         }

@@ -94,6 +94,11 @@ pub fn edited(document: &Document, edit: &Edit) -> Outcome {
             next.design.preset.clone_from(name);
             Ok(Edited::of(next))
         }
+        Edit::SetStock(stock) => {
+            let mut next = document.clone();
+            next.design.stock = stock.as_deref().cloned();
+            Ok(Edited::of(next))
+        }
         Edit::SetSheet { thickness_mm, dimensions } => {
             let mut next = document.clone();
             (next.design.thickness_mm, next.design.dimensions) = (*thickness_mm, *dimensions);

@@ -1,7 +1,7 @@
 //! The edits of a document that there are; [`super::edit`] carries them out.
 
 use super::Drawing;
-use sheetwright::design::{DesignPanel, Dimensions, TrimKind};
+use sheetwright::design::{DesignPanel, Dimensions, Stock, TrimKind};
 use sheetwright::math::Point2;
 
 /// A change of the document.
@@ -76,6 +76,8 @@ pub enum Edit {
     },
     /// The preset of its SVG and DXF files, by name; `None` for that of its trade.
     SetPreset(Option<String>),
+    /// What the parts are cut from; `None` where they are not laid out.
+    SetStock(Option<Box<Stock>>),
     /// How thick the sheet is, and which face of it is drawn.
     SetSheet {
         /// The thickness, mm; `None` for that of its material.

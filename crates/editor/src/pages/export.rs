@@ -3,9 +3,14 @@
 use super::{main_button, window};
 use crate::editor::Editor;
 use crate::theme::Theme;
-use eframe::egui::{self, RichText};
+use eframe::egui::{self, RichText, Ui};
 use sheetwright::check::Verdict;
 use sheetwright_files::{Format, formats_for};
+
+/// How wide the page is, points.
+const WIDTH: f32 = 620.0;
+/// From this width on the formats stand in two columns.
+const TWO_COLUMNS: f32 = 480.0;
 
 /// What is chosen.
 #[derive(Clone, Debug, Default)]
@@ -23,7 +28,7 @@ impl ExportPage {
         theme: &Theme,
     ) -> (bool, Option<Vec<Format>>) {
         let mut wanted = None;
-        let stays = window(ctx, "Export", 430.0, |ui| {
+        let stays = window(ctx, "Export", WIDTH, |ui| {
             let bad: Vec<&str> = editor
                 .shown()
                 .iter()
@@ -41,17 +46,18 @@ impl ExportPage {
             }
             let of_design = formats_for(&editor.document().design);
             let mut formats = self.formats.clone().unwrap_or(of_design);
-            for format in Format::ALL {
-                let (name, what) = format.about();
-                let mut is_chosen = formats.contains(&format);
-                if ui.checkbox(&mut is_chosen, name).changed() {
-                    formats.retain(|other| *other != format);
-                    formats.extend(is_chosen.then_some(format));
-                    formats.sort_unstable();
-                    self.formats = Some(formats.clone());
+            // Two columns where there is room, so that the button below is seen.
+            let columns = if ui.available_width() >= TWO_COLUMNS { 2 } else { 1 };
+            let rows = Format::ALL.len().div_ceil(columns);
+            ui.columns(columns, |uis| {
+                for (ui, list) in uis.iter_mut().zip(Format::ALL.chunks(rows)) {
+                    for &format in list {
+                        if format_ui(ui, theme, format, &mut formats) {
+                            self.formats = Some(formats.clone());
+                        }
+                    }
                 }
-                ui.indent(name, |ui| ui.label(RichText::new(what).color(theme.faint).small()));
-            }
+            });
             ui.add_space(10.0);
             let text = if cfg!(target_arch = "wasm32") { "Download" } else { "Choose a folder…" };
             ui.add_enabled_ui(!formats.is_empty(), |ui| {
@@ -64,4 +70,18 @@ impl ExportPage {
         });
         (stays, wanted)
     }
+}
+
+/// A format and what it is for; whether it was chosen or left out.
+fn format_ui(ui: &mut Ui, theme: &Theme, format: Format, formats: &mut Vec<Format>) -> bool {
+    let (name, what) = format.about();
+    let mut is_chosen = formats.contains(&format);
+    let is_changed = ui.checkbox(&mut is_chosen, name).changed();
+    if is_changed {
+        formats.retain(|other| *other != format);
+        formats.extend(is_chosen.then_some(format));
+        formats.sort_unstable();
+    }
+    ui.indent(name, |ui| ui.label(RichText::new(what).color(theme.faint).small()));
+    is_changed
 }

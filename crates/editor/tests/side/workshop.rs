@@ -95,6 +95,45 @@ fn thickness_drawn_face_and_preset_are_fields_of_the_sheet() {
 }
 
 #[test]
+fn what_parts_are_cut_from_is_a_field_and_larger_parts_are_divided() {
+    let mut hands = with_template("cone", Units::Millimetres);
+    hands.harness.set_size(HIGH.into());
+    hands.harness.run_steps(5);
+    let stock = |hands: &Hands| hands.app().editor().document().design.stock.clone();
+    assert_eq!(field(&hands, "Cut from").unwrap().1, "");
+    hands.type_into("Cut from", "1220");
+    assert!(says(&hands, "give a width and a height such as 1220x2440mm"));
+    assert_eq!(stock(&hands), None);
+    hands.type_into("Cut from", "2x1220x2440mm, roll:900mm");
+    hands.settle();
+    assert_eq!(stock(&hands).unwrap().sheets.len(), 2);
+    assert_eq!(field(&hands, "Cut from").unwrap().1, "2x1220x2440mm, roll:900mm");
+    hands.save_and_export();
+    {
+        let disk = hands.disk.lock().unwrap();
+        let (options, format) = (ReadOptions::default(), InputFormat::Design);
+        let read = read_bytes(format, &disk.saved, "a.sheet.json", None, &options).unwrap();
+        let mut made = make(&read, &mut Unwatched).unwrap();
+        made.lay_out(&mut Unwatched);
+        let formats = formats_for(&read);
+        let wanted = output_files(&made, &formats, OutputOptions::of(&read)).unwrap().files;
+        assert!(wanted.iter().any(|file| file.name == "sheets.svg"));
+        assert_eq!(disk.exported, wanted);
+    }
+    let pieces = |hands: &Hands| hands.app().editor().shown().len();
+    hands.type_into("Cut from", "400x300mm");
+    hands.settle();
+    assert_eq!(pieces(&hands), 1);
+    open_list(&mut hands, "Left whole");
+    hands.click("Butted, with straps");
+    hands.settle();
+    assert!(stock(&hands).unwrap().divide.is_some() && pieces(&hands) > 2);
+    hands.type_into("Cut from", "");
+    hands.settle();
+    assert_eq!(pieces(&hands), 1);
+}
+
+#[test]
 fn what_is_done_along_a_selected_edge_is_fields_and_drawn_at_once() {
     let mut hands = with_template("bag", Units::Millimetres);
     hands.harness.set_size(HIGH.into());

@@ -245,7 +245,7 @@ mod tests {
                 let area: f64 = parts.iter().map(|part| part.size.x * part.size.y).sum();
                 let paper_area: f64 = pages.iter().map(|page| page.page.x * page.page.y).sum();
                 if pages.len() > 3 && paper != Paper::ProjectorEach {
-                    assert!(area > 0.4 * paper_area, "{paper:?}: {}", area / paper_area);
+                    assert!(area > 0.3 * paper_area, "{paper:?}: {}", area / paper_area);
                 }
             }
         }

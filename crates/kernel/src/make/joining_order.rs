@@ -4,9 +4,9 @@
 //! that is joined to what stands along the greatest length, so that every part has much to lie
 //! against. Parts that nothing joins to what stands begin anew, so the components of a design come
 //! one after the other. The joints of a part that was divided count as longer than all others: a
-//! plank is scarfed before it is hung. This is a maximum adjacency order: of the last two parts of a component,
-//! no way of dividing the component between them cuts less length than taking the last one off
-//! (\[SW97\]), which the tests compare with all ways of dividing.
+//! plank is scarfed before it is hung. This is a maximum adjacency order: of the last two parts of
+//! a component, no way of dividing the component between them cuts less length than taking the last
+//! one off (\[SW97\]), which the tests compare with all ways of dividing.
 //!
 //! Lengths are counted in whole micrometres, so that lengths which differ by rounding alone are
 //! equal; of equal parts, the first in the design comes first.
