@@ -101,9 +101,6 @@ fn what_parts_are_cut_from_is_a_field_and_larger_parts_are_divided() {
     hands.harness.run_steps(5);
     let stock = |hands: &Hands| hands.app().editor().document().design.stock.clone();
     assert_eq!(field(&hands, "Cut from").unwrap().1, "");
-    hands.type_into("Cut from", "1220");
-    assert!(says(&hands, "give a width and a height such as 1220x2440mm"));
-    assert_eq!(stock(&hands), None);
     hands.type_into("Cut from", "2x1220x2440mm, roll:900mm");
     hands.settle();
     assert_eq!(stock(&hands).unwrap().sheets.len(), 2);
@@ -121,16 +118,21 @@ fn what_parts_are_cut_from_is_a_field_and_larger_parts_are_divided() {
         assert_eq!(disk.exported, wanted);
     }
     let pieces = |hands: &Hands| hands.app().editor().shown().len();
-    hands.type_into("Cut from", "400x300mm");
+    hands.type_into("Cut from", "300x250mm");
     hands.settle();
     assert_eq!(pieces(&hands), 1);
     open_list(&mut hands, "Left whole");
-    hands.click("Butted, with straps");
+    hands.click("Overlapped");
     hands.settle();
     assert!(stock(&hands).unwrap().divide.is_some() && pieces(&hands) > 2);
-    hands.type_into("Cut from", "");
+    let edit = Edit::SetStock(None);
+    hands.harness.state_mut().editor_mut().carry_out(Act::Edit(edit));
     hands.settle();
     assert_eq!(pieces(&hands), 1);
+    let before = stock(&hands);
+    hands.type_into("Cut from", "1220");
+    assert!(says(&hands, "give a width and a height such as 1220x2440mm"));
+    assert_eq!(stock(&hands), before);
 }
 
 #[test]
