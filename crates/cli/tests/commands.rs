@@ -2,6 +2,12 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that can't go on fails")]
 
+#[path = "commands/new.rs"]
+mod new;
+#[path = "commands/pages.rs"]
+mod pages;
+#[path = "commands/sheets.rs"]
+mod sheets;
 #[path = "commands/trades.rs"]
 mod trades;
 
@@ -385,99 +391,6 @@ fn what_the_call_sets_comes_before_what_the_input_says() {
     assert_eq!(note, "");
 }
 
-/// A flat rectangle of 3 by 4 metres: some 180 sheets of A4, and fewer than 300.
-const LARGE: &str = "x,y,z,corner\n0,0,0,1\n4000,0,0,1\n4000,3000,0,1\n0,3000,0,1\n";
-
-/// The boxes of the pages of a PDF, without repetitions.
-fn page_boxes(path: &Path) -> Vec<String> {
-    let bytes = fs::read(path).unwrap();
-    let pdf = String::from_utf8_lossy(&bytes);
-    let rest = pdf.split("/MediaBox [").skip(1);
-    let mut boxes: Vec<String> = rest.map(|r| r.split(']').next().unwrap().to_owned()).collect();
-    boxes.sort();
-    boxes.dedup();
-    boxes
-}
-
-#[test]
-fn patterns_come_on_the_paper_that_is_asked_for() {
-    let desk = Desk::new(&[("square.csv", SQUARE)]);
-    desk.says("make square.csv --out a4 --formats pdf", 0);
-    desk.says("make square.csv --out letter --formats pdf --paper letter", 0);
-    desk.says("convert square.csv letter.pdf --paper letter", 0);
-    let a4 = page_boxes(&desk.path("a4/pattern.pdf"));
-    assert!(a4.iter().all(|page| page.contains("595.2756") && page.contains("841.8898")), "{a4:?}");
-    let letter = page_boxes(&desk.path("letter/pattern.pdf"));
-    assert!(letter.iter().all(|page| page.contains("612") && page.contains("792")), "{letter:?}");
-    let bytes = |name: &str| fs::read(desk.path(name)).unwrap();
-    assert_eq!(bytes("letter/pattern.pdf"), bytes("letter.pdf"));
-    let (_, error) = desk.says("make square.csv --out no --paper a9", 2);
-    assert!(error.contains("invalid value 'a9' for '--paper <PAPER>'"), "{error}");
-}
-
-#[test]
-fn the_page_of_a_report_is_long_or_short_as_it_is_asked_for() {
-    let desk = Desk::new(&[("two.sheet.json", TWO_PANELS)]);
-    let page = |asked: &str| {
-        desk.says(&format!("make two.sheet.json --out out --formats report {asked}"), 0);
-        fs::read_to_string(desk.path("out/report.html")).unwrap()
-    };
-    let short = page("--report short");
-    assert!(short.contains("Of 2 panels") && !short.contains("id=\"panel-1\""));
-    for long in [page("--report long"), page("")] {
-        assert!(long.contains("id=\"panel-1\"") && !long.contains("Of 2 panels"));
-    }
-    let (_, said) = desk.says("make two.sheet.json --out out --report some", 2);
-    assert!(said.contains("short") && said.contains("long"), "{said}");
-}
-
-#[test]
-fn a_page_that_is_short_for_its_many_panels_says_how_it_is_had_whole() {
-    let curves = r#""a": { "kind": "polyline", "points": [[0,0,0], [100,0,0]] },
-        "b": { "kind": "polyline", "points": [[0,50,0], [100,50,0]] }"#;
-    let panel =
-        |n: usize| format!("{{ \"name\": \"p{n}\", \"rails\": [\"a\", \"b\"], \"samples\": 3 }}");
-    let panels: Vec<String> = (0..101).map(panel).collect();
-    let panels = panels.join(",");
-    let design =
-        format!("{{ \"sheetwright\": 1, \"curves\": {{ {curves} }}, \"panels\": [{panels}] }}");
-    let desk = Desk::new(&[("many.sheet.json", &design)]);
-    let call = "make many.sheet.json --out out --formats report";
-    assert!(desk.says(call, 0).1.contains("--report long"));
-    let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
-    assert!(page.contains("short form") && !page.contains("--report"));
-    for form in ["short", "long"] {
-        let (_, said) = desk.says(&format!("{call} --report {form}"), 0);
-        assert!(!said.contains("--report"), "{said}");
-    }
-}
-
-#[test]
-fn a_large_panel_is_tiled_if_so_many_sheets_are_allowed() {
-    let desk = Desk::new(&[("large.csv", LARGE)]);
-    let (words, _) = desk.says("make large.csv --out few --formats pdf --max-sheets 200", 0);
-    let asked = words.split("--max-sheets ").nth(1).unwrap_or_else(|| panic!("{words}"));
-    let enough = asked.split(' ').next().unwrap();
-    let pages = |name: &str| {
-        let bytes = fs::read(desk.path(name)).unwrap();
-        String::from_utf8_lossy(&bytes).matches("/Type /Page\n").count()
-    };
-    assert_eq!(pages("few/pattern.pdf"), 2);
-    let (words, _) = desk.says(&format!("make large.csv --out all --max-sheets {enough}"), 0);
-    assert_eq!(words, "large: bends\n");
-    assert_eq!(pages("all/pattern.pdf"), 1 + enough.parse::<usize>().unwrap());
-    desk.says(&format!("convert large.csv all.pdf --max-sheets {enough}"), 0);
-    assert_eq!(
-        fs::read(desk.path("all.pdf")).unwrap(),
-        fs::read(desk.path("all/pattern.pdf")).unwrap()
-    );
-    for wrong in ["0", "20001", "-1", "many", "1e3"] {
-        let (_, error) = desk.says(&format!("make large.csv --out no --max-sheets={wrong}"), 2);
-        assert!(error.contains("give a whole number from 1 to 20000"), "{error}");
-    }
-    assert!(!desk.path("no").exists());
-}
-
 /// Of a loop of 640 samples, threads share the table.
 #[test]
 fn the_number_of_threads_changes_no_bytes() {
@@ -590,65 +503,6 @@ fn the_examples_can_be_made() {
         let output = command.arg(examples.join(name)).output().unwrap();
         assert_eq!(output.status.code(), Some(status), "{name}: {}", text(&output.stderr));
     }
-}
-
-#[test]
-fn new_writes_a_design_that_is_made() {
-    let desk = Desk::new(&[]);
-    let (design, _) = desk.says("new hopper --set width=1m --set pieces=folded", 0);
-    fs::write(desk.path("piped.sheet.json"), &design).unwrap();
-    let (quiet, _) = desk.says("new hopper --set width=1m --set pieces=folded -o h.sheet.json", 0);
-    assert_eq!(
-        (quiet.as_str(), fs::read_to_string(desk.path("h.sheet.json")).unwrap()),
-        ("", design)
-    );
-    let (words, _) = desk.says("check h.sheet.json", 0);
-    assert!(words.starts_with("hopper: bends, with sharp folds\n"), "{words}");
-    // A space is part of the value.
-    let mut command = desk.command("new cone --set");
-    let output = command.arg("height=1' 4 1/2\"").output().unwrap();
-    assert!(text(&output.stdout).contains(",419.1]"));
-}
-
-#[test]
-fn new_makes_at_once_where_it_is_asked_to() {
-    let desk = Desk::new(&[]);
-    let (words, _) = desk.says("new hemisphere --make out --quiet", 0);
-    assert_eq!(words.lines().count(), 36);
-    assert!(words.lines().all(|line| line.ends_with(": bends")));
-    desk.says("new hemisphere -o alone.sheet.json", 0);
-    let beside = fs::read(desk.path("out/hemisphere.sheet.json")).unwrap();
-    assert_eq!(beside, fs::read(desk.path("alone.sheet.json")).unwrap());
-    desk.says("make alone.sheet.json --out later", 0);
-    for name in names_in(&desk.path("later")).iter().filter(|name| *name != "timing.json") {
-        let [now, later] = ["out", "later"].map(|of| fs::read(desk.path(of).join(name)).unwrap());
-        assert!(now == later, "{name}");
-    }
-    // What is refused leaves nothing behind.
-    desk.says("new hemisphere --set bands=99 --make none", 2);
-    desk.says("new hemisphere --make none -o both.sheet.json", 2);
-    assert!(!desk.path("none").exists() && !desk.path("both.sheet.json").exists());
-}
-
-#[test]
-fn new_says_what_there_is() {
-    let desk = Desk::new(&[]);
-    let (all, _) = desk.says("new --list", 0);
-    let (one, _) = desk.says("new square-to-round --list", 0);
-    assert!(all.starts_with("Templates:\n") && all.contains(&one));
-    for words in
-        ["\nsquare-to-round: ", "offset-x = 0 mm", "Also searched for as: ", "(20 mm to 10 m)"]
-    {
-        assert!(format!("\n{one}").contains(words), "{words}");
-    }
-    let (json, _) = desk.says("new --list --json", 0);
-    let json: Value = serde_json::from_str(&json).unwrap();
-    let templates = json["templates"].as_array().unwrap();
-    assert!(templates.iter().any(|t| t["name"] == "dome" && t["parameters"][0]["unit"] == "mm"));
-    let (page, _) = desk.says("man new", 0);
-    assert!(page.contains("square\\-to\\-round") && page.contains("NAME=VALUE"));
-    let (script, _) = desk.says("completions bash", 0);
-    assert!(script.contains("square-to-round"));
 }
 
 #[test]

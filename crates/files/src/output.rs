@@ -264,6 +264,8 @@ pub enum OutputError {
         /// The width of the cut, mm.
         kerf_mm: f64,
     },
+    /// The parts are not laid out, since the design has no sheets.
+    NoSheets,
     /// `report.json` can't be written.
     Report {
         /// The error of the JSON writer.
@@ -293,6 +295,7 @@ impl fmt::Display for OutputError {
                 };
                 write!(f, "panel '{part}': {what} is no wider than the kerf, {kerf_mm} mm")
             }
+            Self::NoSheets => write!(f, "the design has no sheets to lay its parts out on"),
             Self::Report { why } => write!(f, "report.json can't be written: {why}"),
         }
     }
@@ -309,6 +312,7 @@ impl OutputError {
                 Some("Make it wider, give a narrower kerf, or let the machine's program see to it.")
             }
             Self::BadName { .. } | Self::SameName { .. } => Some("Give the panels other names."),
+            Self::NoSheets => Some("Give the size of a sheet, or leave the sheets out."),
             Self::Report { .. } => None,
         }
     }
@@ -445,7 +449,8 @@ impl<'a> Run<'a> {
 
     /// All sheets beside each other, as a machine follows them.
     fn sheets(&self) -> Result<Piece, OutputError> {
-        let mut list = self.made.cut_list();
+        let Some(nested) = &self.made.nested else { return Err(OutputError::NoSheets) };
+        let mut list = nested.list.clone();
         let kerf_mm = self.options.kerf_mm;
         if kerf_mm > 0.0 {
             let pieces = pieces_with_kerf(self.made, &list, kerf_mm)?;

@@ -24,8 +24,11 @@ pub(crate) fn write_parts(made: &Made, patterns: &[CutItem]) -> Vec<u8> {
         "turn_deg",
         "turned_over",
     ];
-    let list = made.cut_list();
-    let laid = made.nested.as_ref().map_or_else(Vec::new, |nested| laid(made, nested, &list));
+    // The places of each part.
+    let mut places: Vec<Vec<LaidPart>> = made.parts.iter().map(|_| Vec::new()).collect();
+    for it in made.nested.iter().flat_map(laid) {
+        places[it.part].push(it);
+    }
     let mut out = columns.join(",") + "\r\n";
     for item in patterns {
         let (piece, quantity) = (&made.parts[item.first()].piece, item.quantity());
@@ -40,7 +43,7 @@ pub(crate) fn write_parts(made: &Made, patterns: &[CutItem]) -> Vec<u8> {
             guarded(&instances(made, item)),
             guarded(&joined_to(made, item)),
         ];
-        let on_sheets = on_sheets(made, item, &laid);
+        let on_sheets = on_sheets(made, item, &places);
         let cells = cells.iter().chain(&on_sheets).map(|cell| quoted(cell));
         out += &cells.collect::<Vec<_>>().join(",");
         out += "\r\n";
@@ -48,23 +51,27 @@ pub(crate) fn write_parts(made: &Made, patterns: &[CutItem]) -> Vec<u8> {
     out.into_bytes()
 }
 
-/// Where each of those parts lies, in their order: the number of the sheet, the middle of the box
-/// of the part on it, by how much it is turned, and whether it is turned over.
-fn on_sheets(made: &Made, item: &CutItem, laid: &[LaidPart]) -> [String; 5] {
-    let of_item = item.instances.iter().filter_map(|instance| {
-        let name = &made.parts[instance.number].name;
-        laid.iter().find(|it| it.name == *name)
-    });
-    let of_item: Vec<&LaidPart> = of_item.collect();
-    let all = |cell: fn(&LaidPart) -> String| -> String {
-        of_item.iter().map(|it| cell(it)).collect::<Vec<_>>().join("; ")
+/// Where each of those parts lies, in their order, as often as it is cut: the number of the sheet,
+/// the middle of the box of the part on it, by how much it is turned, and whether it is turned
+/// over. A part that lies on no sheet has nothing between the semicolons.
+fn on_sheets(made: &Made, item: &CutItem, places: &[Vec<LaidPart>]) -> [String; 5] {
+    let cell = |of: fn(&LaidPart) -> String| -> String {
+        let of_part = |number: usize| {
+            let count = made.wanted[number].count;
+            (0..count).map(move |n| places[number].get(n).map_or_else(String::new, of))
+        };
+        let all = item.instances.iter().flat_map(|instance| of_part(instance.number));
+        all.collect::<Vec<_>>().join("; ")
     };
+    if made.nested.is_none() {
+        return Default::default();
+    }
     [
-        all(|it| (it.placement.sheet + 1).to_string()),
-        all(|it| mm(it.middle.x)),
-        all(|it| mm(it.middle.y)),
-        all(|it| mm(it.turn_deg())),
-        all(|it| if it.placement.is_over { "yes" } else { "no" }.to_owned()),
+        cell(|it| (it.placement.sheet + 1).to_string()),
+        cell(|it| mm(it.middle.x)),
+        cell(|it| mm(it.middle.y)),
+        cell(|it| mm(it.turn_deg())),
+        cell(|it| if it.placement.is_over { "yes" } else { "no" }.to_owned()),
     ]
 }
 

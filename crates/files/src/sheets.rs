@@ -2,7 +2,7 @@
 
 use crate::stock::sheet_title;
 use sheetwright::design::SheetForm;
-use sheetwright::make::{CutItem, Made, Nested};
+use sheetwright::make::{Made, Nested};
 use sheetwright::math::{Point2, to_deg};
 use sheetwright::nest::Placement;
 use sheetwright::predicate::{Box2, signed_area_doubled};
@@ -35,8 +35,10 @@ impl SheetRow {
 /// A row for each sheet, in order.
 pub(crate) fn sheet_rows(made: &Made, nested: &Nested) -> Vec<SheetRow> {
     let Some(stock) = &made.stock else { return Vec::new() };
-    let list = made.cut_list();
-    let laid = laid(made, nested, &list);
+    let mut on: Vec<Vec<LaidPart>> = nested.nest.sheets.iter().map(|_| Vec::new()).collect();
+    for part in laid(nested) {
+        on[part.placement.sheet].push(part);
+    }
     let row = |(n, used): (usize, &sheetwright::nest::UsedSheet)| {
         let kind = &stock.sheets[used.kind];
         let [width, height] = used.size;
@@ -46,16 +48,15 @@ pub(crate) fn sheet_rows(made: &Made, nested: &Nested) -> Vec<SheetRow> {
             SheetForm::Roll { .. } => (width * height, width / 1000.0),
             SheetForm::Outline { points } => (0.5 * signed_area_doubled(points), 1.0),
         };
-        let on_it: Vec<&LaidPart> = laid.iter().filter(|it| it.placement.sheet == n).collect();
-        let name = |it: &&LaidPart| (it.name.clone(), it.middle, it.width_mm);
+        let name = |it: &LaidPart| (made.parts[it.part].name.clone(), it.middle, it.width_mm);
         SheetRow {
             title: sheet_title(kind),
             size: used.size,
             area_mm2,
             used_mm2: used.used_mm2,
-            parts: on_it.len(),
+            parts: on[n].len(),
             cost: kind.cost.map(|cost| cost * times),
-            names: on_it.iter().map(name).collect(),
+            names: on[n].iter().map(name).collect(),
         }
     };
     nested.nest.sheets.iter().enumerate().map(row).collect()
@@ -86,11 +87,7 @@ pub fn sheets_sentence(made: &Made) -> Option<String> {
 
 /// Which parts lie on no sheet, in words; empty where all do.
 pub(crate) fn without_sheet(made: &Made, nested: &Nested) -> String {
-    let list = made.cut_list();
-    let names = |parts: &[usize]| -> String {
-        let name = |&part: &usize| &made.parts[list[nested.items[part].item].first()].name[..];
-        parts.iter().map(name).collect::<Vec<_>>().join(", ")
-    };
+    let names = |parts: &[usize]| pattern_names(made, nested, parts).join(", ");
     let mut words = Vec::new();
     if !nested.nest.too_large.is_empty() {
         words.push(format!("Larger than every sheet: {}.", names(&nested.nest.too_large)));
@@ -101,12 +98,20 @@ pub(crate) fn without_sheet(made: &Made, nested: &Nested) -> String {
     words.join(" ")
 }
 
+/// The names of the patterns of some parts of the layout, each once.
+pub(crate) fn pattern_names<'a>(made: &'a Made, nested: &Nested, parts: &[usize]) -> Vec<&'a str> {
+    // Those that are turned over come after the others of their pattern.
+    let mut items: Vec<usize> = parts.iter().map(|&part| nested.items[part].item).collect();
+    items.dedup();
+    items.into_iter().map(|item| &made.parts[nested.list[item].first()].name[..]).collect()
+}
+
 /// A part where it lies.
 pub(crate) struct LaidPart {
-    /// The pattern, by its number in the list to cut.
+    /// The pattern, by its number in [`Nested::list`].
     pub(crate) item: usize,
-    /// The name of the part.
-    pub(crate) name: String,
+    /// The part, by its number in the design.
+    pub(crate) part: usize,
     pub(crate) placement: Placement,
     /// The middle of its box on the sheet, mm.
     pub(crate) middle: Point2,
@@ -124,20 +129,20 @@ impl LaidPart {
     }
 }
 
-/// All parts that are laid out; `list` is [`Made::cut_list`].
-pub(crate) fn laid(made: &Made, nested: &Nested, list: &[CutItem]) -> Vec<LaidPart> {
-    let of = |placement: &Placement| {
+/// All parts that are laid out, pattern after pattern.
+pub(crate) fn laid(nested: &Nested) -> Vec<LaidPart> {
+    let of = |(placement, &part): (&Placement, &usize)| {
         let item = nested.item(placement);
-        let points = list[item].piece.outline().iter().map(|&p| placement.lay(p));
+        let points = nested.list[item].piece.outline().iter().map(|&p| placement.lay(p));
         let around = Box2::of_points(points);
         let (low, high) = around.map_or_else(Default::default, |it| (it.min, it.max));
         LaidPart {
             item,
-            name: made.parts[nested.instance(made, list, placement)].name.clone(),
+            part,
             placement: *placement,
             middle: low.lerp(high, 0.5),
             width_mm: high.x - low.x,
         }
     };
-    nested.nest.placements.iter().map(of).collect()
+    nested.nest.placements.iter().zip(&nested.parts).map(of).collect()
 }

@@ -6,7 +6,7 @@ use sheetwright::boundary::PlaneChoice;
 use sheetwright::check::{Finding, Severity};
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
-    BendMarks, Bends, CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape,
+    BendMarks, Bends, CurveUse, Design, DesignCurve, DesignPanel, PanelMethod, PanelShape, Stock,
 };
 use sheetwright::make::{Made, Part, make};
 use sheetwright::math::{Point2, Point3, Vec2};
@@ -17,7 +17,7 @@ use sheetwright::watch::Unwatched;
 use sheetwright_files::{
     BrakeSettings, Format, MaxSheets, OutputError, OutputOptions, Outputs, Paper, PatternReadError,
     PdfOptions, ReadPattern, Reduced, finding_text, output_files, read_dxf, read_svg,
-    refold_error_mm, write_dxf, write_obj, write_pdf, write_svg,
+    refold_error_mm, stock_sheet, write_dxf, write_obj, write_pdf, write_svg,
 };
 
 /// The planks of the hull of `examples/ubc-fishing-vessel.csv`, a metre of it `scale` mm long.
@@ -330,7 +330,13 @@ fn an_obj_has_a_group_a_panel_and_the_flat_pattern() {
 
 #[test]
 fn the_same_design_gives_the_same_bytes() {
-    let files = || output_files(&hull(20.0), &Format::ALL, &PdfOptions::default()).unwrap();
+    let files = || {
+        let mut made = hull(20.0);
+        let sheets = vec![stock_sheet("1000x500mm").unwrap()];
+        made.stock = Some(Stock { sheets, effort: 0.001, ..Stock::default() });
+        made.lay_out(&mut Unwatched);
+        output_files(&made, &Format::ALL, &PdfOptions::default()).unwrap()
+    };
     assert_eq!(files(), files());
     let names: Vec<String> = files().files.into_iter().map(|file| file.name).collect();
     assert_eq!(

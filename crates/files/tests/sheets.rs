@@ -47,6 +47,28 @@ fn sheets_are_one_drawing_with_a_layer_for_their_edges() {
 }
 
 #[test]
+fn sheets_of_a_design_without_any_are_refused_and_copies_have_places_of_their_own() {
+    let mut design = template("cone").unwrap().defaults().design().unwrap();
+    design.panels[0].count = 3;
+    let made = make(&design, &mut Unwatched).unwrap();
+    let refused = output_files(&made, &[Format::Sheets], OutputOptions::of(&design)).unwrap_err();
+    assert_eq!(refused.to_string(), "the design has no sheets to lay its parts out on");
+    let sheets = vec![stock_sheet("2x1000x600mm").unwrap()];
+    SheetSettings { sheets, effort: Some(0.01), ..SheetSettings::default() }.set(&mut design);
+    let mut made = make(&design, &mut Unwatched).unwrap();
+    made.lay_out(&mut Unwatched);
+    let outputs = output_files(&made, &[Format::Parts], OutputOptions::of(&design)).unwrap();
+    let table = text(&outputs, "parts.csv");
+    let row = table.lines().nth(1).unwrap();
+    // Three are cut, and each has a sheet, or nothing where none is left.
+    let nested = made.nested.as_ref().unwrap();
+    let sheets: Vec<&str> = row.rsplit(',').nth(4).unwrap().split("; ").collect();
+    assert_eq!(sheets.len(), 3, "{row}");
+    let laid = sheets.iter().filter(|sheet| !sheet.is_empty()).count();
+    assert_eq!((laid, nested.parts.len() > 1), (nested.parts.len(), true), "{row}");
+}
+
+#[test]
 fn the_list_of_parts_and_the_report_say_where_each_lies() {
     let outputs = written("800x500mm");
     let table = text(&outputs, "parts.csv");

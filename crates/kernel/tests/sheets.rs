@@ -24,7 +24,8 @@ fn laid_out(template_name: &str, change: impl FnOnce(&mut Design)) -> (Made, Vec
     change(&mut design);
     let mut made = make(&design, &mut Unwatched).unwrap();
     made.lay_out(&mut Unwatched);
-    let pieces = made.sheet_pieces(&made.cut_list());
+    let pieces = made
+        .sheet_pieces(&made.nested.as_ref().map_or_else(Vec::new, |nested| nested.list.clone()));
     assert!(made.nested.as_ref().unwrap().is_proved);
     (made, pieces)
 }

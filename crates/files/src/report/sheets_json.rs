@@ -1,6 +1,6 @@
 //! The field `sheets` of `report.json`: the parts on their sheets.
 
-use crate::sheets::{SheetRow, laid, sheet_rows};
+use crate::sheets::{SheetRow, laid, pattern_names, sheet_rows};
 use schemars::JsonSchema;
 use serde::Serialize;
 use sheetwright::make::Made;
@@ -63,32 +63,32 @@ struct LaidReport {
 /// The sheets of a made design, if its parts are laid out.
 pub(super) fn sheets_report(made: &Made) -> Option<SheetsReport> {
     let nested = made.nested.as_ref()?;
-    let list = made.cut_list();
-    let laid = laid(made, nested, &list);
-    let pattern = |item: usize| made.parts[list[item].first()].name.clone();
-    let sheet = |(n, row): (usize, SheetRow)| SheetReport {
+    let name = |part: usize| made.parts[part].name.clone();
+    let mut parts: Vec<Vec<LaidReport>> = nested.nest.sheets.iter().map(|_| Vec::new()).collect();
+    for it in laid(nested) {
+        parts[it.placement.sheet].push(LaidReport {
+            name: name(it.part),
+            pattern: name(nested.list[it.item].first()),
+            x_mm: it.middle.x,
+            y_mm: it.middle.y,
+            turn_deg: it.turn_deg(),
+            turned_over: it.placement.is_over,
+        });
+    }
+    let sheet = |(row, parts): (SheetRow, Vec<LaidReport>)| SheetReport {
         kind: row.title,
         width_mm: row.size[0],
         height_mm: row.size[1],
         area_mm2: row.area_mm2,
         used_mm2: row.used_mm2,
         cost: row.cost,
-        parts: laid
-            .iter()
-            .filter(|it| it.placement.sheet == n)
-            .map(|it| LaidReport {
-                name: it.name.clone(),
-                pattern: pattern(it.item),
-                x_mm: it.middle.x,
-                y_mm: it.middle.y,
-                turn_deg: it.turn_deg(),
-                turned_over: it.placement.is_over,
-            })
-            .collect(),
+        parts,
     };
-    let names = |parts: &[usize]| parts.iter().map(|&n| pattern(nested.items[n].item)).collect();
+    let names = |parts: &[usize]| {
+        pattern_names(made, nested, parts).into_iter().map(str::to_owned).collect()
+    };
     Some(SheetsReport {
-        list: sheet_rows(made, nested).into_iter().enumerate().map(sheet).collect(),
+        list: sheet_rows(made, nested).into_iter().zip(parts).map(sheet).collect(),
         too_large: names(&nested.nest.too_large),
         left_over: names(&nested.nest.left_over),
         proved: nested.is_proved,

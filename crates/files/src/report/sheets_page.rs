@@ -23,8 +23,7 @@ const LETTERS: f64 = 12.0;
 /// The section about sheets; nothing where parts are not laid out.
 pub(super) fn sheets(made: &Made) -> Markup {
     let Some(nested) = &made.nested else { return html! {} };
-    let list = made.cut_list();
-    let pieces = made.sheet_pieces(&list);
+    let pieces = made.sheet_pieces(&nested.list);
     let rows = sheet_rows(made, nested);
     let labels = ["Sheet", "Parts", "Area of parts", "Used", "Length of cuts", "Cost"];
     let row = |(row, piece): (&SheetRow, &Piece)| {

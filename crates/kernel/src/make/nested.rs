@@ -16,10 +16,13 @@ const LEAST_STEP: f64 = TAU / 720.0;
 /// The patterns to cut on their sheets.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Nested {
+    /// The patterns: [`Made::cut_list`].
+    pub list: Vec<CutItem>,
     /// Where each lies. The parts are [`items`](Self::items).
     pub nest: Nest,
-    /// The pattern that each part of `nest` is, by its number in the list to cut, and whether it
-    /// is that of parts that are mirrored. Where it lies, turning it over is in `nest`, too.
+    /// The part that is cut at each placement, by its number in the design.
+    pub parts: Vec<usize>,
+    /// What each part of `nest` is. A placement of mirror images is turned over already.
     pub items: Vec<NestItem>,
     /// Whether the layout was proved to keep all that was asked; it always should.
     pub is_proved: bool,
@@ -28,7 +31,7 @@ pub struct Nested {
 /// A pattern that is laid out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NestItem {
-    /// Its number in the list to cut.
+    /// The number of its pattern in the list to cut.
     pub item: usize,
     /// Whether the parts are mirror images of the pattern.
     pub is_mirrored: bool,
@@ -42,21 +45,23 @@ impl Made {
         };
         let names: Vec<&str> = self.parts.iter().map(|part| &part.name[..]).collect();
         watch.begin(&names, Stage::Nest);
-        self.nested = Some(Nested::new(self, &self.cut_list(), stock, watch));
+        self.nested = Some(Nested::new(self, stock, watch));
     }
 }
 
 impl Nested {
-    /// The patterns laid out; their quantities are those of `list`, which is of `made`.
-    fn new(made: &Made, list: &[CutItem], stock: &Stock, watch: &mut dyn Watch) -> Self {
-        let (mut items, mut parts) = (Vec::new(), Vec::new());
+    fn new(made: &Made, stock: &Stock, watch: &mut dyn Watch) -> Self {
+        let list = made.cut_list();
+        let (mut items, mut parts, mut copies) = (Vec::new(), Vec::new(), Vec::new());
         for (item, cut) in list.iter().enumerate() {
             let group = group(made, cut, stock);
-            let quantity = cut.quantity();
-            let counts = [(false, quantity.count - quantity.mirrored), (true, quantity.mirrored)];
-            for (is_mirrored, count) in counts.into_iter().filter(|(_, count)| *count > 0) {
-                items.push(NestItem { item, is_mirrored });
-                parts.push(nest_part(&cut.piece, is_mirrored, count, group, stock));
+            for is_mirrored in [false, true] {
+                let of_part = cut.copies(made, is_mirrored);
+                if !of_part.is_empty() {
+                    items.push(NestItem { item, is_mirrored });
+                    parts.push(nest_part(&cut.piece, is_mirrored, of_part.len(), group, stock));
+                    copies.push(of_part);
+                }
             }
         }
         let sheets: Vec<NestSheet> = stock.sheets.iter().map(nest_sheet).collect();
@@ -72,19 +77,13 @@ impl Nested {
         for it in &mut nest.placements {
             it.is_over ^= items[it.part].is_mirrored;
         }
-        Self { nest, items, is_proved }
+        let parts = nest.placements.iter().map(|it| copies[it.part][it.copy]).collect();
+        Self { list, nest, parts, items, is_proved }
     }
 
     /// The pattern that lies there, by its number in the list to cut.
     pub fn item(&self, placement: &Placement) -> usize {
         self.items[placement.part].item
-    }
-
-    /// The part that is cut there, by its number in the design; `list` is [`Made::cut_list`].
-    pub fn instance(&self, made: &Made, list: &[CutItem], placement: &Placement) -> usize {
-        let NestItem { item, is_mirrored } = self.items[placement.part];
-        let copies = list[item].copies(made, is_mirrored);
-        copies.get(placement.copy).copied().unwrap_or_else(|| list[item].first())
     }
 }
 

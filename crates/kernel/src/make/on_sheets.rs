@@ -5,7 +5,6 @@
 //! of its cuts count as inner ones. What a pattern has beside the part, its dimensions and texts
 //! with leaders, would lie on its neighbours and stays away.
 
-use super::nested::Nested;
 use super::{CutItem, Made};
 use crate::design::{SheetForm, StockSheet};
 use crate::nest::{Placement, UsedSheet};
@@ -19,17 +18,33 @@ const BESIDE_MM: f64 = 100.0;
 const NAME_MM: f64 = 15.0;
 
 impl Made {
-    /// Each sheet with the parts on it, in order; `list` is [`Made::cut_list`]. Empty where parts
-    /// are not laid out.
-    pub fn sheet_pieces(&self, list: &[CutItem]) -> Vec<Piece> {
+    /// Each sheet with the parts on it, in order. `patterns` are those of [`Nested::list`], or
+    /// others in their places, as for a machine. Empty where parts are not laid out.
+    pub fn sheet_pieces(&self, patterns: &[CutItem]) -> Vec<Piece> {
         let (Some(nested), Some(stock)) = (&self.nested, &self.stock) else { return Vec::new() };
-        let sheets = nested.nest.sheets.iter().enumerate();
-        let piece = |(n, used): (usize, &UsedSheet)| {
-            let name = |it: &Placement| &self.parts[nested.instance(self, list, it)].name[..];
-            sheet_piece(nested, list, n, used, &stock.sheets[used.kind], &name)
+        let mut on: Vec<Vec<Laid<'_>>> = vec![Vec::new(); nested.nest.sheets.len()];
+        for (placement, &part) in nested.nest.placements.iter().zip(&nested.parts) {
+            let piece = &patterns[nested.item(placement)].piece;
+            let name = &self.parts[part].name;
+            let outline = piece.outline().iter().map(|&p| placement.lay(p)).collect();
+            on[placement.sheet].push(Laid { placement, piece, name, outline });
+        }
+        let sheets = nested.nest.sheets.iter().zip(on).enumerate();
+        let piece = |(n, (used, parts)): (usize, (&UsedSheet, Vec<Laid<'_>>))| {
+            sheet_piece(n, used, &stock.sheets[used.kind], &parts)
         };
         sheets.map(piece).collect()
     }
+}
+
+/// A part on its sheet.
+#[derive(Clone)]
+struct Laid<'a> {
+    placement: &'a Placement,
+    piece: &'a Piece,
+    name: &'a str,
+    /// Its outline on the sheet.
+    outline: Vec<Point2>,
 }
 
 /// Sheets beside each other, left to right, as one drawing of this name.
@@ -37,7 +52,9 @@ pub fn beside_each_other(name: &str, sheets: &[Piece]) -> Piece {
     let mut all = Piece::undrawn(name);
     let mut right = 0.0;
     for sheet in sheets {
-        let by = Vec2::new(right, 0.0);
+        // An offcut may have its corners anywhere.
+        let around = sheet.extent();
+        let by = Vec2::new(right - around.min.x, 0.0);
         let moved = |path: &PatternPath| PatternPath {
             points: path.points.iter().map(|&p| p + by).collect(),
             ..path.clone()
@@ -45,20 +62,13 @@ pub fn beside_each_other(name: &str, sheets: &[Piece]) -> Piece {
         all.paths.extend(sheet.paths.iter().map(moved));
         let moved = |label: &PatternLabel| PatternLabel { at: label.at + by, ..label.clone() };
         all.labels.extend(sheet.labels.iter().map(moved));
-        right += sheet.size.x + BESIDE_MM;
+        right += around.max.x - around.min.x + BESIDE_MM;
         all.size = Vec2::new(right - BESIDE_MM, all.size.y.max(sheet.size.y));
     }
     all
 }
 
-fn sheet_piece<'a>(
-    nested: &Nested,
-    list: &[CutItem],
-    number: usize,
-    used: &UsedSheet,
-    stock: &StockSheet,
-    name: &dyn Fn(&Placement) -> &'a str,
-) -> Piece {
+fn sheet_piece(number: usize, used: &UsedSheet, stock: &StockSheet, parts: &[Laid<'_>]) -> Piece {
     let [width, height] = used.size;
     let corners = match &stock.form {
         SheetForm::Outline { points } => points.clone(),
@@ -70,22 +80,11 @@ fn sheet_piece<'a>(
     };
     let mut piece = Piece::undrawn(&format!("sheet-{}", number + 1));
     piece.size = Vec2::new(width, height);
-    let placed: Vec<&Placement> =
-        nested.nest.placements.iter().filter(|it| it.sheet == number).collect();
-    let outlines: Vec<Vec<Point2>> = placed
-        .iter()
-        .map(|it| list[nested.item(it)].piece.outline().iter().map(|&p| it.lay(p)).collect())
-        .collect();
-    let depth = |n: usize| {
-        let first = outlines[n].first().copied().unwrap_or_default();
-        (0..outlines.len()).filter(|&k| k != n && inside(&outlines[k], first)).count()
-    };
     // What lies deepest comes first.
-    let mut order: Vec<(usize, usize)> = (0..placed.len()).map(|n| (depth(n), n)).collect();
+    let mut order: Vec<(usize, usize)> = depths(parts).into_iter().zip(0..).collect();
     order.sort_by(|a, b| b.0.cmp(&a.0).then(a.1.cmp(&b.1)));
     for (depth, n) in order {
-        let it = placed[n];
-        lay(&mut piece, &list[nested.item(it)].piece, it, name(it), depth > 0);
+        lay(&mut piece, &parts[n], depth > 0);
     }
     let (role, kind) = (Role::Sheet, PathKind::SheetEdge);
     let around = Box2::of_points(corners.iter().copied());
@@ -103,8 +102,25 @@ fn sheet_piece<'a>(
     piece
 }
 
+/// In how many others each part lies. Parts do not overlap, so one that lies within the outline of
+/// another lies in a hole of it.
+fn depths(parts: &[Laid<'_>]) -> Vec<usize> {
+    let boxes: Vec<Option<Box2>> =
+        parts.iter().map(|it| Box2::of_points(it.outline.iter().copied())).collect();
+    let is_in = |n: usize, k: usize| {
+        let (Some(around), Some(&p)) = (boxes[k], parts[n].outline.first()) else { return false };
+        let is_near = around.min.x <= p.x
+            && p.x <= around.max.x
+            && around.min.y <= p.y
+            && p.y <= around.max.y;
+        k != n && is_near && inside(&parts[k].outline, p)
+    };
+    (0..parts.len()).map(|n| (0..parts.len()).filter(|&k| is_in(n, k)).count()).collect()
+}
+
 /// Draws a part where it lies under its own name: the lines of its inside first.
-fn lay(sheet: &mut Piece, part: &Piece, it: &Placement, name: &str, is_in_a_hole: bool) {
+fn lay(sheet: &mut Piece, laid: &Laid<'_>, is_in_a_hole: bool) {
+    let Laid { placement: it, piece: part, name, .. } = *laid;
     let is_last = |path: &PatternPath| path.kind == PathKind::Outline;
     let kept = |path: &&PatternPath| !matches!(path.kind, PathKind::Dimension | PathKind::Leader);
     let mut paths: Vec<PatternPath> = part

@@ -108,19 +108,15 @@ fn sides_cross(
     }
     let of_b = sides(b);
     work.0 += (of_a.len() * of_b.len()) as u64;
-    of_a.iter().any(|&[p, q]| {
-        of_b.iter().any(|&[r, s]| {
-            let (pq, rs) = (q - p, s - r);
-            let side_of_r = pq.perp_dot(r - p);
-            let side_of_s = pq.perp_dot(s - p);
-            if (side_of_r > 0.0) == (side_of_s > 0.0) {
-                return false;
-            }
-            let side_of_p = rs.perp_dot(p - r);
-            let side_of_q = rs.perp_dot(q - r);
-            (side_of_p > 0.0) != (side_of_q > 0.0)
-        })
-    })
+    of_a.iter().any(|&one| of_b.iter().any(|&other| cross(one, other)))
+}
+
+/// Whether two sides cross. It is exact only up to rounding, which is enough while parts are moved
+/// about, and much faster than `predicate`; the proof at the end is exact.
+fn cross([p, q]: [Point2; 2], [r, s]: [Point2; 2]) -> bool {
+    let (pq, rs) = (q - p, s - r);
+    (pq.perp_dot(r - p) > 0.0) != (pq.perp_dot(s - p) > 0.0)
+        && (rs.perp_dot(p - r) > 0.0) != (rs.perp_dot(q - r) > 0.0)
 }
 
 /// Whether the first circle of `b` has its middle in `a`.
@@ -133,8 +129,8 @@ fn holds(a: (&Shape, &Placed), b: &Placed) -> bool {
     is_in(&a.1.points, &a.0.next, p)
 }
 
-/// Whether a point lies in a region.
-pub(super) fn is_in(points: &[Point2], next: &[usize], p: Point2) -> bool {
+/// Whether a point lies in a region, up to rounding.
+fn is_in(points: &[Point2], next: &[usize], p: Point2) -> bool {
     let mut is_in = false;
     for (n, &a) in points.iter().enumerate() {
         let b = points[next[n]];
@@ -153,9 +149,17 @@ pub(super) struct Room {
     pub(super) high: Vec2,
     /// Its corners, counter-clockwise, where it is no rectangle.
     pub(super) outline: Vec<Point2>,
+    /// The corner that follows each.
+    next: Vec<usize>,
 }
 
 impl Room {
+    /// A room in a box, with these corners where it is no rectangle.
+    pub(super) fn new(low: Vec2, high: Vec2, outline: Vec<Point2>) -> Self {
+        let m = outline.len();
+        Self { low, high, outline, next: (0..m).map(|k| (k + 1) % m).collect() }
+    }
+
     pub(super) fn area(&self) -> f64 {
         let size = self.high - self.low;
         size.x * size.y
@@ -179,34 +183,27 @@ impl Room {
         if self.outline.is_empty() || !self.crosses(shape, placed, work) {
             return 0.0;
         }
-        let m = self.outline.len();
         let mut out = 1e-4 * area;
         for pole in &placed.poles {
-            let to_side = |k: usize| {
-                pole.at.distance_to_segment([self.outline[k], self.outline[(k + 1) % m]])
-            };
-            let off = (0..m).map(to_side).fold(f64::INFINITY, f64::min);
-            let next: Vec<usize> = (0..m).map(|k| (k + 1) % m).collect();
-            let off = if is_in(&self.outline, &next, pole.at) { off } else { -off };
+            let to_side = |[r, s]: [Point2; 2]| pole.at.distance_to_segment([r, s]);
+            let off = self.sides().map(to_side).fold(f64::INFINITY, f64::min);
+            let off = if is_in(&self.outline, &self.next, pole.at) { off } else { -off };
             out += (pole.radius - off).max(0.0) * pole.radius;
         }
-        work.0 += (m * placed.poles.len()) as u64;
+        work.0 += (self.outline.len() * placed.poles.len()) as u64;
         2.0 * out.sqrt() * penalty
     }
 
+    fn sides(&self) -> impl Iterator<Item = [Point2; 2]> + '_ {
+        self.outline.iter().zip(&self.next).map(|(&p, &next)| [p, self.outline[next]])
+    }
+
+    /// Whether a form crosses the outline or lies beyond it.
     fn crosses(&self, shape: &Shape, placed: &Placed, work: &mut Work) -> bool {
-        let m = self.outline.len();
-        work.0 += (m * placed.points.len()) as u64;
-        let next: Vec<usize> = (0..m).map(|k| (k + 1) % m).collect();
-        placed.points.iter().any(|&p| !is_in(&self.outline, &next, p))
-            || (0..placed.points.len()).any(|n| {
-                let (p, q) = (placed.points[n], placed.points[shape.next[n]]);
-                (0..m).any(|k| {
-                    let (r, s) = (self.outline[k], self.outline[(k + 1) % m]);
-                    let (pq, rs) = (q - p, s - r);
-                    (pq.perp_dot(r - p) > 0.0) != (pq.perp_dot(s - p) > 0.0)
-                        && (rs.perp_dot(p - r) > 0.0) != (rs.perp_dot(q - r) > 0.0)
-                })
-            })
+        work.0 += (self.outline.len() * placed.points.len()) as u64;
+        let sides =
+            placed.points.iter().zip(&shape.next).map(|(&p, &next)| [p, placed.points[next]]);
+        placed.points.iter().any(|&p| !is_in(&self.outline, &self.next, p))
+            || sides.into_iter().any(|side| self.sides().any(|other| cross(side, other)))
     }
 }

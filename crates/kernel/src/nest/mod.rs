@@ -22,6 +22,7 @@ mod squeeze;
 mod state;
 mod turns;
 
+pub use proof::{NestFault, first_fault};
 pub use turns::Turns;
 
 use layout::{Pose, Room};
@@ -261,13 +262,7 @@ fn result(
     nest
 }
 
-pub use proof::{NestFault, first_fault};
-
 /// The room on a rectangle of this size, `inset` mm from its edges.
 fn rectangle([width, height]: [f64; 2], inset: f64) -> Room {
-    Room {
-        low: Vec2::splat(inset),
-        high: Vec2::new(width - inset, height - inset),
-        outline: Vec::new(),
-    }
+    Room::new(Vec2::splat(inset), Vec2::new(width - inset, height - inset), Vec::new())
 }

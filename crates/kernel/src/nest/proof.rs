@@ -38,15 +38,17 @@ pub fn first_fault(
     };
     let all: Vec<Vec<Vec<Point2>>> = nest.placements.iter().map(laid).collect();
     let bounds: Vec<(Vec2, Vec2)> = all.iter().map(|loops| bounds(&loops[0])).collect();
+    // The placements so far on each sheet.
+    let mut on: Vec<Vec<usize>> = vec![Vec::new(); nest.sheets.len()];
     for (n, it) in nest.placements.iter().enumerate() {
-        for k in 0..n {
-            let is_near = nest.placements[k].sheet == it.sheet
-                && (bounds[k].0 - options.gap_mm).cmple(bounds[n].1).all()
+        for &k in &on[it.sheet] {
+            let is_near = (bounds[k].0 - options.gap_mm).cmple(bounds[n].1).all()
                 && (bounds[n].0 - options.gap_mm).cmple(bounds[k].1).all();
             if is_near && too_near(&all[k], &all[n], options.gap_mm) {
                 return Some(NestFault::TooNear(k, n));
             }
         }
+        on[it.sheet].push(n);
         let used = &nest.sheets[it.sheet];
         let margin = options.margin_mm - ROUNDING_MM;
         let is_on = match &sheets[used.kind].form {

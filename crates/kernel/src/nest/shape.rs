@@ -120,7 +120,9 @@ fn grown(loops: &[Vec<Point2>], by_mm: f64) -> Vec<Vec<Point2>> {
             let (a, b) = (line[k], line[(k + 1) % m]);
             let (here, after) = (out(k), out((k + 1) % m));
             strips.push(vec![a, b, b + here, a + here]);
-            if here.perp_dot(after) > 0.0 || (here.dot(after) < 0.0) {
+            // A corner points out, or the line turns back on itself.
+            let turn = here.perp_dot(after);
+            if turn > 0.0 || (turn == 0.0 && here.dot(after) < 0.0) {
                 strips.push(corner(b, here, after, by_mm));
             }
         }

@@ -15,10 +15,11 @@ use super::squeeze::squeeze;
 use super::state::{Item, State};
 use super::turns::Turns;
 use super::{NestForm, NestSheet, rectangle};
-use sheetwright_geometry::math::{Point2, Vec2};
-use sheetwright_geometry::predicate::signed_area_doubled;
+use sheetwright_geometry::math::{Point2, Vec2, cos, sin};
+use sheetwright_geometry::predicate::{Box2, signed_area_doubled};
 use sheetwright_geometry::random::Random;
 use sheetwright_geometry::region::combined;
+use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
 const PATIENCE: Patience = Patience { rounds: 60, strikes: 2 };
@@ -32,6 +33,11 @@ const REFUSED: usize = 4;
 const DENSEST: f64 = 0.95;
 /// More parts than this are not separated together: their pairs would fill the memory.
 const MOST_TOGETHER: usize = 2_000;
+
+/// Corners of the polygon around a circle about a corner of an offcut.
+const RING: u32 = 16;
+/// They lie so much farther from the corner than the circle, so that their sides touch it.
+const AROUND_CORNER: f64 = 1.02;
 
 /// The kinds of sheets, each lying so that its grain runs along x.
 pub(super) struct Kinds<'a> {
@@ -115,21 +121,15 @@ fn outline(points: &[Point2], inset: f64) -> Option<Room> {
             let out = (b - a).normalize_or_zero().perp() * inset;
             strips.push(vec![a + out, a + -out, b + -out, b + out]);
             let ring = |n: usize| {
-                let angle = TAU * n as f64 / 16.0;
-                let (x, y) = (
-                    sheetwright_geometry::math::cos(angle),
-                    sheetwright_geometry::math::sin(angle),
-                );
-                a + Vec2::new(x, y) * (1.02 * inset)
+                let angle = TAU * n as f64 / f64::from(RING);
+                a + Vec2::new(cos(angle), sin(angle)) * (AROUND_CORNER * inset)
             };
-            strips.push((0..16).map(ring).collect());
+            strips.push((0..RING as usize).map(ring).collect());
         }
     }
     let region = combined(&[points.to_vec()], &[], &strips).into_iter().next()?;
-    let none = (Vec2::splat(f64::INFINITY), Vec2::splat(f64::NEG_INFINITY));
-    let grow = |(low, high): (Vec2, Vec2), p: &Point2| (low.min(p.to_vec()), high.max(p.to_vec()));
-    let (low, high) = region.outline.iter().fold(none, grow);
-    Some(Room { low, high, outline: region.outline })
+    let around = Box2::of_points(region.outline.iter().copied())?;
+    Some(Room::new(around.min.to_vec(), around.max.to_vec(), region.outline))
 }
 
 /// Which kinds the sheets of a state are of.
@@ -158,8 +158,8 @@ impl<'a> Laid<'a> {
             NestForm::Rectangle(size) => *size,
             NestForm::Roll(width) => [state.reach(sheet) + state.rooms[sheet].low.x, *width],
             NestForm::Outline(points) => {
-                let most = |of: fn(&Point2) -> f64| points.iter().map(of).fold(f64::MIN, f64::max);
-                [most(|p| p.x), most(|p| p.y)]
+                let around = Box2::of_points(points.iter().copied());
+                around.map_or([0.0; 2], |it| (it.max - it.min).to_array())
             }
         }
     }
@@ -172,9 +172,26 @@ impl<'a> Laid<'a> {
         random: &mut Random,
     ) -> Vec<usize> {
         let mut left_over = Vec::new();
+        // A sheet that refused a form has no more room for it later: sheets only fill up.
+        let mut refused: BTreeSet<(usize, usize)> = BTreeSet::new();
         for group in order(state) {
-            let open = (0..state.rooms.len()).collect::<Vec<usize>>();
-            if open.into_iter().any(|sheet| self.lay_group(state, &group, sheet, budget, random)) {
+            let key = |sheet: usize| match group[..] {
+                [item] if !self.kinds.is_roll(self.of[sheet]) => {
+                    Some((sheet, state.items[item].shape))
+                }
+                _ => None,
+            };
+            let open: Vec<(usize, Option<(usize, usize)>)> =
+                (0..state.rooms.len()).map(|sheet| (sheet, key(sheet))).collect();
+            let is_laid = open.into_iter().any(|(sheet, key)| {
+                if key.is_some_and(|key| refused.contains(&key)) {
+                    return false;
+                }
+                let is_laid = self.lay_group(state, &group, sheet, budget, random);
+                refused.extend(key.filter(|_| !is_laid));
+                is_laid
+            });
+            if is_laid {
                 continue;
             }
             let mut is_laid = false;
@@ -231,15 +248,11 @@ impl<'a> Laid<'a> {
         random: &mut Random,
     ) {
         while !budget.is_over() && self.without_one(state, budget, random) {}
-        let used = |state: &State<'_>| {
-            let has_parts = |&sheet: &usize| !state.on[sheet].is_empty();
-            (0..state.rooms.len()).filter(has_parts).collect::<Vec<usize>>()
-        };
-        let by_area = |a: &usize, b: &usize| state.area(*a).total_cmp(&state.area(*b));
-        let Some(last) = used(state).into_iter().rev().min_by(by_area) else { return };
+        let Some(last) = state.least_used() else { return };
         self.fuller(state, last, budget, random);
+        let Some(last) = state.least_used() else { return };
         self.cheaper(state, last, budget, random);
-        for sheet in used(state) {
+        for sheet in state.used() {
             let is_roll = self.kinds.is_roll(self.of[sheet]);
             let has_outline = !state.rooms[sheet].outline.is_empty();
             let too_many = state.on[sheet].len() > MOST_TOGETHER;
@@ -250,6 +263,13 @@ impl<'a> Laid<'a> {
         }
     }
 
+    /// The sheets with parts on them but for one, and without rolls.
+    fn sheets_beside(&self, state: &State<'_>, one: usize) -> Vec<usize> {
+        let mut used = state.used();
+        used.retain(|&sheet| sheet != one && !self.kinds.is_roll(self.of[sheet]));
+        used
+    }
+
     /// Empties the sheet with least on it into the others; whether that could be.
     fn without_one(
         &self,
@@ -257,14 +277,8 @@ impl<'a> Laid<'a> {
         budget: &mut Budget<'_>,
         random: &mut Random,
     ) -> bool {
-        let used: Vec<usize> =
-            (0..state.rooms.len()).filter(|&sheet| !state.on[sheet].is_empty()).collect();
-        let by_area = |a: &usize, b: &usize| state.area(*a).total_cmp(&state.area(*b));
-        let Some(&least) = used.iter().rev().min_by(|a, b| by_area(a, b)) else { return false };
-        let others: Vec<usize> = used
-            .into_iter()
-            .filter(|&sheet| sheet != least && !self.kinds.is_roll(self.of[sheet]))
-            .collect();
+        let Some(least) = state.least_used() else { return false };
+        let others = self.sheets_beside(state, least);
         let room: f64 =
             others.iter().map(|&s| DENSEST * state.rooms[s].area() - state.area(s)).sum();
         let count: usize = others.iter().map(|&s| state.on[s].len()).sum();
@@ -309,11 +323,8 @@ impl<'a> Laid<'a> {
         budget: &mut Budget<'_>,
         random: &mut Random,
     ) {
-        let others: Vec<usize> = (0..state.rooms.len())
-            .filter(|&sheet| sheet != last && !state.on[sheet].is_empty())
-            .filter(|&sheet| !self.kinds.is_roll(self.of[sheet]))
-            .filter(|&sheet| state.on[sheet].len() < MOST_TOGETHER)
-            .collect();
+        let mut others = self.sheets_beside(state, last);
+        others.retain(|&sheet| state.on[sheet].len() < MOST_TOGETHER);
         let single = (SINGLE * budget.left as f64) as i64;
         let mut refused = 0;
         for item in order(state).into_iter().flatten() {

@@ -83,6 +83,17 @@ impl<'a> State<'a> {
             })
     }
 
+    /// The sheets with parts on them.
+    pub(super) fn used(&self) -> Vec<usize> {
+        (0..self.rooms.len()).filter(|&sheet| !self.on[sheet].is_empty()).collect()
+    }
+
+    /// The one of them whose parts have the least area, the last of equals.
+    pub(super) fn least_used(&self) -> Option<usize> {
+        let by_area = |a: &usize, b: &usize| self.area(*a).total_cmp(&self.area(*b));
+        self.used().into_iter().rev().min_by(by_area)
+    }
+
     /// How far the parts on a sheet reach along it.
     pub(super) fn reach(&self, sheet: usize) -> f64 {
         self.on[sheet]
