@@ -91,13 +91,16 @@ const fn files_of(format: Format) -> &'static [(FileName, Writer)] {
         Format::Sheets => &[
             (
                 Whole("sheets.svg"),
-                Writer::Design(|run| Ok(write_svg_for(&run.sheets()?, run.options.preset))),
+                Writer::Design(|run| {
+                    let preset = run.options.preset;
+                    Ok(write_svg_for(run.sheets()?, preset))
+                }),
             ),
             (
                 Whole("sheets.dxf"),
                 Writer::Design(|run| {
-                    let options = &run.options;
-                    Ok(write_dxf_for(&run.sheets()?, options.preset, options.release()))
+                    let options = run.options;
+                    Ok(write_dxf_for(run.sheets()?, options.preset, options.release()))
                 }),
             ),
         ],
@@ -343,6 +346,9 @@ pub fn output_files(
     if formats.contains(&Format::Brake) {
         check_die(made, &options.brake)?;
     }
+    if formats.contains(&Format::Sheets) && made.nested.is_none() {
+        return Err(OutputError::NoSheets);
+    }
     let mut run = Run::new(made, formats, options)?;
     for format in Format::ALL.into_iter().filter(|format| formats.contains(format)) {
         if format == Format::Report {
@@ -375,6 +381,8 @@ struct Run<'a> {
     with_kerf: Option<Vec<Piece>>,
     /// The number of the first file of the patterns in a format; they follow one another.
     first_files: BTreeMap<Format, usize>,
+    /// All sheets beside each other, once they are drawn.
+    sheets: Option<Piece>,
     in_quads: Vec<Option<PanelQuads>>,
     /// The plans for the press brake, if they are asked for.
     plans: Option<Vec<Vec<Hit>>>,
@@ -405,6 +413,7 @@ impl<'a> Run<'a> {
             patterns,
             with_kerf,
             first_files: BTreeMap::new(),
+            sheets: None,
             in_quads: made.parts.iter().map(quads).collect(),
             plans: formats.contains(&Format::Brake).then(|| options.brake.plans(made)),
             reduced: Vec::new(),
@@ -448,15 +457,19 @@ impl<'a> Run<'a> {
     }
 
     /// All sheets beside each other, as a machine follows them.
-    fn sheets(&self) -> Result<Piece, OutputError> {
+    fn sheets(&mut self) -> Result<&Piece, OutputError> {
         let Some(nested) = &self.made.nested else { return Err(OutputError::NoSheets) };
+        if let Some(sheets) = self.sheets.take() {
+            return Ok(self.sheets.insert(sheets));
+        }
         let mut list = nested.list.clone();
         let kerf_mm = self.options.kerf_mm;
         if kerf_mm > 0.0 {
             let pieces = pieces_with_kerf(self.made, &list, kerf_mm)?;
             list.iter_mut().zip(pieces).for_each(|(item, piece)| item.piece = piece);
         }
-        Ok(beside_each_other(&self.made.name, &self.made.sheet_pieces(&list)))
+        let sheets = beside_each_other(&self.made.name, &self.made.sheet_pieces(&list));
+        Ok(self.sheets.insert(sheets))
     }
 
     fn book(&self) -> Vec<u8> {

@@ -1,6 +1,7 @@
 //! Parts on their sheets, as files and reports list them.
 
 use crate::stock::sheet_title;
+use crate::wording::millimetres;
 use sheetwright::design::SheetForm;
 use sheetwright::make::{Made, Nested};
 use sheetwright::math::{Point2, to_deg};
@@ -10,8 +11,14 @@ use std::f64::consts::TAU;
 
 /// What there is to say of a sheet.
 pub(crate) struct SheetRow {
+    /// Its kind, by its number in the stock.
+    pub(crate) kind: usize,
     /// What its kind is called.
     pub(crate) title: String,
+    /// Whether it is a roll.
+    pub(crate) is_roll: bool,
+    /// Whether that is its size.
+    pub(crate) is_called_by_size: bool,
     /// Its width and height, mm.
     pub(crate) size: [f64; 2],
     pub(crate) area_mm2: f64,
@@ -26,6 +33,15 @@ pub(crate) struct SheetRow {
 }
 
 impl SheetRow {
+    /// What it is called, with its size where that says something else.
+    pub(crate) fn named(&self) -> String {
+        let [width, height] = self.size.map(millimetres);
+        match self.is_called_by_size {
+            true => self.title.clone(),
+            false => format!("{}, {width} × {height}", self.title),
+        }
+    }
+
     /// The share of it that is used.
     pub(crate) fn share(&self) -> f64 {
         self.used_mm2 / self.area_mm2.max(f64::MIN_POSITIVE)
@@ -50,7 +66,11 @@ pub(crate) fn sheet_rows(made: &Made, nested: &Nested) -> Vec<SheetRow> {
         };
         let name = |it: &LaidPart| (made.parts[it.part].name.clone(), it.middle, it.width_mm);
         SheetRow {
+            kind: used.kind,
             title: sheet_title(kind),
+            is_roll: matches!(kind.form, SheetForm::Roll { .. }),
+            is_called_by_size: kind.name.is_none()
+                && matches!(kind.form, SheetForm::Rectangle { .. }),
             size: used.size,
             area_mm2,
             used_mm2: used.used_mm2,
@@ -83,6 +103,12 @@ pub fn sheets_sentence(made: &Made) -> Option<String> {
         words = format!("{words}. {without}");
     }
     Some(words)
+}
+
+/// What so much of the sheet weighs, kg, where its thickness and its density are known.
+pub(crate) fn weight_kg(made: &Made, area_mm2: f64) -> Option<f64> {
+    let density = made.material.as_ref()?.density_kg_per_m3.as_ref()?.value;
+    Some(area_mm2 * made.thickness_mm? * 1e-9 * density)
 }
 
 /// Which parts lie on no sheet, in words; empty where all do.

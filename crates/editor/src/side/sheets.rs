@@ -18,7 +18,14 @@ pub(super) fn sheets_ui(ui: &mut Ui, design: &Design, theme: &Theme, acts: &mut 
         return;
     };
     let field = Field { theme, of: Id::unique("stock"), label: "Cut from" };
-    if let Some(sheets) = field.sheets(ui, &texts.join(", ")) {
+    if let Some(mut typed) = field.sheets(ui, &texts.join(", ")) {
+        // A sheet that stays keeps its name and its cost, which are not typed here.
+        for sheet in &mut typed {
+            if let Some(known) = sheets.iter().find(|known| known.form == sheet.form) {
+                (sheet.name, sheet.cost) = (known.name.clone(), known.cost);
+            }
+        }
+        let sheets = typed;
         let stock = Stock { sheets, ..before.cloned().unwrap_or_default() };
         let is_nothing = stock == Stock::default();
         acts.push(Act::Edit(Edit::SetStock((!is_nothing).then(|| Box::new(stock)))));

@@ -2,13 +2,13 @@
 
 use super::flow::{Flow, number, words};
 use super::title::material;
-use super::{Book, counted, joined_pairs};
+use super::{Book, JoinedPair, counted, free_of_edge_mm, joined_pairs};
 use crate::pdf::Type;
-use crate::sheets::sheet_rows;
+use crate::sheets::{SheetRow, sheet_rows, weight_kg};
 use crate::wording::{area, decimal, length_short, millimetres};
-use sheetwright::edge::Edge;
-use sheetwright::make::Made;
+use sheetwright::make::{Made, Part};
 use sheetwright::math::Point2;
+use sheetwright::pattern::Quantity;
 
 /// The section.
 pub(super) fn what_to_buy(flow: &mut Flow, book: &Book<'_>) {
@@ -51,29 +51,44 @@ pub(super) fn what_to_buy(flow: &mut Flow, book: &Book<'_>) {
 fn sheets(book: &Book<'_>, flow: &mut Flow) {
     let rows = book.made.nested.as_ref().map(|nested| sheet_rows(book.made, nested));
     if let Some(rows) = rows.filter(|rows| !rows.is_empty()) {
-        let mut kinds: Vec<(&str, usize, Option<f64>)> = Vec::new();
+        let mut kinds: Vec<(&SheetRow, usize, f64, Option<f64>)> = Vec::new();
         for row in &rows {
-            match kinds.iter_mut().find(|kind| kind.0 == row.title) {
-                Some(kind) => {
-                    kind.1 += 1;
-                    kind.2 = kind.2.zip(row.cost).map(|(a, b)| a + b);
+            match kinds.iter_mut().find(|(kind, ..)| kind.kind == row.kind) {
+                Some((_, count, long_mm, cost)) => {
+                    *count += 1;
+                    *long_mm += row.size[0];
+                    *cost = cost.zip(row.cost).map(|(a, b)| a + b);
                 }
-                None => kinds.push((&row.title, 1, row.cost)),
+                None => kinds.push((row, 1, row.size[0], row.cost)),
             }
         }
-        let line = |(title, count, cost): &(&str, usize, Option<f64>)| {
+        let line = |&(row, count, long_mm, cost): &(&SheetRow, usize, f64, Option<f64>)| {
+            let size = match row.is_roll {
+                true => format!("{}, {} of it", row.title, length_about(long_mm)),
+                false => row.named(),
+            };
             let cost = cost.map_or(String::new(), |cost| decimal(cost, 2));
-            vec![(*title).to_owned(), count.to_string(), cost]
+            vec![size, count.to_string(), cost]
         };
         let lines: Vec<Vec<String>> = kinds.iter().map(line).collect();
         flow.heading("Sheets", 20.0);
-        let columns = [words("Size", 0.5), number("Sheets", 0.2), number("Cost", 0.3)];
+        let columns = [words("Size", 0.6), number("Sheets", 0.15), number("Cost", 0.25)];
         flow.table(&columns, &lines);
+        to_fill_in(flow, &[ALSO]);
         return;
     }
-    const LINE_MM: f64 = 8.0;
     flow.heading("Sheets", 3.0 * LINE_MM);
-    for line in ["Size of a sheet", "Sheets", "Also (thread, tape, glue, rivets)"] {
+    to_fill_in(flow, &["Size of a sheet", "Sheets", ALSO]);
+}
+
+/// The height of a line to write on, mm.
+const LINE_MM: f64 = 8.0;
+/// What is bought besides.
+const ALSO: &str = "Also (thread, tape, glue, rivets)";
+
+/// Lines to write on.
+fn to_fill_in(flow: &mut Flow, lines: &[&str]) {
+    for line in lines {
         let top = flow.take(LINE_MM);
         let at = Point2::new(flow.left(), top - LINE_MM + 1.5);
         flow.page().text(at, line, Type::new(9.0));
@@ -87,21 +102,23 @@ fn amounts(book: &Book<'_>) -> Vec<(&'static str, String)> {
     let made = book.made;
     let total_mm2: f64 =
         book.patterns.iter().map(|item| item.piece.area_mm2() * item.quantity().count as f64).sum();
-    let thickness_mm =
-        made.thickness_mm.or(made.material.as_ref().map(|material| material.thickness_mm.value));
     let pairs = joined_pairs(made);
-    let seams_mm: f64 = pairs.iter().map(|pair| pair.lengths_mm[0]).sum();
+    // As often as both of its parts are cut.
+    let times = |pair: &JoinedPair| {
+        let [a, b] = pair.places.map(|place| made.wanted[place.part].count);
+        a.min(b)
+    };
+    let seams: usize = pairs.iter().map(times).sum();
+    let seams_mm: f64 = pairs.iter().map(|pair| pair.lengths_mm[0] * times(pair) as f64).sum();
     let mut rows = vec![
         ("Material", material(made)),
-        ("Thickness", thickness_mm.map_or("any".to_owned(), millimetres)),
+        ("Thickness", made.thickness_mm.map_or("any".to_owned(), millimetres)),
         ("Area of all parts", format!("{}, without what is left over", area(total_mm2))),
     ];
-    let density = made.material.as_ref().and_then(|material| material.density_kg_per_m3.as_ref());
-    if let (Some(density), Some(thickness_mm)) = (density, thickness_mm) {
-        let kg = total_mm2 * thickness_mm * density.value * 1e-9;
+    if let Some(kg) = weight_kg(made, total_mm2) {
         rows.push(("Weight of all parts", weight(kg)));
     }
-    let seams = counted(pairs.len(), "seam", "seams");
+    let seams = counted(seams, "seam", "seams");
     let joined = if pairs.is_empty() {
         "none".to_owned()
     } else {
@@ -110,19 +127,16 @@ fn amounts(book: &Book<'_>) -> Vec<(&'static str, String)> {
     rows.push(("Joined edges", joined));
     rows.push(("Free edges", length_about(free_mm(made))));
     let patterns = counted(book.patterns.len(), "pattern", "patterns");
-    rows.push(("Parts", format!("{} from {patterns}", made.parts.len())));
+    rows.push(("Parts", format!("{} from {patterns}", book.count())));
     rows
 }
 
 /// How long all edges are along which nothing is joined, on the patterns, mm.
 fn free_mm(made: &Made) -> f64 {
-    let free = |edge: &Edge| {
-        let shared: f64 = edge.shared_mm.iter().map(|shared| shared[0]).sum();
-        let left = edge.length_flat_mm - shared;
-        // What rounding leaves of an edge that is joined all along is nothing.
-        if left > 1e-6 * edge.length_flat_mm { left } else { 0.0 }
+    let of_part = |(part, quantity): (&Part, &Quantity)| {
+        part.edges.iter().map(free_of_edge_mm).sum::<f64>() * quantity.count as f64
     };
-    made.parts.iter().flat_map(|part| &part.edges).map(free).sum()
+    made.parts.iter().zip(&made.wanted).map(of_part).sum()
 }
 
 /// A length to buy by: hundredths of a metre from one metre on.

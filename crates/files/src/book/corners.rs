@@ -117,9 +117,9 @@ pub(super) fn far_in_space(made: &Made) -> Vec<[SpaceCorner; 2]> {
     pairs
 }
 
-/// Free edges that run round in space, each with its largest width, mm.
+/// The longest free edges that run round in space, each with its largest width, mm.
 pub(super) fn openings(made: &Made) -> Vec<(String, f64)> {
-    let mut found = Vec::new();
+    let mut found: Vec<(&Part, &Edge)> = Vec::new();
     for part in &made.parts {
         let at = |v: usize| part.sheet.mesh().positions()[v];
         let is_round = |edge: &&Edge| {
@@ -127,15 +127,18 @@ pub(super) fn openings(made: &Made) -> Vec<(String, f64)> {
             ends[0].distance(ends[1]) <= SAME_SHARE * edge.length_space_mm
         };
         let free = part.edges.iter().filter(|edge| edge.mates.is_empty()).filter(is_round);
-        for edge in free {
-            let points = thinned(edge.run.iter().map(|&v| at(v)).collect::<Vec<_>>());
-            if let Some([a, b]) = farthest(&points, |p: &Point3, q| p.distance(*q)) {
-                found.push((format!("{}/{}", part.name, edge.name), points[a].distance(points[b])));
-            }
-        }
+        found.extend(free.map(|edge| (part, edge)));
     }
+    found.sort_by(|a, b| b.1.length_space_mm.total_cmp(&a.1.length_space_mm));
     found.truncate(MOST_OPENINGS);
-    found
+    let width = |(part, edge): (&Part, &Edge)| {
+        let points: Vec<Point3> =
+            edge.run.iter().map(|&v| part.sheet.mesh().positions()[v]).collect();
+        let points = thinned(points);
+        let [a, b] = farthest(&points, |p: &Point3, q| p.distance(*q))?;
+        Some((format!("{}/{}", part.name, edge.name), points[a].distance(points[b])))
+    };
+    found.into_iter().filter_map(width).collect()
 }
 
 /// The corners of all parts, each place once, by the first part that has it.

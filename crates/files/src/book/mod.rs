@@ -50,6 +50,11 @@ impl Book<'_> {
         flow.finish(self.title())
     }
 
+    /// How many parts are cut.
+    fn count(&self) -> usize {
+        self.patterns.iter().map(|item| item.quantity().count).sum()
+    }
+
     fn title(&self) -> &str {
         if self.made.name.is_empty() { "Assembly" } else { &self.made.name }
     }
@@ -77,6 +82,24 @@ fn joined_pairs(made: &Made) -> Vec<JoinedPair> {
         }
     }
     pairs
+}
+
+/// Some lines, and of too many how many more there are.
+fn first_lines(mut lines: Vec<String>, most: usize) -> Vec<String> {
+    if lines.len() > most {
+        let more = lines.len() - most + 1;
+        lines.truncate(most - 1);
+        lines.push(format!("… and {more} more lines: the patterns name all edges."));
+    }
+    lines
+}
+
+/// How long an edge is along which nothing is joined, on its pattern, mm.
+fn free_of_edge_mm(edge: &Edge) -> f64 {
+    let shared: f64 = edge.shared_mm.iter().map(|shared| shared[0]).sum();
+    let left = edge.length_flat_mm - shared;
+    // What rounding leaves of an edge that is joined all along is nothing.
+    if left > 1e-6 * edge.length_flat_mm { left } else { 0.0 }
 }
 
 /// How an edge of a part is called where it meets another part: by the marks of its seam or its

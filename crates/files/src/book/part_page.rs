@@ -3,7 +3,10 @@
 use super::corners::{far_corners, letter};
 use super::flow::{Flow, LINE_MM, TEXT_PT, number, words};
 use super::scene::Frame;
-use super::{Book, both_lengths, counted, edge_name, ranges, seam_names, seam_or_own_names};
+use super::{
+    Book, both_lengths, counted, edge_name, first_lines, free_of_edge_mm, ranges, seam_names,
+    seam_or_own_names,
+};
 use crate::brake::reference;
 use crate::pdf::{Anchor, Detail, PaperView, PdfPage, Type, draw, shortened, text_mm, wrapped};
 use crate::wording::{area, decimal, degrees, millimetres, radius, verdict_sentence, verdict_word};
@@ -35,6 +38,8 @@ const MOST_EDGES: usize = 12;
 const MOST_BENDS: usize = 24;
 /// The most names of equal parts that are listed.
 const MOST_NAMES: usize = 8;
+/// The heading of a block and the gap below it take so much of its page, mm.
+const HEAD_MM: f64 = 9.0;
 
 /// The section.
 pub(super) fn parts(flow: &mut Flow, book: &Book<'_>) {
@@ -93,8 +98,10 @@ fn block(flow: &mut Flow, book: &Book<'_>, n: usize, item: &CutItem) {
         lines.extend(joined_lines(book.made, item, part));
         lines.extend(bend_line(part));
     }
-    let lines: Vec<String> =
-        lines.iter().flat_map(|line| wrapped(line, TEXT_PT, text_width)).collect();
+    let lines = lines.iter().flat_map(|line| wrapped(line, TEXT_PT, text_width)).collect();
+    // A block stays on one page.
+    let room_mm = flow.whole_room() - HEAD_MM - if is_long { picture.y } else { 0.0 };
+    let lines: Vec<String> = first_lines(lines, ((room_mm / LINE_MM) as usize).max(2));
     let text_height = LINE_MM * lines.len() as f64;
     let height = if is_long { picture.y + text_height } else { picture.y.max(text_height) };
     let title = match item.quantity().text() {
@@ -290,9 +297,7 @@ fn joined_lines(made: &Made, item: &CutItem, part: &Part) -> Vec<String> {
     let mut marks: BTreeMap<usize, (Vec<String>, f64)> = BTreeMap::new();
     let mut free_mm = 0.0;
     for (n, edge) in part.edges.iter().enumerate() {
-        if edge.mates.is_empty() {
-            free_mm += edge.length_flat_mm;
-        }
+        free_mm += free_of_edge_mm(edge);
         for (mate, shared_mm) in edge.mates.iter().zip(&edge.shared_mm) {
             // Both sides of an own seam are one.
             if mate.part != item.first() || n < mate.edge {

@@ -23,7 +23,10 @@ pub(super) struct StageOf {
 
 /// The pictures of the steps of a design.
 pub(super) fn stages(made: &Made, patterns: &[CutItem], steps: &[JoiningStep]) -> Vec<StageOf> {
-    let pattern_of = |part: usize| patterns.iter().position(|item| item.instance(part).is_some());
+    let mut pattern_of = vec![0; made.parts.len()];
+    for (n, item) in patterns.iter().enumerate() {
+        item.instances.iter().for_each(|instance| pattern_of[instance.number] = n);
+    }
     let is_joined = |part: usize| made.parts[part].edges.iter().any(|edge| !edge.mates.is_empty());
     let lengths = |step: &JoiningStep| {
         let mut lengths: Vec<f64> = step.joins.iter().map(|join| join.shared_mm[0]).collect();
@@ -36,7 +39,7 @@ pub(super) fn stages(made: &Made, patterns: &[CutItem], steps: &[JoiningStep]) -
         let both_loose = !is_joined(a.part) && !is_joined(b.part);
         both_loose
             || (!a.begins && !b.begins)
-                && pattern_of(a.part) == pattern_of(b.part)
+                && pattern_of[a.part] == pattern_of[b.part]
                 && of_a.len() == of_b.len()
                 && near
     };

@@ -5,7 +5,7 @@ use super::flow::{Flow, LINE_MM, TEXT_PT};
 use super::part_page::listed;
 use super::scene::{Extras, Frame, Stage, height_per_width};
 use super::stages::{StageOf, stages};
-use super::{Book, both_lengths, edge_name, ranges, seam_names, seam_or_own_names};
+use super::{Book, both_lengths, edge_name, first_lines, ranges, seam_names, seam_or_own_names};
 use crate::pdf::{Anchor, PdfPage, Type, wrapped};
 use crate::wording::millimetres;
 use sheetwright::edge::EdgePlace;
@@ -24,6 +24,8 @@ const BELOW_MM: f64 = 5.0;
 const MOST_NUMBERED: usize = 6;
 /// How far a number stands from the seam, mm.
 const BESIDE_MM: f64 = 3.2;
+/// Of steps that are alike, as many are told in full, and the last one.
+const TOLD: usize = 2;
 /// The most lines of text beside a picture.
 const MOST_LINES: usize = 16;
 
@@ -67,18 +69,14 @@ fn block(
 ) {
     let new = &steps[stage.steps.clone()];
     let (before, joins) = (&steps[..stage.steps.start], new.iter().flat_map(|step| &step.joins));
-    let is_numbered = joins.clone().count() <= MOST_NUMBERED;
+    // A number in the picture stands in the text, too.
+    let is_told = !stage.alike || new.len() <= TOLD + 1;
+    let is_numbered = is_told && joins.clone().count() <= MOST_NUMBERED;
     let text_left = flow.left() + size.x + 6.0;
     let width = flow.width() - size.x - 6.0;
-    let mut lines: Vec<String> = lines(made, new, stage, is_numbered)
-        .iter()
-        .flat_map(|line| wrapped(line, TEXT_PT, width))
-        .collect();
-    if lines.len() > MOST_LINES {
-        let more = lines.len() - MOST_LINES + 1;
-        lines.truncate(MOST_LINES - 1);
-        lines.push(format!("… and {more} more lines: the patterns name all edges."));
-    }
+    let said = lines(made, new, stage, is_numbered);
+    let lines = said.iter().flat_map(|line| wrapped(line, TEXT_PT, width)).collect();
+    let lines = first_lines(lines, MOST_LINES);
     let title = title(made, new, stage);
     let titles = wrapped(&title, 10.0, width / 1.1);
     let text_mm = 5.0 * titles.len() as f64 + LINE_MM * lines.len() as f64;
@@ -180,8 +178,6 @@ fn title(made: &Made, new: &[JoiningStep], stage: &StageOf) -> String {
 
 /// What is joined in a stage, a line or more for each join.
 fn lines(made: &Made, new: &[JoiningStep], stage: &StageOf, is_numbered: bool) -> Vec<String> {
-    /// Of steps that are alike, as many are told in full.
-    const TOLD: usize = 2;
     let mut lines = Vec::new();
     let mut count = 0;
     for (n, step) in new.iter().enumerate() {

@@ -143,12 +143,44 @@ fn a_book_has_its_chapters_and_numbers_its_pages() {
 
 #[test]
 fn parts_that_nothing_joins_have_no_order() {
-    let pages = pages_of(&template("ramp", &[]), Paper::A4);
-    let all: Vec<String> =
-        pages.into_iter().flat_map(|(_, texts)| texts.into_iter().map(|t| t.words)).collect();
-    let made = make(&template("ramp", &[]), &mut Unwatched).unwrap();
-    let is_joined = made.joining_order().iter().any(|step| !step.joins.is_empty());
-    assert_eq!(all.iter().any(|text| text == "Order of joining"), is_joined);
+    let square = "x,y,z,corner\n0,0,0,1\n100,0,0,1\n100,100,0,1\n0,100,0,1\n";
+    let options = ReadOptions::default();
+    let alone = read_bytes(InputFormat::Table, square.as_bytes(), "s.csv", None, &options).unwrap();
+    let has_order = |design: &Design| {
+        let mut texts = pages_of(design, Paper::A4).into_iter().flat_map(|(_, texts)| texts);
+        texts.any(|text| text.words == "Order of joining")
+    };
+    assert!(!has_order(&alone));
+    assert!(has_order(&template("ramp", &[])));
+}
+
+#[test]
+fn a_panel_that_is_cut_several_times_counts_as_often() {
+    let mut design = template("cone", &[]);
+    design.panels[0].count = 3;
+    let words = |design: &Design| -> Vec<String> {
+        let pages = pages_of(design, Paper::A4);
+        pages.into_iter().flat_map(|(_, texts)| texts.into_iter().map(|text| text.words)).collect()
+    };
+    let three = words(&design);
+    assert!(three.iter().any(|text| text == "3 from 1 pattern"), "{three:?}");
+    assert!(three.iter().any(|text| text == "3 parts from 1 pattern"), "{three:?}");
+    let free = |words: &[String]| {
+        let n = words.iter().position(|text| text == "Free edges").unwrap();
+        words[n + 1].split('\u{a0}').next().unwrap().parse::<f64>().unwrap()
+    };
+    design.panels[0].count = 1;
+    let ratio = free(&three) / free(&words(&design));
+    assert!((ratio - 3.0).abs() < 0.02, "{ratio}");
+}
+
+#[test]
+fn too_many_lines_say_how_many_more_there_are() {
+    let lines = |count: usize| (0..count).map(|n| n.to_string()).collect::<Vec<_>>();
+    assert_eq!(first_lines(lines(5), 5), lines(5));
+    let short = first_lines(lines(9), 5);
+    assert_eq!(short[..4], lines(4));
+    assert_eq!(short[4], "… and 5 more lines: the patterns name all edges.");
 }
 
 #[test]

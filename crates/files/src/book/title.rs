@@ -40,7 +40,7 @@ pub(super) fn title_page(flow: &mut Flow, book: &Book<'_>) {
 
 fn facts(book: &Book<'_>) -> Vec<(&'static str, String)> {
     let made = book.made;
-    let parts = counted(made.parts.len(), "part", "parts");
+    let parts = counted(book.count(), "part", "parts");
     let patterns = counted(book.patterns.len(), "pattern", "patterns");
     let size = overall_size(made);
     let size = [size.x, size.y, size.z].map(millimetres).join(" × ");

@@ -2,7 +2,7 @@
 
 use super::canvas::{Anchor, PathData, Picture, WIDTH, text};
 use super::page::table;
-use crate::sheets::{SheetRow, sheet_rows, without_sheet};
+use crate::sheets::{SheetRow, sheet_rows, weight_kg, without_sheet};
 use crate::wording::{area, decimal, millimetres};
 use maud::{Markup, PreEscaped, html};
 use sheetwright::make::Made;
@@ -28,14 +28,14 @@ pub(super) fn sheets(made: &Made) -> Markup {
     let labels = ["Sheet", "Parts", "Area of parts", "Used", "Length of cuts", "Cost"];
     let row = |(row, piece): (&SheetRow, &Piece)| {
         let values = vec![
-            format!("{} × {}", millimetres(row.size[0]), millimetres(row.size[1])),
+            row.named(),
             row.parts.to_string(),
             area(row.used_mm2),
             format!("{} %", decimal(100.0 * row.share(), 0)),
             millimetres(crate::parts::cut_length_mm(piece)),
             row.cost.map_or_else(|| "–".to_owned(), |cost| decimal(cost, 2)),
         ];
-        (format!("{} ({})", piece.name, row.title), values)
+        (piece.name.clone(), values)
     };
     let whole: f64 = rows.iter().map(|row| row.area_mm2).sum();
     let used: f64 = rows.iter().map(|row| row.used_mm2).sum();
@@ -71,12 +71,6 @@ pub(super) fn sheets(made: &Made) -> Markup {
             }
         }
     }
-}
-
-/// What the parts weigh, kg, where the thickness and the density of the sheet are known.
-fn weight_kg(made: &Made, area_mm2: f64) -> Option<f64> {
-    let density = made.material.as_ref()?.density_kg_per_m3.as_ref()?.value;
-    Some(area_mm2 * made.thickness_mm? * 1e-9 * density)
 }
 
 /// A sheet and the parts on it.

@@ -4,6 +4,7 @@
 use super::{Made, Part};
 use crate::design::Design;
 use crate::pattern::{EqualPiece, Piece, Quantity, equal_pieces};
+use std::collections::BTreeMap;
 
 /// A pattern, and the parts that are cut from it.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,9 +65,10 @@ fn quantity(made: &Made, instances: &[EqualPiece]) -> Quantity {
 
 /// How many of each part its panel asks for: at least one, and no more turned over than that.
 pub(super) fn wanted(design: &Design, parts: &[Part]) -> Vec<Quantity> {
+    let counts: BTreeMap<&str, (u32, u32)> =
+        design.panels.iter().map(|p| (&p.name[..], (p.count, p.mirrored))).collect();
     let of_part = |part: &Part| {
-        let panel = design.panels.iter().find(|panel| panel.name == part.panel);
-        let (count, mirrored) = panel.map_or((1, 0), |panel| (panel.count, panel.mirrored));
+        let (count, mirrored) = counts.get(&part.panel[..]).copied().unwrap_or((1, 0));
         let count = count.max(1);
         Quantity { count: count as usize, mirrored: mirrored.min(count) as usize }
     };

@@ -9,7 +9,8 @@
 //! one off (\[SW97\]), which the tests compare with all ways of dividing.
 //!
 //! Lengths are counted in whole micrometres, so that lengths which differ by rounding alone are
-//! equal; of equal parts, the first in the design comes first.
+//! equal; where both sides of a seam differ, the shorter counts. Of equal parts, the first in the
+//! design comes first.
 
 use super::{Made, Part};
 use crate::edge::{Edge, EdgePlace, EdgeSource};
@@ -52,7 +53,9 @@ impl Made {
                 let is_division = matches!(edge.source, EdgeSource::Division { .. });
                 let more = if is_division { DIVISION_UM } else { 0 };
                 let mates = edge.mates.iter().zip(&edge.shared_mm);
-                mates.map(|(mate, shared)| (mate.part, more + whole_um(shared[0]))).collect()
+                mates
+                    .map(|(mate, shared)| (mate.part, more + whole_um(shared[0].min(shared[1]))))
+                    .collect()
             };
             part.edges.iter().flat_map(of_edge).collect()
         };
@@ -108,8 +111,9 @@ fn adjacency_order(graph: &[BTreeMap<usize, u64>]) -> Vec<(usize, bool)> {
     let whole = |n: usize| -> u64 {
         graph[n].iter().filter(|(other, _)| **other != n).map(|(_, weight)| weight).sum()
     };
+    let whole: Vec<u64> = (0..graph.len()).map(whole).collect();
     let mut left: BTreeSet<(Reverse<u64>, usize)> =
-        (0..graph.len()).map(|n| (Reverse(whole(n)), n)).collect();
+        whole.iter().enumerate().map(|(n, &weight)| (Reverse(weight), n)).collect();
     // Of those that are joined to what stands: by how much.
     let mut reached: BTreeMap<usize, u64> = BTreeMap::new();
     let mut next: BTreeSet<(Reverse<u64>, usize)> = BTreeSet::new();
@@ -119,11 +123,11 @@ fn adjacency_order(graph: &[BTreeMap<usize, u64>]) -> Vec<(usize, bool)> {
             Some((_, vertex)) => (false, vertex),
             None => (true, first.1),
         };
-        left.remove(&(Reverse(whole(vertex)), vertex));
+        left.remove(&(Reverse(whole[vertex]), vertex));
         reached.remove(&vertex);
         order.push((vertex, begins));
         for (&other, &weight) in &graph[vertex] {
-            if !left.contains(&(Reverse(whole(other)), other)) {
+            if !left.contains(&(Reverse(whole[other]), other)) {
                 continue;
             }
             let before = reached.get(&other).copied();

@@ -8,6 +8,7 @@ use crate::nest::{
 use crate::pattern::{PathKind, Piece};
 use sheetwright_geometry::math::{Point2, Vec2, atan2};
 use sheetwright_geometry::watch::{Stage, Watch};
+use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
 /// Steps below this, radians, are any angle.
@@ -54,13 +55,16 @@ impl Nested {
         let list = made.cut_list();
         let (mut items, mut parts, mut copies) = (Vec::new(), Vec::new(), Vec::new());
         for (item, cut) in list.iter().enumerate() {
-            let group = group(made, cut, stock);
             for is_mirrored in [false, true] {
-                let of_part = cut.copies(made, is_mirrored);
-                if !of_part.is_empty() {
+                // Equal parts may belong to several groups, or to none.
+                let mut groups: BTreeMap<Option<usize>, Vec<usize>> = BTreeMap::new();
+                for part in cut.copies(made, is_mirrored) {
+                    groups.entry(group(&made.parts[part].panel, stock)).or_default().push(part);
+                }
+                for (group, of_group) in groups {
                     items.push(NestItem { item, is_mirrored });
-                    parts.push(nest_part(&cut.piece, is_mirrored, of_part.len(), group, stock));
-                    copies.push(of_part);
+                    parts.push(nest_part(&cut.piece, is_mirrored, of_group.len(), group, stock));
+                    copies.push(of_group);
                 }
             }
         }
@@ -87,11 +91,9 @@ impl Nested {
     }
 }
 
-/// The group of panels that stay together that a pattern belongs to.
-fn group(made: &Made, cut: &CutItem, stock: &Stock) -> Option<usize> {
-    stock.together.iter().position(|names| {
-        cut.instances.iter().any(|it| names.contains(&made.parts[it.number].panel))
-    })
+/// The group of panels that stay together that a panel belongs to.
+fn group(panel: &str, stock: &Stock) -> Option<usize> {
+    stock.together.iter().position(|names| names.iter().any(|name| name == panel))
 }
 
 fn nest_sheet(sheet: &crate::design::StockSheet) -> NestSheet {

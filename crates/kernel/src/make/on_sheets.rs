@@ -115,7 +115,9 @@ fn depths(parts: &[Laid<'_>]) -> Vec<usize> {
             && p.y <= around.max.y;
         k != n && is_near && inside(&parts[k].outline, p)
     };
-    (0..parts.len()).map(|n| (0..parts.len()).filter(|&k| is_in(n, k)).count()).collect()
+    let holed: Vec<usize> =
+        (0..parts.len()).filter(|&k| parts[k].piece.loops().nth(1).is_some()).collect();
+    (0..parts.len()).map(|n| holed.iter().filter(|&&k| is_in(n, k)).count()).collect()
 }
 
 /// Draws a part where it lies under its own name: the lines of its inside first.

@@ -27,8 +27,8 @@ const PATIENCE: Patience = Patience { rounds: 60, strikes: 2 };
 const ATTEMPT: f64 = 0.4;
 /// Throwing a single part on a fuller sheet may use this share of the budget.
 const SINGLE: f64 = 0.02;
-/// So many parts in a row that find no place end that.
-const REFUSED: usize = 4;
+/// All of that may use this share of it.
+const SINGLES: f64 = 0.5;
 /// No layout covers more than this share of its sheets in sensible time.
 const DENSEST: f64 = 0.95;
 /// More parts than this are not separated together: their pairs would fill the memory.
@@ -326,10 +326,13 @@ impl<'a> Laid<'a> {
         let mut others = self.sheets_beside(state, last);
         others.retain(|&sheet| state.on[sheet].len() < MOST_TOGETHER);
         let single = (SINGLE * budget.left as f64) as i64;
-        let mut refused = 0;
+        let least = ((1.0 - SINGLES) * budget.left as f64) as i64;
+        // Forms that found no place.
+        let mut refused: BTreeSet<usize> = BTreeSet::new();
         for item in order(state).into_iter().flatten() {
             let is_on_last = state.poses[item].is_some_and(|pose| pose.sheet == last);
-            if !is_on_last || state.items[item].group.is_some() {
+            let shape = state.items[item].shape;
+            if !is_on_last || state.items[item].group.is_some() || refused.contains(&shape) {
                 continue;
             }
             let left = |&sheet: &usize| DENSEST * state.rooms[sheet].area() - state.area(sheet);
@@ -337,7 +340,7 @@ impl<'a> Laid<'a> {
             let Some(&sheet) = most.filter(|most| left(most) >= state.shape(item).area) else {
                 continue;
             };
-            if refused == REFUSED || budget.is_over() {
+            if budget.left < least || budget.is_over() {
                 return;
             }
             let before = state.poses.clone();
@@ -348,8 +351,8 @@ impl<'a> Laid<'a> {
             budget.left = rest + attempt.left;
             if loss > 0.0 {
                 restore(state, &before);
+                refused.insert(shape);
             }
-            refused = if loss > 0.0 { refused + 1 } else { 0 };
         }
     }
 
