@@ -14,7 +14,7 @@ pub use lay::lay_flat;
 pub use refold::{RefoldError, refold};
 pub use relax::{Aim, Ended, RelaxError, RelaxOptions, Relaxed, relax, relax_lengths};
 
-pub(crate) use pose::{fits_in, long_side, posed};
+pub(crate) use pose::{convex_hull, fits_in, long_side, posed};
 pub(crate) use relax::{conformal_scales, laid_at, triangle_stretches};
 pub use unfold::unfold;
 pub use unroll::unroll;

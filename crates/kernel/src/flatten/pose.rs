@@ -74,7 +74,7 @@ fn climb(hull: &[Point2], from: usize, along: Vec2) -> usize {
 }
 
 /// The corners of the convex hull, counter-clockwise (Andrew's monotone chain).
-fn convex_hull(points: &[Point2]) -> Vec<Point2> {
+pub(crate) fn convex_hull(points: &[Point2]) -> Vec<Point2> {
     let mut sorted = points.to_vec();
     sorted.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
     let chain = |points: &mut dyn Iterator<Item = Point2>| {

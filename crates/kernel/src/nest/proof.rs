@@ -6,7 +6,7 @@
 
 use super::{Nest, NestForm, NestOptions, NestPart, NestSheet, Placement};
 use sheetwright_geometry::math::{Point2, Vec2};
-use sheetwright_geometry::predicate::{inside, segments_touch};
+use sheetwright_geometry::predicate::{Box2, inside, segments_touch};
 use std::f64::consts::FRAC_PI_2;
 
 /// Rounding may cost this much of a distance, mm.
@@ -89,8 +89,8 @@ pub fn first_fault(
 }
 
 fn bounds(points: &[Point2]) -> (Vec2, Vec2) {
-    let none = (Vec2::splat(f64::INFINITY), Vec2::splat(f64::NEG_INFINITY));
-    points.iter().fold(none, |(low, high), p| (low.min(p.to_vec()), high.max(p.to_vec())))
+    let around = Box2::of_points(points.iter().copied());
+    around.map_or_else(Default::default, |it| (it.min.to_vec(), it.max.to_vec()))
 }
 
 fn too_near(a: &[Vec<Point2>], b: &[Vec<Point2>], gap: f64) -> bool {

@@ -7,9 +7,10 @@
 //! part. The circles (poles of inaccessibility) tell how deeply two forms overlap
 //! [GardeynVandenBergheWauters2025].
 
+use crate::flatten::{convex_hull, long_side};
 use sheetwright_geometry::math::{Point2, Vec2, atan2};
-use sheetwright_geometry::predicate::{inside, segments_touch, signed_area_doubled};
-use sheetwright_geometry::region::combined;
+use sheetwright_geometry::offset;
+use sheetwright_geometry::predicate::{Box2, inside, segments_touch, signed_area_doubled};
 use std::cmp::Ordering;
 
 /// The most circles of a form.
@@ -63,8 +64,8 @@ impl Shape {
         let allowed = coarse * area_of(&grown[0]).abs();
         let loops: Vec<Vec<Point2>> =
             grown.into_iter().map(|line| simplified(line, allowed)).collect();
-        let (low, high) = bounds(&loops[0]);
-        let middle = low + (high - low) * 0.5;
+        let (low, high) = corners(&loops[0]);
+        let middle = low.lerp(high, 0.5);
         let about = |p: &Point2| Point2::default() + (*p - middle);
         let loops: Vec<Vec<Point2>> =
             loops.iter().map(|line| line.iter().map(about).collect()).collect();
@@ -74,7 +75,7 @@ impl Shape {
             next.extend((1..line.len()).map(|n| first + n));
             next.push(first);
         }
-        let hull = hull(&loops[0]);
+        let hull = convex_hull(&loops[0]);
         let points: Vec<Point2> = loops.iter().flatten().copied().collect();
         let radius = points.iter().fold(0.0, |most: f64, p| most.max(p.to_vec().length()));
         let size = high - low;
@@ -93,60 +94,24 @@ impl Shape {
     }
 }
 
-fn bounds(points: &[Point2]) -> (Point2, Point2) {
-    let none = (Vec2::splat(f64::INFINITY), Vec2::splat(f64::NEG_INFINITY));
-    let (low, high) =
-        points.iter().map(|p| p.to_vec()).fold(none, |(low, high), p| (low.min(p), high.max(p)));
-    (Point2::new(low.x, low.y), Point2::new(high.x, high.y))
+/// The lower left and the upper right corner of the box around some points.
+fn corners(points: &[Point2]) -> (Point2, Point2) {
+    let around = Box2::of_points(points.iter().copied());
+    around.map_or_else(Default::default, |it| (it.min, it.max))
 }
 
 /// The outline, counter-clockwise, and the holes, clockwise, of the part and all that lies within
-/// `by_mm` of it. At a corner that points out, the strips along its sides meet as a mitre, or
-/// across the corner where that would reach far.
+/// `by_mm` of it.
 fn grown(loops: &[Vec<Point2>], by_mm: f64) -> Vec<Vec<Point2>> {
     let mut lines: Vec<Vec<Point2>> = Vec::with_capacity(loops.len());
     for (n, line) in loops.iter().enumerate() {
         let turn = (signed_area_doubled(line) < 0.0) == (n == 0);
         lines.push(if turn { line.iter().rev().copied().collect() } else { line.clone() });
     }
-    if by_mm <= 0.0 {
-        return lines;
-    }
-    let mut strips = Vec::new();
-    for line in &lines {
-        let m = line.len();
-        let out = |k: usize| -(line[(k + 1) % m] - line[k]).normalize_or_zero().perp() * by_mm;
-        for k in 0..m {
-            let (a, b) = (line[k], line[(k + 1) % m]);
-            let (here, after) = (out(k), out((k + 1) % m));
-            strips.push(vec![a, b, b + here, a + here]);
-            // A corner points out, or the line turns back on itself.
-            let turn = here.perp_dot(after);
-            if turn > 0.0 || (turn == 0.0 && here.dot(after) < 0.0) {
-                strips.push(corner(b, here, after, by_mm));
-            }
-        }
-    }
-    match combined(&lines, &strips, &[]).into_iter().next() {
+    match offset::grown(&lines, by_mm).into_iter().next() {
         Some(region) => std::iter::once(region.outline).chain(region.holes).collect(),
         None => lines,
     }
-}
-
-/// What fills the corner between two strips.
-fn corner(b: Point2, here: Vec2, after: Vec2, by_mm: f64) -> Vec<Point2> {
-    let middle = (here + after).normalize_or_zero();
-    let cos = middle.dot(here) / by_mm;
-    if cos > 0.5 {
-        return vec![b, b + here, b + middle * (by_mm / cos), b + after];
-    }
-    // The tangents of the circle about the corner at both sides and in the middle between.
-    let middle = if cos > 1e-3 { middle } else { here.perp() / by_mm };
-    let met = |side: Vec2| {
-        let half = (side / by_mm + middle).normalize_or_zero();
-        half * (by_mm / half.dot(middle).max(0.3))
-    };
-    vec![b, b + here, b + met(here), b + met(after), b + after]
 }
 
 /// A closed line that has its region to the left, with fewer corners. The region grows by up to
@@ -231,57 +196,29 @@ fn crosses_near(line: &[Point2], k: usize, is_met: bool, before: usize) -> bool 
     })
 }
 
-/// The corners of the hull, counter-clockwise.
-fn hull(points: &[Point2]) -> Vec<Point2> {
-    let mut sorted = points.to_vec();
-    sorted.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
-    let half = |points: &mut dyn Iterator<Item = Point2>| {
-        let mut chain: Vec<Point2> = Vec::new();
-        for p in points {
-            while let [.., a, b] = chain[..]
-                && (b - a).perp_dot(p - b) <= 0.0
-            {
-                chain.pop();
-            }
-            chain.push(p);
-        }
-        chain.pop();
-        chain
-    };
-    let mut lower = half(&mut sorted.iter().copied());
-    lower.extend(half(&mut sorted.iter().rev().copied()));
-    lower
-}
-
-/// The angles that lay the sides of the hull along x on which its smallest box and its lowest one
-/// stand, and the longest ones.
+/// The angles that lay along x the long side of the smallest box, the side of the hull on which
+/// the box is lowest, and its longest sides.
 fn upright(hull: &[Point2]) -> Vec<f64> {
     let m = hull.len();
     let mut sides: Vec<Vec2> = (0..m).map(|k| hull[(k + 1) % m] - hull[k]).collect();
     sides.sort_by(|a, b| b.length_squared().total_cmp(&a.length_squared()));
-    let box_on = |side: &Vec2| {
-        let along = side.normalize_or_zero();
-        let extent = |way: Vec2| {
-            let shares = hull.iter().map(|p| p.to_vec().dot(way));
-            let none = (f64::INFINITY, f64::NEG_INFINITY);
-            let (low, high) = shares.fold(none, |(low, high), x| (low.min(x), high.max(x)));
-            high - low
-        };
-        [extent(along) * extent(along.perp()), extent(along.perp())]
+    let height = |side: &Vec2| {
+        let up = side.normalize_or_zero().perp();
+        let heights = || hull.iter().map(|p| p.to_vec().dot(up));
+        heights().fold(f64::MIN, f64::max) - heights().fold(f64::MAX, f64::min)
     };
-    let boxes: Vec<[f64; 2]> = sides.iter().map(box_on).collect();
-    let least = |k: usize| (0..m).min_by(|&a, &b| boxes[a][k].total_cmp(&boxes[b][k]));
-    let mut chosen: Vec<usize> = [least(0), least(1)].into_iter().flatten().collect();
-    chosen.extend(0..MOST_SIDES.min(m));
-    chosen.sort_unstable();
-    chosen.dedup();
-    chosen.into_iter().map(|n| -atan2(sides[n].y, sides[n].x)).collect()
+    let lowest = sides.iter().copied().min_by(|a, b| height(a).total_cmp(&height(b)));
+    let longest = sides.iter().copied().take(MOST_SIDES);
+    let mut ways = vec![long_side(hull)];
+    ways.extend(lowest.into_iter().chain(longest));
+    ways.dedup();
+    ways.into_iter().map(|way| -atan2(way.y, way.x)).collect()
 }
 
 /// Circles inside a form that do not overlap, the largest first: each is the largest that fits
 /// beside those before, of those whose middles lie on a lattice, and then moved by hand.
 fn poles(loops: &[Vec<Point2>], points: &[Point2], next: &[usize]) -> Vec<Pole> {
-    let (low, high) = bounds(&loops[0]);
+    let (low, high) = corners(&loops[0]);
     let size = high - low;
     let is_in = |p: Point2| inside(&loops[0], p) && !loops[1..].iter().any(|hole| inside(hole, p));
     let clear = |p: Point2| {

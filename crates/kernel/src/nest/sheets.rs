@@ -15,12 +15,11 @@ use super::squeeze::squeeze;
 use super::state::{Item, State};
 use super::turns::Turns;
 use super::{NestForm, NestSheet, rectangle};
-use sheetwright_geometry::math::{Point2, Vec2, cos, sin};
+use sheetwright_geometry::math::{Point2, Vec2};
+use sheetwright_geometry::offset;
 use sheetwright_geometry::predicate::{Box2, signed_area_doubled};
 use sheetwright_geometry::random::Random;
-use sheetwright_geometry::region::combined;
 use std::collections::BTreeSet;
-use std::f64::consts::TAU;
 
 const PATIENCE: Patience = Patience { rounds: 60, strikes: 2 };
 /// An attempt to do without a sheet may use this share of what is left of the budget.
@@ -33,11 +32,6 @@ const SINGLES: f64 = 0.5;
 const DENSEST: f64 = 0.95;
 /// More parts than this are not separated together: their pairs would fill the memory.
 const MOST_TOGETHER: usize = 2_000;
-
-/// Corners of the polygon around a circle about a corner of an offcut.
-const RING: u32 = 16;
-/// They lie so much farther from the corner than the circle, so that their sides touch it.
-const AROUND_CORNER: f64 = 1.02;
 
 /// The kinds of sheets, each lying so that its grain runs along x.
 pub(super) struct Kinds<'a> {
@@ -111,25 +105,22 @@ fn price(sheet: &NestSheet) -> f64 {
     sheet.cost.map_or(1.0, |cost| cost / area(sheet))
 }
 
-/// The room on an offcut: what lies `inset` mm from its edges.
+/// The room on an offcut: what lies `inset` mm from its edges. All around the offcut grows by that,
+/// and leaves a hole.
 fn outline(points: &[Point2], inset: f64) -> Option<Room> {
-    let m = points.len();
-    let mut strips = Vec::new();
+    let mut room = points.to_vec();
     if inset > 0.0 {
-        for k in 0..m {
-            let [a, b] = [points[k], points[(k + 1) % m]];
-            let out = (b - a).normalize_or_zero().perp() * inset;
-            strips.push(vec![a + out, a + -out, b + -out, b + out]);
-            let ring = |n: usize| {
-                let angle = TAU * n as f64 / f64::from(RING);
-                a + Vec2::new(cos(angle), sin(angle)) * (AROUND_CORNER * inset)
-            };
-            strips.push((0..RING as usize).map(ring).collect());
-        }
+        let Box2 { min, max } = Box2::of_points(points.iter().copied())?;
+        let (min, max) = (min + Vec2::splat(-inset), max + Vec2::splat(inset));
+        let frame = vec![min, Point2::new(max.x, min.y), max, Point2::new(min.x, max.y)];
+        room.reverse();
+        let around = offset::grown(&[frame, room], inset).into_iter().next()?;
+        let area = |line: &Vec<Point2>| signed_area_doubled(line).abs();
+        room = around.holes.into_iter().max_by(|a, b| area(a).total_cmp(&area(b)))?;
+        room.reverse();
     }
-    let region = combined(&[points.to_vec()], &[], &strips).into_iter().next()?;
-    let around = Box2::of_points(region.outline.iter().copied())?;
-    Some(Room::new(around.min.to_vec(), around.max.to_vec(), region.outline))
+    let Box2 { min, max } = Box2::of_points(room.iter().copied())?;
+    Some(Room::new(min.to_vec(), max.to_vec(), room))
 }
 
 /// Which kinds the sheets of a state are of.
