@@ -1,5 +1,5 @@
 //! Numbers that look random and are the same every time: the generator SplitMix64
-//! [SteeleLeaFlood2014].
+//! \[SteeleLeaFlood2014\].
 
 /// A generator with its state.
 #[derive(Clone, Debug)]

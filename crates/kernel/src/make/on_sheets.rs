@@ -18,7 +18,7 @@ const BESIDE_MM: f64 = 100.0;
 const NAME_MM: f64 = 15.0;
 
 impl Made {
-    /// Each sheet with the parts on it, in order. `patterns` are those of [`Nested::list`], or
+    /// Each sheet with the parts on it, in order. `patterns` are those of [`super::Nested::list`], or
     /// others in their places, as for a machine. Empty where parts are not laid out.
     pub fn sheet_pieces(&self, patterns: &[CutItem]) -> Vec<Piece> {
         let (Some(nested), Some(stock)) = (&self.nested, &self.stock) else { return Vec::new() };

@@ -3,7 +3,7 @@
 //! Two parts collide if two of their circles overlap, if two of their sides cross or if one lies
 //! inside the other. How badly is told by the circles: the depths to which they overlap, times
 //! their radii, in all, as an area; circles that lie apart count a little, so that a part feels
-//! which way leads out [GardeynVandenBergheWauters2025].
+//! which way leads out \[GardeynVandenBergheWauters2025\].
 
 use super::shape::{Pole, Shape};
 use sheetwright_geometry::math::{Point2, Vec2, cos, sin};

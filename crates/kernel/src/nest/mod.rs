@@ -2,7 +2,7 @@
 //!
 //! Parts are laid down one after the other (`fill`), then sheets are emptied into the others where
 //! that can be (`sheets`), and the parts on the last sheet, or on a roll, are squeezed together
-//! (`squeeze`). All of it stands on one search [GardeynVandenBergheWauters2025]: parts may overlap
+//! (`squeeze`). All of it stands on one search \[GardeynVandenBergheWauters2025\]: parts may overlap
 //! for a while, and are moved until none does (`separate`). That program works in single precision,
 //! on one strip and by the clock, and takes no holes; this one works on several sheets of several
 //! forms, lays parts in holes of others, and counts its steps, so that its layouts have the same

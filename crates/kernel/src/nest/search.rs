@@ -1,6 +1,6 @@
 //! A better place for one part: many places are tried at random, all over the sheets and round
 //! where it lies, and the best of them are improved step by step, along one axis after the other
-//! [GardeynVandenBergheWauters2025].
+//! \[GardeynVandenBergheWauters2025\].
 
 use super::layout::{Placed, Pose, Room};
 use super::shape::Shape;

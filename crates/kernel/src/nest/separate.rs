@@ -1,5 +1,5 @@
 //! Parts that overlap are moved until none does: guided local search
-//! [GardeynVandenBergheWauters2025].
+//! \[GardeynVandenBergheWauters2025\].
 //!
 //! In each round, every part that collides is moved, in another order each time, to the best place
 //! that is found for it, where a collision costs its badness times a weight. After the round, the

@@ -5,7 +5,7 @@
 //! grows: a concave corner is bridged, and a convex side is replaced by its neighbours, which are
 //! prolonged until they meet. What does not overlap with the grown form does not overlap with the
 //! part. The circles (poles of inaccessibility) tell how deeply two forms overlap
-//! [GardeynVandenBergheWauters2025].
+//! \[GardeynVandenBergheWauters2025\].
 
 use crate::flatten::{convex_hull, long_side};
 use sheetwright_geometry::math::{Point2, Vec2, atan2};

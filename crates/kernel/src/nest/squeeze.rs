@@ -1,6 +1,6 @@
 //! The parts of one sheet are pushed together along it, so that what is left over is one piece, or
 //! that a roll gets short: the room is shortened bit by bit, and the parts are separated again
-//! [GardeynVandenBergheWauters2025].
+//! \[GardeynVandenBergheWauters2025\].
 //!
 //! At first the room gets shorter by a thousandth at a time. Where the parts can't be separated,
 //! two large ones change places and the search begins anew; after some failures, the last state
