@@ -3,6 +3,7 @@
   nest.py sets FILE                 random sets, as crates/kernel/tests/nest.rs writes them
   nest.py made FOLDER GAP MARGIN    sheets.svg of a made design
   nest.py rival FOLDER WIDTH        how long a roll others need for the parts of FOLDER
+  nest.py pick DESIGN FOLDER...     a design of 60 outlines of made designs, each of another size
 
 Shapely looks for overlaps, gaps and margins that are too small, parts that are lost and parts that
 lie against their grain. Spyrrow lays the parts out in the time that we took, three times; its median
@@ -12,6 +13,7 @@ length may be at most 3 % shorter than ours.
 import csv
 import json
 import math
+import random
 import re
 import statistics
 import sys
@@ -146,6 +148,33 @@ def rival(folder, width):
     assert median / ours >= 0.97, f"{folder}: density below 0.97 of theirs"
 
 
+def pick(design, *folders):
+    from shapely.affinity import scale as scaled
+
+    found = []
+    for folder in sorted(folders):
+        for file in sorted(Path(folder).glob("*.svg")):
+            # Patterns that overlap themselves are no outlines to cut, and needles no parts.
+            lines = [polygon([line]) for line in closed_paths(file, "outline") if len(line) > 2]
+            found += [line for line in lines if line.is_valid and line.area > 0.02 * line.length**2]
+    random.seed(1)
+    chosen = random.choices(found, k=60)
+    curves, panels = {}, []
+    for n, line in enumerate(chosen):
+        # As large as a square of 40 to 120 mm; a tenth of a millimetre is enough for a layout.
+        scale = random.uniform(40, 120) / math.sqrt(line.area)
+        line = scaled(line, scale, scale, origin=(0, 0)).simplify(0.1)
+        points = [[x, y, 0] for x, y in line.exterior.coords[:-1]]
+        curves[f"c{n}"] = {"kind": "polyline", "closed": True, "points": points}
+        panels.append({"name": f"part-{n}", "boundary": [f"c{n}"]})
+    whole = {"sheetwright": 1, "units": "mm", "curves": curves, "panels": panels}
+    Path(design).write_text(json.dumps(whole))
+    print(f"60 of {len(found)} outlines in {design}")
+
+
 if __name__ == "__main__":
     what, first, *rest = sys.argv[1:]
-    {"sets": sets, "made": made, "rival": rival}[what](first, *map(float, rest))
+    if what == "pick":
+        pick(first, *rest)
+    else:
+        {"sets": sets, "made": made, "rival": rival}[what](first, *map(float, rest))

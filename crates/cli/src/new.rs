@@ -35,7 +35,7 @@ pub(crate) fn run(args: &NewArgs, voice: Voice) -> Result<bool, Failure> {
         (None, Some(usual)) => voice.note(&bare_outlines(usual)),
         (None, None) => {}
     }
-    args.sheets.settings(None).set(&mut new.design);
+    args.sheets.settings(None).set(&mut new.design)?;
     if let Some(out) = &args.make {
         // Tables need not lie in the folder of the patterns: the design there has their points.
         let beside = Some((format!("{}.sheet.json", new.design.name), write_design(&new.design)));

@@ -139,7 +139,7 @@ pub fn read_bytes(
         design.material = Some(material);
     }
     options.bends.set(&mut design);
-    options.sheets.set(&mut design);
+    options.sheets.set(&mut design)?;
     design.dimensions = options.dimensions.or(design.dimensions);
     design.thickness_mm = options.thickness_mm.or(design.thickness_mm);
     if format != InputFormat::Design {

@@ -28,7 +28,7 @@ use sheetwright::check::{Checked, Finding, FindingKind, braking};
 use sheetwright::design::Design;
 use sheetwright::make::{CutItem, Made, Part, beside_each_other};
 use sheetwright::pattern::{EqualPiece, Piece, TooNarrow};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 /// What a file is called.
@@ -37,6 +37,8 @@ enum FileName {
     OfPart(&'static str),
     /// There is one, of this name.
     Whole(&'static str),
+    /// After the sheets, with this ending: one for all of them, or one each.
+    OfSheets(&'static str),
 }
 
 /// What writes a file.
@@ -45,7 +47,7 @@ enum Writer {
     Design(fn(&mut Run<'_>) -> Result<Vec<u8>, OutputError>),
 }
 
-use FileName::{OfPart, Whole};
+use FileName::{OfPart, OfSheets, Whole};
 
 /// The files of a format.
 const fn files_of(format: Format) -> &'static [(FileName, Writer)] {
@@ -90,17 +92,13 @@ const fn files_of(format: Format) -> &'static [(FileName, Writer)] {
         }
         Format::Sheets => &[
             (
-                Whole("sheets.svg"),
-                Writer::Design(|run| {
-                    let preset = run.options.preset;
-                    Ok(write_svg_for(run.sheets()?, preset))
-                }),
+                OfSheets(".svg"),
+                Writer::Piece(|piece, options| write_svg_for(piece, options.preset)),
             ),
             (
-                Whole("sheets.dxf"),
-                Writer::Design(|run| {
-                    let options = run.options;
-                    Ok(write_dxf_for(run.sheets()?, options.preset, options.release()))
+                OfSheets(".dxf"),
+                Writer::Piece(|piece, options| {
+                    write_dxf_for(piece, options.preset, options.release())
                 }),
             ),
         ],
@@ -249,6 +247,11 @@ pub enum OutputError {
         /// The other.
         other: String,
     },
+    /// A panel has the name of another file, such as `sheets`.
+    SameFile {
+        /// The file.
+        file: String,
+    },
     /// The die of the press brake is wider than a part that is to be bent over it.
     WideDie {
         /// The part.
@@ -285,6 +288,9 @@ impl fmt::Display for OutputError {
             Self::SameName { panel, other } => {
                 write!(f, "panels '{panel}' and '{other}' would write the same file")
             }
+            Self::SameFile { file } => {
+                write!(f, "a panel has the name of a file that is written as well: {file}")
+            }
             Self::WideDie { part, die_mm, part_mm } => write!(
                 f,
                 "panel '{part}': its pattern is {part_mm:.1} mm long and would fall into the die, \
@@ -314,7 +320,9 @@ impl OutputError {
             Self::Kerf { .. } => {
                 Some("Make it wider, give a narrower kerf, or let the machine's program see to it.")
             }
-            Self::BadName { .. } | Self::SameName { .. } => Some("Give the panels other names."),
+            Self::BadName { .. } | Self::SameName { .. } | Self::SameFile { .. } => {
+                Some("Give the panels other names.")
+            }
             Self::NoSheets => Some("Give the size of a sheet, or leave the sheets out."),
             Self::Report { .. } => None,
         }
@@ -334,7 +342,7 @@ impl From<serde_json::Error> for OutputError {
 /// a table, with a design that reads them from it. Formats that need rulings leave meshes out.
 ///
 /// # Errors
-/// Panels whose names can't be names of files; a die that is wider than a part that is bent over
+/// Panels whose names can't be names of files, or are those of others; a die that is wider than a part that is bent over
 /// it; a hole or a gap that is no wider than the kerf. A written pattern that differs is a finding.
 pub fn output_files(
     made: &Made,
@@ -363,6 +371,10 @@ pub fn output_files(
         run.files.push(file("moved.sheet.json", design));
     }
     let Run { files, panels, errors_mm, .. } = run;
+    let mut seen = BTreeSet::new();
+    if let Some(twice) = files.iter().find(|file| !seen.insert(folded(&file.name))) {
+        return Err(OutputError::SameFile { file: twice.name.clone() });
+    }
     Ok(Outputs { files, panels, refold_error_mm: errors_mm })
 }
 
@@ -381,8 +393,6 @@ struct Run<'a> {
     with_kerf: Option<Vec<Piece>>,
     /// The number of the first file of the patterns in a format; they follow one another.
     first_files: BTreeMap<Format, usize>,
-    /// All sheets beside each other, once they are drawn.
-    sheets: Option<Piece>,
     in_quads: Vec<Option<PanelQuads>>,
     /// The plans for the press brake, if they are asked for.
     plans: Option<Vec<Vec<Hit>>>,
@@ -413,7 +423,6 @@ impl<'a> Run<'a> {
             patterns,
             with_kerf,
             first_files: BTreeMap::new(),
-            sheets: None,
             in_quads: made.parts.iter().map(quads).collect(),
             plans: formats.contains(&Format::Brake).then(|| options.brake.plans(made)),
             reduced: Vec::new(),
@@ -442,8 +451,15 @@ impl<'a> Run<'a> {
                     let bytes = write(self)?;
                     self.files.push(file(*name, bytes));
                 }
-                // A file of a part comes from its piece, one of the design from the design.
-                (OfPart(_), Writer::Design(_)) | (Whole(_), Writer::Piece(_)) => {}
+                (OfSheets(ending), Writer::Piece(write)) => {
+                    let sheets = self.sheets()?;
+                    let written = sheets.iter().map(|(name, sheet)| {
+                        file(format!("{name}{ending}"), write(sheet, &self.options))
+                    });
+                    self.files.extend(written);
+                }
+                // A drawing comes from its piece, what is said of the design from the design.
+                (OfPart(_) | OfSheets(_), Writer::Design(_)) | (Whole(_), Writer::Piece(_)) => {}
             }
         }
         Ok(())
@@ -456,20 +472,25 @@ impl<'a> Run<'a> {
         pdf.bytes
     }
 
-    /// All sheets beside each other, as a machine follows them.
-    fn sheets(&mut self) -> Result<&Piece, OutputError> {
-        let Some(nested) = &self.made.nested else { return Err(OutputError::NoSheets) };
-        if let Some(sheets) = self.sheets.take() {
-            return Ok(self.sheets.insert(sheets));
-        }
+    /// The drawings of the sheets, as a machine follows them: all beside each other in one, or
+    /// each by itself; with the names of their files.
+    fn sheets(&self) -> Result<Vec<(String, Piece)>, OutputError> {
+        let (Some(nested), Some(stock)) = (&self.made.nested, &self.made.stock) else {
+            return Err(OutputError::NoSheets);
+        };
         let mut list = nested.list.clone();
         let kerf_mm = self.options.kerf_mm;
         if kerf_mm > 0.0 {
             let pieces = pieces_with_kerf(self.made, &list, kerf_mm)?;
             list.iter_mut().zip(pieces).for_each(|(item, piece)| item.piece = piece);
         }
-        let sheets = beside_each_other(&self.made.name, &self.made.sheet_pieces(&list));
-        Ok(self.sheets.insert(sheets))
+        let sheets = self.made.sheet_pieces(&list);
+        if !stock.has_file_each {
+            let all = beside_each_other(&self.made.name, &sheets);
+            return Ok(vec![("sheets".to_owned(), all)]);
+        }
+        let names = (1..).map(|n| format!("sheets-{n}"));
+        Ok(names.zip(sheets).collect())
     }
 
     fn book(&self) -> Vec<u8> {

@@ -166,6 +166,11 @@ pub(crate) fn is_tolerance(mm: f64) -> bool {
 pub(crate) const TOLERANCES: &str =
     "Set a tolerance above 0 and up to 1 m; 0.05 mm is less than most machines cut.";
 
+/// What is wrong where equal parts share cuts and a gap is given.
+pub(crate) const GAP_AND_COMMON_LINES: &str = "parts with cuts in common lie a kerf apart";
+/// What helps then.
+pub(crate) const LEAVE_THE_GAP_OUT: &str = "Leave the gap out, or the cuts in common.";
+
 /// The hint for an effort out of range.
 pub(crate) const EFFORTS: &str =
     "Set an effort from 0.001 to 1000; 1 is the default, up to 5 seconds for each panel.";
@@ -181,6 +186,10 @@ pub struct SheetSettings {
     pub margin_mm: Option<f64>,
     /// The width that a cut takes away, mm.
     pub kerf_mm: Option<f64>,
+    /// Whether equal parts lie side by side so that one cut parts two.
+    pub common_lines: Option<bool>,
+    /// Whether each sheet has files of its own.
+    pub file_each: Option<bool>,
     /// How much work the search may do, as a multiple of the default.
     pub effort: Option<f64>,
     /// What joins the pieces of parts that are larger than every sheet; `Some(None)`: they are not
@@ -190,13 +199,24 @@ pub struct SheetSettings {
 
 impl SheetSettings {
     /// Sets it on a design.
-    pub fn set(&self, design: &mut Design) {
-        let Self { sheets, gap_mm, margin_mm, kerf_mm, effort, divide } = self;
-        let is_set = !sheets.is_empty()
-            || divide.is_some()
-            || [gap_mm, margin_mm, kerf_mm].iter().any(|it| it.is_some());
+    ///
+    /// # Errors
+    /// Something is set that is about sheets, and there are none; or a gap between parts that share
+    /// their cuts.
+    pub fn set(&self, design: &mut Design) -> Result<(), InputError> {
+        let Self { sheets, gap_mm, margin_mm, kerf_mm, common_lines, file_each, effort, divide } =
+            self;
+        let refused = |message: &str, hint: &str| {
+            Err(InputError { message: message.to_owned(), place: None, hint: hint.to_owned() })
+        };
+        let of_sheets = gap_mm.is_some()
+            || margin_mm.is_some()
+            || *common_lines == Some(true)
+            || file_each.is_some()
+            || matches!(divide, Some(Some(_)));
+        let is_set = !sheets.is_empty() || of_sheets || divide.is_some() || kerf_mm.is_some();
         if !is_set && design.stock.is_none() {
-            return;
+            return Ok(());
         }
         let stock = design.stock.get_or_insert_with(Stock::default);
         if !sheets.is_empty() {
@@ -214,6 +234,18 @@ impl SheetSettings {
             };
             stock.divide = joint.map(with);
         }
+        stock.has_common_lines = common_lines.unwrap_or(stock.has_common_lines);
+        stock.has_file_each = file_each.unwrap_or(stock.has_file_each);
+        if of_sheets && stock.sheets.is_empty() {
+            return refused(
+                "there is no sheet to lay parts out on",
+                "Give the size of a sheet, or leave out what is said of sheets.",
+            );
+        }
+        if stock.has_common_lines && gap_mm.is_some() {
+            return refused(GAP_AND_COMMON_LINES, LEAVE_THE_GAP_OUT);
+        }
+        Ok(())
     }
 }
 

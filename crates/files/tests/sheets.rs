@@ -13,7 +13,7 @@ fn written(sheet: &str) -> Outputs {
     let mut design = template("elbow").unwrap().defaults().design().unwrap();
     let sheets = vec![stock_sheet(sheet).unwrap()];
     let settings = SheetSettings { sheets, effort: Some(0.02), ..SheetSettings::default() };
-    settings.set(&mut design);
+    settings.set(&mut design).unwrap();
     let formats = formats_for(&design);
     assert!(formats.contains(&Format::Sheets) && formats.contains(&Format::Parts));
     let mut made = make(&design, &mut Unwatched).unwrap();
@@ -54,7 +54,9 @@ fn sheets_of_a_design_without_any_are_refused_and_copies_have_places_of_their_ow
     let refused = output_files(&made, &[Format::Sheets], OutputOptions::of(&design)).unwrap_err();
     assert_eq!(refused.to_string(), "the design has no sheets to lay its parts out on");
     let sheets = vec![stock_sheet("2x1000x600mm").unwrap()];
-    SheetSettings { sheets, effort: Some(0.01), ..SheetSettings::default() }.set(&mut design);
+    SheetSettings { sheets, effort: Some(0.01), ..SheetSettings::default() }
+        .set(&mut design)
+        .unwrap();
     let mut made = make(&design, &mut Unwatched).unwrap();
     made.lay_out(&mut Unwatched);
     let outputs = output_files(&made, &[Format::Parts], OutputOptions::of(&design)).unwrap();

@@ -3,7 +3,9 @@
 
 use sheetwright::check::FindingKind;
 use sheetwright::cost::DEFAULT_FOLD;
-use sheetwright::design::{Divide, DivideJoint, SheetForm, Stock, StockSheet};
+use sheetwright::design::{
+    Divide, DivideJoint, Mark, MarkKind, MarkOn, MarkWay, SheetForm, Stock, StockSheet,
+};
 use sheetwright::edge::EdgeSource;
 use sheetwright::flatten::refold;
 use sheetwright::index::VertexIndex;
@@ -14,6 +16,7 @@ use sheetwright::template::{Value, template};
 use sheetwright::watch::Unwatched;
 use sheetwright::{Design, DesignCurve, Triangles};
 use sheetwright_shapes::hull::planks;
+use std::f64::consts::FRAC_PI_2;
 
 fn stock(size: [f64; 2], joint: DivideJoint) -> Stock {
     let divide = Some(Divide::by(joint));
@@ -162,6 +165,24 @@ fn rectangles_are_divided_into_as_few_pieces_as_can_be() {
             assert_eq!(check_joints(&made), least as usize - 1);
             check(&whole(&design), &pieces, room);
         }
+    }
+}
+
+#[test]
+fn a_grain_arrow_lies_along_the_sheet() {
+    for (angle, size, least) in [(0.0, [3000.0, 700.0], 2), (FRAC_PI_2, [3000.0, 700.0], 3)] {
+        let kind = MarkKind::Grain { way: MarkWay::Angle { angle }, length: 40.0 };
+        let design = Design {
+            stock: Some(stock([2440.0, 1220.0], DivideJoint::Butt)),
+            marks: vec![Mark { on: vec![MarkOn::All], kind }],
+            ..rectangle(size[0], size[1], Vec::new())
+        };
+        let mut made = made(&design);
+        let pieces = pieces(&made).len();
+        assert_eq!(pieces, least, "{angle}");
+        made.lay_out(&mut Unwatched);
+        let nested = made.nested.unwrap();
+        assert!(nested.is_proved && nested.nest.too_large.is_empty(), "{angle}");
     }
 }
 

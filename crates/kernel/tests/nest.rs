@@ -156,7 +156,7 @@ fn random_sets_lie_on_their_sheets() {
         let sheets = random_sheets(&mut random);
         let [gap_mm, margin_mm] = [random.between(0.0, 10.0), random.between(0.0, 20.0)];
         let gap_mm = if random.below(3) == 0 { 0.0 } else { gap_mm };
-        let options = NestOptions { gap_mm, margin_mm, effort: 0.001 };
+        let options = NestOptions { has_common_lines: false, gap_mm, margin_mm, effort: 0.001 };
         let found = laid(&parts, &sheets, options);
         lines += &as_json(&parts, &sheets, options, &found);
         lines.push('\n');
@@ -176,7 +176,8 @@ fn random_sets_lie_on_their_sheets() {
 #[test]
 fn what_is_too_large_or_too_much_is_said() {
     let parts = [part(vec![rectangle(3000.0, 100.0)], 1), part(vec![rectangle(1000.0, 2000.0)], 3)];
-    let options = NestOptions { gap_mm: 3.0, margin_mm: 5.0, effort: 0.01 };
+    let options =
+        NestOptions { has_common_lines: false, gap_mm: 3.0, margin_mm: 5.0, effort: 0.01 };
     let two = [NestSheet { count: Some(2), ..SHEET }];
     let found = laid(&parts, &two, options);
     assert_eq!((found.too_large, found.left_over), (vec![0], vec![1]));
@@ -188,7 +189,8 @@ fn what_is_too_large_or_too_much_is_said() {
 
 #[test]
 fn a_part_of_the_size_of_the_sheet_has_room() {
-    let options = NestOptions { gap_mm: 4.0, margin_mm: 10.0, effort: 0.01 };
+    let options =
+        NestOptions { has_common_lines: false, gap_mm: 4.0, margin_mm: 10.0, effort: 0.01 };
     let found = laid(&[part(vec![rectangle(2420.0, 1200.0)], 2)], &[SHEET], options);
     assert_eq!((found.placements.len(), found.sheets.len()), (2, 2));
     let round = ring(200, |_| 600.0, [7.0, 9.0]);
@@ -204,7 +206,7 @@ fn small_parts_lie_in_the_holes_of_large_ones() {
     let parts = [part(frame, 1), part(vec![rectangle(400.0, 400.0)], 3)];
     let sheet =
         NestSheet { form: NestForm::Rectangle([1030.0, 1030.0]), count: Some(1), cost: None };
-    let options = NestOptions { gap_mm: 5.0, margin_mm: 5.0, effort: 0.3 };
+    let options = NestOptions { has_common_lines: false, gap_mm: 5.0, margin_mm: 5.0, effort: 0.3 };
     let found = laid(&parts, &[sheet], options);
     assert_eq!((found.placements.len(), found.left_over.len()), (4, 0));
 }
@@ -217,7 +219,8 @@ fn parts_of_a_group_share_a_sheet_and_the_cheap_sheet_is_taken() {
         part(vec![rectangle(1100.0, 1100.0)], 3),
         group(vec![rectangle(300.0, 300.0)], 2),
     ];
-    let options = NestOptions { gap_mm: 3.0, margin_mm: 5.0, effort: 0.05 };
+    let options =
+        NestOptions { has_common_lines: false, gap_mm: 3.0, margin_mm: 5.0, effort: 0.05 };
     let found = laid(&parts, &[SHEET], options);
     let of_group: Vec<usize> =
         found.placements.iter().filter(|it| it.part != 1).map(|it| it.sheet).collect();
@@ -242,7 +245,7 @@ fn a_stop_keeps_a_whole_layout() {
     }
     let mut random = Random::new(5);
     let parts: Vec<NestPart> = (0..12).map(|_| part(random_loops(&mut random), 2)).collect();
-    let options = NestOptions { gap_mm: 3.0, margin_mm: 5.0, effort: 1.0 };
+    let options = NestOptions { has_common_lines: false, gap_mm: 3.0, margin_mm: 5.0, effort: 1.0 };
     let found = nest(&parts, &[SHEET], options, &mut Stopped(0));
     assert_eq!(first_fault(&found, &parts, &[SHEET], options), None);
 }
@@ -250,7 +253,8 @@ fn a_stop_keeps_a_whole_layout() {
 #[test]
 fn faults_are_found() {
     let parts = [part(vec![rectangle(500.0, 500.0)], 2)];
-    let options = NestOptions { gap_mm: 3.0, margin_mm: 5.0, effort: 0.01 };
+    let options =
+        NestOptions { has_common_lines: false, gap_mm: 3.0, margin_mm: 5.0, effort: 0.01 };
     let found = laid(&parts, &[SHEET], options);
     let fault = |change: fn(&mut Nest)| {
         let mut changed = found.clone();

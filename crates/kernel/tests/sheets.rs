@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used)] // tests panic
 
 use sheetwright::design::{
-    Design, Mark, MarkKind, MarkOn, MarkWay, SheetForm, Stock, StockSheet, Turn,
+    Design, DesignCurve, Mark, MarkKind, MarkOn, MarkWay, SheetForm, Stock, StockSheet, Turn,
 };
 use sheetwright::make::{Made, beside_each_other, make};
 use sheetwright::math::{Vec2, from_deg, unit2};
@@ -100,4 +100,48 @@ fn what_fits_no_sheet_is_left_out_and_no_stock_lays_nothing_out() {
     let mut made = make(&design, &mut Unwatched).unwrap();
     made.lay_out(&mut Unwatched);
     assert_eq!(made.nested, None);
+}
+
+#[test]
+fn equal_parts_have_cuts_in_common_where_that_is_asked_for() {
+    let cut_mm = |sheets: &[Piece]| -> f64 {
+        let cut = sheets.iter().flat_map(|sheet| &sheet.paths).filter(|it| it.role == Role::Cut);
+        cut.map(|path| {
+            let steps = path.points.windows(2).map(|pair| pair[0].distance(pair[1]));
+            let last = path.points[0].distance(*path.points.last().unwrap());
+            steps.sum::<f64>() + if path.closed { last } else { 0.0 }
+        })
+        .sum()
+    };
+    let [apart, joined] = [false, true].map(|has_common_lines| {
+        let (made, sheets) = laid_out("cone", |design| {
+            let corners = [[0.0; 3], [200.0, 0.0, 0.0], [200.0, 120.0, 0.0], [0.0, 120.0, 0.0]];
+            let rim = DesignCurve::polyline("rim", corners).closed();
+            *design = Design::inside("tile", rim, Vec::new());
+            design.panels[0].count = 5;
+            design.stock = Some(Stock { has_common_lines, ..stock([3000.0, 2000.0]) });
+        });
+        assert_eq!(made.nested.unwrap().nest.placements.len(), 5);
+        cut_mm(&sheets)
+    });
+    assert!((apart - 3200.0).abs() < 1e-6, "{apart}");
+    // Two times two of them share two sides of 200 mm and two of 120 mm.
+    assert!((joined - 2560.0).abs() < 0.1, "{joined}");
+}
+
+#[test]
+fn parts_without_a_sheet_are_found() {
+    let (made, sheets) = laid_out("hemisphere", |design| {
+        let mut one = stock([400.0, 400.0]);
+        one.sheets[0].count = Some(1);
+        design.stock = Some(one);
+    });
+    let laid = &made.nested.as_ref().unwrap().parts;
+    assert_eq!(sheets.len(), 1);
+    assert!(laid.len() < made.parts.len());
+    for (n, part) in made.parts.iter().enumerate() {
+        let codes: Vec<&str> = part.checked.findings.iter().map(|it| it.kind.code()).collect();
+        let is_without = codes.contains(&"no-sheet") || codes.contains(&"too-large");
+        assert_eq!(is_without, !laid.contains(&n), "{}: {codes:?}", part.name);
+    }
 }

@@ -289,6 +289,8 @@ fn of_files() -> Vec<Finding> {
             division: Division { joints: 1, joint: DivideJoint::Butt, lap_mm: None, ..division },
         },
         Kind::Strap { joint: "J2".to_owned(), width_mm: 144.0 },
+        Kind::NoSheet { is_too_large: true },
+        Kind::NoSheet { is_too_large: false },
         Kind::NotDivided { fault: DivideFault::NoThickness },
         Kind::Trimmed { note: no_room },
         Kind::Trimmed { note: left_out },

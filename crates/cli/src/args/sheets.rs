@@ -24,10 +24,27 @@ pub(crate) struct SheetArgs {
     /// the design says, or 0]
     #[arg(long, value_name = "LENGTH", value_parser = distance_mm)]
     kerf: Option<f64>,
+    /// Lay equal parts side by side, a kerf apart, so that one cut parts two [default: as the design
+    /// says]
+    #[arg(long)]
+    common_lines: bool,
+    /// Whether all sheets are drawn beside each other, in sheets.svg and sheets.dxf, or each has
+    /// files of its own [default: as the design says, or all]
+    #[arg(long, value_enum, ignore_case = true, value_name = "FILES")]
+    sheet_files: Option<FilesArg>,
     /// What joins the pieces of a part that is larger than every sheet and so is divided [default:
     /// as the design says, or none: it is not]
     #[arg(long, value_enum, ignore_case = true, value_name = "JOINT")]
     divide: Option<DivideArg>,
+}
+
+/// Which files sheets are drawn in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum FilesArg {
+    /// One for all of them
+    All,
+    /// One for each: sheet-1.svg, sheet-1.dxf, sheet-2.svg, …
+    Each,
 }
 
 /// What joins the pieces of a divided part.
@@ -65,6 +82,8 @@ impl SheetArgs {
             gap_mm: self.gap,
             margin_mm: self.margin,
             kerf_mm: self.kerf,
+            common_lines: self.common_lines.then_some(true),
+            file_each: self.sheet_files.map(|files| files == FilesArg::Each),
             effort,
             divide: self.divide.map(DivideArg::joint),
         }

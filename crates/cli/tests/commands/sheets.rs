@@ -24,6 +24,27 @@ fn parts_are_laid_out_where_sheets_are_given() {
 }
 
 #[test]
+fn sheets_have_a_file_each_and_what_is_said_of_sheets_needs_one() {
+    let desk = Desk::new(&[("square.csv", SQUARE), ("sheets.csv", SQUARE)]);
+    let call = "make square.csv --effort 0.01 --sheet 300x200mm --formats sheets";
+    desk.says(&format!("{call} --sheet-files each --out each"), 0);
+    assert_eq!(names_in(&desk.path("each")), ["sheets-1.dxf", "sheets-1.svg"]);
+    desk.says(&format!("{call} --common-lines --out common"), 0);
+    assert_eq!(names_in(&desk.path("common")), ["sheets.dxf", "sheets.svg"]);
+    let (_, said) = desk.says(&format!("{call} --common-lines --gap 2mm --out no"), 2);
+    assert!(said.contains("parts with cuts in common lie a kerf apart"), "{said}");
+    for asked in ["--divide scarf", "--gap 2mm", "--margin 9mm", "--sheet-files each"] {
+        let (_, said) = desk.says(&format!("make square.csv --out no {asked}"), 2);
+        assert!(said.contains("there is no sheet to lay parts out on"), "{asked}: {said}");
+    }
+    // Two files of one name are never written.
+    let call = "make sheets.csv --effort 0.01 --sheet 300x200mm --out no";
+    let (_, said) = desk.says(call, 2);
+    assert!(said.contains("a panel has the name of a file that is written as well"), "{said}");
+    assert!(!desk.path("no").exists());
+}
+
+#[test]
 fn what_is_larger_than_its_sheet_is_said_and_divided_where_that_is_asked_for() {
     let desk = Desk::new(&[("square.csv", SQUARE)]);
     let call = "make square.csv --effort 0.01 --margin 0 --sheet 80x120mm --formats parts";

@@ -8,11 +8,11 @@ use super::source::Source;
 use super::trims::{LengthFile, Problem, Reader, problem};
 use crate::json::json;
 use crate::names::shown;
-use crate::reading::{EFFORTS, InputError};
+use crate::reading::{EFFORTS, GAP_AND_COMMON_LINES, InputError, LEAVE_THE_GAP_OUT};
 use crate::stock::{MOST_OF_A_KIND, MOST_SHEET_MM};
 use crate::table::in_range_mm;
 use crate::units::Units;
-use form::{DivideFile, DivideWord, SheetFile, TurnFile, TurnWord};
+use form::{DivideFile, DivideWord, FilesWord, SheetFile, TurnFile, TurnWord};
 use sheetwright::design::{
     DesignPanel, Divide, DivideJoint, LEAST_EFFORT, MOST_EFFORT, SheetForm, Stock, StockSheet, Turn,
 };
@@ -61,6 +61,9 @@ pub(super) fn read(
             return Err(refused(&format!(".together[{n}]"), it));
         }
     }
+    if file.common_lines && file.gap.is_some() {
+        return Err(refused(".gap", problem(GAP_AND_COMMON_LINES, LEAVE_THE_GAP_OUT)));
+    }
     let effort = file.effort.unwrap_or(usual.effort);
     if !(LEAST_EFFORT..=MOST_EFFORT).contains(&effort) {
         return Err(refused(".effort", problem(format!("the effort is {effort}"), EFFORTS)));
@@ -92,6 +95,8 @@ pub(super) fn read(
         grain_tolerance: from_deg(tolerance_deg),
         may_turn_over: file.turn_over,
         together: file.together,
+        has_common_lines: file.common_lines,
+        has_file_each: file.files == Some(FilesWord::Each),
         effort,
         divide,
     }))
@@ -202,13 +207,15 @@ pub(super) fn written(stock: Option<&Stock>, units: Units) -> Option<String> {
     let tolerance = stock.grain_tolerance;
     let file = SheetsFile {
         sizes: stock.sheets.iter().map(|sheet| sheet_file(sheet, units)).collect(),
-        gap: unless(stock.gap_mm, usual.gap_mm),
+        gap: unless(stock.gap_mm, usual.gap_mm).filter(|_| !stock.has_common_lines),
         margin: unless(stock.margin_mm, usual.margin_mm),
         kerf: unless(stock.kerf_mm, usual.kerf_mm),
         turn,
         grain_tolerance_deg: (tolerance != 0.0).then(|| degrees(tolerance)),
         turn_over: stock.may_turn_over,
         together: stock.together.clone(),
+        common_lines: stock.has_common_lines,
+        files: stock.has_file_each.then_some(FilesWord::Each),
         effort: (stock.effort != usual.effort).then_some(stock.effort),
         divide: stock.divide.as_ref().map(divide_file),
     };
@@ -264,7 +271,7 @@ mod tests {
                 { "roll": "1370 mm" },
                 { "outline": [[0, 0], [0, 30], [40, 0]] } ],
               "gap": "2 t", "kerf": "0.2 mm", "turn": 90, "grain_tolerance_deg": 3,
-              "turn_over": true, "effort": 2,
+              "turn_over": true, "effort": 2, "files": "each",
               "divide": { "joint": "scarf", "ratio": 12, "overlap": "5 t" } }"#,
         )
         .unwrap();
@@ -277,6 +284,7 @@ mod tests {
         assert_eq!(stock.turn, Turn::Steps { angle: from_deg(90.0) });
         let divide = Divide { ratio: 12.0, overlap_mm: 20.0, ..Divide::by(DivideJoint::Scarf) };
         assert_eq!(stock.divide, Some(divide));
+        assert!(stock.has_file_each && !stock.has_common_lines);
         let none = with(r#"{ "divide": { "joint": "none" } }"#).unwrap();
         assert_eq!(none.stock.unwrap().divide, None);
         let again = read(std::str::from_utf8(&write_design(&design)).unwrap()).unwrap();
@@ -296,6 +304,8 @@ mod tests {
             (r#"{ "effort": 0 }"#, "the effort is 0"),
             (r#"{ "together": [["bow"]] }"#, "there is no panel"),
             (r#"{ "gap": -1 }"#, "gap"),
+            (r#"{ "gap": 1, "common_lines": true }"#, "a kerf apart"),
+            (r#"{ "files": "some" }"#, "some"),
             (r#"{ "divide": { "joint": "scarf", "ratio": 0 } }"#, "the ratio is 0"),
             (r#"{ "divide": { "joint": "overlap", "overlap": 0 } }"#, "overlap"),
         ] {

@@ -273,6 +273,14 @@ pub fn finding_text(finding: &Finding) -> String {
             by(*size_mm),
             by(*room_mm)
         ),
+        Kind::NoSheet { is_too_large: true } => {
+            "It fits none of the sheets as parts may lie on them. Take another sheet, or a smaller \
+             margin."
+                .to_owned()
+        }
+        Kind::NoSheet { is_too_large: false } => {
+            "No sheet is left for it. Take more sheets.".to_owned()
+        }
         Kind::Divided { division } => pieces(division),
         Kind::Strap { joint, width_mm } => format!(
             "A strap, {width_mm:.0} mm wide, that lies behind the butt joint {joint}. The line on \

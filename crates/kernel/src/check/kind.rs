@@ -422,6 +422,11 @@ pub enum FindingKind {
         /// The room of the largest sheet, its longer side first, mm.
         room_mm: [f64; 2],
     },
+    /// No sheet of the design has the part on it.
+    NoSheet {
+        /// Whether it fits none; else those that it fits are used up.
+        is_too_large: bool,
+    },
     /// The part is a piece of one that was divided, since that is larger than every sheet.
     Divided {
         /// How.
@@ -562,6 +567,7 @@ impl FindingKind {
             | Self::LinesLong { .. }
             | Self::FlangeShort { .. }
             | Self::TooLarge { .. }
+            | Self::NoSheet { .. }
             | Self::NotDivided { .. }
             | Self::QuadsNotPlanar { .. } => Severity::Warning,
             Self::BetterWithoutPlane { .. }
@@ -658,6 +664,7 @@ impl FindingKind {
             Self::QuadsNotPlanar { .. } => "quads-not-planar",
             Self::PdfReduced { .. } => "pdf-reduced",
             Self::TooLarge { .. } => "too-large",
+            Self::NoSheet { .. } => "no-sheet",
             Self::Divided { .. } | Self::Strap { .. } => "divided",
             Self::NotDivided { .. } => "not-divided",
             Self::Trimmed { .. } => "trim",

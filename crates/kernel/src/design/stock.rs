@@ -22,6 +22,10 @@ pub struct Stock {
     pub may_turn_over: bool,
     /// Groups of panels whose parts lie on one sheet together, by name.
     pub together: Vec<Vec<String>>,
+    /// Whether equal parts lie side by side, a kerf apart, so that one cut parts two.
+    pub has_common_lines: bool,
+    /// Whether each sheet has files of its own; else all are drawn beside each other.
+    pub has_file_each: bool,
     /// How much work the search may do, as a multiple of the default.
     pub effort: f64,
     /// How parts that are larger than every sheet are divided, if they are.
@@ -39,6 +43,8 @@ impl Default for Stock {
             grain_tolerance: 0.0,
             may_turn_over: false,
             together: Vec::new(),
+            has_common_lines: false,
+            has_file_each: false,
             effort: 1.0,
             divide: None,
         }

@@ -36,8 +36,8 @@ const MOST_ROUNDS: usize = 4;
 pub(crate) struct Fitting<'a> {
     /// The room of each sheet, width and height, mm.
     pub(crate) rooms: &'a [[f64; 2]],
-    /// Whether pieces may be turned on the sheet; else the long side of the part lies along x.
-    pub(crate) may_turn: bool,
+    /// The direction that lies along the x of a room, of length 1; `None`: pieces may be turned.
+    pub(crate) grain: Option<Vec2>,
     /// How far the material of a joint reaches beyond its line, mm.
     pub(crate) reach_mm: f64,
     /// What joints keep away from.
@@ -45,7 +45,8 @@ pub(crate) struct Fitting<'a> {
 }
 
 impl Fitting<'_> {
-    /// Whether points fit a sheet; their long side lies along x.
+    /// Whether points fit a sheet, by their places along the grain, or else the long side, and
+    /// across it.
     fn fits(&self, points: &[Point2]) -> bool {
         let Some(around) = Box2::of_points(points.iter().copied()) else { return true };
         let size = around.max - around.min;
@@ -56,13 +57,16 @@ impl Fitting<'_> {
         self.rooms.iter().any(|&room| {
             let [width, height] = room;
             fits_straight(room)
-                || self.may_turn && (fits_straight([height, width]) || fits_in(points, room))
+                || self.grain.is_none() && (fits_straight([height, width]) || fits_in(points, room))
         })
     }
 
     /// Whether a pattern fits a sheet as it is.
     pub(crate) fn fits_whole(&self, points: &[Point2]) -> bool {
-        self.fits(points)
+        match self.grain {
+            Some(grain) => self.fits(&points.iter().map(|&p| placed(p, grain)).collect::<Vec<_>>()),
+            None => self.fits(points),
+        }
     }
 
     /// The shortest side of the sheets at the most.
@@ -107,7 +111,7 @@ pub(crate) fn divide(
 
 /// The direction that a piece is divided along.
 fn way(steps: &[[Point2; 2]], fitting: &Fitting<'_>) -> Vec2 {
-    if fitting.may_turn { long_side(&steps.concat()) } else { Vec2::X }
+    fitting.grain.unwrap_or_else(|| long_side(&steps.concat()))
 }
 
 /// The steps of the border of a piece, and those along its joints once more, where the material
@@ -133,9 +137,12 @@ fn steps(
 
 /// Points by their places along a direction and across it.
 fn turned(steps: &[[Point2; 2]], along: Vec2) -> Vec<[Point2; 2]> {
-    let across = along.perp();
-    let turned = |p: Point2| Point2::new(p.to_vec().dot(along), p.to_vec().dot(across));
-    steps.iter().map(|step| step.map(turned)).collect()
+    steps.iter().map(|step| step.map(|p| placed(p, along))).collect()
+}
+
+/// A point by its place along a direction and across it.
+fn placed(p: Point2, along: Vec2) -> Point2 {
+    Point2::new(p.to_vec().dot(along), p.to_vec().dot(along.perp()))
 }
 
 /// Cuts a piece that does not fit; returns the pieces that it falls into.

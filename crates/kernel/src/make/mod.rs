@@ -9,6 +9,7 @@
 mod candidate;
 mod cleaned;
 mod cut_list;
+mod cut_once;
 mod divided;
 mod error;
 mod facets;

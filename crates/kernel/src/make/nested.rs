@@ -1,6 +1,7 @@
 //! The patterns to cut, laid out on the sheets of a design.
 
 use super::{CutItem, Made};
+use crate::check::{Finding, FindingKind};
 use crate::design::{SheetForm, Stock, Turn};
 use crate::nest::{
     Nest, NestForm, NestOptions, NestPart, NestSheet, Placement, Turns, first_fault, nest,
@@ -46,12 +47,22 @@ impl Made {
         };
         let names: Vec<&str> = self.parts.iter().map(|part| &part.name[..]).collect();
         watch.begin(&names, Stage::Nest);
-        self.nested = Some(Nested::new(self, stock, watch));
+        let (nested, without) = Nested::new(self, stock, watch);
+        self.nested = Some(nested);
+        for (part, is_too_large) in without {
+            let checked = &mut self.parts[part].checked;
+            let is_known = |it: &Finding| matches!(it.kind, FindingKind::TooLarge { .. });
+            if !checked.findings.iter().any(is_known) {
+                checked.add(Finding::of_whole(FindingKind::NoSheet { is_too_large }));
+            }
+        }
     }
 }
 
 impl Nested {
-    fn new(made: &Made, stock: &Stock, watch: &mut dyn Watch) -> Self {
+    /// The layout, and the parts that have no sheet for all their copies, by their numbers in the
+    /// design: whether they fit none.
+    fn new(made: &Made, stock: &Stock, watch: &mut dyn Watch) -> (Self, BTreeMap<usize, bool>) {
         let list = made.cut_list();
         let (mut items, mut parts, mut copies) = (Vec::new(), Vec::new(), Vec::new());
         for (item, cut) in list.iter().enumerate() {
@@ -71,7 +82,11 @@ impl Nested {
         let sheets: Vec<NestSheet> = stock.sheets.iter().map(nest_sheet).collect();
         // Cuts run half of the kerf beside the parts.
         let options = NestOptions {
-            gap_mm: stock.gap_mm.max(stock.kerf_mm),
+            gap_mm: match stock.has_common_lines {
+                true => stock.kerf_mm,
+                false => stock.gap_mm.max(stock.kerf_mm),
+            },
+            has_common_lines: stock.has_common_lines,
             margin_mm: stock.margin_mm.max(0.5 * stock.kerf_mm),
             effort: stock.effort,
         };
@@ -82,7 +97,16 @@ impl Nested {
             it.is_over ^= items[it.part].is_mirrored;
         }
         let parts = nest.placements.iter().map(|it| copies[it.part][it.copy]).collect();
-        Self { list, nest, parts, items, is_proved }
+        let mut without = BTreeMap::new();
+        for &part in nest.too_large.iter().chain(&nest.left_over) {
+            let mut has_place = vec![false; copies[part].len()];
+            let placed = nest.placements.iter().filter(|it| it.part == part);
+            placed.for_each(|it| has_place[it.copy] = true);
+            let lost = copies[part].iter().zip(has_place).filter(|&(_, has_place)| !has_place);
+            let is_too_large = nest.too_large.contains(&part);
+            without.extend(lost.map(|(&copy, _)| (copy, is_too_large)));
+        }
+        (Self { list, nest, parts, items, is_proved }, without)
     }
 
     /// The pattern that lies there, by its number in the list to cut.

@@ -5,6 +5,7 @@
 //! of its cuts count as inner ones. What a pattern has beside the part, its dimensions and texts
 //! with leaders, would lie on its neighbours and stays away.
 
+use super::cut_once::cut_once;
 use super::{CutItem, Made};
 use crate::design::{SheetForm, StockSheet};
 use crate::nest::{Placement, UsedSheet};
@@ -18,8 +19,9 @@ const BESIDE_MM: f64 = 100.0;
 const NAME_MM: f64 = 15.0;
 
 impl Made {
-    /// Each sheet with the parts on it, in order. `patterns` are those of [`super::Nested::list`], or
-    /// others in their places, as for a machine. Empty where parts are not laid out.
+    /// Each sheet with the parts on it, in order; lines that parts have in common are cut once, if
+    /// the stock says so. `patterns` are those of [`super::Nested::list`], or others in their
+    /// places, as for a machine. Empty where parts are not laid out.
     pub fn sheet_pieces(&self, patterns: &[CutItem]) -> Vec<Piece> {
         let (Some(nested), Some(stock)) = (&self.nested, &self.stock) else { return Vec::new() };
         let mut on: Vec<Vec<Laid<'_>>> = vec![Vec::new(); nested.nest.sheets.len()];
@@ -31,7 +33,11 @@ impl Made {
         }
         let sheets = nested.nest.sheets.iter().zip(on).enumerate();
         let piece = |(n, (used, parts)): (usize, (&UsedSheet, Vec<Laid<'_>>))| {
-            sheet_piece(n, used, &stock.sheets[used.kind], &parts)
+            let mut sheet = sheet_piece(n, used, &stock.sheets[used.kind], &parts);
+            if stock.has_common_lines {
+                sheet.paths = cut_once(sheet.paths);
+            }
+            sheet
         };
         sheets.map(piece).collect()
     }

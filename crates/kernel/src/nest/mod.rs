@@ -8,9 +8,12 @@
 //! forms, lays parts in holes of others, and counts its steps, so that its layouts have the same
 //! bits everywhere.
 //!
+//! Equal parts whose cuts may be in common are laid side by side first (`common`).
+//!
 //! The search sees parts as forms with fewer corners, grown by half the gap (`shape`). What it
 //! finds is proved on the parts themselves (`proof`).
 
+mod common;
 mod fill;
 mod layout;
 mod proof;
@@ -78,6 +81,8 @@ pub struct NestOptions {
     pub gap_mm: f64,
     /// The least distance of a part from the edge of a sheet, mm.
     pub margin_mm: f64,
+    /// Whether equal parts lie side by side, the gap apart, so that one cut parts two.
+    pub has_common_lines: bool,
     /// The work that may be done, as a multiple of the default.
     pub effort: f64,
 }
@@ -151,6 +156,19 @@ const COARSE: f64 = 0.002;
 /// Lays parts out. `watch` hears how much of the work is done and may end it; the best layout so
 /// far then counts.
 pub fn nest(
+    parts: &[NestPart],
+    sheets: &[NestSheet],
+    options: NestOptions,
+    watch: &mut dyn Watch,
+) -> Nest {
+    match options.has_common_lines {
+        true => common::in_blocks(parts, sheets, options, watch),
+        false => laid_out(parts, sheets, options, watch),
+    }
+}
+
+/// Lays parts out by themselves.
+fn laid_out(
     parts: &[NestPart],
     sheets: &[NestSheet],
     options: NestOptions,

@@ -42,6 +42,8 @@ fields!(Stock {
     grain_tolerance,
     may_turn_over,
     together,
+    has_common_lines,
+    has_file_each,
     effort,
     divide
 });

@@ -64,6 +64,7 @@ variants!(FindingKind {
     QuadsNotPlanar { uneven_mm, off_mm },
     PdfReduced { sheets, scale, most, is_full },
     TooLarge { size_mm, room_mm },
+    NoSheet { is_too_large },
     Divided { division },
     Strap { joint, width_mm },
     NotDivided { fault },

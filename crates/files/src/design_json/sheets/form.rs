@@ -35,6 +35,14 @@ pub(in crate::design_json) struct SheetsFile {
     /// Groups of panels whose parts lie on one sheet together, by name. Default: none.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) together: Vec<Vec<String>>,
+    /// Whether equal parts lie side by side, a kerf apart, so that one cut parts two. `gap` then
+    /// is left out. Default: false.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub(super) common_lines: bool,
+    /// Whether `all` sheets are drawn beside each other in one file, or `each` has its own.
+    /// Default: all.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) files: Option<FilesWord>,
     /// How much work the search may do, as a multiple of the default. Default: 1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.001, max = 1000))]
@@ -74,6 +82,16 @@ pub(super) enum DivideWord {
     Overlap,
     /// Parts are not divided.
     None,
+}
+
+/// Which files sheets are drawn in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum FilesWord {
+    /// One for all of them.
+    All,
+    /// One for each.
+    Each,
 }
 
 /// A kind of sheet: one of `size`, `roll` and `outline` says its form.

@@ -18,9 +18,10 @@ use crate::design::{
 };
 use crate::divide::{DivideFault, Fitting, Hindrance, divide};
 use crate::edge::EdgeSource;
-use crate::pattern::{PathKind, joint_mark};
+use crate::pattern::{PathKind, PatternPath, joint_mark};
 use cutout::{Cutout, divisions, sides_of, whole_sheet};
 use piece::Making;
+use sheetwright_geometry::math::{Vec2, unit2};
 use std::collections::BTreeSet;
 use strap::Behind;
 
@@ -106,17 +107,21 @@ pub(super) fn divide_parts(parts: &mut Vec<Part>, design: &Design) -> Vec<Trim> 
         .iter()
         .map(|&[width, height]| [width, height].map(|side| side - TIGHT * (width + height)))
         .collect();
-    let may_turn = matches!(stock.turn, Turn::Free | Turn::Steps { .. });
-    let hindrances = hindrances(parts, design);
+    // What is wrong with a mark is said when it is made.
+    let marks = super::marked::drawn(parts, &design.marks).unwrap_or_default();
+    let hindrances = hindrances(parts, &marks);
     let mut names = Names::of(design, parts);
-    let mut marks = parts.iter().filter_map(Part::given).flat_map(|given| &given.joints);
-    let mut next_mark = marks.by_ref().map(|joint| &joint.mark).collect::<BTreeSet<_>>().len();
+    let mut known = parts.iter().filter_map(Part::given).flat_map(|given| &given.joints);
+    let mut next_mark = known.by_ref().map(|joint| &joint.mark).collect::<BTreeSet<_>>().len();
     let (mut made, mut trims) = (Vec::with_capacity(parts.len()), Vec::new());
     // Where each part begins in the new list.
     let mut begins = Vec::with_capacity(parts.len());
-    for (mut part, hindrances) in std::mem::take(parts).into_iter().zip(&hindrances) {
+    for (n, (mut part, hindrances)) in
+        std::mem::take(parts).into_iter().zip(&hindrances).enumerate()
+    {
         begins.push(made.len());
-        let whole = Fitting { rooms: &rooms, may_turn, reach_mm: 0.0, hindrances };
+        let grain = grain(marks.get(n).map_or(&[], |paths| paths), stock.turn);
+        let whole = Fitting { rooms: &rooms, grain, reach_mm: 0.0, hindrances };
         if rooms.is_empty() || whole.fits_whole(&part.flat.points) {
             made.push(part);
             continue;
@@ -215,11 +220,21 @@ fn largest(rooms: &[[f64; 2]]) -> [f64; 2] {
     [width.max(height), width.min(height)]
 }
 
+/// The direction of a part that lies along the grain of the sheet: that of its grain arrow, which
+/// is among its marks; without one x, where the stock asks for a grain.
+fn grain(marks: &[PatternPath], turn: Turn) -> Option<Vec2> {
+    let arrow = marks.iter().find(|path| path.kind == PathKind::Grain);
+    let of_arrow = arrow.and_then(|path| unit2(path.points[1] - path.points[0]));
+    let of_stock = match turn {
+        Turn::Grain | Turn::OneWay => Some(Vec2::X),
+        Turn::Free | Turn::Steps { .. } => None,
+    };
+    of_arrow.or(of_stock)
+}
+
 /// What the joints of each part keep away from: its holes, folds and bends, and stations and holes
 /// that are marked on it.
-fn hindrances(parts: &[Part], design: &Design) -> Vec<Vec<Hindrance>> {
-    // What is wrong with a mark is said when it is made.
-    let marks = super::marked::drawn(parts, &design.marks).unwrap_or_default();
+fn hindrances(parts: &[Part], marks: &[Vec<PatternPath>]) -> Vec<Vec<Hindrance>> {
     let of_part = |(n, part): (usize, &Part)| {
         let holes = part.piece.net_loops().skip(1).map(|line| (line.to_vec(), OF_HOLE));
         let turned: f64 = part.piece.bends.iter().map(|line| line.angle.abs()).sum();
