@@ -28,6 +28,8 @@ Examples:
       A closed curve from a spreadsheet, smoothed through its points
   sheetwright make hood.stl --out build --units cm --material leather-2mm
       A mesh from another program, flattened as it is: by how much must it stretch?
+  sheetwright make shade.svg --out build
+      A drawing (.svg, .dxf): closed curves are outlines and holes, two open ones are rails
   sheetwright check dinghy.sheet.json
       Will it bend? Prints the verdict and writes no files
   sheetwright new --list
@@ -48,6 +50,8 @@ Examples:
   sheetwright make leaf.csv --out build --units in --samples 300
   generate-curve | sheetwright make - --out build
   sheetwright make dinghy.sheet.json --out build --json --formats dxf,report
+  sheetwright make plank.dxf --out build --rails sheer,chine --samples 200
+      Two curves of a drawing, by their layers or ids, as the rails of a panel
   sheetwright make tent.obj --out build --units m --aim seams
       Meshes (.obj, .stl, .ply, .glb): one panel for each group, both sides of a seam equally long
   sheetwright make box.stl --out build --split-creases 30
@@ -68,6 +72,7 @@ Examples:
 const CONVERT_EXAMPLES: &str = "\
 Examples:
   sheetwright convert leaf.csv leaf.sheet.json        a table becomes a design
+  sheetwright convert lid.svg lid.sheet.json          a drawing becomes a design
   sheetwright convert dinghy.sheet.json curves.csv    the points of its curves
   sheetwright convert dinghy.sheet.json dinghy.obj    all surfaces; also .pdf, .html, .json
   sheetwright convert dinghy.sheet.json dinghy.step   smooth surfaces for CAD

@@ -9,7 +9,9 @@ use crate::watcher::Watcher;
 use sheetwright::curve::CurveKind;
 use sheetwright::design::Design;
 use sheetwright_files::whole::write_one;
-use sheetwright_files::{Format, OutputOptions, findings_json, write_design, write_table};
+use sheetwright_files::{
+    Format, OutputOptions, findings_json, read_note_text, write_design, write_table,
+};
 use std::path::Path;
 
 /// What a file is turned into.
@@ -52,10 +54,12 @@ pub(crate) fn run(args: &ConvertArgs, voice: Voice) -> Result<bool, Failure> {
     match target {
         Target::Table => {
             write_one(&args.out, &table(&design, &args.out)?)?;
+            note_reading(&design, voice);
             Ok(false)
         }
         Target::Design => {
             write_one(&args.out, &write_design(&design))?;
+            note_reading(&design, voice);
             Ok(false)
         }
         Target::Made(format, ending) => {
@@ -89,6 +93,11 @@ pub(crate) fn run(args: &ConvertArgs, voice: Voice) -> Result<bool, Failure> {
             Ok(found_errors(&outputs.panels))
         }
     }
+}
+
+/// Says how a drawing was read, which neither a design nor a table keeps.
+fn note_reading(design: &Design, voice: Voice) {
+    design.notes.iter().for_each(|note| voice.note(&format!("note: {}", read_note_text(note))));
 }
 
 fn for_one_panel(ending: &str, out: &Path) -> Failure {

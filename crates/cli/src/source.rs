@@ -44,7 +44,7 @@ fn read(args: &SourceArgs, mesh: &MeshArgs) -> Result<Read, Failure> {
             let none = bytes.trim_ascii().is_empty().then_some(InputFormat::Table);
             let format = InputFormat::of_bytes(&bytes).or(none).ok_or_else(|| {
                 let message = "the content does not show its format";
-                let hint = "Name the format: add --from csv, json, obj, stl, ply or glb.";
+                let hint = "Name the format: add --from csv, json, svg, dxf, obj, stl, ply or glb.";
                 Failure::new(message, hint).at(STDIN)
             })?;
             let design = read_bytes(format, &bytes, "-", None, &options)?;
@@ -88,9 +88,11 @@ fn folder(path: &Path) -> Failure {
             let all = Path::new(&in_shell(path)).join(format!("*{ending}"));
             format!("Name one file in it. {}", for_all(&all.display().to_string(), ending))
         }
-        None => "Name a file: a design (.sheet.json), a curve table (.csv) or a mesh (.obj, .stl, \
-                 .ply or .glb)."
-            .to_owned(),
+        None => {
+            "Name a file: a design (.sheet.json), a curve table (.csv), a drawing (.svg or .dxf) \
+                 or a mesh (.obj, .stl, .ply or .glb)."
+                .to_owned()
+        }
     };
     Failure::new("this is a folder", hint).at(path.display().to_string())
 }

@@ -21,7 +21,7 @@ use crate::editor::{Dropped, FileWish, Opened};
 use eframe::egui::DroppedFileHandle;
 
 /// The endings of the names of files that are opened.
-const OPENED: [&str; 6] = ["json", "csv", "obj", "stl", "ply", "glb"];
+const OPENED: [&str; 8] = ["json", "csv", "svg", "dxf", "obj", "stl", "ply", "glb"];
 
 /// What came of a wish.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,5 +1,6 @@
-//! Inputs of every format, from a file or from bytes: designs, curve tables and meshes.
+//! Inputs of every format, from a file or from bytes: designs, curve tables, drawings and meshes.
 
+use crate::linework::{self, DrawingFormat};
 use crate::meant::material_meant;
 use crate::mesh::MeshFormat;
 use crate::names::shown;
@@ -24,6 +25,8 @@ pub enum InputFormat {
     Table,
     /// A mesh, `*.obj`, `*.stl`, `*.ply` or `*.glb`.
     Mesh(MeshFormat),
+    /// A drawing, `*.svg` or `*.dxf`, or an OBJ file with lines in place of faces.
+    Drawing(DrawingFormat),
 }
 
 impl InputFormat {
@@ -37,8 +40,13 @@ impl InputFormat {
         match ending.as_str() {
             "csv" => Ok(Self::Table),
             "json" => Ok(Self::Design),
+            "svg" => Ok(Self::Drawing(DrawingFormat::Svg)),
+            "dxf" => Ok(Self::Drawing(DrawingFormat::Dxf)),
             "" => Err(InputError::at(name, "the name has no ending that tells the format", TAKEN)),
             other if let Some(format) = MeshFormat::of_ending(other) => Ok(Self::Mesh(format)),
+            other if let Some((message, hint)) = linework::way_round(other) => {
+                Err(InputError::at(name, message, hint))
+            }
             _ => {
                 let message = format!("the ending {} is not known", shown(&format!(".{ending}")));
                 Err(InputError::at(name, message, TAKEN))
@@ -73,6 +81,9 @@ impl InputFormat {
         if first == "solid" || first.starts_with("solid ") {
             return Some(Self::Mesh(MeshFormat::Stl));
         }
+        if let Some(drawing) = linework::format_of(&text) {
+            return Some(Self::Drawing(drawing));
+        }
         let columns: Vec<&str> =
             first.split([',', ';', '\t']).map(|c| c.trim_matches([' ', '"'])).collect();
         if ["x", "y", "z"].iter().all(|column| columns.contains(column)) {
@@ -80,6 +91,17 @@ impl InputFormat {
         }
         let is_point = |line: &str| line.starts_with("v ") || line.starts_with("v\t");
         lines.any(is_point).then_some(Self::Mesh(MeshFormat::Obj))
+    }
+
+    /// The format that the content shows where the name leaves it open: OBJ files may have lines in
+    /// place of faces.
+    fn by_content(self, bytes: &[u8]) -> Self {
+        match self {
+            Self::Mesh(MeshFormat::Obj) if linework::is_lines(bytes) => {
+                Self::Drawing(DrawingFormat::Obj)
+            }
+            other => other,
+        }
     }
 }
 
@@ -101,7 +123,8 @@ fn is_binary_stl(bytes: &[u8]) -> bool {
 /// The design in a file: curves, or a mesh with one panel per group.
 ///
 /// # Errors
-/// A file that can't be read, or that is no design, curve table or mesh that this version reads.
+/// A file that can't be read, or that is no design, curve table, drawing or mesh that this version
+/// reads.
 pub fn read_input(path: &Path, options: &ReadOptions) -> Result<Design, InputError> {
     // Checked before the ending, since a folder may have any ending.
     refuse_folder(path)?;
@@ -120,7 +143,8 @@ pub fn read_input(path: &Path, options: &ReadOptions) -> Result<Design, InputErr
 /// `folder`; without a folder, a design can't refer to any.
 ///
 /// # Errors
-/// Bytes that are no design, curve table or mesh that this version reads, or options out of range.
+/// Bytes that are no design, curve table, drawing or mesh that this version reads, or options out of
+/// range.
 pub fn read_bytes(
     format: InputFormat,
     bytes: &[u8],
@@ -128,10 +152,15 @@ pub fn read_bytes(
     folder: Option<&Path>,
     options: &ReadOptions,
 ) -> Result<Design, InputError> {
-    check_options(format, options)?;
     refuse_large(bytes, display_name(name))?;
+    let format = format.by_content(bytes);
+    check_options(format, options)?;
     let mut design = match format {
-        InputFormat::Mesh(format) => mesh::read(format, bytes, name, options)?,
+        InputFormat::Mesh(format) => {
+            let notes = linework::lines_beside(format, bytes);
+            Design { notes, ..mesh::read(format, bytes, name, options)? }
+        }
+        InputFormat::Drawing(format) => linework::read(format, bytes, name, options)?,
         InputFormat::Design => design_json::read(text_of(bytes, name)?, name, folder, options)?,
         InputFormat::Table => table::read_as_design(text_of(bytes, name)?, name, options)?,
     };
@@ -207,6 +236,12 @@ fn check_options(format: InputFormat, options: &ReadOptions) -> Result<(), Input
     {
         return refused(format!("the effort is {effort}"), EFFORTS);
     }
+    if !options.rails.is_empty() && !matches!(format, InputFormat::Drawing(_)) {
+        return refused(
+            "rails can't be chosen by name but in a drawing".to_owned(),
+            "A design names the rails of its panels itself.",
+        );
+    }
     if let InputFormat::Mesh(_) = format {
         let ReadOptions {
             samples, tolerance_mm, fold, effort, method, plane, vary, sheets, ..
@@ -245,6 +280,9 @@ mod tests {
     fn the_ending_tells_the_format() {
         assert_eq!(InputFormat::of(Path::new("a/b.sheet.json")), Ok(InputFormat::Design));
         assert_eq!(InputFormat::of(Path::new("B.CSV")), Ok(InputFormat::Table));
+        let svg = InputFormat::of(Path::new("lid.SVG"));
+        assert_eq!(svg, Ok(InputFormat::Drawing(DrawingFormat::Svg)));
+        assert!(InputFormat::of(Path::new("a.step")).unwrap_err().hint.contains("DXF"));
         let mesh = InputFormat::of(Path::new("hull.STL"));
         assert_eq!(mesh, Ok(InputFormat::Mesh(MeshFormat::Stl)));
         assert!(InputFormat::of(Path::new("a.txt")).unwrap_err().hint.contains(".csv"));
@@ -268,6 +306,12 @@ mod tests {
             (b"\xfe\xff\0v\0 \x001\0 \x002\0 \x003", mesh(MeshFormat::Obj)),
             (b"glTF\x02\0\0\0", mesh(MeshFormat::Glb)),
             (b"# made by\nmtllib a.mtl\no box\nv 0 0 0\n", mesh(MeshFormat::Obj)),
+            (
+                b"<?xml version=\"1.0\"?>\n<!-- by hand -->\n<svg>",
+                Some(InputFormat::Drawing(DrawingFormat::Svg)),
+            ),
+            (b"  0\r\nSECTION\r\n", Some(InputFormat::Drawing(DrawingFormat::Dxf))),
+            (b"999\nby hand\n0\nSECTION\n", Some(InputFormat::Drawing(DrawingFormat::Dxf))),
             (b"1,2,3\n4,5,6\n", None),
             (b"", None),
             (b"\0\x01\x02", None),

@@ -1,7 +1,7 @@
 //! Bytes to kernel values and back: the only crate that knows file formats.
 //!
 //! In: [`read_input`] makes a kernel [`Design`](sheetwright::design::Design) from a design file, a
-//! curve table or a mesh, [`design_from_template`] from a template. Out: [`output_files`] makes
+//! curve table, a drawing or a mesh, [`design_from_template`] from a template. Out: [`output_files`] makes
 //! every file of a made design, in memory; the caller writes them. Each format has its own module.
 //!
 //! ```
@@ -30,6 +30,7 @@ mod format;
 mod hint;
 mod input;
 mod json;
+mod linework;
 mod materials;
 mod meant;
 mod mesh;
@@ -75,6 +76,7 @@ pub use fold::write_fold;
 pub use format::Format;
 pub use hint::{hint_for, hint_in_design, remedy_for};
 pub use input::{InputFormat, read_bytes, read_input};
+pub use linework::DrawingFormat;
 pub use materials::{catalogue_names, known_materials, material_group, material_named};
 pub use mesh::{MeshFormat, units_said};
 pub use messages::{PanelTimes, error_json, findings_json, timing_json};
@@ -109,4 +111,4 @@ pub use template_call::{NewDesign, design_from_template, new_design};
 pub use trade::{trade_names, trade_title};
 pub use units::Units;
 pub use wording::{verdict_sentence, verdict_word};
-pub use words::{finding_place, finding_text};
+pub use words::{finding_place, finding_text, read_note_text};

@@ -21,8 +21,8 @@ use std::path::Path;
 pub const MAX_INPUT_BYTES: u64 = 256 << 20;
 
 /// The hint for an unknown ending.
-pub(crate) const TAKEN: &str = "Give a design (.sheet.json or .json), a curve table (.csv) or a \
-     mesh (.obj, .stl, .ply or .glb).";
+pub(crate) const TAKEN: &str = "Give a design (.sheet.json or .json), a curve table (.csv), a \
+     drawing (.svg or .dxf) or a mesh (.obj, .stl, .ply or .glb).";
 
 /// Why an input can't be read, where, and what to do.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -268,9 +268,12 @@ pub struct ReadOptions {
     pub which: Option<WhichSurface>,
     /// The supporting plane of every panel. Default: as the design says, or `auto`.
     pub plane: Option<PlaneChoice>,
-    /// The unit of a curve table or a mesh. Default: of a mesh, the one that a comment in it names;
-    /// else millimetres. A design states its own.
+    /// The unit of a curve table, a drawing or a mesh. Default: of a mesh, the one that a comment in
+    /// it names, of a drawing, the one that it states; else millimetres. A design states its own.
     pub units: Option<Units>,
+    /// The names of the curves or layers of a drawing that are rails, in order. Default: what is
+    /// named so, or two open curves alone.
+    pub rails: Vec<String>,
     /// The name of the material of the sheet, one of the design's own or of the catalogue.
     /// Default: as the design says; none for tables and meshes.
     pub material: Option<String>,
@@ -315,7 +318,7 @@ pub(crate) fn stem(name: &str) -> String {
     }
     let file = Path::new(name).file_name().and_then(|n| n.to_str()).unwrap_or(name);
     let lower = file.to_lowercase();
-    let ending = [".sheet.json", ".json", ".csv", ".obj", ".stl", ".ply", ".glb"]
+    let ending = [".sheet.json", ".json", ".csv", ".svg", ".dxf", ".obj", ".stl", ".ply", ".glb"]
         .into_iter()
         .find(|e| lower.ends_with(e));
     // Lower case may change the length of other characters, never that of an ASCII ending.

@@ -4,7 +4,7 @@ use sheetwright::check::{
     Bend, BorderSide, Division, Finding, FindingKind as Kind, Hindrance, Movement, Place,
     SeamCause, SeamPlace, TooTight, Verdict,
 };
-use sheetwright::design::{Axis, DivideJoint};
+use sheetwright::design::{Axis, DivideJoint, ReadNote, Unused};
 use sheetwright::divide::DivideFault;
 use sheetwright::elastic::Basis;
 use sheetwright::fair::Ended;
@@ -299,7 +299,28 @@ fn of_files() -> Vec<Finding> {
         Kind::Trimmed { note: TrimNote::Overlaps },
     ])
     .chain(of_marks())
+    .chain(of_drawings())
     .collect()
+}
+
+fn of_drawings() -> impl Iterator<Item = Finding> {
+    let at = Point3::new(12.0, -3.5, 0.0);
+    let names = || vec!["path12".to_owned(), "path14".to_owned()];
+    let pair = || ["rail-keel".to_owned(), "rail-chine".to_owned()];
+    let not_used = |what, count, names, at| ReadNote::NotUsed { what, count, names, at };
+    whole(
+        [
+            not_used(Unused::Open, 2, names(), Some(at)),
+            not_used(Unused::Text, 1, Vec::new(), None),
+            ReadNote::GapsClosed { count: 1, widest_mm: 0.0123, at },
+            ReadNote::GapsClosed { count: 3, widest_mm: 0.5, at },
+            ReadNote::TakenForRails { names: pair() },
+            ReadNote::TakenForRing { names: pair() },
+            ReadNote::Smoothed { names: names() },
+            ReadNote::NoUnit { unit_mm: 1.0 },
+        ]
+        .map(|note| Kind::Read { note }),
+    )
 }
 
 fn off_tolerance(is_usual: bool) -> Kind {

@@ -9,16 +9,16 @@ use sheetwright::design::{BendMarks, BendRule, Dimensions, PanelMethod};
 use sheetwright::make::Judging;
 use sheetwright::triangulate::WhichSurface;
 use sheetwright_files::{
-    BendSettings, InputFormat, MOST_TOLERANCE_MM, MeshFormat, MeshSettings, ReadOptions, Units,
-    VarySettings, catalogue_names, known_materials, trade_names,
+    BendSettings, DrawingFormat, InputFormat, MOST_TOLERANCE_MM, MeshFormat, MeshSettings,
+    ReadOptions, Units, VarySettings, catalogue_names, known_materials, trade_names,
 };
 use std::path::PathBuf;
 
 /// The input, and the options that replace its values.
 #[derive(Debug, Args)]
 pub(crate) struct SourceArgs {
-    /// A design (.sheet.json), a curve table (.csv), a mesh (.obj, .stl, .ply, .glb), or - for
-    /// standard input
+    /// A design (.sheet.json), a curve table (.csv), a drawing (.svg, .dxf), a mesh (.obj, .stl,
+    /// .ply, .glb), or - for standard input
     #[arg(value_name = "INPUT")]
     pub(crate) input: PathBuf,
     /// The format of standard input [default: told from its content]
@@ -55,10 +55,14 @@ pub(crate) struct SourceArgs {
     /// itself [default: as the design says, or auto]
     #[arg(long, value_enum, ignore_case = true, value_name = "PLANE")]
     plane: Option<PlaneArg>,
-    /// The unit of a curve table or a mesh [default: mm; of a mesh that would be smaller than 5 mm:
-    /// m]; a design states its own
+    /// The unit of a curve table, a drawing or a mesh [default: mm; of a drawing, the one that it
+    /// states; of a mesh that would be smaller than 5 mm: m]; a design states its own
     #[arg(long, value_name = "UNITS", ignore_case = true, value_parser = units_parser())]
     pub(crate) units: Option<Units>,
+    /// The curves or layers of a drawing that are rails, by name, separated by commas; a panel comes
+    /// between each and the next [default: those named `rail…`, or two open curves alone]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    rails: Vec<String>,
     /// The largest extent of the whole design along x, y or z, in mm or with a unit (300mm, 1ft):
     /// all its lengths change by one factor
     #[arg(long, value_name = "LENGTH", value_parser = size_mm,
@@ -205,6 +209,7 @@ impl SourceArgs {
                 PlaneArg::None => PlaneChoice::None,
             }),
             units: self.units,
+            rails: self.rails.clone(),
             material: self.material.clone(),
             vary: VarySettings {
                 limit_mm: self.vary.vary_limit,
@@ -265,7 +270,11 @@ pub(crate) enum StdinFormat {
     Csv,
     /// A design
     Json,
-    /// A mesh, Wavefront OBJ
+    /// A drawing, SVG
+    Svg,
+    /// A drawing, DXF
+    Dxf,
+    /// A mesh or lines, Wavefront OBJ
     Obj,
     /// A mesh, STL
     Stl,
@@ -280,6 +289,8 @@ impl StdinFormat {
         match self {
             Self::Csv => InputFormat::Table,
             Self::Json => InputFormat::Design,
+            Self::Svg => InputFormat::Drawing(DrawingFormat::Svg),
+            Self::Dxf => InputFormat::Drawing(DrawingFormat::Dxf),
             Self::Obj => InputFormat::Mesh(MeshFormat::Obj),
             Self::Stl => InputFormat::Mesh(MeshFormat::Stl),
             Self::Ply => InputFormat::Mesh(MeshFormat::Ply),

@@ -14,7 +14,7 @@ use std::sync::Arc;
 /// Something that only the system can do.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FileWish {
-    /// A design or a curve table, chosen by the person.
+    /// A design, a curve table, a drawing or a mesh, chosen by the person.
     Open,
     /// A picture, chosen by the person.
     Picture,
@@ -58,14 +58,15 @@ enum Taken {
 }
 
 /// What the editor opens.
-const TAKEN: &str = "The editor opens designs (.json), tables of curves (.csv) and meshes (.obj, \
-                     .stl, .ply and .glb).";
+const TAKEN: &str = "The editor opens designs (.json), tables of curves (.csv), drawings (.svg and \
+                     .dxf) and meshes (.obj, .stl, .ply and .glb).";
 
 /// What to do with a file whose name does not tell what it is.
 fn way_out(bytes: &[u8]) -> &'static str {
     match InputFormat::of_bytes(bytes) {
         Some(InputFormat::Table) => "It holds a table of curves: give it the ending .csv.",
         Some(InputFormat::Design) => "It may hold a design: give it the ending .json.",
+        Some(InputFormat::Drawing(_)) => "It may hold a drawing: give it the ending .svg or .dxf.",
         Some(InputFormat::Mesh(_)) => "It may hold a mesh: give it the ending of its format.",
         _ => {
             "Pictures to trace (.png, .jpg) are dropped on the window or come in by Picture to trace."
@@ -243,7 +244,7 @@ impl Document {
         crate::document::file::written(self)
     }
 
-    /// The document of a file: a design, a curve table or a mesh.
+    /// The document of a file: a design, a curve table, a drawing or a mesh.
     ///
     /// # Errors
     /// What is wrong with it and what to do, in words.
@@ -254,7 +255,7 @@ impl Document {
             InputFormat::of(of).map_err(|error| format!("{error}. {TAKEN} {}", way_out(bytes)))?;
         match format {
             InputFormat::Design => crate::document::file::read(path, bytes).map_err(words),
-            InputFormat::Table | InputFormat::Mesh(_) => {
+            InputFormat::Table | InputFormat::Mesh(_) | InputFormat::Drawing(_) => {
                 let design = read_bytes(format, bytes, path, of.parent(), &ReadOptions::default());
                 Ok(Self { design: design.map_err(words)?, ..Self::default() })
             }

@@ -105,6 +105,7 @@ pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, In
     let sheets = file.sheets.map(|Object(sheets)| sheets);
     let stock = sheets::read(sheets, &panels, file.units, reckoned_mm, source)?;
     Ok(Design {
+        notes: Vec::new(),
         name,
         material,
         materials,

@@ -408,6 +408,7 @@ mod tests {
     #[test]
     fn what_the_caller_sets_comes_first() {
         let options = ReadOptions {
+            rails: Vec::new(),
             plane: Some(sheetwright::boundary::PlaneChoice::None),
             samples: Some(77),
             tolerance_mm: Some(0.1),

@@ -16,7 +16,7 @@ mod obj;
 mod ply;
 mod polygon;
 mod said;
-mod scan;
+pub(crate) mod scan;
 mod stl;
 
 use crate::names::folded;

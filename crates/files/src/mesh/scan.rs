@@ -5,19 +5,19 @@ use crate::names::shown;
 use crate::reading::InputError;
 
 /// The lines of a file, from 1, without their ends: `\n`, `\r\n` or, as old files have it, `\r`.
-pub(super) fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, &[u8])> {
+pub(crate) fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, &[u8])> {
     // In a file with line feeds, a carriage return counts as a blank.
     let end = if bytes.contains(&b'\n') { b'\n' } else { b'\r' };
     bytes.split(move |&byte| byte == end).enumerate().map(|(n, line)| (n + 1, line))
 }
 
 /// The words of a line.
-pub(super) fn words(line: &[u8]) -> impl Iterator<Item = &[u8]> {
+pub(crate) fn words(line: &[u8]) -> impl Iterator<Item = &[u8]> {
     line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty())
 }
 
 /// A word of the file in quotation marks, for a message.
-pub(super) fn quoted(word: &[u8]) -> String {
+pub(crate) fn quoted(word: &[u8]) -> String {
     shown(&String::from_utf8_lossy(word))
 }
 
@@ -27,7 +27,7 @@ pub(super) fn number(word: &[u8]) -> Option<f64> {
 }
 
 /// Three coordinates from some words.
-pub(super) fn coordinates<'a>(
+pub(crate) fn coordinates<'a>(
     mut words: impl Iterator<Item = &'a [u8]>,
     where_from: impl Fn() -> String,
 ) -> Result<[f64; 3], InputError> {

@@ -5,6 +5,7 @@ use super::healed::{healed, two_skins};
 use super::marks::marked;
 use super::moved::{keeps_from_bending, listed, movement, not_needed, ran_on};
 use super::place::point;
+use super::read::read_note_text;
 use super::trims::trimmed;
 use crate::pdf::way_to_sheets;
 use sheetwright::check::{Finding, FindingKind, SeamCause, TooTight, Verdict};
@@ -18,6 +19,7 @@ use sheetwright::tolerance::Tolerance;
 pub fn finding_text(finding: &Finding) -> String {
     use FindingKind as Kind;
     match &finding.kind {
+        Kind::Read { note } => read_note_text(note),
         Kind::Trimmed { note } => trimmed(note),
         Kind::Marked { note } => marked(note),
         Kind::StrainTooLarge { strain, limit, sheet, thickest_mm, basis } => format!(

@@ -9,9 +9,11 @@ mod healed;
 mod marks;
 mod moved;
 mod place;
+mod read;
 #[cfg(test)]
 mod tests;
 mod trims;
 
 pub use finding::finding_text;
 pub use place::finding_place;
+pub use read::read_note_text;

@@ -4,7 +4,7 @@
 use super::remedy::Remedy;
 use super::severity::Severity;
 use super::verdict::Verdict;
-use crate::design::DivideJoint;
+use crate::design::{DivideJoint, ReadNote, Unused};
 use crate::divide::DivideFault;
 use crate::elastic::Basis;
 use crate::fair::Ended;
@@ -444,6 +444,11 @@ pub enum FindingKind {
         /// Why not.
         fault: DivideFault,
     },
+    /// Something is to be said about how a drawing was read.
+    Read {
+        /// What.
+        note: ReadNote,
+    },
     /// Something is to be said about what is done along the edges.
     Trimmed {
         /// What.
@@ -591,6 +596,9 @@ impl FindingKind {
             | Self::Divided { .. }
             | Self::Strap { .. }
             | Self::PdfReduced { .. } => Severity::Note,
+            // An open line among closed ones is mostly an outline that should be closed.
+            Self::Read { note: ReadNote::NotUsed { what: Unused::Open, .. } } => Severity::Warning,
+            Self::Read { .. } => Severity::Note,
             Self::Trimmed { note: TrimNote::NotProved { .. } } => Severity::Error,
             Self::Trimmed { .. } | Self::Marked { .. } => Severity::Warning,
             Self::TwoSurfaces { is_one_pattern, .. } => {
@@ -667,6 +675,8 @@ impl FindingKind {
             Self::NoSheet { .. } => "no-sheet",
             Self::Divided { .. } | Self::Strap { .. } => "divided",
             Self::NotDivided { .. } => "not-divided",
+            Self::Read { note: ReadNote::NotUsed { .. } } => "not-used",
+            Self::Read { .. } => "drawing",
             Self::Trimmed { .. } => "trim",
             Self::Marked { .. } => "mark",
             Self::LinesClose { .. } => "bend-lines-close",

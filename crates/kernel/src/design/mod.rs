@@ -8,6 +8,7 @@ mod failure;
 mod join;
 mod mark;
 mod mesh;
+mod read_note;
 mod scale;
 mod shorthand;
 mod stock;
@@ -22,6 +23,7 @@ pub use failure::Failure;
 pub use join::Join;
 pub use mark::{Axis, Mark, MarkAt, MarkKind, MarkOn, MarkWay, StationPlaces, StationPlane};
 pub use mesh::{PanelMesh, Triangles};
+pub use read_note::{ReadNote, Unused};
 pub use stock::{SheetForm, Stock, StockSheet, Turn};
 pub use tolerance::{
     FEWEST_ON_LOOP, FEWEST_ON_RAIL, LOOP_SAMPLES, MOST_BY_TOLERANCE, MOST_USUAL, RAIL_SAMPLES,
@@ -221,6 +223,8 @@ pub struct Design {
     pub thickness_mm: Option<f64>,
     /// What its parts are cut from, if that is said.
     pub stock: Option<Stock>,
+    /// What is to be said of the drawing that it was read from; no file keeps it.
+    pub notes: Vec<ReadNote>,
 }
 
 impl Design {

@@ -26,6 +26,7 @@ mod on_sheets;
 mod opened;
 mod other;
 mod part;
+mod read_notes;
 mod rebuilt;
 mod skins;
 mod strained;
@@ -55,6 +56,7 @@ use joined::{find_mates, join_meshes};
 use judged::{is_screened, judge};
 use marked::mark_parts;
 use mesh::make_mesh;
+use read_notes::say_notes;
 use sheetwright_geometry::watch::{Stage, Watch};
 use sheetwright_optimum::triangulate::TriangulateError;
 use strained::aimed_by_angles;
@@ -156,6 +158,7 @@ pub fn make_judged(
 /// # Errors
 /// The first trim or mark that can't be made.
 fn finish(parts: &mut Vec<Part>, design: &Design) -> Result<(), MakeError> {
+    say_notes(parts, &design.notes);
     let of_joints = divide_parts(parts, design);
     find_mates(parts);
     let trims = [&design.trims[..], &of_joints].concat();

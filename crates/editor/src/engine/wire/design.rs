@@ -7,8 +7,8 @@ use sheetwright::design::{
     Allowance, Axis, BendMarks, BendRule, Bends, Corner, CurveUse, Design, DesignCurve,
     DesignPanel, Dimensions, Divide, DivideJoint, Fingers, Flange, Hem, Holes, Join, Mark, MarkAt,
     MarkKind, MarkOn, MarkWay, MovedBy, NotchForm, Notches, PanelMesh, PanelMethod, PanelShape,
-    Places, Puzzle, SampleTolerance, SheetForm, StationPlaces, StationPlane, Stock, StockSheet,
-    Tabs, Ticks, Triangles, Trim, TrimKind, TrimOn, Turn, Vary, VaryGoal,
+    Places, Puzzle, ReadNote, SampleTolerance, SheetForm, StationPlaces, StationPlane, Stock,
+    StockSheet, Tabs, Ticks, Triangles, Trim, TrimKind, TrimOn, Turn, Unused, Vary, VaryGoal,
 };
 use sheetwright::flatten::Aim;
 use sheetwright::material::{Grain, GrainBending, KFactor, KFactors, Material, Sourced};
@@ -31,7 +31,33 @@ fields!(Design {
     bends,
     dimensions,
     thickness_mm,
-    stock
+    stock,
+    notes
+});
+variants!(ReadNote {
+    NotUsed { what, count, names, at },
+    GapsClosed { count, widest_mm, at },
+    TakenForRails { names },
+    TakenForRing { names },
+    Smoothed { names },
+    NoUnit { unit_mm }
+});
+kinds!(Unused {
+    Open,
+    Closed,
+    NotNamed,
+    Doubled,
+    Marks,
+    Hidden,
+    Text,
+    Image,
+    Hatch,
+    Dimension,
+    Point,
+    Surface,
+    Lines,
+    Page,
+    Other
 });
 fields!(Stock {
     sheets,

@@ -68,6 +68,7 @@ variants!(FindingKind {
     Divided { division },
     Strap { joint, width_mm },
     NotDivided { fault },
+    Read { note },
     Trimmed { note },
     Marked { note },
     LinesClose { count, nearest_mm, least_mm },
