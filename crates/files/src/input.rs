@@ -143,8 +143,8 @@ pub fn read_input(path: &Path, options: &ReadOptions) -> Result<Design, InputErr
 /// `folder`; without a folder, a design can't refer to any.
 ///
 /// # Errors
-/// Bytes that are no design, curve table, drawing or mesh that this version reads, or options out of
-/// range.
+/// Bytes that are no design, curve table, drawing or mesh that this version reads, or options out
+/// of range.
 pub fn read_bytes(
     format: InputFormat,
     bytes: &[u8],

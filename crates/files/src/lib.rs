@@ -1,8 +1,8 @@
 //! Bytes to kernel values and back: the only crate that knows file formats.
 //!
 //! In: [`read_input`] makes a kernel [`Design`](sheetwright::design::Design) from a design file, a
-//! curve table, a drawing or a mesh, [`design_from_template`] from a template. Out: [`output_files`] makes
-//! every file of a made design, in memory; the caller writes them. Each format has its own module.
+//! curve table, a drawing or a mesh, [`design_from_template`] from a template. Out:
+//! [`output_files`] makes every file of a made design, in memory; the caller writes them. Each format has its own module.
 //!
 //! ```
 //! use sheetwright::{Unwatched, make};

@@ -87,7 +87,7 @@ fn the_facts_of_every_mesh_hold() {
 
 #[test]
 fn the_facts_of_every_boundary_hold() {
-    let boundaries = entries(&["csv", "sheet.json"]);
+    let boundaries = entries(&["csv", "sheet.json", "svg", "dxf"]);
     assert!(boundaries.len() >= 19, "{boundaries:?}");
     let mut wrong = Vec::new();
     for entry in boundaries {

@@ -59,8 +59,8 @@ pub(crate) struct SourceArgs {
     /// states; of a mesh that would be smaller than 5 mm: m]; a design states its own
     #[arg(long, value_name = "UNITS", ignore_case = true, value_parser = units_parser())]
     pub(crate) units: Option<Units>,
-    /// The curves or layers of a drawing that are rails, by name, separated by commas; a panel comes
-    /// between each and the next [default: those named `rail…`, or two open curves alone]
+    /// The curves or layers of a drawing that are rails, by name, separated by commas; a panel
+    /// comes between each and the next [default: those named `rail…`, or two open curves alone]
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     rails: Vec<String>,
     /// The largest extent of the whole design along x, y or z, in mm or with a unit (300mm, 1ft):

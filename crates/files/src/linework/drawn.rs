@@ -46,9 +46,19 @@ impl Drawn {
     /// Its name for people.
     pub(super) fn name(&self) -> &str {
         let mut names = self.all_names();
-        // The layer of everything that lies on none.
-        names.find(|name| !["", "0"].contains(name)).unwrap_or("curve")
+        names.find(|name| !is_automatic(name)).unwrap_or("curve")
     }
+}
+
+/// Whether a program gave this name, not a person: `path846`, `g12-3`, or the layer `0` of what
+/// lies on none.
+fn is_automatic(name: &str) -> bool {
+    const KINDS: [&str; 13] = [
+        "", "path", "rect", "circle", "ellipse", "line", "polyline", "polygon", "g", "use", "svg",
+        "layer", "svg-path",
+    ];
+    let rest = name.trim_end_matches(|c: char| c.is_ascii_digit() || c == '-');
+    name.is_empty() || (rest.len() < name.len() && KINDS.contains(&rest))
 }
 
 /// All that a reader finds.
@@ -111,5 +121,26 @@ impl Tally {
             names,
             at,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_automatic;
+
+    #[test]
+    fn names_by_programs_are_known() {
+        for (name, is) in [
+            ("path846", true),
+            ("g12-3", true),
+            ("0", true),
+            ("", true),
+            ("path", false),
+            ("lid", false),
+            ("rail-1", false),
+            ("Layer 1", false),
+        ] {
+            assert_eq!(is_automatic(name), is, "{name:?}");
+        }
     }
 }

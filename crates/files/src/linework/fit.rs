@@ -68,7 +68,7 @@ pub(super) fn fitted(curve: &Drawn, smooth: bool) -> Result<Fitted, FitError> {
         return Err(FitError::Nothing);
     }
     let joints = joints(&segments, curve.closed, smooth);
-    let smoothed = joints.iter().any(|joint| *joint == Joint::Smoothed);
+    let smoothed = joints.contains(&Joint::Smoothed);
     let is_polyline = !smoothed && segments.iter().all(|segment| segment.is_line());
     let kind = if is_polyline { CurveKind::Polyline } else { CurveKind::Spline };
     let mut nodes = first_nodes(&segments, &joints, curve.closed);
@@ -107,13 +107,13 @@ fn joints(segments: &[&Segment], closed: bool, smooth: bool) -> Vec<Joint> {
             let (before, after) = (segments[(i + n - 1) % n], segments[i]);
             let turn = angle_between(before.tangent_at_end(true), after.tangent_at_end(false));
             match before.is_line() || after.is_line() {
-                true if !smooth || !(before.is_line() && after.is_line()) => Joint::Corner,
-                true => {
+                true if smooth && before.is_line() && after.is_line() => {
                     let [a, b] = [before, after].map(|line| line.start().distance(line.end()));
                     let is_even = a.max(b) <= SMOOTH_RATIO * a.min(b);
                     let is_smooth = is_even && turn < from_deg(SMOOTH_DEG);
                     if is_smooth { Joint::Smoothed } else { Joint::Corner }
                 }
+                true => Joint::Corner,
                 false if turn > from_deg(CORNER_DEG) => Joint::Corner,
                 false => Joint::Smooth,
             }
@@ -204,7 +204,7 @@ fn distance(segment: &Segment, p: Point3, near: f64) -> f64 {
     for _ in 0..4 {
         let derivative = segment.derivative(t);
         let slope = derivative.length_squared();
-        if !(slope > 0.0) {
+        if slope <= 0.0 || slope.is_nan() {
             break;
         }
         t = (t - (segment.position(t) - p).dot(derivative) / slope).clamp(0.0, 1.0);

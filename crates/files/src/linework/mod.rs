@@ -3,13 +3,15 @@
 //! A reader (`svg`, `dxf`, `obj`) turns what is drawn into curves with names and layers, in
 //! millimetres (`drawn`); each is a list of pieces that affine maps do not change in kind
 //! (`segment`). Curves that meet end to end are chained (`chain`), those that bound panels are
-//! chosen by their names or by how they lie (`panels`, `roles`, `nest`), and each becomes a curve of
-//! the design: a polyline, or a spline as near to it as a millionth of its size (`fit`).
+//! chosen by their names or by how they lie (`panels`, `roles`, `nest`) and gathered (`maker`), and
+//! each becomes a curve of the design: a polyline, or a spline as near to it as a millionth of its
+//! size (`fit`).
 
 mod chain;
 mod drawn;
 mod dxf;
 mod fit;
+mod maker;
 mod nest;
 mod obj;
 mod panels;
@@ -21,7 +23,8 @@ pub(crate) use obj::is_lines;
 
 use crate::mesh::MeshFormat;
 use crate::reading::{InputError, ReadOptions, display_name, stem};
-use panels::{Found, panels};
+use maker::Found;
+use panels::panels;
 use sheetwright::design::{Design, ReadNote, Unused};
 
 /// A format of drawings.

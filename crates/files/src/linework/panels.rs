@@ -2,32 +2,21 @@
 //! holes. Names say it, or the caller; else closed curves bound panels by how they lie inside one
 //! another, and two open curves alone are rails.
 
-use super::chain::{Chained, chained, size_of};
-use super::drawn::{Drawing, Drawn, Tally};
-use super::fit::{FitError, Fitted, MAX_POINTS, fitted};
+use super::chain::{Chained, size_of};
+use super::drawn::{Drawing, Drawn};
+use super::fit::{Fitted, fitted};
+use super::maker::{Closed, Found, Maker, ends_of, place_of};
 use super::nest::{Ring, doubled, parents};
 use super::roles::{Role, Told, is_called, role};
-use crate::names::{did_you_mean, folded, made_for_files, shown};
+use crate::names::{did_you_mean, folded, shown};
 use crate::reading::InputError;
 use crate::table::MAX_CURVES;
-use sheetwright::boundary::MAX_SAMPLES;
-use sheetwright::design::{CurveUse, DesignCurve, DesignPanel, PanelShape, ReadNote, Unused};
+use sheetwright::design::{CurveUse, PanelShape, ReadNote, Unused};
 use sheetwright::math::Point3;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The most panels of a drawing.
-const MAX_PANELS: usize = 1000;
-/// The most bytes of a name, so that a number fits behind it.
-const NAME_BYTES: usize = 80;
 const ROLES_HINT: &str = "Name the curves or their layers for what they are: `rail-…`, \
                           `outline-…`, `hole-…`.";
-
-/// The curves and panels of a drawing, and what is to be said of it.
-pub(super) struct Found {
-    pub(super) curves: Vec<DesignCurve>,
-    pub(super) panels: Vec<DesignPanel>,
-    pub(super) notes: Vec<ReadNote>,
-}
 
 /// Makes panels of a drawing. `place` names it in messages, `stem` is its name, `rails` the names
 /// of the curves that the caller wants for rails.
@@ -52,38 +41,7 @@ pub(super) fn panels(
     maker.finished()
 }
 
-#[derive(Default)]
-struct Maker<'a> {
-    place: &'a str,
-    stem: &'a str,
-    /// The size of the drawing, mm.
-    size: f64,
-    unused: Tally,
-    notes: Vec<ReadNote>,
-    gaps: Vec<(f64, Point3)>,
-    smoothed: Vec<String>,
-    curves: Vec<DesignCurve>,
-    taken: BTreeSet<String>,
-    /// What bounds each panel, with a name for it.
-    shapes: Vec<(String, PanelShape)>,
-    points: usize,
-}
-
 impl Maker<'_> {
-    fn error(&self, message: impl Into<String>, hint: impl Into<String>) -> InputError {
-        InputError::at(self.place, message, hint)
-    }
-
-    fn nothing(&self) -> InputError {
-        if self.unused.is_empty() {
-            let hint = "Draw outlines as closed curves, or two open curves as rails.";
-            return self.error("the drawing has no curve", hint);
-        }
-        let hint = "Texts, pictures, hatches, dimensions and hidden layers bound nothing: draw \
-                    outlines as curves on a layer that is shown.";
-        self.error("the drawing has no curve that can bound a panel", hint)
-    }
-
     /// Curves that are drawn twice, one on the other, stay once.
     fn without_doubles(&mut self, curves: Vec<Drawn>) -> Vec<Drawn> {
         let mut known: BTreeSet<[[i64; 3]; 3]> = BTreeSet::new();
@@ -106,12 +64,6 @@ impl Maker<'_> {
             }
         }
         kept
-    }
-
-    fn chained(&mut self, curves: Vec<Drawn>, group: impl Fn(&Drawn) -> String) -> Chained {
-        let mut chained = chained(curves, self.size, group);
-        self.gaps.append(&mut chained.gaps);
-        chained
     }
 
     /// Rails by the names that the caller gives; everything else is left out.
@@ -397,8 +349,8 @@ impl Maker<'_> {
     }
 
     /// What each closed curve is: as it is named; else an outline, or a hole of the outline that it
-    /// lies in. Where outlines are named, what lies in none of them is not used. A layer of outlines
-    /// may have their holes as well.
+    /// lies in. Where outlines are named, what lies in none of them is not used. A layer of
+    /// outlines may have their holes as well.
     fn roles_of(
         &self,
         all: &[Closed],
@@ -426,123 +378,8 @@ impl Maker<'_> {
         }
         Err(self.error("the drawing has holes and no outline", ROLES_HINT))
     }
-
-    /// Keeps a closed curve, an outline of a plane drawing counter-clockwise; returns its name.
-    fn keep(&mut self, closed: &Closed) -> Result<String, InputError> {
-        let mut fit = closed.fit.clone();
-        if closed.ring.is_clockwise() {
-            // The point that it begins at stays.
-            fit.points[1..].reverse();
-        }
-        self.add(&closed.curve, fit)
-    }
-
-    fn curve(&mut self, curve: &Drawn, smooth: bool) -> Result<String, InputError> {
-        let fit = fitted(curve, smooth).map_err(|error| self.unfit(curve, &error))?;
-        self.add(curve, fit)
-    }
-
-    fn add(&mut self, curve: &Drawn, fit: Fitted) -> Result<String, InputError> {
-        self.points += fit.points.len();
-        if self.points > MAX_SAMPLES {
-            let message = format!("the curves of the drawing take more than {MAX_SAMPLES} points");
-            return Err(self.error(message, "Divide the drawing, or simplify its curves."));
-        }
-        if self.curves.len() == MAX_CURVES {
-            return Err(self.too_many_curves());
-        }
-        let Fitted { kind, closed, points, smoothed } = fit;
-        let wanted = curve_name(curve.name());
-        let numbered = (2..).map(|n| format!("{wanted} {n}"));
-        let mut names = std::iter::once(wanted.clone()).chain(numbered);
-        let name = names.find(|name| self.taken.insert(folded(name))).unwrap_or(wanted);
-        if smoothed {
-            self.smoothed.push(name.clone());
-        }
-        self.curves.push(DesignCurve { name: name.clone(), kind: Some(kind), closed, points });
-        Ok(name)
-    }
-
-    fn too_many_curves(&self) -> InputError {
-        let message = format!("the drawing has more than {MAX_CURVES} closed curves");
-        self.error(message, "Divide it, or hide what bounds no panel.")
-    }
-
-    fn unfit(&self, curve: &Drawn, error: &FitError) -> InputError {
-        let name = shown(curve.name());
-        match error {
-            FitError::Nothing => {
-                self.error(format!("the curve {name} has no length"), "Remove it.")
-            }
-            FitError::TooManyPoints => {
-                let message = format!("the curve {name} takes more than {MAX_POINTS} points");
-                self.error(message, "Simplify it; a few hundred points are enough for a curve.")
-            }
-            FitError::Curve(error) => {
-                let at = curve.start().map_or_else(String::new, place_of);
-                let message = format!("the curve {name}, which begins at {at}, {error}");
-                self.error(message, "Check the units and the numbers of the drawing.")
-            }
-        }
-    }
-
-    fn finished(self) -> Result<Found, InputError> {
-        let Self { place, stem, shapes, curves, mut notes, unused, gaps, smoothed, .. } = self;
-        if shapes.len() > MAX_PANELS {
-            let message = format!("the drawing has more than {MAX_PANELS} outlines");
-            let hint = "Each outline is a panel: divide the drawing.";
-            return Err(InputError::at(place, message, hint));
-        }
-        let is_one = shapes.len() == 1;
-        let mut taken = BTreeSet::new();
-        let mut panels = Vec::with_capacity(shapes.len());
-        for (own, shape) in shapes {
-            let first = made_for_files(if is_one { stem } else { &own }, NAME_BYTES);
-            let first = if first.is_empty() { "panel".to_owned() } else { first };
-            let numbered = (2..).map(|n| format!("{first} {n}"));
-            let mut names = std::iter::once(first.clone()).chain(numbered);
-            let name = names.find(|name| taken.insert(folded(name))).unwrap_or(first);
-            panels.push(DesignPanel::usual(name, shape));
-        }
-        let widest = gaps.iter().copied().max_by(|a, b| a.0.total_cmp(&b.0));
-        if let Some((widest_mm, at)) = widest {
-            notes.push(ReadNote::GapsClosed { count: gaps.len(), widest_mm, at });
-        }
-        if !smoothed.is_empty() {
-            notes.push(ReadNote::Smoothed { names: smoothed });
-        }
-        notes.extend(unused.notes());
-        Ok(Found { curves, panels, notes })
-    }
-}
-
-/// A closed curve, its points and how it lies.
-struct Closed {
-    curve: Drawn,
-    fit: Fitted,
-    ring: Ring,
 }
 
 fn whole(name: &str) -> CurveUse {
     CurveUse { name: name.to_owned(), reversed: false }
-}
-
-/// A name that a curve of a design may have.
-fn curve_name(name: &str) -> String {
-    let made = made_for_files(name.trim_start_matches(['-', ' ']), NAME_BYTES);
-    if made.is_empty() { "curve".to_owned() } else { made }
-}
-
-fn place_of(p: Point3) -> String {
-    let number = |c: f64| format!("{:.2}", c + 0.0);
-    if p.z == 0.0 {
-        return format!("({}, {}) mm", number(p.x), number(p.y));
-    }
-    format!("({}, {}, {}) mm", number(p.x), number(p.y), number(p.z))
-}
-
-/// A curve by its name and its ends, for a message.
-fn ends_of(curve: &Drawn) -> String {
-    let [start, end] = [curve.start(), curve.end()].map(|p| p.map_or_else(String::new, place_of));
-    format!("{} runs from {start} to {end}", shown(curve.name()))
 }

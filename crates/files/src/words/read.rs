@@ -50,7 +50,8 @@ fn not_used(
         if count == 1 { format!("One {one} was") } else { format!("{count} {several} were") };
     let named = if names.is_empty() { String::new() } else { format!(": {}", listed(names)) };
     let place = match at {
-        Some(at) if count == 1 => format!(", at {}", point(*at)),
+        Some(at) if count == 1 && !names.is_empty() => format!(" at {}", point(*at)),
+        Some(at) if count == 1 => format!(" (at {})", point(*at)),
         Some(at) => format!(", the first at {}", point(*at)),
         None => String::new(),
     };
@@ -58,7 +59,7 @@ fn not_used(
         Unused::Open => " Close what should be an outline, or name rails.",
         _ => "",
     };
-    format!("{things} not used{place}{named}.{why}")
+    format!("{things} not used{named}{place}.{why}")
 }
 
 /// What one of them is called, and several.

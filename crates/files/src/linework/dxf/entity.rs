@@ -22,8 +22,8 @@ pub(super) fn extruded(normal: Vec3) -> Affine {
     Affine { axes: [x, z.cross(x), z], origin: Vec3::ZERO }
 }
 
-/// The pieces of an entity that is a curve by itself; `None` of other entities. `vertices` are those
-/// of a polyline.
+/// The pieces of an entity that is a curve by itself; `None` of other entities. `vertices` are
+/// those of a polyline.
 ///
 /// # Errors
 /// What is wrong with its numbers, in words.

@@ -1,6 +1,6 @@
-//! B-splines with weights as rational Bézier curves: each control point of a piece is the polar form
-//! (blossom) of the spline at the ends of its knot interval, by de Boor's recursion with one argument
-//! a level.
+//! B-splines with weights as rational Bézier curves: each control point of a piece is the polar
+//! form (blossom) of the spline at the ends of its knot interval, by de Boor's recursion with one
+//! argument a level.
 
 use super::super::segment::Segment;
 use sheetwright::curve::{Curve, CurveKind, CurvePoint};

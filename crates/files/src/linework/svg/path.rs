@@ -1,5 +1,5 @@
-//! The data of a path (`d`) as pieces of curves, in its own coordinates. Commands, relative ones and
-//! implicit repeats are split by `svgtypes`.
+//! The data of a path (`d`) as pieces of curves, in its own coordinates. Commands, relative ones
+//! and implicit repeats are split by `svgtypes`.
 
 use super::super::segment::Segment;
 use sheetwright::math::{Point3, Vec3, atan2, cos, from_deg, sin};
