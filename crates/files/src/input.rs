@@ -171,6 +171,7 @@ pub fn read_bytes(
     options.sheets.set(&mut design)?;
     design.dimensions = options.dimensions.or(design.dimensions);
     design.thickness_mm = options.thickness_mm.or(design.thickness_mm);
+    design.bend_radius_mm = options.bend_radius_mm.or(design.bend_radius_mm);
     if format != InputFormat::Design {
         let (trade, thickness_mm) = (options.trade.as_deref(), design.sheet_thickness_mm());
         let read = design_json::trims_of(trade, Vec::new(), Units::Millimetres, thickness_mm);

@@ -292,6 +292,8 @@ pub struct ReadOptions {
     pub dimensions: Option<Dimensions>,
     /// How thick the sheet is, mm. Default: as the design says, or its material.
     pub thickness_mm: Option<f64>,
+    /// The inner radius of the tool that makes sharp folds, mm. Default: as the design says.
+    pub bend_radius_mm: Option<f64>,
     /// What parts are cut from. Default: as the design says.
     pub sheets: SheetSettings,
 }

@@ -21,6 +21,7 @@ pub use severity::Severity;
 pub use verdict::Verdict;
 
 pub(crate) use bending::{better_without_plane, no_other_surface, two_surfaces};
+pub(crate) use brake::mitred_folds;
 pub(crate) use origin::{
     BoundaryMoved, moved, off_tolerance, ran_on, rounded_corner, smoothed_joints, stayed_straight,
     turned_round,

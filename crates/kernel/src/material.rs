@@ -4,6 +4,8 @@
 //! file (`materials.json` in the crate `sheetwright-files`), and designs bring their own. Every
 //! number has its source, so that a reader of a verdict can judge the limit.
 
+use sheetwright_geometry::math::{cos, from_deg, sin};
+
 /// The source of a number that has none.
 pub const ASSUMED: &str = "assumed";
 
@@ -50,6 +52,8 @@ pub struct Material {
     pub density_kg_per_m3: Option<Sourced>,
     /// Where the neutral fibre of a bend lies.
     pub k_factors: Option<KFactors>,
+    /// By how much bends shorten the flat sheet, as measured at a brake; it goes before K-factors.
+    pub deductions: Option<Deductions>,
     /// Bending along and across the grain, of a sheet for which that differs. `bend_radius_mm` and
     /// `modulus_n_per_mm2` are those of the verdict.
     pub grain: Option<Grain>,
@@ -82,6 +86,65 @@ impl KFactors {
             (None, None) => 0.5,
         }
     }
+}
+
+/// Bend deductions: by how much the flat sheet is shorter than both flanges together, each measured
+/// from its end to where the outer faces meet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Deductions {
+    /// The deductions of several bends, by increasing radius and then by increasing angle.
+    pub rows: Vec<Deduction>,
+    /// As in [`Sourced`].
+    pub source: String,
+}
+
+/// The deduction of one bend.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Deduction {
+    /// The inner radius of the bend, mm.
+    pub radius_mm: f64,
+    /// By how much the flat sheet is turned, degrees, above 0 and below 180.
+    pub angle_deg: f64,
+    /// How much shorter the flat sheet is, mm.
+    pub deduction_mm: f64,
+}
+
+impl Deduction {
+    /// The bend allowance that it says, mm, of a sheet of a thickness, mm.
+    pub fn allowance_mm(&self, thickness_mm: f64) -> f64 {
+        2.0 * setback_mm(from_deg(self.angle_deg), self.radius_mm + thickness_mm)
+            - self.deduction_mm
+    }
+}
+
+/// Rows of a table of deductions whose radii differ by less than this share are of one tool.
+const SAME_RADIUS: f64 = 1e-3;
+
+impl Deductions {
+    /// The bend allowance, mm, of a bend by an angle, radians, with a tool of this inner radius,
+    /// mm, in a sheet of a thickness, mm; `None` if the table has no row of that radius. Allowances
+    /// are nearly in proportion to the angle, so between two angles, and from none to the first,
+    /// they are taken in proportion; beyond the last as it says.
+    pub fn allowance_mm(&self, angle: f64, radius_mm: f64, thickness_mm: f64) -> Option<f64> {
+        let is_of_tool =
+            |row: &&Deduction| (row.radius_mm - radius_mm).abs() <= SAME_RADIUS * radius_mm;
+        let (mut before, mut last) = ([0.0; 2], None);
+        for row in self.rows.iter().filter(is_of_tool) {
+            let here = [from_deg(row.angle_deg), row.allowance_mm(thickness_mm)];
+            if angle <= here[0] {
+                let share = (angle - before[0]) / (here[0] - before[0]);
+                return Some(before[1] + (here[1] - before[1]) * share);
+            }
+            (before, last) = (here, Some(here));
+        }
+        last.map(|[last, allowance_mm]| allowance_mm * angle / last)
+    }
+}
+
+/// The setback of a bend by an angle, radians, mm: how far its tangent lines lie from where the two
+/// faces of this radius, mm, would meet if they went straight on.
+pub fn setback_mm(angle: f64, radius_mm: f64) -> f64 {
+    radius_mm * sin(0.5 * angle.abs()) / cos(0.5 * angle)
 }
 
 /// The bend allowance, mm: how much of the flat sheet a bend takes, by an angle, radians, at an
@@ -228,6 +291,7 @@ impl Limits {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use sheetwright_geometry::math::to_deg;
 
     fn sheet(thickness_mm: f64, bend_radius_mm: f64) -> Material {
         Material {
@@ -242,6 +306,7 @@ mod tests {
             yield_strain: None,
             density_kg_per_m3: None,
             k_factors: None,
+            deductions: None,
             grain: None,
         }
     }
@@ -269,6 +334,26 @@ mod tests {
         let leg_mm = flange_mm - radius_mm - thickness_mm;
         assert!((leg_mm - 48.12).abs() < 1e-9);
         assert!((leg_mm + 0.5 * allowance_mm - 50.0).abs() < 0.01);
+    }
+
+    /// Deductions of 90° and 45° at R 2 and T 2, as K = 0.44 makes them; the allowance in between
+    /// is that of the same K.
+    #[test]
+    fn deductions_say_the_allowance_of_their_tool() {
+        let right = std::f64::consts::FRAC_PI_2;
+        let row = |angle: f64| {
+            let allowance_mm = bend_allowance_mm(angle, 2.0, 2.0, 0.44);
+            let deduction_mm = 2.0 * setback_mm(angle, 4.0) - allowance_mm;
+            Deduction { radius_mm: 2.0, angle_deg: to_deg(angle), deduction_mm }
+        };
+        let rows = vec![row(0.5 * right), row(right)];
+        assert!((rows[1].deduction_mm - 3.476_106_577).abs() < 1e-9, "{}", rows[1].deduction_mm);
+        let table = Deductions { rows, source: ASSUMED.to_owned() };
+        for angle in [0.1, 0.5 * right, 1.0, right, 2.0] {
+            let found = table.allowance_mm(angle, 2.0, 2.0).unwrap();
+            assert!((found - angle * 2.88).abs() < 1e-12, "{angle}: {found}");
+        }
+        assert_eq!(table.allowance_mm(right, 3.0, 2.0), None);
     }
 
     #[test]

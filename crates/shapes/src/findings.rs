@@ -1,5 +1,6 @@
 //! A finding of each kind, with typical numbers and places.
 
+use sheetwright::bend::Mitred;
 use sheetwright::check::{
     Bend, BorderSide, Division, Finding, FindingKind as Kind, Hindrance, Movement, Place,
     SeamCause, SeamPlace, TooTight, Verdict,
@@ -280,6 +281,9 @@ fn of_files() -> Vec<Finding> {
         Kind::LinesLong { count: 1, longest_mm: 2613.0, most_mm: 2500.0 },
         Kind::LinesLong { count: 2, longest_mm: 2613.0, most_mm: 2500.0 },
         Kind::FlangeShort { count: 2, shortest_mm: 3.25, least_mm: 4.0 },
+        Kind::FoldsMitred { count: 1, of: 5, why: Mitred::Meets },
+        Kind::FoldsMitred { count: 2, of: 2, why: Mitred::NotFlat },
+        Kind::FoldsMitred { count: 3, of: 5, why: Mitred::Narrow },
         reduced(2500, false),
         reduced(2500, true),
         reduced(30_000, false),

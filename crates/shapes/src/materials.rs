@@ -32,6 +32,7 @@ fn sheet(title: &str, thickness_mm: f64, bend_radius_mm: f64, strain: f64) -> Ma
         yield_strain: None,
         density_kg_per_m3: None,
         k_factors: None,
+        deductions: None,
         grain: None,
     }
 }

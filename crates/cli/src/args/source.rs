@@ -99,6 +99,11 @@ pub(crate) struct SourceArgs {
     /// says, or its material]
     #[arg(long, value_name = "LENGTH", value_parser = thickness_mm)]
     thickness: Option<f64>,
+    /// The inner radius of the tool that makes sharp folds, whose bend allowance the pattern has
+    /// where the dimensions are those of a face [default: as the design says, or the smallest of
+    /// the material, or the thickness]
+    #[arg(long, value_name = "LENGTH", value_parser = bend_radius_mm)]
+    bend_radius: Option<f64>,
     /// How many bend lines a bend is divided into: a number for each part (24), the largest angle
     /// of a step (5deg), the farthest that the smooth surface lies from flat steps (chord=0.5mm) or
     /// the largest width of a step (pitch=20mm) [default: as the design says, or steps of 5°, 24
@@ -127,6 +132,13 @@ enum DimensionsArg {
 fn thickness_mm(given: &str) -> Result<f64, String> {
     let mm = sheetwright_files::size_mm(given).filter(|mm| *mm <= 1000.0);
     mm.ok_or_else(|| "give a thickness above 0 and up to 1 m, such as 1mm or 1/16in".to_owned())
+}
+
+fn bend_radius_mm(given: &str) -> Result<f64, String> {
+    // No radius needs no unit, and is no size.
+    let mm = if given.trim() == "0" { Some(0.0) } else { sheetwright_files::size_mm(given) };
+    let mm = mm.filter(|mm| *mm <= 1000.0);
+    mm.ok_or_else(|| "give a radius of 0 to 1 m, such as 2mm or 1/16in".to_owned())
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -226,6 +238,7 @@ impl SourceArgs {
                 DimensionsArg::Outside => Dimensions::Outside,
             }),
             thickness_mm: self.thickness,
+            bend_radius_mm: self.bend_radius,
             sheets: self.sheets.settings(self.effort),
             bends: BendSettings {
                 rule: self.bends,

@@ -102,6 +102,7 @@ pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, In
     let formats = formats(file.formats, source)?;
     let bends = bends::read(file.bends, "bends", file.units, source)?.unwrap_or_default();
     let dimensions = thickness::dimensions(file.dimensions);
+    let bend_radius_mm = thickness::bend_radius_mm(file.bend_radius, file.units, source)?;
     let sheets = file.sheets.map(|Object(sheets)| sheets);
     let stock = sheets::read(sheets, &panels, file.units, reckoned_mm, source)?;
     Ok(Design {
@@ -122,6 +123,7 @@ pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, In
         bends,
         dimensions,
         thickness_mm,
+        bend_radius_mm,
         stock,
     })
 }

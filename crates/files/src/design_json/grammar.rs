@@ -91,6 +91,12 @@ pub(super) struct DesignFile {
     #[serde(default)]
     #[schemars(range(min = 0))]
     pub(super) thickness: Option<f64>,
+    /// The inner radius of the tool that makes sharp folds, in the units of the design: with
+    /// `dimensions`, flat patterns have the bend allowance there. Default: the smallest bend radius
+    /// of the material, or the thickness where none is named.
+    #[serde(default)]
+    #[schemars(range(min = 0))]
+    pub(super) bend_radius: Option<f64>,
     /// The tolerance of panels that have none of their own and no number of samples, in the units
     /// of the design. Default: a ten-thousandth of the size of the panel, with 400 samples of a
     /// loop or 200 of a rail at the least and twice as many at the most.

@@ -142,6 +142,7 @@ mod tests {
     const FULL: &str = r#"{"thickness_mm": 4, "bend_radius_mm": 385, "modulus_n_per_mm2": 6400,
         "poisson": {"value": 0.1, "source": "tested"}, "yield_strain": 0.002,
         "density_kg_per_m3": 660, "k_factors": {"table": [[1, 0.38], [3, 0.43]], "source": "bent"},
+        "deductions": {"table": [[2, 45, 1.2], [2, 90, 3.5]], "source": "brake"},
         "grain": {"along": {"modulus_n_per_mm2": 11800, "bend_radius_mm": 960},
                   "across": {"modulus_n_per_mm2": {"value": 1040, "source": "sag"},
                              "bend_radius_mm": 385}}}"#;
@@ -190,6 +191,12 @@ mod tests {
             ("[1, 0.38]", "[-1, 0.38]", "k_factors.table[0]", "the radius over thickness -1 is"),
             ("[3, 0.43]", "[1, 0.43]", "k_factors.table[1]", "the radius 1 follows"),
             (r#""bent""#, r#"" ""#, "k_factors.source", "the source is empty"),
+            ("[[2, 45, 1.2], [2, 90, 3.5]]", "[]", "deductions.table", "the table of deductions"),
+            ("2, 90, 3.5", "-2, 90, 3.5", "deductions.table[1]", "the radius -2 mm is out"),
+            ("2, 90, 3.5", "2, 180, 3.5", "deductions.table[1]", "the angle 180 is out"),
+            ("2, 90, 3.5", "2, 90, 12", "deductions.table[1]", "the deduction 12 mm is out"),
+            ("2, 90, 3.5", "2, 45, 3.5", "deductions.table[1]", "the row follows one of as"),
+            (r#""brake""#, r#"" ""#, "deductions.source", "the source is empty"),
             ("960", "0", "grain.along.bend_radius_mm", "the number 0 mm is out"),
             ("1040", "-1", "grain.across.modulus_n_per_mm2", "the number -1 N/mm² is"),
         ] {

@@ -429,6 +429,7 @@ mod tests {
             bends: crate::BendSettings::default(),
             dimensions: None,
             thickness_mm: None,
+            bend_radius_mm: None,
             sheets: crate::SheetSettings::default(),
         };
         let design =

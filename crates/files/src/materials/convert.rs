@@ -1,13 +1,14 @@
 //! Materials between their file and the kernel: ranges, sources and defaults.
 
 use super::file::{
-    GrainBendingFile, GrainFile, KFactorsFile, MaterialFile, NumberFile, SourcedFile,
+    DeductionsFile, GrainBendingFile, GrainFile, KFactorsFile, MaterialFile, NumberFile,
+    SourcedFile,
 };
 use crate::json::{Named, Object};
 use crate::names::{refused_anywhere, shown};
 use sheetwright::material::{
-    ASSUMED, DEFAULT_STRETCH_LIMIT, DEFAULT_WARP_LIMIT_DEG, Grain, GrainBending, KFactor, KFactors,
-    Material, Sourced,
+    ASSUMED, DEFAULT_STRETCH_LIMIT, DEFAULT_WARP_LIMIT_DEG, Deduction, Deductions, Grain,
+    GrainBending, KFactor, KFactors, Material, Sourced,
 };
 use std::ops::RangeInclusive;
 
@@ -39,6 +40,12 @@ const RADIUS_PER_THICKNESS: RangeInclusive<f64> = 0.0..=10_000.0;
 const K_FACTOR: RangeInclusive<f64> = 0.05..=0.6;
 /// The most rows of a table of K-factors.
 const MAX_K_FACTORS: usize = 100;
+/// Inner radii of the tools of deductions, mm.
+const DEDUCTION_RADIUS: RangeInclusive<f64> = 0.0..=1000.0;
+/// Angles of deductions, degrees: a hem, which is turned by more, has no outer corner.
+const DEDUCTION_ANGLE: RangeInclusive<f64> = 0.1..=170.0;
+/// The most rows of a table of deductions.
+const MAX_DEDUCTIONS: usize = 1000;
 
 /// How to mend a source that is empty.
 const SOURCE_HINT: &str = "Say where the number comes from, or write the number alone.";
@@ -81,8 +88,11 @@ pub(crate) fn material<E>(
     let at = Place { path, refuse };
     let warp = file.warp_limit_deg.unwrap_or(NumberFile::Bare(DEFAULT_WARP_LIMIT_DEG));
     let stretch = file.stretch_limit.unwrap_or(NumberFile::Bare(DEFAULT_STRETCH_LIMIT));
+    let thickness = at.number("thickness_mm", file.thickness_mm, &THICKNESS)?;
+    let deductions = file.deductions.map(|Object(table)| at.deductions(table, thickness.value));
     Ok(Material {
-        thickness_mm: at.number("thickness_mm", file.thickness_mm, &THICKNESS)?,
+        deductions: deductions.transpose()?,
+        thickness_mm: thickness,
         bend_radius_mm: at.number("bend_radius_mm", file.bend_radius_mm, &BEND_RADIUS)?,
         warp_limit_deg: at.number("warp_limit_deg", warp, &WARP_LIMIT)?,
         stretch_limit: at.number("stretch_limit", stretch, &STRAIN)?,
@@ -168,6 +178,48 @@ impl<E> Place<'_, E> {
         Ok(KFactors { rows, source })
     }
 
+    fn deductions(&self, file: DeductionsFile, thickness_mm: f64) -> Result<Deductions, E> {
+        const FIELD: &str = "deductions";
+        let count = file.table.len();
+        if !(1..=MAX_DEDUCTIONS).contains(&count) {
+            let message = format!("the table of deductions has {count} rows");
+            let hint = format!("It takes 1 to {MAX_DEDUCTIONS} rows.");
+            return Err(self.error(&format!("{FIELD}.table"), message, &hint));
+        }
+        let mut rows: Vec<Deduction> = Vec::with_capacity(count);
+        for (n, [radius_mm, angle_deg, deduction_mm]) in file.table.into_iter().enumerate() {
+            let refused = |message, hint: &str| {
+                Err(self.error(&format!("{FIELD}.table[{n}]"), message, hint))
+            };
+            if !DEDUCTION_RADIUS.contains(&radius_mm) {
+                let hint = "It takes 0 to 1000 mm.";
+                return refused(format!("the radius {radius_mm} mm is out of range"), hint);
+            }
+            if !DEDUCTION_ANGLE.contains(&angle_deg) {
+                let hint = "It takes 0.1 to 170 degrees, by which the flat sheet is turned.";
+                return refused(format!("the angle {angle_deg} is out of range"), hint);
+            }
+            let row = Deduction { radius_mm, angle_deg, deduction_mm };
+            // Not so much that nothing is left between the tangent lines, and no number is NaN.
+            let left_mm = row.allowance_mm(thickness_mm);
+            if left_mm.is_nan() || left_mm <= 0.0 || deduction_mm < 0.0 {
+                let most_mm = left_mm + deduction_mm;
+                let hint = format!("It takes 0 to less than both setbacks, {most_mm:.3} mm.");
+                let message = format!("the deduction {deduction_mm} mm is out of range");
+                return refused(message, &hint);
+            }
+            let key = |row: &Deduction| (row.radius_mm, row.angle_deg);
+            if rows.last().is_some_and(|last| key(last) >= key(&row)) {
+                let message = "the row follows one of as large a radius and angle".to_owned();
+                return refused(message, "Order the rows by radius, and then by angle.");
+            }
+            rows.push(row);
+        }
+        let source = file.source.unwrap_or_else(|| ASSUMED.to_owned());
+        self.check_source(FIELD, &source)?;
+        Ok(Deductions { rows, source })
+    }
+
     fn grain(&self, file: GrainFile) -> Result<Grain, E> {
         let bending = |way: &str, Object(file): Object<GrainBendingFile>| {
             let field = |name| format!("grain.{way}.{name}");
@@ -217,6 +269,13 @@ pub(crate) fn file_of(material: &Material) -> MaterialFile {
         k_factors: material.k_factors.as_ref().map(|KFactors { rows, source }| {
             Object(KFactorsFile {
                 table: rows.iter().map(|row| [row.radius_per_thickness, row.k]).collect(),
+                source: (source != ASSUMED).then(|| source.clone()),
+            })
+        }),
+        deductions: material.deductions.as_ref().map(|Deductions { rows, source }| {
+            let row = |row: &Deduction| [row.radius_mm, row.angle_deg, row.deduction_mm];
+            Object(DeductionsFile {
+                table: rows.iter().map(row).collect(),
                 source: (source != ASSUMED).then(|| source.clone()),
             })
         }),

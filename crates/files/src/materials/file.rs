@@ -42,6 +42,10 @@ pub(crate) struct MaterialFile {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Option<KFactorsFile>")]
     pub(super) k_factors: Option<Object<KFactorsFile>>,
+    /// By how much bends shorten the flat sheet, as measured; it goes before the K-factors.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<DeductionsFile>")]
+    pub(super) deductions: Option<Object<DeductionsFile>>,
     /// Bending along and across the grain of the face. The direction is that which becomes curved.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Option<GrainFile>")]
@@ -60,6 +64,21 @@ pub(super) struct KFactorsFile {
     /// the neutral fibre below the inner face over the thickness, 0.05 to 0.6.
     #[schemars(length(min = 1, max = 100))]
     pub(super) table: Vec<[f64; 2]>,
+    /// As of a number. Default: `assumed`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(length(min = 1))]
+    pub(super) source: Option<String>,
+}
+
+/// Bend deductions: by how much the flat sheet is shorter than both flanges together, each measured
+/// from its end to where the outer faces meet.
+#[derive(Debug, Derived, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct DeductionsFile {
+    /// Rows of the inner radius of the tool, mm, the angle by which the sheet is turned, degrees,
+    /// 0.1 to 170, and the deduction, mm; by increasing radius, and then by increasing angle.
+    #[schemars(length(min = 1, max = 1000))]
+    pub(super) table: Vec<[f64; 3]>,
     /// As of a number. Default: `assumed`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(length(min = 1))]

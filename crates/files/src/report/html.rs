@@ -119,7 +119,10 @@ fn subtitle(made: &Made) -> String {
     let thick = made.parts.iter().find_map(|part| part.thick);
     let thick = thick.map_or_else(String::new, |thick| {
         let (face, mm) = (thick.dimensions.name(), millimetres(thick.thickness_mm));
-        format!(". Dimensions: {face}; patterns are those of the neutral fibre of {mm}")
+        let folds = thick.fold_radius_mm.map_or_else(String::new, |radius_mm| {
+            format!(", with folds of the inner radius {}", millimetres(radius_mm))
+        });
+        format!(". Dimensions: {face}; patterns are those of the neutral fibre of {mm}{folds}")
     });
     match &made.material {
         Some(m) => {

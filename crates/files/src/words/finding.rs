@@ -1,5 +1,6 @@
 //! Findings in sentences, with advice.
 
+use super::bends::folds_mitred;
 use super::divided::{by, not_divided, pieces};
 use super::healed::{healed, two_skins};
 use super::marks::marked;
@@ -270,6 +271,7 @@ pub fn finding_text(finding: &Finding) -> String {
              wider sheet and trim it.",
             counted(*count, "a bend line", "bend lines"),
         ),
+        Kind::FoldsMitred { count, of, why } => folds_mitred(*count, *of, *why),
         Kind::TooLarge { size_mm, room_mm } => format!(
             "It is {}, and the largest sheet takes {}. Divide it, or take a larger sheet.",
             by(*size_mm),

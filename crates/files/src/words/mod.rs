@@ -3,6 +3,7 @@
 //!
 //! The kernel gives kinds with their numbers and places; units and digits are chosen here.
 
+mod bends;
 mod divided;
 mod finding;
 mod healed;

@@ -13,20 +13,26 @@
 
 mod divide;
 mod fold;
+mod fold_lines;
 mod neutral;
 mod plan;
 mod rail;
+mod rounded;
 mod strip;
+mod tool;
 
 pub use fold::FOLDED_DEG;
+pub use fold_lines::Mitred;
 pub use plan::{Brake, BrakeFault, DIE_THICKNESSES, Hit, LEAST_SHARE, Reference, hits};
 
 pub(crate) use fold::fold_counts;
-pub(crate) use neutral::{k_factor, neutral_surface};
+pub(crate) use neutral::{bends_up, k_factor, neutral_surface};
+pub(crate) use rounded::{Rounded, rounded};
+pub(crate) use tool::FoldTool;
 
 use crate::design::Bends;
 use crate::flatten::Flattened;
-use crate::measure::Measures;
+use crate::measure::{Measures, RungMeasures};
 use crate::mesh::{Mesh, MeshEdge, SCORED_CREASE_DEG};
 use crate::sheet::Sheet;
 use divide::divided;
@@ -109,7 +115,7 @@ pub(crate) fn bend_lines(
         };
         return folds.into_iter().enumerate().map(line).collect();
     }
-    let is_fold = folded_edges(sheet, measures);
+    let is_fold = folded_edges(sheet, &measures.rungs);
     let strips = strips(mesh);
     let corners = Corners::of(sheet, measures);
     let laid = Laid { mesh, flat: &flat.points, corners: &corners, is_fold: &is_fold };
@@ -182,7 +188,7 @@ fn runs(strip: &Strip, laid: &Laid<'_>) -> Vec<Run> {
 }
 
 /// The crease at a side, radians; 0 on the border.
-fn crease(mesh: &Mesh, edge: &MeshEdge) -> f64 {
+pub(crate) fn crease(mesh: &Mesh, edge: &MeshEdge) -> f64 {
     match edge.triangles {
         [Some(a), Some(b)] => mesh.crease(edge.ends, [a, b]),
         _ => 0.0,
@@ -191,14 +197,14 @@ fn crease(mesh: &Mesh, edge: &MeshEdge) -> f64 {
 
 /// Whether the sheet is folded at each side of its mesh: where the surface was found, at the folds
 /// that were measured; of a mesh, where it is scored.
-fn folded_edges(sheet: &Sheet, measures: &Measures) -> Vec<bool> {
+pub(crate) fn folded_edges(sheet: &Sheet, rungs: &[RungMeasures]) -> Vec<bool> {
     let edges = sheet.mesh().edges();
     if !sheet.has_rungs() {
         let is_scored =
             |edge: &MeshEdge| crease(sheet.mesh(), edge).abs() > from_deg(SCORED_CREASE_DEG);
         return edges.iter().map(is_scored).collect();
     }
-    let measured = sheet.rung_ends().iter().zip(&measures.rungs);
+    let measured = sheet.rung_ends().iter().zip(rungs);
     let mut folds: Vec<_> = measured
         .filter(|(_, rung)| rung.is_fold)
         .map(|(&[a, b], _)| if a < b { [a, b] } else { [b, a] })

@@ -35,15 +35,19 @@ pub(crate) fn neutral_surface(
     k: f64,
 ) -> Surface {
     let connectivity = drawn.connectivity();
-    let turn: f64 = connectivity.hinges().iter().map(|hinge| drawn.crease(hinge)).sum();
     // Mountains have their inner face on the back.
-    let outwards = if turn < 0.0 { -1.0 } else { 1.0 };
+    let outwards = if bends_up(drawn) { -1.0 } else { 1.0 };
     let share = match dimensions {
         Dimensions::Inside => k,
         Dimensions::Mean => k - MIDDLE,
         Dimensions::Outside => k - 1.0,
     };
     moved(drawn, connectivity, outwards * share * thickness_mm)
+}
+
+/// Whether a surface bends in all towards the side that it faces, so that its inner face is there.
+pub(crate) fn bends_up(drawn: &Surface) -> bool {
+    drawn.connectivity().hinges().iter().map(|hinge| drawn.crease(hinge)).sum::<f64>() < 0.0
 }
 
 /// The surface at a distance from another along its normals, mm.

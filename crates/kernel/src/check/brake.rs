@@ -1,7 +1,17 @@
-//! What a press brake can't do with the bend lines of a part.
+//! What a press brake can't do with the bend lines and the folds of a part.
 
 use super::{Finding, FindingKind};
-use crate::bend::{BrakeFault, Hit};
+use crate::bend::{BrakeFault, Hit, Mitred};
+use std::collections::BTreeMap;
+
+/// The findings on folds that are left mitred, of so many folds: one a reason.
+pub(crate) fn mitred_folds(
+    of: usize,
+    mitred: &BTreeMap<Mitred, usize>,
+) -> impl Iterator<Item = Finding> + '_ {
+    let kind = move |(&why, &count): (&Mitred, &usize)| FindingKind::FoldsMitred { count, of, why };
+    mitred.iter().map(kind).map(Finding::of_whole)
+}
 
 /// The findings on some hits: one a kind of fault.
 pub fn braking(hits: &[Hit]) -> Vec<Finding> {

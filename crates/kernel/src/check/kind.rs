@@ -4,6 +4,7 @@
 use super::remedy::Remedy;
 use super::severity::Severity;
 use super::verdict::Verdict;
+use crate::bend::Mitred;
 use crate::design::{DivideJoint, ReadNote, Unused};
 use crate::divide::DivideFault;
 use crate::elastic::Basis;
@@ -404,6 +405,15 @@ pub enum FindingKind {
         /// Half the die opening, mm.
         least_mm: f64,
     },
+    /// The faces at some folds meet as mitred boards do, without what the bend of a tool takes.
+    FoldsMitred {
+        /// How many of them.
+        count: usize,
+        /// How many folds there are.
+        of: usize,
+        /// Why.
+        why: Mitred,
+    },
     /// The PDF shows the panel smaller than it is.
     PdfReduced {
         /// About how many sheets of paper it takes at true scale.
@@ -571,6 +581,7 @@ impl FindingKind {
             | Self::LinesClose { .. }
             | Self::LinesLong { .. }
             | Self::FlangeShort { .. }
+            | Self::FoldsMitred { .. }
             | Self::TooLarge { .. }
             | Self::NoSheet { .. }
             | Self::NotDivided { .. }
@@ -682,6 +693,7 @@ impl FindingKind {
             Self::LinesClose { .. } => "bend-lines-close",
             Self::LinesLong { .. } => "bend-lines-long",
             Self::FlangeShort { .. } => "flange-short",
+            Self::FoldsMitred { .. } => "folds-mitred",
         }
     }
 

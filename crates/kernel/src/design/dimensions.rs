@@ -32,4 +32,7 @@ pub struct Thick {
     pub dimensions: Dimensions,
     /// How thick the sheet is, mm.
     pub thickness_mm: f64,
+    /// The inner radius of the tool that makes sharp folds, mm; `None` where none makes them, and
+    /// their sides meet as mitred boards do.
+    pub fold_radius_mm: Option<f64>,
 }

@@ -221,6 +221,9 @@ pub struct Design {
     pub dimensions: Option<Dimensions>,
     /// How thick the sheet is, mm. Default: as its material.
     pub thickness_mm: Option<f64>,
+    /// The inner radius of the tool that makes sharp folds, mm. Default: the smallest bend radius
+    /// of the material, if it folds; the thickness, if no material is named.
+    pub bend_radius_mm: Option<f64>,
     /// What its parts are cut from, if that is said.
     pub stock: Option<Stock>,
     /// What is to be said of the drawing that it was read from; no file keeps it.
@@ -238,7 +241,11 @@ impl Design {
     /// known, and the pattern is that of the surface as it was drawn.
     pub fn thick(&self) -> Option<Thick> {
         let (dimensions, thickness_mm) = (self.dimensions?, self.sheet_thickness_mm()?);
-        Some(Thick { dimensions, thickness_mm })
+        let fold_radius_mm = self.bend_radius_mm.or(match &self.material {
+            Some(material) => material.folds().then_some(material.bend_radius_mm.value),
+            None => Some(thickness_mm),
+        });
+        Some(Thick { dimensions, thickness_mm, fold_radius_mm })
     }
 
     /// How the bends of a panel are marked.

@@ -2,13 +2,13 @@
 //! cheapest, and the other one where there are two.
 
 use super::MakeCause;
-use crate::bend::{k_factor, neutral_surface};
-use crate::check::{Checked, CheckedFrom, Subject, check};
+use crate::bend::{FoldTool, Rounded, bends_up, folded_edges, k_factor, neutral_surface, rounded};
+use crate::check::{Checked, CheckedFrom, Subject, check, mitred_folds};
 use crate::design::Thick;
 use crate::elastic::{Predicted, screen};
 use crate::flatten::{Flattened, lay_flat};
 use crate::material::Material;
-use crate::measure::{CutFrom, Measures, measures, rung_measures};
+use crate::measure::{CutFrom, Measures, RungMeasures, measures, rung_measures};
 use crate::sheet::Sheet;
 use crate::surface::{Connectivity, Surface};
 use sheetwright_geometry::boundary::{Boundary, SupportingPlane};
@@ -52,18 +52,26 @@ impl Setting<'_> {
         let surface = Surface::new(connectivity, boundary.positions());
         watch.begin(&[name], Stage::Flatten);
         let prices = Prices::new(boundary, plane, options.price);
-        let neutral = thick.map(|Thick { dimensions, thickness_mm }| {
+        let neutral = thick.map(|thick| {
             let rungs = rung_measures(&surface, &prices);
-            let radius_mm = rungs.iter().map(|r| r.bend_radius_mm).fold(f64::INFINITY, f64::min);
-            let k = k_factor(material, radius_mm, thickness_mm);
-            neutral_surface(&surface, dimensions, thickness_mm, k)
+            let k = neutral_k(thick, material, &rungs);
+            let Thick { dimensions, thickness_mm, .. } = thick;
+            (neutral_surface(&surface, dimensions, thickness_mm, k), k, rungs)
         });
-        let (sheet, flat) = lay_flat(neutral.as_ref().unwrap_or(&surface), cut, watch)
-            .map_err(MakeCause::Flatten)?;
+        let to_lay = neutral.as_ref().map_or(&surface, |(neutral, ..)| neutral);
+        let (sheet, flat) = lay_flat(to_lay, cut, watch).map_err(MakeCause::Flatten)?;
+        let tool = thick.zip(neutral.as_ref()).and_then(|(thick, (_, k, rungs))| {
+            let tool = FoldTool::at(thick, material, (*k, bends_up(&surface)))?;
+            Some((tool, folded_edges(&sheet, rungs)))
+        });
+        let Rounded { sheet, flat, folds, mitred } = match tool {
+            Some((tool, is_fold)) => rounded(sheet, flat, &is_fold, &tool),
+            None => Rounded::none(sheet, flat),
+        };
         watch.begin(&[name], Stage::Check);
         let measures = measures(CutFrom::Surface(&surface, &prices), &sheet, &flat);
         let predicted = sheet.has_rungs().then(|| screen(&sheet, &measures, material));
-        let checked = check(&Subject {
+        let mut checked = check(&Subject {
             sheet: &sheet,
             flat: &flat,
             measures: &measures,
@@ -71,6 +79,15 @@ impl Setting<'_> {
             material,
             from: CheckedFrom::Boundary(boundary, triangulation),
         });
+        mitred_folds(folds, &mitred).for_each(|finding| checked.add(finding));
         Ok(Candidate { surface, sheet, flat, measures, predicted, checked })
     }
+}
+
+/// K of a sheet at its tightest bend: that of the tool, where it is folded.
+fn neutral_k(thick: Thick, material: Option<&Material>, rungs: &[RungMeasures]) -> f64 {
+    let smooth = rungs.iter().map(|rung| rung.bend_radius_mm);
+    let folds = rungs.iter().filter(|rung| rung.is_fold).filter_map(|_| thick.fold_radius_mm);
+    let radius_mm = smooth.chain(folds).fold(f64::INFINITY, f64::min);
+    k_factor(material, radius_mm, thick.thickness_mm)
 }

@@ -14,8 +14,9 @@ use super::rebuilt::rebuilt;
 use super::skins::with_skin;
 use super::truest::truest;
 use super::{Judging, MakeCause, MakeError};
-use crate::check::{CheckedFrom, FindingKind, MeshOrigin, NetOrigin, Subject, check};
-use crate::design::{Bends, Design, DesignPanel, PanelMesh};
+use crate::bend::{FOLDED_DEG, FoldTool, Mitred, crease, rounded};
+use crate::check::{CheckedFrom, FindingKind, MeshOrigin, NetOrigin, Subject, check, mitred_folds};
+use crate::design::{Bends, Design, DesignPanel, PanelMesh, Thick};
 use crate::elastic::screen_given;
 use crate::flatten::{Aim, RelaxOptions, Relaxed, relax};
 use crate::material::{Material, stretch_limit};
@@ -24,9 +25,9 @@ use crate::mesh::{Cut, Healing, Mesh, MeshError, Specks, separated};
 use crate::pattern::Piece;
 use crate::sheet::{Seam, Sheet, cut_along, split_along_creases};
 use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
-use sheetwright_geometry::math::Point3;
+use sheetwright_geometry::math::{Point3, from_deg};
 use sheetwright_geometry::watch::{Stage, Watch};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A cut that is not necessary is made if it leaves less than this share of the largest length
 /// error.
@@ -90,7 +91,8 @@ fn make_parts(
     let material = design.material.as_ref();
     let names = names(design, panel, pieces.len());
     let made = names.into_iter().zip(pieces).map(|(name, piece)| {
-        let made = make_part([&panel.name, &name], piece, material, (settings, judging), watch);
+        let sheet = (material, design.thick());
+        let made = make_part([&panel.name, &name], piece, sheet, (settings, judging), watch);
         let made = made.map(|part| Part { bends: design.bends_of(panel), ..part });
         made.map_err(|cause| MakeError::of_panel(&name, cause))
     });
@@ -312,16 +314,18 @@ fn laid_well(
 fn make_part(
     [panel, name]: [&str; 2],
     piece: MeshPiece,
-    material: Option<&Material>,
+    (material, thick): (Option<&Material>, Option<Thick>),
     (settings, judging): (&PanelMesh, Judging),
     watch: &mut dyn Watch,
 ) -> Result<Part, MakeCause> {
     let MeshPiece { mesh, left_out, specks, healings, skins, contacts, joints, net } = piece;
     watch.begin(&[name], Stage::Flatten);
     let limit = stretch_limit(material);
+    let mut mitred = (0, BTreeMap::new());
     let (laid, darts) = match &net {
         Some(net) => {
             let (sheet, relaxed) = net.laid(&mesh)?;
+            let (sheet, relaxed) = with_tool(sheet, relaxed, material, thick, &mut mitred);
             let distortion = distortion(sheet.mesh(), &relaxed.flat.points);
             (Laid { sheet, relaxed, distortion }, 0)
         }
@@ -348,7 +352,7 @@ fn make_part(
         Some(ends.map(|v| sheet.mesh().position(v)))
     });
     let measures = measures(CutFrom::Mesh(&mesh, laid.distortion), &sheet, &flat);
-    let checked = check(&Subject {
+    let mut checked = check(&Subject {
         sheet: &sheet,
         flat: &flat,
         measures: &measures,
@@ -368,6 +372,7 @@ fn make_part(
             net: net.as_ref().map(|net| NetOrigin { meant: net.meant }),
         }),
     });
+    mitred_folds(mitred.0, &mitred.1).for_each(|finding| checked.add(finding));
     let joints = joints.into_iter().map(|joint| on_sheet(joint, &sheet)).collect();
     let rebuilt =
         settings.split_creases.filter(|_| net.is_none()).and_then(|_| rebuilt(&mesh, watch));
@@ -378,8 +383,8 @@ fn make_part(
     let (panel, name) = (panel.to_owned(), name.to_owned());
     let (bends, edges) = (Bends::default(), Vec::new());
     let origin = Origin::Given(Box::new(given));
-    // The pattern of a mesh is that of the mesh, however thick the sheet is.
-    let thick = None;
+    // A surface that bends is laid flat as it is; thickness counts at the folds of a net.
+    let thick = thick.filter(|_| is_net);
     Ok(Part {
         name,
         panel,
@@ -394,6 +399,25 @@ fn make_part(
         edges,
         origin,
     })
+}
+
+/// A piece of a net with its folds made by the tool of its sheet, where the thickness counts. Notes
+/// how many folds there are, and which no tool makes.
+fn with_tool(
+    sheet: Sheet,
+    relaxed: Relaxed,
+    material: Option<&Material>,
+    thick: Option<Thick>,
+    mitred: &mut (usize, BTreeMap<Mitred, usize>),
+) -> (Sheet, Relaxed) {
+    let creases: Vec<f64> = sheet.mesh().edges().iter().map(|e| crease(sheet.mesh(), e)).collect();
+    let bends_up = creases.iter().sum::<f64>() < 0.0;
+    let tool = thick.and_then(|thick| FoldTool::of_drawn(thick, material, bends_up));
+    let Some(tool) = tool else { return (sheet, relaxed) };
+    let is_fold: Vec<bool> = creases.iter().map(|c| c.abs() > from_deg(FOLDED_DEG)).collect();
+    let made = rounded(sheet, relaxed.flat, &is_fold, &tool);
+    *mitred = (made.folds, made.mitred);
+    (made.sheet, Relaxed { flat: made.flat, ..relaxed })
 }
 
 /// A joint by the vertices of the sheet as it is cut.

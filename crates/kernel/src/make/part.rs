@@ -25,7 +25,8 @@ pub struct Part {
     pub name: String,
     /// The panel of the design that it is made of, by name.
     pub panel: String,
-    /// Its surface as it is cut open to lie flat: the neutral one, where the thickness counts.
+    /// Its surface as it is cut open to lie flat: where the thickness counts, the neutral one with
+    /// its faces moved so that folds have what their bends take ([`crate::bend`]).
     pub sheet: Sheet,
     /// Its sheet laid flat.
     pub flat: Flattened,
@@ -166,17 +167,11 @@ impl Part {
     }
 
     /// Where the vertices of its sheet were drawn, mm. The sheet itself lies apart from there where
-    /// it is a neutral surface, and so do those of parts that were drawn to meet.
+    /// the thickness counts, and so do those of parts that were drawn to meet.
     pub(super) fn drawn(&self) -> Vec<Point3> {
-        let in_sheet = self.sheet.mesh().positions();
-        match &self.origin {
-            Origin::Given(_) => in_sheet.to_vec(),
-            Origin::Found(found) => {
-                let drawn = found.surface.positions();
-                let vertices = (0..in_sheet.len()).map(VertexIndex::new);
-                vertices.map(|v| drawn[self.sheet.origin(v).get()]).collect()
-            }
-        }
+        let drawn = self.positions();
+        let vertices = (0..self.sheet.mesh().positions().len()).map(VertexIndex::new);
+        vertices.map(|v| drawn[self.sheet.origin(v).get()]).collect()
     }
 
     /// Its triangles before it is cut, by those vertices, in the order of those of its sheet.

@@ -104,6 +104,11 @@ impl Mesh {
         Self { positions: surface.positions().to_vec(), topology }
     }
 
+    /// The mesh with its vertices elsewhere, mm: as many as there are. Nothing is looked at again.
+    pub(crate) fn moved_to(self, positions: Vec<Point3>) -> Self {
+        Self { positions, ..self }
+    }
+
     /// Where the vertices lie, mm.
     pub fn positions(&self) -> &[Point3] {
         &self.positions

@@ -15,7 +15,7 @@ pub use split::split_along_creases;
 use crate::mesh::Mesh;
 use crate::surface::{Hinge, Surface};
 use sheetwright_geometry::index::{SampleIndex, VertexIndex};
-use sheetwright_geometry::math::Point2;
+use sheetwright_geometry::math::{Point2, Point3};
 use sheetwright_optimum::rung::Rung;
 
 /// A cut that the pattern needs: its two sides are joined when the sheet is bent.
@@ -87,6 +87,17 @@ impl Sheet {
         };
         let seams = seams.into_iter().map(seam).collect();
         Self { mesh, origin, seams, first_seam: 0, rung_ends: Vec::new() }
+    }
+
+    /// The sheet with its vertices elsewhere in space, mm.
+    pub(crate) fn moved_to(mut self, positions: Vec<Point3>) -> Self {
+        self.mesh = self.mesh.moved_to(positions);
+        for seam in &mut self.seams {
+            let at = |v: VertexIndex| self.mesh.position(v);
+            let steps = seam.sides[0].windows(2).map(|pair| at(pair[0]).distance(at(pair[1])));
+            seam.length_mm = steps.sum();
+        }
+        self
     }
 
     /// The sheet with rungs, by their ends.

@@ -11,7 +11,9 @@ use sheetwright::design::{
     StockSheet, Tabs, Ticks, Triangles, Trim, TrimKind, TrimOn, Turn, Unused, Vary, VaryGoal,
 };
 use sheetwright::flatten::Aim;
-use sheetwright::material::{Grain, GrainBending, KFactor, KFactors, Material, Sourced};
+use sheetwright::material::{
+    Deduction, Deductions, Grain, GrainBending, KFactor, KFactors, Material, Sourced,
+};
 use sheetwright::triangulate::{Goal, WhichSurface};
 
 fields!(Design {
@@ -31,6 +33,7 @@ fields!(Design {
     bends,
     dimensions,
     thickness_mm,
+    bend_radius_mm,
     stock,
     notes
 });
@@ -128,9 +131,12 @@ fields!(Material {
     yield_strain,
     density_kg_per_m3,
     k_factors,
+    deductions,
     grain
 });
 fields!(KFactors { rows, source });
+fields!(Deductions { rows, source });
+fields!(Deduction { radius_mm, angle_deg, deduction_mm });
 fields!(KFactor { radius_per_thickness, k });
 fields!(Grain { along, across });
 fields!(GrainBending { modulus_n_per_mm2, bend_radius_mm });

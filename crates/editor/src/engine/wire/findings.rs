@@ -1,6 +1,7 @@
 //! What was found of a panel: values, which the page makes into sentences.
 
 use super::{Wire, fields, kinds, variants};
+use sheetwright::bend::Mitred;
 use sheetwright::check::{
     Bend, BorderSide, Division, Finding, FindingKind, Hindrance, Movement, Place, SeamCause,
     SeamPlace, TooTight,
@@ -73,7 +74,8 @@ variants!(FindingKind {
     Marked { note },
     LinesClose { count, nearest_mm, least_mm },
     LinesLong { count, longest_mm, most_mm },
-    FlangeShort { count, shortest_mm, least_mm }
+    FlangeShort { count, shortest_mm, least_mm },
+    FoldsMitred { count, of, why }
 });
 variants!(TrimNote {
     NoRoomForTabs { edge, mate, covered },
@@ -116,6 +118,7 @@ fields!(Movement { curves, moved_max_mm, moved_total_mm, size_mm, warp, twist })
 fields!(BorderSide { corners, samples });
 fields!(SeamPlace { number, ends });
 kinds!(SeamCause { NotFlat, Closed, Darts, Facets });
+kinds!(Mitred { Meets, NotFlat, Narrow });
 kinds!(Skin { Outer, Inner });
 kinds!(Damage { Filler, Doubled, Seam, OnSide, Branch, Turned, InsideOut });
 kinds!(Hindrance { Strain, Radius, Other });

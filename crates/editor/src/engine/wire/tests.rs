@@ -7,7 +7,9 @@ use sheetwright::design::{
     PanelShape, Vary, VaryGoal,
 };
 use sheetwright::make::make;
-use sheetwright::material::{Grain, GrainBending, KFactor, KFactors, Material, Sourced};
+use sheetwright::material::{
+    Deduction, Deductions, Grain, GrainBending, KFactor, KFactors, Material, Sourced,
+};
 use sheetwright::template::{catalogue, template};
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::findings::one_of_each;
@@ -58,11 +60,16 @@ fn odd_design() -> Design {
             rows: vec![KFactor { radius_per_thickness: 1.0, k: 0.38 }],
             source: "bent in the shed".to_owned(),
         }),
+        deductions: Some(Deductions {
+            rows: vec![Deduction { radius_mm: 2.0, angle_deg: 90.0, deduction_mm: 3.4 }],
+            source: "bent twice".to_owned(),
+        }),
         grain: Some(Grain { along: bending(11_800.0, 960.0), across: bending(1_040.0, 300.0) }),
     }];
     design.match_seams = true;
     design.bends = Bends { rule: BendRule::Angle(0.125), marks: BendMarks::Lines };
     (design.dimensions, design.thickness_mm) = (Some(Dimensions::Outside), Some(1.5));
+    design.bend_radius_mm = Some(2.5);
     let own = Bends { rule: BendRule::Number(7), marks: BendMarks::None };
     design.panels[0].bends = Some(own);
     design.curves[0].points[0].at.x = -0.0;
