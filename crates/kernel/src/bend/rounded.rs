@@ -8,10 +8,12 @@
 //! these stay straight. In space faces do just that within their planes: they stay flat and turned
 //! by their angles, so the sheet in space is that of faces shortened (or lengthened) by half of δ
 //! at each fold, and the flat sheet still folds up to it without an error. Outside the bends all
-//! lengths and places on a face are those that were drawn.
+//! places on a face are those that were drawn, but for what comes next.
 //!
-//! Where folds meet in a point of the border, as at the corner of a tray, the point lies where the
-//! middles of their bends cross. Where more than two do, or round a point inside the sheet, no
+//! Where two folds meet in a point of the border, as at the corner of a tray, the point lies where
+//! the middles of their bends cross. The sides of the walls run straight to it from their next
+//! vertex, so at its foot a wall is narrower by up to half of δ, where a relief is cut in any case.
+//! Where both faces of one fold have sides that slant differently, its end lies half-way between. Where more than two do, or round a point inside the sheet, no
 //! place fits all; those folds stay mitred, and are told of.
 
 use super::fold_lines::{Faces, Line, Mitred};
