@@ -48,6 +48,8 @@ fn trimming(fault: &TrimFault) -> &'static str {
             "Leave this edge out, or let the panel beside it use one curve with this one."
         }
         TrimFault::TooWide { .. } => "Make it narrower than the part.",
+        TrimFault::SlotsMeet { .. } => "Make the pitch larger, or the tabs shorter.",
+        TrimFault::DogboneWide { .. } => "Take a cutter that is no wider than the slots.",
         TrimFault::TooDense { .. } => "Make the pitch larger than the diameter.",
         TrimFault::OverTheLine { .. } => "Set an inset of the radius or more.",
         TrimFault::TooDeep { .. } => {

@@ -10,14 +10,14 @@ use crate::scene::Act;
 use crate::theme::Theme;
 use eframe::egui::{ComboBox, Id, Ui};
 use sheetwright::design::{
-    Fingers, Flange, Hem, Holes, NotchForm, Notches, Places, Puzzle, Tabs, Ticks, TrimKind,
+    Fingers, Flange, Hem, Holes, NotchForm, Notches, Places, Puzzle, Slots, Tabs, Ticks, TrimKind,
 };
 use sheetwright::math::{from_deg, to_deg};
 use sheetwright_files::{Units, usual_trim};
 use std::ops::RangeInclusive;
 
 /// The kinds beside the allowance, which has a field of its own: their names in designs and here.
-const KINDS: [(&str, &str); 8] = [
+const KINDS: [(&str, &str); 9] = [
     ("hem", "Hem"),
     ("flange", "Flange"),
     ("tabs", "Glue tabs"),
@@ -26,6 +26,7 @@ const KINDS: [(&str, &str); 8] = [
     ("ticks", "Ticks"),
     ("fingers", "Fingers"),
     ("puzzle", "Puzzle joint"),
+    ("slots", "Slots"),
 ];
 const FORMS: [(NotchForm, &str); 6] = [
     (NotchForm::Slit, "Slit"),
@@ -172,6 +173,11 @@ fn numbers_ui(ui: &mut Ui, kind: &mut TrimKind, fields: &Fields<'_>) {
         TrimKind::Fingers(Fingers { width, depth, .. }) => {
             fields.length(ui, "Finger width", width, ABOVE_0);
             fields.length(ui, "Finger depth", depth, ABOVE_0);
+        }
+        TrimKind::Slots(Slots { pitch, width, thickness, .. }) => {
+            fields.length(ui, "Tab length", width, ABOVE_0);
+            fields.length(ui, "Tab pitch", pitch, ABOVE_0);
+            fields.length(ui, "Slot width", thickness, ABOVE_0);
         }
         TrimKind::Puzzle(Puzzle { pitch, width, .. }) => {
             fields.length(ui, "Knob width", width, ABOVE_0);

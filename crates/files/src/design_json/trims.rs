@@ -61,6 +61,7 @@ pub fn usual_trim(kind: &str, thickness_mm: Option<f64>) -> Option<TrimKind> {
         "flange" => r#"{ "width": 25 }"#,
         "holes" => r#"{ "pitch": 20, "diameter": 2 }"#,
         "fingers" if thickness_mm.is_none() => r#"{ "depth": 3 }"#,
+        "slots" if thickness_mm.is_none() => r#"{ "thickness": 3 }"#,
         _ => "{}",
     };
     let mut written: Written = serde_json::from_str(written).ok()?;
@@ -252,6 +253,7 @@ mod tests {
             "ticks",
             "fingers",
             "puzzle",
+            "slots",
         ];
         for kind in kinds {
             for thickness_mm in [None, Some(2.0)] {

@@ -30,8 +30,8 @@ pub use tolerance::{
     SampleTolerance,
 };
 pub use trim::{
-    Allowance, Corner, Fingers, Flange, Hem, Holes, NotchForm, Notches, Places, Puzzle, Tabs,
-    Ticks, Trim, TrimKind, TrimOn,
+    Allowance, Corner, Fingers, Flange, Hem, Holes, NotchForm, Notches, Places, Puzzle, Slots,
+    Tabs, Ticks, Trim, TrimKind, TrimOn,
 };
 pub use vary::{MovedBy, Vary, VaryGoal};
 

@@ -2,7 +2,7 @@
 //!
 //! A trim stands on edges, over a span of each. One on edges that are joined is made on both, at
 //! equal shares of their common length. Of trims that move the cut line (allowances, hems, flanges,
-//! tabs, fingers and puzzles), an edge has one: the last in the list takes the place of the others.
+//! tabs, fingers, slots and puzzles), an edge has one: the last in the list takes the place of the others.
 
 /// What is done along some edges.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,6 +65,8 @@ pub enum TrimKind {
     Fingers(Fingers),
     /// Knobs of one of two joined edges in sockets of the other.
     Puzzle(Puzzle),
+    /// Tabs of one of two joined edges through slots of the other.
+    Slots(Slots),
 }
 
 impl TrimKind {
@@ -80,6 +82,7 @@ impl TrimKind {
             Self::Ticks(_) => "ticks",
             Self::Fingers(_) => "fingers",
             Self::Puzzle(_) => "puzzle",
+            Self::Slots(_) => "slots",
         }
     }
 
@@ -250,4 +253,23 @@ pub struct Puzzle {
     pub width: f64,
     /// How much wider sockets are than knobs.
     pub clearance: f64,
+}
+
+/// See [`TrimKind::Slots`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slots {
+    /// The distance from tab to tab, about.
+    pub pitch: f64,
+    /// The length of a tab along the edge.
+    pub width: f64,
+    /// How far tabs reach beyond the net line.
+    pub depth: f64,
+    /// The thickness of the sheet with the tabs: slots are as wide.
+    pub thickness: f64,
+    /// How much longer and wider slots are than tabs.
+    pub clearance: f64,
+    /// How much material stays beyond the slots.
+    pub beyond: f64,
+    /// The diameter of the holes in the corners of slots, which a round cutter needs; 0 without.
+    pub dogbone: f64,
 }

@@ -68,6 +68,8 @@ pub(super) struct Making {
     pub(super) added: Vec<Vec<Point2>>,
     /// Polygons that are taken from what is added.
     pub(super) removed: Vec<Vec<Point2>>,
+    /// Polygons that are taken from what is added beyond the net, as slots through it.
+    pub(super) slotted: Vec<Vec<Point2>>,
     /// Polygons that are taken from the net, too.
     pub(super) carved: Vec<Vec<Point2>>,
     /// The centres and radii of holes, mm.
@@ -83,7 +85,9 @@ impl Making {
     /// # Errors
     /// Cut lines that part the piece.
     pub(super) fn cut(self, net: &[Vec<Point2>]) -> Result<Trimmed, TrimFault> {
-        let Self { added, removed, carved, mut paths, labels, mut notes, .. } = self;
+        let Self { added, removed, slotted, carved, mut paths, labels, mut notes, .. } = self;
+        let slots = combined(&[], &slotted, &[]).len();
+        let removed = [removed, slotted].concat();
         let mut cut = None;
         if !(added.is_empty() && carved.is_empty()) {
             let mut lines = net.to_vec();
@@ -100,7 +104,7 @@ impl Making {
             }
             let region = regions.remove(0);
             let (of_net, of_cut) = (net.len() - 1, region.holes.len());
-            if of_net != of_cut {
+            if of_net + slots != of_cut {
                 notes.push(TrimNote::Closes { of_net, of_cut });
             }
             let outside_mm2 = outside_mm2(net, &region);

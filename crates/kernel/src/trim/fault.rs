@@ -57,6 +57,24 @@ pub enum TrimFault {
         /// The width of the material beyond the net line there, mm.
         margin_mm: f64,
     },
+    /// Slots run into one another.
+    SlotsMeet {
+        /// The edge.
+        edge: String,
+        /// How long a slot is with the holes in its corners, mm.
+        slot_mm: f64,
+        /// The distance from slot to slot, mm.
+        pitch_mm: f64,
+    },
+    /// The holes in the corners of slots are wider than these.
+    DogboneWide {
+        /// The edge.
+        edge: String,
+        /// Their diameter, mm.
+        dogbone_mm: f64,
+        /// How wide a slot is, mm.
+        slot_mm: f64,
+    },
     /// A part is too large for exact cuts.
     TooLarge {
         /// The largest coordinate of a part that is trimmed, mm.
@@ -98,6 +116,16 @@ impl fmt::Display for TrimFault {
                 f,
                 "edge '{edge}': a notch {depth_mm:.2} mm deep reaches into the part, which has \
                  {margin_mm:.2} mm of allowance there"
+            ),
+            Self::SlotsMeet { edge, slot_mm, pitch_mm } => write!(
+                f,
+                "edge '{edge}': slots of {slot_mm:.2} mm run into one another at {pitch_mm:.2} mm \
+                 from one to the next"
+            ),
+            Self::DogboneWide { edge, dogbone_mm, slot_mm } => write!(
+                f,
+                "edge '{edge}': holes of {dogbone_mm:.2} mm in the corners are wider than the \
+                 slots, which have {slot_mm:.2} mm"
             ),
             Self::TooLarge { most_mm } => write!(
                 f,

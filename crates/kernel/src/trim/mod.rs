@@ -234,7 +234,8 @@ impl<'a> Work<'a> {
 
 /// Whether it joins two edges.
 fn is_joint(kind: &TrimKind) -> bool {
-    matches!(kind, TrimKind::Tabs(_) | TrimKind::Fingers(_) | TrimKind::Puzzle(_))
+    use TrimKind::{Fingers, Puzzle, Slots, Tabs};
+    matches!(kind, Tabs(_) | Fingers(_) | Puzzle(_) | Slots(_))
 }
 
 /// The strip of a trim: its widths, mm, and its form.

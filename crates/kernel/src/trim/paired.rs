@@ -2,7 +2,7 @@
 
 use super::cut::TrimNote;
 use super::holes::{distance_mm, drilled};
-use super::joints::{Jointed, fingers, puzzle};
+use super::joints::{Jointed, fingers, puzzle, slots};
 use super::notches::{notched, ticked};
 use super::part::TrimPart;
 use super::places::{of_holes, of_marks};
@@ -84,7 +84,7 @@ impl Work<'_> {
         pair.places().zip(lengths).map(spot).collect()
     }
 
-    /// Tabs, fingers and puzzle joints.
+    /// Tabs, fingers, puzzle joints and slots.
     pub(super) fn join(&mut self) -> Result<(), Faulted> {
         let trims = self.trims;
         for (number, trim) in trims.iter().enumerate().filter(|(_, trim)| is_joint(&trim.kind)) {
@@ -105,6 +105,11 @@ impl Work<'_> {
                     }
                     TrimKind::Fingers(kind) => fingers(stretches, &pair.shared, kind),
                     TrimKind::Puzzle(kind) => puzzle(stretches, &pair.shared, kind),
+                    TrimKind::Slots(kind) => {
+                        let called = || self.edge_name(mate);
+                        let made = slots(stretches, &pair.shared, kind, called);
+                        made.map_err(|fault| (Some(mate.part), fault))?
+                    }
                     _ => continue,
                 };
                 self.add_joint([pair.first, mate], jointed);
@@ -114,7 +119,8 @@ impl Work<'_> {
     }
 
     fn add_joint(&mut self, places: [EdgePlace; 2], jointed: Jointed) {
-        let Jointed { added, removed } = jointed;
+        let Jointed { added, removed, slots } = jointed;
+        self.made[places[1].part].slotted.extend(slots);
         for (place, (added, removed)) in places.into_iter().zip(added.into_iter().zip(removed)) {
             self.made[place.part].added.extend(added);
             self.made[place.part].carved.extend(removed);

@@ -2,13 +2,13 @@
 
 use super::{TrimFault, TrimNote, TrimPart, Trimmed, trimmed};
 use crate::design::{
-    Allowance, Corner, Fingers, Flange, Hem, Holes, NotchForm, Notches, Places, Puzzle, Tabs,
-    Ticks, Trim, TrimKind, TrimOn,
+    Allowance, Corner, Fingers, Flange, Hem, Holes, NotchForm, Notches, Places, Puzzle, Slots,
+    Tabs, Ticks, Trim, TrimKind, TrimOn,
 };
 use crate::edge::{Edge, EdgePlace, EdgeSource};
 use crate::pattern::PathKind;
 use sheetwright_geometry::math::{Point2, Point3, Vec2, cos, from_deg, sin};
-use sheetwright_geometry::predicate::{first_crossing, signed_area_doubled};
+use sheetwright_geometry::predicate::{Box2, first_crossing, signed_area_doubled};
 use sheetwright_geometry::region::Region;
 use sheetwright_shapes::random::Random;
 
@@ -389,6 +389,59 @@ fn fingers_and_knobs_fit_into_the_other_side() {
     let made = trim(&parts, &[Trim::new([TrimOn::Joined], knobs)]).unwrap();
     let [left, right] = [0, 1].map(|n| cut(&made[n]).area_mm2());
     assert!(left > 6000.0 && right < 2400.0 && left + right < 8400.0, "{left}, {right}");
+}
+
+const SLOTS: Slots = Slots {
+    pitch: 20.0,
+    width: 10.0,
+    depth: 4.0,
+    thickness: 3.0,
+    clearance: 0.2,
+    beyond: 5.0,
+    dogbone: 0.0,
+};
+
+#[test]
+fn tabs_go_through_slots_in_a_strip_beyond_the_other_net_line() {
+    let parts = joined(60.0);
+    let made = trim(&parts, &[Trim::new([TrimOn::Joined], TrimKind::Slots(SLOTS))]).unwrap();
+    let areas = [0, 1].map(|n| cut(&made[n]).area_mm2());
+    assert!((areas[0] - 6000.0 - 3.0 * 40.0).abs() < 1e-6, "three tabs: {}", areas[0]);
+    let strip_mm2 = 60.0 * 8.2 - 3.0 * 10.2 * 3.2;
+    assert!((areas[1] - 2400.0 - strip_mm2).abs() < 1e-6, "{}", areas[1]);
+    let holes = &made[1].cut.as_ref().unwrap().holes;
+    assert_eq!(holes.len(), 3);
+    assert!(made.iter().all(|part| part.notes.is_empty()), "{:?}", made[1].notes);
+    // Each slot is closed, and its middle lies beside that of its tab.
+    for hole in holes {
+        let area = 0.5 * signed_area_doubled(hole).abs();
+        assert!((area - 10.2 * 3.2).abs() < 1e-6, "{area}");
+    }
+    // Holes in the corners lengthen a slot by their radius at both ends, and widen it nowhere.
+    let dogbones = TrimKind::Slots(Slots { dogbone: 1.5, ..SLOTS });
+    let made = trim(&parts, &[Trim::new([TrimOn::Joined], dogbones)]).unwrap();
+    let size = |hole: &Vec<Point2>| {
+        let around = Box2::of_points(hole.iter().copied()).unwrap();
+        let size = around.max - around.min;
+        [size.x.max(size.y), size.x.min(size.y)]
+    };
+    let region = made[1].cut.as_ref().unwrap();
+    assert_eq!(region.holes.len(), 3);
+    for [long, wide] in region.holes.iter().map(size) {
+        assert!((long - 11.7).abs() < 1e-2 && (wide - 3.2).abs() < 1e-6, "{long} {wide}");
+    }
+}
+
+#[test]
+fn slots_that_meet_and_corners_wider_than_slots_are_refused() {
+    let parts = joined(60.0);
+    let fault = |slots: Slots| {
+        trim(&parts, &[Trim::new([TrimOn::Joined], TrimKind::Slots(slots))]).err().unwrap()
+    };
+    let meeting = fault(Slots { width: 20.0, ..SLOTS });
+    assert!(matches!(meeting, TrimFault::SlotsMeet { pitch_mm: 20.0, .. }), "{meeting}");
+    let wide = fault(Slots { dogbone: 3.5, ..SLOTS });
+    assert!(matches!(wide, TrimFault::DogboneWide { .. }), "{wide}");
 }
 
 #[test]

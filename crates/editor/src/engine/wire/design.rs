@@ -7,7 +7,7 @@ use sheetwright::design::{
     Allowance, Axis, BendMarks, BendRule, Bends, Corner, CurveUse, Design, DesignCurve,
     DesignPanel, Dimensions, Divide, DivideJoint, Fingers, Flange, Hem, Holes, Join, Mark, MarkAt,
     MarkKind, MarkOn, MarkWay, MovedBy, NotchForm, Notches, PanelMesh, PanelMethod, PanelShape,
-    Places, Puzzle, ReadNote, SampleTolerance, SheetForm, StationPlaces, StationPlane, Stock,
+    Places, Puzzle, ReadNote, SampleTolerance, SheetForm, Slots, StationPlaces, StationPlane, Stock,
     StockSheet, Tabs, Ticks, Triangles, Trim, TrimKind, TrimOn, Turn, Unused, Vary, VaryGoal,
 };
 use sheetwright::flatten::Aim;
@@ -107,6 +107,7 @@ fields!(Notches { at, form, depth, width, count, gap });
 fields!(Ticks { at, length, numbered });
 fields!(Fingers { width, depth, clearance });
 fields!(Puzzle { pitch, width, clearance });
+fields!(Slots { pitch, width, depth, thickness, clearance, beyond, dogbone });
 kinds!(Corner {
     ByLength,
     ByIntersection,
@@ -186,6 +187,7 @@ impl Wire for TrimKind {
             Self::Ticks(kind) => tagged(6, kind, out),
             Self::Fingers(kind) => tagged(7, kind, out),
             Self::Puzzle(kind) => tagged(8, kind, out),
+            Self::Slots(kind) => tagged(9, kind, out),
         }
     }
 
@@ -200,6 +202,7 @@ impl Wire for TrimKind {
             6 => Self::Ticks(Wire::take(from)?),
             7 => Self::Fingers(Wire::take(from)?),
             8 => Self::Puzzle(Wire::take(from)?),
+            9 => Self::Slots(Wire::take(from)?),
             _ => return None,
         })
     }

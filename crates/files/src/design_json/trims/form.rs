@@ -176,6 +176,31 @@ pub(super) enum KindFile {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         clearance: Option<LengthFile>,
     },
+    /// Tabs of one of two joined edges through slots of the other, in a strip beyond its net line.
+    Slots {
+        /// The distance from tab to tab, about. Default: three times `width`.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        pitch: Option<LengthFile>,
+        /// The length of a tab along the edge. Default: five times `thickness`.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        width: Option<LengthFile>,
+        /// How far tabs reach beyond the net line. Default: as `thickness`.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        depth: Option<LengthFile>,
+        /// The thickness of the sheet with the tabs: slots are as wide. Default: 1 t.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        thickness: Option<LengthFile>,
+        /// How much longer and wider slots are than tabs. Default: 0.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        clearance: Option<LengthFile>,
+        /// How much material stays beyond the slots. Default: twice `thickness`.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        beyond: Option<LengthFile>,
+        /// The diameter of the holes in the corners of slots, which a round cutter needs. Default:
+        /// 0, none.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        dogbone: Option<LengthFile>,
+    },
     /// Knobs of one of two joined edges in sockets of the other.
     Puzzle {
         /// The distance from knob to knob, about. Default: twice `width`.

@@ -9,8 +9,8 @@ use crate::table::in_range_mm;
 use crate::units::Units;
 use serde_json::Value;
 use sheetwright::design::{
-    Allowance, Fingers, Flange, Hem, Holes, Notches, Places, Puzzle, Tabs, Ticks, Trim, TrimKind,
-    TrimOn,
+    Allowance, Fingers, Flange, Hem, Holes, Notches, Places, Puzzle, Slots, Tabs, Ticks, Trim,
+    TrimKind, TrimOn,
 };
 use sheetwright::math::from_deg;
 
@@ -130,18 +130,26 @@ impl Reader {
                 numbered,
             }),
             KindFile::Fingers { width, depth, clearance } => {
-                let depth = match (depth, self.thickness_mm) {
-                    (Some(depth), _) => self.above_0("depth", &depth)?,
-                    (None, Some(thickness)) => thickness,
-                    (None, None) => {
-                        let hint = "Name a material, or write the `depth` of the fingers.";
-                        return Err(problem("the thickness of the sheet is not known", hint));
-                    }
-                };
+                let hint = "Name a material, or write the `depth` of the fingers.";
+                let depth = self.as_thick("depth", depth, hint)?;
                 TrimKind::Fingers(Fingers {
                     width: self.above_0_or("width", width, 3.0 * depth)?,
                     depth,
                     clearance: clearance.map_or(Ok(0.0), |l| self.mm("clearance", &l))?,
+                })
+            }
+            KindFile::Slots { pitch, width, depth, thickness, clearance, beyond, dogbone } => {
+                let hint = "Name a material, or write the `thickness` of the tabs.";
+                let thickness = self.as_thick("thickness", thickness, hint)?;
+                let width = self.above_0_or("width", width, 5.0 * thickness)?;
+                TrimKind::Slots(Slots {
+                    pitch: self.above_0_or("pitch", pitch, 3.0 * width)?,
+                    width,
+                    depth: self.above_0_or("depth", depth, thickness)?,
+                    thickness,
+                    clearance: clearance.map_or(Ok(0.0), |l| self.mm("clearance", &l))?,
+                    beyond: self.above_0_or("beyond", beyond, 2.0 * thickness)?,
+                    dogbone: dogbone.map_or(Ok(0.0), |l| self.mm("dogbone", &l))?,
                 })
             }
             KindFile::Puzzle { pitch, width, clearance } => {
@@ -153,6 +161,20 @@ impl Reader {
                 })
             }
         })
+    }
+
+    /// A length that is the thickness of the sheet where none is written.
+    fn as_thick(
+        &self,
+        field: &str,
+        written: Option<LengthFile>,
+        hint: &'static str,
+    ) -> Result<f64, Problem> {
+        match (written, self.thickness_mm) {
+            (Some(length), _) => self.above_0(field, &length),
+            (None, Some(thickness)) => Ok(thickness),
+            (None, None) => Err(problem("the thickness of the sheet is not known", hint)),
+        }
     }
 
     fn places(

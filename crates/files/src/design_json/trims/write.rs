@@ -87,6 +87,15 @@ fn kind_file(kind: &TrimKind) -> KindFile {
             depth: some(fingers.depth),
             clearance: some(fingers.clearance),
         },
+        TrimKind::Slots(slots) => KindFile::Slots {
+            pitch: some(slots.pitch),
+            width: some(slots.width),
+            depth: some(slots.depth),
+            thickness: some(slots.thickness),
+            clearance: some(slots.clearance),
+            beyond: some(slots.beyond),
+            dogbone: some(slots.dogbone),
+        },
         TrimKind::Puzzle(puzzle) => KindFile::Puzzle {
             pitch: some(puzzle.pitch),
             width: some(puzzle.width),

@@ -205,6 +205,7 @@ fn beyond_mm(trims: &[Trim]) -> f64 {
         TrimKind::Flange(flange) => flange.width,
         TrimKind::Tabs(tabs) => tabs.width,
         TrimKind::Fingers(fingers) => fingers.depth,
+        TrimKind::Slots(slots) => slots.depth.max(slots.thickness + slots.clearance + slots.beyond),
         TrimKind::Puzzle(puzzle) => knobs::REACH * puzzle.width,
         TrimKind::Notches(notches) if notches.form.is_outward() => notches.depth,
         TrimKind::Holes(_) | TrimKind::Notches(_) | TrimKind::Ticks(_) => 0.0,
