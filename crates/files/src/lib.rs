@@ -17,6 +17,7 @@
 //! ```
 
 mod archive;
+mod arcs;
 mod astm;
 mod bend_rule;
 mod book;
@@ -71,7 +72,7 @@ pub use brake::BrakeSettings;
 pub use catalogue::{catalogue_json, catalogue_text, parameter_table, template_text};
 pub use design_json::{read_drawn, trims_for, usual_trim, write_design, write_drawn};
 pub use drawing::{Drawing, Mirror, Plan, Reference};
-pub use dxf::{read_dxf, write_dxf, write_dxf_for};
+pub use dxf::{read_dxf, write_dxf, write_dxf_for, write_dxf_with};
 pub use fold::write_fold;
 pub use format::Format;
 pub use hint::{hint_for, hint_in_design, remedy_for};

@@ -4,7 +4,7 @@ use crate::astm::write_astm;
 use crate::book::Book;
 use crate::brake::BrakeSettings;
 use crate::design_json::write_design_of_table;
-use crate::dxf::write_dxf_for;
+use crate::dxf::write_dxf_with;
 use crate::fold::write_fold;
 use crate::format::Format;
 use crate::names::{folded, refused_for_file};
@@ -57,10 +57,7 @@ const fn files_of(format: Format) -> &'static [(FileName, Writer)] {
             OfPart(".svg"),
             Writer::Piece(|piece, options| write_svg_for(piece, options.preset)),
         )],
-        Format::Dxf => &[(
-            OfPart(".dxf"),
-            Writer::Piece(|piece, options| write_dxf_for(piece, options.preset, options.release())),
-        )],
+        Format::Dxf => &[(OfPart(".dxf"), Writer::Piece(|piece, options| options.dxf_of(piece)))],
         Format::Pdf => &[(Whole("pattern.pdf"), Writer::Design(|run| Ok(run.pdf())))],
         Format::Quads => {
             &[(Whole("quads.obj"), Writer::Design(|run| Ok(write_quads(&run.named_quads()))))]
@@ -97,9 +94,7 @@ const fn files_of(format: Format) -> &'static [(FileName, Writer)] {
             ),
             (
                 OfSheets(".dxf"),
-                Writer::Piece(|piece, options| {
-                    write_dxf_for(piece, options.preset, options.release())
-                }),
+                Writer::Piece(|piece, options| options.dxf_of(piece)),
             ),
         ],
         Format::Assembly => &[(Whole("assembly.pdf"), Writer::Design(|run| Ok(run.book())))],
@@ -130,6 +125,9 @@ pub struct OutputOptions {
     pub preset: &'static Preset,
     /// The release of DXF files. Default: that of the preset.
     pub dxf: Option<DxfRelease>,
+    /// How near arcs in DXF files stay to the cut lines that they take the place of, mm. Default:
+    /// cut lines have straight sides.
+    pub arcs_mm: Option<f64>,
     /// The stations of the table of offsets.
     pub offsets: OffsetOptions,
     /// The machine that the plan of bends is for.
@@ -149,6 +147,7 @@ impl Default for OutputOptions {
             report: ReportForm::default(),
             preset: Preset::generic(),
             dxf: None,
+            arcs_mm: None,
             offsets: OffsetOptions::default(),
             brake: BrakeSettings::default(),
             each_part: false,
@@ -174,13 +173,16 @@ impl OutputOptions {
         Self {
             preset: chosen.or_else(|| trade?.preset()).unwrap_or(Preset::generic()),
             dxf: release.or_else(|| of_trade?.dxf()),
+            arcs_mm: design.arcs_mm,
             kerf_mm: design.stock.as_ref().map_or(0.0, |stock| stock.kerf_mm),
             ..Self::default()
         }
     }
 
-    fn release(&self) -> DxfRelease {
-        self.dxf.unwrap_or(self.preset.dxf)
+    /// The DXF file of a piece.
+    fn dxf_of(&self, piece: &Piece) -> Vec<u8> {
+        let release = self.dxf.unwrap_or(self.preset.dxf);
+        write_dxf_with(piece, self.preset, release, self.arcs_mm)
     }
 }
 
@@ -529,7 +531,8 @@ impl<'a> Run<'a> {
             };
             let piece = if is_first { &self.patterns[pattern].piece } else { &part.piece };
             let (svg, dxf) = (written(Format::Svg), written(Format::Dxf));
-            let files = PatternFiles { svg, dxf, preset: self.options.preset };
+            let OutputOptions { preset, arcs_mm, .. } = self.options;
+            let files = PatternFiles { svg, dxf, preset, arcs_mm };
             let mut checked = part.checked.clone();
             let cut = self.with_kerf.as_ref().filter(|_| is_first).map(|cut| &cut[pattern]);
             let error_mm = match refolded_mm(part, piece, cut, &files) {

@@ -1,5 +1,6 @@
 //! Reads written patterns back and folds them up again.
 
+use crate::arcs::Arcs;
 use crate::dxf::dxf_lines;
 use crate::preset::{Layer, Preset};
 use crate::read_back::{
@@ -66,7 +67,7 @@ pub fn refold_error_mm(
     dxf: Option<&[u8]>,
 ) -> Result<f64, RefoldFileError> {
     let preset = Preset::generic();
-    refold_files_error_mm(part, &PatternFiles { svg, dxf, preset })
+    refold_files_error_mm(part, &PatternFiles { svg, dxf, preset, arcs_mm: None })
 }
 
 /// The files of a pattern that were written.
@@ -78,6 +79,8 @@ pub struct PatternFiles<'a> {
     pub dxf: Option<&'a [u8]>,
     /// The preset that both are written for.
     pub preset: &'static Preset,
+    /// How near the arcs of the DXF stay to the cut lines, mm, if it has arcs.
+    pub arcs_mm: Option<f64>,
 }
 
 /// As [`refold_error_mm`], for the files of any preset.
@@ -214,19 +217,21 @@ fn read_patterns(
     files: &PatternFiles<'_>,
 ) -> Result<Vec<(ReadPattern, f64)>, RefoldFileError> {
     let preset = files.preset;
-    let mut read: Vec<Result<Vec<ReadLine>, PatternReadError>> = Vec::new();
-    read.extend(files.svg.map(|bytes| svg_lines(bytes, preset)));
-    read.extend(files.dxf.map(|bytes| dxf_lines(bytes, preset)));
+    let mut read: Vec<(Result<Vec<ReadLine>, PatternReadError>, Option<f64>)> = Vec::new();
+    read.extend(files.svg.map(|bytes| (svg_lines(bytes, preset), None)));
+    read.extend(files.dxf.map(|bytes| (dxf_lines(bytes, preset), files.arcs_mm)));
     if read.is_empty() {
-        read.push(svg_lines(&write_svg_for(piece, preset), preset));
+        read.push((svg_lines(&write_svg_for(piece, preset), preset), None));
     }
     let laid: Vec<Point2> = piece.net_loops().flatten().copied().collect();
     let shapes = shapes(piece);
     let is_hidden = |path: &&PatternPath| !preset.draws_lines(path.role);
     let hidden = piece.paths.iter().filter(is_hidden).filter_map(PatternPath::rung);
     let hidden: Vec<Rung> = hidden.collect();
-    let pattern_of = |lines: Result<Vec<ReadLine>, PatternReadError>| {
-        let (lines, off_mm) = sorted(&lines.map_err(RefoldFileError::Read)?, &shapes, preset)?;
+    let pattern_of = |(lines, arcs_mm): (Result<Vec<ReadLine>, PatternReadError>, _)| {
+        let lines = lines.map_err(RefoldFileError::Read)?;
+        let arcs = Option::map(arcs_mm, |mm| Arcs::of(&shapes, mm));
+        let (lines, off_mm) = sorted(&lines, &shapes, preset, arcs.as_ref())?;
         let read = match overlapping {
             Some(rungs) => overlapping_pattern(lines, &laid, rungs),
             None => pattern(lines),
@@ -243,34 +248,45 @@ fn read_patterns(
 /// The lines of a file, each with the shape that it draws, told apart into outline, holes, net and
 /// segments, in the order of the piece. Every line of the piece must be there, on its layer and in
 /// the order of the preset, and nothing else. Also how far lines are off that are not folded up,
-/// mm.
+/// mm: where cut lines have arcs, those of the file must be the ones that are fitted to the piece,
+/// and the line of the piece, from which they were fitted within the tolerance, is folded up.
 fn sorted(
     read: &[ReadLine],
     shapes: &[Shape],
     preset: &Preset,
+    arcs: Option<&Arcs>,
 ) -> Result<(Lines, f64), RefoldFileError> {
-    let drawn: Vec<(&Layer, &Shape, FileLine)> = preset.lines(shapes).collect();
+    let fitted = |shape: &Shape, line| match arcs {
+        Some(arcs) => arcs.fitted(shape, line),
+        None => line,
+    };
+    let drawn =
+        preset.lines(shapes).map(|(layer, shape, line)| (layer, shape, fitted(shape, line)));
+    let drawn: Vec<(&Layer, &Shape, FileLine)> = drawn.collect();
     let is_like = |(read, (layer, _, line)): (&ReadLine, &(&Layer, &Shape, FileLine))| {
         read.layer == *layer && read.line.is_like(line)
     };
     if read.len() != drawn.len() || !read.iter().zip(&drawn).all(is_like) {
         return Err(RefoldFileError::Lines);
     }
-    let mut lines = Lines::default();
-    for what in [What::Outline, What::Hole, What::Net] {
-        let of_kind = read.iter().zip(&drawn).filter(|(_, (_, shape, _))| shape.what == what);
-        let points = of_kind.map(|(read, _)| read.line.points.clone());
-        if what == What::Net { &mut lines.net } else { &mut lines.cuts }.extend(points);
-    }
     let corner = |points: &mut dyn Iterator<Item = Point2>| {
         Box2::of_points(points).map_or(Point2::default(), |around| around.min)
     };
     let to_piece = corner(&mut drawn.iter().flat_map(|(.., line)| line.points.iter().copied()))
         - corner(&mut read.iter().flat_map(|read| read.line.points.iter().copied()));
+    let mut lines = Lines::default();
+    let moved = |line: &Vec<Point2>| line.iter().map(|p| *p + -to_piece).collect();
+    for what in [What::Outline, What::Hole, What::Net] {
+        let of_kind = read.iter().zip(&drawn).filter(|(_, (_, shape, _))| shape.what == what);
+        let points = of_kind.flat_map(|(read, (_, shape, _))| match arcs {
+            Some(_) if what != What::Net => shape.lines.iter().map(moved).collect(),
+            _ => vec![read.line.points.clone()],
+        });
+        if what == What::Net { &mut lines.net } else { &mut lines.cuts }.extend(points);
+    }
     if !preset.shows(Role::Net) {
         // The net of the piece, where the file would have it.
         let net = shapes.iter().filter(|shape| shape.what == What::Net).flat_map(|s| &s.lines);
-        let moved = |line: &Vec<Point2>| line.iter().map(|p| *p + -to_piece).collect();
         lines.net.extend(net.map(moved));
     }
     let has_net = !lines.net.is_empty();
@@ -282,7 +298,7 @@ fn sorted(
             lines.segments.push([from, to]);
         }
         let is_folded = match shape.what {
-            What::Outline | What::Hole => !has_net,
+            What::Outline | What::Hole => !has_net && arcs.is_none(),
             What::Net => true,
             What::Rung(_) => layer.filled_mm.is_none(),
             _ => false,

@@ -70,6 +70,9 @@ pub(crate) struct FileLine {
     /// Its corners, mm; of a circle, its centre.
     pub(crate) points: Vec<Point2>,
     pub(crate) form: Form,
+    /// The bulge of the side from each corner to the next: the tangent of a quarter of the angle of
+    /// an arc, positive counter-clockwise, 0 of a straight side. Empty if all are straight.
+    pub(crate) bulges: Vec<f64>,
 }
 
 /// How a line of a file runs.
@@ -86,11 +89,12 @@ pub(crate) enum Form {
 
 impl FileLine {
     pub(crate) fn polyline(points: Vec<Point2>, closed: bool) -> Self {
-        Self { points, form: if closed { Form::Closed } else { Form::Open } }
+        let form = if closed { Form::Closed } else { Form::Open };
+        Self { points, form, bulges: Vec::new() }
     }
 
     pub(crate) fn circle(centre: Point2, radius_mm: f64) -> Self {
-        Self { points: vec![centre], form: Form::Circle { radius_mm } }
+        Self { points: vec![centre], form: Form::Circle { radius_mm }, bulges: Vec::new() }
     }
 
     /// A closed line that runs along an open one and back.
@@ -130,7 +134,15 @@ impl FileLine {
             (Form::Circle { radius_mm: a }, Form::Circle { radius_mm: b }) => (a - b).abs(),
             _ => 0.0,
         };
-        corners.fold(radii, |worst, off| if off > worst || off.is_nan() { off } else { worst })
+        // An arc rises over half of its chord by its bulge.
+        let bulge = |line: &Self, n: usize| line.bulges.get(n).copied().unwrap_or(0.0);
+        let rises = (0..self.points.len()).map(|n| {
+            let half_mm = 0.5 * self.points[n].distance(self.points[(n + 1) % self.points.len()]);
+            (bulge(self, n) - bulge(other, n)).abs() * half_mm
+        });
+        corners
+            .chain(rises)
+            .fold(radii, |worst, off| if off > worst || off.is_nan() { off } else { worst })
     }
 }
 

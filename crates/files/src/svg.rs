@@ -137,7 +137,7 @@ fn drawn(
         What::Outline if is_one => format!("id=\"outline\" {}", named(shape)),
         _ => named(shape),
     };
-    if let [FileLine { points, form: Form::Circle { radius_mm } }] = lines {
+    if let [FileLine { points, form: Form::Circle { radius_mm }, .. }] = lines {
         let [x, y] = place(&points[0]);
         let r = digits(*radius_mm);
         return format!("<circle {name} cx=\"{x}\" cy=\"{y}\" r=\"{r}\"/>\n");

@@ -4,10 +4,12 @@
 use sheetwright::make::{Made, Part, make};
 use sheetwright::math::{Point2, Vec2};
 use sheetwright::pattern::{LabelKind, PathKind, PatternLabel, PatternPath, Role};
+use sheetwright::predicate::signed_area_doubled;
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
     DxfRelease, Format, OutputOptions, PatternFiles, Preset, ReadOptions, RefoldFileError,
-    output_files, read_dxf, read_input, refold_files_error_mm, write_dxf_for, write_svg_for,
+    output_files, read_dxf, read_input, refold_files_error_mm, write_dxf_for, write_dxf_with,
+    write_svg_for,
 };
 use std::path::Path;
 
@@ -61,11 +63,13 @@ fn groups(svg: &[u8]) -> Vec<(String, String)> {
 fn proved(part: &Part, written: &Part, preset: &'static Preset) -> Result<f64, RefoldFileError> {
     let mut worst = 0.0f64;
     let svg = write_svg_for(&written.piece, preset);
-    worst = worst
-        .max(refold_files_error_mm(part, &PatternFiles { svg: Some(&svg), dxf: None, preset })?);
+    worst = worst.max(refold_files_error_mm(
+        part,
+        &PatternFiles { svg: Some(&svg), dxf: None, preset, arcs_mm: None },
+    )?);
     for release in DxfRelease::ALL {
         let dxf = write_dxf_for(&written.piece, preset, release);
-        let files = PatternFiles { svg: None, dxf: Some(&dxf), preset };
+        let files = PatternFiles { svg: None, dxf: Some(&dxf), preset, arcs_mm: None };
         worst = worst.max(refold_files_error_mm(part, &files)?);
     }
     Ok(worst)
@@ -244,4 +248,36 @@ fn the_docs_list_every_layer_of_every_preset() {
     });
     let missing: Vec<String> = rows.filter(|row| !docs.contains(row.as_str())).collect();
     assert!(missing.is_empty(), "docs/outputs.md lacks these rows:\n{}", missing.join("\n"));
+}
+
+/// Files with arcs are the pattern within the tolerance: their lines are those that are fitted to
+/// it, and its area and length agree with theirs.
+#[test]
+fn files_with_arcs_are_proved_and_read_back_within_the_tolerance() {
+    let made = made("examples/three-cones.sheet.json");
+    for part in &made.parts {
+        for (release, arcs_mm) in [(DxfRelease::R12, 0.02), (DxfRelease::R2000, 0.1)] {
+            let preset = Preset::generic();
+            let plain = write_dxf_for(&part.piece, preset, release);
+            let dxf = write_dxf_with(&part.piece, preset, release, Some(arcs_mm));
+            assert!(text(&dxf).contains("\r\n 42\r\n"), "{}", part.name);
+            assert!(dxf.len() < plain.len());
+            let files = PatternFiles { svg: None, dxf: Some(&dxf), preset, arcs_mm: Some(arcs_mm) };
+            assert!(refold_files_error_mm(part, &files).unwrap() < 1e-6);
+            // They are no straight sides, and no arcs of another tolerance.
+            let straight = PatternFiles { arcs_mm: None, ..files };
+            assert!(refold_files_error_mm(part, &straight).is_err());
+            let finer = PatternFiles { arcs_mm: Some(0.1 * arcs_mm), ..files };
+            assert!(refold_files_error_mm(part, &finer).is_err());
+            let [with, without] = [&dxf, &plain].map(|bytes| read_dxf(bytes).unwrap().outline);
+            let length = |line: &[Point2]| -> f64 {
+                (0..line.len()).map(|n| line[n].distance(line[(n + 1) % line.len()])).sum()
+            };
+            let off_mm = (length(&with) - length(&without)).abs();
+            assert!(off_mm < 10.0 * arcs_mm, "{off_mm}");
+            let area = |line: &[Point2]| 0.5 * signed_area_doubled(line);
+            let off_mm2 = (area(&with) - area(&without)).abs();
+            assert!(off_mm2 < arcs_mm * length(&without), "{off_mm2}");
+        }
+    }
 }

@@ -52,6 +52,10 @@ pub(crate) struct FileArgs {
     /// is the millimetre [default: as the design, its trade or the preset wants it, r12 mostly]
     #[arg(long, value_name = "RELEASE", ignore_case = true, value_parser = dxf_parser())]
     dxf: Option<DxfRelease>,
+    /// Cut lines in DXF files have arcs, within this distance of the pattern, in mm or with a unit
+    /// (0.05mm) [default: as the design says, or straight sides]
+    #[arg(long, value_name = "TOLERANCE", value_parser = arcs_mm)]
+    arcs: Option<f64>,
     /// The distance of the stations in offsets.csv, in mm or with a unit (100mm, 6in) [default: a
     /// round one for 10 to 20 stations]
     #[arg(long, value_name = "LENGTH", value_parser = pitch_mm)]
@@ -70,6 +74,7 @@ impl FileArgs {
         let of_design = OutputOptions::with_preset(design, self.preset);
         OutputOptions {
             dxf: self.dxf.or(of_design.dxf),
+            arcs_mm: self.arcs.or(of_design.arcs_mm),
             offsets: OffsetOptions { pitch_mm: self.stations, feet: self.feet },
             each_part: self.each_part,
             ..of_design
@@ -98,6 +103,11 @@ fn dxf_parser() -> impl TypedValueParser<Value = DxfRelease> {
     PossibleValuesParser::new(names).try_map(|name| {
         DxfRelease::from_name(&name.to_lowercase()).ok_or("this release is not known")
     })
+}
+
+fn arcs_mm(given: &str) -> Result<f64, String> {
+    let mm = sheetwright_files::distance_mm(given).filter(|mm| (0.0001..=10.0).contains(mm));
+    mm.ok_or_else(|| "give a length of 0.0001 to 10 mm, such as 0.05mm or 0.002in".to_owned())
 }
 
 fn pitch_mm(given: &str) -> Result<f64, String> {

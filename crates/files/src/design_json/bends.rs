@@ -199,8 +199,8 @@ mod tests {
         let thick = design("\"dimensions\": \"inside\", \"thickness\": 0.1,", "");
         assert_eq!(thick.dimensions, Some(Dimensions::Inside));
         assert_eq!(thick.thickness_mm, Some(1.0));
-        let tool = design("\"bend_radius\": 0.2,", "");
-        assert_eq!(tool.bend_radius_mm, Some(2.0));
+        let tool = design("\"bend_radius\": 0.2, \"arcs\": 0.005,", "");
+        assert_eq!((tool.bend_radius_mm, tool.arcs_mm), (Some(2.0), Some(0.05)));
         assert_eq!(read(&write_design(&tool)), tool);
         assert_eq!(read(&write_design(&thick)), thick);
     }

@@ -38,6 +38,10 @@ use sheetwright::math::{Point3, Vec3};
 use sheetwright::triangulate::{Goal, WhichSurface};
 use std::collections::BTreeMap;
 
+/// The smallest and the largest tolerance of arcs, mm.
+const LEAST_ARCS_MM: f64 = 1e-4;
+const MOST_ARCS_MM: f64 = 10.0;
+
 /// The most panels of a design, and the most uses of curves of a panel.
 const MAX_PANELS: usize = MAX_CURVES;
 
@@ -99,6 +103,7 @@ pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, In
     trims.extend(source.options.allowance());
     let marks = marks::read(file.marks, file.units, reckoned_mm, source)?;
     let (preset, dxf) = (preset(file.preset, source)?, dxf(file.dxf, source)?);
+    let arcs_mm = arcs_mm(file.arcs, file.units, source)?;
     let formats = formats(file.formats, source)?;
     let bends = bends::read(file.bends, "bends", file.units, source)?.unwrap_or_default();
     let dimensions = thickness::dimensions(file.dimensions);
@@ -119,6 +124,7 @@ pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, In
         marks,
         preset,
         dxf,
+        arcs_mm,
         formats,
         bends,
         dimensions,
@@ -138,6 +144,22 @@ fn preset(name: Option<String>, source: &Source<'_>) -> Result<Option<String>, I
         }
         name => Ok(name),
     }
+}
+
+/// The tolerance of arcs, mm.
+fn arcs_mm(
+    file: Option<f64>,
+    units: Units,
+    source: &Source<'_>,
+) -> Result<Option<f64>, InputError> {
+    let Some(tolerance) = file else { return Ok(None) };
+    let mm = tolerance * units.in_mm();
+    if (LEAST_ARCS_MM..=MOST_ARCS_MM).contains(&mm) {
+        return Ok(Some(mm));
+    }
+    let hint = "Write how far arcs may lie from the pattern, 0.0001 to 10 mm, in the units of the \
+                design.";
+    Err(source.error("arcs", format!("the tolerance of arcs is {tolerance}"), hint))
 }
 
 /// The name of a release of DXF, if there is such a one.

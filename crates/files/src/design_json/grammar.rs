@@ -79,6 +79,11 @@ pub(super) struct DesignFile {
     /// preset.
     #[serde(default)]
     pub(super) dxf: Option<String>,
+    /// How near the arcs of DXF files stay to the cut lines that they take the place of, in the
+    /// units of the design, up to 10 mm. Default: cut lines have straight sides.
+    #[serde(default)]
+    #[schemars(range(min = 0))]
+    pub(super) arcs: Option<f64>,
     /// The formats that its files are written in, such as `dxf` and `report`; docs/outputs.md lists
     /// them. Default: those of its trade, or `obj`, `svg`, `dxf`, `pdf` and `report`.
     #[serde(default)]

@@ -69,6 +69,7 @@ fn write(
     }
     fields.extend(design.preset.iter().map(|name| format!("  \"preset\": {}", json(name))));
     fields.extend(design.dxf.iter().map(|name| format!("  \"dxf\": {}", json(name))));
+    fields.extend(design.arcs_mm.map(|mm| format!("  \"arcs\": {}", json(&mm))));
     if !design.formats.is_empty() {
         fields.push(format!("  \"formats\": {}", json(&design.formats)));
     }

@@ -12,9 +12,10 @@ mod read;
 
 pub(crate) use pairs::{Pairs, ascii, real};
 
+use crate::arcs::{Arcs, chords};
 use crate::preset::{DxfRelease, Preset};
 use crate::read_back::{Lines, MAX_BYTES, PatternReadError, ReadLine, ReadPattern, pattern};
-use crate::shapes::{extent, shapes};
+use crate::shapes::{FileLine, Shape, extent, shapes};
 use sheetwright::pattern::Piece;
 
 /// The DXF file of a piece, of release 12. `docs/outputs.md` specifies it for readers.
@@ -24,10 +25,26 @@ pub fn write_dxf(piece: &Piece) -> Vec<u8> {
 
 /// The DXF file of a piece as a preset has it.
 pub fn write_dxf_for(piece: &Piece, preset: &Preset, release: DxfRelease) -> Vec<u8> {
+    write_dxf_with(piece, preset, release, None)
+}
+
+/// As [`write_dxf_for`], with arcs in place of the sides of cut lines that lie within this distance
+/// of them, mm.
+pub fn write_dxf_with(
+    piece: &Piece,
+    preset: &Preset,
+    release: DxfRelease,
+    arcs_mm: Option<f64>,
+) -> Vec<u8> {
     let shapes = shapes(piece);
     let layers = preset.layers(&shapes);
     let around = extent(shapes.iter().filter(|shape| preset.shows(shape.role)));
-    let lines = preset.lines(&shapes).map(|(layer, _, line)| (layer.name, line));
+    let arcs = arcs_mm.map(|mm| Arcs::of(&shapes, mm));
+    let fitted = |shape: &Shape, line: FileLine| match &arcs {
+        Some(arcs) => arcs.fitted(shape, line),
+        None => line,
+    };
+    let lines = preset.lines(&shapes).map(|(layer, shape, line)| (layer.name, fitted(shape, line)));
     match release {
         DxfRelease::R12 => r12::written(&piece.name, &layers, around, lines),
         DxfRelease::R2000 => r2000::written(&piece.name, &layers, around, lines),
@@ -36,13 +53,18 @@ pub fn write_dxf_for(piece: &Piece, preset: &Preset, release: DxfRelease) -> Vec
 
 /// Reads back the outline, the holes and the rungs of a pattern that [`write_dxf`] wrote, or
 /// [`write_dxf_for`] for the generic preset: the closed polylines on `net`, or on `cut` where there
-/// is no net, and the segments on the other layers between their corners.
+/// is no net, and the segments on the other layers between their corners. Arcs become chords that
+/// rise by no more than a thousandth of a millimetre.
 ///
 /// # Errors
 /// See [`PatternReadError`]. Other releases than 12 and 2000, and other entities than polylines and
 /// circles are refused.
 pub fn read_dxf(bytes: &[u8]) -> Result<ReadPattern, PatternReadError> {
-    pattern(Lines::of_layers(dxf_lines(bytes, Preset::generic())?))
+    let mut lines = dxf_lines(bytes, Preset::generic())?;
+    for ReadLine { line, .. } in &mut lines {
+        line.points = chords(&line.points, &std::mem::take(&mut line.bulges));
+    }
+    pattern(Lines::of_layers(lines))
 }
 
 /// The lines of a pattern that [`write_dxf_for`] wrote, in the order of the file.

@@ -33,6 +33,13 @@ impl Pairs {
         self.put(code, value);
     }
 
+    /// The bulge of the side that begins at a corner, if it is an arc.
+    pub(crate) fn bulge(&mut self, line: &FileLine, corner: usize) {
+        if let Some(&bulge) = line.bulges.get(corner).filter(|bulge| **bulge != 0.0) {
+            self.put(42, real(bulge));
+        }
+    }
+
     /// A line of release 12.
     pub(crate) fn line(&mut self, layer: &str, line: &FileLine) {
         if let (Form::Circle { radius_mm }, Some(&centre)) = (line.form, line.points.first()) {
@@ -47,10 +54,11 @@ impl Pairs {
         self.put(66, 1);
         self.place(Point2::default());
         self.put(70, u8::from(line.form == Form::Closed));
-        for &point in &line.points {
+        for (n, &point) in line.points.iter().enumerate() {
             self.put(0, "VERTEX");
             self.put(8, layer);
             self.place(point);
+            self.bulge(line, n);
         }
         self.put(0, "SEQEND");
         self.put(8, layer);

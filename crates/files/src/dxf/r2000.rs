@@ -214,9 +214,10 @@ fn entity(body: &mut Handled, layer: &str, line: &FileLine) {
     pairs.put(100, "AcDbPolyline");
     pairs.put(90, line.points.len());
     pairs.put(70, u8::from(line.form == Form::Closed));
-    for point in &line.points {
+    for (n, point) in line.points.iter().enumerate() {
         pairs.put(10, real(point.x));
         pairs.put(20, real(point.y));
+        pairs.bulge(line, n);
     }
 }
 

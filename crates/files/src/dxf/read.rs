@@ -138,7 +138,11 @@ fn filled<'a>(
             }
         }
         ("VERTEX" | "LWPOLYLINE", 42) => {
-            return Err(PatternReadError::Unexpected("bulge".to_owned()));
+            let bulge = reader.number(value)?;
+            line.bulges.resize(line.points.len(), 0.0);
+            if let Some(last) = line.bulges.last_mut() {
+                *last = bulge;
+            }
         }
         _ => {}
     }

@@ -29,6 +29,7 @@ fields!(Design {
     marks,
     preset,
     dxf,
+    arcs_mm,
     formats,
     bends,
     dimensions,

@@ -69,7 +69,7 @@ fn odd_design() -> Design {
     design.match_seams = true;
     design.bends = Bends { rule: BendRule::Angle(0.125), marks: BendMarks::Lines };
     (design.dimensions, design.thickness_mm) = (Some(Dimensions::Outside), Some(1.5));
-    design.bend_radius_mm = Some(2.5);
+    (design.bend_radius_mm, design.arcs_mm) = (Some(2.5), Some(0.05));
     let own = Bends { rule: BendRule::Number(7), marks: BendMarks::None };
     design.panels[0].bends = Some(own);
     design.curves[0].points[0].at.x = -0.0;
