@@ -38,8 +38,8 @@ commas between them, or semicolons. Every template also takes `material=NAME`
 `dimensions=inside`, `mean` or `outside` as well: sizes are then those of that face of the sheet, and the pattern
 is that of the neutral fibre. Without it, sizes are those of the surface, as of a sheet without thickness.
 
-A table is a [curve table](files.md#curve-table-csv) in the folder of the design that is written; the
-design takes its points from there, and follows when the table is corrected.
+A table is a [curve table](files.md#curve-table-csv) or a [table of offsets](offset-tables.md) in the
+folder of the design that is written; the design takes its points from there, and follows when the table is corrected.
 
 The design that is written is a file like any other: its curves have names and points to go on with.
 Shapes that are rolled into a ring are cut open at a seam. Patterns are bare outlines unless the design is

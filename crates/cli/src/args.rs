@@ -26,6 +26,8 @@ Examples:
       Every panel of the design: patterns, surface and report into build/
   sheetwright make leaf.csv --out build --samples 300 --formats svg,report
       A closed curve from a spreadsheet, smoothed through its points
+  sheetwright make skiff.xlsx --out build --for boat
+      A table of offsets in feet, inches and eighths, or in mm: the planks of a hull
   sheetwright make hood.stl --out build --units cm --material leather-2mm
       A mesh from another program, flattened as it is: by how much must it stretch?
   sheetwright make shade.svg --out build
@@ -73,6 +75,7 @@ const CONVERT_EXAMPLES: &str = "\
 Examples:
   sheetwright convert leaf.csv leaf.sheet.json        a table becomes a design
   sheetwright convert lid.svg lid.sheet.json          a drawing becomes a design
+  sheetwright convert skiff.xlsx skiff.sheet.json     a table of offsets becomes planks, to edit
   sheetwright convert dinghy.sheet.json curves.csv    the points of its curves
   sheetwright convert dinghy.sheet.json dinghy.obj    all surfaces; also .pdf, .html, .json
   sheetwright convert dinghy.sheet.json dinghy.step   smooth surfaces for CAD

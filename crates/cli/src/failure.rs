@@ -102,5 +102,5 @@ pub(crate) fn for_all(pattern: &str, ending: &str) -> String {
 }
 
 /// The endings of inputs, as the hints have them.
-pub(crate) const INPUT_ENDINGS: [&str; 8] =
-    [".sheet.json", ".csv", ".obj", ".stl", ".ply", ".glb", ".svg", ".dxf"];
+pub(crate) const INPUT_ENDINGS: [&str; 10] =
+    [".sheet.json", ".csv", ".xlsx", ".ods", ".svg", ".dxf", ".obj", ".stl", ".ply", ".glb"];

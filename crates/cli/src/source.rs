@@ -6,7 +6,8 @@ use crate::size::sized;
 use crate::voice::Voice;
 use sheetwright::design::Design;
 use sheetwright_files::{
-    InputFormat, ReadOptions, Units, read_bytes, read_input, read_limited, units_said,
+    InputFormat, ReadOptions, Units, hull_table_notes, read_bytes, read_input, read_limited,
+    units_said,
 };
 use std::fs::File;
 use std::io::{self, Read as _};
@@ -18,7 +19,8 @@ const LOOKED_AT: u64 = 1 << 14;
 
 /// The design that the input holds, with its meshes laid flat as these arguments say.
 pub(crate) fn design(args: &SourceArgs, mesh: &MeshArgs, voice: Voice) -> Result<Design, Failure> {
-    let Read { format, said, design } = read(args, mesh)?;
+    let Read { format, said, design, notes } = read(args, mesh)?;
+    notes.iter().for_each(|note| voice.note(&format!("note: {note}")));
     sized(design, format, said, args, voice)
 }
 
@@ -27,6 +29,8 @@ struct Read {
     format: InputFormat,
     said: Option<Units>,
     design: Design,
+    /// What is to be noted of a table of offsets.
+    notes: Vec<String>,
 }
 
 fn read(args: &SourceArgs, mesh: &MeshArgs) -> Result<Read, Failure> {
@@ -36,7 +40,8 @@ fn read(args: &SourceArgs, mesh: &MeshArgs) -> Result<Read, Failure> {
             let bytes = read_limited(io::stdin().lock(), STDIN)?;
             let format = from.format();
             let design = read_bytes(format, &bytes, "-", None, &options)?;
-            Ok(Read { format, said: units_said(&bytes), design })
+            let notes = hull_table_notes(&bytes, "-", args.units);
+            Ok(Read { format, said: units_said(&bytes), design, notes })
         }
         (true, None) => {
             let bytes = read_limited(io::stdin().lock(), STDIN)?;
@@ -48,7 +53,8 @@ fn read(args: &SourceArgs, mesh: &MeshArgs) -> Result<Read, Failure> {
                 Failure::new(message, hint).at(STDIN)
             })?;
             let design = read_bytes(format, &bytes, "-", None, &options)?;
-            Ok(Read { format, said: units_said(&bytes), design })
+            let notes = hull_table_notes(&bytes, "-", args.units);
+            Ok(Read { format, said: units_said(&bytes), design, notes })
         }
         (false, Some(_)) => {
             let message = "--from is for standard input";
@@ -60,9 +66,22 @@ fn read(args: &SourceArgs, mesh: &MeshArgs) -> Result<Read, Failure> {
         (false, None) if args.input.is_dir() => Err(folder(&args.input)),
         (false, None) => {
             let design = read_input(&args.input, &options)?;
-            Ok(Read { format: InputFormat::of(&args.input)?, said: said_in(&args.input), design })
+            let (format, said) = (InputFormat::of(&args.input)?, said_in(&args.input));
+            let notes = notes_of(&args.input, format, args.units);
+            Ok(Read { format, said, design, notes })
         }
     }
+}
+
+/// What is to be noted of a table of offsets in a file.
+fn notes_of(path: &Path, format: InputFormat, units: Option<Units>) -> Vec<String> {
+    let is_table = matches!(format, InputFormat::Table | InputFormat::Workbook);
+    // A pipe, which was read before, has nothing left.
+    let is_file = path.metadata().is_ok_and(|data| data.is_file());
+    let name = path.display().to_string();
+    let bytes = File::open(path).ok().filter(|_| is_table && is_file);
+    let bytes = bytes.and_then(|file| read_limited(file, &name).ok()).unwrap_or_default();
+    hull_table_notes(&bytes, &name, units)
 }
 
 /// The unit that a mesh file names.
@@ -88,11 +107,10 @@ fn folder(path: &Path) -> Failure {
             let all = Path::new(&in_shell(path)).join(format!("*{ending}"));
             format!("Name one file in it. {}", for_all(&all.display().to_string(), ending))
         }
-        None => {
-            "Name a file: a design (.sheet.json), a curve table (.csv), a drawing (.svg or .dxf) \
-                 or a mesh (.obj, .stl, .ply or .glb)."
-                .to_owned()
-        }
+        None => "Name a file: a design (.sheet.json), a curve table (.csv), a table of offsets \
+                 (.csv, .txt, .xlsx or .ods), a drawing (.svg or .dxf) or a mesh (.obj, .stl, \
+                 .ply or .glb)."
+            .to_owned(),
     };
     Failure::new("this is a folder", hint).at(path.display().to_string())
 }

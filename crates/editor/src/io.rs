@@ -21,7 +21,8 @@ use crate::editor::{Dropped, FileWish, Opened};
 use eframe::egui::DroppedFileHandle;
 
 /// The endings of the names of files that are opened.
-const OPENED: [&str; 8] = ["json", "csv", "svg", "dxf", "obj", "stl", "ply", "glb"];
+const OPENED: [&str; 12] =
+    ["json", "csv", "tsv", "txt", "xlsx", "ods", "svg", "dxf", "obj", "stl", "ply", "glb"];
 
 /// What came of a wish.
 #[derive(Clone, Debug, PartialEq)]

@@ -117,6 +117,14 @@ fn panel(cause: &PanelCause, of: Option<&str>) -> String {
 /// users expect that of a table with many curves.
 pub fn hint_in_design(error: &MakeError, design: &Design) -> String {
     let hint = hint_for(error);
+    // Such as waterlines of a table of offsets.
+    if let (MakeCause::NoPanels, [first, second, ..]) = (&error.cause, &design.curves[..]) {
+        let [first, second] = [&first.name, &second.name];
+        return format!(
+            "Convert it to a design (.sheet.json) and name two of its curves as the rails of a \
+             panel: \"panels\": [{{ \"name\": \"side\", \"rails\": [\"{first}\", \"{second}\"] }}]."
+        );
+    }
     let holes = design.panels.iter().find(|panel| panel.name == error.panel).map(|panel| {
         let PanelShape::Loops { holes, .. } = &panel.shape else { return 0 };
         holes.len()

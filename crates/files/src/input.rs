@@ -1,5 +1,6 @@
 //! Inputs of every format, from a file or from bytes: designs, curve tables, drawings and meshes.
 
+use crate::hull_table::is_hull_table;
 use crate::linework::{self, DrawingFormat};
 use crate::meant::material_meant;
 use crate::mesh::MeshFormat;
@@ -9,7 +10,7 @@ use crate::reading::{
     read_whole, refuse_folder, refuse_large, text_of, without_utf16,
 };
 use crate::units::Units;
-use crate::{design_json, mesh, table};
+use crate::{design_json, hull_table, mesh, table};
 use sheetwright::boundary::MAX_SAMPLES;
 use sheetwright::cost::MAX_FOLD;
 use sheetwright::design::{Design, Dimensions, LEAST_EFFORT, MOST_EFFORT};
@@ -21,8 +22,10 @@ use std::path::Path;
 pub enum InputFormat {
     /// A design, `*.sheet.json` or `*.json`.
     Design,
-    /// A curve table, `*.csv`.
+    /// A curve table or a table of offsets, `*.csv`, `*.tsv` or `*.txt`; its words tell which.
     Table,
+    /// A table of offsets in a workbook, `*.xlsx` or `*.ods`.
+    Workbook,
     /// A mesh, `*.obj`, `*.stl`, `*.ply` or `*.glb`.
     Mesh(MeshFormat),
     /// A drawing, `*.svg` or `*.dxf`, or an OBJ file with lines in place of faces.
@@ -38,7 +41,8 @@ impl InputFormat {
         let name = path.display().to_string();
         let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("").to_lowercase();
         match ending.as_str() {
-            "csv" => Ok(Self::Table),
+            "csv" | "tsv" | "txt" => Ok(Self::Table),
+            "xlsx" | "ods" => Ok(Self::Workbook),
             "json" => Ok(Self::Design),
             "svg" => Ok(Self::Drawing(DrawingFormat::Svg)),
             "dxf" => Ok(Self::Drawing(DrawingFormat::Dxf)),
@@ -67,6 +71,9 @@ impl InputFormat {
         if is_binary_stl(bytes) {
             return Some(Self::Mesh(MeshFormat::Stl));
         }
+        if bytes.starts_with(b"PK\x03\x04") {
+            return Some(Self::Workbook);
+        }
         let bytes = without_utf16(&bytes[..bytes.len().min(SHOWS)]);
         let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
         let text = String::from_utf8_lossy(bytes).to_lowercase();
@@ -87,6 +94,9 @@ impl InputFormat {
         let columns: Vec<&str> =
             first.split([',', ';', '\t']).map(|c| c.trim_matches([' ', '"'])).collect();
         if ["x", "y", "z"].iter().all(|column| columns.contains(column)) {
+            return Some(Self::Table);
+        }
+        if is_hull_table(&text) {
             return Some(Self::Table);
         }
         let is_point = |line: &str| line.starts_with("v ") || line.starts_with("v\t");
@@ -162,6 +172,10 @@ pub fn read_bytes(
         }
         InputFormat::Drawing(format) => linework::read(format, bytes, name, options)?,
         InputFormat::Design => design_json::read(text_of(bytes, name)?, name, folder, options)?,
+        InputFormat::Workbook => hull_table::read_as_design(bytes, name, true, options)?,
+        InputFormat::Table if is_offsets(bytes, name)? => {
+            hull_table::read_as_design(bytes, name, false, options)?
+        }
         InputFormat::Table => table::read_as_design(text_of(bytes, name)?, name, options)?,
     };
     if let Some(material) = material_asked_for(options, &design.materials)? {
@@ -195,6 +209,14 @@ pub fn read_bytes(
         });
     }
     Ok(design)
+}
+
+/// Whether a table is one of offsets: by its words, and where those tell nothing, by its ending.
+fn is_offsets(bytes: &[u8], name: &str) -> Result<bool, InputError> {
+    let text = text_of(bytes, name)?;
+    let lower = name.to_lowercase();
+    let is_csv = !(lower.ends_with(".tsv") || lower.ends_with(".txt"));
+    Ok(is_hull_table(text) || !is_csv && !table::is_curve_table(text))
 }
 
 /// The material that the caller sets, from the design's `own` materials or the catalogue.
@@ -286,7 +308,7 @@ mod tests {
         assert!(InputFormat::of(Path::new("a.step")).unwrap_err().hint.contains("DXF"));
         let mesh = InputFormat::of(Path::new("hull.STL"));
         assert_eq!(mesh, Ok(InputFormat::Mesh(MeshFormat::Stl)));
-        assert!(InputFormat::of(Path::new("a.txt")).unwrap_err().hint.contains(".csv"));
+        assert!(InputFormat::of(Path::new("a.doc")).unwrap_err().hint.contains(".csv"));
     }
 
     #[test]

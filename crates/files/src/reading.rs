@@ -21,8 +21,9 @@ use std::path::Path;
 pub const MAX_INPUT_BYTES: u64 = 256 << 20;
 
 /// The hint for an unknown ending.
-pub(crate) const TAKEN: &str = "Give a design (.sheet.json or .json), a curve table (.csv), a \
-     drawing (.svg or .dxf) or a mesh (.obj, .stl, .ply or .glb).";
+pub(crate) const TAKEN: &str = "Give a design (.sheet.json or .json), a curve table (.csv), a table \
+     of offsets (.csv, .txt, .xlsx or .ods), a drawing (.svg or .dxf) or a mesh (.obj, .stl, .ply or \
+     .glb).";
 
 /// Why an input can't be read, where, and what to do.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -320,9 +321,22 @@ pub(crate) fn stem(name: &str) -> String {
     }
     let file = Path::new(name).file_name().and_then(|n| n.to_str()).unwrap_or(name);
     let lower = file.to_lowercase();
-    let ending = [".sheet.json", ".json", ".csv", ".svg", ".dxf", ".obj", ".stl", ".ply", ".glb"]
-        .into_iter()
-        .find(|e| lower.ends_with(e));
+    const ENDINGS: [&str; 13] = [
+        ".sheet.json",
+        ".json",
+        ".csv",
+        ".tsv",
+        ".txt",
+        ".xlsx",
+        ".ods",
+        ".svg",
+        ".dxf",
+        ".obj",
+        ".stl",
+        ".ply",
+        ".glb",
+    ];
+    let ending = ENDINGS.into_iter().find(|e| lower.ends_with(e));
     // Lower case may change the length of other characters, never that of an ASCII ending.
     let kept = file.len() - ending.map_or(0, str::len);
     file.get(..kept).unwrap_or(file).to_owned()

@@ -94,6 +94,15 @@ pub fn read_table(text: &str, name: &str, units: Units) -> Result<Vec<TableCurve
     Ok(curves.list)
 }
 
+/// Whether the header of a text shows that it is a curve table, if perhaps one with mistakes: two
+/// columns or more have names that only those have.
+pub(crate) fn is_curve_table(text: &str) -> bool {
+    let separator = char::from(separator_of(text));
+    let header = text.lines().find(|line| !line.trim().is_empty()).unwrap_or("");
+    let names = header.split(separator).map(|name| name.trim_matches([' ', '"']).to_lowercase());
+    names.filter(|name| COLUMNS.contains(&name.as_str())).count() >= 2
+}
+
 /// The separator of the columns: a comma, or, if the header has none, its semicolon or tabulator,
 /// which spreadsheets write where the comma separates decimals.
 fn separator_of(text: &str) -> u8 {
@@ -104,7 +113,7 @@ fn separator_of(text: &str) -> u8 {
 
 /// The line number of a row. The reader gives the end of the row before, which lies before the LF
 /// of a CRLF and before empty lines.
-fn line_of(row: &csv::StringRecord, text: &str) -> u64 {
+pub(crate) fn line_of(row: &csv::StringRecord, text: &str) -> u64 {
     let Some(position) = row.position() else { return 0 };
     let start = usize::try_from(position.byte()).unwrap_or(usize::MAX);
     let rest = text.as_bytes().get(start..).unwrap_or_default();

@@ -214,7 +214,10 @@ fn how(kind: &Kind) -> String {
             format!("Write lengths with commas between them, each such as {LENGTH_EXAMPLES}.")
         }
         Kind::Choice(_) => "Write one of the choices.".to_owned(),
-        Kind::Table => "Name a curve table (.csv) in the design's folder.".to_owned(),
+        Kind::Table => {
+            "Name a curve table or a table of offsets (.csv, .xlsx or .ods) in the design's folder."
+                .to_owned()
+        }
     }
 }
 
@@ -282,7 +285,10 @@ pub(crate) fn range(kind: &Kind) -> String {
         Kind::Lengths { least, most, fewest, longest, .. } => {
             format!("{fewest} to {longest} lengths from {}", between(*least, *most))
         }
-        Kind::Table => "a curve table (.csv) in the design's folder".to_owned(),
+        Kind::Table => {
+            "a curve table or a table of offsets (.csv, .xlsx, .ods) in the design's folder"
+                .to_owned()
+        }
         Kind::Choice(choices) => {
             let names: Vec<&str> = choices.iter().map(|choice| choice.name).collect();
             match names.split_last() {

@@ -10,6 +10,7 @@ mod remedy;
 mod severity;
 mod strain;
 mod stretching;
+mod unfair;
 mod verdict;
 
 pub use brake::braking;
@@ -27,6 +28,7 @@ pub(crate) use origin::{
     turned_round,
 };
 pub(crate) use strain::strain_not_reached;
+pub(crate) use unfair::unfair_line;
 
 use crate::elastic::Predicted;
 use crate::flatten::Flattened;

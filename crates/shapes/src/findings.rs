@@ -230,6 +230,14 @@ fn of_boundaries() -> Vec<Finding> {
             Place::CurvePoints { curve, numbers: vec![2, 5] },
         ),
         Finding::new(
+            Kind::UnfairLine {
+                curve: "sheer".to_owned(),
+                at: Point3::new(1200.0, 640.0, 530.0),
+                fair: Point3::new(1200.5, 640.2, 490.0),
+            },
+            Place::CurvePoints { curve: "sheer".to_owned(), numbers: vec![2] },
+        ),
+        Finding::new(
             Kind::JointsSmoothed { count: 2, deviation_mm: 0.2 },
             Place::Samples { numbers: samples([3, 9]).to_vec() },
         ),
@@ -359,6 +367,8 @@ fn of_marks() -> impl Iterator<Item = Finding> {
     };
     let square = MarkNote::SquareToPart { what: "face".to_owned() };
     let curved = MarkNote::CurvedFold { edge: "front/hem".to_owned(), off_mm: 7.25 };
-    let notes = [missed, far, over(4.0, "drill"), over(0.0, "text"), square, curved];
+    let frame =
+        MarkNote::CurvedFrame { name: "station 3".to_owned(), off_mm: 4.5, length_mm: 620.0 };
+    let notes = [missed, far, over(4.0, "drill"), over(0.0, "text"), square, curved, frame];
     whole(notes.map(|note| Kind::Marked { note }))
 }

@@ -58,13 +58,15 @@ enum Taken {
 }
 
 /// What the editor opens.
-const TAKEN: &str = "The editor opens designs (.json), tables of curves (.csv), drawings (.svg and \
-                     .dxf) and meshes (.obj, .stl, .ply and .glb).";
+const TAKEN: &str = "The editor opens designs (.json), tables of curves (.csv), tables of \
+                     offsets (.csv, .txt, .xlsx, .ods), drawings (.svg and .dxf) and meshes (.obj, \
+                     .stl, .ply and .glb).";
 
 /// What to do with a file whose name does not tell what it is.
 fn way_out(bytes: &[u8]) -> &'static str {
     match InputFormat::of_bytes(bytes) {
         Some(InputFormat::Table) => "It holds a table of curves: give it the ending .csv.",
+        Some(InputFormat::Workbook) => "It may be a workbook: give it the ending .xlsx or .ods.",
         Some(InputFormat::Design) => "It may hold a design: give it the ending .json.",
         Some(InputFormat::Drawing(_)) => "It may hold a drawing: give it the ending .svg or .dxf.",
         Some(InputFormat::Mesh(_)) => "It may hold a mesh: give it the ending of its format.",
@@ -255,7 +257,10 @@ impl Document {
             InputFormat::of(of).map_err(|error| format!("{error}. {TAKEN} {}", way_out(bytes)))?;
         match format {
             InputFormat::Design => crate::document::file::read(path, bytes).map_err(words),
-            InputFormat::Table | InputFormat::Mesh(_) | InputFormat::Drawing(_) => {
+            InputFormat::Table
+            | InputFormat::Workbook
+            | InputFormat::Mesh(_)
+            | InputFormat::Drawing(_) => {
                 let design = read_bytes(format, bytes, path, of.parent(), &ReadOptions::default());
                 Ok(Self { design: design.map_err(words)?, ..Self::default() })
             }

@@ -3,15 +3,17 @@
 
 use super::beside::{Kind, file_beside};
 use super::source::Source;
+use crate::hull_table::read_curves;
 use crate::names::{did_you_mean, shown};
-use crate::reading::{InputError, MAX_INPUT_BYTES, read_whole, text_of};
-use crate::table::{TableCurve, read_table};
+use crate::reading::{InputError, MAX_INPUT_BYTES, read_whole};
+use crate::table::TableCurve;
 use crate::units::Units;
 use sheetwright::curve::CurvePoint;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-const TABLE: Kind = Kind { word: "table", files: "a curve table (.csv)" };
+const TABLE: Kind =
+    Kind { word: "table", files: "a curve table or a table of offsets (.csv, .xlsx or .ods)" };
 
 /// The tables of a design, each read once.
 pub(super) struct Tables<'a> {
@@ -91,7 +93,7 @@ impl<'a> Tables<'a> {
             return Err(self.source.error(&format!("{path}.table"), message, hint));
         }
         self.bytes_left -= size;
-        read_table(text_of(&bytes, table)?, table, self.units)
+        read_curves(&bytes, table, self.units)
     }
 }
 
@@ -106,5 +108,5 @@ pub(crate) fn table_beside(
         file_beside(folder, table, TABLE, &|message, hint| InputError::at(place, message, hint))?;
     let bytes =
         read_whole(&file).map_err(|error| InputError { place: Some(table.to_owned()), ..error })?;
-    read_table(text_of(&bytes, table)?, table, units)
+    read_curves(&bytes, table, units)
 }

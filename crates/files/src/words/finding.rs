@@ -207,6 +207,7 @@ pub fn finding_text(finding: &Finding) -> String {
              turn. If it is a corner, mark it as one.",
             to_deg(*turn)
         ),
+        Kind::UnfairLine { curve, at, fair } => unfair_line(curve, *at, *fair),
         Kind::OffTolerance { .. } => off_tolerance(&finding.kind),
         Kind::JointsSmoothed { count, deviation_mm } => format!(
             "The boundary is smoothed at {} where joined panels meet. It lies up to \
@@ -419,6 +420,22 @@ fn cut_open(why: SeamCause) -> &'static str {
         SeamCause::Darts => "To stretch less, the panel is cut",
         SeamCause::Facets => "So that its facets lie flat, the net is cut open",
     }
+}
+
+/// A point that stands out of its line: where, by how much, and the value that would be fair.
+fn unfair_line(curve: &str, at: Point3, fair: Point3) -> String {
+    let off = at - fair;
+    let axes = [("x", at.x, off.x), ("y", at.y, off.y), ("z", at.z, off.z)];
+    let largest = axes.into_iter().max_by(|a, b| a.2.abs().total_cmp(&b.2.abs()));
+    let (axis, is, off) = largest.unwrap_or(axes[0]);
+    format!(
+        "The line '{curve}' is not fair at x = {:.1} mm: its {axis} there is {is:.1} mm, and the \
+         points around lead to about {:.1} mm, {:.1} mm {}. Check this value; a table has slips.",
+        at.x + 0.0,
+        is - off + 0.0,
+        off.abs(),
+        if off > 0.0 { "less" } else { "more" }
+    )
 }
 
 /// How far the outline lies from its curves, beside its tolerance.

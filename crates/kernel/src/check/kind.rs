@@ -280,6 +280,15 @@ pub enum FindingKind {
         /// The largest angle by which they turn.
         turn: f64,
     },
+    /// A point of a spline stands out of its line, as a slip in a table of offsets does.
+    UnfairLine {
+        /// The curve.
+        curve: String,
+        /// Where the point is, mm.
+        at: Point3,
+        /// Where it would be on the line of its neighbours, mm.
+        fair: Point3,
+    },
     /// The polygon through the samples is farther from the curves than the tolerance.
     OffTolerance {
         /// How far the curves lie from it at most, mm.
@@ -576,6 +585,7 @@ impl FindingKind {
             | Self::Divide { .. }
             | Self::BorderNotTrue { .. }
             | Self::RoundedCorner { .. }
+            | Self::UnfairLine { .. }
             | Self::StayedStraight { .. }
             | Self::WarpNotReached { .. }
             | Self::LinesClose { .. }
@@ -671,6 +681,7 @@ impl FindingKind {
             Self::TwoSkins { .. } | Self::NotTwoSkins => "two-skins",
             Self::PointContacts { .. } => "point-contact",
             Self::RoundedCorner { .. } => "rounded-corner",
+            Self::UnfairLine { .. } => "unfair-line",
             Self::OffTolerance { .. } => "off-tolerance",
             Self::JointsSmoothed { .. } => "joint-smoothed",
             Self::RanOn { .. } | Self::StayedStraight { .. } => "ran-on",

@@ -6,7 +6,7 @@ use super::part::{Found, Origin, Part};
 use super::unrestricted::Known;
 use crate::check::{
     no_other_surface, off_tolerance, ran_on, rounded_corner, smoothed_joints, stayed_straight,
-    turned_round,
+    turned_round, unfair_line,
 };
 use crate::design::{DesignPanel, PanelShape, used};
 use crate::edge::edges_of_boundary;
@@ -68,6 +68,9 @@ fn make_as_asked(
     }
     for curve in used(design, &panel.shape).filter(|c| c.kind == Some(CurveKind::Spline)) {
         if let Some(finding) = rounded_corner(&curve.name, &curve.points, curve.closed) {
+            checked.add(finding);
+        }
+        if let Some(finding) = unfair_line(&curve.name, &curve.points).filter(|_| !curve.closed) {
             checked.add(finding);
         }
     }

@@ -85,6 +85,16 @@ pub enum MarkNote {
         /// The kind of the mark.
         what: String,
     },
+    /// A straight frame at a station misses the part, which is curved there. Of a part, the station
+    /// where it does most is named.
+    CurvedFrame {
+        /// The station.
+        name: String,
+        /// How far the part leaves the straight line between its edges there, mm.
+        off_mm: f64,
+        /// The length of that line, mm.
+        length_mm: f64,
+    },
     /// An edge on the fold is not straight.
     CurvedFold {
         /// The edge, as `PART/EDGE`.

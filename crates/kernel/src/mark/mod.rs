@@ -19,6 +19,7 @@ pub(crate) use part::MarkPart;
 
 use crate::design::{Axis, Mark, MarkAt, MarkKind, MarkOn, MarkWay, StationPlaces};
 use crate::pattern::{PatternPath, Wish};
+use station::Frame;
 
 /// An error names no more parts or edges than this.
 const NAMED: usize = 12;
@@ -92,7 +93,7 @@ fn check_edge(parts: &[MarkPart<'_>], on: &[usize], edge: &str) -> Result<(), Ma
     Err(MarkFault::NoSuchEdge { wanted: edge.to_owned(), known: edges.take(NAMED).collect() })
 }
 
-/// Marks stations; says which cross no part.
+/// Marks stations; says which cross no part, and where straight frames would miss a part most.
 fn stations(
     parts: &[MarkPart<'_>],
     on: &[usize],
@@ -104,16 +105,28 @@ fn stations(
     let [low, high] = places
         .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], at| [low.min(at), high.max(at)]);
     let Some(&first) = on.first() else { return Ok(()) };
+    let mut frames: Vec<Option<Frame>> = parts.iter().map(|_| None).collect();
     for station in station::planes(axis, at, [low, high])? {
         let mut touches = false;
         for &n in on {
-            touches |= station::mark(&parts[n], axis, &station, &mut made[n]);
+            let (here, frame) = station::mark(&parts[n], axis, &station, &mut made[n]);
+            touches |= here;
+            if frame.as_ref().map(|f| f.off_mm) > frames[n].as_ref().map(|f| f.off_mm) {
+                frames[n] = frame;
+            }
         }
         if !touches {
             let (at_mm, name) = station;
             let note = MarkNote::StationMissed { name, axis, at_mm, reach_mm: [low, high] };
             made[first].notes.push(note);
         }
+    }
+    for (made, frame) in made.iter_mut().zip(frames) {
+        made.notes.extend(frame.map(|Frame { name, off_mm, length_mm }| MarkNote::CurvedFrame {
+            name,
+            off_mm,
+            length_mm,
+        }));
     }
     Ok(())
 }

@@ -13,7 +13,7 @@ use crate::design::{Axis, StationPlaces};
 use crate::mesh::MeshEdge;
 use crate::pattern::{PathKind, PatternPath, Role, Wish};
 use sheetwright_geometry::index::TriangleIndex;
-use sheetwright_geometry::math::Point2;
+use sheetwright_geometry::math::{Point2, Point3, unit};
 
 /// The most stations on a part.
 pub(super) const MOST_STATIONS: usize = 1000;
@@ -55,24 +55,68 @@ fn shortest(mm: f64) -> String {
     format!("{}", (mm * 100.0).round() / 100.0 + 0.0)
 }
 
-/// Marks a station on a part; whether it touches it.
-pub(super) fn mark(part: &MarkPart<'_>, axis: Axis, station: &Station, made: &mut Marked) -> bool {
+/// A frame is nearly straight where the part leaves its straight line by less than this share of
+/// its length; a frame that is curved by design is no slip of a straight one.
+const NEARLY_STRAIGHT: f64 = 0.1;
+/// What is less than this share of the length of a frame, or than a millimetre, is not worth saying.
+const STRAIGHT: f64 = 0.005;
+const LEAST_MM: f64 = 1.0;
+
+/// A straight frame that misses the part: how far, mm, its length, mm, and its station.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Frame {
+    /// How far the part leaves the straight line, mm.
+    pub(super) off_mm: f64,
+    /// The length of that line, mm.
+    pub(super) length_mm: f64,
+    /// The name of the station.
+    pub(super) name: String,
+}
+
+/// Marks a station on a part; whether it touches it, and the frame that misses it most.
+pub(super) fn mark(
+    part: &MarkPart<'_>,
+    axis: Axis,
+    station: &Station,
+    made: &mut Marked,
+) -> (bool, Option<Frame>) {
     let (at, name) = station;
     let (curves, touches) = curves(part, |p| axis.of(p) - at);
-    for points in curves {
+    let mut worst: Option<Frame> = None;
+    for (points, in_space) in curves {
+        let frame = frame(&in_space, name);
+        if frame.as_ref().map(|frame| frame.off_mm) > worst.as_ref().map(|frame| frame.off_mm) {
+            worst = frame;
+        }
         made.wishes.push(Wish::at_ends(name.clone(), &points));
         let (role, kind) = (Role::Engrave, PathKind::Station);
         made.paths.push(PatternPath { role, kind, points, closed: false });
     }
-    touches
+    (touches, worst)
 }
 
-/// The curves on the pattern where a function of space that is linear on triangles is 0, and
-/// whether there are any, those along the border included, which are left out.
-fn curves(
-    part: &MarkPart<'_>,
-    value: impl Fn(sheetwright_geometry::math::Point3) -> f64,
-) -> (Vec<Vec<Point2>>, bool) {
+/// The frame along a curve in space that is nearly straight; `None` if a straight one fits, or if
+/// the curve is none that a straight one was meant for.
+fn frame(curve: &[Point3], name: &str) -> Option<Frame> {
+    let (first, last) = (*curve.first()?, *curve.last()?);
+    let length_mm = first.distance(last);
+    let along = unit(last - first)?;
+    let off = |p: &Point3| {
+        let to = *p - first;
+        (to - along * to.dot(along)).length()
+    };
+    let off_mm = curve.iter().map(off).fold(0.0, f64::max);
+    let is_off = off_mm > LEAST_MM && off_mm > STRAIGHT * length_mm;
+    let is_near = off_mm < NEARLY_STRAIGHT * length_mm;
+    (is_off && is_near).then(|| Frame { off_mm, length_mm, name: name.to_owned() })
+}
+
+/// A curve on the pattern, and in space.
+type Twofold = (Vec<Point2>, Vec<Point3>);
+
+/// The curves where a function of space that is linear on triangles is 0, and whether there are
+/// any, those along the border included, which are left out.
+fn curves(part: &MarkPart<'_>, value: impl Fn(Point3) -> f64) -> (Vec<Twofold>, bool) {
     let mesh = part.mesh;
     let values: Vec<f64> = mesh.positions().iter().map(|&p| value(p)).collect();
     let is_cut = |edge: &MeshEdge| {
@@ -114,17 +158,18 @@ fn curves(
     let place = |edge: usize| {
         let [a, b] = edges[edge].ends;
         let [of_a, of_b] = [a, b].map(|v| values[v.get()]);
+        let [in_a, in_b] = [a, b].map(|v| mesh.position(v));
         // Exact at both ends.
         match of_a / (of_a - of_b) {
-            1.0 => part.laid(b),
-            share => part.laid(a).lerp(part.laid(b), share),
+            1.0 => (part.laid(b), in_b),
+            share => (part.laid(a).lerp(part.laid(b), share), in_a.lerp(in_b, share)),
         }
     };
     let drawn = chains.into_iter().filter_map(|chain| {
         let is_inside = !runs_along_border(part, &chain, &values);
-        let mut points: Vec<Point2> = chain.into_iter().map(place).collect();
+        let (mut points, in_space): Twofold = chain.into_iter().map(place).unzip();
         points.dedup();
-        (is_inside && points.len() > 1).then_some(points)
+        (is_inside && points.len() > 1).then_some((points, in_space))
     });
     (drawn.collect(), touches)
 }

@@ -1,6 +1,6 @@
 //! A hull from measured lines.
 
-use super::sketch::{Drawn, Sketch};
+use super::sketch::{Drawn, Sketch, mirrored};
 use super::{Choice, Kind, NamedCurve, Parameter, Template, TemplateError, Values};
 use sheetwright_geometry::curve::CurvePoint;
 use sheetwright_geometry::math::{Point3, Vec3};
@@ -10,7 +10,7 @@ pub(super) const HULL: Template = Template {
     name: "hull",
     title: "Hull from a table of offsets, a plank between each two lines",
     who: "Boat builders and naval architects get the planks of a design, or of a boat that they \
-          measured, from the offsets of its lines; planks are one half, to be cut twice, once \
+          measured, from the offsets of its lines; planks are one half and are cut twice, once \
           turned over, and without a table it draws a skiff to begin with.",
     words: &[
         "offsets",
@@ -32,14 +32,28 @@ pub(super) const HULL: Template = Template {
     build: hull,
 };
 
-const PARAMETERS: [Parameter; 2] = [
+const PARAMETERS: [Parameter; 4] = [
     Parameter {
         name: "table",
         meaning: "a curve for each line, from the keel to the sheer: x along, y out, z up",
         kind: Kind::Table,
     },
     Parameter { name: "units", meaning: "unit of the table's numbers", kind: Kind::Choice(&UNITS) },
+    Parameter {
+        name: "transoms",
+        meaning: "whether flat ends of the hull are drawn, too",
+        kind: Kind::Choice(&NO_YES),
+    },
+    Parameter {
+        name: "deck",
+        meaning: "whether a deck from sheer to sheer is drawn, too",
+        kind: Kind::Choice(&NO_YES),
+    },
 ];
+
+/// Whether a part is drawn.
+const NO_YES: [Choice; 2] =
+    [Choice { name: "no", meaning: "left out" }, Choice { name: "yes", meaning: "drawn" }];
 
 /// The units of the table, which its reader turns into millimetres.
 const UNITS: [Choice; 5] = [
@@ -52,6 +66,8 @@ const UNITS: [Choice; 5] = [
 
 /// Samples of each line.
 const SAMPLES: usize = 200;
+/// Samples of the edge of a transom, which is flat.
+const TRANSOM_SAMPLES: usize = 100;
 /// Limit of the lines of a hull.
 const MOST_LINES: usize = 20;
 
@@ -140,23 +156,112 @@ fn hull(values: &Values) -> Drawn {
     let sheer = middle(upwards[upwards.len() - 1]);
     let inside = Point3::new(sheer.x, 0.0, sheer.z);
     let last = upwards.len() - 2;
+    let is_flat = has_flat_bottom(&upwards);
     for (n, pair) in upwards.windows(2).enumerate() {
         let name = match n {
-            0 => "bottom".to_owned(),
-            n if n == last => "side".to_owned(),
-            n => format!("strake-{n}"),
+            n if n == last && (n > 0 || is_flat) => "side".to_owned(),
+            0 if !is_flat => "bottom".to_owned(),
+            n => format!("strake-{}", n + usize::from(is_flat)),
         };
         let [mut first, mut second] = [pair[1], pair[0]];
         if !faces_away(first, second, inside) {
             (first, second) = (second, first);
         }
         sketch.plank(name, [&first.name, &second.name], SAMPLES);
+        sketch.both_halves();
+    }
+    if is_flat {
+        across(&mut sketch, "bottom", upwards[0], inside);
+    }
+    if values.choice("transoms") == NO_YES[1].name {
+        transoms(&mut sketch, &upwards);
+    }
+    if values.choice("deck") == NO_YES[1].name {
+        // Seen from below, where the keel is, the deck faces away.
+        let below = Point3::new(sheer.x, 0.0, middle(upwards[0]).z);
+        across(&mut sketch, "deck", upwards[upwards.len() - 1], below);
     }
     let stations = stations(lines);
     if !stations.is_empty() {
         sketch.stations(&stations);
     }
     Ok(sketch)
+}
+
+/// A lowest line that keeps this share of the half-breadth from the middle plane is no keel, but
+/// the edge of a flat bottom.
+const FLAT_BOTTOM: f64 = 0.1;
+/// How far the ends of lines may lie from the plane of a transom, as a share of its height: what
+/// rounding to an eighth of an inch leaves of a small one.
+const OFF_TRANSOM: f64 = 0.01;
+/// The least width of a transom, as a share of the breadth of the hull: a narrower end is a stem.
+const LEAST_TRANSOM: f64 = 0.1;
+
+/// Whether the lowest line is the edge of a flat bottom, of a hull without a line for the keel.
+fn has_flat_bottom(upwards: &[&NamedCurve]) -> bool {
+    let widest =
+        |line: &NamedCurve| line.points.iter().map(|point| point.at.y.abs()).fold(0.0, f64::max);
+    let of_all = upwards.iter().map(|line| widest(line)).fold(0.0, f64::max);
+    widest(upwards[0]) > FLAT_BOTTOM * of_all
+}
+
+/// A panel from a line to its mirror image, of straight lines across: a deck or a flat bottom.
+fn across(sketch: &mut Sketch, name: &str, line: &NamedCurve, away_from: Point3) {
+    let image = NamedCurve {
+        name: format!("{}-starboard", line.name),
+        points: line
+            .points
+            .iter()
+            .map(|point| CurvePoint { at: mirrored(point.at), ..*point })
+            .collect(),
+    };
+    sketch.through(&image.name, image.points.clone());
+    let [mut first, mut second] = [line, &image];
+    if !faces_away(first, second, away_from) {
+        (first, second) = (second, first);
+    }
+    sketch.plank(name, [&first.name, &second.name], SAMPLES);
+}
+
+/// Draws each end of a hull whose lines end in a plane across it, wide enough to be a transom.
+fn transoms(sketch: &mut Sketch, upwards: &[&NamedCurve]) {
+    let first = |line: &&NamedCurve| line.points[0].at;
+    let last = |line: &&NamedCurve| line.points[line.points.len() - 1].at;
+    let ends = [
+        upwards.iter().map(first).collect::<Vec<Point3>>(),
+        upwards.iter().map(last).collect::<Vec<Point3>>(),
+    ];
+    let width = upwards
+        .iter()
+        .flat_map(|line| line.points.iter().map(|point| point.at.y.abs()))
+        .fold(0.0, f64::max);
+    let middle = (middle(upwards[0]).x + middle(upwards[upwards.len() - 1]).x) / 2.0;
+    let mut number = 0;
+    for end in ends {
+        let (keel, sheer) = (end[0], end[end.len() - 1]);
+        let height = sheer.z - keel.z;
+        let plane = |z: f64| keel.x + (z - keel.z) * (sheer.x - keel.x) / height;
+        let is_off = |p: &Point3| (p.x - plane(p.z)).abs() > OFF_TRANSOM * height;
+        let is_upwards = end.windows(2).all(|pair| pair[1].z >= pair[0].z);
+        if height <= 0.0 || end.iter().any(is_off) || !is_upwards || sheer.y < LEAST_TRANSOM * width
+        {
+            continue;
+        }
+        // In the plane itself, so that the board is flat.
+        let port = end.iter().map(|p| Point3::new(plane(p.z), p.y, p.z));
+        let mut rim: Vec<Point3> = port.clone().collect();
+        let starboard = port.rev().filter(|p| p.y != 0.0).map(mirrored);
+        rim.extend(starboard);
+        // The board faces away from the hull.
+        if sheer.x < middle {
+            rim.reverse();
+        }
+        number += 1;
+        let name = if number == 1 { "transom".to_owned() } else { format!("transom-{number}") };
+        let edge = format!("{name}-edge");
+        sketch.rim(&edge, &rim);
+        sketch.patch(name, &[&edge], TRANSOM_SAMPLES);
+    }
 }
 
 /// Places along x at which every line has a point between its ends, in increasing order: the
@@ -241,6 +346,43 @@ mod tests {
         };
         let StationPlaces::Listed { planes } = at else { panic!("{at:?}") };
         assert_eq!(planes.iter().map(|plane| plane.at).collect::<Vec<_>>(), [1200.0, 2200.0]);
+    }
+
+    #[test]
+    fn a_hull_without_a_keel_has_a_flat_bottom_and_all_planks_come_twice() {
+        let panels = |design: &Design| -> Vec<(String, [u32; 2])> {
+            let of = |p: &crate::design::DesignPanel| (p.name.clone(), [p.count, p.mirrored]);
+            design.panels.iter().map(of).collect()
+        };
+        let both = drawn(skiff()).unwrap();
+        let twice = [2, 1];
+        assert_eq!(panels(&both), [("bottom".to_owned(), twice), ("side".to_owned(), twice)]);
+        let flat = drawn(skiff().into_iter().skip(1).collect()).unwrap();
+        assert_eq!(panels(&flat), [("side".to_owned(), twice), ("bottom".to_owned(), [1, 0])]);
+        let made = crate::make::make(&flat, &mut crate::Unwatched).unwrap();
+        let bottom = &made.parts[1];
+        assert_eq!(bottom.name, "bottom");
+        // The bottom is a cylinder across the boat.
+        assert!(bottom.measures.warp_max < 0.01, "{}", bottom.measures.warp_max);
+    }
+
+    #[test]
+    fn transom_and_deck_are_drawn_if_they_are_wanted() {
+        let mut values = template("hull").unwrap().defaults();
+        for name in ["transoms", "deck"] {
+            values.set(name, Value::Choice("yes".to_owned())).unwrap();
+        }
+        let design = values.design().unwrap();
+        let names: Vec<&str> = design.panels.iter().map(|panel| panel.name.as_str()).collect();
+        assert_eq!(names, ["bottom", "side", "transom", "deck"]);
+        let made = crate::make::make(&design, &mut crate::Unwatched).unwrap();
+        let normal = |n: usize| {
+            let mesh = made.parts[n].sheet.mesh();
+            let [a, b, c] = mesh.triangles()[0].map(|v| mesh.position(v));
+            (b - a).cross(c - a)
+        };
+        assert!(normal(2).x < 0.0, "the transom of the stern faces aft");
+        assert!(normal(3).z > 0.0, "the deck faces up");
     }
 
     #[test]

@@ -35,6 +35,14 @@ impl Sketch {
         self.curve(name, CurveKind::Polyline, points);
     }
 
+    /// A closed curve that runs straight from corner to corner.
+    pub(super) fn rim(&mut self, name: impl Into<String>, points: &[Point3]) {
+        self.polyline(name, points);
+        if let Some(curve) = self.curves.last_mut() {
+            curve.closed = true;
+        }
+    }
+
     /// A smooth curve through points.
     pub(super) fn spline(&mut self, name: impl Into<String>, points: &[Point3]) {
         let points = points.iter().map(|&at| CurvePoint::smooth(at)).collect();
@@ -99,6 +107,14 @@ impl Sketch {
     pub(super) fn plank(&mut self, name: impl Into<String>, rails: [&str; 2], samples: usize) {
         let shape = PanelShape::Rails(rails.map(used));
         self.panel(name, shape, samples, PanelMethod::Optimal, PlaneChoice::Auto);
+    }
+
+    /// Has the panel that was drawn last cut twice, once turned over: for both halves of what was
+    /// drawn to one side of the plane y = 0.
+    pub(super) fn both_halves(&mut self) {
+        if let Some(panel) = self.panels.last_mut() {
+            (panel.count, panel.mirrored) = (2, 1);
+        }
     }
 
     /// A panel within a loop of curves; `-name` is run backwards.

@@ -51,6 +51,7 @@ variants!(FindingKind {
     NotTwoSkins {},
     PointContacts { count },
     RoundedCorner { curve, turn },
+    UnfairLine { curve, at, fair },
     OffTolerance { distance_mm, shorter_mm, tolerance_mm, samples, is_rails, is_usual, is_most },
     JointsSmoothed { count, deviation_mm },
     RanOn { bulges_mm, bends },
@@ -89,7 +90,8 @@ variants!(MarkNote {
     PlaceFar { what, at, off_mm, within_mm },
     OverTheEdge { what, at, radius_mm },
     SquareToPart { what },
-    CurvedFold { edge, off_mm }
+    CurvedFold { edge, off_mm },
+    CurvedFrame { name, off_mm, length_mm }
 });
 variants!(Place {
     Whole {},

@@ -1,0 +1,161 @@
+//! Reads tables of offsets of hulls, as builders write them, from text and from workbooks.
+//! (`offsets` writes those of patterns.)
+//!
+//! ```text
+//! text, workbook ──► grid ──► layout ──► lines ──► design
+//!                      (label, notation)
+//! ```
+//!
+//! A table has stations one way and lines the other. `grid` has its cells, `notation` reads a
+//! length, `label` a word; `layout` finds stations and lines, `lines` makes curves in space of them,
+//! and `design` draws the planks between the edges as the template `hull` does. What is not
+//! understood is refused with its place and with what was recognised. docs/offset-tables.md is the
+//! page for people.
+
+mod design;
+mod grid;
+mod label;
+mod layout;
+mod lines;
+mod notation;
+mod said;
+mod workbook;
+
+pub(crate) use design::read_as_design;
+
+use crate::names::refused_for_curve;
+use crate::reading::{InputError, display_name, text_of};
+use crate::table::{TableCurve, is_curve_table, read_table};
+use crate::units::Units;
+use grid::Grid;
+use label::{is_line, is_station_word, quantity_of};
+use lines::HullTable;
+use std::path::Path;
+
+/// Rows at the beginning of a text that are looked at for words of a table of offsets.
+const LOOKED_AT: usize = 40;
+
+/// Whether a text is a table of offsets, by its words.
+pub(crate) fn is_hull_table(text: &str) -> bool {
+    let is_word = |cell: &str| {
+        let cell = cell.trim_matches([' ', '"']);
+        is_station_word(cell) || is_line(cell) || cell.len() > 1 && quantity_of(cell).is_some()
+    };
+    let rows = text.lines().filter(|row| !row.trim().is_empty()).take(LOOKED_AT);
+    !is_curve_table(text) && rows.into_iter().any(|row| row.split([',', ';', '\t']).any(is_word))
+}
+
+/// Whether a file of this name is a workbook.
+pub(crate) fn is_workbook(name: &str) -> bool {
+    let ending = Path::new(name).extension().and_then(|e| e.to_str()).unwrap_or("").to_lowercase();
+    ["xlsx", "ods"].contains(&&ending[..])
+}
+
+/// The lines of a table of offsets, or of a workbook that holds one. Numbers without a unit are in
+/// `units`, if the caller says so.
+///
+/// # Errors
+/// What is not understood of it.
+pub(crate) fn read_hull_table(
+    bytes: &[u8],
+    name: &str,
+    is_workbook: bool,
+    units: Option<Units>,
+) -> Result<HullTable, InputError> {
+    let place = display_name(name);
+    let grids = if is_workbook {
+        let sheets = workbook::sheets(bytes, place)?;
+        sheets.into_iter().map(|(name, grid)| (quantity_of(&name), grid)).collect()
+    } else {
+        let text = text_of(bytes, name)?;
+        refuse_delftship(text, place)?;
+        vec![(None, Grid::of_text(text, place)?)]
+    };
+    let layout = layout::layout(&grids);
+    let source = match &grids[..] {
+        [(_, only)] => only.source(),
+        _ => place,
+    };
+    let table = lines::lines(&layout, units).map_err(|refusal| refusal.error(&layout, source))?;
+    for line in &table.lines {
+        if let Some(why) = refused_for_curve(&line.name) {
+            let message = format!("the name of the line {} {why}", crate::names::shown(&line.name));
+            return Err(InputError::at(source, message, "Give it another name."));
+        }
+    }
+    Ok(table)
+}
+
+/// What is to be noted of an input that is a table of offsets: how many stations and lines it has,
+/// and what it does not say in so many words. Nothing of other inputs, and of tables that can't be
+/// read.
+pub fn hull_table_notes(bytes: &[u8], name: &str, units: Option<Units>) -> Vec<String> {
+    let is_workbook = bytes.starts_with(b"PK\x03\x04");
+    if !is_workbook && !text_of(bytes, name).is_ok_and(is_hull_table) {
+        return Vec::new();
+    }
+    let Ok(table) = read_hull_table(bytes, name, is_workbook, units) else { return Vec::new() };
+    let names: Vec<String> = table.lines.iter().map(|line| line.name.clone()).collect();
+    let place = |at: Option<&(String, f64)>| at.map_or(0.0, |(_, at)| *at);
+    let first = format!(
+        "a table of offsets with {} stations from {:.0} to {:.0} mm and {} lines: {}",
+        table.stations.len(),
+        place(table.stations.first()),
+        place(table.stations.last()),
+        names.len(),
+        names.join(", ")
+    );
+    let edges = table.lines.iter().filter(|line| line.is_edge).count();
+    let round = (edges < 2).then(|| {
+        "waterlines and buttocks alone bound no planks: name two of the curves as the `rails` of a \
+         panel in a design, or add the lines of sheer, chine and keel to the table"
+            .to_owned()
+    });
+    [first].into_iter().chain(table.notes).chain(round).collect()
+}
+
+/// The curves of a table that a design or a template names: of a curve table, or of a table of
+/// offsets.
+///
+/// # Errors
+/// Bytes that are neither.
+pub(crate) fn read_curves(
+    bytes: &[u8],
+    name: &str,
+    units: Units,
+) -> Result<Vec<TableCurve>, InputError> {
+    let is_workbook = is_workbook(name);
+    if !is_workbook {
+        let text = text_of(bytes, name)?;
+        if !is_hull_table(text) {
+            return read_table(text, name, units);
+        }
+    }
+    let table = read_hull_table(bytes, name, is_workbook, Some(units))?;
+    let curve = |line: lines::HullLine| TableCurve { name: line.name, points: line.points };
+    Ok(table.lines.into_iter().map(curve).collect())
+}
+
+/// Refuses the text files that DELFTship exports as tables of offsets. Their first ten lines are
+/// known (numbers of waterlines and stations, five flags, length, beam, draft); how the lengths
+/// follow is not published.
+fn refuse_delftship(text: &str, place: &str) -> Result<(), InputError> {
+    let firsts: Vec<&str> = text.lines().map(str::trim).take(10).collect();
+    let counts = firsts.iter().take(2).all(|line| line.parse::<u32>().is_ok());
+    let flags = firsts.iter().skip(2).take(5).all(|line| ["0", "1"].contains(line));
+    let sizes = firsts.iter().skip(7).all(|line| line.parse::<f64>().is_ok());
+    if firsts.len() < 10 || !(counts && flags && sizes) {
+        return Ok(());
+    }
+    let message = format!(
+        "this is an export of DELFTship, of {} waterlines and {} stations, which have no edges of \
+         planks",
+        firsts[0], firsts[1]
+    );
+    let hint = "Export the chines and the sheer as 3D curves or the hull as a mesh (.obj, .stl), or \
+                type the offsets of its edges into a table.";
+    Err(InputError::at(place, message, hint))
+}
+
+#[cfg(test)]
+mod tests;

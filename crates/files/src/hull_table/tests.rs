@@ -1,0 +1,203 @@
+//! One hull in every notation and form that builders use, and what is refused.
+
+use super::*;
+use crate::units::Units;
+use std::fmt::Write as _;
+
+/// A small hull in sixteenths of an inch: name, half-breadths and heights at the stations.
+type Lines = Vec<(&'static str, Vec<[u32; 2]>)>;
+
+const PLACES: [u32; 4] = [0, 384, 768, 1200];
+
+fn hull() -> Lines {
+    vec![
+        ("Sheer", vec![[413, 310], [500, 297], [455, 320], [180, 377]]),
+        ("Chine", vec![[300, 95], [366, 80], [301, 111], [96, 203]]),
+        ("Keel", vec![[0, 30], [0, 0], [0, 21], [0, 160]]),
+    ]
+}
+
+fn eighths(sixteenths: u32) -> String {
+    let odd = if sixteenths % 2 == 1 { "+" } else { "" };
+    let (feet, inches) = (sixteenths / 192, sixteenths % 192 / 16);
+    format!("{feet}-{inches}-{}{odd}", sixteenths % 16 / 2)
+}
+
+fn marked(sixteenths: u32) -> String {
+    let (feet, inches) = (sixteenths / 192, sixteenths % 192 / 16);
+    format!("{feet}'-{inches} {}/16\"", sixteenths % 16)
+}
+
+fn fraction(sixteenths: u32) -> String {
+    format!("{} {}/16", sixteenths / 16, sixteenths % 16)
+}
+
+fn millimetres(sixteenths: u32) -> String {
+    format!("{}", f64::from(sixteenths) * 25.4 / 16.0)
+}
+
+/// Heights and half-breadths in two blocks, stations across.
+fn blocks(of: &dyn Fn(u32) -> String, separator: &str, position: &str) -> String {
+    let cell = |n: u32| {
+        let text = of(n);
+        let is_quoted = separator == "," && text.contains([',', '"']);
+        if is_quoted { format!("\"{}\"", text.replace('"', "\"\"")) } else { text }
+    };
+    let row = |name: &str, list: &[u32]| {
+        let cells: Vec<String> = list.iter().map(|&n| cell(n)).collect();
+        format!("{name}{separator}{}\n", cells.join(separator))
+    };
+    let mut text = format!("Station{separator}Sta 0{separator}Sta 1{separator}Sta 2{separator}");
+    text.push_str("Sta 3\n");
+    text.push_str(&row(position, &PLACES));
+    for (title, of) in [("Heights above base", 1), ("Half-breadths", 0)] {
+        writeln!(text, "\n{title}").unwrap();
+        for (name, points) in hull() {
+            if of == 0 && name == "Keel" {
+                continue;
+            }
+            text.push_str(&row(name, &points.iter().map(|p| p[of]).collect::<Vec<u32>>()));
+        }
+    }
+    text
+}
+
+/// Both columns of every line beside one another, stations down.
+fn columns(of: &dyn Fn(u32) -> String) -> String {
+    let mut text =
+        "Station\tx\tSheer height\tSheer half-breadth\tChine height\tChine half-breadth\t\
+                    Keel height\tKeel half-breadth\n"
+            .to_owned();
+    for (n, place) in PLACES.iter().enumerate() {
+        write!(text, "{n}\t{}", of(*place)).unwrap();
+        for (_, points) in hull() {
+            let [half, height] = points[n];
+            write!(text, "\t{}\t{}", of(height), of(half)).unwrap();
+        }
+        text.push('\n');
+    }
+    text
+}
+
+fn read(text: &str, units: Option<Units>) -> HullTable {
+    match read_hull_table(text.as_bytes(), "hull.csv", false, units) {
+        Ok(table) => table,
+        Err(error) => panic!("{error} / {}\n{text}", error.hint),
+    }
+}
+
+fn refused(text: &str) -> InputError {
+    read_hull_table(text.as_bytes(), "hull.csv", false, None).unwrap_err()
+}
+
+fn is_the_hull(table: &HullTable) {
+    assert_eq!(table.lines.len(), 3);
+    for (line, (name, points)) in table.lines.iter().zip(hull()) {
+        assert_eq!((&line.name[..], line.points.len()), (name, 4));
+        for ((point, place), [half, height]) in line.points.iter().zip(PLACES).zip(points) {
+            let mm = |sixteenths: u32| f64::from(sixteenths) * 25.4 / 16.0;
+            let off = [point.at.x - mm(place), point.at.y - mm(half), point.at.z - mm(height)];
+            assert!(off.iter().all(|off| off.abs() < 1e-9), "{name}: {off:?}");
+        }
+    }
+}
+
+#[test]
+fn every_notation_gives_the_hull() {
+    let comma = |n: u32| millimetres(n).replace('.', ",");
+    let units = |n: u32| format!("{} mm", millimetres(n));
+    for (of, what) in [
+        (&eighths as &dyn Fn(u32) -> String, "eighths"),
+        (&marked, "marks"),
+        (&fraction, "fractions"),
+        (&millimetres, "mm"),
+        (&comma, "decimal comma"),
+        (&units, "units"),
+    ] {
+        for separator in [";", "\t"] {
+            let text = blocks(of, separator, "Position");
+            assert!(is_hull_table(&text), "{what}");
+            is_the_hull(&read(&text, None));
+        }
+        let text = columns(of);
+        assert!(is_hull_table(&text), "{what}");
+        is_the_hull(&read(&text, None));
+    }
+    is_the_hull(&read(&blocks(&eighths, ",", "Position"), None));
+    is_the_hull(&read(&blocks(&marked, ",", "Position"), None));
+    let inches = |n: u32| format!("{}", f64::from(n) / 16.0);
+    is_the_hull(&read(&blocks(&inches, ",", "Distance from bow"), Some(Units::Inches)));
+    is_the_hull(&read(&format!("Offsets in inches\n{}", blocks(&inches, ",", "x")), None));
+}
+
+#[test]
+fn stations_have_places_by_spacing_or_by_their_names() {
+    let spaced = "Station spacing, 2-0-0\nStation,0,1,2\nHeights\nSheer,1-0-0,1-1-0,1-2-0\n\
+                  Half-breadths\nSheer,1-0-0,2-0-0,1-0-0\n";
+    let places =
+        |text: &str, units| read(text, units).stations.iter().map(|s| s.1).collect::<Vec<f64>>();
+    assert_eq!(places(spaced, None), [0.0, 609.6, 1219.2]);
+    let named = "Station,0,600,1200\nSheer height,500,510,520\nSheer half-breadth,400,420,300\n";
+    assert_eq!(places(named, None), [0.0, 600.0, 1200.0]);
+    let remark = "axis,name,1,2\nheights,sheer,1-0-0,1-1-0\nwidths,sheer,1-0-0,2-0-0\n\
+                  # Stations are 24\" apart\n";
+    assert_eq!(places(remark, None), [609.6, 1219.2]);
+    let mere = refused("Station,0,1,2\nSheer height,500,510,520\nSheer HB,400,420,300\n");
+    assert!(mere.message.contains("where the stations are"), "{mere}");
+}
+
+#[test]
+fn waterlines_and_buttocks_have_what_their_names_say() {
+    let text = "Stations,0,1000,2000\nHalf-breadths\nWL 100,300,400,200\nWL 200,350,450,-\n\
+                Heights\nButtock 150,20,30,x\nDiagonal A,1,2,3\n";
+    let table = read(text, Some(Units::Millimetres));
+    let names: Vec<&str> = table.lines.iter().map(|line| &line.name[..]).collect();
+    assert_eq!(names, ["WL 100", "WL 200", "Buttock 150"]);
+    assert!(table.lines.iter().all(|line| !line.is_edge));
+    let last = table.lines[1].points[1].at;
+    assert_eq!([last.x, last.y, last.z], [1000.0, 450.0, 200.0]);
+    let buttock = table.lines[2].points[0].at;
+    assert_eq!([buttock.y, buttock.z], [150.0, 20.0]);
+    assert!(table.notes.iter().any(|note| note.contains("diagonal")), "{:?}", table.notes);
+    let mere = refused("Stations,0 mm,1000 mm\nWL 1,300 mm,400 mm\nWL 2,350 mm,450 mm\n");
+    assert!(mere.message.contains("which height 'WL 1' has"), "{mere}");
+    let spaced =
+        "Waterline spacing,100 mm\nStations,0 mm,1000 mm\nWL 1,300 mm,400 mm\nWL 2,350 mm,450 mm\n";
+    assert_eq!(read(spaced, None).lines[1].points[0].at.z, 200.0);
+}
+
+#[test]
+fn what_is_not_understood_is_named_with_its_place() {
+    let good = blocks(&eighths, ",", "Position");
+    for (from, to, message, place) in [
+        ("1-7-3", "1-13-3", "13 inches", "hull.csv:5, column B"),
+        ("1-7-3", "2001-07-03", "date", "hull.csv:5, column B"),
+        ("1-7-3", "7-3", "two parts", "hull.csv:5, column B"),
+        ("1-7-3", "about 20", "is no length", "hull.csv:5, column B"),
+        ("1-7-3", "19", "feet and inches", "hull.csv:5, column B"),
+        ("1-7-3", "-", "no height at Sta 0", "hull.csv:10, column B"),
+        ("Half-breadths\n", "\n", "given twice", "hull.csv:10, column B"),
+        ("Heights above base\n", "\n", "whether 'Sheer' are heights", "hull.csv:5, column A"),
+    ] {
+        assert!(good.contains(from), "{from} in {good}");
+        let error = refused(&good.replacen(from, to, 1));
+        assert!(error.message.contains(message), "{from} {to}: {error}");
+        assert_eq!(error.place.as_deref(), Some(place), "{from} {to}");
+        assert!(error.hint.contains("4 stations (Sta 0"), "{}", error.hint);
+    }
+}
+
+#[test]
+fn heights_below_a_base_line_are_turned_up() {
+    let text = "Station,0,1000,2000\nHeights\nGunwale,10,20,10\nBottom,300,310,280\n\
+                Half-breadths\nGunwale,400,500,400\nBottom,200,250,200\n";
+    let table = read(text, Some(Units::Millimetres));
+    assert_eq!(table.lines[1].points[0].at.z, -300.0);
+    assert!(table.notes.iter().any(|note| note.contains("downwards")), "{:?}", table.notes);
+}
+
+#[test]
+fn an_export_of_delftship_is_named() {
+    let error = refused("5\n11\n1\n1\n0\n0\n0\n10.0\n3.0\n0.5\n0.1 0.2\n");
+    assert!(error.message.contains("DELFTship, of 5 waterlines and 11 stations"), "{error}");
+}
