@@ -92,10 +92,7 @@ const fn files_of(format: Format) -> &'static [(FileName, Writer)] {
                 OfSheets(".svg"),
                 Writer::Piece(|piece, options| write_svg_for(piece, options.preset)),
             ),
-            (
-                OfSheets(".dxf"),
-                Writer::Piece(|piece, options| options.dxf_of(piece)),
-            ),
+            (OfSheets(".dxf"), Writer::Piece(|piece, options| options.dxf_of(piece))),
         ],
         Format::Assembly => &[(Whole("assembly.pdf"), Writer::Design(|run| Ok(run.book())))],
         Format::Report => &[

@@ -7,8 +7,9 @@ use sheetwright::design::{
     Allowance, Axis, BendMarks, BendRule, Bends, Corner, CurveUse, Design, DesignCurve,
     DesignPanel, Dimensions, Divide, DivideJoint, Fingers, Flange, Hem, Holes, Join, Mark, MarkAt,
     MarkKind, MarkOn, MarkWay, MovedBy, NotchForm, Notches, PanelMesh, PanelMethod, PanelShape,
-    Places, Puzzle, ReadNote, SampleTolerance, SheetForm, Slots, StationPlaces, StationPlane, Stock,
-    StockSheet, Tabs, Ticks, Triangles, Trim, TrimKind, TrimOn, Turn, Unused, Vary, VaryGoal,
+    Places, Puzzle, ReadNote, SampleTolerance, SheetForm, Slots, StationPlaces, StationPlane,
+    Stock, StockSheet, Tabs, Ticks, Triangles, Trim, TrimKind, TrimOn, Turn, Unused, Vary,
+    VaryGoal,
 };
 use sheetwright::flatten::Aim;
 use sheetwright::material::{
