@@ -12,9 +12,10 @@
 //!
 //! Where two folds meet in a point of the border, as at the corner of a tray, the point lies where
 //! the middles of their bends cross. The sides of the walls run straight to it from their next
-//! vertex, so at its foot a wall is narrower by up to half of δ, where a relief is cut in any case.
-//! Where both faces of one fold have sides that slant differently, its end lies half-way between. Where more than two do, or round a point inside the sheet, no
-//! place fits all; those folds stay mitred, and are told of.
+//! vertex, so at its foot a wall is narrower by up to half of δ, where a relief is cut in any
+//! case. Where both faces of one fold have sides that slant differently, its end lies half-way
+//! between. Where more than two do, or round a point inside the sheet, no place fits all; those
+//! folds stay mitred, and are told of.
 
 use super::fold_lines::{Faces, Line, Mitred};
 use super::tool::FoldTool;
