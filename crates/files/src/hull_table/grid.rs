@@ -125,10 +125,13 @@ fn column_name(column: usize) -> String {
 /// the decimals of numbers count for less than any other separator.
 fn separator_of(text: &str) -> Option<u8> {
     let rows: Vec<&str> = text.lines().filter(|line| !line.trim().is_empty()).take(100).collect();
-    let with = |separator: u8| {
-        rows.iter().filter(|row| row.bytes().filter(|&b| b == separator).count() >= 2).count()
+    let with = |separator: u8, count: usize| {
+        let has = |row: &&&str| row.bytes().filter(|&b| b == separator).count() >= count;
+        2 * rows.iter().filter(has).count() >= rows.len().max(1)
     };
-    [b'\t', b';', b','].into_iter().find(|&separator| 2 * with(separator) >= rows.len().max(1))
+    let by_count =
+        |count: usize| [b'\t', b';', b','].into_iter().find(|&separator| with(separator, count));
+    by_count(2).or_else(|| by_count(1))
 }
 
 #[cfg(test)]

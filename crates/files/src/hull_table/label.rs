@@ -247,7 +247,7 @@ pub(super) fn is_line(text: &str) -> bool {
         && !is_station_word(text)
         && (!matches!(label.kind, LineKind::Edge | LineKind::Middle)
             || label.quantity.is_some()
-            || EDGES.iter().any(|word| has(word)))
+            || EDGES.iter().any(has))
 }
 
 /// Whether a text begins with a word for stations, as in `Sta. 3`.

@@ -1,19 +1,16 @@
 //! Makes curves in space of the stations and lines of a table: x is the place of the station, y the
 //! half-breadth, z the height.
 
+use super::bare::{Bare, number_of};
 use super::label::{LineKind, Quantity};
 use super::layout::{Layout, Placed, Station};
 use super::notation::{Cell, cell};
 use super::said::{Refusal, at_station, listed};
 use crate::names::shown;
-use crate::table::in_range_mm;
 use crate::units::Units;
 use sheetwright::curve::CurvePoint;
 use sheetwright::math::Point3;
 
-/// Numbers without a unit of which the largest is this or more are millimetres: as inches they
-/// would be a boat of 25 m, as feet one of 300 m.
-const PLAINLY_MM: f64 = 1000.0;
 /// Names of stations are their places where the largest number is at least this.
 const PLAINLY_PLACES: f64 = 100.0;
 
@@ -135,79 +132,6 @@ fn refuse_wrong_cells(layout: &Layout) -> Result<(), Refusal> {
     }
 }
 
-/// The unit of numbers without one.
-struct Bare {
-    unit: Option<Units>,
-    /// Whether other cells are in feet and inches.
-    has_feet: bool,
-}
-
-impl Bare {
-    fn of(layout: &Layout, units: Option<Units>, notes: &mut Vec<String>) -> Self {
-        let of_rows = layout.rows.iter().flat_map(|row| row.cells.iter().map(|(_, placed)| placed));
-        let places = layout.stations.iter().filter_map(|station| station.at.as_ref());
-        let (mut has_feet, mut has_fraction, mut largest) = (false, false, 0.0_f64);
-        for placed in of_rows.chain(places) {
-            match placed.cell {
-                Cell::Length { is_feet, .. } => has_feet |= is_feet,
-                Cell::Bare { number, has_fraction: fraction } if placed.unit.is_none() => {
-                    has_fraction |= fraction;
-                    largest = largest.max(number.abs());
-                }
-                _ => {}
-            }
-        }
-        // Stations may be named by their places.
-        if layout.spacing[0].is_none() && layout.stations.iter().all(|station| station.at.is_none())
-        {
-            let names = layout.stations.iter().filter_map(|station| number_of(&station.name));
-            largest = names.map(f64::abs).fold(largest, f64::max);
-        }
-        let mut unit = units.or(layout.unit);
-        if unit.is_none() && has_fraction {
-            notes.push("numbers without a unit are inches, as their fractions say".to_owned());
-            unit = Some(Units::Inches);
-        } else if unit.is_none() && !has_feet && largest >= PLAINLY_MM {
-            notes.push("the table names no unit: its numbers are read as millimetres".to_owned());
-            unit = Some(Units::Millimetres);
-        }
-        Self { unit, has_feet }
-    }
-
-    /// The length in a cell, mm; `None` where there is none.
-    fn mm(&self, placed: &Placed) -> Result<Option<f64>, Refusal> {
-        let mm = match placed.cell {
-            Cell::None | Cell::Text | Cell::Wrong(_) => return Ok(None),
-            Cell::Length { mm, .. } => in_range_mm(mm, Units::Millimetres),
-            Cell::Bare { number: 0.0, .. } => Some(0.0),
-            Cell::Bare { number, .. } => match placed.unit.or(self.unit) {
-                Some(unit) => {
-                    in_range_mm(number * (unit.in_mm() * 10.0) / 10.0, Units::Millimetres)
-                }
-                None => return Err(self.without_unit(placed)),
-            },
-        };
-        let out_of_range = || {
-            let message = format!("{} is out of range", shown(&placed.typed));
-            Refusal::at(&placed.place, message)
-        };
-        mm.map(|mm| Some(mm + 0.0)).ok_or_else(out_of_range)
-    }
-
-    fn without_unit(&self, placed: &Placed) -> Refusal {
-        let typed = shown(&placed.typed);
-        let message = if self.has_feet {
-            format!("{typed} has no unit, and other cells are in feet and inches")
-        } else {
-            format!("{typed} has no unit, and nothing in the table says which it is")
-        };
-        Refusal::at(&placed.place, message).with(
-            "Name the unit in a title such as 'Offsets in mm' or in the label of the row, such as \
-             'Position (in)', or set the units of the input.",
-        )
-    }
-}
-
 /// The places of the stations, mm; `None` of a station that no line needs.
 fn places(
     layout: &Layout,
@@ -271,14 +195,6 @@ fn without_place(station: &Station, has_others: bool, stations: &[Station]) -> R
         "Add a row or column 'Position' with the place of each station, or a line 'Station \
          spacing, 600 mm' above the table where all stations have numbers.",
     )
-}
-
-/// The number in the name of a station or a waterline.
-fn number_of(name: &str) -> Option<f64> {
-    match cell(name, false) {
-        Cell::Bare { number, .. } => Some(number),
-        _ => None,
-    }
 }
 
 /// The rows by lines, in the order of the table.

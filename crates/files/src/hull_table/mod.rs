@@ -7,11 +7,12 @@
 //! ```
 //!
 //! A table has stations one way and lines the other. `grid` has its cells, `notation` reads a
-//! length, `label` a word; `layout` finds stations and lines, `lines` makes curves in space of them,
-//! and `design` draws the planks between the edges as the template `hull` does. What is not
-//! understood is refused with its place and with what was recognised. docs/offset-tables.md is the
-//! page for people.
+//! length, `label` a word; `layout` finds stations and lines, `bare` the unit of numbers without
+//! one, `lines` makes curves in space of them, and `design` draws the planks between the edges as
+//! the template `hull` does. What is not understood is refused with its place and with what was
+//! recognised (`said`). docs/offset-tables.md is the page for people.
 
+mod bare;
 mod design;
 mod grid;
 mod label;
@@ -39,7 +40,7 @@ const LOOKED_AT: usize = 40;
 pub(crate) fn is_hull_table(text: &str) -> bool {
     let is_word = |cell: &str| {
         let cell = cell.trim_matches([' ', '"']);
-        is_station_word(cell) || is_line(cell) || cell.len() > 1 && quantity_of(cell).is_some()
+        is_station_word(cell) || is_line(cell)
     };
     let rows = text.lines().filter(|row| !row.trim().is_empty()).take(LOOKED_AT);
     !is_curve_table(text) && rows.into_iter().any(|row| row.split([',', ';', '\t']).any(is_word))

@@ -201,3 +201,58 @@ fn an_export_of_delftship_is_named() {
     let error = refused("5\n11\n1\n1\n0\n0\n0\n10.0\n3.0\n0.5\n0.1 0.2\n");
     assert!(error.message.contains("DELFTship, of 5 waterlines and 11 stations"), "{error}");
 }
+
+/// Random hulls, written in each notation: what is read is what was written, within the notation.
+#[test]
+fn random_hulls_come_back_within_the_notation() {
+    let mut random = sheetwright::random::Random::new(42);
+    for round in 0..200 {
+        let stations = 3 + random.below(12);
+        let names = ["Sheer", "Upper chine", "Lower chine", "Knuckle 2"];
+        let count = 1 + random.below(names.len());
+        let place = |n: usize, random: &mut sheetwright::random::Random| {
+            (400 * n + random.below(300)) as f64 + random.between(0.0, 1.0)
+        };
+        let places: Vec<f64> = (0..stations).map(|n| place(n, &mut random)).collect();
+        let mut value = || random.between(-300.0, 2500.0);
+        let hull: Vec<Vec<[f64; 2]>> =
+            (0..count).map(|_| (0..stations).map(|_| [value().abs(), value()]).collect()).collect();
+        let eighths = |mm: f64| {
+            let n = (mm.abs() / 25.4 * 16.0).round() as u32;
+            format!("{}{}", if mm < 0.0 { "-" } else { "" }, eighths(n))
+        };
+        let mm = |mm: f64| format!("{mm:.1} mm");
+        let inches = |mm: f64| {
+            let n = (mm.abs() / 25.4 * 8.0).round() as u32;
+            format!("{}{} {}/8\"", if mm < 0.0 { "-" } else { "" }, n / 8, n % 8)
+        };
+        for (of, within) in
+            [(&eighths as &dyn Fn(f64) -> String, 25.4 / 32.0), (&mm, 0.05), (&inches, 25.4 / 16.0)]
+        {
+            let row = |name: &str, cells: Vec<f64>| {
+                let cells: Vec<String> = cells.into_iter().map(of).collect();
+                format!("{name};{}\n", cells.join(";"))
+            };
+            let heads: Vec<String> = (0..stations).map(|n| format!("Sta {n}")).collect();
+            let mut text = format!("Station;{}\n", heads.join(";"));
+            text.push_str(&row("Position", places.clone()));
+            for (title, axis) in [("Half-breadths", 0), ("Heights", 1)] {
+                text.push_str(&format!("{title}\n"));
+                for (name, points) in names.iter().zip(&hull) {
+                    text.push_str(&row(name, points.iter().map(|p| p[axis]).collect()));
+                }
+            }
+            let table = read(&text, None);
+            assert_eq!(table.lines.len(), count, "{round}: {text}");
+            // Heights of random lines may look as if they were measured downwards.
+            let is_down = table.notes.iter().any(|note| note.contains("downwards"));
+            let sign = if is_down { -1.0 } else { 1.0 };
+            for (line, points) in table.lines.iter().zip(&hull) {
+                for ((point, at), [half, height]) in line.points.iter().zip(&places).zip(points) {
+                    let off = [point.at.x - at, point.at.y - half, sign * point.at.z - height];
+                    assert!(off.iter().all(|off| off.abs() <= within + 1e-9), "{off:?} {text}");
+                }
+            }
+        }
+    }
+}

@@ -35,9 +35,9 @@ pub(super) fn marked(note: &MarkNote) -> String {
              Choose another direction `toward`."
         ),
         MarkNote::CurvedFrame { name, off_mm, length_mm } => format!(
-            "A frame that is straight misses the part by up to {off_mm:.1} mm: at {name}, where it \
-             is {length_mm:.0} mm long, the part is curved between its edges, as it is at other \
-             stations by less. Shape the frames, or let the part bear on its edges alone."
+            "A straight frame misses the part, which is curved across: by up to {off_mm:.1} mm at \
+             {name}, where the frame is {length_mm:.0} mm long, and by less at other stations. Shape \
+             the frames to the part, or let it bear on its edges alone."
         ),
         MarkNote::CurvedFold { edge, off_mm } => format!(
             "Edge {edge} can't lie on a fold: it leaves the straight line between its ends by \

@@ -621,6 +621,7 @@ impl FindingKind {
             Self::Read { note: ReadNote::NotUsed { what: Unused::Open, .. } } => Severity::Warning,
             Self::Read { .. } => Severity::Note,
             Self::Trimmed { note: TrimNote::NotProved { .. } } => Severity::Error,
+            Self::Marked { note: MarkNote::CurvedFrame { .. } } => Severity::Note,
             Self::Trimmed { .. } | Self::Marked { .. } => Severity::Warning,
             Self::TwoSurfaces { is_one_pattern, .. } => {
                 unless(*is_one_pattern, Severity::Warning, Severity::Note)

@@ -16,8 +16,8 @@ const FEWEST: usize = 6;
 const MOST: usize = 200;
 /// A slip misses its cubic by at least so many times what any other point does once it is mended.
 const STANDS_OUT: f64 = 5.0;
-/// The least slip, as a share of the distance to the neighbours: 3 mm at stations 600 mm apart, more
-/// than rounding to an eighth of an inch leaves.
+/// The least slip, as a share of the distance to the neighbours: 3 mm at stations 600 mm apart,
+/// more than rounding to an eighth of an inch leaves.
 const LEAST: f64 = 0.005;
 /// A point beside an end is a slip if the points beyond it miss it by at least this share of what
 /// its cubic does; else it is the end that turns away from the line.
@@ -101,7 +101,7 @@ fn interpolated(line: &[Point3], along: &[f64], through: &[usize], at: f64) -> P
         let others = through.iter().filter(|&&other| other != k);
         let weight = others
             .fold(1.0, |weight, &other| weight * (at - along[other]) / (along[k] - along[other]));
-        sum = sum + line[k].to_vec() * weight;
+        sum += line[k].to_vec() * weight;
     }
     Point3::from_vec(sum)
 }

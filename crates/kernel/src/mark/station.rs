@@ -58,7 +58,7 @@ fn shortest(mm: f64) -> String {
 /// A frame is nearly straight where the part leaves its straight line by less than this share of
 /// its length; a frame that is curved by design is no slip of a straight one.
 const NEARLY_STRAIGHT: f64 = 0.1;
-/// What is less than this share of the length of a frame, or than a millimetre, is not worth saying.
+/// What is less than this share of the length of a frame, or than a millimetre, is left unsaid.
 const STRAIGHT: f64 = 0.005;
 const LEAST_MM: f64 = 1.0;
 

@@ -155,21 +155,8 @@ fn hull(values: &Values) -> Drawn {
     }
     let sheer = middle(upwards[upwards.len() - 1]);
     let inside = Point3::new(sheer.x, 0.0, sheer.z);
-    let last = upwards.len() - 2;
     let is_flat = has_flat_bottom(&upwards);
-    for (n, pair) in upwards.windows(2).enumerate() {
-        let name = match n {
-            n if n == last && (n > 0 || is_flat) => "side".to_owned(),
-            0 if !is_flat => "bottom".to_owned(),
-            n => format!("strake-{}", n + usize::from(is_flat)),
-        };
-        let [mut first, mut second] = [pair[1], pair[0]];
-        if !faces_away(first, second, inside) {
-            (first, second) = (second, first);
-        }
-        sketch.plank(name, [&first.name, &second.name], SAMPLES);
-        sketch.both_halves();
-    }
+    planks(&mut sketch, &upwards, is_flat, inside);
     if is_flat {
         across(&mut sketch, "bottom", upwards[0], inside);
     }
@@ -203,6 +190,25 @@ fn has_flat_bottom(upwards: &[&NamedCurve]) -> bool {
         |line: &NamedCurve| line.points.iter().map(|point| point.at.y.abs()).fold(0.0, f64::max);
     let of_all = upwards.iter().map(|line| widest(line)).fold(0.0, f64::max);
     widest(upwards[0]) > FLAT_BOTTOM * of_all
+}
+
+/// A plank between each two neighbouring lines, one half of the hull's; each faces away from
+/// `inside`.
+fn planks(sketch: &mut Sketch, upwards: &[&NamedCurve], is_flat: bool, inside: Point3) {
+    let last = upwards.len() - 2;
+    for (n, pair) in upwards.windows(2).enumerate() {
+        let name = match n {
+            n if n == last && (n > 0 || is_flat) => "side".to_owned(),
+            0 if !is_flat => "bottom".to_owned(),
+            n => format!("strake-{}", n + usize::from(is_flat)),
+        };
+        let [mut first, mut second] = [pair[1], pair[0]];
+        if !faces_away(first, second, inside) {
+            (first, second) = (second, first);
+        }
+        sketch.plank(name, [&first.name, &second.name], SAMPLES);
+        sketch.both_halves();
+    }
 }
 
 /// A panel from a line to its mirror image, of straight lines across: a deck or a flat bottom.
