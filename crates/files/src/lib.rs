@@ -2,7 +2,8 @@
 //!
 //! In: [`read_input`] makes a kernel [`Design`](sheetwright::design::Design) from a design file, a
 //! curve table, a drawing or a mesh, [`design_from_template`] from a template. Out:
-//! [`output_files`] makes every file of a made design, in memory; the caller writes them. Each format has its own module.
+//! [`output_files`] makes every file of a made design, in memory; the caller writes them. Each
+//! format has its own module.
 //!
 //! ```
 //! use sheetwright::{Unwatched, make};

@@ -270,7 +270,8 @@ pub struct ReadOptions {
     /// The supporting plane of every panel. Default: as the design says, or `auto`.
     pub plane: Option<PlaneChoice>,
     /// The unit of a curve table, a drawing or a mesh. Default: of a mesh, the one that a comment
-    /// in it names, of a drawing, the one that it states; else millimetres. A design states its own.
+    /// in it names, of a drawing, the one that it states; else millimetres. A design states its
+    /// own.
     pub units: Option<Units>,
     /// The names of the curves or layers of a drawing that are rails, in order. Default: what is
     /// named so, or two open curves alone.

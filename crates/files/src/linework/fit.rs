@@ -67,6 +67,9 @@ pub(super) fn fitted(curve: &Drawn, smooth: bool) -> Result<Fitted, FitError> {
     if segments.is_empty() {
         return Err(FitError::Nothing);
     }
+    if segments.iter().map(|segment| segment.parts()).sum::<usize>() > MAX_POINTS {
+        return Err(FitError::TooManyPoints);
+    }
     let joints = joints(&segments, curve.closed, smooth);
     let smoothed = joints.contains(&Joint::Smoothed);
     let is_polyline = !smoothed && segments.iter().all(|segment| segment.is_line());

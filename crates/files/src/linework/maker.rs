@@ -91,8 +91,7 @@ impl Maker<'_> {
     pub(super) fn add(&mut self, curve: &Drawn, fit: Fitted) -> Result<String, InputError> {
         self.points += fit.points.len();
         if self.points > MAX_SAMPLES {
-            let message = format!("the curves of the drawing take more than {MAX_SAMPLES} points");
-            return Err(self.error(message, "Divide the drawing, or simplify its curves."));
+            return Err(self.too_many_points());
         }
         if self.curves.len() == MAX_CURVES {
             return Err(self.too_many_curves());
@@ -107,6 +106,11 @@ impl Maker<'_> {
         }
         self.curves.push(DesignCurve { name: name.clone(), kind: Some(kind), closed, points });
         Ok(name)
+    }
+
+    pub(super) fn too_many_points(&self) -> InputError {
+        let message = format!("the curves of the drawing take more than {MAX_SAMPLES} points");
+        self.error(message, "Divide the drawing, or simplify its curves.")
     }
 
     pub(super) fn too_many_curves(&self) -> InputError {

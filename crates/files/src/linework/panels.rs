@@ -11,6 +11,7 @@ use super::roles::{Role, Told, is_called, role};
 use crate::names::{did_you_mean, folded, shown};
 use crate::reading::InputError;
 use crate::table::MAX_CURVES;
+use sheetwright::boundary::MAX_SAMPLES;
 use sheetwright::design::{CurveUse, PanelShape, ReadNote, Unused};
 use sheetwright::math::Point3;
 use std::collections::{BTreeMap, BTreeSet};
@@ -128,8 +129,12 @@ impl Maker<'_> {
                 format!("of the rails, {} is closed and {} is open", shown(ring), shown(open));
             return Err(self.error(message, "Both rails of a panel are open, or both are closed."));
         }
+        // Plane rails are an exact drawing; those in space may be smooth curves as many lines.
+        let segments = rails.iter().flat_map(|rail| &rail.segments);
+        let points = segments.flat_map(|segment| [segment.start(), segment.end()]);
+        let smooth = !Ring::new(points.collect(), self.size).is_flat();
         let names =
-            rails.iter().map(|rail| self.curve(rail, true)).collect::<Result<Vec<_>, _>>()?;
+            rails.iter().map(|rail| self.curve(rail, smooth)).collect::<Result<Vec<_>, _>>()?;
         for pair in names.windows(2) {
             let [a, b] = [&pair[0], &pair[1]].map(|name| whole(name));
             let shape = match closed {
@@ -283,8 +288,16 @@ impl Maker<'_> {
             let ring = Ring::new(fit.points.iter().map(|point| point.at).collect(), self.size);
             Ok((fit, ring))
         };
-        let made = closed.iter().map(flat).collect::<Result<Vec<_>, _>>()?;
-        let (fits, rings): (Vec<Fitted>, Vec<Ring>) = made.into_iter().unzip();
+        let (mut fits, mut rings, mut points) = (Vec::new(), Vec::new(), 0);
+        for curve in &closed {
+            let (fit, ring) = flat(curve)?;
+            points += fit.points.len();
+            if points > MAX_SAMPLES {
+                return Err(self.too_many_points());
+            }
+            fits.push(fit);
+            rings.push(ring);
+        }
         let doubled = doubled(&rings, self.size);
         let mut all: Vec<Closed> = Vec::new();
         for (((curve, fit), ring), doubled) in closed.into_iter().zip(fits).zip(rings).zip(doubled)

@@ -274,8 +274,8 @@ fn names(node: Node<'_, '_>) -> Vec<String> {
 /// A property of how an element looks, from its style or its attribute.
 fn property<'a>(node: Node<'a, '_>, name: &str) -> Option<&'a str> {
     let in_style = node.attribute("style").into_iter().flat_map(|style| style.split(';'));
-    let in_style = in_style.filter_map(|rule| rule.split_once(':'));
-    let found = in_style.filter(|(key, _)| key.trim() == name).next_back();
+    let mut in_style = in_style.filter_map(|rule| rule.split_once(':'));
+    let found = in_style.rfind(|(key, _)| key.trim() == name);
     let found = found.map(|(_, value)| value.trim().trim_end_matches("!important").trim_end());
     found.or_else(|| node.attribute(name).map(str::trim))
 }
