@@ -341,8 +341,9 @@ impl From<serde_json::Error> for OutputError {
 /// a table, with a design that reads them from it. Formats that need rulings leave meshes out.
 ///
 /// # Errors
-/// Panels whose names can't be names of files, or are those of others; a die that is wider than a part that is bent over
-/// it; a hole or a gap that is no wider than the kerf. A written pattern that differs is a finding.
+/// Panels whose names can't be names of files, or are those of others; a die that is wider than a
+/// part that is bent over it; a hole or a gap that is no wider than the kerf. A written pattern
+/// that differs is a finding.
 pub fn output_files(
     made: &Made,
     formats: &[Format],

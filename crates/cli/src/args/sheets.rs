@@ -24,8 +24,8 @@ pub(crate) struct SheetArgs {
     /// the design says, or 0]
     #[arg(long, value_name = "LENGTH", value_parser = distance_mm)]
     kerf: Option<f64>,
-    /// Lay equal parts side by side, a kerf apart, so that one cut parts two [default: as the design
-    /// says]
+    /// Lay equal parts side by side, a kerf apart, so that one cut parts two [default: as the
+    /// design says]
     #[arg(long)]
     common_lines: bool,
     /// Whether all sheets are drawn beside each other, in sheets.svg and sheets.dxf, or each has

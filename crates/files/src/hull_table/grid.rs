@@ -131,7 +131,8 @@ fn separator_of(text: &str) -> Option<u8> {
     };
     let by_count =
         |count: usize| [b'\t', b';', b','].into_iter().find(|&separator| with(separator, count));
-    by_count(2).or_else(|| by_count(1))
+    // One comma a row may be that of a decimal, between columns of spaces.
+    by_count(2).or_else(|| by_count(1).filter(|_| !text.contains("  ")))
 }
 
 #[cfg(test)]

@@ -212,8 +212,8 @@ pub struct Design {
     pub preset: Option<String>,
     /// The name of the release of its DXF files, if it names one.
     pub dxf: Option<String>,
-    /// How near the arcs of DXF files stay to the cut lines that they take the place of, mm, if they
-    /// have arcs.
+    /// How near the arcs of DXF files stay to the cut lines that they take the place of, mm, if
+    /// they have arcs.
     pub arcs_mm: Option<f64>,
     /// The names of the formats that its files are written in, if it names some.
     pub formats: Vec<String>,

@@ -2,7 +2,8 @@
 //!
 //! A trim stands on edges, over a span of each. One on edges that are joined is made on both, at
 //! equal shares of their common length. Of trims that move the cut line (allowances, hems, flanges,
-//! tabs, fingers, slots and puzzles), an edge has one: the last in the list takes the place of the others.
+//! tabs, fingers, slots and puzzles), an edge has one: the last in the list takes the place of the
+//! others.
 
 /// What is done along some edges.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,18 +2,18 @@
 //!
 //! Parts are laid down one after the other (`fill`), then sheets are emptied into the others where
 //! that can be (`sheets`), and the parts on the last sheet, or on a roll, are squeezed together
-//! (`squeeze`). All of it stands on one search \[GardeynVandenBergheWauters2025\]: parts may overlap
-//! for a while, and are moved until none does (`separate`). That program works in single precision,
-//! on one strip and by the clock, and takes no holes; this one works on several sheets of several
-//! forms, lays parts in holes of others, and counts its steps, so that its layouts have the same
-//! bits everywhere.
+//! (`squeeze`). All of it stands on one search \[GardeynVandenBergheWauters2025\]: parts may
+//! overlap for a while, and are moved until none does (`separate`). That program works in single
+//! precision, on one strip and by the clock, and takes no holes; this one works on several sheets
+//! of several forms, lays parts in holes of others, and counts its steps, so that its layouts have
+//! the same bits everywhere.
 //!
-//! Equal parts whose cuts may be in common are laid side by side first (`common`).
+//! Equal parts whose cuts may be in common are laid side by side first (`blocks`).
 //!
 //! The search sees parts as forms with fewer corners, grown by half the gap (`shape`). What it
 //! finds is proved on the parts themselves (`proof`).
 
-mod common;
+mod blocks;
 mod fill;
 mod layout;
 mod proof;
@@ -162,7 +162,7 @@ pub fn nest(
     watch: &mut dyn Watch,
 ) -> Nest {
     match options.has_common_lines {
-        true => common::in_blocks(parts, sheets, options, watch),
+        true => blocks::in_blocks(parts, sheets, options, watch),
         false => laid_out(parts, sheets, options, watch),
     }
 }

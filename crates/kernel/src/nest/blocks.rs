@@ -166,7 +166,7 @@ struct Block {
     members: Vec<Member>,
     /// What lies within half the distance of its members.
     around: Vec<Region>,
-    /// The same, less some rounding: two blocks may not have any of it in common.
+    /// What lies a little nearer to them: two blocks may have none of it in common.
     own: Vec<Region>,
 }
 
