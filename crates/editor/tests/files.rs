@@ -102,7 +102,7 @@ fn what_can_not_be_opened_is_refused_as_open_refuses_it() {
         let said = notice(&hands);
         assert!(said.starts_with(path) && said.ends_with(['.', 'd']), "{said}");
         assert!(
-            said.contains("The editor opens designs (.json), tables of curves (.csv) and meshes")
+            said.contains("The editor opens designs (.json), tables of curves (.csv), tables of")
         );
         dropped(&mut hands, vec![(path, bytes)]);
         assert_eq!(notice(&hands), said);
@@ -302,11 +302,11 @@ fn files_that_an_export_would_replace_are_asked_about() {
 
 #[test]
 fn a_typed_path_to_what_can_not_be_opened_can_be_typed_again() {
-    let mut hands = without_dialogs(&["/home/notes.txt", "/home/hood.sheet.json"]);
+    let mut hands = without_dialogs(&["/home/notes.doc", "/home/hood.sheet.json"]);
     hands.run(Command::Save);
     hands.step();
     hands.key(Modifiers::NONE, Key::Enter);
-    let notes = || Opened { path: "/home/notes.txt".to_owned(), bytes: b"milk".to_vec() };
+    let notes = || Opened { path: "/home/notes.doc".to_owned(), bytes: b"milk".to_vec() };
     let refusals = [
         (Command::AddReference, "is no picture in PNG or JPEG."),
         (Command::Open, "The editor opens designs (.json)"),
@@ -316,7 +316,7 @@ fn a_typed_path_to_what_can_not_be_opened_can_be_typed_again() {
         hands.run(command);
         hands.step();
         let said = notice(&hands);
-        type_path(&mut hands, "Path of the file", "/home/notes.txt");
+        type_path(&mut hands, "Path of the file", "/home/notes.doc");
         hands.step();
         assert!(hands.sees("This system shows no dialog"), "{command:?}");
         // Once, where the path is typed.

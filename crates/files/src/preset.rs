@@ -272,9 +272,12 @@ impl Layer {
         self.roles.iter().any(|role| role.is_cut())
     }
 
-    /// Its shapes, in order.
+    /// Its shapes, in order. On a sheet, which is cut in the order of the file, outlines come last:
+    /// what is cut out first can't be cut inside any more.
     pub(crate) fn shapes<'a>(&self, all: &'a [Shape]) -> impl Iterator<Item = &'a Shape> + use<'a> {
-        let roles = self.roles;
-        roles.iter().flat_map(move |&role| all.iter().filter(move |shape| shape.role == role))
+        let is_sheet = all.iter().any(|shape| shape.role == Sheet);
+        let mut roles = self.roles.to_vec();
+        roles.sort_by_key(|&role| is_sheet && role == Cut);
+        roles.into_iter().flat_map(move |role| all.iter().filter(move |shape| shape.role == role))
     }
 }

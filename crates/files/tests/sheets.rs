@@ -6,7 +6,8 @@ use sheetwright::make::make;
 use sheetwright::template::template;
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
-    Format, OutputOptions, Outputs, SheetSettings, formats_for, output_files, stock_sheet,
+    Format, OutputOptions, Outputs, ReadOptions, SheetSettings, formats_for, output_files,
+    read_input, stock_sheet,
 };
 
 fn written(sheet: &str) -> Outputs {
@@ -90,4 +91,22 @@ fn the_list_of_parts_and_the_report_say_where_each_lies() {
     assert!(page.contains("<h2>Sheets</h2>") && page.contains("sheet-1, 800 × 500 mm"));
     let small = text(&written("300x200mm"), "report.html");
     assert!(small.contains("Larger than every sheet: segment-1, segment-2."));
+}
+
+#[test]
+fn holes_are_cut_before_any_outline() {
+    let options = ReadOptions::default();
+    let mut design = read_input("../../corpus/good/lid-with-hatch.csv".as_ref(), &options).unwrap();
+    design.panels[0].count = 2;
+    let sheets = vec![stock_sheet("5x5m").unwrap()];
+    let settings = SheetSettings { sheets, effort: Some(0.01), ..SheetSettings::default() };
+    settings.set(&mut design).unwrap();
+    let mut made = make(&design, &mut Unwatched).unwrap();
+    made.lay_out(&mut Unwatched);
+    let outputs = output_files(&made, &[Format::Sheets], OutputOptions::of(&design)).unwrap();
+    let svg = text(&outputs, "sheets.svg");
+    let document = roxmltree::Document::parse(&svg).unwrap();
+    let cut = document.descendants().find(|node| node.attribute("id") == Some("cut")).unwrap();
+    let classes: Vec<&str> = cut.children().filter_map(|path| path.attribute("class")).collect();
+    assert_eq!(classes, ["hole", "hole", "outline", "outline"]);
 }
