@@ -265,7 +265,6 @@ mod tests {
             let read = chords(&line.points, &line.bulges);
             let off = [off_mm(&read, &points), off_mm(&points, &read)];
             assert!(off.iter().all(|off| *off <= tolerance_mm + RISE_MM), "{off:?}");
-            println!("{tolerance_mm} mm: {} of {} corners", line.points.len(), points.len());
         }
     }
 

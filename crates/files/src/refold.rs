@@ -207,6 +207,9 @@ pub(crate) fn check_lines(piece: &Piece, files: &PatternFiles<'_>) -> Result<(),
     if is_off { Err(RefoldFileError::Moved { by_mm }) } else { Ok(()) }
 }
 
+/// The lines of a file, or why it can't be read.
+type LinesOfFile = Result<Vec<ReadLine>, PatternReadError>;
+
 /// The patterns of the files of a piece, read back. For a pattern that overlaps itself,
 /// `overlapping` has the rungs to look for, since its lines alone do not tell outline, holes and
 /// rungs apart. Rungs that the preset does not draw as lines are those of the piece. With each
@@ -217,7 +220,7 @@ fn read_patterns(
     files: &PatternFiles<'_>,
 ) -> Result<Vec<(ReadPattern, f64)>, RefoldFileError> {
     let preset = files.preset;
-    let mut read: Vec<(Result<Vec<ReadLine>, PatternReadError>, Option<f64>)> = Vec::new();
+    let mut read: Vec<(LinesOfFile, Option<f64>)> = Vec::new();
     read.extend(files.svg.map(|bytes| (svg_lines(bytes, preset), None)));
     read.extend(files.dxf.map(|bytes| (dxf_lines(bytes, preset), files.arcs_mm)));
     if read.is_empty() {
@@ -228,7 +231,7 @@ fn read_patterns(
     let is_hidden = |path: &&PatternPath| !preset.draws_lines(path.role);
     let hidden = piece.paths.iter().filter(is_hidden).filter_map(PatternPath::rung);
     let hidden: Vec<Rung> = hidden.collect();
-    let pattern_of = |(lines, arcs_mm): (Result<Vec<ReadLine>, PatternReadError>, _)| {
+    let pattern_of = |(lines, arcs_mm): (LinesOfFile, _)| {
         let lines = lines.map_err(RefoldFileError::Read)?;
         let arcs = Option::map(arcs_mm, |mm| Arcs::of(&shapes, mm));
         let (lines, off_mm) = sorted(&lines, &shapes, preset, arcs.as_ref())?;

@@ -118,7 +118,7 @@ impl Moves {
     /// Lines that no moves fit.
     fn of(mesh: &Mesh, flat: &[Point2], faces: &Faces) -> Result<Self, Vec<usize>> {
         let within_mm = Tolerance::ROUNDING.length_mm(size_of(mesh.positions().iter().copied()));
-        let (of_faces, tree) = face_moves(faces, within_mm)?;
+        let FaceMoves { of_faces, tree } = face_moves(faces, within_mm)?;
         let slopes = faces.lines.iter().map(|line| slopes(mesh, flat, faces, line)).collect();
         let mut moves = Self { faces: of_faces, tree, on_lines: BTreeMap::new(), slopes };
         let mut lines_at: BTreeMap<VertexIndex, Vec<usize>> = BTreeMap::new();
@@ -254,14 +254,19 @@ fn is_true(mesh: &Mesh, [before, after]: [&[Point2]; 2], positions: &[Point3]) -
     mesh.edges().iter().all(|edge| kept(edge.ends)) && !mesh.triangles().iter().any(is_turned)
 }
 
-/// How far each face moves, the first not at all, and the lines by which the others are reached.
+/// How faces move.
+struct FaceMoves {
+    /// By how much each, the first not at all.
+    of_faces: Vec<Vec2>,
+    /// The lines by which the others are reached, and whether from their first side.
+    tree: Vec<(usize, bool)>,
+}
+
+/// How faces move.
 ///
 /// # Errors
 /// The lines round which faces would move by different ways to different places.
-fn face_moves(
-    faces: &Faces,
-    within_mm: f64,
-) -> Result<(Vec<Vec2>, Vec<(usize, bool)>), Vec<usize>> {
+fn face_moves(faces: &Faces, within_mm: f64) -> Result<FaceMoves, Vec<usize>> {
     let mut moves: Vec<Option<Vec2>> = vec![None; faces.count];
     let mut reached_by: Vec<Option<(usize, usize)>> = vec![None; faces.count];
     let (mut tree, mut waiting) = (Vec::new(), VecDeque::from([0]));
@@ -296,7 +301,8 @@ fn face_moves(
             }
         }
     }
-    Ok((moves.into_iter().map(Option::unwrap_or_default).collect(), tree))
+    let of_faces = moves.into_iter().map(Option::unwrap_or_default).collect();
+    Ok(FaceMoves { of_faces, tree })
 }
 
 /// By how much the sides of both faces leave a line at its ends, along it over across; 0 where the

@@ -8,7 +8,7 @@ mod svg;
 use super::{DrawingFormat, read};
 use crate::reading::{InputError, ReadOptions};
 use sheetwright::curve::Curve;
-use sheetwright::design::{Design, DesignCurve, PanelShape, ReadNote, Unused};
+use sheetwright::design::{Design, DesignCurve, DesignPanel, PanelShape, ReadNote, Unused};
 
 fn options() -> ReadOptions {
     ReadOptions::default()
@@ -79,16 +79,20 @@ fn names(design: &Design) -> Vec<&str> {
     design.curves.iter().map(|curve| curve.name.as_str()).collect()
 }
 
-/// Each panel by its outer curve and its holes, or by its rails.
-fn shapes(design: &Design) -> Vec<Vec<&str>> {
-    let shape = |shape| match shape {
-        &PanelShape::Loops { ref outer, ref holes } => {
+/// A panel by its outer curve and its holes, or by its rails.
+fn shape(panel: &DesignPanel) -> Vec<&str> {
+    match &panel.shape {
+        PanelShape::Loops { outer, holes } => {
             outer.iter().chain(holes.iter().flatten()).map(|part| part.name.as_str()).collect()
         }
         PanelShape::Rails(rails) => rails.iter().map(|rail| rail.name.as_str()).collect(),
         _ => Vec::new(),
-    };
-    design.panels.iter().map(|panel| shape(&panel.shape)).collect()
+    }
+}
+
+/// Each panel so.
+fn shapes(design: &Design) -> Vec<Vec<&str>> {
+    design.panels.iter().map(shape).collect()
 }
 
 /// How many things of each kind were not used.
