@@ -110,11 +110,11 @@ fn what_can_not_be_opened_is_refused_as_open_refuses_it() {
     }
     // A file whose name does not tell what it is may still be of use, and what it holds may tell.
     let texts = [
-        ("/a/milk.txt", "milk", "Pictures to trace (.png, .jpg)"),
-        ("/a/rows.txt", "curve,x,y,z\na,0,0,0\n", "give it the ending .csv."),
+        ("/a/milk.doc", "milk", "Pictures to trace (.png, .jpg)"),
+        ("/a/rows.doc", "curve,x,y,z\na,0,0,0\n", "give it the ending .csv."),
         ("/a/rows", "curve,x,y,z\na,0,0,0\n", "give it the ending .csv."),
-        ("/a/hull.txt", "solid hull", "give it the ending of its format."),
-        ("/a/hood.txt", "{\"format\": \"sheetwright-design\"}", "give it the ending .json."),
+        ("/a/hull.doc", "solid hull", "give it the ending of its format."),
+        ("/a/hood.doc", "{\"format\": \"sheetwright-design\"}", "give it the ending .json."),
     ];
     for (path, holds, way_out) in texts {
         dropped(&mut hands, vec![(path, Ok(holds.as_bytes().to_vec()))]);
