@@ -3,6 +3,8 @@
 //! A panel's name becomes the name of its files. A design may be opened on any operating system, so
 //! every system refuses the same names.
 
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use unicode_normalization::UnicodeNormalization;
 
 /// The most bytes of a name: with an ending added it stays below the 255 bytes that file systems
@@ -81,6 +83,27 @@ pub(crate) fn made_for_files(name: &str, most_bytes: usize) -> String {
         // The name of a device: a leading `_` makes it an ordinary name.
         Some(_) if !made.is_empty() => format!("_{made}"),
         _ => made.to_owned(),
+    }
+}
+
+/// Names that are given, each to one thing alone, whatever the case of its letters.
+#[derive(Debug, Default)]
+pub(crate) struct OwnNames(BTreeMap<String, usize>);
+
+impl OwnNames {
+    /// The name; with a number behind it if another thing has it.
+    pub(crate) fn take(&mut self, name: &str) -> String {
+        let first = folded(name);
+        let mut next = self.0.get(&first).copied().unwrap_or(1);
+        loop {
+            let taken = if next == 1 { name.to_owned() } else { format!("{name} {next}") };
+            next += 1;
+            if let Entry::Vacant(free) = self.0.entry(folded(&taken)) {
+                free.insert(2);
+                self.0.insert(first, next);
+                return taken;
+            }
+        }
     }
 }
 

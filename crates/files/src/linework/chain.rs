@@ -68,10 +68,9 @@ fn joined(before: Chained, groups: &[String], size: f64, near: f64) -> Chained {
         let Some(first) = left[start / 2].take() else { continue };
         let mut chain = directed(first, start);
         let mut leaving = start ^ 1;
-        let mut largest: Option<(f64, Point3)> = None;
         let mut see = |gap: f64, at: Point3| {
-            if gap > UNSEEN * size && largest.is_none_or(|(most, _)| gap > most) {
-                largest = Some((gap, at));
+            if gap > UNSEEN * size {
+                gaps.push((gap, at));
             }
         };
         while let Some(end) = partner[leaving] {
@@ -97,7 +96,6 @@ fn joined(before: Chained, groups: &[String], size: f64, near: f64) -> Chained {
             chain.segments.append(&mut next.segments);
             leaving = end ^ 1;
         }
-        gaps.extend(largest);
         curves.push(chain);
     }
     Chained { curves, gaps, forks }
@@ -144,7 +142,9 @@ fn partners(
             let key = [x.saturating_add(i), y.saturating_add(j), z.saturating_add(k)];
             for &other in cells.get(&key).into_iter().flatten() {
                 let is_near = ends[other].is_some_and(|there| there.distance(at) <= near);
-                if other != n && is_near && groups[other / 2] == groups[n / 2] {
+                // A stroke as short as a gap does not close onto itself.
+                let is_stroke = || other ^ 1 == n && size_of([&curves[n / 2]]) <= 4.0 * near;
+                if other != n && is_near && !is_stroke() && groups[other / 2] == groups[n / 2] {
                     found.push(other);
                     if found.len() > 1 {
                         return found;

@@ -16,6 +16,9 @@ pub(super) const MAX_NAME: usize = 80;
 /// The most names of things that were not used that are kept.
 const NAMES: usize = 20;
 
+/// The most characters of such a name.
+const SHOWN_NAME: usize = 60;
+
 /// A curve of a drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Drawn {
@@ -99,9 +102,11 @@ impl Tally {
     pub(super) fn add(&mut self, what: Unused, name: &str, at: Option<Point3>) {
         let counted = self.0.entry(what).or_default();
         counted.count += 1;
-        let is_new = !name.is_empty() && !counted.names.iter().any(|known| known == name);
-        if is_new && counted.names.len() < NAMES {
-            counted.names.push(name.chars().take(60).collect());
+        if counted.names.len() < NAMES && !name.is_empty() {
+            let short: String = name.chars().take(SHOWN_NAME).collect();
+            if !counted.names.contains(&short) {
+                counted.names.push(short);
+            }
         }
         counted.at = counted.at.or(at);
     }

@@ -48,6 +48,13 @@ pub(super) enum FitError {
     Curve(CurveError),
 }
 
+impl FitError {
+    /// Whether a closed curve has too few points to bound anything.
+    pub(super) fn bounds_nothing(&self) -> bool {
+        matches!(self, Self::Nothing | Self::Curve(CurveError::TooFewPoints { .. }))
+    }
+}
+
 /// A point of the spline: where it lies on the drawn curve.
 #[derive(Clone, Copy)]
 struct Node {

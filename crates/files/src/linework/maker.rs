@@ -5,18 +5,18 @@ use super::chain::{Chained, chained};
 use super::drawn::{Drawn, Tally};
 use super::fit::{FitError, Fitted, MAX_POINTS, fitted};
 use super::nest::Ring;
-use crate::names::{folded, made_for_files, shown};
+use crate::names::{OwnNames, made_for_files, shown};
 use crate::reading::InputError;
 use crate::table::MAX_CURVES;
 use sheetwright::boundary::MAX_SAMPLES;
 use sheetwright::design::{DesignCurve, DesignPanel, PanelShape, ReadNote};
 use sheetwright::math::Point3;
-use std::collections::BTreeSet;
 
 /// The most panels of a drawing.
 const MAX_PANELS: usize = 1000;
 /// The most bytes of a name, so that a number fits behind it.
 const NAME_BYTES: usize = 80;
+
 /// The curves and panels of a drawing, and what is to be said of it.
 pub(super) struct Found {
     pub(super) curves: Vec<DesignCurve>,
@@ -35,7 +35,7 @@ pub(super) struct Maker<'a> {
     pub(super) gaps: Vec<(f64, Point3)>,
     pub(super) smoothed: Vec<String>,
     pub(super) curves: Vec<DesignCurve>,
-    pub(super) taken: BTreeSet<String>,
+    pub(super) taken: OwnNames,
     /// What bounds each panel, with a name for it.
     pub(super) shapes: Vec<(String, PanelShape)>,
     pub(super) points: usize,
@@ -98,9 +98,7 @@ impl Maker<'_> {
         }
         let Fitted { kind, closed, points, smoothed } = fit;
         let wanted = curve_name(curve.name());
-        let numbered = (2..).map(|n| format!("{wanted} {n}"));
-        let mut names = std::iter::once(wanted.clone()).chain(numbered);
-        let name = names.find(|name| self.taken.insert(folded(name))).unwrap_or(wanted);
+        let name = self.taken.take(&wanted);
         if smoothed {
             self.smoothed.push(name.clone());
         }
@@ -144,15 +142,12 @@ impl Maker<'_> {
             return Err(InputError::at(place, message, hint));
         }
         let is_one = shapes.len() == 1;
-        let mut taken = BTreeSet::new();
+        let mut taken = OwnNames::default();
         let mut panels = Vec::with_capacity(shapes.len());
         for (own, shape) in shapes {
             let first = made_for_files(if is_one { stem } else { &own }, NAME_BYTES);
             let first = if first.is_empty() { "panel".to_owned() } else { first };
-            let numbered = (2..).map(|n| format!("{first} {n}"));
-            let mut names = std::iter::once(first.clone()).chain(numbered);
-            let name = names.find(|name| taken.insert(folded(name))).unwrap_or(first);
-            panels.push(DesignPanel::usual(name, shape));
+            panels.push(DesignPanel::usual(taken.take(&first), shape));
         }
         let widest = gaps.iter().copied().max_by(|a, b| a.0.total_cmp(&b.0));
         if let Some((widest_mm, at)) = widest {

@@ -7,6 +7,10 @@ use sheetwright::math::{Frame, Point2, Point3, Vec3};
 /// Points this near to a plane lie in it, as a share of the size of the drawing.
 const FLAT: f64 = 1e-6;
 
+/// Points of curves that are drawn twice lie this near to the polygon of the other, as a share of
+/// the size: the arcs between its points rise by less.
+const ON: f64 = 1e-3;
+
 /// A closed curve by the points that it runs through.
 pub(super) struct Ring {
     points: Vec<Point3>,
@@ -78,6 +82,20 @@ impl Ring {
             && (self.area.abs() - other.area.abs()).abs() <= near * size
             && self.is_flat()
             && self.holds_in_plane(other, size)
+            && self.runs_through(other, ON * size)
+    }
+
+    /// Whether some points of another curve lie on this one.
+    fn runs_through(&self, other: &Self, near: f64) -> bool {
+        let step = (other.points.len() / 9).max(1);
+        other.points.iter().step_by(step).all(|&p| {
+            let sides = self.points.iter().zip(self.points.iter().cycle().skip(1));
+            sides.into_iter().any(|(a, b)| {
+                let (way, from) = (*b - *a, p - *a);
+                let share = (from.dot(way) / way.length_squared()).clamp(0.0, 1.0);
+                (from - way * share).length() <= near
+            })
+        })
     }
 }
 
@@ -97,13 +115,14 @@ pub(super) fn doubled(rings: &[Ring], size: f64) -> Vec<bool> {
         .collect()
 }
 
-/// The plane of a polygon (Newell's normal), if all of its points lie in it.
+/// The plane through the first point, the farthest from it, and the one that is farthest from the
+/// line between them, if all points lie in it.
 fn plane(points: &[Point3], size: f64) -> Option<Frame> {
     let first = *points.first()?;
-    let mut normal = Vec3::ZERO;
-    for (a, b) in points.iter().zip(points.iter().cycle().skip(1)) {
-        normal += (*a - first).cross(*b - first);
-    }
+    let far = |p: &&Point3| (**p - first).length_squared();
+    let last = *points.iter().max_by(|p, q| far(p).total_cmp(&far(q)))?;
+    let across = points.iter().map(|p| (last - first).cross(*p - first));
+    let normal = across.max_by(|n, m| n.length_squared().total_cmp(&m.length_squared()))?;
     let largest = normal.abs().max_element();
     let lead = normal.to_array().into_iter().find(|c| c.abs() == largest)?;
     let normal = if lead < 0.0 { -normal } else { normal };
@@ -141,6 +160,24 @@ mod tests {
         let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
         let points = corners.map(|(i, j)| Point3::new(x + half * i, y + half * j, z));
         Ring::new(points.to_vec(), 100.0)
+    }
+
+    #[test]
+    fn halves_of_a_square_are_two() {
+        let ring = |corners: [(f64, f64); 3]| {
+            Ring::new(corners.map(|(x, y)| Point3::new(x, y, 0.0)).to_vec(), 100.0)
+        };
+        let lower = [(0.0, 0.0), (100.0, 0.0), (0.0, 100.0)];
+        let upper = [(100.0, 0.0), (100.0, 100.0), (0.0, 100.0)];
+        let turned = [(100.0, 0.0), (0.0, 100.0), (0.0, 0.0)];
+        assert_eq!(doubled(&[lower, upper, turned].map(ring), 100.0), [false, false, true]);
+    }
+
+    #[test]
+    fn a_figure_of_eight_is_plane() {
+        let eight = [(0.0, 0.0), (2.0, 1.0), (2.0, 0.0), (0.0, 1.0)];
+        let points = eight.map(|(x, y)| Point3::new(x, y, 3.0 + x)).to_vec();
+        assert!(Ring::new(points, 2.0).is_flat());
     }
 
     #[test]

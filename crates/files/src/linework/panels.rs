@@ -4,10 +4,11 @@
 
 use super::chain::{Chained, size_of};
 use super::drawn::{Drawing, Drawn};
-use super::fit::{Fitted, fitted};
+use super::fit::{FitError, Fitted, fitted};
 use super::maker::{Closed, Found, Maker, ends_of, place_of};
 use super::nest::{Ring, doubled, parents};
 use super::roles::{Role, Told, is_called, role};
+use super::segment::Segment;
 use crate::names::{did_you_mean, folded, shown};
 use crate::reading::InputError;
 use crate::table::MAX_CURVES;
@@ -33,7 +34,6 @@ pub(super) fn panels(
     if !(size > 0.0 && size.is_finite()) {
         return Err(maker.nothing());
     }
-    let curves = maker.without_doubles(curves);
     if rails.is_empty() {
         maker.by_names(curves)?;
     } else {
@@ -45,20 +45,19 @@ pub(super) fn panels(
 impl Maker<'_> {
     /// Curves that are drawn twice, one on the other, stay once.
     fn without_doubles(&mut self, curves: Vec<Drawn>) -> Vec<Drawn> {
-        let mut known: BTreeSet<[[i64; 3]; 3]> = BTreeSet::new();
+        let mut known: BTreeSet<Vec<[i64; 3]>> = BTreeSet::new();
         let step = 1e-7 * self.size;
         let rounded = |p: Point3| [p.x, p.y, p.z].map(|c| (c / step).round() as i64);
         let mut kept = Vec::with_capacity(curves.len());
         for curve in curves {
-            let (Some(start), Some(end)) = (curve.start(), curve.end()) else { continue };
-            let middle = &curve.segments[curve.segments.len() / 2];
-            let inside = match curve.segments.len() % 2 {
-                0 => middle.start(),
-                _ => middle.position(0.5),
-            };
-            let mut ends = [rounded(start), rounded(end)];
-            ends.sort_unstable();
-            if known.insert([ends[0], ends[1], rounded(inside)]) {
+            let of_segment =
+                |segment: &Segment| [0.0, 0.25, 0.5, 0.75].map(|t| segment.position(t));
+            let points = curve.segments.iter().flat_map(of_segment).chain(curve.end());
+            let mut there: Vec<[i64; 3]> = points.map(rounded).collect();
+            // Run either way.
+            let back: Vec<[i64; 3]> = there.iter().rev().copied().collect();
+            there = there.min(back);
+            if known.insert(there) {
                 kept.push(curve);
             } else {
                 self.unused.add_curve(Unused::Doubled, &curve);
@@ -85,6 +84,7 @@ impl Maker<'_> {
         }
         let mut rails = Vec::new();
         for (group, name) in groups.into_iter().zip(wanted) {
+            let group = self.without_doubles(group);
             let mut found = self.as_rails(group, wanted.len() == 1);
             if found.len() > 1 && wanted.len() > 1 {
                 return Err(self.several_for_one(&found, name));
@@ -148,20 +148,23 @@ impl Maker<'_> {
 
     /// Rails, outlines and holes by the names of curves and layers, else by how they lie.
     fn by_names(&mut self, curves: Vec<Drawn>) -> Result<(), InputError> {
-        let mut rails: Vec<(String, Vec<Drawn>)> = Vec::new();
+        let mut rails: Vec<Vec<Drawn>> = Vec::new();
+        let mut rail_of: BTreeMap<String, usize> = BTreeMap::new();
         let mut others = Vec::new();
         for curve in curves {
             match role(&curve).map(|told| (told.role, folded(told.name))) {
                 Some((Role::Mark, _)) => self.unused.add_curve(Unused::Marks, &curve),
                 Some((Role::Rail, name)) => {
-                    match rails.iter_mut().find(|(known, _)| *known == name) {
-                        Some((_, group)) => group.push(curve),
-                        None => rails.push((name, vec![curve])),
+                    let n = *rail_of.entry(name).or_insert(rails.len());
+                    if n == rails.len() {
+                        rails.push(Vec::new());
                     }
+                    rails[n].push(curve);
                 }
                 _ => others.push(curve),
             }
         }
+        let others = self.without_doubles(others);
         if rails.is_empty() {
             return self.outlines(others);
         }
@@ -175,10 +178,13 @@ impl Maker<'_> {
     }
 
     /// The panels of rails by the names that say so: two in all, or two of each name.
-    fn named_rails(&mut self, rails: Vec<(String, Vec<Drawn>)>) -> Result<(), InputError> {
+    fn named_rails(&mut self, rails: Vec<Vec<Drawn>>) -> Result<(), InputError> {
         let is_only = rails.len() == 1;
-        let groups: Vec<Vec<Drawn>> =
-            rails.into_iter().map(|(_, group)| self.as_rails(group, is_only)).collect();
+        let mut groups: Vec<Vec<Drawn>> = Vec::with_capacity(rails.len());
+        for group in rails {
+            let group = self.without_doubles(group);
+            groups.push(self.as_rails(group, is_only));
+        }
         let count: usize = groups.iter().map(Vec::len).sum();
         if count == 2 {
             return self.between_rails(groups.into_iter().flatten().collect());
@@ -277,30 +283,47 @@ impl Maker<'_> {
         if closed.len() > MAX_CURVES {
             return Err(self.too_many_curves());
         }
-        let flat = |curve: &Drawn| -> Result<(Fitted, Ring), InputError> {
-            let fit = fitted(curve, false).map_err(|error| self.unfit(curve, &error))?;
-            let ring = Ring::new(fit.points.iter().map(|point| point.at).collect(), self.size);
+        let size = self.size;
+        let flat = |curve: &Drawn| -> Result<(Fitted, Ring), FitError> {
+            let fit = fitted(curve, false)?;
+            let ring = Ring::new(fit.points.iter().map(|point| point.at).collect(), size);
             // What is bent in space may be a smooth curve that is drawn as many lines.
             if ring.is_flat() {
                 return Ok((fit, ring));
             }
-            let fit = fitted(curve, true).map_err(|error| self.unfit(curve, &error))?;
-            let ring = Ring::new(fit.points.iter().map(|point| point.at).collect(), self.size);
+            let fit = fitted(curve, true)?;
+            let ring = Ring::new(fit.points.iter().map(|point| point.at).collect(), size);
             Ok((fit, ring))
         };
         let (mut fits, mut rings, mut points) = (Vec::new(), Vec::new(), 0);
-        for curve in &closed {
-            let (fit, ring) = flat(curve)?;
-            points += fit.points.len();
-            if points > MAX_SAMPLES {
-                return Err(self.too_many_points());
+        let mut bounding: Vec<Drawn> = Vec::new();
+        let mut fault: Option<InputError> = None;
+        for curve in closed {
+            match flat(&curve) {
+                Ok((fit, ring)) => {
+                    points += fit.points.len();
+                    if points > MAX_SAMPLES {
+                        return Err(self.too_many_points());
+                    }
+                    fits.push(fit);
+                    rings.push(ring);
+                    bounding.push(curve);
+                }
+                // A line there and back, or a point, bounds nothing.
+                Err(error) if error.bounds_nothing() => {
+                    fault = fault.or_else(|| Some(self.unfit(&curve, &error)));
+                    self.unused.add_curve(Unused::Closed, &curve);
+                }
+                Err(error) => return Err(self.unfit(&curve, &error)),
             }
-            fits.push(fit);
-            rings.push(ring);
+        }
+        if let (true, Some(fault)) = (bounding.is_empty(), fault) {
+            return Err(fault);
         }
         let doubled = doubled(&rings, self.size);
         let mut all: Vec<Closed> = Vec::new();
-        for (((curve, fit), ring), doubled) in closed.into_iter().zip(fits).zip(rings).zip(doubled)
+        for (((curve, fit), ring), doubled) in
+            bounding.into_iter().zip(fits).zip(rings).zip(doubled)
         {
             if doubled {
                 self.unused.add_curve(Unused::Doubled, &curve);
@@ -329,13 +352,17 @@ impl Maker<'_> {
         let rings: Vec<&Ring> = all.iter().map(|closed| &closed.ring).collect();
         let parents = parents(&rings, self.size);
         let roles = self.roles_of(all, &parents)?;
+        let mut outlines = (0..all.len()).filter(|&m| roles[m] == Some(Role::Outline));
+        let only = outlines.next().filter(|_| outlines.next().is_none());
         let mut holes: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         for (n, closed) in all.iter().enumerate() {
             match roles[n] {
                 Some(Role::Hole) => {
-                    let lone = || (0..all.len()).filter(|&m| roles[m] == Some(Role::Outline));
-                    let around = parents[n].filter(|&m| roles[m] == Some(Role::Outline));
-                    let around = around.or_else(|| lone().next().filter(|_| lone().count() == 1));
+                    let is_outline = |m: &usize| roles[*m] == Some(Role::Outline);
+                    let around = std::iter::successors(parents[n], |&m| parents[m]);
+                    // What lies inside an outline in space is not known: the only one counts.
+                    let lone = only.filter(|&m| !all[m].ring.is_flat());
+                    let around = around.into_iter().find(is_outline).or(lone);
                     let Some(around) = around else {
                         let message =
                             format!("the hole {} lies in no outline", shown(closed.curve.name()));
@@ -375,7 +402,7 @@ impl Maker<'_> {
         // From the outside inwards: a curve lies in fewer others than what lies in it.
         let depth = |n: usize| std::iter::successors(parents[n], |&m| parents[m]).count();
         let mut order: Vec<usize> = (0..all.len()).collect();
-        order.sort_by_key(|&n| depth(n));
+        order.sort_by_cached_key(|&n| depth(n));
         for n in order {
             let on_layer = told[n].is_some_and(|told| told.role == Role::Outline);
             let fixed = told[n].filter(|told| told.is_own || told.role == Role::Hole);

@@ -19,7 +19,7 @@ mod said;
 pub(crate) mod scan;
 mod stl;
 
-use crate::names::folded;
+use crate::names::OwnNames;
 use crate::reading::{InputError, ReadOptions, display_name, stem, without_utf16};
 use crate::units::Units;
 pub(crate) use build::Builder;
@@ -29,7 +29,6 @@ use sheetwright::design::{Design, DesignPanel, PanelMesh, PanelShape, Triangles}
 use sheetwright::flatten::Aim;
 use sheetwright::index::VertexIndex;
 use sheetwright::mesh::MAX_TRIANGLES;
-use std::collections::BTreeSet;
 
 /// Formats of meshes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -121,10 +120,10 @@ pub(crate) fn groups(
         MeshFormat::Ply => ply::read(bytes, place, &mut builder)?,
         MeshFormat::Glb => glb::read(bytes, place, &mut builder)?,
     }
-    let mut taken = BTreeSet::new();
+    let mut taken = OwnNames::default();
     let group = |group: Built| {
         let (name, triangles) = group.triangles();
-        (of_its_own(name, &mut taken), triangles)
+        (taken.take(&name), triangles)
     };
     Ok(builder.built()?.into_iter().map(group).collect())
 }
@@ -136,13 +135,6 @@ impl Built {
         let triangles = triangles.into_iter().map(|t| t.map(VertexIndex::new)).collect();
         (name, Triangles { positions, triangles, left_out })
     }
-}
-
-/// The name; with a number behind it if another group has it.
-fn of_its_own(name: String, taken: &mut BTreeSet<String>) -> String {
-    let numbered = (2..).map(|n| format!("{name} {n}"));
-    let mut names = std::iter::once(name.clone()).chain(numbered);
-    names.find(|name| taken.insert(folded(name))).unwrap_or(name)
 }
 
 /// The error for a mesh above the limit of points or triangles.

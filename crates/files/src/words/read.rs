@@ -24,7 +24,7 @@ pub fn read_note_text(note: &ReadNote) -> String {
         ),
         ReadNote::Smoothed { names } => format!(
             "{} {} drawn in space as many short lines and {} made smooth through their points; \
-             corners of 20° or more stay.",
+             corners of 20° or more stay, and so do those between lines of very different length.",
             listed(names),
             if names.len() == 1 { "is" } else { "are" },
             if names.len() == 1 { "was" } else { "were" },
@@ -90,9 +90,9 @@ const SHOWN: usize = 4;
 
 fn listed(names: &[String]) -> String {
     let shown: Vec<String> = names.iter().take(SHOWN).map(|name| format!("'{name}'")).collect();
-    let more = names.len().saturating_sub(SHOWN);
-    let rest = if more > 0 { format!(" and {more} more") } else { String::new() };
-    shown.join(", ") + &rest
+    // Not all names are kept, so how many more there are is not known.
+    let rest = if names.len() > SHOWN { " and others" } else { "" };
+    shown.join(", ") + rest
 }
 
 /// A length with two significant digits below 1 mm, else with hundredths.

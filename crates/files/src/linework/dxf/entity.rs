@@ -1,5 +1,6 @@
 //! Entities of DXF as pieces of curves.
 
+use super::super::drawn::MAX_SEGMENTS;
 use super::super::segment::{Affine, Segment};
 use super::records::Record;
 use super::spline::{Spline, through};
@@ -54,14 +55,20 @@ pub(super) fn pieces(
 fn chain(corners: &[(Point3, f64)], closed: bool) -> Pieces {
     let ends = corners.iter().zip(corners.iter().cycle().skip(1));
     let count = if closed { corners.len() } else { corners.len().saturating_sub(1) };
-    let pieces = ends.take(count).map(|((a, bulge), (b, _))| bulged(*a, *b, *bulge));
+    // One more than a drawing may have is refused.
+    let pieces =
+        ends.take(count.min(MAX_SEGMENTS + 1)).map(|((a, bulge), (b, _))| bulged(*a, *b, *bulge));
     (pieces.collect(), closed && corners.len() > 1)
 }
+
+/// A bulge below this is rounding: its arc rises by less than 5e-9 of the chord, and its centre is
+/// so far that the rest of the digits would not tell where the arc runs.
+const LEAST_BULGE: f64 = 1e-8;
 
 /// The piece between two corners with a bulge, the tangent of a quarter of the angle of the arc,
 /// positive counter-clockwise; straight with 0.
 fn bulged(a: Point3, b: Point3, bulge: f64) -> Segment {
-    if bulge == 0.0 || !bulge.is_finite() || a == b {
+    if bulge.abs() < LEAST_BULGE || !bulge.is_finite() || a == b {
         return Segment::line(a, b);
     }
     let way = b - a;
@@ -159,7 +166,7 @@ fn spline(record: &Record<'_>) -> Result<Pieces, String> {
     if record.kind == "SPLINE" && control.is_empty() {
         let points = record.points(11);
         let closed = record.flags(70) & CLOSED == CLOSED;
-        return Ok((through(&points, closed)?, closed && points.len() > 3));
+        return through(&points, closed);
     }
     let spline =
         Spline { degree: usize::try_from(record.flags(71)).unwrap_or(0), knots, weights, control };

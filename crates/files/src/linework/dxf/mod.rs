@@ -21,6 +21,8 @@ use std::rc::Rc;
 const MAX_DEPTH: usize = 32;
 /// The most entities that are drawn, those of copies of blocks among them.
 const MAX_DRAWN: usize = 300_000;
+/// As many numbers of an entity count as another entity that is drawn.
+const NUMBERS_OF_ONE: usize = 64;
 const EXPORT: &str = "Save it again as DXF, as text (ASCII), from the program that it came from.";
 const BINARY: &[u8] = b"AutoCAD Binary DXF";
 
@@ -103,6 +105,11 @@ fn unit_of(header: &Record<'_>) -> Option<f64> {
         14 => 100.0,
         15 => 1e4,
         16 => 1e5,
+        // US survey feet, inches, yards and miles.
+        21 => 1_200_000.0 / 3937.0,
+        22 => 100_000.0 / 3937.0,
+        23 => 3_600_000.0 / 3937.0,
+        24 => 5280.0 * 1_200_000.0 / 3937.0,
         _ => return None,
     })
 }
@@ -170,7 +177,8 @@ impl Reader<'_> {
         parts: &[Record<'_>],
         at: &Context,
     ) -> Result<(), InputError> {
-        self.drawn += 1;
+        // Each copy takes as long as the entity has numbers.
+        self.drawn += 1 + (record.pairs().count() + parts.len()) / NUMBERS_OF_ONE;
         if self.drawn > MAX_DRAWN {
             return Err(too_large(self.place));
         }

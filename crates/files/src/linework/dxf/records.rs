@@ -44,7 +44,7 @@ impl<'a> Record<'a> {
         let mut points: Vec<Point3> = Vec::new();
         for (found, value) in self.pairs() {
             let value = value.parse().unwrap_or(f64::NAN);
-            match (found - code, points.last_mut()) {
+            match (found.wrapping_sub(code), points.last_mut()) {
                 (0, _) => points.push(Point3::new(value, 0.0, 0.0)),
                 (10, Some(point)) => point.y = value,
                 (20, Some(point)) => point.z = value,

@@ -2,6 +2,7 @@
 //! form (blossom) of the spline at the ends of its knot interval, by de Boor's recursion with one
 //! argument a level.
 
+use super::super::drawn::MAX_SEGMENTS;
 use super::super::segment::Segment;
 use sheetwright::curve::{Curve, CurveKind, CurvePoint};
 use sheetwright::math::Point3;
@@ -27,6 +28,9 @@ impl Spline {
         let (degree, count) = (*degree, control.len());
         if !(1..=MAX_DEGREE).contains(&degree) {
             return Err(format!("its degree is {degree}; 1 to {MAX_DEGREE} are read"));
+        }
+        if count > MAX_SEGMENTS {
+            return Err(format!("it has more than {MAX_SEGMENTS} control points"));
         }
         if count <= degree {
             return Err(format!("it has {count} control points and degree {degree}"));
@@ -82,11 +86,12 @@ fn blossom(
     d[degree]
 }
 
-/// The interpolating spline through points, of splines that have no control points.
+/// The interpolating spline through points, of splines that have no control points, and whether it
+/// is closed: one of two points is not.
 ///
 /// # Errors
 /// Too few points, in words.
-pub(super) fn through(points: &[Point3], closed: bool) -> Result<Vec<Segment>, String> {
+pub(super) fn through(points: &[Point3], closed: bool) -> Result<(Vec<Segment>, bool), String> {
     let mut points: Vec<CurvePoint> = points.iter().map(|p| CurvePoint::smooth(*p)).collect();
     points.dedup_by(|b, a| a.at == b.at);
     if closed && points.len() > 2 && points[0].at == points[points.len() - 1].at {
@@ -95,7 +100,7 @@ pub(super) fn through(points: &[Point3], closed: bool) -> Result<Vec<Segment>, S
     let closed = closed && points.len() > 2;
     let curve =
         Curve::new(CurveKind::Spline, &points, closed).map_err(|error| format!("it {error}"))?;
-    Ok(curve.spans().iter().map(|span| Segment::bezier(&span.control)).collect())
+    Ok((curve.spans().iter().map(|span| Segment::bezier(&span.control)).collect(), closed))
 }
 
 #[cfg(test)]

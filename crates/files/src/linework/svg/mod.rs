@@ -24,6 +24,8 @@ const SVG: &str = "http://www.w3.org/2000/svg";
 const MAX_DEPTH: usize = 64;
 /// The most elements that are drawn, copies among them.
 const MAX_DRAWN: usize = 300_000;
+/// As many letters of data count as another element that is drawn.
+const LETTERS_OF_ONE: usize = 256;
 /// The most elements and texts of a file.
 const MAX_NODES: u32 = 4_000_000;
 /// The most classes of an element that are looked at.
@@ -115,6 +117,12 @@ impl<'d> Reader<'_, 'd> {
         let tag = node.tag_name().name();
         let is_group = matches!(tag, "g" | "a" | "switch" | "svg" | "use" | "symbol");
         let is_shape = shapes::SHAPES.contains(&tag);
+        // Each copy takes as long as what it has in its attributes.
+        let data = ["d", "points", "style"].iter().filter_map(|name| node.attribute(*name));
+        self.drawn += 1 + data.map(str::len).sum::<usize>() / LETTERS_OF_ONE;
+        if self.drawn > MAX_DRAWN {
+            return Err(too_large(self.place));
+        }
         let name = names(node).into_iter().next().unwrap_or_default();
         if !is_group && !is_shape {
             match tag {
@@ -125,10 +133,6 @@ impl<'d> Reader<'_, 'd> {
                 _ => {}
             }
             return Ok(());
-        }
-        self.drawn += 1;
-        if self.drawn > MAX_DRAWN {
-            return Err(too_large(self.place));
         }
         if outer.depth == MAX_DEPTH {
             return Err(self.error(node, "it lies in more than 64 groups or copies"));

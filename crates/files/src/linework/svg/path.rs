@@ -1,9 +1,13 @@
 //! The data of a path (`d`) as pieces of curves, in its own coordinates. Commands, relative ones
 //! and implicit repeats are split by `svgtypes`.
 
+use super::super::drawn::MAX_SEGMENTS;
 use super::super::segment::Segment;
 use sheetwright::math::{Point3, Vec3, atan2, cos, from_deg, sin};
 use svgtypes::{PathParser, PathSegment};
+
+/// An arc whose chord is a smaller share of its radii rises by less than 3e-9 of the chord.
+const LEAST_CHORD: f64 = 1e-8;
 
 /// A part of a path that is drawn in one stroke.
 #[derive(Debug, Default, PartialEq)]
@@ -18,7 +22,10 @@ pub(super) struct Stroke {
 /// What is wrong with the data, in the words of `svgtypes`.
 pub(super) fn strokes(data: &str) -> Result<Vec<Stroke>, String> {
     let mut pen = Pen::default();
-    for segment in PathParser::from(data) {
+    for (n, segment) in PathParser::from(data).enumerate() {
+        if n > MAX_SEGMENTS {
+            return Err(format!("it has more than {MAX_SEGMENTS} pieces"));
+        }
         pen.run(segment.map_err(|error| error.to_string())?);
     }
     pen.lift();
@@ -156,6 +163,10 @@ impl Arc {
         }
         let (a, b) = (x / rx, y / ry);
         let squares = a * a + b * b;
+        // Of a circle so much larger than its chord, rounding would not tell where it runs.
+        if squares < LEAST_CHORD * LEAST_CHORD {
+            return Some(Segment::line(from, to));
+        }
         let far = ((1.0 - squares).max(0.0) / squares).sqrt();
         let far = if self.large_arc == self.sweep { -far } else { far };
         // On the unit circle, the centre and the two ends.

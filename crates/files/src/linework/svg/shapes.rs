@@ -1,12 +1,13 @@
 //! The basic shapes of SVG as strokes, in their own coordinates.
 
+use super::super::drawn::MAX_SEGMENTS;
 use super::super::segment::Segment;
 use super::page::{Lengths, Side};
 use super::path::{Stroke, strokes};
 use roxmltree::Node;
 use sheetwright::math::{Point3, Vec3};
 use std::f64::consts::{FRAC_PI_2, PI};
-use svgtypes::PointsParser;
+use svgtypes::NumberListParser;
 
 /// The shapes that are drawn.
 pub(super) const SHAPES: [&str; 7] =
@@ -26,9 +27,12 @@ pub(super) fn drawn(node: Node<'_, '_>, lengths: &Lengths) -> Result<Vec<Stroke>
         "path" => strokes(node.attribute("d").unwrap_or_default()),
         "line" => Ok(vec![chain(&[place("x1", "y1")?, place("x2", "y2")?], false)]),
         "polyline" | "polygon" => {
-            let points: Vec<Point3> = PointsParser::from(node.attribute("points").unwrap_or(""))
-                .map(|(x, y)| Point3::new(x, y, 0.0))
-                .collect();
+            // One more than a drawing may have is refused. SVG leaves an odd number out.
+            let numbers = NumberListParser::from(node.attribute("points").unwrap_or(""));
+            let numbers = numbers.take(2 * (MAX_SEGMENTS + 2)).collect::<Result<Vec<f64>, _>>();
+            let numbers = numbers.map_err(|error| format!("its points: {error}"))?;
+            let points: Vec<Point3> =
+                numbers.chunks_exact(2).map(|p| Point3::new(p[0], p[1], 0.0)).collect();
             Ok(vec![chain(&points, node.tag_name().name() == "polygon")])
         }
         "circle" => {

@@ -198,3 +198,30 @@ fn what_is_no_drawing_is_refused_in_words() {
         assert!(error.message.contains(says) && !error.hint.is_empty(), "{says}: {error:?}");
     }
 }
+
+#[test]
+fn bulges_of_rounding_are_straight_and_every_gap_counts() {
+    for bulge in ["1e-14", "-1e-16", "1e-9"] {
+        let text =
+            format!("0 LWPOLYLINE/8 0/90 3/70 1/10 0/20 0/42 {bulge}/10 100/20 37/10 0/20 90/");
+        let design = dxf(&text);
+        assert_eq!(design.curves[0].kind, Some(CurveKind::Polyline), "{bulge}");
+    }
+    let sides =
+        [[0.0, 0.0, 99.995, 0.0], [100.0, 0.0, 100.0, 99.995], [100.0, 100.0, 0.005, 100.0]];
+    let lines: String = sides
+        .iter()
+        .chain(&[[0.0, 100.0, 0.0, 0.005]])
+        .map(|[a, b, c, d]| format!("0 LINE/8 0/10 {a}/20 {b}/11 {c}/21 {d}/"))
+        .collect();
+    let notes = dxf(&lines).notes;
+    assert!(matches!(notes[..], [ReadNote::GapsClosed { count: 4, .. }]), "{notes:?}");
+}
+
+#[test]
+fn codes_and_units_that_are_odd_are_no_faults() {
+    let odd = "0 SPLINE/8 0/70 0/-2147483648 1/11 0/21 0/11 50/21 20/11 100/21 0/";
+    assert_eq!(try_dxf(&dxf_text(&format!("{odd}{SQUARE}"))).unwrap().panels.len(), 1);
+    let feet = try_dxf(&file("70 21", "", SQUARE)).unwrap();
+    has_lengths(&feet, &[400.0 * 1_200_000.0 / 3937.0], "US survey feet");
+}

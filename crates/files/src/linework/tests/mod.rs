@@ -7,7 +7,7 @@ mod svg;
 
 use super::{DrawingFormat, read};
 use crate::reading::{InputError, ReadOptions};
-use sheetwright::curve::Curve;
+use sheetwright::curve::{Curve, CurveKind};
 use sheetwright::design::{Design, DesignCurve, DesignPanel, PanelShape, ReadNote, Unused};
 
 fn options() -> ReadOptions {

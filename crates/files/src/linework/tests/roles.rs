@@ -109,3 +109,64 @@ fn two_rings_in_space_are_the_borders_of_one_panel() {
     let names = ["top", "bottom"].map(str::to_owned);
     assert_eq!(design.notes, [ReadNote::TakenForRing { names }]);
 }
+
+#[test]
+fn only_what_lies_on_the_very_line_is_drawn_twice() {
+    let halves = "<polygon id='lower' points='0,0 100,0 0,100'/>\
+                  <polygon id='upper' points='100,0 100,100 0,100'/>\
+                  <polygon id='again' points='0,100 100,0 100,100'/>";
+    let design = svg(halves);
+    assert_eq!(shapes(&design), [["lower"], ["upper"]]);
+    assert_eq!(unused(&design), [(Unused::Doubled, 1)]);
+    // Two curves through the same three points.
+    let round = svg("<ellipse id='low' cx='200' cy='200' rx='50' ry='20'/>\
+                     <circle id='round' cx='200' cy='200' r='50'/>");
+    assert_eq!(shapes(&round), [["round", "low"]]);
+    // Of a mark and an outline in one place, the outline counts, whichever comes first.
+    let both = svg("<rect class='engrave' width='100' height='50'/>\
+                    <rect id='lid' width='100' height='50'/>");
+    assert_eq!(shapes(&both), [["lid"]]);
+    assert_eq!(unused(&both), [(Unused::Marks, 1)]);
+}
+
+#[test]
+fn holes_lie_in_the_smallest_outline_around_them() {
+    let counterbore = "<rect id='outline-a' width='100' height='100'/>\
+                       <rect id='outline-b' x='200' width='100' height='100'/>\
+                       <g id='holes'><circle id='wide' cx='50' cy='50' r='20'/>\
+                       <circle id='narrow' cx='50' cy='50' r='8'/></g>";
+    assert_eq!(shapes(&svg(counterbore)), [vec!["outline-a", "wide", "narrow"], vec!["outline-b"]]);
+    let outside = page(
+        "<rect id='outline' width='100' height='100'/>\
+                        <circle id='hole' cx='500' cy='500' r='20'/>",
+    );
+    assert_eq!(try_svg(&outside).unwrap_err().message, "the hole 'hole' lies in no outline");
+}
+
+#[test]
+fn specks_are_named_and_refuse_nothing() {
+    let specks = "<rect id='lid' width='100' height='100'/><path d='M50 50h0.005'/>\
+                  <path d='M20 20h9Z'/>";
+    let design = svg(specks);
+    assert_eq!(shapes(&design), [["lid"]]);
+    assert_eq!(unused(&design), [(Unused::Open, 1), (Unused::Closed, 1)]);
+}
+
+#[test]
+fn plane_rails_keep_their_corners() {
+    let rails = "<path id='rail-a' d='M0 0L100 10L200 0L300 -10L400 0'/>\
+                 <path id='rail-b' d='M0 50L100 60L200 50L300 40L400 50'/>";
+    let design = svg(rails);
+    assert!(design.curves.iter().all(|curve| curve.kind == Some(CurveKind::Polyline)));
+    assert_eq!(design.notes, []);
+}
+
+#[test]
+fn many_curves_without_names_are_numbered_at_once() {
+    let holes: String = (0..3000)
+        .map(|n| format!("<circle cx='{}' cy='{}' r='1'/>", 5 + n % 100 * 9, 5 + n / 100 * 9))
+        .collect();
+    let design = svg(&format!("<rect id='plate' width='999' height='999'/>{holes}"));
+    assert_eq!((design.panels.len(), design.curves.len()), (1, 3001));
+    assert_eq!(design.curves[3000].name, "curve 3000");
+}

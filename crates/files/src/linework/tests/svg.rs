@@ -234,3 +234,23 @@ fn what_is_no_drawing_is_refused_in_words() {
         assert!(error.message.contains(says) && !error.hint.is_empty(), "{says}: {error:?}");
     }
 }
+
+#[test]
+fn arcs_of_circles_too_large_are_straight_and_bad_points_are_named() {
+    let design = svg("<path d='M0 0A1e16 1e16 0 0 1 100 37L0 90Z'/>");
+    assert_eq!(design.curves[0].kind, Some(CurveKind::Polyline));
+    let error = try_svg(&page("<polygon points='0,0 100,0 100,100 x 0,100'/>")).unwrap_err();
+    assert!(error.message.contains("its points:"), "{error:?}");
+}
+
+#[test]
+fn copies_of_long_data_are_bounded() {
+    let long = "M0 0".repeat(100_000);
+    let uses = "<use href='#a'/>".repeat(2000);
+    let text = page(&format!("<defs><path id='a' d='{long}'/></defs>{uses}"));
+    assert!(try_svg(&text).unwrap_err().message.contains("more than 300000 pieces"));
+    let titles = "<title/>".repeat(1000);
+    let uses = "<use href='#g'/>".repeat(1000);
+    let text = page(&format!("<defs><g id='g'>{titles}</g></defs>{uses}"));
+    assert!(try_svg(&text).unwrap_err().message.contains("more than 300000 pieces"));
+}
