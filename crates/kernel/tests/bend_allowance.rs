@@ -275,3 +275,34 @@ fn folds_that_meet_inside_the_sheet_stay_mitred() {
     assert_eq!(mitred(&parts[0]), expected, "{slits} slits");
     assert_eq!(slits, 0);
 }
+
+/// Whatever the samples, and drawn as rails or as one outline: samples nearer to the fold than the
+/// neutral surface moves there keep their order.
+#[test]
+fn lengths_do_not_hang_on_the_samples() {
+    let ell = [[0.0, 50.0], [0.0, 0.0], [50.0, 0.0]];
+    let expected = |k: f64| 2.0 * (50.0 - 4.0) + FRAC_PI_2 * (2.0 + 2.0 * k);
+    for samples in [41, 101, 201, 401, 801] {
+        let part = made(&profile(&ell, Dimensions::Outside, sheet(0.5), samples));
+        assert_eq!(mitred(&part), [], "{samples}");
+        let off_mm = length_mm(&part) - expected(0.5);
+        assert!(off_mm.abs() < NEUTRAL_MM, "{samples}: {off_mm}");
+        let part = made(&profile(&ell, Dimensions::Outside, sheet(0.44), samples));
+        let off_mm = length_mm(&part) - expected(0.44);
+        assert!(off_mm.abs() < NEUTRAL_MM, "{samples}: {off_mm}");
+    }
+    // By the tolerance, which takes some hundred samples.
+    let mut usual = profile(&ell, Dimensions::Outside, sheet(0.44), 41);
+    let panel = DesignPanel::usual("bracket".to_owned(), usual.panels[0].shape.clone());
+    usual.panels[0] = panel;
+    let off_mm = length_mm(&made(&usual)) - expected(0.44);
+    assert!(off_mm.abs() < NEUTRAL_MM, "{off_mm}");
+    // A fold towards each face: one grows and one shrinks, drawn on either.
+    let zed = [[0.0, 30.0], [0.0, 0.0], [40.0, 0.0], [40.0, -30.0]];
+    for samples in [61, 301] {
+        for dimensions in [Dimensions::Inside, Dimensions::Outside] {
+            let part = made(&profile(&zed, dimensions, sheet(0.44), samples));
+            assert_eq!(mitred(&part), [], "{samples} {dimensions:?}");
+        }
+    }
+}

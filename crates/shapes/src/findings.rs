@@ -292,6 +292,7 @@ fn of_files() -> Vec<Finding> {
         Kind::FoldsMitred { count: 1, of: 5, why: Mitred::Meets },
         Kind::FoldsMitred { count: 2, of: 2, why: Mitred::NotFlat },
         Kind::FoldsMitred { count: 3, of: 5, why: Mitred::Narrow },
+        Kind::FoldsMitred { count: 5, of: 5, why: Mitred::Untrue },
         reduced(2500, false),
         reduced(2500, true),
         reduced(30_000, false),

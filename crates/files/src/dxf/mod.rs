@@ -61,11 +61,19 @@ pub fn write_dxf_with(
 /// circles are refused.
 pub fn read_dxf(bytes: &[u8]) -> Result<ReadPattern, PatternReadError> {
     let mut lines = dxf_lines(bytes, Preset::generic())?;
+    let mut count = 0;
     for ReadLine { line, .. } in &mut lines {
         line.points = chords(&line.points, &std::mem::take(&mut line.bulges));
+        count += line.points.len();
+        if count > MOST_POINTS {
+            return Err(PatternReadError::TooLarge);
+        }
     }
     pattern(Lines::of_layers(lines))
 }
+
+/// The most corners of a pattern whose arcs are made chords.
+const MOST_POINTS: usize = 10_000_000;
 
 /// The lines of a pattern that [`write_dxf_for`] wrote, in the order of the file.
 pub(crate) fn dxf_lines(bytes: &[u8], preset: &Preset) -> Result<Vec<ReadLine>, PatternReadError> {

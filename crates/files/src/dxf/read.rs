@@ -34,6 +34,9 @@ impl<'a> Reader<'a> {
     }
 }
 
+/// The bulge of an arc that is written is not smaller.
+const LEAST_BULGE: f64 = 1e-9;
+
 /// What is being read.
 #[derive(Default)]
 struct Place<'a> {
@@ -139,6 +142,10 @@ fn filled<'a>(
         }
         ("VERTEX" | "LWPOLYLINE", 42) => {
             let bulge = reader.number(value)?;
+            // Arcs that are written go half round at the most, and none is as good as straight.
+            if bulge.abs() > 1.0 || (bulge != 0.0 && bulge.abs() < LEAST_BULGE) {
+                return Err(reader.wrong("no bulge of a pattern"));
+            }
             line.bulges.resize(line.points.len(), 0.0);
             if let Some(last) = line.bulges.last_mut() {
                 *last = bulge;

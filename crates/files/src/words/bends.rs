@@ -22,6 +22,8 @@ pub(super) fn folds_mitred(count: usize, of: usize, why: Mitred) -> String {
         }
         (Mitred::Narrow, true) => "a face beside it ends before the bend does",
         (Mitred::Narrow, false) => "faces beside them end before the bends do",
+        (Mitred::Untrue, true) => "with it, lengths of the part would not stay true",
+        (Mitred::Untrue, false) => "with it, lengths of the part would not stay true",
     };
     format!("{folds} no bend allowance: {why}. There the faces meet as mitred boards do.")
 }

@@ -21,12 +21,14 @@ const SAME_ANGLE: f64 = 1e-4;
 /// Why a fold is left with its faces meeting as mitred boards do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Mitred {
-    /// It meets others in a point, round which no lengths fit that all their tools want.
+    /// It meets others in a point, where their allowances contradict one another.
     Meets,
     /// It is not straight, ends within the sheet, or has a bend beside it.
     NotFlat,
     /// A face beside it ends before the tangent line of the bend.
     Narrow,
+    /// Lengths of the part would not stay true.
+    Untrue,
 }
 
 /// What folds two faces together.

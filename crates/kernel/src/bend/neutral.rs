@@ -7,10 +7,16 @@
 //! with n·v = d for each of their normals n, in the sense of least squares. In a row of facets
 //! about a bend, neighbours then still meet, as mitred boards do, and their widths grow by d times
 //! the turn.
+//!
+//! At a sharp fold the vector has a large share along the faces: towards the face beside it where
+//! that becomes narrower, by t. Samples nearer to the fold than t would lie behind it and turn the
+//! sheet over there. So the samples beside a fold move along their face, too: by t at the fold, and
+//! by less and less up to twice that distance from it, so that their order stays.
 
 use crate::design::Dimensions;
 use crate::material::{KFactors, Material};
-use crate::surface::{Connectivity, Surface};
+use crate::measure::RungMeasures;
+use crate::surface::Surface;
 use sheetwright_geometry::index::TriangleIndex;
 use sheetwright_geometry::math::{Vec3, unit};
 
@@ -20,21 +26,24 @@ const MIDDLE: f64 = 0.5;
 /// a share of the turn of a bend that no sampling shows.
 const SAME_NORMAL: f64 = 1e-10;
 
+/// How far the move of a fold along its faces reaches, as a multiple of that move.
+const REACH: f64 = 2.0;
+
 /// K at a bend radius, mm, in a sheet of a thickness, mm: the material's, or that of the middle.
 pub(crate) fn k_factor(material: Option<&Material>, radius_mm: f64, thickness_mm: f64) -> f64 {
     let table = material.and_then(|material| material.k_factors.as_ref());
     table.map_or(MIDDLE, |table: &KFactors| table.at(radius_mm / thickness_mm))
 }
 
-/// The neutral surface of a drawn one, K thicknesses from its inner face. The inner face is the one
-/// on the side that the surface bends towards in all.
+/// The neutral surface of a drawn one with these rungs, K thicknesses from its inner face. The inner
+/// face is the one on the side that the surface bends towards in all.
 pub(crate) fn neutral_surface(
     drawn: &Surface,
+    rungs: &[RungMeasures],
     dimensions: Dimensions,
     thickness_mm: f64,
     k: f64,
 ) -> Surface {
-    let connectivity = drawn.connectivity();
     // Mountains have their inner face on the back.
     let outwards = if bends_up(drawn) { -1.0 } else { 1.0 };
     let share = match dimensions {
@@ -42,7 +51,7 @@ pub(crate) fn neutral_surface(
         Dimensions::Mean => k - MIDDLE,
         Dimensions::Outside => k - 1.0,
     };
-    moved(drawn, connectivity, outwards * share * thickness_mm)
+    moved(drawn, rungs, outwards * share * thickness_mm)
 }
 
 /// Whether a surface bends in all towards the side that it faces, so that its inner face is there.
@@ -51,15 +60,48 @@ pub(crate) fn bends_up(drawn: &Surface) -> bool {
 }
 
 /// The surface at a distance from another along its normals, mm.
-fn moved(drawn: &Surface, connectivity: &Connectivity, distance_mm: f64) -> Surface {
+fn moved(drawn: &Surface, rungs: &[RungMeasures], distance_mm: f64) -> Surface {
+    let connectivity = drawn.connectivity();
     let mut normals: Vec<Vec<Vec3>> = vec![Vec::new(); connectivity.samples()];
     for (n, triangle) in connectivity.triangles().iter().enumerate() {
         let Some(normal) = drawn.normal(TriangleIndex::new(n)) else { continue };
         triangle.iter().for_each(|corner| normals[corner.get()].push(normal));
     }
-    let places = drawn.positions().iter().zip(&normals);
-    let positions = places.map(|(&at, normals)| at + shift(normals) * distance_mm).collect();
+    let shifts: Vec<Vec3> = normals.iter().map(|normals| shift(normals) * distance_mm).collect();
+    let along = along_faces(drawn, rungs, &shifts);
+    let places = drawn.positions().iter().zip(shifts.iter().zip(&along));
+    let positions = places.map(|(&at, (&shift, &along))| at + shift + along).collect();
     Surface::new(connectivity.clone(), positions)
+}
+
+/// By how much the samples beside folds move along their faces, mm, besides their shifts.
+fn along_faces(drawn: &Surface, rungs: &[RungMeasures], shifts: &[Vec3]) -> Vec<Vec3> {
+    let mut along = vec![Vec3::ZERO; shifts.len()];
+    let mut is_on_fold = vec![false; shifts.len()];
+    for rung in rungs.iter().filter(|rung| rung.is_fold) {
+        rung.rung.ends().into_iter().for_each(|end| is_on_fold[end.get()] = true);
+    }
+    let at = drawn.positions();
+    for line in drawn.connectivity().loops() {
+        let count = line.len();
+        for fold in line.clone().filter(|&n| is_on_fold[n]) {
+            for step in [1, count - 1] {
+                let beside = |k: usize| line.start + (fold - line.start + k * step) % count;
+                // What the fold moves along the face, which the next sample of the face does not.
+                let slide = shifts[fold] - shifts[beside(1)];
+                let Some(way) = unit(slide) else { continue };
+                let reach_mm = REACH * slide.length();
+                for n in (1..count).map(beside).take_while(|&n| !is_on_fold[n]) {
+                    let off_mm = (at[n] - at[fold]).dot(way);
+                    if !(0.0..reach_mm).contains(&off_mm) {
+                        break;
+                    }
+                    along[n] += slide * (1.0 - off_mm / reach_mm);
+                }
+            }
+        }
+    }
+    along
 }
 
 /// The least vector whose share along each of some unit vectors is 1, in the sense of least

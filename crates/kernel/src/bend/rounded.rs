@@ -61,10 +61,12 @@ pub(crate) fn rounded(
     tool: &FoldTool<'_>,
 ) -> Rounded {
     let mut faces = Faces::of(sheet.mesh(), &flat, is_fold, tool);
+    let slopes: Vec<[[f64; 2]; 2]> =
+        faces.lines.iter().map(|line| slopes(sheet.mesh(), &flat.points, &faces, line)).collect();
     let mut moved = None;
     // Each round leaves a line mitred, or is the last.
     for _ in 0..=faces.lines.len() {
-        match Moves::of(sheet.mesh(), &flat.points, &faces) {
+        match Moves::of(sheet.mesh(), &flat.points, &faces, &slopes) {
             Ok(moves) => {
                 moved = moves.made(sheet.mesh(), &flat.points, &faces);
                 break;
@@ -81,7 +83,7 @@ pub(crate) fn rounded(
         }
         None => {
             let made = faces.lines.iter_mut().filter(|line| line.mitred.is_none());
-            made.for_each(|line| line.mitred = Some(Mitred::NotFlat));
+            made.for_each(|line| line.mitred = Some(Mitred::Untrue));
             (sheet, flat)
         }
     };
@@ -99,7 +101,7 @@ fn apart_mm(line: &Line) -> f64 {
 }
 
 /// By how much what lies on a sheet moves on its pattern, mm.
-struct Moves {
+struct Moves<'a> {
     /// Each face, beyond the tangent lines.
     faces: Vec<Vec2>,
     /// The lines by which faces are reached from the first one, and whether from their first face.
@@ -108,18 +110,22 @@ struct Moves {
     on_lines: BTreeMap<VertexIndex, (usize, Vec2)>,
     /// By how much the side of each face at each end of a line leaves the square to it: along over
     /// across.
-    slopes: Vec<[[f64; 2]; 2]>,
+    slopes: &'a [[[f64; 2]; 2]],
 }
 
-impl Moves {
+impl<'a> Moves<'a> {
     /// The moves that the lines ask for.
     ///
     /// # Errors
     /// Lines that no moves fit.
-    fn of(mesh: &Mesh, flat: &[Point2], faces: &Faces) -> Result<Self, Vec<usize>> {
+    fn of(
+        mesh: &Mesh,
+        flat: &[Point2],
+        faces: &Faces,
+        slopes: &'a [[[f64; 2]; 2]],
+    ) -> Result<Self, Vec<usize>> {
         let within_mm = Tolerance::ROUNDING.length_mm(size_of(mesh.positions().iter().copied()));
         let FaceMoves { of_faces, tree } = face_moves(faces, within_mm)?;
-        let slopes = faces.lines.iter().map(|line| slopes(mesh, flat, faces, line)).collect();
         let mut moves = Self { faces: of_faces, tree, on_lines: BTreeMap::new(), slopes };
         let mut lines_at: BTreeMap<VertexIndex, Vec<usize>> = BTreeMap::new();
         for (n, line) in faces.lines.iter().enumerate() {

@@ -9,6 +9,9 @@ use crate::material::{Material, bend_allowance_mm, setback_mm};
 
 use super::neutral::k_factor;
 
+/// Thicknesses that differ by a smaller share are one.
+const SAME_THICKNESS: f64 = 1e-3;
+
 /// What a fold takes of the flat sheet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct FoldSize {
@@ -45,7 +48,8 @@ impl<'a> FoldTool<'a> {
     }
 
     /// The tool for a surface that lies a share of the thickness, as K, from the inner face of most
-    /// bends, which are valleys or mountains; `None` where none makes folds.
+    /// bends, which are valleys or mountains; `None` if the sheet
+    /// can't be folded.
     pub(crate) fn at(
         thick: Thick,
         material: Option<&'a Material>,
@@ -60,7 +64,11 @@ impl<'a> FoldTool<'a> {
     /// What a fold takes by its crease, radians, positive for a mountain.
     pub(crate) fn size(&self, crease: f64) -> FoldSize {
         let &Self { material, thickness_mm, radius_mm, inner_mm } = self;
-        let table = material.and_then(|material| material.deductions.as_ref());
+        // A table was measured in the material's own thickness.
+        let is_of_sheet = |material: &&Material| {
+            (material.thickness_mm.value - thickness_mm).abs() <= SAME_THICKNESS * thickness_mm
+        };
+        let table = material.filter(is_of_sheet).and_then(|it| it.deductions.as_ref());
         let angle = crease.abs();
         let measured = table.and_then(|table| table.allowance_mm(angle, radius_mm, thickness_mm));
         let allowance_mm = measured.unwrap_or_else(|| {

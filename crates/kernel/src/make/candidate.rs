@@ -56,7 +56,7 @@ impl Setting<'_> {
             let rungs = rung_measures(&surface, &prices);
             let k = neutral_k(thick, material, &rungs);
             let Thick { dimensions, thickness_mm, .. } = thick;
-            (neutral_surface(&surface, dimensions, thickness_mm, k), k, rungs)
+            (neutral_surface(&surface, &rungs, dimensions, thickness_mm, k), k, rungs)
         });
         let to_lay = neutral.as_ref().map_or(&surface, |(neutral, ..)| neutral);
         let (sheet, flat) = lay_flat(to_lay, cut, watch).map_err(MakeCause::Flatten)?;

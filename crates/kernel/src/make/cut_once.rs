@@ -77,15 +77,26 @@ fn without([from, to]: [Point2; 2], others: &[[Point2; 2]]) -> Vec<[Point2; 2]> 
             let p = other[0].lerp(other[1], along);
             from.lerp(to, at).distance(p) < ONE_LINE_MM
         };
-        let is_long = (high - low) * length >= LEAST_MM.min(0.5 * length);
-        (a != b && is_long && on(low) && on(high)).then_some([low, high])
+        (a != b && low < high && on(low) && on(high)).then_some([low, high])
     };
-    let mut gone: Vec<[f64; 2]> = others.iter().filter_map(shares).collect();
-    gone.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    let mut left = Vec::new();
-    let mut at = 0.0;
+    let mut pieces: Vec<[f64; 2]> = others.iter().filter_map(shares).collect();
+    pieces.sort_by(|a, b| a[0].total_cmp(&b[0]));
     // What is shorter than the width of a line is nothing.
     let least = ONE_LINE_MM / length.max(f64::MIN_POSITIVE);
+    // The sides of the other line that follow one another are one.
+    let mut gone: Vec<[f64; 2]> = Vec::new();
+    for [low, high] in pieces {
+        match gone.last_mut() {
+            Some(last) if low - last[1] <= least => last[1] = high.max(last[1]),
+            _ => gone.push([low, high]),
+        }
+    }
+    gone.retain(|[low, high]| (high - low) * length >= LEAST_MM.min(0.5 * length));
+    if gone.is_empty() {
+        return vec![[from, to]];
+    }
+    let mut left = Vec::new();
+    let mut at = 0.0;
     for [low, high] in gone.into_iter().chain([[1.0, 1.0]]) {
         if low - at > least {
             let end = |share: f64| match share {
@@ -160,6 +171,24 @@ mod tests {
         let once = cut_once(two);
         assert!((length(&once) - 490.0).abs() < 1e-9);
         assert_eq!(once.len(), 2, "one line, from one end of the common line round to the other");
+        // A side beside one of many short sides.
+        let many = |by: f64| {
+            let mut other = square(100.0, 0.0, 100.0);
+            let count = (100.0 / by) as usize;
+            let side = (1..count).map(|n| Point2::new(100.0, 100.0 - n as f64 * by));
+            other.points.extend(side);
+            other
+        };
+        for two in
+            [vec![square(0.0, 0.0, 100.0), many(0.5)], vec![many(0.5), square(0.0, 0.0, 100.0)]]
+        {
+            assert!((length(&cut_once(two)) - 700.0).abs() < 0.01);
+        }
+        // A side of some micrometres stays.
+        let mut tiny = square(0.0, 0.0, 100.0);
+        tiny.points.insert(1, Point2::new(99.997, 0.0));
+        tiny.points.insert(2, Point2::new(99.997, 0.0));
+        assert_eq!(cut_once(vec![tiny.clone()]), [tiny]);
         let apart = vec![square(0.0, 0.0, 100.0), square(100.5, 0.0, 100.0)];
         assert_eq!(cut_once(apart.clone()), apart);
     }

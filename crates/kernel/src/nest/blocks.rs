@@ -17,6 +17,10 @@ use std::f64::consts::PI;
 
 /// The most parts of a block.
 const MOST: usize = 64;
+/// ... where larger ones find no room.
+const FEW: usize = 8;
+/// The most corners of a block: all are looked at for each place beside it.
+const MOST_CORNERS: usize = 4000;
 /// Facing sides lie so much farther apart than a kerf, mm, that rounding brings none nearer.
 const SAFE_MM: f64 = 2e-3;
 /// A block covers this share of the box of a sheet at the most, or the rest of it is wasted.
@@ -39,16 +43,16 @@ pub(super) fn in_blocks(
     options: NestOptions,
     watch: &mut dyn Watch,
 ) -> Nest {
-    let mut most = MOST;
-    loop {
-        let blocks = Blocks::new(parts, sheets, options, most);
-        let nest = laid_out(&blocks.parts, sheets, options, watch);
+    let share = NestOptions { effort: options.effort / 3.0, ..options };
+    for most in [MOST, FEW] {
+        let blocks = Blocks::new(parts, sheets, options, most, watch);
+        let nest = laid_out(&blocks.parts, sheets, share, watch);
         let mut without = nest.too_large.iter().chain(&nest.left_over);
-        if most == 1 || !without.any(|&block| blocks.of[block].1.len() > 1) {
+        if !without.any(|&block| blocks.of[block].1.len() > 1) {
             return blocks.taken_apart(nest, parts);
         }
-        most /= 4;
     }
+    laid_out(parts, sheets, share, watch)
 }
 
 /// Where a part lies in its block: turned by half a turn if so, then moved.
@@ -82,15 +86,24 @@ struct Blocks {
 }
 
 impl Blocks {
-    fn new(parts: &[NestPart], sheets: &[NestSheet], options: NestOptions, most: usize) -> Self {
+    fn new(
+        parts: &[NestPart],
+        sheets: &[NestSheet],
+        options: NestOptions,
+        most: usize,
+        watch: &mut dyn Watch,
+    ) -> Self {
         let rooms: Vec<[f64; 2]> = sheets.iter().filter_map(|it| room(it, options)).collect();
         let distance = options.gap_mm + SAFE_MM;
         let mut blocks = Self { parts: Vec::new(), of: Vec::new() };
         for (n, part) in parts.iter().enumerate() {
             let first = Block::new(part, distance);
             let mut sizes = vec![first];
+            let corners: usize = part.loops.iter().map(Vec::len).sum();
             while let Some(last) = sizes.last()
+                && !watch.stop()
                 && 2 * last.members.len() <= most.min(part.count)
+                && 2 * last.members.len() * corners <= MOST_CORNERS
                 && let Some(double) = last.doubled(part, distance, &rooms)
             {
                 sizes.push(double);
@@ -285,7 +298,7 @@ fn sides(outline: &[Point2]) -> Vec<[Point2; 2]> {
 fn images(side: [Point2; 2], sides: &[[Point2; 2]], distance: f64, may_turn: bool) -> Vec<Member> {
     let Some(way) = unit2(side[1] - side[0]) else { return Vec::new() };
     let (out, middle) = (-way.perp(), side[0].lerp(side[1], 0.5));
-    // The sides would lie this much nearer.
+    // The outlines reach a little farther than half the distance: so much they lie over one another.
     let apart = distance - 2.0 * (0.5 * distance + 0.1 * SAFE_MM);
     let faces = |other: &&[Point2; 2]| {
         let along = other[0] - other[1];
@@ -307,6 +320,7 @@ fn images(side: [Point2; 2], sides: &[[Point2; 2]], distance: f64, may_turn: boo
 #[cfg(test)]
 mod tests {
     use super::*;
+    use sheetwright_geometry::watch::Unwatched;
 
     fn part(corners: &[[f64; 2]], count: usize) -> NestPart {
         let line = corners.iter().map(|&[x, y]| Point2::new(x, y)).collect();
@@ -317,7 +331,8 @@ mod tests {
         let sheet = NestSheet { form: NestForm::Rectangle(sheet), count: None, cost: None };
         let options =
             NestOptions { gap_mm: kerf, margin_mm: 0.0, has_common_lines: true, effort: 1.0 };
-        let blocks = Blocks::new(std::slice::from_ref(part), &[sheet], options, MOST);
+        let blocks =
+            Blocks::new(std::slice::from_ref(part), &[sheet], options, MOST, &mut Unwatched);
         let sizes = blocks.of.iter().zip(&blocks.parts);
         sizes.map(|((_, members), part)| (members.len(), part.count)).collect()
     }

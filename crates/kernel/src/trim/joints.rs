@@ -6,6 +6,7 @@
 
 use super::TrimFault;
 use super::holes::circle;
+use super::places::MOST;
 use super::stretch::Stretch;
 use crate::design::{Fingers, Puzzle, Slots};
 use crate::edge::Shared;
@@ -30,7 +31,7 @@ pub(super) struct Jointed {
 /// joint have one of the first.
 pub(super) fn fingers(edges: [&Stretch; 2], shared: &Shared, fingers: &Fingers) -> Jointed {
     let length = shared.first[1] - shared.first[0];
-    let pairs = (0.5 * (length / fingers.width - 1.0)).round().max(1.0);
+    let pairs = (0.5 * (length / fingers.width - 1.0)).round().clamp(1.0, MOST);
     let count = 2 * pairs as usize + 1;
     let gap = 0.5 * fingers.clearance / length;
     let mut made = Jointed::default();
@@ -55,7 +56,7 @@ pub(super) fn fingers(edges: [&Stretch; 2], shared: &Shared, fingers: &Fingers) 
 /// Knobs by turns on the first and the second edge, each with its socket on the other.
 pub(super) fn puzzle(edges: [&Stretch; 2], shared: &Shared, puzzle: &Puzzle) -> Jointed {
     let length = shared.first[1] - shared.first[0];
-    let count = (length / puzzle.pitch).round().max(1.0);
+    let count = (length / puzzle.pitch).round().clamp(1.0, MOST);
     let radius = 0.5 * puzzle.width;
     let mut made = Jointed::default();
     for n in 0..count as usize {
@@ -84,7 +85,7 @@ pub(super) fn slots(
 ) -> Result<Jointed, TrimFault> {
     let &Slots { pitch, width, depth, thickness, clearance, beyond, dogbone } = slots;
     let length = shared.first[1] - shared.first[0];
-    let count = (length / pitch).round().max(1.0);
+    let count = (length / pitch).round().clamp(1.0, MOST);
     let (slot_mm, wide_mm) = (width + clearance, thickness + clearance);
     let (over_mm, pitch_mm) = (slot_mm + dogbone, length / count);
     if over_mm >= pitch_mm {

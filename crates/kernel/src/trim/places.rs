@@ -7,7 +7,7 @@
 use crate::design::{Holes, Places};
 
 /// More places than this on one stretch are a slip.
-const MOST: f64 = 100_000.0;
+pub(super) const MOST: f64 = 100_000.0;
 
 /// The places of holes along a stretch of this length, mm, as shares of it, in order.
 pub(super) fn of_holes(holes: &Holes, length: f64, is_loop: bool) -> Vec<f64> {

@@ -120,7 +120,7 @@ fields!(Movement { curves, moved_max_mm, moved_total_mm, size_mm, warp, twist })
 fields!(BorderSide { corners, samples });
 fields!(SeamPlace { number, ends });
 kinds!(SeamCause { NotFlat, Closed, Darts, Facets });
-kinds!(Mitred { Meets, NotFlat, Narrow });
+kinds!(Mitred { Meets, NotFlat, Narrow, Untrue });
 kinds!(Skin { Outer, Inner });
 kinds!(Damage { Filler, Doubled, Seam, OnSide, Branch, Turned, InsideOut });
 kinds!(Hindrance { Strain, Radius, Other });
