@@ -35,8 +35,8 @@ pub(crate) fn k_factor(material: Option<&Material>, radius_mm: f64, thickness_mm
     table.map_or(MIDDLE, |table: &KFactors| table.at(radius_mm / thickness_mm))
 }
 
-/// The neutral surface of a drawn one with these rungs, K thicknesses from its inner face. The inner
-/// face is the one on the side that the surface bends towards in all.
+/// The neutral surface of a drawn one with these rungs, K thicknesses from its inner face. The
+/// inner face is the one on the side that the surface bends towards in all.
 pub(crate) fn neutral_surface(
     drawn: &Surface,
     rungs: &[RungMeasures],

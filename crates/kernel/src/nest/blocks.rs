@@ -298,7 +298,7 @@ fn sides(outline: &[Point2]) -> Vec<[Point2; 2]> {
 fn images(side: [Point2; 2], sides: &[[Point2; 2]], distance: f64, may_turn: bool) -> Vec<Member> {
     let Some(way) = unit2(side[1] - side[0]) else { return Vec::new() };
     let (out, middle) = (-way.perp(), side[0].lerp(side[1], 0.5));
-    // The outlines reach a little farther than half the distance: so much they lie over one another.
+    // Outlines reach a little farther than half the distance: so much they lie over one another.
     let apart = distance - 2.0 * (0.5 * distance + 0.1 * SAFE_MM);
     let faces = |other: &&[Point2; 2]| {
         let along = other[0] - other[1];
